@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkSplattingLinesMapper
+ * @brief   line drawings from points with normals, by splatting
+ *
+ * Draws the points of a vtkPolyData as a line drawing (Zhang et al. 2014, section 3): the points are
+ * splatted as oriented discs into a depth image, then their head-light shading is splatted twice with
+ * Gaussians of two widths (equations 1 and 2), I1 and I2; where the wider exceeds the narrower,
+ *
+ *     H = I1 - Tau I2,   E = tanh(Phi H),   ink = max(0, -E),
+ *
+ * lines appear. No connectivity is needed, and every parameter but the points themselves can change
+ * without anything being uploaded to the GPU again.
+ *
+ * Input: points with unit normals (the point array `Normals`, or the one chosen with
+ * SetInputArrayToProcess(NORMALS, ...)) and, if there is one, the point array `Radius` in world units
+ * (SetInputArrayToProcess(RADIUS, ...)). Without a Radius array, Radius, or if that is 0 an estimate from
+ * the points' spacing, holds for all points. Cells are ignored.
+ *
+ * With PaperVisibility on, the surface is painted in PaperColor under the ink and hides what lies behind
+ * it; with it off, only the ink is drawn, over whatever other actors have drawn. In both, marks
+ * are at the depth of the surface. The actor's opacity applies to both.
+ *
+ * @sa vtkInkIsoSurfaceSampler vtkPointGaussianMapper
+ */
+#ifndef vtkInkSplattingLinesMapper_h
+#define vtkInkSplattingLinesMapper_h
+
+#include "vtkInkRenderingSplattingLinesModule.h" // for the export macro
+#include "vtkPolyDataMapper.h"
+
+#include <memory> // for std::unique_ptr
+
+class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkPolyDataMapper
+{
+public:
+  static vtkInkSplattingLinesMapper* New();
+  vtkTypeMacro(vtkInkSplattingLinesMapper, vtkPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Indices for SetInputArrayToProcess.
+  enum InputArrays
+  {
+    NORMALS = 0,
+    RADIUS = 1
+  };
+
+  ///@{
+  /**
+   * lambda: the factor by which illumination splats are larger than the points' radii; it sets the level
+   * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20; default: 2.
+   */
+  vtkSetClampMacro(Lambda, double, 0.1, 20.0);
+  vtkGetMacro(Lambda, double);
+  ///@}
+
+  ///@{
+  /**
+   * tau: a threshold; more lines with a larger one. 0.5 to 1.5; default: 1.
+   */
+  vtkSetClampMacro(Tau, double, 0.5, 1.5);
+  vtkGetMacro(Tau, double);
+  ///@}
+
+  ///@{
+  /**
+   * phi: the strength of the lines; darker with a larger one. 0 to 1000; default: 20.
+   */
+  vtkSetClampMacro(Phi, double, 0.0, 1000.0);
+  vtkGetMacro(Phi, double);
+  ///@}
+
+  ///@{
+  /**
+   * sigma_min: the width of the narrower Gaussian as a fraction of the splat radius; the wider one is
+   * 1.6 times as wide. 0.05 to 2; default: 0.4.
+   */
+  vtkSetClampMacro(Sigma, double, 0.05, 2.0);
+  vtkGetMacro(Sigma, double);
+  ///@}
+
+  ///@{
+  /**
+   * The radius of all points in world units when the input has no radius array; 0 (default): estimated
+   * from the points' spacing.
+   */
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of the lines, RGB in 0..1. Default: black.
+   */
+  vtkSetVector3Macro(InkColor, double);
+  vtkGetVector3Macro(InkColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of the surface between the lines, RGB in 0..1. Default: white.
+   */
+  vtkSetVector3Macro(PaperColor, double);
+  vtkGetVector3Macro(PaperColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Paint the surface in PaperColor under the lines (default), or draw the lines only.
+   */
+  vtkSetMacro(PaperVisibility, bool);
+  vtkGetMacro(PaperVisibility, bool);
+  vtkBooleanMacro(PaperVisibility, bool);
+  ///@}
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool GetSupportsSelection() override { return true; }
+  /// Lines without paper are blended over what lies behind them.
+  bool HasOpaqueGeometry() override;
+  bool HasTranslucentPolygonalGeometry() override;
+
+protected:
+  vtkInkSplattingLinesMapper();
+  ~vtkInkSplattingLinesMapper() override;
+
+private:
+  vtkInkSplattingLinesMapper(const vtkInkSplattingLinesMapper&) = delete;
+  void operator=(const vtkInkSplattingLinesMapper&) = delete;
+
+  double Lambda = 2.0;
+  double Tau = 1.0;
+  double Phi = 20.0;
+  double Sigma = 0.4;
+  double Radius = 0.0;
+  double InkColor[3] = { 0.0, 0.0, 0.0 };
+  double PaperColor[3] = { 1.0, 1.0, 1.0 };
+  bool PaperVisibility = true;
+};
+
+#endif
