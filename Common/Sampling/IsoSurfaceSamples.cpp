@@ -93,6 +93,12 @@ constexpr int neighbourAfter(int axis, int n)
   return Corners + Edges + 4 * axis + n;
 }
 
+/// The edge along an axis that a corner belongs to.
+constexpr int edgeAt(int axis, int corner)
+{
+  return (corner >> Across[axis][0] & 1) | (corner >> Across[axis][1] & 1) << 1;
+}
+
 /// One number for each of the cells worked on.
 using Batch = double[Lanes];
 
@@ -109,8 +115,8 @@ double above(double value)
   return value > 0.0 ? 1.0 : 0.0;
 }
 
-/// 1 where the surface intersects an edge with the values a and b at its ends, 0 elsewhere. Arithmetic instead of
-/// conditions, which compilers turn into vector instructions.
+/// 1 where the surface intersects an edge with the values a and b at its ends, 0 elsewhere. Arithmetic
+/// instead of conditions, which compilers turn into vector instructions.
 template <CrossingRule rule>
 double crosses(double a, double b)
 {
@@ -129,8 +135,8 @@ double crosses(double a, double b)
 template <CrossingRule rule>
 void findMeanCrossings(const Stencils& cells, Batch (&mean)[3])
 {
-  // Distances from the iso-value. Too small to be seen beside any other, `nothing` makes the share of two equal
-  // ends 1/2, without a case of its own.
+  // Distances from the iso-value. Too small to be seen beside any other, `nothing` makes the share of two
+  // equal ends 1/2, without a case of its own.
   constexpr double nothing = std::numeric_limits<double>::min();
   Batch distance[Corners];
   for (int c = 0; c < Corners; ++c)
@@ -186,37 +192,6 @@ void findMeanCrossings(const Stencils& cells, Batch (&mean)[3])
   }
 }
 
-/// Twice the trilinear interpolation, at the point `at` of each unit cell, of the corners' central differences,
-/// per sample step.
-void interpolateGradients(const Stencils& cells, const Batch (&at)[3], Batch (&gradients)[3])
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Batch& p = at[Across[axis][0]];
-    const Batch& q = at[Across[axis][1]];
-    const Batch& t = at[axis];
-    Batch slope[4];
-    for (int n = 0; n < 4; ++n)
-    {
-      const Batch& before = cells[neighbourBefore(axis, n)];
-      const Batch& low = cells[lowCorner(axis, n)];
-      const Batch& high = cells[highCorner(axis, n)];
-      const Batch& after = cells[neighbourAfter(axis, n)];
-      for (int i = 0; i < Lanes; ++i)
-      {
-        slope[n][i] = (1.0 - t[i]) * (high[i] - before[i]) + t[i] * (after[i] - low[i]);
-      }
-    }
-    Batch sum;
-    for (int i = 0; i < Lanes; ++i)
-    {
-      sum[i] = (1.0 - q[i]) * ((1.0 - p[i]) * slope[0][i] + p[i] * slope[1][i]) +
-        q[i] * ((1.0 - p[i]) * slope[2][i] + p[i] * slope[3][i]);
-    }
-    std::copy_n(sum, Lanes, gradients[axis]);
-  }
-}
-
 /// matrix * (x, y, z) for each cell.
 void transform(const glm::dmat3& matrix, const Batch (&from)[3], Batch (&to)[3])
 {
@@ -228,6 +203,54 @@ void transform(const glm::dmat3& matrix, const Batch (&from)[3], Batch (&to)[3])
     for (int i = 0; i < Lanes; ++i)
     {
       to[row][i] = mx * from[0][i] + my * from[1][i] + mz * from[2][i];
+    }
+  }
+}
+
+/// The trilinear interpolation, at the point `at` of each unit cell, of the unit vectors along the corners'
+/// central-difference gradients. `toWorld` takes gradients per sample step to their direction in the world. A
+/// corner with no gradient adds nothing.
+void interpolateDirections(
+  const Stencils& cells, const Batch (&at)[3], const glm::dmat3& toWorld, Batch (&directions)[3])
+{
+  for (Batch& component : directions)
+  {
+    std::fill_n(component, Lanes, 0.0);
+  }
+  for (int c = 0; c < Corners; ++c)
+  {
+    // Twice the gradient.
+    Batch gradient[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int n = edgeAt(axis, c);
+      const bool upper = c >> axis & 1;
+      const Batch& next = cells[upper ? neighbourAfter(axis, n) : highCorner(axis, n)];
+      const Batch& previous = cells[upper ? lowCorner(axis, n) : neighbourBefore(axis, n)];
+      for (int i = 0; i < Lanes; ++i)
+      {
+        gradient[axis][i] = next[i] - previous[i];
+      }
+    }
+    Batch world[3];
+    transform(toWorld, gradient, world);
+    // The corner's weight is that of t or 1 - t along each axis.
+    const double x0 = c & 1 ? 0.0 : 1.0;
+    const double y0 = c & 2 ? 0.0 : 1.0;
+    const double z0 = c & 4 ? 0.0 : 1.0;
+    Batch weight;
+    for (int i = 0; i < Lanes; ++i)
+    {
+      const double square = world[0][i] * world[0][i] + world[1][i] * world[1][i] + world[2][i] * world[2][i];
+      const double share = std::abs(x0 - at[0][i]) * std::abs(y0 - at[1][i]) * std::abs(z0 - at[2][i]);
+      weight[i] = share / std::sqrt(square + std::numeric_limits<double>::min());
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < Lanes; ++i)
+      {
+        directions[axis][i] += weight[i] * world[axis][i];
+      }
     }
   }
 }
@@ -268,13 +291,6 @@ glm::dvec3 risingEdges(const Stencils& cells, int lane)
     }
   }
   return sum;
-}
-
-/// The unit vector along v, or zero where v has no direction.
-glm::dvec3 unit(const glm::dvec3& v)
-{
-  const double size = std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
-  return size > 0.0 && std::isfinite(size) && v == v ? glm::normalize(v / size) : glm::dvec3(0.0);
 }
 
 /// Places samples, a batch of cells at a time.
@@ -386,22 +402,21 @@ private:
         this->loadNeighboursThere(i);
       }
     }
-    Batch gradients[3];
-    Batch world[3];
+    Batch directions[3];
+    interpolateDirections(this->Stencil, this->Mean, this->Field.geometry().gradientDirection(), directions);
     Batch scale;
-    interpolateGradients(this->Stencil, this->Mean, gradients);
-    transform(this->Field.geometry().gradientDirection(), gradients, world);
     for (int i = 0; i < Lanes; ++i)
     {
-      const double square = world[0][i] * world[0][i] + world[1][i] * world[1][i] + world[2][i] * world[2][i];
+      const double square = directions[0][i] * directions[0][i] + directions[1][i] * directions[1][i] +
+        directions[2][i] * directions[2][i];
       // False for NaN too, which a missing neighbour leads to.
-      const bool usual = (square > SmallestSquare) & (square < LargestSquare);
-      scale[i] = usual ? -1.0 / std::sqrt(square) : 0.0;
+      scale[i] = square > SmallestSquare ? -1.0 / std::sqrt(square) : 0.0;
     }
     for (int i = 0; i < this->Count; ++i)
     {
-      const glm::dvec3 normal = scale[i] != 0.0 ? scale[i] * glm::dvec3(world[0][i], world[1][i], world[2][i])
-                                                : this->carefulNormal(i);
+      const glm::dvec3 normal = scale[i] != 0.0
+        ? scale[i] * glm::dvec3(directions[0][i], directions[1][i], directions[2][i])
+        : this->carefulNormal(i);
       for (int axis = 0; axis < 3; ++axis)
       {
         *this->Normals++ = static_cast<float>(normal[axis]);
@@ -409,26 +424,41 @@ private:
     }
   }
 
-  /// The normal where the gradient vanishes, overflows or has a missing neighbour.
+  /// The normal where the corners' directions cancel, a gradient is out of bounds or a neighbour is missing.
   glm::dvec3 carefulNormal(int lane)
   {
     this->loadNeighboursThere(lane);
-    Batch gradients[3];
-    interpolateGradients(this->Stencil, this->Mean, gradients);
-    const glm::dvec3 central(gradients[0][lane], gradients[1][lane], gradients[2][lane]);
-    const glm::dvec3 at(this->Mean[0][lane], this->Mean[1][lane], this->Mean[2][lane]);
+    this->normalizeStencil(lane);
     const glm::dmat3& toWorld = this->Field.geometry().gradientDirection();
-    for (const glm::dvec3& candidate :
-      { central, cellGradient(this->Stencil, lane, at), risingEdges<rule>(this->Stencil, lane) })
+    Batch directions[3];
+    interpolateDirections(this->Stencil, this->Mean, toWorld, directions);
+    const glm::dvec3 direction(directions[0][lane], directions[1][lane], directions[2][lane]);
+    const glm::dvec3 at(this->Mean[0][lane], this->Mean[1][lane], this->Mean[2][lane]);
+    for (const glm::dvec3& candidate : { direction, toWorld * cellGradient(this->Stencil, lane, at),
+           toWorld * risingEdges<rule>(this->Stencil, lane) })
     {
-      const glm::dvec3 direction = unit(toWorld * candidate);
-      if (direction != glm::dvec3(0.0))
+      const double square = glm::dot(candidate, candidate);
+      if (square > SmallestSquare)
       {
-        return -direction;
+        return candidate / -std::sqrt(square);
       }
     }
     // Nothing tells one side from the other.
-    return unit(toWorld[2]);
+    return glm::normalize(toWorld[2]);
+  }
+
+  /// Makes the largest value of a stencil 1, so that no gradient's square overflows or vanishes.
+  void normalizeStencil(int lane)
+  {
+    double largest = 0.0;
+    for (const Batch& values : this->Stencil)
+    {
+      largest = std::max(largest, std::abs(values[lane]));
+    }
+    for (Batch& values : this->Stencil)
+    {
+      values[lane] /= largest > 0.0 ? largest : 1.0;
+    }
   }
 
   /// A missing neighbour is extrapolated from the edge it continues, which makes the central difference there
@@ -457,8 +487,8 @@ private:
     }
   }
 
-  static constexpr double SmallestSquare = 1e-200;
-  static constexpr double LargestSquare = 1e200;
+  /// A sum of unit vectors whose square is smaller is rounding.
+  static constexpr double SmallestSquare = 1e-20;
 
   const GridField<T>& Field;
   RelativeValue<T> Relative;
