@@ -373,22 +373,24 @@ public:
 private:
   void writePoints()
   {
+    // As GridGeometry::toWorld does it.
     Batch index[3];
     for (int axis = 0; axis < 3; ++axis)
     {
+      const int first = this->Field.geometry().first()[axis];
       for (int i = 0; i < Lanes; ++i)
       {
-        index[axis][i] = this->Cells[axis][i] + this->Mean[axis][i];
+        index[axis][i] = (first + this->Cells[axis][i]) + this->Mean[axis][i];
       }
     }
     Batch steps[3];
     transform(this->Field.geometry().stepToWorld(), index, steps);
-    const glm::dvec3 first = this->Field.geometry().firstPoint();
+    const glm::dvec3& origin = this->Field.geometry().origin();
     for (int i = 0; i < this->Count; ++i)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        *this->Points++ = static_cast<Real>(first[axis] + steps[axis][i]);
+        *this->Points++ = static_cast<Real>(origin[axis] + steps[axis][i]);
       }
     }
   }
