@@ -27,4 +27,5 @@ endfunction ()
 # The same for a VTK module.
 function (ink_module_options module)
   vtk_module_link(${module} PRIVATE $<BUILD_INTERFACE:InkOptions> $<BUILD_INTERFACE:InkWarnings>)
+  vtk_module_include(${module} PRIVATE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Utilities/Compat>)
 endfunction ()
