@@ -1,6 +1,6 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # Configures and builds one preset:  Utilities/build.sh headless|paraview|asan|tsan [more CMake arguments]
-set -eu
+set -euo pipefail
 
 preset="${1:?usage: Utilities/build.sh headless|paraview|asan|tsan [CMake arguments]}"
 shift

@@ -1,6 +1,6 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # Draws Data/engine.nii.gz, a CT of an engine, with the headless build and prints where the pictures are.
-set -eu
+set -euo pipefail
 
 cd "$(dirname "$0")/.."
 INK_ROOT="$(pwd)"

@@ -1,4 +1,4 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # Prints the path of a Python >= 3.12 with headers, or nothing and exits 1.
 # INK_HEADLESS_PYTHON names one directly. A python3.12 on PATH may be a version manager's shim that refuses
 # to run, so each candidate is tried.

@@ -1,8 +1,8 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # Installs what a build preset needs:  Utilities/setup.sh headless|paraview
 # From Debian the lists in Utilities/packages/; for the headless preset VTK itself, from PyPI, into
 # build/vtk-headless. Needs root or sudo only if a Debian package is missing; says nothing if none is.
-set -eu
+set -euo pipefail
 
 preset="${1:?usage: Utilities/setup.sh headless|paraview}"
 root="$(cd "$(dirname "$0")/.." && pwd)"

@@ -1,7 +1,7 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # Runs all tests of one built preset:  Utilities/test.sh headless|paraview|asan|tsan [ctest arguments]
 # The paraview preset draws into an X server of its own, the others need no display.
-set -eu
+set -euo pipefail
 
 preset="${1:?usage: Utilities/test.sh headless|paraview|asan|tsan [ctest arguments]}"
 shift
