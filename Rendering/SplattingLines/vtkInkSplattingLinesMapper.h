@@ -30,6 +30,9 @@
 #include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for error messages
+
+class vtkHardwareSelector;
 
 class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkPolyDataMapper
 {
@@ -48,7 +51,8 @@ public:
   ///@{
   /**
    * lambda: the factor by which illumination splats are larger than the points' radii; it sets the level
-   * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20; default: 2.
+   * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20;
+   * default: 2.
    */
   vtkSetClampMacro(Lambda, double, 0.1, 20.0);
   vtkGetMacro(Lambda, double);
@@ -113,6 +117,12 @@ public:
   vtkBooleanMacro(PaperVisibility, bool);
   ///@}
 
+  /**
+   * When the points were last sent to the GPU, as a modification time; 0 before the first time. Only a
+   * change of the points, of the normals and radii or of Radius sends them again.
+   */
+  vtkMTimeType GetUploadTime();
+
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   bool GetSupportsSelection() override { return true; }
@@ -128,6 +138,12 @@ private:
   vtkInkSplattingLinesMapper(const vtkInkSplattingLinesMapper&) = delete;
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
+  bool UpdatePoints(vtkRenderer* renderer);
+  void Draw(vtkRenderer* renderer, vtkActor* actor);
+  void DrawIds(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
+  void ReportOnce(const std::string& error);
+  void ReleaseWindow();
+
   double Lambda = 2.0;
   double Tau = 1.0;
   double Phi = 20.0;
@@ -136,6 +152,9 @@ private:
   double InkColor[3] = { 0.0, 0.0, 0.0 };
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   bool PaperVisibility = true;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -1,0 +1,40 @@
+//VTK::System::Dec
+
+// Depth splatting (Zhang et al. 2014, section 3.1): the nearest disc's distance along the view, as a
+// fraction of depthRange.
+
+flat in vec2 centerVSOutput;
+flat in vec4 toDiscVSOutput;
+flat in vec2 perspectiveVSOutput;
+flat in vec3 positionVSOutput;
+flat in vec3 axisUVSOutput;
+flat in vec3 axisVVSOutput;
+
+uniform vec2 depthRange;
+uniform int clipPlaneCount;
+uniform vec4 clipPlanesVC[6];
+
+void main()
+{
+  vec2 flatDisc = mat2(toDiscVSOutput.xy, toDiscVSOutput.zw) * (gl_FragCoord.xy - centerVSOutput);
+  float perspective = 1.0 - dot(perspectiveVSOutput, flatDisc);
+  vec2 disc = flatDisc / perspective;
+  if (perspective <= 0.0 || dot(disc, disc) > 1.0)
+  {
+    discard;
+  }
+  vec3 position = positionVSOutput + disc.x * axisUVSOutput + disc.y * axisVVSOutput;
+  for (int i = 0; i < clipPlaneCount; ++i)
+  {
+    if (dot(clipPlanesVC[i], vec4(position, 1.0)) < 0.0)
+    {
+      discard;
+    }
+  }
+  float depth = (-position.z - depthRange.x) / (depthRange.y - depthRange.x);
+  if (depth < 0.0 || depth >= 1.0)
+  {
+    discard;
+  }
+  gl_FragDepth = depth;
+}
