@@ -1,0 +1,31 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+
+namespace ink::cli
+{
+
+/// A number as people write it: up to 7 significant digits.
+inline std::string text(double number)
+{
+  std::ostringstream stream;
+  stream.precision(7);
+  stream << number;
+  return stream.str();
+}
+
+/// "a x b x c" from three numbers.
+inline std::string dimensionsText(const int dimensions[3])
+{
+  return std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) + " x " +
+    std::to_string(dimensions[2]);
+}
+
+/// "a b c" from three numbers.
+inline std::string tripleText(const double v[3])
+{
+  return text(v[0]) + " " + text(v[1]) + " " + text(v[2]);
+}
+
+} // namespace ink::cli
