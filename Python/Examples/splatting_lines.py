@@ -1,11 +1,10 @@
 """Draws a volume to splatting_lines.png:  splatting_lines.py [VOLUME.nii.gz [ISO_VALUE]]"""
-import pathlib
 import sys
 from vtkink import vtk, vtkInkIsoSurfaceSampler, vtkInkSplattingLinesMapper
 
-engine = pathlib.Path(__file__).resolve().parents[2] / "Data" / "engine.nii.gz"
+engine = sys.path[0] + "/../../Data/engine.nii.gz"
 reader, sampler = vtk.vtkNIFTIImageReader(), vtkInkIsoSurfaceSampler()
-reader.SetFileName(sys.argv[1] if len(sys.argv) > 1 else str(engine))
+reader.SetFileName(sys.argv[1] if len(sys.argv) > 1 else engine)
 sampler.SetInputConnection(reader.GetOutputPort())
 sampler.SetValue(0, float(sys.argv[2]) if len(sys.argv) > 2 else 80)
 actor, mapper = vtk.vtkActor(), vtkInkSplattingLinesMapper()
@@ -14,10 +13,11 @@ actor.SetMapper(mapper)
 renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
 renderer.AddActor(actor)
 renderer.SetBackground(1, 1, 1)
+renderer.GetActiveCamera().SetPosition(-1, -2, 2)
+renderer.ResetCamera()
 window.AddRenderer(renderer)
 window.SetSize(800, 800)
 window.SetOffScreenRendering(True)
-window.Render()
 picture, writer = vtk.vtkWindowToImageFilter(), vtk.vtkPNGWriter()
 picture.SetInput(window)
 writer.SetInputConnection(picture.GetOutputPort())

@@ -150,12 +150,12 @@ def background(picture):
 
 
 def test_a_drawing_has_paper_lines_and_background(bumpy_points):
-    picture, messages = drawing(bumpy_points)
+    picture, messages = drawing(bumpy_points, Phi=100.0)
     assert messages == []
     assert background(picture)[0, 0] and not background(picture)[100, 100]
     white = numpy.all(picture > 0.99, axis=-1).mean()
     dark = numpy.all(picture < 0.5, axis=-1).mean()
-    assert white > 0.1 and 0.002 < dark < white
+    assert white > 0.05 and 0.01 < dark < white
 
 
 def test_more_tau_and_more_phi_are_more_ink(bumpy_points):
@@ -208,4 +208,4 @@ def test_example_is_short_and_draws(tmp_path):
     reader.Update()
     assert reader.GetOutput().GetDimensions() == (800, 800, 1)
     grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
-    assert 0.01 < numpy.mean(grey < 0.5) < 0.5
+    assert 0.5 < numpy.mean(grey > 0.95) < 0.99 and 0.001 < numpy.mean(grey < 0.5) < 0.2
