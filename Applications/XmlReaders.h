@@ -19,17 +19,16 @@ public:
   static PromptXmlParser* New() { VTK_STANDARD_NEW_BODY(PromptXmlParser); }
   vtkTypeMacro(PromptXmlParser, vtkXMLDataParser);
 
-  int InitializeParser() override
+protected:
+  PromptXmlParser() = default;
+
+  int ParseBuffer(const char* buffer, unsigned int count) override
   {
-    const int initialized = this->Superclass::InitializeParser();
 #ifdef INK_EXPAT_DEFERS
     XML_SetReparseDeferralEnabled(static_cast<XML_Parser>(this->Parser), XML_FALSE);
 #endif
-    return initialized;
+    return this->Superclass::ParseBuffer(buffer, count);
   }
-
-protected:
-  PromptXmlParser() = default;
 };
 
 /// One of VTK's XML readers, with this parser.
