@@ -24,7 +24,7 @@ function (ink_compile_options target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:InkOptions> $<BUILD_INTERFACE:InkWarnings>)
 endfunction ()
 
-# The same for a VTK module.
+# The same for a VTK module, which may also include InkVTKCompat.h in its sources.
 function (ink_module_options module)
   vtk_module_link(${module} PRIVATE $<BUILD_INTERFACE:InkOptions> $<BUILD_INTERFACE:InkWarnings>)
   vtk_module_include(${module} PRIVATE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Utilities/Compat>)

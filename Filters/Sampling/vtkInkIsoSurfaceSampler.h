@@ -8,13 +8,17 @@
  * section 5.1). The points suit vtkInkSplattingLinesMapper and any other point renderer; no triangles
  * are made on the way.
  *
+ * The input array is the one that SetInputArrayToProcess(0, ...) names, the active point scalars by default.
+ * An array that is not contiguous in memory is copied first.
+ *
  * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient) and
  * `Radius` (world units: discs of this radius around the points leave no holes). The output has no cells
  * but one vertex cell of type VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
  *
  * Points come in the order of their cells, iso-value by iso-value, and are the same for any number of
  * threads (VTK_SMP_MAX_THREADS sets it) and for any split of the image into pieces with one level of
- * ghost cells. Cells marked as duplicate or hidden, and cells with a corner that is NaN, infinite or
+ * ghost cells, which are asked for. An image given by SetInputData is taken to be whole for every piece.
+ * Cells marked as duplicate or hidden, and cells with a corner that is NaN, infinite or
  * hidden, make no points.
  *
  * @sa vtkInkSplattingLinesMapper vtkFlyingEdges3D
@@ -27,6 +31,10 @@
 #include "vtkPolyDataAlgorithm.h"
 
 class vtkContourValues;
+class vtkDataArray;
+class vtkFloatArray;
+class vtkImageData;
+class vtkPoints;
 
 class VTKINKFILTERSSAMPLING_EXPORT vtkInkIsoSurfaceSampler : public vtkPolyDataAlgorithm
 {
@@ -119,13 +127,16 @@ protected:
   ~vtkInkIsoSurfaceSampler() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkInkIsoSurfaceSampler(const vtkInkIsoSurfaceSampler&) = delete;
   void operator=(const vtkInkIsoSurfaceSampler&) = delete;
+
+  /// The array to sample, or null after an error.
+  vtkDataArray* GetScalars(vtkImageData* image, vtkInformationVector** input);
+  void FillOutput(vtkPoints* points, vtkFloatArray* normals, double radius, vtkPolyData* output);
 
   vtkNew<vtkContourValues> ContourValues;
   int CrossingRule = HALF_OPEN;

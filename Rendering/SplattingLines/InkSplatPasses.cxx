@@ -12,7 +12,7 @@
 #include "InkSplatLightFS.h"
 #include "InkSplatVS.h"
 
-#include "InkVTKCompat.h"
+#include "InkOpenGLCompat.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"

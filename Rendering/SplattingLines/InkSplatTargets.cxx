@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatTargets.h"
 
-#include "InkVTKCompat.h"
+#include "InkOpenGLCompat.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -6,7 +6,7 @@
 #include "InkSplatTargets.h"
 #include "InkSplatView.h"
 
-#include "InkVTKCompat.h"
+#include "InkOpenGLCompat.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What differs between the versions of VTK that vtkInk builds with. Only source files include this header.
+// What differs between the VTK versions that vtkInk builds with, from 9.2 on.
 #ifndef InkVTKCompat_h
 #define InkVTKCompat_h
+
+#include "vtkAlgorithm.h"
+#include "vtkVersionMacros.h"
 
 // The OpenGL functions: GLEW up to VTK 9.3, glad from 9.4 on.
 #if __has_include("vtk_glad.h")
@@ -9,5 +12,16 @@
 #elif __has_include("vtk_glew.h")
 #  include "vtk_glew.h" // IWYU pragma: export
 #endif
+
+/// Whether the user asked this algorithm to stop. vtkAlgorithm::CheckAbort, which also asks the algorithms
+/// upstream, came on the way from VTK 9.2 to 9.3.
+inline bool InkCheckAbort(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
+  return algorithm->CheckAbort();
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
 
 #endif
