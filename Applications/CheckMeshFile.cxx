@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -165,6 +166,20 @@ bool skipText(std::istream& stream, const Element& element)
   return true;
 }
 
+/// A whole text ends with "endsolid" and perhaps a name.
+void checkTextStl(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  constexpr std::uint64_t tailSize = 512;
+  const std::uint64_t size = fs::file_size(file);
+  stream.seekg(static_cast<std::streamoff>(size - std::min(size, tailSize)));
+  const std::string tail{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  if (tail.find("endsolid") == std::string::npos)
+  {
+    failToRead(file, "the file ends without 'endsolid', the end of an STL text");
+  }
+}
+
 } // namespace
 
 void checkPly(const fs::path& file)
@@ -203,6 +218,7 @@ void checkStl(const fs::path& file)
       [](unsigned char c) { return c < ' ' && c != '\n' && c != '\r' && c != '\t'; });
   if (textual)
   {
+    checkTextStl(file);
     return;
   }
   std::uint64_t triangles = 0;
@@ -217,6 +233,25 @@ void checkStl(const fs::path& file)
     failToRead(file,
       "it has " + std::to_string(found) + " bytes, but " + std::to_string(triangles) +
         " triangles of a binary STL need " + std::to_string(expected));
+  }
+}
+
+void checkObj(const fs::path& file)
+{
+  std::ifstream stream(file);
+  std::string line;
+  std::string last;
+  while (std::getline(stream, line))
+  {
+    last = line.find_first_not_of(" \t\r") == std::string::npos ? last : line;
+  }
+  std::istringstream words(last);
+  const std::vector<std::string> found{ std::istream_iterator<std::string>(words), {} };
+  const bool needsThree =
+    !found.empty() && (found.front() == "v" || found.front() == "vn" || found.front() == "f");
+  if (needsThree && found.size() < 4)
+  {
+    failToRead(file, "its last line, '" + last + "', is cut off");
   }
 }
 

@@ -11,4 +11,7 @@ namespace ink::cli
 void checkPly(const std::filesystem::path& file);
 void checkStl(const std::filesystem::path& file);
 
+/// An OBJ promises nothing: only a file cut off within its last line is known not to be whole.
+void checkObj(const std::filesystem::path& file);
+
 } // namespace ink::cli

@@ -43,6 +43,7 @@ std::string capability(const std::string& report, const std::string& name)
   bool sent = send(window->GetClassName());
   window->OffScreenRenderingOn();
   window->SetSize(16, 16);
+  window->Render();
   const std::string report = window->ReportCapabilities();
   const std::string version = capability(report, "version");
   sent = sent &&

@@ -2,6 +2,7 @@
 
 #include "CheckMeshFile.h"
 #include "Text.h"
+#include "XmlReaders.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -67,12 +68,13 @@ Input readMesh(const fs::path& file, const std::string& suffix, Progress& progre
   }
   else if (suffix == ".obj")
   {
+    checkObj(file);
     input.data = read<vtkOBJReader>(file, progress);
     input.format = "OBJ mesh";
   }
   else
   {
-    input.data = read<vtkXMLPolyDataReader>(file, progress);
+    input.data = read<PromptXmlReader<vtkXMLPolyDataReader>>(file, progress);
     input.format = "VTK XML mesh (.vtp)";
   }
   auto* mesh = vtkPolyData::SafeDownCast(input.data);

@@ -1,7 +1,9 @@
 #include "ReadFile.h"
 
+#include "CheckVolumeFile.h"
 #include "FinishVolume.h"
 #include "Orientation.h"
+#include "XmlReaders.h"
 
 #include "vtkImageData.h"
 #include "vtkMetaImageReader.h"
@@ -56,6 +58,7 @@ Input readNrrd(const fs::path& file, Progress& progress)
   constexpr const char* format = "NRRD volume";
   vtkNew<vtkNrrdReader> reader;
   requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
+  checkNrrd(file);
   reader->SetFileName(file.c_str());
   runReader(reader, file, progress);
   Input input = makeVolumeInput(reader->GetOutput(), file, format);
@@ -78,7 +81,7 @@ Input readMetaImage(const fs::path& file, Progress& progress)
 Input readXmlImage(const fs::path& file, Progress& progress)
 {
   constexpr const char* format = "VTK XML image (.vti)";
-  vtkNew<vtkXMLImageDataReader> reader;
+  vtkNew<PromptXmlReader<vtkXMLImageDataReader>> reader;
   requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
   reader->SetFileName(file.c_str());
   runReader(reader, file, progress);
@@ -91,6 +94,7 @@ Input readLegacyImage(const fs::path& file, Progress& progress)
   vtkNew<vtkStructuredPointsReader> reader;
   reader->SetFileName(file.c_str());
   requireFormat(reader->IsFileStructuredPoints() != 0, file, format);
+  checkLegacyImage(file);
   runReader(reader, file, progress, true);
   return makeVolumeInput(reader->GetOutput(), file, format);
 }

@@ -11,7 +11,8 @@ inline std::string text(double number)
 {
   std::ostringstream stream;
   stream.precision(7);
-  stream << number;
+  // Plus zero: no -0.
+  stream << number + 0.0;
   return stream.str();
 }
 

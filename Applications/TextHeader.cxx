@@ -20,7 +20,7 @@ std::string trimmed(const std::string& text)
 } // namespace
 
 std::map<std::string, std::string> readTextHeader(
-  const std::filesystem::path& file, char separator, const std::string& lastKey)
+  const std::filesystem::path& file, char separator, const std::string& lastKey, std::streamoff* size)
 {
   std::map<std::string, std::string> fields;
   std::ifstream stream(file, std::ios::binary);
@@ -38,6 +38,11 @@ std::map<std::string, std::string> readTextHeader(
     {
       break;
     }
+  }
+  if (size)
+  {
+    *size = stream ? static_cast<std::streamoff>(stream.tellg())
+                   : static_cast<std::streamoff>(std::filesystem::file_size(file));
   }
   return fields;
 }

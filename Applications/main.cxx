@@ -5,6 +5,8 @@
 #include "RenderCommand.h"
 #include "VersionCommand.h"
 
+#include "vtkLogger.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cmath>
@@ -274,6 +276,8 @@ int run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
+  // What VTK logs about its choice of a window, say, is not for the users of ink.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   try
   {
     return run(argc, argv);

@@ -29,17 +29,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace
 {
 
-/// Discs are drawn with at least this radius in pixels, so that each covers a pixel's centre.
-constexpr float MinimumRadius = 0.75f;
+/// The least radii of depth and illumination splats in pixels. The first leaves no pixel between discs that
+/// are far away or seen edge-on; the second also sets how thin a line can be.
+constexpr double MinimumDepthRadius = 0.75;
+constexpr double MinimumLightRadius = 3.0;
 
-/// Splats count as being on the visible surface within this fraction of their point's radius from the depth
-/// image: the offset of Zhang et al. 2014, section 3.1.
-constexpr float DepthTolerance = 1.5f;
+/// Splats count as being on the visible surface within this fraction of their point's radius from what the
+/// depth splats show (Zhang et al. 2014, section 3.1, has an offset instead).
+constexpr double Tolerance = 1.5;
+
+/// Discs beyond a contour take part in the illumination near it as long as f_i is greater than this.
+constexpr double MinimumLight = -0.3;
+
+/// The distance of what is not there.
+constexpr float NoSurface = std::numeric_limits<float>::max();
 
 /// sigma_max over sigma_min (Zhang et al. 2014, section 3.2).
 constexpr double WideOverNarrow = 1.6;
@@ -137,8 +146,9 @@ vtkShaderProgram* InkSplatPasses::Begin(Pass& pass, const InkSplatView& view, do
   }
   view.SetUniforms(program);
   program->SetUniformf("radiusScale", static_cast<float>(radiusScale));
-  program->SetUniformf("minimumRadius", MinimumRadius);
-  program->SetUniformf("toleranceScale", DepthTolerance);
+  program->SetUniformf("minimumRadius", static_cast<float>(MinimumDepthRadius));
+  program->SetUniformf("minimumLight", 0.0f);
+  program->SetUniformf("tolerance", static_cast<float>(Tolerance));
   program->SetUniformi("cullHidden", 0);
   return program;
 }
@@ -160,11 +170,14 @@ void InkSplatPasses::DrawSplats(
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_STENCIL_TEST);
 
-  targets.BindDepth();
+  targets.BindSurface();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglClearColor(NoSurface, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
   if (this->Begin(*this->DepthPass, view, 1.0))
   {
     this->DrawPoints();
@@ -182,16 +195,20 @@ void InkSplatPasses::DrawSplats(
   state->vtkglBlendEquation(GL_FUNC_ADD);
   if (vtkShaderProgram* program = this->Begin(*this->LightPass, view, lambda))
   {
-    targets.GetDepth()->Activate();
-    program->SetUniformi("depthImage", targets.GetDepth()->GetTextureUnit());
+    targets.GetSurface()->Activate();
+    program->SetUniformi("surface", targets.GetSurface()->GetTextureUnit());
     program->SetUniformi("cullHidden", 1);
+    program->SetUniformf("minimumLight", static_cast<float>(MinimumLight));
+    program->SetUniformf("minimumRadius", static_cast<float>(MinimumLightRadius * view.TileScale));
     const double wide = WideOverNarrow * sigma;
     const float falloff[2] = { static_cast<float>(0.5 / (sigma * sigma)),
       static_cast<float>(0.5 / (wide * wide)) };
+    const float rim[2] = { std::exp(-falloff[0]), std::exp(-falloff[1]) };
     program->SetUniform2f("falloff", falloff);
+    program->SetUniform2f("rim", rim);
     this->DrawPoints();
     this->LightPass->VertexArray->Release();
-    targets.GetDepth()->Deactivate();
+    targets.GetSurface()->Deactivate();
   }
 }
 
@@ -232,11 +249,11 @@ void InkSplatPasses::DrawComposite(const InkSplatView& view, InkSplatTargets& ta
     return;
   }
 
-  targets.GetDepth()->Activate();
+  targets.GetSurface()->Activate();
   targets.GetLight()->Activate();
-  program->SetUniformi("depthImage", targets.GetDepth()->GetTextureUnit());
+  program->SetUniformi("surface", targets.GetSurface()->GetTextureUnit());
   program->SetUniformi("lightSums", targets.GetLight()->GetTextureUnit());
-  program->SetUniform2f("depthRange", view.DepthRange.data());
+  program->SetUniformf("farthest", 2.0f * view.DepthRange[1]);
   program->SetUniform4f("depthToClip", view.DepthToClip.data());
   program->SetUniformf("tau", static_cast<float>(style.Tau));
   program->SetUniformf("phi", static_cast<float>(style.Phi));
@@ -251,7 +268,7 @@ void InkSplatPasses::DrawComposite(const InkSplatView& view, InkSplatTargets& ta
   program->SetUniformi("paper", style.Paper);
   program->SetUniformf("opacity", static_cast<float>(style.Opacity));
   // Ink without paper may lie on a surface that another actor draws, and must not sink into it.
-  const double bias = style.Paper ? 0.0 : DepthTolerance * this->LargestRadius * view.LengthScale;
+  const double bias = style.Paper ? 0.0 : Tolerance * this->LargestRadius * view.Unit;
   program->SetUniformf("depthBias", static_cast<float>(bias));
   for (vtkOpenGLRenderPass* pass : renderPasses)
   {
@@ -259,7 +276,7 @@ void InkSplatPasses::DrawComposite(const InkSplatView& view, InkSplatTargets& ta
   }
   quad->Render();
   targets.GetLight()->Deactivate();
-  targets.GetDepth()->Deactivate();
+  targets.GetSurface()->Deactivate();
 }
 
 void InkSplatPasses::DrawIds(

@@ -11,19 +11,21 @@
 InkSplatTargets::InkSplatTargets(vtkOpenGLRenderWindow* window, const int size[2])
   : Window(window)
 {
-  this->Depth->SetContext(window);
-  this->Depth->AllocateDepth(size[0], size[1], vtkTextureObject::Float32);
+  this->ZBuffer->SetContext(window);
+  this->ZBuffer->AllocateDepth(size[0], size[1], vtkTextureObject::Float32);
+  this->Surface->SetContext(window);
+  this->Surface->Allocate2D(size[0], size[1], 2, VTK_FLOAT);
   this->Light->SetContext(window);
   this->Light->Allocate2D(size[0], size[1], 4, VTK_FLOAT);
 
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
 
-  this->DepthFramebuffer->SetContext(window);
-  this->DepthFramebuffer->Bind();
-  this->DepthFramebuffer->DeactivateDrawBuffers();
-  this->DepthFramebuffer->DeactivateReadBuffer();
-  this->DepthFramebuffer->AddDepthAttachment(this->Depth);
+  this->SurfaceFramebuffer->SetContext(window);
+  this->SurfaceFramebuffer->Bind();
+  this->SurfaceFramebuffer->AddDepthAttachment(this->ZBuffer);
+  this->SurfaceFramebuffer->AddColorAttachment(0, this->Surface);
+  this->SurfaceFramebuffer->ActivateDrawBuffer(0);
   const char* reason = nullptr;
   this->Complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason);
 
@@ -38,15 +40,17 @@ InkSplatTargets::InkSplatTargets(vtkOpenGLRenderWindow* window, const int size[2
 
 InkSplatTargets::~InkSplatTargets()
 {
-  this->DepthFramebuffer->ReleaseGraphicsResources(this->Window);
+  this->SurfaceFramebuffer->ReleaseGraphicsResources(this->Window);
   this->LightFramebuffer->ReleaseGraphicsResources(this->Window);
-  this->Depth->ReleaseGraphicsResources(this->Window);
+  this->ZBuffer->ReleaseGraphicsResources(this->Window);
+  this->Surface->ReleaseGraphicsResources(this->Window);
   this->Light->ReleaseGraphicsResources(this->Window);
 }
 
-void InkSplatTargets::BindDepth()
+void InkSplatTargets::BindSurface()
 {
-  this->DepthFramebuffer->Bind();
+  this->SurfaceFramebuffer->Bind();
+  this->SurfaceFramebuffer->ActivateDrawBuffer(0);
 }
 
 void InkSplatTargets::BindLight()

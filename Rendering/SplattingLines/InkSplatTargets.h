@@ -9,8 +9,9 @@ class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
 
-/// The images that splats are drawn into: depth (32-bit float, fraction of the view's depth range, 1 where
-/// there is no surface) and the sums of the illumination splats (RGBA, 32-bit float).
+/// The images that splats are drawn into: the visible surface (distance from the eye along the view, very
+/// large where there is none, and slope) and the sums of the illumination splats (four numbers), in 32-bit
+/// floats.
 class InkSplatTargets
 {
 public:
@@ -23,17 +24,18 @@ public:
   bool IsComplete() const { return this->Complete; }
 
   /// Make one of the images the target of drawing.
-  void BindDepth();
+  void BindSurface();
   void BindLight();
 
-  vtkTextureObject* GetDepth() { return this->Depth; }
+  vtkTextureObject* GetSurface() { return this->Surface; }
   vtkTextureObject* GetLight() { return this->Light; }
 
 private:
   vtkOpenGLRenderWindow* Window; // outlives this: released with the window's resources
-  vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkTextureObject> ZBuffer;
+  vtkNew<vtkTextureObject> Surface;
   vtkNew<vtkTextureObject> Light;
-  vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
+  vtkNew<vtkOpenGLFramebufferObject> SurfaceFramebuffer;
   vtkNew<vtkOpenGLFramebufferObject> LightFramebuffer;
   bool Complete = false;
 };

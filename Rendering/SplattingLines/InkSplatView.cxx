@@ -10,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -54,12 +56,12 @@ InkSplatView::InkSplatView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMa
   this->VCDC = ToColumns(viewToClip);
 
   // A common factor does not matter to normals; without one tiny or huge scales would leave float's range.
-  this->LengthScale = static_cast<float>(std::cbrt(std::abs(pointsToView->Determinant())));
+  this->Unit = static_cast<float>(std::cbrt(std::abs(pointsToView->Determinant())));
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(pointsToView, inverse);
   for (int i = 0; i < 9; ++i)
   {
-    this->Normal[i] = static_cast<float>(inverse->GetElement(i / 3, i % 3) * this->LengthScale);
+    this->Normal[i] = static_cast<float>(inverse->GetElement(i / 3, i % 3) * this->Unit);
   }
 
   const bool parallel = viewToClip->GetElement(3, 2) == 0.0;
@@ -71,8 +73,9 @@ InkSplatView::InkSplatView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMa
   {
     this->DepthToClip[i] = static_cast<float>(viewToClip->GetElement(2 + i / 2, 2 + i % 2));
   }
-  this->PixelsPerUnit =
-    static_cast<float>(0.5 * size[1] * std::abs(viewToClip->GetElement(1, 1)) * this->LengthScale);
+  this->Pixel = static_cast<float>(2.0 / (size[1] * std::abs(viewToClip->GetElement(1, 1))));
+  this->TileScale = renderer->GetRenderWindow()->GetTileScale()[1];
+  this->BackFaces = !actor->GetProperty()->GetBackfaceCulling();
 
   if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
   {
@@ -112,8 +115,9 @@ void InkSplatView::SetUniforms(vtkShaderProgram* program) const
   program->SetUniform4f("eyeVC", this->Eye.data());
   const float size[2] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]) };
   program->SetUniform2f("viewportSize", size);
-  program->SetUniformf("pixelsPerUnit", this->PixelsPerUnit);
-  program->SetUniformf("lengthScale", this->LengthScale);
+  program->SetUniformi("backFaces", this->BackFaces);
+  program->SetUniformf("unitVC", this->Unit);
+  program->SetUniformf("pixelVC", this->Pixel);
   program->SetUniform2f("depthRange", this->DepthRange.data());
   program->SetUniformi("clipPlaneCount", this->NumberOfClippingPlanes);
   if (this->NumberOfClippingPlanes > 0)
@@ -127,5 +131,5 @@ double InkSplatView::LargestSplat(double radius) const
   const double nearW = this->DepthToClip[3] - this->DepthToClip[2] * this->DepthRange[0];
   // The vertex shader cuts splats to the viewport.
   const double viewport = std::max(this->Size[0], this->Size[1]);
-  return std::min(viewport, 2.0 * radius * this->PixelsPerUnit / nearW);
+  return std::min(viewport, 2.0 * radius * this->Unit / (this->Pixel * nearW));
 }

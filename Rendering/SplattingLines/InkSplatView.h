@@ -36,8 +36,10 @@ struct InkSplatView
   std::array<float, 2> DepthRange;  ///< distances of the clipping planes from the eye along the view
   std::array<float, 4> DepthToClip; ///< clip z = [0] * view z + [1], clip w = [2] * view z + [3]
   std::array<int, 2> Size;          ///< pixels
-  float LengthScale;                ///< view units per unit of the points
-  float PixelsPerUnit;              ///< pixels per unit of the points where clip w is 1
+  float Unit;                       ///< view units per unit of the points
+  float Pixel;                      ///< view units per pixel where clip w is 1
+  int TileScale;                    ///< how many times larger the image is that this view is a tile of
+  bool BackFaces;                   ///< whether surfaces are seen from behind, too
   int NumberOfClippingPlanes = 0;
   std::array<float, 4 * MaximumClippingPlanes> ClippingPlanes{}; ///< in view coordinates, kept side positive
 };

@@ -60,7 +60,8 @@ public:
 
   ///@{
   /**
-   * tau: a threshold; more lines with a larger one. 0.5 to 1.5; default: 1.
+   * tau: a threshold; more lines with a larger one. 0.5 to 1.5; default: 0.99, which keeps
+   * noise on flat surfaces below the threshold.
    */
   vtkSetClampMacro(Tau, double, 0.5, 1.5);
   vtkGetMacro(Tau, double);
@@ -68,7 +69,7 @@ public:
 
   ///@{
   /**
-   * phi: the strength of the lines; darker with a larger one. 0 to 1000; default: 20.
+   * phi: the strength of the lines; darker with a larger one. 0 to 1000; default: 100.
    */
   vtkSetClampMacro(Phi, double, 0.0, 1000.0);
   vtkGetMacro(Phi, double);
@@ -144,9 +145,9 @@ private:
   void ReportOnce(const std::string& error);
   void ReleaseWindow();
 
-  double Lambda = 2.0;
-  double Tau = 1.0;
-  double Phi = 20.0;
+  double Lambda = 2.5;
+  double Tau = 0.99;
+  double Phi = 100.0;
   double Sigma = 0.4;
   double Radius = 0.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };

@@ -4,10 +4,10 @@
 
 in vec2 texCoord;
 
-uniform sampler2D depthImage;
+uniform sampler2D surface;   // from the depth splats
 uniform sampler2D lightSums; // sum w1 f, sum w1, sum w2 f, sum w2
-uniform vec2 depthRange;
-uniform vec4 depthToClip; // clip z = x * view z + y, clip w = z * view z + w
+uniform vec4 depthToClip;    // clip z = x * view z + y, clip w = z * view z + w
+uniform float farthest;      // beyond this distance there is no surface
 uniform float tau;
 uniform float phi;
 uniform vec3 inkColor;
@@ -22,9 +22,9 @@ uniform float depthBias; // view units that the marks lie in front of the surfac
 
 void main()
 {
-  ivec2 texel = ivec2(texCoord * vec2(textureSize(depthImage, 0)));
-  float stored = texelFetch(depthImage, texel, 0).r;
-  if (stored >= 1.0)
+  ivec2 texel = ivec2(texCoord * vec2(textureSize(surface, 0)));
+  float depth = texelFetch(surface, texel, 0).r;
+  if (depth > farthest)
   {
     discard;
   }
@@ -36,14 +36,12 @@ void main()
   }
   // tanh overflows on some drivers.
   float ink = max(0.0, -tanh(clamp(phi * difference, -9.0, 9.0)));
-
   if (!paper && ink * opacity < 0.002) // nothing that eight bits could show
   {
     discard;
   }
 
-  float z = -mix(depthRange.x, depthRange.y, stored) + depthBias;
-  vec2 clip = depthToClip.xz * z + depthToClip.yw;
+  vec2 clip = depthToClip.xz * (depthBias - depth) + depthToClip.yw;
   gl_FragDepth = clamp(0.5 * clip.x / clip.y + 0.5, 0.0, 1.0);
 
   //VTK::DepthPeeling::PreColor

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 
-// Depth splatting (Zhang et al. 2014, section 3.1): the nearest disc's distance along the view, as a
-// fraction of depthRange.
+// Depth splatting (Zhang et al. 2014, section 3.1): of the nearest disc in each pixel, the distance from the
+// eye along the view, and 1 + its slope against the viewer, negative where it faces away.
 
 flat in vec2 centerVSOutput;
 flat in vec4 toDiscVSOutput;
@@ -9,10 +9,14 @@ flat in vec2 perspectiveVSOutput;
 flat in vec3 positionVSOutput;
 flat in vec3 axisUVSOutput;
 flat in vec3 axisVVSOutput;
+flat in float lightVSOutput;
+flat in float slopeVSOutput;
 
-uniform vec2 depthRange;
+uniform vec2 depthRange; // view units
 uniform int clipPlaneCount;
 uniform vec4 clipPlanesVC[6];
+
+//VTK::Output::Dec
 
 void main()
 {
@@ -37,4 +41,5 @@ void main()
     discard;
   }
   gl_FragDepth = depth;
+  gl_FragData[0] = vec4(-position.z, lightVSOutput < 0.0 ? -1.0 - slopeVSOutput : 1.0 + slopeVSOutput, 0.0, 0.0);
 }

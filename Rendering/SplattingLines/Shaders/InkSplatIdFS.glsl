@@ -8,14 +8,14 @@ flat in vec2 perspectiveVSOutput;
 flat in vec3 positionVSOutput;
 flat in vec3 axisUVSOutput;
 flat in vec3 axisVVSOutput;
-flat in float toleranceVSOutput;
+flat in vec2 toleranceVSOutput;
 flat in int idVSOutput;
 
 uniform int clipPlaneCount;
 uniform vec4 clipPlanesVC[6];
 uniform vec2 viewportOrigin; // pixels
 uniform vec4 depthToClip;    // clip z = x * view z + y, clip w = z * view z + w
-uniform int idShift;         // which 24 bits of the point id; negative: the prop's colour
+uniform int idShift;         // the first of the point id's 24 bits to show; negative: show propColor
 uniform vec3 propColor;
 
 //VTK::Output::Dec
@@ -38,8 +38,8 @@ void main()
       discard;
     }
   }
-  // The selector may have drawn the scene's depth before; come just in front of it.
-  vec2 clip = depthToClip.xz * (position.z + toleranceVSOutput) + depthToClip.yw;
+  // The selector may have drawn the scene's depth before: come just in front of it.
+  vec2 clip = depthToClip.xz * (position.z + toleranceVSOutput.x) + depthToClip.yw;
   float depth = 0.5 * clip.x / clip.y + 0.5;
   if (clip.y <= 0.0 || depth < 0.0 || depth > 1.0)
   {

@@ -11,11 +11,13 @@ flat in vec3 axisUVSOutput;
 flat in vec3 axisVVSOutput;
 flat in float lightVSOutput;
 flat in float weightVSOutput;
-flat in float toleranceVSOutput;
+flat in float slopeVSOutput;
+flat in vec2 toleranceVSOutput;
 
-uniform sampler2D depthImage;
-uniform vec2 depthRange;
-uniform vec2 falloff; // 1 / (2 sigma^2) of the narrow and of the wide Gaussian
+uniform sampler2D surface; // from the depth splats
+uniform float minimumLight;
+uniform vec2 falloff;      // 1 / (2 sigma^2) of the narrow and of the wide Gaussian
+uniform vec2 rim;          // both Gaussians at the disc's rim
 
 //VTK::Output::Dec
 
@@ -29,12 +31,23 @@ void main()
   {
     discard;
   }
+  // Only discs on the surface that the depth splats show. Near a contour that surface falls away within a
+  // pixel: there, what lies as steeply may lie further behind. Seen from behind, f changes its sign.
+  vec2 shown = texelFetch(surface, ivec2(gl_FragCoord.xy), 0).rg;
+  float light = sign(shown.g) * lightVSOutput;
   float depth = -(positionVSOutput.z + disc.x * axisUVSOutput.z + disc.y * axisVVSOutput.z);
-  float stored = texelFetch(depthImage, ivec2(gl_FragCoord.xy), 0).r;
-  if (stored >= 1.0 || abs(mix(depthRange.x, depthRange.y, stored) - depth) > toleranceVSOutput)
+  float slope = min(abs(shown.g) - 1.0, slopeVSOutput);
+  if (light <= minimumLight ||
+    abs(shown.r - depth) > toleranceVSOutput.x + toleranceVSOutput.y * slope)
   {
     discard;
   }
-  vec2 w = weightVSOutput * exp(-falloff * distance2);
-  gl_FragData[0] = vec4(w.x * lightVSOutput, w.x, w.y * lightVSOutput, w.y);
+  // Less their value at the rim, where the Gaussians would break off: the wide one at 0.3 of its peak,
+  // which would show as noise in the lines.
+  vec2 w = weightVSOutput * (exp(-falloff * distance2) - rim);
+  // Beyond a contour, where f is negative, the surface counts as black, and only in the narrow image. That
+  // makes contours solid lines also where few points lie on them; everything else is as in equation 1.
+  float f = max(light, 0.0);
+  w.y *= step(0.0, light);
+  gl_FragData[0] = vec4(w.x * f, w.x, w.y * f, w.y);
 }
