@@ -62,8 +62,7 @@ int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, true);
     vtkPVRenderView::SetOrderedCompositingConfiguration(
       inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-    outInfo->Set(
-      vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->Actor->HasTranslucentPolygonalGeometry());
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->Actor->HasTranslucentPolygonalGeometry());
     // What the view holds for the current time; this->Points may be of another while it plays from its cache.
     double bounds[6];
     vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this))->GetBounds(bounds);
