@@ -52,7 +52,7 @@ public:
   /**
    * lambda: the factor by which illumination splats are larger than the points' radii; it sets the level
    * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20;
-   * default: 2.
+   * default: 2.5.
    */
   vtkSetClampMacro(Lambda, double, 0.1, 20.0);
   vtkGetMacro(Lambda, double);
@@ -134,6 +134,10 @@ public:
 protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
+
+  /// Those of the points, wider by the largest radius: what lies outside may be left out of a picture. A
+  /// radius that is still to be estimated does not count.
+  void ComputeBounds() override;
 
 private:
   vtkInkSplattingLinesMapper(const vtkInkSplattingLinesMapper&) = delete;
