@@ -1,11 +1,11 @@
 include(CMakePackageConfigHelpers)
-configure_package_config_file(CMake/vtkInk-config.cmake.in
-  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInk-config.cmake"
+configure_package_config_file(CMake/vtkInkConfig.cmake.in
+  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfig.cmake"
   INSTALL_DESTINATION "${VTKINK_CMAKE_DESTINATION}")
 write_basic_package_version_file(
-  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInk-config-version.cmake"
+  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
-install(FILES
-  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInk-config.cmake"
-  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInk-config-version.cmake"
+install(FILES CMake/InkPlainLinkInterfaces.cmake
+  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfig.cmake"
+  "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfigVersion.cmake"
   DESTINATION "${VTKINK_CMAKE_DESTINATION}")

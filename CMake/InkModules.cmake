@@ -2,6 +2,10 @@
 set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Sampling/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module")
+if (VTKINK_BUILD_PLUGIN)
+  list(APPEND _ink_module_files
+    "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Representations/vtk.module")
+endif ()
 
 vtk_module_scan(
   MODULE_FILES ${_ink_module_files}

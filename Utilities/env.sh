@@ -1,7 +1,7 @@
 # Makes a build tree usable in this shell:  . Utilities/env.sh paraview   (or headless, asan, tsan)
 # Afterwards `ink`, `$INK_PYTHON -c 'import vtkink'` and ParaView's plugin manager find what that tree holds.
-# Works in any POSIX shell; where it is sourced from does not matter as long as it is inside the repository,
-# or INK_ROOT names the repository.
+# For bash and zsh; other shells pass no argument to a sourced file and set INK_PRESET before instead.
+# Source it inside the repository, or set INK_ROOT to where that is.
 
 INK_PRESET="${1:-${INK_PRESET:-headless}}"
 INK_ROOT="${INK_ROOT:-$(git rev-parse --show-toplevel 2>/dev/null || pwd)}"

@@ -1,16 +1,371 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesMapper.h"
 
+#include "InkSplatPasses.h"
+#include "InkSplatPoints.h"
+#include "InkSplatTargets.h"
+#include "InkSplatView.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkInkSplattingLinesMapper);
 
-vtkInkSplattingLinesMapper::vtkInkSplattingLinesMapper() = default;
-vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper() = default;
+namespace
+{
 
-void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer*, vtkActor*) {}
+constexpr const char* DefaultNormals = "Normals";
+constexpr const char* DefaultRadius = "Radius";
 
-void vtkInkSplattingLinesMapper::ReleaseGraphicsResources(vtkWindow*) {}
+/// "Normals" (3), "Value" (1), ... for error messages.
+std::string ListArrays(vtkPointData* data)
+{
+  std::ostringstream list;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = data->GetArray(i))
+    {
+      list << (list.str().empty() ? "" : ", ") << '"' << (array->GetName() ? array->GetName() : "") << "\" ("
+           << array->GetNumberOfComponents() << ')';
+    }
+  }
+  return list.str().empty() ? "none" : list.str();
+}
+
+} // namespace
+
+class vtkInkSplattingLinesMapper::vtkInternals
+{
+public:
+  /// What the points on the GPU were made from; modification times are unique, so no pointers are needed.
+  struct Source
+  {
+    vtkMTimeType Points;
+    vtkMTimeType Normals;
+    vtkMTimeType Radii;
+    double Radius;
+    bool operator==(const Source&) const = default;
+  };
+
+  /// The splats of one actor in one renderer, and what they show.
+  struct Drawing
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    vtkWeakPointer<vtkActor> Actor;
+    std::unique_ptr<InkSplatTargets> Targets;
+    std::optional<InkSplatView> View;
+    double Lambda;
+    double Sigma;
+    vtkMTimeType UploadTime;
+  };
+
+  Drawing& Find(vtkRenderer* renderer, vtkActor* actor)
+  {
+    std::erase_if(this->Drawings, [](const Drawing& d) { return !d.Renderer || !d.Actor; });
+    for (Drawing& drawing : this->Drawings)
+    {
+      if (drawing.Renderer == renderer && drawing.Actor == actor)
+      {
+        return drawing;
+      }
+    }
+    Drawing& drawing = this->Drawings.emplace_back();
+    drawing.Renderer = renderer;
+    drawing.Actor = actor;
+    return drawing;
+  }
+
+  InkSplatPoints Points;
+  std::optional<Source> PointsSource; ///< what Points was read from
+  vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
+  std::unique_ptr<InkSplatPasses> Passes;
+  unsigned long WindowObserver = 0;
+  std::vector<Drawing> Drawings;
+};
+
+vtkInkSplattingLinesMapper::vtkInkSplattingLinesMapper()
+  : Internals(std::make_unique<vtkInternals>())
+{
+  this->SetInputArrayToProcess(NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, DefaultNormals);
+  this->SetInputArrayToProcess(RADIUS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, DefaultRadius);
+}
+
+vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper()
+{
+  this->ReleaseWindow();
+}
+
+void vtkInkSplattingLinesMapper::ReportOnce(const std::string& error)
+{
+  const vtkMTimeType time = std::max(this->GetInput()->GetMTime(), this->GetMTime());
+  if (this->Internals->ReportedTime < time)
+  {
+    this->Internals->ReportedTime = time;
+    vtkErrorMacro(<< error);
+  }
+}
+
+bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkPolyData* input = this->GetInput();
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    this->ReportOnce("Splatting lines need a vtkOpenGLRenderWindow.");
+    return false;
+  }
+
+  vtkPointData* pointData = input->GetPointData();
+  const auto chosenName = [this](int index) -> std::string
+  {
+    vtkInformation* info = this->GetInputArrayInformation(index);
+    return info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : "";
+  };
+  vtkDataArray* normals = this->GetInputArrayToProcess(NORMALS, input);
+  if (!normals && chosenName(NORMALS) == DefaultNormals)
+  {
+    normals = pointData->GetNormals();
+  }
+  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
+
+  const vtkIdType count = input->GetNumberOfPoints();
+  std::ostringstream problem;
+  if (!normals)
+  {
+    problem << "No point array \"" << chosenName(NORMALS) << "\" with 3 components.";
+  }
+  else if (normals->GetNumberOfComponents() != 3)
+  {
+    problem << "The normals \"" << (normals->GetName() ? normals->GetName() : "") << "\" have "
+            << normals->GetNumberOfComponents() << " components instead of 3.";
+  }
+  else if (normals->GetNumberOfTuples() != count)
+  {
+    problem << "There are " << normals->GetNumberOfTuples() << " normals for " << count << " points.";
+  }
+  else if (!radii && chosenName(RADIUS) != DefaultRadius)
+  {
+    problem << "No point array \"" << chosenName(RADIUS) << "\" with 1 component.";
+  }
+  else if (radii && radii->GetNumberOfComponents() != 1)
+  {
+    problem << "The radii \"" << (radii->GetName() ? radii->GetName() : "") << "\" have "
+            << radii->GetNumberOfComponents() << " components instead of 1.";
+  }
+  else if (radii && radii->GetNumberOfTuples() != count)
+  {
+    problem << "There are " << radii->GetNumberOfTuples() << " radii for " << count << " points.";
+  }
+  if (!problem.str().empty())
+  {
+    problem << " Point arrays (components) in the input: " << ListArrays(pointData) << '.';
+    this->ReportOnce(problem.str());
+    return false;
+  }
+
+  if (internals.Passes && internals.Passes->GetWindow() != window)
+  {
+    this->ReleaseWindow();
+    window->MakeCurrent();
+  }
+  const vtkInternals::Source source{ input->GetPoints()->GetMTime(), normals->GetMTime(),
+    radii ? radii->GetMTime() : 0, radii ? 0.0 : this->Radius };
+  if (!internals.Passes || internals.PointsSource != source)
+  {
+    internals.Points.Read(input->GetPoints(), normals, radii, this->Radius);
+    if (!internals.Passes)
+    {
+      internals.Passes = std::make_unique<InkSplatPasses>(window);
+      // A window that never knew this mapper's actor does not release it either.
+      internals.WindowObserver =
+        window->AddObserver(vtkCommand::DeleteEvent, this, &vtkInkSplattingLinesMapper::ReleaseWindow);
+    }
+    internals.Passes->Upload(internals.Points);
+    internals.Points.ReleaseArrays();
+    internals.PointsSource = source;
+  }
+  if (internals.Points.GetNumberOfVisiblePoints() == 0)
+  {
+    std::ostringstream none;
+    none << "None of the " << count
+         << " points has a finite position, a normal that is not zero and a positive radius.";
+    this->ReportOnce(none.str());
+    return false;
+  }
+  return true;
+}
+
+void vtkInkSplattingLinesMapper::ComputeBounds()
+{
+  this->Superclass::ComputeBounds();
+  vtkPolyData* input = this->GetInput();
+  if (!input || !vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    return;
+  }
+  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
+  const double radius = radii ? std::max(radii->GetFiniteRange(0)[1], 0.0) : this->Radius;
+  for (int i = 0; i < 6; ++i)
+  {
+    this->Bounds[i] += i % 2 ? radius : -radius;
+  }
+}
+
+void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->InvokeEvent(vtkCommand::StartEvent);
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  this->InvokeEvent(vtkCommand::EndEvent);
+
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector)
+  {
+    selector->BeginRenderProp();
+    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+    {
+      selector->RenderCompositeIndex(1);
+    }
+  }
+  if (this->UpdatePoints(renderer))
+  {
+    if (selector)
+    {
+      this->DrawIds(renderer, actor, selector);
+    }
+    else
+    {
+      this->Draw(renderer, actor);
+    }
+  }
+  if (selector)
+  {
+    selector->EndRenderProp();
+  }
+  this->UpdateProgress(1.0);
+}
+
+void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& internals = *this->Internals;
+  InkSplatPasses& passes = *internals.Passes;
+  // Not the renderer's own: depth peeling draws into buffers of its own.
+  int viewport[4];
+  passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[2] <= 0 || viewport[3] <= 0)
+  {
+    return;
+  }
+  const InkSplatView view(renderer, actor, this, internals.Points, viewport + 2);
+
+  vtkInternals::Drawing& drawing = internals.Find(renderer, actor);
+  if (!drawing.View || drawing.View->Size != view.Size)
+  {
+    drawing.Targets = std::make_unique<InkSplatTargets>(passes.GetWindow(), viewport + 2);
+    drawing.View.reset();
+  }
+  if (!drawing.Targets->IsComplete())
+  {
+    this->ReportOnce("This OpenGL cannot draw into 32-bit float images, which splatting lines need.");
+    return;
+  }
+  if (drawing.View != view || drawing.Lambda != this->Lambda || drawing.Sigma != this->Sigma ||
+    drawing.UploadTime != passes.GetUploadTime())
+  {
+    passes.DrawSplats(view, *drawing.Targets, this->Lambda, this->Sigma);
+    drawing.View = view;
+    drawing.Lambda = this->Lambda;
+    drawing.Sigma = this->Sigma;
+    drawing.UploadTime = passes.GetUploadTime();
+  }
+  passes.DrawComposite(view, *drawing.Targets,
+    { this->Tau, this->Phi, this->InkColor, this->PaperColor, this->PaperVisibility,
+      actor->GetProperty()->GetOpacity() },
+    this, actor);
+}
+
+void vtkInkSplattingLinesMapper::DrawIds(
+  vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
+{
+  vtkInternals& internals = *this->Internals;
+  InkSplatPasses& passes = *internals.Passes;
+  int viewport[4];
+  passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const InkSplatView view(renderer, actor, this, internals.Points, viewport + 2);
+
+  selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
+  int idShift = -1;
+  const float noCell[3] = { 0.0f, 0.0f, 0.0f };
+  const float* color = selector->GetPropColorValue();
+  switch (selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::POINT_ID_LOW24:
+      idShift = 0;
+      break;
+    case vtkHardwareSelector::POINT_ID_HIGH24:
+      idShift = 24;
+      break;
+    case vtkHardwareSelector::CELL_ID_LOW24:
+    case vtkHardwareSelector::CELL_ID_HIGH24:
+      color = noCell;
+      break;
+    default:
+      break;
+  }
+  passes.DrawIds(view, viewport, idShift, color);
+}
+
+void vtkInkSplattingLinesMapper::ReleaseWindow()
+{
+  vtkInternals& internals = *this->Internals;
+  if (internals.Passes)
+  {
+    vtkOpenGLRenderWindow* window = internals.Passes->GetWindow();
+    window->RemoveObserver(internals.WindowObserver);
+    window->PushContext();
+    internals.Drawings.clear();
+    internals.Passes.reset();
+    window->PopContext();
+  }
+}
+
+void vtkInkSplattingLinesMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->ReleaseWindow();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+vtkMTimeType vtkInkSplattingLinesMapper::GetUploadTime()
+{
+  return this->Internals->Passes ? this->Internals->Passes->GetUploadTime() : 0;
+}
 
 bool vtkInkSplattingLinesMapper::HasOpaqueGeometry()
 {
@@ -25,4 +380,14 @@ bool vtkInkSplattingLinesMapper::HasTranslucentPolygonalGeometry()
 void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Lambda: " << this->Lambda << "\n";
+  os << indent << "Tau: " << this->Tau << "\n";
+  os << indent << "Phi: " << this->Phi << "\n";
+  os << indent << "Sigma: " << this->Sigma << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
+     << "\n";
+  os << indent << "PaperColor: " << this->PaperColor[0] << ' ' << this->PaperColor[1] << ' '
+     << this->PaperColor[2] << "\n";
+  os << indent << "PaperVisibility: " << (this->PaperVisibility ? "On" : "Off") << "\n";
 }

@@ -30,6 +30,9 @@
 #include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for error messages
+
+class vtkHardwareSelector;
 
 class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkPolyDataMapper
 {
@@ -48,7 +51,8 @@ public:
   ///@{
   /**
    * lambda: the factor by which illumination splats are larger than the points' radii; it sets the level
-   * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20; default: 2.
+   * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20;
+   * default: 2.5.
    */
   vtkSetClampMacro(Lambda, double, 0.1, 20.0);
   vtkGetMacro(Lambda, double);
@@ -56,7 +60,8 @@ public:
 
   ///@{
   /**
-   * tau: a threshold; more lines with a larger one. 0.5 to 1.5; default: 1.
+   * tau: a threshold; more lines with a larger one. 0.5 to 1.5; default: 0.99, which keeps
+   * noise on flat surfaces below the threshold.
    */
   vtkSetClampMacro(Tau, double, 0.5, 1.5);
   vtkGetMacro(Tau, double);
@@ -64,7 +69,7 @@ public:
 
   ///@{
   /**
-   * phi: the strength of the lines; darker with a larger one. 0 to 1000; default: 20.
+   * phi: the strength of the lines; darker with a larger one. 0 to 1000; default: 100.
    */
   vtkSetClampMacro(Phi, double, 0.0, 1000.0);
   vtkGetMacro(Phi, double);
@@ -113,6 +118,12 @@ public:
   vtkBooleanMacro(PaperVisibility, bool);
   ///@}
 
+  /**
+   * When the points were last sent to the GPU, as a modification time; 0 before the first time. Only a
+   * change of the points, of the normals and radii or of Radius sends them again.
+   */
+  vtkMTimeType GetUploadTime();
+
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   bool GetSupportsSelection() override { return true; }
@@ -124,18 +135,31 @@ protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
 
+  /// Those of the points, wider by the largest radius: what lies outside may be left out of a picture. A
+  /// radius that is still to be estimated does not count.
+  void ComputeBounds() override;
+
 private:
   vtkInkSplattingLinesMapper(const vtkInkSplattingLinesMapper&) = delete;
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
-  double Lambda = 2.0;
-  double Tau = 1.0;
-  double Phi = 20.0;
+  bool UpdatePoints(vtkRenderer* renderer);
+  void Draw(vtkRenderer* renderer, vtkActor* actor);
+  void DrawIds(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
+  void ReportOnce(const std::string& error);
+  void ReleaseWindow();
+
+  double Lambda = 2.5;
+  double Tau = 0.99;
+  double Phi = 100.0;
   double Sigma = 0.4;
   double Radius = 0.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   bool PaperVisibility = true;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -1,0 +1,84 @@
+#include "FinishVolume.h"
+
+#include "ReadFile.h"
+#include "Text.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkImageExtractComponents.h"
+#include "vtkImageShiftScale.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+namespace ink::cli
+{
+
+Input makeVolumeInput(vtkImageData* image, const std::filesystem::path& file, const std::string& format)
+{
+  Input input;
+  input.format = format;
+  if (image->GetNumberOfPoints() == 0)
+  {
+    failToRead(file, "it holds no voxels");
+  }
+  vtkPointData* pointData = image->GetPointData();
+  for (int i = 0; i < pointData->GetNumberOfArrays() && !pointData->GetScalars(); ++i)
+  {
+    if (vtkDataArray* array = pointData->GetArray(i))
+    {
+      pointData->SetActiveScalars(array->GetName());
+      input.notes.push_back(std::string("array '") + array->GetName() + "' is used");
+    }
+  }
+  vtkDataArray* scalars = pointData->GetScalars();
+  if (!scalars)
+  {
+    failToRead(file, "it holds no values at its points (cell values alone cannot be used)");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    failToRead(file,
+      "it holds " + std::to_string(scalars->GetNumberOfTuples()) + " values for " +
+        std::to_string(image->GetNumberOfPoints()) + " voxels");
+  }
+  if (scalars->GetDataType() == VTK_BIT)
+  {
+    failToRead(file, "its voxels are single bits; expected integers of 8 to 64 bits, float or double");
+  }
+
+  input.components = scalars->GetNumberOfComponents();
+  if (input.components > 1)
+  {
+    input.notes.push_back(
+      "its voxels have " + std::to_string(input.components) + " components; the first is used");
+    vtkNew<vtkImageExtractComponents> first;
+    first->SetInputData(image);
+    first->SetComponents(0);
+    first->Update();
+    input.data = first->GetOutput();
+  }
+  else
+  {
+    input.data = image;
+  }
+  return input;
+}
+
+void rescale(Input& input, double slope, double intercept)
+{
+  if (slope == 0.0 || (slope == 1.0 && intercept == 0.0))
+  {
+    return;
+  }
+  vtkNew<vtkImageShiftScale> filter;
+  filter->SetInputDataObject(input.data);
+  // The filter adds before it multiplies.
+  filter->SetShift(intercept / slope);
+  filter->SetScale(slope);
+  filter->SetOutputScalarTypeToFloat();
+  filter->Update();
+  input.data = filter->GetOutput();
+  input.notes.push_back("its stored values are rescaled: " + text(slope) + " v + " + text(intercept));
+}
+
+} // namespace ink::cli

@@ -1,0 +1,98 @@
+#include "Input.h"
+
+#include "Errors.h"
+#include "ReadFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace ink::cli
+{
+namespace
+{
+
+constexpr std::array volumeSuffixes{ ".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtk" };
+constexpr std::array meshSuffixes{ ".ply", ".obj", ".stl", ".vtp" };
+
+/// The suffix in small letters, ".nii.gz" being one.
+std::string suffixOf(const fs::path& file)
+{
+  std::string name = file.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const fs::path lower(name);
+  const std::string last = lower.extension().string();
+  return last == ".gz" ? lower.stem().extension().string() + last : last;
+}
+
+template <std::size_t N>
+bool contains(const std::array<const char*, N>& suffixes, const std::string& suffix)
+{
+  return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
+}
+
+std::string knownSuffixes()
+{
+  std::string list;
+  for (const char* suffix : volumeSuffixes)
+  {
+    list += std::string(suffix) + " ";
+  }
+  for (const char* suffix : meshSuffixes)
+  {
+    list += std::string(suffix) + " ";
+  }
+  list.pop_back();
+  return list;
+}
+
+} // namespace
+
+Input readInput(const InputOptions& options, Progress& progress)
+{
+  const fs::path& file = options.file;
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status))
+  {
+    failToRead(
+      file, error && error != std::errc::no_such_file_or_directory ? error.message() : "no such file");
+  }
+  if (fs::is_directory(status))
+  {
+    return readDicomFolder(file, progress);
+  }
+  if (!fs::is_regular_file(status))
+  {
+    failToRead(file, "it is neither a regular file nor a directory");
+  }
+  if (!std::ifstream(file).is_open())
+  {
+    failToRead(file, "permission denied");
+  }
+  if (fs::file_size(file) == 0)
+  {
+    failToRead(file, "the file is empty");
+  }
+  if (options.raw)
+  {
+    return readRawVolume(file, *options.raw, progress);
+  }
+  const std::string suffix = suffixOf(file);
+  if (contains(volumeSuffixes, suffix))
+  {
+    return readVolume(file, suffix, progress);
+  }
+  if (contains(meshSuffixes, suffix))
+  {
+    return readMesh(file, suffix, progress);
+  }
+  failToRead(file,
+    "unknown type '" + suffix + "'; expected one of " + knownSuffixes() +
+      ", a folder of DICOM files, or any file with --raw");
+}
+
+} // namespace ink::cli

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ink::cli
+{
+
+class Progress;
+
+/// How the voxels of a file without a header lie in it, x fastest.
+struct RawLayout
+{
+  int dimensions[3];
+  int type; ///< as VTK_UNSIGNED_CHAR
+  double spacing[3] = { 1, 1, 1 };
+  bool bigEndian = false;
+
+  /// From "WxHxD:type", the type being one of uint8, int8, uint16, ... int64, float32, float64.
+  /// \throw UsageError
+  static RawLayout parse(const std::string& layout);
+};
+
+/// What to read.
+struct InputOptions
+{
+  std::filesystem::path file;
+  std::optional<RawLayout> raw; ///< given: the file has no header
+};
+
+/// What was read.
+struct Input
+{
+  /// vtkImageData with point scalars of one component, or vtkPolyData with points.
+  vtkSmartPointer<vtkDataObject> data;
+  std::string format;
+  /// What of the file was not used as it is, each a sentence without its dot.
+  std::vector<std::string> notes;
+  int components = 1; ///< that the file's voxels have
+};
+
+/// Reads a volume or a mesh; which of them, and in which format, the file's name tells.
+/// \throw Failure if it cannot be read whole, with the reason.
+Input readInput(const InputOptions& options, Progress& progress);
+
+} // namespace ink::cli

@@ -1,0 +1,121 @@
+#include "ReadFile.h"
+
+#include "CheckVolumeFile.h"
+#include "FinishVolume.h"
+#include "Orientation.h"
+#include "XmlReaders.h"
+
+#include "vtkImageData.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNIFTIImageReader.h"
+#include "vtkNew.h"
+#include "vtkNrrdReader.h"
+#include "vtkStructuredPoints.h"
+#include "vtkStructuredPointsReader.h"
+#include "vtkXMLImageDataReader.h"
+
+namespace fs = std::filesystem;
+
+namespace ink::cli
+{
+namespace
+{
+
+void requireFormat(bool isOne, const fs::path& file, const char* format)
+{
+  if (!isOne)
+  {
+    failToRead(file, std::string("it is not a ") + format);
+  }
+}
+
+Input readNifti(const fs::path& file, Progress& progress)
+{
+  constexpr const char* format = "NIfTI volume";
+  vtkNew<vtkNIFTIImageReader> reader;
+  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
+  reader->SetFileName(file.c_str());
+  runReader(reader, file, progress);
+
+  Input input = makeVolumeInput(reader->GetOutput(), file, format);
+  auto* image = vtkImageData::SafeDownCast(input.data);
+  const bool stored = reader->GetSFormMatrix() || reader->GetQFormMatrix();
+  if (stored && !applyNiftiOrientation(reader, image))
+  {
+    input.notes.emplace_back("its axes are not at right angles; they are taken as the world's");
+  }
+  if (reader->GetTimeDimension() > 1)
+  {
+    input.notes.push_back(
+      "it has " + std::to_string(reader->GetTimeDimension()) + " time steps; the first is used");
+  }
+  rescale(input, reader->GetRescaleSlope(), reader->GetRescaleIntercept());
+  return input;
+}
+
+Input readNrrd(const fs::path& file, Progress& progress)
+{
+  constexpr const char* format = "NRRD volume";
+  vtkNew<vtkNrrdReader> reader;
+  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
+  checkNrrd(file);
+  reader->SetFileName(file.c_str());
+  runReader(reader, file, progress);
+  Input input = makeVolumeInput(reader->GetOutput(), file, format);
+  applyNrrdOrientation(file, vtkImageData::SafeDownCast(input.data));
+  return input;
+}
+
+Input readMetaImage(const fs::path& file, Progress& progress)
+{
+  constexpr const char* format = "MetaImage volume";
+  vtkNew<vtkMetaImageReader> reader;
+  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
+  reader->SetFileName(file.c_str());
+  runReader(reader, file, progress);
+  Input input = makeVolumeInput(reader->GetOutput(), file, format);
+  applyMetaImageOrientation(file, vtkImageData::SafeDownCast(input.data));
+  return input;
+}
+
+Input readXmlImage(const fs::path& file, Progress& progress)
+{
+  constexpr const char* format = "VTK XML image (.vti)";
+  vtkNew<PromptXmlReader<vtkXMLImageDataReader>> reader;
+  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
+  reader->SetFileName(file.c_str());
+  runReader(reader, file, progress);
+  return makeVolumeInput(reader->GetOutput(), file, format);
+}
+
+Input readLegacyImage(const fs::path& file, Progress& progress)
+{
+  constexpr const char* format = "legacy VTK file of structured points";
+  vtkNew<vtkStructuredPointsReader> reader;
+  reader->SetFileName(file.c_str());
+  requireFormat(reader->IsFileStructuredPoints() != 0, file, format);
+  checkLegacyImage(file);
+  runReader(reader, file, progress, true);
+  return makeVolumeInput(reader->GetOutput(), file, format);
+}
+
+} // namespace
+
+Input readVolume(const fs::path& file, const std::string& suffix, Progress& progress)
+{
+  if (suffix == ".nii" || suffix == ".nii.gz")
+  {
+    return readNifti(file, progress);
+  }
+  if (suffix == ".nrrd" || suffix == ".nhdr")
+  {
+    return readNrrd(file, progress);
+  }
+  if (suffix == ".mha" || suffix == ".mhd")
+  {
+    return readMetaImage(file, progress);
+  }
+  return suffix == ".vti" ? readXmlImage(file, progress) : readLegacyImage(file, progress);
+}
+
+} // namespace ink::cli

@@ -1,0 +1,142 @@
+#include "RenderCommand.h"
+
+#include "Errors.h"
+#include "FitCamera.h"
+#include "Graphics.h"
+#include "OutputFile.h"
+#include "Picture.h"
+#include "Progress.h"
+#include "Surface.h"
+#include "VtkMessages.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkInkSplattingLinesMapper.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <iostream>
+#include <regex>
+
+namespace ink::cli
+{
+namespace
+{
+
+// Part of the picture's half width and height that stays free around the drawing.
+constexpr double margin = 0.05;
+
+void setUpMapper(vtkInkSplattingLinesMapper* mapper, const RenderOptions& options)
+{
+  mapper->SetTau(options.tau.value_or(mapper->GetTau()));
+  mapper->SetPhi(options.phi.value_or(mapper->GetPhi()));
+  mapper->SetLambda(options.lambda.value_or(mapper->GetLambda()));
+  mapper->SetSigma(options.sigma.value_or(mapper->GetSigma()));
+  mapper->SetInkColor(options.inkColor.data());
+  mapper->SetPaperVisibility(options.paperColor.has_value());
+  if (options.paperColor)
+  {
+    mapper->SetPaperColor(options.paperColor->data());
+  }
+}
+
+vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& options)
+{
+  vtkNew<vtkInkSplattingLinesMapper> mapper;
+  mapper->SetInputData(points);
+  setUpMapper(mapper, options);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  // With alpha, colours come out multiplied by it, and so is the background.
+  Color background = options.transparent ? Color{ 0, 0, 0 } : options.background;
+  renderer->SetBackground(background.data());
+  renderer->SetBackgroundAlpha(options.transparent ? 0.0 : 1.0);
+
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetAlphaBitPlanes(1);
+  window->SetMultiSamples(0);
+  window->SetSize(
+    options.size.width * PictureSize::supersampling, options.size.height * PictureSize::supersampling);
+  window->AddRenderer(renderer);
+
+  View view = namedViews().at(options.view);
+  view.rotate(options.azimuth, options.elevation);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double aspect = static_cast<double>(options.size.width) / options.size.height;
+  fitCamera(camera, view, points->GetPoints(), aspect, margin, options.parallel);
+  camera->Zoom(options.zoom);
+  renderer->ResetCameraClippingRange();
+
+  const VtkMessages messages;
+  window->Render();
+  const auto picture = takePicture(window, PictureSize::supersampling, options.transparent);
+  if (const std::string problem = messages.error(); !problem.empty())
+  {
+    throw Failure("drawing failed: " + problem);
+  }
+  return picture;
+}
+
+} // namespace
+
+PictureSize PictureSize::parse(const std::string& text)
+{
+  static const std::regex pattern(R"((\d{1,9})x(\d{1,9}))");
+  const std::string problem = "--size '" + text + "': ";
+  std::smatch match;
+  if (!std::regex_match(text, match, pattern))
+  {
+    throw UsageError(problem + "expected WxH in pixels, as 1600x1200");
+  }
+  const PictureSize size{ std::stoi(match[1]), std::stoi(match[2]) };
+  if (size.width < 1 || size.height < 1 || size.width > largestSide || size.height > largestSide ||
+    static_cast<long long>(size.width) * size.height > mostPixels)
+  {
+    throw UsageError(problem + "expected 1 to " + std::to_string(largestSide) +
+      " pixels a side and at most " + std::to_string(mostPixels / 1'000'000) + " million in all");
+  }
+  return size;
+}
+
+void render(const RenderOptions& options)
+{
+  // What can fail soon should not fail late.
+  const OutputFile output(options.output);
+  const Graphics graphics = probeGraphics();
+  if (!graphics.works)
+  {
+    throw Failure(graphics.description);
+  }
+
+  Progress progress(options.quiet);
+  const Input input = readInput(options.input, progress);
+  const Surface surface = makeSurface(input, options.isoValues, progress);
+  progress.step("drawing");
+  const auto picture = draw(surface.points, options);
+  progress.step("writing " + options.output.filename().string());
+  const auto png = encodePng(picture);
+  output.write({ png->GetPointer(0), static_cast<std::size_t>(png->GetNumberOfValues()) });
+  progress.finish();
+
+  if (!options.quiet)
+  {
+    for (const auto* notes : { &input.notes, &surface.notes })
+    {
+      for (const std::string& note : *notes)
+      {
+        std::cerr << "ink: " << note << '\n';
+      }
+    }
+  }
+}
+
+} // namespace ink::cli

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "Color.h"
+#include "Input.h"
+#include "View.h"
+
+#include <optional>
+
+namespace ink::cli
+{
+
+/// Width and height of a picture in pixels.
+struct PictureSize
+{
+  /// What is rendered is this much larger on either side; see takePicture.
+  static constexpr int supersampling = 2;
+  /// OpenGL implementations of today draw 16384 pixels.
+  static constexpr int largestSide = 16384 / supersampling;
+  /// More needs more memory than a graphics card has as a rule.
+  static constexpr int mostPixels = 36'000'000;
+
+  int width = 1024;
+  int height = 1024;
+
+  /// From "WxH". \throw UsageError
+  static PictureSize parse(const std::string& text);
+};
+
+/// What `ink render` was asked for.
+struct RenderOptions
+{
+  InputOptions input;
+  std::filesystem::path output;
+  std::vector<double> isoValues; ///< empty: one is chosen
+  std::string view = "front";
+  double azimuth = 0;   ///< degrees
+  double elevation = 0; ///< degrees
+  double zoom = 1;
+  bool parallel = false;
+  PictureSize size;
+  /// Those of vtkInkSplattingLinesMapper; what is not given stays at its default.
+  std::optional<double> tau;
+  std::optional<double> phi;
+  std::optional<double> lambda;
+  std::optional<double> sigma;
+  Color inkColor{ 0, 0, 0 };
+  std::optional<Color> paperColor{ { 1, 1, 1 } }; ///< none: ink only
+  Color background{ 1, 1, 1 };
+  bool transparent = false;
+  bool quiet = false;
+};
+
+/// Draws a picture of a volume or a mesh.
+/// \throw Failure, UsageError
+void render(const RenderOptions& options);
+
+} // namespace ink::cli

@@ -1,0 +1,92 @@
+#include "VtkMessages.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+#include <iostream>
+#include <regex>
+#include <sstream>
+
+namespace ink::cli
+{
+namespace
+{
+
+/// "ERROR: In file.cxx, line 7\nvtkReader (0x55d0): what happened\n\n" to "what happened".
+std::string cleaned(const std::string& message)
+{
+  static const std::regex position(R"(^\s*(ERROR|Warning|Generic Warning): In [^\n]*, line \d+\s*)");
+  static const std::regex object(R"(^\s*\w+ \(0x[0-9a-fA-F]+\): )");
+  static const std::regex space(R"(\s+)");
+  std::string text = std::regex_replace(message, position, "");
+  text = std::regex_replace(text, object, "");
+  text = std::regex_replace(text, space, " ");
+  const auto first = text.find_first_not_of(' ');
+  const auto last = text.find_last_not_of(" .");
+  return first == std::string::npos || last == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+class CatchingWindow : public vtkOutputWindow
+{
+public:
+  static CatchingWindow* New();
+  vtkTypeMacro(CatchingWindow, vtkOutputWindow);
+
+  void DisplayText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayErrorText(const char* message) override { keepFirst(this->Error, message); }
+  void DisplayWarningText(const char* message) override { keepFirst(this->Warning, message); }
+  void DisplayGenericWarningText(const char* message) override { keepFirst(this->Warning, message); }
+
+  std::string Error;
+  std::string Warning;
+
+protected:
+  CatchingWindow() = default;
+
+private:
+  static void keepFirst(std::string& kept, const char* message)
+  {
+    if (kept.empty())
+    {
+      kept = cleaned(message ? message : "");
+    }
+  }
+};
+vtkStandardNewMacro(CatchingWindow);
+
+} // namespace
+
+struct VtkMessages::Caught
+{
+  vtkSmartPointer<CatchingWindow> Window = vtkSmartPointer<CatchingWindow>::New();
+  std::ostringstream Stream;
+  std::streambuf* PreviousBuffer = nullptr;
+};
+
+VtkMessages::VtkMessages()
+  : Messages(std::make_unique<Caught>())
+  , PreviousWindow(vtkOutputWindow::GetInstance())
+{
+  vtkOutputWindow::SetInstance(this->Messages->Window);
+  this->Messages->PreviousBuffer = std::cerr.rdbuf(this->Messages->Stream.rdbuf());
+}
+
+VtkMessages::~VtkMessages()
+{
+  std::cerr.rdbuf(this->Messages->PreviousBuffer);
+  vtkOutputWindow::SetInstance(this->PreviousWindow);
+}
+
+std::string VtkMessages::error() const
+{
+  return this->Messages->Window->Error.empty() ? cleaned(this->Messages->Stream.str())
+                                               : this->Messages->Window->Error;
+}
+
+std::string VtkMessages::warning() const
+{
+  return this->Messages->Window->Warning;
+}
+
+} // namespace ink::cli

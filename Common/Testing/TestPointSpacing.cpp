@@ -1,0 +1,66 @@
+#include "Sampling/PointSpacing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+std::vector<glm::vec3> grid(int side, float spacing)
+{
+  std::vector<glm::vec3> points;
+  for (int y = 0; y < side; ++y)
+  {
+    for (int x = 0; x < side; ++x)
+    {
+      points.emplace_back(spacing * x, spacing * y, 3.0f);
+    }
+  }
+  return points;
+}
+
+} // namespace
+
+TEST(PointSpacing, OfAGridIsItsDiagonal)
+{
+  for (float spacing : { 1e-6f, 0.5f, 1e6f })
+  {
+    EXPECT_NEAR(ink::discRadiusFromSpacing(grid(100, spacing)) / spacing, std::sqrt(2.0f), 1e-3f);
+  }
+}
+
+TEST(PointSpacing, DoesNotDependOnTheNumberOfThreads)
+{
+  const auto points = grid(57, 0.3f);
+  setenv("VTK_SMP_MAX_THREADS", "1", 1);
+  const float one = ink::discRadiusFromSpacing(points);
+  setenv("VTK_SMP_MAX_THREADS", "2", 1);
+  EXPECT_EQ(ink::discRadiusFromSpacing(points), one);
+  unsetenv("VTK_SMP_MAX_THREADS");
+}
+
+TEST(PointSpacing, PassesOverPointsThatAreNotFinite)
+{
+  auto points = grid(50, 1.0f);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < points.size(); i += 39)
+  {
+    points[i] = i % 2 ? glm::vec3(nan, 0.0f, 0.0f) : glm::vec3(0.0f, infinite, 0.0f);
+  }
+  EXPECT_NEAR(ink::discRadiusFromSpacing(points), std::sqrt(2.0f), 0.6f);
+}
+
+TEST(PointSpacing, OfFewPoints)
+{
+  EXPECT_EQ(ink::discRadiusFromSpacing({}), 0.0f);
+  const std::vector<glm::vec3> one{ { 1, 2, 3 } };
+  EXPECT_EQ(ink::discRadiusFromSpacing(one), 0.0f);
+  const std::vector<glm::vec3> two{ { 1, 2, 3 }, { 1, 2, 5 } };
+  EXPECT_EQ(ink::discRadiusFromSpacing(two), 2.0f);
+  const std::vector<glm::vec3> same(20, glm::vec3(4.0f));
+  EXPECT_EQ(ink::discRadiusFromSpacing(same), 0.0f);
+}

@@ -1,0 +1,46 @@
+# vtkInk's two commands are `make demo` and `make test`; `make help` lists the rest.
+# The work is done by the scripts in Utilities/, this file only says what follows what.
+
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+.PHONY: help demo test setup build test-headless test-paraview bench sanitize format install clean
+
+help: ## List the targets
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
+
+demo: setup-headless build-headless ## Set up, build, and draw a CT scan of an engine to pictures
+	@Utilities/demo.sh
+
+test: setup build test-headless test-paraview ## Set up, build both VTK builds, run every test
+
+setup: setup-headless setup-paraview ## Install what both builds need (Debian packages, VTK from PyPI)
+
+build: build-headless build-paraview ## Build with VTK 9.7 (headless) and with ParaView 5.11's VTK
+
+setup-%:
+	@Utilities/setup.sh $*
+
+build-%:
+	@Utilities/build.sh $*
+
+test-headless: ## Run the tests of the headless build
+	@Utilities/test.sh headless
+
+test-paraview: ## Run the tests of the ParaView build
+	@Utilities/test.sh paraview
+
+bench: setup-headless build-headless ## Measure the sampler and the mapper against VTK's own
+	@Utilities/bench.sh
+
+sanitize: setup-headless build-asan build-tsan ## Run the tests under the address, undefined-behaviour and thread sanitizers
+	@Utilities/test.sh asan
+	@Utilities/test.sh tsan
+
+format: ## Format the C++ files (clang-format)
+	@git ls-files '*.h' '*.cxx' '*.cpp' | xargs clang-format -i
+
+install: build-headless ## Install the headless build into PREFIX (default build/install/headless)
+	@cmake --install build/headless $(if $(PREFIX),--prefix "$(PREFIX)")
+
+clean: ## Remove the build trees (the fetched VTK stays)
+	@rm -rf build/headless build/paraview build/asan build/tsan build/demo build/install build/*.log

@@ -1,0 +1,81 @@
+"""The sampler as ParaView offers it: where it can be applied, and what it starts with."""
+
+import unittest
+
+from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
+from paraview.simple import *
+
+
+class TestSampler(unittest.TestCase):
+    def setUp(self):
+        for source in GetSources().values():
+            Delete(source)
+
+    def test_plugin_is_loaded_from_its_path_and_known_by_name(self):
+        tracker = vtkPVPluginTracker.GetInstance()
+        loaded = [tracker.GetPluginName(i) for i in range(tracker.GetNumberOfPlugins()) if tracker.GetPluginLoaded(i)]
+        self.assertIn("vtkInk", loaded)
+        LoadDistributedPlugin("vtkInk", remote=False)
+
+    def test_menu(self):
+        hints = InkIsoSurfaceSampler(Input=Wavelet()).GetHints()
+        self.assertEqual(hints.FindNestedElementByName("ShowInMenu").GetAttribute("category"), "Ink")
+
+    def test_starts_in_the_middle_of_the_range(self):
+        wavelet = Wavelet()
+        wavelet.UpdatePipeline()
+        sampler = InkIsoSurfaceSampler(Input=wavelet)
+        low, high = wavelet.PointData["RTData"].GetRange()
+        self.assertEqual(sampler.SampleBy[:], ["POINTS", "RTData"])
+        self.assertAlmostEqual(sampler.Isosurfaces[0], 0.5 * (low + high), places=3)
+        sampler.UpdatePipeline()
+        self.assertGreater(sampler.GetDataInformation().GetNumberOfPoints(), 1000)
+        self.assertIsNotNone(sampler.PointData["Normals"])
+        self.assertIsNotNone(sampler.PointData["Radius"])
+
+    def test_iso_values_and_options_reach_the_filter(self):
+        wavelet = Wavelet()
+        wavelet.UpdatePipeline()
+        sampler = InkIsoSurfaceSampler(Input=wavelet)
+        counts = []
+        for values in ([120.0], [200.0], [120.0, 200.0]):
+            sampler.Isosurfaces = values
+            sampler.UpdatePipeline()
+            counts.append(sampler.GetDataInformation().GetNumberOfPoints())
+        self.assertGreater(min(counts), 0)
+        self.assertEqual(counts[0] + counts[1], counts[2])
+
+        sampler.ComputeNormals = False
+        sampler.ComputeRadius = False
+        sampler.GenerateVertices = False
+        sampler.CrossingRule = "Strict"
+        sampler.OutputPointsPrecision = "Double"
+        sampler.UpdatePipeline()
+        self.assertIsNone(sampler.PointData["Normals"])
+        self.assertIsNone(sampler.PointData["Radius"])
+        self.assertEqual(sampler.GetDataInformation().GetNumberOfCells(), 0)
+        filter = sampler.GetClientSideObject()
+        self.assertEqual(filter.GetOutput().GetPoints().GetDataType(), 11)
+
+    def test_is_offered_for_images_with_point_scalars_only(self):
+        image = Wavelet()
+        cells = PointDatatoCellData(Input=image)
+        vectors = Calculator(Input=image, ResultArrayName="v", Function="coords")
+        only_vectors = PassArrays(Input=vectors, PointDataArrays=["v"])
+        surface = Sphere()
+        sampler = InkIsoSurfaceSampler(Input=image)
+        domain = sampler.SMProxy.GetProperty("Input")
+        offered = {}
+        for name, source in dict(
+            image=image, cells=cells, vectors=vectors, only_vectors=only_vectors, surface=surface
+        ).items():
+            source.UpdatePipeline()
+            domain.SetUncheckedInputConnection(0, source.SMProxy, 0)
+            offered[name] = bool(domain.IsInDomains())
+        domain.ClearUncheckedElements()
+        expected = dict(image=True, cells=False, vectors=True, only_vectors=False, surface=False)
+        self.assertEqual(offered, expected)
+
+
+if __name__ == "__main__":
+    unittest.main()

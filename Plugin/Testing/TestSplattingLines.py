@@ -1,0 +1,189 @@
+"""The representation Splatting Lines: what it draws of which data, and what its properties change."""
+
+import unittest
+
+import numpy
+
+from paraview import servermanager
+from rendering import *
+
+
+def sampled_wavelet():
+    wavelet = Wavelet()
+    wavelet.UpdatePipeline()
+    return InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[130.0])
+
+
+class TestSplattingLines(unittest.TestCase):
+    def setUp(self):
+        self.view = green_view()
+
+    def tearDown(self):
+        Delete(self.view)
+        for source in GetSources().values():
+            Delete(source)
+
+    def show(self, source, **properties):
+        display = Show(source, self.view)
+        display.SetRepresentationType("Splatting Lines")
+        for name, value in properties.items():
+            setattr(display, name, value)
+        ResetCamera(self.view)
+        return display
+
+    def assert_drawn(self, pixels):
+        drawn = ~is_background(pixels)
+        self.assertGreater(drawn.mean(), 0.2)
+        self.assertFalse(drawn[0, 0])
+        self.assertGreater(ink(pixels), 0.001 * pixels.shape[0] * pixels.shape[1])
+
+    def test_is_what_the_sampler_is_shown_with(self):
+        self.assertEqual(Show(sampled_wavelet(), self.view).Representation, "Splatting Lines")
+
+    def test_draws_paper_and_ink(self):
+        self.show(sampled_wavelet(), Phi=100)
+        pixels = picture(self.view)
+        self.assert_drawn(pixels)
+        self.assertGreater(numpy.all(pixels > 0.99, axis=-1).mean(), 0.1)
+        self.assertGreater(numpy.all(pixels < 0.5, axis=-1).mean(), 0.01)
+
+    def test_more_tau_phi_and_lambda_change_the_ink(self):
+        display = self.show(sampled_wavelet())
+        by_tau, by_phi = [], []
+        for display.Tau in (0.95, 1.0, 1.05):
+            by_tau.append(ink(picture(self.view)))
+        display.Tau = 1.0
+        for display.Phi in (0.0, 20.0, 100.0):
+            by_phi.append(ink(picture(self.view)))
+        fine = picture(self.view)
+        display.Lambda = 6
+        broad = picture(self.view)
+        self.assertEqual(by_tau, sorted(set(by_tau)))
+        self.assertEqual(by_phi, sorted(set(by_phi)))
+        self.assertLess(by_phi[0], 1.0)
+        self.assertGreater(numpy.abs(fine - broad).mean(), 0.005)
+
+    def test_colours(self):
+        self.show(sampled_wavelet(), Phi=1000, InkColor=[0, 0, 1], PaperColor=[1, 0, 0])
+        pixels = picture(self.view)
+        drawn = pixels[~is_background(pixels)]
+        self.assertLess(drawn[:, 1].max(), 0.02)
+        self.assertGreater(drawn[:, 0].max(), 0.98)
+        self.assertGreater(drawn[:, 2].max(), 0.9)
+
+    def test_paper_opacity_and_visibility(self):
+        display = self.show(sampled_wavelet(), Phi=100)
+        whole = picture(self.view)
+        display.PaperVisibility = False
+        lines = picture(self.view)
+        self.assertGreater(is_background(lines).mean(), is_background(whole).mean() + 0.1)
+        self.assertLess(is_background(lines).mean(), 1.0)
+        display.PaperVisibility = True
+        display.Opacity = 0.5
+        faint = picture(self.view)
+        paper = numpy.all(whole > 0.99, axis=-1)
+        numpy.testing.assert_allclose(numpy.median(faint[paper], axis=0), [0.5, 1.0, 0.5], atol=0.02)
+        display.Opacity = 1
+        display.Visibility = 0
+        self.assertTrue(is_background(picture(self.view)).all())
+        display.Visibility = 1
+        numpy.testing.assert_array_equal(picture(self.view), whole)
+
+    def test_other_representations_take_over_and_give_back(self):
+        display = self.show(sampled_wavelet())
+        drawing = picture(self.view)
+        display.SetRepresentationType("Outline")
+        self.assertLess((~is_background(picture(self.view))).mean(), 0.05)
+        display.SetRepresentationType("Splatting Lines")
+        numpy.testing.assert_array_equal(picture(self.view), drawing)
+
+    def test_is_moved_and_scaled_with_its_bounds(self):
+        display = self.show(Sphere(ThetaResolution=60, PhiResolution=60))
+        at_home = picture(self.view)
+        display.Position = [100, 0, 0]
+        display.Scale = [2, 2, 2]
+        self.assertTrue(is_background(picture(self.view)).all())
+        ResetCamera(self.view)
+        numpy.testing.assert_allclose(self.view.CameraFocalPoint, [100, 0, 0], atol=0.01)
+        away = picture(self.view)
+        self.assertLess(numpy.mean(is_background(at_home) != is_background(away)), 0.01)
+
+    def test_new_data_is_drawn(self):
+        sampler = sampled_wavelet()
+        self.show(sampler)
+        before = picture(self.view)
+        sampler.Isosurfaces = [200.0]
+        after = picture(self.view)
+        self.assertGreater(is_background(after).mean(), is_background(before).mean() + 0.1)
+
+    def test_any_points_with_normals(self):
+        sphere = Sphere(ThetaResolution=60, PhiResolution=60)
+        self.show(sphere)
+        of_surface = picture(self.view)
+        self.assert_drawn(of_surface)
+        Hide(sphere, self.view)
+        self.show(AppendDatasets(Input=[sphere]))  # a vtkUnstructuredGrid
+        numpy.testing.assert_array_equal(picture(self.view), of_surface)
+
+    def test_composite_data_is_drawn_as_one(self):
+        left = Sphere(ThetaResolution=60, PhiResolution=60, Center=[-0.25, 0, 0])
+        right = Sphere(ThetaResolution=60, PhiResolution=60, Center=[0.25, 0, 0])
+        one = AppendGeometry(Input=[left, right])
+        self.show(one)
+        of_one = picture(self.view)
+        Hide(one, self.view)
+        self.show(GroupDatasets(Input=[left, right]))
+        numpy.testing.assert_array_equal(picture(self.view), of_one)
+
+    def test_ghost_points_are_left_out(self):
+        source = ProgrammableSource(OutputDataSetType="vtkPolyData")
+        source.Script = """
+import vtk
+sphere = vtk.vtkSphereSource()
+sphere.SetThetaResolution(60)
+sphere.SetPhiResolution(60)
+sphere.Update()
+self.GetOutput().ShallowCopy(sphere.GetOutput())
+ghosts = self.GetOutput().AllocatePointGhostArray()
+for i in range(ghosts.GetNumberOfTuples()):
+    if self.GetOutput().GetPoint(i)[0] < 0:
+        ghosts.SetValue(i, vtk.vtkDataSetAttributes.DUPLICATEPOINT)
+"""
+        self.show(source)
+        self.assert_drawn(picture(self.view))
+        numpy.testing.assert_allclose(self.view.CameraFocalPoint, [0.25, 0, 0], atol=0.01)
+
+    def test_without_normals_nothing_is_drawn_and_one_warning_says_why(self):
+        cone = Cone()
+        with Warnings() as warnings:
+            self.show(cone)
+            self.assertTrue(is_background(picture(self.view)).all())
+            picture(self.view)
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn('needs the point array "Normals" of 3 components', warnings[0])
+        with Warnings() as warnings:
+            self.show(GenerateSurfaceNormals(Input=cone))
+            picture(self.view)
+        self.assertEqual(warnings, [])
+
+    def test_points_are_selected_where_they_are_seen(self):
+        sphere = Sphere(ThetaResolution=60, PhiResolution=60)
+        self.show(sphere)
+        picture(self.view)
+        # The left half of the picture is x < 0, and z > 0 is what faces this camera; splats reach a little farther.
+        SelectSurfacePoints(Rectangle=[0, 0, 99, 199], View=self.view)
+        selection = servermanager._getPyProxy(sphere.SMProxy.GetSelectionInput(0))
+        self.assertIsNotNone(selection)
+        chosen = ExtractSelection(Input=sphere, Selection=selection)
+        chosen.UpdatePipeline()
+        information = chosen.GetDataInformation()
+        every = sphere.GetDataInformation().GetNumberOfPoints()
+        self.assertAlmostEqual(information.GetNumberOfPoints() / every, 0.25, delta=0.1)
+        low_x, high_x, _, _, low_z, _ = information.GetBounds()
+        self.assertLess(high_x, 0.05)
+        self.assertLess(low_x, -0.4)
+        self.assertGreater(low_z, -0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkSplatView_h
+#define InkSplatView_h
+
+#include <array>
+
+class InkSplatPoints;
+class vtkActor;
+class vtkAbstractMapper;
+class vtkRenderer;
+class vtkShaderProgram;
+
+/// What the splats' place on the screen depends on: camera, actor, viewport and clipping planes. Two equal
+/// views of the same points give the same splats. Matrices are stored column by column, as OpenGL takes them.
+struct InkSplatView
+{
+  /// @param size of the viewport in pixels
+  InkSplatView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMapper* mapper,
+    const InkSplatPoints& points, const int size[2]);
+
+  bool operator==(const InkSplatView&) const = default;
+
+  /// The uniforms that all splat shaders share; those that a shader lacks are left out.
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  /// An upper bound of the size in pixels that a splat of some radius (in the points' unit) has anywhere
+  /// in front of the near plane.
+  double LargestSplat(double radius) const;
+
+  static constexpr int MaximumClippingPlanes = 6;
+
+  std::array<float, 16> MCVC;  ///< points' unit to view coordinates
+  std::array<float, 9> Normal; ///< inverse transpose of MCVC's rotation and scale
+  std::array<float, 16> VCDC;
+  std::array<float, 4> Eye;         ///< (0,0,0,1), or with a parallel projection the direction to the viewer
+  std::array<float, 2> DepthRange;  ///< distances of the clipping planes from the eye along the view
+  std::array<float, 4> DepthToClip; ///< clip z = [0] * view z + [1], clip w = [2] * view z + [3]
+  std::array<int, 2> Size;          ///< pixels
+  float Unit;                       ///< view units per unit of the points
+  float Pixel;                      ///< view units per pixel where clip w is 1
+  int TileScale;                    ///< how many times larger the image is that this view is a tile of
+  bool BackFaces;                   ///< whether surfaces are seen from behind, too
+  int NumberOfClippingPlanes = 0;
+  std::array<float, 4 * MaximumClippingPlanes> ClippingPlanes{}; ///< in view coordinates, kept side positive
+};
+
+#endif

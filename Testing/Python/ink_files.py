@@ -1,0 +1,284 @@
+"""Writes small volumes and meshes in every format that `ink` reads, and reads the PNG files that it writes.
+
+Only numpy and the standard library, so that no reader is tested against its own writer.
+"""
+
+import base64
+import gzip
+import struct
+import zlib
+
+import numpy as np
+
+
+def blob(shape=(32, 32, 32), dtype=np.uint8):
+    """A ball with a bump towards +x, a smaller one towards +y and the smallest towards +z: all views differ.
+
+    Indexed [z, y, x]; 0 far outside, 200 inside, with a soft surface at 100.
+    """
+    z, y, x = np.meshgrid(*[np.linspace(-1, 1, n) for n in shape], indexing="ij")
+    distance = np.full(shape, np.inf)
+    for center, radius in (((0, 0, 0), 0.5), ((0.5, 0, 0), 0.3), ((0, 0.5, 0), 0.25), ((0, 0, 0.55), 0.2)):
+        cx, cy, cz = center
+        distance = np.minimum(distance, np.sqrt((x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2) - radius)
+    return (200 / (1 + np.exp(distance * 25))).astype(dtype)
+
+
+def sphere_mesh(rows=60, columns=90):
+    """Points, unit normals and triangles (outwards) of a unit sphere."""
+    points = [(0.0, 0.0, 1.0)]
+    for i in range(1, rows):
+        a = np.pi * i / rows
+        for j in range(columns):
+            b = 2 * np.pi * j / columns
+            points.append((np.sin(a) * np.cos(b), np.sin(a) * np.sin(b), np.cos(a)))
+    points.append((0.0, 0.0, -1.0))
+    at = lambda i, j: 1 + (i - 1) * columns + j % columns
+    triangles = []
+    for j in range(columns):
+        triangles.append((0, at(1, j), at(1, j + 1)))
+        triangles.append((len(points) - 1, at(rows - 1, j + 1), at(rows - 1, j)))
+        for i in range(1, rows - 1):
+            triangles.append((at(i, j), at(i + 1, j), at(i + 1, j + 1)))
+            triangles.append((at(i, j), at(i + 1, j + 1), at(i, j + 1)))
+    return np.array(points, "<f4"), np.array(points, "<f4"), np.array(triangles, "<i4")
+
+
+NIFTI_TYPES = {"uint8": 2, "int16": 4, "int32": 8, "float32": 16, "float64": 64, "int8": 256, "uint16": 512}
+
+
+def write_nifti(path, volume, affine=None, slope=1.0, intercept=0.0, times=1, spacing=(1, 1, 1)):
+    """affine: 3x4, from voxel indices to RAS; None: no orientation."""
+    header = bytearray(348)
+    nz, ny, nx = volume.shape
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 4 if times > 1 else 3, nx, ny, nz, times, 1, 1, 1)
+    struct.pack_into("<2h", header, 70, NIFTI_TYPES[volume.dtype.name], 8 * volume.dtype.itemsize)
+    struct.pack_into("<8f", header, 76, 1, *spacing, 1, 1, 1, 1)
+    struct.pack_into("<3f", header, 108, 352, slope, intercept)
+    if affine is not None:
+        struct.pack_into("<2h", header, 252, 0, 1)
+        struct.pack_into("<12f", header, 280, *np.ravel(affine))
+    header[344:348] = b"n+1\0"
+    data = bytes(header) + b"\0\0\0\0" + volume.tobytes() * times
+    path.write_bytes(gzip.compress(data) if path.suffix == ".gz" else data)
+
+
+def write_nrrd(path, volume, encoding="raw", space="left-posterior-superior", directions="(1,0,0) (0,1,0) (0,0,1)",
+               origin="(0,0,0)"):
+    types = {"uint8": "uchar", "int16": "short", "float32": "float"}
+    nz, ny, nx = volume.shape
+    header = f"NRRD0004\ntype: {types[volume.dtype.name]}\ndimension: 3\nspace: {space}\nsizes: {nx} {ny} {nz}\n"
+    header += f"space directions: {directions}\nkinds: domain domain domain\nendian: little\nencoding: {encoding}\n"
+    header += f"space origin: {origin}\n"
+    if encoding == "raw":
+        data = volume.tobytes()
+    elif encoding == "gzip":
+        data = gzip.compress(volume.tobytes())
+    else:
+        data = " ".join(str(v) for v in volume.ravel()).encode()
+    if path.suffix == ".nhdr":
+        header += f"data file: {path.stem}.raw\n"
+        path.with_suffix(".raw").write_bytes(data)
+        data = b""
+    path.write_bytes(header.encode() + b"\n" + data)
+
+
+def write_metaimage(path, volume, compressed=False, matrix="1 0 0 0 1 0 0 0 1", offset="0 0 0"):
+    types = {"uint8": "MET_UCHAR", "int16": "MET_SHORT", "float32": "MET_FLOAT"}
+    nz, ny, nx = volume.shape
+    data = zlib.compress(volume.tobytes()) if compressed else volume.tobytes()
+    lines = ["ObjectType = Image", "NDims = 3", "BinaryData = True", "BinaryDataByteOrderMSB = False"]
+    lines += [f"CompressedData = {compressed}"]
+    if compressed:
+        lines += [f"CompressedDataSize = {len(data)}"]
+    lines += [f"TransformMatrix = {matrix}", f"Offset = {offset}", "ElementSpacing = 1 1 1", f"DimSize = {nx} {ny} {nz}"]
+    lines += [f"ElementType = {types[volume.dtype.name]}"]
+    separate = path.suffix == ".mhd"
+    lines += [f"ElementDataFile = {path.stem + '.raw' if separate else 'LOCAL'}", ""]
+    path.write_bytes("\n".join(lines).encode() + (b"" if separate else data))
+    if separate:
+        path.with_suffix(".raw").write_bytes(data)
+
+
+XML_TYPES = {"uint8": "UInt8", "int16": "Int16", "int32": "Int32", "float32": "Float32", "float64": "Float64"}
+
+
+def data_array(name, values, form, appended, components=1):
+    """A <DataArray> element; the binary data of appended ones is added to the bytearray `appended`."""
+    element = f'<DataArray type="{XML_TYPES[values.dtype.name]}" Name="{name}" NumberOfComponents="{components}" '
+    if form == "ascii":
+        return element + 'format="ascii">\n' + " ".join(str(v) for v in values.ravel()) + "\n</DataArray>\n"
+    data = struct.pack("<I", values.nbytes) + values.tobytes()
+    if form == "binary":
+        return element + 'format="binary">\n' + base64.b64encode(data).decode() + "\n</DataArray>\n"
+    element += f'format="appended" offset="{len(appended)}"/>\n'
+    appended += data
+    return element
+
+
+def vtk_xml(kind, content, appended):
+    start = f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="0.1" byte_order="LittleEndian">\n{content}'
+    if appended:
+        return start.encode() + b'<AppendedData encoding="raw">\n_' + bytes(appended) + b"\n</AppendedData>\n</VTKFile>\n"
+    return start.encode() + b"</VTKFile>\n"
+
+
+def write_vti(path, volume, form="appended", where="PointData"):
+    """volume: [z, y, x] or [z, y, x, component]."""
+    nz, ny, nx = volume.shape[:3]
+    if where == "CellData":
+        nx, ny, nz = nx + 1, ny + 1, nz + 1
+    extent = f"0 {nx - 1} 0 {ny - 1} 0 {nz - 1}"
+    appended = bytearray()
+    array = data_array("density", volume, form, appended, volume.shape[3] if volume.ndim == 4 else 1)
+    content = f'<ImageData WholeExtent="{extent}" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="{extent}">\n'
+    content += f'<{where} Scalars="density">{array}</{where}>\n</Piece></ImageData>\n'
+    path.write_bytes(vtk_xml("ImageData", content, appended))
+
+
+def write_legacy(path, volume, ascii=False):
+    types = {"uint8": "unsigned_char", "int16": "short", "float32": "float"}
+    nz, ny, nx = volume.shape
+    header = f"# vtk DataFile Version 3.0\ntest\n{'ASCII' if ascii else 'BINARY'}\nDATASET STRUCTURED_POINTS\n"
+    header += f"DIMENSIONS {nx} {ny} {nz}\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA {nx * ny * nz}\n"
+    header += f"SCALARS density {types[volume.dtype.name]} 1\nLOOKUP_TABLE default\n"
+    # Binary legacy files are big endian.
+    data = " ".join(str(v) for v in volume.ravel()).encode() if ascii else volume.byteswap().tobytes()
+    path.write_bytes(header.encode() + data + b"\n")
+
+
+def dicom_element(group, element, vr, value):
+    if isinstance(value, str):
+        value = value.encode() + (b" " if vr != "UI" else b"\0") * (len(value) % 2)
+    long = vr in ("OB", "OW")
+    length = struct.pack("<2xI", len(value)) if long else struct.pack("<H", len(value))
+    return struct.pack("<HH", group, element) + vr.encode() + length + value
+
+
+def write_dicom(folder, volume, orientation=(1, 0, 0, 0, 1, 0), origin=(0, 0, 0), step=(0, 0, 1), spacing=1.0,
+                reverse_names=False):
+    """One file a slice, 16 bits, explicit little endian. orientation: of rows and columns; step: between slices."""
+    folder.mkdir()
+    decimal = lambda values: "\\".join(f"{v:g}" for v in values)
+    for z, image in enumerate(volume):
+        position = [o + s * z for o, s in zip(origin, step)]
+        uid = f"1.2.3.{z + 1}"
+        meta = dicom_element(2, 0x0001, "OB", b"\0\1") + dicom_element(2, 0x0002, "UI", "1.2.840.10008.5.1.4.1.1.2")
+        meta += dicom_element(2, 0x0003, "UI", uid) + dicom_element(2, 0x0010, "UI", "1.2.840.10008.1.2.1")
+        body = dicom_element(8, 0x0016, "UI", "1.2.840.10008.5.1.4.1.1.2") + dicom_element(8, 0x0018, "UI", uid)
+        body += dicom_element(8, 0x0060, "CS", "CT")
+        body += dicom_element(0x18, 0x0050, "DS", f"{spacing:g}")
+        body += dicom_element(0x20, 0x000D, "UI", "1.2.9") + dicom_element(0x20, 0x000E, "UI", "1.2.8")
+        body += dicom_element(0x20, 0x0013, "IS", str(z + 1))
+        body += dicom_element(0x20, 0x0032, "DS", decimal(position)) + dicom_element(0x20, 0x0037, "DS", decimal(orientation))
+        body += dicom_element(0x28, 0x0002, "US", struct.pack("<H", 1))
+        body += dicom_element(0x28, 0x0004, "CS", "MONOCHROME2")
+        body += dicom_element(0x28, 0x0010, "US", struct.pack("<H", image.shape[0]))
+        body += dicom_element(0x28, 0x0011, "US", struct.pack("<H", image.shape[1]))
+        body += dicom_element(0x28, 0x0030, "DS", "1\\1")
+        body += dicom_element(0x28, 0x0100, "US", struct.pack("<H", 16)) + dicom_element(0x28, 0x0101, "US", struct.pack("<H", 16))
+        body += dicom_element(0x28, 0x0102, "US", struct.pack("<H", 15)) + dicom_element(0x28, 0x0103, "US", struct.pack("<H", 0))
+        body += dicom_element(0x7FE0, 0x0010, "OW", image.astype("<u2").tobytes())
+        meta = dicom_element(2, 0x0000, "UL", struct.pack("<I", len(meta))) + meta
+        number = len(volume) - z if reverse_names else z
+        (folder / f"slice{number:03}.dcm").write_bytes(b"\0" * 128 + b"DICM" + meta + body)
+
+
+def write_ply(path, mesh, form="binary_little_endian", normals=False):
+    points, point_normals, triangles = mesh
+    columns = np.hstack([points, point_normals]) if normals else points
+    names = ["x", "y", "z", "nx", "ny", "nz"][: columns.shape[1]]
+    header = f"ply\nformat {form} 1.0\nelement vertex {len(points)}\n"
+    header += "".join(f"property float {name}\n" for name in names)
+    header += f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
+    if form == "ascii":
+        data = "".join(" ".join(f"{v:.7g}" for v in row) + "\n" for row in columns)
+        data += "".join("3 %d %d %d\n" % tuple(t) for t in triangles)
+        path.write_bytes(header.encode() + data.encode())
+        return
+    order = "<" if form == "binary_little_endian" else ">"
+    faces = np.empty(len(triangles), [("n", "u1"), ("i", order + "i4", 3)])
+    faces["n"] = 3
+    faces["i"] = triangles
+    path.write_bytes(header.encode() + columns.astype(order + "f4").tobytes() + faces.tobytes())
+
+
+def write_stl(path, mesh, ascii=False):
+    points, _, triangles = mesh
+    corners = points[triangles]
+    if ascii:
+        lines = ["solid test"]
+        for triangle in corners:
+            lines += ["facet normal 0 0 0", "outer loop"]
+            lines += ["vertex %.7g %.7g %.7g" % tuple(p) for p in triangle]
+            lines += ["endloop", "endfacet"]
+        path.write_text("\n".join(lines + ["endsolid test", ""]))
+        return
+    records = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    records["corners"] = corners
+    path.write_bytes(b"binary".ljust(80) + struct.pack("<I", len(triangles)) + records.tobytes())
+
+
+def write_obj(path, mesh):
+    points, _, triangles = mesh
+    lines = ["v %.7g %.7g %.7g" % tuple(p) for p in points]
+    lines += ["f %d %d %d" % tuple(t + 1) for t in triangles]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def write_vtp(path, mesh, form="appended", normals=True):
+    points, point_normals, triangles = mesh
+    appended = bytearray()
+    n = len(triangles)
+    content = f'<PolyData><Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" '
+    content += f'NumberOfStrips="0" NumberOfPolys="{n}">\n'
+    if normals:
+        content += f'<PointData Normals="Normals">{data_array("Normals", point_normals, form, appended, 3)}</PointData>\n'
+    content += f'<Points>{data_array("Points", points, form, appended, 3)}</Points>\n'
+    content += f'<Polys>{data_array("connectivity", triangles, form, appended)}'
+    content += f'{data_array("offsets", np.arange(3, 3 * n + 1, 3, dtype="<i4"), form, appended)}</Polys>\n'
+    path.write_bytes(vtk_xml("PolyData", content + "</Piece></PolyData>\n", appended))
+
+
+def read_png(path):
+    """The pixels, [row from the top, column, component], 8 bits each."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", f"{path} is not a PNG file"
+    position, compressed = 8, b""
+    while position < len(data):
+        length, kind = struct.unpack(">I4s", data[position : position + 8])
+        chunk = data[position + 8 : position + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, color, _, _, interlaced = struct.unpack(">IIBBBBB", chunk)
+            assert depth == 8 and color in (2, 6) and not interlaced
+        elif kind == b"IDAT":
+            compressed += chunk
+        position += 12 + length
+    components = 3 if color == 2 else 4
+    rows = np.frombuffer(zlib.decompress(compressed), np.uint8).reshape(height, 1 + width * components)
+    image = np.zeros((height + 1, (width + 1) * components), np.int32)
+    for y, row in enumerate(rows.astype(np.int32)):
+        image[y + 1, components:] = unfilter(row[0], row[1:], image[y], components)
+    return image[1:, components:].astype(np.uint8).reshape(height, width, components)
+
+
+def unfilter(kind, row, above, components):
+    """Undoes one of PNG's five filters. above starts with one pixel of zeros."""
+    if kind == 0:
+        return row
+    if kind == 2:
+        return (row + above[components:]) & 255
+    if kind == 1:
+        return (np.cumsum(row.reshape(-1, components), axis=0) & 255).ravel()
+    result = [0] * components
+    above = above.tolist()
+    for i, value in enumerate(row.tolist()):
+        a, b, c = result[i], above[i + components], above[i]
+        if kind == 3:
+            predicted = (a + b) // 2
+        else:
+            p = a + b - c
+            predicted = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+        result.append((value + predicted) & 255)
+    return np.array(result[components:])

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Draws Data/engine.nii.gz, a CT of an engine, with the headless build and prints where the pictures are.
+set -euo pipefail
+
+cd "$(dirname "$0")/.."
+INK_ROOT="$(pwd)"
+. Utilities/env.sh headless
+
+pictures="build/demo"
+mkdir -p "$pictures"
+for view in iso front top; do
+  ink render Data/engine.nii.gz --view "$view" --size 1200x900 -o "$pictures/engine-$view.png"
+  echo "$INK_ROOT/$pictures/engine-$view.png"
+done

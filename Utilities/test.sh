@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Runs all tests of one built preset:  Utilities/test.sh headless|paraview|asan|tsan [ctest arguments]
+# The paraview preset draws into an X server of its own, the others need no display.
+set -euo pipefail
+
+preset="${1:?usage: Utilities/test.sh headless|paraview|asan|tsan [ctest arguments]}"
+shift
+cd "$(dirname "$0")/.."
+INK_ROOT="$(pwd)"
+. Utilities/env.sh "$preset"
+
+on_display()
+{
+  if [ "$preset" = paraview ]; then
+    xvfb-run -a -s "-noreset -screen 0 1600x1200x24" "$@"
+  else
+    "$@"
+  fi
+}
+
+failed=""
+echo "test: $preset (VTK $INK_BUILD_VTK_VERSION): C++"
+on_display ctest --preset "$preset" "$@" || failed="$failed ctest"
+
+if [ "$INK_BUILD_WRAPPED" = ON ]; then
+  echo "test: $preset (VTK $INK_BUILD_VTK_VERSION): Python"
+  on_display "$INK_PYTHON" -m pytest -q -p no:cacheprovider Testing/Python || failed="$failed pytest"
+else
+  echo "test: left out of $preset: Testing/Python (this build has no Python package)"
+fi
+
+if [ -n "$failed" ]; then
+  echo "test: $preset: failed:$failed" >&2
+  exit 1
+fi
