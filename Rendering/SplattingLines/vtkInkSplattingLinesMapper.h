@@ -135,6 +135,9 @@ protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
 
+  /// All finite points, whether or not cells use them, with their radii as far as those are given.
+  void ComputeBounds() override;
+
 private:
   vtkInkSplattingLinesMapper(const vtkInkSplattingLinesMapper&) = delete;
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
