@@ -24,6 +24,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -121,6 +122,35 @@ void vtkInkSplattingLinesMapper::ReportOnce(const std::string& error)
   {
     this->Internals->ReportedTime = time;
     vtkErrorMacro(<< error);
+  }
+}
+
+void vtkInkSplattingLinesMapper::ComputeBounds()
+{
+  vtkPolyData* input = this->GetInput();
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  input->GetBounds(this->Bounds);
+  if (std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
+  {
+    InkSplatPoints::FindFiniteBounds(input->GetPoints(), this->Bounds);
+  }
+  double radius = this->Radius;
+  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
+  if (radii && radii->GetNumberOfComponents() == 1 && radii->GetNumberOfTuples() > 0)
+  {
+    radius = radii->GetFiniteRange()[1];
+  }
+  if (radius > 0.0 && vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[2 * axis] -= radius;
+      this->Bounds[2 * axis + 1] += radius;
+    }
   }
 }
 

@@ -135,8 +135,7 @@ protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
 
-  /// Those of the points, wider by the largest radius: what lies outside may be left out of a picture. A
-  /// radius that is still to be estimated does not count.
+  /// All finite points, whether or not cells use them, with their radii as far as those are given.
   void ComputeBounds() override;
 
 private:
