@@ -222,6 +222,10 @@ void checkStl(const fs::path& file)
   {
     triangles = triangles * 256 + static_cast<unsigned char>(header[80 + i]);
   }
+  if (triangles == 0)
+  {
+    failToRead(file, "it holds no triangles");
+  }
   const std::uint64_t found = fs::file_size(file);
   const std::uint64_t expected = headerSize + triangles * triangleSize;
   if (found < expected)

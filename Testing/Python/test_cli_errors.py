@@ -86,6 +86,11 @@ def test_missing_data_files(refused, tmp_path):
     assert "w.raw" in refused(1, tmp_path / "w.nhdr")
 
 
+def test_encodings_that_vtk_reads_wrongly(refused, tmp_path):
+    ink_files.write_nrrd(tmp_path / "v.nrrd", ink_files.blob(), "ascii")
+    assert "'ascii'; expected raw or gzip" in refused(1, tmp_path / "v.nrrd")
+
+
 def test_cell_values_alone(refused, tmp_path):
     ink_files.write_vti(tmp_path / "v.vti", ink_files.blob(), where="CellData")
     assert "cell values" in refused(1, tmp_path / "v.vti")

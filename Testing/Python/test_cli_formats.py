@@ -26,7 +26,6 @@ VOLUMES = {
     "turned.nii": turned_nifti,
     "raw.nrrd": lambda p: ink_files.write_nrrd(p, BLOB),
     "gzip.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, "gzip"),
-    "ascii.nrrd": lambda p: ink_files.write_nrrd(p, BLOB.astype(np.int16), "ascii"),
     "ras.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, space="RAS", directions="(-1,0,0) (0,-1,0) (0,0,1)"),
     "turned.nrrd": turned_nrrd,
     "detached.nhdr": lambda p: ink_files.write_nrrd(p, BLOB),
