@@ -29,6 +29,8 @@ public:
 
   const glm::ivec3& dimensions() const { return this->Dimensions; }
   const glm::dvec3& spacing() const { return this->Spacing; }
+  /// Where the grid's own first sample lies.
+  const glm::dvec3& firstPoint() const { return this->FirstPoint; }
   std::size_t sampleCount() const;
 
   /// The position of sample (i, j, k) in an array of the samples with i running fastest.
