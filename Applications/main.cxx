@@ -14,6 +14,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -51,7 +52,7 @@ CLI::Validator within(double least, double greatest)
 struct InputArguments
 {
   std::string file;
-  std::string raw;
+  std::optional<std::string> raw;
   std::vector<double> spacing{ 1, 1, 1 };
   bool bigEndian = false;
 
@@ -88,9 +89,9 @@ struct InputArguments
   {
     InputOptions options;
     options.file = this->file;
-    if (!this->raw.empty())
+    if (this->raw)
     {
-      options.raw = RawLayout::parse(this->raw);
+      options.raw = RawLayout::parse(*this->raw);
       std::copy(this->spacing.begin(), this->spacing.end(), options.raw->spacing);
       options.raw->bigEndian = this->bigEndian;
     }

@@ -29,6 +29,8 @@ glm::dmat3 diagonal(const glm::dvec3& d)
 GridGeometry::GridGeometry(const glm::ivec3& dimensions, const glm::dvec3& origin, const glm::dvec3& spacing,
   const glm::dmat3& direction, const glm::ivec3& first)
   : Dimensions(dimensions)
+  , First(first)
+  , Origin(origin)
   , Spacing(spacing)
 {
   if (glm::any(glm::lessThan(dimensions, glm::ivec3(0))))
@@ -52,7 +54,6 @@ GridGeometry::GridGeometry(const glm::ivec3& dimensions, const glm::dvec3& origi
     }
   }
   this->StepToWorld = direction * diagonal(spacing);
-  this->FirstPoint = origin + this->StepToWorld * glm::dvec3(first);
 
   const glm::dvec3 size = glm::abs(spacing);
   const double smallest = std::min({ size.x, size.y, size.z });
@@ -66,12 +67,12 @@ std::size_t GridGeometry::sampleCount() const
 
 glm::dvec3 GridGeometry::toWorld(const glm::dvec3& index) const
 {
-  return this->FirstPoint + this->StepToWorld * index;
+  return this->Origin + this->StepToWorld * (glm::dvec3(this->First) + index);
 }
 
 glm::dvec3 GridGeometry::toIndex(const glm::dvec3& world) const
 {
-  return (this->InverseDirection * (world - this->FirstPoint)) / this->Spacing;
+  return (this->InverseDirection * (world - this->Origin)) / this->Spacing - glm::dvec3(this->First);
 }
 
 glm::dvec3 GridGeometry::gradientToWorld(const glm::dvec3& perSample) const

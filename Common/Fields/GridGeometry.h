@@ -28,6 +28,9 @@ public:
     const glm::ivec3& first = glm::ivec3(0));
 
   const glm::ivec3& dimensions() const { return this->Dimensions; }
+  /// The global index of the grid's own first sample.
+  const glm::ivec3& first() const { return this->First; }
+  const glm::dvec3& origin() const { return this->Origin; }
   const glm::dvec3& spacing() const { return this->Spacing; }
   std::size_t sampleCount() const;
 
@@ -39,6 +42,7 @@ public:
       (sample.y + static_cast<std::size_t>(this->Dimensions.y) * sample.z);
   }
 
+  /// Works with global indices, so that pieces of one grid agree to the last bit.
   glm::dvec3 toWorld(const glm::dvec3& index) const;
   glm::dvec3 toIndex(const glm::dvec3& world) const;
 
@@ -55,8 +59,9 @@ public:
 
 private:
   glm::ivec3 Dimensions;
+  glm::ivec3 First;
+  glm::dvec3 Origin;
   glm::dvec3 Spacing;
-  glm::dvec3 FirstPoint;
   glm::dmat3 StepToWorld;
   glm::dmat3 InverseDirection;
   glm::dmat3 GradientDirection;

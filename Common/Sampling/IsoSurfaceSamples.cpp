@@ -62,282 +62,467 @@ private:
   double Iso = 0.0;
 };
 
-/// A cell's corners, at [1..2][1..2][1..2] as [z][y][x], and their neighbours along the axes.
-struct Neighbourhood
-{
-  double v[4][4][4];
-};
+/// How many cells are worked on at once: the compiler turns a loop over them into vector instructions.
+constexpr int Lanes = 16;
 
+/// The two axes across a given one.
+constexpr int Across[3][2] = { { 1, 2 }, { 0, 2 }, { 0, 1 } };
+
+/// The samples that a cell's sample depends on: its 8 corners, corner c being on the upper side along axis a
+/// where bit a of c is set, and the two outer neighbours of each of its 12 edges, along that edge. Edge e = 4
+/// * axis + n runs along `axis`, on the upper side of the first axis across where bit 0 of n is set, and of
+/// the second where bit 1 is.
+constexpr int Corners = 8;
+constexpr int Edges = 12;
+constexpr int StencilSize = Corners + 2 * Edges;
+
+constexpr int lowCorner(int axis, int n)
+{
+  return (n & 1) << Across[axis][0] | (n >> 1) << Across[axis][1];
+}
+constexpr int highCorner(int axis, int n)
+{
+  return lowCorner(axis, n) | 1 << axis;
+}
+constexpr int neighbourBefore(int axis, int n)
+{
+  return Corners + 4 * axis + n;
+}
+constexpr int neighbourAfter(int axis, int n)
+{
+  return Corners + Edges + 4 * axis + n;
+}
+
+/// The edge along an axis that a corner belongs to.
+constexpr int edgeAt(int axis, int corner)
+{
+  return (corner >> Across[axis][0] & 1) | (corner >> Across[axis][1] & 1) << 1;
+}
+
+/// One number for each of the cells worked on.
+using Batch = double[Lanes];
+
+/// The stencils of the cells, relative to the iso-value.
+using Stencils = Batch[StencilSize];
+
+/// 1 where a value counts as being on the given side, 0 elsewhere.
+double below(double value)
+{
+  return value < 0.0 ? 1.0 : 0.0;
+}
+double above(double value)
+{
+  return value > 0.0 ? 1.0 : 0.0;
+}
+
+/// 1 where the surface intersects an edge with the values a and b at its ends, 0 elsewhere. Arithmetic
+/// instead of conditions, which compilers turn into vector instructions.
 template <CrossingRule rule>
-bool crosses(double a, double b)
+double crosses(double a, double b)
 {
   if constexpr (rule == CrossingRule::HalfOpen)
   {
-    return (a < 0.0) != (b < 0.0);
+    return std::abs(below(a) - below(b));
   }
   else
   {
-    return (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0) || (a == 0.0 && b == 0.0);
+    const double bothOn = (1.0 - below(a) - above(a)) * (1.0 - below(b) - above(b));
+    return below(a) * above(b) + above(a) * below(b) + bothOn;
   }
 }
 
-/// Calls visit(axis, low corner, value there, value at the other end) for the cell's twelve edges.
-template <class Visit>
-void forEachEdge(const Neighbourhood& near, const Visit& visit)
+/// The mean of the intersections with each cell's edges, in the unit cell.
+template <CrossingRule rule>
+void findMeanCrossings(const Stencils& cells, Batch (&mean)[3])
 {
-  for (int q = 0; q < 2; ++q)
+  // Distances from the iso-value. Too small to be seen beside any other, `nothing` makes the share of two
+  // equal ends 1/2, without a case of its own.
+  constexpr double nothing = std::numeric_limits<double>::min();
+  Batch distance[Corners];
+  for (int c = 0; c < Corners; ++c)
   {
-    for (int p = 0; p < 2; ++p)
+    for (int i = 0; i < Lanes; ++i)
     {
-      visit(0, glm::ivec3(0, p, q), near.v[1 + q][1 + p][1], near.v[1 + q][1 + p][2]);
-      visit(1, glm::ivec3(p, 0, q), near.v[1 + q][1][1 + p], near.v[1 + q][2][1 + p]);
-      visit(2, glm::ivec3(p, q, 0), near.v[1][1 + q][1 + p], near.v[2][1 + q][1 + p]);
+      distance[c][i] = std::abs(cells[c][i]) + nothing;
+    }
+  }
+  Batch sum[3] = {};
+  Batch count = {};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Batch crossed[4];
+    Batch along[4];
+    for (int n = 0; n < 4; ++n)
+    {
+      const int low = lowCorner(axis, n);
+      const int high = highCorner(axis, n);
+      for (int i = 0; i < Lanes; ++i)
+      {
+        crossed[n][i] = crosses<rule>(cells[low][i], cells[high][i]);
+        along[n][i] = crossed[n][i] * (distance[low][i] / (distance[low][i] + distance[high][i]));
+      }
+    }
+    Batch& first = sum[Across[axis][0]];
+    Batch& second = sum[Across[axis][1]];
+    for (int i = 0; i < Lanes; ++i)
+    {
+      sum[axis][i] += (along[0][i] + along[1][i]) + (along[2][i] + along[3][i]);
+    }
+    for (int i = 0; i < Lanes; ++i)
+    {
+      first[i] += crossed[1][i] + crossed[3][i];
+    }
+    for (int i = 0; i < Lanes; ++i)
+    {
+      second[i] += crossed[2][i] + crossed[3][i];
+    }
+    for (int i = 0; i < Lanes; ++i)
+    {
+      count[i] += (crossed[0][i] + crossed[1][i]) + (crossed[2][i] + crossed[3][i]);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i < Lanes; ++i)
+    {
+      // Doubles too close for a crossing to be told from none: the cell's middle.
+      const double none = count[i] == 0.0 ? 1.0 : 0.0;
+      mean[axis][i] = (sum[axis][i] + 0.5 * none) / (count[i] + none);
     }
   }
 }
 
-/// The mean of the intersections with the cell's edges, in the unit cell.
-template <CrossingRule rule>
-glm::dvec3 meanCrossing(const Neighbourhood& near)
+/// matrix * (x, y, z) for each cell.
+void transform(const glm::dmat3& matrix, const Batch (&from)[3], Batch (&to)[3])
 {
-  glm::dvec3 sum(0.0);
-  double count = 0.0;
-  forEachEdge(near,
-    [&](int axis, const glm::ivec3& corner, double a, double b)
+  for (int row = 0; row < 3; ++row)
+  {
+    const double mx = matrix[0][row];
+    const double my = matrix[1][row];
+    const double mz = matrix[2][row];
+    for (int i = 0; i < Lanes; ++i)
     {
-      const bool crossed = crosses<rule>(a, b);
-      const double alpha = a != b ? a / (a - b) : 0.5;
-      glm::dvec3 position(corner);
-      position[axis] = alpha;
-      sum += crossed ? position : glm::dvec3(0.0);
-      count += crossed ? 1.0 : 0.0;
-    });
-  // Doubles too close for a crossing to be told from none: the cell's middle.
-  return count > 0.0 ? sum / count : glm::dvec3(0.5);
+      to[row][i] = mx * from[0][i] + my * from[1][i] + mz * from[2][i];
+    }
+  }
 }
 
-/// The trilinear interpolation, at the point t of the unit cell, of the corners' central differences, per
-/// sample step and times two.
-glm::dvec3 centralGradient(const Neighbourhood& near, const glm::dvec3& t)
+/// The trilinear interpolation, at the point `at` of each unit cell, of the unit vectors along the corners'
+/// central-difference gradients. `toWorld` takes gradients per sample step to their direction in the world. A
+/// corner with no gradient adds nothing.
+void interpolateDirections(
+  const Stencils& cells, const Batch (&at)[3], const glm::dmat3& toWorld, Batch (&directions)[3])
 {
-  const double wx[2] = { 1.0 - t.x, t.x };
-  const double wy[2] = { 1.0 - t.y, t.y };
-  const double wz[2] = { 1.0 - t.z, t.z };
-  // The samples along each axis, interpolated across it.
-  double x[4] = {};
-  double y[4] = {};
-  double z[4] = {};
-  for (int q = 0; q < 2; ++q)
+  for (Batch& component : directions)
   {
-    for (int p = 0; p < 2; ++p)
+    std::fill_n(component, Lanes, 0.0);
+  }
+  for (int c = 0; c < Corners; ++c)
+  {
+    // Twice the gradient.
+    Batch gradient[3];
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int n = 0; n < 4; ++n)
+      const int n = edgeAt(axis, c);
+      const bool upper = c >> axis & 1;
+      const Batch& next = cells[upper ? neighbourAfter(axis, n) : highCorner(axis, n)];
+      const Batch& previous = cells[upper ? lowCorner(axis, n) : neighbourBefore(axis, n)];
+      for (int i = 0; i < Lanes; ++i)
       {
-        x[n] += wy[p] * wz[q] * near.v[1 + q][1 + p][n];
-        y[n] += wx[p] * wz[q] * near.v[1 + q][n][1 + p];
-        z[n] += wx[p] * wy[q] * near.v[n][1 + q][1 + p];
+        gradient[axis][i] = next[i] - previous[i];
+      }
+    }
+    Batch world[3];
+    transform(toWorld, gradient, world);
+    // The corner's weight is that of t or 1 - t along each axis.
+    const double x0 = c & 1 ? 0.0 : 1.0;
+    const double y0 = c & 2 ? 0.0 : 1.0;
+    const double z0 = c & 4 ? 0.0 : 1.0;
+    Batch weight;
+    for (int i = 0; i < Lanes; ++i)
+    {
+      const double square = world[0][i] * world[0][i] + world[1][i] * world[1][i] + world[2][i] * world[2][i];
+      const double share = std::abs(x0 - at[0][i]) * std::abs(y0 - at[1][i]) * std::abs(z0 - at[2][i]);
+      weight[i] = share / std::sqrt(square + std::numeric_limits<double>::min());
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < Lanes; ++i)
+      {
+        directions[axis][i] += weight[i] * world[axis][i];
       }
     }
   }
-  return { wx[0] * (x[2] - x[0]) + wx[1] * (x[3] - x[1]), wy[0] * (y[2] - y[0]) + wy[1] * (y[3] - y[1]),
-    wz[0] * (z[2] - z[0]) + wz[1] * (z[3] - z[1]) };
 }
 
-/// The gradient, per sample step, of the trilinear interpolation of the cell's corners.
-glm::dvec3 cellGradient(const Neighbourhood& near, const glm::dvec3& t)
+/// The gradient, per sample step, of the trilinear interpolation of one cell's corners, at the point `at` of
+/// the unit cell.
+glm::dvec3 cellGradient(const Stencils& cells, int lane, const glm::dvec3& at)
 {
   glm::dvec3 gradient(0.0);
-  forEachEdge(near,
-    [&](int axis, const glm::ivec3& corner, double a, double b)
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int n = 0; n < 4; ++n)
     {
-      double weight = 1.0;
-      for (int across = 0; across < 3; ++across)
-      {
-        weight *= across == axis ? 1.0 : corner[across] ? t[across] : 1.0 - t[across];
-      }
-      gradient[axis] += weight * (b - a);
-    });
+      const double p = at[Across[axis][0]];
+      const double q = at[Across[axis][1]];
+      gradient[axis] += (n & 1 ? p : 1.0 - p) * (n >> 1 ? q : 1.0 - q) *
+        (cells[highCorner(axis, n)][lane] - cells[lowCorner(axis, n)][lane]);
+    }
+  }
   return gradient;
 }
 
-/// How many more of the crossed edges along each axis rise than fall.
+/// How many more of one cell's crossed edges rise than fall, along each axis.
 template <CrossingRule rule>
-glm::dvec3 risingEdges(const Neighbourhood& near)
+glm::dvec3 risingEdges(const Stencils& cells, int lane)
 {
   glm::dvec3 sum(0.0);
-  forEachEdge(near,
-    [&](int axis, const glm::ivec3&, double a, double b) {
-      sum[axis] += !crosses<rule>(a, b) || a == b ? 0.0 : a < b ? 1.0 : -1.0;
-    });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int n = 0; n < 4; ++n)
+    {
+      const double low = cells[lowCorner(axis, n)][lane];
+      const double high = cells[highCorner(axis, n)][lane];
+      if (crosses<rule>(low, high) != 0.0 && low != high)
+      {
+        sum[axis] += low < high ? 1.0 : -1.0;
+      }
+    }
+  }
   return sum;
 }
 
-/// The unit vector along v, or zero where v has no direction.
-glm::dvec3 unit(const glm::dvec3& v)
-{
-  const double size = std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
-  return size > 0.0 && std::isfinite(size) && v == v ? glm::normalize(v / size) : glm::dvec3(0.0);
-}
-
-template <class T>
+/// Places samples, a batch of cells at a time.
+template <class T, class Real, CrossingRule rule>
 class SamplePlacer
 {
 public:
-  SamplePlacer(const GridField<T>& field, double isoValue)
+  SamplePlacer(const GridField<T>& field, double isoValue, Real* points, float* normals)
     : Field(field)
     , Relative(isoValue)
-    , Last(field.geometry().dimensions() - 2)
-    , StrideX(field.stride())
-    , StrideY(this->StrideX * field.geometry().dimensions().x)
-    , StrideZ(this->StrideY * field.geometry().dimensions().y)
+    , Points(points)
+    , Normals(normals)
   {
-  }
-
-  template <CrossingRule rule, class Real>
-  void place(const glm::ivec3& cell, Real* point, float* normal) const
-  {
-    const T* corner = this->Field.data() + this->Field.geometry().offset(cell) * this->StrideX;
-    Neighbourhood near;
-    this->loadCorners(corner, near);
-    const glm::dvec3 t = meanCrossing<rule>(near);
-    const glm::dvec3 world = this->Field.geometry().toWorld(glm::dvec3(cell) + t);
+    const std::ptrdiff_t strideX = static_cast<std::ptrdiff_t>(field.stride());
+    const std::ptrdiff_t strideY = strideX * field.geometry().dimensions().x;
+    const std::ptrdiff_t strides[3] = { strideX, strideY, strideY * field.geometry().dimensions().y };
+    for (int c = 0; c < Corners; ++c)
+    {
+      this->Offsets[c] = (c & 1) * strides[0] + (c >> 1 & 1) * strides[1] + (c >> 2) * strides[2];
+    }
     for (int axis = 0; axis < 3; ++axis)
     {
-      point[axis] = static_cast<Real>(world[axis]);
-    }
-    if (normal)
-    {
-      const glm::dvec3 n = this->normal<rule>(cell, corner, near, t);
-      for (int axis = 0; axis < 3; ++axis)
+      for (int n = 0; n < 4; ++n)
       {
-        normal[axis] = static_cast<float>(n[axis]);
+        const std::ptrdiff_t low = this->Offsets[lowCorner(axis, n)];
+        this->Offsets[neighbourBefore(axis, n)] = low - strides[axis];
+        this->Offsets[neighbourAfter(axis, n)] = low + 2 * strides[axis];
       }
     }
+  }
+
+  void add(const glm::ivec3& cell)
+  {
+    const glm::ivec3 last = this->Field.geometry().dimensions() - 2;
+    const bool inside = cell.x > 0 && cell.y > 0 && cell.z > 0 && cell.x < last.x && cell.y < last.y &&
+      cell.z < last.z && this->Field.hidden().empty();
+    const T* corner = this->Field.data() + this->Field.geometry().offset(cell) * this->Field.stride();
+    // The neighbours of a cell at the border may lie outside the grid: loadNeighboursThere sees to them.
+    for (int n = 0; n < Corners; ++n)
+    {
+      this->Samples[n][this->Count] = corner[this->Offsets[n]];
+    }
+    if (inside)
+    {
+      for (int n = Corners; n < StencilSize; ++n)
+      {
+        this->Samples[n][this->Count] = corner[this->Offsets[n]];
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Cells[axis][this->Count] = cell[axis];
+    }
+    this->Inside[this->Count] = inside;
+    if (++this->Count == Lanes)
+    {
+      this->flush();
+    }
+  }
+
+  /// Writes the samples of the cells added since the last time.
+  void flush()
+  {
+    for (int n = 0; n < StencilSize; ++n)
+    {
+      for (int i = 0; i < Lanes; ++i)
+      {
+        this->Stencil[n][i] = this->Relative(this->Samples[n][i]);
+      }
+    }
+    findMeanCrossings<rule>(this->Stencil, this->Mean);
+    this->writePoints();
+    if (this->Normals)
+    {
+      this->writeNormals();
+    }
+    this->Count = 0;
   }
 
 private:
-  void loadCorners(const T* corner, Neighbourhood& near) const
+  void writePoints()
   {
-    for (int z = 1; z < 3; ++z)
+    // As GridGeometry::toWorld does it.
+    Batch index[3];
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int y = 1; y < 3; ++y)
+      const int first = this->Field.geometry().first()[axis];
+      for (int i = 0; i < Lanes; ++i)
       {
-        for (int x = 1; x < 3; ++x)
-        {
-          near.v[z][y][x] = this->Relative(
-            corner[(x - 1) * this->StrideX + (y - 1) * this->StrideY + (z - 1) * this->StrideZ]);
-        }
+        index[axis][i] = (first + this->Cells[axis][i]) + this->Mean[axis][i];
+      }
+    }
+    Batch steps[3];
+    transform(this->Field.geometry().stepToWorld(), index, steps);
+    const glm::dvec3& origin = this->Field.geometry().origin();
+    for (int i = 0; i < this->Count; ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        *this->Points++ = static_cast<Real>(origin[axis] + steps[axis][i]);
       }
     }
   }
 
-  template <CrossingRule rule>
-  glm::dvec3 normal(const glm::ivec3& cell, const T* corner, Neighbourhood& near, const glm::dvec3& t) const
+  void writeNormals()
   {
-    const glm::dmat3& toWorld = this->Field.geometry().gradientDirection();
-    const bool inside = cell.x > 0 && cell.y > 0 && cell.z > 0 && cell.x < this->Last.x &&
-      cell.y < this->Last.y && cell.z < this->Last.z;
-    if (inside && this->Field.hidden().empty())
+    for (int i = 0; i < this->Count; ++i)
     {
-      this->loadNeighbours(corner, near);
-      const glm::dvec3 gradient = toWorld * centralGradient(near, t);
-      const double square = glm::dot(gradient, gradient);
-      // Fails for NaN too, which a missing neighbour leads to.
-      if (square > SmallestSquare && square < LargestSquare)
+      if (!this->Inside[i])
       {
-        return gradient * (-1.0 / std::sqrt(square));
+        this->loadNeighboursThere(i);
       }
     }
-    this->loadNeighboursThere(cell, near);
-    const std::array candidates = { toWorld * centralGradient(near, t), toWorld * cellGradient(near, t),
-      toWorld * risingEdges<rule>(near) };
-    for (const glm::dvec3& gradient : candidates)
+    Batch directions[3];
+    interpolateDirections(this->Stencil, this->Mean, this->Field.geometry().gradientDirection(), directions);
+    Batch scale;
+    for (int i = 0; i < Lanes; ++i)
     {
-      const glm::dvec3 direction = unit(gradient);
-      if (direction != glm::dvec3(0.0))
+      const double square = directions[0][i] * directions[0][i] + directions[1][i] * directions[1][i] +
+        directions[2][i] * directions[2][i];
+      // False for NaN too, which a missing neighbour leads to.
+      scale[i] = square > SmallestSquare ? -1.0 / std::sqrt(square) : 0.0;
+    }
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const glm::dvec3 normal = scale[i] != 0.0
+        ? scale[i] * glm::dvec3(directions[0][i], directions[1][i], directions[2][i])
+        : this->carefulNormal(i);
+      for (int axis = 0; axis < 3; ++axis)
       {
-        return -direction;
+        *this->Normals++ = static_cast<float>(normal[axis]);
+      }
+    }
+  }
+
+  /// The normal where the corners' directions cancel, a gradient is out of bounds or a neighbour is missing.
+  glm::dvec3 carefulNormal(int lane)
+  {
+    this->loadNeighboursThere(lane);
+    this->normalizeStencil(lane);
+    const glm::dmat3& toWorld = this->Field.geometry().gradientDirection();
+    Batch directions[3];
+    interpolateDirections(this->Stencil, this->Mean, toWorld, directions);
+    const glm::dvec3 direction(directions[0][lane], directions[1][lane], directions[2][lane]);
+    const glm::dvec3 at(this->Mean[0][lane], this->Mean[1][lane], this->Mean[2][lane]);
+    for (const glm::dvec3& candidate : { direction, toWorld * cellGradient(this->Stencil, lane, at),
+           toWorld * risingEdges<rule>(this->Stencil, lane) })
+    {
+      const double square = glm::dot(candidate, candidate);
+      if (square > SmallestSquare)
+      {
+        return candidate / -std::sqrt(square);
       }
     }
     // Nothing tells one side from the other.
-    return unit(toWorld[2]);
+    return glm::normalize(toWorld[2]);
   }
 
-  /// For a cell all of whose neighbours are on the grid.
-  void loadNeighbours(const T* corner, Neighbourhood& near) const
+  /// Makes the largest value of a stencil 1, so that no gradient's square overflows or vanishes.
+  void normalizeStencil(int lane)
   {
-    for (int q = 0; q < 2; ++q)
+    double largest = 0.0;
+    for (const Batch& values : this->Stencil)
     {
-      for (int p = 0; p < 2; ++p)
-      {
-        const T* alongX = corner + p * this->StrideY + q * this->StrideZ;
-        const T* alongY = corner + p * this->StrideX + q * this->StrideZ;
-        const T* alongZ = corner + p * this->StrideX + q * this->StrideY;
-        near.v[1 + q][1 + p][0] = this->Relative(*(alongX - this->StrideX));
-        near.v[1 + q][1 + p][3] = this->Relative(alongX[2 * this->StrideX]);
-        near.v[1 + q][0][1 + p] = this->Relative(*(alongY - this->StrideY));
-        near.v[1 + q][3][1 + p] = this->Relative(alongY[2 * this->StrideY]);
-        near.v[0][1 + q][1 + p] = this->Relative(*(alongZ - this->StrideZ));
-        near.v[3][1 + q][1 + p] = this->Relative(alongZ[2 * this->StrideZ]);
-      }
+      largest = std::max(largest, std::abs(values[lane]));
+    }
+    for (Batch& values : this->Stencil)
+    {
+      values[lane] /= largest > 0.0 ? largest : 1.0;
     }
   }
 
-  /// For any cell. A missing neighbour is extrapolated from the edge it continues, which makes the central
-  /// difference there one-sided.
-  void loadNeighboursThere(const glm::ivec3& cell, Neighbourhood& near) const
+  /// A missing neighbour is extrapolated from the edge it continues, which makes the central difference there
+  /// one-sided.
+  void loadNeighboursThere(int lane)
   {
-    const auto load = [&](int x, int y, int z, double corner, double opposite)
+    const glm::ivec3 cell(this->Cells[0][lane], this->Cells[1][lane], this->Cells[2][lane]);
+    const auto load = [&](int n, const glm::ivec3& sample, int near, int far)
     {
-      const glm::ivec3 sample = cell + glm::ivec3(x, y, z) - 1;
-      near.v[z][y][x] =
-        this->Field.has(sample) ? this->Relative(this->Field.at(sample)) : 2.0 * corner - opposite;
+      this->Stencil[n][lane] = this->Field.has(sample)
+        ? this->Relative(this->Field.at(sample))
+        : 2.0 * this->Stencil[near][lane] - this->Stencil[far][lane];
     };
-    for (int q = 1; q < 3; ++q)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int p = 1; p < 3; ++p)
+      for (int n = 0; n < 4; ++n)
       {
-        load(0, p, q, near.v[q][p][1], near.v[q][p][2]);
-        load(3, p, q, near.v[q][p][2], near.v[q][p][1]);
-        load(p, 0, q, near.v[q][1][p], near.v[q][2][p]);
-        load(p, 3, q, near.v[q][2][p], near.v[q][1][p]);
-        load(p, q, 0, near.v[1][q][p], near.v[2][q][p]);
-        load(p, q, 3, near.v[2][q][p], near.v[1][q][p]);
+        const int low = lowCorner(axis, n);
+        const int high = highCorner(axis, n);
+        glm::ivec3 sample = cell + glm::ivec3(low & 1, low >> 1 & 1, low >> 2);
+        sample[axis] -= 1;
+        load(neighbourBefore(axis, n), sample, low, high);
+        sample[axis] += 3;
+        load(neighbourAfter(axis, n), sample, high, low);
       }
     }
   }
 
-  static constexpr double SmallestSquare = 1e-200;
-  static constexpr double LargestSquare = 1e200;
+  /// A sum of unit vectors whose square is smaller is rounding.
+  static constexpr double SmallestSquare = 1e-20;
 
   const GridField<T>& Field;
   RelativeValue<T> Relative;
-  glm::ivec3 Last;
-  std::ptrdiff_t StrideX;
-  std::ptrdiff_t StrideY;
-  std::ptrdiff_t StrideZ;
+  std::ptrdiff_t Offsets[StencilSize]; ///< from a cell's first corner
+  Real* Points;
+  float* Normals;
+
+  int Count = 0;
+  int Cells[3][Lanes] = {};
+  bool Inside[Lanes];
+  T Samples[StencilSize][Lanes] = {};
+  Stencils Stencil;
+  Batch Mean[3];
 };
 
 template <CrossingRule rule, class T, class Real>
 bool placeAll(const GridField<T>& field, double isoValue, const CrossedCells& cells, std::span<Real> points,
   std::span<float> normals, const Progress& progress)
 {
-  const SamplePlacer<T> placer(field, isoValue);
   const auto placeSlab = [&](std::size_t s)
   {
     const CrossedCells::Slab& slab = cells.slabs[s];
-    Real* point = points.data() + 3 * slab.before;
-    float* normal = normals.empty() ? nullptr : normals.data() + 3 * slab.before;
+    SamplePlacer<T, Real, rule> placer(field, isoValue, points.data() + 3 * slab.before,
+      normals.empty() ? nullptr : normals.data() + 3 * slab.before);
     for (const CellRun& run : slab.runs)
     {
       for (std::uint64_t rest = run.cells; rest != 0; rest &= rest - 1)
       {
-        const glm::ivec3 cell = run.first + glm::ivec3(std::countr_zero(rest), 0, 0);
-        placer.template place<rule>(cell, point, normal);
-        point += 3;
-        normal += normal ? 3 : 0;
+        placer.add(run.first + glm::ivec3(std::countr_zero(rest), 0, 0));
       }
     }
+    placer.flush();
   };
   return parallelFor(cells.slabs.size(), placeSlab, progress);
 }

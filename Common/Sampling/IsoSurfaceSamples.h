@@ -14,9 +14,11 @@ namespace ink
 ///
 /// \param cells   from findCrossedCells with the same field, isoValue and rule; their order is the samples'
 /// \param points  3 * cells.count numbers, x y z of each sample in world units; Real is float or double
-/// \param normals 3 * cells.count numbers, or empty for none. Unit vectors towards smaller values, along the
-///                field's gradient as GridField interpolates it. Where that vanishes, along the gradient of
-///                the cell's own eight corners; where that vanishes too, along the crossed edges
+/// \param normals 3 * cells.count numbers, or empty for none. Unit vectors towards smaller values: the
+/// trilinear
+///                interpolation of the unit normals that central differences give the cell's eight corners.
+///                Where those cancel or all vanish, along the gradient of the cell's own values, and where
+///                that vanishes too, along the crossed edges
 /// \throws std::invalid_argument when a span has another length
 /// \returns false when `progress` asked to stop; then some samples were left out
 template <class T, class Real>

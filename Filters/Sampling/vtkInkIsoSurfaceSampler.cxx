@@ -274,6 +274,8 @@ bool SampleArray(const ink::GridGeometry& geometry, vtkDataArray* array, int com
 
 vtkInkIsoSurfaceSampler::vtkInkIsoSurfaceSampler()
 {
+  // It holds one value at first.
+  this->ContourValues->SetNumberOfContours(0);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }

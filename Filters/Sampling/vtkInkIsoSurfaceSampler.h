@@ -11,15 +11,20 @@
  * The input array is the one that SetInputArrayToProcess(0, ...) names, the active point scalars by default.
  * An array that is not contiguous in memory is copied first.
  *
- * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient) and
- * `Radius` (world units: discs of this radius around the points leave no holes). The output has no cells
- * but one vertex cell of type VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
+ * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient; the
+ * trilinear interpolation of the unit normals that central differences give the cell's corners) and
+ * `Radius` (world units: half the diagonal of a cell, so that discs of this radius around the points leave
+ * no holes). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding all points, unless
+ * GenerateVertices is off.
  *
  * Points come in the order of their cells, iso-value by iso-value, and are the same for any number of
  * threads (VTK_SMP_MAX_THREADS sets it) and for any split of the image into pieces with one level of
  * ghost cells, which are asked for. An image given by SetInputData is taken to be whole for every piece.
- * Cells marked as duplicate or hidden, and cells with a corner that is NaN, infinite or
- * hidden, make no points.
+ * Cells marked as duplicate, hidden or refined, and cells with a corner that is NaN, infinite or hidden, make
+ * no points; a NaN or hidden voxel nearby makes the central difference one-sided.
+ *
+ * Errors and warnings, each with an empty output: no such point array, ArrayComponent beyond its components,
+ * an image of fewer than two samples along an axis, a spacing of zero or a direction matrix without inverse.
  *
  * @sa vtkInkSplattingLinesMapper vtkFlyingEdges3D
  */

@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
@@ -59,6 +60,9 @@ int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
   {
     vtkPVView::SetPiece(inInfo, this, this->Points);
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, true);
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->Actor->HasTranslucentPolygonalGeometry());
     // What the view holds for the current time; this->Points may be of another while it plays from its cache.
     double bounds[6];
     vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this))->GetBounds(bounds);
@@ -69,8 +73,16 @@ int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
   else if (request == vtkPVView::REQUEST_RENDER())
   {
     this->Mapper->SetInputDataObject(vtkPVView::GetDeliveredPiece(inInfo, this));
+    this->Actor->SetVisibility(this->DrawsOnThisProcess());
   }
   return 1;
+}
+
+bool vtkInkSplattingLinesRepresentation::DrawsOnThisProcess()
+{
+  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
+  return !view->GetUseOrderedCompositing() ||
+    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0;
 }
 
 vtkDataObject* vtkInkSplattingLinesRepresentation::GetRenderedDataObject(int)

@@ -10,7 +10,9 @@
  * warning.
  *
  * On several processes every one gets all the points: a splat near the border of a process's part needs
- * its neighbours on the other side. All then draw the same marks, of which compositing by depth keeps one.
+ * its neighbours on the other side. All draw the same marks, of which compositing by depth keeps one. With
+ * translucent marks in the view (no paper, or opacity below 1) images are blended instead: then the root
+ * process draws alone, and the marks are not hidden by what only other processes hold.
  *
  * @sa vtkInkSplattingLinesMapper vtkInkIsoSurfaceSampler
  */
@@ -85,6 +87,7 @@ private:
   vtkInkSplattingLinesRepresentation(const vtkInkSplattingLinesRepresentation&) = delete;
   void operator=(const vtkInkSplattingLinesRepresentation&) = delete;
 
+  bool DrawsOnThisProcess();
   void UpdatePickable();
 
   vtkNew<vtkPolyData> Points;

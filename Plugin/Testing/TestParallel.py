@@ -1,36 +1,51 @@
-"""Draws the same picture on one process and on several:  pvpython TestParallel.py MPIEXEC PVBATCH
+"""The same picture on one process and on several:  python3 TestParallel.py MPIEXEC PVBATCH
 
-Run by pvbatch (argument: the picture's file) it draws it; run by pvpython it compares."""
+Not with pvpython, which is an MPI process itself: mpiexec refuses to be started by one."""
 
 import pathlib
 import subprocess
 import sys
 import tempfile
+import unittest
 
 import numpy
 
-from rendering import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
-
-def draw(file, opaque):
-    """Two styles over each other: lines without paper in front of a surface cut the same way."""
-    wavelet = Wavelet()
-    wavelet.UpdatePipeline()
-    view = green_view()
-    sampler = InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[130.0])
-    display = Show(sampler, view)
-    display.SetRepresentationType("Splatting Lines")
-    display.Phi = 100
-    display.PaperVisibility = opaque
-    Show(Sphere(Radius=4, Center=[5, 0, 8], ThetaResolution=32, PhiResolution=32), view)
-    ResetCamera(view)
-    SaveScreenshot(file, view)
+HERE = pathlib.Path(__file__).resolve().parent
+MPIEXEC, PVBATCH = sys.argv[1:3]
 
 
 def read(file):
-    reader = vtk.vtkPNGReader()
+    reader = vtkPNGReader()
     reader.SetFileName(str(file))
     reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[..., :3] / 255.0
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)[..., :3] / 255.0
+
+
+class TestParallel(unittest.TestCase):
+    def pictures(self, processes):
+        """The pictures of drawings.py by their names."""
+        with tempfile.TemporaryDirectory() as folder:
+            # Allowed: a test machine may have fewer cores than processes, and its only user may be root.
+            mpiexec = [MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-n", str(processes)]
+            result = subprocess.run(
+                [*mpiexec, PVBATCH, str(HERE / "drawings.py"), folder], capture_output=True, text=True, timeout=200
+            )
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertNotIn("ERR|", result.stdout + result.stderr)
+            return {file.stem: read(file) for file in pathlib.Path(folder).glob("*.png")}
+
+    def test_number_of_processes_does_not_show(self):
+        expected, found = self.pictures(1), self.pictures(2)
+        self.assertEqual(set(expected), {"paper", "lines"})
+        for name, picture in expected.items():
+            with self.subTest(name):
+                self.assertGreater(numpy.mean(numpy.all(picture < 0.5, axis=-1)), 0.01)
+                numpy.testing.assert_array_equal(found[name], picture)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

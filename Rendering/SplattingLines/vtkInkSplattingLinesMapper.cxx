@@ -261,6 +261,22 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
   return true;
 }
 
+void vtkInkSplattingLinesMapper::ComputeBounds()
+{
+  this->Superclass::ComputeBounds();
+  vtkPolyData* input = this->GetInput();
+  if (!input || !vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    return;
+  }
+  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
+  const double radius = radii ? std::max(radii->GetFiniteRange(0)[1], 0.0) : this->Radius;
+  for (int i = 0; i < 6; ++i)
+  {
+    this->Bounds[i] += i % 2 ? radius : -radius;
+  }
+}
+
 void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   this->InvokeEvent(vtkCommand::StartEvent);

@@ -62,7 +62,7 @@ public:
   /**
    * lambda: the factor by which illumination splats are larger than the points' radii; it sets the level
    * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20;
-   * default: 2.
+   * default: 2.5.
    */
   vtkSetClampMacro(Lambda, double, 0.1, 20.0);
   vtkGetMacro(Lambda, double);

@@ -197,6 +197,14 @@ def test_no_points_draw_nothing():
     assert background(picture).all()
 
 
+def test_bounds_hold_the_whole_splats(bumpy_points):
+    mapper = vtkink.vtkInkSplattingLinesMapper()
+    mapper.SetInputDataObject(bumpy_points)
+    radius = point_array(bumpy_points, "Radius").max()
+    reach = numpy.array(mapper.GetBounds()) - bumpy_points.GetPoints().GetBounds()
+    assert numpy.allclose(reach, [-radius, radius] * 3)
+
+
 def test_example_is_short_and_draws(tmp_path):
     assert len(EXAMPLE.read_text().splitlines()) <= 25
     result = subprocess.run(

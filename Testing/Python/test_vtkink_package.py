@@ -49,7 +49,15 @@ def test_classes_belong_to_vtk():
 def test_classes_are_documented():
     for cls in (vtkink.vtkInkIsoSurfaceSampler, vtkink.vtkInkSplattingLinesMapper):
         assert "Zhang" in cls.__doc__
-    assert "default: 1" in vtkink.vtkInkSplattingLinesMapper.SetTau.__doc__
+
+
+@pytest.mark.parametrize("name", ["Lambda", "Tau", "Phi", "Sigma"])
+def test_documentation_states_range_and_default(name):
+    mapper = vtkink.vtkInkSplattingLinesMapper()
+    text = " ".join(getattr(mapper, f"Set{name}").__doc__.split())
+    low, high = (getattr(mapper, f"Get{name}{end}Value")() for end in ("Min", "Max"))
+    default = getattr(mapper, f"Get{name}")()
+    assert f"{low:g} to {high:g}" in text and f"default: {default:g}" in text
 
 
 def test_the_import_alone_brings_opengl():

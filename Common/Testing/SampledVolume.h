@@ -1,0 +1,87 @@
+#pragma once
+
+#include "Fields/GridField.h"
+#include "Sampling/CrossedCells.h"
+#include "Sampling/IsoSurfaceSamples.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ink::testing
+{
+
+/// A grid with its own values.
+template <class T>
+struct Volume
+{
+  GridGeometry geometry;
+  std::vector<T> values;
+
+  explicit Volume(const GridGeometry& g, T value = T())
+    : geometry(g)
+    , values(g.sampleCount(), value)
+  {
+  }
+
+  /// Samples function(world point), converted to T.
+  template <class Function>
+  static Volume from(const GridGeometry& g, const Function& function)
+  {
+    Volume volume(g);
+    const glm::ivec3 n = g.dimensions();
+    for (int k = 0; k < n.z; ++k)
+    {
+      for (int j = 0; j < n.y; ++j)
+      {
+        for (int i = 0; i < n.x; ++i)
+        {
+          volume.at({ i, j, k }) = static_cast<T>(function(g.toWorld({ i, j, k })));
+        }
+      }
+    }
+    return volume;
+  }
+
+  T& at(const glm::ivec3& sample) { return this->values[this->geometry.offset(sample)]; }
+  GridField<T> field(const ElementMarks& hidden = {}) const
+  {
+    return GridField<T>(this->geometry, std::span<const T>(this->values), 1, hidden);
+  }
+};
+
+/// The samples of an iso-surface as points and normals.
+template <class Real>
+struct Samples
+{
+  std::vector<Real> coordinates;
+  std::vector<float> components;
+
+  std::size_t size() const { return this->coordinates.size() / 3; }
+  glm::dvec3 point(std::size_t n) const
+  {
+    return { this->coordinates[3 * n], this->coordinates[3 * n + 1], this->coordinates[3 * n + 2] };
+  }
+  glm::dvec3 normal(std::size_t n) const
+  {
+    return { this->components[3 * n], this->components[3 * n + 1], this->components[3 * n + 2] };
+  }
+  bool operator==(const Samples&) const = default;
+};
+
+template <class Real = double, class T>
+Samples<Real> sampleIsoSurface(const GridField<T>& field, double isoValue,
+  CrossingRule rule = CrossingRule::HalfOpen, const CellSelection& selection = {})
+{
+  const CrossedCells cells = findCrossedCells(field, isoValue, rule, selection);
+  Samples<Real> samples;
+  samples.coordinates.resize(3 * cells.count);
+  samples.components.resize(3 * cells.count);
+  placeIsoSurfaceSamples(
+    field, isoValue, rule, cells, std::span<Real>(samples.coordinates), std::span<float>(samples.components));
+  return samples;
+}
+
+} // namespace ink::testing

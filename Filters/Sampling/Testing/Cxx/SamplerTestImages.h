@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images for the tests of vtkInkIsoSurfaceSampler.
+#ifndef SamplerTestImages_h
+#define SamplerTestImages_h
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+/// An image of the given type and extent whose one scalar is function(x, y, z) of the world point.
+template <class Function>
+vtkSmartPointer<vtkImageData> MakeImage(int type, const std::array<int, 6>& extent, Function function,
+  const std::array<double, 3>& spacing = { 1.0, 1.0, 1.0 })
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(const_cast<int*>(extent.data()));
+  image->SetSpacing(spacing.data());
+  image->AllocateScalars(type, 1);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  scalars->SetName("Density");
+  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
+  {
+    double p[3];
+    image->GetPoint(n, p);
+    scalars->SetComponent(n, 0, function(p[0], p[1], p[2]));
+  }
+  return image;
+}
+
+/// 100 minus ten times the distance from the sphere of the given radius around the origin.
+inline double BallDensity(double x, double y, double z, double radius)
+{
+  return 100.0 - 10.0 * (std::sqrt(x * x + y * y + z * z) - radius);
+}
+
+/// A sample as its point and normal, which sort and compare exactly.
+using Sample = std::array<double, 6>;
+
+inline std::vector<Sample> SamplesOf(vtkPolyData* data)
+{
+  std::vector<Sample> samples(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  vtkDataArray* normals = data->GetPointData()->GetNormals();
+  for (std::size_t n = 0; n < samples.size(); ++n)
+  {
+    data->GetPoint(static_cast<vtkIdType>(n), samples[n].data());
+    normals->GetTuple(static_cast<vtkIdType>(n), samples[n].data() + 3);
+  }
+  return samples;
+}
+
+#endif

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the filter makes of a ball, and what each of its properties changes.
+
+#include "InkTestChecks.h"
+#include "SamplerTestImages.h"
+
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkInkIsoSurfaceSampler.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+
+#include <sstream>
+
+namespace
+{
+
+const double Radius = 8.0;
+
+vtkSmartPointer<vtkImageData> MakeBall()
+{
+  return MakeImage(VTK_FLOAT, { -12, 12, -11, 11, -10, 10 },
+    [](double x, double y, double z) { return BallDensity(x, y, z, Radius); });
+}
+
+void CheckBall(InkTestChecks& check)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall());
+  sampler->SetValue(0, 100.0);
+  sampler->Update();
+  vtkPolyData* output = sampler->GetOutput();
+  const vtkIdType count = output->GetNumberOfPoints();
+  check(count > 1000 && count < 2000, "about one and a half points for each unit of area, found ", count);
+  check(output->GetPoints()->GetDataType() == VTK_FLOAT, "single precision");
+  check(output->GetPointData()->GetNumberOfArrays() == 2, "two point arrays, found ",
+    output->GetPointData()->GetNumberOfArrays());
+  auto* normals = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("Normals"));
+  vtkDataArray* radii = output->GetPointData()->GetArray("Radius");
+  if (!check(normals && radii, "the point arrays Normals and Radius"))
+  {
+    return;
+  }
+  check(output->GetPointData()->GetNormals() == normals, "Normals to be the active normals");
+  check(output->GetNumberOfCells() == 1 && output->GetCellType(0) == VTK_POLY_VERTEX &&
+      output->GetVerts()->GetNumberOfConnectivityIds() == count,
+    "one poly-vertex cell with all points");
+  double worstDistance = 0.0;
+  double worstAngle = 0.0;
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    double p[3];
+    double normal[3];
+    output->GetPoint(n, p);
+    normals->GetTuple(n, normal);
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    // The density falls outwards, and so do the normals.
+    const double cosine = (normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]) / length;
+    worstDistance = std::max(worstDistance, std::abs(length - Radius));
+    worstAngle = std::max(worstAngle, std::acos(std::min(cosine, 1.0)));
+    check(std::abs(radii->GetTuple1(n) - 0.5 * std::sqrt(3.0)) < 1e-6, "half a cell's diagonal as radius");
+  }
+  check(worstDistance < 0.5 / Radius, "points on the sphere, off by ", worstDistance);
+  check(worstAngle < 0.5 / (Radius * Radius), "normals across the sphere, off by ", worstAngle);
+}
+
+void CheckProperties(InkTestChecks& check)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall());
+  sampler->Update();
+  vtkPolyData* output = sampler->GetOutput();
+  check(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0, "nothing without an iso-value");
+  check(output->GetPointData()->GetNormals() != nullptr, "the arrays all the same");
+
+  sampler->SetValue(0, 100.0);
+  sampler->Update();
+  const auto outer = SamplesOf(output);
+  sampler->SetValue(0, 140.0);
+  sampler->Update();
+  const auto inner = SamplesOf(output);
+  check(!inner.empty() && inner.size() < outer.size(), "fewer points on the smaller ball");
+  sampler->SetValue(0, 100.0);
+  sampler->SetValue(1, 140.0);
+  sampler->Update();
+  auto expected = outer;
+  expected.insert(expected.end(), inner.begin(), inner.end());
+  check(SamplesOf(output) == expected, "the points of two iso-values one after the other");
+  check(sampler->GetNumberOfContours() == 2 && sampler->GetValue(1) == 140.0, "two iso-values");
+  sampler->GenerateValues(3, 90.0, 110.0);
+  check(sampler->GetNumberOfContours() == 3 && sampler->GetValue(1) == 100.0, "three iso-values");
+
+  sampler->SetNumberOfContours(1);
+  sampler->SetValue(0, 100.0);
+  sampler->ComputeNormalsOff();
+  sampler->ComputeRadiusOff();
+  sampler->GenerateVerticesOff();
+  sampler->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sampler->Update();
+  check(output->GetPointData()->GetNumberOfArrays() == 0 && output->GetNumberOfCells() == 0,
+    "nothing that is switched off");
+  check(output->GetPoints()->GetDataType() == VTK_DOUBLE, "double precision");
+  check(static_cast<std::size_t>(output->GetNumberOfPoints()) == outer.size(), "the same number of points");
+
+  sampler->SetCrossingRuleToStrict();
+  check(sampler->GetCrossingRule() == vtkInkIsoSurfaceSampler::STRICT, "the strict rule");
+  sampler->SetCrossingRule(7);
+  check(sampler->GetCrossingRule() == vtkInkIsoSurfaceSampler::STRICT, "a crossing rule within range");
+  sampler->SetArrayComponent(-3);
+  check(sampler->GetArrayComponent() == 0, "a component within range");
+  std::ostringstream text;
+  sampler->Print(text);
+  check(text.str().find("CrossingRule: STRICT") != std::string::npos, "the properties in print");
+}
+
+void CheckGeometry(InkTestChecks& check)
+{
+  // The plane x = 4.5 of the image, which is turned, mirrored and stretched into the world.
+  auto image = MakeImage(VTK_UNSIGNED_CHAR, { 2, 9, 0, 7, 0, 7 }, [](double x, double, double) { return x; });
+  image->SetSpacing(2.0, 1.0, 0.5);
+  image->SetOrigin(10.0, 20.0, 30.0);
+  // Columns: i runs along -y, j along x, k along z.
+  const double direction[9] = { 0, 1, 0, -1, 0, 0, 0, 0, 1 };
+  image->SetDirectionMatrix(direction);
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(image);
+  sampler->SetValue(0, 4.5);
+  sampler->Update();
+  const auto samples = SamplesOf(sampler->GetOutput());
+  check(samples.size() == 49, "one point for each of 7 x 7 cells, found ", samples.size());
+  // Index (4.5, j + .5, k + .5); the values grow along i, that is along -y.
+  check(!samples.empty() && samples[0] == Sample{ 10.5, 11.0, 30.25, 0.0, 1.0, 0.0 },
+    "the first point and its normal in the world");
+  double bounds[6];
+  sampler->GetOutput()->GetBounds(bounds);
+  check(bounds[0] == 10.5 && bounds[1] == 16.5 && bounds[2] == 11.0 && bounds[3] == 11.0 &&
+      bounds[4] == 30.25 && bounds[5] == 33.25,
+    "the plane in the world");
+  const double radius = sampler->GetOutput()->GetPointData()->GetArray("Radius")->GetTuple1(0);
+  check(std::abs(radius - 0.5 * std::sqrt(4.0 + 1.0 + 0.25)) < 1e-6, "half a cell's diagonal as radius");
+}
+
+/// Single precision where it is enough, double where it is not.
+void CheckPrecision(InkTestChecks& check)
+{
+  struct Case
+  {
+    double Origin;
+    double Spacing;
+    int Type;
+  };
+  for (const Case& c : { Case{ 0.0, 1.0, VTK_FLOAT }, Case{ 1e7, 1.0, VTK_DOUBLE },
+         Case{ 1e7, 1e5, VTK_FLOAT }, Case{ 0.0, 1e-9, VTK_FLOAT }, Case{ 0.0, 1e9, VTK_FLOAT },
+         Case{ 0.0, 1e-60, VTK_DOUBLE }, Case{ 0.0, 1e60, VTK_DOUBLE } })
+  {
+    auto image = MakeImage(VTK_SHORT, { 0, 7, 0, 7, 0, 7 }, [](double x, double, double) { return x; });
+    image->SetOrigin(c.Origin, 0.0, 0.0);
+    image->SetSpacing(c.Spacing, c.Spacing, c.Spacing);
+    vtkNew<vtkInkIsoSurfaceSampler> sampler;
+    sampler->SetInputData(image);
+    sampler->SetValue(0, 3.25);
+    sampler->Update();
+    vtkPolyData* output = sampler->GetOutput();
+    if (!check(output->GetNumberOfPoints() == 49, "49 points at spacing ", c.Spacing))
+    {
+      continue;
+    }
+    check(output->GetPoints()->GetDataType() == c.Type, "the other precision at origin ", c.Origin,
+      ", spacing ", c.Spacing);
+    double p[3];
+    output->GetPoint(48, p);
+    check(std::abs((p[0] - c.Origin) / c.Spacing - 3.25) < 1e-2 && std::abs(p[1] / c.Spacing - 6.5) < 1e-5,
+      "points on the plane at origin ", c.Origin, ", spacing ", c.Spacing);
+    const double radius = output->GetPointData()->GetArray("Radius")->GetTuple1(0);
+    check(std::abs(radius / c.Spacing - 0.5 * std::sqrt(3.0)) < 1e-6, "the radius at spacing ", c.Spacing);
+    double normal[3];
+    output->GetPointData()->GetNormals()->GetTuple(0, normal);
+    check(normal[0] == -1.0 && normal[1] == 0.0 && normal[2] == 0.0, "the normal at spacing ", c.Spacing);
+  }
+}
+
+class Counter : public vtkCommand
+{
+public:
+  static Counter* New() { return new Counter; }
+  void Execute(vtkObject*, unsigned long, void*) override { ++this->Runs; }
+
+  int Runs = 0;
+};
+
+void CheckCaching(InkTestChecks& check)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  vtkNew<Counter> counter;
+  const int& runs = counter->Runs;
+  sampler->AddObserver(vtkCommand::StartEvent, counter);
+  sampler->SetInputData(MakeBall());
+  sampler->SetValue(0, 100.0);
+  sampler->Update();
+  sampler->Update();
+  check(runs == 1, "one run for two updates, found ", runs);
+  sampler->SetValue(0, 100.0);
+  sampler->SetCrossingRule(sampler->GetCrossingRule());
+  sampler->Update();
+  check(runs == 1, "no run for values that stay the same, found ", runs);
+  const vtkMTimeType before = sampler->GetMTime();
+  sampler->SetValue(0, 90.0);
+  check(sampler->GetMTime() > before, "a later time for another iso-value");
+  sampler->Update();
+  check(runs == 2, "a run for another iso-value, found ", runs);
+}
+
+} // namespace
+
+int TestIsoSurfaceSampler(int, char*[])
+{
+  InkTestChecks check;
+  CheckBall(check);
+  CheckProperties(check);
+  CheckGeometry(check);
+  CheckPrecision(check);
+  CheckCaching(check);
+  return check.Result();
+}

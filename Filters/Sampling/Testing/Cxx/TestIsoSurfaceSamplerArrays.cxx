@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every kind of array that can hold the scalars gives the same points.
+
+#include "InkTestChecks.h"
+#include "SamplerTestImages.h"
+
+#include "vtkBitArray.h"
+#include "vtkFloatArray.h"
+#include "vtkInkIsoSurfaceSampler.h"
+#include "vtkNew.h"
+#include "vtkSOADataArrayTemplate.h"
+#if __has_include("vtkAffineArray.h")
+#  include "vtkAffineArray.h"
+#endif
+
+namespace
+{
+
+const std::array<int, 6> Extent = { 0, 12, 0, 11, 0, 10 };
+
+double Hills(double x, double y, double z)
+{
+  return std::floor(60.0 + 30.0 * std::sin(0.5 * x) * std::cos(0.4 * y) - 3.0 * z);
+}
+
+std::vector<Sample> SampleImage(vtkImageData* image, double isoValue, int component = 0)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(image);
+  sampler->SetArrayComponent(component);
+  sampler->SetValue(0, isoValue);
+  sampler->Update();
+  return SamplesOf(sampler->GetOutput());
+}
+
+/// The image with its scalars replaced.
+vtkSmartPointer<vtkImageData> With(vtkImageData* image, vtkDataArray* scalars)
+{
+  auto other = vtkSmartPointer<vtkImageData>::New();
+  other->CopyStructure(image);
+  other->GetPointData()->SetScalars(scalars);
+  return other;
+}
+
+} // namespace
+
+int TestIsoSurfaceSamplerArrays(int, char*[])
+{
+  InkTestChecks check;
+  const auto image = MakeImage(VTK_DOUBLE, Extent, Hills);
+  vtkDataArray* heights = image->GetPointData()->GetScalars();
+  const vtkIdType count = image->GetNumberOfPoints();
+  const auto expected = SampleImage(image, 40.0);
+  check(expected.size() > 100, "some points, found ", expected.size());
+
+  for (const int type :
+    { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT,
+      VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT })
+  {
+    check(SampleImage(MakeImage(type, Extent, Hills), 40.0) == expected, "the same points from type ", type);
+  }
+
+  vtkNew<vtkFloatArray> interleaved;
+  interleaved->SetNumberOfComponents(3);
+  interleaved->SetNumberOfTuples(count);
+  interleaved->Fill(0.0);
+  interleaved->CopyComponent(1, heights, 0);
+  check(SampleImage(With(image, interleaved), 40.0, 1) == expected,
+    "the same points from one of three components");
+
+  vtkNew<vtkSOADataArrayTemplate<float>> apart;
+  apart->DeepCopy(interleaved);
+  check(SampleImage(With(image, apart), 40.0, 1) == expected, "the same points from components kept apart");
+
+  // The active scalars are not the only choice.
+  const auto both = With(image, interleaved);
+  heights->SetName("Heights");
+  both->GetPointData()->AddArray(heights);
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(both);
+  sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Heights");
+  sampler->SetValue(0, 40.0);
+  sampler->Update();
+  check(SamplesOf(sampler->GetOutput()) == expected, "the same points from an array by its name");
+
+  vtkNew<vtkBitArray> bits;
+  bits->SetNumberOfTuples(count);
+  vtkNew<vtkFloatArray> zeroOrOne;
+  zeroOrOne->SetNumberOfTuples(count);
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    const int bit = heights->GetComponent(n, 0) >= 40.0;
+    bits->SetValue(n, bit);
+    zeroOrOne->SetValue(n, static_cast<float>(bit));
+  }
+  const auto ofBits = SampleImage(With(image, bits), 0.5);
+  check(ofBits.size() == expected.size() && ofBits == SampleImage(With(image, zeroOrOne), 0.5),
+    "the same points from bits");
+
+#if __has_include("vtkAffineArray.h")
+  vtkNew<vtkAffineArray<float>> implicit;
+  implicit->SetNumberOfTuples(count);
+  implicit->ConstructBackend(0.5f, 3.0f);
+  vtkNew<vtkFloatArray> explicitly;
+  explicitly->DeepCopy(implicit);
+  const auto ofImplicit = SampleImage(With(image, implicit), 200.0);
+  check(!ofImplicit.empty() && ofImplicit == SampleImage(With(image, explicitly), 200.0),
+    "the same points from an array that is a function");
+#endif
+  return check.Result();
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What cannot be sampled: one message that names what was found, and an empty output.
+
+#include "InkTestChecks.h"
+#include "SamplerTestImages.h"
+
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkInkIsoSurfaceSampler.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+
+/// Samples a ball after `change`; expects the words in one message, or no message for none.
+void Expect(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
+  const std::function<void(vtkInkIsoSurfaceSampler*, vtkImageData*)>& change)
+{
+  auto image = MakeImage(VTK_FLOAT, { -9, 9, -9, 9, -9, 9 },
+    [](double x, double y, double z) { return BallDensity(x, y, z, 6.0); });
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(sampler);
+  sampler->SetValue(0, 100.0);
+  change(sampler, image);
+  sampler->SetInputData(image);
+  sampler->Update();
+  check(sampler->GetOutput()->GetNumberOfPoints() == 0, name, ": no points");
+  if (!check(messages->Messages.size() == (words.empty() ? 0 : 1), name, ": one message if any, found ",
+        messages->Messages.size()))
+  {
+    return;
+  }
+  for (const std::string& word : words)
+  {
+    check(messages->Messages[0].find(word) != std::string::npos, name, ": \"", word,
+      "\" in the message: ", messages->Messages[0]);
+  }
+}
+
+} // namespace
+
+int TestIsoSurfaceSamplerErrors(int, char*[])
+{
+  InkTestChecks check;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+
+  Expect(check, "no image", {}, [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->Initialize(); });
+  Expect(check, "no scalars", { "no point array", "0 point arrays" },
+    [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->GetPointData()->Initialize(); });
+  Expect(check, "no such array", { "Pressure" },
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*)
+    { sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
+  Expect(check, "cell data", { "OfCells", "5832", "6859" },
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData* image)
+    {
+      vtkNew<vtkFloatArray> cells;
+      cells->SetName("OfCells");
+      cells->SetNumberOfTuples(image->GetNumberOfCells());
+      cells->Fill(1.0);
+      image->GetCellData()->AddArray(cells);
+      sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells");
+    });
+  Expect(check, "words", { "Words" },
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData* image)
+    {
+      vtkNew<vtkStringArray> words;
+      words->SetName("Words");
+      words->SetNumberOfValues(image->GetNumberOfPoints());
+      image->GetPointData()->AddArray(words);
+      sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Words");
+    });
+  Expect(check, "short array", { "Density", "10 values", "6859" },
+    [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
+    { image->GetPointData()->GetScalars()->SetNumberOfTuples(10); });
+  Expect(check, "no such component", { "Density", "ArrayComponent is 1", "1 components" },
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetArrayComponent(1); });
+  Expect(check, "one slice", { "19 x 19 x 1", "at least 2" },
+    [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
+    {
+      image->SetExtent(-9, 9, -9, 9, 0, 0);
+      image->AllocateScalars(VTK_FLOAT, 1);
+    });
+  Expect(check, "one voxel", { "1 x 1 x 1" },
+    [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
+    {
+      image->SetExtent(0, 0, 0, 0, 0, 0);
+      image->AllocateScalars(VTK_FLOAT, 1);
+    });
+  Expect(check, "no spacing", { "spacing" },
+    [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
+  Expect(check, "NaN in the spacing", { "spacing" },
+    [nan](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->SetSpacing(1.0, nan, 1.0); });
+  Expect(check, "flat direction matrix", { "direction matrix" },
+    [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
+    { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
+  Expect(check, "NaN as iso-value", { "NaN" },
+    [nan](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, nan); });
+  // An iso-value that no voxel reaches is not an error: in another piece, or at another time, one may.
+  Expect(check, "iso-value out of range", {},
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, 1e9); });
+  return check.Result();
+}
