@@ -99,6 +99,7 @@ public:
   InkSplatPoints Points;
   std::optional<Source> PointsSource; ///< what Points was read from
   vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
+  std::string ReportedError;
   std::unique_ptr<InkSplatPasses> Passes;
   unsigned long WindowObserver = 0;
   std::vector<Drawing> Drawings;
@@ -259,22 +260,6 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     return false;
   }
   return true;
-}
-
-void vtkInkSplattingLinesMapper::ComputeBounds()
-{
-  this->Superclass::ComputeBounds();
-  vtkPolyData* input = this->GetInput();
-  if (!input || !vtkMath::AreBoundsInitialized(this->Bounds))
-  {
-    return;
-  }
-  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
-  const double radius = radii ? std::max(radii->GetFiniteRange(0)[1], 0.0) : this->Radius;
-  for (int i = 0; i < 6; ++i)
-  {
-    this->Bounds[i] += i % 2 ? radius : -radius;
-  }
 }
 
 void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
