@@ -17,6 +17,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -98,6 +99,7 @@ public:
   InkSplatPoints Points;
   std::optional<Source> PointsSource; ///< what Points was read from
   vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
+  std::string ReportedError;
   std::unique_ptr<InkSplatPasses> Passes;
   unsigned long WindowObserver = 0;
   std::vector<Drawing> Drawings;
@@ -117,10 +119,12 @@ vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper()
 
 void vtkInkSplattingLinesMapper::ReportOnce(const std::string& error)
 {
-  const vtkMTimeType time = std::max(this->GetInput()->GetMTime(), this->GetMTime());
-  if (this->Internals->ReportedTime < time)
+  vtkInternals& internals = *this->Internals;
+  const vtkMTimeType time = this->GetInput()->GetMTime();
+  if (internals.ReportedTime < time || internals.ReportedError != error)
   {
-    this->Internals->ReportedTime = time;
+    internals.ReportedTime = time;
+    internals.ReportedError = error;
     vtkErrorMacro(<< error);
   }
 }
@@ -216,6 +220,14 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     problem << " Point arrays (components) in the input: " << ListArrays(pointData) << '.';
     this->ReportOnce(problem.str());
     return false;
+  }
+
+  vtkPlaneCollection* planes = this->GetClippingPlanes();
+  if (planes && planes->GetNumberOfItems() > InkSplatView::MaximumClippingPlanes)
+  {
+    problem << "Only the first " << InkSplatView::MaximumClippingPlanes << " of the "
+            << planes->GetNumberOfItems() << " clipping planes are used.";
+    this->ReportOnce(problem.str());
   }
 
   if (internals.Passes && internals.Passes->GetWindow() != window)

@@ -40,6 +40,9 @@ flat out float slopeVSOutput;    // tangent of the angle between the normal and 
 flat out vec2 toleranceVSOutput; // view units; for no slope, and by slope
 flat out int idVSOutput;
 
+// Where, besides in its centre, a disc is looked at to tell whether it is hidden.
+const vec2 probes[4] = vec2[](vec2(0.8, 0.0), vec2(0.0, 0.8), vec2(-0.8, 0.0), vec2(0.0, -0.8));
+
 // Beyond this slope the surface counts as seen edge-on.
 const float maximumSlope = 10.0;
 
@@ -138,14 +141,12 @@ void main()
 
   if (cullHidden)
   {
-    // The centre and eight points near the rim.
     bool visible = shows(centerPixel, -positionVC.z);
-    for (int i = 0; i < 8 && !visible; ++i)
+    for (int i = 0; i < 4 && !visible; ++i)
     {
-      float angle = radians(45.0) * float(i);
-      vec2 rim = 0.9 * vec2(cos(angle), sin(angle));
-      float depth = -(positionVC.z + axisU.z * rim.x + axisV.z * rim.y);
-      visible = shows(centerPixel + disc * rim / (1.0 + dot(w, rim)), depth);
+      vec2 probe = probes[i];
+      float depth = -(positionVC.z + axisU.z * probe.x + axisV.z * probe.y);
+      visible = shows(centerPixel + disc * probe / (1.0 + dot(w, probe)), depth);
     }
     if (!visible)
     {

@@ -131,6 +131,20 @@ void TestClippingPlanes(InkTestChecks& check)
 
   right->SetOrigin(0.5, 0.0, 0.0);
   check(InkTestImage(scene.Window).Gray(125, 50) == 0, "a moved clipping plane");
+
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  for (int i = 0; i < 5; ++i)
+  {
+    vtkNew<vtkPlane> more;
+    more->SetNormal(1.0, 0.0, 0.0);
+    scene.Mapper->AddClippingPlane(more);
+  }
+  check(InkTestImage(scene.Window).Gray(125, 50) == 0, "the first six of seven clipping planes");
+  scene.Window->Render();
+  check(messages->Messages.size() == 1 && messages->Messages[0].find("7") != std::string::npos,
+    "one message about seven clipping planes");
+
   scene.Mapper->RemoveAllClippingPlanes();
   check(InkTestImage(scene.Window).Gray(50, 50) == 255, "no clipping planes");
 }

@@ -36,6 +36,7 @@ void TestMessage(InkTestChecks& check, const std::string& what, vtkPolyData* poi
   {
     check(InkTestImage(scene.Window).CountDark(255) == 0, "nothing drawn for ", what);
     scene.Renderer->GetActiveCamera()->Azimuth(5.0);
+    scene.Mapper->SetPhi(50.0 + frame);
   }
   check(messages->Messages.size() == 1, "one message for ", what, ", not ", messages->Messages.size());
   for (const std::string& message : messages->Messages)

@@ -121,6 +121,9 @@ void TestBackFaces(InkTestChecks& check)
   scene.Actor->GetProperty()->BackfaceCullingOn();
   const InkTestImage culled(scene.Window);
   check(culled.CountDark() == 200 * 200, "nothing when back faces are culled");
+  scene.Renderer->GetActiveCamera()->Azimuth(180.0);
+  const InkTestImage front(scene.Window);
+  check(front.CountDark(60, 60, 140, 140, 255) == 0, "the front when back faces are culled");
 }
 
 } // namespace
