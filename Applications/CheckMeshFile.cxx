@@ -1,5 +1,6 @@
 #include "CheckMeshFile.h"
 
+#include "CheckXmlFile.h"
 #include "ReadFile.h"
 
 #include <algorithm>
@@ -169,12 +170,7 @@ bool skipText(std::istream& stream, const Element& element)
 /// A whole text ends with "endsolid" and perhaps a name.
 void checkTextStl(const fs::path& file)
 {
-  std::ifstream stream(file, std::ios::binary);
-  constexpr std::uint64_t tailSize = 512;
-  const std::uint64_t size = fs::file_size(file);
-  stream.seekg(static_cast<std::streamoff>(size - std::min(size, tailSize)));
-  const std::string tail{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-  if (tail.find("endsolid") == std::string::npos)
+  if (fileTail(file, 512).find("endsolid") == std::string::npos)
   {
     failToRead(file, "the file ends without 'endsolid', the end of an STL text");
   }
@@ -225,6 +221,10 @@ void checkStl(const fs::path& file)
   for (int i = 3; i >= 0; --i)
   {
     triangles = triangles * 256 + static_cast<unsigned char>(header[80 + i]);
+  }
+  if (triangles == 0)
+  {
+    failToRead(file, "it holds no triangles");
   }
   const std::uint64_t found = fs::file_size(file);
   const std::uint64_t expected = headerSize + triangles * triangleSize;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "vtkSmartPointer.h"
 
 class vtkImageData;
@@ -11,10 +9,14 @@ class vtkUnsignedCharArray;
 namespace ink::cli
 {
 
-/// The picture in window, made smaller by a factor: each pixel is the mean of factor x factor rendered ones,
-/// which smooths edges and lines alike. \param transparent four components with straight alpha, as PNG has
-/// them, instead of three.
-vtkSmartPointer<vtkImageData> takePicture(vtkRenderWindow* window, int factor, bool transparent);
+/// The picture in window, red, green and blue, made smaller by a factor: each pixel is the mean of factor x
+/// factor rendered ones, which smooths edges and lines alike.
+vtkSmartPointer<vtkImageData> takePicture(vtkRenderWindow* window, int factor);
+
+/// A picture with alpha as PNG has it, not multiplied into the colours, from the same scene before black and
+/// before white: where both are equal, the scene hides the background. What alpha VTK itself leaves behind
+/// depends on how it blends, and that on its version.
+vtkSmartPointer<vtkImageData> findAlpha(vtkImageData* onBlack, vtkImageData* onWhite);
 
 /// picture as a PNG file in memory.
 vtkSmartPointer<vtkUnsignedCharArray> encodePng(vtkImageData* picture);

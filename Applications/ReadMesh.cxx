@@ -1,6 +1,7 @@
 #include "ReadFile.h"
 
 #include "CheckMeshFile.h"
+#include "CheckXmlFile.h"
 #include "Text.h"
 #include "XmlReaders.h"
 
@@ -74,6 +75,7 @@ Input readMesh(const fs::path& file, const std::string& suffix, Progress& progre
   }
   else
   {
+    checkXml(file);
     input.data = read<PromptXmlReader<vtkXMLPolyDataReader>>(file, progress);
     input.format = "VTK XML mesh (.vtp)";
   }

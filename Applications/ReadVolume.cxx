@@ -1,6 +1,7 @@
 #include "ReadFile.h"
 
 #include "CheckVolumeFile.h"
+#include "CheckXmlFile.h"
 #include "FinishVolume.h"
 #include "Orientation.h"
 #include "XmlReaders.h"
@@ -55,10 +56,11 @@ Input readNifti(const fs::path& file, Progress& progress)
 
 Input readNrrd(const fs::path& file, Progress& progress)
 {
+  // First, because VTK waits forever for the end of a header that has none.
+  checkNrrd(file);
   constexpr const char* format = "NRRD volume";
   vtkNew<vtkNrrdReader> reader;
   requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
-  checkNrrd(file);
   reader->SetFileName(file.c_str());
   runReader(reader, file, progress);
   Input input = makeVolumeInput(reader->GetOutput(), file, format);
@@ -83,6 +85,7 @@ Input readXmlImage(const fs::path& file, Progress& progress)
   constexpr const char* format = "VTK XML image (.vti)";
   vtkNew<PromptXmlReader<vtkXMLImageDataReader>> reader;
   requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
+  checkXml(file);
   reader->SetFileName(file.c_str());
   runReader(reader, file, progress);
   return makeVolumeInput(reader->GetOutput(), file, format);

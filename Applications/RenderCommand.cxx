@@ -55,14 +55,8 @@ vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& opt
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
-  // With alpha, colours come out multiplied by it, and so is the background.
-  Color background = options.transparent ? Color{ 0, 0, 0 } : options.background;
-  renderer->SetBackground(background.data());
-  renderer->SetBackgroundAlpha(options.transparent ? 0.0 : 1.0);
-
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();
-  window->SetAlphaBitPlanes(1);
   window->SetMultiSamples(0);
   window->SetSize(
     options.size.width * PictureSize::supersampling, options.size.height * PictureSize::supersampling);
@@ -77,8 +71,14 @@ vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& opt
   renderer->ResetCameraClippingRange();
 
   const VtkMessages messages;
-  window->Render();
-  const auto picture = takePicture(window, PictureSize::supersampling, options.transparent);
+  const auto drawOn = [&](Color background)
+  {
+    renderer->SetBackground(background.data());
+    window->Render();
+    return takePicture(window, PictureSize::supersampling);
+  };
+  const auto picture =
+    options.transparent ? findAlpha(drawOn({ 0, 0, 0 }), drawOn({ 1, 1, 1 })) : drawOn(options.background);
   if (const std::string problem = messages.error(); !problem.empty())
   {
     throw Failure("drawing failed: " + problem);

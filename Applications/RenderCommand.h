@@ -16,8 +16,8 @@ struct PictureSize
   static constexpr int supersampling = 2;
   /// OpenGL implementations of today draw 16384 pixels.
   static constexpr int largestSide = 16384 / supersampling;
-  /// More needs more memory than a graphics card has as a rule.
-  static constexpr int mostPixels = 36'000'000;
+  /// Some OpenGL implementations, Mesa's for the CPU among them, refuse float images of more than 2 GiB.
+  static constexpr int mostPixels = 24'000'000;
 
   int width = 1024;
   int height = 1024;

@@ -249,6 +249,10 @@ void InkSplatPasses::DrawComposite(const InkSplatView& view, InkSplatTargets& ta
     return;
   }
 
+  // Culling, if the actor asks for it, concerns its surface and not this quad.
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
   targets.GetSurface()->Activate();
   targets.GetLight()->Activate();
   program->SetUniformi("surface", targets.GetSurface()->GetTextureUnit());
@@ -282,6 +286,9 @@ void InkSplatPasses::DrawComposite(const InkSplatView& view, InkSplatTargets& ta
 void InkSplatPasses::DrawIds(
   const InkSplatView& view, const int viewportOrigin[2], int idShift, const float propColor[3])
 {
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
   if (vtkShaderProgram* program = this->Begin(*this->IdPass, view, 1.0))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };

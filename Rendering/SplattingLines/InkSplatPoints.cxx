@@ -20,34 +20,41 @@ bool IsFinite(const double p[3])
 
 } // namespace
 
-void InkSplatPoints::FindCenterAndUnit(vtkPoints* points)
+void InkSplatPoints::FindFiniteBounds(vtkPoints* points, double bounds[6])
 {
-  // vtkPoints' own bounds count points that are not finite.
-  std::array<double, 3> low;
-  std::array<double, 3> high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
+  vtkMath::UninitializeBounds(bounds);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     double p[3];
     points->GetPoint(i, p);
     if (IsFinite(p))
     {
+      const bool first = !vtkMath::AreBoundsInitialized(bounds);
       for (int axis = 0; axis < 3; ++axis)
       {
-        low[axis] = std::min(low[axis], p[axis]);
-        high[axis] = std::max(high[axis], p[axis]);
+        bounds[2 * axis] = first ? p[axis] : std::min(bounds[2 * axis], p[axis]);
+        bounds[2 * axis + 1] = first ? p[axis] : std::max(bounds[2 * axis + 1], p[axis]);
       }
     }
   }
-  double largest = 0.0;
+}
+
+void InkSplatPoints::FindCenterAndUnit(vtkPoints* points)
+{
+  // vtkPoints' own bounds may count points that are not finite.
+  double bounds[6];
+  InkSplatPoints::FindFiniteBounds(points, bounds);
+  const bool any = vtkMath::AreBoundsInitialized(bounds);
+  this->Unit = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const bool any = low[axis] <= high[axis];
-    this->Center[axis] = any ? 0.5 * low[axis] + 0.5 * high[axis] : 0.0;
-    largest = any ? std::max(largest, high[axis] - low[axis]) : largest;
+    this->Center[axis] = any ? 0.5 * bounds[2 * axis] + 0.5 * bounds[2 * axis + 1] : 0.0;
+    this->Unit = any ? std::max(this->Unit, bounds[2 * axis + 1] - bounds[2 * axis]) : this->Unit;
   }
-  this->Unit = largest > 0.0 && std::isfinite(largest) ? largest : 1.0;
+  if (!(this->Unit > 0.0) || !std::isfinite(this->Unit))
+  {
+    this->Unit = 1.0;
+  }
 }
 
 float InkSplatPoints::EstimateRadius() const

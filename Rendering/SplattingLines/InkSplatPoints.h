@@ -24,6 +24,9 @@ public:
   /// Points whose position is not finite are not drawn.
   void Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius);
 
+  /// The bounds of the finite points, as VTK writes bounds; uninitialized bounds if there are none.
+  static void FindFiniteBounds(vtkPoints* points, double bounds[6]);
+
   /// How many points can be drawn.
   vtkIdType GetNumberOfVisiblePoints() const { return this->NumberOfVisiblePoints; }
 

@@ -17,6 +17,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -24,6 +25,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -97,6 +99,7 @@ public:
   InkSplatPoints Points;
   std::optional<Source> PointsSource; ///< what Points was read from
   vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
+  std::string ReportedError;
   std::unique_ptr<InkSplatPasses> Passes;
   unsigned long WindowObserver = 0;
   std::vector<Drawing> Drawings;
@@ -116,11 +119,42 @@ vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper()
 
 void vtkInkSplattingLinesMapper::ReportOnce(const std::string& error)
 {
-  const vtkMTimeType time = std::max(this->GetInput()->GetMTime(), this->GetMTime());
-  if (this->Internals->ReportedTime < time)
+  vtkInternals& internals = *this->Internals;
+  const vtkMTimeType time = this->GetInput()->GetMTime();
+  if (internals.ReportedTime < time || internals.ReportedError != error)
   {
-    this->Internals->ReportedTime = time;
+    internals.ReportedTime = time;
+    internals.ReportedError = error;
     vtkErrorMacro(<< error);
+  }
+}
+
+void vtkInkSplattingLinesMapper::ComputeBounds()
+{
+  vtkPolyData* input = this->GetInput();
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  input->GetBounds(this->Bounds);
+  if (std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
+  {
+    InkSplatPoints::FindFiniteBounds(input->GetPoints(), this->Bounds);
+  }
+  double radius = this->Radius;
+  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
+  if (radii && radii->GetNumberOfComponents() == 1 && radii->GetNumberOfTuples() > 0)
+  {
+    radius = radii->GetFiniteRange()[1];
+  }
+  if (radius > 0.0 && vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[2 * axis] -= radius;
+      this->Bounds[2 * axis + 1] += radius;
+    }
   }
 }
 
@@ -188,6 +222,14 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     return false;
   }
 
+  vtkPlaneCollection* planes = this->GetClippingPlanes();
+  if (planes && planes->GetNumberOfItems() > InkSplatView::MaximumClippingPlanes)
+  {
+    problem << "Only the first " << InkSplatView::MaximumClippingPlanes << " of the "
+            << planes->GetNumberOfItems() << " clipping planes are used.";
+    this->ReportOnce(problem.str());
+  }
+
   if (internals.Passes && internals.Passes->GetWindow() != window)
   {
     this->ReleaseWindow();
@@ -218,22 +260,6 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     return false;
   }
   return true;
-}
-
-void vtkInkSplattingLinesMapper::ComputeBounds()
-{
-  this->Superclass::ComputeBounds();
-  vtkPolyData* input = this->GetInput();
-  if (!input || !vtkMath::AreBoundsInitialized(this->Bounds))
-  {
-    return;
-  }
-  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
-  const double radius = radii ? std::max(radii->GetFiniteRange(0)[1], 0.0) : this->Radius;
-  for (int i = 0; i < 6; ++i)
-  {
-    this->Bounds[i] += i % 2 ? radius : -radius;
-  }
 }
 
 void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)

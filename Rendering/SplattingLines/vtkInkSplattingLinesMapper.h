@@ -10,16 +10,26 @@
  *     H = I1 - Tau I2,   E = tanh(Phi H),   ink = max(0, -E),
  *
  * lines appear. No connectivity is needed, and every parameter but the points themselves can change
- * without anything being uploaded to the GPU again.
+ * without anything being uploaded to the GPU again. A view that does not change costs next to nothing.
  *
- * Input: points with unit normals (the point array `Normals`, or the one chosen with
- * SetInputArrayToProcess(NORMALS, ...)) and, if there is one, the point array `Radius` in world units
- * (SetInputArrayToProcess(RADIUS, ...)). Without a Radius array, Radius, or if that is 0 an estimate from
- * the points' spacing, holds for all points. Cells are ignored.
+ * To the paper's method are added: splats that are a few pixels wide in all directions (EWA splatting,
+ * Zwicker et al. 2001), so that what is far away or seen edge-on has no holes and lines are at least that
+ * thick, also in pictures drawn in tiles; Gaussians that go down to zero at the splats' rim, so that lines
+ * are smooth; and black beyond contours, in I1 only, so that these are solid.
+ *
+ * Input: points with normals of any length (the point array `Normals`, or else the active normals, or the
+ * array chosen with SetInputArrayToProcess(NORMALS, ...)) and, if there is one, the point array `Radius` in
+ * world units (SetInputArrayToProcess(RADIUS, ...)). Without a Radius array, Radius, or if that is 0 an
+ * estimate from the points' spacing, holds for all points. Points that are not finite, whose normal is
+ * zero or whose radius is not positive are not drawn. Cells are ignored.
  *
  * With PaperVisibility on, the surface is painted in PaperColor under the ink and hides what lies behind
- * it; with it off, only the ink is drawn, over whatever other actors have drawn. In both, marks
- * are at the depth of the surface. The actor's opacity applies to both.
+ * it; with it off, only the ink is drawn, over whatever other actors have drawn, and a little (1.5 times
+ * the largest radius) in front of the surface, so that it also shows on a surface that another actor draws.
+ * Of the actor's property, the opacity applies, and back-face culling: without it, as by default, open
+ * surfaces are seen from behind, too; with it, closed surfaces are drawn faster.
+ *
+ * Hardware selection finds the actor and the points, with or without paper. Up to 6 clipping planes.
  *
  * @sa vtkInkIsoSurfaceSampler vtkPointGaussianMapper
  */
@@ -60,18 +70,18 @@ public:
 
   ///@{
   /**
-   * tau: a threshold; more lines with a larger one. 0.5 to 1.5; default: 0.99, which keeps
+   * tau: a threshold; more lines with a larger one. 0.8 to 1.2; default: 0.99, which keeps
    * noise on flat surfaces below the threshold.
    */
-  vtkSetClampMacro(Tau, double, 0.5, 1.5);
+  vtkSetClampMacro(Tau, double, 0.8, 1.2);
   vtkGetMacro(Tau, double);
   ///@}
 
   ///@{
   /**
-   * phi: the strength of the lines; darker with a larger one. 0 to 1000; default: 100.
+   * phi: the strength of the lines; darker with a larger one. 0 to 500; default: 100.
    */
-  vtkSetClampMacro(Phi, double, 0.0, 1000.0);
+  vtkSetClampMacro(Phi, double, 0.0, 500.0);
   vtkGetMacro(Phi, double);
   ///@}
 
@@ -135,8 +145,7 @@ protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
 
-  /// Those of the points, wider by the largest radius: what lies outside may be left out of a picture. A
-  /// radius that is still to be estimated does not count.
+  /// All finite points, whether or not cells use them, with their radii as far as those are given.
   void ComputeBounds() override;
 
 private:

@@ -4,8 +4,8 @@
 // the disc's exact projection. The fragment shaders find out where on the disc a pixel lies.
 //
 // Disc coordinates are (u, v), with u^2 + v^2 <= 1 on the disc. In clip space the disc's point (u, v) is
-// center + u clipU + v clipV, so relative to the centre's pixel it lies at p (in pixels) with
-//   p (dot(w, (u, v)) + center.w) = mat2(pixelU, pixelV) (u, v),
+// center + u clipU + v clipV. Over center.w, and relative to the centre's pixel, it lies at p (in pixels) with
+//   p (1 + dot(w, (u, v))) = disc (u, v),
 // which inverts to a 2 x 2 matrix and one division. This holds for any camera.
 
 in vec3 pointMC;        // relative to the data's centre, over the data's size
@@ -39,6 +39,9 @@ flat out float weightVSOutput;   // 1 / r_i^2, up to a factor common to all poin
 flat out float slopeVSOutput;    // tangent of the angle between the normal and the viewer
 flat out vec2 toleranceVSOutput; // view units; for no slope, and by slope
 flat out int idVSOutput;
+
+// Where, besides in its centre, a disc is looked at to tell whether it is hidden.
+const vec2 probes[4] = vec2[](vec2(0.8, 0.0), vec2(0.0, 0.8), vec2(-0.8, 0.0), vec2(0.0, -0.8));
 
 // Beyond this slope the surface counts as seen edge-on.
 const float maximumSlope = 10.0;
@@ -90,8 +93,8 @@ void main()
   vec3 axisU = mat3(MCVCMatrix) * (radius * vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x));
   vec3 axisV = mat3(MCVCMatrix) * (radius * vec3(b, s + n.y * n.y * a, -n.y));
 
-  vec4 clipU = VCDCMatrix * vec4(axisU, 0.0);
-  vec4 clipV = VCDCMatrix * vec4(axisV, 0.0);
+  vec4 clipU = VCDCMatrix * vec4(axisU, 0.0) / center.w;
+  vec4 clipV = VCDCMatrix * vec4(axisV, 0.0) / center.w;
   vec2 w = vec2(clipU.w, clipV.w);
   vec2 centerNDC = center.xy / center.w;
   mat2 disc = mat2(0.5 * viewportSize * (clipU.xy - centerNDC * clipU.w),
@@ -99,7 +102,7 @@ void main()
 
   // A disc that is far away or seen edge-on would slip between the pixels: its projection grows by
   // minimumRadius in all directions, as in EWA splatting (Zwicker et al. 2001). With the polar decomposition
-  // disc = sqrt(disc disc^T) turn, the grown one is sqrt(disc disc^T + minimum^2) turn.
+  // disc = sqrt(disc disc^T) turn, the grown one is sqrt(disc disc^T + minimumRadius^2) turn.
   float handed = determinant(disc) < 0.0 ? -1.0 : 1.0;
   vec2 turnU = vec2(disc[0].x + handed * disc[1].y, disc[0].y - handed * disc[1].x);
   if (turnU == vec2(0.0))
@@ -108,8 +111,7 @@ void main()
   }
   turnU = normalize(turnU);
   mat2 turn = mat2(turnU, handed * vec2(-turnU.y, turnU.x));
-  float minimum = minimumRadius * center.w;
-  mat2 square = disc * transpose(disc) + mat2(minimum * minimum);
+  mat2 square = disc * transpose(disc) + mat2(minimumRadius * minimumRadius);
   float area = sqrt(determinant(square));
   disc = (square + mat2(area)) / sqrt(square[0].x + square[1].y + 2.0 * area) * turn;
 
@@ -118,7 +120,7 @@ void main()
   vec2 centerPixel = (0.5 * centerNDC + 0.5) * viewportSize;
   vec2 low = vec2(0.0);
   vec2 high = viewportSize;
-  float conic = dot(w, w) - center.w * center.w;
+  float conic = dot(w, w) - 1.0;
   if (conic < 0.0) // otherwise the disc reaches through the eye's plane
   {
     vec2 discW = disc * w;
@@ -135,18 +137,16 @@ void main()
 
   lightVSOutput = light;
   slopeVSOutput = min(sqrt(1.0 - min(light * light, 1.0)) / max(abs(light), 1e-3), maximumSlope);
-  toleranceVSOutput = tolerance * vec2(normalRadiusMC.w * unitVC, minimum * pixelVC);
+  toleranceVSOutput = tolerance * vec2(normalRadiusMC.w * unitVC, minimumRadius * pixelVC * center.w);
 
   if (cullHidden)
   {
-    // The centre and eight points near the rim.
     bool visible = shows(centerPixel, -positionVC.z);
-    for (int i = 0; i < 8 && !visible; ++i)
+    for (int i = 0; i < 4 && !visible; ++i)
     {
-      float angle = radians(45.0) * float(i);
-      vec2 rim = 0.9 * vec2(cos(angle), sin(angle));
-      float depth = -(positionVC.z + axisU.z * rim.x + axisV.z * rim.y);
-      visible = shows(centerPixel + disc * rim / (center.w + dot(w, rim)), depth);
+      vec2 probe = probes[i];
+      float depth = -(positionVC.z + axisU.z * probe.x + axisV.z * probe.y);
+      visible = shows(centerPixel + disc * probe / (1.0 + dot(w, probe)), depth);
     }
     if (!visible)
     {
@@ -155,9 +155,8 @@ void main()
   }
 
   centerVSOutput = centerPixel;
-  toDiscVSOutput =
-    center.w / determinant(disc) * vec4(disc[1].y, -disc[0].y, -disc[1].x, disc[0].x);
-  perspectiveVSOutput = w / center.w;
+  toDiscVSOutput = vec4(disc[1].y, -disc[0].y, -disc[1].x, disc[0].x) / determinant(disc);
+  perspectiveVSOutput = w;
   positionVSOutput = positionVC.xyz;
   axisUVSOutput = axisU;
   axisVVSOutput = axisV;

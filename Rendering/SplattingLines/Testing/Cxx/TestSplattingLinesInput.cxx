@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the input may and may not hold: one clear message, never a crash, and points that cannot be drawn are
+// passed over.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestPoints.h"
+#include "SplattingLinesScene.h"
+
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Three frames of an input that cannot be drawn give an empty picture and one message with all the words.
+void TestMessage(InkTestChecks& check, const std::string& what, vtkPolyData* points,
+  const std::vector<std::string>& words, const std::function<void(vtkInkSplattingLinesMapper*)>& set = {})
+{
+  SplattingLinesScene scene(points);
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  if (set)
+  {
+    set(scene.Mapper);
+  }
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    check(InkTestImage(scene.Window).CountDark(255) == 0, "nothing drawn for ", what);
+    scene.Renderer->GetActiveCamera()->Azimuth(5.0);
+    scene.Mapper->SetPhi(50.0 + frame);
+  }
+  check(messages->Messages.size() == 1, "one message for ", what, ", not ", messages->Messages.size());
+  for (const std::string& message : messages->Messages)
+  {
+    for (const std::string& word : words)
+    {
+      check(
+        message.find(word) != std::string::npos, "\"", word, "\" in the message for ", what, ": ", message);
+    }
+  }
+
+  // The next input is judged anew.
+  auto good = InkTestPoints::Sphere(1.0, 0.1);
+  scene.Mapper->SetInputData(good);
+  scene.Mapper->SetInputArrayToProcess(
+    vtkInkSplattingLinesMapper::NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Normals");
+  scene.Mapper->SetInputArrayToProcess(
+    vtkInkSplattingLinesMapper::RADIUS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+  scene.Renderer->ResetCamera();
+  check(InkTestImage(scene.Window).CountDark() > 50, "a picture after ", what);
+  check(messages->Messages.size() == 1, "no message for a good input after ", what);
+}
+
+void AddArray(vtkPolyData* points, const char* name, int components, double value)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(points->GetNumberOfPoints());
+  array->Fill(value);
+  points->GetPointData()->AddArray(array);
+}
+
+void TestMessages(InkTestChecks& check)
+{
+  auto points = InkTestPoints::Sphere(1.0, 0.2);
+  points->GetPointData()->RemoveArray("Normals");
+  TestMessage(check, "points without arrays", points, { "\"Normals\"", "none" });
+  AddArray(points, "Temperature", 1, 0.0);
+  TestMessage(check, "points without normals", points, { "\"Normals\"", "\"Temperature\" (1)" });
+  AddArray(points, "Normals", 2, 1.0);
+  TestMessage(check, "normals of two components", points, { "\"Normals\"", "2 components", "3" });
+  AddArray(points, "Normals", 3, 0.0);
+  TestMessage(check, "zero normals only", points, { "normal", "zero" });
+
+  points = InkTestPoints::Sphere(1.0, 0.2);
+  TestMessage(check, "a chosen array that is missing", points, { "\"Direction\"", "\"Normals\" (3)" },
+    [](vtkInkSplattingLinesMapper* mapper)
+    {
+      mapper->SetInputArrayToProcess(
+        vtkInkSplattingLinesMapper::NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Direction");
+    });
+  TestMessage(check, "chosen radii that are missing", points, { "\"Size\"", "\"Normals\" (3)" },
+    [](vtkInkSplattingLinesMapper* mapper)
+    {
+      mapper->SetInputArrayToProcess(
+        vtkInkSplattingLinesMapper::RADIUS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Size");
+    });
+  for (double radius : { -1.0, 0.0, NaN, Infinity })
+  {
+    InkTestPoints::SetRadius(points, radius);
+    TestMessage(check, "radii of " + std::to_string(radius), points, { "positive radius", "points" });
+  }
+  AddArray(points, "Radius", 3, 1.0);
+  TestMessage(check, "radii of three components", points, { "\"Radius\"", "3 components", "1" });
+}
+
+/// No points: nothing drawn, no message.
+void TestEmpty(InkTestChecks& check)
+{
+  vtkNew<vtkPolyData> empty;
+  SplattingLinesScene scene(empty);
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  check(InkTestImage(scene.Window).CountDark(255) == 0 && messages->Messages.empty(),
+    "nothing for an empty input");
+  vtkNew<vtkPoints> none;
+  empty->SetPoints(none);
+  check(InkTestImage(scene.Window).CountDark(255) == 0 && messages->Messages.empty(),
+    "nothing for an input of no points");
+}
+
+void TestSinglePoint(InkTestChecks& check)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(7.0, 8.0, 9.0);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  AddArray(data, "Normals", 3, 1.0);
+  for (double radius : { 0.0, 2.0 })
+  {
+    SplattingLinesScene scene(data);
+    scene.Mapper->SetRadius(radius);
+    scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+    scene.Renderer->ResetCamera();
+    const InkTestImage image(scene.Window);
+    const int paper = 200 * 200 - image.CountDark(255);
+    check(image.Gray(100, 100) == 255 && paper > 2000, "a disc for one point: ", paper, " pixels");
+  }
+}
+
+/// Points that cannot be drawn do not disturb those that can.
+void TestPassedOver(InkTestChecks& check)
+{
+  auto good = InkTestPoints::Sphere(1.0, 0.05);
+  InkTestPoints::SetRadius(good, 0.06);
+  SplattingLinesScene reference(good);
+  const InkTestImage expected(reference.Window);
+
+  auto bad = InkTestPoints::Sphere(1.2, 0.3);
+  const vtkIdType count = bad->GetNumberOfPoints();
+  auto mixed = InkTestPoints::Join(good, bad);
+  InkTestPoints::SetRadius(mixed, 0.06);
+  vtkDataArray* normals = mixed->GetPointData()->GetArray("Normals");
+  vtkDataArray* radii = mixed->GetPointData()->GetArray("Radius");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType id = good->GetNumberOfPoints() + i;
+    switch (i % 7)
+    {
+      case 0:
+        normals->SetTuple3(id, 0.0, 0.0, 0.0);
+        break;
+      case 1:
+        normals->SetTuple3(id, 0.0, NaN, 1.0);
+        break;
+      case 2:
+        mixed->GetPoints()->SetPoint(id, NaN, 0.0, 0.0);
+        break;
+      case 3:
+        mixed->GetPoints()->SetPoint(id, 0.0, Infinity, 0.0);
+        break;
+      case 4:
+        radii->SetTuple1(id, NaN);
+        break;
+      case 5:
+        radii->SetTuple1(id, -1.0);
+        break;
+      default:
+        radii->SetTuple1(id, 0.0);
+        break;
+    }
+  }
+  SplattingLinesScene scene(mixed);
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  scene.Renderer->GetActiveCamera()->DeepCopy(reference.Renderer->GetActiveCamera());
+  const int different = InkTestImage(scene.Window).CountDifferent(expected, 40);
+  check(different < 20, "the good points' picture, but for ", different, " pixels");
+  check(messages->Messages.empty(), "no message where some points can be drawn");
+  const double* bounds = scene.Mapper->GetBounds();
+  for (int i = 0; i < 6; ++i)
+  {
+    check(std::abs(bounds[i]) < 2.0, "finite bounds, ", bounds[i]);
+  }
+}
+
+/// Normals of any length and type, and the active normals where there is no array Normals.
+void TestNormals(InkTestChecks& check)
+{
+  auto points = InkTestPoints::Sphere(1.0, 0.05);
+  SplattingLinesScene reference(points);
+  const InkTestImage expected(reference.Window);
+  vtkDataArray* normals = points->GetPointData()->GetArray("Normals");
+  vtkNew<vtkIntArray> integers;
+  integers->SetName("gradient");
+  integers->SetNumberOfComponents(3);
+  integers->SetNumberOfTuples(points->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      integers->SetComponent(i, axis, std::round(100000.0 * normals->GetComponent(i, axis)));
+    }
+  }
+  points->GetPointData()->RemoveArray("Normals");
+  points->GetPointData()->SetNormals(integers);
+  SplattingLinesScene scene(points);
+  check(InkTestImage(scene.Window).CountDifferent(expected, 10) == 0, "active integer normals");
+}
+
+} // namespace
+
+int TestSplattingLinesInput(int, char*[])
+{
+  InkTestChecks check;
+  TestMessages(check);
+  TestEmpty(check);
+  TestSinglePoint(check);
+  TestPassedOver(check);
+  TestNormals(check);
+  return check.Result();
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lambda, tau, phi, sigma and the colours do, and that none of them sends the points to the GPU again.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestPoints.h"
+#include "SplattingLinesScene.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+/// A bumpy surface: lines inside the contour, too.
+vtkSmartPointer<vtkPolyData> Bumps()
+{
+  auto points = InkTestPoints::Join(
+    InkTestPoints::Sphere(1.0, 0.03), InkTestPoints::Sphere(0.4, 0.03, { 0.3, 0.3, 0.8 }));
+  InkTestPoints::SetRadius(points, 0.04);
+  return points;
+}
+
+using Setter = void (vtkInkSplattingLinesMapper::*)(double);
+
+void TestMoreInk(InkTestChecks& check, const char* name, Setter set, const std::vector<double>& values)
+{
+  SplattingLinesScene scene(Bumps());
+  double last = -1.0;
+  for (double value : values)
+  {
+    (scene.Mapper->*set)(value);
+    const double ink = InkTestImage(scene.Window).Ink();
+    check(ink > last, "more ink with ", name, " ", value, ": ", ink, " after ", last);
+    last = ink;
+  }
+}
+
+/// Larger splats, or wider Gaussians, smooth fine ripples away that smaller ones draw.
+void TestLevelOfDetail(InkTestChecks& check)
+{
+  auto points = InkTestPoints::Plane(2.0, 0.02);
+  InkTestPoints::SetRadius(points, 0.02);
+  vtkDataArray* normals = points->GetPointData()->GetArray("Normals");
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double ripple = 0.8 * std::sin(points->GetPoint(i)[0] * 2.0 * vtkMath::Pi() / 0.2);
+    normals->SetTuple3(i, ripple, 0.0, std::sqrt(1.0 - ripple * ripple));
+  }
+  SplattingLinesScene scene(points, 400, 400);
+  const auto count = [&scene](double lambda, double sigma)
+  {
+    scene.Mapper->SetLambda(lambda);
+    scene.Mapper->SetSigma(sigma);
+    return InkTestImage(scene.Window).CountDark(120, 120, 280, 280);
+  };
+  const int fine = count(1.0, 0.4);
+  const int coarse = count(8.0, 0.4);
+  check(fine > 1000 && coarse == 0, "ripples with lambda 1, ", fine, " pixels, and none with 8, ", coarse);
+  const int narrow = count(4.0, 0.15);
+  const int wide = count(4.0, 1.0);
+  check(narrow > 1000 && wide < narrow / 4, "ripples with sigma 0.15, ", narrow, " pixels, and few with 1, ",
+    wide);
+}
+
+void TestNoInk(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Bumps());
+  scene.Mapper->SetPhi(0.0);
+  check(InkTestImage(scene.Window).Ink() == 0.0, "no ink with phi 0");
+}
+
+void TestColors(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Bumps());
+  scene.Mapper->SetInkColor(1.0, 0.0, 0.0);
+  scene.Mapper->SetPaperColor(0.0, 0.0, 1.0);
+  const InkTestImage image(scene.Window);
+  int ink = 0;
+  int paper = 0;
+  for (int y = 0; y < image.GetHeight(); ++y)
+  {
+    for (int x = 0; x < image.GetWidth(); ++x)
+    {
+      ink += image.Channel(x, y, 0) > 250 && image.Channel(x, y, 2) < 5;
+      paper += image.Channel(x, y, 0) < 5 && image.Channel(x, y, 2) > 250;
+    }
+  }
+  check(ink > 100, "ink in its colour, ", ink, " pixels");
+  check(paper > 5000, "paper in its colour, ", paper, " pixels");
+}
+
+void TestUploads(InkTestChecks& check)
+{
+  auto points = Bumps();
+  SplattingLinesScene scene(points);
+  vtkInkSplattingLinesMapper* mapper = scene.Mapper;
+  check(mapper->GetUploadTime() == 0, "nothing uploaded before the first frame");
+  const InkTestImage first(scene.Window);
+  const vtkMTimeType time = mapper->GetUploadTime();
+  check(time > 0, "an upload in the first frame");
+
+  mapper->SetLambda(3.0);
+  mapper->SetTau(1.0);
+  mapper->SetPhi(20.0);
+  mapper->SetSigma(0.3);
+  mapper->SetInkColor(0.0, 0.0, 1.0);
+  mapper->PaperVisibilityOff();
+  scene.Actor->SetPosition(0.1, 0.0, 0.0);
+  scene.Renderer->GetActiveCamera()->Azimuth(10.0);
+  const InkTestImage changed(scene.Window);
+  check(changed.CountDifferent(first) > 0, "another picture");
+  check(mapper->GetUploadTime() == time, "no upload for parameters, actor and camera");
+  mapper->SetRadius(0.1);
+  scene.Window->Render();
+  check(mapper->GetUploadTime() == time, "no upload for Radius where the input has radii");
+
+  points->GetPoints()->SetPoint(0, 0.0, 0.0, 1.1);
+  points->GetPoints()->Modified();
+  points->Modified();
+  scene.Window->Render();
+  const vtkMTimeType pointsTime = mapper->GetUploadTime();
+  check(pointsTime > time, "an upload of changed points");
+
+  points->GetPointData()->RemoveArray("Radius");
+  points->Modified();
+  scene.Window->Render();
+  const vtkMTimeType radiusTime = mapper->GetUploadTime();
+  check(radiusTime > pointsTime, "an upload of other radii");
+  mapper->SetRadius(0.05);
+  scene.Window->Render();
+  check(mapper->GetUploadTime() > radiusTime, "an upload of a changed Radius");
+}
+
+/// An unchanged parameter set gives the same picture, and going back gives the first one again.
+void TestRepeats(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Bumps());
+  const InkTestImage first(scene.Window);
+  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the same picture again");
+  scene.Mapper->SetTau(1.2);
+  scene.Mapper->SetLambda(4.0);
+  check(InkTestImage(scene.Window).CountDifferent(first) > 0, "a changed picture");
+  scene.Mapper->SetTau(0.99);
+  scene.Mapper->SetLambda(2.5);
+  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first picture again");
+}
+
+void TestRanges(InkTestChecks& check)
+{
+  vtkNew<vtkInkSplattingLinesMapper> mapper;
+  check(mapper->GetLambda() == 2.5 && mapper->GetTau() == 0.99 && mapper->GetPhi() == 100.0 &&
+      mapper->GetSigma() == 0.4 && mapper->GetRadius() == 0.0 && mapper->GetPaperVisibility(),
+    "the documented defaults");
+  mapper->SetLambda(0.0);
+  mapper->SetTau(9.0);
+  mapper->SetPhi(-1.0);
+  mapper->SetSigma(1e9);
+  mapper->SetRadius(-3.0);
+  check(mapper->GetLambda() == 0.1 && mapper->GetTau() == 1.2 && mapper->GetPhi() == 0.0 &&
+      mapper->GetSigma() == 2.0 && mapper->GetRadius() == 0.0,
+    "values clamped to their ranges");
+}
+
+} // namespace
+
+int TestSplattingLinesParameters(int, char*[])
+{
+  InkTestChecks check;
+  TestMoreInk(check, "tau", &vtkInkSplattingLinesMapper::SetTau, { 0.9, 0.97, 0.99, 1.0, 1.02 });
+  TestMoreInk(check, "phi", &vtkInkSplattingLinesMapper::SetPhi, { 1.0, 10.0, 100.0, 500.0 });
+  TestLevelOfDetail(check);
+  TestNoInk(check);
+  TestColors(check);
+  TestUploads(check);
+  TestRepeats(check);
+  TestRanges(check);
+  return check.Result();
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Windows and viewports: resizing, multisampling, tiles, several renderers, actors and mappers, and resources
+// that go away.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestPoints.h"
+#include "SplattingLinesScene.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Points()
+{
+  return InkTestPoints::Torus(1.0, 0.4, 0.03);
+}
+
+void TestResize(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Points());
+  const InkTestImage first(scene.Window);
+  scene.Window->SetSize(120, 90);
+  const InkTestImage small(scene.Window);
+  check(small.GetWidth() == 120 && small.GetHeight() == 90 && small.CountDark() > 100,
+    "lines in a smaller window");
+  scene.Window->SetSize(200, 200);
+  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first picture again");
+}
+
+void TestMultisampling(InkTestChecks& check)
+{
+  SplattingLinesScene plain(Points());
+  const InkTestImage expected(plain.Window);
+  for (int samples : { 4, 8 })
+  {
+    SplattingLinesScene scene(Points());
+    scene.Window->SetMultiSamples(samples);
+    check(InkTestImage(scene.Window).CountDifferent(expected, 2) == 0, "the same picture with ", samples,
+      " samples");
+  }
+}
+
+/// A picture of several tiles is like one from a large window, and its lines twice as wide as in a small one.
+void TestTiles(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Points());
+  const InkTestImage one(scene.Window);
+  const InkTestImage tiles(scene.Window, 2);
+  check(tiles.GetWidth() == 400, "twice the size");
+  const double ratio = double(tiles.CountDark()) / one.CountDark();
+  check(ratio > 3.3 && ratio < 4.7, "lines twice as wide: ", ratio, " times the dark pixels");
+  int seam = 0;
+  for (int y = 0; y < 400; ++y)
+  {
+    seam += tiles.IsDark(199, y) != tiles.IsDark(200, y);
+    seam += tiles.IsDark(y, 199) != tiles.IsDark(y, 200);
+  }
+  check(seam <= 8, "lines that go on across the tiles, ", seam, " pixels differ");
+}
+
+/// Two renderers with one actor each, or with the same actor, draw what they draw alone.
+void TestViewports(InkTestChecks& check)
+{
+  SplattingLinesScene alone(Points(), 100, 200);
+  const InkTestImage expected(alone.Window);
+  for (bool shared : { false, true })
+  {
+    SplattingLinesScene scene(Points());
+    scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+    vtkNew<vtkRenderer> right;
+    right->SetViewport(0.5, 0.0, 1.0, 1.0);
+    right->SetBackground(1.0, 1.0, 1.0);
+    SplattingLinesScene other(Points());
+    right->AddActor(shared ? scene.Actor : other.Actor);
+    scene.Window->AddRenderer(right);
+    scene.Renderer->ResetCamera();
+    right->ResetCamera();
+    const InkTestImage both(scene.Window);
+    int different = 0;
+    for (int y = 0; y < 200; ++y)
+    {
+      for (int x = 0; x < 100; ++x)
+      {
+        different += both.Gray(x, y) != expected.Gray(x, y);
+        different += both.Gray(x + 100, y) != expected.Gray(x, y);
+      }
+    }
+    check(different == 0, "two viewports like one", shared ? " (one actor)" : "", ": ", different,
+      " pixels differ");
+  }
+}
+
+/// A viewport that fills neither the window's width nor its height.
+void TestInset(InkTestChecks& check)
+{
+  SplattingLinesScene alone(Points(), 100, 100);
+  const InkTestImage expected(alone.Window);
+  SplattingLinesScene scene(Points());
+  scene.Renderer->SetViewport(0.25, 0.4, 0.75, 0.9);
+  scene.Renderer->ResetCamera();
+  const InkTestImage image(scene.Window);
+  int different = 0;
+  int outside = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      const bool inside = x >= 50 && x < 150 && y >= 80 && y < 180;
+      different += inside && image.Gray(x, y) != expected.Gray(x - 50, y - 80);
+      // The window is black where it has no renderer.
+      outside += !inside && image.Gray(x, y) != 0;
+    }
+  }
+  check(different == 0 && outside == 0, "an inset viewport: ", different, " pixels differ, ", outside,
+    " outside");
+}
+
+void TestReleasedResources(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Points());
+  const InkTestImage first(scene.Window);
+  scene.Mapper->ReleaseGraphicsResources(scene.Window);
+  check(scene.Mapper->GetUploadTime() == 0, "nothing on the GPU");
+  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the picture after a release");
+  scene.Window->Finalize();
+  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the picture after Finalize");
+}
+
+void TestMovedRenderer(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Points());
+  const InkTestImage first(scene.Window);
+  vtkNew<vtkRenderWindow> second;
+  second->SetOffScreenRendering(true);
+  second->SetMultiSamples(0);
+  second->SetSize(200, 200);
+  scene.Window->RemoveRenderer(scene.Renderer);
+  second->AddRenderer(scene.Renderer);
+  check(InkTestImage(second).CountDifferent(first) == 0, "the picture in another window");
+  second->RemoveRenderer(scene.Renderer);
+  scene.Window->AddRenderer(scene.Renderer);
+  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the picture in the first window");
+}
+
+/// Mapper, actor, renderer and window may go in any order.
+void TestOrderOfDeletion(InkTestChecks& check)
+{
+  // The window never hears of a mapper that was taken from its actor.
+  auto mapper = vtkSmartPointer<vtkInkSplattingLinesMapper>::New();
+  mapper->SetInputData(Points());
+  {
+    SplattingLinesScene scene(Points());
+    scene.Actor->SetMapper(mapper);
+    scene.Window->Render();
+    scene.Actor->SetMapper(scene.Mapper);
+    scene.Window->Render();
+    check(mapper->GetUploadTime() > 0, "points on the GPU");
+  }
+  check(mapper->GetUploadTime() == 0, "nothing left of a window that is gone");
+  mapper = nullptr;
+
+  SplattingLinesScene scene(Points());
+  {
+    vtkNew<vtkInkSplattingLinesMapper> shortLived;
+    shortLived->SetInputData(Points());
+    scene.Actor->SetMapper(shortLived);
+    scene.Window->Render();
+    scene.Actor->SetMapper(scene.Mapper);
+  }
+  check(InkTestImage(scene.Window).CountDark() > 100, "a picture after a mapper is gone");
+}
+
+/// Two mappers in one scene, and one mapper for two actors.
+void TestTwoActors(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Points());
+  vtkNew<vtkInkSplattingLinesMapper> mapper;
+  mapper->SetInputData(Points());
+  InkTestImage* images[2];
+  for (bool shared : { false, true })
+  {
+    SplattingLinesScene two(Points());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(shared ? static_cast<vtkMapper*>(two.Mapper) : mapper);
+    actor->SetPosition(2.0, 1.0, -2.0);
+    two.Renderer->AddActor(actor);
+    two.Renderer->ResetCamera();
+    images[shared] = new InkTestImage(two.Window);
+    const vtkMTimeType time = two.Mapper->GetUploadTime();
+    two.Window->Render();
+    check(two.Mapper->GetUploadTime() == time, "no upload for a second actor");
+  }
+  check(images[0]->CountDifferent(*images[1]) == 0 && images[0]->CountDark() > 200,
+    "one mapper for two actors like two mappers");
+  delete images[0];
+  delete images[1];
+}
+
+} // namespace
+
+int TestSplattingLinesWindows(int, char*[])
+{
+  InkTestChecks check;
+  TestResize(check);
+  TestMultisampling(check);
+  TestTiles(check);
+  TestViewports(check);
+  TestInset(check);
+  TestReleasedResources(check);
+  TestMovedRenderer(check);
+  TestOrderOfDeletion(check);
+  TestTwoActors(check);
+  return check.Result();
+}

@@ -1,0 +1,57 @@
+"""What the tests of `ink` share. Run them in the environment of a build tree: . Utilities/env.sh PRESET"""
+
+import os
+import subprocess
+from dataclasses import dataclass
+
+import pytest
+
+import ink_files
+
+
+@dataclass
+class Result:
+    code: int
+    out: str
+    err: str
+
+    @property
+    def error(self):
+        """The message, after checking that it is the one line that is promised."""
+        lines = self.err.splitlines()
+        assert len(lines) == 1, f"expected one line on stderr, found {self.err!r}"
+        assert lines[0].startswith("ink: error: "), lines[0]
+        return lines[0]
+
+
+def run_ink(*arguments, env=None, **keywords):
+    done = subprocess.run(["ink", *map(str, arguments)], capture_output=True, text=True, timeout=60,
+                          env={**os.environ, **(env or {})}, **keywords)
+    return Result(done.returncode, done.stdout, done.stderr)
+
+
+@pytest.fixture(scope="session")
+def ink():
+    """Runs ink with some arguments."""
+    return run_ink
+
+
+@pytest.fixture
+def picture(tmp_path):
+    """Renders a file to 200 x 200 pixels and returns them."""
+
+    def render(file, *arguments, size="200x200"):
+        out = tmp_path / "picture.png"
+        result = run_ink("render", file, "--size", size, "--quiet", "-o", out, *arguments)
+        assert (result.code, result.out, result.err) == (0, "", ""), result
+        return ink_files.read_png(out)
+
+    return render
+
+
+@pytest.fixture(scope="session")
+def volume_file(tmp_path_factory):
+    """A small volume that can be read and drawn."""
+    path = tmp_path_factory.mktemp("volume") / "blob.vti"
+    ink_files.write_vti(path, ink_files.blob())
+    return path

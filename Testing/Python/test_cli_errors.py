@@ -1,0 +1,229 @@
+"""Bad input: one line on stderr, the promised exit code, and the output file as it was."""
+
+import os
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+
+import ink_files
+
+OLD = b"an old picture"
+
+
+@pytest.fixture
+def refused(ink, tmp_path):
+    """Runs a rendering that has to fail and returns its message."""
+
+    def run(code, *arguments, env=None):
+        out = tmp_path / "kept" / "out.png"
+        out.parent.mkdir(exist_ok=True)
+        out.write_bytes(OLD)
+        result = ink("render", *arguments, "-o", out, env=env)
+        assert result.code == code, result
+        assert result.out == ""
+        assert out.read_bytes() == OLD
+        assert os.listdir(out.parent) == ["out.png"], "a temporary file is left"
+        return result.error
+
+    return run
+
+
+def test_missing_file(refused, tmp_path):
+    assert "no such file" in refused(1, tmp_path / "absent.nii")
+
+
+def test_directory_without_dicom(refused, tmp_path):
+    (tmp_path / "folder").mkdir()
+    assert "without DICOM files" in refused(1, tmp_path / "folder")
+    (tmp_path / "folder" / "readme.txt").write_text("nothing")
+    assert "without DICOM files" in refused(1, tmp_path / "folder")
+
+
+def test_empty_file(refused, tmp_path):
+    (tmp_path / "empty.nii").touch()
+    assert "empty" in refused(1, tmp_path / "empty.nii")
+
+
+def test_not_a_file(refused, tmp_path):
+    os.mkfifo(tmp_path / "pipe.nii")
+    assert "regular file" in refused(1, tmp_path / "pipe.nii")
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_unreadable_file(refused, volume_file, tmp_path):
+    path = tmp_path / "secret.vti"
+    path.write_bytes(volume_file.read_bytes())
+    path.chmod(0)
+    assert "permission denied" in refused(1, path)
+
+
+def test_unknown_type(refused, tmp_path):
+    (tmp_path / "drawing.docx").write_bytes(b"hello")
+    message = refused(1, tmp_path / "drawing.docx")
+    assert "'.docx'" in message and ".nii.gz" in message
+
+
+@pytest.mark.parametrize("suffix", [".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtk", ".ply", ".obj", ".stl", ".vtp"])
+@pytest.mark.parametrize("content", [b"This is no volume.\n", bytes(range(256)) * 20, b"\n", b"\0" * 1000],
+                         ids=["text", "bytes", "newline", "zeros"])
+def test_contents_that_are_something_else(ink, tmp_path, suffix, content):
+    path = tmp_path / ("file" + suffix)
+    path.write_bytes(content)
+    result = ink("info", path)
+    assert result.code == 1
+    assert path.name in result.error
+
+
+def test_missing_data_files(refused, tmp_path):
+    ink_files.write_metaimage(tmp_path / "v.mhd", ink_files.blob())
+    ink_files.write_nrrd(tmp_path / "w.nhdr", ink_files.blob())
+    (tmp_path / "v.raw").unlink()
+    (tmp_path / "w.raw").unlink()
+    assert "v.mhd" in refused(1, tmp_path / "v.mhd")
+    assert "w.raw" in refused(1, tmp_path / "w.nhdr")
+
+
+def test_encodings_that_vtk_reads_wrongly(refused, tmp_path):
+    ink_files.write_nrrd(tmp_path / "v.nrrd", ink_files.blob(), "ascii")
+    assert "'ascii'; expected raw or gzip" in refused(1, tmp_path / "v.nrrd")
+
+
+def test_cell_values_alone(refused, tmp_path):
+    ink_files.write_vti(tmp_path / "v.vti", ink_files.blob(), where="CellData")
+    assert "cell values" in refused(1, tmp_path / "v.vti")
+
+
+def test_one_slice(refused, tmp_path):
+    ink_files.write_vti(tmp_path / "v.vti", ink_files.blob()[15:16])
+    assert "no cells" in refused(1, tmp_path / "v.vti", "--iso", 50)
+
+
+def test_mesh_whose_faces_name_missing_points(refused, tmp_path):
+    points, normals, triangles = ink_files.sphere_mesh(6, 8)
+    ink_files.write_ply(tmp_path / "m.ply", (points, normals, triangles + 3))
+    assert "points" in refused(1, tmp_path / "m.ply")
+
+
+def test_points_without_normals(refused, tmp_path):
+    points, normals, _ = ink_files.sphere_mesh(6, 8)
+    ink_files.write_ply(tmp_path / "m.ply", (points, normals, np.empty((0, 3), int)))
+    assert "normals" in refused(1, tmp_path / "m.ply")
+
+
+@pytest.mark.parametrize("iso", ["-1", "0", "201", "1e30", "nan", "inf", "-inf"])
+def test_iso_out_of_range(refused, volume_file, iso):
+    message = refused(2, volume_file, "--iso", "100", "--iso", iso)
+    assert "--iso" in message and " 0 " in message
+
+
+def test_iso_of_a_mesh(refused, tmp_path):
+    ink_files.write_vtp(tmp_path / "m.vtp", ink_files.sphere_mesh(6, 8))
+    assert "mesh" in refused(2, tmp_path / "m.vtp", "--iso", "1")
+
+
+@pytest.mark.parametrize("size", ["0x5", "5x0", "1000000x1000000", "99999999999x1", "8192x8192", "x", "100", "100x", "-5x5", "5x5x5", "axb", ""])
+def test_absurd_size(refused, volume_file, size):
+    assert "--size" in refused(2, volume_file, "--size", size)
+
+
+@pytest.mark.parametrize("option, value", [
+    ("--tau", "0"), ("--tau", "nan"), ("--phi", "-1"), ("--phi", "x"), ("--lambda", "0"), ("--sigma", "1e9"),
+    ("--zoom", "0"), ("--zoom", "inf"), ("--azimuth", "nan"), ("--elevation", "1000"), ("--view", "behind"), ("--style", "oil"),
+    ("--iso", "dense"), ("--ink-color", "#12"), ("--paper-color", "no colour"), ("--background", "")])
+def test_values_that_options_do_not_take(refused, volume_file, option, value):
+    assert option in refused(2, volume_file, option, value)
+
+
+@pytest.mark.parametrize("layout", ["", "32x32:uint8", "32x32x32", "32x32x32:uint7", "0x32x32:uint8", "32x32x32:", "axbxc:uint8"])
+def test_raw_layouts_that_are_none(refused, tmp_path, layout):
+    (tmp_path / "v.raw").write_bytes(bytes(32**3))
+    assert "--raw" in refused(2, tmp_path / "v.raw", "--raw", layout)
+
+
+@pytest.mark.parametrize("layout, bytes_needed", [("32x32x33:uint8", 33792), ("32x32x31:uint8", 31744), ("32x32x32:int16", 65536),
+                                                  ("999999x999999x999999:float64", 7999976000023999992)])
+def test_raw_size_mismatch(refused, tmp_path, layout, bytes_needed):
+    (tmp_path / "v.raw").write_bytes(bytes(32**3))
+    message = refused(1, tmp_path / "v.raw", "--raw", layout)
+    assert "32768 bytes" in message and str(bytes_needed) in message
+
+
+@pytest.mark.parametrize("spacing", ["1,2", "1,2,3,4", "0,1,1", "-1,1,1", "nan,1,1", "a,b,c"])
+def test_spacings_that_are_none(refused, tmp_path, spacing):
+    (tmp_path / "v.raw").write_bytes(bytes(32**3))
+    assert "--spacing" in refused(2, tmp_path / "v.raw", "--raw", "32x32x32:uint8", "--spacing", spacing)
+
+
+@pytest.mark.parametrize("arguments", [[], ["paint"], ["render"], ["render", "a.nii"], ["info"], ["render", "a.nii", "-o"],
+                                       ["render", "a.nii", "b.nii", "-o", "c.png"], ["--no-such-option"]])
+def test_wrong_usage(ink, arguments):
+    result = ink(*arguments)
+    assert result.code == 2
+    assert result.error
+
+
+@pytest.mark.parametrize("name, expected", [("absent/out.png", "no directory"), ("folder.png", "is a directory"),
+                                            ("volume.vti/out.png", "irectory")])
+def test_outputs_that_cannot_be(ink, volume_file, tmp_path, name, expected):
+    (tmp_path / "folder.png").mkdir()
+    (tmp_path / "volume.vti").write_bytes(volume_file.read_bytes())
+    before = sorted(os.listdir(tmp_path))
+    result = ink("render", volume_file, "-o", tmp_path / name)
+    assert result.code == 1
+    assert expected in result.error
+    assert sorted(os.listdir(tmp_path)) == before
+
+
+def test_output_of_another_type(ink, volume_file, tmp_path):
+    result = ink("render", volume_file, "-o", tmp_path / "out.jpg")
+    assert result.code == 2
+    assert ".png" in result.error
+
+
+def test_output_where_nobody_may_write(ink, volume_file):
+    result = ink("render", volume_file, "--size", "32x32", "-q", "-o", "/proc/ink-test.png")
+    assert result.code == 1
+    assert "/proc/ink-test.png" in result.error
+
+
+def test_full_disk(ink, volume_file, tmp_path):
+    (tmp_path / "full.png").symlink_to("/dev/full")
+    result = ink("render", volume_file, "--size", "32x32", "-q", "-o", tmp_path / "full.png")
+    assert result.code == 1
+    assert "No space left" in result.error
+
+
+def test_existing_file_is_replaced_with_its_permissions(ink, volume_file, tmp_path):
+    out = tmp_path / "out.png"
+    out.write_bytes(OLD)
+    out.chmod(0o640)
+    (tmp_path / "link.png").symlink_to(out)
+    assert ink("render", volume_file, "--size", "32x32", "-q", "-o", tmp_path / "link.png").code == 0
+    assert (tmp_path / "link.png").is_symlink()
+    assert ink_files.read_png(out).shape == (32, 32, 3)
+    assert out.stat().st_mode & 0o777 == 0o640
+    assert sorted(os.listdir(tmp_path)) == ["link.png", "out.png"]
+
+
+@pytest.mark.parametrize("delay", [0.05, 0.2, 0.4, 0.8])
+def test_interruption_leaves_nothing_behind(volume_file, tmp_path, delay):
+    out = tmp_path / "out.png"
+    out.write_bytes(OLD)
+    process = subprocess.Popen(["ink", "render", volume_file, "--size", "1500x1500", "-q", "-o", out], stderr=subprocess.PIPE)
+    time.sleep(delay)
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=60)
+    assert process.returncode in (0, -signal.SIGINT)
+    assert os.listdir(tmp_path) == ["out.png"]
+    if process.returncode != 0:
+        assert out.read_bytes() == OLD
+
+
+def test_no_display(ink, refused, volume_file):
+    if "vtkXOpenGLRenderWindow" not in ink("--version").out:
+        pytest.skip("this VTK draws without a display")
+    assert "xvfb-run" in refused(1, volume_file, env={"DISPLAY": ""})
+    assert ":12345" in refused(1, volume_file, env={"DISPLAY": ":12345"})

@@ -1,0 +1,146 @@
+"""Every format shows the same object from the same side."""
+
+import numpy as np
+import pytest
+
+import ink_files
+
+BLOB = ink_files.blob()
+# From voxel indices to NIfTI's axes (right, front, top) for a volume that lies along DICOM's (left, back, top).
+AFFINE = np.array([[-1, 0, 0, 0], [0, -1, 0, 0], [0, 0, 1, 0]])
+
+
+def turned_nifti(path):
+    """Voxels in another order (z, x, y, with x backwards), and the affine that says so."""
+    to_index = np.array([[0, -1, 0, 31], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
+    ink_files.write_nifti(path, BLOB.transpose(1, 2, 0)[:, ::-1], AFFINE @ to_index)
+
+
+def turned_nrrd(path):
+    ink_files.write_nrrd(path, BLOB.transpose(1, 0, 2), directions="(1,0,0) (0,0,1) (0,1,0)")
+
+
+VOLUMES = {
+    "plain.nii": lambda p: ink_files.write_nifti(p, BLOB),
+    "oriented.nii.gz": lambda p: ink_files.write_nifti(p, BLOB, AFFINE),
+    "turned.nii": turned_nifti,
+    "raw.nrrd": lambda p: ink_files.write_nrrd(p, BLOB),
+    "gzip.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, "gzip"),
+    "ras.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, space="RAS", directions="(-1,0,0) (0,-1,0) (0,0,1)"),
+    "turned.nrrd": turned_nrrd,
+    "detached.nhdr": lambda p: ink_files.write_nrrd(p, BLOB),
+    "plain.mha": lambda p: ink_files.write_metaimage(p, BLOB),
+    "compressed.mha": lambda p: ink_files.write_metaimage(p, BLOB, compressed=True),
+    "turned.mha": lambda p: ink_files.write_metaimage(p, BLOB[:, ::-1], matrix="1 0 0 0 -1 0 0 0 1", offset="0 31 0"),
+    "separate.mhd": lambda p: ink_files.write_metaimage(p, BLOB),
+    "ascii.vti": lambda p: ink_files.write_vti(p, BLOB, "ascii"),
+    "binary.vti": lambda p: ink_files.write_vti(p, BLOB, "binary"),
+    "appended.vti": lambda p: ink_files.write_vti(p, BLOB, "appended"),
+    "binary.vtk": lambda p: ink_files.write_legacy(p, BLOB),
+    "ascii.vtk": lambda p: ink_files.write_legacy(p, BLOB, ascii=True),
+    "axial": lambda p: ink_files.write_dicom(p, BLOB),
+    "downwards": lambda p: ink_files.write_dicom(p, BLOB[::-1], origin=(0, 0, 31), step=(0, 0, -1)),
+    "coronal": lambda p: ink_files.write_dicom(p, BLOB[::-1].transpose(1, 0, 2), orientation=(1, 0, 0, 0, 0, -1),
+                                               origin=(0, 0, 31), step=(0, 1, 0), reverse_names=True),
+    "UPPER.VTI": lambda p: ink_files.write_vti(p, BLOB),
+}
+
+
+def difference(a, b):
+    """The mean difference of two pictures between 0 and 1."""
+    return np.abs(a.astype(float) - b).mean() / 255
+
+
+@pytest.fixture(scope="module")
+def reference(tmp_path_factory, ink):
+    folder = tmp_path_factory.mktemp("reference")
+    ink_files.write_vti(folder / "blob.vti", BLOB)
+    result = ink("render", folder / "blob.vti", "--iso", 100, "--view", "iso", "--size", "200x200", "-o", folder / "r.png")
+    assert result.code == 0, result
+    return ink_files.read_png(folder / "r.png")
+
+
+@pytest.mark.parametrize("name", VOLUMES)
+def test_every_volume_format_gives_the_same_picture(name, tmp_path, picture, reference):
+    VOLUMES[name](tmp_path / name)
+    drawn = picture(tmp_path / name, "--iso", 100, "--view", "iso")
+    assert (reference < 128).mean() > 0.01, "the reference shows nothing"
+    assert difference(drawn, reference) < 0.01
+
+
+def test_an_orientation_is_told_apart(tmp_path, picture, reference):
+    """The limit above is tight enough to tell a mirrored volume from the right one."""
+    ink_files.write_vti(tmp_path / "mirrored.vti", np.ascontiguousarray(BLOB[:, ::-1]))
+    assert difference(picture(tmp_path / "mirrored.vti", "--iso", 100, "--view", "iso"), reference) > 0.02
+
+
+RAW_TYPES = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64"]
+
+
+@pytest.mark.parametrize("name, order", [(name, "<") for name in RAW_TYPES] + [("int16", ">"), ("float64", ">")])
+def test_raw_files_of_every_type(name, order, tmp_path, picture, reference):
+    volume = (BLOB // 2).astype(np.dtype(name).newbyteorder(order))
+    (tmp_path / "blob").write_bytes(volume.tobytes())
+    big = ["--big-endian"] if order == ">" else []
+    drawn = picture(tmp_path / "blob", "--raw", f"32x32x32:{name}", "--iso", 50, "--view", "iso", *big)
+    assert difference(drawn, reference) < 0.03
+
+
+def test_raw_spacing(ink, tmp_path):
+    (tmp_path / "blob.raw").write_bytes(BLOB.tobytes())
+    result = ink("info", tmp_path / "blob.raw", "--raw", "32x32x32:uint8", "--spacing", "0.5,1,2")
+    assert result.code == 0
+    assert "0.5 1 2" in result.out
+
+
+MESH = ink_files.sphere_mesh()
+MESHES = {
+    "little.ply": lambda p: ink_files.write_ply(p, MESH),
+    "big.ply": lambda p: ink_files.write_ply(p, MESH, "binary_big_endian"),
+    "ascii.ply": lambda p: ink_files.write_ply(p, MESH, "ascii"),
+    "normals.ply": lambda p: ink_files.write_ply(p, MESH, normals=True),
+    "binary.stl": lambda p: ink_files.write_stl(p, MESH),
+    "ascii.stl": lambda p: ink_files.write_stl(p, MESH, ascii=True),
+    "mesh.obj": lambda p: ink_files.write_obj(p, MESH),
+    "appended.vtp": lambda p: ink_files.write_vtp(p, MESH),
+    "ascii.vtp": lambda p: ink_files.write_vtp(p, MESH, "ascii", normals=False),
+}
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_every_mesh_format_gives_the_same_picture(name, tmp_path, picture):
+    ink_files.write_vtp(tmp_path / "reference.vtp", MESH)
+    expected = picture(tmp_path / "reference.vtp")
+    MESHES[name](tmp_path / name)
+    drawn = picture(tmp_path / name)
+    assert (expected < 200).mean() > 0.005, "the reference shows nothing"
+    assert difference(drawn, expected) < 0.01
+
+
+WHOLE = {**VOLUMES, **MESHES}
+
+
+@pytest.mark.parametrize("share", [0.02, 0.5, 0.97])
+@pytest.mark.parametrize("name", [name for name in WHOLE if name not in ("axial", "downwards", "coronal")])
+def test_truncated_files_are_refused(name, share, tmp_path, ink):
+    path = tmp_path / name
+    WHOLE[name](path)
+    data = path.with_suffix(".raw") if path.suffix in (".mhd", ".nhdr") else path
+    content = data.read_bytes()[: int(share * data.stat().st_size)]
+    if path.suffix == ".obj":
+        # Nothing in an OBJ tells how long it is; that a line is cut off can be seen.
+        content = content[: content.rindex(b" ")]
+    data.write_bytes(content)
+    result = ink("info", path)
+    assert result.code == 1
+    assert name in result.error
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.97])
+def test_truncated_dicom_files_are_refused(share, tmp_path, ink):
+    ink_files.write_dicom(tmp_path / "series", BLOB)
+    slice_file = tmp_path / "series" / "slice007.dcm"
+    slice_file.write_bytes(slice_file.read_bytes()[: int(share * slice_file.stat().st_size)])
+    result = ink("info", tmp_path / "series")
+    assert result.code == 1
+    assert "series" in result.error

@@ -1,0 +1,110 @@
+"""`ink info` says what is in a file, and `ink --version` and `--help` what is in ink."""
+
+import re
+
+import numpy as np
+import pytest
+
+import ink_files
+
+
+def info(ink, *arguments):
+    result = ink("info", *arguments)
+    assert (result.code, result.err) == (0, ""), result
+    fields = {}
+    for line in result.out.splitlines():
+        fields.setdefault(line[:15].strip(), line[15:])
+    return fields
+
+
+def test_volume(ink, tmp_path):
+    ink_files.write_nifti(tmp_path / "v.nii.gz", ink_files.blob((20, 24, 28), np.int16) - np.int16(50), spacing=(0.5, 1, 2),
+                          affine=[[0.5, 0, 0, 3], [0, 1, 0, 4], [0, 0, 2, 5]])
+    fields = info(ink, tmp_path / "v.nii.gz")
+    assert fields["format"] == "NIfTI volume"
+    assert fields["dimensions"] == "28 x 24 x 20"
+    assert fields["spacing"] == "0.5 1 2"
+    # NIfTI's right and front are turned to DICOM's left and back.
+    assert fields["origin"] == "-3 -4 5"
+    assert fields["direction"] == "-1 0 0, 0 -1 0, 0 0 1"
+    assert fields["type"] == "short (16 bits)"
+    assert fields["components"] == "1"
+    assert re.match(r"-50 to 14\d$", fields["range"])
+    assert 0 < float(fields["suggested iso"].split()[0]) < 100
+
+
+def test_mesh(ink, tmp_path):
+    mesh = ink_files.sphere_mesh(6, 8)
+    ink_files.write_vtp(tmp_path / "m.vtp", mesh)
+    fields = info(ink, tmp_path / "m.vtp")
+    assert fields["points"] == str(len(mesh[0]))
+    assert fields["cells"] == str(len(mesh[2]))
+    assert fields["bounds"].endswith("-1 to 1")
+    assert fields["point arrays"] == "Normals: float, 3 components"
+
+
+def test_rescaled_values(ink, tmp_path):
+    ink_files.write_nifti(tmp_path / "v.nii", ink_files.blob(), slope=2.0, intercept=-1000.0)
+    fields = info(ink, tmp_path / "v.nii")
+    stored = int(ink_files.blob().max())
+    assert fields["range"] == f"-1000 to {2 * stored - 1000}"
+    assert fields["note"] == "its stored values are rescaled: 2 v + -1000"
+
+
+def test_time_series_use_the_first_step(ink, tmp_path):
+    ink_files.write_nifti(tmp_path / "v.nii", ink_files.blob(), times=3)
+    fields = info(ink, tmp_path / "v.nii")
+    assert fields["dimensions"] == "32 x 32 x 32"
+    assert fields["components"] == "1"
+    assert "3 time steps; the first is used" in fields["note"]
+
+
+def test_colours_use_the_first_component(ink, tmp_path):
+    blob = ink_files.blob()
+    ink_files.write_vti(tmp_path / "v.vti", np.stack([blob, blob // 2, blob // 4], axis=3))
+    fields = info(ink, tmp_path / "v.vti")
+    assert fields["components"] == "3"
+    assert fields["range"] == f"0 to {blob.max()}"
+    assert "the first is used" in fields["note"]
+
+
+@pytest.mark.parametrize("value, expected", [(7.0, "7 to 7"), (np.nan, "none")])
+def test_volumes_of_one_value_have_no_surface(ink, tmp_path, value, expected):
+    ink_files.write_nifti(tmp_path / "v.nii", np.full((8, 8, 8), value, np.float32))
+    fields = info(ink, tmp_path / "v.nii")
+    assert fields["range"] == expected
+    assert fields["suggested iso"].startswith("none")
+    result = ink("render", tmp_path / "v.nii", "-o", tmp_path / "out.png")
+    assert result.code == 1
+    assert "no surface" in result.error
+
+
+def test_values_that_are_not_finite_are_counted(ink, tmp_path):
+    volume = ink_files.blob(dtype=np.float32)
+    volume[0, 0, :5] = [np.nan, np.inf, -np.inf, np.nan, np.nan]
+    ink_files.write_nifti(tmp_path / "v.nii", volume)
+    fields = info(ink, tmp_path / "v.nii")
+    assert fields["not finite"] == "5 voxels"
+    low, high = map(float, fields["range"].split(" to "))
+    assert np.isfinite([low, high]).all()
+
+
+def test_version(ink):
+    result = ink("--version")
+    assert (result.code, result.err) == (0, "")
+    assert re.match(r"vtkInk \d+\.\d+\.\d+\nVTK    9\.\d+\S*\nOpenGL .*OpenGL \d\.\d.*\nwindow vtk\w+RenderWindow\n$", result.out)
+
+
+def test_version_without_a_display(ink):
+    if "vtkXOpenGLRenderWindow" not in ink("--version").out:
+        pytest.skip("this VTK draws without a display")
+    result = ink("--version", env={"DISPLAY": ""})
+    assert (result.code, result.err) == (0, "")
+    assert "no display" in result.out
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["render", "--help"], ["info", "--help"]])
+def test_help(ink, arguments):
+    result = ink(*arguments)
+    assert (result.code, result.err) == (0, "")
+    assert "Exit codes" in result.out

@@ -1,0 +1,189 @@
+"""What `ink render` draws, and what it says while it does."""
+
+import os
+import pty
+import re
+import subprocess
+
+import numpy as np
+import pytest
+
+import ink_files
+
+
+def ink_bounds(image):
+    """First and last row and column with a dark pixel."""
+    dark = (image[..., :3] < 160).any(axis=2)
+    rows, columns = np.flatnonzero(dark.any(axis=1)), np.flatnonzero(dark.any(axis=0))
+    return rows[0], rows[-1], columns[0], columns[-1]
+
+
+def test_the_chosen_iso_value_is_named_and_sensible(ink, volume_file, tmp_path):
+    result = ink("render", volume_file, "--size", "64x64", "-o", tmp_path / "out.png")
+    assert (result.code, result.out) == (0, "")
+    value = float(re.match(r"ink: iso-value (\S+): ", result.err).group(1))
+    assert 60 < value < 140
+
+
+def test_a_given_iso_value_needs_no_words(ink, volume_file, tmp_path):
+    result = ink("render", volume_file, "--iso", 100, "--size", "64x64", "-o", tmp_path / "out.png")
+    assert (result.code, result.out, result.err) == (0, "", "")
+
+
+def test_same_input_same_bytes(ink, volume_file, tmp_path):
+    for name, threads in (("a.png", "1"), ("b.png", "2")):
+        result = ink("render", volume_file, "--size", "200x150", "-q", "-o", tmp_path / name, env={"VTK_SMP_MAX_THREADS": threads})
+        assert result.code == 0
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+
+
+@pytest.mark.parametrize("size", ["1x1", "16x9", "320x200", "200x320", "2000x100"])
+def test_size(picture, volume_file, size):
+    width, height = map(int, size.split("x"))
+    assert picture(volume_file, size=size).shape == (height, width, 3)
+
+
+@pytest.mark.parametrize("size", ["300x200", "200x300"])
+@pytest.mark.parametrize("projection", [[], ["--parallel"]])
+def test_the_subject_fits_with_a_margin(picture, volume_file, size, projection):
+    image = picture(volume_file, "--iso", 100, *projection, size=size)
+    height, width = image.shape[:2]
+    top, bottom, left, right = ink_bounds(image)
+    margins = np.array([top / height, 1 - (bottom + 1) / height, left / width, 1 - (right + 1) / width])
+    assert (margins > 0.005).all(), margins
+    # The blob is about as wide as it is high: the shorter side of the picture is the tight one.
+    tight = margins[:2] if height < width else margins[2:]
+    assert (tight < 0.06).all(), margins
+
+
+def test_large_pictures_show_the_same(picture, volume_file):
+    small = picture(volume_file, "--iso", 100).mean(axis=2)
+    large = picture(volume_file, "--iso", 100, size="1000x1000").mean(axis=2).reshape(200, 5, 200, 5).mean(axis=(1, 3))
+    assert np.abs(small - large).mean() < 4
+
+
+def test_views_are_the_sides_of_the_subject(picture, volume_file):
+    """The blob has its bumps to its left (+x, large), back (+y, medium) and top (+z, small)."""
+    views = {name: picture(volume_file, "--iso", 100, "--view", name, "--parallel") for name in
+             ("front", "back", "left", "right", "top", "bottom")}
+    rows = lambda image: np.flatnonzero((image < 200).any(axis=(1, 2)))
+    columns = lambda image: np.flatnonzero((image < 200).any(axis=(0, 2)))
+
+    def narrow(image, side):
+        """How much of the picture the drawing spans close to one of its ends: a bump is narrow."""
+        lines = {"top": rows(image)[:12], "bottom": rows(image)[-12:], "left": columns(image)[:12], "right": columns(image)[-12:]}[side]
+        part = image[lines] if side in ("top", "bottom") else image[:, lines].transpose(1, 0, 2)
+        found = np.flatnonzero((part < 200).any(axis=(0, 2)))
+        return found[-1] - found[0]
+
+    for name in ("front", "back", "left", "right"):
+        assert narrow(views[name], "top") < narrow(views[name], "bottom"), name
+    bumps = {"front": "right", "back": "left", "left": "right", "right": "left", "top": "top", "bottom": "bottom"}
+    opposite = {"right": "left", "left": "right", "top": "bottom", "bottom": "top"}
+    for name, side in bumps.items():
+        assert narrow(views[name], side) < narrow(views[name], opposite[side]), name
+
+
+@pytest.mark.parametrize("arguments, view", [
+    (["--azimuth", 90], "left"), (["--azimuth", -90], "right"), (["--azimuth", 180], "back"), (["--elevation", 90], "top"),
+    (["--elevation", -90], "bottom"), (["--view", "left", "--azimuth", -90], "front"), (["--azimuth", 360], "front")])
+def test_angles_lead_from_view_to_view(picture, volume_file, arguments, view):
+    turned = picture(volume_file, "--iso", 100, *arguments)
+    named = picture(volume_file, "--iso", 100, "--view", view)
+    assert np.abs(turned.astype(int) - named).mean() < 1
+
+
+def test_zoom_enlarges(picture, volume_file):
+    half = ink_bounds(picture(volume_file, "--iso", 100, "--zoom", 0.5))
+    whole = ink_bounds(picture(volume_file, "--iso", 100))
+    assert 0.4 < (half[1] - half[0]) / (whole[1] - whole[0]) < 0.6
+
+
+def test_several_iso_values(picture, tmp_path):
+    """A ball of positive values beside one of negative values: each has its own surface."""
+    ball = ink_files.blob((32, 32, 16), np.float32)
+    ink_files.write_vti(tmp_path / "balls.vti", np.concatenate([ball, -ball], axis=2))
+    one, other, both = (picture(tmp_path / "balls.vti", *values) for values in
+                        (["--iso", 100], ["--iso", -100], ["--iso", 100, "--iso", -100]))
+    dark = [(image < 160).sum() for image in (one, other, both)]
+    left, right = (np.abs(part - part[0, 0]).sum() > 0 for part in (both[:, :90].astype(int), both[:, 110:].astype(int)))
+    assert left and right, "both halves are drawn"
+    assert min(dark) > 100
+    assert (one != both).any() and (other != both).any()
+
+
+def test_colours(picture, volume_file):
+    image = picture(volume_file, "--iso", 100, "--ink-color", "#f00", "--paper-color", "#00ff00", "--background", "blue")
+    pixels = set(map(tuple, image.reshape(-1, 3)))
+    assert tuple(image[0, 0]) == (0, 0, 255)
+    assert (0, 255, 0) in pixels
+    assert max(r for r, g, b in pixels) > 120
+
+
+def test_transparent(picture, volume_file):
+    plain = picture(volume_file, "--iso", 100)
+    image = picture(volume_file, "--iso", 100, "--transparent")
+    assert image.shape[2] == 4
+    assert tuple(image[0, 0]) == (0, 0, 0, 0)
+    assert image[100, 90, 3] == 255
+    alpha = image[..., 3:] / 255
+    over_white = image[..., :3] * alpha + 255 * (1 - alpha)
+    assert np.abs(over_white - plain).max() < 4
+
+
+def test_transparent_without_paper_is_ink_alone(picture, volume_file):
+    image = picture(volume_file, "--iso", 100, "--transparent", "--paper-color", "none", "--ink-color", "navy")
+    assert 0 < image[..., 3].mean() < 60
+    strong = image[image[..., 3] > 100]
+    assert np.abs(strong[:, :3].astype(int) - [0, 0, 128]).max() < 6
+
+
+@pytest.mark.parametrize("option, low, high", [("--tau", 0.8, 1.2), ("--phi", 5, 100)])
+def test_more_ink_with_larger_values(picture, volume_file, option, low, high):
+    light = picture(volume_file, "--iso", 100, option, low).mean()
+    dark = picture(volume_file, "--iso", 100, option, high).mean()
+    assert dark < light - 1
+
+
+@pytest.mark.parametrize("option, values", [("--lambda", (1, 4)), ("--sigma", (0.2, 0.8))])
+def test_other_parameters_change_the_lines(picture, volume_file, option, values):
+    a, b = (picture(volume_file, "--iso", 100, option, value).astype(int) for value in values)
+    assert np.abs(a - b).mean() > 0.5
+
+
+def run_on_terminal(arguments):
+    """The exit code of a command and what it writes to a terminal on stderr."""
+    leader, follower = pty.openpty()
+    process = subprocess.Popen(["ink", *map(str, arguments)], stderr=follower, stdout=subprocess.PIPE)
+    os.close(follower)
+    text = b""
+    while True:
+        try:
+            part = os.read(leader, 4096)
+        except OSError:
+            break
+        if not part:
+            break
+        text += part
+    os.close(leader)
+    return process.wait(timeout=60), text.decode()
+
+
+def test_progress_on_a_terminal(volume_file, tmp_path):
+    code, text = run_on_terminal(["render", volume_file, "--iso", 100, "--size", "64x64", "-o", tmp_path / "out.png"])
+    assert code == 0
+    for step in ("reading blob.vti", "sampling the surface", "drawing", "writing out.png"):
+        assert step in text
+    assert "\n" not in text, "progress is one line"
+    assert text.endswith("\r\x1b[K"), "the line is taken away"
+
+
+def test_errors_on_a_terminal_start_a_clean_line(volume_file, tmp_path):
+    code, text = run_on_terminal(["render", volume_file, "--iso", 1000, "-o", tmp_path / "out.png"])
+    assert code == 2
+    assert text.split("\x1b[K")[-1].startswith("ink: error: ")
+
+
+def test_quiet_on_a_terminal(volume_file, tmp_path):
+    code, text = run_on_terminal(["render", volume_file, "--quiet", "--size", "64x64", "-o", tmp_path / "out.png"])
+    assert (code, text) == (0, "")
