@@ -9,29 +9,31 @@ namespace ink
 namespace
 {
 
-/// 1 where a value counts as being on the given side, 0 elsewhere.
-double below(double value)
+// Arithmetic in place of conditions, which compilers turn into vector instructions.
+
+/// The side of the surface that a value is on: for CrossingRule::HalfOpen -1 below the iso-value and 0 at or
+/// above it, for CrossingRule::Strict -1, 0 at it, 1.
+template <CrossingRule rule>
+double sideOf(double value)
 {
-  return value < 0.0 ? 1.0 : 0.0;
-}
-double above(double value)
-{
-  return value > 0.0 ? 1.0 : 0.0;
+  const double below = value < 0.0 ? 1.0 : 0.0;
+  const double above = value > 0.0 ? 1.0 : 0.0;
+  return rule == CrossingRule::HalfOpen ? -below : above - below;
 }
 
-/// 1 where the surface intersects an edge with the values a and b at its ends, 0 elsewhere. Arithmetic
-/// instead of conditions, which compilers turn into vector instructions.
+/// 1 where the surface intersects an edge with its ends on the given sides, 0 elsewhere.
 template <CrossingRule rule>
 double crosses(double a, double b)
 {
   if constexpr (rule == CrossingRule::HalfOpen)
   {
-    return std::abs(below(a) - below(b));
+    return std::abs(a - b);
   }
   else
   {
-    const double bothOn = (1.0 - below(a) - above(a)) * (1.0 - below(b) - above(b));
-    return below(a) * above(b) + above(a) * below(b) + bothOn;
+    const double opposite = 0.5 * a * b * (a * b - 1.0);
+    const double bothAt = (1.0 - a * a) * (1.0 - b * b);
+    return opposite + bothAt;
   }
 }
 
@@ -44,11 +46,13 @@ void findMeanCrossings(const Stencils& cells, Batch (&mean)[3])
   // equal ends 1/2, without a case of its own.
   constexpr double nothing = std::numeric_limits<double>::min();
   Batch distance[Corners];
+  Batch side[Corners];
   for (int c = 0; c < Corners; ++c)
   {
     for (int i = 0; i < Lanes; ++i)
     {
       distance[c][i] = std::abs(cells[c][i]) + nothing;
+      side[c][i] = sideOf<rule>(cells[c][i]);
     }
   }
   Batch sum[3] = {};
@@ -63,7 +67,7 @@ void findMeanCrossings(const Stencils& cells, Batch (&mean)[3])
       const int high = highCorner(axis, n);
       for (int i = 0; i < Lanes; ++i)
       {
-        crossed[n][i] = crosses<rule>(cells[low][i], cells[high][i]);
+        crossed[n][i] = crosses<rule>(side[low][i], side[high][i]);
         along[n][i] = crossed[n][i] * (distance[low][i] / (distance[low][i] + distance[high][i]));
       }
     }
@@ -182,7 +186,7 @@ glm::dvec3 risingEdges(const Stencils& cells, int lane)
     {
       const double low = cells[lowCorner(axis, n)][lane];
       const double high = cells[highCorner(axis, n)][lane];
-      if (crosses<rule>(low, high) != 0.0 && low != high)
+      if (crosses<rule>(sideOf<rule>(low), sideOf<rule>(high)) != 0.0 && low != high)
       {
         sum[axis] += low < high ? 1.0 : -1.0;
       }
