@@ -2,12 +2,9 @@
 
 #include "Parallel/Threads.h"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <atomic>
 #include <thread>
 
@@ -33,11 +30,7 @@ bool parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
       stopped = true;
     }
   };
-  // More threads than the hardware has, where the user wants that.
-  const int threads = threadCount();
-  const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
-    static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency())));
-  tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t(0), count, step); });
+  tbb::task_arena(threadCount()).execute([&] { tbb::parallel_for(std::size_t(0), count, step); });
   return !stopped;
 }
 

@@ -6,12 +6,16 @@
 #include "Sampling/CrossedCells.h"
 
 #include "Fields/Scalars.h"
+#include "Sampling/ScalarBound.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 namespace ink
@@ -21,69 +25,6 @@ namespace
 
 using Word = std::uint64_t;
 constexpr int WordBits = 64;
-
-/// `sample >= f0` and `sample > f0` for a double f0, as a comparison between values of the samples' own type.
-template <class T>
-struct Bound
-{
-  /// The smallest T that is in.
-  T lowest = 0;
-  /// False: no T is in.
-  bool reachable = false;
-
-  static Bound atLeast(double f0)
-  {
-    if constexpr (std::is_integral_v<T>)
-    {
-      return smallestInteger(std::ceil(f0));
-    }
-    else
-    {
-      const T t = rounded(f0);
-      return { static_cast<double>(t) < f0 ? next(t) : t, true };
-    }
-  }
-
-  static Bound above(double f0)
-  {
-    if constexpr (std::is_integral_v<T>)
-    {
-      const double down = std::floor(f0);
-      Bound bound = smallestInteger(down);
-      // The successor of floor(f0) need not be a double, so it is taken as a T.
-      if (bound.reachable && down >= static_cast<double>(std::numeric_limits<T>::lowest()))
-      {
-        bound.reachable = bound.lowest < std::numeric_limits<T>::max();
-        bound.lowest += bound.reachable ? 1 : 0;
-      }
-      return bound;
-    }
-    else
-    {
-      const T t = rounded(f0);
-      return { static_cast<double>(t) > f0 ? t : next(t), true };
-    }
-  }
-
-private:
-  static Bound smallestInteger(double value)
-  {
-    // 2 to the number of value bits: one above the largest T, and a double without rounding.
-    const double end = std::ldexp(1.0, std::numeric_limits<T>::digits);
-    const double first = static_cast<double>(std::numeric_limits<T>::lowest());
-    return value <= first ? Bound{ std::numeric_limits<T>::lowest(), true }
-      : value < end       ? Bound{ static_cast<T>(value), true }
-                          : Bound{};
-  }
-
-  static T rounded(double value)
-  {
-    constexpr T largest = std::numeric_limits<T>::max();
-    constexpr T infinity = std::numeric_limits<T>::infinity();
-    return value > largest ? infinity : value < -largest ? -infinity : static_cast<T>(value);
-  }
-  static T next(T t) { return std::nextafter(t, std::numeric_limits<T>::infinity()); }
-};
 
 /// Eight bytes of 0 or 1 to eight bits, the first byte to the lowest: the multiplication brings bit n of the
 /// result from byte n to the top byte.
@@ -204,8 +145,8 @@ public:
   CellFinder(const GridField<T>& field, double isoValue, CrossingRule rule, const CellSelection& selection)
     : Field(field)
     , Rule(rule)
-    , AtLeast(Bound<T>::atLeast(isoValue))
-    , Above(Bound<T>::above(isoValue))
+    , AtLeast(ScalarBound<T>::atLeast(isoValue))
+    , Above(ScalarBound<T>::above(isoValue))
     , Skipped(selection.skipped)
     , Cells(glm::max(field.geometry().dimensions() - 1, glm::ivec3(0)))
     , Begin(glm::clamp(selection.begin, glm::ivec3(0), this->Cells))
@@ -269,7 +210,7 @@ private:
   void classifyRow(const T* values, Stride stride, std::size_t first, std::size_t row, LayerBits& layer) const
   {
     const int count = this->Field.geometry().dimensions().x;
-    const auto compare = [&](const Bound<T>& bound, Word* words)
+    const auto compare = [&](const ScalarBound<T>& bound, Word* words)
     {
       if (bound.reachable)
       {
@@ -353,8 +294,8 @@ private:
 
   const GridField<T>& Field;
   CrossingRule Rule;
-  Bound<T> AtLeast;
-  Bound<T> Above;
+  ScalarBound<T> AtLeast;
+  ScalarBound<T> Above;
   ElementMarks Skipped;
   glm::ivec3 Cells;
   glm::ivec3 Begin;
@@ -370,6 +311,12 @@ CrossedCells findCrossedCells(const GridField<T>& field, double isoValue, Crossi
   const CellSelection& selection, const Progress& progress)
 {
   CrossedCells cells;
+  const glm::ivec3 size = glm::max(field.geometry().dimensions() - 1, glm::ivec3(0));
+  const std::size_t count = static_cast<std::size_t>(size.x) * size.y * size.z;
+  if (!selection.skipped.empty() && selection.skipped.bytes.size() < count)
+  {
+    throw std::invalid_argument("the grid has more cells than marks were given");
+  }
   if (std::isnan(isoValue))
   {
     return cells;

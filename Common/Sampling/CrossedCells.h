@@ -18,8 +18,8 @@ enum class CrossingRule
 {
   /// f1 < f0 <= f2, or the other way round: a surface through samples has neither holes nor doubles.
   HalfOpen,
-  /// As Zhang et al. 2014, section 5.1, write it: (f1 - f0)(f2 - f0) < 0, or f1 = f2 = f0. It leaves holes
-  /// where samples have exactly the iso-value.
+  /// As Zhang et al. 2014, section 5.1, write it: (f1 - f0)(f2 - f0) < 0, or f1 = f2 = f0. Where
+  /// samples have exactly the iso-value it leaves holes, and finds flat pieces twice, from both sides.
   Strict
 };
 
@@ -58,6 +58,7 @@ struct CrossedCells
 
 /// Finds the cells which have an edge that the iso-surface at isoValue intersects by the given rule. A cell
 /// with a missing corner (hidden, NaN or infinite) has none, and neither has any cell at an isoValue of NaN.
+/// \throws std::invalid_argument when the selection marks fewer cells than the grid has
 /// \returns the cells, the same for any number of threads; none when `progress` asked to stop
 template <class T>
 CrossedCells findCrossedCells(const GridField<T>& field, double isoValue, CrossingRule rule,

@@ -1,14 +1,16 @@
 #include "Sampling/IsoSurfaceSamples.h"
 
 #include "Fields/Scalars.h"
+#include "Sampling/CellStencils.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -61,237 +63,6 @@ private:
   T Base = 0;
   double Iso = 0.0;
 };
-
-/// How many cells are worked on at once: the compiler turns a loop over them into vector instructions.
-constexpr int Lanes = 16;
-
-/// The two axes across a given one.
-constexpr int Across[3][2] = { { 1, 2 }, { 0, 2 }, { 0, 1 } };
-
-/// The samples that a cell's sample depends on: its 8 corners, corner c being on the upper side along axis a
-/// where bit a of c is set, and the two outer neighbours of each of its 12 edges, along that edge. Edge e = 4
-/// * axis + n runs along `axis`, on the upper side of the first axis across where bit 0 of n is set, and of
-/// the second where bit 1 is.
-constexpr int Corners = 8;
-constexpr int Edges = 12;
-constexpr int StencilSize = Corners + 2 * Edges;
-
-constexpr int lowCorner(int axis, int n)
-{
-  return (n & 1) << Across[axis][0] | (n >> 1) << Across[axis][1];
-}
-constexpr int highCorner(int axis, int n)
-{
-  return lowCorner(axis, n) | 1 << axis;
-}
-constexpr int neighbourBefore(int axis, int n)
-{
-  return Corners + 4 * axis + n;
-}
-constexpr int neighbourAfter(int axis, int n)
-{
-  return Corners + Edges + 4 * axis + n;
-}
-
-/// The edge along an axis that a corner belongs to.
-constexpr int edgeAt(int axis, int corner)
-{
-  return (corner >> Across[axis][0] & 1) | (corner >> Across[axis][1] & 1) << 1;
-}
-
-/// One number for each of the cells worked on.
-using Batch = double[Lanes];
-
-/// The stencils of the cells, relative to the iso-value.
-using Stencils = Batch[StencilSize];
-
-/// 1 where a value counts as being on the given side, 0 elsewhere.
-double below(double value)
-{
-  return value < 0.0 ? 1.0 : 0.0;
-}
-double above(double value)
-{
-  return value > 0.0 ? 1.0 : 0.0;
-}
-
-/// 1 where the surface intersects an edge with the values a and b at its ends, 0 elsewhere. Arithmetic
-/// instead of conditions, which compilers turn into vector instructions.
-template <CrossingRule rule>
-double crosses(double a, double b)
-{
-  if constexpr (rule == CrossingRule::HalfOpen)
-  {
-    return std::abs(below(a) - below(b));
-  }
-  else
-  {
-    const double bothOn = (1.0 - below(a) - above(a)) * (1.0 - below(b) - above(b));
-    return below(a) * above(b) + above(a) * below(b) + bothOn;
-  }
-}
-
-/// The mean of the intersections with each cell's edges, in the unit cell.
-template <CrossingRule rule>
-void findMeanCrossings(const Stencils& cells, Batch (&mean)[3])
-{
-  // Distances from the iso-value. Too small to be seen beside any other, `nothing` makes the share of two
-  // equal ends 1/2, without a case of its own.
-  constexpr double nothing = std::numeric_limits<double>::min();
-  Batch distance[Corners];
-  for (int c = 0; c < Corners; ++c)
-  {
-    for (int i = 0; i < Lanes; ++i)
-    {
-      distance[c][i] = std::abs(cells[c][i]) + nothing;
-    }
-  }
-  Batch sum[3] = {};
-  Batch count = {};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    Batch crossed[4];
-    Batch along[4];
-    for (int n = 0; n < 4; ++n)
-    {
-      const int low = lowCorner(axis, n);
-      const int high = highCorner(axis, n);
-      for (int i = 0; i < Lanes; ++i)
-      {
-        crossed[n][i] = crosses<rule>(cells[low][i], cells[high][i]);
-        along[n][i] = crossed[n][i] * (distance[low][i] / (distance[low][i] + distance[high][i]));
-      }
-    }
-    Batch& first = sum[Across[axis][0]];
-    Batch& second = sum[Across[axis][1]];
-    for (int i = 0; i < Lanes; ++i)
-    {
-      sum[axis][i] += (along[0][i] + along[1][i]) + (along[2][i] + along[3][i]);
-    }
-    for (int i = 0; i < Lanes; ++i)
-    {
-      first[i] += crossed[1][i] + crossed[3][i];
-    }
-    for (int i = 0; i < Lanes; ++i)
-    {
-      second[i] += crossed[2][i] + crossed[3][i];
-    }
-    for (int i = 0; i < Lanes; ++i)
-    {
-      count[i] += (crossed[0][i] + crossed[1][i]) + (crossed[2][i] + crossed[3][i]);
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < Lanes; ++i)
-    {
-      // Doubles too close for a crossing to be told from none: the cell's middle.
-      const double none = count[i] == 0.0 ? 1.0 : 0.0;
-      mean[axis][i] = (sum[axis][i] + 0.5 * none) / (count[i] + none);
-    }
-  }
-}
-
-/// matrix * (x, y, z) for each cell.
-void transform(const glm::dmat3& matrix, const Batch (&from)[3], Batch (&to)[3])
-{
-  for (int row = 0; row < 3; ++row)
-  {
-    const double mx = matrix[0][row];
-    const double my = matrix[1][row];
-    const double mz = matrix[2][row];
-    for (int i = 0; i < Lanes; ++i)
-    {
-      to[row][i] = mx * from[0][i] + my * from[1][i] + mz * from[2][i];
-    }
-  }
-}
-
-/// The trilinear interpolation, at the point `at` of each unit cell, of the unit vectors along the corners'
-/// central-difference gradients. `toWorld` takes gradients per sample step to their direction in the world. A
-/// corner with no gradient adds nothing.
-void interpolateDirections(
-  const Stencils& cells, const Batch (&at)[3], const glm::dmat3& toWorld, Batch (&directions)[3])
-{
-  for (Batch& component : directions)
-  {
-    std::fill_n(component, Lanes, 0.0);
-  }
-  for (int c = 0; c < Corners; ++c)
-  {
-    // Twice the gradient.
-    Batch gradient[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int n = edgeAt(axis, c);
-      const bool upper = c >> axis & 1;
-      const Batch& next = cells[upper ? neighbourAfter(axis, n) : highCorner(axis, n)];
-      const Batch& previous = cells[upper ? lowCorner(axis, n) : neighbourBefore(axis, n)];
-      for (int i = 0; i < Lanes; ++i)
-      {
-        gradient[axis][i] = next[i] - previous[i];
-      }
-    }
-    Batch world[3];
-    transform(toWorld, gradient, world);
-    // The corner's weight is that of t or 1 - t along each axis.
-    const double x0 = c & 1 ? 0.0 : 1.0;
-    const double y0 = c & 2 ? 0.0 : 1.0;
-    const double z0 = c & 4 ? 0.0 : 1.0;
-    Batch weight;
-    for (int i = 0; i < Lanes; ++i)
-    {
-      const double square = world[0][i] * world[0][i] + world[1][i] * world[1][i] + world[2][i] * world[2][i];
-      const double share = std::abs(x0 - at[0][i]) * std::abs(y0 - at[1][i]) * std::abs(z0 - at[2][i]);
-      weight[i] = share / std::sqrt(square + std::numeric_limits<double>::min());
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int i = 0; i < Lanes; ++i)
-      {
-        directions[axis][i] += weight[i] * world[axis][i];
-      }
-    }
-  }
-}
-
-/// The gradient, per sample step, of the trilinear interpolation of one cell's corners, at the point `at` of
-/// the unit cell.
-glm::dvec3 cellGradient(const Stencils& cells, int lane, const glm::dvec3& at)
-{
-  glm::dvec3 gradient(0.0);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int n = 0; n < 4; ++n)
-    {
-      const double p = at[Across[axis][0]];
-      const double q = at[Across[axis][1]];
-      gradient[axis] += (n & 1 ? p : 1.0 - p) * (n >> 1 ? q : 1.0 - q) *
-        (cells[highCorner(axis, n)][lane] - cells[lowCorner(axis, n)][lane]);
-    }
-  }
-  return gradient;
-}
-
-/// How many more of one cell's crossed edges rise than fall, along each axis.
-template <CrossingRule rule>
-glm::dvec3 risingEdges(const Stencils& cells, int lane)
-{
-  glm::dvec3 sum(0.0);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int n = 0; n < 4; ++n)
-    {
-      const double low = cells[lowCorner(axis, n)][lane];
-      const double high = cells[highCorner(axis, n)][lane];
-      if (crosses<rule>(low, high) != 0.0 && low != high)
-      {
-        sum[axis] += low < high ? 1.0 : -1.0;
-      }
-    }
-  }
-  return sum;
-}
 
 /// Places samples, a batch of cells at a time.
 template <class T, class Real, CrossingRule rule>
@@ -435,14 +206,17 @@ private:
     Batch directions[3];
     interpolateDirections(this->Stencil, this->Mean, toWorld, directions);
     const glm::dvec3 direction(directions[0][lane], directions[1][lane], directions[2][lane]);
-    const glm::dvec3 at(this->Mean[0][lane], this->Mean[1][lane], this->Mean[2][lane]);
-    for (const glm::dvec3& candidate : { direction, toWorld * cellGradient(this->Stencil, lane, at),
-           toWorld * risingEdges<rule>(this->Stencil, lane) })
+    if (glm::dot(direction, direction) > SmallestSquare)
     {
-      const double square = glm::dot(candidate, candidate);
-      if (square > SmallestSquare)
+      return -glm::normalize(direction);
+    }
+    const glm::dvec3 at(this->Mean[0][lane], this->Mean[1][lane], this->Mean[2][lane]);
+    for (const glm::dvec3& gradient :
+      { cellGradient(this->Stencil, lane, at), risingEdges<rule>(this->Stencil, lane) })
+    {
+      if (glm::dot(gradient, gradient) > SmallestSquare)
       {
-        return candidate / -std::sqrt(square);
+        return -glm::normalize(toWorld * gradient);
       }
     }
     // Nothing tells one side from the other.
@@ -489,7 +263,7 @@ private:
     }
   }
 
-  /// A sum of unit vectors whose square is smaller is rounding.
+  /// What is left of a sum of vectors of about unit length is rounding where its square is smaller.
   static constexpr double SmallestSquare = 1e-20;
 
   const GridField<T>& Field;

@@ -300,6 +300,8 @@ TEST(IsoSurfaceSamples, KeepToTheSelection)
   std::vector<std::uint8_t> marks(149 * 7 * 5, 0);
   marks[100 + 149 * (3 + 7 * 2)] = 32;
   marks[101 + 149 * (3 + 7 * 2)] = 4;
+  box.skipped = { std::span<const std::uint8_t>(marks).first(marks.size() - 1), 32 };
+  EXPECT_THROW(findCrossedCells(volume.field(), 0.0, CrossingRule::HalfOpen, box), std::invalid_argument);
   box.skipped = { marks, 32 };
   const auto fewer = sampleIsoSurface(volume.field(), 0.0, CrossingRule::HalfOpen, box);
   EXPECT_EQ(fewer.size(), samples.size() - 1);

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkIsoSurfaceSampler.h"
 
+#include "InkImageGrid.h"
 #include "InkVTKCompat.h"
 #include "Sampling/CrossedCells.h"
 #include "Sampling/IsoSurfaceSamples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkExtentTranslator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -26,12 +24,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTrivialProducer.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -47,113 +41,6 @@ vtkStandardNewMacro(vtkInkIsoSurfaceSampler);
 
 namespace
 {
-
-/// The box of an extent as VTK writes it.
-struct Box
-{
-  glm::ivec3 First;
-  glm::ivec3 Last;
-
-  explicit Box(const int extent[6])
-    : First(extent[0], extent[2], extent[4])
-    , Last(extent[1], extent[3], extent[5])
-  {
-  }
-
-  glm::ivec3 Samples() const { return glm::max(this->Last - this->First + 1, glm::ivec3(0)); }
-  bool operator==(const Box& other) const { return this->First == other.First && this->Last == other.Last; }
-};
-
-ink::GridGeometry MakeGeometry(vtkImageData* image, const Box& box)
-{
-  glm::dvec3 origin;
-  glm::dvec3 spacing;
-  image->GetOrigin(&origin[0]);
-  image->GetSpacing(&spacing[0]);
-  glm::dmat3 direction;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      direction[column][row] = image->GetDirectionMatrix()->GetElement(row, column);
-    }
-  }
-  return ink::GridGeometry(box.Samples(), origin, spacing, direction, box.First);
-}
-
-/// Whether points on the grid, rounded to float, move by more than a thousandth of the smallest spacing.
-bool NeedsDouble(const ink::GridGeometry& whole)
-{
-  glm::dvec3 farthest(0.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::ivec3 last = whole.dimensions() - 1;
-    farthest = glm::max(
-      farthest, glm::abs(whole.toWorld(last * glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1))));
-  }
-  const double largest = std::max({ farthest.x, farthest.y, farthest.z });
-  const glm::dvec3 spacing = glm::abs(whole.spacing());
-  const double smallest = std::min({ spacing.x, spacing.y, spacing.z });
-  const double rounding = std::max<double>(
-    0.5 * std::numeric_limits<float>::epsilon() * largest, std::numeric_limits<float>::denorm_min());
-  return rounding > 1e-3 * smallest || largest > std::numeric_limits<float>::max();
-}
-
-/// The image's ghost array as marks with the given bits; no marks where there is no such array.
-ink::ElementMarks GetMarks(vtkDataSetAttributes* attributes, unsigned char bits)
-{
-  auto* array =
-    vtkUnsignedCharArray::SafeDownCast(attributes->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
-  if (!array)
-  {
-    return {};
-  }
-  return { { array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) }, bits };
-}
-
-/// The array itself where its components lie side by side in memory, otherwise a copy of the given component;
-/// `component` becomes the one to read.
-vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array, int& component)
-{
-  const bool bits = array->GetDataType() == VTK_BIT;
-  if (array->HasStandardMemoryLayout() && !bits)
-  {
-    return array;
-  }
-  vtkSmartPointer<vtkDataArray> copy =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(bits ? VTK_UNSIGNED_CHAR : array->GetDataType()));
-  copy->SetNumberOfTuples(array->GetNumberOfTuples());
-  copy->CopyComponent(0, array, component);
-  component = 0;
-  return copy;
-}
-
-/// The cells that no other piece samples.
-ink::CellSelection SelectCells(vtkInformation* info, vtkAlgorithm* producer, vtkImageData* image)
-{
-  using SDDP = vtkStreamingDemandDrivenPipeline;
-  const Box box(image->GetExtent());
-  ink::CellSelection cells;
-  cells.skipped = GetMarks(image->GetCellData(),
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-      vtkDataSetAttributes::REFINEDCELL);
-  // Sources split the image themselves and mark ghosts; a trivial producer answers every piece with all it
-  // has.
-  const int pieces = info->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
-  const bool wholeForEveryPiece = vtkTrivialProducer::SafeDownCast(producer) &&
-    producer->GetOutputDataObject(0) == image && Box(info->Get(SDDP::WHOLE_EXTENT())) == box;
-  if (pieces > 1 && wholeForEveryPiece && cells.skipped.empty())
-  {
-    vtkNew<vtkExtentTranslator> translator;
-    int extent[6] = { 0, -1, 0, -1, 0, -1 };
-    translator->PieceToExtentThreadSafe(info->Get(SDDP::UPDATE_PIECE_NUMBER()), pieces, 0, image->GetExtent(),
-      extent, vtkExtentTranslator::BLOCK_MODE, 0);
-    const Box piece(extent);
-    cells.begin = piece.First - box.First;
-    cells.end = piece.Last - box.First;
-  }
-  return cells;
-}
 
 /// One VTK_POLY_VERTEX cell over points 0 ... count - 1.
 template <class IdArray>
@@ -368,8 +255,8 @@ int vtkInkIsoSurfaceSampler::RequestData(
   {
     return 1;
   }
-  const Box whole(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
-  const glm::ivec3 samples = whole.Samples();
+  const InkExtent whole = InkGetWholeExtent(info, image);
+  const glm::ivec3 samples = whole.GetDimensions();
   if (std::min({ samples.x, samples.y, samples.z }) < 2)
   {
     vtkWarningMacro("The image has " << samples.x << " x " << samples.y << " x " << samples.z
@@ -385,7 +272,7 @@ int vtkInkIsoSurfaceSampler::RequestData(
   request.IsoValues = std::span<const double>(
     this->ContourValues->GetValues(), static_cast<std::size_t>(this->ContourValues->GetNumberOfContours()));
   request.Rule = this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
-  request.Cells = SelectCells(info, this->GetInputAlgorithm(), image);
+  request.Cells = InkSelectCells(info, this->GetInputAlgorithm(), image);
   request.Normals = this->ComputeNormals;
   if (std::any_of(request.IsoValues.begin(), request.IsoValues.end(), [](double v) { return std::isnan(v); }))
   {
@@ -397,15 +284,16 @@ int vtkInkIsoSurfaceSampler::RequestData(
   double radius = 0.0;
   try
   {
-    const ink::GridGeometry geometry = MakeGeometry(image, Box(image->GetExtent()));
+    const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
     const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
-      (this->OutputPointsPrecision == DEFAULT_PRECISION && NeedsDouble(MakeGeometry(image, whole)));
+      (this->OutputPointsPrecision == DEFAULT_PRECISION &&
+        InkNeedsDoublePrecision(InkMakeGrid(image, whole)));
     points->SetDataType(doubles ? VTK_DOUBLE : VTK_FLOAT);
     normals->SetNumberOfComponents(3);
     radius = ink::isoSurfaceSampleRadius(geometry);
     int component = this->ArrayComponent;
-    const vtkSmartPointer<vtkDataArray> array = MakeContiguous(scalars, component);
-    const ink::ElementMarks hidden = GetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
+    const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
+    const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
     if (!SampleArray(geometry, array, component, hidden, request, this, points->GetData(), normals))
     {
       return 1;

@@ -71,7 +71,8 @@ public:
    * Which cell edges the surface at f0 intersects. HALF_OPEN (default): those with one end below f0 and
    * the other at or above it, so that a surface through voxel centres has neither holes nor doubles.
    * STRICT: the rule as Zhang et al. write it, (f1 - f0)(f2 - f0) < 0, and the edge's middle where
-   * f1 = f2 = f0; it leaves holes where f0 is a value that voxels have, as in integer data.
+   * f1 = f2 = f0; where f0 is a value that voxels have, as in integer data, it
+   * leaves holes and finds flat pieces twice.
    */
   vtkSetClampMacro(CrossingRule, int, HALF_OPEN, STRICT);
   vtkGetMacro(CrossingRule, int);

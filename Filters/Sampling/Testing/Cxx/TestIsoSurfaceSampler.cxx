@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkMatrix3x3.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 
 #include <sstream>
@@ -180,6 +181,29 @@ void CheckPrecision(InkTestChecks& check)
   }
 }
 
+/// Blocks go through one by one.
+void CheckBlocks(InkTestChecks& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeBall());
+  blocks->SetBlock(1, MakeBall());
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputDataObject(blocks);
+  sampler->SetValue(0, 100.0);
+  for (const int pieces : { 1, 2 })
+  {
+    sampler->UpdatePiece(0, pieces, 0);
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(sampler->GetOutputDataObject(0));
+    if (check(output && output->GetNumberOfBlocks() == 2, "two blocks"))
+    {
+      auto* first = vtkPolyData::SafeDownCast(output->GetBlock(0));
+      auto* second = vtkPolyData::SafeDownCast(output->GetBlock(1));
+      check(first && second && first->GetNumberOfPoints() > 1000 && SamplesOf(first) == SamplesOf(second),
+        "the whole ball in both blocks of ", pieces, " pieces");
+    }
+  }
+}
+
 class Counter : public vtkCommand
 {
 public:
@@ -220,6 +244,7 @@ int TestIsoSurfaceSampler(int, char*[])
   CheckProperties(check);
   CheckGeometry(check);
   CheckPrecision(check);
+  CheckBlocks(check);
   CheckCaching(check);
   return check.Result();
 }

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkImageGrid.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExtentTranslator.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+InkExtent::InkExtent(const int extent[6])
+  : First(extent[0], extent[2], extent[4])
+  , Last(extent[1], extent[3], extent[5])
+{
+}
+
+glm::ivec3 InkExtent::GetDimensions() const
+{
+  return glm::max(this->Last - this->First + 1, glm::ivec3(0));
+}
+
+InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image)
+{
+  const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  return InkExtent(whole ? whole : image->GetExtent());
+}
+
+ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent)
+{
+  glm::dvec3 origin;
+  glm::dvec3 spacing;
+  image->GetOrigin(&origin[0]);
+  image->GetSpacing(&spacing[0]);
+  glm::dmat3 direction;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      direction[column][row] = image->GetDirectionMatrix()->GetElement(row, column);
+    }
+  }
+  return ink::GridGeometry(extent.GetDimensions(), origin, spacing, direction, extent.First);
+}
+
+bool InkNeedsDoublePrecision(const ink::GridGeometry& grid)
+{
+  glm::dvec3 farthest(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::ivec3 last = grid.dimensions() - 1;
+    farthest = glm::max(
+      farthest, glm::abs(grid.toWorld(last * glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1))));
+  }
+  const double largest = std::max({ farthest.x, farthest.y, farthest.z });
+  const glm::dvec3 spacing = glm::abs(grid.spacing());
+  const double smallest = std::min({ spacing.x, spacing.y, spacing.z });
+  const double rounding = std::max<double>(
+    0.5 * std::numeric_limits<float>::epsilon() * largest, std::numeric_limits<float>::denorm_min());
+  return rounding > 1e-3 * smallest || largest > std::numeric_limits<float>::max();
+}
+
+ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits)
+{
+  auto* array =
+    vtkUnsignedCharArray::SafeDownCast(attributes->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+  if (!array)
+  {
+    return {};
+  }
+  return { { array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) }, bits };
+}
+
+vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component)
+{
+  const bool bits = array->GetDataType() == VTK_BIT;
+  if (array->HasStandardMemoryLayout() && !bits)
+  {
+    return array;
+  }
+  vtkSmartPointer<vtkDataArray> copy =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(bits ? VTK_UNSIGNED_CHAR : array->GetDataType()));
+  copy->SetNumberOfTuples(array->GetNumberOfTuples());
+  copy->CopyComponent(0, array, component);
+  component = 0;
+  return copy;
+}
+
+ink::CellSelection InkSelectCells(vtkInformation* info, vtkAlgorithm* producer, vtkImageData* image)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  const InkExtent own(image->GetExtent());
+  ink::CellSelection cells;
+  cells.skipped = InkGetMarks(image->GetCellData(),
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+      vtkDataSetAttributes::REFINEDCELL);
+  // Sources split the image themselves; a trivial producer answers every piece with all it has, unless it was
+  // given a part whose cells are marked as another's.
+  const int pieces = info->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
+  const bool given = vtkTrivialProducer::SafeDownCast(producer) &&
+    producer->GetOutputDataObject(0) == image && InkGetWholeExtent(info, image) == own;
+  const std::span<const std::uint8_t> marks = cells.skipped.bytes;
+  const bool isPart = std::any_of(
+    marks.begin(), marks.end(), [](auto mark) { return mark & vtkDataSetAttributes::DUPLICATECELL; });
+  if (pieces > 1 && given && !isPart)
+  {
+    vtkNew<vtkExtentTranslator> translator;
+    int extent[6] = { 0, -1, 0, -1, 0, -1 };
+    translator->PieceToExtentThreadSafe(info->Get(SDDP::UPDATE_PIECE_NUMBER()), pieces, 0, image->GetExtent(),
+      extent, vtkExtentTranslator::BLOCK_MODE, 0);
+    const InkExtent piece(extent);
+    cells.begin = piece.First - own.First;
+    cells.end = piece.Last - own.First;
+  }
+  return cells;
+}

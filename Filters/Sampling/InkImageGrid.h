@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A vtkImageData as the grids, marks and arrays that vtkInk's Common works on.
+#ifndef InkImageGrid_h
+#define InkImageGrid_h
+
+#include "Fields/GridField.h"
+#include "Sampling/CrossedCells.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataSetAttributes;
+class vtkImageData;
+class vtkInformation;
+
+/// The box of an extent as VTK writes it: the first and last sample along each axis.
+struct InkExtent
+{
+  glm::ivec3 First;
+  glm::ivec3 Last;
+
+  explicit InkExtent(const int extent[6]);
+  glm::ivec3 GetDimensions() const;
+  bool operator==(const InkExtent&) const = default;
+};
+
+/// The extent of the whole image of which `image` may be a piece; its own where `info` does not say.
+InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image);
+
+/// The image's samples within an extent, which need not be the image's own.
+/// \throws std::invalid_argument when the image has a spacing of zero or a direction matrix without inverse
+ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent);
+
+/// Whether points on the grid, rounded to float, move by more than a thousandth of the smallest spacing.
+bool InkNeedsDoublePrecision(const ink::GridGeometry& grid);
+
+/// The ghost array of an image's points or cells as marks with any of the given bits; nothing is marked where
+/// there is no such array.
+ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits);
+
+/// The array itself where its components lie side by side in memory, otherwise a copy of the given component;
+/// `component` becomes the one to read.
+vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component);
+
+/// The image's cells that the piece asked for owns and that are neither hidden nor refined. `info` is the
+/// pipeline information that came with the image from `producer`.
+ink::CellSelection InkSelectCells(vtkInformation* info, vtkAlgorithm* producer, vtkImageData* image);
+
+#endif
