@@ -5,7 +5,9 @@
 #include "RenderCommand.h"
 #include "VersionCommand.h"
 
+#include "vtkInkSplattingLinesMapper.h"
 #include "vtkLogger.h"
+#include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
 
@@ -158,20 +160,23 @@ struct RenderArguments
     command->add_flag("--parallel", this->options.parallel, "parallel instead of perspective projection")
       ->group("Camera");
 
-    command->add_option("--tau", this->options.tau, "threshold: more lines with a larger one (1)")
-      ->check(within(0.5, 1.5))
-      ->group("Lines");
-    command->add_option("--phi", this->options.phi, "strength: darker lines with a larger one (20)")
-      ->check(within(0, 1000))
-      ->group("Lines");
-    command
-      ->add_option("--lambda", this->options.lambda, "detail: fewer, broader lines with a larger one (2)")
-      ->check(within(0.1, 20))
-      ->group("Lines");
-    command
-      ->add_option("--sigma", this->options.sigma, "width of the narrower Gaussian as part of a splat (0.4)")
-      ->check(within(0.05, 2))
-      ->group("Lines");
+    // Ranges and defaults are the mapper's own.
+    vtkNew<vtkInkSplattingLinesMapper> mapper;
+    const auto addLineOption = [&](const char* name, std::optional<double>& value, const char* effect,
+                                 double least, double greatest, double preset)
+    {
+      std::ostringstream description;
+      description << effect << " (" << preset << ")";
+      command->add_option(name, value, description.str())->check(within(least, greatest))->group("Lines");
+    };
+    addLineOption("--tau", this->options.tau, "threshold: more lines with a larger one",
+      mapper->GetTauMinValue(), mapper->GetTauMaxValue(), mapper->GetTau());
+    addLineOption("--phi", this->options.phi, "strength: darker lines with a larger one",
+      mapper->GetPhiMinValue(), mapper->GetPhiMaxValue(), mapper->GetPhi());
+    addLineOption("--lambda", this->options.lambda, "detail: fewer, broader lines with a larger one",
+      mapper->GetLambdaMinValue(), mapper->GetLambdaMaxValue(), mapper->GetLambda());
+    addLineOption("--sigma", this->options.sigma, "width of the narrower Gaussian as part of a splat",
+      mapper->GetSigmaMinValue(), mapper->GetSigmaMaxValue(), mapper->GetSigma());
 
     command->add_option("--ink-color", this->inkColor, "colour of the lines (black)")
       ->type_name("COLOR")

@@ -2,6 +2,7 @@
 
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace ink
@@ -9,15 +10,16 @@ namespace ink
 
 int threadCount()
 {
+  const int available = tbb::info::default_concurrency();
   if (const char* limit = std::getenv("VTK_SMP_MAX_THREADS"))
   {
     const int threads = std::atoi(limit);
     if (threads > 0)
     {
-      return threads;
+      return std::min(threads, available);
     }
   }
-  return tbb::info::default_concurrency();
+  return available;
 }
 
 } // namespace ink

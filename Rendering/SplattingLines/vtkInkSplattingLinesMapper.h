@@ -70,18 +70,18 @@ public:
 
   ///@{
   /**
-   * tau: a threshold; more lines with a larger one. 0.5 to 1.5; default: 0.99, which keeps
+   * tau: a threshold; more lines with a larger one. 0.8 to 1.2; default: 0.99, which keeps
    * noise on flat surfaces below the threshold.
    */
-  vtkSetClampMacro(Tau, double, 0.5, 1.5);
+  vtkSetClampMacro(Tau, double, 0.8, 1.2);
   vtkGetMacro(Tau, double);
   ///@}
 
   ///@{
   /**
-   * phi: the strength of the lines; darker with a larger one. 0 to 1000; default: 100.
+   * phi: the strength of the lines; darker with a larger one. 0 to 500; default: 100.
    */
-  vtkSetClampMacro(Phi, double, 0.0, 1000.0);
+  vtkSetClampMacro(Phi, double, 0.0, 500.0);
   vtkGetMacro(Phi, double);
   ///@}
 

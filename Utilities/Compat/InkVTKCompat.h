@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What differs between the VTK versions that vtkInk builds with, from 9.2 on.
+// What differs between the VTK versions that vtkInk builds with, from 9.2 on; for OpenGL see InkOpenGLCompat.h.
 #ifndef InkVTKCompat_h
 #define InkVTKCompat_h
 
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
-
-// The OpenGL functions: GLEW up to VTK 9.3, glad from 9.4 on.
-#if __has_include("vtk_glad.h")
-#  include "vtk_glad.h" // IWYU pragma: export
-#elif __has_include("vtk_glew.h")
-#  include "vtk_glew.h" // IWYU pragma: export
-#endif
 
 /// Whether the user asked this algorithm to stop. vtkAlgorithm::CheckAbort, which also asks the algorithms
 /// upstream, came on the way from VTK 9.2 to 9.3.

@@ -169,7 +169,7 @@ void TestRanges(InkTestChecks& check)
   mapper->SetPhi(-1.0);
   mapper->SetSigma(1e9);
   mapper->SetRadius(-3.0);
-  check(mapper->GetLambda() == 0.1 && mapper->GetTau() == 1.5 && mapper->GetPhi() == 0.0 &&
+  check(mapper->GetLambda() == 0.1 && mapper->GetTau() == 1.2 && mapper->GetPhi() == 0.0 &&
       mapper->GetSigma() == 2.0 && mapper->GetRadius() == 0.0,
     "values clamped to their ranges");
 }
