@@ -16,6 +16,7 @@ InkTestImage::InkTestImage(vtkRenderWindow* window, int scale, bool alpha)
   filter->SetInput(window);
   filter->ReadFrontBufferOff();
   filter->SetScale(scale);
+  filter->SetShouldRerender(scale != 1);
   if (alpha)
   {
     filter->SetInputBufferTypeToRGBA();

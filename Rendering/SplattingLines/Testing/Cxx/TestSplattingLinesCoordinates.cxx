@@ -216,11 +216,12 @@ void TestFarAway(InkTestChecks& check)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.02);
   SplattingLinesScene scene(points);
+  scene.Mapper->SetRadius(0.011);
   scene.Mapper->SetPhi(0.0);
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
-  for (double pixels : { 60.0, 15.0, 4.0 })
+  for (double pixels : { 60.0, 30.0, 15.0, 4.0 })
   {
     camera->SetParallelScale(100.0 / pixels);
     const InkTestImage image(scene.Window);

@@ -126,14 +126,16 @@ void TestInkOnly(InkTestChecks& check)
   }
 }
 
-/// Ink drawn over the very surface that the points are on does not sink into it.
+/// Ink drawn over the very surface that the points are on does not sink into it, even where that surface lies
+/// half a splat further out.
 void TestInkOnItsSurface(InkTestChecks& check)
 {
   SplattingLinesScene scene(InkTestPoints::Plane(2.0, 0.05));
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Mapper->PaperVisibilityOff();
+  scene.Mapper->SetRadius(0.06);
   scene.Mapper->SetTau(1.5); // ink everywhere
-  Square square(1.0, 0.0, 1.0, 1.0, 0.0);
+  Square square(1.0, 0.03, 1.0, 1.0, 0.0);
   scene.Renderer->AddActor(square.Actor);
   scene.Renderer->GetActiveCamera()->Elevation(40.0);
   scene.Renderer->ResetCamera();

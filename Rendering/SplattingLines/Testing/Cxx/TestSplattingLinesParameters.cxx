@@ -133,6 +133,15 @@ void TestUploads(InkTestChecks& check)
   mapper->SetRadius(0.05);
   scene.Window->Render();
   check(mapper->GetUploadTime() > radiusTime, "an upload of a changed Radius");
+
+  const InkTestImage before(scene.Window);
+  vtkDataArray* normals = points->GetPointData()->GetArray("Normals");
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    normals->SetTuple3(i, 0.0, 0.0, 1.0);
+  }
+  normals->Modified();
+  check(InkTestImage(scene.Window).CountDifferent(before) > 200, "a picture of changed normals");
 }
 
 /// An unchanged parameter set gives the same picture, and going back gives the first one again.
