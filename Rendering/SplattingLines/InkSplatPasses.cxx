@@ -122,9 +122,11 @@ vtkMTimeType InkSplatPasses::GetUploadTime() const
   return this->NumberOfPoints > 0 ? this->Buffers->GetMTime() : 0;
 }
 
-vtkShaderProgram* InkSplatPasses::Begin(Pass& pass, const InkSplatView& view, double radiusScale)
+vtkShaderProgram* InkSplatPasses::Begin(
+  Pass& pass, const InkSplatView& view, double radiusScale, double minimumRadius)
 {
-  const bool sprites = view.LargestSplat(radiusScale * this->LargestRadius) <= this->LargestSprite;
+  const bool sprites =
+    view.LargestSplat(radiusScale * this->LargestRadius, minimumRadius) <= this->LargestSprite;
   vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
     InkSplatVS, pass.FragmentShader, sprites ? "" : InkSplatGS);
   if (!program)
@@ -146,7 +148,7 @@ vtkShaderProgram* InkSplatPasses::Begin(Pass& pass, const InkSplatView& view, do
   }
   view.SetUniforms(program);
   program->SetUniformf("radiusScale", static_cast<float>(radiusScale));
-  program->SetUniformf("minimumRadius", static_cast<float>(MinimumDepthRadius));
+  program->SetUniformf("minimumRadius", static_cast<float>(minimumRadius));
   program->SetUniformf("minimumLight", 0.0f);
   program->SetUniformf("tolerance", static_cast<float>(Tolerance));
   program->SetUniformi("cullHidden", 0);
@@ -178,7 +180,7 @@ void InkSplatPasses::DrawSplats(
   state->vtkglDisable(GL_BLEND);
   state->vtkglClearColor(NoSurface, 0.0f, 0.0f, 0.0f);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-  if (this->Begin(*this->DepthPass, view, 1.0))
+  if (this->Begin(*this->DepthPass, view, 1.0, MinimumDepthRadius))
   {
     this->DrawPoints();
     this->DepthPass->VertexArray->Release();
@@ -193,13 +195,13 @@ void InkSplatPasses::DrawSplats(
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   state->vtkglBlendEquation(GL_FUNC_ADD);
-  if (vtkShaderProgram* program = this->Begin(*this->LightPass, view, lambda))
+  const double minimumRadius = MinimumLightRadius * view.TileScale;
+  if (vtkShaderProgram* program = this->Begin(*this->LightPass, view, lambda, minimumRadius))
   {
     targets.GetSurface()->Activate();
     program->SetUniformi("surface", targets.GetSurface()->GetTextureUnit());
     program->SetUniformi("cullHidden", 1);
     program->SetUniformf("minimumLight", static_cast<float>(MinimumLight));
-    program->SetUniformf("minimumRadius", static_cast<float>(MinimumLightRadius * view.TileScale));
     const double wide = WideOverNarrow * sigma;
     const float falloff[2] = { static_cast<float>(0.5 / (sigma * sigma)),
       static_cast<float>(0.5 / (wide * wide)) };
@@ -289,7 +291,7 @@ void InkSplatPasses::DrawIds(
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  if (vtkShaderProgram* program = this->Begin(*this->IdPass, view, 1.0))
+  if (vtkShaderProgram* program = this->Begin(*this->IdPass, view, 1.0, MinimumDepthRadius))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);

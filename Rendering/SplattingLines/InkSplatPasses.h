@@ -61,7 +61,7 @@ public:
 private:
   struct Pass;
 
-  vtkShaderProgram* Begin(Pass& pass, const InkSplatView& view, double radiusScale);
+  vtkShaderProgram* Begin(Pass& pass, const InkSplatView& view, double radiusScale, double minimumRadius);
   void DrawPoints();
 
   vtkOpenGLRenderWindow* Window;

@@ -126,10 +126,12 @@ void InkSplatView::SetUniforms(vtkShaderProgram* program) const
   }
 }
 
-double InkSplatView::LargestSplat(double radius) const
+double InkSplatView::LargestSplat(double radius, double minimumRadius) const
 {
   const double nearW = this->DepthToClip[3] - this->DepthToClip[2] * this->DepthRange[0];
-  // The vertex shader cuts splats to the viewport.
+  const double pixels = std::hypot(radius * this->Unit / (this->Pixel * nearW), minimumRadius);
+  // Twice, because perspective stretches splats towards the corners; the vertex shader cuts them to the
+  // viewport.
   const double viewport = std::max(this->Size[0], this->Size[1]);
-  return std::min(viewport, 2.0 * radius * this->Unit / (this->Pixel * nearW));
+  return std::min(viewport, 2.0 * 2.0 * pixels);
 }

@@ -23,9 +23,9 @@ struct InkSplatView
   /// The uniforms that all splat shaders share; those that a shader lacks are left out.
   void SetUniforms(vtkShaderProgram* program) const;
 
-  /// An upper bound of the size in pixels that a splat of some radius (in the points' unit) has anywhere
-  /// in front of the near plane.
-  double LargestSplat(double radius) const;
+  /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
+  /// anywhere beyond the near plane.
+  double LargestSplat(double radius, double minimumRadius) const;
 
   static constexpr int MaximumClippingPlanes = 6;
 

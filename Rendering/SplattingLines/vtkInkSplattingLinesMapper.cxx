@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesMapper.h"
 
+#include "InkSplatInput.h"
 #include "InkSplatPasses.h"
 #include "InkSplatPoints.h"
 #include "InkSplatTargets.h"
@@ -37,21 +38,6 @@ namespace
 
 constexpr const char* DefaultNormals = "Normals";
 constexpr const char* DefaultRadius = "Radius";
-
-/// "Normals" (3), "Value" (1), ... for error messages.
-std::string ListArrays(vtkPointData* data)
-{
-  std::ostringstream list;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    if (vtkDataArray* array = data->GetArray(i))
-    {
-      list << (list.str().empty() ? "" : ", ") << '"' << (array->GetName() ? array->GetName() : "") << "\" ("
-           << array->GetNumberOfComponents() << ')';
-    }
-  }
-  return list.str().empty() ? "none" : list.str();
-}
 
 } // namespace
 
@@ -174,60 +160,32 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     return false;
   }
 
-  vtkPointData* pointData = input->GetPointData();
   const auto chosenName = [this](int index) -> std::string
   {
     vtkInformation* info = this->GetInputArrayInformation(index);
     return info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : "";
   };
-  vtkDataArray* normals = this->GetInputArrayToProcess(NORMALS, input);
-  if (!normals && chosenName(NORMALS) == DefaultNormals)
+  InkSplatInput arrays{ input->GetPoints(), this->GetInputArrayToProcess(NORMALS, input),
+    this->GetInputArrayToProcess(RADIUS, input), chosenName(NORMALS), chosenName(RADIUS),
+    chosenName(RADIUS) != DefaultRadius };
+  if (!arrays.Normals && arrays.NormalsName == DefaultNormals)
   {
-    normals = pointData->GetNormals();
+    arrays.Normals = input->GetPointData()->GetNormals();
   }
-  vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
-
-  const vtkIdType count = input->GetNumberOfPoints();
-  std::ostringstream problem;
-  if (!normals)
+  const std::string problem = arrays.FindProblem(input->GetPointData());
+  if (!problem.empty())
   {
-    problem << "No point array \"" << chosenName(NORMALS) << "\" with 3 components.";
-  }
-  else if (normals->GetNumberOfComponents() != 3)
-  {
-    problem << "The normals \"" << (normals->GetName() ? normals->GetName() : "") << "\" have "
-            << normals->GetNumberOfComponents() << " components instead of 3.";
-  }
-  else if (normals->GetNumberOfTuples() != count)
-  {
-    problem << "There are " << normals->GetNumberOfTuples() << " normals for " << count << " points.";
-  }
-  else if (!radii && chosenName(RADIUS) != DefaultRadius)
-  {
-    problem << "No point array \"" << chosenName(RADIUS) << "\" with 1 component.";
-  }
-  else if (radii && radii->GetNumberOfComponents() != 1)
-  {
-    problem << "The radii \"" << (radii->GetName() ? radii->GetName() : "") << "\" have "
-            << radii->GetNumberOfComponents() << " components instead of 1.";
-  }
-  else if (radii && radii->GetNumberOfTuples() != count)
-  {
-    problem << "There are " << radii->GetNumberOfTuples() << " radii for " << count << " points.";
-  }
-  if (!problem.str().empty())
-  {
-    problem << " Point arrays (components) in the input: " << ListArrays(pointData) << '.';
-    this->ReportOnce(problem.str());
+    this->ReportOnce(problem);
     return false;
   }
 
   vtkPlaneCollection* planes = this->GetClippingPlanes();
   if (planes && planes->GetNumberOfItems() > InkSplatView::MaximumClippingPlanes)
   {
-    problem << "Only the first " << InkSplatView::MaximumClippingPlanes << " of the "
+    std::ostringstream message;
+    message << "Only the first " << InkSplatView::MaximumClippingPlanes << " of the "
             << planes->GetNumberOfItems() << " clipping planes are used.";
-    this->ReportOnce(problem.str());
+    this->ReportOnce(message.str());
   }
 
   if (internals.Passes && internals.Passes->GetWindow() != window)
@@ -235,11 +193,11 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     this->ReleaseWindow();
     window->MakeCurrent();
   }
-  const vtkInternals::Source source{ input->GetPoints()->GetMTime(), normals->GetMTime(),
-    radii ? radii->GetMTime() : 0, radii ? 0.0 : this->Radius };
+  const vtkInternals::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
+    arrays.Radii ? arrays.Radii->GetMTime() : 0, arrays.Radii ? 0.0 : this->Radius };
   if (!internals.Passes || internals.PointsSource != source)
   {
-    internals.Points.Read(input->GetPoints(), normals, radii, this->Radius);
+    internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius);
     if (!internals.Passes)
     {
       internals.Passes = std::make_unique<InkSplatPasses>(window);
@@ -253,10 +211,10 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
   }
   if (internals.Points.GetNumberOfVisiblePoints() == 0)
   {
-    std::ostringstream none;
-    none << "None of the " << count
-         << " points has a finite position, a normal that is not zero and a positive radius.";
-    this->ReportOnce(none.str());
+    std::ostringstream message;
+    message << "None of the " << input->GetNumberOfPoints()
+            << " points has a finite position, a normal that is not zero and a positive radius.";
+    this->ReportOnce(message.str());
     return false;
   }
   return true;
