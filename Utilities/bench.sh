@@ -6,7 +6,6 @@ set -euo pipefail
 preset="${1:-headless}"
 [ $# = 0 ] || shift
 cd "$(dirname "$0")/.."
-INK_ROOT="$(pwd)"
 . Utilities/env.sh "$preset"
 
 for benchmark in "$INK_BUILD/$INK_BUILD_BINDIR"/Benchmark*; do

@@ -3,7 +3,6 @@
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
-INK_ROOT="$(pwd)"
 . Utilities/env.sh headless
 
 pictures="build/demo"

@@ -1,10 +1,20 @@
 # Makes a build tree usable in this shell:  . Utilities/env.sh paraview   (or headless, asan, tsan)
 # Afterwards `ink`, `$INK_PYTHON -c 'import vtkink'` and ParaView's plugin manager find what that tree holds.
-# For bash and zsh; other shells pass no argument to a sourced file and set INK_PRESET before instead.
-# Source it inside the repository, or set INK_ROOT to where that is.
+# For bash and zsh. Sourcing it again, here or in another clone, replaces what it did before.
+
+if [ -n "${INK_BUILD:-}" ]; then
+  PATH="$INK_OUTER_PATH"
+  PYTHONPATH="$INK_OUTER_PYTHONPATH"
+  PV_PLUGIN_PATH="$INK_OUTER_PV_PLUGIN_PATH"
+  VTK_DEFAULT_OPENGL_WINDOW="$INK_OUTER_WINDOW"
+fi
+INK_OUTER_PATH="$PATH"
+INK_OUTER_PYTHONPATH="${PYTHONPATH:-}"
+INK_OUTER_PV_PLUGIN_PATH="${PV_PLUGIN_PATH:-}"
+INK_OUTER_WINDOW="${VTK_DEFAULT_OPENGL_WINDOW:-}"
 
 INK_PRESET="${1:-${INK_PRESET:-headless}}"
-INK_ROOT="${INK_ROOT:-$(git rev-parse --show-toplevel 2>/dev/null || pwd)}"
+INK_ROOT="$(cd "$(dirname "${BASH_SOURCE:-$0}")/.." && pwd)"
 INK_BUILD="$INK_ROOT/build/$INK_PRESET"
 
 if [ ! -f "$INK_BUILD/environment.sh" ]; then
@@ -14,11 +24,16 @@ fi
 . "$INK_BUILD/environment.sh"
 
 PATH="$INK_BUILD/$INK_BUILD_BINDIR:$PATH"
-INK_PYTHON="$INK_BUILD_PYTHON"
-PYTHONPATH="$INK_BUILD/$INK_BUILD_PYTHONDIR${PYTHONPATH:+:$PYTHONPATH}"
+if [ "$INK_BUILD_WRAPPED" = ON ]; then
+  INK_PYTHON="$INK_BUILD_PYTHON"
+  PYTHONPATH="$INK_BUILD/$INK_BUILD_PYTHONDIR${PYTHONPATH:+:$PYTHONPATH}"
+else
+  # Without vtkink, Python still runs the tests of ink.
+  INK_PYTHON="$("$INK_ROOT/Utilities/find-python.sh" || echo /usr/bin/python3)"
+fi
 # The modules of a VTK from PyPI lie beside its SDK.
 if [ -d "$INK_ROOT/build/vtk-headless" ] && [ "$INK_PRESET" != paraview ]; then
-  PYTHONPATH="$PYTHONPATH:$INK_ROOT/build/vtk-headless"
+  PYTHONPATH="${PYTHONPATH:+$PYTHONPATH:}$INK_ROOT/build/vtk-headless"
   # No display needed: draw with OSMesa unless the caller chose otherwise.
   VTK_DEFAULT_OPENGL_WINDOW="${VTK_DEFAULT_OPENGL_WINDOW:-vtkOSOpenGLRenderWindow}"
   export VTK_DEFAULT_OPENGL_WINDOW
@@ -27,4 +42,9 @@ if [ -n "$INK_BUILD_PLUGINDIR" ]; then
   PV_PLUGIN_PATH="$INK_BUILD/$INK_BUILD_PLUGINDIR${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}"
   export PV_PLUGIN_PATH
 fi
+if [ "$INK_PRESET" = asan ]; then
+  LSAN_OPTIONS="${LSAN_OPTIONS:-suppressions=$INK_ROOT/Utilities/leaks.supp:print_suppressions=0}"
+  export LSAN_OPTIONS
+fi
 export PATH PYTHONPATH INK_PYTHON INK_PRESET INK_ROOT INK_BUILD
+export INK_OUTER_PATH INK_OUTER_PYTHONPATH INK_OUTER_PV_PLUGIN_PATH INK_OUTER_WINDOW

@@ -6,7 +6,6 @@ set -euo pipefail
 preset="${1:?usage: Utilities/test.sh headless|paraview|asan|tsan [ctest arguments]}"
 shift
 cd "$(dirname "$0")/.."
-INK_ROOT="$(pwd)"
 . Utilities/env.sh "$preset"
 
 on_display()
@@ -22,11 +21,14 @@ failed=""
 echo "test: $preset (VTK $INK_BUILD_VTK_VERSION): C++"
 on_display ctest --preset "$preset" "$@" || failed="$failed ctest"
 
-if [ "$INK_BUILD_WRAPPED" = ON ]; then
-  echo "test: $preset (VTK $INK_BUILD_VTK_VERSION): Python"
+if [ "$INK_BUILD_WRAPPED" != ON ]; then
+  echo "test: left out of $preset: the tests of the Python package vtkink, which this build is without"
+fi
+if "$INK_PYTHON" -c 'import numpy, pytest' 2>/dev/null; then
+  echo "test: $preset (VTK $INK_BUILD_VTK_VERSION): ink and Python"
   on_display "$INK_PYTHON" -m pytest -q -p no:cacheprovider Testing/Python || failed="$failed pytest"
 else
-  echo "test: left out of $preset: Testing/Python (this build has no Python package)"
+  echo "test: left out of $preset: Testing/Python, as $INK_PYTHON has no numpy and pytest"
 fi
 
 if [ -n "$failed" ]; then
