@@ -37,6 +37,7 @@ void setUpMapper(vtkInkSplattingLinesMapper* mapper, const RenderOptions& option
   mapper->SetPhi(options.phi.value_or(mapper->GetPhi()));
   mapper->SetLambda(options.lambda.value_or(mapper->GetLambda()));
   mapper->SetSigma(options.sigma.value_or(mapper->GetSigma()));
+  mapper->SetAsPublished(options.asPublished);
   mapper->SetInkColor(options.inkColor.data());
   mapper->SetPaperVisibility(options.paperColor.has_value());
   if (options.paperColor)

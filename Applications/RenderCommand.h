@@ -43,6 +43,7 @@ struct RenderOptions
   std::optional<double> phi;
   std::optional<double> lambda;
   std::optional<double> sigma;
+  bool asPublished = false; ///< the paper's splats, without the mapper's additions
   Color inkColor{ 0, 0, 0 };
   std::optional<Color> paperColor{ { 1, 1, 1 } }; ///< none: ink only
   Color background{ 1, 1, 1 };

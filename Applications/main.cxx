@@ -178,6 +178,11 @@ struct RenderArguments
     addLineOption("--sigma", this->options.sigma, "width of the narrower Gaussian as part of a splat",
       mapper->GetSigmaMinValue(), mapper->GetSigmaMaxValue(), mapper->GetSigma());
 
+    command
+      ->add_flag("--as-published", this->options.asPublished,
+        "splat exactly as in the paper: without what makes contours solid and lines smooth")
+      ->group("Lines");
+
     command->add_option("--ink-color", this->inkColor, "colour of the lines (black)")
       ->type_name("COLOR")
       ->group("Colours: names as in HTML, #rrggbb or #rgb");

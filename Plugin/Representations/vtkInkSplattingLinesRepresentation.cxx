@@ -151,6 +151,11 @@ void vtkInkSplattingLinesRepresentation::SetSigma(double sigma)
   this->Mapper->SetSigma(sigma);
 }
 
+void vtkInkSplattingLinesRepresentation::SetAsPublished(bool asPublished)
+{
+  this->Mapper->SetAsPublished(asPublished);
+}
+
 void vtkInkSplattingLinesRepresentation::SetRadius(double radius)
 {
   this->Mapper->SetRadius(radius);

@@ -42,6 +42,7 @@ public:
   void SetTau(double tau);
   void SetPhi(double phi);
   void SetSigma(double sigma);
+  void SetAsPublished(bool asPublished);
   void SetRadius(double radius);
   void SetInkColor(double red, double green, double blue);
   void SetPaperColor(double red, double green, double blue);

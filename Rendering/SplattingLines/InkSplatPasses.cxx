@@ -40,6 +40,9 @@ namespace
 constexpr double MinimumDepthRadius = 0.75;
 constexpr double MinimumLightRadius = 3.0;
 
+/// The same for splats as published, of which the paper says nothing: only so that no disc is degenerate.
+constexpr double PublishedMinimumRadius = 0.01;
+
 /// Splats count as being on the visible surface within this fraction of their point's radius from what the
 /// depth splats show (Zhang et al. 2014, section 3.1, has an offset instead).
 constexpr double Tolerance = 1.5;
@@ -163,7 +166,7 @@ void InkSplatPasses::DrawPoints()
 }
 
 void InkSplatPasses::DrawSplats(
-  const InkSplatView& view, InkSplatTargets& targets, double lambda, double sigma)
+  const InkSplatView& view, InkSplatTargets& targets, const Splatting& splatting)
 {
   vtkOpenGLState* state = this->Window->GetState();
   const ScopedState scoped(state);
@@ -180,7 +183,8 @@ void InkSplatPasses::DrawSplats(
   state->vtkglDisable(GL_BLEND);
   state->vtkglClearColor(NoSurface, 0.0f, 0.0f, 0.0f);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-  if (this->Begin(*this->DepthPass, view, 1.0, MinimumDepthRadius))
+  if (this->Begin(
+        *this->DepthPass, view, 1.0, splatting.AsPublished ? PublishedMinimumRadius : MinimumDepthRadius))
   {
     this->DrawPoints();
     this->DepthPass->VertexArray->Release();
@@ -195,17 +199,24 @@ void InkSplatPasses::DrawSplats(
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   state->vtkglBlendEquation(GL_FUNC_ADD);
-  const double minimumRadius = MinimumLightRadius * view.TileScale;
-  if (vtkShaderProgram* program = this->Begin(*this->LightPass, view, lambda, minimumRadius))
+  const double minimumRadius =
+    splatting.AsPublished ? PublishedMinimumRadius : MinimumLightRadius * view.TileScale;
+  if (vtkShaderProgram* program = this->Begin(*this->LightPass, view, splatting.Lambda, minimumRadius))
   {
     targets.GetSurface()->Activate();
     program->SetUniformi("surface", targets.GetSurface()->GetTextureUnit());
     program->SetUniformi("cullHidden", 1);
-    program->SetUniformf("minimumLight", static_cast<float>(MinimumLight));
-    const double wide = WideOverNarrow * sigma;
-    const float falloff[2] = { static_cast<float>(0.5 / (sigma * sigma)),
+    program->SetUniformf("minimumLight", splatting.AsPublished ? 0.0f : static_cast<float>(MinimumLight));
+    const double narrow = splatting.Sigma;
+    const double wide = WideOverNarrow * narrow;
+    const float falloff[2] = { static_cast<float>(0.5 / (narrow * narrow)),
       static_cast<float>(0.5 / (wide * wide)) };
-    const float rim[2] = { std::exp(-falloff[0]), std::exp(-falloff[1]) };
+    float rim[2] = { 0.0f, 0.0f };
+    if (!splatting.AsPublished)
+    {
+      rim[0] = std::exp(-falloff[0]);
+      rim[1] = std::exp(-falloff[1]);
+    }
     program->SetUniform2f("falloff", falloff);
     program->SetUniform2f("rim", rim);
     this->DrawPoints();

@@ -35,8 +35,17 @@ public:
   /// When Upload was last called, on VTK's clock; 0: never.
   vtkMTimeType GetUploadTime() const;
 
+  /// What the splats depend on besides the points and the view.
+  struct Splatting
+  {
+    double Lambda;
+    double Sigma;
+    bool AsPublished;
+    bool operator==(const Splatting&) const = default;
+  };
+
   /// The depth and the illumination splats of a view, into the targets. The OpenGL state is left as it was.
-  void DrawSplats(const InkSplatView& view, InkSplatTargets& targets, double lambda, double sigma);
+  void DrawSplats(const InkSplatView& view, InkSplatTargets& targets, const Splatting& splatting);
 
   /// What the composite adds to the splats.
   struct Style

@@ -61,8 +61,7 @@ public:
     vtkWeakPointer<vtkActor> Actor;
     std::unique_ptr<InkSplatTargets> Targets;
     std::optional<InkSplatView> View;
-    double Lambda;
-    double Sigma;
+    InkSplatPasses::Splatting Splatting;
     vtkMTimeType UploadTime;
   };
 
@@ -280,13 +279,12 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     this->ReportOnce("This OpenGL cannot draw into 32-bit float images, which splatting lines need.");
     return;
   }
-  if (drawing.View != view || drawing.Lambda != this->Lambda || drawing.Sigma != this->Sigma ||
-    drawing.UploadTime != passes.GetUploadTime())
+  const InkSplatPasses::Splatting splatting{ this->Lambda, this->Sigma, this->AsPublished };
+  if (drawing.View != view || drawing.Splatting != splatting || drawing.UploadTime != passes.GetUploadTime())
   {
-    passes.DrawSplats(view, *drawing.Targets, this->Lambda, this->Sigma);
+    passes.DrawSplats(view, *drawing.Targets, splatting);
     drawing.View = view;
-    drawing.Lambda = this->Lambda;
-    drawing.Sigma = this->Sigma;
+    drawing.Splatting = splatting;
     drawing.UploadTime = passes.GetUploadTime();
   }
   passes.DrawComposite(view, *drawing.Targets,
@@ -368,6 +366,7 @@ void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tau: " << this->Tau << "\n";
   os << indent << "Phi: " << this->Phi << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
+  os << indent << "AsPublished: " << (this->AsPublished ? "On" : "Off") << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
      << "\n";

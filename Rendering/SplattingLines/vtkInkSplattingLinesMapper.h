@@ -12,10 +12,10 @@
  * lines appear. No connectivity is needed, and every parameter but the points themselves can change
  * without anything being uploaded to the GPU again. A view that does not change costs next to nothing.
  *
- * To the paper's method are added: splats that are a few pixels wide in all directions (EWA splatting,
- * Zwicker et al. 2001), so that what is far away or seen edge-on has no holes and lines are at least that
- * thick, also in pictures drawn in tiles; Gaussians that go down to zero at the splats' rim, so that lines
- * are smooth; and black beyond contours, in I1 only, so that these are solid.
+ * To the paper's method are added, unless AsPublished is on: splats that are a few pixels wide in all
+ * directions (EWA splatting, Zwicker et al. 2001), so that what is far away or seen edge-on has no holes and
+ * lines are at least that thick, also in pictures drawn in tiles; Gaussians that go down to zero at the
+ * splats' rim, so that lines are smooth; and black beyond contours, in I1 only, so that these are solid.
  *
  * Input: points with normals of any length (the point array `Normals`, or else the active normals, or the
  * array chosen with SetInputArrayToProcess(NORMALS, ...)) and, if there is one, the point array `Radius` in
@@ -96,6 +96,16 @@ public:
 
   ///@{
   /**
+   * Splat exactly as the paper writes it, without the additions that the class description lists. Contours
+   * are then faint and broken where few points lie on them, and lines less smooth. Default: off.
+   */
+  vtkSetMacro(AsPublished, bool);
+  vtkGetMacro(AsPublished, bool);
+  vtkBooleanMacro(AsPublished, bool);
+  ///@}
+
+  ///@{
+  /**
    * The radius of all points in world units when the input has no radius array; 0 (default): estimated
    * from the points' spacing.
    */
@@ -162,6 +172,7 @@ private:
   double Tau = 0.99;
   double Phi = 100.0;
   double Sigma = 0.4;
+  bool AsPublished = false;
   double Radius = 0.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };
   double PaperColor[3] = { 1.0, 1.0, 1.0 };

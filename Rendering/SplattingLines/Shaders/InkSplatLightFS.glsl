@@ -17,7 +17,7 @@ flat in vec2 toleranceVSOutput;
 uniform sampler2D surface; // from the depth splats
 uniform float minimumLight;
 uniform vec2 falloff;      // 1 / (2 sigma^2) of the narrow and of the wide Gaussian
-uniform vec2 rim;          // both Gaussians at the disc's rim
+uniform vec2 rim;          // both Gaussians at the disc's rim; 0 to leave them as they are
 
 //VTK::Output::Dec
 
