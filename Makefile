@@ -3,7 +3,8 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help demo test setup build test-headless test-paraview bench sanitize format install clean
+.PHONY: help demo test setup setup-headless setup-paraview build build-headless build-paraview build-asan \
+  build-tsan test-headless test-paraview bench sanitize format install clean
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -17,11 +18,23 @@ setup: setup-headless setup-paraview ## Install what both builds need (Debian pa
 
 build: build-headless build-paraview ## Build with VTK 9.7 (headless) and with ParaView 5.11's VTK
 
-setup-%:
-	@Utilities/setup.sh $*
+setup-headless: ## Install what the build with VTK 9.7 needs
+	@Utilities/setup.sh headless
 
-build-%:
-	@Utilities/build.sh $*
+setup-paraview: ## Install what the build with ParaView needs
+	@Utilities/setup.sh paraview
+
+build-headless: ## Build with VTK 9.7
+	@Utilities/build.sh headless
+
+build-paraview: ## Build with ParaView 5.11's VTK, the plugin included
+	@Utilities/build.sh paraview
+
+build-asan: ## Build with the address and undefined-behaviour sanitizers
+	@Utilities/build.sh asan
+
+build-tsan: ## Build with the thread sanitizer
+	@Utilities/build.sh tsan
 
 test-headless: ## Run the tests of the headless build
 	@Utilities/test.sh headless
@@ -32,9 +45,8 @@ test-paraview: ## Run the tests of the ParaView build
 bench: setup-headless build-headless ## Measure the sampler and the mapper against VTK's own
 	@Utilities/bench.sh
 
-sanitize: setup-headless build-asan build-tsan ## Run the tests under the address, undefined-behaviour and thread sanitizers
+sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behaviour sanitizers
 	@Utilities/test.sh asan
-	@Utilities/test.sh tsan
 
 format: ## Format the C++ files (clang-format)
 	@git ls-files '*.h' '*.cxx' '*.cpp' | xargs clang-format -i

@@ -92,7 +92,7 @@ PlyHeader readPlyHeader(std::istream& stream, const fs::path& file)
         words >> countType >> itemType;
         property = { plyTypeSize(itemType), plyTypeSize(countType) };
       }
-      if (property.itemSize == 0 || (type == "list" && property.countSize == 0))
+      if (property.itemSize == 0 || (type == "list" && (property.countSize == 0 || property.countSize == 8)))
       {
         failToRead(file, "its header says '" + line + "'; the type is unknown");
       }
@@ -130,7 +130,8 @@ bool skipBinary(std::istream& stream, const Element& element, bool bigEndian, st
     {
       const std::int64_t count =
         property.countSize == 0 ? 1 : readCount(stream, property.countSize, bigEndian);
-      if (count < 0 || !stream.seekg(count * property.itemSize, std::ios::cur) || stream.tellg() > fileSize)
+      if (count < 0 || count > fileSize || !stream.seekg(count * property.itemSize, std::ios::cur) ||
+        stream.tellg() > fileSize)
       {
         return false;
       }
@@ -145,7 +146,10 @@ bool skipText(std::istream& stream, const Element& element)
   std::string line;
   for (std::int64_t i = 0; i < element.count; ++i)
   {
-    std::getline(stream, line);
+    if (!std::getline(stream, line))
+    {
+      return false;
+    }
     std::istringstream words(line);
     for (const Property& property : element.properties)
     {
@@ -192,6 +196,11 @@ void checkPly(const fs::path& file)
   const auto fileSize = static_cast<std::int64_t>(fs::file_size(file));
   for (const Element& element : header.elements)
   {
+    // Without properties an element takes no bytes, and any number of them fits.
+    if (element.properties.empty() && element.count > 0)
+    {
+      failToRead(file, "its header gives the elements '" + element.name + "' no properties");
+    }
     if (!(binary ? skipBinary(stream, element, bigEndian, fileSize) : skipText(stream, element)))
     {
       failToRead(file,

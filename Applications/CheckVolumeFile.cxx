@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -74,10 +75,27 @@ void checkNrrd(const fs::path& file)
     const auto found = fields.find(name);
     return found == fields.end() ? std::string() : found->second;
   };
-  std::uint64_t values = 1;
-  for (const double size : numbersIn(field("sizes")))
+  // VTK's reader crashes on other numbers of dimensions.
+  const auto sizes = numbersIn(field("sizes"));
+  const auto dimensions = numbersIn(field("dimension"));
+  if (dimensions.size() != 1 || (dimensions[0] != 3 && dimensions[0] != 4) || sizes.size() != dimensions[0])
   {
-    values *= static_cast<std::uint64_t>(size > 0 ? size : 0);
+    failToRead(file,
+      "its header says dimension '" + field("dimension") + "' and sizes '" + field("sizes") +
+        "'; expected 3 or 4 sizes");
+  }
+  std::uint64_t values = 1;
+  constexpr double largestSize = 1 << 30;
+  for (const double size : sizes)
+  {
+    if (!(size >= 1 && size <= largestSize) ||
+      values > std::numeric_limits<std::uint64_t>::max() / 64 / static_cast<std::uint64_t>(size))
+    {
+      failToRead(file,
+        "its header says sizes '" + field("sizes") + "'; expected sizes from 1 to " +
+          std::to_string(static_cast<long>(largestSize)) + " that memory can hold");
+    }
+    values *= static_cast<std::uint64_t>(size);
   }
 
   // The data may lie in a file, or several ("LIST", patterns with %), beside the header.

@@ -42,7 +42,6 @@ public:
   TemporaryFile(std::string name, mode_t mode)
     : Name(std::move(name))
   {
-    temporaryName = this->Name.c_str();
     for (std::size_t i = 0; i < caughtSignals.size(); ++i)
     {
       struct sigaction action = {};
@@ -54,13 +53,15 @@ public:
         sigaction(caughtSignals[i], &action, nullptr);
       }
     }
-    this->Descriptor = open(this->Name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+    this->Descriptor = open(this->Name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    this->Created = this->Descriptor >= 0;
+    temporaryName = this->Created ? this->Name.c_str() : nullptr;
   }
 
   ~TemporaryFile()
   {
     this->close();
-    if (!this->Renamed)
+    if (this->Created && !this->Renamed)
     {
       unlink(this->Name.c_str());
     }
@@ -91,6 +92,7 @@ public:
 private:
   std::string Name;
   int Descriptor = -1;
+  bool Created = false;
   bool Renamed = false;
   std::array<struct sigaction, caughtSignals.size()> Previous;
 };
@@ -120,7 +122,8 @@ OutputFile::OutputFile(const fs::path& path)
   : Given(path)
 {
   std::error_code error;
-  this->Target = fs::weakly_canonical(path, error);
+  // Absolute first: of a path that does not exist yet, the canonical one may stay relative.
+  this->Target = fs::weakly_canonical(fs::absolute(path), error);
   if (error || this->Target.empty())
   {
     fail(path, error ? error.message() : "no file name");

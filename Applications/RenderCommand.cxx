@@ -48,6 +48,7 @@ void setUpMapper(vtkInkSplattingLinesMapper* mapper, const RenderOptions& option
 
 vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& options)
 {
+  const VtkMessages messages;
   vtkNew<vtkInkSplattingLinesMapper> mapper;
   mapper->SetInputData(points);
   setUpMapper(mapper, options);
@@ -71,7 +72,6 @@ vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& opt
   camera->Zoom(options.zoom);
   renderer->ResetCameraClippingRange();
 
-  const VtkMessages messages;
   const auto drawOn = [&](Color background)
   {
     renderer->SetBackground(background.data());

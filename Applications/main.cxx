@@ -258,6 +258,13 @@ int run(int argc, char* argv[])
   {
     app.parse(argc, argv);
   }
+  catch (const CLI::ExtrasError&)
+  {
+    const std::vector<std::string> unknown = app.remaining(true);
+    return report(WrongUsage,
+      "'" + unknown.front() + "': expected no such argument (see ink" +
+        (app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name()) + " --help)");
+  }
   catch (const CLI::ParseError& error)
   {
     // Asking for help is one of these as well.

@@ -22,7 +22,8 @@ constexpr std::size_t maximumQueries = 64;
 constexpr std::size_t neighbours = 6;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The distance from one point to its sixth nearest other, or to the farthest of fewer; infinite without any.
+/// The distance from one point to the sixth nearest place of others, or to the farthest of fewer; infinite
+/// without any.
 float distanceToNeighbours(std::span<const glm::vec3> points, std::size_t query)
 {
   std::array<float, neighbours> nearest;
@@ -31,8 +32,9 @@ float distanceToNeighbours(std::span<const glm::vec3> points, std::size_t query)
   {
     const glm::vec3 offset = points[i] - points[query];
     const float squared = glm::dot(offset, offset);
-    // False for positions that are not finite.
-    if (squared < nearest.back() && i != query)
+    // False for positions that are not finite, and for copies of the point, as meshes with separate
+    // triangles have.
+    if (squared > 0.0f && squared < nearest.back())
     {
       const auto place = std::upper_bound(nearest.begin(), nearest.end(), squared);
       std::move_backward(place, nearest.end() - 1, nearest.end());

@@ -54,6 +54,19 @@ TEST(PointSpacing, PassesOverPointsThatAreNotFinite)
   EXPECT_NEAR(ink::discRadiusFromSpacing(points), std::sqrt(2.0f), 0.6f);
 }
 
+/// As a mesh whose triangles share no vertices has them.
+TEST(PointSpacing, PassesOverCopies)
+{
+  std::vector<glm::vec3> copies;
+  for (const glm::vec3& point : grid(30, 0.5f))
+  {
+    copies.insert(copies.end(), 8, point);
+  }
+  const float radius = ink::discRadiusFromSpacing(copies);
+  EXPECT_GE(radius, 0.5f);
+  EXPECT_LE(radius, 0.5f * std::sqrt(2.0f) + 1e-3f);
+}
+
 TEST(PointSpacing, OfFewPoints)
 {
   EXPECT_EQ(ink::discRadiusFromSpacing({}), 0.0f);

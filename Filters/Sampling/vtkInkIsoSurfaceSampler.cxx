@@ -28,7 +28,6 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -218,13 +217,22 @@ int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
 vtkDataArray* vtkInkIsoSurfaceSampler::GetScalars(vtkImageData* image, vtkInformationVector** input)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, input, association);
+  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  // ParaView gives an empty name where no array was chosen.
+  vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
+                                             : this->GetInputArrayToProcess(0, input, association);
   if (!scalars)
   {
-    const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-    vtkErrorMacro("The image has no point array " << (name ? name : "of scalars") << "; it has "
-                                                  << image->GetPointData()->GetNumberOfArrays()
-                                                  << " point arrays. Expected a numeric one.");
+    const int count = image->GetPointData()->GetNumberOfArrays();
+    std::string found;
+    for (int i = 0; i < count; ++i)
+    {
+      const char* name = image->GetPointData()->GetArrayName(i);
+      found += (i ? ", \"" : "\"") + std::string(name ? name : "") + "\"";
+    }
+    vtkErrorMacro(<< (chosen && *chosen ? "No numeric point array \"" + std::string(chosen) + "\""
+                                        : std::string("No point scalars"))
+                  << " in the image. Its point arrays: " << (found.empty() ? "none" : found) << ".");
     return nullptr;
   }
   const char* name = scalars->GetName() ? scalars->GetName() : "(unnamed)";

@@ -6,6 +6,7 @@
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
@@ -16,8 +17,17 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
 
 vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
+
+namespace
+{
+
+/// The field array that points carry whose ids are those of the input.
+constexpr const char* IdsAreInputs = "InkIdsAreInputs";
+
+} // namespace
 
 vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation()
 {
@@ -40,8 +50,14 @@ int vtkInkSplattingLinesRepresentation::RequestData(
 {
   const vtkInkGatheredPoints gathered = vtkInkGatherPoints(vtkDataObject::GetData(inputVector[0], 0));
   this->Points->ShallowCopy(gathered.Points);
-  this->PointIdsAreInputs = gathered.IdsAreInputs;
-  this->UpdatePickable();
+  // Travels with the points to where they are drawn; put together from several processes, they lose it.
+  if (gathered.IdsAreInputs && vtkMultiProcessController::GetGlobalController()->GetNumberOfProcesses() == 1)
+  {
+    vtkNew<vtkUnsignedCharArray> mark;
+    mark->SetName(IdsAreInputs);
+    mark->InsertNextValue(1);
+    this->Points->GetFieldData()->AddArray(mark);
+  }
   if (!gathered.Problem.empty())
   {
     vtkWarningMacro(<< "Splatting Lines draws nothing for " << gathered.Problem);
@@ -72,7 +88,10 @@ int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->Mapper->SetInputDataObject(vtkPVView::GetDeliveredPiece(inInfo, this));
+    vtkDataObject* delivered = vtkPVView::GetDeliveredPiece(inInfo, this);
+    this->Mapper->SetInputDataObject(delivered);
+    this->PointIdsAreInputs = delivered && delivered->GetFieldData()->HasArray(IdsAreInputs);
+    this->UpdatePickable();
     this->Actor->SetVisibility(this->DrawsOnThisProcess());
   }
   return 1;

@@ -95,7 +95,7 @@ private:
   vtkNew<vtkInkSplattingLinesMapper> Mapper;
   vtkNew<vtkActor> Actor;
   bool Pickable = true;
-  bool PointIdsAreInputs = true;
+  bool PointIdsAreInputs = false;
 };
 
 #endif

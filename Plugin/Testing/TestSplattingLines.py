@@ -64,7 +64,7 @@ class TestSplattingLines(unittest.TestCase):
         self.assertGreater(numpy.abs(fine - broad).mean(), 0.005)
 
     def test_colours(self):
-        self.show(sampled_wavelet(), Phi=1000, InkColor=[0, 0, 1], PaperColor=[1, 0, 0])
+        self.show(sampled_wavelet(), Phi=500, InkColor=[0, 0, 1], PaperColor=[1, 0, 0])
         pixels = picture(self.view)
         drawn = pixels[~is_background(pixels)]
         self.assertLess(drawn[:, 1].max(), 0.02)

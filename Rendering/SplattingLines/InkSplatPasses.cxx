@@ -160,9 +160,14 @@ vtkShaderProgram* InkSplatPasses::Begin(
 
 void InkSplatPasses::DrawPoints()
 {
+  // vtkOpenGLState does not know this one.
+  const bool wasEnabled = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDrawArrays(GL_POINTS, 0, this->NumberOfPoints);
-  glDisable(GL_PROGRAM_POINT_SIZE);
+  if (!wasEnabled)
+  {
+    glDisable(GL_PROGRAM_POINT_SIZE);
+  }
 }
 
 void InkSplatPasses::DrawSplats(

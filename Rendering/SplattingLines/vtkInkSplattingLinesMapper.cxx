@@ -269,7 +269,7 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   const InkSplatView view(renderer, actor, this, internals.Points, viewport + 2);
 
   vtkInternals::Drawing& drawing = internals.Find(renderer, actor);
-  if (!drawing.View || drawing.View->Size != view.Size)
+  if (!drawing.Targets || (drawing.View && drawing.View->Size != view.Size))
   {
     drawing.Targets = std::make_unique<InkSplatTargets>(passes.GetWindow(), viewport + 2);
     drawing.View.reset();

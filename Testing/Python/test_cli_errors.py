@@ -31,6 +31,40 @@ def refused(ink, tmp_path):
     return run
 
 
+NRRD = "NRRD0004\ntype: uchar\ndimension: {}\nsizes: {}\nencoding: raw\n\n"
+
+
+@pytest.mark.parametrize("dimension, sizes", [
+    ("1", "24"), ("2", "2 2"), ("5", "2 2 2 2 2"), ("3", "2 2"), ("x", "2 2 2"), ("3", "-2 2 2"), ("3", "0 2 2"),
+    ("3", "4294967296 4294967296 2"), ("3", "1e30 1 1"), ("4", "1000000000 1000000000 1000000000 1000000000"),
+])
+def test_nrrd_sizes_that_are_none(refused, tmp_path, dimension, sizes):
+    path = tmp_path / "v.nrrd"
+    path.write_bytes(NRRD.format(dimension, sizes).encode() + bytes(64))
+    assert "sizes" in refused(1, path)
+
+
+@pytest.mark.parametrize("form", ["ascii", "binary_little_endian"])
+@pytest.mark.parametrize("properties", ["", "property float x\n", "property list double int x\n"])
+def test_ply_headers_that_promise_too_much(refused, tmp_path, form, properties):
+    path = tmp_path / "m.ply"
+    path.write_text(f"ply\nformat {form} 1.0\nelement vertex 999999999999999999\n{properties}end_header\n1\n")
+    assert "header" in refused(1, path)
+
+
+def test_output_in_the_current_folder(ink, volume_file, tmp_path):
+    result = ink("render", volume_file, "--iso", 100, "--size", "32x32", "-o", "new.png", cwd=tmp_path)
+    assert result.code == 0, result
+    assert os.listdir(tmp_path) == ["new.png"]
+
+
+@pytest.mark.parametrize("arguments", [["rendr", "v.nii"], ["render", "v.nii", "-o", "a.png", "--isovalue", "80"]])
+def test_unknown_arguments_are_named(ink, arguments):
+    result = ink(*arguments)
+    assert result.code == 2
+    assert ("'rendr'" if "rendr" in arguments else "'--isovalue'") in result.error and "--help" in result.error
+
+
 def test_missing_file(refused, tmp_path):
     assert "no such file" in refused(1, tmp_path / "absent.nii")
 

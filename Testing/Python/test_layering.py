@@ -1,4 +1,4 @@
-"""Dependencies go one way: Common <- Filters, IO, Rendering <- Plugin, Applications, Python."""
+"""Dependencies go one way: Common <- Filters, Rendering <- Plugin, Applications."""
 
 import pathlib
 import re
@@ -7,15 +7,16 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = {".h", ".hpp", ".cpp", ".cxx"}
-LAYERS = ["Common", "Filters", "IO", "Rendering"]
 
-# Which of vtkInk's folders the files of a layer may include from or link to.
+# Which of vtkInk's folders the files of a folder may include from.
 MAY_USE = {
     "Common": {"Common"},
     "Filters": {"Common", "Filters"},
-    "IO": {"Common", "IO"},
     "Rendering": {"Common", "Rendering"},
+    "Plugin": {"Common", "Filters", "Rendering", "Plugin"},
+    "Applications": {"Common", "Filters", "Rendering", "Applications"},
 }
+LAYERS = list(MAY_USE)
 
 
 def files(layer, suffixes):
@@ -41,6 +42,11 @@ def layer_of_header():
     return owner
 
 
+def test_the_layers_are_there():
+    for layer in LAYERS:
+        assert files(layer, SOURCES), f"{layer} has no sources: is the path right?"
+
+
 def violations(layer, allowed, owner):
     found = []
     for path in files(layer, SOURCES):
@@ -58,7 +64,6 @@ def test_common_never_sees_vtk():
         for header in includes(path)
         if re.match(r"(.*/)?(vtk|pq|QtCore|QtGui)", header)
     ]
-    assert files("Common", SOURCES), "Common has no sources: is the path right?"
     assert not found, "\n".join(found)
 
 
@@ -68,15 +73,29 @@ def test_includes_go_one_way(layer):
     assert not found, "\n".join(found)
 
 
-@pytest.mark.parametrize("layer", ["Filters", "IO", "Rendering"])
+def test_filters_never_see_rendering():
+    """Neither by an include, nor by a module dependency, nor by a link."""
+    found = [
+        f"{path.relative_to(ROOT)} includes {header}"
+        for path in files("Filters", SOURCES)
+        for header in includes(path)
+        if re.match(r"vtk(OpenGL|Render|Actor|Camera|Mapper|PolyDataMapper|Property|Light|Prop)", header)
+    ]
+    for name in ("vtk.module", "CMakeLists.txt"):
+        for path in sorted((ROOT / "Filters").rglob(name)):
+            if "Testing" not in path.parts and re.search(r"\w+::\w*Rendering\w*", path.read_text()):
+                found.append(f"{path.relative_to(ROOT)} names a rendering module")
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize("layer", ["Filters", "Rendering"])
 def test_module_dependencies_go_one_way(layer):
-    """A vtk.module may depend on VTK and on vtkInk modules of its own layer; filters never on rendering."""
+    """A vtk.module may depend on VTK and on vtkInk modules of its own layer, never on ParaView."""
+    modules = sorted((ROOT / layer).rglob("vtk.module"))
+    assert modules
     found = []
-    for path in sorted((ROOT / layer).rglob("vtk.module")):
-        for module in re.findall(r"^\s+((?:vtkInk|VTK|ParaView)::\w+)$", path.read_text(), re.MULTILINE):
-            namespace, name = module.split("::")
-            ours = namespace == "vtkInk" and not name.startswith(layer)
-            rendering = layer in ("Filters", "IO") and namespace == "VTK" and name.startswith("Rendering")
-            if ours or rendering or namespace == "ParaView":
-                found.append(f"{path.relative_to(ROOT)} depends on {module}")
+    for path in modules:
+        for namespace, name in re.findall(r"^\s+(\w+)::(\w+)$", path.read_text(), re.MULTILINE):
+            if namespace != "VTK" and not (namespace == "vtkInk" and name.startswith(layer)):
+                found.append(f"{path.relative_to(ROOT)} depends on {namespace}::{name}")
     assert not found, "\n".join(found)

@@ -41,7 +41,8 @@ void main()
     discard;
   }
 
-  vec2 clip = depthToClip.xz * (depthBias - depth) + depthToClip.yw;
+  // Half way to the viewer at most: close up, the marks must not end up behind the viewer.
+  vec2 clip = depthToClip.xz * (min(depthBias, 0.5 * depth) - depth) + depthToClip.yw;
   gl_FragDepth = clamp(0.5 * clip.x / clip.y + 0.5, 0.0, 1.0);
 
   //VTK::DepthPeeling::PreColor

@@ -50,9 +50,9 @@ int TestIsoSurfaceSamplerErrors(int, char*[])
   const double nan = std::numeric_limits<double>::quiet_NaN();
 
   Expect(check, "no image", {}, [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->Initialize(); });
-  Expect(check, "no scalars", { "no point array", "0 point arrays" },
+  Expect(check, "no scalars", { "No point scalars", "none" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->GetPointData()->Initialize(); });
-  Expect(check, "no such array", { "Pressure" },
+  Expect(check, "no such array", { "\"Pressure\"", "\"Density\"" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*)
     { sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
   Expect(check, "cell data", { "OfCells", "5832", "6859" },

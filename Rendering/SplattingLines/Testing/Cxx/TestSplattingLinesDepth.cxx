@@ -134,7 +134,7 @@ void TestInkOnItsSurface(InkTestChecks& check)
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Mapper->PaperVisibilityOff();
   scene.Mapper->SetRadius(0.06);
-  scene.Mapper->SetTau(1.5); // ink everywhere
+  scene.Mapper->SetTau(1.2); // ink everywhere
   Square square(1.0, 0.03, 1.0, 1.0, 0.0);
   scene.Renderer->AddActor(square.Actor);
   scene.Renderer->GetActiveCamera()->Elevation(40.0);
