@@ -1,5 +1,6 @@
 """The sampler as ParaView offers it: where it can be applied, and what it starts with."""
 
+import pathlib
 import unittest
 
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
@@ -32,6 +33,14 @@ class TestSampler(unittest.TestCase):
         self.assertGreater(sampler.GetDataInformation().GetNumberOfPoints(), 1000)
         self.assertIsNotNone(sampler.PointData["Normals"])
         self.assertIsNotNone(sampler.PointData["Radius"])
+
+    def test_opens_a_compressed_nifti_volume_and_samples_it_unasked(self):
+        engine = pathlib.Path(__file__).resolve().parents[2] / "Data" / "engine.nii.gz"
+        # Not updated, so ParaView does not know yet which arrays there are.
+        sampler = InkIsoSurfaceSampler(Input=OpenDataFile(str(engine)))
+        sampler.Isosurfaces = [80.0]
+        sampler.UpdatePipeline()
+        self.assertEqual(sampler.GetDataInformation().GetNumberOfPoints(), 293070)
 
     def test_iso_values_and_options_reach_the_filter(self):
         wavelet = Wavelet()
