@@ -85,7 +85,7 @@ bool applyNiftiOrientation(vtkNIFTIImageReader* reader, vtkImageData* image)
   return false;
 }
 
-void applyNrrdOrientation(const std::filesystem::path& file, vtkImageData* image)
+bool applyNrrdOrientation(const std::filesystem::path& file, vtkImageData* image)
 {
   auto fields = readTextHeader(file, ':', "");
   // The directions of axes that are not spatial are given as "none", which ends the numbers.
@@ -98,7 +98,7 @@ void applyNrrdOrientation(const std::filesystem::path& file, vtkImageData* image
   std::vector<double> origin = numbersIn(fields["space origin"]);
   if (steps.size() != 9)
   {
-    return;
+    return true;
   }
   origin.resize(3);
 
@@ -107,13 +107,15 @@ void applyNrrdOrientation(const std::filesystem::path& file, vtkImageData* image
   const bool towardsFront = space.find("anterior") != std::string::npos || space == "RAS" || space == "LAS";
   const double sign[3] = { towardsRight ? -1.0 : 1.0, towardsFront ? -1.0 : 1.0, 1.0 };
   double spacing[3];
-  if (makeOrientation(steps.data(), origin.data(), sign, spacing).apply(image))
+  if (!makeOrientation(steps.data(), origin.data(), sign, spacing).apply(image))
   {
-    image->SetSpacing(spacing);
+    return false;
   }
+  image->SetSpacing(spacing);
+  return true;
 }
 
-void applyMetaImageOrientation(const std::filesystem::path& file, vtkImageData* image)
+bool applyMetaImageOrientation(const std::filesystem::path& file, vtkImageData* image)
 {
   const auto fields = readTextHeader(file, '=', "ElementDataFile");
   // The format has three names for each.
@@ -135,12 +137,12 @@ void applyMetaImageOrientation(const std::filesystem::path& file, vtkImageData* 
   }
   if (steps.size() != 9)
   {
-    return;
+    return true;
   }
   origin.resize(3);
   constexpr double sign[3] = { 1, 1, 1 };
   double norms[3];
-  makeOrientation(steps.data(), origin.data(), sign, norms).apply(image);
+  return makeOrientation(steps.data(), origin.data(), sign, norms).apply(image);
 }
 
 } // namespace ink::cli

@@ -27,7 +27,8 @@ bool applyNiftiOrientation(vtkNIFTIImageReader* reader, vtkImageData* image);
 
 /// The orientation in a NRRD ("space directions") or MetaImage ("TransformMatrix") header, if there is one.
 /// Spacing and origin are set as well.
-void applyNrrdOrientation(const std::filesystem::path& file, vtkImageData* image);
-void applyMetaImageOrientation(const std::filesystem::path& file, vtkImageData* image);
+/// \return false if there is one that cannot be used
+bool applyNrrdOrientation(const std::filesystem::path& file, vtkImageData* image);
+bool applyMetaImageOrientation(const std::filesystem::path& file, vtkImageData* image);
 
 } // namespace ink::cli

@@ -22,6 +22,8 @@ namespace ink::cli
 namespace
 {
 
+constexpr const char* notAtRightAngles = "its axes are not at right angles; they are taken as the world's";
+
 void requireFormat(bool isOne, const fs::path& file, const char* format)
 {
   if (!isOne)
@@ -43,7 +45,7 @@ Input readNifti(const fs::path& file, Progress& progress)
   const bool stored = reader->GetSFormMatrix() || reader->GetQFormMatrix();
   if (stored && !applyNiftiOrientation(reader, image))
   {
-    input.notes.emplace_back("its axes are not at right angles; they are taken as the world's");
+    input.notes.emplace_back(notAtRightAngles);
   }
   if (reader->GetTimeDimension() > 1)
   {
@@ -54,30 +56,32 @@ Input readNifti(const fs::path& file, Progress& progress)
   return input;
 }
 
+/// A volume from a reader that leaves the orientation in the file's header to `orient`.
+template <class Reader, class Orient>
+Input readWithHeader(const fs::path& file, const char* format, const Orient& orient, Progress& progress)
+{
+  vtkNew<Reader> reader;
+  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
+  reader->SetFileName(file.c_str());
+  runReader(reader, file, progress);
+  Input input = makeVolumeInput(reader->GetOutput(), file, format);
+  if (!orient(file, vtkImageData::SafeDownCast(input.data)))
+  {
+    input.notes.emplace_back(notAtRightAngles);
+  }
+  return input;
+}
+
 Input readNrrd(const fs::path& file, Progress& progress)
 {
   // First, because VTK waits forever for the end of a header that has none.
   checkNrrd(file);
-  constexpr const char* format = "NRRD volume";
-  vtkNew<vtkNrrdReader> reader;
-  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
-  reader->SetFileName(file.c_str());
-  runReader(reader, file, progress);
-  Input input = makeVolumeInput(reader->GetOutput(), file, format);
-  applyNrrdOrientation(file, vtkImageData::SafeDownCast(input.data));
-  return input;
+  return readWithHeader<vtkNrrdReader>(file, "NRRD volume", applyNrrdOrientation, progress);
 }
 
 Input readMetaImage(const fs::path& file, Progress& progress)
 {
-  constexpr const char* format = "MetaImage volume";
-  vtkNew<vtkMetaImageReader> reader;
-  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
-  reader->SetFileName(file.c_str());
-  runReader(reader, file, progress);
-  Input input = makeVolumeInput(reader->GetOutput(), file, format);
-  applyMetaImageOrientation(file, vtkImageData::SafeDownCast(input.data));
-  return input;
+  return readWithHeader<vtkMetaImageReader>(file, "MetaImage volume", applyMetaImageOrientation, progress);
 }
 
 Input readXmlImage(const fs::path& file, Progress& progress)

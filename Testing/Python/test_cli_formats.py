@@ -68,6 +68,17 @@ def test_every_volume_format_gives_the_same_picture(name, tmp_path, picture, ref
     assert difference(drawn, reference) < 0.01
 
 
+def test_axes_that_are_not_at_right_angles_are_said(tmp_path, ink):
+    header = (
+        "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: raw\nspace: left-posterior-superior\n"
+        "space directions: (1,0,0) (0.5,1,0) (0,0,1)\n\n"
+    )
+    (tmp_path / "sheared.nrrd").write_bytes(header.encode() + bytes(range(64)))
+    result = ink("info", tmp_path / "sheared.nrrd")
+    assert result.code == 0, result
+    assert "right angles" in result.out + result.err
+
+
 def test_an_orientation_is_told_apart(tmp_path, picture, reference):
     """The limit above is tight enough to tell a mirrored volume from the right one."""
     ink_files.write_vti(tmp_path / "mirrored.vti", np.ascontiguousarray(BLOB[:, ::-1]))
