@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The OpenGL functions of the versions of VTK that vtkInk builds with. Only source files include this header.
+/// The OpenGL functions of the versions of VTK that vtkInk builds with. Only source files include this
+/// header.
 #ifndef InkOpenGLCompat_h
 #define InkOpenGLCompat_h
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What differs between the VTK versions that vtkInk builds with, from 9.2 on; for OpenGL see InkOpenGLCompat.h.
+// What differs between the VTK versions that vtkInk builds with, from 9.2 on; for OpenGL see
+// InkOpenGLCompat.h.
 #ifndef InkVTKCompat_h
 #define InkVTKCompat_h
 
