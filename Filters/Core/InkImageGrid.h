@@ -6,6 +6,7 @@
 #include "Fields/GridField.h"
 #include "Sampling/CrossedCells.h"
 
+#include "vtkInkFiltersCoreModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
 class vtkAlgorithm;
@@ -15,7 +16,7 @@ class vtkImageData;
 class vtkInformation;
 
 /// The box of an extent as VTK writes it: the first and last sample along each axis.
-struct InkExtent
+struct VTKINKFILTERSCORE_EXPORT InkExtent
 {
   glm::ivec3 First;
   glm::ivec3 Last;
@@ -26,25 +27,26 @@ struct InkExtent
 };
 
 /// The extent of the whole image of which `image` may be a piece; its own where `info` does not say.
-InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image);
+VTKINKFILTERSCORE_EXPORT InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image);
 
 /// The image's samples within an extent, which need not be the image's own.
 /// \throws std::invalid_argument when the image has a spacing of zero or a direction matrix without inverse
-ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent);
+VTKINKFILTERSCORE_EXPORT ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent);
 
 /// Whether points on the grid, rounded to float, move by more than a thousandth of the smallest spacing.
-bool InkNeedsDoublePrecision(const ink::GridGeometry& grid);
+VTKINKFILTERSCORE_EXPORT bool InkNeedsDoublePrecision(const ink::GridGeometry& grid);
 
 /// The ghost array of an image's points or cells as marks with any of the given bits; nothing is marked where
 /// there is no such array.
-ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits);
+VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits);
 
 /// The array itself where its components lie side by side in memory, otherwise a copy of the given component;
 /// `component` becomes the one to read.
-vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component);
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component);
 
 /// The image's cells that the piece asked for owns and that are neither hidden nor refined. `info` is the
 /// pipeline information that came with the image from `producer`.
-ink::CellSelection InkSelectCells(vtkInformation* info, vtkAlgorithm* producer, vtkImageData* image);
+VTKINKFILTERSCORE_EXPORT ink::CellSelection InkSelectCells(
+  vtkInformation* info, vtkAlgorithm* producer, vtkImageData* image);
 
 #endif
