@@ -25,6 +25,9 @@ namespace
 // Darts for each sample that is expected. More take time, fewer leave more to the filling of gaps, which
 // prefers the small triangles.
 constexpr double dartsPerSample = 4.0;
+// All blocks get a part of their darts before any gets the next, and gaps are filled last: a block that was
+// full before its neighbours have any would have its samples along its sides.
+constexpr std::size_t dartRounds = 4;
 // The radius at a place of little density is at most this many times the least.
 constexpr double mostStretch = 16.0;
 
@@ -279,46 +282,69 @@ BlueNoise sampleBlueNoise(const TriangleMesh& mesh, const CumulativeArea& areas,
     ofColour[parity.x + 2 * parity.y + 4 * parity.z].push_back(block);
   }
 
+  std::vector<std::vector<std::uint32_t>> order(blocks.size());
+  parallelFor(blocks.size(),
+    [&](std::size_t name)
+    {
+      std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+      for (const std::uint32_t dart : dartLists.of(name))
+      {
+        keys.emplace_back(hash(seed, dart, 3), dart);
+      }
+      std::sort(keys.begin(), keys.end());
+      for (const auto& [random, dart] : keys)
+      {
+        order[name].push_back(dart);
+      }
+    });
+
   std::vector<std::vector<BlueNoiseDart>> taken(blocks.size());
-  const auto fill = [&](std::uint32_t name)
+  const auto fill = [&](std::uint32_t name, std::size_t round)
   {
     BlueNoiseBlock block(mesh, walk, blocks[name], relativeRadius);
     for (int neighbour = 0; neighbour < 27; ++neighbour)
     {
       const glm::ivec3 offset(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
-      if (const std::int64_t other = table.find(blocks[name] + offset); other >= 0 && other != name)
+      if (const std::int64_t other = table.find(blocks[name] + offset); other >= 0)
       {
-        block.addNeighbours(taken[other]);
+        block.addSamples(taken[other]);
       }
     }
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-    for (const std::uint32_t dart : dartLists.of(name))
+    if (round < dartRounds)
     {
-      order.emplace_back(hash(seed, dart, 3), dart);
+      const std::size_t begin = order[name].size() * round / dartRounds;
+      const std::size_t end = order[name].size() * (round + 1) / dartRounds;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        block.tryDart(darts[order[name][i]]);
+      }
     }
-    std::sort(order.begin(), order.end());
-    for (const auto& [random, dart] : order)
+    else
     {
-      block.tryDart(darts[dart]);
+      for (const std::uint32_t part : partLists.of(name))
+      {
+        block.fillGaps(parts[part], hash(seed, part, 4));
+      }
     }
-    for (const std::uint32_t part : partLists.of(name))
-    {
-      block.fillGaps(parts[part], hash(seed, part, 4));
-    }
-    taken[name] = block.takeDarts();
+    const std::vector<BlueNoiseDart> made = block.takeDarts();
+    taken[name].insert(taken[name].end(), made.begin(), made.end());
   };
   double done = 0.0;
-  for (const std::vector<std::uint32_t>& names : ofColour)
+  for (std::size_t round = 0; round <= dartRounds; ++round)
   {
-    const double share = static_cast<double>(names.size()) / static_cast<double>(blocks.size());
-    if (!parallelFor(
-          names.size(), [&](std::size_t i) { fill(names[i]); },
-          progress ? [&](double part) { return progress(done + share * part); } : Progress()))
+    for (const std::vector<std::uint32_t>& names : ofColour)
     {
-      result.stopped = true;
-      return result;
+      const double share =
+        static_cast<double>(names.size()) / static_cast<double>((dartRounds + 1) * blocks.size());
+      if (!parallelFor(
+            names.size(), [&](std::size_t i) { fill(names[i], round); },
+            progress ? [&](double part) { return progress(done + share * part); } : Progress()))
+      {
+        result.stopped = true;
+        return result;
+      }
+      done += share;
     }
-    done += share;
   }
   for (const std::vector<BlueNoiseDart>& ofBlock : taken)
   {

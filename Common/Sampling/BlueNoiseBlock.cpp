@@ -180,7 +180,7 @@ bool BlueNoiseBlock::isCovered(const BlueNoiseDart& dart) const
     });
 }
 
-void BlueNoiseBlock::addNeighbours(std::span<const BlueNoiseDart> darts)
+void BlueNoiseBlock::addSamples(std::span<const BlueNoiseDart> darts)
 {
   for (const BlueNoiseDart& dart : darts)
   {
@@ -286,12 +286,17 @@ void BlueNoiseBlock::fillAmongDiscs(const SurfacePart& part, std::uint64_t rando
       return;
     }
   }
+  const bool isSmallest = part.reach() < smallest * part.radius;
   if (covered != allCorners)
   {
-    // Evenly in the part; but at a corner that is free rather than in a part of a part.
+    // Evenly in the part, then in the halves of its height towards the free corners; but at these themselves
+    // rather than in a part of a part: corners of the mesh should have no more than their share.
     const float root = std::sqrt(unitFloat(random, 0));
     const float b1 = root * (1.0f - unitFloat(random, 1));
-    const glm::vec2 places[4] = { { b1, root - b1 }, { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 0.0f, 1.0f } };
+    const float b2 = root - b1;
+    const float far = isSmallest ? 0.0f : 0.5f;
+    const glm::vec2 places[4] = { { b1, b2 }, { far * b1, far * b2 }, { 1.0f - far * (b1 + b2), far * b2 },
+      { far * b1, 1.0f - far * (b1 + b2) } };
     for (unsigned i = 0; i < 4; ++i)
     {
       if (i > 0 && (covered & (1u << (i - 1))))
@@ -310,7 +315,7 @@ void BlueNoiseBlock::fillAmongDiscs(const SurfacePart& part, std::uint64_t rando
       }
     }
   }
-  if (part.reach() < smallest * part.radius || (outside == allCorners && this->isOutside(part)))
+  if (isSmallest || (outside == allCorners && this->isOutside(part)))
   {
     return;
   }

@@ -51,8 +51,8 @@ public:
   BlueNoiseBlock(const TriangleMesh& mesh, const SurfaceWalk& walk, const glm::ivec3& block,
     const std::function<float(float)>& radiusOf);
 
-  /// Samples of a block next to this one.
-  void addNeighbours(std::span<const BlueNoiseDart> darts);
+  /// Samples that are there already, of this block and those next to it.
+  void addSamples(std::span<const BlueNoiseDart> darts);
 
   /// Makes a sample of a dart, unless one is too near. Returns whether it did.
   bool tryDart(const BlueNoiseDart& dart);
