@@ -48,8 +48,9 @@ std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume)
       // The slices themselves stay where they are when the image that shows them goes.
       const SliceReader<T> read = [&volume](int first, int last)
       { return valuesOf<T>(volume.get(first, last)); };
-      return volume.inMemory() ? ink::suggestIsoValue(valuesOf<T>(volume.frame()), volume.dimensions())
-                               : ink::suggestIsoValue(read, volume.dimensions(), volume.atOnce());
+      return volume.inMemory()
+        ? ink::suggestIsoValue(valuesOf<T>(volume.frame()), volume.dimensions())
+        : ink::suggestIsoValue(read, volume.dimensions(), std::max(volume.atOnce(), 3));
     });
 }
 

@@ -42,12 +42,14 @@ VolumeSlices::VolumeSlices(vtkImageData* frame, const PlainVoxels& voxels, const
   // Each voxel comes with a byte that marks a cell.
   const std::uint64_t needed = this->sliceBytes() + voxels.sliceValues();
   const std::uint64_t room = memory.forSlices() / needed;
-  if (room < fewestAtOnce)
+  const int fewest = std::min(fewestAtOnce, this->Dimensions[2]);
+  if (room < static_cast<std::uint64_t>(fewest))
   {
     failToRead(voxels.file,
-      "its slices have " + memoryText(this->sliceBytes()) + " each, and " + std::to_string(fewestAtOnce) +
-        " are needed at a time: expected --memory " + memoryText(Memory::limitFor(fewestAtOnce * needed, 4)) +
-        " or more, found " + memoryText(memory.limit));
+      "its slices have " + memoryText(this->sliceBytes()) + " each, and " + std::to_string(fewest) +
+        " are needed at a time: expected --memory " +
+        memoryText(Memory::limitFor(static_cast<std::uint64_t>(fewest) * needed, 4)) + " or more, found " +
+        memoryText(memory.limit));
   }
   this->AtOnce = static_cast<int>(std::min<std::uint64_t>(room, this->Dimensions[2]));
   this->Buffer = std::make_unique_for_overwrite<unsigned char[]>(this->AtOnce * this->sliceBytes());
