@@ -139,28 +139,29 @@ private:
       ? CrossingRule::Strict
       : CrossingRule::HalfOpen;
     const auto counts = boundCrossedCells(this->Volume.get(layers.begin, layers.end + 1), isoValue, rule);
+    const std::uint64_t most = *std::max_element(counts.begin(), counts.end());
+    if (most > this->MostPoints)
+    {
+      throw Failure("a layer of the volume has up to " + std::to_string(most) +
+        " points: expected --memory " + memoryText(Memory::limitFor(most * bytesPerPoint, 4)) + " or more");
+    }
     std::vector<Layers> parts;
     std::uint64_t sum = 0;
     for (int layer = layers.begin; layer < layers.end; ++layer)
     {
       const std::uint64_t count = counts[static_cast<std::size_t>(layer - layers.begin)];
-      if (count > this->MostPoints)
-      {
-        throw Failure("a layer of the volume has up to " + std::to_string(count) +
-          " points: expected --memory " + memoryText(Memory::limitFor(count * bytesPerPoint, 4)) +
-          " or more");
-      }
       // Layers without any are left out.
-      if (count > 0 && (parts.empty() || parts.back().end < layer || sum + count > this->MostPoints))
+      if (count == 0)
+      {
+        continue;
+      }
+      if (parts.empty() || parts.back().end < layer || sum + count > this->MostPoints)
       {
         parts.push_back({ layer, layer });
         sum = 0;
       }
-      if (count > 0)
-      {
-        parts.back().end = layer + 1;
-        sum += count;
-      }
+      parts.back().end = layer + 1;
+      sum += count;
     }
     return parts;
   }
