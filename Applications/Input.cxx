@@ -2,6 +2,9 @@
 
 #include "Errors.h"
 #include "ReadFile.h"
+#include "VolumeSlices.h"
+
+#include "vtkImageData.h"
 
 #include <algorithm>
 #include <array>
@@ -49,9 +52,7 @@ std::string knownSuffixes()
   return list;
 }
 
-} // namespace
-
-Input readInput(const InputOptions& options, Progress& progress)
+Input read(const InputOptions& options, Progress& progress)
 {
   const fs::path& file = options.file;
   std::error_code error;
@@ -63,7 +64,7 @@ Input readInput(const InputOptions& options, Progress& progress)
   }
   if (fs::is_directory(status))
   {
-    return readDicomFolder(file, progress);
+    return readDicomFolder(file, options.memory, progress);
   }
   if (!fs::is_regular_file(status))
   {
@@ -79,12 +80,12 @@ Input readInput(const InputOptions& options, Progress& progress)
   }
   if (options.raw)
   {
-    return readRawVolume(file, *options.raw, progress);
+    return readRawVolume(file, *options.raw, options.memory, progress);
   }
   const std::string suffix = suffixOf(file);
   if (contains(volumeSuffixes, suffix))
   {
-    return readVolume(file, suffix, progress);
+    return readVolume(file, suffix, options.memory, progress);
   }
   if (contains(meshSuffixes, suffix))
   {
@@ -93,6 +94,18 @@ Input readInput(const InputOptions& options, Progress& progress)
   failToRead(file,
     "unknown type '" + suffix + "'; expected one of " + knownSuffixes() +
       ", a folder of DICOM files, or any file with --raw");
+}
+
+} // namespace
+
+Input readInput(const InputOptions& options, Progress& progress)
+{
+  Input input = read(options, progress);
+  if (auto* image = vtkImageData::SafeDownCast(input.data))
+  {
+    input.volume = std::make_shared<VolumeSlices>(image);
+  }
+  return input;
 }
 
 } // namespace ink::cli

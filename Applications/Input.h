@@ -1,9 +1,12 @@
 #pragma once
 
+#include "Memory.h"
+
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +15,7 @@ namespace ink::cli
 {
 
 class Progress;
+class VolumeSlices;
 
 /// How the voxels of a file without a header lie in it, x fastest.
 struct RawLayout
@@ -31,13 +35,16 @@ struct InputOptions
 {
   std::filesystem::path file;
   std::optional<RawLayout> raw; ///< given: the file has no header
+  Memory memory;
 };
 
 /// What was read.
 struct Input
 {
-  /// vtkImageData with point scalars of one component, or vtkPolyData with points.
+  /// vtkImageData with point scalars of one component, or vtkPolyData with points. Null for a volume that is
+  /// larger than memory.
   vtkSmartPointer<vtkDataObject> data;
+  std::shared_ptr<VolumeSlices> volume; ///< null for a mesh
   std::string format;
   /// What of the file was not used as it is, each a sentence without its dot.
   std::vector<std::string> notes;

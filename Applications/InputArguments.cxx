@@ -32,6 +32,11 @@ void InputArguments::addFile(CLI::App* command, const std::string& mesh)
 void InputArguments::addReading(CLI::App* command)
 {
   command
+    ->add_option("--memory", this->memory,
+      "about how much memory to use, as 800MiB or 4GiB (half of the machine's). Volumes in raw files and in\n"
+      "uncompressed NRRD and MetaImage files that are larger are read a few slices at a time")
+    ->type_name("SIZE");
+  command
     ->add_option("--raw", this->raw,
       "FILE is nothing but voxels, x fastest. Types: uint8, int8, uint16, ... int64, float32, float64")
     ->type_name("WxHxD:type")
@@ -57,6 +62,10 @@ InputOptions InputArguments::options() const
     options.raw = RawLayout::parse(*this->raw);
     std::copy(this->spacing.begin(), this->spacing.end(), options.raw->spacing);
     options.raw->bigEndian = this->bigEndian;
+  }
+  if (!this->memory.empty())
+  {
+    options.memory = Memory::parse(this->memory);
   }
   return options;
 }

@@ -6,12 +6,11 @@
 #include "PointStore.h"
 #include "Progress.h"
 #include "SampleMesh.h"
+#include "VolumeSlices.h"
 
-#include "vtkImageData.h"
 #include "vtkPolyData.h"
 
 #include <iostream>
-#include <limits>
 
 namespace ink::cli
 {
@@ -24,12 +23,12 @@ void sample(const SampleOptions& options)
 
   Progress progress(options.quiet);
   const Input input = readInput(options.input, progress);
-  PointStore points(std::numeric_limits<std::uint64_t>::max(), output.temporaryFolder());
+  PointStore points(options.input.memory.forKeptPoints(), output.temporaryFolder());
   std::vector<std::string> notes = input.notes;
-  if (auto* image = vtkImageData::SafeDownCast(input.data))
+  if (input.volume)
   {
     const auto keep = [&points](int surface, vtkPolyData* part) { points.add(surface, part); };
-    const auto more = sampleVolume(image, options.volume, keep, progress);
+    const auto more = sampleVolume(*input.volume, options.volume, options.input.memory, keep, progress);
     notes.insert(notes.end(), more.begin(), more.end());
   }
   else

@@ -15,7 +15,10 @@ struct Surface
 };
 
 /// \param isoValues empty: one is chosen.
-/// \throw UsageError for iso-values that the volume does not have, Failure if there is nothing to draw.
-Surface makeSurface(const Input& input, const std::vector<double>& isoValues, Progress& progress);
+/// \throw UsageError for iso-values that the volume does not have, Failure if there is nothing to draw or
+/// more
+///        than memory has room for.
+Surface makeSurface(
+  const Input& input, const std::vector<double>& isoValues, const Memory& memory, Progress& progress);
 
 } // namespace ink::cli

@@ -58,24 +58,56 @@ struct Binning
   }
 };
 
+/// A volume whose slices are handed over a few at a time.
 template <typename T>
-std::optional<Binning> chooseBinning(std::span<const T> values)
+struct Slices
+{
+  const SliceReader<T>& read;
+  std::array<int, 3> dimensions;
+  int atOnce;
+
+  std::size_t sliceSize() const
+  {
+    return static_cast<std::size_t>(this->dimensions[0]) * this->dimensions[1];
+  }
+  std::span<const T> get(int first, int last) const
+  {
+    const std::span<const T> values = this->read(first, last);
+    const std::size_t expected = this->sliceSize() * (last - first);
+    if (values.size() != expected)
+    {
+      throw std::invalid_argument("suggestIsoValue: " + std::to_string(values.size()) + " values, but " +
+        std::to_string(this->dimensions[0]) + " x " + std::to_string(this->dimensions[1]) + " x " +
+        std::to_string(last - first) + " voxels");
+    }
+    return values;
+  }
+};
+
+template <typename T>
+std::optional<Binning> chooseBinning(const Slices<T>& slices)
 {
   double least = std::numeric_limits<double>::max();
   double greatest = std::numeric_limits<double>::lowest();
   std::vector<double> sample;
-  const std::size_t step = std::max<std::size_t>(1, values.size() / 1000000);
-  for (std::size_t i = 0; i < values.size(); ++i)
+  const std::size_t count = slices.sliceSize() * slices.dimensions[2];
+  const std::size_t step = std::max<std::size_t>(1, count / 1000000);
+  std::size_t i = 0;
+  for (int first = 0; first < slices.dimensions[2]; first += slices.atOnce)
   {
-    const double v = static_cast<double>(values[i]);
-    if (std::isfinite(v))
+    for (const T value : slices.get(first, std::min(first + slices.atOnce, slices.dimensions[2])))
     {
-      least = std::min(least, v);
-      greatest = std::max(greatest, v);
-      if (i % step == 0)
+      const double v = static_cast<double>(value);
+      if (std::isfinite(v))
       {
-        sample.push_back(v);
+        least = std::min(least, v);
+        greatest = std::max(greatest, v);
+        if (i % step == 0)
+        {
+          sample.push_back(v);
+        }
       }
+      ++i;
     }
   }
   if (!(least < greatest))
@@ -236,36 +268,46 @@ void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint
 }
 
 template <typename T>
-Profile makeProfile(std::span<const T> values, std::array<int, 3> dimensions, const Binning& binning)
+Profile makeProfile(const Slices<T>& slices, const Binning& binning)
 {
-  const std::size_t sliceSize = static_cast<std::size_t>(dimensions[0]) * dimensions[1];
+  const std::array<int, 3> dimensions = slices.dimensions;
+  const std::size_t sliceSize = slices.sliceSize();
   tbb::combinable<Profile> partial([&binning] { return Profile(binning.count); });
-  const auto addSlab = [&](const tbb::blocked_range<int>& range)
+  // Each slice with its neighbours.
+  const int own = slices.atOnce - 2;
+  for (int begin = 0; begin < dimensions[2]; begin += own)
   {
-    Profile& profile = partial.local();
-    const auto binned = [&](int z)
+    const int end = std::min(begin + own, dimensions[2]);
+    const int first = std::max(begin - 1, 0);
+    const int last = std::min(end + 1, dimensions[2]);
+    const std::span<const T> values = slices.get(first, last);
+    const auto addSlab = [&](const tbb::blocked_range<int>& range)
     {
-      std::vector<std::uint16_t> slice;
-      if (z >= 0 && z < dimensions[2])
+      Profile& profile = partial.local();
+      const auto binned = [&](int z)
       {
-        slice.resize(sliceSize);
-        const auto source = values.subspan(sliceSize * z, sliceSize);
-        std::transform(source.begin(), source.end(), slice.begin(), [&](T v) { return binning.bin(v); });
+        std::vector<std::uint16_t> slice;
+        if (z >= first && z < last)
+        {
+          slice.resize(sliceSize);
+          const auto source = values.subspan(sliceSize * (z - first), sliceSize);
+          std::transform(source.begin(), source.end(), slice.begin(), [&](T v) { return binning.bin(v); });
+        }
+        return slice;
+      };
+      std::vector<std::uint16_t> previous = binned(range.begin() - 1);
+      std::vector<std::uint16_t> slice = binned(range.begin());
+      for (int z = range.begin(); z < range.end(); ++z)
+      {
+        std::vector<std::uint16_t> next = binned(z + 1);
+        addSlice(previous, slice, next, dimensions[0], dimensions[1], profile);
+        previous = std::move(slice);
+        slice = std::move(next);
       }
-      return slice;
     };
-    std::vector<std::uint16_t> previous = binned(range.begin() - 1);
-    std::vector<std::uint16_t> slice = binned(range.begin());
-    for (int z = range.begin(); z < range.end(); ++z)
-    {
-      std::vector<std::uint16_t> next = binned(z + 1);
-      addSlice(previous, slice, next, dimensions[0], dimensions[1], profile);
-      previous = std::move(slice);
-      slice = std::move(next);
-    }
-  };
-  tbb::task_arena(threadCount())
-    .execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, dimensions[2], 16), addSlab); });
+    tbb::task_arena(threadCount())
+      .execute([&] { tbb::parallel_for(tbb::blocked_range<int>(begin, end, 16), addSlab); });
+  }
 
   Profile total(binning.count);
   partial.combine_each([&total](const Profile& profile) { total.add(profile); });
@@ -370,34 +412,50 @@ double otsuThreshold(const std::vector<std::int64_t>& histogram)
 } // namespace
 
 template <typename T>
-std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::array<int, 3> dimensions)
+std::optional<IsoSuggestion> suggestIsoValue(
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce)
 {
-  std::size_t expected = 1;
-  for (const int dimension : dimensions)
+  if (slicesAtOnce < 3)
   {
-    expected *= static_cast<std::size_t>(std::max(dimension, 0));
+    throw std::invalid_argument(
+      "suggestIsoValue: " + std::to_string(slicesAtOnce) + " slices at once, expected 3 or more");
   }
-  if (values.size() != expected)
-  {
-    throw std::invalid_argument("suggestIsoValue: " + std::to_string(values.size()) + " values, but " +
-      std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) + " x " +
-      std::to_string(dimensions[2]) + " voxels");
-  }
-  const std::optional<Binning> binning = chooseBinning(values);
+  const Slices<T> slices{ read, dimensions, slicesAtOnce };
+  const std::optional<Binning> binning = chooseBinning(slices);
   if (!binning)
   {
     return std::nullopt;
   }
 
-  const Profile profile = makeProfile(values, dimensions, *binning);
+  const Profile profile = makeProfile(slices, *binning);
   const std::optional<double> maximum = lowestMaximum(sharpness(profile));
   const double threshold = maximum ? *maximum : otsuThreshold(profile.voxels);
   return IsoSuggestion{ binning->low + (threshold + 1.0) * binning->width,
     maximum ? IsoSuggestion::Method::Boundary : IsoSuggestion::Method::Otsu };
 }
 
+template <typename T>
+std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::array<int, 3> dimensions)
+{
+  for (int& dimension : dimensions)
+  {
+    dimension = std::max(dimension, 0);
+  }
+  const std::size_t sliceSize = static_cast<std::size_t>(dimensions[0]) * dimensions[1];
+  if (values.size() != sliceSize * dimensions[2])
+  {
+    throw std::invalid_argument("suggestIsoValue: " + std::to_string(values.size()) + " values, but " +
+      std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) + " x " +
+      std::to_string(dimensions[2]) + " voxels");
+  }
+  const SliceReader<T> read = [&](int first, int last)
+  { return values.subspan(sliceSize * first, sliceSize * (last - first)); };
+  return suggestIsoValue(read, dimensions, std::max(dimensions[2], 1) + 2);
+}
+
 #define INK_INSTANTIATE(T)                                                                                   \
-  template std::optional<IsoSuggestion> suggestIsoValue(std::span<const T>, std::array<int, 3>)
+  template std::optional<IsoSuggestion> suggestIsoValue(std::span<const T>, std::array<int, 3>);             \
+  template std::optional<IsoSuggestion> suggestIsoValue(const SliceReader<T>&, std::array<int, 3>, int)
 INK_INSTANTIATE(char);
 INK_INSTANTIATE(signed char);
 INK_INSTANTIATE(unsigned char);

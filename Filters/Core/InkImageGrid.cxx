@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkImageGrid.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -141,11 +142,15 @@ ink::CellSelection InkSelectCells(vtkInformation* info, vtkAlgorithm* producer, 
   cells.skipped = InkGetMarks(image->GetCellData(),
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
       vtkDataSetAttributes::REFINEDCELL);
-  // Sources split the image themselves; a trivial producer answers every piece with all it has, unless it was
-  // given a part whose cells are marked as another's.
+  // Sources that know pieces split the image themselves. Others, as VTK's reader of MetaImage files, answer
+  // every piece with the whole, and so does a trivial producer, unless it was given a part whose cells are
+  // marked as another's.
   const int pieces = info->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
-  const bool given = vtkTrivialProducer::SafeDownCast(producer) &&
-    producer->GetOutputDataObject(0) == image && InkGetWholeExtent(info, image) == own;
+  const bool trivial =
+    vtkTrivialProducer::SafeDownCast(producer) && producer->GetOutputDataObject(0) == image;
+  const bool splits =
+    info->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()) || info->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
+  const bool given = (trivial || !splits) && InkGetWholeExtent(info, image) == own;
   const std::span<const std::uint8_t> marks = cells.skipped.bytes;
   const bool isPart = std::any_of(
     marks.begin(), marks.end(), [](auto mark) { return mark & vtkDataSetAttributes::DUPLICATECELL; });
