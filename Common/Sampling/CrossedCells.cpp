@@ -12,6 +12,7 @@
 #include "Sampling/CrossedCells.h"
 
 #include "Fields/Scalars.h"
+#include "Sampling/BitCount.h"
 #include "Sampling/BrickRanges.h"
 #include "Sampling/Kernels/TypedKernelsOf.h"
 #include "Sampling/ScalarBound.h"
@@ -133,8 +134,14 @@ public:
     , Words((this->Samples.x + WordBits - 1) / WordBits)
     , Blocks((this->Samples.y + Rows - 1) / Rows)
   {
-    for (const double isoValue : isoValues)
+    for (int w = 0; w < this->Words; ++w)
     {
+      this->InRange.push_back(rangeBits(this->Begin.x, this->End.x, w * WordBits));
+    }
+    for (const double number : isoValues)
+    {
+      // NaN crosses nothing, nor does a value that none is at or above and only missing ones are at.
+      const double isoValue = std::isnan(number) ? std::numeric_limits<double>::infinity() : number;
       this->Thresholds.push_back({ ScalarBound<T>::atLeast(isoValue), ScalarBound<T>::above(isoValue) });
     }
   }
@@ -165,7 +172,7 @@ public:
   bool measures() const { return this->Measured != nullptr; }
 
   /// The cells of a slab, for each iso-value.
-  void find(int slab, std::vector<CrossedCells>& cells) const
+  void find(int slab, std::span<CrossedCells> cells) const
   {
     const int begin = std::max(this->Begin.z, (this->firstSlab() + slab) * SlabLayers);
     const int end = std::min(this->End.z, (this->firstSlab() + slab + 1) * SlabLayers);
@@ -192,7 +199,7 @@ public:
       own.runs.resize(own.used);
       for (const CellRun& run : own.runs)
       {
-        own.count += std::popcount(run.cells);
+        own.count += bitCount(run.cells);
       }
     }
   }
@@ -476,7 +483,7 @@ private:
     CellRun* run = slab.runs.data() + slab.used;
     for (int w = this->Begin.x / WordBits; w * WordBits < this->End.x; ++w)
     {
-      Word crossed = scratch.crossed[w] & rangeBits(this->Begin.x, this->End.x, w * WordBits);
+      Word crossed = scratch.crossed[w] & this->InRange[w];
       if (oneByOne && crossed != 0)
       {
         crossed = this->withoutExceptions(crossed, missing, { w * WordBits, j, k });
@@ -526,10 +533,57 @@ private:
   glm::ivec3 End;
   int Words;
   int Blocks;
+  std::vector<Word> InRange; ///< the selection's cells in each word of a row
   std::vector<Threshold<T>> Thresholds;
   BrickRanges* Ranges = nullptr;   ///< to look up
   BrickRanges* Measured = nullptr; ///< to fill in
 };
+
+} // namespace
+
+namespace
+{
+
+template <class T>
+bool findAll(const GridField<T>& field, std::span<const double> isoValues, CrossingRule rule,
+  const CellSelection& selection, const Progress& progress, BrickRanges* ranges, std::span<CrossedCells> cells,
+  const std::function<void(std::size_t)>& found)
+{
+  const glm::ivec3 size = glm::max(field.geometry().dimensions() - 1, glm::ivec3(0));
+  const std::size_t count = static_cast<std::size_t>(size.x) * size.y * size.z;
+  if (!selection.skipped.empty() && selection.skipped.bytes.size() < count)
+  {
+    throw std::invalid_argument("the grid has more cells than marks were given");
+  }
+  CellFinder<T> finder(field, isoValues, rule, selection);
+  finder.use(ranges);
+  for (CrossedCells& all : cells)
+  {
+    all = {};
+    all.slabs.resize(finder.slabCount());
+  }
+  if (isoValues.empty())
+  {
+    return true;
+  }
+  // In order, whatever the order in which threads ask.
+  std::atomic<int> next = 0;
+  const auto find = [&](std::size_t)
+  {
+    const int slab = next++;
+    finder.find(slab, cells);
+    found(static_cast<std::size_t>(slab));
+  };
+  if (!parallelFor(finder.slabCount(), find, progress))
+  {
+    return false;
+  }
+  if (finder.measures())
+  {
+    ranges->setComplete();
+  }
+  return true;
+}
 
 } // namespace
 
@@ -538,45 +592,28 @@ std::vector<CrossedCells> findCrossedCells(const GridField<T>& field, std::span<
   CrossingRule rule, const CellSelection& selection, const Progress& progress, BrickRanges* ranges)
 {
   std::vector<CrossedCells> cells(isoValues.size());
-  const glm::ivec3 size = glm::max(field.geometry().dimensions() - 1, glm::ivec3(0));
-  const std::size_t count = static_cast<std::size_t>(size.x) * size.y * size.z;
-  if (!selection.skipped.empty() && selection.skipped.bytes.size() < count)
-  {
-    throw std::invalid_argument("the grid has more cells than marks were given");
-  }
-  // NaN crosses nothing: no value is at or above infinity's successor.
-  std::vector<double> numbers(isoValues.begin(), isoValues.end());
-  std::replace_if(
-    numbers.begin(), numbers.end(), [](double v) { return std::isnan(v); },
-    std::numeric_limits<double>::infinity());
-  CellFinder<T> finder(field, numbers, rule, selection);
-  finder.use(ranges);
-  for (CrossedCells& found : cells)
-  {
-    found.slabs.resize(finder.slabCount());
-  }
-  const auto find = [&](std::size_t slab) { finder.find(static_cast<int>(slab), cells); };
-  if (!isoValues.empty() && !parallelFor(finder.slabCount(), find, progress))
+  if (!findAll<T>(field, isoValues, rule, selection, progress, ranges, cells, [](std::size_t) {}))
   {
     return std::vector<CrossedCells>(isoValues.size());
   }
-  if (finder.measures() && !isoValues.empty())
+  for (CrossedCells& all : cells)
   {
-    ranges->setComplete();
-  }
-  for (std::size_t n = 0; n < cells.size(); ++n)
-  {
-    if (std::isnan(isoValues[n]))
+    for (CrossedCells::Slab& slab : all.slabs)
     {
-      cells[n] = {};
-    }
-    for (CrossedCells::Slab& slab : cells[n].slabs)
-    {
-      slab.before = cells[n].count;
-      cells[n].count += slab.count;
+      slab.before = all.count;
+      all.count += slab.count;
     }
   }
   return cells;
+}
+
+template <class T>
+bool findCrossedCellsBySlab(const GridField<T>& field, double isoValue, CrossingRule rule,
+  const CellSelection& selection, const Progress& progress, BrickRanges* ranges, CrossedCells& cells,
+  const std::function<void(std::size_t)>& found)
+{
+  return findAll<T>(field, std::span<const double>(&isoValue, 1), rule, selection, progress, ranges,
+    std::span<CrossedCells>(&cells, 1), found);
 }
 
 template <class T>
@@ -591,7 +628,9 @@ CrossedCells findCrossedCells(const GridField<T>& field, double isoValue, Crossi
   template CrossedCells findCrossedCells(                                                                    \
     const GridField<T>&, double, CrossingRule, const CellSelection&, const Progress&);                       \
   template std::vector<CrossedCells> findCrossedCells(const GridField<T>&, std::span<const double>,          \
-    CrossingRule, const CellSelection&, const Progress&, BrickRanges*);
+    CrossingRule, const CellSelection&, const Progress&, BrickRanges*);                                      \
+  template bool findCrossedCellsBySlab(const GridField<T>&, double, CrossingRule, const CellSelection&,      \
+    const Progress&, BrickRanges*, CrossedCells&, const std::function<void(std::size_t)>&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 
 } // namespace ink

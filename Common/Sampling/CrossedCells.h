@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -77,5 +78,13 @@ template <class T>
 std::vector<CrossedCells> findCrossedCells(const GridField<T>& field, std::span<const double> isoValues,
   CrossingRule rule, const CellSelection& selection = {}, const Progress& progress = {},
   BrickRanges* ranges = nullptr);
+
+/// The same for one iso-value, with the slabs begun in order and `found` called, from any thread, as each is
+/// complete. Their counts before are left to the caller, and so is the number of all.
+/// \returns false when `progress` asked to stop
+template <class T>
+bool findCrossedCellsBySlab(const GridField<T>& field, double isoValue, CrossingRule rule,
+  const CellSelection& selection, const Progress& progress, BrickRanges* ranges, CrossedCells& cells,
+  const std::function<void(std::size_t)>& found);
 
 } // namespace ink

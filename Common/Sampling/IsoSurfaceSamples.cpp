@@ -4,6 +4,7 @@
 #include "Sampling/IsoSurfaceSamples.h"
 
 #include "Fields/Scalars.h"
+#include "Sampling/BitCount.h"
 #include "Sampling/CarefulSample.h"
 #include "Sampling/Kernels/TypedKernelsOf.h"
 #include "Sampling/RelativeValue.h"
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -33,34 +35,22 @@ namespace
 template <class T>
 constexpr bool FitsSingle = (std::is_integral_v<T> && sizeof(T) <= 2) || std::is_same_v<T, float>;
 
-/// Where samples go.
-template <class Real>
-struct SampleTargets
+/// The same room, `samples` further.
+SampleRoom after(const SampleRoom& room, std::size_t samples)
 {
-  Real* points;
-  float* floats;
-  std::int16_t* shorts;
-  std::int8_t* bytes;
+  const auto move = [samples](auto* p) { return p ? p + 3 * samples : p; };
+  return { move(room.points), move(room.doublePoints), move(room.normals), move(room.shortNormals),
+    move(room.byteNormals), room.capacity };
+}
 
-  bool normals() const { return this->floats || this->shorts || this->bytes; }
-};
-
-/// One component of a batch's cells in the world, from the float or double that it was computed in.
-template <class Real, class From>
-void writePoints(const SamplingKernels& kernels, const CellBatch<From>& batch, int count, Real* points)
+template <class Work, class To>
+void writePoints(const Work (&points)[3][BatchStride], int count, To* to)
 {
-  if constexpr (std::is_same_v<Real, float> && std::is_same_v<From, float>)
+  for (int i = 0; i < count; ++i)
   {
-    kernels.interleave(batch.points[0], batch.points[1], batch.points[2], count, points);
-  }
-  else
-  {
-    for (int i = 0; i < count; ++i)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        points[3 * i + axis] = static_cast<Real>(batch.points[axis][i]);
-      }
+      to[3 * i + axis] = static_cast<To>(points[axis][i]);
     }
   }
 }
@@ -80,7 +70,7 @@ void writeQuantized(const float (&normals)[3][BatchStride], int count, Integer* 
 }
 
 /// Places the samples of one slab. Work is float or double.
-template <class T, class Work, class Real>
+template <class T, class Work>
 class SamplePlacer
 {
 public:
@@ -106,7 +96,7 @@ public:
     this->Steps[1] = this->Steps[0] * field.geometry().dimensions().x;
     this->Steps[2] = this->Steps[1] * field.geometry().dimensions().y;
     this->CanLoad = field.stride() == 1 &&
-      static_cast<std::ptrdiff_t>(field.geometry().sampleCount()) >= this->Steps[1] + this->Steps[2] + 4;
+      static_cast<std::ptrdiff_t>(field.geometry().sampleCount()) >= this->Steps[1] + this->Steps[2] + 5;
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Corners[axis].resize(this->Axes == GridAxes::General ? 0 : field.geometry().dimensions()[axis]);
@@ -120,93 +110,153 @@ public:
     this->findOffsets();
   }
 
-  void place(const CrossedCells::Slab& slab, SampleTargets<Real> to) const
+  void place(const CrossedCells::Slab& slab, SampleRoom to) const
   {
-    const std::vector<std::uint32_t> codes = listCells(slab);
-    const auto batch = std::make_unique<CellBatch<Work>>();
-    std::fill_n(&batch->values[0][0], sizeof(batch->values) / sizeof(Work), Work(0));
-    const bool normals = to.normals();
+    if (slab.count == 0)
+    {
+      return;
+    }
+    const SlabCells cells = this->listCells(slab);
+    const auto work = std::make_unique<Workspace>();
+    const bool normals = to.normals || to.shortNormals || to.byteNormals;
     for (std::size_t at = 0; at < slab.count; at += BatchSize)
     {
       const int count = static_cast<int>(std::min<std::size_t>(BatchSize, slab.count - at));
-      this->placeBatch(slab, codes.data() + at, count, normals, *batch);
-      writePoints(this->Kernels, *batch, count, to.points);
-      to.points += 3 * count;
-      if (to.floats)
-      {
-        this->Kernels.interleave(batch->normals[0], batch->normals[1], batch->normals[2], count, to.floats);
-        to.floats += 3 * count;
-      }
-      else if (to.shorts)
-      {
-        writeQuantized(batch->normals, count, to.shorts);
-        to.shorts += 3 * count;
-      }
-      else if (to.bytes)
-      {
-        writeQuantized(batch->normals, count, to.bytes);
-        to.bytes += 3 * count;
-      }
+      this->placeBatch(cells, at, count, normals, *work);
+      this->write(work->batch, count, to);
+      to = after(to, static_cast<std::size_t>(count));
     }
   }
 
 private:
-  /// A number for each cell: its run's, times 64, plus its bit's. Padded so that batches may be read in whole.
-  static std::vector<std::uint32_t> listCells(const CrossedCells::Slab& slab)
+  void write(const CellBatch<Work>& batch, int count, const SampleRoom& to) const
   {
-    std::vector<std::uint32_t> codes(slab.count + 64 + BatchStride);
-    std::uint32_t* next = codes.data();
-    std::uint32_t first = 0;
-    for (const CellRun& run : slab.runs)
+    if (to.doublePoints)
     {
-      std::uint64_t rest = run.cells;
-      const int count = std::popcount(rest);
-      // Always so many, because few runs have more, and a branch that follows the count is foretold wrongly.
-      constexpr int usual = 8;
+      writePoints(batch.points, count, to.doublePoints);
+    }
+    else if constexpr (std::is_same_v<Work, float>)
+    {
+      this->Kernels.interleave(batch.points[0], batch.points[1], batch.points[2], count, to.points);
+    }
+    else
+    {
+      writePoints(batch.points, count, to.points);
+    }
+    if (to.normals)
+    {
+      this->Kernels.interleave(batch.normals[0], batch.normals[1], batch.normals[2], count, to.normals);
+    }
+    if (to.shortNormals)
+    {
+      writeQuantized(batch.normals, count, to.shortNormals);
+    }
+    if (to.byteNormals)
+    {
+      writeQuantized(batch.normals, count, to.byteNormals);
+    }
+  }
+
+  /// What the cells of a run have in common.
+  struct RunTerms
+  {
+    std::ptrdiff_t offset; ///< of the sample at x = 0
+    Work y;                ///< of the first corners, in the world, unless the axes are general
+    Work z;
+    bool border; ///< a cell of the run lies at the grid's border
+  };
+
+  /// What one thread works on.
+  struct Workspace
+  {
+    CellBatch<Work> batch;
+    std::ptrdiff_t offsets[BatchStride];
+    std::ptrdiff_t distances[4][BatchStride];
+  };
+
+  /// The cells of a slab, one by one. Both lists may be read past their end.
+  struct SlabCells
+  {
+    const CrossedCells::Slab& slab;
+    std::unique_ptr<RunTerms[]> runs;
+    std::unique_ptr<std::uint32_t[]> x;
+    std::unique_ptr<std::uint32_t[]> run;
+
+    glm::ivec3 operator[](std::size_t n) const
+    {
+      const glm::ivec3& first = this->slab.runs[this->run[n]].first;
+      return { static_cast<int>(this->x[n]), first.y, first.z };
+    }
+  };
+
+  SlabCells listCells(const CrossedCells::Slab& slab) const
+  {
+    // Always so many of a run, because few have more, and a branch that follows their number is foretold wrongly.
+    constexpr int usual = 8;
+    const std::size_t room = slab.count + 64;
+    SlabCells cells = { slab, std::make_unique_for_overwrite<RunTerms[]>(slab.runs.size()),
+      std::make_unique_for_overwrite<std::uint32_t[]>(room), std::make_unique_for_overwrite<std::uint32_t[]>(room) };
+    std::uint32_t* x = cells.x.get();
+    std::uint32_t* run = cells.run.get();
+    for (std::uint32_t r = 0; r < slab.runs.size(); ++r)
+    {
+      const CellRun& from = slab.runs[r];
+      const std::uint32_t first = static_cast<std::uint32_t>(from.first.x);
+      std::uint64_t rest = from.cells;
       for (int n = 0; n < usual; ++n)
       {
-        next[n] = first + static_cast<std::uint32_t>(std::countr_zero(rest));
+        // The highest bit makes a number of cells that are not there, too.
+        x[n] = first + static_cast<std::uint32_t>(std::countr_zero(rest | std::uint64_t(1) << 63));
+        run[n] = r;
         rest &= rest - 1;
       }
+      const int count = bitCount(from.cells);
       for (int n = usual; n < count; ++n)
       {
-        next[n] = first + static_cast<std::uint32_t>(std::countr_zero(rest));
+        x[n] = first + static_cast<std::uint32_t>(std::countr_zero(rest));
+        run[n] = r;
         rest &= rest - 1;
       }
-      next += count;
-      first += 64;
+      x += count;
+      run += count;
+      cells.runs[r] = this->termsOf(from);
     }
-    return codes;
+    return cells;
   }
 
-  static glm::ivec3 cellOf(const CrossedCells::Slab& slab, std::uint32_t code)
+  RunTerms termsOf(const CellRun& run) const
   {
-    return slab.runs[code >> 6].first + glm::ivec3(code & 63, 0, 0);
+    const glm::ivec3& first = run.first;
+    const int toLast = this->Last.x - first.x;
+    const bool border = (first.y == 0) | (first.y == this->Last.y) | (first.z == 0) | (first.z == this->Last.z) |
+      (first.x == 0 && (run.cells & 1)) | (toLast < 64 && (run.cells >> toLast & 1));
+    const bool general = this->Axes == GridAxes::General;
+    return { first.y * this->Steps[1] + first.z * this->Steps[2],
+      general ? Work(0) : this->Corners[1][static_cast<std::size_t>(first.y)],
+      general ? Work(0) : this->Corners[2][static_cast<std::size_t>(first.z)], border };
   }
 
-  void placeBatch(const CrossedCells::Slab& slab, const std::uint32_t* codes, int count, bool normals,
-    CellBatch<Work>& batch) const
+  void placeBatch(const SlabCells& cells, std::size_t at, int count, bool normals, Workspace& work) const
   {
+    CellBatch<Work>& batch = work.batch;
     const std::uint64_t all = ~std::uint64_t(0) >> (BatchSize - count);
     const bool wide = this->Options.method == NormalMethod::Regression;
-    this->findCorners(slab, codes, count, batch);
-    std::uint64_t careful = this->load(slab, codes, count, normals, batch);
+    std::uint64_t careful = this->load(cells, at, count, normals, work);
     const int axes = static_cast<int>(this->Axes);
-    const auto& place = this->place_();
-    careful |= place.findPoints[this->Options.rule == CrossingRule::Strict][wide][axes](batch, this->Terms, count);
+    const PlaceKernels<Work>& kernels = this->placeKernels();
+    careful |= kernels.findPoints[this->Options.rule == CrossingRule::Strict][wide][axes](batch, this->Terms, count);
     if (normals)
     {
-      careful |=
-        place.findNormals[static_cast<int>(this->Options.method)][axes](batch, this->Terms, count);
+      careful |= kernels.findNormals[static_cast<int>(this->Options.method)][axes](batch, this->Terms, count);
     }
     for (std::uint64_t rest = careful & all; rest != 0; rest &= rest - 1)
     {
       const int lane = std::countr_zero(rest);
-      this->placeCarefully(cellOf(slab, codes[lane]), lane, normals, batch);
+      this->placeCarefully(cells[at + lane], lane, normals, batch);
     }
   }
 
-  const PlaceKernels<Work>& place_() const
+  const PlaceKernels<Work>& placeKernels() const
   {
     if constexpr (std::is_same_v<Work, float>)
     {
@@ -218,133 +268,171 @@ private:
     }
   }
 
-  /// From global indices, so that the pieces of a grid agree to the last bit.
-  void findCorners(
-    const CrossedCells::Slab& slab, const std::uint32_t* codes, int count, CellBatch<Work>& batch) const
+  /// Loads the cells' corners and stencils. Returns a bit for each that the loops cannot do.
+  std::uint64_t load(const SlabCells& cells, std::size_t at, int count, bool normals, Workspace& work) const
   {
-    for (int i = 0; i < count; ++i)
-    {
-      const glm::ivec3 cell = cellOf(slab, codes[i]);
-      if (this->Axes == GridAxes::General)
-      {
-        const glm::dvec3 corner = this->Field.geometry().toWorld(cell);
-        batch.corners[0][i] = static_cast<Work>(corner.x);
-        batch.corners[1][i] = static_cast<Work>(corner.y);
-        batch.corners[2][i] = static_cast<Work>(corner.z);
-      }
-      else
-      {
-        batch.corners[0][i] = this->Corners[0][cell.x];
-        batch.corners[1][i] = this->Corners[1][cell.y];
-        batch.corners[2][i] = this->Corners[2][cell.z];
-      }
-    }
-  }
-
-  /// Loads the cells' stencils. Returns a bit for each that the loops cannot do.
-  std::uint64_t load(const CrossedCells::Slab& slab, const std::uint32_t* codes, int count, bool normals,
-    CellBatch<Work>& batch) const
-  {
-    const glm::ivec3 last = this->Last;
-    std::ptrdiff_t offsets[BatchStride];
-    std::uint64_t border = 0;
-    for (int i = 0; i < count; ++i)
-    {
-      const glm::ivec3 cell = cellOf(slab, codes[i]);
-      offsets[i] = cell.x * this->Steps[0] + cell.y * this->Steps[1] + cell.z * this->Steps[2];
-      const bool atBorder = (cell.x == 0) | (cell.y == 0) | (cell.z == 0) | (cell.x == last.x) |
-        (cell.y == last.y) | (cell.z == last.z);
-      border |= static_cast<std::uint64_t>(atBorder) << i;
-    }
-    std::fill(offsets + count, offsets + BatchStride, offsets[count - 1]);
-    std::uint64_t careful = 0;
+    CellBatch<Work>& batch = work.batch;
+    const std::uint64_t border = this->findCorners(cells, at, count, work.offsets, batch);
     bool loaded = false;
     if constexpr (std::is_same_v<Work, float>)
     {
       if (this->Load && this->CanLoad)
       {
-        this->loadQuickly(slab, codes, count, offsets, border, batch);
+        this->loadQuickly(cells, at, count, border, work);
         loaded = true;
       }
     }
     if (!loaded)
     {
-      this->loadOneByOne(slab, codes, count, offsets, border, batch);
+      this->loadOneByOne(cells, at, count, work.offsets, border, batch);
     }
+    std::uint64_t careful = 0;
     if (normals && this->Options.method != NormalMethod::Cell)
     {
       for (std::uint64_t rest = border; rest != 0; rest &= rest - 1)
       {
         const int lane = std::countr_zero(rest);
-        this->extrapolate(cellOf(slab, codes[lane]), lane, batch);
+        this->extrapolate(cells[at + lane], lane, batch);
       }
       for (int i = 0; i < count && !this->Field.hidden().empty(); ++i)
       {
-        careful |= static_cast<std::uint64_t>(this->hasHidden(cellOf(slab, codes[i]))) << i;
+        careful |= static_cast<std::uint64_t>(this->hasHidden(cells[at + i])) << i;
       }
     }
     return careful;
   }
 
+  /// Where the cells' first samples are, in memory and in the world; from global indices, so that the pieces of a
+  /// grid agree to the last bit. Returns a bit for each cell at the grid's border.
+  std::uint64_t findCorners(
+    const SlabCells& cells, std::size_t at, int count, std::ptrdiff_t* offsets, CellBatch<Work>& batch) const
+  {
+    const std::uint32_t* xs = cells.x.get() + at;
+    const std::uint32_t* runs = cells.run.get() + at;
+    std::uint64_t maybe = 0;
+    if (this->Axes == GridAxes::General)
+    {
+      for (int i = 0; i < count; ++i)
+      {
+        const glm::dvec3 corner = this->Field.geometry().toWorld(cells[at + i]);
+        const RunTerms& run = cells.runs[runs[i]];
+        offsets[i] = run.offset + static_cast<std::ptrdiff_t>(xs[i]) * this->Steps[0];
+        batch.corners[0][i] = static_cast<Work>(corner.x);
+        batch.corners[1][i] = static_cast<Work>(corner.y);
+        batch.corners[2][i] = static_cast<Work>(corner.z);
+        maybe |= static_cast<std::uint64_t>(run.border) << i;
+      }
+    }
+    else
+    {
+      const Work* cornersX = this->Corners[0].data();
+      const std::ptrdiff_t step = this->Steps[0];
+      for (int i = 0; i < count; ++i)
+      {
+        const RunTerms& run = cells.runs[runs[i]];
+        offsets[i] = run.offset + static_cast<std::ptrdiff_t>(xs[i]) * step;
+        batch.corners[0][i] = cornersX[xs[i]];
+        batch.corners[1][i] = run.y;
+        batch.corners[2][i] = run.z;
+        maybe |= static_cast<std::uint64_t>(run.border) << i;
+      }
+    }
+    for (int i = count; i < BatchStride; ++i)
+    {
+      offsets[i] = offsets[count - 1];
+    }
+    std::uint64_t border = 0;
+    for (std::uint64_t rest = maybe; rest != 0; rest &= rest - 1)
+    {
+      const int i = std::countr_zero(rest);
+      const glm::ivec3 cell = cells[at + i];
+      const bool isAtBorder = cell.x == 0 || cell.y == 0 || cell.z == 0 || cell.x == this->Last.x ||
+        cell.y == this->Last.y || cell.z == this->Last.z;
+      border |= static_cast<std::uint64_t>(isAtBorder) << i;
+    }
+    return border;
+  }
+
   /// By vectors of neighbouring samples. Rows beyond the grid's border are replaced by those at it.
-  void loadQuickly(const CrossedCells::Slab& slab, const std::uint32_t* codes, int count, std::ptrdiff_t* offsets,
-    std::uint64_t border, CellBatch<float>& batch) const
+  void loadQuickly(const SlabCells& cells, std::size_t at, int count, std::uint64_t border, Workspace& work) const
   {
     using K = KernelScalar<T>;
-    StencilSource<K> source = { reinterpret_cast<const K*>(this->Field.data()), offsets, this->Steps[1],
+    StencilSource<K> source = { reinterpret_cast<const K*>(this->Field.data()), work.offsets, this->Steps[1],
       this->Steps[2], {} };
-    std::ptrdiff_t distances[4][BatchStride];
     std::uint64_t outside = 0;
     if (border != 0)
     {
-      const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(this->Field.geometry().sampleCount());
-      const std::ptrdiff_t y = this->Steps[1];
-      const std::ptrdiff_t z = this->Steps[2];
-      for (int i = 0; i < count; ++i)
-      {
-        const glm::ivec3 cell = cellOf(slab, codes[i]);
-        distances[0][i] = cell.y == 0 ? 0 : -y;
-        distances[1][i] = cell.y == this->Last.y ? y : 2 * y;
-        distances[2][i] = cell.z == 0 ? 0 : -z;
-        distances[3][i] = cell.z == this->Last.z ? z : 2 * z;
-        // A row of four samples begins or ends outside the array only at its first or last sample.
-        const bool isOutside = offsets[i] + distances[0][i] + distances[2][i] < 1 ||
-          offsets[i] + distances[1][i] + distances[3][i] + 2 >= end;
-        outside |= static_cast<std::uint64_t>(isOutside) << i;
-      }
-      for (std::uint64_t rest = outside; rest != 0; rest &= rest - 1)
-      {
-        // Something that can be read; the cell itself is loaded afterwards.
-        const int i = std::countr_zero(rest);
-        offsets[i] = 1;
-        distances[0][i] = distances[2][i] = 0;
-        distances[1][i] = y;
-        distances[3][i] = z;
-      }
+      outside = this->findDistances(cells, at, count, border, work);
       for (int n = 0; n < 4; ++n)
       {
-        std::fill(distances[n] + count, distances[n] + BatchStride, distances[n][count - 1]);
-        source.border[n] = distances[n];
+        source.border[n] = work.distances[n];
       }
-      std::fill(offsets + count, offsets + BatchStride, offsets[count - 1]);
     }
-    this->Load(source, count, batch);
+    this->Load(source, count, work.batch);
     for (std::uint64_t rest = outside; rest != 0; rest &= rest - 1)
     {
       const int lane = std::countr_zero(rest);
-      this->loadClamped(cellOf(slab, codes[lane]), lane, batch);
+      this->loadClamped(cells[at + lane], lane, work.batch);
     }
   }
 
-  void loadOneByOne(const CrossedCells::Slab& slab, const std::uint32_t* codes, int count,
-    const std::ptrdiff_t* offsets, std::uint64_t border, CellBatch<Work>& batch) const
+  /// The distances to neighbours of each cell of a batch, some of which are at the border. Returns a bit for each
+  /// cell whose rows would begin before or end beyond the array; in its place comes something that can be read.
+  std::uint64_t findDistances(
+    const SlabCells& cells, std::size_t at, int count, std::uint64_t border, Workspace& work) const
+  {
+    const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(this->Field.geometry().sampleCount());
+    const std::ptrdiff_t y = this->Steps[1];
+    const std::ptrdiff_t z = this->Steps[2];
+    auto& distances = work.distances;
+    for (int i = 0; i < count; ++i)
+    {
+      distances[0][i] = -y;
+      distances[1][i] = 2 * y;
+      distances[2][i] = -z;
+      distances[3][i] = 2 * z;
+    }
+    const auto stay = [&](int i)
+    {
+      distances[0][i] = distances[2][i] = 0;
+      distances[1][i] = y;
+      distances[3][i] = z;
+    };
+    for (int i = count; i < BatchStride; ++i)
+    {
+      work.offsets[i] = 1;
+      stay(i);
+    }
+    std::uint64_t outside = 0;
+    for (std::uint64_t rest = border; rest != 0; rest &= rest - 1)
+    {
+      const int i = std::countr_zero(rest);
+      const glm::ivec3 cell = cells[at + i];
+      distances[0][i] = cell.y == 0 ? 0 : -y;
+      distances[1][i] = cell.y == this->Last.y ? y : 2 * y;
+      distances[2][i] = cell.z == 0 ? 0 : -z;
+      distances[3][i] = cell.z == this->Last.z ? z : 2 * z;
+      // Four samples are read from the one before a cell on, or from its first one.
+      if (work.offsets[i] + distances[0][i] + distances[2][i] < 1 ||
+        work.offsets[i] + distances[1][i] + distances[3][i] + 3 >= end)
+      {
+        outside |= std::uint64_t(1) << i;
+        work.offsets[i] = 1;
+        stay(i);
+      }
+    }
+    return outside;
+  }
+
+  void loadOneByOne(const SlabCells& cells, std::size_t at, int count, const std::ptrdiff_t* offsets,
+    std::uint64_t border, CellBatch<Work>& batch) const
   {
     const int size = this->stencilSize();
     for (int i = 0; i < count; ++i)
     {
       if (border >> i & 1)
       {
-        this->loadClamped(cellOf(slab, codes[i]), i, batch);
+        this->loadClamped(cells[at + i], i, batch);
         continue;
       }
       const T* corner = this->Field.data() + offsets[i];
@@ -528,30 +616,154 @@ private:
   std::ptrdiff_t Offsets[WideStencilSize];
 };
 
-template <class Work, class T, class Real>
+template <class Work, class T>
 bool placeAll(const GridField<T>& field, double isoValue, const SampleOptions& options, const CrossedCells& cells,
-  std::span<Real> points, const NormalSpans& normals, const Progress& progress)
+  const SampleRoom& to, const Progress& progress)
 {
-  const SamplePlacer<T, Work, Real> placer(field, isoValue, options);
-  const auto placeSlab = [&](std::size_t s)
-  {
-    const CrossedCells::Slab& slab = cells.slabs[s];
-    const std::size_t first = 3 * slab.before;
-    const auto from = [first](auto span) { return span.empty() ? nullptr : span.data() + first; };
-    placer.place(slab, { from(points), from(normals.floats), from(normals.shorts), from(normals.bytes) });
-  };
+  const SamplePlacer<T, Work> placer(field, isoValue, options);
+  const auto placeSlab = [&](std::size_t s) { placer.place(cells.slabs[s], after(to, cells.slabs[s].before)); };
   return parallelFor(cells.slabs.size(), placeSlab, progress);
+}
+
+/// Places the samples of slabs while others are still being found, each as soon as the number of those before it
+/// is known: its part of the field is then still in the cache.
+template <class T, class Work>
+class SamplesOnTheWay
+{
+public:
+  SamplesOnTheWay(const GridField<T>& field, double isoValue, const SampleOptions& options, CrossedCells& cells,
+    const SampleRoom& room)
+    : Placer(field, isoValue, options)
+    , Cells(cells)
+    , Room(room)
+  {
+  }
+
+  /// To be called when a slab has been found.
+  void add(std::size_t slab)
+  {
+    std::unique_lock lock(this->Guard);
+    this->Found.resize(this->Cells.slabs.size());
+    this->Found[slab] = true;
+    while (this->Counted < this->Found.size() && this->Found[this->Counted])
+    {
+      CrossedCells::Slab& next = this->Cells.slabs[this->Counted++];
+      next.before = this->Cells.count;
+      this->Cells.count += next.count;
+    }
+    while (this->Taken < this->Counted && this->fits(this->Taken))
+    {
+      const std::size_t own = this->Taken++;
+      lock.unlock();
+      this->place(own);
+      lock.lock();
+    }
+  }
+
+  /// Places those that the room was too small for, in one that is large enough.
+  bool finish(const SampleRoom& room, const Progress& progress)
+  {
+    this->Room = room;
+    const std::size_t first = this->Taken;
+    const auto placeSlab = [&](std::size_t s) { this->place(first + s); };
+    return parallelFor(this->Cells.slabs.size() - first, placeSlab, progress);
+  }
+
+private:
+  bool fits(std::size_t slab) const
+  {
+    return this->Cells.slabs[slab].before + this->Cells.slabs[slab].count <= this->Room.capacity;
+  }
+  void place(std::size_t slab)
+  {
+    CrossedCells::Slab& own = this->Cells.slabs[slab];
+    this->Placer.place(own, after(this->Room, own.before));
+    own.runs = {};
+  }
+
+  SamplePlacer<T, Work> Placer;
+  CrossedCells& Cells;
+  SampleRoom Room;
+  std::mutex Guard;
+  std::vector<char> Found;
+  std::size_t Counted = 0; ///< slabs whose place is known
+  std::size_t Taken = 0;   ///< slabs that are placed or being placed
+};
+
+template <class Work, class T>
+bool sampleOne(const GridField<T>& field, double isoValue, const SampleOptions& options,
+  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow, std::size_t expected,
+  std::vector<std::size_t>& counts, const Progress& progress)
+{
+  CrossedCells cells;
+  SamplesOnTheWay<T, Work> samples(field, isoValue, options, cells, grow(expected));
+  if (!findCrossedCellsBySlab(
+        field, isoValue, options.rule, selection, progress, ranges, cells, [&](std::size_t s) { samples.add(s); }))
+  {
+    return false;
+  }
+  counts.assign(1, cells.count);
+  return samples.finish(grow(cells.count), progress);
+}
+
+/// Several surfaces: the second's samples follow the first's, so all are counted before any is placed.
+template <class Work, class T>
+bool sampleSeveral(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
+  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow,
+  std::vector<std::size_t>& counts, const Progress& progress)
+{
+  bool stopped = false;
+  const Progress watch = [&](double done)
+  {
+    stopped = progress && !progress(0.5 * done);
+    return !stopped;
+  };
+  const std::vector<CrossedCells> cells =
+    findCrossedCells(field, isoValues, options.rule, selection, watch, ranges);
+  if (stopped)
+  {
+    return false;
+  }
+  std::size_t total = 0;
+  for (const CrossedCells& found : cells)
+  {
+    counts.push_back(found.count);
+    total += found.count;
+  }
+  SampleRoom to = grow(total);
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    const double share = 0.5 / static_cast<double>(cells.size());
+    const Progress part = [&](double done)
+    { return !progress || progress(0.5 + share * (static_cast<double>(n) + done)); };
+    if (!placeAll<Work>(field, isoValues[n], options, cells[n], to, part))
+    {
+      return false;
+    }
+    to = after(to, cells[n].count);
+  }
+  return true;
+}
+
+template <class Work, class T>
+bool sampleAll(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
+  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow, std::size_t expected,
+  std::vector<std::size_t>& counts, const Progress& progress)
+{
+  counts.clear();
+  return isoValues.size() == 1
+    ? sampleOne<Work>(
+        field, isoValues.front(), options, selection, ranges, grow, expected, counts, progress)
+    : sampleSeveral<Work>(field, isoValues, options, selection, ranges, grow, counts, progress);
 }
 
 } // namespace
 
 template <class T, class Real>
 bool placeIsoSurfaceSamples(const GridField<T>& field, double isoValue, const SampleOptions& options,
-  const CrossedCells& cells, std::span<Real> points, const NormalSpans& normals, const Progress& progress)
+  const CrossedCells& cells, std::span<Real> points, std::span<float> normals, const Progress& progress)
 {
-  const auto fits = [&](std::size_t size) { return size == 0 || size == 3 * cells.count; };
-  if (points.size() != 3 * cells.count || !fits(normals.floats.size()) || !fits(normals.shorts.size()) ||
-    !fits(normals.bytes.size()))
+  if (points.size() != 3 * cells.count || (!normals.empty() && normals.size() != 3 * cells.count))
   {
     throw std::invalid_argument("points and normals must have three numbers for each cell");
   }
@@ -559,14 +771,41 @@ bool placeIsoSurfaceSamples(const GridField<T>& field, double isoValue, const Sa
   {
     return true;
   }
-  if constexpr (FitsSingle<T> && std::is_same_v<Real, float>)
+  SampleRoom to;
+  to.normals = normals.empty() ? nullptr : normals.data();
+  to.capacity = cells.count;
+  if constexpr (std::is_same_v<Real, float>)
+  {
+    to.points = points.data();
+    if constexpr (FitsSingle<T>)
+    {
+      if (options.arithmetic == Arithmetic::Single)
+      {
+        return placeAll<float>(field, isoValue, options, cells, to, progress);
+      }
+    }
+  }
+  else
+  {
+    to.doublePoints = points.data();
+  }
+  return placeAll<double>(field, isoValue, options, cells, to, progress);
+}
+
+template <class T>
+bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
+  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow, std::size_t expected,
+  std::vector<std::size_t>& counts, const Progress& progress)
+{
+  if constexpr (FitsSingle<T>)
   {
     if (options.arithmetic == Arithmetic::Single)
     {
-      return placeAll<float>(field, isoValue, options, cells, points, normals, progress);
+      return sampleAll<float>(
+        field, isoValues, options, selection, ranges, grow, expected, counts, progress);
     }
   }
-  return placeAll<double>(field, isoValue, options, cells, points, normals, progress);
+  return sampleAll<double>(field, isoValues, options, selection, ranges, grow, expected, counts, progress);
 }
 
 double isoSurfaceSampleRadius(const GridGeometry& geometry)
@@ -587,9 +826,12 @@ double isoSurfaceSampleRadius(const GridGeometry& geometry)
 
 #define INK_INSTANTIATE(T)                                                                                   \
   template bool placeIsoSurfaceSamples(const GridField<T>&, double, const SampleOptions&, const CrossedCells&, \
-    std::span<float>, const NormalSpans&, const Progress&);                                                  \
+    std::span<float>, std::span<float>, const Progress&);                                                    \
   template bool placeIsoSurfaceSamples(const GridField<T>&, double, const SampleOptions&, const CrossedCells&, \
-    std::span<double>, const NormalSpans&, const Progress&);
+    std::span<double>, std::span<float>, const Progress&);                                                   \
+  template bool sampleIsoSurfaces(const GridField<T>&, std::span<const double>, const SampleOptions&,        \
+    const CellSelection&, BrickRanges*, const GrowRoom&, std::size_t, std::vector<std::size_t>&,             \
+    const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 
 } // namespace ink

@@ -5,8 +5,11 @@
 #include "Sampling/CrossedCells.h"
 #include "Sampling/Kernels/SamplingKernels.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <vector>
 
 namespace ink
 {
@@ -25,17 +28,8 @@ struct SampleOptions
 {
   CrossingRule rule = CrossingRule::HalfOpen;
   NormalMethod method = NormalMethod::CentralDifference;
-  /// Points in double are computed in double whatever this says.
+  /// Points in double are worth computing in double only.
   Arithmetic arithmetic = Arithmetic::Single;
-};
-
-/// Where normals go: three numbers for each sample in one of these, or nowhere.
-struct NormalSpans
-{
-  std::span<float> floats;
-  /// Unit vectors times 32767 and 127, rounded.
-  std::span<std::int16_t> shorts;
-  std::span<std::int8_t> bytes;
 };
 
 /// Places one sample in each of the given cells: at the mean of the iso-surface's intersections with the
@@ -50,7 +44,34 @@ struct NormalSpans
 /// \returns false when `progress` asked to stop; then some samples were left out
 template <class T, class Real>
 bool placeIsoSurfaceSamples(const GridField<T>& field, double isoValue, const SampleOptions& options,
-  const CrossedCells& cells, std::span<Real> points, const NormalSpans& normals, const Progress& progress = {});
+  const CrossedCells& cells, std::span<Real> points, std::span<float> normals, const Progress& progress = {});
+
+/// Room for samples: three numbers for each, in what is not null.
+struct SampleRoom
+{
+  float* points = nullptr;
+  double* doublePoints = nullptr; ///< instead of points
+  float* normals = nullptr;
+  std::int16_t* shortNormals = nullptr; ///< unit vectors times 32767, rounded
+  std::int8_t* byteNormals = nullptr;   ///< unit vectors times 127, rounded
+  std::size_t capacity = 0;             ///< in samples
+};
+
+/// Makes room for so many samples, or more, and keeps what was written before.
+using GrowRoom = std::function<SampleRoom(std::size_t)>;
+
+/// findCrossedCells and placeIsoSurfaceSamples for several iso-values in one pass over the field; for one, samples
+/// are placed while their part of the field is still in the cache.
+///
+/// \param ranges   as in findCrossedCells
+/// \param expected how many samples to make room for at first, for one iso-value. More are no error, but some are
+///                 placed later then
+/// \param counts   out: the samples of each iso-value; they come iso-value by iso-value
+/// \returns false when `progress` asked to stop
+template <class T>
+bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
+  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow, std::size_t expected,
+  std::vector<std::size_t>& counts, const Progress& progress = {});
 
 /// The radius, in world units, of discs around the samples of any iso-surface of the grid that leave no
 /// holes: half the diagonal of a cell. One radius for all of them, since lines of an even width need splats

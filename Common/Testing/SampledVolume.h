@@ -80,7 +80,7 @@ Samples<Real> sampleIsoSurface(const GridField<T>& field, double isoValue, const
   samples.coordinates.resize(3 * cells.count);
   samples.components.resize(3 * cells.count);
   placeIsoSurfaceSamples(
-    field, isoValue, options, cells, std::span<Real>(samples.coordinates), { samples.components, {}, {} });
+    field, isoValue, options, cells, std::span<Real>(samples.coordinates), std::span<float>(samples.components));
   return samples;
 }
 

@@ -76,9 +76,9 @@ INK_INLINE bool maybeMissing(const Block<T>& sum)
 }
 
 /// One word's samples in all rows of a block. All bricks are there to be read, but only `samples` count.
-template <class T, bool measure, bool mixed>
+template <class T, bool measure>
 INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int rows, int samples, T lowest,
-  const std::uint8_t* states, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
+  std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
   const Block<T> bound = Block<T>{} + lowest;
   std::uint64_t bits[BlockRows] = {};
@@ -86,18 +86,6 @@ INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int rows, int
   for (int b = 0; b * BrickLength<T> < samples; ++b)
   {
     const T* from = first + b * BrickLength<T>;
-    if constexpr (mixed)
-    {
-      if (states[b] != 2)
-      {
-        const std::uint64_t all = states[b] == 0 ? 0 : ~std::uint64_t(0) >> (WordBits - BrickLength<T>);
-        for (int r = 0; r < rows; ++r)
-        {
-          bits[r] |= all << (b * BrickLength<T>);
-        }
-        continue;
-      }
-    }
     Block<T> sum = {};
     BrickRange<T> range;
     if constexpr (measure)
@@ -140,9 +128,9 @@ INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int rows, int
   return (missing ? MaybeMissing : 0) | (set != 0 ? SomeSet : 0) | (clear != 0 ? SomeClear : 0);
 }
 
-template <class T, bool measure, bool mixed>
-INK_INLINE int classifyRows(const SampleRows<T>& rows, T lowest, const std::uint8_t* states,
-  std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
+template <class T, bool measure>
+INK_INLINE int classifyRows(
+  const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
   constexpr int bricksPerWord = WordBits / BrickLength<T>;
   int found = 0;
@@ -150,8 +138,8 @@ INK_INLINE int classifyRows(const SampleRows<T>& rows, T lowest, const std::uint
   for (int w = 0; w < whole; ++w)
   {
     const int b = w * bricksPerWord;
-    found |= classifyWord<T, measure, mixed>(rows.first + w * WordBits, rows.stride, rows.rows, WordBits, lowest,
-      states + b, words + w, reach, low + b, high + b);
+    found |= classifyWord<T, measure>(rows.first + w * WordBits, rows.stride, rows.rows, WordBits, lowest,
+      words + w, reach, low + b, high + b);
   }
   const int rest = rows.samples - whole * WordBits;
   if (rest > 0)
@@ -167,8 +155,8 @@ INK_INLINE int classifyRows(const SampleRows<T>& rows, T lowest, const std::uint
       }
     }
     const int b = whole * bricksPerWord;
-    found |= classifyWord<T, measure, mixed>(
-      padded[0], WordBits, rows.rows, rest, lowest, states + b, words + whole, reach, low + b, high + b);
+    found |= classifyWord<T, measure>(
+      padded[0], WordBits, rows.rows, rest, lowest, words + whole, reach, low + b, high + b);
   }
   return found;
 }
@@ -176,19 +164,100 @@ INK_INLINE int classifyRows(const SampleRows<T>& rows, T lowest, const std::uint
 template <class T>
 int classify(const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach)
 {
-  return classifyRows<T, false, false>(rows, lowest, nullptr, words, reach, nullptr, nullptr);
+  return classifyRows<T, false>(rows, lowest, words, reach, nullptr, nullptr);
 }
 template <class T>
 int classifyAndMeasure(
   const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
-  return classifyRows<T, true, false>(rows, lowest, nullptr, words, reach, low, high);
+  return classifyRows<T, true>(rows, lowest, words, reach, low, high);
 }
+/// A mixed brick's bits, into words that hold what is known of the others.
+template <class T>
+INK_INLINE bool addBrick(
+  const SampleRows<T>& rows, const Block<T>& bound, int brick, std::uint64_t* words, std::ptrdiff_t reach)
+{
+  const int first = brick * BrickLength<T>;
+  const int count = rows.samples - first;
+  Block<T> sum = {};
+  BrickRange<T> none;
+  for (int r = 0; r < rows.rows; ++r)
+  {
+    const T* from = rows.first + r * rows.stride + first;
+    T padded[BrickLength<T>];
+    if (count < BrickLength<T>)
+    {
+      for (int i = 0; i < BrickLength<T>; ++i)
+      {
+        padded[i] = from[i < count ? i : count - 1];
+      }
+      from = padded;
+    }
+    words[r * reach + first / WordBits] |= classifyBrick<T, false>(from, bound, sum, none) << first % WordBits;
+  }
+  return maybeMissing<T>(sum);
+}
+
 template <class T>
 int classifyMixed(const SampleRows<T>& rows, T lowest, const std::uint8_t* states, std::uint64_t* words,
   std::ptrdiff_t reach)
 {
-  return classifyRows<T, false, true>(rows, lowest, states, words, reach, nullptr, nullptr);
+  const Block<T> bound = Block<T>{} + lowest;
+  const int bricks = (rows.samples + BrickLength<T> - 1) / BrickLength<T>;
+  const int wordCount = (rows.samples + WordBits - 1) / WordBits;
+  constexpr int bricksPerWord = WordBits / BrickLength<T>;
+  constexpr std::uint64_t brickBits = ~std::uint64_t(0) >> (WordBits - BrickLength<T>);
+  bool missing = false;
+  for (int w = 0; w < wordCount; ++w)
+  {
+    std::uint64_t known = 0;
+    for (int b = w * bricksPerWord; b < bricks && b < (w + 1) * bricksPerWord; ++b)
+    {
+      known |= (states[b] == 1 ? brickBits : 0) << b % bricksPerWord * BrickLength<T>;
+    }
+    for (int r = 0; r < rows.rows; ++r)
+    {
+      words[r * reach + w] = known;
+    }
+  }
+  // They lie apart in memory: all are on their way before the first is looked at.
+  constexpr int most = 64;
+  int mixed[most + 1];
+  for (int begin = 0; begin < bricks; begin += most)
+  {
+    int count = 0;
+    for (int b = begin; b < bricks && b < begin + most; ++b)
+    {
+      mixed[count] = b;
+      count += states[b] == 2;
+    }
+    for (int n = 0; n < count; ++n)
+    {
+      for (int r = 0; r < rows.rows; ++r)
+      {
+        __builtin_prefetch(rows.first + r * rows.stride + mixed[n] * BrickLength<T>);
+      }
+    }
+    for (int n = 0; n < count; ++n)
+    {
+      missing |= addBrick<T>(rows, bound, mixed[n], words, reach);
+    }
+  }
+  std::uint64_t set = 0;
+  std::uint64_t clear = 0;
+  for (int w = 0; w < wordCount; ++w)
+  {
+    const int rest = rows.samples - w * WordBits;
+    const std::uint64_t there = ~std::uint64_t(0) >> (rest < WordBits ? WordBits - rest : 0);
+    for (int r = 0; r < rows.rows; ++r)
+    {
+      std::uint64_t& word = words[r * reach + w];
+      word &= there;
+      set |= word;
+      clear |= ~word & there;
+    }
+  }
+  return (missing ? MaybeMissing : 0) | (set != 0 ? SomeSet : 0) | (clear != 0 ? SomeClear : 0);
 }
 
 template <class T>

@@ -61,11 +61,7 @@ struct ByteLoader
   static INK_INLINE Row quad(const T* p) { return _mm_cvtsi32_si128(bytesOf(p)); }
   static INK_INLINE Row pairs(const T* p, const T* q)
   {
-    std::uint16_t low;
-    std::uint16_t high;
-    __builtin_memcpy(&low, p, 2);
-    __builtin_memcpy(&high, q, 2);
-    return _mm_cvtsi32_si128(static_cast<int>(static_cast<unsigned>(high) << 16 | low));
+    return _mm_unpacklo_epi16(_mm_cvtsi32_si128(bytesOf(p)), _mm_cvtsi32_si128(bytesOf(q)));
   }
   static INK_INLINE __m128 floats(Row r)
   {
