@@ -93,6 +93,9 @@ public:
     this->Sampler->SetComputeNormals(sampling.normals);
     this->Sampler->SetComputeRadius(sampling.radius);
     this->Sampler->GenerateVerticesOff();
+    // Parts of the volume are seen once, and points that are kept should take no more memory than they need.
+    this->Sampler->UseIndexOff();
+    this->Sampler->ReuseArraysOff();
     this->Sampler->SetInputConnection(this->Producer->GetOutputPort());
     this->Producer->SetWholeExtent(volume.frame()->GetExtent());
     progress.step("sampling the surface", this->Sampler);

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "Statistics/ValueProfile.h"
+
 #include <array>
-#include <functional>
 #include <optional>
 #include <span>
 
@@ -41,10 +42,6 @@ struct IsoSuggestion
 /// \throw std::invalid_argument if the size of values is not the product of dimensions.
 template <typename T>
 std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::array<int, 3> dimensions);
-
-/// Hands over the voxels of the slices first to last - 1 along z; they have to stay until the next call.
-template <typename T>
-using SliceReader = std::function<std::span<const T>(int first, int last)>;
 
 /// The same, to the last bit, for a volume that is not in memory as a whole. Every slice is read at least
 /// twice, from the first on. \param slicesAtOnce the most that may be asked of read in a call, at least 3
