@@ -241,18 +241,19 @@ void convolveRows(std::span<const RowTap<Work>> taps, const RowsAround<Work>& ro
   const Work* const middle = rows[2][2];
   if (count == 1)
   {
+    // The same sums in registers.
     glm::vec<3, Work> gradient(0);
-    Work rise = 0;
+    Work value = middle[0];
     for (const RowTap<Work>& tap : taps)
     {
       const Work difference = rows[tap.offset.z + 2][tap.offset.y + 2][tap.offset.x] - middle[0];
       gradient += tap.gradient * difference;
-      rise += tap.value * difference;
+      value += tap.value * difference;
     }
     to.x[0] = gradient.x;
     to.y[0] = gradient.y;
     to.z[0] = gradient.z;
-    to.value[0] = middle[0] + rise;
+    to.value[0] = value;
     return;
   }
   std::fill_n(to.x.begin(), count, Work(0));
