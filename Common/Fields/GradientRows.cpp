@@ -183,11 +183,13 @@ void fitMirrored(const MirroredKernel<Work>& kernel, const RowsAround<Work>& aro
   }
 }
 
+/// No larger than Real can hold. The comparisons are written as vector instructions make them.
 template <class Real, class Work>
-Real bounded(Work value)
+Work bounded(Work value)
 {
   constexpr Work largest = static_cast<Work>(std::numeric_limits<Real>::max());
-  return static_cast<Real>(std::min(std::max(value, -largest), largest));
+  const Work notTooLow = value > -largest ? value : -largest;
+  return notTooLow < largest ? notTooLow : largest;
 }
 
 /// The length of a vector whose squares need not be doubles.
@@ -237,6 +239,23 @@ void convolveRows(std::span<const RowTap<Work>> taps, const RowsAround<Work>& ro
   IndexGradients<Work>& to)
 {
   const Work* const middle = rows[2][2];
+  if (count == 1)
+  {
+    // The same sums in registers.
+    glm::vec<3, Work> gradient(0);
+    Work value = middle[0];
+    for (const RowTap<Work>& tap : taps)
+    {
+      const Work difference = rows[tap.offset.z + 2][tap.offset.y + 2][tap.offset.x] - middle[0];
+      gradient += tap.gradient * difference;
+      value += tap.value * difference;
+    }
+    to.x[0] = gradient.x;
+    to.y[0] = gradient.y;
+    to.z[0] = gradient.z;
+    to.value[0] = value;
+    return;
+  }
   std::fill_n(to.x.begin(), count, Work(0));
   std::fill_n(to.y.begin(), count, Work(0));
   std::fill_n(to.z.begin(), count, Work(0));
@@ -263,7 +282,7 @@ void storeRows(const IndexGradients<Work>& from, const glm::mat<3, 3, Work>& m, 
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      to.value[i] = bounded<Real>(from.value[i]);
+      to.value[i] = static_cast<Real>(bounded<Real>(from.value[i]));
     }
   }
   if (!to.gradient && !to.magnitude)
@@ -279,27 +298,27 @@ void storeRows(const IndexGradients<Work>& from, const glm::mat<3, 3, Work>& m, 
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      x[i] = m[0][0] * from.x[i];
-      y[i] = m[1][1] * from.y[i];
-      z[i] = m[2][2] * from.z[i];
+      x[i] = bounded<Real>(m[0][0] * from.x[i]);
+      y[i] = bounded<Real>(m[1][1] * from.y[i]);
+      z[i] = bounded<Real>(m[2][2] * from.z[i]);
     }
   }
   else
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      x[i] = m[0][0] * from.x[i] + m[1][0] * from.y[i] + m[2][0] * from.z[i];
-      y[i] = m[0][1] * from.x[i] + m[1][1] * from.y[i] + m[2][1] * from.z[i];
-      z[i] = m[0][2] * from.x[i] + m[1][2] * from.y[i] + m[2][2] * from.z[i];
+      x[i] = bounded<Real>(m[0][0] * from.x[i] + m[1][0] * from.y[i] + m[2][0] * from.z[i]);
+      y[i] = bounded<Real>(m[0][1] * from.x[i] + m[1][1] * from.y[i] + m[2][1] * from.z[i]);
+      z[i] = bounded<Real>(m[0][2] * from.x[i] + m[1][2] * from.y[i] + m[2][2] * from.z[i]);
     }
   }
   if (to.gradient)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      to.gradient[3 * i] = bounded<Real>(x[i]);
-      to.gradient[3 * i + 1] = bounded<Real>(y[i]);
-      to.gradient[3 * i + 2] = bounded<Real>(z[i]);
+      to.gradient[3 * i] = static_cast<Real>(x[i]);
+      to.gradient[3 * i + 1] = static_cast<Real>(y[i]);
+      to.gradient[3 * i + 2] = static_cast<Real>(z[i]);
     }
   }
   if (to.magnitude)
@@ -312,11 +331,11 @@ void storeRows(const IndexGradients<Work>& from, const glm::mat<3, 3, Work>& m, 
         const double dx = x[i];
         const double dy = y[i];
         const double dz = z[i];
-        to.magnitude[i] = bounded<Real>(std::sqrt(dx * dx + dy * dy + dz * dz));
+        to.magnitude[i] = static_cast<Real>(bounded<Real>(std::sqrt(dx * dx + dy * dy + dz * dz)));
       }
       else
       {
-        to.magnitude[i] = bounded<Real>(carefulLength(x[i], y[i], z[i]));
+        to.magnitude[i] = static_cast<Real>(bounded<Real>(carefulLength(x[i], y[i], z[i])));
       }
     }
   }

@@ -1,5 +1,6 @@
 #include "Fields/Gradients.h"
 
+#include "Fields/BorderKernels.h"
 #include "Fields/GradientRows.h"
 #include "Fields/SampleRows.h"
 #include "Fields/Scalars.h"
@@ -71,69 +72,6 @@ Real bounded(double value)
   return std::isnan(value) ? Real(0) : static_cast<Real>(std::clamp(value, -largest, largest));
 }
 
-/// A regression's kernels for all places that a sample may have relative to the grid's border: along each
-/// axis the first `radius` samples, the last ones, and one place for all in between.
-class BorderKernels
-{
-public:
-  BorderKernels(const GridGeometry& geometry, const GradientOptions& options)
-    : Radius(options.radius)
-    , Dimensions(geometry.dimensions())
-    , Offsets(neighbourhood(options.radius))
-    , Weights(regressionWeights(geometry, options.radius, options.weighting))
-  {
-    this->Places = glm::min(this->Dimensions, glm::ivec3(2 * this->Radius + 1));
-    for (int c = 0; c < this->Places.z; ++c)
-    {
-      for (int b = 0; b < this->Places.y; ++b)
-      {
-        for (int a = 0; a < this->Places.x; ++a)
-        {
-          this->Kernels.push_back(this->kernelAt({ a, b, c }));
-        }
-      }
-    }
-  }
-
-  const std::vector<glm::ivec3>& offsets() const { return this->Offsets; }
-  const std::vector<double>& weights() const { return this->Weights; }
-
-  const RegressionKernel& operator[](const glm::ivec3& sample) const
-  {
-    const glm::ivec3 p(this->place(sample, 0), this->place(sample, 1), this->place(sample, 2));
-    return this->Kernels[p.x + this->Places.x * (p.y + this->Places.y * p.z)];
-  }
-
-private:
-  int place(const glm::ivec3& sample, int axis) const
-  {
-    const int n = this->Dimensions[axis];
-    const int fromEnd = n - 1 - sample[axis];
-    return this->Places[axis] == n || sample[axis] < this->Radius ? sample[axis]
-      : fromEnd < this->Radius                                    ? 2 * this->Radius - fromEnd
-                                                                  : this->Radius;
-  }
-
-  RegressionKernel kernelAt(const glm::ivec3& place) const
-  {
-    std::vector<std::uint8_t> used;
-    for (const glm::ivec3& offset : this->Offsets)
-    {
-      const glm::ivec3 neighbour = place + offset;
-      used.push_back(glm::all(glm::greaterThanEqual(neighbour, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(neighbour, this->Places)));
-    }
-    return RegressionKernel(this->Offsets, this->Weights, used);
-  }
-
-  int Radius;
-  glm::ivec3 Dimensions;
-  glm::ivec3 Places;
-  std::vector<glm::ivec3> Offsets;
-  std::vector<double> Weights;
-  std::vector<RegressionKernel> Kernels;
-};
-
 /// One run over a box, with row sums in Work.
 template <class T, class Work, class Real>
 class Estimate
@@ -156,7 +94,8 @@ public:
   {
     if (options.method == GradientMethod::Regression)
     {
-      this->Kernels = std::make_unique<BorderKernels>(field.geometry(), options);
+      this->Kernels =
+        std::make_unique<BorderKernels<Work>>(field.geometry(), options.radius, options.weighting);
       this->chooseRowKernel();
     }
     const std::size_t rowBytes = (2 * this->Reach + 1) * this->RowSize * sizeof(Work);
@@ -282,64 +221,55 @@ private:
         }
       }
     }
-    for (int i = this->Box.begin.x; i < std::min(from, this->Box.end.x); ++i)
-    {
-      this->estimateSample({ i, j, k }, !marks.empty());
-    }
     if (complete || this->Options.method == GradientMethod::Regression)
     {
+      this->estimateEnds(rows, marks, this->Box.begin.x, std::min(from, this->Box.end.x), j, k);
       this->estimateInside(rows, complete, from, to, j, k);
       this->repair(marks, from, to, j, k);
+      this->estimateEnds(rows, marks, std::max(to, this->Box.begin.x), this->Box.end.x, j, k);
+      return;
     }
-    else
-    {
-      for (int i = from; i < to; ++i)
-      {
-        this->estimateSample({ i, j, k }, !marks.empty());
-      }
-    }
-    for (int i = std::max(to, this->Box.begin.x); i < this->Box.end.x; ++i)
+    for (int i = this->Box.begin.x; i < this->Box.end.x; ++i)
     {
       this->estimateSample({ i, j, k }, !marks.empty());
     }
   }
 
-  void estimateInside(const RowsAround<Work>& rows, bool complete, int from, int to, int j, int k) const
+  /// Samples near an end of the row.
+  void estimateEnds(const RowsAround<Work>& rows, const std::vector<const std::uint8_t*>& marks, int from,
+    int to, int j, int k) const
   {
-    std::vector<RowTap<Work>> taps;
-    const bool regression = this->Options.method == GradientMethod::Regression;
-    const bool uniform = this->Options.weighting == RegressionWeighting::Uniform;
-    if (regression && !(complete && (uniform || this->Mirrored)) && from < to)
+    IndexGradients<Work> gradients;
+    for (int i = from; i < to; ++i)
     {
-      const RegressionKernel& kernel = (*this->Kernels)[{ from, j, k }];
-      for (std::size_t n = 0; n < this->Kernels->offsets().size(); ++n)
+      if (!marks.empty() || this->Options.method == GradientMethod::CentralDifference)
       {
-        if (kernel.gradient[n] != glm::dvec3(0.0) || kernel.value[n] != 0.0)
-        {
-          taps.push_back({ this->Kernels->offsets()[n], glm::vec<3, Work>(kernel.gradient[n]),
-            static_cast<Work>(kernel.value[n]) });
-        }
+        this->estimateSample({ i, j, k }, !marks.empty());
+      }
+      else
+      {
+        convolveRows<Work>(this->Kernels->taps({ i, j, k }), shifted(rows, i - this->RowBegin), 1, gradients);
+        this->store(gradients, 1, { i, j, k });
       }
     }
+  }
+
+  void estimateInside(const RowsAround<Work>& rows, bool complete, int from, int to, int j, int k) const
+  {
+    const bool regression = this->Options.method == GradientMethod::Regression;
+    const bool uniform = this->Options.weighting == RegressionWeighting::Uniform;
     IndexGradients<Work> gradients;
     for (int i = from; i < to; i += static_cast<int>(rowChunk))
     {
       const std::size_t count = std::min<std::size_t>(rowChunk, static_cast<std::size_t>(to - i));
-      RowsAround<Work> chunk = rows;
-      for (auto& slice : chunk)
-      {
-        for (const Work*& row : slice)
-        {
-          row = row ? row + (i - this->RowBegin) : row;
-        }
-      }
+      const RowsAround<Work> chunk = shifted(rows, i - this->RowBegin);
       if (!regression)
       {
         differentiateRows(chunk, count, gradients);
       }
-      else if (!taps.empty())
+      else if (!complete || !(uniform || this->Mirrored))
       {
-        convolveRows<Work>(taps, chunk, count, gradients);
+        convolveRows<Work>(this->Kernels->taps({ from, j, k }), chunk, count, gradients);
       }
       else if (uniform)
       {
@@ -349,12 +279,29 @@ private:
       {
         fitMirroredRows(this->Reach, this->MirrorKernel, chunk, count, gradients);
       }
-      const std::size_t first = this->outputIndex({ i, j, k });
-      storeRows<Work, Real>(gradients, this->WorkToWorld, count,
-        { this->Arrays.gradient.empty() ? nullptr : this->Arrays.gradient.data() + 3 * first,
-          this->Arrays.magnitude.empty() ? nullptr : this->Arrays.magnitude.data() + first,
-          this->Arrays.value.empty() ? nullptr : this->Arrays.value.data() + first });
+      this->store(gradients, count, { i, j, k });
     }
+  }
+
+  static RowsAround<Work> shifted(RowsAround<Work> rows, int by)
+  {
+    for (auto& slice : rows)
+    {
+      for (const Work*& row : slice)
+      {
+        row = row ? row + by : row;
+      }
+    }
+    return rows;
+  }
+
+  void store(const IndexGradients<Work>& gradients, std::size_t count, const glm::ivec3& sample) const
+  {
+    const std::size_t first = this->outputIndex(sample);
+    storeRows<Work, Real>(gradients, this->WorkToWorld, count,
+      { this->Arrays.gradient.empty() ? nullptr : this->Arrays.gradient.data() + 3 * first,
+        this->Arrays.magnitude.empty() ? nullptr : this->Arrays.magnitude.data() + first,
+        this->Arrays.value.empty() ? nullptr : this->Arrays.value.data() + first });
   }
 
   /// Estimates anew what marked samples had a part in.
@@ -500,7 +447,7 @@ private:
   int RowBegin;
   std::size_t RowSize;
   int TileRows;
-  std::unique_ptr<BorderKernels> Kernels;
+  std::unique_ptr<BorderKernels<Work>> Kernels;
   bool Mirrored = false;
   MirroredKernel<Work> MirrorKernel;
 };

@@ -11,6 +11,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkExtentTranslator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -21,6 +22,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <span>
@@ -32,6 +34,8 @@ vtkStandardNewMacro(vtkInkGradient);
 
 namespace
 {
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
 
 /// What one run computes, and where to.
 struct GradientRequest
@@ -149,6 +153,54 @@ glm::ivec3 ReachOf(vtkInkGradient* filter, vtkInformation* info)
   return reach;
 }
 
+/// Whether a piece is asked for; the extent asked for does not count then.
+bool IsPieceAskedFor(vtkInformation* outInfo)
+{
+  return outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
+}
+
+/// The piece asked for with so many ghost levels more than asked for, as sources split images.
+InkExtent PieceOf(vtkInformation* outInfo, const InkExtent& whole, int moreLevels)
+{
+  const int all[6] = { whole.First.x, whole.Last.x, whole.First.y, whole.Last.y, whole.First.z,
+    whole.Last.z };
+  int piece[6] = { 0, -1, 0, -1, 0, -1 };
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()),
+    outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()),
+    outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + moreLevels, const_cast<int*>(all), piece,
+    vtkExtentTranslator::BLOCK_MODE, 0);
+  return InkExtent(piece);
+}
+
+bool Contains(const InkExtent& outer, const InkExtent& inner)
+{
+  return glm::all(glm::lessThanEqual(outer.First, inner.First)) &&
+    glm::all(glm::greaterThanEqual(outer.Last, inner.Last));
+}
+
+int LargestOf(const glm::ivec3& v)
+{
+  return std::max({ v.x, v.y, v.z });
+}
+
+/// The part of the image that results are asked for.
+InkExtent PartOf(vtkInkGradient* filter, vtkInformation* inInfo, vtkInformation* outInfo, vtkImageData* image)
+{
+  const InkExtent own(image->GetExtent());
+  const InkExtent whole = InkGetWholeExtent(inInfo, image);
+  if (IsPieceAskedFor(outInfo))
+  {
+    const InkExtent needed = PieceOf(outInfo, whole, LargestOf(ReachOf(filter, inInfo)));
+    // Otherwise the image came in parts of another shape, as from a simulation: take all of this one.
+    return Contains(own, needed) ? PieceOf(outInfo, whole, 0) : own;
+  }
+  InkExtent part(outInfo->Get(SDDP::UPDATE_EXTENT()));
+  part.First = glm::max(part.First, own.First);
+  part.Last = glm::min(part.Last, own.Last);
+  return part;
+}
+
 /// A part of an image, all arrays cut to it; the image itself when it is all of it.
 void CopyPart(vtkImageData* image, const InkExtent& part, vtkImageData* output)
 {
@@ -180,7 +232,6 @@ int vtkInkGradient::RequestInformation(
 int vtkInkGradient::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   this->KeepArrays(vtkImageData::GetData(outInfo));
@@ -189,6 +240,12 @@ int vtkInkGradient::RequestUpdateExtent(
   outInfo->Get(SDDP::UPDATE_EXTENT(), extent);
   inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
   const glm::ivec3 reach = ReachOf(this, inInfo);
+  if (IsPieceAskedFor(outInfo))
+  {
+    inInfo->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + LargestOf(reach));
+    return 1;
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     // An empty extent asks for nothing.
@@ -254,9 +311,7 @@ int vtkInkGradient::RequestData(
   }
 
   const InkExtent own(image->GetExtent());
-  InkExtent part(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
-  part.First = glm::max(part.First, own.First);
-  part.Last = glm::min(part.Last, own.Last);
+  const InkExtent part = PartOf(this, inputVector[0]->GetInformationObject(0), outInfo, image);
   GradientRequest request;
   request.Box = { part.First - own.First, part.Last - own.First + 1 };
   if (request.Box.empty())
