@@ -577,7 +577,9 @@ double isoSurfaceSampleRadius(const GridGeometry& geometry)
   {
     for (const double z : { -1.0, 1.0 })
     {
-      longest = std::max(longest, glm::length(geometry.stepToWorld() * glm::dvec3(1.0, y, z)));
+      const glm::dvec3 diagonal = geometry.stepToWorld() * glm::dvec3(1.0, y, z);
+      // Does not square what is too large or too small for it.
+      longest = std::max(longest, std::hypot(diagonal.x, diagonal.y, diagonal.z));
     }
   }
   return 0.5 * longest;
