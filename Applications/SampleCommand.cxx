@@ -27,6 +27,11 @@ void sample(const SampleOptions& options)
   std::vector<std::string> notes = input.notes;
   if (input.volume)
   {
+    if (options.meshOption)
+    {
+      throw UsageError(*options.meshOption +
+        ": expected a mesh, found a volume, which has a point in each voxel that its surface crosses");
+    }
     const auto keep = [&points](int surface, vtkPolyData* part) { points.add(surface, part); };
     const auto more = sampleVolume(*input.volume, options.volume, options.input.memory, keep, progress);
     notes.insert(notes.end(), more.begin(), more.end());
@@ -37,7 +42,7 @@ void sample(const SampleOptions& options)
     {
       throw UsageError("--iso: a mesh has no iso-values, only volumes have");
     }
-    sampleMesh(vtkPolyData::SafeDownCast(input.data), points, progress);
+    points.add(0, sampleMesh(vtkPolyData::SafeDownCast(input.data), options.mesh, notes, progress));
   }
   progress.step("writing " + options.output.filename().string());
   writePoints(points, format, output);

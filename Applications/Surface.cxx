@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "PointStore.h"
 #include "Progress.h"
+#include "SampleMesh.h"
 #include "SampleVolume.h"
 #include "VolumeSlices.h"
 
@@ -76,8 +77,8 @@ Surface sampleWhole(
 
 } // namespace
 
-Surface makeSurface(
-  const Input& input, const std::vector<double>& isoValues, const Memory& memory, Progress& progress)
+Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
+  std::optional<long long> samples, const Memory& memory, Progress& progress)
 {
   if (input.volume)
   {
@@ -87,7 +88,17 @@ Surface makeSurface(
   {
     throw UsageError("--iso: a mesh has no iso-values, only volumes have");
   }
-  return takeVertices(vtkPolyData::SafeDownCast(input.data), progress);
+  auto* mesh = vtkPolyData::SafeDownCast(input.data);
+  if (samples == 0)
+  {
+    return takeVertices(mesh, progress);
+  }
+  MeshSampling sampling;
+  sampling.count = samples;
+  sampling.priority = false;
+  Surface surface;
+  surface.points = sampleMesh(mesh, sampling, surface.notes, progress);
+  return surface;
 }
 
 } // namespace ink::cli

@@ -52,7 +52,7 @@ struct RenderArguments
 
   void add(CLI::App* command)
   {
-    this->input.addFile(command, "mesh, whose vertices are drawn");
+    this->input.addFile(command, "mesh or points");
     command->add_option("-o,--output", this->output, "the picture to write")
       ->required()
       ->type_name("OUT.png");
@@ -63,6 +63,11 @@ struct RenderArguments
       ->type_name("V")
       ->expected(1)
       ->take_all();
+    command
+      ->add_option("--samples", this->options.samples,
+        "points to make on a mesh; 0: its vertices are drawn (twice as many, but 200000 to 1000000)")
+      ->type_name("N")
+      ->check(within(0, 1e12));
     std::vector<std::string> views;
     for (const auto& [name, view] : namedViews())
     {

@@ -92,7 +92,8 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output)
 {
   InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
   const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (chosen && *chosen)
+  // ParaView's panel gives "None".
+  if (chosen && *chosen && std::string(chosen) != "None")
   {
     const int association = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
     triangles.SetDensity(

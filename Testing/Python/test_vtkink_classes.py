@@ -260,6 +260,78 @@ def test_bounds_hold_the_whole_splats(bumpy_points):
     assert numpy.allclose(reach, [-radius, radius] * 3)
 
 
+def ball_mesh():
+    source = vtk.vtkSphereSource()
+    source.SetThetaResolution(40)
+    source.SetPhiResolution(40)
+    source.Update()
+    return source.GetOutput()
+
+
+def test_surface_sampler_makes_points_with_priority():
+    sampler = vtkink.vtkInkSurfaceSampler()
+    sampler.SetInputData(ball_mesh())
+    sampler.SetNumberOfSamples(1000)
+    sampler.Update()
+    points = sampler.GetOutput()
+    positions = numpy_support.vtk_to_numpy(points.GetPoints().GetData())
+    assert len(positions) == 1000
+    assert numpy.allclose(numpy.linalg.norm(positions, axis=1), 0.5, atol=0.005)
+    assert numpy.all(numpy.sum(positions * point_array(points, "Normals"), axis=1) > 0.49)
+    assert numpy.array_equal(point_array(points, "Priority"), numpy.arange(1000, dtype="f4") / numpy.float32(1000))
+    assert point_array(points, "Radius").min() > 0
+
+
+def test_surface_samples_move_with_the_mesh():
+    mesh = ball_mesh()
+    sampler = vtkink.vtkInkSurfaceSampler()
+    sampler.SetInputData(mesh)
+    sampler.SetNumberOfSamples(300)
+    sampler.KeepFacesOn()
+    mover = vtkink.vtkInkSurfaceSampler()
+    transform, filter = vtk.vtkTransform(), vtk.vtkTransformPolyDataFilter()
+    transform.Scale(2, 2, 2)
+    filter.SetTransform(transform)
+    filter.SetInputData(mesh)
+    mover.SetInputConnection(filter.GetOutputPort())
+    mover.SetFirstFrameConnection(sampler.GetOutputPort())
+    mover.Update()
+    before, after = (numpy_support.vtk_to_numpy(s.GetOutput().GetPoints().GetData()) for s in (sampler, mover))
+    assert numpy.allclose(after, 2 * before, atol=1e-6)
+    assert numpy.allclose(point_array(mover.GetOutput(), "Radius"), 2 * point_array(sampler.GetOutput(), "Radius"))
+
+
+def test_point_priority_carries_arrays_along(bumpy_points):
+    order = vtkink.vtkInkPointPriority()
+    order.SetInputDataObject(bumpy_points)
+    order.Update()
+    points = order.GetOutput()
+    assert points.GetNumberOfPoints() == bumpy_points.GetNumberOfPoints()
+    rows = [
+        numpy.hstack([numpy_support.vtk_to_numpy(one.GetPoints().GetData()), point_array(one, "Normals")])
+        for one in (points, bumpy_points)
+    ]
+    assert numpy.array_equal(*(row[numpy.lexsort(row.T)] for row in rows))
+    assert numpy.all(numpy.diff(point_array(points, "Priority")) > 0)
+
+
+def test_surface_example_is_short_and_draws(tmp_path):
+    example = EXAMPLE.with_name("surface_samples.py")
+    assert len(example.read_text().splitlines()) <= 25
+    writer = vtk.vtkPLYWriter()
+    writer.SetFileName(str(tmp_path / "ball.ply"))
+    writer.SetInputData(ball_mesh())
+    writer.Write()
+    command = [sys.executable, str(example), "ball.ply", "20000"]
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert result.returncode == 0 and not result.stderr, result.stderr
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(tmp_path / "surface_samples.png"))
+    reader.Update()
+    grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
+    assert 0.5 < numpy.mean(grey > 0.95) < 0.999 and 0.0005 < numpy.mean(grey < 0.5) < 0.2
+
+
 def test_example_is_short_and_draws(tmp_path):
     assert len(EXAMPLE.read_text().splitlines()) <= 25
     result = subprocess.run(
