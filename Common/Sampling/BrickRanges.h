@@ -11,8 +11,9 @@ namespace ink
 {
 
 /// The least and largest value in each brick of a grid's samples: 32 x 4 x 4 samples for types of one and two
-/// bytes, 16 x 4 x 4 for larger ones, so that the memory is at most 1/128 of the volume's. findCrossedCells fills
-/// it on its way through the volume and then, for another iso-value, reads only bricks that the surface enters.
+/// bytes, 16 x 4 x 4 for larger ones, so that the memory is at most 1/128 of the volume's. findCrossedCells
+/// fills it on its way through the volume and then, for another iso-value, reads only bricks that the surface
+/// enters.
 class BrickRanges
 {
 public:

@@ -19,8 +19,9 @@ constexpr double SmallestSquare = 1e-20;
 /// Whether the surface intersects an edge with these values, relative to the iso-value, at its ends.
 bool crosses(double a, double b, CrossingRule rule)
 {
-  return rule == CrossingRule::HalfOpen ? (a < 0.0) != (b < 0.0)
-                                        : (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0) || (a == 0.0 && b == 0.0);
+  return rule == CrossingRule::HalfOpen
+    ? (a < 0.0) != (b < 0.0)
+    : (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0) || (a == 0.0 && b == 0.0);
 }
 
 /// The corner's weight at t.
@@ -43,7 +44,8 @@ glm::dvec3 centralDifference(const CellStencil& cell, int corner)
   return gradient;
 }
 
-/// The trilinear interpolation of the unit vectors along the corners' gradients, or of the gradients themselves.
+/// The trilinear interpolation of the unit vectors along the corners' gradients, or of the gradients
+/// themselves.
 glm::dvec3 interpolateDirections(
   const CellStencil& cell, const glm::dvec3& at, NormalMethod method, const glm::dmat3& toWorld)
 {
@@ -51,8 +53,9 @@ glm::dvec3 interpolateDirections(
   for (int c = 0; c < Corners; ++c)
   {
     const glm::dvec3 world = toWorld * centralDifference(cell, c);
-    const double length =
-      method == NormalMethod::Gradient ? 1.0 : std::sqrt(glm::dot(world, world) + std::numeric_limits<double>::min());
+    const double length = method == NormalMethod::Gradient
+      ? 1.0
+      : std::sqrt(glm::dot(world, world) + std::numeric_limits<double>::min());
     sum += shareOf(c, at) / length * world;
   }
   return sum;
@@ -164,8 +167,8 @@ glm::dvec3 meanCrossing(const CellStencil& cell, CrossingRule rule)
   return count > 0 ? sum / static_cast<double>(count) : glm::dvec3(0.5);
 }
 
-glm::dvec3 carefulNormal(const CellStencil& cell, const glm::dvec3& at, CrossingRule rule, NormalMethod method,
-  const glm::dmat3& toWorld)
+glm::dvec3 carefulNormal(const CellStencil& cell, const glm::dvec3& at, CrossingRule rule,
+  NormalMethod method, const glm::dmat3& toWorld)
 {
   if (method != NormalMethod::Cell)
   {

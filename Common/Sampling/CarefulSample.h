@@ -16,8 +16,8 @@ struct CellStencil
 {
   double values[StencilSize];
 
-  /// Extrapolates the neighbour before or after an edge from the edge that it continues, which makes the central
-  /// difference there one-sided.
+  /// Extrapolates the neighbour before or after an edge from the edge that it continues, which makes the
+  /// central difference there one-sided.
   void extrapolateBefore(int axis, int n);
   void extrapolateAfter(int axis, int n);
   /// Makes the largest value 1, so that no gradient's square overflows or vanishes.
@@ -34,10 +34,10 @@ int neighbourAfter(int axis, int n);
 glm::dvec3 meanCrossing(const CellStencil& cell, CrossingRule rule);
 
 /// The unit vector towards smaller values at the point `at` of the unit cell: by the corners' central
-/// differences, unless the method is NormalMethod::Cell; where those cancel or all vanish, along the gradient of
-/// the cell's own values; and where that vanishes too, along the crossed edges.
-/// \param toWorld takes gradients per sample step to vectors along the world's gradient
-glm::dvec3 carefulNormal(const CellStencil& cell, const glm::dvec3& at, CrossingRule rule, NormalMethod method,
-  const glm::dmat3& toWorld);
+/// differences, unless the method is NormalMethod::Cell; where those cancel or all vanish, along the gradient
+/// of the cell's own values; and where that vanishes too, along the crossed edges. \param toWorld takes
+/// gradients per sample step to vectors along the world's gradient
+glm::dvec3 carefulNormal(const CellStencil& cell, const glm::dvec3& at, CrossingRule rule,
+  NormalMethod method, const glm::dmat3& toWorld);
 
 } // namespace ink

@@ -76,8 +76,8 @@ struct LayerBits
   }
 };
 
-/// The cells of a word, with corners in the rows (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1), that the surface
-/// crosses by CrossingRule::Strict.
+/// The cells of a word, with corners in the rows (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1), that the
+/// surface crosses by CrossingRule::Strict.
 Word crossedStrict(const std::array<const Word*, 4>& above, const std::array<const Word*, 4>& over, int w)
 {
   const auto edge = [](Word above1, Word over1, Word above2, Word over2)
@@ -155,10 +155,7 @@ public:
 
   /// Slabs begin at multiples of their thickness, so that bricks belong to one slab.
   int firstSlab() const { return this->Begin.z / SlabLayers; }
-  int slabCount() const
-  {
-    return this->empty() ? 0 : (this->End.z - 1) / SlabLayers + 1 - this->firstSlab();
-  }
+  int slabCount() const { return this->empty() ? 0 : (this->End.z - 1) / SlabLayers + 1 - this->firstSlab(); }
 
   void use(BrickRanges* ranges)
   {
@@ -283,8 +280,8 @@ private:
     }
   }
 
-  void classifyBlock(int block, int k, std::size_t t, bool measure, const SampleRows<K>& rows, Scratch& scratch,
-    LayerBits& layer) const
+  void classifyBlock(int block, int k, std::size_t t, bool measure, const SampleRows<K>& rows,
+    Scratch& scratch, LayerBits& layer) const
   {
     const Threshold<T>& threshold = this->Thresholds[t];
     const std::size_t first = this->rowOffset(Rows * block);
@@ -420,12 +417,13 @@ private:
     layer.paired[block] = true;
     for (int j = Rows * block; j < std::min(Rows * (block + 1), this->Cells.y); ++j)
     {
-      this->Kernels.pairRows(&layer.above[this->rowOffset(j)], &layer.above[this->rowOffset(j + 1)], this->Words,
-        &layer.any[this->rowOffset(j)], &layer.all[this->rowOffset(j)]);
+      this->Kernels.pairRows(&layer.above[this->rowOffset(j)], &layer.above[this->rowOffset(j + 1)],
+        this->Words, &layer.any[this->rowOffset(j)], &layer.all[this->rowOffset(j)]);
     }
   }
 
-  void findInLayer(int k, LayerBits& lower, LayerBits& upper, Scratch& scratch, CrossedCells::Slab& slab) const
+  void findInLayer(
+    int k, LayerBits& lower, LayerBits& upper, Scratch& scratch, CrossedCells::Slab& slab) const
   {
     for (int block = this->Begin.y / Rows; block * Rows < this->End.y; ++block)
     {
@@ -546,8 +544,8 @@ namespace
 
 template <class T>
 bool findAll(const GridField<T>& field, std::span<const double> isoValues, CrossingRule rule,
-  const CellSelection& selection, const Progress& progress, BrickRanges* ranges, std::span<CrossedCells> cells,
-  const std::function<void(std::size_t)>& found)
+  const CellSelection& selection, const Progress& progress, BrickRanges* ranges,
+  std::span<CrossedCells> cells, const std::function<void(std::size_t)>& found)
 {
   const glm::ivec3 size = glm::max(field.geometry().dimensions() - 1, glm::ivec3(0));
   const std::size_t count = static_cast<std::size_t>(size.x) * size.y * size.z;

@@ -71,9 +71,10 @@ CrossedCells findCrossedCells(const GridField<T>& field, double isoValue, Crossi
   const CellSelection& selection = {}, const Progress& progress = {});
 
 /// The same for several iso-values, in one pass over the field.
-/// \param ranges when they are those of this field's values, only what the surfaces enter is read; otherwise, if
-///               the selection leaves nothing out, they are filled in for the next time. The caller keeps them for
-///               one set of values only. Null: neither
+/// \param ranges when they are those of this field's values, only what the surfaces enter is read; otherwise,
+/// if
+///               the selection leaves nothing out, they are filled in for the next time. The caller keeps
+///               them for one set of values only. Null: neither
 template <class T>
 std::vector<CrossedCells> findCrossedCells(const GridField<T>& field, std::span<const double> isoValues,
   CrossingRule rule, const CellSelection& selection = {}, const Progress& progress = {},

@@ -1,5 +1,5 @@
-// Cells are listed slab by slab, and their stencils loaded and worked on a batch at a time by Kernels/. What those
-// loops leave over, a handful of cells, is done one by one by CarefulSample.
+// Cells are listed slab by slab, and their stencils loaded and worked on a batch at a time by Kernels/. What
+// those loops leave over, a handful of cells, is done one by one by CarefulSample.
 
 #include "Sampling/IsoSurfaceSamples.h"
 
@@ -108,6 +108,8 @@ public:
       }
     }
     this->findOffsets();
+    this->findContinuations();
+    this->Prefetch = field.geometry().sampleCount() * field.stride() * sizeof(T) > (std::size_t(24) << 20);
   }
 
   void place(const CrossedCells::Slab& slab, SampleRoom to) const
@@ -122,6 +124,10 @@ public:
     for (std::size_t at = 0; at < slab.count; at += BatchSize)
     {
       const int count = static_cast<int>(std::min<std::size_t>(BatchSize, slab.count - at));
+      if (this->Prefetch)
+      {
+        this->fetchAhead(cells, at + count, std::min<std::size_t>(at + count + BatchSize, slab.count));
+      }
       this->placeBatch(cells, at, count, normals, *work);
       this->write(work->batch, count, to);
       to = after(to, static_cast<std::size_t>(count));
@@ -191,11 +197,13 @@ private:
 
   SlabCells listCells(const CrossedCells::Slab& slab) const
   {
-    // Always so many of a run, because few have more, and a branch that follows their number is foretold wrongly.
+    // Always so many of a run, because few have more, and a branch that follows their number is foretold
+    // wrongly.
     constexpr int usual = 8;
     const std::size_t room = slab.count + 64;
     SlabCells cells = { slab, std::make_unique_for_overwrite<RunTerms[]>(slab.runs.size()),
-      std::make_unique_for_overwrite<std::uint32_t[]>(room), std::make_unique_for_overwrite<std::uint32_t[]>(room) };
+      std::make_unique_for_overwrite<std::uint32_t[]>(room),
+      std::make_unique_for_overwrite<std::uint32_t[]>(room) };
     std::uint32_t* x = cells.x.get();
     std::uint32_t* run = cells.run.get();
     for (std::uint32_t r = 0; r < slab.runs.size(); ++r)
@@ -228,12 +236,39 @@ private:
   {
     const glm::ivec3& first = run.first;
     const int toLast = this->Last.x - first.x;
-    const bool border = (first.y == 0) | (first.y == this->Last.y) | (first.z == 0) | (first.z == this->Last.z) |
-      (first.x == 0 && (run.cells & 1)) | (toLast < 64 && (run.cells >> toLast & 1));
+    const bool border = (first.y == 0) | (first.y == this->Last.y) | (first.z == 0) |
+      (first.z == this->Last.z) | (first.x == 0 && (run.cells & 1)) |
+      (toLast < 64 && (run.cells >> toLast & 1));
     const bool general = this->Axes == GridAxes::General;
     return { first.y * this->Steps[1] + first.z * this->Steps[2],
       general ? Work(0) : this->Corners[1][static_cast<std::size_t>(first.y)],
       general ? Work(0) : this->Corners[2][static_cast<std::size_t>(first.z)], border };
+  }
+
+  /// Has the memory around some cells on its way while others are worked on: no machine can guess where the
+  /// surface goes next.
+  void fetchAhead(const SlabCells& cells, std::size_t begin, std::size_t end) const
+  {
+    constexpr std::ptrdiff_t line = 64 / sizeof(T);
+    const std::ptrdiff_t y = this->Steps[1];
+    const std::ptrdiff_t z = this->Steps[2];
+    std::ptrdiff_t last = -line;
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const std::ptrdiff_t offset =
+        cells.runs[cells.run[n]].offset + static_cast<std::ptrdiff_t>(cells.x[n]) * this->Steps[0];
+      if (offset - last < line && offset >= last)
+      {
+        continue;
+      }
+      last = offset;
+      const T* cell = this->Field.data() + offset;
+      for (const std::ptrdiff_t row :
+        { -y, std::ptrdiff_t(0), y, 2 * y, z - y, z, z + y, z + 2 * y, -z, y - z, 2 * z, 2 * z + y })
+      {
+        __builtin_prefetch(cell + row);
+      }
+    }
   }
 
   void placeBatch(const SlabCells& cells, std::size_t at, int count, bool normals, Workspace& work) const
@@ -244,7 +279,8 @@ private:
     std::uint64_t careful = this->load(cells, at, count, normals, work);
     const int axes = static_cast<int>(this->Axes);
     const PlaceKernels<Work>& kernels = this->placeKernels();
-    careful |= kernels.findPoints[this->Options.rule == CrossingRule::Strict][wide][axes](batch, this->Terms, count);
+    careful |=
+      kernels.findPoints[this->Options.rule == CrossingRule::Strict][wide][axes](batch, this->Terms, count);
     if (normals)
     {
       careful |= kernels.findNormals[static_cast<int>(this->Options.method)][axes](batch, this->Terms, count);
@@ -289,10 +325,9 @@ private:
     std::uint64_t careful = 0;
     if (normals && this->Options.method != NormalMethod::Cell)
     {
-      for (std::uint64_t rest = border; rest != 0; rest &= rest - 1)
+      if (border != 0)
       {
-        const int lane = std::countr_zero(rest);
-        this->extrapolate(cells[at + lane], lane, batch);
+        this->extrapolate(cells, at, border, batch);
       }
       for (int i = 0; i < count && !this->Field.hidden().empty(); ++i)
       {
@@ -302,8 +337,8 @@ private:
     return careful;
   }
 
-  /// Where the cells' first samples are, in memory and in the world; from global indices, so that the pieces of a
-  /// grid agree to the last bit. Returns a bit for each cell at the grid's border.
+  /// Where the cells' first samples are, in memory and in the world; from global indices, so that the pieces
+  /// of a grid agree to the last bit. Returns a bit for each cell at the grid's border.
   std::uint64_t findCorners(
     const SlabCells& cells, std::size_t at, int count, std::ptrdiff_t* offsets, CellBatch<Work>& batch) const
   {
@@ -354,7 +389,8 @@ private:
   }
 
   /// By vectors of neighbouring samples. Rows beyond the grid's border are replaced by those at it.
-  void loadQuickly(const SlabCells& cells, std::size_t at, int count, std::uint64_t border, Workspace& work) const
+  void loadQuickly(
+    const SlabCells& cells, std::size_t at, int count, std::uint64_t border, Workspace& work) const
   {
     using K = KernelScalar<T>;
     StencilSource<K> source = { reinterpret_cast<const K*>(this->Field.data()), work.offsets, this->Steps[1],
@@ -376,8 +412,9 @@ private:
     }
   }
 
-  /// The distances to neighbours of each cell of a batch, some of which are at the border. Returns a bit for each
-  /// cell whose rows would begin before or end beyond the array; in its place comes something that can be read.
+  /// The distances to neighbours of each cell of a batch, some of which are at the border. Returns a bit for
+  /// each cell whose rows would begin before or end beyond the array; in its place comes something that can
+  /// be read.
   std::uint64_t findDistances(
     const SlabCells& cells, std::size_t at, int count, std::uint64_t border, Workspace& work) const
   {
@@ -457,7 +494,7 @@ private:
 
   int stencilSize() const
   {
-    return this->Options.method == NormalMethod::Cell ? Corners8
+    return this->Options.method == NormalMethod::Cell    ? Corners8
       : this->Options.method == NormalMethod::Regression ? WideStencilSize
                                                          : StencilSize;
   }
@@ -505,16 +542,19 @@ private:
     }
   }
 
-  /// Neighbours beyond the grid's border, from the edge that they continue: the central difference becomes
-  /// one-sided.
-  void extrapolate(const glm::ivec3& cell, int lane, CellBatch<Work>& batch) const
+  /// A row of a batch beyond the grid's border, and the two that it continues.
+  struct Continuation
   {
-    const auto extend = [&](int outer, int near, int far)
-    { batch.values[outer][lane] = Work(2) * batch.values[near][lane] - batch.values[far][lane]; };
+    int outer;
+    int near;
+    int far;
+  };
+
+  /// The continuations before the first cell along an axis, and after the last.
+  void findContinuations()
+  {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool first = cell[axis] == 0;
-      const bool last = cell[axis] == this->Last[axis];
       if (this->Options.method == NormalMethod::Regression)
       {
         constexpr int steps[3] = { 1, 4, 16 };
@@ -522,26 +562,47 @@ private:
         for (int n = 0; n < 16; ++n)
         {
           const int outer = axis == 0 ? 4 * n : axis == 1 ? n % 4 + 16 * (n / 4) : n;
-          if (first)
-          {
-            extend(outer, outer + step, outer + 2 * step);
-          }
-          if (last)
-          {
-            extend(outer + 3 * step, outer + 2 * step, outer + step);
-          }
+          this->Continuations[axis][0].push_back({ outer, outer + step, outer + 2 * step });
+          this->Continuations[axis][1].push_back({ outer + 3 * step, outer + 2 * step, outer + step });
         }
         continue;
       }
       for (int n = 0; n < 4; ++n)
       {
-        if (first)
+        const int low = lowCorner(axis, n);
+        const int high = highCorner(axis, n);
+        this->Continuations[axis][0].push_back({ neighbourBefore(axis, n), low, high });
+        this->Continuations[axis][1].push_back({ neighbourAfter(axis, n), high, low });
+      }
+    }
+  }
+
+  /// Neighbours beyond the grid's border, from the edge that they continue: the central difference becomes
+  /// one-sided.
+  void extrapolate(const SlabCells& cells, std::size_t at, std::uint64_t border, CellBatch<Work>& batch) const
+  {
+    std::uint64_t sides[3][2] = {};
+    for (std::uint64_t rest = border; rest != 0; rest &= rest - 1)
+    {
+      const int lane = std::countr_zero(rest);
+      const glm::ivec3 cell = cells[at + lane];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sides[axis][0] |= static_cast<std::uint64_t>(cell[axis] == 0) << lane;
+        sides[axis][1] |= static_cast<std::uint64_t>(cell[axis] == this->Last[axis]) << lane;
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int side = 0; side < 2; ++side)
+      {
+        for (const Continuation& c : this->Continuations[axis][side])
         {
-          extend(neighbourBefore(axis, n), lowCorner(axis, n), highCorner(axis, n));
-        }
-        if (last)
-        {
-          extend(neighbourAfter(axis, n), highCorner(axis, n), lowCorner(axis, n));
+          for (std::uint64_t rest = sides[axis][side]; rest != 0; rest &= rest - 1)
+          {
+            const int lane = std::countr_zero(rest);
+            batch.values[c.outer][lane] = Work(2) * batch.values[c.near][lane] - batch.values[c.far][lane];
+          }
         }
       }
     }
@@ -591,8 +652,8 @@ private:
       }
     }
     stencil.normalize();
-    const glm::dvec3 normal = carefulNormal(stencil, mean, this->Options.rule, this->Options.method,
-      this->Field.geometry().gradientDirection());
+    const glm::dvec3 normal = carefulNormal(
+      stencil, mean, this->Options.rule, this->Options.method, this->Field.geometry().gradientDirection());
     for (int axis = 0; axis < 3; ++axis)
     {
       batch.normals[axis][lane] = static_cast<float>(normal[axis]);
@@ -614,25 +675,28 @@ private:
   std::vector<Work> Corners[3]; ///< the world's x of samples by i and so on, unless the axes are general
   glm::ivec3 Places[WideStencilSize];
   std::ptrdiff_t Offsets[WideStencilSize];
+  std::vector<Continuation> Continuations[3][2];
+  bool Prefetch = false; ///< the field is larger than a cache
 };
 
 template <class Work, class T>
-bool placeAll(const GridField<T>& field, double isoValue, const SampleOptions& options, const CrossedCells& cells,
-  const SampleRoom& to, const Progress& progress)
+bool placeAll(const GridField<T>& field, double isoValue, const SampleOptions& options,
+  const CrossedCells& cells, const SampleRoom& to, const Progress& progress)
 {
   const SamplePlacer<T, Work> placer(field, isoValue, options);
-  const auto placeSlab = [&](std::size_t s) { placer.place(cells.slabs[s], after(to, cells.slabs[s].before)); };
+  const auto placeSlab = [&](std::size_t s)
+  { placer.place(cells.slabs[s], after(to, cells.slabs[s].before)); };
   return parallelFor(cells.slabs.size(), placeSlab, progress);
 }
 
-/// Places the samples of slabs while others are still being found, each as soon as the number of those before it
-/// is known: its part of the field is then still in the cache.
+/// Places the samples of slabs while others are still being found, each as soon as the number of those before
+/// it is known: its part of the field is then still in the cache.
 template <class T, class Work>
 class SamplesOnTheWay
 {
 public:
-  SamplesOnTheWay(const GridField<T>& field, double isoValue, const SampleOptions& options, CrossedCells& cells,
-    const SampleRoom& room)
+  SamplesOnTheWay(const GridField<T>& field, double isoValue, const SampleOptions& options,
+    CrossedCells& cells, const SampleRoom& room)
     : Placer(field, isoValue, options)
     , Cells(cells)
     , Room(room)
@@ -697,8 +761,8 @@ bool sampleOne(const GridField<T>& field, double isoValue, const SampleOptions& 
 {
   CrossedCells cells;
   SamplesOnTheWay<T, Work> samples(field, isoValue, options, cells, grow(expected));
-  if (!findCrossedCellsBySlab(
-        field, isoValue, options.rule, selection, progress, ranges, cells, [&](std::size_t s) { samples.add(s); }))
+  if (!findCrossedCellsBySlab(field, isoValue, options.rule, selection, progress, ranges, cells,
+        [&](std::size_t s) { samples.add(s); }))
   {
     return false;
   }
@@ -709,8 +773,8 @@ bool sampleOne(const GridField<T>& field, double isoValue, const SampleOptions& 
 /// Several surfaces: the second's samples follow the first's, so all are counted before any is placed.
 template <class Work, class T>
 bool sampleSeveral(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
-  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow,
-  std::vector<std::size_t>& counts, const Progress& progress)
+  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow, std::vector<std::size_t>& counts,
+  const Progress& progress)
 {
   bool stopped = false;
   const Progress watch = [&](double done)
@@ -752,8 +816,7 @@ bool sampleAll(const GridField<T>& field, std::span<const double> isoValues, con
 {
   counts.clear();
   return isoValues.size() == 1
-    ? sampleOne<Work>(
-        field, isoValues.front(), options, selection, ranges, grow, expected, counts, progress)
+    ? sampleOne<Work>(field, isoValues.front(), options, selection, ranges, grow, expected, counts, progress)
     : sampleSeveral<Work>(field, isoValues, options, selection, ranges, grow, counts, progress);
 }
 
@@ -793,16 +856,15 @@ bool placeIsoSurfaceSamples(const GridField<T>& field, double isoValue, const Sa
 }
 
 template <class T>
-bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
-  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow, std::size_t expected,
-  std::vector<std::size_t>& counts, const Progress& progress)
+bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues,
+  const SampleOptions& options, const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow,
+  std::size_t expected, std::vector<std::size_t>& counts, const Progress& progress)
 {
   if constexpr (FitsSingle<T>)
   {
     if (options.arithmetic == Arithmetic::Single)
     {
-      return sampleAll<float>(
-        field, isoValues, options, selection, ranges, grow, expected, counts, progress);
+      return sampleAll<float>(field, isoValues, options, selection, ranges, grow, expected, counts, progress);
     }
   }
   return sampleAll<double>(field, isoValues, options, selection, ranges, grow, expected, counts, progress);
@@ -825,10 +887,10 @@ double isoSurfaceSampleRadius(const GridGeometry& geometry)
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \
-  template bool placeIsoSurfaceSamples(const GridField<T>&, double, const SampleOptions&, const CrossedCells&, \
-    std::span<float>, std::span<float>, const Progress&);                                                    \
-  template bool placeIsoSurfaceSamples(const GridField<T>&, double, const SampleOptions&, const CrossedCells&, \
-    std::span<double>, std::span<float>, const Progress&);                                                   \
+  template bool placeIsoSurfaceSamples(const GridField<T>&, double, const SampleOptions&,                    \
+    const CrossedCells&, std::span<float>, std::span<float>, const Progress&);                               \
+  template bool placeIsoSurfaceSamples(const GridField<T>&, double, const SampleOptions&,                    \
+    const CrossedCells&, std::span<double>, std::span<float>, const Progress&);                              \
   template bool sampleIsoSurfaces(const GridField<T>&, std::span<const double>, const SampleOptions&,        \
     const CellSelection&, BrickRanges*, const GrowRoom&, std::size_t, std::vector<std::size_t>&,             \
     const Progress&);

@@ -17,8 +17,8 @@ namespace ink
 /// What samples are computed in.
 enum class Arithmetic
 {
-  /// Single precision for values that it holds exactly (integers of 8 and 16 bits, float), double for others. The
-  /// side of the surface that a value is on is exact all the same.
+  /// Single precision for values that it holds exactly (integers of 8 and 16 bits, float), double for others.
+  /// The side of the surface that a value is on is exact all the same.
   Single,
   Double
 };
@@ -60,18 +60,19 @@ struct SampleRoom
 /// Makes room for so many samples, or more, and keeps what was written before.
 using GrowRoom = std::function<SampleRoom(std::size_t)>;
 
-/// findCrossedCells and placeIsoSurfaceSamples for several iso-values in one pass over the field; for one, samples
-/// are placed while their part of the field is still in the cache.
+/// findCrossedCells and placeIsoSurfaceSamples for several iso-values in one pass over the field; for one,
+/// samples are placed while their part of the field is still in the cache.
 ///
 /// \param ranges   as in findCrossedCells
-/// \param expected how many samples to make room for at first, for one iso-value. More are no error, but some are
+/// \param expected how many samples to make room for at first, for one iso-value. More are no error, but some
+/// are
 ///                 placed later then
 /// \param counts   out: the samples of each iso-value; they come iso-value by iso-value
 /// \returns false when `progress` asked to stop
 template <class T>
-bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
-  const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow, std::size_t expected,
-  std::vector<std::size_t>& counts, const Progress& progress = {});
+bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues,
+  const SampleOptions& options, const CellSelection& selection, BrickRanges* ranges, const GrowRoom& grow,
+  std::size_t expected, std::vector<std::size_t>& counts, const Progress& progress = {});
 
 /// The radius, in world units, of discs around the samples of any iso-surface of the grid that leave no
 /// holes: half the diagonal of a cell. One radius for all of them, since lines of an even width need splats

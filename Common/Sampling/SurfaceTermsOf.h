@@ -51,8 +51,8 @@ SurfaceTerms<Real> surfaceTerms(const GridGeometry& geometry)
   return terms;
 }
 
-/// The terms for values of the type T, as they are, in single precision. Only for types that it holds exactly,
-/// and for iso-values that some values reach.
+/// The terms for values of the type T, as they are, in single precision. Only for types that it holds
+/// exactly, and for iso-values that some values reach.
 template <class T>
 SurfaceTerms<float> singleTerms(const GridGeometry& geometry, double isoValue)
 {

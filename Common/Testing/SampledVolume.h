@@ -79,8 +79,8 @@ Samples<Real> sampleIsoSurface(const GridField<T>& field, double isoValue, const
   Samples<Real> samples;
   samples.coordinates.resize(3 * cells.count);
   samples.components.resize(3 * cells.count);
-  placeIsoSurfaceSamples(
-    field, isoValue, options, cells, std::span<Real>(samples.coordinates), std::span<float>(samples.components));
+  placeIsoSurfaceSamples(field, isoValue, options, cells, std::span<Real>(samples.coordinates),
+    std::span<float>(samples.components));
   return samples;
 }
 

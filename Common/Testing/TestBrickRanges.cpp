@@ -1,4 +1,5 @@
-// The min-max index: the same cells with it as without, whatever the values, and no more memory than it should.
+// The min-max index: the same cells with it as without, whatever the values, and no more memory than it
+// should.
 
 #include "AnalyticFields.h"
 #include "SampledVolume.h"
@@ -47,7 +48,8 @@ void expectSameCells(unsigned seed)
   const GridGeometry geometry({ 2 + upTo(150), 2 + upTo(20), 2 + upTo(40) });
   // Smooth, so that most bricks hold one side only.
   const Sphere sphere{ glm::dvec3(upTo(100), upTo(10), upTo(20)), 12.0 };
-  auto volume = Volume<T>::from(geometry, [&](auto p) { return std::clamp(50 + sphere.value(p), 0.0, 100.0); });
+  auto volume =
+    Volume<T>::from(geometry, [&](auto p) { return std::clamp(50 + sphere.value(p), 0.0, 100.0); });
   std::vector<std::uint8_t> marks(volume.values.size(), 0);
   for (int n = 0; n < 20 && seed % 2; ++n)
   {
@@ -56,7 +58,9 @@ void expectSameCells(unsigned seed)
     if constexpr (std::is_floating_point_v<T>)
     {
       constexpr T infinity = std::numeric_limits<T>::infinity();
-      volume.values[at] = n % 3 == 0 ? infinity : n % 3 == 1 ? -infinity : std::numeric_limits<T>::quiet_NaN();
+      volume.values[at] = n % 3 == 0 ? infinity
+        : n % 3 == 1                 ? -infinity
+                                     : std::numeric_limits<T>::quiet_NaN();
       marks[at] = 0;
     }
   }

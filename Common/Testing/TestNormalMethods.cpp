@@ -24,8 +24,8 @@ double angleOf(NormalMethod method, const glm::dvec3& spacing, double noise, ink
   std::mt19937 random(1);
   const glm::ivec3 n(glm::ceil(glm::dvec3(52.0, 52.0, 24.0) / spacing));
   const GridGeometry grid(n, -0.5 * spacing * glm::dvec3(n - 1), spacing);
-  // A sharp boundary, as scanners see it: the step is some two samples wide. The noise is even, from bits, as no
-  // two standard libraries agree on distributions.
+  // A sharp boundary, as scanners see it: the step is some two samples wide. The noise is even, from bits, as
+  // no two standard libraries agree on distributions.
   const auto volume = Volume<float>::from(grid,
     [&](auto p)
     {
@@ -84,8 +84,10 @@ TEST(NormalMethods, AreWithinDegreesOfTheTruth)
     double noisy;
     double anisotropic;
   };
-  for (const Case& c : { Case{ NormalMethod::Cell, 3.0, 9.0, 12.0 }, Case{ NormalMethod::Gradient, 3.0, 6.0, 12.0 },
-         Case{ NormalMethod::CentralDifference, 3.0, 6.0, 12.0 }, Case{ NormalMethod::Regression, 3.0, 3.0, 12.0 } })
+  for (const Case& c :
+    { Case{ NormalMethod::Cell, 3.0, 9.0, 12.0 }, Case{ NormalMethod::Gradient, 3.0, 6.0, 12.0 },
+      Case{ NormalMethod::CentralDifference, 3.0, 6.0, 12.0 },
+      Case{ NormalMethod::Regression, 3.0, 3.0, 12.0 } })
   {
     for (const ink::Arithmetic arithmetic : { ink::Arithmetic::Single, ink::Arithmetic::Double })
     {
@@ -100,12 +102,12 @@ TEST(NormalMethods, AreWithinDegreesOfTheTruth)
 TEST(NormalMethods, SmoothMoreTheMoreTheySee)
 {
   const auto noisy = [](NormalMethod method)
-  { return angleOf(method, glm::dvec3(1.0), 0.1, ink::Arithmetic::Single); };
+  { return angleOf(method, glm::dvec3(1.0), 0.4, ink::Arithmetic::Single); };
   const double cell = noisy(NormalMethod::Cell);
   const double central = noisy(NormalMethod::CentralDifference);
   const double regression = noisy(NormalMethod::Regression);
   EXPECT_LT(central, 0.8 * cell);
-  EXPECT_LT(regression, 0.6 * central);
+  EXPECT_LT(regression, 0.7 * central);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// The loops of iso-surface sampling: the same bits from every instruction set, single precision against double,
-// and several surfaces in one pass against one after the other.
+// The loops of iso-surface sampling: the same bits from every instruction set, single precision against
+// double, and several surfaces in one pass against one after the other.
 
 #include "AnalyticFields.h"
 #include "SampledVolume.h"
@@ -28,8 +28,8 @@ using ink::GridGeometry;
 using ink::NormalMethod;
 using ink::SampleOptions;
 
-constexpr NormalMethod Methods[] = { NormalMethod::Cell, NormalMethod::Gradient, NormalMethod::CentralDifference,
-  NormalMethod::Regression };
+constexpr NormalMethod Methods[] = { NormalMethod::Cell, NormalMethod::Gradient,
+  NormalMethod::CentralDifference, NormalMethod::Regression };
 
 /// Makes a set of kernels the one in use for as long as it lives.
 struct UseKernels
@@ -56,9 +56,9 @@ const glm::dmat3 rotation(glm::rotate(glm::dmat4(1.0), 0.7, glm::dvec3(1.0, -2.0
 template <class T>
 void expectSameBits(const ink::SamplingKernels& kernels)
 {
-  const GridGeometry grids[] = { GridGeometry({ 77, 13, 11 }),
-    GridGeometry({ 33, 12, 9 }, { 1, 2, 3 }, { 0.5, 0.7, 2.5 }),
-    GridGeometry({ 66, 9, 10 }, { 1, 2, 3 }, { 0.5, 1.0, 2.5 }, rotation) };
+  const GridGeometry grids[] = { GridGeometry({ 77, 8, 6 }),
+    GridGeometry({ 33, 9, 7 }, { 1, 2, 3 }, { 0.5, 0.7, 2.5 }),
+    GridGeometry({ 66, 6, 7 }, { 1, 2, 3 }, { 0.5, 1.0, 2.5 }, rotation) };
   for (const GridGeometry& grid : grids)
   {
     auto volume = bumps<T>(grid, 7);
@@ -71,7 +71,7 @@ void expectSameBits(const ink::SamplingKernels& kernels)
     {
       for (const NormalMethod method : Methods)
       {
-        for (const double isoValue : { 49.5, 50.0, 73.25 })
+        for (const double isoValue : { 50.0, 73.25 })
         {
           const SampleOptions options{ rule, method, Arithmetic::Single };
           const auto sample = [&](const ink::SamplingKernels* with)
@@ -81,8 +81,9 @@ void expectSameBits(const ink::SamplingKernels& kernels)
               sampleIsoSurface<double>(volume.field(), isoValue, options));
           };
           const auto expected = sample(ink::samplingKernelsOf("baseline"));
-          EXPECT_GT(expected.first.size(), 1000u);
-          EXPECT_EQ(sample(&kernels), expected)
+          EXPECT_GT(expected.first.size(), 500u);
+          // Not EXPECT_EQ, which would print them all.
+          EXPECT_TRUE(sample(&kernels) == expected)
             << "iso-value " << isoValue << ", normal method " << static_cast<int>(method);
         }
       }
@@ -151,8 +152,8 @@ TEST(SamplingKernels, AreAsGoodInSinglePrecision)
   for (const NormalMethod method : Methods)
   {
     SCOPED_TRACE(static_cast<int>(method));
-    // Float's rounding of coordinates up to 64 is 4e-6, and the points' are twice rounded. Weights of normals are
-    // known to 3e-5.
+    // Float's rounding of coordinates up to 64 is 4e-6, and the points' are twice rounded. Weights of normals
+    // are known to 3e-5.
     const auto expectClose = [](const Differences& d)
     {
       EXPECT_LT(d.point, 1.5e-5);
@@ -161,11 +162,13 @@ TEST(SamplingKernels, AreAsGoodInSinglePrecision)
     expectClose(singleAgainstDouble(
       Volume<float>::from(grid, [&](auto p) { return sphere.value(p); }).field(), 0.0, method));
     expectClose(singleAgainstDouble(
-      Volume<short>::from(grid, [&](auto p) { return 30000 + 100 * sphere.value(p); }).field(), 30000.3, method));
-    expectClose(singleAgainstDouble(
-      Volume<unsigned char>::from(centred, [&](auto p) { return std::clamp(100 + 9 * torus.value(p), 0.0, 255.0); })
-        .field(),
-      100.7, method));
+      Volume<short>::from(grid, [&](auto p) { return 30000 + 100 * sphere.value(p); }).field(), 30000.3,
+      method));
+    expectClose(
+      singleAgainstDouble(Volume<unsigned char>::from(
+                            centred, [&](auto p) { return std::clamp(100 + 9 * torus.value(p), 0.0, 255.0); })
+                            .field(),
+        100.7, method));
   }
 }
 
@@ -214,8 +217,8 @@ Written sampleAll(const ink::GridField<T>& field, const std::vector<double>& iso
     written.points.resize(std::max(written.points.size(), 3 * count));
     written.normals.resize(written.points.size());
     written.bytes.resize(written.points.size());
-    return ink::SampleRoom{ written.points.data(), nullptr, written.normals.data(), nullptr, written.bytes.data(),
-      written.points.size() / 3 };
+    return ink::SampleRoom{ written.points.data(), nullptr, written.normals.data(), nullptr,
+      written.bytes.data(), written.points.size() / 3 };
   };
   EXPECT_TRUE(ink::sampleIsoSurfaces(field, isoValues, {}, {}, ranges, grow, expected, written.counts));
   std::size_t total = 0;
@@ -231,23 +234,24 @@ Written sampleAll(const ink::GridField<T>& field, const std::vector<double>& iso
 
 TEST(SamplingKernels, SampleSeveralSurfacesAsOneByOne)
 {
-  const auto volume = bumps<unsigned char>(GridGeometry({ 70, 41, 67 }), 3);
-  const std::vector<double> isoValues = { 30.0, 50.0, 90.5, 300.0, std::numeric_limits<double>::quiet_NaN(), 50.0 };
+  const auto volume = bumps<unsigned char>(GridGeometry({ 70, 21, 37 }), 3);
+  const std::vector<double> isoValues = { 30.0, 50.0, 90.5, 300.0, std::numeric_limits<double>::quiet_NaN(),
+    50.0 };
   ink::BrickRanges ranges;
   const Written together = sampleAll(volume.field(), isoValues, 0, &ranges);
-  EXPECT_EQ(sampleAll(volume.field(), isoValues, 0, &ranges), together);
+  EXPECT_TRUE(sampleAll(volume.field(), isoValues, 0, &ranges) == together);
   ASSERT_EQ(together.counts.size(), isoValues.size());
-  Written onebyOne;
+  Written oneByOne;
   for (const double isoValue : isoValues)
   {
     const Written one = sampleAll(volume.field(), { isoValue }, 1000000);
-    onebyOne.points.insert(onebyOne.points.end(), one.points.begin(), one.points.end());
-    onebyOne.normals.insert(onebyOne.normals.end(), one.normals.begin(), one.normals.end());
-    onebyOne.bytes.insert(onebyOne.bytes.end(), one.bytes.begin(), one.bytes.end());
-    onebyOne.counts.push_back(one.counts.front());
+    oneByOne.points.insert(oneByOne.points.end(), one.points.begin(), one.points.end());
+    oneByOne.normals.insert(oneByOne.normals.end(), one.normals.begin(), one.normals.end());
+    oneByOne.bytes.insert(oneByOne.bytes.end(), one.bytes.begin(), one.bytes.end());
+    oneByOne.counts.push_back(one.counts.front());
   }
-  EXPECT_EQ(together, onebyOne);
-  EXPECT_GT(together.counts[1], 100000u);
+  EXPECT_TRUE(together == oneByOne);
+  EXPECT_GT(together.counts[1], 20000u);
   EXPECT_EQ(together.counts[1], together.counts[5]);
   EXPECT_EQ(together.counts[3] + together.counts[4], 0u);
   // And as in two passes.
@@ -262,7 +266,7 @@ TEST(SamplingKernels, SampleSeveralSurfacesAsOneByOne)
 
 TEST(SamplingKernels, DependOnNeitherThreadsNorTheRoomThatWasExpected)
 {
-  const auto volume = bumps<short>(GridGeometry({ 50, 40, 90 }), 5);
+  const auto volume = bumps<short>(GridGeometry({ 50, 20, 90 }), 5);
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   const Written expected = sampleAll(volume.field(), { 40.0 }, 10000000);
   EXPECT_GT(expected.points.size(), 100000u);
@@ -271,7 +275,8 @@ TEST(SamplingKernels, DependOnNeitherThreadsNorTheRoomThatWasExpected)
     setenv("VTK_SMP_MAX_THREADS", threads, 1);
     for (const std::size_t room : { std::size_t(0), std::size_t(20000), std::size_t(1000000) })
     {
-      EXPECT_EQ(sampleAll(volume.field(), { 40.0 }, room), expected) << threads << " threads, room for " << room;
+      EXPECT_TRUE(sampleAll(volume.field(), { 40.0 }, room) == expected)
+        << threads << " threads, room for " << room;
     }
   }
   unsetenv("VTK_SMP_MAX_THREADS");

@@ -165,8 +165,8 @@ bool SampleArray(const ink::GridGeometry& geometry, vtkDataArray* array, int com
       values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
     const ink::GridField<T> field(geometry, all.subspan(static_cast<std::size_t>(component)),
       static_cast<std::size_t>(values->GetNumberOfComponents()), hidden);
-    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells, request.Ranges, grow,
-      request.Expected, counts, progress);
+    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells, request.Ranges,
+      grow, request.Expected, counts, progress);
   };
   switch (array->GetDataType())
   {
@@ -175,8 +175,8 @@ bool SampleArray(const ink::GridGeometry& geometry, vtkDataArray* array, int com
   throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
 }
 
-/// What to make room for before anything is known: some times the area of the image's largest faces, in points.
-/// Memory that is not written to costs nothing but addresses.
+/// What to make room for before anything is known: some times the area of the image's largest faces, in
+/// points. Memory that is not written to costs nothing but addresses.
 std::size_t GuessCount(const glm::ivec3& samples)
 {
   const auto area = [&](int a, int b) { return static_cast<std::size_t>(samples[a]) * samples[b]; };
@@ -319,7 +319,8 @@ int vtkInkIsoSurfaceSampler::RequestData(
   SampleRequest request;
   request.IsoValues = std::span<const double>(
     this->ContourValues->GetValues(), static_cast<std::size_t>(this->ContourValues->GetNumberOfContours()));
-  request.Options.rule = this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
+  request.Options.rule =
+    this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
   request.Options.method = static_cast<ink::NormalMethod>(this->NormalMethod);
   request.Cells = InkSelectCells(info, this->GetInputAlgorithm(), image);
   request.Ranges = this->UseIndex ? internals.RangesFor(scalars, image, this->ArrayComponent) : nullptr;
@@ -363,7 +364,8 @@ int vtkInkIsoSurfaceSampler::RequestData(
         room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
       }
       const vtkIdType size = InkGetCapacity(points);
-      room.capacity = static_cast<std::size_t>((normals ? std::min(size, InkGetCapacity(normals)) : size) / 3);
+      room.capacity =
+        static_cast<std::size_t>((normals ? std::min(size, InkGetCapacity(normals)) : size) / 3);
       return room;
     };
     int component = this->ArrayComponent;

@@ -12,10 +12,10 @@
  * An array that is not contiguous in memory is copied first.
  *
  * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient; see
- * NormalMethod and NormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs of this
- * radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: which of them the
- * point belongs to). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding all points, unless
- * GenerateVertices is off.
+ * NormalMethod and NormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs of
+ * this radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: which of
+ * them the point belongs to). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding all
+ * points, unless GenerateVertices is off.
  *
  * Points come in the order of their cells, iso-value by iso-value, and are the same for any number of
  * threads (VTK_SMP_MAX_THREADS sets it) and for any split of the image into pieces with one level of
@@ -23,12 +23,12 @@
  * Cells marked as duplicate, hidden or refined, and cells with a corner that is NaN, infinite or hidden, make
  * no points; a NaN or hidden voxel nearby makes the central difference one-sided.
  *
- * All iso-values are sampled in one pass over the image. On the way the least and largest value of each brick of
- * 32 x 4 x 4 voxels (16 x 4 x 4 for types of four bytes and more) is kept, at most 1/128 of the image's memory.
- * As long as the input stays the same, later runs for other iso-values read only bricks that the surface
- * enters, see UseIndex. The inner loops are compiled for several instruction sets (SSE2, AVX2, AVX-512), give the
- * same bits in each, and are chosen at run time; the environment variable VTKINK_INSTRUCTION_SET (baseline, avx2,
- * avx512) names another one.
+ * All iso-values are sampled in one pass over the image. On the way the least and largest value of each brick
+ * of 32 x 4 x 4 voxels (16 x 4 x 4 for types of four bytes and more) is kept, at most 1/128 of the image's
+ * memory. As long as the input stays the same, later runs for other iso-values read only bricks that the
+ * surface enters, see UseIndex. The inner loops are compiled for several instruction sets (SSE2, AVX2,
+ * AVX-512), give the same bits in each, and are chosen at run time; the environment variable
+ * VTKINK_INSTRUCTION_SET (baseline, avx2, avx512) names another one.
  *
  * Output arrays that nobody else holds when the filter runs again are filled anew instead of made anew, see
  * ReuseArrays.
@@ -110,12 +110,12 @@ public:
 
   ///@{
   /**
-   * How normals are found. CELL: from the gradient of the trilinear interpolation of the cell's own eight voxels;
-   * the fastest, and with facets. GRADIENT: central differences give the corners gradients, which are
-   * interpolated. CENTRAL_DIFFERENCE (default): their unit vectors are, as Zhang et al. do it; more exact where
-   * a boundary is sharp or voxels are not cubes. REGRESSION: the same with gradients by linear regression over
-   * each corner's 26 neighbours (Neumann et al. 2000, equal weights); smoother where there is noise, and rounds
-   * off what is smaller than two voxels.
+   * How normals are found. CELL: from the gradient of the trilinear interpolation of the cell's own eight
+   * voxels; the fastest, and with facets. GRADIENT: central differences give the corners gradients, which are
+   * interpolated. CENTRAL_DIFFERENCE (default): their unit vectors are, as Zhang et al. do it; more exact
+   * where a boundary is sharp or voxels are not cubes. REGRESSION: the same with gradients by linear
+   * regression over each corner's 26 neighbours (Neumann et al. 2000, equal weights); smoother where there is
+   * noise, and rounds off what is smaller than two voxels.
    */
   vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
   vtkGetMacro(NormalMethod, int);
@@ -148,8 +148,8 @@ public:
 
   ///@{
   /**
-   * Compute the point array `SurfaceIndex`: the number of the iso-value that a point belongs to. Default: on. It
-   * is only made when there are several iso-values; with one it would say nothing.
+   * Compute the point array `SurfaceIndex`: the number of the iso-value that a point belongs to. Default: on.
+   * It is only made when there are several iso-values; with one it would say nothing.
    */
   vtkSetMacro(ComputeSurfaceIndex, bool);
   vtkGetMacro(ComputeSurfaceIndex, bool);
@@ -194,10 +194,10 @@ public:
 
   ///@{
   /**
-   * What points and normals are computed in: vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION. Single
-   * is meant for voxels of 8 and 16 bits and float; points and normals differ from double's by about 1e-6 of a
-   * voxel and 1e-5 radians. Other types, and points in double, are always computed in double. Which voxels are
-   * inside is exact in both.
+   * What points and normals are computed in: vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION.
+   * Single is meant for voxels of 8 and 16 bits and float; points and normals differ from double's by about
+   * 1e-6 of a voxel and 1e-5 radians. Other types, and points in double, are always computed in double. Which
+   * voxels are inside is exact in both.
    */
   vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(ArithmeticPrecision, int);
@@ -206,8 +206,9 @@ public:
   ///@{
   /**
    * Keep the least and largest value of each brick of voxels from the first run on, so that runs for other
-   * iso-values take time by the size of the surface instead of the image. Default: on. They are made anew when
-   * the input array or the image is modified, and only for images sampled as a whole. The points are the same.
+   * iso-values take time by the size of the surface instead of the image. Default: on. They are made anew
+   * when the input array or the image is modified, and only for images sampled as a whole. The points are the
+   * same.
    */
   vtkSetMacro(UseIndex, bool);
   vtkGetMacro(UseIndex, bool);
@@ -221,8 +222,9 @@ public:
 
   ///@{
   /**
-   * Fill the last run's output arrays anew when nobody else holds them any more, instead of making new ones, whose
-   * pages the system has to clear first. Default: on. Off: the filter keeps none of its output's memory.
+   * Fill the last run's output arrays anew when nobody else holds them any more, instead of making new ones,
+   * whose pages the system has to clear first. Default: on. Off: the filter keeps none of its output's
+   * memory.
    */
   vtkSetMacro(ReuseArrays, bool);
   vtkGetMacro(ReuseArrays, bool);

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkInkIsoSurfaceSampler against vtkFlyingEdges3D with normals and without scalars: the same volumes, iso-values
-// and numbers of threads, in one process, one run of each after the other, and the medians.
+// vtkInkIsoSurfaceSampler against vtkFlyingEdges3D with normals and without scalars: the same volumes,
+// iso-values and numbers of threads, in one process, one run of each after the other, and the medians.
 //
 //   BenchmarkSampling [--repetitions N] [--fresh] [--wall] [word ...]
 //
-// Only cases whose name holds all the words are run (for example: sphere threads:1). VTKINK_INSTRUCTION_SET names
-// the instructions to use (baseline, avx2, avx512). Times are the process's CPU time on one thread, which other
-// programs disturb less than wall-clock time, and wall-clock time on more threads, or always with --wall.
+// Only cases whose name holds all the words are run (for example: sphere threads:1). VTKINK_INSTRUCTION_SET
+// names the instructions to use (baseline, avx2, avx512). Times are the process's CPU time on one thread,
+// which other programs disturb less than wall-clock time, and wall-clock time on more threads, or always with
+// --wall.
 //
-// The allocation rule: both filters' output buffers are warm. The C library keeps what is freed instead of giving
-// it back to the system (mallopt), so that vtkFlyingEdges3D, which makes new arrays in every run, finds pages that
-// are there; vtkInkIsoSurfaceSampler fills its own arrays again (ReuseArrays). With --fresh neither: the C library
-// as it is, and ReuseArrays off.
+// The allocation rule: both filters' output buffers are warm. The C library keeps what is freed instead of
+// giving it back to the system (mallopt), so that vtkFlyingEdges3D, which makes new arrays in every run,
+// finds pages that are there; vtkInkIsoSurfaceSampler fills its own arrays again (ReuseArrays). With --fresh
+// neither: the C library as it is, and ReuseArrays off.
 //
-// Cold: the first run on an input, which also builds the index (a run after ReleaseIndex). Warm: a run for another
-// iso-value nearby. vtkFlyingEdges3D has no such difference; it runs for the same iso-values.
+// Cold: the first run on an input, which also builds the index (a run after ReleaseIndex). Warm: a run for
+// another iso-value nearby. vtkFlyingEdges3D has no such difference; it runs for the same iso-values.
 
 #include "Sampling/Kernels/SamplingKernels.h"
 
@@ -181,9 +182,10 @@ void Run(const Scene& scene, vtkImageData* image, int threads, const Options& op
   const double w = Median(warm);
   const double m = Median(cells);
   std::printf("| %-12s | %7lld | %d | %8.2f | %7.2f | %5.1f | %7.2f | %5.1f | %7.2f | %5.1f | %5.2f %% |\n",
-    scene.Name.c_str(), static_cast<long long>(sampler->GetOutput()->GetNumberOfPoints()), threads, p, c, p / c, w,
-    p / w, m, p / m,
-    100.0 * static_cast<double>(sampler->GetIndexMemory()) / (1024.0 * static_cast<double>(image->GetActualMemorySize())));
+    scene.Name.c_str(), static_cast<long long>(sampler->GetOutput()->GetNumberOfPoints()), threads, p, c,
+    p / c, w, p / w, m, p / m,
+    100.0 * static_cast<double>(sampler->GetIndexMemory()) /
+      (1024.0 * static_cast<double>(image->GetActualMemorySize())));
   std::fflush(stdout);
 }
 
@@ -239,10 +241,12 @@ int main(int argc, char* argv[])
     { "sphere-short", [] { return MakeDistance<short>(512, VTK_SHORT, 64.0); }, 64 * 150.3, 6.4 },
   };
   SetThreads(1);
-  std::printf("VTK %s (%s), instruction set %s, %s output buffers, medians of %d\n\n", vtkVersion::GetVTKVersion(),
-    vtkSMPTools::GetBackend(), ink::samplingKernels().name, options.Fresh ? "fresh" : "warm", options.Repetitions);
-  std::printf("| volume | points | threads | FlyingEdges, ms | cold, ms | times faster | warm, ms | times faster | "
-              "warm, cell normals, ms | times faster | index |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("VTK %s (%s), instruction set %s, %s output buffers, medians of %d\n\n",
+    vtkVersion::GetVTKVersion(), vtkSMPTools::GetBackend(), ink::samplingKernels().name,
+    options.Fresh ? "fresh" : "warm", options.Repetitions);
+  std::printf(
+    "| volume | points | threads | FlyingEdges, ms | cold, ms | times faster | warm, ms | times faster | "
+    "warm, cell normals, ms | times faster | index |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Scene& scene : scenes)
   {
     vtkSmartPointer<vtkImageData> image;

@@ -60,6 +60,33 @@ def point_array(points, name):
     return numpy_support.vtk_to_numpy(points.GetPointData().GetArray(name))
 
 
+def test_sampler_tells_surfaces_apart_and_keeps_an_index():
+    sampler = sampler_of(image_of(ball()), 0.0, 1.0)
+    assert sampler.GetIndexMemory() == 0
+    sampler.Update()
+    index = point_array(sampler.GetOutput(), "SurfaceIndex")
+    assert set(index) == {0, 1} and all(index[1:] >= index[:-1])
+    assert sampler.GetIndexMemory() > 0
+    sampler.ReleaseIndex()
+    assert sampler.GetIndexMemory() == 0
+
+
+def test_sampler_offers_cheaper_normals():
+    sampler = sampler_of(image_of(ball()), 0.0)
+    sampler.Update()
+    exact = point_array(sampler.GetOutput(), "Normals").copy()
+    sampler.SetNormalsPrecisionToChar()
+    sampler.Update()
+    coarse = point_array(sampler.GetOutput(), "Normals")
+    assert coarse.dtype == numpy.int8
+    assert abs(coarse / 127.0 - exact).max() <= 0.51 / 127.0
+    sampler.SetNormalsPrecisionToFloat()
+    for method in (sampler.CELL, sampler.GRADIENT, sampler.REGRESSION):
+        sampler.SetNormalMethod(method)
+        sampler.Update()
+        assert 0.0 < abs(point_array(sampler.GetOutput(), "Normals") - exact).max() < 0.2
+
+
 def test_sampler_places_points_on_the_sphere():
     sampler = sampler_of(image_of(ball()), 0.0)
     sampler.Update()

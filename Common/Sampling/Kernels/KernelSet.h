@@ -1,12 +1,12 @@
-// The definition of one instruction set's kernels; each source that includes this defines INK_KERNEL_SET as their
-// name first. Functions and templates have internal linkage, see SamplingKernels.h.
+// The definition of one instruction set's kernels; each source that includes this defines INK_KERNEL_SET as
+// their name first. Functions and templates have internal linkage, see SamplingKernels.h.
 
 #include "Sampling/Kernels/SamplingKernels.h"
 
 #include <type_traits>
 
 #if defined(__x86_64__)
-#include <immintrin.h>
+#  include <immintrin.h>
 #endif
 
 #define INK_TEXT2(x) #x
@@ -41,7 +41,7 @@ constexpr TypedKernels<T> typedKernels()
 
 #define INK_FOR_AXES(f, ...)                                                                                 \
   {                                                                                                          \
-    f<__VA_ARGS__, GridAxes::Cubic>, f<__VA_ARGS__, GridAxes::Aligned>, f<__VA_ARGS__, GridAxes::General>     \
+    f<__VA_ARGS__, GridAxes::Cubic>, f<__VA_ARGS__, GridAxes::Aligned>, f<__VA_ARGS__, GridAxes::General>    \
   }
 
 template <class Real>

@@ -13,9 +13,12 @@ struct FloatLoader
     return _mm_castpd_ps(_mm_loadh_pd(low, reinterpret_cast<const double*>(q)));
   }
   static INK_INLINE __m128 floats(Row r) { return r; }
-#if defined(__AVX2__)
-  static INK_INLINE __m256 floats(Row a, Row b) { return _mm256_insertf128_ps(_mm256_castps128_ps256(a), b, 1); }
-#endif
+#  if defined(__AVX2__)
+  static INK_INLINE __m256 floats(Row a, Row b)
+  {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(a), b, 1);
+  }
+#  endif
 };
 
 template <class T>
@@ -39,17 +42,17 @@ struct ShortLoader
   }
   static INK_INLINE __m128 floats(Row r)
   {
-    const __m128i wide = isSigned ? _mm_srai_epi32(_mm_unpacklo_epi16(r, r), 16)
-                                  : _mm_unpacklo_epi16(r, _mm_setzero_si128());
+    const __m128i wide =
+      isSigned ? _mm_srai_epi32(_mm_unpacklo_epi16(r, r), 16) : _mm_unpacklo_epi16(r, _mm_setzero_si128());
     return _mm_cvtepi32_ps(wide);
   }
-#if defined(__AVX2__)
+#  if defined(__AVX2__)
   static INK_INLINE __m256 floats(Row a, Row b)
   {
     const __m128i both = _mm_unpacklo_epi64(a, b);
     return _mm256_cvtepi32_ps(isSigned ? _mm256_cvtepi16_epi32(both) : _mm256_cvtepu16_epi32(both));
   }
-#endif
+#  endif
 };
 
 /// Samples of 8 bits, in the lowest quarter of a register.
@@ -70,13 +73,13 @@ struct ByteLoader
                                   : _mm_unpacklo_epi16(twice, _mm_setzero_si128());
     return _mm_cvtepi32_ps(wide);
   }
-#if defined(__AVX2__)
+#  if defined(__AVX2__)
   static INK_INLINE __m256 floats(Row a, Row b)
   {
     const __m128i both = _mm_unpacklo_epi32(a, b);
     return _mm256_cvtepi32_ps(isSigned ? _mm256_cvtepi8_epi32(both) : _mm256_cvtepu8_epi32(both));
   }
-#endif
+#  endif
 };
 
 template <class T>
@@ -108,7 +111,7 @@ struct LoaderOf<std::uint8_t>
 };
 
 /// Rows of four samples, one for each of a few cells, to four rows of a batch.
-#if defined(__AVX2__)
+#  if defined(__AVX2__)
 constexpr int Group = 8;
 template <class Loader, class Row>
 INK_INLINE void transpose(const Row (&r)[Group], float* s0, float* s1, float* s2, float* s3)
@@ -126,7 +129,7 @@ INK_INLINE void transpose(const Row (&r)[Group], float* s0, float* s1, float* s2
   _mm256_storeu_ps(s2, _mm256_shuffle_ps(AB, CD, _MM_SHUFFLE(1, 0, 1, 0)));
   _mm256_storeu_ps(s3, _mm256_shuffle_ps(AB, CD, _MM_SHUFFLE(3, 2, 3, 2)));
 }
-#else
+#  else
 constexpr int Group = 4;
 template <class Loader, class Row>
 INK_INLINE void transpose(const Row (&r)[Group], float* s0, float* s1, float* s2, float* s3)
@@ -144,7 +147,7 @@ INK_INLINE void transpose(const Row (&r)[Group], float* s0, float* s1, float* s2
   _mm_storeu_ps(s2, _mm_shuffle_ps(AB, CD, _MM_SHUFFLE(1, 0, 1, 0)));
   _mm_storeu_ps(s3, _mm_shuffle_ps(AB, CD, _MM_SHUFFLE(3, 2, 3, 2)));
 }
-#endif
+#  endif
 
 /// Where the samples of a group's cells lie.
 template <class T, bool border>

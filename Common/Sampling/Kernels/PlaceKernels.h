@@ -10,11 +10,12 @@ constexpr int HighCorner = LowCorner<axis, n> | 1 << axis;
 template <NormalMethod method>
 constexpr int CornerRow(int c)
 {
-  return method == NormalMethod::Regression ? (1 + (c & 1)) + 4 * (1 + (c >> 1 & 1)) + 16 * (1 + (c >> 2)) : c;
+  return method == NormalMethod::Regression ? (1 + (c & 1)) + 4 * (1 + (c >> 1 & 1)) + 16 * (1 + (c >> 2))
+                                            : c;
 }
 
-/// The intersections of the surface with the four edges along an axis: adds up how far along they are, and how
-/// many lie on the upper side of the two axes across.
+/// The intersections of the surface with the four edges along an axis: adds up how far along they are, and
+/// how many lie on the upper side of the two axes across.
 template <class Real, bool strict, int axis>
 struct AxisCrossings
 {
@@ -43,8 +44,7 @@ struct AxisCrossings
     }
   }
 
-  INK_INLINE AxisCrossings(
-    const Vector<Real>* distance, const Mask<Real>* atLeast, const Mask<Real>* above)
+  INK_INLINE AxisCrossings(const Vector<Real>* distance, const Mask<Real>* atLeast, const Mask<Real>* above)
   {
     const Vector<Real> t0 = this->template cross<0>(distance, atLeast, above);
     const Vector<Real> t1 = this->template cross<1>(distance, atLeast, above);
@@ -122,8 +122,7 @@ std::uint64_t findPoints(CellBatch<Real>& batch, const SurfaceTerms<Real>& terms
     for (int axis = 0; axis < 3; ++axis)
     {
       storeVector(&batch.means[axis][i], mean[axis]);
-      storeVector(
-        &batch.points[axis][i], loadVector<Real>(&batch.corners[axis][i]) + step[axis]);
+      storeVector(&batch.points[axis][i], loadVector<Real>(&batch.corners[axis][i]) + step[axis]);
     }
     if (terms.checkRange)
     {
@@ -260,12 +259,12 @@ INK_INLINE void sumDirections(
     }
     const Vector<Real> xz[4] = { x0 * z0, x * z0, x0 * z, x * z };
     const Vector<Real> xy[4] = { x0 * y0, x * y0, x0 * y, x * y };
-    result[0] = (yz[0] * (v[1] - v[0]) + yz[1] * (v[3] - v[2])) +
-      (yz[2] * (v[5] - v[4]) + yz[3] * (v[7] - v[6]));
-    result[1] = (xz[0] * (v[2] - v[0]) + xz[1] * (v[3] - v[1])) +
-      (xz[2] * (v[6] - v[4]) + xz[3] * (v[7] - v[5]));
-    result[2] = (xy[0] * (v[4] - v[0]) + xy[1] * (v[5] - v[1])) +
-      (xy[2] * (v[6] - v[2]) + xy[3] * (v[7] - v[3]));
+    result[0] =
+      (yz[0] * (v[1] - v[0]) + yz[1] * (v[3] - v[2])) + (yz[2] * (v[5] - v[4]) + yz[3] * (v[7] - v[6]));
+    result[1] =
+      (xz[0] * (v[2] - v[0]) + xz[1] * (v[3] - v[1])) + (xz[2] * (v[6] - v[4]) + xz[3] * (v[7] - v[5]));
+    result[2] =
+      (xy[0] * (v[4] - v[0]) + xy[1] * (v[5] - v[1])) + (xy[2] * (v[6] - v[2]) + xy[3] * (v[7] - v[3]));
   }
   else
   {
@@ -290,8 +289,8 @@ std::uint64_t findNormals(CellBatch<Real>& batch, const SurfaceTerms<Real>& term
 {
   // Unit vectors that cancel leave rounding; gradients have any length that squares without overflow.
   constexpr bool units = method == NormalMethod::CentralDifference || method == NormalMethod::Regression;
-  constexpr Real smallest = units ? (sizeof(Real) == 4 ? Real(1e-4) : Real(1e-20))
-                                  : (sizeof(Real) == 4 ? Real(1e-30) : Real(1e-280));
+  constexpr Real smallest =
+    units ? (sizeof(Real) == 4 ? Real(1e-4) : Real(1e-20)) : (sizeof(Real) == 4 ? Real(1e-30) : Real(1e-280));
   constexpr Real largest = units ? Real(2.0) : (sizeof(Real) == 4 ? Real(1e30) : Real(1e280));
   std::uint64_t doubtful = 0;
   for (int i = 0; i < count; i += Lanes<Real>)
@@ -350,16 +349,16 @@ void interleave(const float* x, const float* y, const float* z, int count, float
     const __m128 a = _mm_loadu_ps(x + i);
     const __m128 b = _mm_loadu_ps(y + i);
     const __m128 c = _mm_loadu_ps(z + i);
-    const __m128 low = _mm_unpacklo_ps(a, b);                              // x0 y0 x1 y1
-    const __m128 zx = _mm_shuffle_ps(c, a, _MM_SHUFFLE(1, 1, 0, 0));       // z0 z0 x1 x1
-    const __m128 yz = _mm_shuffle_ps(b, c, _MM_SHUFFLE(1, 1, 1, 1));       // y1 y1 z1 z1
-    const __m128 high = _mm_unpackhi_ps(a, b);                             // x2 y2 x3 y3
-    const __m128 z2 = _mm_shuffle_ps(c, a, _MM_SHUFFLE(3, 3, 2, 2));       // z2 z2 x3 x3
-    const __m128 y3 = _mm_shuffle_ps(b, c, _MM_SHUFFLE(3, 3, 3, 3));       // y3 y3 z3 z3
+    const __m128 low = _mm_unpacklo_ps(a, b);                        // x0 y0 x1 y1
+    const __m128 zx = _mm_shuffle_ps(c, a, _MM_SHUFFLE(1, 1, 0, 0)); // z0 z0 x1 x1
+    const __m128 yz = _mm_shuffle_ps(b, c, _MM_SHUFFLE(1, 1, 1, 1)); // y1 y1 z1 z1
+    const __m128 high = _mm_unpackhi_ps(a, b);                       // x2 y2 x3 y3
+    const __m128 z2 = _mm_shuffle_ps(c, a, _MM_SHUFFLE(3, 3, 2, 2)); // z2 z2 x3 x3
+    const __m128 y3 = _mm_shuffle_ps(b, c, _MM_SHUFFLE(3, 3, 3, 3)); // y3 y3 z3 z3
     float* const to = xyz + 3 * i;
-    _mm_storeu_ps(to, _mm_shuffle_ps(low, zx, _MM_SHUFFLE(2, 0, 1, 0)));   // x0 y0 z0 x1
+    _mm_storeu_ps(to, _mm_shuffle_ps(low, zx, _MM_SHUFFLE(2, 0, 1, 0)));      // x0 y0 z0 x1
     _mm_storeu_ps(to + 4, _mm_shuffle_ps(yz, high, _MM_SHUFFLE(1, 0, 2, 0))); // y1 z1 x2 y2
-    _mm_storeu_ps(to + 8, _mm_shuffle_ps(z2, y3, _MM_SHUFFLE(2, 0, 2, 0))); // z2 x3 y3 z3
+    _mm_storeu_ps(to + 8, _mm_shuffle_ps(z2, y3, _MM_SHUFFLE(2, 0, 2, 0)));   // z2 x3 y3 z3
   }
 #endif
   for (; i < count; ++i)

@@ -6,10 +6,10 @@
 /// The inner loops of iso-surface sampling, compiled once for each instruction set and chosen at run time.
 /// Internal to Common/Sampling.
 ///
-/// Everything here is plain data and pointers to functions: the sources compiled for an instruction set include
-/// nothing else, because an inline function that they shared with others could be the one that the linker keeps,
-/// and would stop a machine without those instructions. All sets do the same operations in the same order,
-/// without fused multiply-adds, so all give the same bits.
+/// Everything here is plain data and pointers to functions: the sources compiled for an instruction set
+/// include nothing else, because an inline function that they shared with others could be the one that the
+/// linker keeps, and would stop a machine without those instructions. All sets do the same operations in the
+/// same order, without fused multiply-adds, so all give the same bits.
 namespace ink
 {
 
@@ -32,10 +32,10 @@ constexpr int BatchSize = 64;
 /// What a row of a batch has room for: the loops write whole vectors, past the last cell.
 constexpr int BatchStride = BatchSize + 16;
 
-/// The samples that a cell's point and normal depend on: its 8 corners, corner c being on the upper side along
-/// axis a where bit a of c is set, and the two outer neighbours of each of its 12 edges, along that edge. Edge
-/// n of the four that run along an axis is on the upper side of the first axis across where bit 0 of n is set,
-/// and of the second where bit 1 is.
+/// The samples that a cell's point and normal depend on: its 8 corners, corner c being on the upper side
+/// along axis a where bit a of c is set, and the two outer neighbours of each of its 12 edges, along that
+/// edge. Edge n of the four that run along an axis is on the upper side of the first axis across where bit 0
+/// of n is set, and of the second where bit 1 is.
 constexpr int Corners = 8;
 constexpr int Edges = 12;
 constexpr int StencilSize = Corners + 2 * Edges;
@@ -140,8 +140,8 @@ struct TypedKernels
   /// The state of each brick with these ranges: 0 below, 1 at or above `lowest`, 2 both or not known.
   /// \returns 0 or 1 where all are, else 2
   int (*judge)(const T* low, const T* high, int count, T lowest, std::uint8_t* states);
-  /// Loads what a NormalMethod needs of the stencils of `count` cells; null for types that float does not hold
-  /// exactly.
+  /// Loads what a NormalMethod needs of the stencils of `count` cells; null for types that float does not
+  /// hold exactly.
   void (*load[4])(const StencilSource<T>& source, int count, CellBatch<float>& batch);
 };
 
@@ -174,8 +174,8 @@ struct SamplingKernels
   PlaceKernels<float> single;
   PlaceKernels<double> precise;
 
-  /// Of two neighbouring rows: any = a | a' | b | b', all = a & a' & b & b', where a' is a moved by one sample.
-  /// Reads one word past the rows.
+  /// Of two neighbouring rows: any = a | a' | b | b', all = a & a' & b & b', where a' is a moved by one
+  /// sample. Reads one word past the rows.
   void (*pairRows)(
     const std::uint64_t* a, const std::uint64_t* b, int words, std::uint64_t* any, std::uint64_t* all);
   /// The cells between such pairs of rows in two neighbouring layers that have corners on both sides.
@@ -193,8 +193,8 @@ const SamplingKernels& samplingKernels();
 /// The kernels of a set by its name; null when this machine or this build lacks it.
 const SamplingKernels* samplingKernelsOf(const char* name);
 
-/// Makes samplingKernels() return the given set from now on; null: what it chooses itself. For tests: not to be
-/// called while others sample.
+/// Makes samplingKernels() return the given set from now on; null: what it chooses itself. For tests: not to
+/// be called while others sample.
 void useSamplingKernels(const SamplingKernels* kernels);
 
 } // namespace ink

@@ -1,4 +1,5 @@
-// Vectors of the width of the instruction set that is compiled for. Included inside a namespace without a name.
+// Vectors of the width of the instruction set that is compiled for. Included inside a namespace without a
+// name.
 
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 constexpr int VectorBytes = 64;
@@ -77,18 +78,18 @@ INK_INLINE Vector<double> countOf(const Mask<double>& n)
 }
 
 #if defined(__x86_64__)
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define INK_SQRT(type) squareRoot512_##type
-#elif defined(__AVX2__)
-#define INK_SQRT(type) _mm256_sqrt_##type
-#else
-#define INK_SQRT(type) _mm_sqrt_##type
-#endif
+#  if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#    define INK_SQRT(type) squareRoot512_##type
+#  elif defined(__AVX2__)
+#    define INK_SQRT(type) _mm256_sqrt_##type
+#  else
+#    define INK_SQRT(type) _mm_sqrt_##type
+#  endif
 #endif
 #if defined(__AVX512F__)
 // With a mask, because some compilers warn of the unmasked one's own unused operand.
-#define squareRoot512_ps(v) _mm512_maskz_sqrt_ps(static_cast<__mmask16>(-1), v)
-#define squareRoot512_pd(v) _mm512_maskz_sqrt_pd(static_cast<__mmask8>(-1), v)
+#  define squareRoot512_ps(v) _mm512_maskz_sqrt_ps(static_cast<__mmask16>(-1), v)
+#  define squareRoot512_pd(v) _mm512_maskz_sqrt_pd(static_cast<__mmask8>(-1), v)
 #endif
 
 INK_INLINE Vector<float> squareRoot(const Vector<float>& v)
@@ -123,7 +124,7 @@ template <int size, class M>
 INK_INLINE std::uint64_t bitsOf(const M& mask)
 {
 #if defined(__x86_64__)
-#if defined(__AVX512F__)
+#  if defined(__AVX512F__)
   if constexpr (sizeof(M) == 64)
   {
     const __m512i m = reinterpret_cast<__m512i>(mask);
@@ -144,8 +145,8 @@ INK_INLINE std::uint64_t bitsOf(const M& mask)
       return _mm512_movepi64_mask(m);
     }
   }
-#endif
-#if defined(__AVX2__)
+#  endif
+#  if defined(__AVX2__)
   if constexpr (sizeof(M) == 32)
   {
     const __m256i m = reinterpret_cast<__m256i>(mask);
@@ -167,7 +168,7 @@ INK_INLINE std::uint64_t bitsOf(const M& mask)
       return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_castsi256_pd(m)));
     }
   }
-#endif
+#  endif
   if constexpr (sizeof(M) == 16)
   {
     const __m128i m = reinterpret_cast<__m128i>(mask);
