@@ -101,7 +101,7 @@ void SampleArguments::add(CLI::App* command)
   command->add_option("--seed", mesh.seed, "another seed makes other points, just as good (0)")
     ->type_name("N")
     ->group("Meshes");
-  this->command = command;
+  this->app = command;
   this->input.addReading(command);
 }
 
@@ -133,7 +133,7 @@ void SampleArguments::run()
   }
   for (const char* name : { "--count", "--radius", "--noise", "--seed" })
   {
-    if (this->command->count(name) > 0)
+    if (this->app->count(name) > 0)
     {
       this->options.meshOption = name;
     }

@@ -13,7 +13,7 @@ struct SampleArguments
   SampleOptions options;
   std::string output;
   std::vector<std::string> arrays;
-  CLI::App* command = nullptr; ///< knows which options were given
+  CLI::App* app = nullptr; ///< knows which options were given
   std::string rule = "half-open";
   std::string precision = "auto";
   std::string noise;
