@@ -35,7 +35,8 @@ struct Statistics
 Statistics examine(VolumeSlices& volume, Progress& progress)
 {
   progress.step("looking at the values");
-  return { summarizeValues(volume), suggestIsoValue(volume) };
+  const ValueSummary values = summarizeValues(volume);
+  return { values, suggestIsoValue(volume, progress) };
 }
 
 void describeVolume(const VolumeSlices& volume, int components, const Statistics& statistics)

@@ -52,7 +52,7 @@ void checkIsoValues(const std::vector<double>& isoValues, const ValueSummary& va
 double chooseIsoValue(VolumeSlices& volume, std::vector<std::string>& notes, Progress& progress)
 {
   progress.step("choosing an iso-value");
-  const std::optional<IsoSuggestion> suggestion = suggestIsoValue(volume);
+  const std::optional<IsoSuggestion> suggestion = suggestIsoValue(volume, progress);
   if (!suggestion)
   {
     checkIsoValues({}, summarizeValues(volume));

@@ -1,5 +1,6 @@
 #include "Volume.h"
 
+#include "Progress.h"
 #include "VolumeSlices.h"
 
 #include "Sampling/CrossedLayers.h"
@@ -39,18 +40,27 @@ auto withType(int type, const Use& use) -> decltype(use(0.0))
 
 } // namespace
 
-std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume)
+std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume, Progress& progress)
 {
   return withType(volume.type(),
     [&](auto zero)
     {
       using T = decltype(zero);
-      // The slices themselves stay where they are when the image that shows them goes.
-      const SliceReader<T> read = [&volume](int first, int last)
-      { return valuesOf<T>(volume.get(first, last)); };
-      return volume.inMemory()
-        ? ink::suggestIsoValue(valuesOf<T>(volume.frame()), volume.dimensions())
-        : ink::suggestIsoValue(read, volume.dimensions(), std::max(volume.atOnce(), 3));
+      if (volume.inMemory())
+      {
+        return ink::suggestIsoValue(valuesOf<T>(volume.frame()), volume.dimensions());
+      }
+      // The slices are read twice, each time from the first on.
+      constexpr double passes = 2.0;
+      double pass = -1.0;
+      const SliceReader<T> read = [&](int first, int end)
+      {
+        pass += first == 0 ? 1.0 : 0.0;
+        progress.part((pass + static_cast<double>(first) / volume.dimensions()[2]) / passes, 1.0);
+        // The slices themselves stay where they are when the image that shows them goes.
+        return valuesOf<T>(volume.get(first, end));
+      };
+      return ink::suggestIsoValue(read, volume.dimensions(), std::max(volume.atOnce(), 3));
     });
 }
 

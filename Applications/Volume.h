@@ -13,10 +13,11 @@ class vtkImageData;
 namespace ink::cli
 {
 
+class Progress;
 class VolumeSlices;
 
-/// The iso-value that suits a volume, see ink::suggestIsoValue.
-std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume);
+/// The iso-value that suits a volume, see ink::suggestIsoValue. How far it is goes to the current step.
+std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume, Progress& progress);
 
 /// What values a volume has, or some slices of one.
 ValueSummary summarizeValues(VolumeSlices& volume);

@@ -117,6 +117,7 @@ struct Description
   int Rule;
   int Precision;
   int Component;
+  int NormalMethod;
   std::vector<double> IsoValues;
 };
 
@@ -134,7 +135,7 @@ vtkSmartPointer<vtkUnsignedCharArray> RandomMarks(
 }
 
 /// One point against the reference, in samples, where all cells are alike.
-bool CheckSample(InkTestChecks& check, const std::string& name, vtkPolyData* output, vtkIdType n,
+bool CheckPoint(InkTestChecks& check, const std::string& name, vtkPolyData* output, vtkIdType n,
   const ink::testing::ReferenceSample& expected, const ink::GridGeometry& geometry)
 {
   double point[3];
@@ -153,12 +154,15 @@ bool CheckSample(InkTestChecks& check, const std::string& name, vtkPolyData* out
     tolerance += glm::abs(geometry.toIndex(right + step) - geometry.toIndex(right));
   }
   const glm::dvec3 off = glm::abs(geometry.toIndex(world) - expected.index);
-  if (!check(off.x <= tolerance.x && off.y <= tolerance.y && off.z <= tolerance.z, name, ": point ", n,
-        " at ", expected.index.x, " ", expected.index.y, " ", expected.index.z, " in samples, off by ", off.x,
-        " ", off.y, " ", off.z))
-  {
-    return false;
-  }
+  return check(off.x <= tolerance.x && off.y <= tolerance.y && off.z <= tolerance.z, name, ": point ", n,
+    " at ", expected.index.x, " ", expected.index.y, " ", expected.index.z, " in samples, off by ", off.x,
+    " ", off.y, " ", off.z);
+}
+
+/// A normal by central differences against the reference, unless it is a matter of rounding.
+bool CheckNormal(InkTestChecks& check, const std::string& name, vtkPolyData* output, vtkIdType n,
+  const ink::testing::ReferenceSample& expected)
+{
   const double length = glm::length(expected.direction);
   const double normalTolerance =
     1e-4 + (expected.directionError + 1e-4 * (1 - std::min(length, 1.0))) / length;
@@ -268,6 +272,7 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   run.Rule = random.UpTo(2);
   run.Precision = random.UpTo(3);
   run.Component = random.UpTo(components);
+  run.NormalMethod = random.Once(3) ? random.UpTo(4) : vtkInkIsoSurfaceSampler::CENTRAL_DIFFERENCE;
   for (int i = 1 + random.UpTo(3); i > 0; --i)
   {
     // Often exactly a value, or half way to another, or any.
@@ -289,6 +294,9 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   sampler->SetCrossingRule(run.Rule);
   sampler->SetOutputPointsPrecision(run.Precision);
   sampler->SetArrayComponent(run.Component);
+  sampler->SetNormalMethod(run.NormalMethod);
+  sampler->SetArithmeticPrecision(random.UpTo(2));
+  sampler->SetUseIndex(random.Once(2));
   for (std::size_t i = 0; i < run.IsoValues.size(); ++i)
   {
     sampler->SetValue(static_cast<int>(i), run.IsoValues[i]);
@@ -315,7 +323,11 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
     static_cast<std::size_t>(components), marksOf(hiddenPoints, vtkDataSetAttributes::HIDDENPOINT));
   const auto rule =
     run.Rule == vtkInkIsoSurfaceSampler::STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
+  vtkDataArray* indices = output->GetPointData()->GetArray("SurfaceIndex");
+  check(
+    (indices != nullptr) == (run.IsoValues.size() > 1), run.Name, ": SurfaceIndex with several iso-values");
   vtkIdType n = 0;
+  int surface = 0;
   for (const double isoValue : run.IsoValues)
   {
     const auto expected = ink::testing::referenceSamples(field, isoValue, rule,
@@ -329,11 +341,17 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
     }
     for (const auto& sample : expected)
     {
-      if (!CheckSample(check, name, output, n++, sample, geometry))
+      if (!CheckPoint(check, name, output, n, sample, geometry) ||
+        (run.NormalMethod == vtkInkIsoSurfaceSampler::CENTRAL_DIFFERENCE &&
+          !CheckNormal(check, name, output, n, sample)) ||
+        (indices &&
+          !check(indices->GetComponent(n, 0) == surface, name, ": SurfaceIndex ", surface, " of point ", n)))
       {
         return;
       }
+      ++n;
     }
+    ++surface;
   }
   if (!check(
         n == output->GetNumberOfPoints(), run.Name, ": ", n, " points, found ", output->GetNumberOfPoints()))
