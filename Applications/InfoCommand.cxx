@@ -39,7 +39,7 @@ Statistics examine(VolumeSlices& volume, Progress& progress)
   return { values, suggestIsoValue(volume, progress) };
 }
 
-void describeVolume(const VolumeSlices& volume, int components, const Statistics& statistics)
+void describeVolume(const VolumeSlices& volume, const Input& input, const Statistics& statistics)
 {
   const auto& [values, suggestion] = statistics;
   vtkImageData* image = volume.frame();
@@ -55,12 +55,17 @@ void describeVolume(const VolumeSlices& volume, int components, const Statistics
   line("type",
     vtkImageScalarTypeNameMacro(volume.type()) +
       (" (" + std::to_string(8 * vtkDataArray::GetDataTypeSize(volume.type()))) + " bits)");
-  line("components", std::to_string(components));
+  line("components", std::to_string(input.components));
   line(
     "range", values.least > values.greatest ? "none" : text(values.least) + " to " + text(values.greatest));
   if (values.notFinite > 0)
   {
     line("not finite", std::to_string(values.notFinite) + " voxels");
+  }
+  if (input.surfaceValue)
+  {
+    line("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)");
+    return;
   }
   line("suggested iso",
     suggestion ? text(suggestion->value) + " (" + methodText(*suggestion) + ")"
@@ -101,7 +106,7 @@ void info(const InputOptions& options, bool quiet)
   line("format", input.format);
   if (input.volume)
   {
-    describeVolume(*input.volume, input.components, statistics);
+    describeVolume(*input.volume, input, statistics);
   }
   else
   {

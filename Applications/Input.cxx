@@ -2,6 +2,7 @@
 
 #include "Errors.h"
 #include "ReadFile.h"
+#include "Text.h"
 #include "VolumeSlices.h"
 
 #include "vtkImageData.h"
@@ -37,10 +38,20 @@ bool contains(const std::array<const char*, N>& suffixes, const std::string& suf
   return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
 }
 
+#ifdef INK_WITH_OPENVDB
+constexpr std::array vdbSuffixes{ ".vdb" };
+#else
+constexpr std::array<const char*, 0> vdbSuffixes{};
+#endif
+
 std::string knownSuffixes()
 {
   std::string list;
   for (const char* suffix : volumeSuffixes)
+  {
+    list += std::string(suffix) + " ";
+  }
+  for (const char* suffix : vdbSuffixes)
   {
     list += std::string(suffix) + " ";
   }
@@ -83,6 +94,16 @@ Input read(const InputOptions& options, Progress& progress)
     return readRawVolume(file, *options.raw, options.memory, progress);
   }
   const std::string suffix = suffixOf(file);
+#ifdef INK_WITH_OPENVDB
+  if (contains(vdbSuffixes, suffix))
+  {
+    return readVdb(file, options.grid, options.memory, progress);
+  }
+#endif
+  if (!options.grid.empty())
+  {
+    throw UsageError("--grid: only OpenVDB files have grids, '" + file.string() + "' is none");
+  }
   if (contains(volumeSuffixes, suffix))
   {
     return readVolume(file, suffix, options.memory, progress);
@@ -106,6 +127,15 @@ Input readInput(const InputOptions& options, Progress& progress)
     input.volume = std::make_shared<VolumeSlices>(image);
   }
   return input;
+}
+
+void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes)
+{
+  if (isoValues.empty() && input.surfaceValue)
+  {
+    isoValues.push_back(*input.surfaceValue);
+    notes.push_back("iso-value " + text(*input.surfaceValue) + ": that of the file's surface");
+  }
 }
 
 } // namespace ink::cli

@@ -35,6 +35,7 @@ struct InputOptions
 {
   std::filesystem::path file;
   std::optional<RawLayout> raw; ///< given: the file has no header
+  std::string grid;             ///< of an OpenVDB file; empty: the first that can be read
   Memory memory;
 };
 
@@ -48,11 +49,15 @@ struct Input
   std::string format;
   /// What of the file was not used as it is, each a sentence without its dot.
   std::vector<std::string> notes;
-  int components = 1; ///< that the file's voxels have
+  int components = 1;                 ///< that the file's voxels have
+  std::optional<double> surfaceValue; ///< the iso-value that the file is about, if it says one
 };
 
 /// Reads a volume or a mesh; which of them, and in which format, the file's name tells.
 /// \throw Failure if it cannot be read whole, with the reason.
 Input readInput(const InputOptions& options, Progress& progress);
+
+/// Where no iso-value is given and the file says one, takes that and notes it.
+void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes);
 
 } // namespace ink::cli

@@ -33,7 +33,9 @@ void sample(const SampleOptions& options)
         ": expected a mesh, found a volume, which has a point in each voxel that its surface crosses");
     }
     const auto keep = [&points](int surface, vtkPolyData* part) { points.add(surface, part); };
-    const auto more = sampleVolume(*input.volume, options.volume, options.input.memory, keep, progress);
+    VolumeSampling sampling = options.volume;
+    takeSurfaceValue(input, sampling.isoValues, notes);
+    const auto more = sampleVolume(*input.volume, sampling, options.input.memory, keep, progress);
     notes.insert(notes.end(), more.begin(), more.end());
   }
   else

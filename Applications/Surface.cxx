@@ -82,7 +82,12 @@ Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
 {
   if (input.volume)
   {
-    return sampleWhole(*input.volume, isoValues, memory, progress);
+    std::vector<double> values = isoValues;
+    std::vector<std::string> notes;
+    takeSurfaceValue(input, values, notes);
+    Surface surface = sampleWhole(*input.volume, values, memory, progress);
+    surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
+    return surface;
   }
   if (!isoValues.empty())
   {

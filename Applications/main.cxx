@@ -1,5 +1,8 @@
 // ink: pen-and-ink pictures of volumes and meshes from the command line.
 
+#ifdef INK_WITH_OPENVDB
+#  include "ConvertArguments.h"
+#endif
 #include "Errors.h"
 #include "InfoCommand.h"
 #include "InputArguments.h"
@@ -193,6 +196,17 @@ int run(int argc, char* argv[])
   sampleArguments.add(sampleCommand);
   sampleCommand->footer(help);
 
+#ifdef INK_WITH_OPENVDB
+  ConvertArguments convertArguments;
+  CLI::App* convertCommand = app.add_subcommand(
+    "convert", "write a volume as an OpenVDB file: ink convert FILE OUT.vdb [--around ISO]");
+  convertArguments.add(convertCommand);
+  convertCommand->footer(help);
+  constexpr const char* commands = "render, sample, convert or info";
+#else
+  constexpr const char* commands = "render, sample or info";
+#endif
+
   InputArguments infoArguments;
   bool infoQuiet = false;
   CLI::App* infoCommand =
@@ -231,13 +245,19 @@ int run(int argc, char* argv[])
   {
     sampleArguments.run();
   }
+#ifdef INK_WITH_OPENVDB
+  else if (convertCommand->parsed())
+  {
+    convertArguments.run();
+  }
+#endif
   else if (infoCommand->parsed())
   {
     info(infoArguments.options(), infoQuiet);
   }
   else
   {
-    return report(WrongUsage, "expected a command: render, sample or info (see ink --help)");
+    return report(WrongUsage, std::string("expected a command: ") + commands + " (see ink --help)");
   }
   return std::cout.flush() ? Success : report(Failed, "cannot write to the standard output stream");
 }

@@ -629,7 +629,10 @@ private:
       stencil.values[c] = this->Relative(this->Field.at(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2)));
     }
     const glm::dvec3 mean = meanCrossing(stencil, this->Options.rule);
-    const glm::dvec3 point = this->Field.geometry().toWorld(glm::dvec3(cell) + mean);
+    // As findCorners: not from the grid's own first sample, which other pieces do not have.
+    const GridGeometry& geometry = this->Field.geometry();
+    const glm::dvec3 point =
+      geometry.origin() + geometry.stepToWorld() * (glm::dvec3(geometry.first() + cell) + mean);
     for (int axis = 0; axis < 3; ++axis)
     {
       batch.points[axis][lane] = static_cast<Work>(point[axis]);

@@ -37,6 +37,14 @@ _vtk_module("vtkRenderingOpenGL2")
 
 from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
+
+try:
+    from .vtkInkIOVDB import *
+except ModuleNotFoundError as error:
+    # A build without OpenVDB has no such module; one that is there but cannot be loaded is an error.
+    if error.name != f"{__name__}.vtkInkIOVDB":
+        raise
+
 from .vtkInkRenderingSplattingLines import *
 
 

@@ -371,3 +371,60 @@ def test_example_is_short_and_draws(tmp_path):
     assert reader.GetOutput().GetDimensions() == (800, 800, 1)
     grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
     assert 0.5 < numpy.mean(grey > 0.95) < 0.99 and 0.001 < numpy.mean(grey < 0.5) < 0.2
+
+
+needs_openvdb = pytest.mark.skipif(not hasattr(vtkink, "vtkInkVDBReader"), reason="built without OpenVDB")
+
+
+@pytest.fixture
+def vdb_file(tmp_path):
+    """The ball as a narrow band, written by ink, and the ball itself."""
+    values = ball().astype("f4")
+    raw, file = tmp_path / "ball.raw", tmp_path / "ball.vdb"
+    raw.write_bytes(values.tobytes())
+    subprocess.run(["ink", "convert", raw, file, "--raw", "32x32x32:float32", "--around", "0"], check=True)
+    return file, values
+
+
+@needs_openvdb
+def test_vdb_reader_and_sampler_agree_with_the_volume(vdb_file):
+    file, values = vdb_file
+    reader = vtkink.vtkInkVDBReader()
+    messages = Messages(reader)
+    reader.SetFileName(str(file))
+    reader.UpdateInformation()
+    assert [reader.GetNameOfGrid(i) for i in range(reader.GetNumberOfGrids())] == ["density"]
+    assert reader.GetTypeOfGrid(0) == "float" and reader.GetClassOfGrid(0) == "unknown"
+    reader.Update()
+    band = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(values.shape)
+    near = numpy.abs(values) < 2
+    assert near.any() and numpy.array_equal(band[near], values[near])
+    assert numpy.array_equal(band >= 0, values >= 0)
+
+    sampler = vtkink.vtkInkVDBIsoSurfaceSampler()
+    sampler.SetFileName(str(file))
+    sampler.SetValue(0, 0.0)
+    image = image_of(values)
+    image.SetOrigin(0, 0, 0)
+    dense = sampler_of(image, 0.0)
+    rows = []
+    for one in (sampler, dense):
+        one.Update()
+        points = one.GetOutput()
+        xyz = numpy_support.vtk_to_numpy(points.GetPoints().GetData())
+        table = numpy.hstack([xyz, point_array(points, "Normals")])
+        rows.append(table[numpy.lexsort(table.T)])
+    assert len(rows[0]) > 1000 and numpy.array_equal(*rows)
+    assert messages.texts == []
+
+
+@needs_openvdb
+def test_a_damaged_vdb_file_is_one_error(vdb_file, tmp_path):
+    bad = tmp_path / "bad.vdb"
+    bad.write_bytes(vdb_file[0].read_bytes()[:-100])
+    for one in (vtkink.vtkInkVDBReader(), vtkink.vtkInkVDBIsoSurfaceSampler()):
+        messages = Messages(one, one.GetExecutive())
+        one.SetFileName(str(bad))
+        one.Update()
+        assert len(messages.texts) == 1 and "bad.vdb" in messages.texts[0]
+        assert one.GetOutput().GetNumberOfPoints() == 0

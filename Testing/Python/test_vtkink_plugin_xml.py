@@ -47,6 +47,15 @@ PROXIES = {
     "SplattingLines.xml": splatting_lines,
     "SurfaceSampler.xml": surface_sampler,
 }
+if hasattr(vtkink, "vtkInkVDBReader"):
+    PROXIES["VDBReaders.xml"] = lambda: (
+        proxy_of("VDBReaders.xml", "SourceProxy[@name='InkVDBReader']"),
+        [vtkink.vtkInkVDBReader()],
+    )
+    PROXIES["VDBReaders.xml, sampler"] = lambda: (
+        proxy_of("VDBReaders.xml", "SourceProxy[@name='InkVDBIsoSurfaceSampler']"),
+        [vtkink.vtkInkVDBIsoSurfaceSampler()],
+    )
 
 
 def cases():
@@ -78,7 +87,9 @@ def test_defaults_are_equal(element, owner, name):
 @pytest.mark.parametrize("element, owner, name", list(cases()))
 def test_ranges_are_equal(element, owner, name):
     clamps = hasattr(owner, f"Get{name}MinValue")
-    domain = next((one for kind in ("Double", "IdType") for one in element.iter(f"{kind}RangeDomain")), None)
+    domain = next(
+        (one for kind in ("Double", "Int", "IdType") for one in element.iter(f"{kind}RangeDomain")), None
+    )
     choices = [float(entry.get("value")) for entry in element.iter("Entry")]
     if domain is not None and clamps:
         low, high = domain.get("min"), domain.get("max")
