@@ -242,9 +242,15 @@ private:
     IndexGradients<Work> gradients;
     for (int i = from; i < to; ++i)
     {
-      if (!marks.empty() || this->Options.method == GradientMethod::CentralDifference)
+      // Marks further along the row do not count: how much of it was read depends on the box.
+      const int first = std::max(0, i - this->Reach) - this->RowBegin;
+      const int last = std::min(this->Dimensions.x - 1, i + this->Reach) - this->RowBegin;
+      const bool touched = std::any_of(marks.begin(), marks.end(),
+        [&](const std::uint8_t* row)
+        { return std::any_of(row + first, row + last + 1, [](auto mark) { return mark != Plain; }); });
+      if (touched || this->Options.method == GradientMethod::CentralDifference)
       {
-        this->estimateSample({ i, j, k }, !marks.empty());
+        this->estimateSample({ i, j, k }, touched);
       }
       else
       {
