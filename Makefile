@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help demo test setup setup-headless setup-paraview build build-headless build-paraview build-asan \
-  build-tsan test-headless test-paraview bench sanitize format install clean
+  build-tsan test-headless test-paraview bench tradeoff sanitize format install clean
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -44,6 +44,10 @@ test-paraview: ## Run the tests of the ParaView build
 
 bench: setup-headless build-headless ## Measure the sampler and the mapper against VTK's own
 	@Utilities/bench.sh
+
+tradeoff: setup-headless build-headless ## Measure error against time, write Documentation/accuracy-and-speed.md
+	@Utilities/setup.sh tradeoff
+	@Utilities/tradeoff.sh
 
 sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behaviour sanitizers
 	@Utilities/test.sh asan

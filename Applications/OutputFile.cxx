@@ -1,5 +1,6 @@
 #include "OutputFile.h"
 
+#include "Descriptor.h"
 #include "Errors.h"
 
 #include <array>
@@ -53,14 +54,14 @@ public:
         sigaction(caughtSignals[i], &action, nullptr);
       }
     }
-    this->Descriptor = open(this->Name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-    this->Created = this->Descriptor >= 0;
+    this->File =
+      Descriptor(open(this->Name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+    this->Created = this->File.get() >= 0;
     temporaryName = this->Created ? this->Name.c_str() : nullptr;
   }
 
   ~TemporaryFile()
   {
-    this->close();
     if (this->Created && !this->Renamed)
     {
       unlink(this->Name.c_str());
@@ -75,13 +76,8 @@ public:
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  int descriptor() const { return this->Descriptor; }
-
-  bool close()
-  {
-    const int descriptor = std::exchange(this->Descriptor, -1);
-    return descriptor < 0 || ::close(descriptor) == 0;
-  }
+  int descriptor() const { return this->File.get(); }
+  bool close() { return this->File.close(); }
 
   bool renameTo(const fs::path& target)
   {
@@ -91,25 +87,11 @@ public:
 
 private:
   std::string Name;
-  int Descriptor = -1;
+  Descriptor File;
   bool Created = false;
   bool Renamed = false;
   std::array<struct sigaction, caughtSignals.size()> Previous;
 };
-
-bool writeAll(int descriptor, std::span<const unsigned char> data)
-{
-  while (!data.empty())
-  {
-    const ssize_t count = ::write(descriptor, data.data(), data.size());
-    if (count < 0 && errno != EINTR)
-    {
-      return false;
-    }
-    data = data.subspan(static_cast<std::size_t>(count < 0 ? 0 : count));
-  }
-  return true;
-}
 
 [[noreturn]] void fail(const fs::path& path, const std::string& reason)
 {
@@ -151,15 +133,24 @@ OutputFile::OutputFile(const fs::path& path)
 
 void OutputFile::write(std::span<const unsigned char> data) const
 {
+  this->write([data](const ByteSink& sink) { sink(data); });
+}
+
+void OutputFile::write(const std::function<void(const ByteSink&)>& produce) const
+{
+  const auto require = [this](bool done)
+  {
+    if (!done)
+    {
+      fail(this->Given, std::strerror(errno));
+    }
+  };
   if (!this->Replaces)
   {
-    const int descriptor = open(this->Target.c_str(), O_WRONLY | O_CLOEXEC);
-    const bool written = descriptor >= 0 && writeAll(descriptor, data);
-    const int reason = errno;
-    if ((descriptor >= 0 && close(descriptor) != 0) || !written)
-    {
-      fail(this->Given, std::strerror(written ? errno : reason));
-    }
+    Descriptor device(open(this->Target.c_str(), O_WRONLY | O_CLOEXEC));
+    require(device.get() >= 0);
+    produce([&](std::span<const unsigned char> data) { require(writeAll(device.get(), data)); });
+    require(device.close());
     return;
   }
 
@@ -168,13 +159,15 @@ void OutputFile::write(std::span<const unsigned char> data) const
   const bool exists = stat(this->Target.c_str(), &existing) == 0;
   const std::string name = this->Target.string() + "." + std::to_string(getpid()) + ".tmp";
   TemporaryFile temporary(name, 0666);
-  if (temporary.descriptor() < 0 ||
-    (exists && fchmod(temporary.descriptor(), existing.st_mode & 07777) != 0) ||
-    !writeAll(temporary.descriptor(), data) || fsync(temporary.descriptor()) != 0 || !temporary.close() ||
-    !temporary.renameTo(this->Target))
-  {
-    fail(this->Given, std::strerror(errno));
-  }
+  require(temporary.descriptor() >= 0 &&
+    (!exists || fchmod(temporary.descriptor(), existing.st_mode & 07777) == 0));
+  produce([&](std::span<const unsigned char> data) { require(writeAll(temporary.descriptor(), data)); });
+  require(fsync(temporary.descriptor()) == 0 && temporary.close() && temporary.renameTo(this->Target));
+}
+
+fs::path OutputFile::temporaryFolder() const
+{
+  return this->Replaces ? this->Target.parent_path() : fs::temp_directory_path();
 }
 
 } // namespace ink::cli

@@ -11,7 +11,6 @@ namespace ink::cli
 struct Surface
 {
   vtkSmartPointer<vtkPolyData> points; ///< with normals
-  std::vector<double> isoValues;       ///< none for a mesh
   std::vector<std::string> notes;
 };
 

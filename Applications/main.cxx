@@ -2,7 +2,9 @@
 
 #include "Errors.h"
 #include "InfoCommand.h"
+#include "InputArguments.h"
 #include "RenderCommand.h"
+#include "SampleArguments.h"
 #include "VersionCommand.h"
 
 #include "vtkInkSplattingLinesMapper.h"
@@ -36,71 +38,6 @@ constexpr const char* help = R"(
 Exit codes: 0 done; 1 a file could not be read or written, or nothing could be drawn; 2 the command line is wrong.
 Errors are one line on the standard error stream, and an existing output file stays as it was.)";
 
-/// A finite number between two others; CLI11's own check lets NaN pass.
-CLI::Validator within(double least, double greatest)
-{
-  std::ostringstream range;
-  range << least << " to " << greatest;
-  return { [range = range.str(), least, greatest](std::string& text)
-    {
-      double value = 0;
-      const bool valid = CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest;
-      return valid ? std::string() : "'" + text + "': expected a number from " + range;
-    },
-    range.str(), "within" };
-}
-
-/// Options of the input file that both commands have.
-struct InputArguments
-{
-  std::string file;
-  std::optional<std::string> raw;
-  std::vector<double> spacing{ 1, 1, 1 };
-  bool bigEndian = false;
-
-  void addFile(CLI::App* command)
-  {
-    command
-      ->add_option("FILE", this->file,
-        "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .vti .vtk, a folder of DICOM files, or any file with "
-        "--raw;\n"
-        "mesh, whose vertices are drawn: .ply .obj .stl .vtp")
-      ->required();
-  }
-
-  void addRaw(CLI::App* command)
-  {
-    command
-      ->add_option("--raw", this->raw,
-        "FILE is nothing but voxels, x fastest. Types: uint8, int8, uint16, ... int64, float32, float64")
-      ->type_name("WxHxD:type")
-      ->group("Raw files");
-    command->add_option("--spacing", this->spacing, "distances between voxels of a --raw file (1,1,1)")
-      ->delimiter(',')
-      ->expected(3)
-      ->type_name("x,y,z")
-      ->group("Raw files")
-      ->needs("--raw")
-      ->check(within(1e-12, 1e12));
-    command->add_flag("--big-endian", this->bigEndian, "byte order of a --raw file (little endian)")
-      ->group("Raw files")
-      ->needs("--raw");
-  }
-
-  InputOptions options() const
-  {
-    InputOptions options;
-    options.file = this->file;
-    if (this->raw)
-    {
-      options.raw = RawLayout::parse(*this->raw);
-      std::copy(this->spacing.begin(), this->spacing.end(), options.raw->spacing);
-      options.raw->bigEndian = this->bigEndian;
-    }
-    return options;
-  }
-};
-
 /// `ink render`: what CLI11 fills in as text, checked and turned into RenderOptions when the command runs.
 struct RenderArguments
 {
@@ -115,7 +52,7 @@ struct RenderArguments
 
   void add(CLI::App* command)
   {
-    this->input.addFile(command);
+    this->input.addFile(command, "mesh, whose vertices are drawn");
     command->add_option("-o,--output", this->output, "the picture to write")
       ->required()
       ->type_name("OUT.png");
@@ -198,7 +135,7 @@ struct RenderArguments
       ->add_flag("--transparent", this->options.transparent, "nothing around the subject: a PNG with alpha")
       ->group("Colours: names as in HTML, #rrggbb or #rgb");
 
-    this->input.addRaw(command);
+    this->input.addReading(command);
   }
 
   void run()
@@ -245,12 +182,18 @@ int run(int argc, char* argv[])
   renderArguments.add(renderCommand);
   renderCommand->footer(help);
 
+  SampleArguments sampleArguments;
+  CLI::App* sampleCommand =
+    app.add_subcommand("sample", "write points on the surface: ink sample FILE OUT.vtp");
+  sampleArguments.add(sampleCommand);
+  sampleCommand->footer(help);
+
   InputArguments infoArguments;
   bool infoQuiet = false;
   CLI::App* infoCommand =
     app.add_subcommand("info", "print what a file holds, with an iso-value that suits it");
   infoArguments.addFile(infoCommand);
-  infoArguments.addRaw(infoCommand);
+  infoArguments.addReading(infoCommand);
   infoCommand->add_flag("-q,--quiet", infoQuiet, "show no progress");
   infoCommand->footer(help);
 
@@ -279,13 +222,17 @@ int run(int argc, char* argv[])
   {
     renderArguments.run();
   }
+  else if (sampleCommand->parsed())
+  {
+    sampleArguments.run();
+  }
   else if (infoCommand->parsed())
   {
     info(infoArguments.options(), infoQuiet);
   }
   else
   {
-    return report(WrongUsage, "expected a command: render or info (see ink --help)");
+    return report(WrongUsage, "expected a command: render, sample or info (see ink --help)");
   }
   return std::cout.flush() ? Success : report(Failed, "cannot write to the standard output stream");
 }

@@ -22,6 +22,7 @@ message(STATUS "vtkInk: VTK ${VTK_VERSION}")
 
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
 
 # Wrapping needs VTK's own wrapping tools and the Python that this VTK asks for.
 if (VTK_WRAP_PYTHON AND Python3_FOUND)

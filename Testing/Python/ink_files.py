@@ -5,6 +5,7 @@ Only numpy and the standard library, so that no reader is tested against its own
 
 import base64
 import gzip
+import re
 import struct
 import zlib
 
@@ -282,3 +283,92 @@ def unfilter(kind, row, above, components):
             predicted = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
         result.append((value + predicted) & 255)
     return np.array(result[components:])
+
+
+def read_points(path):
+    """What `ink sample` writes, as columns by name: x y z nx ny nz and others; those of .xyz are numbered."""
+    suffix = path.suffix.lower()
+    if suffix == ".xyz":
+        return {str(i): column for i, column in enumerate(np.loadtxt(path, ndmin=2).T)}
+    if suffix == ".csv":
+        names = path.read_text().split("\n", 1)[0].split(",")
+        table = dict(zip(names, np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2).T))
+        return {name: column.astype(int) if name == "SurfaceIndex" else column for name, column in table.items()}
+    data = path.read_bytes()
+    if suffix == ".ply":
+        return read_ply_points(data)
+    arrays = read_vtp_arrays(data) if suffix == ".vtp" else read_legacy_arrays(data)
+    columns = {}
+    for name, values in arrays.items():
+        names = {"Points": ["x", "y", "z"], "Normals": ["nx", "ny", "nz"]}.get(name, [name])
+        columns.update(zip(names, values.reshape(len(values), -1).T))
+    return columns
+
+
+def read_ply_points(data):
+    head, records = data.split(b"end_header\n", 1)
+    types = {"float": "<f4", "double": "<f8", "int": "<i4"}
+    words = [line.split() for line in head.decode().splitlines()]
+    assert words[0] == ["ply"] and words[1] == ["format", "binary_little_endian", "1.0"]
+    count = next(int(line[2]) for line in words if line[:2] == ["element", "vertex"])
+    table = np.frombuffer(records, [(line[2], types[line[1]]) for line in words if line[0] == "property"])
+    assert len(table) == count
+    return {name: table[name] for name in table.dtype.names}
+
+
+def read_vtp_arrays(data):
+    head, appended = data.split(b'<AppendedData encoding="raw">\n_', 1)
+    points = int(re.search(rb'NumberOfPoints="(\d+)"', head)[1])
+    types = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8"}
+    arrays = {}
+    end = 0
+    for kind, name, components, offset in re.findall(
+            r'type="(\w+)" Name="(\w+)" NumberOfComponents="(\d)" format="appended" offset="(\d+)"', head.decode()):
+        offset = int(offset)
+        assert offset == end
+        size = struct.unpack_from("<Q", appended, offset)[0]
+        values = np.frombuffer(appended[offset + 8 : offset + 8 + size], types[kind])
+        arrays[name] = values.reshape(-1, int(components)) if components != "1" else values
+        end = offset + 8 + size
+    assert appended[end:] == b"\n</AppendedData>\n</VTKFile>\n"
+    assert arrays.pop("offsets").tolist() == [points]
+    assert np.array_equal(arrays.pop("connectivity"), np.arange(points))
+    assert {len(values) for values in arrays.values()} == {points}
+    return arrays
+
+
+def read_legacy_arrays(data):
+    types = {b"float": ">f4", b"double": ">f8", b"int": ">i4"}
+    position = 0
+
+    def line():
+        nonlocal position
+        end = data.index(b"\n", position)
+        words, position = data[position:end].split(), end + 1
+        return words
+
+    def block(kind, shape):
+        nonlocal position
+        count = int(np.prod(shape))
+        values = np.frombuffer(data, types[kind], count, position).reshape(shape)
+        position += values.nbytes
+        assert data[position : position + 1] == b"\n"
+        position += 1
+        return values.astype(values.dtype.newbyteorder("="))
+
+    assert line()[:2] == [b"#", b"vtk"]
+    line()
+    assert [line(), line()] == [[b"BINARY"], [b"DATASET", b"POLYDATA"]]
+    _, count, kind = line()
+    count = int(count)
+    arrays = {"Points": block(kind, (count, 3))}
+    assert line() == [b"VERTICES", b"1", str(count + 1).encode()]
+    assert np.array_equal(block(b"int", (count + 1,)), [count, *range(count)])
+    assert line() == [b"POINT_DATA", str(count).encode()]
+    while position < len(data):
+        words = line()
+        if words[0] == b"NORMALS":
+            arrays["Normals"] = block(words[2], (count, 3))
+        elif words[0] != b"FIELD":
+            arrays[words[0].decode()] = block(words[3], (count,))
+    return arrays

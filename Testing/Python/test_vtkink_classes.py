@@ -131,6 +131,61 @@ def test_image_without_scalars_is_an_error_and_gives_an_empty_output():
     assert sampler.GetOutput().GetNumberOfPoints() == 0
 
 
+def noisy_ball():
+    rough = ball() + numpy.random.default_rng(1).normal(0, 0.5, (32, 32, 32))
+    return image_of(rough.astype("f4"))
+
+
+def mean_angle(image, name="Gradient"):
+    """To the direction into the ball, in degrees, at points near the sphere."""
+    positions = numpy.array([image.GetPoint(n) for n in range(image.GetNumberOfPoints())])
+    distance = numpy.linalg.norm(positions, axis=1)
+    near = numpy.abs(distance - RADIUS) < 2
+    gradients = point_array(image, name)[near]
+    cosine = -numpy.sum(gradients * positions[near], axis=1) / distance[near] / numpy.linalg.norm(gradients, axis=1)
+    return float(numpy.degrees(numpy.arccos(numpy.clip(cosine, -1, 1))).mean())
+
+
+def test_gradient_by_regression_keeps_its_direction_in_noise():
+    angles = []
+    for method in ("CentralDifference", "Regression"):
+        gradient = vtkink.vtkInkGradient()
+        gradient.SetInputData(noisy_ball())
+        getattr(gradient, f"SetMethodTo{method}")()
+        gradient.Update()
+        angles.append(mean_angle(gradient.GetOutput()))
+    assert angles[0] > 5 and angles[1] < 0.4 * angles[0]
+
+
+def test_gradient_makes_what_is_asked_for():
+    gradient = vtkink.vtkInkGradient()
+    gradient.SetInputData(image_of(ball()))
+    gradient.ComputeGradientOff()
+    gradient.ComputeValueOn()
+    gradient.ComputeLaplacianOn()
+    gradient.SetOutputPrecision(vtk.vtkAlgorithm.DOUBLE_PRECISION)
+    gradient.Update()
+    data = gradient.GetOutput().GetPointData()
+    names = {data.GetArrayName(n) for n in range(data.GetNumberOfArrays())}
+    assert names == {"density", "GradientMagnitude", "Value", "Laplacian"}
+    middle = 16 * (1 + 32 + 32 * 32)
+    at = middle - 10  # ten points left of the middle: on the sphere, nearly
+    assert abs(data.GetArray("GradientMagnitude").GetValue(at) - 1) < 0.02
+    assert abs(data.GetArray("Laplacian").GetValue(at) + 2 / 9.5) < 0.02
+    assert data.GetArray("Value").GetDataType() == vtk.VTK_DOUBLE
+
+
+def test_gradient_of_nothing_is_an_error_and_gives_an_empty_output():
+    image = vtk.vtkImageData()
+    image.SetDimensions(4, 4, 4)
+    gradient = vtkink.vtkInkGradient()
+    gradient.SetInputData(image)
+    messages = Messages(gradient, gradient.GetExecutive())
+    gradient.Update()
+    assert len(messages.texts) == 1
+    assert gradient.GetOutput().GetNumberOfPoints() == 0
+
+
 def drawing(points, **properties):
     """A 200 x 200 picture of points on a green background as floats [y, x, rgb], and the mapper's messages."""
     mapper = vtkink.vtkInkSplattingLinesMapper()

@@ -22,13 +22,17 @@ def sampler():
     return proxy_of("IsoSurfaceSampler.xml", "SourceProxy"), [vtkink.vtkInkIsoSurfaceSampler()]
 
 
+def gradient():
+    return proxy_of("Gradient.xml", "SourceProxy"), [vtkink.vtkInkGradient()]
+
+
 def splatting_lines():
     actor = vtkink.vtk.vtkActor()
     objects = [vtkink.vtkInkSplattingLinesMapper(), actor, actor.GetProperty()]
     return proxy_of("SplattingLines.xml", "RepresentationProxy"), objects
 
 
-PROXIES = {"IsoSurfaceSampler.xml": sampler, "SplattingLines.xml": splatting_lines}
+PROXIES = {"Gradient.xml": gradient, "IsoSurfaceSampler.xml": sampler, "SplattingLines.xml": splatting_lines}
 
 
 def cases():

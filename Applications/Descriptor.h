@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace ink::cli
+{
+
+/// A file descriptor that is closed when this object goes.
+class Descriptor
+{
+public:
+  /// \param descriptor as from open(): negative if that failed
+  explicit Descriptor(int descriptor = -1)
+    : Number(descriptor)
+  {
+  }
+  ~Descriptor() { this->close(); }
+  Descriptor(Descriptor&& other) noexcept
+    : Number(std::exchange(other.Number, -1))
+  {
+  }
+  Descriptor& operator=(Descriptor&& other) noexcept
+  {
+    std::swap(this->Number, other.Number);
+    return *this;
+  }
+
+  int get() const { return this->Number; }
+  /// \return whether all that was written is in the file; errno says why not
+  bool close();
+
+private:
+  int Number;
+};
+
+/// Writes all of data. \return false if that failed; errno says why
+bool writeAll(int descriptor, std::span<const unsigned char> data);
+
+/// Fills data from a position in a file on. \return the bytes read: fewer than asked for at the end of the
+/// file, and after an error, which errno tells
+std::size_t readAt(int descriptor, std::uint64_t position, std::span<unsigned char> data);
+
+} // namespace ink::cli

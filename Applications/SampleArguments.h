@@ -1,0 +1,23 @@
+#pragma once
+
+#include "InputArguments.h"
+#include "SampleCommand.h"
+
+namespace ink::cli
+{
+
+/// `ink sample`: what CLI11 fills in as text, checked and turned into SampleOptions when the command runs.
+struct SampleArguments
+{
+  InputArguments input;
+  SampleOptions options;
+  std::string output;
+  std::vector<std::string> arrays;
+  std::string rule = "half-open";
+  std::string precision = "auto";
+
+  void add(CLI::App* command);
+  void run();
+};
+
+} // namespace ink::cli

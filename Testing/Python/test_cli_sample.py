@@ -1,0 +1,201 @@
+"""`ink sample`: points on the surface of a volume, in files that others read."""
+
+import os
+import subprocess
+
+import numpy as np
+import pytest
+
+import ink_files
+
+OLD = b"old points"
+
+
+@pytest.fixture
+def sampled(ink, tmp_path):
+    """Samples a file and returns the points as columns by name."""
+
+    def run(file, *arguments, name="out.vtp", quiet=True):
+        out = tmp_path / name
+        result = ink("sample", file, out, *arguments, *(["--quiet"] if quiet else []))
+        assert (result.code, result.out) == (0, ""), result
+        assert not quiet or result.err == "", result
+        return ink_files.read_points(out)
+
+    return run
+
+
+def test_points_lie_on_the_surface(sampled, tmp_path):
+    """The blob's surface at 100, and normals out of it."""
+    n = 48
+    x, y, z = (np.arange(n) - (n - 1) / 2 for _ in range(3))
+    distance = np.sqrt(z[:, None, None] ** 2 + y[None, :, None] ** 2 + x[None, None, :] ** 2)
+    ink_files.write_vti(tmp_path / "ball.vti", (100 - 4 * (distance - 15)).astype(np.float32))
+    columns = sampled(tmp_path / "ball.vti", "--iso", 100)
+    points = np.stack([columns[name] for name in "xyz"], axis=1) - (n - 1) / 2
+    normals = np.stack([columns["n" + name] for name in "xyz"], axis=1)
+    radius = np.linalg.norm(points, axis=1)
+    assert len(points) > 4 * np.pi * 15**2
+    assert abs(radius - 15).max() < 0.1
+    assert ((points / radius[:, None] * normals).sum(axis=1) > 0.995).all()
+    assert np.allclose(columns["Radius"], np.sqrt(3) / 2)
+
+
+@pytest.mark.parametrize("name", ["out.vtk", "out.ply", "out.csv", "OUT.PLY"])
+@pytest.mark.parametrize("arguments", [[], ["--precision", "double"], ["--arrays", "none"], ["--arrays", "Radius"],
+                                       ["--iso", 50], ["--arrays", "SurfaceIndex,Normals"]],
+                         ids=lambda arguments: "".join(map(str, arguments)) or "default")
+def test_formats_hold_the_same(sampled, volume_file, name, arguments):
+    reference = sampled(volume_file, "--iso", 100, *arguments)
+    other = sampled(volume_file, "--iso", 100, *arguments, name=name)
+    assert set(other) == set(reference)
+    for column in reference:
+        assert other[column].dtype.kind == reference[column].dtype.kind
+        assert np.array_equal(other[column].astype(reference[column].dtype), reference[column]), column
+
+
+def test_xyz_is_coordinates_and_normals(sampled, volume_file):
+    reference = sampled(volume_file, "--iso", 100)
+    values = sampled(volume_file, "--iso", 100, name="out.xyz")
+    for i, column in enumerate(["x", "y", "z", "nx", "ny", "nz"]):
+        assert np.array_equal(values[str(i)].astype(np.float32), reference[column])
+    assert len(values) == 6
+
+
+def test_arrays_are_those_asked_for(sampled, volume_file):
+    coordinates, normals = {"x", "y", "z"}, {"nx", "ny", "nz"}
+    assert set(sampled(volume_file)) == coordinates | normals | {"Radius"}
+    assert set(sampled(volume_file, "--arrays", "none")) == coordinates
+    assert set(sampled(volume_file, "--arrays", "Normals")) == coordinates | normals
+    assert set(sampled(volume_file, "--arrays", "SurfaceIndex,Radius")) == coordinates | {"Radius", "SurfaceIndex"}
+
+
+def test_several_iso_values_come_one_after_the_other(sampled, volume_file):
+    parts = [sampled(volume_file, "--iso", value) for value in (150, 50)]
+    both = sampled(volume_file, "--iso", 150, "--iso", 50)
+    assert both["SurfaceIndex"].dtype == np.int32
+    assert np.array_equal(both["SurfaceIndex"], np.repeat([0, 1], [len(part["x"]) for part in parts]))
+    for column in parts[0]:
+        assert np.array_equal(both[column], np.concatenate([part[column] for part in parts]))
+
+
+def test_precision(sampled, tmp_path):
+    ink_files.write_metaimage(tmp_path / "near.mha", ink_files.blob())
+    ink_files.write_metaimage(tmp_path / "far.mha", ink_files.blob(), offset="10000000 0 0")
+    assert sampled(tmp_path / "near.mha")["x"].dtype == np.float32
+    assert sampled(tmp_path / "near.mha", "--precision", "double")["x"].dtype == np.float64
+    assert sampled(tmp_path / "far.mha")["x"].dtype == np.float64
+    assert sampled(tmp_path / "far.mha", "--precision", "float")["x"].dtype == np.float32
+    near, far = (sampled(tmp_path / name, "--precision", "double")["x"] for name in ("near.mha", "far.mha"))
+    assert np.allclose(near + 1e7, far, rtol=0, atol=1e-6)
+
+
+def test_rules(sampled, tmp_path):
+    """Where the surface goes through voxels, the published rule finds flat pieces twice."""
+    volume = np.zeros((6, 7, 8), np.uint8)
+    volume[3:] = 100
+    volume[2] = 50
+    ink_files.write_vti(tmp_path / "step.vti", volume)
+    assert len(sampled(tmp_path / "step.vti", "--iso", 50)["x"]) == 6 * 7
+    assert len(sampled(tmp_path / "step.vti", "--iso", 50, "--rule", "strict")["x"]) == 2 * 6 * 7
+
+
+def test_the_chosen_iso_value_is_named(ink, sampled, volume_file, tmp_path):
+    result = ink("sample", volume_file, tmp_path / "a.vtp")
+    assert result.code == 0 and result.err.startswith("ink: iso-value "), result
+    chosen = result.err.split()[2].rstrip(":")
+    sampled(volume_file, "--iso", chosen, name="b.vtp")
+    assert (tmp_path / "a.vtp").read_bytes() == (tmp_path / "b.vtp").read_bytes()
+
+
+def test_same_input_same_bytes(ink, volume_file, tmp_path):
+    for name, threads in (("a.vtp", "1"), ("b.vtp", "2")):
+        assert ink("sample", volume_file, "-q", "-o", tmp_path / name, env={"VTK_SMP_MAX_THREADS": threads}).code == 0
+    assert (tmp_path / "a.vtp").read_bytes() == (tmp_path / "b.vtp").read_bytes()
+
+
+@pytest.mark.parametrize("suffix, reader", [("vtp", "vtkXMLPolyDataReader"), ("vtk", "vtkPolyDataReader"), ("ply", "vtkPLYReader")])
+@pytest.mark.parametrize("precision", ["float", "double"])
+def test_vtk_reads_it(sampled, volume_file, tmp_path, suffix, reader, precision):
+    vtkink = pytest.importorskip("vtkink")
+    columns = sampled(volume_file, "--iso", 100, "--iso", 50, "--precision", precision, name="out." + suffix)
+    reader = getattr(vtkink.vtk, reader)()
+    reader.SetFileName(str(tmp_path / ("out." + suffix)))
+    reader.Update()
+    data = reader.GetOutput()
+    assert data.GetNumberOfPoints() == len(columns["x"])
+    normals = data.GetPointData().GetNormals()
+    assert normals is not None
+    for n in (0, 1, len(columns["x"]) - 1):
+        # VTK's PLY reader has float points whatever is in the file.
+        assert np.allclose(data.GetPoint(n), [columns[name][n] for name in "xyz"], rtol=1e-6)
+        assert np.allclose(normals.GetTuple(n), [columns["n" + name][n] for name in "xyz"])
+    if suffix != "ply":
+        assert data.GetVerts().GetNumberOfConnectivityIds() == data.GetNumberOfPoints()
+        assert data.GetNumberOfCells() == 1
+        assert data.GetPointData().GetArray("Radius").GetTuple1(0) == pytest.approx(columns["Radius"][0])
+        assert data.GetPointData().GetArray("SurfaceIndex").GetTuple1(data.GetNumberOfPoints() - 1) == 1
+
+
+def test_ink_draws_its_own_points(ink, sampled, volume_file, tmp_path):
+    sampled(volume_file, "--iso", 100, name="points.vtp")
+    pictures = []
+    for source, arguments in ((volume_file, ["--iso", 100]), (tmp_path / "points.vtp", [])):
+        out = tmp_path / "picture.png"
+        assert ink("render", source, *arguments, "--size", "150x150", "-q", "-o", out).code == 0
+        pictures.append(ink_files.read_png(out))
+    assert np.array_equal(*pictures)
+
+
+@pytest.fixture
+def refused(ink, tmp_path):
+    """Runs a sampling that has to fail and returns its message."""
+
+    def run(code, *arguments, name="out.vtp"):
+        out = tmp_path / "kept" / name
+        out.parent.mkdir(exist_ok=True)
+        for other in out.parent.iterdir():
+            other.unlink()
+        out.write_bytes(OLD)
+        result = ink("sample", arguments[0], out, *arguments[1:])
+        assert result.code == code, result
+        assert result.out == ""
+        assert out.read_bytes() == OLD
+        assert os.listdir(out.parent) == [name], "a temporary file is left"
+        return result.error
+
+    return run
+
+
+def test_bad_arguments(refused, volume_file):
+    assert "--iso 1000: expected a value above 0 and up to" in refused(2, volume_file, "--iso", 1000)
+    assert "--iso" in refused(2, volume_file, "--iso", "nan")
+    assert "--arrays" in refused(2, volume_file, "--arrays", "Colour")
+    assert "--arrays" in refused(2, volume_file, "--arrays", "none,Radius")
+    assert "--precision" in refused(2, volume_file, "--precision", "half")
+    assert "--rule" in refused(2, volume_file, "--rule", "loose")
+    message = refused(2, volume_file, name="out.obj")
+    assert "out.obj" in message and ".vtp .vtk .ply .csv .xyz" in message
+
+
+def test_bad_files(refused, ink, volume_file, tmp_path):
+    assert "no such file" in refused(1, tmp_path / "absent.nrrd")
+    ink_files.write_vti(tmp_path / "flat.vti", np.full((4, 4, 4), 7, np.uint8))
+    assert "all voxels have the value 7" in refused(1, tmp_path / "flat.vti")
+    ink_files.write_vti(tmp_path / "nan.vti", np.full((4, 4, 4), np.nan, np.float32))
+    assert "no voxel has a finite value" in refused(1, tmp_path / "nan.vti")
+    ink_files.write_vti(tmp_path / "slice.vti", ink_files.blob()[15:16])
+    assert "no cells" in refused(1, tmp_path / "slice.vti", "--iso", 50)
+    assert "no directory" in ink("sample", volume_file, tmp_path / "absent" / "out.vtp").error
+    assert ink("sample", volume_file).code == 2
+    (tmp_path / "full.vtp").symlink_to("/dev/full")
+    result = ink("sample", volume_file, "-q", tmp_path / "full.vtp")
+    assert result.code == 1 and "No space left" in result.error
+
+
+def test_to_a_pipe(ink, sampled, volume_file, tmp_path):
+    sampled(volume_file, "--iso", 100, name="points.xyz")
+    os.mkfifo(tmp_path / "pipe.xyz")
+    with subprocess.Popen(["cat", tmp_path / "pipe.xyz"], stdout=subprocess.PIPE) as reader:
+        assert ink("sample", volume_file, "--iso", 100, "-q", tmp_path / "pipe.xyz").code == 0
+        assert reader.stdout.read() == (tmp_path / "points.xyz").read_bytes()
