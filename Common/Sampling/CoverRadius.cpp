@@ -14,7 +14,8 @@ namespace
 
 // Of the radius: how far from the discs gaps may lie that sampleBlueNoise does not look for.
 constexpr double gap = 1.06;
-// Of what the radius would be if the count were a saturated set's: measured, see the documentation's table.
+// Of what the radius would be if the count were a saturated set's: chosen so that probes of known surfaces
+// find no hole.
 constexpr double gapAfterLeavingOut = 1.3;
 constexpr double holes = 0.01;
 

@@ -89,10 +89,8 @@ int main(int argc, char* argv[])
   std::vector<float> points(3 * sparseCells.count);
   std::vector<float> normals(3 * sparseCells.count);
   const auto spans = [&] { return std::span<float>(points); };
-  const double placeDense = timeOf(
-    [&] {
-      ink::placeIsoSurfaceSamples(volume, 0.0, { rule }, denseCells, spans(), { normals, {}, {} });
-    });
+  const double placeDense = timeOf([&]
+    { ink::placeIsoSurfaceSamples(volume, 0.0, { rule }, denseCells, spans(), std::span<float>(normals)); });
   const double placeSparse = timeOf(
     [&]
     {
