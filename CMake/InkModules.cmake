@@ -3,7 +3,8 @@ set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Core/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Sampling/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Core/vtk.module"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module")
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Stipple/vtk.module")
 if (VTKINK_BUILD_PLUGIN)
   list(APPEND _ink_module_files
     "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Representations/vtk.module")

@@ -104,10 +104,26 @@ TEST(StippleTone, GrowsWhereListsAreTooShort)
     const double area = mark.tone * mark.diameter * mark.diameter;
     EXPECT_NEAR(area / (maximum * 4.0), 1.0, 1e-5) << "N_max " << maximum;
     EXPECT_LE(mark.tone, 16.0f);
+    EXPECT_LE(mark.diameter, allOff().largestDiameter(close));
     ink::StippleTone fixed = allOff();
     fixed.growing = false;
     EXPECT_FLOAT_EQ(fixed.mark(close, {}, element(), 0).diameter, 2.0f);
   }
+}
+
+/// A part of a stipple has the same area as a paler or as a smaller one.
+TEST(StippleTone, AppearsBySizeOrByOpacity)
+{
+  ink::StippleTone tone = allOff();
+  ink::StippleTone::View far = view;
+  far.maximumStipples = 0.3f;
+  const auto paler = tone.mark(far, {}, element(), 0);
+  EXPECT_NEAR(paler.opacity, 0.3f, 1e-6f);
+  tone.appearBySize = true;
+  const auto smaller = tone.mark(far, {}, element(), 0);
+  EXPECT_EQ(smaller.opacity, 1.0f);
+  EXPECT_NEAR(smaller.diameter * smaller.diameter, 0.3f * 4.0f, 1e-5f);
+  EXPECT_EQ(tone.mark(far, {}, element(), 1).opacity, 0.0f);
 }
 
 TEST(StippleTone, ListsEnd)

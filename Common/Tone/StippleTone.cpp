@@ -79,6 +79,11 @@ StippleTone::Mark StippleTone::mark(
   mark.diameter = this->diameter * this->distance.sizeFactor(depth);
   mark.diameter *= this->surface ? 1.0f : this->interior.sizeFactor(element.gradientMagnitude);
   mark.diameter *= this->growing ? std::sqrt(std::max(room, 1.0f)) : 1.0f;
+  if (this->appearBySize && mark.opacity > 0.0f)
+  {
+    mark.diameter *= std::sqrt(mark.opacity);
+    mark.opacity = 1.0f;
+  }
   mark.color = this->warmCool.color(element.color, lightCosine(lights, element.position, normal), depth);
   return mark;
 }
@@ -106,6 +111,19 @@ float StippleTone::mostTone(const View& view, float largestValue, float largestG
   }
   const float room = view.maximumStipples / view.listed * byDistance;
   return longestList * (this->growing ? std::min(room, 1.0f) : room) * factors;
+}
+
+float StippleTone::largestDiameter(const View& view) const
+{
+  float most = this->diameter * this->distance.sizeFactor(1.0f);
+  if (this->growing)
+  {
+    // Only with a positive k_rc may there be more room farther away.
+    const bool known = view.parallel || !this->resolution.on || this->resolution.krc <= 0.0f;
+    most *= known ? std::sqrt(std::max(view.maximumStipples / view.listed, 1.0f))
+                  : std::numeric_limits<float>::infinity();
+  }
+  return most;
 }
 
 } // namespace ink

@@ -34,6 +34,9 @@ struct StippleTone
   /// Where an element's list is too short for the room it has on the screen, whether stipples grow, so that
   /// the grey stays as it is.
   bool growing = true;
+  /// Whether a part of a stipple is a smaller stipple of full intensity instead of a paler one; the same
+  /// grey.
+  bool appearBySize = false;
 
   /// What depends on the camera and the object as a whole.
   struct View
@@ -78,6 +81,9 @@ struct StippleTone
   /// @param nearestDistance, farthestDistance of the group from the eye along the view
   float mostTone(const View& view, float largestValue, float largestGradient, float longestList,
     float nearestDistance, float farthestDistance) const;
+
+  /// No stipple's diameter exceeds this anywhere in the view.
+  float largestDiameter(const View& view) const;
 };
 
 } // namespace ink

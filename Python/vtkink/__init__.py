@@ -37,6 +37,7 @@ _vtk_module("vtkRenderingOpenGL2")
 
 from .vtkInkFiltersSampling import *
 from .vtkInkRenderingSplattingLines import *
+from .vtkInkRenderingStipple import *
 
 
 def __getattr__(name):
