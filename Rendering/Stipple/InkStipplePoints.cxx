@@ -21,11 +21,16 @@
 namespace
 {
 
-/// Enough that their number is small beside that of the stipples, few enough that they are cut off closely.
-constexpr int ElementsPerBlock = 256;
+/// Blocks are cubes of this many elements along an edge, each cut in two where it holds very many: large
+/// enough that their number is small beside that of the stipples, small enough that they are cut off closely.
+constexpr double BlockEdge = 8.0;
+constexpr std::size_t MostElementsPerBlock = 512;
 
 /// What separates the random values of elements from other uses of their ids.
 constexpr std::uint64_t RandomSeed = 0x5717b1e;
+
+/// Along each axis; ten bits.
+constexpr double MortonCells = 1024.0;
 
 /// Places along a curve that keeps close together what is close: the bits of x, y and z in turn.
 std::uint64_t MortonCode(const float position[3])
@@ -34,7 +39,7 @@ std::uint64_t MortonCode(const float position[3])
   for (int axis = 0; axis < 3; ++axis)
   {
     // The local frame's box lies within -1/2 .. 1/2.
-    const float place = std::clamp((position[axis] + 0.5f) * 1024.0f, 0.0f, 1023.0f);
+    const double place = std::clamp((position[axis] + 0.5) * MortonCells, 0.0, MortonCells - 1.0);
     auto bits = static_cast<std::uint64_t>(place);
     for (int i = 0; i < 10; ++i, bits >>= 1)
     {
@@ -127,10 +132,18 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
          << " stipples are drawn: the numbers of element and stipple have 32 bits together.";
   }
   this->Vertices.reserve(static_cast<std::size_t>(input.Data->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < elements.size(); i += ElementsPerBlock)
+  // A cube of 2^k cells of the curve along an edge is what has all but the lowest 3 k bits in common.
+  const double edge = std::clamp(BlockEdge * this->ElementSize * MortonCells, 1.0, MortonCells);
+  const int shift = 3 * static_cast<int>(std::lround(std::log2(edge)));
+  for (std::size_t first = 0, last; first < elements.size(); first = last)
   {
-    this->AddBlock(
-      input, &elements[i], static_cast<int>(std::min<std::size_t>(ElementsPerBlock, elements.size() - i)));
+    last = first + 1;
+    while (last < elements.size() && last - first < MostElementsPerBlock &&
+      elements[last].Place >> shift == elements[first].Place >> shift)
+    {
+      ++last;
+    }
+    this->AddBlock(input, &elements[first], static_cast<int>(last - first));
   }
   this->NumberOfStipples = static_cast<vtkIdType>(this->Vertices.size());
   if (colors)

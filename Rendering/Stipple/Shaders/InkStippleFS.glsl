@@ -16,7 +16,8 @@ void main()
 {
   float distance = length(gl_FragCoord.xy - viewportOrigin - dotVSOutput.xy);
   float coverage = dotVSOutput.w * actorOpacity * clamp(dotVSOutput.z + 0.5 - distance, 0.0, 1.0);
-  if (coverage < 0.001) // nothing that eight bits could show
+  // However pale: many pale stipples make a grey.
+  if (coverage <= 0.0)
   {
     discard;
   }
