@@ -37,6 +37,7 @@ struct StipplePreset
   float pixelsPerStipple;
   float diameter;
   float knz;
+  float valueEffect;
   bool lightInk; ///< white ink on black paper
 
   void apply(StippleTone& tone) const;

@@ -1,5 +1,7 @@
 #include "Tone/StippleTone.h"
 
+#include "Tone/Power.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -60,8 +62,9 @@ StippleTone::Mark StippleTone::mark(
   float factors = 1.0f;
   if (!this->surface)
   {
-    factors *= this->boundary.factor(element.value, element.gradientMagnitude);
-    factors *= this->silhouette.factor(element.value, cosine);
+    const float value = power(element.value, this->valueEffect);
+    factors *= this->boundary.factor(value, element.gradientMagnitude);
+    factors *= this->silhouette.factor(value, cosine);
   }
   const float byDistance =
     view.parallel ? 1.0f : this->resolution.distanceFactor(distanceFromEye, view.nearest);
@@ -94,8 +97,9 @@ float StippleTone::mostTone(const View& view, float largestValue, float largestG
   float factors = 1.0f;
   if (!this->surface)
   {
-    factors *= this->boundary.factor(largestValue, largestGradient);
-    factors *= this->silhouette.factor(largestValue, 0.0f);
+    const float value = power(largestValue, this->valueEffect);
+    factors *= this->boundary.factor(value, largestGradient);
+    factors *= this->silhouette.factor(value, 0.0f);
     factors *= this->interior.factor(largestGradient);
   }
   factors *= this->distance.factor((view.middle - nearestDistance) / view.halfRange);

@@ -29,6 +29,8 @@ struct StippleTone
   Interior interior;
   SmallElements smallElements;
   WarmCool warmCool;
+  /// Boundaries and silhouettes: v counts as v^valueEffect. 1: as Table 1 has it; 0: it does not count.
+  float valueEffect = 1.0f;
   float pixelsPerStipple = 4.0f; ///< see maximumStipples
   float diameter = 2.0f;         ///< pixels
   /// Where an element's list is too short for the room it has on the screen, whether stipples grow, so that

@@ -57,6 +57,7 @@ void InkSetStippleUniforms(
   SetPair(program, "interior", tone.interior.kie, tone.interior.size);
   program->SetUniformi("probability", tone.smallElements.way == ink::SmallElements::Way::probability);
   program->SetUniformf("fade", tone.smallElements.fade);
+  program->SetUniformf("valueEffect", tone.valueEffect);
   program->SetUniformi("growing", tone.growing);
   program->SetUniformi("appearBySize", tone.appearBySize);
   program->SetUniformf("diameter", tone.diameter * scale);

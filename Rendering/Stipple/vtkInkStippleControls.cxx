@@ -161,6 +161,7 @@ void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
   mapper->SetKie(tone.interior.kie);
   mapper->SetInteriorSize(tone.interior.size);
   mapper->SetWarmCool(tone.warmCool.amount);
+  mapper->SetValueEffect(tone.valueEffect);
   mapper->SetPixelsPerStipple(tone.pixelsPerStipple);
   mapper->SetStippleSize(tone.diameter);
   const double ink = tone.lighting.lightInk ? 1.0 : 0.0;

@@ -74,6 +74,7 @@ ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface, bool twoSid
     number(mapper->GetMinimumCoverage()), number(mapper->GetFade()) };
   tone.warmCool = { ToHls(mapper->GetWarmColor()), ToHls(mapper->GetCoolColor()),
     number(mapper->GetToneWeight()), number(mapper->GetDistanceWeight()), number(mapper->GetWarmCool()) };
+  tone.valueEffect = number(mapper->GetValueEffect());
   tone.pixelsPerStipple = number(mapper->GetPixelsPerStipple());
   tone.diameter = number(mapper->GetStippleSize());
   tone.growing = mapper->GetGrowing();
@@ -511,6 +512,7 @@ void vtkInkStippleMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Interior: " << (this->Interior ? "On" : "Off") << "\n";
   os << indent << "Kie: " << this->Kie << "\n";
   os << indent << "InteriorSize: " << this->InteriorSize << "\n";
+  os << indent << "ValueEffect: " << this->ValueEffect << "\n";
   os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
   os << indent << "StippleSize: " << this->StippleSize << "\n";
   os << indent << "Growing: " << (this->Growing ? "On" : "Off") << "\n";

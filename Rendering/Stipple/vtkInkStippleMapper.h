@@ -257,6 +257,16 @@ public:
 
   ///@{
   /**
+   * How much a voxel's value counts beside its gradient, for boundaries and silhouettes: v counts as
+   * v^ValueEffect. 0 (not at all) to 1 (default: as in Table 1); parts with small values are darker with a
+   * smaller one.
+   */
+  vtkSetClampMacro(ValueEffect, double, 0.0, 1.0);
+  vtkGetMacro(ValueEffect, double);
+  ///@}
+
+  ///@{
+  /**
    * How many pixels of an element's projection make room for one stipple (section 4.3; the paper has 1); the
    * drawing is darker with a smaller one. 0.1 to 1000; default: 4.
    */
@@ -460,6 +470,7 @@ private:
   bool Interior = true;
   double Kie = 1.0;
   double InteriorSize = 0.5;
+  double ValueEffect = 1.0;
   double PixelsPerStipple = 4.0;
   double StippleSize = 2.0;
   bool Growing = true;

@@ -54,6 +54,7 @@ uniform vec2 distanceK;           // k_de, size
 uniform vec2 interior;            // k_ie, size
 uniform bool probability;
 uniform float fade;
+uniform float valueEffect;
 uniform bool growing;
 uniform bool appearBySize;
 uniform float diameter;           // pixels
@@ -132,7 +133,7 @@ void main()
   vec2 valueRandom = texelFetch(elementValues, element).rg;
   uvec2 list = texelFetch(elementLists, element).rg;
   float gradientMagnitude = shape.w;
-  float value = valueRandom.x;
+  float value = power(valueRandom.x, valueEffect);
 
   vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
   vec3 normal = normalize(normalMatrix * shape.xyz);

@@ -50,6 +50,7 @@ ink::StippleTone Expected(vtkInkStippleMapper* m, bool surface)
   const auto hls = [](const double* c) { return ink::hlsFromRgb({ c[0], c[1], c[2] }); };
   tone.warmCool = { hls(m->GetWarmColor()), hls(m->GetCoolColor()), float(m->GetToneWeight()),
     float(m->GetDistanceWeight()), float(m->GetWarmCool()) };
+  tone.valueEffect = float(m->GetValueEffect());
   tone.pixelsPerStipple = float(m->GetPixelsPerStipple());
   tone.diameter = float(m->GetStippleSize());
   tone.growing = m->GetGrowing();
@@ -183,6 +184,7 @@ int TestStippleShader(int, char*[])
       {
         off(s);
         s.Mapper->BoundaryOn();
+        s.Mapper->SetValueEffect(0.4);
         s.Mapper->SetKge(1.7);
       } },
     { "silhouette",
