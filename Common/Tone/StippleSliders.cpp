@@ -30,11 +30,11 @@ float exponent(float value)
 }
 
 constexpr StipplePreset presets[] = {
-  { "anatomy", { 0.5f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 3.0f, 1.8f, 0.7f, 0.25f, false },
-  { "bone", { 0.8f, 0.6f, 0.45f, 0.4f, 0.6f, 0.0f }, 3.0f, 1.7f, 0.7f, 0.25f, false },
-  { "soft-tissue", { 0.6f, 0.3f, 0.55f, 0.25f, 0.05f, 0.0f }, 3.0f, 1.5f, 0.7f, 0.25f, false },
-  { "engineering", { 0.7f, 0.75f, 0.65f, 0.1f, 0.2f, 0.0f }, 3.0f, 1.6f, 0.4f, 0.25f, false },
-  { "plate-white-on-black", { 0.6f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 3.0f, 1.8f, 0.7f, 0.25f, true },
+  { "anatomy", { 0.5f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 5.0f, 1.8f, 0.7f, 0.25f, false },
+  { "bone", { 0.8f, 0.6f, 0.45f, 0.4f, 0.6f, 0.0f }, 5.0f, 1.7f, 0.7f, 0.25f, false },
+  { "soft-tissue", { 0.6f, 0.3f, 0.55f, 0.25f, 0.05f, 0.0f }, 4.0f, 1.5f, 0.7f, 0.25f, false },
+  { "engineering", { 0.7f, 0.75f, 0.65f, 0.1f, 0.2f, 0.0f }, 5.0f, 1.6f, 0.4f, 0.25f, false },
+  { "plate-white-on-black", { 0.6f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 4.0f, 1.8f, 0.7f, 0.25f, true },
 };
 
 } // namespace
