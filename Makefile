@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help demo test setup setup-headless setup-paraview build build-headless build-paraview build-asan \
-  build-tsan test-headless test-paraview bench sanitize format install clean
+  build-tsan test-headless test-paraview bench tradeoff sanitize fuzz format install clean
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -45,8 +45,15 @@ test-paraview: ## Run the tests of the ParaView build
 bench: setup-headless build-headless ## Measure the sampler and the mapper against VTK's own
 	@Utilities/bench.sh
 
+tradeoff: setup-headless build-headless ## Measure error against time, write Documentation/accuracy-and-speed.md
+	@Utilities/setup.sh tradeoff
+	@Utilities/tradeoff.sh
+
 sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behaviour sanitizers
 	@Utilities/test.sh asan
+
+fuzz: ## Fuzz what reads OpenVDB files for SECONDS (60); needs clang
+	@Utilities/fuzz.sh $(or $(SECONDS),60)
 
 format: ## Format the C++ files (clang-format)
 	@git ls-files '*.h' '*.cxx' '*.cpp' | xargs clang-format -i
@@ -55,4 +62,4 @@ install: build-headless ## Install the headless build into PREFIX (default build
 	@cmake --install build/headless $(if $(PREFIX),--prefix "$(PREFIX)")
 
 clean: ## Remove the build trees (the fetched VTK stays)
-	@rm -rf build/headless build/paraview build/asan build/tsan build/demo build/install build/*.log
+	@rm -rf build/headless build/paraview build/asan build/tsan build/fuzz build/demo build/install build/*.log

@@ -2,6 +2,7 @@
 
 #include "ReadFile.h"
 #include "Text.h"
+#include "VolumeSlices.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -12,6 +13,15 @@
 
 namespace ink::cli
 {
+namespace
+{
+
+std::string componentsNote(int components)
+{
+  return "its voxels have " + std::to_string(components) + " components; the first is used";
+}
+
+} // namespace
 
 Input makeVolumeInput(vtkImageData* image, const std::filesystem::path& file, const std::string& format)
 {
@@ -49,8 +59,7 @@ Input makeVolumeInput(vtkImageData* image, const std::filesystem::path& file, co
   input.components = scalars->GetNumberOfComponents();
   if (input.components > 1)
   {
-    input.notes.push_back(
-      "its voxels have " + std::to_string(input.components) + " components; the first is used");
+    input.notes.push_back(componentsNote(input.components));
     vtkNew<vtkImageExtractComponents> first;
     first->SetInputData(image);
     first->SetComponents(0);
@@ -61,6 +70,20 @@ Input makeVolumeInput(vtkImageData* image, const std::filesystem::path& file, co
   {
     input.data = image;
   }
+  return input;
+}
+
+Input makeVolumeInput(
+  vtkImageData* frame, const PlainVoxels& voxels, const std::string& format, const Memory& memory)
+{
+  Input input;
+  input.format = format;
+  input.components = voxels.components;
+  if (voxels.components > 1)
+  {
+    input.notes.push_back(componentsNote(voxels.components));
+  }
+  input.volume = std::make_shared<VolumeSlices>(frame, voxels, memory);
   return input;
 }
 

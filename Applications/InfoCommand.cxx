@@ -3,6 +3,7 @@
 #include "Progress.h"
 #include "Text.h"
 #include "Volume.h"
+#include "VolumeSlices.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -11,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 
@@ -25,22 +25,24 @@ void line(const char* name, const std::string& value)
   std::cout << std::left << std::setw(15) << name << value << '\n';
 }
 
-vtkIdType countNotFinite(vtkDataArray* scalars)
+/// What only all values together tell.
+struct Statistics
 {
-  vtkIdType count = 0;
-  if (scalars->GetDataType() == VTK_FLOAT || scalars->GetDataType() == VTK_DOUBLE)
-  {
-    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-    {
-      count += std::isfinite(scalars->GetComponent(i, 0)) ? 0 : 1;
-    }
-  }
-  return count;
+  ValueSummary values;
+  std::optional<IsoSuggestion> suggestion;
+};
+
+Statistics examine(VolumeSlices& volume, Progress& progress)
+{
+  progress.step("looking at the values");
+  const ValueSummary values = summarizeValues(volume);
+  return { values, suggestIsoValue(volume, progress) };
 }
 
-void describeVolume(vtkImageData* image, int components)
+void describeVolume(const VolumeSlices& volume, const Input& input, const Statistics& statistics)
 {
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const auto& [values, suggestion] = statistics;
+  vtkImageData* image = volume.frame();
   line("dimensions", dimensionsText(image->GetDimensions()));
   line("spacing", tripleText(image->GetSpacing()));
   line("origin", tripleText(image->GetOrigin()));
@@ -51,18 +53,20 @@ void describeVolume(vtkImageData* image, int components)
     line("direction", tripleText(d) + ", " + tripleText(d + 3) + ", " + tripleText(d + 6));
   }
   line("type",
-    scalars->GetDataTypeAsString() + (" (" + std::to_string(8 * scalars->GetDataTypeSize())) + " bits)");
-  line("components", std::to_string(components));
-
-  double range[2];
-  finiteRange(image, range);
-  const vtkIdType notFinite = countNotFinite(scalars);
-  line("range", range[0] > range[1] ? "none" : text(range[0]) + " to " + text(range[1]));
-  if (notFinite > 0)
+    vtkImageScalarTypeNameMacro(volume.type()) +
+      (" (" + std::to_string(8 * vtkDataArray::GetDataTypeSize(volume.type()))) + " bits)");
+  line("components", std::to_string(input.components));
+  line(
+    "range", values.least > values.greatest ? "none" : text(values.least) + " to " + text(values.greatest));
+  if (values.notFinite > 0)
   {
-    line("not finite", std::to_string(notFinite) + " voxels");
+    line("not finite", std::to_string(values.notFinite) + " voxels");
   }
-  const std::optional<IsoSuggestion> suggestion = suggestIsoValue(image);
+  if (input.surfaceValue)
+  {
+    line("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)");
+    return;
+  }
   line("suggested iso",
     suggestion ? text(suggestion->value) + " (" + methodText(*suggestion) + ")"
                : "none: the volume has no two values");
@@ -92,12 +96,17 @@ void info(const InputOptions& options, bool quiet)
 {
   Progress progress(quiet);
   const Input input = readInput(options, progress);
+  Statistics statistics;
+  if (input.volume)
+  {
+    statistics = examine(*input.volume, progress);
+  }
   progress.finish();
   line("file", options.file.string());
   line("format", input.format);
-  if (auto* image = vtkImageData::SafeDownCast(input.data))
+  if (input.volume)
   {
-    describeVolume(image, input.components);
+    describeVolume(*input.volume, input, statistics);
   }
   else
   {

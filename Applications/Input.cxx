@@ -2,6 +2,10 @@
 
 #include "Errors.h"
 #include "ReadFile.h"
+#include "Text.h"
+#include "VolumeSlices.h"
+
+#include "vtkImageData.h"
 
 #include <algorithm>
 #include <array>
@@ -34,10 +38,20 @@ bool contains(const std::array<const char*, N>& suffixes, const std::string& suf
   return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
 }
 
+#ifdef INK_WITH_OPENVDB
+constexpr std::array vdbSuffixes{ ".vdb" };
+#else
+constexpr std::array<const char*, 0> vdbSuffixes{};
+#endif
+
 std::string knownSuffixes()
 {
   std::string list;
   for (const char* suffix : volumeSuffixes)
+  {
+    list += std::string(suffix) + " ";
+  }
+  for (const char* suffix : vdbSuffixes)
   {
     list += std::string(suffix) + " ";
   }
@@ -49,9 +63,7 @@ std::string knownSuffixes()
   return list;
 }
 
-} // namespace
-
-Input readInput(const InputOptions& options, Progress& progress)
+Input read(const InputOptions& options, Progress& progress)
 {
   const fs::path& file = options.file;
   std::error_code error;
@@ -63,7 +75,7 @@ Input readInput(const InputOptions& options, Progress& progress)
   }
   if (fs::is_directory(status))
   {
-    return readDicomFolder(file, progress);
+    return readDicomFolder(file, options.memory, progress);
   }
   if (!fs::is_regular_file(status))
   {
@@ -79,12 +91,22 @@ Input readInput(const InputOptions& options, Progress& progress)
   }
   if (options.raw)
   {
-    return readRawVolume(file, *options.raw, progress);
+    return readRawVolume(file, *options.raw, options.memory, progress);
   }
   const std::string suffix = suffixOf(file);
+#ifdef INK_WITH_OPENVDB
+  if (contains(vdbSuffixes, suffix))
+  {
+    return readVdb(file, options.grid, options.memory, progress);
+  }
+#endif
+  if (!options.grid.empty())
+  {
+    throw UsageError("--grid: only OpenVDB files have grids, '" + file.string() + "' is none");
+  }
   if (contains(volumeSuffixes, suffix))
   {
-    return readVolume(file, suffix, progress);
+    return readVolume(file, suffix, options.memory, progress);
   }
   if (contains(meshSuffixes, suffix))
   {
@@ -93,6 +115,27 @@ Input readInput(const InputOptions& options, Progress& progress)
   failToRead(file,
     "unknown type '" + suffix + "'; expected one of " + knownSuffixes() +
       ", a folder of DICOM files, or any file with --raw");
+}
+
+} // namespace
+
+Input readInput(const InputOptions& options, Progress& progress)
+{
+  Input input = read(options, progress);
+  if (auto* image = vtkImageData::SafeDownCast(input.data))
+  {
+    input.volume = std::make_shared<VolumeSlices>(image);
+  }
+  return input;
+}
+
+void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes)
+{
+  if (isoValues.empty() && input.surfaceValue)
+  {
+    isoValues.push_back(*input.surfaceValue);
+    notes.push_back("iso-value " + text(*input.surfaceValue) + ": that of the file's surface");
+  }
 }
 
 } // namespace ink::cli

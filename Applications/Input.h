@@ -1,9 +1,12 @@
 #pragma once
 
+#include "Memory.h"
+
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +15,7 @@ namespace ink::cli
 {
 
 class Progress;
+class VolumeSlices;
 
 /// How the voxels of a file without a header lie in it, x fastest.
 struct RawLayout
@@ -31,21 +35,29 @@ struct InputOptions
 {
   std::filesystem::path file;
   std::optional<RawLayout> raw; ///< given: the file has no header
+  std::string grid;             ///< of an OpenVDB file; empty: the first that can be read
+  Memory memory;
 };
 
 /// What was read.
 struct Input
 {
-  /// vtkImageData with point scalars of one component, or vtkPolyData with points.
+  /// vtkImageData with point scalars of one component, or vtkPolyData with points. Null for a volume that is
+  /// larger than memory.
   vtkSmartPointer<vtkDataObject> data;
+  std::shared_ptr<VolumeSlices> volume; ///< null for a mesh
   std::string format;
   /// What of the file was not used as it is, each a sentence without its dot.
   std::vector<std::string> notes;
-  int components = 1; ///< that the file's voxels have
+  int components = 1;                 ///< that the file's voxels have
+  std::optional<double> surfaceValue; ///< the iso-value that the file is about, if it says one
 };
 
 /// Reads a volume or a mesh; which of them, and in which format, the file's name tells.
 /// \throw Failure if it cannot be read whole, with the reason.
 Input readInput(const InputOptions& options, Progress& progress);
+
+/// Where no iso-value is given and the file says one, takes that and notes it.
+void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes);
 
 } // namespace ink::cli

@@ -21,6 +21,8 @@ struct InputArguments
   std::optional<std::string> raw;
   std::vector<double> spacing{ 1, 1, 1 };
   bool bigEndian = false;
+  std::string grid;
+  std::string memory;
 
   /// \param mesh what is done with a mesh, for the help
   void addFile(CLI::App* command, const std::string& mesh = "mesh");

@@ -4,6 +4,7 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -144,6 +145,42 @@ void PointStore::forEachBlock(
       }
     }
   }
+}
+
+vtkSmartPointer<vtkPolyData> PointStore::take() const
+{
+  if (this->Parts.size() == 1 && this->Parts[0].points)
+  {
+    return this->Parts[0].points;
+  }
+  auto all = vtkSmartPointer<vtkPolyData>::New();
+  for (std::size_t i = 0; i < this->Arrays.size(); ++i)
+  {
+    vtkSmartPointer<vtkDataArray> array =
+      vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->Arrays[i].type));
+    array->SetName(this->Arrays[i].name.c_str());
+    array->SetNumberOfComponents(this->Arrays[i].components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(this->Size));
+    auto* value = static_cast<unsigned char*>(array->GetVoidPointer(0));
+    this->forEachBlock(std::span(&i, 1),
+      [&](const Block& block)
+      { value = std::copy_n(block.values[0], block.count * this->Arrays[i].tupleSize(), value); });
+    if (i == 0)
+    {
+      vtkNew<vtkPoints> points;
+      points->SetData(array);
+      all->SetPoints(points);
+    }
+    else if (this->Arrays[i].name == "Normals")
+    {
+      all->GetPointData()->SetNormals(array);
+    }
+    else
+    {
+      all->GetPointData()->AddArray(array);
+    }
+  }
+  return all;
 }
 
 void PointStore::useBlocks(

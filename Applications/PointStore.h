@@ -58,6 +58,9 @@ public:
   /// \throw Failure if the temporary file cannot be read.
   void forEachBlock(std::span<const std::size_t> wanted, const std::function<void(const Block&)>& use) const;
 
+  /// All points with their arrays. \throw Failure as forEachBlock
+  vtkSmartPointer<vtkPolyData> take() const;
+
 private:
   struct Part
   {

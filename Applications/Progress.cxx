@@ -26,6 +26,8 @@ void Progress::step(const std::string& name)
   {
     this->Name = name;
     this->Percent = -1;
+    this->Begin = 0.0;
+    this->End = 1.0;
     std::fprintf(stderr, "\r\x1b[K%s", name.c_str());
     std::fflush(stderr);
   }
@@ -38,12 +40,8 @@ void Progress::step(const std::string& name, vtkAlgorithm* algorithm)
   {
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(this);
-    command->SetCallback(
-      [](vtkObject* caller, unsigned long, void* self, void*)
-      {
-        static_cast<Progress*>(self)->show(
-          static_cast<int>(100 * static_cast<vtkAlgorithm*>(caller)->GetProgress()));
-      });
+    command->SetCallback([](vtkObject* caller, unsigned long, void* self, void*)
+      { static_cast<Progress*>(self)->show(static_cast<vtkAlgorithm*>(caller)->GetProgress()); });
     algorithm->AddObserver(vtkCommand::ProgressEvent, command);
   }
 }
@@ -58,9 +56,17 @@ void Progress::finish()
   }
 }
 
-void Progress::show(int percent)
+void Progress::part(double begin, double end)
 {
-  if (percent != this->Percent)
+  this->Begin = begin;
+  this->End = end;
+  this->show(0.0);
+}
+
+void Progress::show(double done)
+{
+  const int percent = static_cast<int>(100 * (this->Begin + done * (this->End - this->Begin)));
+  if (this->Visible && percent != this->Percent)
   {
     this->Percent = percent;
     std::fprintf(stderr, "\r\x1b[K%s %d %%", this->Name.c_str(), percent);

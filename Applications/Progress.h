@@ -24,15 +24,20 @@ public:
   /// Shows a step by name and follows the progress that algorithm reports until the next step.
   void step(const std::string& name, vtkAlgorithm* algorithm);
 
+  /// Makes what the algorithm does next count from `begin` to `end`, both from 0 to 1, of the step.
+  void part(double begin, double end);
+
   /// Takes the line away.
   void finish();
 
 private:
-  void show(int percent);
+  void show(double done);
 
   bool Visible;
   std::string Name;
   int Percent = -1;
+  double Begin = 0.0;
+  double End = 1.0;
 };
 
 } // namespace ink::cli

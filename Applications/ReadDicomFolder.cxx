@@ -81,7 +81,7 @@ void orient(vtkDICOMImageReader* reader, vtkImageData* image)
 
 } // namespace
 
-Input readDicomFolder(const fs::path& folder, Progress& progress)
+Input readDicomFolder(const fs::path& folder, const Memory& memory, Progress& progress)
 {
   const std::vector<fs::path> files = dicomFiles(folder);
   if (files.empty())
@@ -91,7 +91,7 @@ Input readDicomFolder(const fs::path& folder, Progress& progress)
 
   vtkNew<vtkDICOMImageReader> reader;
   reader->SetDirectoryName(folder.c_str());
-  runReader(reader, folder, progress);
+  runVolumeReader(reader, folder, memory, progress);
   // The reader takes compressed pixels for plain ones.
   const char* syntax = reader->GetTransferSyntaxUID();
   const std::string syntaxName = syntax ? syntax : "";

@@ -4,24 +4,29 @@
 #include "Progress.h"
 #include "VtkMessages.h"
 
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 #include <exception>
+#include <functional>
 
 namespace ink::cli
 {
-
-void failToRead(const std::filesystem::path& file, const std::string& reason)
+namespace
 {
-  throw Failure("cannot read '" + file.string() + "': " + reason);
-}
 
-void runReader(
-  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount)
+/// Lets a reader do a part of its work. \throw Failure if it complains
+void run(vtkAlgorithm* reader, const std::filesystem::path& file, bool warningsCount,
+  const std::function<void()>& part)
 {
-  progress.step("reading " + file.filename().string(), reader);
   const VtkMessages messages;
   try
   {
-    reader->Update();
+    part();
   }
   catch (const std::exception& exception)
   {
@@ -41,6 +46,65 @@ void runReader(
   {
     failToRead(file, problem);
   }
+}
+
+/// Of the point scalars that a reader announces.
+std::uint64_t announcedBytes(vtkAlgorithm* reader)
+{
+  vtkInformation* info = reader->GetOutputInformation(0);
+  const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
+    info, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  if (!extent || !scalars || !scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
+  {
+    return 0;
+  }
+  auto bytes = static_cast<std::uint64_t>(
+    vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE())));
+  if (scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()))
+  {
+    bytes *= static_cast<std::uint64_t>(scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    bytes *= static_cast<std::uint64_t>(std::max(extent[2 * i + 1] - extent[2 * i] + 1, 0));
+  }
+  return bytes;
+}
+
+} // namespace
+
+void failToRead(const std::filesystem::path& file, const std::string& reason)
+{
+  throw Failure("cannot read '" + file.string() + "': " + reason);
+}
+
+void runReader(
+  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount)
+{
+  progress.step("reading " + file.filename().string(), reader);
+  run(reader, file, warningsCount, [reader] { reader->Update(); });
+}
+
+std::uint64_t readHeader(
+  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount)
+{
+  progress.step("reading " + file.filename().string());
+  run(reader, file, warningsCount, [reader] { reader->UpdateInformation(); });
+  return announcedBytes(reader);
+}
+
+void runVolumeReader(vtkAlgorithm* reader, const std::filesystem::path& file, const Memory& memory,
+  Progress& progress, bool warningsCount)
+{
+  const std::uint64_t bytes = readHeader(reader, file, progress, warningsCount);
+  if (bytes > memory.limit)
+  {
+    failToRead(file,
+      "its voxels take " + memoryText(bytes) + ": expected --memory of at least that, found " +
+        memoryText(memory.limit) + " (uncompressed NRRD, MetaImage and raw files need not fit)");
+  }
+  runReader(reader, file, progress, warningsCount);
 }
 
 } // namespace ink::cli

@@ -4,6 +4,8 @@
 
 #include "vtkAlgorithm.h"
 
+#include <cstdint>
+
 namespace ink::cli
 {
 
@@ -14,13 +16,28 @@ namespace ink::cli
 void runReader(
   vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount = false);
 
+/// Lets a reader of volumes read the header of its file alone, and checks what that left behind.
+/// \return the bytes that the volume has in memory; 0 if that is not known yet
+/// \throw Failure as runReader
+std::uint64_t readHeader(
+  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount = false);
+
+/// Both for a volume that is read whole or not at all.
+/// \throw Failure also if the volume is larger than memory
+void runVolumeReader(vtkAlgorithm* reader, const std::filesystem::path& file, const Memory& memory,
+  Progress& progress, bool warningsCount = false);
+
 /// "cannot read 'file': reason" \throw Failure always.
 [[noreturn]] void failToRead(const std::filesystem::path& file, const std::string& reason);
 
 /// One of these for each kind of input; all as readInput.
-Input readVolume(const std::filesystem::path& file, const std::string& suffix, Progress& progress);
-Input readRawVolume(const std::filesystem::path& file, const RawLayout& layout, Progress& progress);
-Input readDicomFolder(const std::filesystem::path& folder, Progress& progress);
+Input readVolume(
+  const std::filesystem::path& file, const std::string& suffix, const Memory& memory, Progress& progress);
+Input readVdb(
+  const std::filesystem::path& file, const std::string& grid, const Memory& memory, Progress& progress);
+Input readRawVolume(
+  const std::filesystem::path& file, const RawLayout& layout, const Memory& memory, Progress& progress);
+Input readDicomFolder(const std::filesystem::path& folder, const Memory& memory, Progress& progress);
 Input readMesh(const std::filesystem::path& file, const std::string& suffix, Progress& progress);
 
 } // namespace ink::cli

@@ -2,15 +2,17 @@
 
 #include "Errors.h"
 #include "FinishVolume.h"
+#include "PlainVoxels.h"
+#include "Progress.h"
 #include "Text.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkImageReader2.h"
 #include "vtkNew.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <regex>
 
@@ -62,7 +64,8 @@ RawLayout RawLayout::parse(const std::string& layout)
   return result;
 }
 
-Input readRawVolume(const std::filesystem::path& file, const RawLayout& layout, Progress& progress)
+Input readRawVolume(
+  const std::filesystem::path& file, const RawLayout& layout, const Memory& memory, Progress& progress)
 {
   std::uint64_t expected = vtkDataArray::GetDataTypeSize(layout.type);
   for (const int dimension : layout.dimensions)
@@ -77,25 +80,24 @@ Input readRawVolume(const std::filesystem::path& file, const RawLayout& layout, 
         vtkImageScalarTypeNameMacro(layout.type) + " needs " + std::to_string(expected));
   }
 
-  vtkNew<vtkImageReader2> reader;
-  reader->SetFileName(file.c_str());
-  reader->SetFileDimensionality(3);
-  reader->SetDataExtent(
-    0, layout.dimensions[0] - 1, 0, layout.dimensions[1] - 1, 0, layout.dimensions[2] - 1);
-  reader->SetDataScalarType(layout.type);
-  reader->SetDataSpacing(layout.spacing);
-  reader->SetHeaderSize(0);
-  reader->FileLowerLeftOn();
-  if (layout.bigEndian)
+  PlainVoxels voxels;
+  voxels.file = file;
+  std::copy(layout.dimensions, layout.dimensions + 3, voxels.dimensions);
+  voxels.type = layout.type;
+  voxels.swapped = voxels.valueSize() > 1 && layout.bigEndian != (std::endian::native == std::endian::big);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(layout.dimensions);
+  image->SetSpacing(layout.spacing);
+  constexpr const char* format = "raw volume";
+  if (expected > memory.forWholeVolume())
   {
-    reader->SetDataByteOrderToBigEndian();
+    return makeVolumeInput(image, voxels, format, memory);
   }
-  else
-  {
-    reader->SetDataByteOrderToLittleEndian();
-  }
-  runReader(reader, file, progress);
-  return makeVolumeInput(reader->GetOutput(), file, "raw volume");
+  progress.step("reading " + file.filename().string());
+  image->AllocateScalars(layout.type, 1);
+  PlainVoxelReader(voxels).read(
+    0, { static_cast<unsigned char*>(image->GetScalarPointer()), static_cast<std::size_t>(expected) });
+  return makeVolumeInput(image, file, format);
 }
 
 } // namespace ink::cli

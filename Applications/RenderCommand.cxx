@@ -120,7 +120,8 @@ void render(const RenderOptions& options)
 
   Progress progress(options.quiet);
   const Input input = readInput(options.input, progress);
-  const Surface surface = makeSurface(input, options.isoValues, progress);
+  const Surface surface =
+    makeSurface(input, options.isoValues, options.samples, options.input.memory, progress);
   progress.step("drawing");
   const auto picture = draw(surface.points, options);
   progress.step("writing " + options.output.filename().string());

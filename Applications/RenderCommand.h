@@ -31,7 +31,8 @@ struct RenderOptions
 {
   InputOptions input;
   std::filesystem::path output;
-  std::vector<double> isoValues; ///< empty: one is chosen
+  std::vector<double> isoValues;    ///< empty: one is chosen
+  std::optional<long long> samples; ///< on a mesh; none: as many as suit it, 0: its vertices are drawn
   std::string view = "front";
   double azimuth = 0;   ///< degrees
   double elevation = 0; ///< degrees

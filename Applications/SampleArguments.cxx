@@ -56,15 +56,17 @@ void SampleArguments::add(CLI::App* command)
     ->take_all();
   command
     ->add_option("--arrays", this->arrays,
-      "what to write with the points: Normals, Radius (half the diagonal of a voxel), SurfaceIndex (which\n"
-      "iso-value, from 0), or none (Normals,Radius, and SurfaceIndex if there are several iso-values)")
+      "what to write with the points: Normals, Radius (discs of this radius leave no holes), Priority (on\n"
+      "meshes: points below any priority are spread evenly), SurfaceIndex (in volumes: which iso-value, "
+      "from\n"
+      "0), or none (Normals,Radius; Priority of a mesh; SurfaceIndex if there are several iso-values)")
     ->type_name("A,B")
     ->delimiter(',')
-    ->check(CLI::IsMember({ "Normals", "Radius", "SurfaceIndex", "none" }));
+    ->check(CLI::IsMember({ "Normals", "Radius", "Priority", "SurfaceIndex", "none" }));
   command
     ->add_option("--precision", this->precision,
-      "of coordinates: float, double, or auto: float unless that moves points by a thousandth of a voxel "
-      "(auto)")
+      "of coordinates: float, double, or auto: of a mesh the file's, in a volume float unless that moves\n"
+      "points by a thousandth of a voxel (auto)")
     ->type_name("NAME")
     ->check(CLI::IsMember(namesOf(precisions())));
   command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
@@ -75,6 +77,31 @@ void SampleArguments::add(CLI::App* command)
     ->type_name("NAME")
     ->group("Volumes")
     ->check(CLI::IsMember(namesOf(rules())));
+  MeshSampling& mesh = this->options.mesh;
+  auto* count = command
+                  ->add_option("--count", mesh.count,
+                    "how many points to make (twice as many as the mesh has, but 200000 to 1000000)")
+                  ->type_name("N")
+                  ->group("Meshes")
+                  ->check(within(1, 1e12));
+  command
+    ->add_option(
+      "--radius", mesh.radius, "least distance between points along the surface, in place of --count")
+    ->type_name("R")
+    ->group("Meshes")
+    ->check(within(1e-30, 1e30))
+    ->excludes(count);
+  command
+    ->add_option("--noise", this->noise,
+      "white: independent points, fast; blue: they keep a distance and leave no gaps (blue below 500000\n"
+      "points, else white)")
+    ->type_name("NAME")
+    ->group("Meshes")
+    ->check(CLI::IsMember({ "white", "blue" }));
+  command->add_option("--seed", mesh.seed, "another seed makes other points, just as good (0)")
+    ->type_name("N")
+    ->group("Meshes");
+  this->app = command;
   this->input.addReading(command);
 }
 
@@ -95,6 +122,26 @@ void SampleArguments::run()
   volume.normals = standard || wants("Normals");
   volume.radius = standard || wants("Radius");
   volume.surfaceIndex = standard ? volume.isoValues.size() > 1 : wants("SurfaceIndex");
+  MeshSampling& mesh = this->options.mesh;
+  mesh.precision = volume.precision;
+  mesh.normals = volume.normals;
+  mesh.radiusArray = volume.radius;
+  mesh.priority = standard || wants("Priority");
+  if (!this->noise.empty())
+  {
+    mesh.blueNoise = this->noise == "blue";
+  }
+  for (const char* name : { "--count", "--radius", "--noise", "--seed" })
+  {
+    if (this->app->count(name) > 0)
+    {
+      this->options.meshOption = name;
+    }
+  }
+  if (wants("Priority"))
+  {
+    this->options.meshOption = "--arrays Priority";
+  }
   sample(this->options);
 }
 

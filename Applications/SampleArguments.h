@@ -13,8 +13,10 @@ struct SampleArguments
   SampleOptions options;
   std::string output;
   std::vector<std::string> arrays;
+  CLI::App* app = nullptr; ///< knows which options were given
   std::string rule = "half-open";
   std::string precision = "auto";
+  std::string noise;
 
   void add(CLI::App* command);
   void run();

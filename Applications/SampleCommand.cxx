@@ -6,12 +6,11 @@
 #include "PointStore.h"
 #include "Progress.h"
 #include "SampleMesh.h"
+#include "VolumeSlices.h"
 
-#include "vtkImageData.h"
 #include "vtkPolyData.h"
 
 #include <iostream>
-#include <limits>
 
 namespace ink::cli
 {
@@ -24,12 +23,19 @@ void sample(const SampleOptions& options)
 
   Progress progress(options.quiet);
   const Input input = readInput(options.input, progress);
-  PointStore points(std::numeric_limits<std::uint64_t>::max(), output.temporaryFolder());
+  PointStore points(options.input.memory.forKeptPoints(), output.temporaryFolder());
   std::vector<std::string> notes = input.notes;
-  if (auto* image = vtkImageData::SafeDownCast(input.data))
+  if (input.volume)
   {
+    if (options.meshOption)
+    {
+      throw UsageError(*options.meshOption +
+        ": expected a mesh, found a volume, which has a point in each voxel that its surface crosses");
+    }
     const auto keep = [&points](int surface, vtkPolyData* part) { points.add(surface, part); };
-    const auto more = sampleVolume(image, options.volume, keep, progress);
+    VolumeSampling sampling = options.volume;
+    takeSurfaceValue(input, sampling.isoValues, notes);
+    const auto more = sampleVolume(*input.volume, sampling, options.input.memory, keep, progress);
     notes.insert(notes.end(), more.begin(), more.end());
   }
   else
@@ -38,7 +44,7 @@ void sample(const SampleOptions& options)
     {
       throw UsageError("--iso: a mesh has no iso-values, only volumes have");
     }
-    sampleMesh(vtkPolyData::SafeDownCast(input.data), points, progress);
+    points.add(0, sampleMesh(vtkPolyData::SafeDownCast(input.data), options.mesh, notes, progress));
   }
   progress.step("writing " + options.output.filename().string());
   writePoints(points, format, output);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Input.h"
+#include "SampleMesh.h"
 #include "SampleVolume.h"
 
 namespace ink::cli
@@ -12,6 +13,8 @@ struct SampleOptions
   InputOptions input;
   std::filesystem::path output; ///< whose suffix says the format
   VolumeSampling volume;
+  MeshSampling mesh;
+  std::optional<std::string> meshOption; ///< one of a mesh's that was given, as it is called
   bool quiet = false;
 };
 

@@ -1,13 +1,60 @@
 #include "SampleMesh.h"
 
 #include "Errors.h"
+#include "Progress.h"
+#include "VtkMessages.h"
+
+#include "vtkInkSurfaceSampler.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
 
 namespace ink::cli
 {
 
-void sampleMesh(vtkPolyData*, PointStore&, Progress&)
+vtkSmartPointer<vtkPolyData> sampleMesh(
+  vtkPolyData* mesh, const MeshSampling& sampling, std::vector<std::string>& notes, Progress& progress)
 {
-  throw Failure("ink sample: expected a volume, found a mesh");
+  const auto points = static_cast<long long>(mesh->GetNumberOfPoints());
+  const bool isCloud = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0;
+  const long long count =
+    sampling.count.value_or(std::clamp(2 * points, MeshSampling::leastCount, MeshSampling::mostCount));
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  sampler->SetInputData(mesh);
+  sampler->SetNumberOfSamples(count);
+  if (sampling.radius)
+  {
+    sampler->SetAmountToSampleRadius();
+    sampler->SetSampleRadius(*sampling.radius);
+  }
+  const bool blue = sampling.blueNoise.value_or(sampling.radius || count < MeshSampling::whiteFrom);
+  sampler->SetMethod(blue ? vtkInkSurfaceSampler::BLUE_NOISE : vtkInkSurfaceSampler::WHITE_NOISE);
+  sampler->SetSeed(sampling.seed);
+  sampler->SetOutputPointsPrecision(sampling.precision);
+  sampler->SetComputeNormals(sampling.normals);
+  sampler->SetComputeRadius(sampling.radiusArray);
+  sampler->SetComputePriority(sampling.priority);
+  progress.step("sampling the mesh", sampler);
+  const VtkMessages messages;
+  sampler->Update();
+  if (const std::string problem = messages.error(); !problem.empty())
+  {
+    throw Failure(problem);
+  }
+  vtkSmartPointer<vtkPolyData> samples = sampler->GetOutput();
+  if (samples->GetNumberOfPoints() == 0)
+  {
+    throw Failure("no surface: no point was made on the mesh");
+  }
+  if (isCloud)
+  {
+    const bool estimated = sampling.normals && !mesh->GetPointData()->GetNormals();
+    notes.push_back("the file has no polygons; its " + std::to_string(points) +
+      " points are taken as they are" + (estimated ? ", with normals estimated from their neighbours" : ""));
+  }
+  return samples;
 }
 
 } // namespace ink::cli

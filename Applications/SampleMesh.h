@@ -1,15 +1,42 @@
 #pragma once
 
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
 class vtkPolyData;
 
 namespace ink::cli
 {
 
-class PointStore;
 class Progress;
 
-/// Samples the surface of a mesh.
-/// \throw Failure if there are no points.
-void sampleMesh(vtkPolyData* mesh, PointStore& points, Progress& progress);
+/// How a mesh becomes points. What vtkInkSurfaceSampler has numbers for is given as these.
+struct MeshSampling
+{
+  /// More are hard to tell apart by their noise, says Zhang et al. 2014, section 6.
+  static constexpr long long whiteFrom = 500'000;
+  static constexpr long long leastCount = 200'000;
+  static constexpr long long mostCount = 1'000'000;
+
+  /// None: twice as many as the mesh has points, but from leastCount to mostCount.
+  std::optional<long long> count;
+  std::optional<double> radius;  ///< given: says how many, in place of `count`
+  std::optional<bool> blueNoise; ///< none: below whiteFrom samples
+  int seed = 0;
+  int precision = 2;
+  bool normals = true;
+  bool radiusArray = true;
+  bool priority = true;
+};
+
+/// Samples the surface of a mesh; points without polygons are taken as they are, with normals estimated where
+/// they have none.
+/// \param notes what was chosen and what was not as expected, each a sentence without its dot, is added
+/// \throw Failure if there are no points
+vtkSmartPointer<vtkPolyData> sampleMesh(
+  vtkPolyData* mesh, const MeshSampling& sampling, std::vector<std::string>& notes, Progress& progress);
 
 } // namespace ink::cli

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-class vtkImageData;
 class vtkPolyData;
 
 namespace ink::cli
 {
 
+struct Memory;
 class Progress;
+class VolumeSlices;
 
 /// How the iso-surfaces of a volume become points. The numbers are vtkInkIsoSurfaceSampler's.
 struct VolumeSampling
@@ -23,13 +24,15 @@ struct VolumeSampling
   bool surfaceIndex = false; ///< an array of this name: which of the iso-values a point belongs to
 };
 
-/// Takes points of a surface, which is the index of its iso-value.
+/// Takes points of a surface, which is the index of its iso-value. Those of a surface come in their order.
 using PointSink = std::function<void(int surface, vtkPolyData* points)>;
 
-/// Samples all iso-surfaces.
+/// Samples all iso-surfaces, a few slices at a time if memory asks for it: the points are the same.
 /// \return notes for the user
-/// \throw UsageError for iso-values that the volume does not have, Failure if there are no points.
-std::vector<std::string> sampleVolume(
-  vtkImageData* image, const VolumeSampling& sampling, const PointSink& sink, Progress& progress);
+/// \throw UsageError for iso-values that the volume does not have, Failure if there are no points or if
+/// memory
+///        is not enough.
+std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling& sampling,
+  const Memory& memory, const PointSink& sink, Progress& progress);
 
 } // namespace ink::cli

@@ -1,12 +1,13 @@
 #include "Surface.h"
 
 #include "Errors.h"
+#include "PointStore.h"
 #include "Progress.h"
+#include "SampleMesh.h"
 #include "SampleVolume.h"
+#include "VolumeSlices.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -16,6 +17,9 @@ namespace ink::cli
 {
 namespace
 {
+
+// A point as it is made, as it is drawn, and as OpenGL may keep it.
+constexpr std::uint64_t drawnPointBytes = 100;
 
 /// Normals are those of the file; without any they follow from the polygons. The points stay what they are.
 Surface takeVertices(vtkPolyData* mesh, Progress& progress)
@@ -47,28 +51,59 @@ Surface takeVertices(vtkPolyData* mesh, Progress& progress)
   return surface;
 }
 
+/// All points at once, as the mapper needs them.
+Surface sampleWhole(
+  VolumeSlices& volume, const std::vector<double>& isoValues, const Memory& memory, Progress& progress)
+{
+  VolumeSampling sampling;
+  sampling.isoValues = isoValues;
+  PointStore points(memory.limit, {});
+  const auto keep = [&](int index, vtkPolyData* part)
+  {
+    const std::uint64_t count = points.size() + static_cast<std::uint64_t>(part->GetNumberOfPoints());
+    if (count * drawnPointBytes > memory.limit)
+    {
+      throw Failure("the surface has " + std::to_string(count) +
+        " points or more, which cannot be drawn in less than " + memoryText(count * drawnPointBytes) +
+        ": expected --memory of more than that, found " + memoryText(memory.limit));
+    }
+    points.add(index, part);
+  };
+  Surface surface;
+  surface.notes = sampleVolume(volume, sampling, memory, keep, progress);
+  surface.points = points.take();
+  return surface;
+}
+
 } // namespace
 
-Surface makeSurface(const Input& input, const std::vector<double>& isoValues, Progress& progress)
+Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
+  std::optional<long long> samples, const Memory& memory, Progress& progress)
 {
-  if (auto* image = vtkImageData::SafeDownCast(input.data))
+  if (input.volume)
   {
-    VolumeSampling sampling;
-    sampling.isoValues = isoValues;
-    Surface surface;
-    vtkNew<vtkAppendPolyData> all;
-    surface.notes = sampleVolume(
-      image, sampling, [&all](int, vtkPolyData* part) { all->AddInputData(part); }, progress);
-    all->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
-    all->Update();
-    surface.points = all->GetOutput();
+    std::vector<double> values = isoValues;
+    std::vector<std::string> notes;
+    takeSurfaceValue(input, values, notes);
+    Surface surface = sampleWhole(*input.volume, values, memory, progress);
+    surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
     return surface;
   }
   if (!isoValues.empty())
   {
     throw UsageError("--iso: a mesh has no iso-values, only volumes have");
   }
-  return takeVertices(vtkPolyData::SafeDownCast(input.data), progress);
+  auto* mesh = vtkPolyData::SafeDownCast(input.data);
+  if (samples == 0)
+  {
+    return takeVertices(mesh, progress);
+  }
+  MeshSampling sampling;
+  sampling.count = samples;
+  sampling.priority = false;
+  Surface surface;
+  surface.points = sampleMesh(mesh, sampling, surface.notes, progress);
+  return surface;
 }
 
 } // namespace ink::cli

@@ -2,12 +2,14 @@
 
 #include "Input.h"
 
+#include <optional>
+
 class vtkPolyData;
 
 namespace ink::cli
 {
 
-/// The points that are drawn: those of iso-surfaces of a volume, or the vertices of a mesh.
+/// The points that are drawn: those of iso-surfaces of a volume, or samples or the vertices of a mesh.
 struct Surface
 {
   vtkSmartPointer<vtkPolyData> points; ///< with normals
@@ -15,7 +17,11 @@ struct Surface
 };
 
 /// \param isoValues empty: one is chosen.
-/// \throw UsageError for iso-values that the volume does not have, Failure if there is nothing to draw.
-Surface makeSurface(const Input& input, const std::vector<double>& isoValues, Progress& progress);
+/// \param samples on a mesh; none: as many as suit it, 0: its vertices are drawn
+/// \throw UsageError for iso-values that the volume does not have, Failure if there is nothing to draw or
+/// more
+///        than memory has room for.
+Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
+  std::optional<long long> samples, const Memory& memory, Progress& progress);
 
 } // namespace ink::cli

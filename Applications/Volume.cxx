@@ -1,9 +1,18 @@
 #include "Volume.h"
 
-#include "vtkAOSDataArrayTemplate.h"
+#include "Progress.h"
+#include "VolumeSlices.h"
+
+#include "Sampling/CrossedLayers.h"
+
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkSetGet.h"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
 
 namespace ink::cli
 {
@@ -11,36 +20,74 @@ namespace
 {
 
 template <typename T>
-std::optional<IsoSuggestion> suggest(vtkDataArray* scalars, const int dimensions[3])
+std::span<const T> valuesOf(vtkImageData* slices)
 {
-  using Array = vtkAOSDataArrayTemplate<T>;
-  vtkSmartPointer<Array> values = Array::FastDownCast(scalars);
-  if (!values)
+  vtkDataArray* scalars = slices->GetPointData()->GetScalars();
+  return { static_cast<const T*>(scalars->GetVoidPointer(0)),
+    static_cast<std::size_t>(scalars->GetNumberOfValues()) };
+}
+
+/// Calls use(T()) with the type of a volume's values.
+template <typename Use>
+auto withType(int type, const Use& use) -> decltype(use(0.0))
+{
+  switch (type)
   {
-    values = vtkSmartPointer<Array>::New();
-    values->DeepCopy(scalars);
+    vtkTemplateMacro(return use(VTK_TT()));
   }
-  const std::span<const T> span(values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
-  return ink::suggestIsoValue<T>(span, { dimensions[0], dimensions[1], dimensions[2] });
+  throw std::invalid_argument("a volume of VTK's type " + std::to_string(type));
 }
 
 } // namespace
 
-std::optional<IsoSuggestion> suggestIsoValue(vtkImageData* image)
+std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume, Progress& progress)
 {
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const int* dimensions = image->GetDimensions();
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(return suggest<VTK_TT>(scalars, dimensions));
-    default:
-      return std::nullopt;
-  }
+  return withType(volume.type(),
+    [&](auto zero)
+    {
+      using T = decltype(zero);
+      if (volume.inMemory())
+      {
+        return ink::suggestIsoValue(valuesOf<T>(volume.frame()), volume.dimensions());
+      }
+      // The slices are read twice, each time from the first on.
+      constexpr double passes = 2.0;
+      double pass = -1.0;
+      const SliceReader<T> read = [&](int first, int end)
+      {
+        pass += first == 0 ? 1.0 : 0.0;
+        progress.part((pass + static_cast<double>(first) / volume.dimensions()[2]) / passes, 1.0);
+        // The slices themselves stay where they are when the image that shows them goes.
+        return valuesOf<T>(volume.get(first, end));
+      };
+      return ink::suggestIsoValue(read, volume.dimensions(), std::max(volume.atOnce(), 3));
+    });
 }
 
-void finiteRange(vtkImageData* image, double range[2])
+ValueSummary summarizeValues(VolumeSlices& volume)
 {
-  image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  ValueSummary all;
+  const int count = volume.dimensions()[2];
+  for (int first = 0; first < count; first += volume.atOnce())
+  {
+    all.add(summarizeValues(volume.get(first, std::min(first + volume.atOnce(), count))));
+  }
+  return all;
+}
+
+ValueSummary summarizeValues(vtkImageData* slices)
+{
+  return withType(slices->GetScalarType(),
+    [slices](auto zero) { return ink::summarizeValues(valuesOf<decltype(zero)>(slices)); });
+}
+
+std::vector<std::size_t> boundCrossedCells(vtkImageData* slices, double isoValue, CrossingRule rule)
+{
+  const int* d = slices->GetDimensions();
+  return withType(slices->GetScalarType(),
+    [&](auto zero) {
+      return ink::boundCrossedCells(valuesOf<decltype(zero)>(slices), { d[0], d[1], d[2] }, isoValue, rule);
+    });
 }
 
 std::string methodText(const IsoSuggestion& suggestion)

@@ -1,5 +1,8 @@
 // ink: pen-and-ink pictures of volumes and meshes from the command line.
 
+#ifdef INK_WITH_OPENVDB
+#  include "ConvertArguments.h"
+#endif
 #include "Errors.h"
 #include "InfoCommand.h"
 #include "InputArguments.h"
@@ -52,7 +55,7 @@ struct RenderArguments
 
   void add(CLI::App* command)
   {
-    this->input.addFile(command, "mesh, whose vertices are drawn");
+    this->input.addFile(command, "mesh or points");
     command->add_option("-o,--output", this->output, "the picture to write")
       ->required()
       ->type_name("OUT.png");
@@ -63,6 +66,11 @@ struct RenderArguments
       ->type_name("V")
       ->expected(1)
       ->take_all();
+    command
+      ->add_option("--samples", this->options.samples,
+        "points to make on a mesh; 0: its vertices are drawn (twice as many, but 200000 to 1000000)")
+      ->type_name("N")
+      ->check(within(0, 1e12));
     std::vector<std::string> views;
     for (const auto& [name, view] : namedViews())
     {
@@ -188,6 +196,17 @@ int run(int argc, char* argv[])
   sampleArguments.add(sampleCommand);
   sampleCommand->footer(help);
 
+#ifdef INK_WITH_OPENVDB
+  ConvertArguments convertArguments;
+  CLI::App* convertCommand = app.add_subcommand(
+    "convert", "write a volume as an OpenVDB file: ink convert FILE OUT.vdb [--around ISO]");
+  convertArguments.add(convertCommand);
+  convertCommand->footer(help);
+  constexpr const char* commands = "render, sample, convert or info";
+#else
+  constexpr const char* commands = "render, sample or info";
+#endif
+
   InputArguments infoArguments;
   bool infoQuiet = false;
   CLI::App* infoCommand =
@@ -226,13 +245,19 @@ int run(int argc, char* argv[])
   {
     sampleArguments.run();
   }
+#ifdef INK_WITH_OPENVDB
+  else if (convertCommand->parsed())
+  {
+    convertArguments.run();
+  }
+#endif
   else if (infoCommand->parsed())
   {
     info(infoArguments.options(), infoQuiet);
   }
   else
   {
-    return report(WrongUsage, "expected a command: render, sample or info (see ink --help)");
+    return report(WrongUsage, std::string("expected a command: ") + commands + " (see ink --help)");
   }
   return std::cout.flush() ? Success : report(Failed, "cannot write to the standard output stream");
 }

@@ -22,6 +22,11 @@ message(STATUS "vtkInk: VTK ${VTK_VERSION}")
 
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
+option(VTKINK_ENABLE_OPENVDB "Build what reads, samples and writes OpenVDB files" ON)
+if (VTKINK_ENABLE_OPENVDB)
+  include(InkFindOpenVDB)
+endif ()
+find_package(Eigen3 REQUIRED NO_MODULE)
 
 # Wrapping needs VTK's own wrapping tools and the Python that this VTK asks for.
 if (VTK_WRAP_PYTHON AND Python3_FOUND)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs what a build preset needs:  Utilities/setup.sh headless|paraview
+# Installs what a build preset, or `make tradeoff`, needs:  Utilities/setup.sh headless|paraview|tradeoff
 # From Debian the lists in Utilities/packages/; for the headless preset VTK itself, from PyPI, into
 # build/vtk-headless. Needs root or sudo only if a Debian package is missing; says nothing if none is.
 set -euo pipefail
 
-preset="${1:?usage: Utilities/setup.sh headless|paraview}"
+preset="${1:?usage: Utilities/setup.sh headless|paraview|tradeoff}"
 root="$(cd "$(dirname "$0")/.." && pwd)"
 utilities="$root/Utilities"
 vtk_release="9.7.0.5"
@@ -78,7 +78,10 @@ case "$preset" in
   paraview)
     install_debian_packages "$utilities/packages/build.txt" "$utilities/packages/paraview.txt"
     ;;
+  tradeoff)
+    install_debian_packages "$utilities/packages/tradeoff.txt"
+    ;;
   *)
-    fail "unknown preset '$preset'; expected headless or paraview"
+    fail "unknown preset '$preset'; expected headless, paraview or tradeoff"
     ;;
 esac

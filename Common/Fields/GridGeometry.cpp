@@ -32,6 +32,7 @@ GridGeometry::GridGeometry(const glm::ivec3& dimensions, const glm::dvec3& origi
   , First(first)
   , Origin(origin)
   , Spacing(spacing)
+  , Direction(direction)
 {
   if (glm::any(glm::lessThan(dimensions, glm::ivec3(0))))
   {

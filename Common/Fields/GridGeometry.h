@@ -32,6 +32,7 @@ public:
   const glm::ivec3& first() const { return this->First; }
   const glm::dvec3& origin() const { return this->Origin; }
   const glm::dvec3& spacing() const { return this->Spacing; }
+  const glm::dmat3& direction() const { return this->Direction; }
   std::size_t sampleCount() const;
 
   /// The position of sample (i, j, k) in an array of the samples with i running fastest.
@@ -62,6 +63,7 @@ private:
   glm::ivec3 First;
   glm::dvec3 Origin;
   glm::dvec3 Spacing;
+  glm::dmat3 Direction;
   glm::dmat3 StepToWorld;
   glm::dmat3 InverseDirection;
   glm::dmat3 GradientDirection;

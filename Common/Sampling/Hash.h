@@ -5,7 +5,8 @@
 namespace ink
 {
 
-/// A well mixed 64-bit number from another: the finalizer of SplitMix64 (Steele, Lea and Flood 2014, fig. 15).
+/// A well mixed 64-bit number from another: the finalizer of SplitMix64 (Steele, Lea and Flood 2014, fig.
+/// 15).
 constexpr std::uint64_t hash(std::uint64_t value)
 {
   value += 0x9e3779b97f4a7c15u;

@@ -1,11 +1,6 @@
 #include "Statistics/IsoValue.h"
 
-#include "Parallel/Threads.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "Fields/Scalars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +10,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ink
@@ -24,7 +17,6 @@ namespace ink
 namespace
 {
 
-constexpr int maximumBins = 4096;
 // A surface crossed by fewer edges says nothing about sharpness.
 constexpr std::int64_t fewestEdges = 200;
 // A maximum counts if the sharpness falls by this fraction on both sides of it.
@@ -34,248 +26,10 @@ constexpr double prominence = 0.05;
 constexpr double largestSpeckShare = 0.05;
 // A disc that touches the sides of its square covers 78.5 % of it: the border of a round field of view.
 constexpr double largestInsideShare = 0.75;
-// The share of voxels at either end of the range that may be outliers.
-constexpr double outlierShare = 1e-4;
-
-constexpr std::uint16_t noBin = std::numeric_limits<std::uint16_t>::max();
-
-/// Maps values to bins; the threshold i lies between the bins i and i + 1.
-struct Binning
-{
-  double low = 0.0;
-  double width = 1.0;
-  int count = 0;
-
-  template <typename T>
-  std::uint16_t bin(T value) const
-  {
-    const double v = static_cast<double>(value);
-    if (!std::isfinite(v))
-    {
-      return noBin;
-    }
-    return static_cast<std::uint16_t>(std::clamp((v - this->low) / this->width, 0.0, this->count - 1.0));
-  }
-};
-
-template <typename T>
-std::optional<Binning> chooseBinning(std::span<const T> values)
-{
-  double least = std::numeric_limits<double>::max();
-  double greatest = std::numeric_limits<double>::lowest();
-  std::vector<double> sample;
-  const std::size_t step = std::max<std::size_t>(1, values.size() / 1000000);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    const double v = static_cast<double>(values[i]);
-    if (std::isfinite(v))
-    {
-      least = std::min(least, v);
-      greatest = std::max(greatest, v);
-      if (i % step == 0)
-      {
-        sample.push_back(v);
-      }
-    }
-  }
-  if (!(least < greatest))
-  {
-    return std::nullopt;
-  }
-
-  if (!sample.empty())
-  {
-    const auto outliers = static_cast<std::ptrdiff_t>(outlierShare * static_cast<double>(sample.size()));
-    std::nth_element(sample.begin(), sample.begin() + outliers, sample.end());
-    const double low = sample[outliers];
-    std::nth_element(sample.begin(), sample.end() - 1 - outliers, sample.end());
-    const double high = sample[sample.size() - 1 - outliers];
-    if (low < high)
-    {
-      least = low;
-      greatest = high;
-    }
-  }
-
-  // Integers get one bin each, centred on them, where that is not too many. Halves: the full range of a
-  // double does not fit in a double.
-  const double halfRange = greatest / 2 - least / 2;
-  if (std::is_integral_v<T> && halfRange < (maximumBins - 1) / 2.0)
-  {
-    return Binning{ least - 0.5, 1.0, static_cast<int>(std::lround(2 * halfRange)) + 1 };
-  }
-  return Binning{ least, std::max(halfRange / maximumBins * 2, std::numeric_limits<double>::min()),
-    maximumBins };
-}
-
-/// What is known about each threshold. Sums of integers, so that the order of summation does not matter.
-struct Profile
-{
-  explicit Profile(int bins)
-    : voxels(bins)
-    , edges(bins)
-    , steps(bins)
-    , speckEdges(bins)
-  {
-  }
-
-  void add(const Profile& other)
-  {
-    for (std::size_t i = 0; i < this->voxels.size(); ++i)
-    {
-      this->voxels[i] += other.voxels[i];
-      this->edges[i] += other.edges[i];
-      this->steps[i] += other.steps[i];
-      this->speckEdges[i] += other.speckEdges[i];
-    }
-  }
-
-  /// From differences between neighbouring thresholds to the thresholds' own sums.
-  void accumulate()
-  {
-    for (auto* sums : { &this->edges, &this->steps, &this->speckEdges })
-    {
-      std::int64_t sum = 0;
-      for (std::int64_t& value : *sums)
-      {
-        value = sum += value;
-      }
-    }
-  }
-
-  std::vector<std::int64_t> voxels; ///< in each bin
-  std::vector<std::int64_t> edges;  ///< that cross the threshold
-  std::vector<std::int64_t> steps;  ///< of those edges, in bins, summed
-  std::vector<std::int64_t>
-    speckEdges; ///< of those edges, at voxels with at most one neighbour above the threshold
-};
-
-/// Adds slice z of the volume to profile. previous and next are empty beyond the volume.
-void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint16_t> slice,
-  std::span<const std::uint16_t> next, int width, int height, Profile& profile)
-{
-  const auto addEdge = [&profile](std::uint16_t a, std::uint16_t b)
-  {
-    if (a != b && b != noBin)
-    {
-      const auto [low, high] = std::minmax(a, b);
-      profile.edges[low] += 1;
-      profile.edges[high] -= 1;
-      profile.steps[low] += high - low;
-      profile.steps[high] -= high - low;
-    }
-  };
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      const std::size_t i = static_cast<std::size_t>(y) * width + x;
-      const std::uint16_t bin = slice[i];
-      if (bin == noBin)
-      {
-        continue;
-      }
-      ++profile.voxels[bin];
-
-      // The highest and second highest neighbour decide where this voxel is a speck.
-      int highest = -1;
-      int second = -1;
-      int neighbours = 0;
-      const auto look = [&](std::uint16_t other)
-      {
-        if (other == noBin)
-        {
-          return;
-        }
-        ++neighbours;
-        if (other > highest)
-        {
-          second = highest;
-          highest = other;
-        }
-        else if (other > second)
-        {
-          second = other;
-        }
-      };
-      if (x + 1 < width)
-      {
-        addEdge(bin, slice[i + 1]);
-        look(slice[i + 1]);
-      }
-      if (y + 1 < height)
-      {
-        addEdge(bin, slice[i + width]);
-        look(slice[i + width]);
-      }
-      if (!next.empty())
-      {
-        addEdge(bin, next[i]);
-        look(next[i]);
-      }
-      if (x > 0)
-      {
-        look(slice[i - 1]);
-      }
-      if (y > 0)
-      {
-        look(slice[i - width]);
-      }
-      if (!previous.empty())
-      {
-        look(previous[i]);
-      }
-      // Voxels at the border have fewer neighbours and would look like specks.
-      if (neighbours == 6 && second < bin)
-      {
-        profile.speckEdges[std::max(second, 0)] += 5;
-        profile.speckEdges[bin] -= 5;
-      }
-    }
-  }
-}
-
-template <typename T>
-Profile makeProfile(std::span<const T> values, std::array<int, 3> dimensions, const Binning& binning)
-{
-  const std::size_t sliceSize = static_cast<std::size_t>(dimensions[0]) * dimensions[1];
-  tbb::combinable<Profile> partial([&binning] { return Profile(binning.count); });
-  const auto addSlab = [&](const tbb::blocked_range<int>& range)
-  {
-    Profile& profile = partial.local();
-    const auto binned = [&](int z)
-    {
-      std::vector<std::uint16_t> slice;
-      if (z >= 0 && z < dimensions[2])
-      {
-        slice.resize(sliceSize);
-        const auto source = values.subspan(sliceSize * z, sliceSize);
-        std::transform(source.begin(), source.end(), slice.begin(), [&](T v) { return binning.bin(v); });
-      }
-      return slice;
-    };
-    std::vector<std::uint16_t> previous = binned(range.begin() - 1);
-    std::vector<std::uint16_t> slice = binned(range.begin());
-    for (int z = range.begin(); z < range.end(); ++z)
-    {
-      std::vector<std::uint16_t> next = binned(z + 1);
-      addSlice(previous, slice, next, dimensions[0], dimensions[1], profile);
-      previous = std::move(slice);
-      slice = std::move(next);
-    }
-  };
-  tbb::task_arena(threadCount())
-    .execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, dimensions[2], 16), addSlab); });
-
-  Profile total(binning.count);
-  partial.combine_each([&total](const Profile& profile) { total.add(profile); });
-  total.accumulate();
-  return total;
-}
 
 /// The mean step along the edges that cross each threshold. Infinite for noise and the border of the field of
 /// view, so that nothing beside them is a maximum; zero for thresholds that hardly any edge crosses.
-std::vector<double> sharpness(const Profile& profile)
+std::vector<double> sharpness(const ValueProfile& profile)
 {
   const std::int64_t all = std::accumulate(profile.voxels.begin(), profile.voxels.end(), std::int64_t{ 0 });
   std::vector<double> result(profile.edges.size(), 0.0);
@@ -370,47 +124,43 @@ double otsuThreshold(const std::vector<std::int64_t>& histogram)
 } // namespace
 
 template <typename T>
+std::optional<IsoSuggestion> suggestIsoValue(
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce)
+{
+  const std::optional<ValueProfile> profile = makeValueProfile(read, dimensions, slicesAtOnce);
+  if (!profile)
+  {
+    return std::nullopt;
+  }
+  const std::optional<double> maximum = lowestMaximum(sharpness(*profile));
+  const double threshold = maximum ? *maximum : otsuThreshold(profile->voxels);
+  return IsoSuggestion{ profile->bins.low + (threshold + 1.0) * profile->bins.width,
+    maximum ? IsoSuggestion::Method::Boundary : IsoSuggestion::Method::Otsu };
+}
+
+template <typename T>
 std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::array<int, 3> dimensions)
 {
-  std::size_t expected = 1;
-  for (const int dimension : dimensions)
+  for (int& dimension : dimensions)
   {
-    expected *= static_cast<std::size_t>(std::max(dimension, 0));
+    dimension = std::max(dimension, 0);
   }
-  if (values.size() != expected)
+  const std::size_t sliceSize = static_cast<std::size_t>(dimensions[0]) * dimensions[1];
+  if (values.size() != sliceSize * dimensions[2])
   {
     throw std::invalid_argument("suggestIsoValue: " + std::to_string(values.size()) + " values, but " +
       std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) + " x " +
       std::to_string(dimensions[2]) + " voxels");
   }
-  const std::optional<Binning> binning = chooseBinning(values);
-  if (!binning)
-  {
-    return std::nullopt;
-  }
-
-  const Profile profile = makeProfile(values, dimensions, *binning);
-  const std::optional<double> maximum = lowestMaximum(sharpness(profile));
-  const double threshold = maximum ? *maximum : otsuThreshold(profile.voxels);
-  return IsoSuggestion{ binning->low + (threshold + 1.0) * binning->width,
-    maximum ? IsoSuggestion::Method::Boundary : IsoSuggestion::Method::Otsu };
+  const SliceReader<T> read = [&](int first, int last)
+  { return values.subspan(sliceSize * first, sliceSize * (last - first)); };
+  return suggestIsoValue(read, dimensions, std::max(dimensions[2], 1) + 2);
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \
-  template std::optional<IsoSuggestion> suggestIsoValue(std::span<const T>, std::array<int, 3>)
-INK_INSTANTIATE(char);
-INK_INSTANTIATE(signed char);
-INK_INSTANTIATE(unsigned char);
-INK_INSTANTIATE(short);
-INK_INSTANTIATE(unsigned short);
-INK_INSTANTIATE(int);
-INK_INSTANTIATE(unsigned int);
-INK_INSTANTIATE(long);
-INK_INSTANTIATE(unsigned long);
-INK_INSTANTIATE(long long);
-INK_INSTANTIATE(unsigned long long);
-INK_INSTANTIATE(float);
-INK_INSTANTIATE(double);
+  template std::optional<IsoSuggestion> suggestIsoValue(std::span<const T>, std::array<int, 3>);             \
+  template std::optional<IsoSuggestion> suggestIsoValue(const SliceReader<T>&, std::array<int, 3>, int);
+INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 #undef INK_INSTANTIATE
 
 } // namespace ink

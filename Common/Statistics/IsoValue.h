@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Statistics/ValueProfile.h"
+
 #include <array>
 #include <optional>
 #include <span>
@@ -32,11 +34,21 @@ struct IsoSuggestion
 ///
 /// \tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// \param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are
-/// skipped. \param dimensions numbers of voxels along x, y and z. \return nothing if fewer than two different
-/// finite values are there; otherwise a value strictly between two
+/// skipped.
+/// \param dimensions numbers of voxels along x, y and z.
+/// \return nothing if fewer than two different finite values are there; otherwise a value strictly between
+/// two
 ///         that are. The same for any number of threads.
 /// \throw std::invalid_argument if the size of values is not the product of dimensions.
 template <typename T>
 std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::array<int, 3> dimensions);
+
+/// The same, to the last bit, for a volume that is not in memory as a whole. Every slice is read at least
+/// twice, from the first on. \param slicesAtOnce the most that may be asked of read in a call, at least 3
+/// \throw std::invalid_argument if slicesAtOnce is too small or read gives fewer or more voxels than asked
+/// for
+template <typename T>
+std::optional<IsoSuggestion> suggestIsoValue(
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce);
 
 } // namespace ink

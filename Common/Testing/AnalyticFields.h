@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
+#include <cmath>
+
 namespace ink::testing
 {
 
@@ -63,6 +65,34 @@ private:
   {
     return glm::dvec3(glm::normalize(glm::dvec2(p)) * this->major, 0.0);
   }
+};
+
+/// The test signal of Marschner and Lobb (1994), with their frequency 6 and depth 0.25 for -1 <= x, y, z <=
+/// 1: from 0 to 1, and hard to reconstruct from 40^3 samples.
+struct MarschnerLobb
+{
+  double frequency = 6.0;
+  double depth = 0.25;
+
+  double value(const glm::dvec3& p) const
+  {
+    return (1.0 - std::sin(0.5 * pi * p.z) + this->depth * (1.0 + this->wave(glm::length(glm::dvec2(p))))) /
+      (2.0 * (1.0 + this->depth));
+  }
+  glm::dvec3 gradient(const glm::dvec3& p) const
+  {
+    // The wave is cos(u) with u = 2 pi f cos(pi r / 2).
+    const double r = glm::length(glm::dvec2(p));
+    const double u = 2.0 * pi * this->frequency * std::cos(0.5 * pi * r);
+    const double slope = std::sin(u) * pi * pi * this->frequency * std::sin(0.5 * pi * r);
+    const glm::dvec2 outward = r > 0.0 ? glm::dvec2(p) / r : glm::dvec2(0.0);
+    return glm::dvec3(this->depth * slope * outward, -0.5 * pi * std::cos(0.5 * pi * p.z)) /
+      (2.0 * (1.0 + this->depth));
+  }
+
+private:
+  static constexpr double pi = 3.141592653589793;
+  double wave(double r) const { return std::cos(2.0 * pi * this->frequency * std::cos(0.5 * pi * r)); }
 };
 
 static_assert(Field<Plane>);

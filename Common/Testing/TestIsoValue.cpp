@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -213,6 +215,40 @@ TEST(IsoValue, IsTheSameOnAnyNumberOfThreads)
 TEST(IsoValue, RejectsAWrongSize)
 {
   EXPECT_THROW(ink::suggestIsoValue<float>(std::vector<float>(7), { 2, 2, 2 }), std::invalid_argument);
+}
+
+TEST(IsoValue, IsTheSameFromAFewSlicesAtATime)
+{
+  auto values = volume<float>(
+    [](double distance, std::size_t index) { return 100 * blurredSphere(distance, 15) + 5 * noise(index); });
+  values[1000] = std::numeric_limits<float>::quiet_NaN();
+  const auto whole = suggest(values);
+  ASSERT_TRUE(whole);
+  for (const int atOnce : { 3, 4, 17, size, size + 5 })
+  {
+    int most = 0;
+    const ink::SliceReader<float> read = [&](int first, int last)
+    {
+      most = std::max(most, last - first);
+      // A copy, so that what is kept of earlier calls would show.
+      static std::vector<float> slices;
+      slices.assign(values.begin() + first * size * size, values.begin() + last * size * size);
+      return std::span<const float>(slices);
+    };
+    const auto parts = ink::suggestIsoValue(read, cube, atOnce);
+    ASSERT_TRUE(parts) << atOnce;
+    EXPECT_EQ(parts->value, whole->value) << atOnce;
+    EXPECT_EQ(parts->method, whole->method) << atOnce;
+    EXPECT_LE(most, atOnce);
+  }
+}
+
+TEST(IsoValue, RefusesSlicesOfAnotherSize)
+{
+  const std::vector<float> values(7);
+  const ink::SliceReader<float> read = [&](int, int) { return std::span<const float>(values); };
+  EXPECT_THROW(ink::suggestIsoValue(read, cube, 3), std::invalid_argument);
+  EXPECT_THROW(ink::suggestIsoValue(read, cube, 2), std::invalid_argument);
 }
 
 } // namespace

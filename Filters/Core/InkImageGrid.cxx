@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkImageGrid.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
@@ -18,6 +21,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <sstream>
 
 InkExtent::InkExtent(const int extent[6])
   : First(extent[0], extent[2], extent[4])
@@ -81,6 +85,40 @@ ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bi
   return { { array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) }, bits };
 }
 
+std::string InkCheckScalars(
+  vtkImageData* image, const char* chosen, vtkDataArray* scalars, int association, int component)
+{
+  std::ostringstream problem;
+  if (!scalars)
+  {
+    const bool named = chosen && *chosen;
+    problem << "No " << (named ? "numeric point array \"" : "point scalars") << (named ? chosen : "")
+            << (named ? "\"" : "") << " in the image. Its point arrays: ";
+    const int count = image->GetPointData()->GetNumberOfArrays();
+    for (int i = 0; i < count; ++i)
+    {
+      const char* name = image->GetPointData()->GetArrayName(i);
+      problem << (i ? ", \"" : "\"") << (name ? name : "") << "\"";
+    }
+    problem << (count ? "." : "none.");
+    return problem.str();
+  }
+  const char* name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    problem << "The array " << name << " has " << scalars->GetNumberOfTuples()
+            << " values and is not point data. Expected a point array with " << image->GetNumberOfPoints()
+            << " values.";
+  }
+  else if (component >= scalars->GetNumberOfComponents())
+  {
+    problem << "ArrayComponent is " << component << ", but the array " << name << " has "
+            << scalars->GetNumberOfComponents() << " components, counted from 0.";
+  }
+  return problem.str();
+}
+
 vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component)
 {
   const bool bits = array->GetDataType() == VTK_BIT;
@@ -104,11 +142,15 @@ ink::CellSelection InkSelectCells(vtkInformation* info, vtkAlgorithm* producer, 
   cells.skipped = InkGetMarks(image->GetCellData(),
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
       vtkDataSetAttributes::REFINEDCELL);
-  // Sources split the image themselves; a trivial producer answers every piece with all it has, unless it was
-  // given a part whose cells are marked as another's.
+  // Sources that know pieces split the image themselves. Others, as VTK's reader of MetaImage files, answer
+  // every piece with the whole, and so does a trivial producer, unless it was given a part whose cells are
+  // marked as another's.
   const int pieces = info->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
-  const bool given = vtkTrivialProducer::SafeDownCast(producer) &&
-    producer->GetOutputDataObject(0) == image && InkGetWholeExtent(info, image) == own;
+  const bool trivial =
+    vtkTrivialProducer::SafeDownCast(producer) && producer->GetOutputDataObject(0) == image;
+  const bool splits =
+    info->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()) || info->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
+  const bool given = (trivial || !splits) && InkGetWholeExtent(info, image) == own;
   const std::span<const std::uint8_t> marks = cells.skipped.bytes;
   const bool isPart = std::any_of(
     marks.begin(), marks.end(), [](auto mark) { return mark & vtkDataSetAttributes::DUPLICATECELL; });

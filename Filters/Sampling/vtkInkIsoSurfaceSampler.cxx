@@ -3,7 +3,7 @@
 
 #include "InkImageGrid.h"
 #include "InkVTKCompat.h"
-#include "Sampling/CrossedCells.h"
+#include "Sampling/BrickRanges.h"
 #include "Sampling/IsoSurfaceSamples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -17,17 +17,23 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkShortArray.h"
+#include "vtkSignedCharArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -38,103 +44,119 @@
 
 vtkStandardNewMacro(vtkInkIsoSurfaceSampler);
 
+/// What is kept from one run to the next.
+class vtkInkIsoSurfaceSampler::vtkInternals
+{
+public:
+  /// The ranges of bricks of values, and whose they are.
+  ink::BrickRanges Ranges;
+  vtkWeakPointer<vtkDataArray> RangesOf;
+  vtkMTimeType RangesTime = 0;
+  int RangesComponent = 0;
+
+  /// The output's arrays.
+  vtkSmartPointer<vtkPoints> Points;
+  vtkSmartPointer<vtkDataArray> Normals;
+  vtkSmartPointer<vtkDataArray> Radii;
+  vtkSmartPointer<vtkDataArray> SurfaceIndex;
+  vtkSmartPointer<vtkDataArray> Vertices;
+  /// Samples of each iso-value in the last run.
+  std::vector<std::size_t> Counts;
+  std::size_t Expected = 0;
+
+  void ReleaseArrays()
+  {
+    this->Points = nullptr;
+    this->Normals = this->Radii = this->SurfaceIndex = this->Vertices = nullptr;
+  }
+
+  /// The array that is there where nobody else holds it and it has the type, else a new one.
+  static void Renew(vtkSmartPointer<vtkDataArray>& array, int type, int components)
+  {
+    if (!array || array->GetReferenceCount() > 1 || array->GetDataType() != type ||
+      array->GetNumberOfComponents() != components)
+    {
+      array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+      array->SetNumberOfComponents(components);
+    }
+  }
+  void RenewPoints(int type)
+  {
+    if (!this->Points || this->Points->GetReferenceCount() > 1 || this->Points->GetDataType() != type ||
+      this->Points->GetData()->GetReferenceCount() > 1)
+    {
+      this->Points = vtkSmartPointer<vtkPoints>::New();
+      this->Points->SetDataType(type);
+    }
+  }
+  /// Ranges that are not those of these values go.
+  ink::BrickRanges* RangesFor(vtkDataArray* array, vtkImageData* image, int component)
+  {
+    const vtkMTimeType time = std::max(array->GetMTime(), image->GetMTime());
+    if (this->RangesOf != array || this->RangesTime != time || this->RangesComponent != component)
+    {
+      this->Ranges.clear();
+      this->RangesOf = array;
+      this->RangesTime = time;
+      this->RangesComponent = component;
+    }
+    return &this->Ranges;
+  }
+};
+
 namespace
 {
 
-/// One VTK_POLY_VERTEX cell over points 0 ... count - 1.
-template <class IdArray>
-vtkSmartPointer<vtkCellArray> MakePolyVertex(vtkIdType count)
+template <class T, class Array>
+T* PointerTo(vtkDataArray* array)
 {
-  using Id = typename IdArray::ValueType;
-  vtkNew<IdArray> offsets;
-  offsets->SetNumberOfValues(2);
-  offsets->SetValue(0, 0);
-  offsets->SetValue(1, static_cast<Id>(count));
-  vtkNew<IdArray> points;
-  points->SetNumberOfValues(count);
-  std::iota(points->GetPointer(0), points->GetPointer(0) + count, Id(0));
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, points);
-  return cells;
+  auto* typed = Array::SafeDownCast(array);
+  return typed ? typed->GetPointer(0) : nullptr;
 }
 
-/// Counts the steps of one run, each a pass over the volume, and tells the algorithm's observers.
-class StepProgress
+template <class IdArray>
+void NumberFrom0(vtkDataArray* array, vtkIdType count)
 {
-public:
-  StepProgress(vtkAlgorithm* algorithm, std::size_t steps)
-    : Algorithm(algorithm)
-    , Steps(static_cast<double>(steps))
-  {
-  }
+  auto* ids = IdArray::SafeDownCast(array);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, typename IdArray::ValueType(0));
+}
 
-  ink::Progress NextStep()
-  {
-    return [this, before = this->Done++](double fraction)
-    {
-      this->Algorithm->UpdateProgress((before + fraction) / this->Steps);
-      return !InkCheckAbort(this->Algorithm);
-    };
-  }
+template <class IdArray>
+vtkSmartPointer<vtkDataArray> MakeOffsets(vtkIdType count)
+{
+  auto offsets = vtkSmartPointer<IdArray>::New();
+  offsets->SetNumberOfValues(2);
+  offsets->SetValue(0, 0);
+  offsets->SetValue(1, static_cast<typename IdArray::ValueType>(count));
+  return offsets;
+}
 
-private:
-  vtkAlgorithm* Algorithm;
-  double Steps;
-  double Done = 0.0;
-};
+/// One VTK_POLY_VERTEX cell over points 0 ... count - 1, whose numbers come into `ids`.
+template <class IdArray>
+vtkSmartPointer<vtkCellArray> MakePolyVertex(vtkDataArray* ids, vtkIdType count)
+{
+  ids->SetNumberOfTuples(count);
+  NumberFrom0<IdArray>(ids, count);
+  ids->Modified();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(IdArray::SafeDownCast(MakeOffsets<IdArray>(count)), IdArray::SafeDownCast(ids));
+  return cells;
+}
 
 /// One run over all iso-values.
 struct SampleRequest
 {
   std::span<const double> IsoValues;
-  ink::CrossingRule Rule;
+  ink::SampleOptions Options;
   ink::CellSelection Cells;
-  bool Normals;
+  ink::BrickRanges* Ranges;
+  std::size_t Expected;
 };
 
-/// Writes the samples of the iso-values, one after the other; `normals` stays empty when they are not wanted.
-/// Returns false when aborted.
-template <class Real, class T>
-bool Sample(const ink::GridField<T>& field, const SampleRequest& request, vtkAlgorithm* algorithm,
-  vtkAOSDataArrayTemplate<Real>* points, vtkFloatArray* normals)
-{
-  StepProgress progress(algorithm, 2 * request.IsoValues.size());
-  std::vector<ink::CrossedCells> crossed;
-  std::size_t total = 0;
-  for (const double isoValue : request.IsoValues)
-  {
-    crossed.push_back(
-      ink::findCrossedCells(field, isoValue, request.Rule, request.Cells, progress.NextStep()));
-    if (InkCheckAbort(algorithm))
-    {
-      return false;
-    }
-    total += crossed.back().count;
-  }
-
-  points->SetNumberOfTuples(static_cast<vtkIdType>(total));
-  normals->SetNumberOfTuples(request.Normals ? static_cast<vtkIdType>(total) : 0);
-  Real* point = points->GetPointer(0);
-  float* normal = normals->GetPointer(0);
-  for (std::size_t i = 0; i < crossed.size(); ++i)
-  {
-    const std::size_t size = 3 * crossed[i].count;
-    const std::size_t normalSize = request.Normals ? size : 0;
-    if (!ink::placeIsoSurfaceSamples(field, request.IsoValues[i], request.Rule, crossed[i],
-          std::span<Real>(point, size), std::span<float>(normal, normalSize), progress.NextStep()))
-    {
-      return false;
-    }
-    point += size;
-    normal += normalSize;
-  }
-  return true;
-}
-
-/// The same for an array whose type is not known; `array` is contiguous.
+/// Samples an array whose type is not known; `array` is contiguous. Returns false when aborted.
 bool SampleArray(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
-  const ink::ElementMarks& hidden, const SampleRequest& request, vtkAlgorithm* algorithm,
-  vtkDataArray* points, vtkFloatArray* normals)
+  const ink::ElementMarks& hidden, const SampleRequest& request, const ink::GrowRoom& grow,
+  std::vector<std::size_t>& counts, const ink::Progress& progress)
 {
   const auto sample = [&](auto* values)
   {
@@ -143,11 +165,8 @@ bool SampleArray(const ink::GridGeometry& geometry, vtkDataArray* array, int com
       values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
     const ink::GridField<T> field(geometry, all.subspan(static_cast<std::size_t>(component)),
       static_cast<std::size_t>(values->GetNumberOfComponents()), hidden);
-    if (auto* floats = vtkFloatArray::SafeDownCast(points))
-    {
-      return Sample<float>(field, request, algorithm, floats, normals);
-    }
-    return Sample<double>(field, request, algorithm, vtkDoubleArray::SafeDownCast(points), normals);
+    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells, request.Ranges,
+      grow, request.Expected, counts, progress);
   };
   switch (array->GetDataType())
   {
@@ -156,9 +175,19 @@ bool SampleArray(const ink::GridGeometry& geometry, vtkDataArray* array, int com
   throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
 }
 
+/// What to make room for before anything is known: some times the area of the image's largest faces, in
+/// points. Memory that is not written to costs nothing but addresses.
+std::size_t GuessCount(const glm::ivec3& samples)
+{
+  const auto area = [&](int a, int b) { return static_cast<std::size_t>(samples[a]) * samples[b]; };
+  constexpr std::size_t surfaces = 12;
+  return surfaces * std::max({ area(0, 1), area(0, 2), area(1, 2) });
+}
+
 } // namespace
 
 vtkInkIsoSurfaceSampler::vtkInkIsoSurfaceSampler()
+  : Internals(std::make_unique<vtkInternals>())
 {
   // It holds one value at first.
   this->ContourValues->SetNumberOfContours(0);
@@ -191,6 +220,16 @@ vtkIdType vtkInkIsoSurfaceSampler::GetNumberOfContours()
 void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart, double rangeEnd)
 {
   this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+}
+
+vtkIdType vtkInkIsoSurfaceSampler::GetIndexMemory()
+{
+  return static_cast<vtkIdType>(this->Internals->Ranges.bytes());
+}
+
+void vtkInkIsoSurfaceSampler::ReleaseIndex()
+{
+  this->Internals->Ranges.clear();
 }
 
 vtkMTimeType vtkInkIsoSurfaceSampler::GetMTime()
@@ -276,19 +315,21 @@ int vtkInkIsoSurfaceSampler::RequestData(
   {
     return 1;
   }
+  vtkInternals& internals = *this->Internals;
   SampleRequest request;
   request.IsoValues = std::span<const double>(
     this->ContourValues->GetValues(), static_cast<std::size_t>(this->ContourValues->GetNumberOfContours()));
-  request.Rule = this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
+  request.Options.rule =
+    this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
+  request.Options.method = static_cast<ink::NormalMethod>(this->NormalMethod);
   request.Cells = InkSelectCells(info, this->GetInputAlgorithm(), image);
-  request.Normals = this->ComputeNormals;
+  request.Ranges = this->UseIndex ? internals.RangesFor(scalars, image, this->ArrayComponent) : nullptr;
+  request.Expected = std::max(internals.Expected, std::size_t(1024));
   if (std::any_of(request.IsoValues.begin(), request.IsoValues.end(), [](double v) { return std::isnan(v); }))
   {
     vtkWarningMacro("An iso-value is not a number (NaN) and makes no points.");
   }
 
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
   double radius = 0.0;
   try
   {
@@ -296,14 +337,48 @@ int vtkInkIsoSurfaceSampler::RequestData(
     const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
       (this->OutputPointsPrecision == DEFAULT_PRECISION &&
         InkNeedsDoublePrecision(InkMakeGrid(image, whole)));
-    points->SetDataType(doubles ? VTK_DOUBLE : VTK_FLOAT);
-    normals->SetNumberOfComponents(3);
+    request.Options.arithmetic = doubles || this->ArithmeticPrecision == DOUBLE_PRECISION
+      ? ink::Arithmetic::Double
+      : ink::Arithmetic::Single;
+    if (internals.Expected == 0)
+    {
+      request.Expected = GuessCount(geometry.dimensions());
+    }
     radius = ink::isoSurfaceSampleRadius(geometry);
+    internals.RenewPoints(doubles ? VTK_DOUBLE : VTK_FLOAT);
+    constexpr int normalTypes[] = { VTK_FLOAT, VTK_SHORT, VTK_SIGNED_CHAR };
+    vtkInternals::Renew(internals.Normals, normalTypes[this->NormalsPrecision], 3);
+    vtkDataArray* points = internals.Points->GetData();
+    vtkDataArray* normals = this->ComputeNormals ? internals.Normals.Get() : nullptr;
+    const ink::GrowRoom grow = [&](std::size_t count)
+    {
+      InkReserveTuples(points, static_cast<vtkIdType>(count));
+      ink::SampleRoom room;
+      room.points = PointerTo<float, vtkFloatArray>(points);
+      room.doublePoints = PointerTo<double, vtkDoubleArray>(points);
+      if (normals)
+      {
+        InkReserveTuples(normals, static_cast<vtkIdType>(count));
+        room.normals = PointerTo<float, vtkFloatArray>(normals);
+        room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(normals);
+        room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
+      }
+      const vtkIdType size = InkGetCapacity(points);
+      room.capacity =
+        static_cast<std::size_t>((normals ? std::min(size, InkGetCapacity(normals)) : size) / 3);
+      return room;
+    };
     int component = this->ArrayComponent;
     const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
     const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-    if (!SampleArray(geometry, array, component, hidden, request, this, points->GetData(), normals))
+    const auto progress = [this](double done)
     {
+      this->UpdateProgress(done);
+      return !InkCheckAbort(this);
+    };
+    if (!SampleArray(geometry, array, component, hidden, request, grow, internals.Counts, progress))
+    {
+      internals.ReleaseArrays();
       return 1;
     }
   }
@@ -312,42 +387,80 @@ int vtkInkIsoSurfaceSampler::RequestData(
     vtkErrorMacro("The image cannot be sampled: " << error.what() << ".");
     return 1;
   }
-  this->FillOutput(points, normals, radius, vtkPolyData::GetData(outputVector));
+  this->FillOutput(radius, vtkPolyData::GetData(outputVector));
   return 1;
 }
 
-void vtkInkIsoSurfaceSampler::FillOutput(
-  vtkPoints* points, vtkFloatArray* normals, double radius, vtkPolyData* output)
+void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
 {
-  const vtkIdType count = points->GetNumberOfPoints();
-  output->SetPoints(points);
+  vtkInternals& internals = *this->Internals;
+  std::size_t total = 0;
+  for (const std::size_t one : internals.Counts)
+  {
+    total += one;
+  }
+  internals.Expected = total + total / 8;
+  const vtkIdType count = static_cast<vtkIdType>(total);
+  const auto finish = [count](vtkDataArray* array, const char* name)
+  {
+    array->SetNumberOfTuples(count);
+    array->SetName(name);
+    array->Modified();
+  };
+
+  finish(internals.Points->GetData(), nullptr);
+  internals.Points->Modified();
+  output->SetPoints(internals.Points);
   if (this->ComputeNormals)
   {
-    normals->SetName("Normals");
-    output->GetPointData()->SetNormals(normals);
+    finish(internals.Normals, "Normals");
+    output->GetPointData()->SetNormals(internals.Normals);
   }
   if (this->ComputeRadius)
   {
     // As precise as the points: a radius too small for float comes with points too fine for it.
-    vtkSmartPointer<vtkDataArray> radii =
-      vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(points->GetDataType()));
-    radii->SetName("Radius");
-    radii->SetNumberOfTuples(count);
-    radii->Fill(radius);
-    output->GetPointData()->AddArray(radii);
+    vtkInternals::Renew(internals.Radii, internals.Points->GetDataType(), 1);
+    finish(internals.Radii, "Radius");
+    internals.Radii->Fill(radius);
+    output->GetPointData()->AddArray(internals.Radii);
+  }
+  if (this->ComputeSurfaceIndex && internals.Counts.size() > 1)
+  {
+    vtkInternals::Renew(internals.SurfaceIndex, VTK_INT, 1);
+    finish(internals.SurfaceIndex, "SurfaceIndex");
+    int* index = PointerTo<int, vtkIntArray>(internals.SurfaceIndex);
+    for (std::size_t n = 0; n < internals.Counts.size(); ++n)
+    {
+      index = std::fill_n(index, internals.Counts[n], static_cast<int>(n));
+    }
+    output->GetPointData()->AddArray(internals.SurfaceIndex);
   }
   if (this->GenerateVertices && count > 0)
   {
     const bool small = count <= std::numeric_limits<vtkTypeInt32>::max();
-    output->SetVerts(
-      small ? MakePolyVertex<vtkTypeInt32Array>(count) : MakePolyVertex<vtkTypeInt64Array>(count));
+    vtkInternals::Renew(internals.Vertices, small ? VTK_TYPE_INT32 : VTK_TYPE_INT64, 1);
+    output->SetVerts(small ? MakePolyVertex<vtkTypeInt32Array>(internals.Vertices, count)
+                           : MakePolyVertex<vtkTypeInt64Array>(internals.Vertices, count));
+  }
+  if (!this->ReuseArrays)
+  {
+    internals.ReleaseArrays();
   }
 }
 
 void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  constexpr const char* methods[] = { "CELL", "GRADIENT", "CENTRAL_DIFFERENCE", "REGRESSION" };
+  constexpr const char* normals[] = { "FLOAT_NORMALS", "SHORT_NORMALS", "CHAR_NORMALS" };
   os << indent << "CrossingRule: " << (this->CrossingRule == STRICT ? "STRICT" : "HALF_OPEN") << "\n"
+     << indent << "NormalMethod: " << methods[this->NormalMethod] << "\n"
+     << indent << "NormalsPrecision: " << normals[this->NormalsPrecision] << "\n"
+     << indent << "ComputeSurfaceIndex: " << this->ComputeSurfaceIndex << "\n"
+     << indent << "ArithmeticPrecision: " << this->ArithmeticPrecision << "\n"
+     << indent << "UseIndex: " << this->UseIndex << "\n"
+     << indent << "IndexMemory: " << this->GetIndexMemory() << "\n"
+     << indent << "ReuseArrays: " << this->ReuseArrays << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"

@@ -11,17 +11,27 @@
  * The input array is the one that SetInputArrayToProcess(0, ...) names, the active point scalars by default.
  * An array that is not contiguous in memory is copied first.
  *
- * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient; the
- * trilinear interpolation of the unit normals that central differences give the cell's corners) and
- * `Radius` (world units: half the diagonal of a cell, so that discs of this radius around the points leave
- * no holes). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding all points, unless
- * GenerateVertices is off.
+ * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient; see
+ * NormalMethod and NormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs of
+ * this radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: which of
+ * them the point belongs to). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding all
+ * points, unless GenerateVertices is off.
  *
  * Points come in the order of their cells, iso-value by iso-value, and are the same for any number of
  * threads (VTK_SMP_MAX_THREADS sets it) and for any split of the image into pieces with one level of
  * ghost cells, which are asked for. An image given by SetInputData is taken to be whole for every piece.
  * Cells marked as duplicate, hidden or refined, and cells with a corner that is NaN, infinite or hidden, make
  * no points; a NaN or hidden voxel nearby makes the central difference one-sided.
+ *
+ * All iso-values are sampled in one pass over the image. On the way the least and largest value of each brick
+ * of 32 x 4 x 4 voxels (16 x 4 x 4 for types of four bytes and more) is kept, at most 1/128 of the image's
+ * memory. As long as the input stays the same, later runs for other iso-values read only bricks that the
+ * surface enters, see UseIndex. The inner loops are compiled for several instruction sets (SSE2, AVX2,
+ * AVX-512), give the same bits in each, and are chosen at run time; the environment variable
+ * VTKINK_INSTRUCTION_SET (baseline, avx2, avx512) names another one.
+ *
+ * Output arrays that nobody else holds when the filter runs again are filled anew instead of made anew, see
+ * ReuseArrays.
  *
  * Errors and warnings, each with an empty output: no such point array, ArrayComponent beyond its components,
  * an image of fewer than two samples along an axis, a spacing of zero or a direction matrix without inverse.
@@ -35,11 +45,11 @@
 #include "vtkNew.h"                      // for the contour values
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for the internals
+
 class vtkContourValues;
 class vtkDataArray;
-class vtkFloatArray;
 class vtkImageData;
-class vtkPoints;
 
 class VTKINKFILTERSSAMPLING_EXPORT vtkInkIsoSurfaceSampler : public vtkPolyDataAlgorithm
 {
@@ -89,6 +99,63 @@ public:
   vtkBooleanMacro(ComputeNormals, bool);
   ///@}
 
+  /// How normals are found, see SetNormalMethod.
+  enum NormalMethodType
+  {
+    CELL = 0,
+    GRADIENT = 1,
+    CENTRAL_DIFFERENCE = 2,
+    REGRESSION = 3
+  };
+
+  ///@{
+  /**
+   * How normals are found. CELL: from the gradient of the trilinear interpolation of the cell's own eight
+   * voxels; the fastest, and with facets. GRADIENT: central differences give the corners gradients, which are
+   * interpolated. CENTRAL_DIFFERENCE (default): their unit vectors are, as Zhang et al. do it; more exact
+   * where a boundary is sharp or voxels are not cubes. REGRESSION: the same with gradients by linear
+   * regression over each corner's 26 neighbours (Neumann et al. 2000, equal weights); smoother where there is
+   * noise, and rounds off what is smaller than two voxels.
+   */
+  vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
+  vtkGetMacro(NormalMethod, int);
+  void SetNormalMethodToCell() { this->SetNormalMethod(CELL); }
+  void SetNormalMethodToGradient() { this->SetNormalMethod(GRADIENT); }
+  void SetNormalMethodToCentralDifference() { this->SetNormalMethod(CENTRAL_DIFFERENCE); }
+  void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
+  ///@}
+
+  /// What `Normals` holds, see SetNormalsPrecision.
+  enum NormalsPrecisionType
+  {
+    FLOAT_NORMALS = 0,
+    SHORT_NORMALS = 1,
+    CHAR_NORMALS = 2
+  };
+
+  ///@{
+  /**
+   * What the array `Normals` holds. FLOAT_NORMALS (default): unit vectors as float, 12 bytes a point.
+   * SHORT_NORMALS: times 32767 and rounded, 6 bytes, off by up to .002 degrees. CHAR_NORMALS: times 127 and
+   * rounded, 3 bytes, off by up to .4 degrees. Mappers that normalise their normals draw them as they are.
+   */
+  vtkSetClampMacro(NormalsPrecision, int, FLOAT_NORMALS, CHAR_NORMALS);
+  vtkGetMacro(NormalsPrecision, int);
+  void SetNormalsPrecisionToFloat() { this->SetNormalsPrecision(FLOAT_NORMALS); }
+  void SetNormalsPrecisionToShort() { this->SetNormalsPrecision(SHORT_NORMALS); }
+  void SetNormalsPrecisionToChar() { this->SetNormalsPrecision(CHAR_NORMALS); }
+  ///@}
+
+  ///@{
+  /**
+   * Compute the point array `SurfaceIndex`: the number of the iso-value that a point belongs to. Default: on.
+   * It is only made when there are several iso-values; with one it would say nothing.
+   */
+  vtkSetMacro(ComputeSurfaceIndex, bool);
+  vtkGetMacro(ComputeSurfaceIndex, bool);
+  vtkBooleanMacro(ComputeSurfaceIndex, bool);
+  ///@}
+
   ///@{
   /**
    * Compute the point array `Radius`. Default: on.
@@ -125,6 +192,45 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * What points and normals are computed in: vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION.
+   * Single is meant for voxels of 8 and 16 bits and float; points and normals differ from double's by about
+   * 1e-6 of a voxel and 1e-5 radians. Other types, and points in double, are always computed in double. Which
+   * voxels are inside is exact in both.
+   */
+  vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
+  vtkGetMacro(ArithmeticPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Keep the least and largest value of each brick of voxels from the first run on, so that runs for other
+   * iso-values take time by the size of the surface instead of the image. Default: on. They are made anew
+   * when the input array or the image is modified, and only for images sampled as a whole. The points are the
+   * same.
+   */
+  vtkSetMacro(UseIndex, bool);
+  vtkGetMacro(UseIndex, bool);
+  vtkBooleanMacro(UseIndex, bool);
+  ///@}
+
+  /// The memory that the index takes, in bytes; 0 while there is none.
+  vtkIdType GetIndexMemory();
+  /// Gives the index's memory back. The next run makes it again, unless UseIndex is off.
+  void ReleaseIndex();
+
+  ///@{
+  /**
+   * Fill the last run's output arrays anew when nobody else holds them any more, instead of making new ones,
+   * whose pages the system has to clear first. Default: on. Off: the filter keeps none of its output's
+   * memory.
+   */
+  vtkSetMacro(ReuseArrays, bool);
+  vtkGetMacro(ReuseArrays, bool);
+  vtkBooleanMacro(ReuseArrays, bool);
+  ///@}
+
   /// The iso-values count.
   vtkMTimeType GetMTime() override;
 
@@ -140,17 +246,26 @@ private:
   vtkInkIsoSurfaceSampler(const vtkInkIsoSurfaceSampler&) = delete;
   void operator=(const vtkInkIsoSurfaceSampler&) = delete;
 
+  class vtkInternals;
+
   /// The array to sample, or null after an error.
   vtkDataArray* GetScalars(vtkImageData* image, vtkInformationVector** input);
-  void FillOutput(vtkPoints* points, vtkFloatArray* normals, double radius, vtkPolyData* output);
+  void FillOutput(double radius, vtkPolyData* output);
 
   vtkNew<vtkContourValues> ContourValues;
   int CrossingRule = HALF_OPEN;
+  int NormalMethod = CENTRAL_DIFFERENCE;
+  int NormalsPrecision = FLOAT_NORMALS;
+  int ArithmeticPrecision = SINGLE_PRECISION;
   bool ComputeNormals = true;
+  bool ComputeSurfaceIndex = true;
   bool ComputeRadius = true;
   bool GenerateVertices = true;
   int ArrayComponent = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool UseIndex = true;
+  bool ReuseArrays = true;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

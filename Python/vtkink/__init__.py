@@ -35,7 +35,16 @@ def _check_vtk_version():
 _check_vtk_version()
 _vtk_module("vtkRenderingOpenGL2")
 
+from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
+
+try:
+    from .vtkInkIOVDB import *
+except ModuleNotFoundError as error:
+    # A build without OpenVDB has no such module; one that is there but cannot be loaded is an error.
+    if error.name != f"{__name__}.vtkInkIOVDB":
+        raise
+
 from .vtkInkRenderingSplattingLines import *
 from .vtkInkRenderingStipple import *
 

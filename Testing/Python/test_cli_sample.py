@@ -199,3 +199,88 @@ def test_to_a_pipe(ink, sampled, volume_file, tmp_path):
     with subprocess.Popen(["cat", tmp_path / "pipe.xyz"], stdout=subprocess.PIPE) as reader:
         assert ink("sample", volume_file, "--iso", 100, "-q", tmp_path / "pipe.xyz").code == 0
         assert reader.stdout.read() == (tmp_path / "points.xyz").read_bytes()
+
+
+@pytest.fixture
+def mesh_file(tmp_path):
+    ink_files.write_ply(tmp_path / "ball.ply", ink_files.sphere_mesh())
+    return tmp_path / "ball.ply"
+
+
+def coordinates_of(columns):
+    return np.stack([columns[name] for name in "xyz"], axis=1).astype(float)
+
+
+def least_distance(points):
+    squared = ((points[:, None] - points[None]) ** 2).sum(axis=2)
+    np.fill_diagonal(squared, np.inf)
+    return np.sqrt(squared.min())
+
+
+@pytest.mark.parametrize("noise", ["white", "blue"])
+def test_a_mesh_is_sampled(sampled, mesh_file, noise):
+    columns = sampled(mesh_file, "--count", 900, "--noise", noise)
+    points = coordinates_of(columns)
+    normals = np.stack([columns["n" + name] for name in "xyz"], axis=1)
+    assert len(points) == 900
+    assert abs(np.linalg.norm(points, axis=1) - 1).max() < 0.01
+    assert ((points * normals).sum(axis=1) > 0.99).all()
+    assert (np.diff(columns["Priority"]) > 0).all() and columns["Priority"][0] == 0 and columns["Priority"][-1] < 1
+    hexagonal = np.sqrt(2 * 4 * np.pi / (np.sqrt(3) * 900))
+    ratio = least_distance(points) / hexagonal
+    assert ratio > 0.7 if noise == "blue" else ratio < 0.3
+
+
+def test_a_mesh_by_radius(sampled, mesh_file):
+    columns = sampled(mesh_file, "--radius", 0.1, "--arrays", "Normals")
+    assert set(columns) == {"x", "y", "z", "nx", "ny", "nz"}
+    points = coordinates_of(columns)
+    assert 0.098 < least_distance(points) < 0.11
+    assert abs(len(points) * 0.1**2 / (4 * np.pi) - 0.69) < 0.05
+
+
+def test_a_mesh_by_default(sampled, mesh_file):
+    assert len(sampled(mesh_file)["x"]) == 200000
+
+
+def test_another_seed(ink, mesh_file, tmp_path):
+    for name, seed, threads in (("a", 0, "1"), ("b", 0, "2"), ("c", 1, "1")):
+        arguments = ("--count", 500, "--seed", seed, "-q")
+        result = ink("sample", mesh_file, tmp_path / f"{name}.vtp", *arguments, env={"VTK_SMP_MAX_THREADS": threads})
+        assert result.code == 0, result
+    a, b, c = ((tmp_path / f"{name}.vtp").read_bytes() for name in "abc")
+    assert a == b and a != c
+
+
+def test_points_without_polygons_are_kept(ink, tmp_path):
+    points, normals, _ = ink_files.sphere_mesh(20, 30)
+    ink_files.write_ply(tmp_path / "cloud.ply", (points, normals, np.empty((0, 3), int)))
+    result = ink("sample", tmp_path / "cloud.ply", tmp_path / "out.vtp")
+    assert result.code == 0 and "no polygons" in result.err and "estimated" in result.err, result
+    columns = ink_files.read_points(tmp_path / "out.vtp")
+    found = coordinates_of(columns)
+    estimated = np.stack([columns["n" + name] for name in "xyz"], axis=1)
+    assert len(found) == len(points) and {"Radius", "Priority"} <= set(columns)
+    assert ((found * estimated).sum(axis=1) > 0.95).all()
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["--count", 0], ["--count"]), (["--radius", 0], ["--radius"]), (["--radius", -1], ["--radius"]),
+    (["--count", 10, "--radius", 1], ["--count"]), (["--noise", "pink"], ["pink"]), (["--iso", 1], ["mesh"]),
+])
+def test_wrong_usage_on_a_mesh(ink, mesh_file, tmp_path, arguments, words):
+    result = ink("sample", mesh_file, tmp_path / "out.vtp", *arguments)
+    assert result.code == 2 and result.err.count("\n") == 1 and all(word in result.err for word in words), result
+    assert not (tmp_path / "out.vtp").exists()
+
+
+def test_more_points_than_memory(ink, mesh_file, tmp_path):
+    result = ink("sample", mesh_file, tmp_path / "out.vtp", "--count", 10**12)
+    assert result.code == 1 and "GiB" in result.err and result.err.count("\n") == 1, result
+    assert not (tmp_path / "out.vtp").exists()
+
+
+def test_options_of_a_mesh_on_a_volume(ink, volume_file, tmp_path):
+    for arguments in (["--count", 10], ["--noise", "blue"], ["--arrays", "Priority"]):
+        result = ink("sample", volume_file, tmp_path / "out.vtp", *arguments)
+        assert result.code == 2 and arguments[0] in result.err and "volume" in result.err, result

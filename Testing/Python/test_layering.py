@@ -1,4 +1,4 @@
-"""Dependencies go one way: Common <- Filters, Rendering <- Plugin, Applications."""
+"""Dependencies go one way: Common <- Filters <- IO, Common <- Rendering, all <- Plugin, Applications."""
 
 import pathlib
 import re
@@ -12,9 +12,10 @@ SOURCES = {".h", ".hpp", ".cpp", ".cxx"}
 MAY_USE = {
     "Common": {"Common"},
     "Filters": {"Common", "Filters"},
+    "IO": {"Common", "Filters", "IO"},
     "Rendering": {"Common", "Rendering"},
-    "Plugin": {"Common", "Filters", "Rendering", "Plugin"},
-    "Applications": {"Common", "Filters", "Rendering", "Applications"},
+    "Plugin": {"Common", "Filters", "IO", "Rendering", "Plugin"},
+    "Applications": {"Common", "Filters", "IO", "Rendering", "Applications"},
 }
 LAYERS = list(MAY_USE)
 
@@ -69,25 +70,44 @@ def test_includes_go_one_way(layer):
     assert not found, "\n".join(found)
 
 
-def test_filters_never_see_rendering():
+@pytest.mark.parametrize("layer", ["Filters", "IO"])
+def test_filters_and_io_never_see_rendering(layer):
     """Neither by an include, nor by a module dependency, nor by a link."""
     rendering = re.compile(r"vtk(OpenGL|Render|Actor|Camera|Mapper|PolyDataMapper|Property|Light|Prop)")
-    found = violations("Filters", rendering.match)
+    found = violations(layer, rendering.match)
     for name in ("vtk.module", "CMakeLists.txt"):
-        for path in sorted((ROOT / "Filters").rglob(name)):
+        for path in sorted((ROOT / layer).rglob(name)):
             if "Testing" not in path.parts and re.search(r"\w+::\w*Rendering\w*", path.read_text()):
                 found.append(f"{path.relative_to(ROOT)} names a rendering module")
     assert not found, "\n".join(found)
 
 
-@pytest.mark.parametrize("layer", ["Filters", "Rendering"])
+@pytest.mark.parametrize("layer", ["Filters", "IO", "Rendering"])
 def test_module_dependencies_go_one_way(layer):
-    """A vtk.module may depend on VTK and on vtkInk modules of its own layer, never on ParaView."""
+    """A vtk.module may depend on VTK and on vtkInk modules of the layers it may use, never on ParaView."""
     modules = sorted((ROOT / layer).rglob("vtk.module"))
     assert modules
     found = []
     for path in modules:
         for namespace, name in re.findall(r"^\s+(\w+)::(\w+)$", path.read_text(), re.MULTILINE):
-            if namespace != "VTK" and not (namespace == "vtkInk" and name.startswith(layer)):
+            if namespace != "VTK" and not (namespace == "vtkInk" and name.startswith(tuple(MAY_USE[layer]))):
                 found.append(f"{path.relative_to(ROOT)} depends on {namespace}::{name}")
+    assert not found, "\n".join(found)
+
+
+def test_openvdb_stays_in_its_own_sources():
+    """Its headers take long to compile, and nobody who does not use it should load it."""
+    may = {ROOT / "Common" / "Vdb", ROOT / "Common" / "Fields" / "VdbField.cpp"}
+    found = [
+        text
+        for layer in LAYERS
+        for text in violations(layer, re.compile("openvdb/").match)
+        if not any(str(ROOT / text.split(" ")[0]).startswith(str(one)) for one in may)
+    ]
+    found += [
+        f"{path.relative_to(ROOT)}, a public header, includes {header}"
+        for path in files("Common", {".h"})
+        for header in includes(path)
+        if path.name != "VdbTree.h" and (header.startswith("openvdb/") or header == "Vdb/VdbTree.h")
+    ]
     assert not found, "\n".join(found)

@@ -60,6 +60,33 @@ def point_array(points, name):
     return numpy_support.vtk_to_numpy(points.GetPointData().GetArray(name))
 
 
+def test_sampler_tells_surfaces_apart_and_keeps_an_index():
+    sampler = sampler_of(image_of(ball()), 0.0, 1.0)
+    assert sampler.GetIndexMemory() == 0
+    sampler.Update()
+    index = point_array(sampler.GetOutput(), "SurfaceIndex")
+    assert set(index) == {0, 1} and all(index[1:] >= index[:-1])
+    assert sampler.GetIndexMemory() > 0
+    sampler.ReleaseIndex()
+    assert sampler.GetIndexMemory() == 0
+
+
+def test_sampler_offers_cheaper_normals():
+    sampler = sampler_of(image_of(ball()), 0.0)
+    sampler.Update()
+    exact = point_array(sampler.GetOutput(), "Normals").copy()
+    sampler.SetNormalsPrecisionToChar()
+    sampler.Update()
+    coarse = point_array(sampler.GetOutput(), "Normals")
+    assert coarse.dtype == numpy.int8
+    assert abs(coarse / 127.0 - exact).max() <= 0.51 / 127.0
+    sampler.SetNormalsPrecisionToFloat()
+    for method in (sampler.CELL, sampler.GRADIENT, sampler.REGRESSION):
+        sampler.SetNormalMethod(method)
+        sampler.Update()
+        assert 0.0 < abs(point_array(sampler.GetOutput(), "Normals") - exact).max() < 0.2
+
+
 def test_sampler_places_points_on_the_sphere():
     sampler = sampler_of(image_of(ball()), 0.0)
     sampler.Update()
@@ -102,6 +129,61 @@ def test_image_without_scalars_is_an_error_and_gives_an_empty_output():
     sampler.Update()
     assert len(messages.texts) == 1
     assert sampler.GetOutput().GetNumberOfPoints() == 0
+
+
+def noisy_ball():
+    rough = ball() + numpy.random.default_rng(1).normal(0, 0.5, (32, 32, 32))
+    return image_of(rough.astype("f4"))
+
+
+def mean_angle(image, name="Gradient"):
+    """To the direction into the ball, in degrees, at points near the sphere."""
+    positions = numpy.array([image.GetPoint(n) for n in range(image.GetNumberOfPoints())])
+    distance = numpy.linalg.norm(positions, axis=1)
+    near = numpy.abs(distance - RADIUS) < 2
+    gradients = point_array(image, name)[near]
+    cosine = -numpy.sum(gradients * positions[near], axis=1) / distance[near] / numpy.linalg.norm(gradients, axis=1)
+    return float(numpy.degrees(numpy.arccos(numpy.clip(cosine, -1, 1))).mean())
+
+
+def test_gradient_by_regression_keeps_its_direction_in_noise():
+    angles = []
+    for method in ("CentralDifference", "Regression"):
+        gradient = vtkink.vtkInkGradient()
+        gradient.SetInputData(noisy_ball())
+        getattr(gradient, f"SetMethodTo{method}")()
+        gradient.Update()
+        angles.append(mean_angle(gradient.GetOutput()))
+    assert angles[0] > 5 and angles[1] < 0.4 * angles[0]
+
+
+def test_gradient_makes_what_is_asked_for():
+    gradient = vtkink.vtkInkGradient()
+    gradient.SetInputData(image_of(ball()))
+    gradient.ComputeGradientOff()
+    gradient.ComputeValueOn()
+    gradient.ComputeLaplacianOn()
+    gradient.SetOutputPrecision(vtk.vtkAlgorithm.DOUBLE_PRECISION)
+    gradient.Update()
+    data = gradient.GetOutput().GetPointData()
+    names = {data.GetArrayName(n) for n in range(data.GetNumberOfArrays())}
+    assert names == {"density", "GradientMagnitude", "Value", "Laplacian"}
+    middle = 16 * (1 + 32 + 32 * 32)
+    at = middle - 10  # ten points left of the middle: on the sphere, nearly
+    assert abs(data.GetArray("GradientMagnitude").GetValue(at) - 1) < 0.02
+    assert abs(data.GetArray("Laplacian").GetValue(at) + 2 / 9.5) < 0.02
+    assert data.GetArray("Value").GetDataType() == vtk.VTK_DOUBLE
+
+
+def test_gradient_of_nothing_is_an_error_and_gives_an_empty_output():
+    image = vtk.vtkImageData()
+    image.SetDimensions(4, 4, 4)
+    gradient = vtkink.vtkInkGradient()
+    gradient.SetInputData(image)
+    messages = Messages(gradient, gradient.GetExecutive())
+    gradient.Update()
+    assert len(messages.texts) == 1
+    assert gradient.GetOutput().GetNumberOfPoints() == 0
 
 
 def drawing(points, **properties):
@@ -205,6 +287,78 @@ def test_bounds_hold_the_whole_splats(bumpy_points):
     assert numpy.allclose(reach, [-radius, radius] * 3)
 
 
+def ball_mesh():
+    source = vtk.vtkSphereSource()
+    source.SetThetaResolution(40)
+    source.SetPhiResolution(40)
+    source.Update()
+    return source.GetOutput()
+
+
+def test_surface_sampler_makes_points_with_priority():
+    sampler = vtkink.vtkInkSurfaceSampler()
+    sampler.SetInputData(ball_mesh())
+    sampler.SetNumberOfSamples(1000)
+    sampler.Update()
+    points = sampler.GetOutput()
+    positions = numpy_support.vtk_to_numpy(points.GetPoints().GetData())
+    assert len(positions) == 1000
+    assert numpy.allclose(numpy.linalg.norm(positions, axis=1), 0.5, atol=0.005)
+    assert numpy.all(numpy.sum(positions * point_array(points, "Normals"), axis=1) > 0.49)
+    assert numpy.array_equal(point_array(points, "Priority"), numpy.arange(1000, dtype="f4") / numpy.float32(1000))
+    assert point_array(points, "Radius").min() > 0
+
+
+def test_surface_samples_move_with_the_mesh():
+    mesh = ball_mesh()
+    sampler = vtkink.vtkInkSurfaceSampler()
+    sampler.SetInputData(mesh)
+    sampler.SetNumberOfSamples(300)
+    sampler.KeepFacesOn()
+    mover = vtkink.vtkInkSurfaceSampler()
+    transform, filter = vtk.vtkTransform(), vtk.vtkTransformPolyDataFilter()
+    transform.Scale(2, 2, 2)
+    filter.SetTransform(transform)
+    filter.SetInputData(mesh)
+    mover.SetInputConnection(filter.GetOutputPort())
+    mover.SetFirstFrameConnection(sampler.GetOutputPort())
+    mover.Update()
+    before, after = (numpy_support.vtk_to_numpy(s.GetOutput().GetPoints().GetData()) for s in (sampler, mover))
+    assert numpy.allclose(after, 2 * before, atol=1e-6)
+    assert numpy.allclose(point_array(mover.GetOutput(), "Radius"), 2 * point_array(sampler.GetOutput(), "Radius"))
+
+
+def test_point_priority_carries_arrays_along(bumpy_points):
+    order = vtkink.vtkInkPointPriority()
+    order.SetInputDataObject(bumpy_points)
+    order.Update()
+    points = order.GetOutput()
+    assert points.GetNumberOfPoints() == bumpy_points.GetNumberOfPoints()
+    rows = [
+        numpy.hstack([numpy_support.vtk_to_numpy(one.GetPoints().GetData()), point_array(one, "Normals")])
+        for one in (points, bumpy_points)
+    ]
+    assert numpy.array_equal(*(row[numpy.lexsort(row.T)] for row in rows))
+    assert numpy.all(numpy.diff(point_array(points, "Priority")) > 0)
+
+
+def test_surface_example_is_short_and_draws(tmp_path):
+    example = EXAMPLE.with_name("surface_samples.py")
+    assert len(example.read_text().splitlines()) <= 25
+    writer = vtk.vtkPLYWriter()
+    writer.SetFileName(str(tmp_path / "ball.ply"))
+    writer.SetInputData(ball_mesh())
+    writer.Write()
+    command = [sys.executable, str(example), "ball.ply", "20000"]
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert result.returncode == 0 and not result.stderr, result.stderr
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(tmp_path / "surface_samples.png"))
+    reader.Update()
+    grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
+    assert 0.5 < numpy.mean(grey > 0.95) < 0.999 and 0.0005 < numpy.mean(grey < 0.5) < 0.2
+
+
 def test_example_is_short_and_draws(tmp_path):
     assert len(EXAMPLE.read_text().splitlines()) <= 25
     result = subprocess.run(
@@ -268,3 +422,60 @@ def test_stipples_are_drawn_with_a_preset():
     assert numpy.allclose(found[found[:, 1] > 0, 3:], 0)
     mapper.SetKle(-5.0)
     assert mapper.GetKle() == 0.01
+
+
+needs_openvdb = pytest.mark.skipif(not hasattr(vtkink, "vtkInkVDBReader"), reason="built without OpenVDB")
+
+
+@pytest.fixture
+def vdb_file(tmp_path):
+    """The ball as a narrow band, written by ink, and the ball itself."""
+    values = ball().astype("f4")
+    raw, file = tmp_path / "ball.raw", tmp_path / "ball.vdb"
+    raw.write_bytes(values.tobytes())
+    subprocess.run(["ink", "convert", raw, file, "--raw", "32x32x32:float32", "--around", "0"], check=True)
+    return file, values
+
+
+@needs_openvdb
+def test_vdb_reader_and_sampler_agree_with_the_volume(vdb_file):
+    file, values = vdb_file
+    reader = vtkink.vtkInkVDBReader()
+    messages = Messages(reader)
+    reader.SetFileName(str(file))
+    reader.UpdateInformation()
+    assert [reader.GetNameOfGrid(i) for i in range(reader.GetNumberOfGrids())] == ["density"]
+    assert reader.GetTypeOfGrid(0) == "float" and reader.GetClassOfGrid(0) == "unknown"
+    reader.Update()
+    band = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(values.shape)
+    near = numpy.abs(values) < 2
+    assert near.any() and numpy.array_equal(band[near], values[near])
+    assert numpy.array_equal(band >= 0, values >= 0)
+
+    sampler = vtkink.vtkInkVDBIsoSurfaceSampler()
+    sampler.SetFileName(str(file))
+    sampler.SetValue(0, 0.0)
+    image = image_of(values)
+    image.SetOrigin(0, 0, 0)
+    dense = sampler_of(image, 0.0)
+    rows = []
+    for one in (sampler, dense):
+        one.Update()
+        points = one.GetOutput()
+        xyz = numpy_support.vtk_to_numpy(points.GetPoints().GetData())
+        table = numpy.hstack([xyz, point_array(points, "Normals")])
+        rows.append(table[numpy.lexsort(table.T)])
+    assert len(rows[0]) > 1000 and numpy.array_equal(*rows)
+    assert messages.texts == []
+
+
+@needs_openvdb
+def test_a_damaged_vdb_file_is_one_error(vdb_file, tmp_path):
+    bad = tmp_path / "bad.vdb"
+    bad.write_bytes(vdb_file[0].read_bytes()[:-100])
+    for one in (vtkink.vtkInkVDBReader(), vtkink.vtkInkVDBIsoSurfaceSampler()):
+        messages = Messages(one, one.GetExecutive())
+        one.SetFileName(str(bad))
+        one.Update()
+        assert len(messages.texts) == 1 and "bad.vdb" in messages.texts[0]
+        assert one.GetOutput().GetNumberOfPoints() == 0

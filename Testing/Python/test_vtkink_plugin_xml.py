@@ -8,7 +8,7 @@ import pytest
 vtkink = pytest.importorskip("vtkink")
 
 SERVER_MANAGER = pathlib.Path(__file__).resolve().parents[2] / "Plugin" / "ServerManager"
-PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty")
+PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
 # Of the classes' own properties, those that the panels reach in another way or not at all: iso-values have
 # a property of their own kind; ParaView offers only arrays of one component.
 ELSEWHERE = {"Value", "NumberOfContours", "ArrayComponent"}
@@ -22,13 +22,40 @@ def sampler():
     return proxy_of("IsoSurfaceSampler.xml", "SourceProxy"), [vtkink.vtkInkIsoSurfaceSampler()]
 
 
+def gradient():
+    return proxy_of("Gradient.xml", "SourceProxy"), [vtkink.vtkInkGradient()]
+
+
+def surface_sampler():
+    return proxy_of("SurfaceSampler.xml", "SourceProxy"), [vtkink.vtkInkSurfaceSampler()]
+
+
+def point_priority():
+    return proxy_of("PointPriority.xml", "SourceProxy"), [vtkink.vtkInkPointPriority()]
+
+
 def splatting_lines():
     actor = vtkink.vtk.vtkActor()
     objects = [vtkink.vtkInkSplattingLinesMapper(), actor, actor.GetProperty()]
     return proxy_of("SplattingLines.xml", "RepresentationProxy"), objects
 
 
-PROXIES = {"IsoSurfaceSampler.xml": sampler, "SplattingLines.xml": splatting_lines}
+PROXIES = {
+    "Gradient.xml": gradient,
+    "IsoSurfaceSampler.xml": sampler,
+    "PointPriority.xml": point_priority,
+    "SplattingLines.xml": splatting_lines,
+    "SurfaceSampler.xml": surface_sampler,
+}
+if hasattr(vtkink, "vtkInkVDBReader"):
+    PROXIES["VDBReaders.xml"] = lambda: (
+        proxy_of("VDBReaders.xml", "SourceProxy[@name='InkVDBReader']"),
+        [vtkink.vtkInkVDBReader()],
+    )
+    PROXIES["VDBReaders.xml, sampler"] = lambda: (
+        proxy_of("VDBReaders.xml", "SourceProxy[@name='InkVDBIsoSurfaceSampler']"),
+        [vtkink.vtkInkVDBIsoSurfaceSampler()],
+    )
 
 
 def cases():
@@ -60,7 +87,9 @@ def test_defaults_are_equal(element, owner, name):
 @pytest.mark.parametrize("element, owner, name", list(cases()))
 def test_ranges_are_equal(element, owner, name):
     clamps = hasattr(owner, f"Get{name}MinValue")
-    domain = element.find("DoubleRangeDomain")
+    domain = next(
+        (one for kind in ("Double", "Int", "IdType") for one in element.iter(f"{kind}RangeDomain")), None
+    )
     choices = [float(entry.get("value")) for entry in element.iter("Entry")]
     if domain is not None and clamps:
         low, high = domain.get("min"), domain.get("max")
@@ -73,11 +102,11 @@ def test_ranges_are_equal(element, owner, name):
         return
     default = value(owner, name)[0]
     set_value = getattr(owner, f"Set{name}")
-    integer = element.tag == "IntVectorProperty"
+    integer = element.tag != "DoubleVectorProperty"
     for limit, end, beyond in ((low, "Min", -1e9), (high, "Max", 1e9)):
         at_end = getattr(owner, f"Get{name}{end}Value")()
         if limit is None:
-            assert abs(at_end) > 1e37, f"the panel gives no {end} for {name}, C++ {at_end}"
+            assert abs(at_end) > 1e18, f"the panel gives no {end} for {name}, C++ {at_end}"
             continue
         assert float(limit) == at_end
         set_value(int(beyond) if integer else beyond)

@@ -30,6 +30,9 @@ public:
     return holds;
   }
 
+  /// How many expectations have failed so far.
+  int Failed() const { return this->Failures; }
+
   /// What a VTK-style test returns.
   int Result() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
 

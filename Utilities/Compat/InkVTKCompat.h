@@ -4,6 +4,7 @@
 #ifndef InkVTKCompat_h
 #define InkVTKCompat_h
 
+#include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
@@ -16,6 +17,29 @@ inline bool InkCheckAbort(vtkAlgorithm* algorithm)
 #else
   return algorithm->GetAbortExecute() != 0;
 #endif
+}
+
+/// How many values an array has memory for. VTK 9.7 renamed it.
+inline vtkIdType InkGetCapacity(vtkAbstractArray* array)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+  return array->GetCapacity();
+#else
+  return array->GetSize();
+#endif
+}
+
+/// Gives an array memory for so many tuples, or more, and keeps what is in it.
+inline void InkReserveTuples(vtkAbstractArray* array, vtkIdType tuples)
+{
+  if (InkGetCapacity(array) < tuples * array->GetNumberOfComponents())
+  {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+    array->ReserveTuples(tuples);
+#else
+    array->Resize(tuples);
+#endif
+  }
 }
 
 #endif

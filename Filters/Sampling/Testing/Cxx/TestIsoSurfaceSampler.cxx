@@ -8,6 +8,7 @@
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkInkIsoSurfaceSampler.h"
+#include "vtkIntArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -235,6 +236,139 @@ void CheckCaching(InkTestChecks& check)
   check(runs == 2, "a run for another iso-value, found ", runs);
 }
 
+/// Several surfaces are told apart, and come as they do one by one.
+void CheckSurfaceIndex(InkTestChecks& check)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall());
+  sampler->SetValue(0, 100.0);
+  sampler->Update();
+  const vtkIdType first = sampler->GetOutput()->GetNumberOfPoints();
+  check(!sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"), "no SurfaceIndex for one iso-value");
+  sampler->SetValue(1, 500.0);
+  sampler->SetValue(2, 140.0);
+  sampler->Update();
+  auto* index = vtkIntArray::SafeDownCast(sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"));
+  const vtkIdType count = sampler->GetOutput()->GetNumberOfPoints();
+  if (check(index && index->GetNumberOfTuples() == count && count > first, "a SurfaceIndex for each point"))
+  {
+    check(index->GetValue(0) == 0 && index->GetValue(first - 1) == 0 && index->GetValue(first) == 2 &&
+        index->GetValue(count - 1) == 2,
+      "the numbers of the iso-values that have points");
+  }
+  sampler->ComputeSurfaceIndexOff();
+  sampler->Update();
+  check(!sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"), "no SurfaceIndex where it is off");
+}
+
+/// The index changes nothing but time, follows its input and can be given back.
+void CheckIndex(InkTestChecks& check)
+{
+  auto image = MakeBall();
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  vtkNew<vtkInkIsoSurfaceSampler> without;
+  without->UseIndexOff();
+  const auto same = [&](double isoValue, const char* when)
+  {
+    for (vtkInkIsoSurfaceSampler* one : { sampler.Get(), without.Get() })
+    {
+      one->SetInputData(image);
+      one->SetValue(0, isoValue);
+      one->Update();
+    }
+    const auto samples = SamplesOf(sampler->GetOutput());
+    check(!samples.empty() && samples == SamplesOf(without->GetOutput()), "the same points ", when);
+  };
+  check(sampler->GetIndexMemory() == 0, "no index before the first run");
+  same(100.0, "in the first run");
+  const vtkIdType memory = sampler->GetIndexMemory();
+  check(memory > 0 && memory < 0.02 * 1024 * image->GetActualMemorySize(), "a small index, found ", memory);
+  same(120.0, "with the index");
+  check(without->GetIndexMemory() == 0, "no index where it is off");
+  sampler->ReleaseIndex();
+  check(sampler->GetIndexMemory() == 0, "no index after its release");
+  same(110.0, "after the release");
+
+  auto* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  for (vtkIdType n = 0; n < scalars->GetNumberOfValues(); ++n)
+  {
+    scalars->SetValue(n, 200.0f - scalars->GetValue(n));
+  }
+  scalars->Modified();
+  image->Modified();
+  same(100.0, "after the array was modified");
+  image = MakeBall();
+  same(130.0, "with another image");
+}
+
+/// Arrays are filled again only when nobody else has them.
+void CheckReuse(InkTestChecks& check)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall());
+  sampler->SetValue(0, 100.0);
+  sampler->Update();
+  vtkDataArray* before = sampler->GetOutput()->GetPointData()->GetNormals();
+  const vtkMTimeType time = before->GetMTime();
+  sampler->SetValue(0, 110.0);
+  sampler->Update();
+  check(sampler->GetOutput()->GetPointData()->GetNormals() == before && before->GetMTime() > time,
+    "the same array, modified");
+  vtkNew<vtkPolyData> held;
+  held->ShallowCopy(sampler->GetOutput());
+  const auto samples = SamplesOf(held);
+  sampler->SetValue(0, 90.0);
+  sampler->Update();
+  check(SamplesOf(held) == samples, "a held output that stays as it is");
+  check(sampler->GetOutput()->GetNumberOfPoints() > held->GetNumberOfPoints(), "the next one beside it");
+  sampler->ReuseArraysOff();
+  sampler->Update();
+  vtkSmartPointer<vtkDataArray> normals = sampler->GetOutput()->GetPointData()->GetNormals();
+  check(
+    normals->GetReferenceCount() == 2, "no hold on the arrays of the output, but for the output's and ours");
+}
+
+/// Cheaper normals are close to the default's.
+void CheckNormals(InkTestChecks& check)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall());
+  sampler->SetValue(0, 100.0);
+  sampler->Update();
+  const auto expected = SamplesOf(sampler->GetOutput());
+  const auto farthest = [&](double scale)
+  {
+    sampler->Update();
+    const auto samples = SamplesOf(sampler->GetOutput());
+    double largest = samples.size() == expected.size() ? 0.0 : 1e30;
+    for (std::size_t n = 0; n < std::min(samples.size(), expected.size()); ++n)
+    {
+      for (int axis = 3; axis < 6; ++axis)
+      {
+        largest = std::max(largest, std::abs(samples[n][axis] / scale - expected[n][axis]));
+      }
+    }
+    return largest;
+  };
+  sampler->SetNormalsPrecisionToShort();
+  check(farthest(32767.0) <= 0.51 / 32767.0, "normals of 16 bits");
+  check(sampler->GetOutput()->GetPointData()->GetNormals()->GetDataType() == VTK_SHORT, "an array of short");
+  sampler->SetNormalsPrecisionToChar();
+  check(farthest(127.0) <= 0.51 / 127.0, "normals of 8 bits");
+  sampler->SetNormalsPrecisionToFloat();
+  sampler->SetArithmeticPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  const double single = farthest(1.0);
+  check(single > 0.0 && single < 1e-4, "single precision close to double, off by ", single);
+  sampler->SetArithmeticPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  for (const int method :
+    { vtkInkIsoSurfaceSampler::CELL, vtkInkIsoSurfaceSampler::GRADIENT, vtkInkIsoSurfaceSampler::REGRESSION })
+  {
+    sampler->SetNormalMethod(method);
+    const double change = farthest(1.0);
+    check(change > 1e-6 && change < 0.1, "other normals by method ", method, ", off by ", change);
+  }
+}
+
 } // namespace
 
 int TestIsoSurfaceSampler(int, char*[])
@@ -246,5 +380,9 @@ int TestIsoSurfaceSampler(int, char*[])
   CheckPrecision(check);
   CheckBlocks(check);
   CheckCaching(check);
+  CheckSurfaceIndex(check);
+  CheckIndex(check);
+  CheckReuse(check);
+  CheckNormals(check);
   return check.Result();
 }

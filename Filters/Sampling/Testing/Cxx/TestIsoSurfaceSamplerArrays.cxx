@@ -23,9 +23,11 @@ double Hills(double x, double y, double z)
   return std::floor(60.0 + 30.0 * std::sin(0.5 * x) * std::cos(0.4 * y) - 3.0 * z);
 }
 
-std::vector<Sample> SampleImage(vtkImageData* image, double isoValue, int component = 0)
+std::vector<Sample> SampleImage(
+  vtkImageData* image, double isoValue, int component = 0, int arithmetic = vtkAlgorithm::DOUBLE_PRECISION)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetArithmeticPrecision(arithmetic);
   sampler->SetInputData(image);
   sampler->SetArrayComponent(component);
   sampler->SetValue(0, isoValue);
@@ -60,6 +62,28 @@ int TestIsoSurfaceSamplerArrays(int, char*[])
     check(SampleImage(MakeImage(type, Extent, Hills), 40.0) == expected, "the same points from type ", type);
   }
 
+  // In single precision the types that it holds exactly agree to the last bit, and with the others closely.
+  const auto single = [&](int type)
+  { return SampleImage(MakeImage(type, Extent, Hills), 40.0, 0, vtkAlgorithm::SINGLE_PRECISION); };
+  const auto ofFloat = single(VTK_FLOAT);
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT })
+  {
+    check(single(type) == ofFloat, "the same points in single precision from type ", type);
+  }
+  for (const int type : { VTK_INT, VTK_UNSIGNED_LONG_LONG, VTK_DOUBLE })
+  {
+    check(single(type) == expected, "the same points in double from type ", type);
+  }
+  double farthest = ofFloat.size() == expected.size() ? 0.0 : 1e30;
+  for (std::size_t n = 0; n < std::min(ofFloat.size(), expected.size()); ++n)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      farthest = std::max(farthest, std::abs(ofFloat[n][i] - expected[n][i]));
+    }
+  }
+  check(farthest > 0.0 && farthest < 5e-5, "nearly the same points in single precision, off by ", farthest);
+
   vtkNew<vtkFloatArray> interleaved;
   interleaved->SetNumberOfComponents(3);
   interleaved->SetNumberOfTuples(count);
@@ -70,6 +94,8 @@ int TestIsoSurfaceSamplerArrays(int, char*[])
 
   vtkNew<vtkSOADataArrayTemplate<float>> apart;
   apart->DeepCopy(interleaved);
+  check(SampleImage(With(image, interleaved), 40.0, 1, vtkAlgorithm::SINGLE_PRECISION) == ofFloat,
+    "the same points in single precision from one of three components");
   check(SampleImage(With(image, apart), 40.0, 1) == expected, "the same points from components kept apart");
 
   // The active scalars are not the only choice.
@@ -77,6 +103,7 @@ int TestIsoSurfaceSamplerArrays(int, char*[])
   heights->SetName("Heights");
   both->GetPointData()->AddArray(heights);
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetArithmeticPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sampler->SetInputData(both);
   sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Heights");
   sampler->SetValue(0, 40.0);

@@ -1,0 +1,130 @@
+#include "Sampling/WhiteNoise.h"
+
+#include "Sampling/Hash.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr std::size_t blockSize = 1 << 13;
+
+/// Evenly in a triangle.
+void placeEvenly(std::uint64_t random, SurfaceSample& sample)
+{
+  const float root = std::sqrt(unitFloat(random, 0));
+  const float along = unitFloat(random, 1);
+  sample.b1 = root * (1.0f - along);
+  sample.b2 = root * along;
+}
+
+/// By a density that is linear between the corners. Such a density is a mixture of three, each a corner's
+/// barycentric coordinate. By a coordinate itself, the coordinates are distributed as the four spacings of
+/// three uniform numbers are, two of them joined.
+void placeByDensity(glm::vec3 density, std::uint64_t random, SurfaceSample& sample)
+{
+  const float choice = unitFloat(random, 0) * (density.x + density.y + density.z);
+  float sorted[3] = { unitFloat(random, 1), unitFloat(hash(random), 0), unitFloat(hash(random), 1) };
+  std::sort(sorted, sorted + 3);
+  const float joined = sorted[1];
+  const float third = sorted[2] - sorted[1];
+  const float fourth = 1.0f - sorted[2];
+  if (choice < density.x)
+  {
+    sample.b1 = third;
+    sample.b2 = fourth;
+  }
+  else if (choice < density.x + density.y)
+  {
+    sample.b1 = joined;
+    sample.b2 = third;
+  }
+  else
+  {
+    sample.b1 = third;
+    sample.b2 = joined;
+  }
+}
+
+} // namespace
+
+std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const CumulativeArea& areas,
+  std::size_t count, std::uint64_t seed, const Progress& progress)
+{
+  const std::span<const double> weights = areas.weights();
+  const double total = weights.empty() ? 0.0 : weights.back();
+  if (count == 0 || !(total > 0.0))
+  {
+    return {};
+  }
+  // Two streams: one for the spacings, one for the places inside the triangles.
+  const std::uint64_t spacingSeed = hash(seed, 1);
+  const std::uint64_t placeSeed = hash(seed, 2);
+  const std::size_t blocks = count / blockSize + 1; // one spacing more than there are samples
+  std::vector<double> sums(count + 1);
+  std::vector<double> before(blocks + 1);
+  bool going = parallelFor(
+    blocks,
+    [&](std::size_t block)
+    {
+      double sum = 0.0;
+      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count + 1); ++i)
+      {
+        // In (0, 1], so that the logarithm is finite.
+        sum -= std::log(1.0 - unitDouble(hash(spacingSeed ^ i)));
+        sums[i] = sum;
+      }
+      before[block + 1] = sum;
+    },
+    progress ? [&](double done) { return progress(0.5 * done); } : Progress());
+  if (!going)
+  {
+    return {};
+  }
+  for (std::size_t block = 1; block <= blocks; ++block)
+  {
+    before[block] += before[block - 1];
+  }
+  const double scale = total / before.back();
+
+  std::vector<SurfaceSample> samples(count);
+  going = parallelFor(
+    blocks,
+    [&](std::size_t block)
+    {
+      const std::size_t begin = block * blockSize;
+      const std::size_t end = std::min(begin + blockSize, count);
+      std::size_t triangle = 0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const double place = std::min((before[block] + sums[i]) * scale, std::nextafter(total, 0.0));
+        // The last triangle that begins at or before the place: never one of no weight.
+        if (i == begin)
+        {
+          triangle = std::upper_bound(weights.begin(), weights.end(), place) - weights.begin() - 1;
+        }
+        while (weights[triangle + 1] <= place)
+        {
+          ++triangle;
+        }
+        samples[i].triangle = static_cast<std::uint32_t>(triangle);
+        const std::uint64_t random = hash(placeSeed ^ i);
+        if (mesh.pointDensity.empty())
+        {
+          placeEvenly(random, samples[i]);
+        }
+        else
+        {
+          placeByDensity(mesh.density(triangle), random, samples[i]);
+        }
+      }
+    },
+    progress ? [&](double done) { return progress(0.5 + 0.5 * done); } : Progress());
+  return going ? samples : std::vector<SurfaceSample>();
+}
+
+} // namespace ink

@@ -1,0 +1,406 @@
+// A cell belongs to the block of 8^3 voxels that its first corner lies in. It can only be crossed if one of
+// the up to eight blocks with its corners is a leaf, or if two of them are tiles on different sides of the
+// surface. So the blocks to look at are
+// - all leaves;
+// - the blocks inside a tile that lie before a leaf along one or more axes, where the leaf's voxels at that
+//   border are not all on the tile's side;
+// - the blocks inside a tile that lie before a block of another tile on the other side. One of the two is
+//   then on the side on which the background is not, and is found from there.
+
+#include "Vdb/VdbSamples.h"
+
+#include "Sampling/ScalarBound.h"
+#include "Vdb/VdbTree.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+
+namespace ink
+{
+namespace
+{
+
+using openvdb::Coord;
+
+/// A block and the samples on its far sides, which its cells need as well.
+constexpr int Samples = leafSize + 1;
+
+bool before(const glm::ivec3& a, const glm::ivec3& b)
+{
+  return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+}
+
+template <class TreeType>
+class VdbCellFinder
+{
+public:
+  using T = typename TreeType::ValueType;
+  using Leaf = typename TreeType::LeafNodeType;
+  using Lookup = VdbLookup<TreeType>;
+  using Block = VdbCrossedCells::Block;
+
+  VdbCellFinder(const VdbGrid& grid, const TreeType& tree, double isoValue, CrossingRule rule, bool negate)
+    : Tree(tree)
+    , Domain(grid.domain())
+    , Rule(rule)
+    , Negate(negate)
+    , AtLeast(ScalarBound<T>::atLeast(isoValue))
+    , Above(ScalarBound<T>::above(isoValue))
+  {
+  }
+
+  /// All blocks that may hold crossed cells, in their order.
+  std::vector<glm::ivec3> findBlocks() const
+  {
+    std::vector<const Leaf*> leaves;
+    this->Tree.getNodes(leaves);
+    std::vector<std::vector<glm::ivec3>> found(leaves.size() / leavesAtOnce + 1);
+    const auto look = [&](std::size_t n)
+    {
+      Lookup lookup(this->Tree);
+      const std::size_t end = std::min(leaves.size(), (n + 1) * leavesAtOnce);
+      for (std::size_t i = n * leavesAtOnce; i < end; ++i)
+      {
+        this->addLeaf(*leaves[i], lookup, found[n]);
+      }
+    };
+    parallelFor(found.size(), look);
+    this->addTiles(found);
+
+    std::vector<glm::ivec3> blocks;
+    for (const std::vector<glm::ivec3>& part : found)
+    {
+      blocks.insert(blocks.end(), part.begin(), part.end());
+    }
+    std::sort(blocks.begin(), blocks.end(), before);
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    return blocks;
+  }
+
+  /// The crossed cells of a block; whether there are any.
+  bool find(const glm::ivec3& first, Lookup& lookup, Block& block) const
+  {
+    Rows rows;
+    this->classify(first, lookup, rows);
+    block.first = first;
+    block.cells.fill(0);
+    // Only cells with all corners in the domain.
+    const glm::ivec3 low = glm::max(this->Domain.first, first) - first;
+    const glm::ivec3 high = glm::min(this->Domain.last, first + leafSize) - first;
+    const unsigned inDomain = low.z < high.z ? (1u << high.z) - (1u << low.z) : 0u;
+    std::uint64_t any = 0;
+    for (int x = low.x; x < high.x; ++x)
+    {
+      for (int y = low.y; y < high.y; ++y)
+      {
+        for (unsigned rest = this->crossed(rows, x, y) & inDomain; rest != 0; rest &= rest - 1)
+        {
+          const std::uint64_t bit = std::uint64_t(1) << (y * leafSize + x);
+          block.cells[static_cast<std::size_t>(std::countr_zero(rest))] |= bit;
+          any |= bit;
+        }
+      }
+    }
+    return any != 0;
+  }
+
+private:
+  static constexpr std::size_t leavesAtOnce = 64;
+
+  /// A bit for each of the samples along z at (x, y).
+  struct Rows
+  {
+    unsigned above[Samples][Samples];   ///< at or above the iso-value
+    unsigned over[Samples][Samples];    ///< strictly above it
+    unsigned missing[Samples][Samples]; ///< not finite
+  };
+
+  bool isAbove(T value) const
+  {
+    return this->AtLeast.reachable && (this->Negate ? -value : value) >= this->AtLeast.lowest;
+  }
+
+  /// Whether a leaf's voxels on its near side along the axes that `step` goes along are all on one side.
+  bool borderIs(bool above, const Leaf& leaf, const glm::ivec3& step) const
+  {
+    const glm::ivec3 end = glm::ivec3(leafSize) - (leafSize - 1) * step;
+    const T* values = leaf.buffer().data();
+    for (int x = 0; x < end.x; ++x)
+    {
+      for (int y = 0; y < end.y; ++y)
+      {
+        for (int z = 0; z < end.z; ++z)
+        {
+          if (this->isAbove(values[(x * leafSize + y) * leafSize + z]) != above)
+          {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  void addLeaf(const Leaf& leaf, Lookup& lookup, std::vector<glm::ivec3>& blocks) const
+  {
+    const glm::ivec3 first = toVector(leaf.origin());
+    blocks.push_back(first);
+    for (int n = 1; n < 8; ++n)
+    {
+      const glm::ivec3 step(n & 1, n >> 1 & 1, n >> 2);
+      const glm::ivec3 neighbour = first - leafSize * step;
+      if (!lookup.probeConstLeaf(toCoord(neighbour)) &&
+        !this->borderIs(this->isAbove(lookup.getValue(toCoord(neighbour))), leaf, step))
+      {
+        blocks.push_back(neighbour);
+      }
+    }
+  }
+
+  void addTiles(std::vector<std::vector<glm::ivec3>>& found) const
+  {
+    const bool outside = this->isAbove(this->Tree.background());
+    using Root = typename TreeType::RootNodeType;
+    using Upper = typename Root::ChildNodeType;
+    using Lower = typename Upper::ChildNodeType;
+    found.emplace_back();
+    Lookup lookup(this->Tree);
+    for (auto tile = this->Tree.root().cbeginValueAll(); tile; ++tile)
+    {
+      if (this->isAbove(*tile) != outside)
+      {
+        this->addTile(toVector(tile.getCoord()), Upper::DIM, lookup, found.back());
+      }
+    }
+    this->template addTilesOf<Upper>(outside, found);
+    this->template addTilesOf<Lower>(outside, found);
+  }
+
+  template <class Node>
+  void addTilesOf(bool outside, std::vector<std::vector<glm::ivec3>>& found) const
+  {
+    std::vector<const Node*> nodes;
+    this->Tree.getNodes(nodes);
+    const std::size_t start = found.size();
+    found.resize(start + nodes.size());
+    const auto look = [&](std::size_t n)
+    {
+      Lookup lookup(this->Tree);
+      for (auto tile = nodes[n]->cbeginValueAll(); tile; ++tile)
+      {
+        if (this->isAbove(*tile) != outside)
+        {
+          this->addTile(toVector(tile.getCoord()), Node::ChildNodeType::DIM, lookup, found[start + n]);
+        }
+      }
+    };
+    parallelFor(nodes.size(), look);
+  }
+
+  /// Blocks along a tile's border, in it or before it, that another tile on the other side comes after.
+  void addTile(const glm::ivec3& first, int size, Lookup& lookup, std::vector<glm::ivec3>& blocks) const
+  {
+    if (this->isSurrounded(first, size, lookup))
+    {
+      return;
+    }
+    const glm::ivec3 low = first - leafSize;
+    const glm::ivec3 high = first + size - leafSize;
+    for (int z = low.z; z <= high.z; z += leafSize)
+    {
+      for (int y = low.y; y <= high.y; y += leafSize)
+      {
+        const bool onSide = z == low.z || z == high.z || y == low.y || y == high.y;
+        for (int x = low.x; x <= high.x; x += onSide ? leafSize : high.x - low.x)
+        {
+          if (this->isBeforeOtherTile({ x, y, z }, lookup))
+          {
+            blocks.emplace_back(x, y, z);
+          }
+        }
+      }
+    }
+  }
+
+  /// Whether nothing around a tile makes crossed cells with it that are not found from there: tiles on the
+  /// same side, or leaves beside a tile of a leaf's size.
+  bool isSurrounded(const glm::ivec3& first, int size, Lookup& lookup) const
+  {
+    const int depth = lookup.getValueDepth(toCoord(first));
+    const bool above = this->isAbove(lookup.getValue(toCoord(first)));
+    for (int n = 0; n < 27; ++n)
+    {
+      const Coord at = toCoord(first + size * (glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1));
+      const bool leaf = size == leafSize && lookup.probeConstLeaf(at);
+      if (!leaf && (lookup.getValueDepth(at) > depth || this->isAbove(lookup.getValue(at)) != above))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool isBeforeOtherTile(const glm::ivec3& block, Lookup& lookup) const
+  {
+    if (lookup.probeConstLeaf(toCoord(block)))
+    {
+      return false;
+    }
+    const bool above = this->isAbove(lookup.getValue(toCoord(block)));
+    for (int n = 1; n < 8; ++n)
+    {
+      const Coord at = toCoord(block + leafSize * glm::ivec3(n & 1, n >> 1 & 1, n >> 2));
+      if (!lookup.probeConstLeaf(at) && this->isAbove(lookup.getValue(at)) != above)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void classify(const glm::ivec3& first, Lookup& lookup, Rows& rows) const
+  {
+    T values[Samples][Samples][Samples];
+    for (int n = 0; n < 8; ++n)
+    {
+      const glm::ivec3 step(n & 1, n >> 1 & 1, n >> 2);
+      const Coord at = toCoord(first + leafSize * step);
+      const Leaf* leaf = lookup.probeConstLeaf(at);
+      const T* from = leaf ? leaf->buffer().data() : nullptr;
+      const T tile = leaf ? T(0) : lookup.getValue(at);
+      const glm::ivec3 count = glm::ivec3(leafSize) - (leafSize - 1) * step;
+      for (int x = 0; x < count.x; ++x)
+      {
+        for (int y = 0; y < count.y; ++y)
+        {
+          T* to = &values[x + leafSize * step.x][y + leafSize * step.y][leafSize * step.z];
+          for (int z = 0; z < count.z; ++z)
+          {
+            to[z] = from ? from[(x * leafSize + y) * leafSize + z] : tile;
+          }
+        }
+      }
+    }
+    for (int x = 0; x < Samples; ++x)
+    {
+      for (int y = 0; y < Samples; ++y)
+      {
+        unsigned above = 0;
+        unsigned over = 0;
+        unsigned missing = 0;
+        for (int z = 0; z < Samples; ++z)
+        {
+          const T value = this->Negate ? -values[x][y][z] : values[x][y][z];
+          above |= static_cast<unsigned>(value >= this->AtLeast.lowest) << z;
+          over |= static_cast<unsigned>(value >= this->Above.lowest) << z;
+          missing |= static_cast<unsigned>(!(std::abs(value) <= std::numeric_limits<T>::max())) << z;
+        }
+        rows.above[x][y] = this->AtLeast.reachable ? above : 0;
+        rows.over[x][y] = this->Above.reachable ? over : 0;
+        rows.missing[x][y] = missing;
+      }
+    }
+  }
+
+  /// The crossed ones of the eight cells along z at (x, y), as bits.
+  unsigned crossed(const Rows& rows, int x, int y) const
+  {
+    constexpr int corners[4][2] = { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
+    unsigned any = 0;
+    unsigned all = ~0u;
+    unsigned missing = 0;
+    unsigned edges = 0;
+    const auto edge = [&](unsigned above1, unsigned over1, unsigned above2, unsigned over2)
+    { edges |= (~above1 & over2) | (over1 & ~above2) | (above1 & ~over1 & above2 & ~over2); };
+    for (const auto& [dx, dy] : corners)
+    {
+      const unsigned above = rows.above[x + dx][y + dy];
+      const unsigned over = rows.over[x + dx][y + dy];
+      any |= above | above >> 1;
+      all &= above & above >> 1;
+      missing |= rows.missing[x + dx][y + dy] | rows.missing[x + dx][y + dy] >> 1;
+      edge(above, over, above >> 1, over >> 1);
+      for (const auto& [ex, ey] : corners)
+      {
+        // The other end of an edge across z, in both layers of the cell.
+        if (ex + ey == dx + dy + 1 && ex >= dx && ey >= dy)
+        {
+          const unsigned otherAbove = rows.above[x + ex][y + ey];
+          const unsigned otherOver = rows.over[x + ex][y + ey];
+          edge(above, over, otherAbove, otherOver);
+          edge(above >> 1, over >> 1, otherAbove >> 1, otherOver >> 1);
+        }
+      }
+    }
+    constexpr unsigned cells = 0xff;
+    return (this->Rule == CrossingRule::HalfOpen ? any & ~all : edges) & ~missing & cells;
+  }
+
+  const TreeType& Tree;
+  VoxelBox Domain;
+  CrossingRule Rule;
+  bool Negate;
+  ScalarBound<T> AtLeast;
+  ScalarBound<T> Above;
+};
+
+} // namespace
+
+VdbCrossedCells findCrossedCells(
+  const VdbGrid& grid, double isoValue, CrossingRule rule, bool negate, const Progress& progress)
+{
+  VdbCrossedCells cells;
+  if (std::isnan(isoValue))
+  {
+    return cells;
+  }
+  std::visit(
+    [&](const auto& tree)
+    {
+      using TreeType = std::remove_cvref_t<decltype(tree)>;
+      const VdbCellFinder<TreeType> finder(grid, tree, isoValue, rule, negate);
+      const std::vector<glm::ivec3> blocks = finder.findBlocks();
+      constexpr std::size_t blocksAtOnce = 64;
+      std::vector<std::vector<VdbCrossedCells::Block>> found(
+        (blocks.size() + blocksAtOnce - 1) / blocksAtOnce);
+      const auto find = [&](std::size_t n)
+      {
+        VdbLookup<TreeType> lookup(tree);
+        const std::size_t end = std::min(blocks.size(), (n + 1) * blocksAtOnce);
+        VdbCrossedCells::Block block;
+        for (std::size_t i = n * blocksAtOnce; i < end; ++i)
+        {
+          if (finder.find(blocks[i], lookup, block))
+          {
+            found[n].push_back(block);
+          }
+        }
+      };
+      if (!parallelFor(found.size(), find, progress))
+      {
+        return;
+      }
+      for (const auto& part : found)
+      {
+        cells.blocks.insert(cells.blocks.end(), part.begin(), part.end());
+      }
+    },
+    grid.tree().values);
+  for (VdbCrossedCells::Block& block : cells.blocks)
+  {
+    block.before = cells.count;
+    for (const std::uint64_t layer : block.cells)
+    {
+      cells.count += static_cast<std::size_t>(std::popcount(layer));
+    }
+  }
+  return cells;
+}
+
+} // namespace ink

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What has no gradient: one message that names what was found, and an empty output.
+
+#include "GradientTestImages.h"
+#include "InkTestChecks.h"
+
+#include "vtkCellData.h"
+#include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+#include "vtkInkGradient.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+
+/// Runs on an image after `change`; expects the words in one message, or no message for none.
+void Expect(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
+  const std::function<void(vtkInkGradient*, vtkImageData*)>& change)
+{
+  auto image =
+    MakeImage(VTK_FLOAT, { 0, 8, 0, 7, 0, 6 }, [](double x, double y, double z) { return x + y - z; });
+  vtkNew<vtkInkGradient> filter;
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(filter);
+  messages->Observe(filter->GetExecutive());
+  filter->SetComputeLaplacian(true);
+  change(filter, image);
+  filter->SetInputData(image);
+  filter->Update();
+  check(filter->GetOutput()->GetNumberOfPoints() == 0 &&
+      filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0,
+    name, ": an empty output");
+  if (!check(messages->Messages.size() == (words.empty() ? 0 : 1), name, ": one message if any, found ",
+        messages->Messages.size()))
+  {
+    return;
+  }
+  for (const std::string& word : words)
+  {
+    check(messages->Messages[0].find(word) != std::string::npos, name, ": \"", word,
+      "\" in the message: ", messages->Messages[0]);
+  }
+}
+
+} // namespace
+
+int TestGradientErrors(int, char*[])
+{
+  InkTestChecks check;
+  Expect(check, "no image", {}, [](vtkInkGradient*, vtkImageData* image) { image->Initialize(); });
+  Expect(check, "no scalars", { "No point scalars", "none" },
+    [](vtkInkGradient*, vtkImageData* image) { image->GetPointData()->Initialize(); });
+  Expect(check, "no such array", { "\"Pressure\"", "\"Density\"" },
+    [](vtkInkGradient* filter, vtkImageData*)
+    { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
+  Expect(check, "cell data", { "OfCells", "336", "504" },
+    [](vtkInkGradient* filter, vtkImageData* image)
+    {
+      vtkNew<vtkFloatArray> cells;
+      cells->SetName("OfCells");
+      cells->SetNumberOfTuples(image->GetNumberOfCells());
+      cells->Fill(1.0);
+      image->GetCellData()->AddArray(cells);
+      filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells");
+    });
+  Expect(check, "words", { "Words" },
+    [](vtkInkGradient* filter, vtkImageData* image)
+    {
+      vtkNew<vtkStringArray> words;
+      words->SetName("Words");
+      words->SetNumberOfValues(image->GetNumberOfPoints());
+      image->GetPointData()->AddArray(words);
+      filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Words");
+    });
+  Expect(check, "short array", { "Density", "10 values", "504" },
+    [](vtkInkGradient*, vtkImageData* image) { image->GetPointData()->GetScalars()->SetNumberOfTuples(10); });
+  Expect(check, "no such component", { "Density", "ArrayComponent is 1", "1 components" },
+    [](vtkInkGradient* filter, vtkImageData*) { filter->SetArrayComponent(1); });
+  Expect(check, "no spacing", { "spacing" },
+    [](vtkInkGradient*, vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
+  Expect(check, "NaN in the spacing", { "spacing" },
+    [](vtkInkGradient*, vtkImageData* image)
+    { image->SetSpacing(1.0, std::numeric_limits<double>::quiet_NaN(), 1.0); });
+  Expect(check, "flat direction matrix", { "direction matrix" },
+    [](vtkInkGradient*, vtkImageData* image) { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
+  return check.Result();
+}

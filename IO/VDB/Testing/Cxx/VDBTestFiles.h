@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// .vdb files for the tests of what reads them.
+#ifndef VDBTestFiles_h
+#define VDBTestFiles_h
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/LevelSetSphere.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+/// A file in the folder that the tests run in.
+inline std::string WriteVDB(const std::string& name, const openvdb::GridPtrVec& grids)
+{
+  openvdb::initialize();
+  openvdb::io::File(name).write(grids);
+  return name;
+}
+
+template <class Grid = openvdb::FloatGrid>
+typename Grid::Ptr MakeSphere(const std::string& name = "sphere")
+{
+  const auto grid = openvdb::tools::createLevelSetSphere<Grid>(6.0f, { 1.0f, 2.0f, 3.0f }, 0.5f, 3.0f);
+  grid->setName(name);
+  return grid;
+}
+
+/// A point and its normal, which sort and compare exactly.
+using VDBSample = std::array<double, 6>;
+
+inline std::vector<VDBSample> SamplesOf(vtkPolyData* data)
+{
+  std::vector<VDBSample> samples(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  vtkDataArray* normals = data->GetPointData()->GetNormals();
+  for (std::size_t n = 0; normals && n < samples.size(); ++n)
+  {
+    data->GetPoint(static_cast<vtkIdType>(n), samples[n].data());
+    normals->GetTuple(static_cast<vtkIdType>(n), samples[n].data() + 3);
+  }
+  std::sort(samples.begin(), samples.end());
+  return samples;
+}
+
+#endif

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkVDBIsoSurfaceSampler.h"
+
+#include "InkImageGrid.h"
+#include "InkVDBSource.h"
+#include "InkVTKCompat.h"
+#include "Sampling/IsoSurfaceSamples.h"
+#include "Vdb/VdbSamples.h"
+
+#include "vtkCellArray.h"
+#include "vtkContourValues.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <new>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkInkVDBIsoSurfaceSampler);
+
+namespace
+{
+
+std::string Text(const char* characters)
+{
+  return characters ? characters : "";
+}
+
+/// A piece's share of the blocks.
+ink::VdbCrossedCells ShareOf(ink::VdbCrossedCells cells, int piece, int pieces)
+{
+  const auto at = [&](int n)
+  {
+    return cells.blocks.begin() +
+      static_cast<std::ptrdiff_t>(
+        cells.blocks.size() * static_cast<std::size_t>(n) / static_cast<std::size_t>(pieces));
+  };
+  ink::VdbCrossedCells share;
+  share.blocks.assign(at(piece), at(piece + 1));
+  for (ink::VdbCrossedCells::Block& block : share.blocks)
+  {
+    block.before = share.count;
+    for (const std::uint64_t layer : block.cells)
+    {
+      share.count += static_cast<std::size_t>(std::popcount(layer));
+    }
+  }
+  return share;
+}
+
+/// The crossed cells of several surfaces, and where their samples go.
+struct Surfaces
+{
+  std::vector<double> IsoValues;
+  std::vector<ink::VdbCrossedCells> Cells;
+  std::size_t Count = 0;
+};
+
+template <class Array, class NextStep>
+bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, ink::CrossingRule rule, bool negate,
+  Array* points, vtkFloatArray* normals, const NextStep& nextStep)
+{
+  using Real = typename Array::ValueType;
+  points->SetNumberOfTuples(static_cast<vtkIdType>(surfaces.Count));
+  Real* point = points->GetPointer(0);
+  float* normal = normals ? normals->GetPointer(0) : nullptr;
+  for (std::size_t i = 0; i < surfaces.Cells.size(); ++i)
+  {
+    const std::size_t size = 3 * surfaces.Cells[i].count;
+    if (!ink::placeIsoSurfaceSamples(grid, surfaces.IsoValues[i], { rule }, negate, surfaces.Cells[i],
+          std::span<Real>(point, size), std::span<float>(normal, normal ? size : 0), nextStep()))
+    {
+      return false;
+    }
+    point += size;
+    normal += normal ? size : 0;
+  }
+  return true;
+}
+
+} // namespace
+
+vtkInkVDBIsoSurfaceSampler::vtkInkVDBIsoSurfaceSampler()
+  : Source(std::make_unique<InkVDBSource>())
+{
+  this->SetNumberOfInputPorts(0);
+  // It holds one value at first.
+  this->ContourValues->SetNumberOfContours(0);
+}
+
+vtkInkVDBIsoSurfaceSampler::~vtkInkVDBIsoSurfaceSampler()
+{
+  this->SetFileName(nullptr);
+  this->SetGridName(nullptr);
+}
+
+vtkStringArray* vtkInkVDBIsoSurfaceSampler::GetGridNames()
+{
+  return this->Names;
+}
+
+void vtkInkVDBIsoSurfaceSampler::SetValue(int i, double value)
+{
+  this->ContourValues->SetValue(i, value);
+}
+
+double vtkInkVDBIsoSurfaceSampler::GetValue(int i)
+{
+  return this->ContourValues->GetValue(i);
+}
+
+void vtkInkVDBIsoSurfaceSampler::SetNumberOfContours(int number)
+{
+  this->ContourValues->SetNumberOfContours(number);
+}
+
+vtkIdType vtkInkVDBIsoSurfaceSampler::GetNumberOfContours()
+{
+  return this->ContourValues->GetNumberOfContours();
+}
+
+void vtkInkVDBIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart, double rangeEnd)
+{
+  this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+}
+
+vtkMTimeType vtkInkVDBIsoSurfaceSampler::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
+}
+
+int vtkInkVDBIsoSurfaceSampler::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  this->Names->SetNumberOfValues(0);
+  this->Failed = true;
+  try
+  {
+    for (const ink::VdbGridInfo& grid : this->Source->List(Text(this->FileName)).grids)
+    {
+      if (grid.problem.empty())
+      {
+        this->Names->InsertNextValue(grid.name);
+      }
+    }
+    this->Failed = false;
+  }
+  catch (const ink::VdbError& error)
+  {
+    vtkErrorMacro(<< error.what() << ".");
+  }
+  return 1;
+}
+
+int vtkInkVDBIsoSurfaceSampler::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  if (this->Failed)
+  {
+    return 1;
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(info);
+  try
+  {
+    const ink::VdbGrid& grid =
+      this->Source->Read(Text(this->FileName), Text(this->GridName), this->MaximumMemory);
+    const bool levelSet = grid.info().gridClass == ink::VdbClass::LevelSet;
+    const bool negate = this->InvertLevelSets && levelSet;
+    const ink::CrossingRule rule =
+      this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
+    Surfaces surfaces;
+    surfaces.IsoValues.assign(this->ContourValues->GetValues(),
+      this->ContourValues->GetValues() + this->ContourValues->GetNumberOfContours());
+    if (surfaces.IsoValues.empty() && levelSet)
+    {
+      surfaces.IsoValues.push_back(0.0);
+    }
+    if (std::any_of(
+          surfaces.IsoValues.begin(), surfaces.IsoValues.end(), [](double v) { return std::isnan(v); }))
+    {
+      vtkWarningMacro("An iso-value is not a number (NaN) and makes no points.");
+    }
+    // One step to find an iso-value's cells and one to place its samples.
+    double step = 0.0;
+    const double steps = 2.0 * std::max<double>(1.0, static_cast<double>(surfaces.IsoValues.size()));
+    const auto nextStep = [&]() -> ink::Progress
+    {
+      return [this, before = step++, steps](double fraction)
+      {
+        this->UpdateProgress((before + fraction) / steps);
+        return !InkCheckAbort(this);
+      };
+    };
+    const int pieces = std::max(info->Get(SDDP::UPDATE_NUMBER_OF_PIECES()), 1);
+    const int piece = std::clamp(info->Get(SDDP::UPDATE_PIECE_NUMBER()), 0, pieces - 1);
+    for (const double isoValue : surfaces.IsoValues)
+    {
+      surfaces.Cells.push_back(
+        ShareOf(ink::findCrossedCells(grid, isoValue, rule, negate, nextStep()), piece, pieces));
+      if (InkCheckAbort(this))
+      {
+        return 1;
+      }
+      surfaces.Count += surfaces.Cells.back().count;
+    }
+
+    const ink::GridGeometry geometry = grid.geometry(grid.activeBox());
+    const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
+      (this->OutputPointsPrecision == DEFAULT_PRECISION && surfaces.Count > 0 &&
+        InkNeedsDoublePrecision(geometry));
+    vtkNew<vtkPoints> points;
+    points->SetDataType(doubles ? VTK_DOUBLE : VTK_FLOAT);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(this->ComputeNormals ? static_cast<vtkIdType>(surfaces.Count) : 0);
+    vtkFloatArray* wanted = this->ComputeNormals ? normals.Get() : nullptr;
+    const bool whole = doubles
+      ? Place(grid, surfaces, rule, negate, vtkDoubleArray::SafeDownCast(points->GetData()), wanted, nextStep)
+      : Place(grid, surfaces, rule, negate, vtkFloatArray::SafeDownCast(points->GetData()), wanted, nextStep);
+    if (!whole)
+    {
+      return 1;
+    }
+    this->FillOutput(points, wanted, ink::isoSurfaceSampleRadius(geometry), output);
+  }
+  catch (const ink::VdbError& error)
+  {
+    vtkErrorMacro(<< error.what() << ".");
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("Cannot sample \"" << Text(this->FileName) << "\": there is not enough memory.");
+  }
+  return 1;
+}
+
+void vtkInkVDBIsoSurfaceSampler::FillOutput(
+  vtkPoints* points, vtkFloatArray* normals, double radius, vtkPolyData* output)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  output->SetPoints(points);
+  if (normals)
+  {
+    normals->SetName("Normals");
+    output->GetPointData()->SetNormals(normals);
+  }
+  if (this->ComputeRadius)
+  {
+    vtkSmartPointer<vtkDataArray> radii =
+      vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(points->GetDataType()));
+    radii->SetName("Radius");
+    radii->SetNumberOfTuples(count);
+    radii->Fill(radius);
+    output->GetPointData()->AddArray(radii);
+  }
+  if (this->GenerateVertices && count > 0)
+  {
+    vtkNew<vtkIdTypeArray> offsets;
+    offsets->InsertNextValue(0);
+    offsets->InsertNextValue(count);
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetNumberOfValues(count);
+    std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType(0));
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(offsets, ids);
+    output->SetVerts(cells);
+  }
+}
+
+void vtkInkVDBIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << Text(this->FileName) << "\n"
+     << indent << "GridName: " << Text(this->GridName) << "\n"
+     << indent << "InvertLevelSets: " << this->InvertLevelSets << "\n"
+     << indent << "CrossingRule: " << (this->CrossingRule == STRICT ? "STRICT" : "HALF_OPEN") << "\n"
+     << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
+     << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
+     << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
+     << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n"
+     << indent << "MaximumMemory: " << this->MaximumMemory << "\n"
+     << indent << "ContourValues:\n";
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+}

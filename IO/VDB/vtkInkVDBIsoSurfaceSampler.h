@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkVDBIsoSurfaceSampler
+ * @brief   a grid of an OpenVDB file to points on its iso-surfaces, without making an image of it
+ *
+ * Does what vtkInkVDBReader and vtkInkIsoSurfaceSampler do one after the other, and makes the same points
+ * with the same normals to the bit (those of an image with Padding 2 or more), but from the tree itself: only
+ * the leaves and the borders of tiles are looked at, so that time and memory go with the surface, not with
+ * the box around it. A class of its own, as a pipeline's source says beforehand what type of data it makes.
+ *
+ * Points come iso-value by iso-value and, within one, block by block of 8 x 8 x 8 cells, by z, then y, then x
+ * of the block's first cell; within a block cell by cell in the same order. They are the same for any number
+ * of threads. A piece has a share of the blocks; all pieces together have exactly the whole's points.
+ *
+ * Grids that can be read, their names, the sign of level sets and what is an error are as in vtkInkVDBReader;
+ * point arrays and iso-values as in vtkInkIsoSurfaceSampler. The grid that was read is kept for the next
+ * iso-value.
+ *
+ * @sa vtkInkVDBReader vtkInkIsoSurfaceSampler
+ */
+#ifndef vtkInkVDBIsoSurfaceSampler_h
+#define vtkInkVDBIsoSurfaceSampler_h
+
+#include "vtkInkIOVDBModule.h" // for the export macro
+#include "vtkNew.h"            // for the contour values
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for the file
+
+class vtkContourValues;
+class vtkFloatArray;
+class vtkPoints;
+class vtkStringArray;
+class InkVDBSource;
+
+class VTKINKIOVDB_EXPORT vtkInkVDBIsoSurfaceSampler : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkInkVDBIsoSurfaceSampler* New();
+  vtkTypeMacro(vtkInkVDBIsoSurfaceSampler, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to read.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * The name of the grid to sample. Default: none, which takes the first grid that can be read.
+   */
+  vtkSetStringMacro(GridName);
+  vtkGetStringMacro(GridName);
+  ///@}
+
+  /**
+   * The names of the grids that can be sampled, after UpdateInformation().
+   */
+  vtkStringArray* GetGridNames();
+
+  ///@{
+  /**
+   * The iso-values, as in vtkContourFilter. Without any (default), level sets are sampled at 0 and other
+   * grids not at all.
+   */
+  void SetValue(int i, double value);
+  double GetValue(int i);
+  void SetNumberOfContours(int number);
+  vtkIdType GetNumberOfContours();
+  void GenerateValues(int numContours, double rangeStart, double rangeEnd);
+  ///@}
+
+  ///@{
+  /**
+   * Multiply the values of level sets by -1, so that their inside is the denser side and normals point
+   * outwards. Iso-values are those after it. Default: on.
+   */
+  vtkSetMacro(InvertLevelSets, bool);
+  vtkGetMacro(InvertLevelSets, bool);
+  vtkBooleanMacro(InvertLevelSets, bool);
+  ///@}
+
+  /// Which edges count as crossed, see SetCrossingRule.
+  enum CrossingRuleType
+  {
+    HALF_OPEN = 0,
+    STRICT = 1
+  };
+
+  ///@{
+  /**
+   * Which cell edges the surface intersects, as in vtkInkIsoSurfaceSampler. Default: HALF_OPEN.
+   */
+  vtkSetClampMacro(CrossingRule, int, HALF_OPEN, STRICT);
+  vtkGetMacro(CrossingRule, int);
+  void SetCrossingRuleToHalfOpen() { this->SetCrossingRule(HALF_OPEN); }
+  void SetCrossingRuleToStrict() { this->SetCrossingRule(STRICT); }
+  ///@}
+
+  ///@{
+  /**
+   * Compute the point array `Normals`. Default: on.
+   */
+  vtkSetMacro(ComputeNormals, bool);
+  vtkGetMacro(ComputeNormals, bool);
+  vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Compute the point array `Radius`. Default: on.
+   */
+  vtkSetMacro(ComputeRadius, bool);
+  vtkGetMacro(ComputeRadius, bool);
+  vtkBooleanMacro(ComputeRadius, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make one poly-vertex cell over all points, so that any VTK mapper draws them. Default: on.
+   */
+  vtkSetMacro(GenerateVertices, bool);
+  vtkGetMacro(GenerateVertices, bool);
+  vtkBooleanMacro(GenerateVertices, bool);
+  ///@}
+
+  ///@{
+  /**
+   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): single unless the grid's
+   * active voxels lie so far from the origin that single precision would move points by more than a
+   * thousandth of the smallest spacing.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most memory in MiB that the grid may take, 0 for any. More is an error that says how much it would
+   * be. 0 to 16777216 (16 TiB). Default: 4096.
+   */
+  vtkSetClampMacro(MaximumMemory, int, 0, 16777216);
+  vtkGetMacro(MaximumMemory, int);
+  ///@}
+
+  /// The iso-values count.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkInkVDBIsoSurfaceSampler();
+  ~vtkInkVDBIsoSurfaceSampler() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkInkVDBIsoSurfaceSampler(const vtkInkVDBIsoSurfaceSampler&) = delete;
+  void operator=(const vtkInkVDBIsoSurfaceSampler&) = delete;
+
+  /// `normals` may be null: none.
+  void FillOutput(vtkPoints* points, vtkFloatArray* normals, double radius, vtkPolyData* output);
+
+  char* FileName = nullptr;
+  char* GridName = nullptr;
+  vtkNew<vtkContourValues> ContourValues;
+  bool InvertLevelSets = true;
+  int CrossingRule = HALF_OPEN;
+  bool ComputeNormals = true;
+  bool ComputeRadius = true;
+  bool GenerateVertices = true;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  int MaximumMemory = 4096;
+  /// Whether the list of grids could not be read, which then was said.
+  bool Failed = false;
+  std::unique_ptr<InkVDBSource> Source;
+  vtkNew<vtkStringArray> Names;
+};
+
+#endif

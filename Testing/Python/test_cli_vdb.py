@@ -1,0 +1,126 @@
+"""`ink convert`, and .vdb files wherever `ink` reads volumes."""
+
+import struct
+
+import numpy as np
+import pytest
+
+from ink_files import blob, write_nifti, write_ply, sphere_mesh
+
+OFFSET_OF_COUNT = 8 + 4 + 4 + 4 + 1 + 36
+
+
+@pytest.fixture(scope="module")
+def can_convert(ink):
+    result = ink("convert", "--help")
+    if result.code != 0:
+        pytest.skip("built without OpenVDB")
+
+
+@pytest.fixture
+def volume(tmp_path, can_convert):
+    path = tmp_path / "blob.nii.gz"
+    affine = [[-1, 0, 0, 20], [0, 0.5, 0, -30], [0, 0, 2, 5]]
+    write_nifti(path, blob(), affine=affine)
+    return path
+
+
+def points(ink, file, out, *options):
+    """The sorted rows of x y z nx ny nz that `ink sample` writes."""
+    result = ink("sample", file, out, "--quiet", *options)
+    assert result.code == 0, result.err
+    rows = np.loadtxt(out)
+    return rows[np.lexsort(rows.T)]
+
+
+def test_a_band_has_exactly_the_volumes_points(ink, volume, tmp_path):
+    band = tmp_path / "band.vdb"
+    result = ink("convert", volume, band, "--around", "100")
+    assert result.code == 0 and not result.out, result.err
+    assert not list(tmp_path.glob("*.tmp"))
+    expected = points(ink, volume, tmp_path / "volume.xyz", "--iso", "100")
+    # The band knows its value.
+    assert np.array_equal(points(ink, band, tmp_path / "band.xyz"), expected)
+    assert len(expected) > 500
+
+
+def test_a_whole_volume_keeps_its_values_and_its_place(ink, volume, tmp_path):
+    whole = tmp_path / "whole.vdb"
+    assert ink("convert", volume, "-o", whole, "--name", "blob").code == 0
+    before, after = (ink("info", file).out.splitlines() for file in (volume, whole))
+    value = lambda lines, name: next(line.split(None, 1)[1] for line in lines if line.startswith(name))
+    for name in ("dimensions", "spacing", "origin", "range"):
+        assert value(before, name) == value(after, name)
+    assert "blob" in value(after, "format")
+    for iso in ("50", "150"):
+        expected = points(ink, volume, tmp_path / "volume.xyz", "--iso", iso)
+        assert np.array_equal(points(ink, whole, tmp_path / "whole.xyz", "--iso", iso), expected)
+
+
+def test_a_wider_band_is_a_larger_file(ink, volume, tmp_path):
+    sizes = []
+    for width in ("1", "3", "8"):
+        band = tmp_path / f"band{width}.vdb"
+        assert ink("convert", volume, band, "--around", "100", "--half-width", width).code == 0
+        sizes.append(band.stat().st_size)
+    assert sizes[0] < sizes[1] < sizes[2]
+
+
+def test_render_draws_a_vdb_file(ink, volume, tmp_path):
+    band, picture = tmp_path / "band.vdb", tmp_path / "band.png"
+    assert ink("convert", volume, band, "--around", "100").code == 0
+    result = ink("render", band, "-o", picture, "--size", "64x64")
+    assert result.code == 0 and picture.stat().st_size > 100, result.err
+    assert "iso-value 100: that of the file's surface" in result.err
+
+
+@pytest.mark.parametrize(
+    "options, code, words",
+    [
+        (["OUT.vdb", "--around", "500"], 2, ["--around 500", "up to 20"]),
+        (["OUT.vdb", "--around", "nan"], 2, ["--around"]),
+        (["OUT.vdb", "--half-width", "2"], 2, ["--around"]),
+        (["OUT.vdb", "--around", "100", "--half-width", "0"], 2, ["1"]),
+        (["OUT.png"], 2, [".vdb"]),
+        (["nowhere/OUT.vdb"], 1, ["no directory"]),
+        (["OUT.vdb", "--grid", "a"], 2, ["--grid", "OpenVDB"]),
+    ],
+)
+def test_what_cannot_be_is_one_line_and_no_file(ink, volume, tmp_path, options, code, words):
+    result = ink("convert", volume, tmp_path / options[0], *options[1:])
+    assert result.code == code, result.err
+    assert len(result.err.splitlines()) == 1
+    assert all(word in result.err for word in words), result.err
+    assert not list(tmp_path.glob("*.vdb")) and not list(tmp_path.glob("*.tmp"))
+
+
+def test_a_mesh_cannot_be_converted(ink, can_convert, tmp_path):
+    mesh = tmp_path / "sphere.ply"
+    write_ply(mesh, sphere_mesh(10, 10))
+    result = ink("convert", mesh, tmp_path / "sphere.vdb")
+    assert result.code == 2 and "mesh" in result.err
+
+
+def test_damaged_files_are_one_line(ink, volume, tmp_path):
+    band = tmp_path / "band.vdb"
+    assert ink("convert", volume, band, "--around", "100").code == 0
+    data = band.read_bytes()
+    many = data[:OFFSET_OF_COUNT] + struct.pack("<I", 0xFFFFFFFF) + data[OFFSET_OF_COUNT + 4 :]
+    for name, content, words in (
+        ("words", b"no voxels here", "not an OpenVDB file"),
+        ("short", data[: len(data) // 2], "bytes"),
+        ("header", data[:40], "within its header"),
+        ("count", many, "within its metadata"),
+    ):
+        bad = tmp_path / f"{name}.vdb"
+        bad.write_bytes(content)
+        result = ink("info", bad)
+        assert result.code == 1 and not result.out
+        assert len(result.err.splitlines()) == 1 and bad.name in result.err and words in result.err
+
+
+def test_a_grid_that_is_not_there_is_named_with_those_that_are(ink, volume, tmp_path):
+    band = tmp_path / "band.vdb"
+    assert ink("convert", volume, band).code == 0
+    result = ink("info", band, "--grid", "velocity")
+    assert result.code == 1 and "'velocity'" in result.err and "'density' (float)" in result.err

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Measures error against time where a setting trades one for the other, with the headless build, and writes
+# Documentation/accuracy-and-speed.md with its plots.
+set -euo pipefail
+
+cd "$(dirname "$0")/.."
+. Utilities/env.sh headless
+
+# The system's Python has Debian's matplotlib; -E keeps the numpy of the build's Python away from it.
+/usr/bin/python3 -E Testing/Benchmarks/tradeoff.py "$INK_BUILD/$INK_BUILD_BINDIR"/Tradeoff*
