@@ -1,0 +1,223 @@
+#include "Sampling/PointNormals.h"
+
+#include "Sampling/NearestPoints.h"
+
+#include <Eigen/Eigenvalues>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr std::size_t blockSize = 1 << 10;
+// An eigenvalue below this part of the largest is none.
+constexpr double flat = 1e-10;
+
+struct Edge
+{
+  float weight;
+  std::uint32_t from;
+  std::uint32_t to;
+
+  bool operator<(const Edge& other) const
+  {
+    return std::tie(this->weight, this->from, this->to) < std::tie(other.weight, other.from, other.to);
+  }
+};
+
+glm::vec3 principalNormal(std::span<const glm::vec3> points, std::span<const std::uint32_t> near)
+{
+  glm::dvec3 mean(0.0);
+  for (const std::uint32_t i : near)
+  {
+    mean += glm::dvec3(points[i]) / static_cast<double>(near.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const std::uint32_t i : near)
+  {
+    const glm::dvec3 offset = glm::dvec3(points[i]) - mean;
+    const Eigen::Vector3d vector(offset.x, offset.y, offset.z);
+    spread += vector * vector.transpose();
+  }
+  const double size = spread.trace();
+  if (!(size > 0.0))
+  {
+    return { 0.0f, 0.0f, 1.0f };
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread / size);
+  if (!(solver.eigenvalues()[1] > flat))
+  {
+    return { 0.0f, 0.0f, 1.0f };
+  }
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  return glm::normalize(glm::vec3(normal.x(), normal.y(), normal.z()));
+}
+
+/// Sets of points that become one.
+class Parts
+{
+public:
+  explicit Parts(std::size_t count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0u);
+  }
+
+  std::uint32_t find(std::uint32_t i)
+  {
+    while (this->Parent[i] != i)
+    {
+      i = this->Parent[i] = this->Parent[this->Parent[i]];
+    }
+    return i;
+  }
+
+  /// Whether they were two.
+  bool join(std::uint32_t a, std::uint32_t b)
+  {
+    a = this->find(a);
+    b = this->find(b);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  std::vector<std::uint32_t> Parent;
+};
+
+/// Turns normals so that they agree along the tree's edges, starting from one point of each part.
+void orient(std::span<const glm::vec3> points, std::vector<Edge>& edges, std::vector<glm::vec3>& normals)
+{
+  std::sort(edges.begin(), edges.end());
+  Parts parts(points.size());
+  std::erase_if(edges, [&](const Edge& edge) { return !parts.join(edge.from, edge.to); });
+
+  std::vector<std::uint32_t> begin(points.size() + 1);
+  for (const Edge& edge : edges)
+  {
+    ++begin[edge.from + 1];
+    ++begin[edge.to + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> adjacent(2 * edges.size());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (const Edge& edge : edges)
+  {
+    adjacent[next[edge.from]++] = edge.to;
+    adjacent[next[edge.to]++] = edge.from;
+  }
+
+  std::vector<glm::dvec3> middle(points.size(), glm::dvec3(0.0));
+  std::vector<std::uint32_t> size(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    middle[parts.find(i)] += glm::dvec3(points[i]);
+    ++size[parts.find(i)];
+  }
+  std::vector<double> farthest(points.size(), -1.0);
+  std::vector<std::uint32_t> root(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    const std::uint32_t part = parts.find(i);
+    const glm::dvec3 offset = glm::dvec3(points[i]) - middle[part] / static_cast<double>(size[part]);
+    if (const double distance = glm::dot(offset, offset); distance > farthest[part])
+    {
+      farthest[part] = distance;
+      root[part] = i;
+    }
+  }
+
+  std::vector<bool> seen(points.size());
+  std::vector<std::uint32_t> waiting;
+  for (std::uint32_t part = 0; part < points.size(); ++part)
+  {
+    if (farthest[part] < 0.0)
+    {
+      continue;
+    }
+    const std::uint32_t start = root[part];
+    const glm::vec3 outwards = points[start] - glm::vec3(middle[part] / static_cast<double>(size[part]));
+    normals[start] *= glm::dot(normals[start], outwards) < 0.0f ? -1.0f : 1.0f;
+    seen[start] = true;
+    waiting.assign(1, start);
+    while (!waiting.empty())
+    {
+      const std::uint32_t point = waiting.back();
+      waiting.pop_back();
+      for (std::uint32_t i = begin[point]; i < begin[point + 1]; ++i)
+      {
+        if (const std::uint32_t other = adjacent[i]; !seen[other])
+        {
+          seen[other] = true;
+          normals[other] *= glm::dot(normals[other], normals[point]) < 0.0f ? -1.0f : 1.0f;
+          waiting.push_back(other);
+        }
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::vector<glm::vec3> estimateNormals(
+  std::span<const glm::vec3> points, int neighbours, const Progress& progress)
+{
+  std::vector<glm::vec3> finite;
+  std::vector<std::uint32_t> places;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    if (std::isfinite(points[i].x) && std::isfinite(points[i].y) && std::isfinite(points[i].z))
+    {
+      finite.push_back(points[i]);
+      places.push_back(i);
+    }
+  }
+  const NearestPoints tree(finite);
+  const auto count = static_cast<std::size_t>(std::clamp(neighbours, 3, NearestPoints::most));
+  std::vector<glm::vec3> normals(finite.size());
+  std::vector<std::uint32_t> near(count * finite.size());
+  const std::size_t found = std::min(count, finite.size());
+  if (!parallelFor((finite.size() + blockSize - 1) / blockSize,
+        [&](std::size_t block)
+        {
+          for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, finite.size()); ++i)
+          {
+            const std::span<std::uint32_t> mine(&near[i * count], found);
+            tree.find(finite[i], mine);
+            normals[i] = principalNormal(finite, mine);
+          }
+        },
+        progress))
+  {
+    return {};
+  }
+  std::vector<Edge> edges;
+  edges.reserve(near.size());
+  for (std::uint32_t i = 0; i < finite.size(); ++i)
+  {
+    for (std::size_t n = 0; n < found; ++n)
+    {
+      const std::uint32_t other = near[i * count + n];
+      if (other != i)
+      {
+        edges.push_back({ 1.0f - std::abs(glm::dot(normals[i], normals[other])), i, other });
+      }
+    }
+  }
+  orient(finite, edges, normals);
+  std::vector<glm::vec3> result(points.size(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i < finite.size(); ++i)
+  {
+    result[places[i]] = normals[i];
+  }
+  return result;
+}
+
+} // namespace ink

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkMeshTriangles.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace
+{
+
+constexpr const char* FaceIdName = "vtkInkFaceId";
+
+bool HasTrianglesOnly(vtkPolyData* mesh)
+{
+  return mesh->GetNumberOfStrips() == 0 && mesh->GetPolys()->IsHomogeneous() == 3;
+}
+
+/// The mesh's faces as triangles, each with the id of its cell.
+vtkSmartPointer<vtkPolyData> CutIntoTriangles(vtkPolyData* mesh)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->SetPoints(mesh->GetPoints());
+  copy->SetVerts(mesh->GetVerts());
+  copy->SetLines(mesh->GetLines());
+  copy->SetPolys(mesh->GetPolys());
+  copy->SetStrips(mesh->GetStrips());
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(FaceIdName);
+  ids->SetNumberOfValues(copy->GetNumberOfCells());
+  auto values = vtk::DataArrayValueRange<1>(ids.Get());
+  vtkIdType next = 0;
+  std::generate(values.begin(), values.end(), [&] { return next++; });
+  copy->GetCellData()->AddArray(ids);
+  vtkNew<vtkTriangleFilter> filter;
+  filter->PassVertsOff();
+  filter->PassLinesOff();
+  filter->SetInputData(copy);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+std::string Counted(vtkIdType count, const char* what)
+{
+  return std::to_string(count) + " " + what;
+}
+
+} // namespace
+
+InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals)
+{
+  const vtkIdType pointCount = mesh->GetNumberOfPoints();
+  constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max() / 3;
+  if (pointCount > most || mesh->GetPolys()->GetNumberOfConnectivityIds() > most)
+  {
+    throw std::invalid_argument("it has " + Counted(pointCount, "points and ") +
+      Counted(mesh->GetPolys()->GetNumberOfConnectivityIds(), "corners; expected no more than ") +
+      std::to_string(most) + " of either");
+  }
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    if (cells->GetNumberOfConnectivityIds() > 0)
+    {
+      double range[2];
+      cells->GetConnectivityArray()->GetRange(range, 0);
+      if (range[0] < 0 || range[1] >= static_cast<double>(pointCount))
+      {
+        const double wrong = range[0] < 0 ? range[0] : range[1];
+        throw std::invalid_argument("a face has the point " + std::to_string(static_cast<vtkIdType>(wrong)) +
+          "; expected 0 to " + std::to_string(pointCount - 1));
+      }
+    }
+  }
+  this->Points.resize(static_cast<std::size_t>(pointCount));
+  for (vtkIdType i = 0; i < pointCount; ++i)
+  {
+    mesh->GetPoint(i, &this->Points[static_cast<std::size_t>(i)].x);
+  }
+
+  // Cells come in the order vertices, lines, polygons, strips.
+  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  vtkSmartPointer<vtkPolyData> triangles = mesh;
+  vtkDataArray* ids = nullptr;
+  if (!HasTrianglesOnly(mesh))
+  {
+    triangles = CutIntoTriangles(mesh);
+    ids = triangles->GetCellData()->GetArray(FaceIdName);
+    cell = 0;
+  }
+  const vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  const auto isLeftOut = [&](vtkIdType face)
+  {
+    constexpr int marks = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+      vtkDataSetAttributes::REFINEDCELL;
+    return ghosts && (ghosts->GetValue(face) & marks) != 0;
+  };
+  const vtkIdType count = triangles->GetNumberOfPolys();
+  this->Triangles.reserve(static_cast<std::size_t>(count));
+  this->FaceIds.reserve(static_cast<std::size_t>(count));
+  const auto corners = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
+  for (corners->GoToFirstCell(); !corners->IsDoneWithTraversal(); corners->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    corners->GetCurrentCell(size, points);
+    const vtkIdType place = corners->GetCurrentCellId();
+    const vtkIdType face = ids ? static_cast<vtkIdType>(ids->GetTuple1(place)) : cell + place;
+    if (size == 3 && !isLeftOut(face))
+    {
+      this->Triangles.push_back({ static_cast<std::uint32_t>(points[0]),
+        static_cast<std::uint32_t>(points[1]), static_cast<std::uint32_t>(points[2]) });
+      this->FaceIds.push_back(face);
+    }
+  }
+  if (!wantNormals)
+  {
+    return;
+  }
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  normals = normals ? normals : mesh->GetPointData()->GetArray("Normals");
+  this->Normals.assign(this->Points.size(), glm::vec3(0.0f));
+  if (normals && normals->GetNumberOfComponents() == 3 && normals->GetNumberOfTuples() == pointCount)
+  {
+    for (vtkIdType i = 0; i < pointCount; ++i)
+    {
+      glm::dvec3 normal;
+      normals->GetTuple(i, &normal.x);
+      const double length = glm::length(normal);
+      if (length > 0.0 && std::isfinite(length))
+      {
+        this->Normals[static_cast<std::size_t>(i)] = normal / length;
+      }
+    }
+    return;
+  }
+  std::vector<glm::dvec3> sums(this->Points.size(), glm::dvec3(0.0));
+  for (const auto& [a, b, c] : this->Triangles)
+  {
+    const glm::dvec3 normal =
+      glm::cross(this->Points[b] - this->Points[a], this->Points[c] - this->Points[a]);
+    if (const double size = glm::length(normal); std::isfinite(size))
+    {
+      sums[a] += normal;
+      sums[b] += normal;
+      sums[c] += normal;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    if (const double length = glm::length(sums[i]); length > 0.0)
+    {
+      this->Normals[i] = sums[i] / length;
+    }
+  }
+}
+
+void InkMeshTriangles::SetDensity(vtkDataArray* density, bool ofCells)
+{
+  std::vector<float>& values = ofCells ? this->FaceDensity : this->PointDensity;
+  values.resize(ofCells ? this->Triangles.size() : this->Points.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const vtkIdType place = ofCells ? this->FaceIds[i] : static_cast<vtkIdType>(i);
+    values[i] = static_cast<float>(density->GetComponent(place, 0));
+  }
+}
+
+ink::TriangleMesh InkMeshTriangles::GetMesh() const
+{
+  return { this->Points, this->Triangles, this->PointDensity, this->FaceDensity };
+}

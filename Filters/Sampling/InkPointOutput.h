@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkPointOutput_h
+#define InkPointOutput_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <span>
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkPointSet;
+class vtkPolyData;
+
+/// One VTK_POLY_VERTEX cell over points 0 ... count - 1.
+vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count);
+
+/// The array `Priority` of points that stand in their order: i / count, just below 1 at the most.
+vtkSmartPointer<vtkDataArray> InkMakePriority(vtkIdType count);
+
+/// An array with one value for all points.
+vtkSmartPointer<vtkDataArray> InkMakeConstant(const char* name, int type, vtkIdType count, double value);
+
+/// Writes the points of `input` with all their arrays to `output` in an order.
+void InkReorderPoints(vtkPointSet* input, std::span<const std::uint32_t> order, vtkPolyData* output);
+
+#endif

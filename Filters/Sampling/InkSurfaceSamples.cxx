@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkSurfaceSamples.h"
+
+#include "Sampling/BlueNoiseCount.h"
+#include "Sampling/CoverRadius.h"
+#include "Sampling/WhiteNoise.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtksys/SystemInformation.hxx"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+constexpr const char* FaceIdName = "FaceId";
+constexpr const char* FacePointsName = "FacePoints";
+constexpr const char* BarycentricName = "BarycentricCoordinates";
+constexpr const char* SampledMeshName = "SampledMesh";
+constexpr std::size_t BlockSize = 1 << 14;
+
+// What a sample takes at the most while it is made, with its share of darts and its place in the order.
+constexpr double BytesWhite = 100.0;
+constexpr double BytesBlue = 400.0;
+
+std::string Text(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// Calls body(i) for all samples, in parallel.
+template <class Body>
+void ForEach(std::size_t count, const Body& body)
+{
+  ink::parallelFor((count + BlockSize - 1) / BlockSize,
+    [&](std::size_t block)
+    {
+      for (std::size_t i = block * BlockSize; i < std::min((block + 1) * BlockSize, count); ++i)
+      {
+        body(i);
+      }
+    });
+}
+
+template <class Real>
+void PlacePoints(const ink::TriangleMesh& mesh, const std::vector<ink::SurfaceSample>& samples, Real* points)
+{
+  ForEach(samples.size(),
+    [&](std::size_t i)
+    {
+      const glm::dvec3 point = ink::positionOf(mesh, samples[i]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        points[3 * i + axis] = static_cast<Real>(point[axis]);
+      }
+    });
+}
+
+vtkSmartPointer<vtkPoints> PlacePoints(
+  const ink::TriangleMesh& mesh, const std::vector<ink::SurfaceSample>& samples, int type)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(type == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(samples.size()));
+  if (auto* floats = vtkFloatArray::SafeDownCast(points->GetData()))
+  {
+    PlacePoints(mesh, samples, floats->GetPointer(0));
+  }
+  else
+  {
+    PlacePoints(mesh, samples, vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkFloatArray> PlaceNormals(const ink::TriangleMesh& mesh,
+  const std::vector<glm::vec3>& normals, const std::vector<ink::SurfaceSample>& samples)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(samples.size()));
+  ink::placeNormals(mesh, normals, samples, std::span<float>(array->GetPointer(0), 3 * samples.size()));
+  return array;
+}
+
+double WhiteNoiseCount(double area, double radius)
+{
+  return std::ceil(ink::saturatedCount * area / (radius * radius));
+}
+
+} // namespace
+
+InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const InkSampleRequest& request)
+  : Triangles(triangles)
+{
+  if (request.ByRadius && !(request.Radius > 0.0 && std::isfinite(request.Radius)))
+  {
+    throw std::invalid_argument("SampleRadius is " + Text(request.Radius) + "; expected a length above 0");
+  }
+  const ink::TriangleMesh mesh = triangles.GetMesh();
+  // A mesh of nothing but ghosts is another piece's.
+  if (mesh.triangles.empty())
+  {
+    return;
+  }
+  this->Areas = ink::cumulateArea(mesh);
+  const double area = this->Areas.area.back();
+  if (!(area > 0.0))
+  {
+    throw std::invalid_argument("its " + std::to_string(mesh.triangles.size()) +
+      " triangles have no area; expected faces with three different points that are finite");
+  }
+  if (!(this->Areas.weights().back() > 0.0))
+  {
+    throw std::invalid_argument("the density is nowhere above 0 on a face with an area");
+  }
+  const double count =
+    request.ByRadius ? WhiteNoiseCount(area, request.Radius) : static_cast<double>(request.Count);
+  this->CheckMemory(count, request.BlueNoise);
+
+  const auto seed = static_cast<std::uint64_t>(request.Seed);
+  if (request.BlueNoise && !request.ByRadius)
+  {
+    this->Samples =
+      ink::sampleBlueNoiseCount(mesh, this->Areas, triangles.Normals, request.Count, seed, request.Progress)
+        .samples;
+    this->Cover = ink::blueNoiseCover(area, static_cast<double>(this->Samples.size()));
+    return;
+  }
+  const auto upTo = [&](double begin, double end)
+  {
+    return [&, begin, end](double done)
+    { return !request.Progress || request.Progress(begin + done * (end - begin)); };
+  };
+  const double half = request.Priority ? 0.5 : 1.0;
+  if (request.BlueNoise)
+  {
+    this->Samples = ink::sampleBlueNoise(mesh, this->Areas, request.Radius, seed, upTo(0.0, half)).samples;
+    this->Cover = ink::blueNoiseCover(request.Radius);
+  }
+  else
+  {
+    this->Samples =
+      ink::sampleWhiteNoise(mesh, this->Areas, static_cast<std::size_t>(count), seed, upTo(0.0, half));
+    this->Cover = ink::whiteNoiseCover(area, count);
+  }
+  if (request.Priority &&
+    !ink::sortByPriority(mesh, this->Areas, triangles.Normals, this->Samples, seed, upTo(half, 1.0)))
+  {
+    this->Samples.clear();
+  }
+}
+
+void InkSurfaceSamples::CheckMemory(double count, bool blueNoise) const
+{
+  vtksys::SystemInformation system;
+  const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
+  const double needed = count * (blueNoise ? BytesBlue : BytesWhite);
+  constexpr double most = std::numeric_limits<std::uint32_t>::max() / 8;
+  if (needed > available || count > most)
+  {
+    throw std::invalid_argument(Text(count) + " samples would take " + Text(needed / 0x1p30) +
+      " GiB of memory; expected no more than " +
+      Text(std::floor(std::min(available / (blueNoise ? BytesBlue : BytesWhite), most))) +
+      " samples on this machine");
+  }
+}
+
+vtkSmartPointer<vtkPoints> InkSurfaceSamples::MakePoints(int type) const
+{
+  return PlacePoints(this->Triangles.GetMesh(), this->Samples, type);
+}
+
+vtkSmartPointer<vtkDataArray> InkSurfaceSamples::MakeNormals() const
+{
+  return PlaceNormals(this->Triangles.GetMesh(), this->Triangles.Normals, this->Samples);
+}
+
+vtkSmartPointer<vtkDataArray> InkSurfaceSamples::MakeRadius(int type) const
+{
+  const ink::TriangleMesh mesh = this->Triangles.GetMesh();
+  const auto fill = [&](auto* radii)
+  {
+    using Real = typename std::remove_pointer_t<decltype(radii)>::ValueType;
+    radii->SetName("Radius");
+    radii->SetNumberOfValues(static_cast<vtkIdType>(this->Samples.size()));
+    const ink::LocalRadius local(mesh, this->Areas, this->Cover);
+    Real* values = radii->GetPointer(0);
+    ForEach(this->Samples.size(),
+      [&](std::size_t i)
+      {
+        values[i] = static_cast<Real>(
+          mesh.hasDensity() ? local.at(ink::densityOf(mesh, this->Samples[i])) : this->Cover);
+      });
+    return vtkSmartPointer<vtkDataArray>(radii);
+  };
+  if (this->Samples.empty() || type != VTK_DOUBLE)
+  {
+    vtkNew<vtkFloatArray> radii;
+    return this->Samples.empty() ? (radii->SetName("Radius"), vtkSmartPointer<vtkDataArray>(radii))
+                                 : fill(radii.Get());
+  }
+  vtkNew<vtkDoubleArray> radii;
+  return fill(radii.Get());
+}
+
+void InkSurfaceSamples::AddFaces(vtkPolyData* mesh, vtkPolyData* output) const
+{
+  const auto count = static_cast<vtkIdType>(this->Samples.size());
+  vtkNew<vtkIdTypeArray> faces;
+  faces->SetName(FaceIdName);
+  faces->SetNumberOfValues(count);
+  vtkNew<vtkIdTypeArray> points;
+  points->SetName(FacePointsName);
+  points->SetNumberOfComponents(3);
+  points->SetNumberOfTuples(count);
+  vtkNew<vtkFloatArray> weights;
+  weights->SetName(BarycentricName);
+  weights->SetNumberOfComponents(3);
+  weights->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const ink::SurfaceSample& sample = this->Samples[static_cast<std::size_t>(i)];
+    faces->SetValue(i, this->Triangles.FaceIds[sample.triangle]);
+    const ink::Triangle& corners = this->Triangles.Triangles[sample.triangle];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      points->SetTypedComponent(i, corner, corners[static_cast<std::size_t>(corner)]);
+    }
+    // Rounding may lead the sum of the others past 1.
+    weights->SetTypedComponent(i, 0, std::max(1.0f - sample.b1 - sample.b2, 0.0f));
+    weights->SetTypedComponent(i, 1, sample.b1);
+    weights->SetTypedComponent(i, 2, sample.b2);
+  }
+  output->GetPointData()->AddArray(faces);
+  output->GetPointData()->AddArray(points);
+  output->GetPointData()->AddArray(weights);
+  vtkNew<vtkDoubleArray> sampled;
+  sampled->SetName(SampledMeshName);
+  sampled->SetNumberOfComponents(3);
+  sampled->InsertNextTuple3(static_cast<double>(mesh->GetNumberOfCells()),
+    static_cast<double>(mesh->GetNumberOfPoints()), this->Areas.area.empty() ? 0.0 : this->Areas.area.back());
+  output->GetFieldData()->AddArray(sampled);
+}
+
+vtkDataArray* InkGetDensity(vtkPolyData* mesh, const char* name, int association)
+{
+  const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataSetAttributes* data = ofCells ? static_cast<vtkDataSetAttributes*>(mesh->GetCellData())
+                                       : static_cast<vtkDataSetAttributes*>(mesh->GetPointData());
+  const vtkIdType expected = ofCells ? mesh->GetNumberOfCells() : mesh->GetNumberOfPoints();
+  const std::string kind = ofCells ? "cell" : "point";
+  vtkDataArray* density = data->GetArray(name);
+  if (!density)
+  {
+    std::string found;
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      const char* other = data->GetArrayName(i);
+      found += (i ? ", \"" : "\"") + std::string(other ? other : "") + "\"";
+    }
+    throw std::invalid_argument("there is no numeric " + kind + " array \"" + name +
+      "\" for the density; found " + (found.empty() ? "none" : found));
+  }
+  if (density->GetNumberOfComponents() != 1 || density->GetNumberOfTuples() != expected)
+  {
+    throw std::invalid_argument("the density array " + std::string(name) + " has " +
+      std::to_string(density->GetNumberOfTuples()) + " values of " +
+      std::to_string(density->GetNumberOfComponents()) + " components; expected " + std::to_string(expected) +
+      " of 1");
+  }
+  return density;
+}
+
+void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int type, vtkPolyData* output)
+{
+  const vtkIdType count = samples->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return;
+  }
+  vtkDataArray* corners = samples->GetPointData()->GetArray(FacePointsName);
+  vtkDataArray* weights = samples->GetPointData()->GetArray(BarycentricName);
+  vtkDataArray* sampled = samples->GetFieldData()->GetArray(SampledMeshName);
+  if (!corners || !weights || !sampled || corners->GetNumberOfComponents() != 3 ||
+    weights->GetNumberOfComponents() != 3 || sampled->GetNumberOfComponents() != 3 ||
+    sampled->GetNumberOfTuples() != 1)
+  {
+    throw std::invalid_argument(std::string("the first frame's samples lack one of the arrays ") +
+      FacePointsName + ", " + BarycentricName + " and " + SampledMeshName +
+      "; expected samples made with KeepFaces");
+  }
+  const auto cells = static_cast<vtkIdType>(sampled->GetComponent(0, 0));
+  const auto points = static_cast<vtkIdType>(sampled->GetComponent(0, 1));
+  if (cells != mesh->GetNumberOfCells() || points != mesh->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("it has " + std::to_string(mesh->GetNumberOfCells()) + " cells and " +
+      std::to_string(mesh->GetNumberOfPoints()) + " points; expected " + std::to_string(cells) + " and " +
+      std::to_string(points) + " as in the mesh that the first frame's samples were made of");
+  }
+  InkMeshTriangles triangles(mesh, normals);
+  const double area = triangles.Triangles.empty() ? 0.0 : ink::cumulateArea(triangles.GetMesh()).area.back();
+  // Each sample brings its own triangle.
+  triangles.Triangles.resize(static_cast<std::size_t>(count));
+  std::vector<ink::SurfaceSample> places(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto place = static_cast<std::size_t>(i);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const double point = corners->GetComponent(i, corner);
+      if (!(point >= 0.0 && point < static_cast<double>(points)))
+      {
+        throw std::invalid_argument("the first frame's sample " + std::to_string(i) + " is on the point " +
+          Text(point) + "; expected 0 to " + std::to_string(points - 1));
+      }
+      triangles.Triangles[place][static_cast<std::size_t>(corner)] = static_cast<std::uint32_t>(point);
+    }
+    places[place] = { static_cast<std::uint32_t>(i), static_cast<float>(weights->GetComponent(i, 1)),
+      static_cast<float>(weights->GetComponent(i, 2)) };
+  }
+  output->ShallowCopy(samples);
+  output->SetPoints(PlacePoints(triangles.GetMesh(), places, type));
+  if (normals)
+  {
+    output->GetPointData()->SetNormals(PlaceNormals(triangles.GetMesh(), triangles.Normals, places));
+  }
+  vtkDataArray* radius = samples->GetPointData()->GetArray("Radius");
+  const double areaThen = sampled->GetComponent(0, 2);
+  if (radius && areaThen > 0.0 && area != areaThen)
+  {
+    vtkSmartPointer<vtkDataArray> scaled = vtk::TakeSmartPointer(radius->NewInstance());
+    scaled->DeepCopy(radius);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      scaled->SetComponent(i, 0, std::sqrt(area / areaThen) * radius->GetComponent(i, 0));
+    }
+    output->GetPointData()->AddArray(scaled);
+  }
+}

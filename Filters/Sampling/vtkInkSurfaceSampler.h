@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkSurfaceSampler
+ * @brief   meshes to points with normals: white or blue noise, in an order that can be cut off anywhere
+ *
+ * Input: a vtkPolyData. Its polygons and triangle strips are sampled (Zhang et al. 2014, section 4): by area
+ * alone, each sample for itself (WHITE_NOISE, Osada et al. 2002), or so that no two samples are nearer along
+ * the surface than a radius and none fits in between (BLUE_NOISE, a Poisson-disc sampling after Cline et al.
+ * 2009). Distances are measured on the mesh, so that both sides of a thin sheet get their samples; see
+ * ink::SurfaceWalk. Triangles without area are passed over; edges of many triangles, borders, inconsistent
+ * orientation and unconnected triangles are taken as they are.
+ *
+ * Output point data: `Normals` (unit; barycentric in the mesh's point normals, or where it has none in the
+ * mean normals of the faces around each point), `Radius` (discs of this radius leave no holes), `Priority`,
+ * and on request `FaceId`, `FacePoints` and `BarycentricCoordinates`. The output's one cell is a vertex cell
+ * of type VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
+ *
+ * Points come in the order of `Priority`, which runs evenly from 0 to below 1: the points of a priority below
+ * p are for every p spread evenly themselves. ComputePriority off leaves points in the order in which they
+ * were made, and is faster.
+ *
+ * `Radius`: the paper's A / n has the unit of an area. Here it is a length: for blue noise the distance up to
+ * which no place is free of samples, about 1.1 sqrt(A / n); for white noise as large as it must be for less
+ * than one hole in a hundred samplings, about 2.4 sqrt(A / n) for a million samples.
+ *
+ * Density: an array of one component by SetInputArrayToProcess(0, 0, 0, association, name), of points or
+ * cells, says how densely to sample relative to elsewhere; 0: not at all. Without a name all is sampled
+ * alike, the default.
+ *
+ * Animation (Zhang et al. 2014, section 6): give the second input the output for the first frame, made with
+ * KeepFaces, and the first input a deformed copy of the mesh. The samples then stay in their faces and move
+ * with them; `Priority` and other arrays stay what they are, `Radius` grows with the square root of the area.
+ *
+ * Point clouds: an input of points without faces is not sampled. Its points get a `Radius` from their
+ * spacing where they have none, and their `Priority`. Where they have no normals, these are estimated, see
+ * vtkInkPointPriority.
+ *
+ * The same input gives the same output on any number of threads. In parallel each piece is sampled for
+ * itself: ghost cells are left out, and NumberOfSamples counts per piece. Samples of two pieces do not know
+ * of each other, and may be nearer than the radius where pieces meet; no point is made twice.
+ *
+ * Errors, each with an empty output: a Radius of 0 or less where it is asked for, faces without area, density
+ * that is no array of one component or is 0 everywhere, more samples than memory, the first frame's samples
+ * without their faces or of a mesh with another number of faces or points.
+ *
+ * @sa vtkInkPointPriority vtkInkIsoSurfaceSampler vtkInkSplattingLinesMapper
+ */
+#ifndef vtkInkSurfaceSampler_h
+#define vtkInkSurfaceSampler_h
+
+#include "vtkInkFiltersSamplingModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKINKFILTERSSAMPLING_EXPORT vtkInkSurfaceSampler : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkInkSurfaceSampler* New();
+  vtkTypeMacro(vtkInkSurfaceSampler, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How samples are spread, see SetMethod.
+  enum MethodType
+  {
+    WHITE_NOISE = 0,
+    BLUE_NOISE = 1
+  };
+
+  ///@{
+  /**
+   * WHITE_NOISE: independent samples; some lie close together, and gaps stay. BLUE_NOISE (default): samples
+   * keep a distance and leave no gaps; some ten times slower. From half a million samples on the
+   * difference is hard to see in a drawing.
+   */
+  vtkSetClampMacro(Method, int, WHITE_NOISE, BLUE_NOISE);
+  vtkGetMacro(Method, int);
+  void SetMethodToWhiteNoise() { this->SetMethod(WHITE_NOISE); }
+  void SetMethodToBlueNoise() { this->SetMethod(BLUE_NOISE); }
+  ///@}
+
+  /// What says how many samples are made, see SetAmount.
+  enum AmountType
+  {
+    NUMBER_OF_SAMPLES = 0,
+    SAMPLE_RADIUS = 1
+  };
+
+  ///@{
+  /**
+   * Whether NumberOfSamples (default) or SampleRadius says how many samples there are.
+   */
+  vtkSetClampMacro(Amount, int, NUMBER_OF_SAMPLES, SAMPLE_RADIUS);
+  vtkGetMacro(Amount, int);
+  void SetAmountToNumberOfSamples() { this->SetAmount(NUMBER_OF_SAMPLES); }
+  void SetAmountToSampleRadius() { this->SetAmount(SAMPLE_RADIUS); }
+  ///@}
+
+  ///@{
+  /**
+   * How many samples are made, exactly. Default: 100000; at least 1. More show finer detail.
+   */
+  vtkSetClampMacro(NumberOfSamples, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(NumberOfSamples, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The least distance between samples along the surface, in world units. With WHITE_NOISE, as many samples
+   * are made as a blue noise of this radius has. Above 0; default: 0, which is an error where the radius
+   * counts.
+   */
+  vtkSetMacro(SampleRadius, double);
+  vtkGetMacro(SampleRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Another seed gives other samples, just as good. Default: 0.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Compute the point array `Normals`. Default: on.
+   */
+  vtkSetMacro(ComputeNormals, bool);
+  vtkGetMacro(ComputeNormals, bool);
+  vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Compute the point array `Radius`. Default: on.
+   */
+  vtkSetMacro(ComputeRadius, bool);
+  vtkGetMacro(ComputeRadius, bool);
+  vtkBooleanMacro(ComputeRadius, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Order the points and make the point array `Priority`. Default: on.
+   */
+  vtkSetMacro(ComputePriority, bool);
+  vtkGetMacro(ComputePriority, bool);
+  vtkBooleanMacro(ComputePriority, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make the point arrays `FaceId` (the cell a sample lies in), `FacePoints` (the three points of the
+   * triangle, a part of that cell) and `BarycentricCoordinates` (their weights), with which another run
+   * moves the samples. Default: off.
+   */
+  vtkSetMacro(KeepFaces, bool);
+  vtkGetMacro(KeepFaces, bool);
+  vtkBooleanMacro(KeepFaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make one poly-vertex cell over all points, so that any VTK mapper draws them. Default: on.
+   */
+  vtkSetMacro(GenerateVertices, bool);
+  vtkGetMacro(GenerateVertices, bool);
+  vtkBooleanMacro(GenerateVertices, bool);
+  ///@}
+
+  ///@{
+  /**
+   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): that of the input's
+   * points.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * The samples of the first frame, which are moved instead of made anew. Optional.
+   */
+  void SetFirstFrameConnection(vtkAlgorithmOutput* samples) { this->SetInputConnection(1, samples); }
+  void SetFirstFrameData(vtkPolyData* samples);
+  ///@}
+
+protected:
+  vtkInkSurfaceSampler();
+  ~vtkInkSurfaceSampler() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkInkSurfaceSampler(const vtkInkSurfaceSampler&) = delete;
+  void operator=(const vtkInkSurfaceSampler&) = delete;
+
+  void SampleMesh(vtkPolyData* mesh, vtkPolyData* output);
+  void MoveSamples(vtkPolyData* mesh, vtkPolyData* samples, vtkPolyData* output);
+
+  int Method = BLUE_NOISE;
+  int Amount = NUMBER_OF_SAMPLES;
+  vtkIdType NumberOfSamples = 100000;
+  double SampleRadius = 0.0;
+  int Seed = 0;
+  bool ComputeNormals = true;
+  bool ComputeRadius = true;
+  bool ComputePriority = true;
+  bool KeepFaces = false;
+  bool GenerateVertices = true;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+};
+
+#endif
