@@ -1,6 +1,7 @@
 # The VTK modules: found by their vtk.module files, built against vtkInk::Common.
 set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Core/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Fields/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Sampling/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module")
 if (VTKINK_BUILD_PLUGIN)

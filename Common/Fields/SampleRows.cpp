@@ -67,8 +67,9 @@ bool readRow(const GridField<T>& field, int j, int k, int begin, Work limit, std
   }
   for (std::size_t i = 0; i < row.size(); ++i)
   {
-    marks[i] = !isPlain(values[i * stride], row[i], limit) || (anyHidden && hidden[first + i]);
-    row[i] = marks[i] ? Work(0) : row[i];
+    const bool missing = !std::isfinite(row[i]) || (anyHidden && hidden[first + i]);
+    marks[i] = missing ? Missing : isPlain(values[i * stride], row[i], limit) ? Plain : Odd;
+    row[i] = missing ? Work(0) : row[i];
   }
   return true;
 }

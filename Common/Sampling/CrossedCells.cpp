@@ -2,18 +2,27 @@
 // of `above` is set where the sample is at or above the iso-value. A cell is crossed where its eight corners
 // are neither all set nor all clear, and a row of cells sees its corners as four rows of bits and the same
 // four shifted by one. See CrossingRule for the other rule, which also needs to know who is strictly above.
+//
+// Rows are taken in blocks of four. Where all samples of a block, and of those beside and over it, are on one
+// side, nothing is looked at again. With BrickRanges such blocks are not even read.
+//
+// NaN counts as below here, and infinite values as what they are: corners are looked at one by one, but only
+// those of cells that would be crossed, in blocks where something is missing.
 
 #include "Sampling/CrossedCells.h"
 
 #include "Fields/Scalars.h"
+#include "Sampling/BrickRanges.h"
+#include "Sampling/Kernels/TypedKernelsOf.h"
 #include "Sampling/ScalarBound.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -25,106 +34,64 @@ namespace
 
 using Word = std::uint64_t;
 constexpr int WordBits = 64;
+/// Rows in a block.
+constexpr int Rows = BrickWidth;
+/// Layers of cells that are a unit of parallel work: each classifies one layer of samples that its neighbour
+/// classifies too. A multiple of a brick's.
+constexpr int SlabLayers = 16;
 
-/// Eight bytes of 0 or 1 to eight bits, the first byte to the lowest: the multiplication brings bit n of the
-/// result from byte n to the top byte.
-Word packBytes(const unsigned char* flags)
+/// What is known of a block of rows in one layer of samples.
+enum class Side : std::uint8_t
 {
-  constexpr Word gather =
-    std::endian::native == std::endian::little ? 0x0102040810204080 : 0x8040201008040201;
-  Word bytes;
-  std::memcpy(&bytes, flags, sizeof bytes);
-  return bytes * gather >> 56;
-}
+  Below = 0,
+  Above = 1,
+  Both = 2
+};
 
-/// Writes test(n) for n in [0, count) as bits; the rest of the last word is clear.
-template <class Test>
-void packBits(int count, Word* words, const Test& test)
-{
-  for (int begin = 0; begin < count; begin += WordBits)
-  {
-    alignas(WordBits) unsigned char flags[WordBits];
-    if (count - begin >= WordBits)
-    {
-      for (int n = 0; n < WordBits; ++n)
-      {
-        flags[n] = test(begin + n);
-      }
-    }
-    else
-    {
-      std::memset(flags, 0, sizeof flags);
-      for (int n = 0; n < count - begin; ++n)
-      {
-        flags[n] = test(begin + n);
-      }
-    }
-    Word word = 0;
-    for (int byte = 0; byte < WordBits / 8; ++byte)
-    {
-      word |= packBytes(flags + 8 * byte) << (8 * byte);
-    }
-    *words++ = word;
-  }
-}
-
-/// The bits of one layer of samples: rows of `words` words each.
+/// The bits of one layer of samples for one iso-value. Each row is followed by an empty word.
 struct LayerBits
 {
-  std::vector<Word> above;   ///< at or above the iso-value
-  std::vector<Word> over;    ///< strictly above it; only for CrossingRule::Strict
-  std::vector<Word> missing; ///< hidden or not finite; only where a sample can be
-};
+  std::vector<Word> above; ///< at or above the iso-value
+  std::vector<Word> over;  ///< strictly above it; only for CrossingRule::Strict
+  /// For each row and the next: whether any or all of a cell's four corners are above; only for HalfOpen.
+  std::vector<Word> any;
+  std::vector<Word> all;
+  // By blocks of rows.
+  std::vector<Side> sides;
+  std::vector<std::uint8_t> missing; ///< a sample may be NaN, infinite or hidden
+  std::vector<std::uint8_t> filled;  ///< the bits are there, not only the side
+  std::vector<std::uint8_t> paired;  ///< and those of pairs
 
-/// What four rows of corners, at words w and w + 1, say about the 64 cells between them. Rows are in the
-/// order (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1).
-struct CornerRows
-{
-  Word here[4];
-  Word next[4]; ///< the same, one sample further
-
-  template <class Row>
-  CornerRows(const Row& row, int word, int words)
+  LayerBits(std::size_t words, std::size_t blocks, bool strict)
+    : above(words, 0)
+    , over(strict ? words : 0, 0)
+    , any(strict ? 0 : words)
+    , all(strict ? 0 : words)
+    , sides(blocks)
+    , missing(blocks)
+    , filled(blocks)
+    , paired(blocks)
   {
-    for (int r = 0; r < 4; ++r)
-    {
-      const Word following = word + 1 < words ? row(r)[word + 1] : 0;
-      this->here[r] = row(r)[word];
-      this->next[r] = this->here[r] >> 1 | following << (WordBits - 1);
-    }
-  }
-
-  Word any() const
-  {
-    return this->here[0] | this->here[1] | this->here[2] | this->here[3] | this->next[0] | this->next[1] |
-      this->next[2] | this->next[3];
-  }
-  Word all() const
-  {
-    return this->here[0] & this->here[1] & this->here[2] & this->here[3] & this->next[0] & this->next[1] &
-      this->next[2] & this->next[3];
   }
 };
 
-Word crossedHalfOpen(const CornerRows& above)
+/// The cells of a word, with corners in the rows (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1), that the surface
+/// crosses by CrossingRule::Strict.
+Word crossedStrict(const std::array<const Word*, 4>& above, const std::array<const Word*, 4>& over, int w)
 {
-  return above.any() & ~above.all();
-}
-
-Word crossedStrict(const CornerRows& above, const CornerRows& over)
-{
-  const auto edges = [](Word above1, Word over1, Word above2, Word over2)
+  const auto edge = [](Word above1, Word over1, Word above2, Word over2)
   { return (~above1 & over2) | (over1 & ~above2) | (above1 & ~over1 & above2 & ~over2); };
+  const auto next = [w](const Word* row) { return row[w] >> 1 | row[w + 1] << (WordBits - 1); };
   Word crossed = 0;
   for (int r = 0; r < 4; ++r)
   {
-    crossed |= edges(above.here[r], over.here[r], above.next[r], over.next[r]);
+    crossed |= edge(above[r][w], over[r][w], next(above[r]), next(over[r]));
   }
   constexpr int across[4][2] = { { 0, 1 }, { 2, 3 }, { 0, 2 }, { 1, 3 } };
   for (const auto& [r, s] : across)
   {
-    crossed |= edges(above.here[r], over.here[r], above.here[s], over.here[s]);
-    crossed |= edges(above.next[r], over.next[r], above.next[s], over.next[s]);
+    crossed |= edge(above[r][w], over[r][w], above[s][w], over[s][w]);
+    crossed |= edge(next(above[r]), next(over[r]), next(above[s]), next(over[s]));
   }
   return crossed;
 }
@@ -138,215 +105,493 @@ Word rangeBits(int begin, int end, int first)
   return below(end - first) & ~below(begin - first);
 }
 
+/// One iso-value in the samples' own type.
+template <class T>
+struct Threshold
+{
+  ScalarBound<T> atLeast;
+  ScalarBound<T> above;
+};
+
 template <class T>
 class CellFinder
 {
 public:
-  CellFinder(const GridField<T>& field, double isoValue, CrossingRule rule, const CellSelection& selection)
+  using K = KernelScalar<T>;
+
+  CellFinder(const GridField<T>& field, std::span<const double> isoValues, CrossingRule rule,
+    const CellSelection& selection)
     : Field(field)
-    , Rule(rule)
-    , AtLeast(ScalarBound<T>::atLeast(isoValue))
-    , Above(ScalarBound<T>::above(isoValue))
+    , Kernels(samplingKernels())
+    , Typed(typedKernelsOf<T>(this->Kernels))
+    , Strict(rule == CrossingRule::Strict)
     , Skipped(selection.skipped)
-    , Cells(glm::max(field.geometry().dimensions() - 1, glm::ivec3(0)))
+    , Samples(field.geometry().dimensions())
+    , Cells(glm::max(this->Samples - 1, glm::ivec3(0)))
     , Begin(glm::clamp(selection.begin, glm::ivec3(0), this->Cells))
     , End(glm::clamp(selection.end, glm::ivec3(0), this->Cells))
-    , Words((field.geometry().dimensions().x + WordBits - 1) / WordBits)
-    , CanMiss(std::is_floating_point_v<T> || !field.hidden().empty())
+    , Words((this->Samples.x + WordBits - 1) / WordBits)
+    , Blocks((this->Samples.y + Rows - 1) / Rows)
   {
-  }
-
-  int layerCount() const
-  {
-    return this->Begin.x < this->End.x && this->Begin.y < this->End.y
-      ? std::max(this->End.z - this->Begin.z, 0)
-      : 0;
-  }
-
-  /// The cells of `count` layers, counted from the selection's first.
-  void find(int firstLayer, int count, CrossedCells::Slab& slab) const
-  {
-    LayerBits lower;
-    LayerBits upper;
-    const int begin = this->Begin.z + firstLayer;
-    this->classify(begin, lower);
-    for (int k = begin; k < begin + count; ++k)
+    for (const double isoValue : isoValues)
     {
-      this->classify(k + 1, upper);
-      for (int j = this->Begin.y; j < this->End.y; ++j)
+      this->Thresholds.push_back({ ScalarBound<T>::atLeast(isoValue), ScalarBound<T>::above(isoValue) });
+    }
+  }
+
+  bool empty() const
+  {
+    return this->Begin.x >= this->End.x || this->Begin.y >= this->End.y || this->Begin.z >= this->End.z;
+  }
+  /// Whether every sample is looked at, as measuring bricks needs it.
+  bool whole() const { return this->Begin == glm::ivec3(0) && this->End == this->Cells && !this->empty(); }
+
+  /// Slabs begin at multiples of their thickness, so that bricks belong to one slab.
+  int firstSlab() const { return this->Begin.z / SlabLayers; }
+  int slabCount() const
+  {
+    return this->empty() ? 0 : (this->End.z - 1) / SlabLayers + 1 - this->firstSlab();
+  }
+
+  void use(BrickRanges* ranges)
+  {
+    this->Ranges = ranges && ranges->template fits<T>(this->Samples) ? ranges : nullptr;
+    this->Measured = ranges && !this->Ranges && this->whole() ? ranges : nullptr;
+    if (this->Measured)
+    {
+      this->Measured->template start<T>(this->Samples);
+    }
+  }
+  bool measures() const { return this->Measured != nullptr; }
+
+  /// The cells of a slab, for each iso-value.
+  void find(int slab, std::vector<CrossedCells>& cells) const
+  {
+    const int begin = std::max(this->Begin.z, (this->firstSlab() + slab) * SlabLayers);
+    const int end = std::min(this->End.z, (this->firstSlab() + slab + 1) * SlabLayers);
+    Scratch scratch(*this);
+    for (std::size_t t = 0; t < this->Thresholds.size(); ++t)
+    {
+      const std::size_t words = this->rowOffset(Rows * this->Blocks + 1);
+      scratch.lower.emplace_back(words, this->Blocks, this->Strict);
+      scratch.upper.emplace_back(words, this->Blocks, this->Strict);
+    }
+    this->classify(begin, true, scratch, scratch.lower);
+    for (int k = begin; k < end; ++k)
+    {
+      this->classify(k + 1, k + 1 < end || k + 1 == this->Cells.z, scratch, scratch.upper);
+      for (std::size_t t = 0; t < this->Thresholds.size(); ++t)
       {
-        this->findInRow(j, k, lower, upper, slab);
+        this->findInLayer(k, scratch.lower[t], scratch.upper[t], scratch, cells[t].slabs[slab]);
       }
-      std::swap(lower, upper);
+      std::swap(scratch.lower, scratch.upper);
+    }
+    for (CrossedCells& found : cells)
+    {
+      CrossedCells::Slab& own = found.slabs[slab];
+      own.runs.resize(own.used);
+      for (const CellRun& run : own.runs)
+      {
+        own.count += std::popcount(run.cells);
+      }
     }
   }
 
 private:
-  void classify(int k, LayerBits& layer) const
+  /// What one thread needs for one slab.
+  struct Scratch
   {
-    const glm::ivec3 samples = this->Field.geometry().dimensions();
-    const std::size_t size = static_cast<std::size_t>(this->Words) * samples.y;
-    layer.above.resize(size);
-    layer.over.resize(this->Rule == CrossingRule::Strict ? size : 0);
-    layer.missing.resize(this->CanMiss ? size : 0);
-    for (int j = this->Begin.y; j <= this->End.y; ++j)
+    std::vector<LayerBits> lower;
+    std::vector<LayerBits> upper;
+    std::vector<Word> crossed;
+    std::vector<K> low;
+    std::vector<K> high;
+    std::vector<K> gathered;
+    /// By threshold, and for CrossingRule::Strict its two bounds, for the bricks of one layer.
+    std::vector<std::vector<std::uint8_t>> states;
+    std::vector<std::vector<Side>> sides;
+    int statesOf = -1; ///< the layer of bricks that they are for
+
+    explicit Scratch(const CellFinder& finder)
+      : crossed(finder.Words)
+      , low(finder.Measured ? finder.Measured->counts().x : 0)
+      , high(this->low.size())
+      , gathered(finder.Field.stride() == 1 ? 0 : static_cast<std::size_t>(Rows) * finder.Samples.x)
     {
-      const std::size_t row = static_cast<std::size_t>(this->Words) * j;
-      const std::size_t first = this->Field.geometry().offset({ 0, j, k });
-      const T* values = this->Field.data() + first * this->Field.stride();
-      // A stride that the compiler knows lets it compare many samples at once.
-      if (this->Field.stride() == 1)
+    }
+  };
+
+  std::size_t rowOffset(int j) const { return static_cast<std::size_t>(this->Words + 1) * j; }
+
+  /// One component of a block's rows.
+  SampleRows<K> rowsOf(int block, int k, Scratch& scratch) const
+  {
+    const int j = Rows * block;
+    const int rows = std::min(Rows, this->Samples.y - j);
+    const std::size_t stride = this->Field.stride();
+    const K* first =
+      reinterpret_cast<const K*>(this->Field.data() + this->Field.geometry().offset({ 0, j, k }) * stride);
+    if (stride == 1)
+    {
+      return { first, this->Samples.x, rows, this->Samples.x };
+    }
+    for (std::size_t n = 0; n < static_cast<std::size_t>(rows) * this->Samples.x; ++n)
+    {
+      scratch.gathered[n] = first[n * stride];
+    }
+    return { scratch.gathered.data(), this->Samples.x, rows, this->Samples.x };
+  }
+
+  void classify(int k, bool measure, Scratch& scratch, std::vector<LayerBits>& layers) const
+  {
+    if (this->Ranges)
+    {
+      this->judgeBricks(k / BrickWidth, scratch);
+    }
+    // Only the rows of the selection, and whole blocks.
+    for (int block = this->Begin.y / Rows; block <= this->End.y / Rows; ++block)
+    {
+      SampleRows<K> rows = {};
+      for (std::size_t t = 0; t < layers.size(); ++t)
       {
-        this->classifyRow(values, std::integral_constant<std::size_t, 1>(), first, row, layer);
-      }
-      else
-      {
-        this->classifyRow(values, this->Field.stride(), first, row, layer);
+        LayerBits& layer = layers[t];
+        layer.paired[block] = false;
+        layer.missing[block] = !this->Field.hidden().empty();
+        if (Rows * block >= this->Samples.y)
+        {
+          continue;
+        }
+        if (this->Ranges && scratch.sides[t][block] != Side::Both)
+        {
+          layer.sides[block] = scratch.sides[t][block];
+          layer.filled[block] = false;
+          continue;
+        }
+        if (!rows.first)
+        {
+          rows = this->rowsOf(block, k, scratch);
+        }
+        this->classifyBlock(block, k, t, measure && t == 0, rows, scratch, layer);
       }
     }
   }
 
-  template <class Stride>
-  void classifyRow(const T* values, Stride stride, std::size_t first, std::size_t row, LayerBits& layer) const
+  void classifyBlock(int block, int k, std::size_t t, bool measure, const SampleRows<K>& rows, Scratch& scratch,
+    LayerBits& layer) const
   {
-    const int count = this->Field.geometry().dimensions().x;
-    const auto compare = [&](const ScalarBound<T>& bound, Word* words)
+    const Threshold<T>& threshold = this->Thresholds[t];
+    const std::size_t first = this->rowOffset(Rows * block);
+    const std::ptrdiff_t reach = this->Words + 1;
+    const auto bits = [&](const ScalarBound<T>& bound, std::vector<Word>& words, bool strictly)
     {
-      if (bound.reachable)
+      const K lowest = static_cast<K>(bound.lowest);
+      int found = 0;
+      if (this->Ranges)
       {
-        const T lowest = bound.lowest;
-        packBits(count, words, [=](int i) { return values[i * stride] >= lowest; });
+        const std::size_t bricks = static_cast<std::size_t>(this->Ranges->counts().x);
+        const std::uint8_t* states = scratch.states[2 * t + strictly].data() + bricks * block;
+        found = this->Typed.classifyMixed(rows, lowest, states, &words[first], reach);
+      }
+      else if (measure && !strictly && this->Measured)
+      {
+        found = this->Typed.classifyAndMeasure(
+          rows, lowest, &words[first], reach, scratch.low.data(), scratch.high.data());
+        this->keepRanges(block, k, scratch);
       }
       else
       {
-        std::fill_n(words, this->Words, Word(0));
+        found = this->Typed.classify(rows, lowest, &words[first], reach);
       }
+      if (!bound.reachable)
+      {
+        std::fill_n(&words[first], static_cast<std::size_t>(reach) * rows.rows, Word(0));
+        found = (found & MaybeMissing) | SomeClear;
+      }
+      return found;
     };
-    compare(this->AtLeast, &layer.above[row]);
-    if (this->Rule == CrossingRule::Strict)
+    const int found = bits(threshold.atLeast, layer.above, false);
+    layer.missing[block] |= (found & MaybeMissing) != 0;
+    layer.filled[block] = true;
+    layer.sides[block] = !(found & SomeSet) ? Side::Below : !(found & SomeClear) ? Side::Above : Side::Both;
+    if (this->Strict)
     {
-      compare(this->Above, &layer.over[row]);
-    }
-    if (this->CanMiss)
-    {
-      Word* words = &layer.missing[row];
-      if constexpr (std::is_floating_point_v<T>)
+      const int strictly = bits(threshold.above, layer.over, true);
+      // At the iso-value is neither.
+      if (layer.sides[block] == Side::Above && (strictly & SomeClear))
       {
-        constexpr T largest = std::numeric_limits<T>::max();
-        packBits(count, words, [=](int i) { return !(std::abs(values[i * stride]) <= largest); });
-      }
-      else
-      {
-        std::fill_n(words, this->Words, Word(0));
-      }
-      const ElementMarks& hidden = this->Field.hidden();
-      for (int i = 0; !hidden.empty() && i < count; ++i)
-      {
-        words[i / WordBits] |= Word(hidden[first + i]) << (i % WordBits);
+        layer.sides[block] = Side::Both;
       }
     }
   }
 
-  void findInRow(int j, int k, const LayerBits& lower, const LayerBits& upper, CrossedCells::Slab& slab) const
+  /// Adds what was measured of one block in one layer to the ranges of its bricks.
+  void keepRanges(int block, int k, Scratch& scratch) const
   {
-    const auto rowsOf = [&](std::vector<Word> LayerBits::*bits)
+    K* low = this->Measured->template low<K>(block, k / BrickWidth);
+    K* high = this->Measured->template high<K>(block, k / BrickWidth);
+    if (k % BrickWidth == 0)
     {
-      return [&, bits](int r)
+      std::copy(scratch.low.begin(), scratch.low.end(), low);
+      std::copy(scratch.high.begin(), scratch.high.end(), high);
+      return;
+    }
+    for (std::size_t b = 0; b < scratch.low.size(); ++b)
+    {
+      // NaN, on either side, stays.
+      low[b] = low[b] <= scratch.low[b] ? low[b] : (low[b] != low[b] ? low[b] : scratch.low[b]);
+      high[b] = high[b] >= scratch.high[b] ? high[b] : (high[b] != high[b] ? high[b] : scratch.high[b]);
+    }
+  }
+
+  /// The sides of one layer of bricks.
+  void judgeBricks(int layer, Scratch& scratch) const
+  {
+    if (scratch.statesOf == layer)
+    {
+      return;
+    }
+    scratch.statesOf = layer;
+    const int bricks = this->Ranges->counts().x;
+    const std::size_t count = static_cast<std::size_t>(bricks) * this->Blocks;
+    scratch.states.resize(2 * this->Thresholds.size());
+    scratch.sides.resize(this->Thresholds.size());
+    for (std::size_t t = 0; t < this->Thresholds.size(); ++t)
+    {
+      scratch.sides[t].resize(this->Blocks);
+      const auto judge = [&](const ScalarBound<T>& bound, bool strictly, int block)
       {
-        const LayerBits& layer = r < 2 ? lower : upper;
-        return (layer.*bits).data() + static_cast<std::size_t>(this->Words) * (j + r % 2);
+        std::vector<std::uint8_t>& states = scratch.states[2 * t + strictly];
+        states.resize(count);
+        std::uint8_t* own = states.data() + static_cast<std::size_t>(bricks) * block;
+        if (!bound.reachable)
+        {
+          std::fill_n(own, bricks, std::uint8_t(0));
+          return 0;
+        }
+        return this->Typed.judge(this->Ranges->template low<K>(block, layer),
+          this->Ranges->template high<K>(block, layer), bricks, static_cast<K>(bound.lowest), own);
       };
-    };
+      for (int block = 0; block < this->Blocks; ++block)
+      {
+        int side = judge(this->Thresholds[t].atLeast, false, block);
+        if (this->Strict && judge(this->Thresholds[t].above, true, block) != 1 && side == 1)
+        {
+          side = 2;
+        }
+        scratch.sides[t][block] = static_cast<Side>(side);
+      }
+    }
+  }
+
+  /// Writes the bits of a block whose samples were not read.
+  void fill(LayerBits& layer, int block) const
+  {
+    if (Rows * block >= this->Samples.y || layer.filled[block])
+    {
+      return;
+    }
+    layer.filled[block] = true;
+    const Word bits = layer.sides[block] == Side::Above ? ~Word(0) : Word(0);
+    for (int j = Rows * block; j < std::min(Rows * (block + 1), this->Samples.y); ++j)
+    {
+      std::fill_n(&layer.above[this->rowOffset(j)], this->Words, bits);
+      if (this->Strict)
+      {
+        std::fill_n(&layer.over[this->rowOffset(j)], this->Words, bits);
+      }
+    }
+  }
+
+  void pair(LayerBits& layer, int block) const
+  {
+    this->fill(layer, block);
+    this->fill(layer, block + 1 < this->Blocks ? block + 1 : block);
+    if (this->Strict || layer.paired[block])
+    {
+      return;
+    }
+    layer.paired[block] = true;
+    for (int j = Rows * block; j < std::min(Rows * (block + 1), this->Cells.y); ++j)
+    {
+      this->Kernels.pairRows(&layer.above[this->rowOffset(j)], &layer.above[this->rowOffset(j + 1)], this->Words,
+        &layer.any[this->rowOffset(j)], &layer.all[this->rowOffset(j)]);
+    }
+  }
+
+  void findInLayer(int k, LayerBits& lower, LayerBits& upper, Scratch& scratch, CrossedCells::Slab& slab) const
+  {
+    for (int block = this->Begin.y / Rows; block * Rows < this->End.y; ++block)
+    {
+      const int next = block + 1 < this->Blocks ? block + 1 : block;
+      const Side side = lower.sides[block];
+      if (side != Side::Both && lower.sides[next] == side && upper.sides[block] == side &&
+        upper.sides[next] == side)
+      {
+        continue;
+      }
+      this->pair(lower, block);
+      this->pair(upper, block);
+      const bool missing =
+        lower.missing[block] || lower.missing[next] || upper.missing[block] || upper.missing[next];
+      const int end = std::min(Rows * (block + 1), this->End.y);
+      for (int j = std::max(Rows * block, this->Begin.y); j < end; ++j)
+      {
+        if (this->cross(j, lower, upper, scratch))
+        {
+          this->keepCells(j, k, missing, scratch, slab);
+        }
+      }
+    }
+  }
+
+  /// The crossed cells of a row, to scratch.crossed.
+  bool cross(int j, const LayerBits& lower, const LayerBits& upper, Scratch& scratch) const
+  {
+    const std::size_t row = this->rowOffset(j);
+    if (!this->Strict)
+    {
+      return this->Kernels.crossRows(&lower.any[row], &lower.all[row], &upper.any[row], &upper.all[row],
+               this->Words, scratch.crossed.data()) != 0;
+    }
+    const std::size_t next = this->rowOffset(j + 1);
+    Word some = 0;
+    for (int w = 0; w < this->Words; ++w)
+    {
+      scratch.crossed[w] =
+        crossedStrict({ &lower.above[row], &lower.above[next], &upper.above[row], &upper.above[next] },
+          { &lower.over[row], &lower.over[next], &upper.over[row], &upper.over[next] }, w);
+      some |= scratch.crossed[w];
+    }
+    return some != 0;
+  }
+
+  void keepCells(int j, int k, bool missing, const Scratch& scratch, CrossedCells::Slab& slab) const
+  {
+    const std::size_t room = slab.used + this->Words;
+    if (slab.runs.size() < room)
+    {
+      slab.runs.resize(std::max<std::size_t>(2 * room, 1024));
+    }
+    const bool oneByOne = missing || !this->Skipped.empty();
+    CellRun* run = slab.runs.data() + slab.used;
     for (int w = this->Begin.x / WordBits; w * WordBits < this->End.x; ++w)
     {
-      const CornerRows above(rowsOf(&LayerBits::above), w, this->Words);
-      Word crossed = this->Rule == CrossingRule::HalfOpen
-        ? crossedHalfOpen(above)
-        : crossedStrict(above, CornerRows(rowsOf(&LayerBits::over), w, this->Words));
-      crossed &= rangeBits(this->Begin.x, this->End.x, w * WordBits);
-      if (crossed != 0 && this->CanMiss)
+      Word crossed = scratch.crossed[w] & rangeBits(this->Begin.x, this->End.x, w * WordBits);
+      if (oneByOne && crossed != 0)
       {
-        crossed &= ~CornerRows(rowsOf(&LayerBits::missing), w, this->Words).any();
+        crossed = this->withoutExceptions(crossed, missing, { w * WordBits, j, k });
       }
-      if (crossed != 0 && !this->Skipped.empty())
-      {
-        crossed = this->withoutSkipped(crossed, { w * WordBits, j, k });
-      }
-      if (crossed != 0)
-      {
-        slab.runs.push_back({ crossed, { w * WordBits, j, k } });
-        slab.count += std::popcount(crossed);
-      }
+      // Written in any case, and kept where there are cells: cheaper than a branch that nobody can foretell.
+      *run = { crossed, { w * WordBits, j, k } };
+      run += crossed != 0;
     }
+    slab.used = static_cast<std::size_t>(run - slab.runs.data());
   }
 
-  Word withoutSkipped(Word crossed, const glm::ivec3& first) const
+  /// Without the cells that are skipped or have a missing corner.
+  Word withoutExceptions(Word crossed, bool missing, const glm::ivec3& first) const
   {
     const std::size_t cell = first.x +
       static_cast<std::size_t>(this->Cells.x) * (first.y + static_cast<std::size_t>(this->Cells.y) * first.z);
     for (Word rest = crossed; rest != 0; rest &= rest - 1)
     {
       const int bit = std::countr_zero(rest);
-      crossed &= ~(Word(this->Skipped[cell + bit]) << bit);
+      const bool skipped = (!this->Skipped.empty() && this->Skipped[cell + bit]) ||
+        (missing && !this->hasCorners(first + glm::ivec3(bit, 0, 0)));
+      crossed &= ~(Word(skipped) << bit);
     }
     return crossed;
   }
 
+  bool hasCorners(const glm::ivec3& cell) const
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      if (!this->Field.has(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   const GridField<T>& Field;
-  CrossingRule Rule;
-  ScalarBound<T> AtLeast;
-  ScalarBound<T> Above;
+  const SamplingKernels& Kernels;
+  const TypedKernels<K>& Typed;
+  bool Strict;
   ElementMarks Skipped;
+  glm::ivec3 Samples;
   glm::ivec3 Cells;
   glm::ivec3 Begin;
   glm::ivec3 End;
   int Words;
-  bool CanMiss;
+  int Blocks;
+  std::vector<Threshold<T>> Thresholds;
+  BrickRanges* Ranges = nullptr;   ///< to look up
+  BrickRanges* Measured = nullptr; ///< to fill in
 };
 
 } // namespace
 
 template <class T>
-CrossedCells findCrossedCells(const GridField<T>& field, double isoValue, CrossingRule rule,
-  const CellSelection& selection, const Progress& progress)
+std::vector<CrossedCells> findCrossedCells(const GridField<T>& field, std::span<const double> isoValues,
+  CrossingRule rule, const CellSelection& selection, const Progress& progress, BrickRanges* ranges)
 {
-  CrossedCells cells;
+  std::vector<CrossedCells> cells(isoValues.size());
   const glm::ivec3 size = glm::max(field.geometry().dimensions() - 1, glm::ivec3(0));
   const std::size_t count = static_cast<std::size_t>(size.x) * size.y * size.z;
   if (!selection.skipped.empty() && selection.skipped.bytes.size() < count)
   {
     throw std::invalid_argument("the grid has more cells than marks were given");
   }
-  if (std::isnan(isoValue))
+  // NaN crosses nothing: no value is at or above infinity's successor.
+  std::vector<double> numbers(isoValues.begin(), isoValues.end());
+  std::replace_if(
+    numbers.begin(), numbers.end(), [](double v) { return std::isnan(v); },
+    std::numeric_limits<double>::infinity());
+  CellFinder<T> finder(field, numbers, rule, selection);
+  finder.use(ranges);
+  for (CrossedCells& found : cells)
   {
-    return cells;
+    found.slabs.resize(finder.slabCount());
   }
-  // Each slab classifies one layer of samples that its neighbour classifies too: thin enough to share the
-  // work out evenly, thick enough that this costs little.
-  constexpr int layersPerSlab = 8;
-  const CellFinder<T> finder(field, isoValue, rule, selection);
-  const int layers = finder.layerCount();
-  cells.slabs.resize((layers + layersPerSlab - 1) / layersPerSlab);
-  const auto find = [&](std::size_t slab)
+  const auto find = [&](std::size_t slab) { finder.find(static_cast<int>(slab), cells); };
+  if (!isoValues.empty() && !parallelFor(finder.slabCount(), find, progress))
   {
-    const int first = static_cast<int>(slab) * layersPerSlab;
-    finder.find(first, std::min(layersPerSlab, layers - first), cells.slabs[slab]);
-  };
-  if (!parallelFor(cells.slabs.size(), find, progress))
-  {
-    return {};
+    return std::vector<CrossedCells>(isoValues.size());
   }
-  for (CrossedCells::Slab& slab : cells.slabs)
+  if (finder.measures() && !isoValues.empty())
   {
-    slab.before = cells.count;
-    cells.count += slab.count;
+    ranges->setComplete();
+  }
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    if (std::isnan(isoValues[n]))
+    {
+      cells[n] = {};
+    }
+    for (CrossedCells::Slab& slab : cells[n].slabs)
+    {
+      slab.before = cells[n].count;
+      cells[n].count += slab.count;
+    }
   }
   return cells;
 }
 
+template <class T>
+CrossedCells findCrossedCells(const GridField<T>& field, double isoValue, CrossingRule rule,
+  const CellSelection& selection, const Progress& progress)
+{
+  return std::move(
+    findCrossedCells(field, std::span<const double>(&isoValue, 1), rule, selection, progress).front());
+}
+
 #define INK_INSTANTIATE(T)                                                                                   \
   template CrossedCells findCrossedCells(                                                                    \
-    const GridField<T>&, double, CrossingRule, const CellSelection&, const Progress&);
+    const GridField<T>&, double, CrossingRule, const CellSelection&, const Progress&);                       \
+  template std::vector<CrossedCells> findCrossedCells(const GridField<T>&, std::span<const double>,          \
+    CrossingRule, const CellSelection&, const Progress&, BrickRanges*);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 
 } // namespace ink

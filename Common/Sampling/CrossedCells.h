@@ -8,10 +8,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace ink
 {
+
+class BrickRanges;
 
 /// Which edges of a grid cell the iso-surface at f0 intersects, f1 and f2 being the values at an edge's ends.
 enum class CrossingRule
@@ -47,6 +50,8 @@ struct CrossedCells
   struct Slab
   {
     std::vector<CellRun> runs;
+    /// How many of the runs are in use while they are being found.
+    std::size_t used = 0;
     /// How many cells the slabs before this one hold.
     std::size_t before = 0;
     std::size_t count = 0;
@@ -63,5 +68,14 @@ struct CrossedCells
 template <class T>
 CrossedCells findCrossedCells(const GridField<T>& field, double isoValue, CrossingRule rule,
   const CellSelection& selection = {}, const Progress& progress = {});
+
+/// The same for several iso-values, in one pass over the field.
+/// \param ranges when they are those of this field's values, only what the surfaces enter is read; otherwise, if
+///               the selection leaves nothing out, they are filled in for the next time. The caller keeps them for
+///               one set of values only. Null: neither
+template <class T>
+std::vector<CrossedCells> findCrossedCells(const GridField<T>& field, std::span<const double> isoValues,
+  CrossingRule rule, const CellSelection& selection = {}, const Progress& progress = {},
+  BrickRanges* ranges = nullptr);
 
 } // namespace ink

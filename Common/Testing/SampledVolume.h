@@ -72,16 +72,25 @@ struct Samples
 };
 
 template <class Real = double, class T>
-Samples<Real> sampleIsoSurface(const GridField<T>& field, double isoValue,
-  CrossingRule rule = CrossingRule::HalfOpen, const CellSelection& selection = {})
+Samples<Real> sampleIsoSurface(const GridField<T>& field, double isoValue, const SampleOptions& options,
+  const CellSelection& selection = {})
 {
-  const CrossedCells cells = findCrossedCells(field, isoValue, rule, selection);
+  const CrossedCells cells = findCrossedCells(field, isoValue, options.rule, selection);
   Samples<Real> samples;
   samples.coordinates.resize(3 * cells.count);
   samples.components.resize(3 * cells.count);
   placeIsoSurfaceSamples(
-    field, isoValue, rule, cells, std::span<Real>(samples.coordinates), std::span<float>(samples.components));
+    field, isoValue, options, cells, std::span<Real>(samples.coordinates), { samples.components, {}, {} });
   return samples;
+}
+
+template <class Real = double, class T>
+Samples<Real> sampleIsoSurface(const GridField<T>& field, double isoValue,
+  CrossingRule rule = CrossingRule::HalfOpen, const CellSelection& selection = {})
+{
+  SampleOptions options;
+  options.rule = rule;
+  return sampleIsoSurface<Real>(field, isoValue, options, selection);
 }
 
 } // namespace ink::testing

@@ -365,11 +365,10 @@ TEST(IsoSurfaceSamples, StopWhenAsked)
   const auto cells = findCrossedCells(volume.field(), 0.0, CrossingRule::HalfOpen);
   std::vector<float> points(3 * cells.count);
   EXPECT_EQ(findCrossedCells(volume.field(), 0.0, CrossingRule::HalfOpen, {}, stop).count, 0u);
-  EXPECT_FALSE(placeIsoSurfaceSamples(
-    volume.field(), 0.0, CrossingRule::HalfOpen, cells, std::span<float>(points), std::span<float>(), stop));
+  EXPECT_FALSE(
+    placeIsoSurfaceSamples(volume.field(), 0.0, {}, cells, std::span<float>(points), {}, stop));
   points.resize(points.size() - 1);
-  EXPECT_THROW(placeIsoSurfaceSamples(volume.field(), 0.0, CrossingRule::HalfOpen, cells,
-                 std::span<float>(points), std::span<float>()),
+  EXPECT_THROW(placeIsoSurfaceSamples(volume.field(), 0.0, {}, cells, std::span<float>(points), {}),
     std::invalid_argument);
 }
 

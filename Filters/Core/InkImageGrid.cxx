@@ -3,12 +3,14 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <sstream>
 
 InkExtent::InkExtent(const int extent[6])
   : First(extent[0], extent[2], extent[4])
@@ -79,6 +82,40 @@ ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bi
     return {};
   }
   return { { array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) }, bits };
+}
+
+std::string InkCheckScalars(
+  vtkImageData* image, const char* chosen, vtkDataArray* scalars, int association, int component)
+{
+  std::ostringstream problem;
+  if (!scalars)
+  {
+    const bool named = chosen && *chosen;
+    problem << "No " << (named ? "numeric point array \"" : "point scalars") << (named ? chosen : "")
+            << (named ? "\"" : "") << " in the image. Its point arrays: ";
+    const int count = image->GetPointData()->GetNumberOfArrays();
+    for (int i = 0; i < count; ++i)
+    {
+      const char* name = image->GetPointData()->GetArrayName(i);
+      problem << (i ? ", \"" : "\"") << (name ? name : "") << "\"";
+    }
+    problem << (count ? "." : "none.");
+    return problem.str();
+  }
+  const char* name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    problem << "The array " << name << " has " << scalars->GetNumberOfTuples()
+            << " values and is not point data. Expected a point array with " << image->GetNumberOfPoints()
+            << " values.";
+  }
+  else if (component >= scalars->GetNumberOfComponents())
+  {
+    problem << "ArrayComponent is " << component << ", but the array " << name << " has "
+            << scalars->GetNumberOfComponents() << " components, counted from 0.";
+  }
+  return problem.str();
 }
 
 vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component)

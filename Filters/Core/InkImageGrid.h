@@ -9,6 +9,8 @@
 #include "vtkInkFiltersCoreModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSetAttributes;
@@ -39,6 +41,12 @@ VTKINKFILTERSCORE_EXPORT bool InkNeedsDoublePrecision(const ink::GridGeometry& g
 /// The ghost array of an image's points or cells as marks with any of the given bits; nothing is marked where
 /// there is no such array.
 VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits);
+
+/// Why an image's scalars cannot be used: a sentence that names what was found and what was expected, empty
+/// when they can. `scalars` is the array that was found for the name `chosen`, null for none, and
+/// `association` what it belongs to; an empty or null name stands for the active point scalars.
+VTKINKFILTERSCORE_EXPORT std::string InkCheckScalars(
+  vtkImageData* image, const char* chosen, vtkDataArray* scalars, int association, int component);
 
 /// The array itself where its components lie side by side in memory, otherwise a copy of the given component;
 /// `component` becomes the one to read.

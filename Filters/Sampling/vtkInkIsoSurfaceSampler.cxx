@@ -120,8 +120,8 @@ bool Sample(const ink::GridField<T>& field, const SampleRequest& request, vtkAlg
   {
     const std::size_t size = 3 * crossed[i].count;
     const std::size_t normalSize = request.Normals ? size : 0;
-    if (!ink::placeIsoSurfaceSamples(field, request.IsoValues[i], request.Rule, crossed[i],
-          std::span<Real>(point, size), std::span<float>(normal, normalSize), progress.NextStep()))
+    if (!ink::placeIsoSurfaceSamples(field, request.IsoValues[i], { request.Rule }, crossed[i],
+          std::span<Real>(point, size), { std::span<float>(normal, normalSize), {}, {} }, progress.NextStep()))
     {
       return false;
     }

@@ -35,6 +35,7 @@ def _check_vtk_version():
 _check_vtk_version()
 _vtk_module("vtkRenderingOpenGL2")
 
+from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
 from .vtkInkRenderingSplattingLines import *
 

@@ -1,0 +1,3 @@
+#define INK_KERNEL_SET avx2Kernels
+#define INK_KERNEL_NAME avx2
+#include "Sampling/Kernels/KernelSet.h"

@@ -1,0 +1,200 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// The inner loops of iso-surface sampling, compiled once for each instruction set and chosen at run time.
+/// Internal to Common/Sampling.
+///
+/// Everything here is plain data and pointers to functions: the sources compiled for an instruction set include
+/// nothing else, because an inline function that they shared with others could be the one that the linker keeps,
+/// and would stop a machine without those instructions. All sets do the same operations in the same order,
+/// without fused multiply-adds, so all give the same bits.
+namespace ink
+{
+
+/// How a sample's normal is found.
+enum class NormalMethod
+{
+  /// The gradient of the trilinear interpolation of the cell's own eight samples.
+  Cell,
+  /// The trilinear interpolation of the gradients that central differences give the corners.
+  Gradient,
+  /// The trilinear interpolation of the unit vectors along these gradients (Zhang et al. 2014, section 5.1).
+  CentralDifference,
+  /// As CentralDifference, with gradients by linear regression over each corner's 26 neighbours with equal
+  /// weights (Neumann et al. 2000, as Lu et al. 2003, section 4.1, use it).
+  Regression
+};
+
+/// How many cells are worked on at once; a multiple of what any instruction set takes in one instruction.
+constexpr int BatchSize = 64;
+/// What a row of a batch has room for: the loops write whole vectors, past the last cell.
+constexpr int BatchStride = BatchSize + 16;
+
+/// The samples that a cell's point and normal depend on: its 8 corners, corner c being on the upper side along
+/// axis a where bit a of c is set, and the two outer neighbours of each of its 12 edges, along that edge. Edge
+/// n of the four that run along an axis is on the upper side of the first axis across where bit 0 of n is set,
+/// and of the second where bit 1 is.
+constexpr int Corners = 8;
+constexpr int Edges = 12;
+constexpr int StencilSize = Corners + 2 * Edges;
+/// All 4 x 4 x 4 samples around a cell, x running fastest, as NormalMethod::Regression wants them.
+constexpr int WideStencilSize = 64;
+
+/// Some cells, one in each column, and what was found out about them. Real is float or double.
+template <class Real>
+struct CellBatch
+{
+  /// In: the stencils; their rows are numbered as above.
+  alignas(64) Real values[WideStencilSize][BatchStride];
+  /// In: where the cells' first corners lie.
+  alignas(64) Real corners[3][BatchStride];
+  /// Out: the mean of the surface's intersections with the cell's edges, in the unit cell and in the world.
+  alignas(64) Real means[3][BatchStride];
+  alignas(64) Real points[3][BatchStride];
+  /// Out: unit vectors towards smaller values.
+  alignas(64) float normals[3][BatchStride];
+};
+
+/// What the loops need to know of the surface and the grid.
+template <class Real>
+struct SurfaceTerms
+{
+  /// A value's distance from the iso-value is (value - base) - rest; base is close to the iso-value and rest
+  /// what is left of it.
+  Real base;
+  Real rest;
+  /// A value is at or above the iso-value when it is >= atLeast, and above it when it is >= above.
+  Real atLeast;
+  Real above;
+  /// Ask for the range of the distances from the iso-value.
+  bool checkRange;
+  /// Column by column: index steps to world steps.
+  Real step[3][3];
+  /// Column by column: takes a gradient per sample step to a vector along the world's gradient.
+  Real direction[3][3];
+  /// xx, yy, zz, 2 xy, 2 xz, 2 yz of direction transposed times direction, which gives that vector's square.
+  Real square[6];
+};
+
+/// What `direction` and `step` are.
+enum class GridAxes
+{
+  Cubic,   ///< the one the identity, the other diagonal
+  Aligned, ///< both diagonal
+  General
+};
+
+/// The samples of four cell rows' surroundings: a cell's first corner is at data[offsets[n]], and its
+/// neighbours lie at these distances from it.
+template <class T>
+struct StencilSource
+{
+  const T* data;
+  const std::ptrdiff_t* offsets; ///< readable up to BatchStride of them
+  std::ptrdiff_t y;
+  std::ptrdiff_t z;
+  /// Distances to the samples before and after the cell, for each cell; null: -y, 2 y, -z, 2 z. They stay
+  /// inside the grid where the neighbour does not.
+  const std::ptrdiff_t* border[4];
+};
+
+/// One block of up to four rows of samples to classify.
+template <class T>
+struct SampleRows
+{
+  const T* first;
+  std::ptrdiff_t stride; ///< from row to row
+  int rows;
+  int samples; ///< in a row
+};
+
+/// The samples of a brick, see BrickRanges.
+template <class T>
+constexpr int BrickLength = sizeof(T) <= 2 ? 32 : 16;
+constexpr int BrickWidth = 4;
+
+/// What a function that classifies found, in one number.
+enum ClassFlags : int
+{
+  SomeSet = 1,
+  SomeClear = 2,
+  MaybeMissing = 4 ///< a sample may be NaN or infinite
+};
+
+/// Functions for samples of the type T. Those that classify return ClassFlags.
+template <class T>
+struct TypedKernels
+{
+  /// Sets bit n of a row of words where sample n is >= lowest, and clears the rest of the last word. `reach`
+  /// words lie from row to row.
+  int (*classify)(const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach);
+  /// The same, and the least and largest values of each brick's part of the block to low and high, which are
+  /// NaN where a sample may be NaN or infinite.
+  int (*classifyAndMeasure)(
+    const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high);
+  /// Reads only the bricks whose state is 2; those of the others are all set (1) or clear (0).
+  int (*classifyMixed)(const SampleRows<T>& rows, T lowest, const std::uint8_t* states, std::uint64_t* words,
+    std::ptrdiff_t reach);
+  /// The state of each brick with these ranges: 0 below, 1 at or above `lowest`, 2 both or not known.
+  /// \returns 0 or 1 where all are, else 2
+  int (*judge)(const T* low, const T* high, int count, T lowest, std::uint8_t* states);
+  /// Loads what a NormalMethod needs of the stencils of `count` cells; null for types that float does not hold
+  /// exactly.
+  void (*load[4])(const StencilSource<T>& source, int count, CellBatch<float>& batch);
+};
+
+template <class Real>
+struct PlaceKernels
+{
+  /// values -> means -> points, for the rule HalfOpen or Strict. Regression has its corners elsewhere.
+  /// \returns a bit for each cell whose numbers are too large or too small for what follows, if asked for
+  std::uint64_t (*findPoints[2][2][3])(CellBatch<Real>& batch, const SurfaceTerms<Real>& terms, int count);
+  /// values and means -> normals, by NormalMethod and GridAxes.
+  /// \returns a bit for each cell whose normal is not finite, or is the rounding of vectors that cancel
+  std::uint64_t (*findNormals[4][3])(CellBatch<Real>& batch, const SurfaceTerms<Real>& terms, int count);
+};
+
+struct SamplingKernels
+{
+  const char* name;
+
+  TypedKernels<std::int8_t> i8;
+  TypedKernels<std::uint8_t> u8;
+  TypedKernels<std::int16_t> i16;
+  TypedKernels<std::uint16_t> u16;
+  TypedKernels<std::int32_t> i32;
+  TypedKernels<std::uint32_t> u32;
+  TypedKernels<std::int64_t> i64;
+  TypedKernels<std::uint64_t> u64;
+  TypedKernels<float> f32;
+  TypedKernels<double> f64;
+
+  PlaceKernels<float> single;
+  PlaceKernels<double> precise;
+
+  /// Of two neighbouring rows: any = a | a' | b | b', all = a & a' & b & b', where a' is a moved by one sample.
+  /// Reads one word past the rows.
+  void (*pairRows)(
+    const std::uint64_t* a, const std::uint64_t* b, int words, std::uint64_t* any, std::uint64_t* all);
+  /// The cells between such pairs of rows in two neighbouring layers that have corners on both sides.
+  /// \returns 0 when there are none
+  std::uint64_t (*crossRows)(const std::uint64_t* anyLower, const std::uint64_t* allLower,
+    const std::uint64_t* anyUpper, const std::uint64_t* allUpper, int words, std::uint64_t* crossed);
+  /// Writes x y z of `count` columns one after the other.
+  void (*interleave)(const float* x, const float* y, const float* z, int count, float* xyz);
+};
+
+/// The kernels of the best set that this machine has, or of the set that the environment variable
+/// VTKINK_INSTRUCTION_SET names (baseline, avx2, avx512) if the machine has it. Chosen once.
+const SamplingKernels& samplingKernels();
+
+/// The kernels of a set by its name; null when this machine or this build lacks it.
+const SamplingKernels* samplingKernelsOf(const char* name);
+
+/// Makes samplingKernels() return the given set from now on; null: what it chooses itself. For tests: not to be
+/// called while others sample.
+void useSamplingKernels(const SamplingKernels* kernels);
+
+} // namespace ink

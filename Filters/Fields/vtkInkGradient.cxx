@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkGradient.h"
+
+#include "Fields/Gradients.h"
+#include "Fields/LaplacianOfGaussian.h"
+#include "InkImageGrid.h"
+#include "InkVTKCompat.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+vtkStandardNewMacro(vtkInkGradient);
+
+namespace
+{
+
+/// What one run computes, and where to.
+struct GradientRequest
+{
+  ink::SampleBox Box;
+  ink::GradientOptions Options;
+  glm::dvec3 Deviation;
+  vtkDataArray* Gradient;
+  vtkDataArray* Magnitude;
+  vtkDataArray* Value;
+  vtkDataArray* Laplacian;
+
+  bool HasGradients() const { return this->Gradient || this->Magnitude || this->Value; }
+};
+
+template <class Real>
+std::span<Real> ValuesOf(vtkDataArray* array)
+{
+  auto* values = vtkAOSDataArrayTemplate<Real>::FastDownCast(array);
+  return values
+    ? std::span<Real>(values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()))
+    : std::span<Real>();
+}
+
+/// Returns false when aborted.
+template <class Real, class T>
+bool Compute(const ink::GridField<T>& field, const GradientRequest& request, vtkAlgorithm* algorithm)
+{
+  const double steps = request.HasGradients() + (request.Laplacian != nullptr);
+  double done = 0.0;
+  const auto progress = [&](double share)
+  {
+    algorithm->UpdateProgress((done + share) / steps);
+    return !InkCheckAbort(algorithm);
+  };
+  if (request.HasGradients())
+  {
+    const ink::GradientArrays<Real> arrays{ ValuesOf<Real>(request.Gradient),
+      ValuesOf<Real>(request.Magnitude), ValuesOf<Real>(request.Value) };
+    if (!ink::estimateGradients<T, Real>(field, request.Box, request.Options, arrays, progress))
+    {
+      return false;
+    }
+    done = 1.0;
+  }
+  return !request.Laplacian ||
+    ink::laplacianOfGaussian<T, Real>(
+      field, request.Box, request.Deviation, ValuesOf<Real>(request.Laplacian), progress);
+}
+
+/// The same for an array whose type is not known; `array` is contiguous.
+bool ComputeFromArray(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
+  const ink::ElementMarks& hidden, bool doubles, const GradientRequest& request, vtkAlgorithm* algorithm)
+{
+  const auto compute = [&](auto* values)
+  {
+    using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
+    const std::span<const T> all(
+      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
+    const ink::GridField<T> field(geometry, all.subspan(static_cast<std::size_t>(component)),
+      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden);
+    return doubles ? Compute<double>(field, request, algorithm) : Compute<float>(field, request, algorithm);
+  };
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(return compute(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
+  }
+  throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
+}
+
+ink::GradientOptions OptionsOf(vtkInkGradient* filter)
+{
+  ink::GradientOptions options;
+  options.method = filter->GetMethod() == vtkInkGradient::CENTRAL_DIFFERENCE
+    ? ink::GradientMethod::CentralDifference
+    : ink::GradientMethod::Regression;
+  options.radius = filter->GetNeighborhood() == vtkInkGradient::NEIGHBORHOOD_3 ? 1 : 2;
+  options.weighting = filter->GetWeighting() == vtkInkGradient::UNIFORM
+    ? ink::RegressionWeighting::Uniform
+    : ink::RegressionWeighting::InverseDistance;
+  return options;
+}
+
+glm::dvec3 DeviationOf(vtkInkGradient* filter, const ink::GridGeometry& geometry)
+{
+  return ink::gaussianInSamples(geometry, filter->GetLaplacianScale(),
+    filter->GetLaplacianScaleUnit() == vtkInkGradient::SAMPLES ? ink::ScaleUnit::Samples
+                                                               : ink::ScaleUnit::World);
+}
+
+/// How far beyond a point, in points along each axis, its results depend on others. `info` describes the
+/// image.
+glm::ivec3 ReachOf(vtkInkGradient* filter, vtkInformation* info)
+{
+  glm::ivec3 reach(0);
+  if (filter->GetComputeGradient() || filter->GetComputeGradientMagnitude() || filter->GetComputeValue())
+  {
+    reach = glm::ivec3(ink::gradientReach(OptionsOf(filter)));
+  }
+  if (filter->GetComputeLaplacian())
+  {
+    vtkNew<vtkImageData> image;
+    image->CopyInformationFromPipeline(info);
+    const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
+    try
+    {
+      reach =
+        glm::max(reach, ink::laplacianReach(DeviationOf(filter, InkMakeGrid(image, InkExtent(nothing)))));
+    }
+    catch (const std::invalid_argument&)
+    {
+      // RequestData will say so.
+    }
+  }
+  return reach;
+}
+
+/// A part of an image, all arrays cut to it; the image itself when it is all of it.
+void CopyPart(vtkImageData* image, const InkExtent& part, vtkImageData* output)
+{
+  output->ShallowCopy(image);
+  const int extent[6] = { part.First.x, part.Last.x, part.First.y, part.Last.y, part.First.z, part.Last.z };
+  if (part != InkExtent(image->GetExtent()))
+  {
+    output->Crop(extent);
+  }
+}
+
+} // namespace
+
+vtkInkGradient::vtkInkGradient()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkInkGradient::~vtkInkGradient() = default;
+
+int vtkInkGradient::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+int vtkInkGradient::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  this->KeepArrays(vtkImageData::GetData(outInfo));
+  int extent[6];
+  int whole[6];
+  outInfo->Get(SDDP::UPDATE_EXTENT(), extent);
+  inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
+  const glm::ivec3 reach = ReachOf(this, inInfo);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // An empty extent asks for nothing.
+    if (extent[2 * axis] <= extent[2 * axis + 1])
+    {
+      extent[2 * axis] = std::max(extent[2 * axis] - reach[axis], whole[2 * axis]);
+      extent[2 * axis + 1] = std::min(extent[2 * axis + 1] + reach[axis], whole[2 * axis + 1]);
+    }
+  }
+  inInfo->Set(SDDP::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
+void vtkInkGradient::KeepArrays(vtkImageData* output)
+{
+  const char* const names[] = { "Gradient", "GradientMagnitude", "Value", "Laplacian" };
+  for (int n = 0; n < 4; ++n)
+  {
+    this->Kept[n] = output ? output->GetPointData()->GetArray(names[n]) : nullptr;
+  }
+}
+
+vtkSmartPointer<vtkDataArray> vtkInkGradient::MakeArray(int which, vtkIdType tuples)
+{
+  const char* const names[] = { "Gradient", "GradientMagnitude", "Value", "Laplacian" };
+  const int type = this->OutputPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
+  vtkSmartPointer<vtkDataArray> array = this->Kept[which];
+  this->Kept[which] = nullptr;
+  if (!array || array->GetReferenceCount() > 1 || array->GetDataType() != type ||
+    !array->HasStandardMemoryLayout())
+  {
+    array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  }
+  array->SetName(names[which]);
+  array->SetNumberOfComponents(which == 0 ? 3 : 1);
+  array->SetNumberOfTuples(tuples);
+  array->Modified();
+  return array;
+}
+
+int vtkInkGradient::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  vtkImageData* output = vtkImageData::GetData(outInfo);
+  output->Initialize();
+  // A piece that holds nothing is no error.
+  if (!image || image->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  // ParaView gives an empty name where no array was chosen.
+  vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
+                                             : this->GetInputArrayToProcess(0, inputVector, association);
+  const std::string problem = InkCheckScalars(image, chosen, scalars, association, this->ArrayComponent);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 1;
+  }
+
+  const InkExtent own(image->GetExtent());
+  InkExtent part(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  part.First = glm::max(part.First, own.First);
+  part.Last = glm::min(part.Last, own.Last);
+  GradientRequest request;
+  request.Box = { part.First - own.First, part.Last - own.First + 1 };
+  if (request.Box.empty())
+  {
+    return 1;
+  }
+  const vtkIdType count = static_cast<vtkIdType>(request.Box.count());
+  const auto arrayFor = [&](int which, bool wanted)
+  { return wanted ? this->MakeArray(which, count) : vtkSmartPointer<vtkDataArray>(); };
+  try
+  {
+    const ink::GridGeometry geometry = InkMakeGrid(image, own);
+    const vtkSmartPointer<vtkDataArray> arrays[4] = { arrayFor(0, this->ComputeGradient),
+      arrayFor(1, this->ComputeGradientMagnitude), arrayFor(2, this->ComputeValue),
+      arrayFor(3, this->ComputeLaplacian) };
+    request.Options = OptionsOf(this);
+    request.Deviation = DeviationOf(this, geometry);
+    request.Gradient = arrays[0];
+    request.Magnitude = arrays[1];
+    request.Value = arrays[2];
+    request.Laplacian = arrays[3];
+    int component = this->ArrayComponent;
+    const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
+    const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
+    if (ComputeFromArray(
+          geometry, array, component, hidden, this->OutputPrecision == DOUBLE_PRECISION, request, this))
+    {
+      CopyPart(image, part, output);
+      for (vtkDataArray* result : arrays)
+      {
+        if (result)
+        {
+          output->GetPointData()->AddArray(result);
+        }
+      }
+    }
+  }
+  catch (const std::invalid_argument& error)
+  {
+    vtkErrorMacro("Gradients of the image cannot be computed: " << error.what() << ".");
+  }
+  return 1;
+}
+
+void vtkInkGradient::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << (this->Method == REGRESSION ? "Regression" : "CentralDifference") << "\n";
+  os << indent << "Neighborhood: " << (this->Neighborhood == NEIGHBORHOOD_3 ? "3" : "5") << "\n";
+  os << indent << "Weighting: " << (this->Weighting == UNIFORM ? "Uniform" : "InverseDistance") << "\n";
+  os << indent << "ComputeGradient: " << this->ComputeGradient << "\n";
+  os << indent << "ComputeGradientMagnitude: " << this->ComputeGradientMagnitude << "\n";
+  os << indent << "ComputeValue: " << this->ComputeValue << "\n";
+  os << indent << "ComputeLaplacian: " << this->ComputeLaplacian << "\n";
+  os << indent << "LaplacianScale: " << this->LaplacianScale << "\n";
+  os << indent << "LaplacianScaleUnit: " << (this->LaplacianScaleUnit == SAMPLES ? "Samples" : "WorldUnits")
+     << "\n";
+  os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
+  os << indent << "OutputPrecision: " << (this->OutputPrecision == SINGLE_PRECISION ? "Single" : "Double")
+     << "\n";
+}
