@@ -28,7 +28,15 @@ def splatting_lines():
     return proxy_of("SplattingLines.xml", "RepresentationProxy"), objects
 
 
-PROXIES = {"IsoSurfaceSampler.xml": sampler, "SplattingLines.xml": splatting_lines}
+def stipple_generator():
+    return proxy_of("StippleGenerator.xml", "SourceProxy"), [vtkink.vtkInkStippleGenerator()]
+
+
+PROXIES = {
+    "IsoSurfaceSampler.xml": sampler,
+    "SplattingLines.xml": splatting_lines,
+    "StippleGenerator.xml": stipple_generator,
+}
 
 
 def cases():
@@ -60,7 +68,7 @@ def test_defaults_are_equal(element, owner, name):
 @pytest.mark.parametrize("element, owner, name", list(cases()))
 def test_ranges_are_equal(element, owner, name):
     clamps = hasattr(owner, f"Get{name}MinValue")
-    domain = element.find("DoubleRangeDomain")
+    domain = next((one for one in element if one.tag in ("DoubleRangeDomain", "IntRangeDomain")), None)
     choices = [float(entry.get("value")) for entry in element.iter("Entry")]
     if domain is not None and clamps:
         low, high = domain.get("min"), domain.get("max")

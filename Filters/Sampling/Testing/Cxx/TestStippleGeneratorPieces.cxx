@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pieces of an image give, together, exactly the stipples of the whole: each once, with the same arrays.
+
+#include "InkTestChecks.h"
+#include "SamplerTestImages.h"
+
+#include "vtkCellData.h"
+#include "vtkExtentTranslator.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkNew.h"
+#include "vtkRTAnalyticSource.h"
+#include "vtkTrivialProducer.h"
+
+namespace
+{
+
+const int PerVoxel = 4;
+
+/// A stipple as its place, its element's normal and the two numbers.
+using Stipple = std::array<double, 8>;
+
+std::vector<Stipple> StipplesOf(vtkPolyData* data)
+{
+  std::vector<Stipple> stipples(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t n = 0; n < stipples.size(); ++n)
+  {
+    const auto element = static_cast<vtkIdType>(n / PerVoxel);
+    data->GetPoint(static_cast<vtkIdType>(n), stipples[n].data());
+    data->GetCellData()->GetNormals()->GetTuple(element, stipples[n].data() + 3);
+    stipples[n][6] = data->GetCellData()->GetArray("GradientMagnitude")->GetComponent(element, 0);
+    stipples[n][7] = data->GetCellData()->GetArray("Value")->GetComponent(element, 0);
+  }
+  return stipples;
+}
+
+vtkSmartPointer<vtkInkStippleGenerator> MakeGenerator()
+{
+  auto generator = vtkSmartPointer<vtkInkStippleGenerator>::New();
+  generator->SetMaximumStipples(PerVoxel);
+  generator->SetGradientPercentile(80.0);
+  return generator;
+}
+
+std::vector<Stipple> StipplePieces(vtkInkStippleGenerator* generator, int pieces, std::size_t& largest)
+{
+  std::vector<Stipple> all;
+  largest = 0;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    generator->UpdatePiece(piece, pieces, 0);
+    const auto stipples = StipplesOf(generator->GetOutput());
+    all.insert(all.end(), stipples.begin(), stipples.end());
+    largest = std::max(largest, stipples.size());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+} // namespace
+
+int TestStippleGeneratorPieces(int, char*[])
+{
+  InkTestChecks check;
+  vtkNew<vtkRTAnalyticSource> source;
+  source->SetWholeExtent(-20, 17, -11, 20, -13, 14);
+  const auto generator = MakeGenerator();
+  generator->SetInputConnection(source->GetOutputPort());
+  generator->Update();
+  auto whole = StipplesOf(generator->GetOutput());
+  std::sort(whole.begin(), whole.end());
+  check(whole.size() > 20000, "many stipples, found ", whole.size());
+
+  source->Update();
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(source->GetOutput());
+  const auto ofData = MakeGenerator();
+  ofData->SetInputData(image);
+  for (const int pieces : { 2, 3, 4, 8 })
+  {
+    for (vtkInkStippleGenerator* one : { generator.Get(), ofData.Get() })
+    {
+      std::size_t largest = 0;
+      const auto stipples = StipplePieces(one, pieces, largest);
+      check(stipples == whole, "the whole from ", pieces, " pieces: ", whole.size(), " stipples, found ",
+        stipples.size());
+      check(largest < whole.size(), "stipples in more than one piece");
+    }
+  }
+
+  // As a simulation hands them over: each process its own part with ghost cells, as many as gradients and
+  // neighbours reach, and the same threshold for all.
+  std::vector<Stipple> together;
+  const int parts = 4;
+  const auto byMagnitude = [](vtkInkStippleGenerator* one)
+  {
+    one->SetThresholdModeToMagnitude();
+    one->SetGradientThreshold(10.0);
+  };
+  byMagnitude(ofData);
+  ofData->UpdatePiece(0, 1, 0);
+  auto expected = StipplesOf(ofData->GetOutput());
+  for (int part = 0; part < parts; ++part)
+  {
+    vtkNew<vtkExtentTranslator> translator;
+    int own[6];
+    int grown[6];
+    int extent[6];
+    image->GetExtent(extent);
+    translator->PieceToExtentThreadSafe(part, parts, 0, extent, own, vtkExtentTranslator::BLOCK_MODE, 0);
+    translator->PieceToExtentThreadSafe(part, parts, 5, extent, grown, vtkExtentTranslator::BLOCK_MODE, 0);
+    vtkNew<vtkImageData> piece;
+    piece->DeepCopy(image);
+    piece->Crop(grown);
+    piece->GenerateGhostArray(own);
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(piece);
+    producer->SetWholeExtent(extent);
+    const auto ofPart = MakeGenerator();
+    byMagnitude(ofPart);
+    ofPart->SetInputConnection(producer->GetOutputPort());
+    ofPart->UpdatePiece(part, parts, 0);
+    const auto stipples = StipplesOf(ofPart->GetOutput());
+    together.insert(together.end(), stipples.begin(), stipples.end());
+  }
+  // What is normalised by a part's own statistics may differ; places and normals may not.
+  for (auto* stipples : { &expected, &together })
+  {
+    for (Stipple& stipple : *stipples)
+    {
+      stipple[6] = stipple[7] = 0.0;
+    }
+    std::sort(stipples->begin(), stipples->end());
+  }
+  check(expected.size() > 1000 && together == expected,
+    "the whole from parts with ghost cells: ", expected.size(), " stipples, found ", together.size());
+  return check.Result();
+}
