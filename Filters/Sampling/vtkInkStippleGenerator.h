@@ -18,21 +18,23 @@
  * each polygon gets those of the samples that lie in it. So their number follows the area, and their pattern
  * does not depend on how the surface is cut into polygons.
  *
- * Output: the points are the stipples, element by element; one VTK_POLY_VERTEX cell for each element that has
- * any holds its list, in order of priority. Cell data: `Normals` (unit; out of the denser side, or out of the
- * front of the polygon: the mean of its points' normals where the mesh has some); of volumes also
- * `GradientMagnitude` (0 to 1, relative to the magnitude below which 99 of 100 stippled voxels lie) and
- * `Value` (0 to 1, relative to the image's range); with PassScalars the scalars for colours, under their own
- * name and as active scalars. Point data, of surfaces only: `Priority`, of all stipples together. Field data:
- * `ElementKind` (0 volume, 1 surface), `ElementSize` (world units: the voxel's edge, or the root of the
- * polygons' mean area), `StipplesPerElement` (MaximumStipples; for surfaces the mean over all polygons), of
- * volumes also `ScalarRange` and `GradientMagnitudeRange`, which 0 and 1 stand for.
+ * Output: the points are the stipples, element by element; one VTK_POLY_VERTEX cell (which
+ * VTK calls VTK_VERTEX where it holds one point) for each element that has any holds its list, in order of
+ * priority. Cell data: `Normals` (unit; out of the denser side, or out of the front of the polygon: the mean
+ * of its points' normals where the mesh has some); of volumes also `GradientMagnitude` (0 to 1, relative to
+ * the magnitude below which 99 of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's
+ * range); with PassScalars the scalars for colours, under their own name and as active scalars. Point data,
+ * of surfaces only: `Priority`, of all stipples together. Field data: `ElementKind` (0 volume, 1 surface),
+ * `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area), `StipplesPerElement`
+ * (MaximumStipples; for surfaces the mean over all polygons), of volumes also `ScalarRange` and
+ * `GradientMagnitudeRange`, which 0 and 1 stand for.
  *
  * The same input gives the same stipples on any number of threads. Of an image, the whole is asked for
  * whatever piece is asked of this filter, because thresholds and ranges are those of the whole; the pieces'
- * stipples are then together exactly the whole's. Where a source can only give a part, the part's own
- * statistics count, and cells marked as duplicates say which voxels are another part's. Pieces of a mesh are
- * sampled each for itself.
+ * stipples are then together exactly the whole's. Where a source can only give a part, as a simulation in
+ * distributed memory does, the part is stippled for itself, by its own statistics and without those of its
+ * neighbours; cells marked as duplicates say which voxels are another part's. Pieces of a mesh are sampled
+ * each for itself, too.
  *
  * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
  * gives none, which is no error. Errors, each with an empty output: no such point array, ArrayComponent

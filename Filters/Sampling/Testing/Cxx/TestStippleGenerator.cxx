@@ -130,7 +130,7 @@ void CheckBall(InkTestChecks& check, vtkPolyData* data)
   }
   check(leastCosine > 0.95, "normals out of the ball, found a cosine of ", leastCosine);
   check(magnitudes[0] > 0.0 && magnitudes[1] == 1.0, "magnitudes up to 1");
-  check(values[0] >= 0.0 && values[0] < 0.2 && values[1] <= 1.0 && values[1] > 0.8,
+  check(values[0] >= 0.0 && values[0] < 0.3 && values[1] <= 1.0 && values[1] > 0.7,
     "values from 0 to 1, found ", values[0], " to ", values[1]);
 }
 
