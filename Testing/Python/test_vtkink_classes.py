@@ -186,6 +186,34 @@ def test_gradient_of_nothing_is_an_error_and_gives_an_empty_output():
     assert gradient.GetOutput().GetNumberOfPoints() == 0
 
 
+def test_stipple_generator_gives_each_voxel_a_list():
+    generator = vtkink.vtkInkStippleGenerator()
+    generator.SetInputData(image_of(numpy.clip(ball(), -1, 1)))
+    generator.SetMaximumStipples(5)
+    generator.Update()
+    stipples = generator.GetOutput()
+    elements = stipples.GetNumberOfVerts()
+    positions = numpy_support.vtk_to_numpy(stipples.GetPoints().GetData()).reshape(elements, 5, 3)
+    cells = stipples.GetCellData()
+    normals = numpy_support.vtk_to_numpy(cells.GetArray("Normals"))
+    magnitudes = numpy_support.vtk_to_numpy(cells.GetArray("GradientMagnitude"))
+    assert elements > 1000
+    assert numpy.all(numpy.abs(positions - positions.mean(axis=1, keepdims=True)) < 1)
+    assert numpy.all(numpy.abs(numpy.linalg.norm(positions, axis=2) - RADIUS) < 4)
+    assert numpy.all(numpy.sum(normals * positions.mean(axis=1), axis=1) > 0.9 * (RADIUS - 4))
+    assert magnitudes.min() > 0 and magnitudes.max() == 1
+
+
+def test_stipple_generator_takes_meshes():
+    sphere = vtk.vtkSphereSource()
+    generator = vtkink.vtkInkStippleGenerator()
+    generator.SetInputConnection(sphere.GetOutputPort())
+    generator.SetNumberOfSurfaceStipples(1000)
+    generator.Update()
+    assert generator.GetOutput().GetNumberOfPoints() == 1000
+    assert generator.GetOutput().GetFieldData().GetArray("ElementKind").GetTuple1(0) == 1
+
+
 def drawing(points, **properties):
     """A 200 x 200 picture of points on a green background as floats [y, x, rgb], and the mapper's messages."""
     mapper = vtkink.vtkInkSplattingLinesMapper()
