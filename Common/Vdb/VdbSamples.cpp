@@ -51,7 +51,7 @@ public:
     const GridField<T> field(this->Grid.geometry(box), std::span<const T>(this->Values));
     const std::size_t size = 3 * this->Cells.count;
     placeIsoSurfaceSamples(field, this->IsoValue, this->Options, this->Cells, std::span<Real>(points, size),
-      { std::span<float>(normals, normals ? size : 0), {}, {} });
+      std::span<float>(normals, normals ? size : 0));
   }
 
 private:

@@ -77,7 +77,7 @@ def test_render_draws_a_vdb_file(ink, volume, tmp_path):
 @pytest.mark.parametrize(
     "options, code, words",
     [
-        (["OUT.vdb", "--around", "500"], 2, ["--around 500", "up to 20"]),
+        (["OUT.vdb", "--around", "500"], 2, ["--around 500", "up to 199"]),
         (["OUT.vdb", "--around", "nan"], 2, ["--around"]),
         (["OUT.vdb", "--half-width", "2"], 2, ["--around"]),
         (["OUT.vdb", "--around", "100", "--half-width", "0"], 2, ["1"]),

@@ -4,6 +4,7 @@
 #include "InkTestChecks.h"
 #include "VDBTestFiles.h"
 
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInkVDBIsoSurfaceSampler.h"
 #include "vtkInkVDBReader.h"
