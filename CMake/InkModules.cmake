@@ -3,7 +3,9 @@ set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Core/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Fields/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Sampling/vtk.module"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module")
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Core/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Stipple/vtk.module")
 if (VTKINK_ENABLE_OPENVDB)
   list(APPEND _ink_module_files "${CMAKE_CURRENT_SOURCE_DIR}/IO/VDB/vtk.module")
 endif ()

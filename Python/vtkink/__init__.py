@@ -46,6 +46,7 @@ except ModuleNotFoundError as error:
         raise
 
 from .vtkInkRenderingSplattingLines import *
+from .vtkInkRenderingStipple import *
 
 
 def __getattr__(name):

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatPasses.h"
 
+#include "InkRenderPasses.h"
+#include "InkScopedState.h"
 #include "InkSplatPoints.h"
 #include "InkSplatTargets.h"
-#include "InkSplatView.h"
+#include "InkView.h"
 
 #include "InkSplatCompositeFS.h"
 #include "InkSplatDepthFS.h"
@@ -14,10 +16,7 @@
 
 #include "InkOpenGLCompat.h"
 
-#include "vtkActor.h"
-#include "vtkInformation.h"
 #include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -30,7 +29,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace
 {
@@ -56,21 +54,17 @@ constexpr float NoSurface = std::numeric_limits<float>::max();
 /// sigma_max over sigma_min (Zhang et al. 2014, section 3.2).
 constexpr double WideOverNarrow = 1.6;
 
-/// Restores all of the caller's OpenGL state at its end, its framebuffer and blend equation included.
-struct ScopedState
+/// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
+/// anywhere beyond the near plane.
+double LargestSplat(const InkView& view, double radius, double minimumRadius)
 {
-  explicit ScopedState(vtkOpenGLState* state)
-    : State(state)
-  {
-    this->State->Push();
-  }
-  ~ScopedState() { this->State->Pop(); }
-  ScopedState(const ScopedState&) = delete;
-  void operator=(const ScopedState&) = delete;
-
-private:
-  vtkOpenGLState* State;
-};
+  const double nearW = view.DepthToClip[3] - view.DepthToClip[2] * view.DepthRange[0];
+  const double pixels = std::hypot(radius * view.Unit / (view.Pixel * nearW), minimumRadius);
+  // Twice, because perspective stretches splats towards the corners; the vertex shader cuts them to the
+  // viewport.
+  const double viewport = std::max(view.Size[0], view.Size[1]);
+  return std::min(viewport, 2.0 * 2.0 * pixels);
+}
 
 } // namespace
 
@@ -126,10 +120,10 @@ vtkMTimeType InkSplatPasses::GetUploadTime() const
 }
 
 vtkShaderProgram* InkSplatPasses::Begin(
-  Pass& pass, const InkSplatView& view, double radiusScale, double minimumRadius)
+  Pass& pass, const InkView& view, double radiusScale, double minimumRadius)
 {
   const bool sprites =
-    view.LargestSplat(radiusScale * this->LargestRadius, minimumRadius) <= this->LargestSprite;
+    LargestSplat(view, radiusScale * this->LargestRadius, minimumRadius) <= this->LargestSprite;
   vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
     InkSplatVS, pass.FragmentShader, sprites ? "" : InkSplatGS);
   if (!program)
@@ -170,11 +164,10 @@ void InkSplatPasses::DrawPoints()
   }
 }
 
-void InkSplatPasses::DrawSplats(
-  const InkSplatView& view, InkSplatTargets& targets, const Splatting& splatting)
+void InkSplatPasses::DrawSplats(const InkView& view, InkSplatTargets& targets, const Splatting& splatting)
 {
   vtkOpenGLState* state = this->Window->GetState();
-  const ScopedState scoped(state);
+  const InkScopedState scoped(state);
   state->vtkglViewport(0, 0, view.Size[0], view.Size[1]);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_CULL_FACE);
@@ -230,30 +223,14 @@ void InkSplatPasses::DrawSplats(
   }
 }
 
-void InkSplatPasses::DrawComposite(const InkSplatView& view, InkSplatTargets& targets, const Style& style,
+void InkSplatPasses::DrawComposite(const InkView& view, InkSplatTargets& targets, const Style& style,
   vtkAbstractMapper* mapper, vtkActor* actor)
 {
   std::string vertexShader = vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader();
   std::string fragmentShader = InkSplatCompositeFS;
   std::string geometryShader;
-  std::vector<vtkOpenGLRenderPass*> renderPasses;
-  vtkInformation* keys = actor->GetPropertyKeys();
-  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
-  {
-    for (int i = 0; i < keys->Length(vtkOpenGLRenderPass::RenderPasses()); ++i)
-    {
-      renderPasses.push_back(
-        static_cast<vtkOpenGLRenderPass*>(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i)));
-    }
-  }
-  for (vtkOpenGLRenderPass* pass : renderPasses)
-  {
-    pass->PreReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, actor);
-  }
-  for (vtkOpenGLRenderPass* pass : renderPasses)
-  {
-    pass->PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, actor);
-  }
+  const InkRenderPasses renderPasses(mapper, actor);
+  renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
 
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Composites[fragmentShader];
   if (!quad)
@@ -292,17 +269,14 @@ void InkSplatPasses::DrawComposite(const InkSplatView& view, InkSplatTargets& ta
   // Ink without paper may lie on a surface that another actor draws, and must not sink into it.
   const double bias = style.Paper ? 0.0 : Tolerance * this->LargestRadius * view.Unit;
   program->SetUniformf("depthBias", static_cast<float>(bias));
-  for (vtkOpenGLRenderPass* pass : renderPasses)
-  {
-    pass->SetShaderParameters(program, mapper, actor, quad->VAO);
-  }
+  renderPasses.SetShaderParameters(program, quad->VAO);
   quad->Render();
   targets.GetLight()->Deactivate();
   targets.GetSurface()->Deactivate();
 }
 
 void InkSplatPasses::DrawIds(
-  const InkSplatView& view, const int viewportOrigin[2], int idShift, const float propColor[3])
+  const InkView& view, const int viewportOrigin[2], int idShift, const float propColor[3])
 {
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);

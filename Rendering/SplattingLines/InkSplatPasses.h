@@ -11,7 +11,7 @@
 
 class InkSplatPoints;
 class InkSplatTargets;
-struct InkSplatView;
+struct InkView;
 class vtkAbstractMapper;
 class vtkActor;
 class vtkOpenGLQuadHelper;
@@ -45,7 +45,7 @@ public:
   };
 
   /// The depth and the illumination splats of a view, into the targets. The OpenGL state is left as it was.
-  void DrawSplats(const InkSplatView& view, InkSplatTargets& targets, const Splatting& splatting);
+  void DrawSplats(const InkView& view, InkSplatTargets& targets, const Splatting& splatting);
 
   /// What the composite adds to the splats.
   struct Style
@@ -60,17 +60,17 @@ public:
 
   /// The drawing, from the targets into the caller's framebuffer, viewport and blending. The render passes
   /// that the actor takes part in (depth peeling) may change the shader.
-  void DrawComposite(const InkSplatView& view, InkSplatTargets& targets, const Style& style,
+  void DrawComposite(const InkView& view, InkSplatTargets& targets, const Style& style,
     vtkAbstractMapper* mapper, vtkActor* actor);
 
   /// The points' discs in the colours that encode 24 bits of their ids, from bit idShift on, or, if idShift
   /// is negative, in propColor; into the caller's framebuffer and viewport, at the given origin.
-  void DrawIds(const InkSplatView& view, const int viewportOrigin[2], int idShift, const float propColor[3]);
+  void DrawIds(const InkView& view, const int viewportOrigin[2], int idShift, const float propColor[3]);
 
 private:
   struct Pass;
 
-  vtkShaderProgram* Begin(Pass& pass, const InkSplatView& view, double radiusScale, double minimumRadius);
+  vtkShaderProgram* Begin(Pass& pass, const InkView& view, double radiusScale, double minimumRadius);
   void DrawPoints();
 
   vtkOpenGLRenderWindow* Window;

@@ -8,54 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-namespace
-{
-
-bool IsFinite(const double p[3])
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
-} // namespace
-
-void InkSplatPoints::FindFiniteBounds(vtkPoints* points, double bounds[6])
-{
-  vtkMath::UninitializeBounds(bounds);
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    if (IsFinite(p))
-    {
-      const bool first = !vtkMath::AreBoundsInitialized(bounds);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        bounds[2 * axis] = first ? p[axis] : std::min(bounds[2 * axis], p[axis]);
-        bounds[2 * axis + 1] = first ? p[axis] : std::max(bounds[2 * axis + 1], p[axis]);
-      }
-    }
-  }
-}
-
-void InkSplatPoints::FindCenterAndUnit(vtkPoints* points)
-{
-  // vtkPoints' own bounds may count points that are not finite.
-  double bounds[6];
-  InkSplatPoints::FindFiniteBounds(points, bounds);
-  const bool any = vtkMath::AreBoundsInitialized(bounds);
-  this->Unit = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Center[axis] = any ? 0.5 * bounds[2 * axis] + 0.5 * bounds[2 * axis + 1] : 0.0;
-    this->Unit = any ? std::max(this->Unit, bounds[2 * axis + 1] - bounds[2 * axis]) : this->Unit;
-  }
-  if (!(this->Unit > 0.0) || !std::isfinite(this->Unit))
-  {
-    this->Unit = 1.0;
-  }
-}
 
 float InkSplatPoints::EstimateRadius() const
 {
@@ -67,7 +19,9 @@ float InkSplatPoints::EstimateRadius() const
 
 void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius)
 {
-  this->FindCenterAndUnit(points);
+  double bounds[6];
+  InkLocalFrame::FindFiniteBounds(points, bounds);
+  this->Frame = InkLocalFrame::FromBounds(bounds);
 
   const vtkIdType count = points->GetNumberOfPoints();
   this->Positions->SetNumberOfComponents(3);
@@ -77,17 +31,14 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
   {
     double p[3];
     points->GetPoint(i, p);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      position[axis] = static_cast<float>((p[axis] - this->Center[axis]) / this->Unit);
-    }
+    this->Frame.ToLocal(p, position);
   }
   this->Positions->Modified();
 
   float sharedRadius = 0.0f;
   if (!radii)
   {
-    sharedRadius = radius > 0.0 ? static_cast<float>(radius / this->Unit) : this->EstimateRadius();
+    sharedRadius = radius > 0.0 ? static_cast<float>(radius / this->Frame.Unit) : this->EstimateRadius();
   }
 
   this->NormalsAndRadii->SetNumberOfComponents(4);
@@ -100,7 +51,7 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
   {
     double n[3];
     normals->GetTuple(i, n);
-    const float r = radii ? static_cast<float>(radii->GetComponent(i, 0) / this->Unit) : sharedRadius;
+    const float r = radii ? static_cast<float>(radii->GetComponent(i, 0) / this->Frame.Unit) : sharedRadius;
     const double length = vtkMath::Norm(n);
     const bool visible = length > 0.0 && std::isfinite(length) && r > 0.0f && std::isfinite(r) &&
       std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]);

@@ -2,11 +2,10 @@
 #ifndef InkSplatPoints_h
 #define InkSplatPoints_h
 
+#include "InkLocalFrame.h"
+
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
-
-#include <array>
-#include <string>
 
 class vtkDataArray;
 class vtkPoints;
@@ -24,16 +23,12 @@ public:
   /// Points whose position is not finite are not drawn.
   void Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius);
 
-  /// The bounds of the finite points, as VTK writes bounds; uninitialized bounds if there are none.
-  static void FindFiniteBounds(vtkPoints* points, double bounds[6]);
-
   /// How many points can be drawn.
   vtkIdType GetNumberOfVisiblePoints() const { return this->NumberOfVisiblePoints; }
 
-  /// The origin of the shaders' coordinates, and their unit, in the input's coordinates.
-  const std::array<double, 3>& GetCenter() const { return this->Center; }
-  double GetUnit() const { return this->Unit; }
-  /// The largest radius, in that unit.
+  /// The shaders' coordinates.
+  const InkLocalFrame& GetFrame() const { return this->Frame; }
+  /// The largest radius, in the frame's unit.
   double GetLargestRadius() const { return this->LargestRadius; }
 
   /// One tuple per input point: position (3), and normal and radius (4, radius 0 for what is not drawn).
@@ -43,13 +38,11 @@ public:
   void ReleaseArrays();
 
 private:
-  void FindCenterAndUnit(vtkPoints* points);
   float EstimateRadius() const;
 
   vtkNew<vtkFloatArray> Positions;
   vtkNew<vtkFloatArray> NormalsAndRadii;
-  std::array<double, 3> Center{};
-  double Unit = 1.0;
+  InkLocalFrame Frame;
   double LargestRadius = 0.0;
   vtkIdType NumberOfVisiblePoints = 0;
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesMapper.h"
 
+#include "InkLocalFrame.h"
 #include "InkSplatInput.h"
 #include "InkSplatPasses.h"
 #include "InkSplatPoints.h"
 #include "InkSplatTargets.h"
-#include "InkSplatView.h"
+#include "InkView.h"
 
 #include "InkOpenGLCompat.h"
 
@@ -60,7 +61,7 @@ public:
     vtkWeakPointer<vtkRenderer> Renderer;
     vtkWeakPointer<vtkActor> Actor;
     std::unique_ptr<InkSplatTargets> Targets;
-    std::optional<InkSplatView> View;
+    std::optional<InkView> View;
     InkSplatPasses::Splatting Splatting;
     vtkMTimeType UploadTime;
   };
@@ -125,7 +126,7 @@ void vtkInkSplattingLinesMapper::ComputeBounds()
   input->GetBounds(this->Bounds);
   if (std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
   {
-    InkSplatPoints::FindFiniteBounds(input->GetPoints(), this->Bounds);
+    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds);
   }
   double radius = this->Radius;
   vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
@@ -179,11 +180,11 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
   }
 
   vtkPlaneCollection* planes = this->GetClippingPlanes();
-  if (planes && planes->GetNumberOfItems() > InkSplatView::MaximumClippingPlanes)
+  if (planes && planes->GetNumberOfItems() > InkView::MaximumClippingPlanes)
   {
     std::ostringstream message;
-    message << "Only the first " << InkSplatView::MaximumClippingPlanes << " of the "
-            << planes->GetNumberOfItems() << " clipping planes are used.";
+    message << "Only the first " << InkView::MaximumClippingPlanes << " of the " << planes->GetNumberOfItems()
+            << " clipping planes are used.";
     this->ReportOnce(message.str());
   }
 
@@ -266,7 +267,7 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  const InkSplatView view(renderer, actor, this, internals.Points, viewport + 2);
+  const InkView view(renderer, actor, this, internals.Points.GetFrame(), viewport + 2);
 
   vtkInternals::Drawing& drawing = internals.Find(renderer, actor);
   if (!drawing.Targets || (drawing.View && drawing.View->Size != view.Size))
@@ -300,7 +301,7 @@ void vtkInkSplattingLinesMapper::DrawIds(
   InkSplatPasses& passes = *internals.Passes;
   int viewport[4];
   passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const InkSplatView view(renderer, actor, this, internals.Points, viewport + 2);
+  const InkView view(renderer, actor, this, internals.Points.GetFrame(), viewport + 2);
 
   selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
   int idShift = -1;

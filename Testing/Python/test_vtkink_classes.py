@@ -186,6 +186,34 @@ def test_gradient_of_nothing_is_an_error_and_gives_an_empty_output():
     assert gradient.GetOutput().GetNumberOfPoints() == 0
 
 
+def test_stipple_generator_gives_each_voxel_a_list():
+    generator = vtkink.vtkInkStippleGenerator()
+    generator.SetInputData(image_of(numpy.clip(ball(), -1, 1)))
+    generator.SetMaximumStipples(5)
+    generator.Update()
+    stipples = generator.GetOutput()
+    elements = stipples.GetNumberOfVerts()
+    positions = numpy_support.vtk_to_numpy(stipples.GetPoints().GetData()).reshape(elements, 5, 3)
+    cells = stipples.GetCellData()
+    normals = numpy_support.vtk_to_numpy(cells.GetArray("Normals"))
+    magnitudes = numpy_support.vtk_to_numpy(cells.GetArray("GradientMagnitude"))
+    assert elements > 1000
+    assert numpy.all(numpy.abs(positions - positions.mean(axis=1, keepdims=True)) < 1)
+    assert numpy.all(numpy.abs(numpy.linalg.norm(positions, axis=2) - RADIUS) < 4)
+    assert numpy.all(numpy.sum(normals * positions.mean(axis=1), axis=1) > 0.9 * (RADIUS - 4))
+    assert magnitudes.min() > 0 and magnitudes.max() == 1
+
+
+def test_stipple_generator_takes_meshes():
+    sphere = vtk.vtkSphereSource()
+    generator = vtkink.vtkInkStippleGenerator()
+    generator.SetInputConnection(sphere.GetOutputPort())
+    generator.SetNumberOfSurfaceStipples(1000)
+    generator.Update()
+    assert generator.GetOutput().GetNumberOfPoints() == 1000
+    assert generator.GetOutput().GetFieldData().GetArray("ElementKind").GetTuple1(0) == 1
+
+
 def drawing(points, **properties):
     """A 200 x 200 picture of points on a green background as floats [y, x, rgb], and the mapper's messages."""
     mapper = vtkink.vtkInkSplattingLinesMapper()
@@ -371,6 +399,57 @@ def test_example_is_short_and_draws(tmp_path):
     assert reader.GetOutput().GetDimensions() == (800, 800, 1)
     grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
     assert 0.5 < numpy.mean(grey > 0.95) < 0.99 and 0.001 < numpy.mean(grey < 0.5) < 0.2
+
+
+def stippled_square(elements=10, per_element=8):
+    """A square of the plane z = 0 facing +z as stipples of a surface, in the form that the mapper expects."""
+    places = numpy.random.default_rng(1).random((elements, elements, per_element, 2))
+    corners = numpy.stack(numpy.meshgrid(range(elements), range(elements), indexing="ij"), axis=-1)
+    flat = (corners[:, :, None, :] + places).reshape(-1, 2)
+    points = vtk.vtkPoints()
+    points.SetData(numpy_support.numpy_to_vtk(numpy.c_[flat, numpy.zeros(len(flat))], deep=True))
+    cells = vtk.vtkCellArray()
+    for first in range(0, len(flat), per_element):
+        cells.InsertNextCell(per_element, range(first, first + per_element))
+    stipples = vtk.vtkPolyData()
+    stipples.SetPoints(points)
+    stipples.SetVerts(cells)
+    normals = numpy_support.numpy_to_vtk(numpy.tile([0.0, 0.0, 1.0], (elements * elements, 1)), deep=True)
+    normals.SetName("Normals")
+    stipples.GetCellData().AddArray(normals)
+    for name, value in (("ElementKind", 1), ("ElementSize", 1), ("StipplesPerElement", per_element)):
+        array = vtk.vtkFloatArray()
+        array.SetName(name)
+        array.InsertNextValue(value)
+        stipples.GetFieldData().AddArray(array)
+    return stipples
+
+
+def test_stipples_are_drawn_with_a_preset():
+    mapper, controls = vtkink.vtkInkStippleMapper(), vtkink.vtkInkStippleControls()
+    mapper.SetInputData(stippled_square())
+    assert controls.SetPreset("soft-tissue") and controls.GetPreset() == "soft-tissue"
+    controls.SetGradient(2.0)
+    assert controls.GetGradient() == 1.0
+    controls.Apply(mapper)
+    mapper.LightingOff()
+    actor, renderer, window = vtk.vtkActor(), vtk.vtkRenderer(), vtk.vtkRenderWindow()
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+    renderer.SetBackground(1, 1, 1)
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(200, 200)
+    window.AddRenderer(renderer)
+    window.Render()
+    marks = vtk.vtkFloatArray()
+    assert mapper.FindMarks(renderer, actor, marks)
+    found = numpy_support.vtk_to_numpy(marks)
+    assert found.shape == (800, 6) and numpy.all((found[:, 1] >= 0) & (found[:, 1] <= 1))
+    assert 50 < numpy.count_nonzero(found[:, 1]) <= 800
+    assert numpy.allclose(found[found[:, 1] > 0, 3:], 0)
+    mapper.SetKle(-5.0)
+    assert mapper.GetKle() == 0.01
 
 
 needs_openvdb = pytest.mark.skipif(not hasattr(vtkink, "vtkInkVDBReader"), reason="built without OpenVDB")

@@ -40,11 +40,16 @@ def splatting_lines():
     return proxy_of("SplattingLines.xml", "RepresentationProxy"), objects
 
 
+def stipple_generator():
+    return proxy_of("StippleGenerator.xml", "SourceProxy"), [vtkink.vtkInkStippleGenerator()]
+
+
 PROXIES = {
     "Gradient.xml": gradient,
     "IsoSurfaceSampler.xml": sampler,
     "PointPriority.xml": point_priority,
     "SplattingLines.xml": splatting_lines,
+    "StippleGenerator.xml": stipple_generator,
     "SurfaceSampler.xml": surface_sampler,
 }
 if hasattr(vtkink, "vtkInkVDBReader"):

@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef InkSplatView_h
-#define InkSplatView_h
+#ifndef InkView_h
+#define InkView_h
+
+#include "vtkInkRenderingCoreModule.h" // for the export macro
 
 #include <array>
 
-class InkSplatPoints;
+struct InkLocalFrame;
 class vtkActor;
 class vtkAbstractMapper;
 class vtkRenderer;
 class vtkShaderProgram;
 
-/// What the splats' place on the screen depends on: camera, actor, viewport and clipping planes. Two equal
-/// views of the same points give the same splats. Matrices are stored column by column, as OpenGL takes them.
-struct InkSplatView
+/// What the marks' place on the screen depends on: camera, actor, viewport and clipping planes. Two equal
+/// views of the same points give the same picture. Matrices are stored column by column, as OpenGL takes
+/// them.
+struct VTKINKRENDERINGCORE_EXPORT InkView
 {
   /// @param size of the viewport in pixels
-  InkSplatView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMapper* mapper,
-    const InkSplatPoints& points, const int size[2]);
+  InkView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMapper* mapper, const InkLocalFrame& frame,
+    const int size[2]);
 
-  bool operator==(const InkSplatView&) const = default;
+  bool operator==(const InkView&) const = default;
 
-  /// The uniforms that all splat shaders share; those that a shader lacks are left out.
+  /// The uniforms that the shaders share; those that a shader lacks are left out.
   void SetUniforms(vtkShaderProgram* program) const;
-
-  /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
-  /// anywhere beyond the near plane.
-  double LargestSplat(double radius, double minimumRadius) const;
 
   static constexpr int MaximumClippingPlanes = 6;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InkSplatView.h"
+#include "InkView.h"
 
-#include "InkSplatPoints.h"
+#include "InkLocalFrame.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
@@ -33,8 +33,8 @@ std::array<float, 16> ToColumns(vtkMatrix4x4* matrix)
 
 } // namespace
 
-InkSplatView::InkSplatView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMapper* mapper,
-  const InkSplatPoints& points, const int size[2])
+InkView::InkView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMapper* mapper,
+  const InkLocalFrame& frame, const int size[2])
   : Size{ size[0], size[1] }
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -44,8 +44,8 @@ InkSplatView::InkSplatView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMa
   vtkNew<vtkMatrix4x4> pointsToModel;
   for (int axis = 0; axis < 3; ++axis)
   {
-    pointsToModel->SetElement(axis, axis, points.GetUnit());
-    pointsToModel->SetElement(axis, 3, points.GetCenter()[axis]);
+    pointsToModel->SetElement(axis, axis, frame.Unit);
+    pointsToModel->SetElement(axis, 3, frame.Center[axis]);
   }
   vtkNew<vtkMatrix4x4> modelToWorld;
   actor->GetModelToWorldMatrix(modelToWorld);
@@ -103,7 +103,7 @@ InkSplatView::InkSplatView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMa
   }
 }
 
-void InkSplatView::SetUniforms(vtkShaderProgram* program) const
+void InkView::SetUniforms(vtkShaderProgram* program) const
 {
   // vtkShaderProgram takes matrices as pointers to values that it does not change.
   auto* mcvc = const_cast<float*>(this->MCVC.data());
@@ -124,14 +124,4 @@ void InkSplatView::SetUniforms(vtkShaderProgram* program) const
   {
     program->SetUniform4fv("clipPlanesVC", this->NumberOfClippingPlanes, this->ClippingPlanes.data());
   }
-}
-
-double InkSplatView::LargestSplat(double radius, double minimumRadius) const
-{
-  const double nearW = this->DepthToClip[3] - this->DepthToClip[2] * this->DepthRange[0];
-  const double pixels = std::hypot(radius * this->Unit / (this->Pixel * nearW), minimumRadius);
-  // Twice, because perspective stretches splats towards the corners; the vertex shader cuts them to the
-  // viewport.
-  const double viewport = std::max(this->Size[0], this->Size[1]);
-  return std::min(viewport, 2.0 * 2.0 * pixels);
 }

@@ -1,0 +1,238 @@
+// The whole sequence of Lu et al. 2003, section 5.
+#include "Tone/StippleTone.h"
+
+#include "Tone/ProjectedSize.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+constexpr ink::StippleTone::View view{ 16.0f, 8.0f, 0.0f, false, 4.0f, 6.0f, 2.0f };
+
+ink::StippleTone::Element element()
+{
+  return { { 0.0f, 0.0f, -5.0f }, { 0.0f, 0.6f, 0.8f }, 0.7f, 0.4f, 16.0f, 0.3f, { 0.1f, 0.2f, 0.3f } };
+}
+
+ink::StippleTone allOff()
+{
+  ink::StippleTone tone;
+  tone.boundary.on = tone.silhouette.on = tone.resolution.on = false;
+  tone.lighting.on = tone.distance.on = tone.interior.on = false;
+  return tone;
+}
+
+const ink::StippleLight headlight{ { 0.0f, 0.0f, 1.0f, 0.0f }, 1.0f };
+
+} // namespace
+
+TEST(StippleTone, WithoutEnhancementsIsNMax)
+{
+  EXPECT_FLOAT_EQ(allOff().mark(view, { &headlight, 1 }, element(), 0).tone, 8.0f);
+}
+
+TEST(StippleTone, IsTheProductOfTheChosenFactors)
+{
+  ink::StippleTone tone;
+  const auto found = tone.mark(view, { &headlight, 1 }, element(), 0);
+  const double boundary = 0.7 * (tone.boundary.kgc + tone.boundary.kgs * std::pow(0.4, tone.boundary.kge));
+  const double silhouette =
+    0.7 * (tone.silhouette.ksc + tone.silhouette.kss * (1.0 - std::pow(0.8, tone.silhouette.kse)));
+  const double resolution = std::pow(5.0 / 4.0, -2.0) * 0.8;
+  const double light = 1.0 - std::pow(0.8, tone.lighting.kle);
+  const double distance = 1.0 + std::pow(0.5, tone.distance.kde);
+  const double interior = std::pow(0.4, tone.interior.kie);
+  EXPECT_NEAR(found.tone, 8.0 * boundary * silhouette * resolution * light * distance * interior, 1e-5);
+  EXPECT_NEAR(found.diameter, 2.0 * (1.0 + 0.5 * (distance - 1.0)) * (1.0 + 0.5 * (interior - 1.0)), 1e-5);
+  EXPECT_EQ(found.color, element().color);
+
+  tone.surface = true;
+  EXPECT_NEAR(
+    tone.mark(view, { &headlight, 1 }, element(), 0).tone, 8.0 * resolution * light * distance, 1e-5);
+}
+
+TEST(StippleTone, OneFactorAtATime)
+{
+  const double off = allOff().mark(view, { &headlight, 1 }, element(), 0).tone;
+  const auto ratio = [&](auto chosen)
+  {
+    ink::StippleTone tone = allOff();
+    (tone.*chosen).on = true;
+    return tone.mark(view, { &headlight, 1 }, element(), 0).tone / off;
+  };
+  EXPECT_NEAR(ratio(&ink::StippleTone::boundary), ink::Boundary().factor(0.7f, 0.4f), 1e-5);
+  EXPECT_NEAR(ratio(&ink::StippleTone::silhouette), ink::Silhouette().factor(0.7f, 0.8f), 1e-5);
+  EXPECT_NEAR(ratio(&ink::StippleTone::resolution), 0.64 * 0.8, 1e-5);
+  EXPECT_NEAR(ratio(&ink::StippleTone::lighting), 0.2, 1e-5);
+  EXPECT_NEAR(ratio(&ink::StippleTone::distance), 1.5, 1e-5);
+  EXPECT_NEAR(ratio(&ink::StippleTone::interior), 0.4, 1e-5);
+}
+
+TEST(StippleTone, WhatFacesAway)
+{
+  auto away = element();
+  away.normal = -away.normal;
+  ink::StippleTone volume = allOff();
+  EXPECT_EQ(volume.mark(view, {}, away, 0).opacity, 1.0f); // points are see-through
+  volume.lighting.on = true;
+  EXPECT_EQ(volume.mark(view, {}, away, 0).opacity, 0.0f); // but lighting needs a front
+  EXPECT_EQ(volume.mark(view, {}, element(), 0).opacity, 1.0f);
+  volume.lighting.facingCosine = 0.9f;
+  EXPECT_EQ(volume.mark(view, {}, element(), 0).opacity, 0.0f);
+
+  ink::StippleTone surface = allOff();
+  surface.surface = true;
+  EXPECT_EQ(surface.mark(view, {}, away, 0).opacity, 0.0f);
+  surface.twoSided = true;
+  surface.lighting.on = true;
+  EXPECT_EQ(surface.mark(view, { &headlight, 1 }, away, 0).tone,
+    surface.mark(view, { &headlight, 1 }, element(), 0).tone);
+}
+
+/// Close up, lists run out: fewer stipples than there is room for, but larger, so that their area is right.
+TEST(StippleTone, GrowsWhereListsAreTooShort)
+{
+  for (float maximum : { 4.0f, 16.0f, 64.0f, 1024.0f })
+  {
+    ink::StippleTone::View close = view;
+    close.maximumStipples = maximum;
+    const auto mark = allOff().mark(close, {}, element(), 0);
+    const double area = mark.tone * mark.diameter * mark.diameter;
+    EXPECT_NEAR(area / (maximum * 4.0), 1.0, 1e-5) << "N_max " << maximum;
+    EXPECT_LE(mark.tone, 16.0f);
+    EXPECT_LE(mark.diameter, allOff().largestDiameter(close));
+    ink::StippleTone fixed = allOff();
+    fixed.growing = false;
+    EXPECT_FLOAT_EQ(fixed.mark(close, {}, element(), 0).diameter, 2.0f);
+  }
+}
+
+/// A part of a stipple has the same area as a paler or as a smaller one.
+TEST(StippleTone, AppearsBySizeOrByOpacity)
+{
+  ink::StippleTone tone = allOff();
+  ink::StippleTone::View far = view;
+  far.maximumStipples = 0.3f;
+  const auto paler = tone.mark(far, {}, element(), 0);
+  EXPECT_NEAR(paler.opacity, 0.3f, 1e-6f);
+  tone.appearBySize = true;
+  const auto smaller = tone.mark(far, {}, element(), 0);
+  EXPECT_EQ(smaller.opacity, 1.0f);
+  EXPECT_NEAR(smaller.diameter * smaller.diameter, 0.3f * 4.0f, 1e-5f);
+  EXPECT_EQ(tone.mark(far, {}, element(), 1).opacity, 0.0f);
+}
+
+TEST(StippleTone, ListsEnd)
+{
+  auto shortList = element();
+  shortList.listLength = 2.0f;
+  ink::StippleTone tone = allOff();
+  tone.growing = false;
+  ink::StippleTone::View close = view;
+  close.maximumStipples = 1e4f;
+  EXPECT_EQ(tone.mark(close, {}, shortList, 1).opacity, 1.0f);
+  EXPECT_EQ(tone.mark(close, {}, shortList, 2).opacity, 0.0f);
+}
+
+TEST(StippleTone, ParallelProjectionsIgnoreTheDistance)
+{
+  ink::StippleTone tone = allOff();
+  tone.resolution.on = true;
+  ink::StippleTone::View parallel = view;
+  parallel.parallel = true;
+  auto far = element();
+  far.position = { 3.0f, 1.0f, -50.0f };
+  EXPECT_FLOAT_EQ(tone.mark(parallel, {}, far, 0).tone, 8.0f * 0.8f);
+}
+
+/// No element exceeds what its group is said to need at most.
+TEST(StippleTone, MostToneIsAnUpperBound)
+{
+  ink::StippleTone tone;
+  tone.lighting.facingCosine = -1.0f;
+  tone.resolution.knz = 0.1f;
+  int near = 0;
+  for (bool growing : { true, false })
+  {
+    for (float krc : { -2.0f, 0.0f, 1.0f })
+    {
+      tone.growing = growing;
+      tone.resolution.krc = krc;
+      const float most = tone.mostTone(view, 0.9f, 0.8f, 16.0f, 4.0f, 8.0f);
+      for (int i = 0; i < 2000; ++i)
+      {
+        const auto fraction = [i](double step) { return float(i * step - std::floor(i * step)); };
+        auto one = element();
+        one.position = { 0.0f, 0.0f, -4.0f - 4.0f * fraction(0.618034) };
+        one.normal = glm::normalize(glm::vec3(0.0f, 1.0f, 2.0f * fraction(0.7548777) - 1.0f));
+        one.value = 0.9f * fraction(0.569840);
+        one.gradientMagnitude = 0.8f * fraction(0.819173);
+        const float found = tone.mark(view, {}, one, 0).tone;
+        EXPECT_LE(found, most * 1.00001f);
+        near += found > 0.1f * most;
+      }
+    }
+  }
+  EXPECT_GT(near, 10);
+  EXPECT_EQ(tone.mostTone(view, 0.0f, 0.8f, 16.0f, 4.0f, 8.0f), 0.0f);
+  EXPECT_TRUE(std::isinf(ink::StippleTone().mostTone(view, 0.9f, 0.8f, 16.0f, -1.0f, 8.0f)));
+}
+
+/// A sphere of voxels: its ink over its projected area is the same over ten octaves of distance; by random
+/// values over four, at which a few hundred stipples are left.
+TEST(StippleTone, SameGreyAtAnyDistance)
+{
+  for (auto way : { ink::SmallElements::Way::intensity, ink::SmallElements::Way::probability })
+  {
+    ink::StippleTone tone;
+    tone.smallElements.way = way;
+    tone.distance.on = tone.boundary.on = tone.silhouette.on = tone.interior.on = false;
+    double first = 0.0;
+    const int octaves = way == ink::SmallElements::Way::intensity ? 10 : 4;
+    for (int octave = 0; octave < octaves; ++octave)
+    {
+      const float far = 8.0f * std::exp2(float(octave));
+      const float pixel = 1.0f / 800.0f; // view units at distance 1
+      const float voxel = 0.02f;
+      ink::StippleTone::View place{};
+      place.listed = 32.0f;
+      place.nearest = far - 1.0f;
+      place.middle = far;
+      place.halfRange = 1.0f;
+      place.maximumStipples = ink::maximumStipples(voxel, pixel * place.nearest, tone.pixelsPerStipple);
+      place.smallness =
+        tone.smallElements.weight(ink::maximumStipples(voxel, pixel * far, tone.pixelsPerStipple));
+      const ink::StippleLight lampAtEye{ { 0.0f, 0.0f, 0.0f, 1.0f }, 1.0f };
+      double ink = 0.0;
+      const int count = 20000;
+      for (int i = 0; i < count; ++i)
+      {
+        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double angle = i * 2.399963;
+        const double r = std::sqrt(1.0 - z * z);
+        const glm::vec3 normal(r * std::cos(angle), r * std::sin(angle), z);
+        const double u = i * 0.618033988749895;
+        const ink::StippleTone::Element one{ normal - glm::vec3(0.0f, 0.0f, far), normal, 1.0f, 1.0f, 32.0f,
+          float(u - std::floor(u)), glm::vec3(0.0f) };
+        for (int rank = 0; rank < 32; ++rank)
+        {
+          const auto mark = tone.mark(place, { &lampAtEye, 1 }, one, rank);
+          ink += mark.opacity * mark.diameter * mark.diameter;
+          if (mark.opacity == 0.0f)
+          {
+            break;
+          }
+        }
+      }
+      // The visible cap of the unit sphere is a little smaller than half, close by.
+      const double pixels = 1.0 / (pixel * pixel) / (far * far - 1.0);
+      const double grey = ink / pixels;
+      first = octave == 0 ? grey : first;
+      EXPECT_NEAR(grey / first, 1.0, 0.05) << "way " << int(way) << ", distance " << far;
+    }
+  }
+}

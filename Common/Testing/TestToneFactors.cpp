@@ -1,0 +1,271 @@
+// Lu et al. 2003, Table 1, row by row, and what goes with it.
+#include "Tone/Boundary.h"
+#include "Tone/Distance.h"
+#include "Tone/DotCoverage.h"
+#include "Tone/HlsColor.h"
+#include "Tone/Interior.h"
+#include "Tone/Lighting.h"
+#include "Tone/Power.h"
+#include "Tone/ProjectedSize.h"
+#include "Tone/Resolution.h"
+#include "Tone/Silhouette.h"
+#include "Tone/SmallElements.h"
+#include "Tone/WarmCool.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+TEST(ToneFactors, PowersAreFinite)
+{
+  EXPECT_FLOAT_EQ(ink::power(0.25f, 0.5f), 0.5f);
+  EXPECT_EQ(ink::power(0.0f, 0.0f), 1.0f);
+  EXPECT_EQ(ink::power(0.0f, -2.0f), 0.0f);
+  EXPECT_EQ(ink::power(-0.3f, 0.5f), 0.0f);
+}
+
+TEST(ToneFactors, Boundary)
+{
+  const ink::Boundary boundary{ true, 0.25f, 2.0f, 2.0f };
+  EXPECT_FLOAT_EQ(boundary.factor(1.0f, 0.0f), 0.25f);
+  EXPECT_FLOAT_EQ(boundary.factor(0.5f, 0.5f), 0.5f * (0.25f + 2.0f * 0.25f));
+  EXPECT_FLOAT_EQ(boundary.factor(0.0f, 1.0f), 0.0f);
+  EXPECT_EQ((ink::Boundary{ false, 0.25f, 2.0f, 2.0f }).factor(0.5f, 0.5f), 1.0f);
+}
+
+TEST(ToneFactors, Silhouette)
+{
+  const ink::Silhouette silhouette{ true, 0.1f, 3.0f, 0.5f };
+  EXPECT_FLOAT_EQ(silhouette.factor(1.0f, 0.0f), 3.1f);
+  EXPECT_FLOAT_EQ(silhouette.factor(1.0f, -1.0f), 0.1f);
+  EXPECT_FLOAT_EQ(silhouette.factor(0.5f, -0.25f), 0.5f * (0.1f + 3.0f * 0.5f));
+  EXPECT_EQ((ink::Silhouette{ false, 0.1f, 3.0f, 0.5f }).factor(0.5f, 0.5f), 1.0f);
+}
+
+TEST(ToneFactors, Resolution)
+{
+  const ink::Resolution resolution{ true, -2.0f, 1.0f };
+  EXPECT_FLOAT_EQ(resolution.distanceFactor(3.0f, 3.0f), 1.0f);
+  EXPECT_FLOAT_EQ(resolution.distanceFactor(6.0f, 3.0f), 0.25f);
+  EXPECT_FLOAT_EQ(resolution.slantFactor(0.4f), 0.4f);
+  EXPECT_EQ(resolution.slantFactor(-0.4f), 0.0f);
+  EXPECT_EQ((ink::Resolution{ true, -2.0f, 0.0f }).slantFactor(0.0f), 1.0f);
+  const ink::Resolution off{ false, -2.0f, 1.0f };
+  EXPECT_EQ(off.distanceFactor(6.0f, 3.0f) * off.slantFactor(0.4f), 1.0f);
+}
+
+TEST(ToneFactors, Distance)
+{
+  const ink::Distance distance{ true, 2.0f, 0.5f };
+  EXPECT_FLOAT_EQ(distance.factor(-1.0f), 0.0f);
+  EXPECT_FLOAT_EQ(distance.factor(0.0f), 1.0f);
+  EXPECT_FLOAT_EQ(distance.factor(0.5f), 1.25f);
+  EXPECT_FLOAT_EQ(distance.factor(-0.5f), 0.75f);
+  EXPECT_FLOAT_EQ(distance.factor(7.0f), 2.0f);
+  EXPECT_FLOAT_EQ(distance.sizeFactor(-1.0f), 0.5f);
+  EXPECT_EQ((ink::Distance{ false, 2.0f, 0.5f }).factor(-1.0f), 1.0f);
+  EXPECT_EQ((ink::Distance{ false, 2.0f, 0.5f }).sizeFactor(-1.0f), 1.0f);
+}
+
+TEST(ToneFactors, Interior)
+{
+  const ink::Interior interior{ true, 2.0f, 0.5f };
+  EXPECT_FLOAT_EQ(interior.factor(0.5f), 0.25f);
+  EXPECT_FLOAT_EQ(interior.sizeFactor(0.5f), 1.0f - 0.5f * 0.75f);
+  EXPECT_EQ((ink::Interior{ false, 2.0f, 0.5f }).factor(0.0f), 1.0f);
+}
+
+TEST(ToneFactors, Lighting)
+{
+  const ink::Lighting lighting{ true, 2.0f, 0.5f, false };
+  const glm::vec3 normal(0.0f, 0.0f, 1.0f);
+  const ink::StippleLight sun{ { 0.0f, std::sqrt(0.75f), 0.5f, 0.0f }, 1.0f };
+  EXPECT_NEAR(lighting.lit({ &sun, 1 }, { 1.0f, 2.0f, -3.0f }, normal), 0.25f, 1e-6f);
+  EXPECT_FLOAT_EQ(lighting.factor(0.25f), 0.75f);
+  // What faces away from the light keeps all of its stipples.
+  EXPECT_EQ(lighting.lit({ &sun, 1 }, glm::vec3(0.0f), -normal), 0.0f);
+  EXPECT_EQ(lighting.factor(0.0f), 1.0f);
+  // A lamp, and more light than full light.
+  const ink::StippleLight lamps[2] = { { { 1.0f, 2.0f, 5.0f, 1.0f }, 0.4f },
+    { { 1.0f, 2.0f, 5.0f, 1.0f }, 3.0f } };
+  EXPECT_FLOAT_EQ(lighting.lit({ lamps, 1 }, { 1.0f, 2.0f, -3.0f }, normal), 0.4f);
+  EXPECT_EQ(lighting.lit(lamps, { 1.0f, 2.0f, -3.0f }, normal), 1.0f);
+  EXPECT_EQ(lighting.lit({}, { 1.0f, 2.0f, -3.0f }, normal), 0.0f);
+  // The front-facing rule.
+  EXPECT_TRUE(lighting.faces(0.6f));
+  EXPECT_FALSE(lighting.faces(0.4f));
+  EXPECT_TRUE((ink::Lighting{ false, 2.0f, 0.5f, false }).faces(-1.0f));
+  EXPECT_FLOAT_EQ((ink::Lighting{ true, 2.0f, 0.5f, true }).factor(0.25f), 0.25f);
+  EXPECT_EQ((ink::Lighting{ false, 2.0f, 0.5f, true }).factor(0.25f), 1.0f);
+}
+
+TEST(ToneFactors, MaximumStipplesIsTheProjectedArea)
+{
+  EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 1.0f, 1.0f), 9.0f);
+  EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 6.0f, 1.0f), 0.25f);
+  EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 1.0f, 4.0f), 2.25f);
+  EXPECT_EQ(ink::maximumStipples(3.0f, std::numeric_limits<float>::min(), 1.0f), 1e6f);
+}
+
+TEST(SmallElements, WeightGrowsAsElementsShrink)
+{
+  ink::SmallElements small;
+  small.minimumCoverage = 5.0f;
+  EXPECT_EQ(small.weight(100.0f), 0.0f);
+  EXPECT_EQ(small.weight(5.0f), 0.0f);
+  EXPECT_EQ(small.weight(3.0f), 0.5f);
+  EXPECT_EQ(small.weight(1.0f), 1.0f);
+  EXPECT_EQ(small.weight(0.01f), 1.0f);
+}
+
+/// In both ways as much ink as the tone asks for, whatever the tone.
+TEST(SmallElements, KeepTheTone)
+{
+  for (float tone : { 0.0f, 0.1f, 0.5f, 0.93f, 1.0f, 2.4f })
+  {
+    for (auto way : { ink::SmallElements::Way::intensity, ink::SmallElements::Way::probability })
+    {
+      for (float fade : { 0.0f, 0.3f, 1.0f })
+      {
+        const ink::SmallElements small{ way, 9.0f, fade };
+        double sum = 0.0;
+        const int steps = 1000;
+        for (int i = 0; i < steps; ++i)
+        {
+          for (int rank = 0; rank < 5; ++rank)
+          {
+            sum += small.part(tone, rank, (i + 0.5f) / steps, 1.0f);
+          }
+        }
+        EXPECT_NEAR(sum / steps, tone, 2e-3) << "tone " << tone << ", way " << int(way) << ", fade " << fade;
+      }
+    }
+  }
+}
+
+TEST(SmallElements, IntensityIsTheFractionAndProbabilityIsAllOrNothing)
+{
+  const ink::SmallElements intensity{ ink::SmallElements::Way::intensity, 9.0f, 0.2f };
+  EXPECT_FLOAT_EQ(intensity.part(1.3f, 0, 0.7f, 1.0f), 1.0f);
+  EXPECT_NEAR(intensity.part(1.3f, 1, 0.7f, 1.0f), 0.3f, 1e-6f);
+  EXPECT_EQ(intensity.part(1.3f, 2, 0.7f, 1.0f), 0.0f);
+  const ink::SmallElements probability{ ink::SmallElements::Way::probability, 9.0f, 1.0f };
+  EXPECT_EQ(probability.part(1.3f, 1, 0.6f, 1.0f), 0.0f);
+  EXPECT_EQ(probability.part(1.3f, 1, 0.8f, 1.0f), 1.0f);
+  // Large elements: rounded, or faded in.
+  EXPECT_EQ(
+    (ink::SmallElements{ ink::SmallElements::Way::probability, 9.0f, 0.0f }).part(1.3f, 1, 0.9f, 0.0f), 0.0f);
+  EXPECT_NEAR(probability.part(1.3f, 1, 0.9f, 0.0f), 0.3f, 1e-6f);
+}
+
+/// No ink where there should be none, and never less with a larger tone.
+TEST(SmallElements, PartsAreMonotone)
+{
+  for (auto way : { ink::SmallElements::Way::intensity, ink::SmallElements::Way::probability })
+  {
+    for (float weight : { 0.0f, 0.3f, 0.7f, 1.0f })
+    {
+      for (float random : { 0.0f, 0.4f, 0.999f })
+      {
+        const ink::SmallElements small{ way, 9.0f, 0.5f };
+        EXPECT_EQ(small.part(0.0f, 0, random, weight), 0.0f);
+        float last = 0.0f;
+        for (float tone = 0.0f; tone < 3.0f; tone += 0.05f)
+        {
+          const float now = small.part(tone, 1, random, weight);
+          EXPECT_GE(now, last);
+          EXPECT_LE(now, small.part(tone, 0, random, weight));
+          last = now;
+        }
+      }
+    }
+  }
+}
+
+TEST(HlsColor, KnownColours)
+{
+  const auto expectRgb = [](const ink::HlsColor& hls, const glm::vec3& rgb)
+  {
+    const glm::vec3 found = ink::rgbFromHls(hls);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(found[i], rgb[i], 1e-5f) << "channel " << i << " of hue " << hls.hue;
+    }
+    const ink::HlsColor back = ink::hlsFromRgb(rgb);
+    EXPECT_NEAR(back.lightness, hls.lightness, 1e-5f);
+    EXPECT_NEAR(back.saturation, hls.saturation, 1e-5f);
+    EXPECT_NEAR(back.hue, hls.hue, 1e-5f);
+  };
+  expectRgb({ 0.0f, 0.5f, 1.0f }, { 1.0f, 0.0f, 0.0f });
+  expectRgb({ 1.0f / 3.0f, 0.5f, 1.0f }, { 0.0f, 1.0f, 0.0f });
+  expectRgb({ 2.0f / 3.0f, 0.5f, 1.0f }, { 0.0f, 0.0f, 1.0f });
+  expectRgb({ 1.0f / 6.0f, 0.25f, 1.0f }, { 0.5f, 0.5f, 0.0f });
+  expectRgb({ 0.0f, 0.3f, 0.0f }, { 0.3f, 0.3f, 0.3f });
+  expectRgb({ 0.0f, 0.75f, 0.5f }, { 0.875f, 0.625f, 0.625f });
+}
+
+TEST(HlsColor, BlendsTheShorterWayAround)
+{
+  const ink::HlsColor magenta{ 5.0f / 6.0f, 0.2f, 0.4f };
+  const ink::HlsColor yellow{ 1.0f / 6.0f, 0.6f, 1.0f };
+  const ink::HlsColor middle = ink::mixHls(magenta, yellow, 0.5f);
+  EXPECT_NEAR(std::min(middle.hue, 1.0f - middle.hue), 0.0f, 1e-6f);
+  EXPECT_NEAR(middle.lightness, 0.4f, 1e-6f);
+  EXPECT_NEAR(middle.saturation, 0.7f, 1e-6f);
+  EXPECT_FLOAT_EQ(ink::mixHls({ 0.0f, 0.5f, 0.0f }, yellow, 0.3f).hue, yellow.hue);
+  EXPECT_FLOAT_EQ(ink::mixHls(yellow, { 0.0f, 0.5f, 0.0f }, 0.3f).hue, yellow.hue);
+}
+
+TEST(WarmCool, FollowsLightAndDepth)
+{
+  ink::WarmCool colours;
+  colours.amount = 1.0f;
+  const auto expect = [](const glm::vec3& found, const ink::HlsColor& expected)
+  {
+    const glm::vec3 rgb = ink::rgbFromHls(expected);
+    EXPECT_NEAR(found.r, rgb.r, 1e-5f);
+    EXPECT_NEAR(found.g, rgb.g, 1e-5f);
+    EXPECT_NEAR(found.b, rgb.b, 1e-5f);
+  };
+  const glm::vec3 own(0.2f, 0.4f, 0.6f);
+  expect(colours.color(own, 1.0f, -1.0f), colours.warm);
+  expect(colours.color(own, -1.0f, 1.0f), colours.cool);
+  colours.tone = 0.0f;
+  colours.distance = 1.0f;
+  expect(colours.color(own, -1.0f, 1.0f), colours.warm);
+  expect(colours.color(own, 1.0f, -1.0f), colours.cool);
+  colours.amount = 0.0f;
+  EXPECT_EQ(colours.color(own, 1.0f, 1.0f), own);
+  colours.amount = 1.0f;
+  colours.distance = 0.0f;
+  EXPECT_EQ(colours.color(own, 1.0f, 1.0f), own);
+}
+
+/// The sum of a dot's pixels, averaged over where in a pixel its centre lies.
+TEST(DotCoverage, AreaIsExactOnAverage)
+{
+  for (float diameter : { 0.1f, 0.5f, 1.0f, 1.3f, 2.0f, 3.7f, 9.0f })
+  {
+    const ink::DotShape dot = ink::dotShape(diameter);
+    double sum = 0.0;
+    const int places = 32;
+    const int reach = 8;
+    for (int place = 0; place < places * places; ++place)
+    {
+      const float x = (place % places + 0.5f) / places;
+      const float y = (place / places + 0.5f) / places;
+      for (int j = -reach; j <= reach; ++j)
+      {
+        for (int i = -reach; i <= reach; ++i)
+        {
+          sum += ink::dotCoverage(dot, std::hypot(i - x, j - y));
+        }
+      }
+    }
+    const double area = 0.25 * std::numbers::pi * diameter * diameter;
+    EXPECT_NEAR(sum / (places * places) / area, 1.0, 2e-3) << "diameter " << diameter;
+  }
+  EXPECT_EQ(ink::dotShape(0.0f).intensity, 0.0f);
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace ink
+{
+
+/// A round dot with a soft rim of one pixel, and its area right also where it is smaller than a pixel.
+struct DotShape
+{
+  float radius;    ///< where the rim is half covered, in pixels
+  float intensity; ///< of a pixel that is covered all over
+};
+
+/// The soft dot whose pixels add up to the area of a sharp one, on the average over its places within a
+/// pixel.
+/// @param diameter in pixels, not negative
+DotShape dotShape(float diameter);
+
+/// How much of a pixel the dot covers.
+/// @param distance between the pixel's and the dot's centres in pixels
+float dotCoverage(const DotShape& dot, float distance);
+
+} // namespace ink

@@ -1,0 +1,36 @@
+#include "Tone/Lighting.h"
+
+#include "Tone/Power.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace ink
+{
+
+float Lighting::lit(
+  std::span<const StippleLight> lights, const glm::vec3& position, const glm::vec3& normal) const
+{
+  float sum = 0.0f;
+  for (const StippleLight& light : lights)
+  {
+    const glm::vec3 towards = glm::vec3(light.position) - light.position.w * position;
+    const float length = glm::length(towards);
+    const float cosine = length > 0.0f ? glm::dot(normal, towards) / length : 1.0f;
+    sum += cosine > 0.0f ? light.intensity * power(std::min(cosine, 1.0f), this->kle) : 0.0f;
+  }
+  return std::min(sum, 1.0f);
+}
+
+float Lighting::factor(float lit) const
+{
+  return !this->on ? 1.0f : this->lightInk ? lit : 1.0f - lit;
+}
+
+bool Lighting::faces(float cosine) const
+{
+  return !this->on || cosine >= this->facingCosine;
+}
+
+} // namespace ink

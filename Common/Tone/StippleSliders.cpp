@@ -1,0 +1,92 @@
+#include "Tone/StippleSliders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ink
+{
+
+namespace
+{
+
+/// 0 at 0, 1 in the middle, 4 at the upper end.
+float gain(float slider)
+{
+  return slider <= 0.5f ? 2.0f * slider : 1.0f + 6.0f * (slider - 0.5f);
+}
+
+/// 1/4 at 0, 1 in the middle, 4 at the upper end.
+float octaves(float slider)
+{
+  return std::exp2(4.0f * (slider - 0.5f));
+}
+
+constexpr float mostExponent = 20.0f;
+constexpr float leastExponent = 0.05f;
+
+float exponent(float value)
+{
+  return std::clamp(value, leastExponent, mostExponent);
+}
+
+constexpr StipplePreset presets[] = {
+  { "anatomy", { 0.5f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 5.0f, 1.8f, 0.7f, 0.25f, false },
+  { "bone", { 0.8f, 0.6f, 0.45f, 0.4f, 0.6f, 0.0f }, 5.0f, 1.7f, 0.7f, 0.25f, false },
+  { "soft-tissue", { 0.6f, 0.3f, 0.55f, 0.25f, 0.05f, 0.0f }, 4.0f, 1.5f, 0.7f, 0.25f, false },
+  { "engineering", { 0.7f, 0.75f, 0.65f, 0.1f, 0.2f, 0.0f }, 5.0f, 1.6f, 0.4f, 0.25f, false },
+  { "plate-white-on-black", { 0.6f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 4.0f, 1.8f, 0.7f, 0.25f, true },
+};
+
+} // namespace
+
+void StippleSliders::apply(StippleTone& tone) const
+{
+  const auto limited = [](float slider) { return std::clamp(slider, 0.0f, 1.0f); };
+  const float sharp = octaves(limited(this->sharpness));
+
+  tone.boundary.on = true;
+  tone.boundary.kgc = 0.2f * (0.5f + limited(this->gradient));
+  tone.boundary.kgs = gain(limited(this->gradient));
+  tone.boundary.kge = exponent(sharp);
+
+  const float turned = gain(limited(this->orientation));
+  tone.silhouette.on = true;
+  tone.silhouette.kss = 2.0f * turned;
+  tone.silhouette.kse = exponent(0.5f / sharp);
+  tone.lighting.on = turned > 0.0f;
+  tone.lighting.kle = turned > 0.0f ? exponent(1.0f / (sharp * turned)) : mostExponent;
+
+  tone.distance.on = this->distance > 0.0f;
+  tone.distance.kde = this->distance > 0.0f ? exponent(0.5f / limited(this->distance)) : mostExponent;
+  tone.distance.size = limited(this->distance);
+
+  tone.interior.on = this->interior > 0.0f;
+  tone.interior.kie = 2.0f * limited(this->interior);
+  tone.interior.size = limited(this->interior);
+
+  tone.warmCool.amount = limited(this->color);
+}
+
+void StipplePreset::apply(StippleTone& tone) const
+{
+  this->sliders.apply(tone);
+  tone.pixelsPerStipple = this->pixelsPerStipple;
+  tone.diameter = this->diameter;
+  tone.resolution.knz = this->knz;
+  tone.valueEffect = this->valueEffect;
+  tone.lighting.lightInk = this->lightInk;
+}
+
+std::span<const StipplePreset> stipplePresets()
+{
+  return presets;
+}
+
+const StipplePreset* findStipplePreset(std::string_view name)
+{
+  const auto* found =
+    std::find_if(std::begin(presets), std::end(presets), [name](const auto& p) { return p.name == name; });
+  return found == std::end(presets) ? nullptr : found;
+}
+
+} // namespace ink

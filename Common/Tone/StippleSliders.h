@@ -1,0 +1,52 @@
+#pragma once
+
+#include "Tone/StippleTone.h"
+
+#include <span>
+#include <string_view>
+
+namespace ink
+{
+
+/// The few controls that set many of the k's at once (Lu et al. 2003, section 6), each 0 to 1.
+struct StippleSliders
+{
+  /// Emphasis on boundaries: k_gc, k_gs. More ink.
+  float gradient = 0.5f;
+  /// Sharpness of boundaries, silhouettes and shades: k_ge, k_se, k_le. Less ink, in a smaller place.
+  float sharpness = 0.5f;
+  /// How much silhouettes and light count: k_ss, k_le; 0: no light. More contrast between the middle and the
+  /// rim.
+  float orientation = 0.5f;
+  /// How much nearer parts stand out: k_de and the stipples' size; 0: not at all.
+  float distance = 0.5f;
+  /// How see-through weak boundaries are: k_ie and the stipples' size; 0: not at all. Less ink.
+  float interior = 0.5f;
+  /// How far warm and cool colours replace the ink; 0: not at all. The same number of stipples.
+  float color = 0.0f;
+
+  /// Sets the k's named above and whether the enhancements that they belong to are on; all else stays.
+  void apply(StippleTone& tone) const;
+};
+
+/// A kind of drawing to start from.
+struct StipplePreset
+{
+  std::string_view name;
+  StippleSliders sliders;
+  float pixelsPerStipple;
+  float diameter;
+  float knz;
+  float valueEffect;
+  bool lightInk; ///< white ink on black paper
+
+  void apply(StippleTone& tone) const;
+};
+
+/// anatomy (the first: the default), bone, soft-tissue, engineering, plate-white-on-black.
+std::span<const StipplePreset> stipplePresets();
+
+/// The preset of that name, or null.
+const StipplePreset* findStipplePreset(std::string_view name);
+
+} // namespace ink

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStippleOutput.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+
+#include <vtksys/SystemInformation.hxx>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+
+template <class IdArray>
+vtkSmartPointer<vtkCellArray> MakePolyVertices(std::span<const vtkIdType> begins)
+{
+  using Id = typename IdArray::ValueType;
+  vtkNew<IdArray> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(begins.size()));
+  std::transform(
+    begins.begin(), begins.end(), offsets->GetPointer(0), [](vtkIdType id) { return static_cast<Id>(id); });
+  vtkNew<IdArray> points;
+  points->SetNumberOfValues(begins.back());
+  std::iota(points->GetPointer(0), points->GetPointer(0) + begins.back(), Id(0));
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, points);
+  return cells;
+}
+
+} // namespace
+
+ink::Progress InkPartOfProgress(const ink::Progress& progress, double begin, double end)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [progress, begin, end](double share) { return progress(begin + share * (end - begin)); };
+}
+
+void InkForEach(std::size_t count, const std::function<void(std::size_t)>& body)
+{
+  constexpr std::size_t chunk = 4096;
+  ink::parallelFor((count + chunk - 1) / chunk,
+    [&](std::size_t n)
+    {
+      for (std::size_t i = n * chunk; i < std::min(count, (n + 1) * chunk); ++i)
+      {
+        body(i);
+      }
+    });
+}
+
+vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins)
+{
+  return begins.back() <= std::numeric_limits<vtkTypeInt32>::max()
+    ? MakePolyVertices<vtkTypeInt32Array>(begins)
+    : MakePolyVertices<vtkTypeInt64Array>(begins);
+}
+
+void InkAddField(vtkPolyData* output, const char* name, std::span<const double> values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(values.size()));
+  array->InsertNextTuple(values.data());
+  output->GetFieldData()->AddArray(array);
+}
+
+void InkCheckStippleMemory(double count, double bytes)
+{
+  vtksys::SystemInformation system;
+  const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
+  if (count * bytes > available)
+  {
+    std::ostringstream text;
+    text << count << " stipples would take " << count * bytes / 0x1p30
+         << " GiB of memory; expected no more than " << available / bytes
+         << " stipples on this machine: raise the threshold or lower MaximumStipples";
+    throw std::invalid_argument(text.str());
+  }
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkSurfaceStipples.h"
+
+#include "InkMeshTriangles.h"
+#include "InkPointOutput.h"
+#include "InkStippleOutput.h"
+#include "InkSurfaceSamples.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace
+{
+
+/// The polygons of a mesh that have an area, in the order of their cells.
+struct Polygons
+{
+  std::vector<vtkIdType> Cells;
+  std::vector<std::size_t> Triangles; ///< the first of each one's triangles
+  std::vector<glm::dvec3> Normals;    ///< unit, out of the front
+  double Area = 0.0;
+
+  /// @param smooth whether a polygon's normal is the mean of those of its points, or that of its plane
+  Polygons(const InkMeshTriangles& triangles, bool smooth)
+  {
+    const ink::TriangleMesh mesh = triangles.GetMesh();
+    const std::size_t count = triangles.FaceIds.size();
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < count; begin = end)
+    {
+      double area = 0.0;
+      glm::dvec3 plane(0.0);
+      glm::dvec3 mean(0.0);
+      for (end = begin; end < count && triangles.FaceIds[end] == triangles.FaceIds[begin]; ++end)
+      {
+        const double size = ink::areaOf(mesh, end);
+        if (size > 0.0)
+        {
+          const auto& [a, b, c] = triangles.Triangles[end];
+          const glm::dvec3& corner = triangles.Points[a];
+          plane += size * Unit(glm::cross(triangles.Points[b] - corner, triangles.Points[c] - corner));
+          mean += size * glm::dvec3(triangles.Normals[a] + triangles.Normals[b] + triangles.Normals[c]);
+          area += size;
+        }
+      }
+      if (area > 0.0)
+      {
+        this->Cells.push_back(triangles.FaceIds[begin]);
+        this->Triangles.push_back(begin);
+        const bool useMean = smooth && glm::length(mean) > 1e-3 * area;
+        this->Normals.push_back(Unit(useMean ? mean : plane));
+        this->Area += area;
+      }
+    }
+  }
+
+private:
+  static glm::dvec3 Unit(const glm::dvec3& vector)
+  {
+    // Relative to its largest component, because the square of an area may overflow or vanish.
+    const double largest = std::max({ std::abs(vector.x), std::abs(vector.y), std::abs(vector.z) });
+    return largest > 0.0 ? glm::normalize(vector / largest) : glm::dvec3(0.0, 0.0, 1.0);
+  }
+};
+
+/// The samples in the order of their polygons, those of a polygon in the order they had.
+struct Lists
+{
+  std::vector<vtkIdType> Samples;
+  std::vector<vtkIdType> Begins;     ///< of each list that is not empty; one more at the end
+  std::vector<std::size_t> Polygons; ///< whose list it is
+
+  Lists(const struct Polygons& polygons, std::span<const vtkIdType> cellOfSample)
+  {
+    std::vector<vtkIdType> next(polygons.Cells.size() + 1, 0);
+    std::vector<std::size_t> polygonOf(cellOfSample.size());
+    for (std::size_t sample = 0; sample < cellOfSample.size(); ++sample)
+    {
+      const auto found = std::lower_bound(polygons.Cells.begin(), polygons.Cells.end(), cellOfSample[sample]);
+      polygonOf[sample] = static_cast<std::size_t>(found - polygons.Cells.begin());
+      ++next[polygonOf[sample] + 1];
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (std::size_t polygon = 0; polygon < polygons.Cells.size(); ++polygon)
+    {
+      if (next[polygon + 1] > next[polygon])
+      {
+        this->Polygons.push_back(polygon);
+        this->Begins.push_back(next[polygon]);
+      }
+    }
+    this->Begins.push_back(next.back());
+    this->Samples.resize(cellOfSample.size());
+    for (std::size_t sample = 0; sample < cellOfSample.size(); ++sample)
+    {
+      this->Samples[static_cast<std::size_t>(next[polygonOf[sample]]++)] = static_cast<vtkIdType>(sample);
+    }
+  }
+};
+
+vtkSmartPointer<vtkDataArray> Reorder(vtkDataArray* array, const std::vector<vtkIdType>& order)
+{
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(static_cast<vtkIdType>(order.size()));
+  std::copy(order.begin(), order.end(), ids->GetPointer(0));
+  vtkSmartPointer<vtkDataArray> result =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
+  result->SetName(array->GetName());
+  result->SetNumberOfComponents(array->GetNumberOfComponents());
+  result->SetNumberOfTuples(ids->GetNumberOfIds());
+  array->GetTuples(ids, result);
+  return result;
+}
+
+/// A polygon's tuple, or the mean of those of its first triangle's points.
+vtkSmartPointer<vtkDataArray> ColorsOf(const InkMeshTriangles& triangles, const Polygons& polygons,
+  const Lists& lists, vtkDataArray* colors, bool ofCells)
+{
+  vtkSmartPointer<vtkDataArray> result =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
+  result->SetName(colors->GetName());
+  result->SetNumberOfComponents(colors->GetNumberOfComponents());
+  result->SetNumberOfTuples(static_cast<vtkIdType>(lists.Polygons.size()));
+  for (std::size_t e = 0; e < lists.Polygons.size(); ++e)
+  {
+    const std::size_t polygon = lists.Polygons[e];
+    const auto& [a, b, c] = triangles.Triangles[polygons.Triangles[polygon]];
+    for (int component = 0; component < colors->GetNumberOfComponents(); ++component)
+    {
+      const double value = ofCells ? colors->GetComponent(polygons.Cells[polygon], component)
+                                   : colors->GetComponent(a, component) / 3.0 +
+          colors->GetComponent(b, component) / 3.0 + colors->GetComponent(c, component) / 3.0;
+      result->SetComponent(static_cast<vtkIdType>(e), component, value);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& request, vtkPolyData* output)
+{
+  const InkMeshTriangles triangles(mesh, true);
+  // A piece of nothing but ghosts.
+  if (triangles.Triangles.empty())
+  {
+    return;
+  }
+  vtkPointData* meshData = mesh->GetPointData();
+  const bool smooth = meshData->GetNormals() || meshData->GetArray("Normals");
+  const Polygons polygons(triangles, smooth);
+
+  InkSampleRequest sampling;
+  sampling.Count = request.Count > 0
+    ? static_cast<std::size_t>(request.Count)
+    : std::max<std::size_t>(polygons.Cells.size(), 1) * static_cast<std::size_t>(request.PerPolygon);
+  sampling.Seed = request.Seed;
+  sampling.Progress = InkPartOfProgress(request.Progress, 0.0, 0.95);
+  const InkSurfaceSamples samples(triangles, sampling);
+  vtkNew<vtkPolyData> sampled;
+  samples.AddFaces(mesh, sampled);
+  auto* cells = vtkIdTypeArray::SafeDownCast(sampled->GetPointData()->GetArray("FaceId"));
+  const auto count = static_cast<std::size_t>(cells->GetNumberOfValues());
+  if (count == 0)
+  {
+    return;
+  }
+  const Lists lists(polygons, { cells->GetPointer(0), count });
+
+  const vtkSmartPointer<vtkPoints> points = samples.MakePoints(request.Doubles ? VTK_DOUBLE : VTK_FLOAT);
+  vtkNew<vtkPoints> ordered;
+  ordered->SetData(Reorder(points->GetData(), lists.Samples));
+  output->SetPoints(ordered);
+  output->SetVerts(InkMakePolyVertices(lists.Begins));
+  output->GetPointData()->AddArray(Reorder(InkMakePriority(static_cast<vtkIdType>(count)), lists.Samples));
+
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(static_cast<vtkIdType>(lists.Polygons.size()));
+  for (std::size_t e = 0; e < lists.Polygons.size(); ++e)
+  {
+    normals->SetTuple(static_cast<vtkIdType>(e), &polygons.Normals[lists.Polygons[e]].x);
+  }
+  output->GetCellData()->SetNormals(normals);
+  if (request.Colors)
+  {
+    output->GetCellData()->SetScalars(
+      ColorsOf(triangles, polygons, lists, request.Colors, request.ColorsOfCells));
+  }
+  const double kind = 1.0;
+  const auto polygonCount = static_cast<double>(polygons.Cells.size());
+  const double perElement = static_cast<double>(count) / polygonCount;
+  const double size = std::sqrt(polygons.Area / polygonCount);
+  InkAddField(output, "ElementKind", { &kind, 1 });
+  InkAddField(output, "ElementSize", { &size, 1 });
+  InkAddField(output, "StipplesPerElement", { &perElement, 1 });
+}

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkVolumeStipples.h"
+
+#include "InkImageGrid.h"
+#include "InkStippleOutput.h"
+#include "Sampling/StippledVoxels.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace
+{
+
+/// GradientMagnitude is 1 from here on: brighter than all but the steepest hundredth of the stippled voxels,
+/// so that a few metal parts or single wrong voxels do not make all others 0.
+constexpr double ReferenceShare = 0.99;
+
+/// The voxels that get stipples, where they are and how they are normalised.
+struct Elements
+{
+  ink::VolumeStatistics Statistics;
+  ink::StippledVoxels Voxels;
+  /// Of the voxels, those that the output holds: the others are only neighbours.
+  std::vector<std::size_t> Own;
+  std::vector<glm::ivec3> Samples; ///< of those, in the grid
+  double SteepestGradient = 0.0;   ///< that GradientMagnitude is relative to
+};
+
+/// \returns false when stopped
+template <class T>
+bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest& request, Elements& elements)
+{
+  ink::VolumeStatistics& statistics = elements.Statistics;
+  if (!ink::measureVolume(
+        field, request.Gradient, statistics, InkPartOfProgress(request.Progress, 0.0, 0.15)))
+  {
+    return false;
+  }
+  ink::VoxelCriteria criteria;
+  criteria.threshold = request.ByPercentile
+    ? statistics.magnitudes.quantile(0.01 * request.Percentile)
+    : static_cast<float>(std::min<double>(request.Threshold, std::numeric_limits<float>::max()));
+  criteria.lowest = request.Window[0];
+  criteria.highest = request.Window[1];
+  // Voxels without a gradient are never stippled.
+  elements.SteepestGradient = statistics.magnitudes.quantile(
+    ReferenceShare, std::max(criteria.threshold, std::numeric_limits<float>::min()));
+
+  ink::SampleBox box;
+  box.begin = glm::max(request.Own.begin - ink::stippleReach, glm::ivec3(0));
+  box.end = glm::min(request.Own.end + ink::stippleReach, field.geometry().dimensions());
+  return ink::findStippledVoxels(
+    field, box, request.Gradient, criteria, elements.Voxels, InkPartOfProgress(request.Progress, 0.15, 0.35));
+}
+
+bool FindElements(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
+  const ink::ElementMarks& hidden, const InkVolumeStippleRequest& request, Elements& elements)
+{
+  const auto find = [&](auto* values)
+  {
+    using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
+    const std::span<const T> all(
+      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
+    const ink::GridField<T> field(geometry, all.subspan(static_cast<std::size_t>(component)),
+      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden);
+    return FindElements(field, request, elements);
+  };
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(return find(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
+  }
+  throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
+}
+
+/// Of the voxels found, those that belong to the piece: their sample is the lower corner of a cell that is
+/// not marked as another piece's, or at the image's upper end the upper corner.
+void SelectOwn(const ink::GridGeometry& geometry, const ink::SampleBox& own, const ink::ElementMarks& others,
+  Elements& elements)
+{
+  const ink::StippledVoxels& voxels = elements.Voxels;
+  const ink::SampleBox& box = voxels.box;
+  const glm::ivec3 lastCell = glm::max(geometry.dimensions() - 2, glm::ivec3(0));
+  const ink::GridGeometry cells(lastCell + 1);
+  for (int z = own.begin.z; z < own.end.z; ++z)
+  {
+    for (int y = own.begin.y; y < own.end.y; ++y)
+    {
+      const std::size_t row = static_cast<std::size_t>(y - box.begin.y) +
+        static_cast<std::size_t>(box.size().y) * static_cast<std::size_t>(z - box.begin.z);
+      for (std::size_t n = voxels.rows[row]; n < voxels.rows[row + 1]; ++n)
+      {
+        const glm::ivec3 sample(voxels.x[n], y, z);
+        if (sample.x >= own.begin.x && sample.x < own.end.x &&
+          (others.empty() || !others[cells.offset(glm::min(sample, lastCell))]))
+        {
+          elements.Own.push_back(n);
+          elements.Samples.push_back(sample);
+        }
+      }
+    }
+  }
+}
+
+template <class Real>
+void WritePoints(const ink::GridGeometry& geometry, const Elements& elements,
+  const std::vector<glm::vec3>& stipples, std::size_t perVoxel, Real* points)
+{
+  InkForEach(elements.Own.size(),
+    [&](std::size_t e)
+    {
+      for (std::size_t rank = 0; rank < perVoxel; ++rank)
+      {
+        const glm::dvec3 world = geometry.toWorld(
+          glm::dvec3(elements.Samples[e]) + glm::dvec3(stipples[elements.Own[e] * perVoxel + rank]));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          points[3 * (e * perVoxel + rank) + static_cast<std::size_t>(axis)] = static_cast<Real>(world[axis]);
+        }
+      }
+    });
+}
+
+vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, std::size_t count)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  return array;
+}
+
+/// Where a value lies between two others, without overflow.
+float ShareOf(double value, double lowest, double highest)
+{
+  const double range = 0.5 * highest - 0.5 * lowest;
+  return range > 0.0 ? static_cast<float>(std::clamp((0.5 * value - 0.5 * lowest) / range, 0.0, 1.0)) : 0.0f;
+}
+
+void AddCellArrays(const Elements& elements, vtkPolyData* output)
+{
+  const std::size_t count = elements.Own.size();
+  const auto normals = MakeArray("Normals", 3, count);
+  const auto magnitudes = MakeArray("GradientMagnitude", 1, count);
+  const auto values = MakeArray("Value", 1, count);
+  float* normal = normals->GetPointer(0);
+  float* magnitude = magnitudes->GetPointer(0);
+  float* value = values->GetPointer(0);
+  InkForEach(count,
+    [&](std::size_t e)
+    {
+      const std::size_t voxel = elements.Own[e];
+      const glm::dvec3 gradient(elements.Voxels.gradients[voxel]);
+      const double length = glm::length(gradient);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        normal[3 * e + static_cast<std::size_t>(axis)] = static_cast<float>(-gradient[axis] / length);
+      }
+      magnitude[e] = ShareOf(length, 0.0, elements.SteepestGradient);
+      value[e] =
+        ShareOf(elements.Voxels.values[voxel], elements.Statistics.lowest, elements.Statistics.highest);
+    });
+  output->GetCellData()->SetNormals(normals);
+  output->GetCellData()->AddArray(magnitudes);
+  output->GetCellData()->AddArray(values);
+}
+
+void AddColors(
+  const ink::GridGeometry& geometry, const Elements& elements, vtkDataArray* colors, vtkPolyData* output)
+{
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(static_cast<vtkIdType>(elements.Samples.size()));
+  for (std::size_t e = 0; e < elements.Samples.size(); ++e)
+  {
+    ids->SetId(static_cast<vtkIdType>(e), static_cast<vtkIdType>(geometry.offset(elements.Samples[e])));
+  }
+  vtkSmartPointer<vtkDataArray> passed =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
+  passed->SetName(colors->GetName());
+  passed->SetNumberOfComponents(colors->GetNumberOfComponents());
+  passed->SetNumberOfTuples(ids->GetNumberOfIds());
+  colors->GetTuples(ids, passed);
+  output->GetCellData()->SetScalars(passed);
+}
+
+} // namespace
+
+void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& request, vtkPolyData* output)
+{
+  const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  int component = request.Component;
+  const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(request.Scalars, component);
+  const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
+  Elements elements;
+  if (!FindElements(geometry, array, component, hidden, request, elements))
+  {
+    return;
+  }
+  SelectOwn(geometry, request.Own, InkGetMarks(image->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT),
+    elements);
+
+  const auto perVoxel = static_cast<std::size_t>(request.Stipples.perVoxel);
+  const std::size_t count = elements.Own.size() * perVoxel;
+  const double placed = static_cast<double>(elements.Voxels.size() * perVoxel);
+  InkCheckStippleMemory(placed, sizeof(glm::vec3) + (request.Doubles ? 24.0 : 12.0) + 8.0);
+  const std::vector<glm::vec3> stipples = ink::placeVolumeStipples(
+    geometry, elements.Voxels, request.Stipples, InkPartOfProgress(request.Progress, 0.35, 0.95));
+  if (stipples.empty() && elements.Voxels.size() > 0)
+  {
+    return;
+  }
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(request.Doubles ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  if (auto* floats = vtkFloatArray::SafeDownCast(points->GetData()))
+  {
+    WritePoints(geometry, elements, stipples, perVoxel, floats->GetPointer(0));
+  }
+  else
+  {
+    WritePoints(
+      geometry, elements, stipples, perVoxel, vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
+  }
+  output->SetPoints(points);
+  std::vector<vtkIdType> begins(elements.Own.size() + 1);
+  for (std::size_t e = 0; e < begins.size(); ++e)
+  {
+    begins[e] = static_cast<vtkIdType>(e * perVoxel);
+  }
+  output->SetVerts(InkMakePolyVertices(begins));
+  AddCellArrays(elements, output);
+  if (request.Colors)
+  {
+    AddColors(geometry, elements, request.Colors, output);
+  }
+  const ink::VolumeStatistics& statistics = elements.Statistics;
+  const bool any = statistics.lowest <= statistics.highest;
+  const double range[2] = { any ? statistics.lowest : 0.0, any ? statistics.highest : 0.0 };
+  const double magnitudes[2] = { 0.0, elements.SteepestGradient };
+  const double kind = 0.0;
+  const double perElement = request.Stipples.perVoxel;
+  const double size = std::cbrt(std::abs(glm::determinant(geometry.stepToWorld())));
+  InkAddField(output, "ElementKind", { &kind, 1 });
+  InkAddField(output, "ElementSize", { &size, 1 });
+  InkAddField(output, "StipplesPerElement", { &perElement, 1 });
+  InkAddField(output, "ScalarRange", range);
+  InkAddField(output, "GradientMagnitudeRange", magnitudes);
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkVolumeStipples_h
+#define InkVolumeStipples_h
+
+#include "Fields/Gradients.h"
+#include "Fields/SampleBox.h"
+#include "Sampling/VolumeStipples.h"
+
+class vtkDataArray;
+class vtkImageData;
+class vtkPolyData;
+
+/// What vtkInkStippleGenerator is asked for when its input is an image.
+struct InkVolumeStippleRequest
+{
+  vtkDataArray* Scalars = nullptr; ///< one tuple a point
+  int Component = 0;
+  ink::GradientOptions Gradient;
+  bool ByPercentile = true;
+  double Percentile = 0.0;
+  double Threshold = 0.0;
+  double Window[2]; ///< voxels outside get no stipples
+  ink::VolumeStippleOptions Stipples;
+  ink::SampleBox Own;             ///< the samples whose voxels are stippled
+  bool Doubles = false;           ///< the points' type
+  vtkDataArray* Colors = nullptr; ///< passed on; may be null
+  ink::Progress Progress;
+};
+
+/// Writes the stipples of an image to an empty output; leaves it empty when the progress asks to stop.
+/// @throws std::invalid_argument with what is wrong with the image or the request
+void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& request, vtkPolyData* output);
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What cannot be stippled: one message that names what was found, and an empty output. What has nothing to
+// stipple: an empty output. What asks to stop: an empty output, too.
+
+#include "InkTestChecks.h"
+#include "SamplerTestImages.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+
+using Change = std::function<void(vtkInkStippleGenerator*)>;
+
+/// Stipples the data; expects the words in one message, or no message for none.
+void Expect(
+  InkTestChecks& check, const std::string& name, const std::vector<std::string>& words, vtkDataObject* data,
+  const Change& change = [](vtkInkStippleGenerator*) {})
+{
+  vtkNew<vtkInkStippleGenerator> generator;
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(generator);
+  change(generator);
+  generator->SetInputDataObject(data);
+  generator->Update();
+  check(generator->GetOutput()->GetNumberOfPoints() == 0 && generator->GetOutput()->GetNumberOfCells() == 0,
+    name, ": no stipples");
+  if (!check(messages->Messages.size() == (words.empty() ? 0 : 1), name, ": one message if any, found ",
+        messages->Messages.size()))
+  {
+    return;
+  }
+  for (const std::string& word : words)
+  {
+    check(messages->Messages[0].find(word) != std::string::npos, name, ": \"", word,
+      "\" in the message: ", messages->Messages[0]);
+  }
+}
+
+vtkSmartPointer<vtkImageData> Ball()
+{
+  return MakeImage(VTK_FLOAT, { -9, 9, -9, 9, -9, 9 },
+    [](double x, double y, double z) { return BallDensity(x, y, z, 6.0); });
+}
+
+void ExpectOfImage(
+  InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
+  const std::function<void(vtkImageData*)>& alter, const Change& change = [](vtkInkStippleGenerator*) {})
+{
+  const auto image = Ball();
+  alter(image);
+  Expect(check, name, words, image, change);
+}
+
+} // namespace
+
+int TestStippleGeneratorErrors(int, char*[])
+{
+  InkTestChecks check;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto as = [](vtkImageData*) {};
+
+  ExpectOfImage(check, "no image", {}, [](vtkImageData* image) { image->Initialize(); });
+  ExpectOfImage(check, "no scalars", { "No point scalars", "none" },
+    [](vtkImageData* image) { image->GetPointData()->Initialize(); });
+  ExpectOfImage(check, "no such array", { "\"Pressure\"", "\"Density\"" }, as,
+    [](vtkInkStippleGenerator* g)
+    { g->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
+  ExpectOfImage(check, "no such component", { "Density", "ArrayComponent is 1" }, as,
+    [](vtkInkStippleGenerator* g) { g->SetArrayComponent(1); });
+  ExpectOfImage(check, "no such colours", { "\"Pressure\"", "to pass on" }, as,
+    [](vtkInkStippleGenerator* g)
+    {
+      g->PassScalarsOn();
+      g->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure");
+    });
+  ExpectOfImage(
+    check, "no spacing", { "spacing" }, [](vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
+  ExpectOfImage(check, "flat direction matrix", { "direction matrix" },
+    [](vtkImageData* image) { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
+  ExpectOfImage(
+    check, "constant", {}, [](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(7.0); });
+  ExpectOfImage(check, "nothing but NaN", {},
+    [nan](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(nan); });
+  ExpectOfImage(check, "one voxel", {},
+    [](vtkImageData* image)
+    {
+      image->SetExtent(0, 0, 0, 0, 0, 0);
+      image->AllocateScalars(VTK_FLOAT, 1);
+      image->GetPointData()->GetScalars()->Fill(1.0);
+    });
+  ExpectOfImage(check, "window out of range", {}, as,
+    [](vtkInkStippleGenerator* g)
+    {
+      g->UseScalarWindowOn();
+      g->SetScalarWindow(1e6, 1e7);
+    });
+  ExpectOfImage(check, "window the wrong way round", {}, as,
+    [](vtkInkStippleGenerator* g)
+    {
+      g->UseScalarWindowOn();
+      g->SetScalarWindow(90.0, 80.0);
+    });
+  ExpectOfImage(check, "stopped", {}, as,
+    [](vtkInkStippleGenerator* g)
+    {
+      vtkNew<vtkCallbackCommand> stop;
+      stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+        { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+      g->AddObserver(vtkCommand::ProgressEvent, stop);
+    });
+
+  vtkNew<vtkPolyData> points;
+  vtkNew<vtkPoints> some;
+  some->InsertNextPoint(0.0, 0.0, 0.0);
+  some->InsertNextPoint(1.0, 0.0, 0.0);
+  points->SetPoints(some);
+  Expect(check, "no polygons", { "2 points", "polygon" }, points);
+  vtkNew<vtkPolyData> nothing;
+  Expect(check, "no points", {}, nothing);
+  vtkNew<vtkPlaneSource> flat;
+  flat->Update();
+  vtkNew<vtkPolyData> line;
+  line->DeepCopy(flat->GetOutput());
+  for (vtkIdType n = 0; n < line->GetNumberOfPoints(); ++n)
+  {
+    line->GetPoints()->SetPoint(n, static_cast<double>(n), 0.0, 0.0);
+  }
+  Expect(check, "no area", { "no area" }, line);
+  Expect(check, "too many", { "GiB", "expected no more" }, flat->GetOutput(),
+    [](vtkInkStippleGenerator* g) { g->SetNumberOfSurfaceStipples(1000000000000); });
+  Expect(check, "no colours", { "active scalars" }, flat->GetOutput(),
+    [](vtkInkStippleGenerator* g) { g->PassScalarsOn(); });
+  return check.Result();
+}

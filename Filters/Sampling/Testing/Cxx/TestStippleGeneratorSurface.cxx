@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stipples of meshes: as many as the area asks for, however the surface is cut into polygons.
+
+#include "InkTestChecks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+double Field(vtkPolyData* data, const char* name)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfTuples() == 1 ? array->GetComponent(0, 0) : -1.0;
+}
+
+/// Lists in priority order, all points in order, arrays of one tuple an element.
+void CheckContract(InkTestChecks& check, vtkPolyData* data)
+{
+  vtkDataArray* priority = data->GetPointData()->GetArray("Priority");
+  vtkDataArray* normals = data->GetCellData()->GetNormals();
+  if (!check(priority && normals, "the arrays Priority and Normals"))
+  {
+    return;
+  }
+  vtkIdType next = 0;
+  for (vtkIdType e = 0; e < data->GetNumberOfCells(); ++e)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    data->GetVerts()->GetCellAtId(e, size, ids);
+    double before = -1.0;
+    bool ordered = size > 0 && data->GetCellType(e) == (size == 1 ? VTK_VERTEX : VTK_POLY_VERTEX);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      ordered = ordered && ids[i] == next++ && priority->GetComponent(ids[i], 0) >= before;
+      before = priority->GetComponent(ids[i], 0);
+    }
+    check(ordered, "element ", e, " to hold the next points in order of priority");
+    check(std::abs(vtkMath::Norm(normals->GetTuple3(e)) - 1.0) < 1e-5, "a unit normal");
+  }
+  check(next == data->GetNumberOfPoints(), "all points in lists");
+  check(Field(data, "ElementKind") == 1.0, "surface elements");
+}
+
+/// A unit square in the plane z = 0, all of it one polygon or n x n.
+vtkSmartPointer<vtkPolyData> MakeSquare(int n)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetResolution(n, n);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Stipple(vtkPolyData* mesh, vtkIdType count, bool colors = false)
+{
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(mesh);
+  generator->SetNumberOfSurfaceStipples(count);
+  generator->SetPassScalars(colors);
+  generator->Update();
+  return generator->GetOutput();
+}
+
+/// The least and the mean distance to the nearest other, in units of 1 / (2 sqrt(density)), of the points
+/// below a priority in the unit square.
+void NearestDistances(vtkPolyData* data, double below, double& least, double& mean)
+{
+  std::vector<std::array<double, 3>> points;
+  for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n)
+  {
+    if (data->GetPointData()->GetArray("Priority")->GetComponent(n, 0) < below)
+    {
+      points.emplace_back();
+      data->GetPoint(n, points.back().data());
+    }
+  }
+  const double unit = 2.0 * std::sqrt(static_cast<double>(points.size()));
+  least = 1e9;
+  mean = 0.0;
+  for (std::size_t a = 0; a < points.size(); ++a)
+  {
+    double nearest = 1e9;
+    for (std::size_t b = 0; b < points.size(); ++b)
+    {
+      nearest = a == b
+        ? nearest
+        : std::min(nearest, std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]));
+    }
+    least = std::min(least, nearest * unit);
+    mean += nearest * unit / static_cast<double>(points.size());
+  }
+}
+
+} // namespace
+
+int TestStippleGeneratorSurface(int, char*[])
+{
+  InkTestChecks check;
+  // However cut, the square has the same spacing, whatever share is drawn, across borders too: white noise
+  // has a mean of 1 and a least distance near 0.
+  for (const int n : { 1, 7, 40 })
+  {
+    const auto stipples = Stipple(MakeSquare(n), 2000);
+    CheckContract(check, stipples);
+    check(stipples->GetNumberOfPoints() == 2000, "2000 stipples, found ", stipples->GetNumberOfPoints());
+    check(std::abs(Field(stipples, "ElementSize") * n - 1.0) < 1e-6, "polygons of 1 / ", n);
+    check(std::abs(Field(stipples, "StipplesPerElement") * n * n - 2000.0) < 1e-6, "as many a polygon");
+    for (const double below : { 0.1, 0.5, 1.0 })
+    {
+      double least = 0.0;
+      double mean = 0.0;
+      NearestDistances(stipples, below, least, mean);
+      check(mean > 1.4 && least > 0.8, n, " x ", n, " polygons, ", below, " of the stipples: distances of ",
+        least, " at least and ", mean, " on average");
+    }
+  }
+
+  // Polygons of different sizes have stipples in proportion: strips of widths 1 to 4, together 10.
+  vtkNew<vtkPolyData> strips;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkFloatArray> colors;
+  colors->SetName("Width");
+  for (int strip = 0; strip < 4; ++strip)
+  {
+    const double begin = 0.5 * strip * (strip + 1);
+    const double end = begin + strip + 1.0;
+    const vtkIdType first = points->InsertNextPoint(begin, 0.0, 0.0);
+    points->InsertNextPoint(end, 0.0, 0.0);
+    points->InsertNextPoint(end, 5.0, 0.0);
+    points->InsertNextPoint(begin, 5.0, 0.0);
+    polygons->InsertNextCell({ first, first + 1, first + 2, first + 3 });
+    colors->InsertNextValue(static_cast<float>(strip + 1));
+  }
+  strips->SetPoints(points);
+  strips->SetPolys(polygons);
+  strips->GetCellData()->SetScalars(colors);
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(strips);
+  generator->SetMaximumStipples(50);
+  generator->PassScalarsOn();
+  generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Width");
+  generator->Update();
+  vtkPolyData* inStrips = generator->GetOutput();
+  CheckContract(check, inStrips);
+  check(inStrips->GetNumberOfPoints() == 200, "50 stipples a polygon");
+  vtkDataArray* widths = inStrips->GetCellData()->GetScalars();
+  if (check(widths && inStrips->GetNumberOfCells() == 4, "four elements with their widths"))
+  {
+    for (vtkIdType e = 0; e < 4; ++e)
+    {
+      const vtkIdType size = inStrips->GetVerts()->GetCellSize(e);
+      check(std::abs(static_cast<double>(size) / widths->GetComponent(e, 0) - 20.0) < 4.0,
+        "20 stipples for 1 of width ", widths->GetComponent(e, 0), ", found ", size);
+      check(inStrips->GetCellData()->GetNormals()->GetTuple3(e)[2] == 1.0, "a normal along z");
+    }
+  }
+
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(2.0);
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(30);
+  sphere->Update();
+  const auto onSphere = Stipple(sphere->GetOutput(), 5000);
+  CheckContract(check, onSphere);
+  for (vtkIdType e = 0; e < onSphere->GetNumberOfCells(); ++e)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    onSphere->GetVerts()->GetCellAtId(e, size, ids);
+    double point[3];
+    double normal[3];
+    onSphere->GetPoint(ids[0], point);
+    onSphere->GetCellData()->GetNormals()->GetTuple(e, normal);
+    check(vtkMath::Dot(point, normal) > 1.97, "a normal out of the sphere");
+  }
+  return check.Result();
+}

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkStippleGenerator.h"
+
+#include "InkImageGrid.h"
+#include "InkSurfaceStipples.h"
+#include "InkVTKCompat.h"
+#include "InkVolumeStipples.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExtentTranslator.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+vtkStandardNewMacro(vtkInkStippleGenerator);
+
+namespace
+{
+
+/// The samples whose voxels the piece asked for owns: those that are the lower corner of a cell of its, and
+/// at the upper end of the whole image the last ones. What a part's marks leave out, InkMakeVolumeStipples
+/// sees to.
+ink::SampleBox OwnSamples(vtkInformation* outInfo, vtkInformation* inInfo, vtkImageData* image)
+{
+  const InkExtent all(image->GetExtent());
+  const InkExtent whole = InkGetWholeExtent(inInfo, image);
+  const ink::ElementMarks others = InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+  bool isPart = !(whole == all);
+  for (std::size_t cell = 0; cell < others.bytes.size() && !isPart; ++cell)
+  {
+    isPart = others[cell];
+  }
+  InkExtent piece = all;
+  const int pieces = outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
+  if (pieces > 1 && !isPart)
+  {
+    vtkNew<vtkExtentTranslator> translator;
+    int extent[6] = { 0, -1, 0, -1, 0, -1 };
+    translator->PieceToExtentThreadSafe(outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()), pieces, 0,
+      image->GetExtent(), extent, vtkExtentTranslator::BLOCK_MODE, 0);
+    piece = InkExtent(extent);
+  }
+  ink::SampleBox own{ piece.First - all.First, piece.Last - all.First };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    own.end[axis] += piece.Last[axis] == whole.Last[axis] ? 1 : 0;
+  }
+  return own;
+}
+
+} // namespace
+
+vtkInkStippleGenerator::vtkInkStippleGenerator()
+{
+  for (const int index : { 0, 1 })
+  {
+    this->SetInputArrayToProcess(
+      index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  }
+}
+
+vtkInkStippleGenerator::~vtkInkStippleGenerator() = default;
+
+int vtkInkStippleGenerator::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkInkStippleGenerator::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  // Thresholds and ranges are those of the whole image.
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  if (vtkImageData::GetData(info))
+  {
+    info->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    if (info->Has(SDDP::WHOLE_EXTENT()))
+    {
+      info->Set(SDDP::UPDATE_EXTENT(), info->Get(SDDP::WHOLE_EXTENT()), 6);
+    }
+  }
+  return 1;
+}
+
+int vtkInkStippleGenerator::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* data = vtkDataSet::GetData(inputVector[0]);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(outInfo);
+  // A piece that holds nothing is no error.
+  if (!data || data->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  const std::string kind = mesh ? "mesh" : "image";
+  try
+  {
+    if (mesh)
+    {
+      this->StippleSurface(mesh, inputVector, output);
+    }
+    else
+    {
+      this->StippleVolume(inputVector, outInfo, output);
+    }
+  }
+  catch (const std::invalid_argument& error)
+  {
+    vtkErrorMacro("The " << kind << " cannot be stippled: " << error.what() << ".");
+    output->Initialize();
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("The " << kind << " cannot be stippled: there is not enough memory for its stipples.");
+    output->Initialize();
+  }
+  return 1;
+}
+
+void vtkInkStippleGenerator::StippleVolume(
+  vtkInformationVector** input, vtkInformation* outInfo, vtkPolyData* output)
+{
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  // ParaView gives an empty name where no array was chosen.
+  vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
+                                             : this->GetInputArrayToProcess(0, input, association);
+  const std::string problem = InkCheckScalars(image, chosen, scalars, association, this->ArrayComponent);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return;
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  InkVolumeStippleRequest request;
+  request.Scalars = scalars;
+  request.Component = this->ArrayComponent;
+  request.Gradient.method = this->GradientMethod == CENTRAL_DIFFERENCE
+    ? ink::GradientMethod::CentralDifference
+    : ink::GradientMethod::Regression;
+  request.ByPercentile = this->ThresholdMode == PERCENTILE;
+  request.Percentile = this->GradientPercentile;
+  request.Threshold = this->GradientThreshold;
+  request.Window[0] = this->UseScalarWindow ? this->ScalarWindow[0] : -infinity;
+  request.Window[1] = this->UseScalarWindow ? this->ScalarWindow[1] : infinity;
+  request.Stipples.perVoxel = this->MaximumStipples;
+  request.Stipples.thickness = this->LayerThickness;
+  request.Stipples.seed = static_cast<std::uint64_t>(this->Seed);
+  request.Own = OwnSamples(outInfo, info, image);
+  request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
+    (this->OutputPointsPrecision == DEFAULT_PRECISION &&
+      InkNeedsDoublePrecision(InkMakeGrid(image, InkGetWholeExtent(info, image))));
+  bool ofCells = false;
+  request.Colors = this->GetColors(image, input, ofCells);
+  if (ofCells)
+  {
+    throw std::invalid_argument("the scalars to pass on are cell data; expected point data");
+  }
+  request.Progress = [this](double share) { return this->ReportProgress(share); };
+  InkMakeVolumeStipples(image, request, output);
+}
+
+void vtkInkStippleGenerator::StippleSurface(
+  vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output)
+{
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  {
+    throw std::invalid_argument("it has " + std::to_string(mesh->GetNumberOfPoints()) + " points and " +
+      std::to_string(mesh->GetNumberOfCells()) + " cells, none of them a polygon; expected polygons");
+  }
+  InkSurfaceStippleRequest request;
+  request.Count = this->NumberOfSurfaceStipples;
+  request.PerPolygon = this->MaximumStipples;
+  request.Seed = this->Seed;
+  request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
+    (this->OutputPointsPrecision == DEFAULT_PRECISION && mesh->GetPoints()->GetDataType() == VTK_DOUBLE);
+  request.Colors = this->GetColors(mesh, input, request.ColorsOfCells);
+  request.Progress = [this](double share) { return this->ReportProgress(share); };
+  InkMakeSurfaceStipples(mesh, request, output);
+}
+
+vtkDataArray* vtkInkStippleGenerator::GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells)
+{
+  if (!this->PassScalars)
+  {
+    return nullptr;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const char* chosen = this->GetInputArrayInformation(1)->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* colors = chosen && !*chosen ? data->GetPointData()->GetScalars()
+                                            : this->GetInputArrayToProcess(1, input, association);
+  ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const vtkIdType expected = ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  const std::string name = chosen && *chosen ? "array \"" + std::string(chosen) + "\"" : "active scalars";
+  if (!colors)
+  {
+    throw std::invalid_argument("it has no " + name + " to pass on; expected a numeric array");
+  }
+  if (colors->GetNumberOfTuples() != expected)
+  {
+    throw std::invalid_argument("the " + name + " to pass on have " +
+      std::to_string(colors->GetNumberOfTuples()) + " values; expected " + std::to_string(expected));
+  }
+  return colors;
+}
+
+bool vtkInkStippleGenerator::ReportProgress(double share)
+{
+  this->UpdateProgress(share);
+  return !InkCheckAbort(this);
+}
+
+void vtkInkStippleGenerator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumStipples: " << this->MaximumStipples << "\n"
+     << indent << "NumberOfSurfaceStipples: " << this->NumberOfSurfaceStipples << "\n"
+     << indent << "ThresholdMode: " << (this->ThresholdMode == PERCENTILE ? "PERCENTILE" : "MAGNITUDE")
+     << "\n"
+     << indent << "GradientPercentile: " << this->GradientPercentile << "\n"
+     << indent << "GradientThreshold: " << this->GradientThreshold << "\n"
+     << indent << "LayerThickness: " << this->LayerThickness << "\n"
+     << indent
+     << "GradientMethod: " << (this->GradientMethod == REGRESSION ? "REGRESSION" : "CENTRAL_DIFFERENCE")
+     << "\n"
+     << indent << "UseScalarWindow: " << this->UseScalarWindow << "\n"
+     << indent << "ScalarWindow: " << this->ScalarWindow[0] << " " << this->ScalarWindow[1] << "\n"
+     << indent << "PassScalars: " << this->PassScalars << "\n"
+     << indent << "Seed: " << this->Seed << "\n"
+     << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
+     << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkStippleGenerator
+ * @brief   volumes and meshes to lists of stipples, each in order of priority
+ *
+ * The preprocessing of Lu et al. (2003, section 4): every element of the data, a voxel of a vtkImageData or a
+ * polygon of a vtkPolyData, gets a list of stipples once. Whatever depends on the camera, vtkInkStippleMapper
+ * does by drawing the beginnings of these lists.
+ *
+ * Volumes: a voxel, the cube of one sample step around a point of the image, gets MaximumStipples stipples
+ * when its gradient is steep enough, see SetThresholdMode, and its value lies in the ScalarWindow, if there
+ * is one. They lie in the voxel between the planes p1 and p2 beside its tangent plane, see SetLayerThickness,
+ * and are spread evenly in it and across its neighbours: seen along the surface's normal they are close to a
+ * Poisson-disc sampling, and so are the first n of all voxels for every n. The gradient is by default that of
+ * the 4D linear regression that the paper uses (section 4.1), see vtkInkGradient.
+ *
+ * Surfaces: the whole mesh is sampled as by vtkInkSurfaceSampler, as blue noise in order of priority, and
+ * each polygon gets those of the samples that lie in it. So their number follows the area, and their pattern
+ * does not depend on how the surface is cut into polygons.
+ *
+ * Output: the points are the stipples, element by element; one VTK_POLY_VERTEX cell (which
+ * VTK calls VTK_VERTEX where it holds one point) for each element that has any holds its list, in order of
+ * priority. Cell data: `Normals` (unit; out of the denser side, or out of the front of the polygon: the mean
+ * of its points' normals where the mesh has some); of volumes also `GradientMagnitude` (0 to 1, relative to
+ * the magnitude below which 99 of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's
+ * range); with PassScalars the scalars for colours, under their own name and as active scalars. Point data,
+ * of surfaces only: `Priority`, of all stipples together. Field data: `ElementKind` (0 volume, 1 surface),
+ * `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area), `StipplesPerElement`
+ * (MaximumStipples; for surfaces the mean over all polygons), of volumes also `ScalarRange` and
+ * `GradientMagnitudeRange`, which 0 and 1 stand for.
+ *
+ * The same input gives the same stipples on any number of threads. Of an image, the whole is asked for
+ * whatever piece is asked of this filter, because thresholds and ranges are those of the whole; the pieces'
+ * stipples are then together exactly the whole's. Where a source can only give a part, as a simulation in
+ * distributed memory does, the part is stippled for itself, by its own statistics and without those of its
+ * neighbours; cells marked as duplicates say which voxels are another part's. Pieces of a mesh are sampled
+ * each for itself, too.
+ *
+ * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
+ * gives none, which is no error. Errors, each with an empty output: no such point array, ArrayComponent
+ * beyond its components, a spacing of zero or a direction matrix without inverse, a mesh without polygons or
+ * without area, an array to pass that is not there, more stipples than memory.
+ *
+ * @sa vtkInkStippleMapper vtkInkGradient vtkInkSurfaceSampler
+ */
+#ifndef vtkInkStippleGenerator_h
+#define vtkInkStippleGenerator_h
+
+#include "vtkInkFiltersSamplingModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkImageData;
+
+class VTKINKFILTERSSAMPLING_EXPORT vtkInkStippleGenerator : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkInkStippleGenerator* New();
+  vtkTypeMacro(vtkInkStippleGenerator, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * N_max: the stipples in a voxel's list, and on average in a polygon's. Default: 8; range 1 to 64. More
+   * let the mapper go nearer before the lists are used up, and take memory in proportion.
+   */
+  vtkSetClampMacro(MaximumStipples, int, 1, 64);
+  vtkGetMacro(MaximumStipples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Surfaces: the number of all stipples. 0, the default: MaximumStipples for each polygon, so that it
+   * does depend on the number of polygons. With a number given, the pattern depends on the surface alone.
+   */
+  vtkSetClampMacro(NumberOfSurfaceStipples, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(NumberOfSurfaceStipples, vtkIdType);
+  ///@}
+
+  /// What a gradient is compared with, see SetThresholdMode.
+  enum ThresholdModeType
+  {
+    PERCENTILE = 0,
+    MAGNITUDE = 1
+  };
+
+  ///@{
+  /**
+   * Which voxels are stippled. PERCENTILE (default): those with a gradient as steep as that of the upper part
+   * of all voxels, see SetGradientPercentile. MAGNITUDE: those with at least GradientThreshold. A gradient of
+   * 0 never passes.
+   */
+  vtkSetClampMacro(ThresholdMode, int, PERCENTILE, MAGNITUDE);
+  vtkGetMacro(ThresholdMode, int);
+  void SetThresholdModeToPercentile() { this->SetThresholdMode(PERCENTILE); }
+  void SetThresholdModeToMagnitude() { this->SetThresholdMode(MAGNITUDE); }
+  ///@}
+
+  ///@{
+  /**
+   * How many percent of the image's voxels have a gradient too small for stipples, to within a hundredth of
+   * the gradient. Default: 95; range 0 to 100. Less shows weaker boundaries, and more noise.
+   */
+  vtkSetClampMacro(GradientPercentile, double, 0.0, 100.0);
+  vtkGetMacro(GradientPercentile, double);
+  ///@}
+
+  ///@{
+  /**
+   * The smallest gradient magnitude with stipples, in value per world unit. Default: 0, all that is not
+   * constant; range from 0 on.
+   */
+  vtkSetClampMacro(GradientThreshold, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(GradientThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * The distance between the planes p1 and p2 in voxel edges. Default: 1, which fills flat surfaces without
+   * gaps between layers of voxels; range 0 (all on the tangent plane) to 2 (from 1.73 on anywhere in the
+   * voxel). Thin layers are sharper seen from the side, but show the voxels there.
+   */
+  vtkSetClampMacro(LayerThickness, double, 0.0, 2.0);
+  vtkGetMacro(LayerThickness, double);
+  ///@}
+
+  /// How gradients are estimated, see SetGradientMethod.
+  enum GradientMethodType
+  {
+    CENTRAL_DIFFERENCE = 0,
+    REGRESSION = 1
+  };
+
+  ///@{
+  /**
+   * CENTRAL_DIFFERENCE: sharper, for data without noise. REGRESSION (default): 4D linear regression over 3 x
+   * 3 x 3 points, which also smooths the value.
+   */
+  vtkSetClampMacro(GradientMethod, int, CENTRAL_DIFFERENCE, REGRESSION);
+  vtkGetMacro(GradientMethod, int);
+  void SetGradientMethodToCentralDifference() { this->SetGradientMethod(CENTRAL_DIFFERENCE); }
+  void SetGradientMethodToRegression() { this->SetGradientMethod(REGRESSION); }
+  ///@}
+
+  ///@{
+  /**
+   * Volumes: stipple only voxels whose value, smoothed by the regression, lies in ScalarWindow: a material,
+   * or a band around an iso-value. Default: off.
+   */
+  vtkSetMacro(UseScalarWindow, bool);
+  vtkGetMacro(UseScalarWindow, bool);
+  vtkBooleanMacro(UseScalarWindow, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The lowest and the highest value with stipples, in the scalars' unit. Default: 0 and 0.
+   */
+  vtkSetVector2Macro(ScalarWindow, double);
+  vtkGetVector2Macro(ScalarWindow, double);
+  ///@}
+
+  ///@{
+  /**
+   * Give the elements scalars to be coloured by: the array that SetInputArrayToProcess(1, ...) names, of the
+   * image's points or of the mesh's points or cells, or without a name the active point scalars. A polygon
+   * takes the mean of its first three points. Default: off.
+   */
+  vtkSetMacro(PassScalars, bool);
+  vtkGetMacro(PassScalars, bool);
+  vtkBooleanMacro(PassScalars, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Another seed gives other stipples, just as good. Default: 0.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Volumes: the component of the input scalars that counts. Default: 0.
+   */
+  vtkSetClampMacro(ArrayComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(ArrayComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): that of a mesh's points;
+   * for an image single unless it lies so far from the origin that single precision would move points by
+   * more than a thousandth of the smallest spacing.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+protected:
+  vtkInkStippleGenerator();
+  ~vtkInkStippleGenerator() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkInkStippleGenerator(const vtkInkStippleGenerator&) = delete;
+  void operator=(const vtkInkStippleGenerator&) = delete;
+
+  void StippleVolume(vtkInformationVector** input, vtkInformation* outInfo, vtkPolyData* output);
+  void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
+  /// The array for colours, null when none is wanted; `ofCells` says whose it is.
+  vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);
+  bool ReportProgress(double share);
+
+  int MaximumStipples = 8;
+  vtkIdType NumberOfSurfaceStipples = 0;
+  int ThresholdMode = PERCENTILE;
+  double GradientPercentile = 95.0;
+  double GradientThreshold = 0.0;
+  double LayerThickness = 1.0;
+  int GradientMethod = REGRESSION;
+  bool UseScalarWindow = false;
+  double ScalarWindow[2] = { 0.0, 0.0 };
+  bool PassScalars = false;
+  int Seed = 0;
+  int ArrayComponent = 0;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+};
+
+#endif

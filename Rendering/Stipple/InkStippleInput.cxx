@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStippleInput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+
+double FindNumber(vtkPolyData* data, const char* name, double missing)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : missing;
+}
+
+/// "Normals" (3), "Value" (1), ...
+std::string ListArrays(vtkFieldData* data)
+{
+  std::ostringstream list;
+  const char* separator = "";
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = data->GetArray(i))
+    {
+      list << separator << '"' << (array->GetName() ? array->GetName() : "") << "\" ("
+           << array->GetNumberOfComponents() << ')';
+      separator = ", ";
+    }
+  }
+  return *separator ? list.str() : "none";
+}
+
+bool IsCellArray(vtkDataArray* array, int components, vtkIdType cells)
+{
+  return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == cells;
+}
+
+/// Whether cell e holds the points offset[e], offset[e] + 1 ... and all cells together all points.
+bool HoldsPointsInOrder(vtkCellArray* cells, vtkIdType points)
+{
+  vtkDataArray* connectivity = cells->GetConnectivityArray();
+  if (connectivity->GetNumberOfTuples() != points)
+  {
+    return false;
+  }
+  vtkIdType expected = 0;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCellAtId(cell, size, ids);
+    for (vtkIdType i = 0; i < size; ++i, ++expected)
+    {
+      if (ids[i] != expected)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+InkStippleInput::InkStippleInput(vtkPolyData* data)
+  : Data(data)
+  , Normals(data->GetCellData()->GetArray("Normals"))
+  , GradientMagnitudes(data->GetCellData()->GetArray("GradientMagnitude"))
+  , Values(data->GetCellData()->GetArray("Value"))
+  , Surface(FindNumber(data, "ElementKind", this->GradientMagnitudes ? 0.0 : 1.0) != 0.0)
+  , ElementSize(FindNumber(data, "ElementSize", 0.0))
+  , StipplesPerElement(FindNumber(data, "StipplesPerElement", 0.0))
+{
+}
+
+std::string InkStippleInput::FindProblem() const
+{
+  vtkCellArray* cells = this->Data->GetVerts();
+  const vtkIdType elements = cells->GetNumberOfCells();
+  const vtkIdType points = this->Data->GetNumberOfPoints();
+  std::ostringstream problem;
+  if (this->Data->GetNumberOfCells() != elements || !HoldsPointsInOrder(cells, points))
+  {
+    problem << "Expected stipples as vtkInkStippleGenerator makes them: one poly-vertex for each element, "
+               "together all points in their order. Found "
+            << points << " points, " << elements << " vertex cells and "
+            << this->Data->GetNumberOfCells() - elements << " other cells.";
+    return problem.str();
+  }
+  const auto require = [&](vtkDataArray* array, const char* name, int components)
+  {
+    if (problem.str().empty() && !IsCellArray(array, components, elements))
+    {
+      problem << "No cell array \"" << name << "\" with " << components
+              << (components == 1 ? " component" : " components") << " for " << elements
+              << " elements. Cell arrays (components) in the input: " << ListArrays(this->Data->GetCellData())
+              << '.';
+    }
+  };
+  require(this->Normals, "Normals", 3);
+  if (!this->Surface)
+  {
+    require(this->GradientMagnitudes, "GradientMagnitude", 1);
+    require(this->Values, "Value", 1);
+  }
+  if (problem.str().empty() && !(this->ElementSize > 0.0 && std::isfinite(this->ElementSize)))
+  {
+    problem << "The field array \"ElementSize\" should hold the elements' size in world units, found "
+            << this->ElementSize
+            << ". Field arrays (components) in the input: " << ListArrays(this->Data->GetFieldData()) << '.';
+  }
+  return problem.str();
+}
+
+vtkMTimeType InkStippleInput::GetTime() const
+{
+  vtkMTimeType time = std::max(this->Data->GetPoints()->GetMTime(), this->Data->GetVerts()->GetMTime());
+  for (vtkDataArray* array : { this->Normals, this->GradientMagnitudes, this->Values })
+  {
+    time = std::max(time, array ? array->GetMTime() : 0);
+  }
+  return std::max(time, this->Data->GetFieldData()->GetMTime());
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStippleOccluder.h"
+
+#include "InkLocalFrame.h"
+#include "InkScopedState.h"
+
+#include "InkStippleOccluderFS.h"
+#include "InkStippleOccluderVS.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkCellArray.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPolyData.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTimeStamp.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+/// How far the surface lies behind its own stipples: twice as far as its depth changes within a pixel, and a
+/// few of the smallest steps of depth.
+constexpr float OffsetFactor = 2.0f;
+constexpr float OffsetUnits = 4.0f;
+
+} // namespace
+
+InkStippleDepth::InkStippleDepth(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size)
+  : Window(window)
+{
+  this->Texture->SetContext(window);
+  this->Texture->AllocateDepth(size[0], size[1], vtkTextureObject::Float32);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddDepthAttachment(this->Texture);
+  this->Framebuffer->DeactivateDrawBuffers();
+  const char* reason = nullptr;
+  this->Complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason);
+  state->PopFramebufferBindings();
+}
+
+InkStippleDepth::~InkStippleDepth()
+{
+  this->Framebuffer->ReleaseGraphicsResources(this->Window);
+  this->Texture->ReleaseGraphicsResources(this->Window);
+}
+
+InkStippleOccluder::InkStippleOccluder(vtkOpenGLRenderWindow* window)
+  : Window(window)
+{
+}
+
+InkStippleOccluder::~InkStippleOccluder()
+{
+  this->VertexArray->ReleaseGraphicsResources();
+  this->Buffer->ReleaseGraphicsResources();
+}
+
+void InkStippleOccluder::Update(vtkPolyData* surface, const InkLocalFrame& frame)
+{
+  const std::array<double, 4> place{ frame.Center[0], frame.Center[1], frame.Center[2], frame.Unit };
+  if (this->UploadTime > 0 && this->SurfaceTime == surface->GetMTime() && this->Frame == place)
+  {
+    return;
+  }
+  this->SurfaceTime = surface->GetMTime();
+  this->Frame = place;
+
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  vtkPolyData* output = triangles->GetOutput();
+  vtkCellArray* cells = output->GetPolys();
+  std::vector<float> vertices;
+  vertices.reserve(9 * static_cast<std::size_t>(cells->GetNumberOfCells()));
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCellAtId(cell, size, ids);
+    float corners[9];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      double p[3];
+      output->GetPoint(ids[corner], p);
+      frame.ToLocal(p, corners + 3 * corner);
+    }
+    if (std::all_of(corners, corners + 9, [](float c) { return std::isfinite(c); }))
+    {
+      vertices.insert(vertices.end(), corners, corners + 9);
+    }
+  }
+  this->NumberOfVertices = static_cast<int>(vertices.size() / 3);
+  if (this->NumberOfVertices > 0)
+  {
+    this->Buffer->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  vtkTimeStamp now;
+  now.Modified();
+  this->UploadTime = now.GetMTime();
+}
+
+void InkStippleOccluder::Draw(const InkView& view, std::unique_ptr<InkStippleDepth>& depth)
+{
+  if (depth && depth->View == view && depth->UploadTime == this->UploadTime)
+  {
+    return;
+  }
+  if (!depth || !depth->View || depth->View->Size != view.Size)
+  {
+    depth = std::make_unique<InkStippleDepth>(this->Window, view.Size);
+  }
+  depth->View = view;
+  depth->UploadTime = this->UploadTime;
+  if (!depth->Complete)
+  {
+    return;
+  }
+
+  vtkOpenGLState* state = this->Window->GetState();
+  const InkScopedState scoped(state);
+  depth->Framebuffer->Bind();
+  state->vtkglViewport(0, 0, view.Size[0], view.Size[1]);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  vtkShaderProgram* program =
+    this->Window->GetShaderCache()->ReadyShaderProgram(InkStippleOccluderVS, InkStippleOccluderFS, "");
+  if (!program)
+  {
+    return;
+  }
+  if (this->ProgramHandle != program->GetHandle())
+  {
+    // This deletes the binding: it goes before Bind.
+    this->VertexArray->ShaderProgramChanged();
+    this->VertexArray->Bind();
+    this->VertexArray->AddAttributeArray(
+      program, this->Buffer, "pointMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+    this->ProgramHandle = program->GetHandle();
+  }
+  else
+  {
+    this->VertexArray->Bind();
+  }
+  view.SetUniforms(program);
+  // vtkOpenGLState does not know the offset.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(OffsetFactor, OffsetUnits);
+  glDrawArrays(GL_TRIANGLES, 0, this->NumberOfVertices);
+  glPolygonOffset(0.0f, 0.0f);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  this->VertexArray->Release();
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkStippleOccluder_h
+#define InkStippleOccluder_h
+
+#include "InkView.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <memory>
+#include <optional>
+
+struct InkLocalFrame;
+class vtkOpenGLBufferObject;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkPolyData;
+class vtkTextureObject;
+
+/// The depth image of a view of the surface that hides stipples.
+struct InkStippleDepth
+{
+  InkStippleDepth(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size);
+  ~InkStippleDepth();
+  InkStippleDepth(const InkStippleDepth&) = delete;
+  void operator=(const InkStippleDepth&) = delete;
+
+  vtkOpenGLRenderWindow* Window;
+  vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  bool Complete = false;
+  std::optional<InkView> View; ///< that it shows
+  vtkMTimeType UploadTime = 0; ///< of the surface that it shows
+};
+
+/// A surface on the GPU that hides stipples behind it (Lu et al. 2003, section 3): it is only ever drawn into
+/// depth images, with a polygon offset.
+class InkStippleOccluder
+{
+public:
+  explicit InkStippleOccluder(vtkOpenGLRenderWindow* window);
+  ~InkStippleOccluder();
+  InkStippleOccluder(const InkStippleOccluder&) = delete;
+  void operator=(const InkStippleOccluder&) = delete;
+
+  /// Takes a surface's polygons and strips. Does nothing when they are those that it has.
+  void Update(vtkPolyData* surface, const InkLocalFrame& frame);
+  bool IsEmpty() const { return this->NumberOfVertices == 0; }
+
+  /// Brings a depth image up to date; an image of another size or window is made anew.
+  void Draw(const InkView& view, std::unique_ptr<InkStippleDepth>& depth);
+
+private:
+  vtkOpenGLRenderWindow* Window;
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  int ProgramHandle = 0;
+  int NumberOfVertices = 0;
+  vtkMTimeType SurfaceTime = 0;
+  std::array<double, 4> Frame{};
+  vtkMTimeType UploadTime = 0;
+};
+
+#endif

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStipplePasses.h"
+
+#include "InkRenderPasses.h"
+#include "InkScopedState.h"
+#include "InkStippleOccluder.h"
+#include "InkStipplePoints.h"
+#include "InkStippleUniforms.h"
+#include "InkStippleView.h"
+#include "InkView.h"
+
+#include "InkStippleFS.h"
+#include "InkStippleIdFS.h"
+#include "InkStippleResultFS.h"
+#include "InkStippleVS.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <cstddef>
+
+/// A form of the shaders and its binding to the buffer.
+struct InkStipplePasses::Pass
+{
+  std::string VertexShader = InkStippleVS;
+  std::string FragmentShader;
+  std::string GeometryShader;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  int ProgramHandle = 0;
+};
+
+InkStipplePasses::InkStipplePasses(vtkOpenGLRenderWindow* window)
+  : Window(window)
+  , Textures(window)
+  , IdPass(std::make_unique<Pass>())
+  , ResultPass(std::make_unique<Pass>())
+{
+  this->IdPass->FragmentShader = InkStippleIdFS;
+  this->ResultPass->FragmentShader = InkStippleResultFS;
+  float range[2] = { 1.0f, 1.0f };
+  glGetFloatv(GL_POINT_SIZE_RANGE, range);
+  this->LargestPoint = range[1];
+  int units = 1;
+  glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
+  this->LastTextureUnit = units - 1;
+}
+
+InkStipplePasses::~InkStipplePasses()
+{
+  for (auto& [shader, pass] : this->DrawPasses)
+  {
+    pass->VertexArray->ReleaseGraphicsResources();
+  }
+  this->IdPass->VertexArray->ReleaseGraphicsResources();
+  this->ResultPass->VertexArray->ReleaseGraphicsResources();
+  this->Buffer->ReleaseGraphicsResources();
+}
+
+std::string InkStipplePasses::Upload(const InkStipplePoints& points)
+{
+  if (!points.GetVertices().empty())
+  {
+    this->Buffer->Upload(points.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  vtkTimeStamp now;
+  now.Modified();
+  this->UploadTime = now.GetMTime();
+  return this->Textures.Upload(points);
+}
+
+vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
+{
+  vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
+    pass.VertexShader.c_str(), pass.FragmentShader.c_str(), pass.GeometryShader.c_str());
+  if (!program)
+  {
+    return nullptr;
+  }
+  if (pass.ProgramHandle != program->GetHandle())
+  {
+    // This deletes the binding: it goes before Bind.
+    pass.VertexArray->ShaderProgramChanged();
+    pass.VertexArray->Bind();
+    pass.VertexArray->AddAttributeArray(program, this->Buffer, "pointMC",
+      offsetof(InkStipplePoints::Vertex, Position), sizeof(InkStipplePoints::Vertex), VTK_FLOAT, 3, false);
+    // vtkOpenGLVertexArrayObject would turn the integers into floats.
+    this->Buffer->Bind();
+    const int location = glGetAttribLocation(program->GetHandle(), "elementAndRank");
+    glEnableVertexAttribArray(location);
+    glVertexAttribIPointer(location, 1, GL_UNSIGNED_INT, sizeof(InkStipplePoints::Vertex),
+      reinterpret_cast<const void*>(offsetof(InkStipplePoints::Vertex, ElementAndRank)));
+    this->Buffer->Release();
+    pass.ProgramHandle = program->GetHandle();
+  }
+  else
+  {
+    pass.VertexArray->Bind();
+  }
+  const auto scale = static_cast<float>(scene.View.TileScale);
+  scene.View.SetUniforms(program);
+  InkSetStippleUniforms(program, scene.Tone, scene.ToneView, scale);
+  this->Textures.Activate(program);
+  program->SetUniformi("rankBits", scene.Points.GetRankBits());
+  const float color[3] = { static_cast<float>(scene.InkColor[0]), static_cast<float>(scene.InkColor[1]),
+    static_cast<float>(scene.InkColor[2]) };
+  program->SetUniform3f("inkColor", color);
+  program->SetUniformf("largestPoint", this->LargestPoint);
+  program->SetUniformi("occluded", scene.Occluder != nullptr);
+  program->SetUniformf("occluderOffset", scene.OccluderOffset);
+  if (scene.Occluder)
+  {
+    scene.Occluder->Texture->Activate();
+    program->SetUniformi("occluder", scene.Occluder->Texture->GetTextureUnit());
+  }
+  else
+  {
+    // Samplers of different kinds must not share a unit, also if one of them is not looked at.
+    program->SetUniformi("occluder", this->LastTextureUnit);
+  }
+  const float nowhere[2] = { 0.0f, 0.0f };
+  program->SetUniform2f("resultSize", nowhere);
+  return program;
+}
+
+void InkStipplePasses::End(Pass& pass, const Scene& scene)
+{
+  if (scene.Occluder)
+  {
+    scene.Occluder->Texture->Deactivate();
+  }
+  this->Textures.Deactivate();
+  pass.VertexArray->Release();
+}
+
+InkStippleRuns InkStipplePasses::FindRuns(const Scene& scene) const
+{
+  const float scale = static_cast<float>(scene.View.TileScale);
+  const float largest = std::min(scene.Tone.largestDiameter(scene.ToneView.Tone) * scale, this->LargestPoint);
+  InkStippleRuns runs;
+  runs.Find(scene.Points.GetBlocks(), scene.View, scene.Tone, scene.ToneView.Tone, 0.5f * largest + 1.0f);
+  return runs;
+}
+
+void InkStipplePasses::DrawRuns(const InkStippleRuns& runs)
+{
+  this->Processed = runs.GetNumberOfStipples();
+  if (runs.Firsts.empty())
+  {
+    return;
+  }
+  // vtkOpenGLState does not know this one.
+  const bool wasEnabled = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glMultiDrawArrays(GL_POINTS, runs.Firsts.data(), runs.Counts.data(), static_cast<int>(runs.Firsts.size()));
+  if (!wasEnabled)
+  {
+    glDisable(GL_PROGRAM_POINT_SIZE);
+  }
+}
+
+void InkStipplePasses::Draw(
+  const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses)
+{
+  auto form = std::make_unique<Pass>();
+  form->FragmentShader = InkStippleFS;
+  renderPasses.ReplaceShaderValues(form->VertexShader, form->GeometryShader, form->FragmentShader);
+  std::unique_ptr<Pass>& pass = this->DrawPasses[form->VertexShader + form->FragmentShader];
+  if (!pass)
+  {
+    pass = std::move(form);
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  if (vtkShaderProgram* program = this->Begin(*pass, scene))
+  {
+    const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
+    program->SetUniform2f("viewportOrigin", origin);
+    program->SetUniformf("actorOpacity", static_cast<float>(opacity));
+    renderPasses.SetShaderParameters(program, pass->VertexArray);
+    this->DrawRuns(this->FindRuns(scene));
+    this->End(*pass, scene);
+  }
+}
+
+void InkStipplePasses::DrawIds(
+  const Scene& scene, const int viewportOrigin[2], int idShift, const float propColor[3])
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  if (vtkShaderProgram* program = this->Begin(*this->IdPass, scene))
+  {
+    const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
+    program->SetUniform2f("viewportOrigin", origin);
+    program->SetUniformi("idShift", idShift);
+    program->SetUniform3f("propColor", propColor);
+    this->DrawRuns(this->FindRuns(scene));
+    this->End(*this->IdPass, scene);
+  }
+}
+
+std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType count)
+{
+  constexpr vtkIdType width = 2048;
+  const vtkIdType height = (count + width - 1) / width;
+  int largest = 0;
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (count == 0 || height > largest || width > largest)
+  {
+    return {};
+  }
+  const InkScopedState scoped(state);
+  vtkNew<vtkTextureObject> images[2];
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+  framebuffer->SetContext(this->Window);
+  framebuffer->Bind();
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    images[i]->SetContext(this->Window);
+    images[i]->Allocate2D(width, static_cast<unsigned int>(height), 4, VTK_FLOAT);
+    framebuffer->AddColorAttachment(i, images[i]);
+  }
+  framebuffer->ActivateDrawBuffers(2);
+  const char* reason = nullptr;
+  std::vector<float> results;
+  if (vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason))
+  {
+    state->vtkglViewport(0, 0, static_cast<int>(width), static_cast<int>(height));
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDisable(GL_STENCIL_TEST);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    if (vtkShaderProgram* program = this->Begin(*this->ResultPass, scene))
+    {
+      const float size[2] = { static_cast<float>(width), static_cast<float>(height) };
+      program->SetUniform2f("resultSize", size);
+      InkStippleRuns runs;
+      runs.Fill(scene.Points.GetBlocks());
+      this->DrawRuns(runs);
+      this->End(*this->ResultPass, scene);
+      results.resize(6 * static_cast<std::size_t>(count));
+      std::vector<float> pixels(4 * static_cast<std::size_t>(width * height));
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        framebuffer->ActivateReadBuffer(i);
+        glReadPixels(
+          0, 0, static_cast<int>(width), static_cast<int>(height), GL_RGBA, GL_FLOAT, pixels.data());
+        for (std::size_t point = 0; point < static_cast<std::size_t>(count); ++point)
+        {
+          std::copy_n(&pixels[4 * point], 3, &results[6 * point + 3 * i]);
+        }
+      }
+    }
+  }
+  framebuffer->ReleaseGraphicsResources(this->Window);
+  for (auto& image : images)
+  {
+    image->ReleaseGraphicsResources(this->Window);
+  }
+  return results;
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkStipplePasses_h
+#define InkStipplePasses_h
+
+#include "InkStippleBlocks.h"
+#include "InkStippleTextures.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class InkRenderPasses;
+class InkStipplePoints;
+struct InkStippleDepth;
+struct InkStippleView;
+struct InkView;
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+
+/// The stipples on the GPU and the draw calls over them, for one window.
+class InkStipplePasses
+{
+public:
+  explicit InkStipplePasses(vtkOpenGLRenderWindow* window);
+  ~InkStipplePasses();
+  InkStipplePasses(const InkStipplePasses&) = delete;
+  void operator=(const InkStipplePasses&) = delete;
+
+  vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
+
+  /// @return why that cannot be done, for the user; empty if it can
+  std::string Upload(const InkStipplePoints& points);
+  /// When Upload was last called, on VTK's clock; 0: never.
+  vtkMTimeType GetUploadTime() const { return this->UploadTime; }
+
+  /// All that a picture depends on.
+  struct Scene
+  {
+    const InkView& View;
+    const InkStipplePoints& Points;
+    const ink::StippleTone& Tone;
+    const InkStippleView& ToneView;
+    InkStippleDepth* Occluder; ///< null: nothing hides stipples
+    float OccluderOffset;      ///< view units
+    const double* InkColor;
+  };
+
+  /// The stipples into the caller's framebuffer, viewport and blending; the viewport's origin is given. The
+  /// render passes that the actor takes part in may change the shader.
+  void Draw(
+    const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses);
+
+  /// The stipples in the colours that encode 24 bits of their ids, from bit idShift on, or, if idShift is
+  /// negative, in propColor.
+  void DrawIds(const Scene& scene, const int viewportOrigin[2], int idShift, const float propColor[3]);
+
+  /// What each of `count` points of the input comes to: T, opacity, diameter, red, green, blue; opacity 0 for
+  /// what is not drawn. Empty if this OpenGL cannot do it.
+  std::vector<float> FindResults(const Scene& scene, vtkIdType count);
+
+  /// How many stipples the last Draw had to look at.
+  vtkIdType GetNumberOfProcessedStipples() const { return this->Processed; }
+
+private:
+  struct Pass;
+
+  vtkShaderProgram* Begin(Pass& pass, const Scene& scene);
+  InkStippleRuns FindRuns(const Scene& scene) const;
+  void DrawRuns(const InkStippleRuns& runs);
+  void End(Pass& pass, const Scene& scene);
+
+  vtkOpenGLRenderWindow* Window;
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  InkStippleTextures Textures;
+  vtkMTimeType UploadTime = 0;
+  vtkIdType Processed = 0;
+  float LargestPoint = 1.0f;
+  int LastTextureUnit = 0;
+  /// One for each form that render passes give the shaders.
+  std::map<std::string, std::unique_ptr<Pass>> DrawPasses;
+  std::unique_ptr<Pass> IdPass;
+  std::unique_ptr<Pass> ResultPass;
+};
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkStippleTextures_h
+#define InkStippleTextures_h
+
+#include "vtkNew.h"
+
+#include <string>
+#include <vector>
+
+class InkStipplePoints;
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+
+/// What the shader looks up for each element, in texture buffers.
+class InkStippleTextures
+{
+public:
+  explicit InkStippleTextures(vtkOpenGLRenderWindow* window);
+  ~InkStippleTextures();
+  InkStippleTextures(const InkStippleTextures&) = delete;
+  void operator=(const InkStippleTextures&) = delete;
+
+  /// @return why that cannot be done, for the user; empty if it can
+  std::string Upload(const InkStipplePoints& points);
+
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+
+private:
+  struct Buffer
+  {
+    vtkNew<vtkOpenGLBufferObject> Data;
+    vtkNew<vtkTextureObject> Texture;
+    bool Filled = false;
+  };
+  template <typename T>
+  void Fill(
+    Buffer& buffer, const std::vector<T>& values, int components, int type, unsigned int internalFormat);
+
+  vtkOpenGLRenderWindow* Window;
+  Buffer Shapes;
+  Buffer Values;
+  Buffer Lists;
+  Buffer Colors;
+};
+
+#endif

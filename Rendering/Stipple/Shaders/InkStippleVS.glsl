@@ -1,0 +1,260 @@
+//VTK::System::Dec
+
+// Lu et al. 2003, sections 4.3 and 5: how many of its element's stipples are drawn, and so whether this one is,
+// how large and in which colour. Common/Tone has the same in C++, function by function, and says more.
+
+in vec3 pointMC;    // in the local frame
+in uint elementAndRank; // the element's number, and in the lowest bits the stipple's place in its list
+
+uniform int rankBits;
+uniform samplerBuffer elementShapes;  // normal, gradient magnitude
+uniform samplerBuffer elementValues;  // value, random
+uniform usamplerBuffer elementLists;  // first point's id, length
+uniform samplerBuffer elementColors;
+uniform bool ownColors;               // whether there are elementColors
+uniform vec3 inkColor;
+
+uniform mat4 MCVCMatrix;
+uniform mat3 normalMatrix;
+uniform mat4 VCDCMatrix;
+uniform vec4 eyeVC;         // perspective: (0,0,0,1); parallel: (0,0,1,0)
+uniform vec2 viewportSize;  // pixels
+uniform float largestPoint; // pixels
+uniform int clipPlaneCount;
+uniform vec4 clipPlanesVC[6];
+
+// The surface that hides stipples behind it; see the occluder's shaders.
+uniform bool occluded;
+uniform sampler2D occluder;
+uniform float occluderOffset; // view units towards the eye
+
+// StippleTone::View
+uniform float listed;
+uniform float maximumStipples;
+uniform float smallness;
+uniform float nearest;
+uniform float middle;
+uniform float halfRange;
+
+// StippleTone
+uniform bool surface;
+uniform bool twoSided;
+uniform bool boundaryOn;
+uniform bool silhouetteOn;
+uniform bool resolutionOn;
+uniform bool lightingOn;
+uniform bool distanceOn;
+uniform bool interiorOn;
+uniform vec3 boundary;            // k_gc, k_gs, k_ge
+uniform vec3 silhouette;          // k_sc, k_ss, k_se
+uniform vec2 resolution;          // k_rc, k_nz
+uniform vec2 lighting;            // k_le, cosine of the facing angle
+uniform bool lightInk;
+uniform vec2 distanceK;           // k_de, size
+uniform vec2 interior;            // k_ie, size
+uniform bool probability;
+uniform float fade;
+uniform float valueEffect;
+uniform bool growing;
+uniform bool appearBySize;
+uniform float diameter;           // pixels
+uniform vec3 warm;                // hue, lightness, saturation
+uniform vec3 cool;
+uniform vec3 warmCool;            // weights of tone and distance, amount
+
+uniform int lightCount;
+uniform vec4 lightPositions[8];
+uniform float lightIntensities[8];
+
+// Where to write what each stipple comes to instead of drawing it: pixels of an image; 0: nowhere.
+uniform vec2 resultSize;
+
+flat out vec4 dotVSOutput;   // centre and radius in pixels, intensity
+flat out vec3 colorVSOutput;
+flat out vec3 toneVSOutput;  // T, opacity, diameter
+flat out int idVSOutput;
+
+float power(float base, float exponent)
+{
+  return base > 0.0 ? pow(base, exponent) : (base == 0.0 && exponent == 0.0 ? 1.0 : 0.0);
+}
+
+float distanceFactor(float depth)
+{
+  float z = clamp(depth, -1.0, 1.0);
+  return distanceOn ? 1.0 + (z < 0.0 ? -1.0 : 1.0) * power(abs(z), distanceK.x) : 1.0;
+}
+
+float part(float tone, float rank, float random)
+{
+  float number = tone;
+  float width = fade;
+  if (probability)
+  {
+    number += smallness * (random - 0.5);
+    width *= 1.0 - smallness;
+  }
+  else
+  {
+    width += smallness * (1.0 - width);
+  }
+  float beyond = number - rank - 0.5;
+  return width < 1e-3 ? step(0.0, beyond) : clamp(beyond / width + 0.5, 0.0, 1.0);
+}
+
+vec3 rgbFromHls(vec3 hls)
+{
+  float amplitude = hls.z * min(hls.y, 1.0 - hls.y);
+  vec3 k = 12.0 * fract(hls.x + vec3(0.0, 8.0, 4.0) / 12.0);
+  return hls.y - amplitude * clamp(min(k - 3.0, 9.0 - k), -1.0, 1.0);
+}
+
+vec3 mixHls(vec3 from, vec3 to, float t)
+{
+  float fromHue = from.z > 0.0 ? from.x : to.x;
+  float toHue = to.z > 0.0 ? to.x : fromHue;
+  float way = toHue - fromHue;
+  way -= sign(way) * floor(abs(way) + 0.5);
+  return vec3(fract(fromHue + t * way), mix(from.yz, to.yz, t));
+}
+
+void main()
+{
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside, for stipples that are left out
+  gl_PointSize = 1.0;
+  dotVSOutput = vec4(0.0);
+  colorVSOutput = vec3(0.0);
+  toneVSOutput = vec3(0.0);
+  idVSOutput = 0;
+
+  int element = int(elementAndRank >> uint(rankBits));
+  int rank = int(elementAndRank & ((1u << uint(rankBits)) - 1u));
+  vec4 shape = texelFetch(elementShapes, element);
+  vec2 valueRandom = texelFetch(elementValues, element).rg;
+  uvec2 list = texelFetch(elementLists, element).rg;
+  float gradientMagnitude = shape.w;
+  float value = power(valueRandom.x, valueEffect);
+
+  vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
+  vec3 normal = normalize(normalMatrix * shape.xyz);
+  vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
+  toEye = toEye == vec3(0.0) ? normal : normalize(toEye);
+  float distanceFromEye = -position.z;
+  float depth = (middle - distanceFromEye) / halfRange;
+  float cosine = dot(normal, toEye);
+  bool drawn;
+  if (surface)
+  {
+    drawn = twoSided || cosine > 0.0;
+    normal = cosine < 0.0 ? -normal : normal;
+    cosine = abs(cosine);
+  }
+  else
+  {
+    drawn = !lightingOn || cosine >= lighting.y;
+  }
+
+  float lit = 0.0;
+  float lightCosine = -1.0;
+  for (int i = 0; i < lightCount; ++i)
+  {
+    vec3 towards = lightPositions[i].xyz - lightPositions[i].w * position.xyz;
+    float reach = length(towards);
+    float c = reach > 0.0 ? dot(normal, towards) / reach : 1.0;
+    lightCosine = max(lightCosine, min(c, 1.0));
+    lit += c > 0.0 ? lightIntensities[i] * power(min(c, 1.0), lighting.x) : 0.0;
+  }
+  lit = min(lit, 1.0);
+
+  // Table 1, in the paper's order.
+  float factors = 1.0;
+  if (!surface && boundaryOn)
+  {
+    factors *= value * (boundary.x + boundary.y * power(gradientMagnitude, boundary.z));
+  }
+  if (!surface && silhouetteOn)
+  {
+    factors *= value * (silhouette.x + silhouette.y * (1.0 - power(abs(cosine), silhouette.z)));
+  }
+  float byDistance = 1.0;
+  if (resolutionOn)
+  {
+    byDistance = eyeVC.w == 0.0 ? 1.0 : power(distanceFromEye / nearest, resolution.x);
+    factors *= power(min(abs(cosine), 1.0), resolution.y);
+  }
+  if (lightingOn)
+  {
+    factors *= lightInk ? lit : 1.0 - lit;
+  }
+  float distanceT = distanceFactor(depth);
+  factors *= distanceT;
+  float interiorT = !surface && interiorOn ? power(gradientMagnitude, interior.x) : 1.0;
+  factors *= interiorT;
+
+  float listLength = float(list.y);
+  float room = maximumStipples / listed * byDistance;
+  float tone = listLength * (growing ? min(room, 1.0) : room) * factors;
+  float opacity = drawn && float(rank) < listLength ? part(tone, float(rank), valueRandom.y) : 0.0;
+  float size = diameter * (1.0 + distanceK.y * (distanceT - 1.0)) * (1.0 + interior.y * (interiorT - 1.0));
+  size *= growing ? sqrt(max(room, 1.0)) : 1.0;
+  if (appearBySize && opacity > 0.0)
+  {
+    size *= sqrt(opacity);
+    opacity = 1.0;
+  }
+
+  vec3 color = ownColors ? texelFetch(elementColors, element).rgb : inkColor;
+  float weights = warmCool.x + warmCool.y;
+  if (warmCool.z > 0.0 && weights > 0.0)
+  {
+    float warmth = (warmCool.x * (0.5 + 0.5 * lightCosine) +
+                     warmCool.y * (0.5 + 0.5 * clamp(depth, -1.0, 1.0))) / weights;
+    color = mix(color, rgbFromHls(mixHls(cool, warm, warmth)), warmCool.z);
+  }
+
+  for (int i = 0; i < clipPlaneCount; ++i)
+  {
+    opacity = dot(clipPlanesVC[i], position) < 0.0 ? 0.0 : opacity;
+  }
+  vec4 center = VCDCMatrix * position;
+  vec2 centerPixel = (0.5 * center.xy / center.w + 0.5) * viewportSize;
+  if (occluded && opacity > 0.0)
+  {
+    // Lifted a little towards the eye, but not behind it.
+    vec4 lifted = VCDCMatrix *
+      vec4(position.xyz + toEye * min(occluderOffset, max(0.5 * distanceFromEye, 0.0)), 1.0);
+    float hides = texelFetch(occluder, ivec2(clamp(centerPixel, vec2(0.0), viewportSize - 1.0)), 0).r;
+    opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
+  }
+  idVSOutput = int(list.x) + rank;
+  toneVSOutput = vec3(tone, opacity, size);
+  colorVSOutput = color;
+  if (resultSize.x > 0.0)
+  {
+    int width = int(resultSize.x);
+    vec2 pixel = vec2(float(idVSOutput % width), float(idVSOutput / width)) + 0.5;
+    gl_Position = vec4(2.0 * pixel / resultSize - 1.0, 0.0, 1.0);
+    return;
+  }
+  if (!(opacity > 0.0) || center.w <= 0.0)
+  {
+    return;
+  }
+
+  // A soft dot with a sharp one's area; see DotCoverage.h.
+  float square = 0.25 * size * size;
+  float radius = sqrt(max(square, 0.25 + 1.0 / 12.0) - 1.0 / 12.0);
+  radius = min(radius, 0.5 * largestPoint - 1.0);
+  dotVSOutput = vec4(centerPixel, radius, opacity * min(square / (0.25 + 1.0 / 12.0), 1.0));
+
+  // The part of the dot's box in the viewport: dots whose centre lies outside are drawn, too.
+  vec2 low = max(centerPixel - radius - 0.5, vec2(0.0));
+  vec2 high = min(centerPixel + radius + 0.5, viewportSize);
+  if (low.x >= high.x || low.y >= high.y)
+  {
+    return;
+  }
+  gl_Position = vec4((low + high) / viewportSize - 1.0, center.z / center.w, 1.0);
+  // A little more than the box, against rounding.
+  gl_PointSize = max(high.x - low.x, high.y - low.y) + 0.25;
+}

@@ -1,0 +1,144 @@
+// What stipples are made from: missing and odd arrays, empty input, values that are not finite.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestStipples.h"
+#include "StippleScene.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Voxels()
+{
+  return InkTestStipples::SphereVoxels(1.0, 0.15, 6);
+}
+
+/// One message, once for an input, and nothing drawn.
+void TestMessages(InkTestChecks& check)
+{
+  const struct
+  {
+    const char* Expected;
+    std::function<void(vtkPolyData*)> Spoil;
+  } cases[] = {
+    { "\"Normals\" with 3 components", [](vtkPolyData* d) { d->GetCellData()->RemoveArray("Normals"); } },
+    { "\"Value\" with 1 component", [](vtkPolyData* d) { d->GetCellData()->RemoveArray("Value"); } },
+    { "\"ElementSize\"", [](vtkPolyData* d) { d->GetFieldData()->RemoveArray("ElementSize"); } },
+    { "\"ElementSize\"",
+      [](vtkPolyData* d)
+      {
+        d->GetFieldData()
+          ->GetArray("ElementSize")
+          ->SetComponent(0, 0, std::numeric_limits<double>::quiet_NaN());
+      } },
+    { "one poly-vertex for each element", [](vtkPolyData* d) { d->SetVerts(nullptr); } },
+    { "one poly-vertex for each element",
+      [](vtkPolyData* d)
+      {
+        const vtkIdType first = 0;
+        d->GetVerts()->InsertNextCell(1, &first);
+      } },
+    { "normal that is not zero",
+      [](vtkPolyData* d) { vtkFloatArray::SafeDownCast(d->GetCellData()->GetArray("Normals"))->Fill(0.0); } },
+  };
+  for (const auto& [expected, spoil] : cases)
+  {
+    auto data = Voxels();
+    spoil(data);
+    StippleScene scene(data);
+    vtkNew<InkTestMessages> messages;
+    messages->Observe(scene.Mapper);
+    const double ink = InkTestImage(scene.Window).Ink();
+    scene.Window->Render();
+    check(ink == 0.0, "nothing drawn without ", expected);
+    check(messages->Messages.size() == 1 && messages->Messages[0].find(expected) != std::string::npos,
+      "one message with ", expected, ", got ", messages->Messages.size(), ": ",
+      messages->Messages.empty() ? "" : messages->Messages[0]);
+  }
+}
+
+void TestEmpty(InkTestChecks& check)
+{
+  vtkNew<vtkPolyData> empty;
+  StippleScene scene(empty);
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  check(InkTestImage(scene.Window).Ink() == 0.0 && messages->Messages.empty(), "an empty picture, silently");
+  vtkNew<vtkFloatArray> marks;
+  check(!scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks) && marks->GetNumberOfTuples() == 0,
+    "no marks");
+  scene.Mapper->SetInputData(Voxels());
+  scene.Renderer->ResetCamera();
+  check(InkTestImage(scene.Window).Ink() > 10.0, "stipples after that");
+}
+
+/// Elements and points with values that are not finite are passed over, the others are drawn as before.
+void TestPassedOver(InkTestChecks& check)
+{
+  auto data = Voxels();
+  StippleScene scene(data);
+  scene.AllOff();
+  scene.Window->Render();
+  vtkNew<vtkFloatArray> before;
+  scene.Mapper->FindMarks(scene.Renderer, scene.Actor, before);
+
+  auto spoilt = vtkSmartPointer<vtkPolyData>::New();
+  spoilt->DeepCopy(data);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  spoilt->GetPoints()->SetPoint(6 * 10 + 2, nan, 0.0, 0.0);
+  spoilt->GetPoints()->SetPoint(6 * 20 + 0, 0.0, infinite, 0.0);
+  spoilt->GetCellData()->GetArray("Normals")->SetComponent(30, 1, nan);
+  spoilt->GetCellData()->GetArray("Value")->SetComponent(40, 0, nan);
+  StippleScene other(spoilt);
+  other.AllOff();
+  other.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
+  other.Window->Render();
+  vtkNew<vtkFloatArray> after;
+  check(other.Mapper->FindMarks(other.Renderer, other.Actor, after), "marks of a spoilt input");
+  int different = 0;
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+  {
+    const vtkIdType cell = i / 6;
+    const bool spoiltPoint = i == 62 || i == 120 || cell == 30 || cell == 40;
+    check(!spoiltPoint || after->GetComponent(i, 1) == 0.0, "stipple ", i, " passed over");
+    different += !spoiltPoint && std::abs(after->GetComponent(i, 1) - before->GetComponent(i, 1)) > 1e-3;
+  }
+  check(different == 0, "the other stipples as before, but for ", different);
+  check(InkTestImage(other.Window).Ink() > 10.0, "ink");
+}
+
+/// A single stipple, and field data that say nothing of kind and number.
+void TestLittle(InkTestChecks& check)
+{
+  auto plane = InkTestStipples::PlaneSurface(1.0, 1, 1);
+  plane->GetFieldData()->RemoveArray("ElementKind");
+  plane->GetFieldData()->RemoveArray("StipplesPerElement");
+  StippleScene scene(plane);
+  scene.AllOff();
+  scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 5.0);
+  scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+  scene.Renderer->ResetCameraClippingRange(-1, 1, -1, 1, -1, 1);
+  check(InkTestImage(scene.Window).Ink() > 2.0, "one stipple, ", InkTestImage(scene.Window).Ink());
+}
+
+} // namespace
+
+int TestStippleInput(int, char*[])
+{
+  InkTestChecks check;
+  TestMessages(check);
+  TestEmpty(check);
+  TestPassedOver(check);
+  TestLittle(check);
+  return check.Result();
+}

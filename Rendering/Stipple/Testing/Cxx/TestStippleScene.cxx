@@ -1,0 +1,341 @@
+// Stipples among other things: hidden by surfaces, clipped, in windows of all kinds, selected, far from the
+// origin.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestStipples.h"
+#include "StippleScene.h"
+
+#include "vtkDataObject.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkPlane.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Voxels()
+{
+  return InkTestStipples::SphereVoxels(1.0, 0.08, 12);
+}
+
+vtkSmartPointer<vtkPolyData> SphereMesh(double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(120);
+  sphere->SetPhiResolution(120);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+/// The surface hides the far half of its own stipples and nothing of the near half.
+void TestHidden(InkTestChecks& check)
+{
+  auto stipples = InkTestStipples::SphereSurface(1.0, 2000, 12);
+  vtkNew<vtkFloatArray> marks;
+  StippleScene scene(stipples, 300, 300);
+  scene.AllOff();
+  scene.Mapper->SetPixelsPerStipple(1.0);
+  scene.Mapper->SetSurfaceData(SphereMesh(1.0));
+  scene.Window->Render();
+  if (!check(scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks), "marks"))
+  {
+    return;
+  }
+  const double eye = scene.Renderer->GetActiveCamera()->GetPosition()[2];
+  int shownBehind = 0;
+  int hiddenBefore = 0;
+  int before = 0;
+  for (vtkIdType i = 0; i < stipples->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    stipples->GetPoint(i, p);
+    const bool drawn = marks->GetComponent(i, 1) > 0.0;
+    // The outline as seen from the eye lies at z = 1 / eye.
+    before += p[2] > 1.0 / eye + 0.05;
+    hiddenBefore += p[2] > 1.0 / eye + 0.05 && !drawn;
+    shownBehind += p[2] < 1.0 / eye - 0.15 && drawn;
+  }
+  check(before > 5000 && hiddenBefore == 0, "none of ", before, " stipples before, but ", hiddenBefore,
+    " hidden");
+  check(shownBehind == 0, "none behind, but ", shownBehind, " shown");
+
+  // Without a surface, those that face away are left out all the same.
+  scene.Mapper->SetSurfaceData(nullptr);
+  scene.Window->Render();
+  scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks);
+  shownBehind = 0;
+  for (vtkIdType i = 0; i < stipples->GetNumberOfPoints(); ++i)
+  {
+    shownBehind += stipples->GetPoint(i)[2] < 1.0 / eye - 0.15 && marks->GetComponent(i, 1) > 0.0;
+  }
+  check(shownBehind == 0, "none that face away, but ", shownBehind);
+}
+
+/// A volume is see-through, unless an iso-surface hides what lies behind it.
+void TestOccludedVolume(InkTestChecks& check)
+{
+  StippleScene scene(Voxels());
+  scene.AllOff();
+  scene.Mapper->SetPixelsPerStipple(60.0);
+  const double all = InkTestImage(scene.Window).Ink();
+  scene.Mapper->SetSurfaceData(SphereMesh(1.0));
+  const double front = InkTestImage(scene.Window).Ink();
+  check(front < 0.85 * all && front > 0.4 * all, "the front only: ", front, " of ", all);
+  const InkTestImage before(scene.Window);
+  scene.Mapper->SetSurfaceData(SphereMesh(1e-3));
+  check(std::abs(InkTestImage(scene.Window).Ink() / all - 1.0) < 0.01, "all of it with a tiny surface");
+  scene.Mapper->SetSurfaceData(SphereMesh(1.0));
+  check(InkTestImage(scene.Window).CountDifferent(before) == 0, "the hidden picture again");
+}
+
+/// Other actors hide stipples, and stipples do not touch other actors.
+void TestAmongActors(InkTestChecks& check)
+{
+  for (int kind : { 0, 1, 2 })
+  {
+    StippleScene scene(Voxels(), 300, 200);
+    scene.AllOff();
+    scene.Renderer->SetUseDepthPeeling(kind == 1);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(SphereMesh(0.9));
+    vtkNew<vtkActor> other;
+    other->SetMapper(mapper);
+    other->SetPosition(1.0, 0.0, 1.5);
+    other->GetProperty()->SetColor(1.0, 0.0, 0.0);
+    other->GetProperty()->SetOpacity(kind == 0 ? 1.0 : 0.4);
+    scene.Renderer->AddActor(other);
+    scene.Renderer->ResetCamera();
+    const InkTestImage with(scene.Window);
+    scene.Actor->VisibilityOff();
+    const InkTestImage without(scene.Window);
+    check(with.CountDifferent(without, 30) > 300, "stipples beside an actor, kind ", kind);
+    // Away from the stipples' sphere, the actor looks as it did. It fills the middle of the right side.
+    int different = 0;
+    for (int y = 0; y < 200; ++y)
+    {
+      for (int x = 235; x < 300; ++x)
+      {
+        different += with.Channel(x, y, 1) != without.Channel(x, y, 1);
+      }
+    }
+    check(different == 0, "the actor as without stipples, kind ", kind, ": ", different);
+    if (kind == 0)
+    {
+      int red = 0;
+      int spoilt = 0;
+      for (int y = 0; y < 200; ++y)
+      {
+        for (int x = 0; x < 300; ++x)
+        {
+          const bool actor = without.Channel(x, y, 0) > without.Channel(x, y, 1) + 60;
+          red += actor;
+          spoilt += actor && with.Gray(x, y) != without.Gray(x, y);
+        }
+      }
+      check(red > 2000 && spoilt == 0, "no stipple on an actor in front, ", spoilt, " of ", red);
+    }
+  }
+}
+
+void TestWindows(InkTestChecks& check)
+{
+  StippleScene scene(Voxels());
+  const InkTestImage first(scene.Window);
+  check(first.CountDark() > 100, "dark pixels, ", first.CountDark());
+  const vtkMTimeType time = scene.Mapper->GetUploadTime();
+  scene.Window->SetSize(120, 90);
+  const InkTestImage small(scene.Window);
+  check(small.GetWidth() == 120 && small.CountDark() > 30, "stipples in a smaller window");
+  scene.Window->SetSize(200, 200);
+  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first picture again");
+  scene.Mapper->SetKgs(3.0);
+  scene.Mapper->SetStippleSize(3.0);
+  scene.Mapper->SetWarmCool(0.5);
+  scene.Renderer->GetActiveCamera()->Azimuth(30.0);
+  check(InkTestImage(scene.Window).CountDifferent(first) > 500, "another picture");
+  check(scene.Mapper->GetUploadTime() == time, "no upload for any of this");
+
+  StippleScene again(Voxels());
+  again.Window->Render();
+  again.Mapper->ReleaseGraphicsResources(again.Window);
+  check(again.Mapper->GetUploadTime() == 0, "nothing on the GPU");
+  check(InkTestImage(again.Window).CountDifferent(first) == 0, "the picture after a release");
+
+  StippleScene smooth(Voxels());
+  smooth.Window->SetMultiSamples(4);
+  const double ink = InkTestImage(smooth.Window).Ink();
+  check(std::abs(ink / first.Ink() - 1.0) < 0.05, "as much ink with multisampling: ", ink, ", ", first.Ink());
+
+  StippleScene peeled(Voxels());
+  peeled.Renderer->SetUseDepthPeeling(true);
+  peeled.Renderer->SetMaximumNumberOfPeels(20);
+  peeled.Renderer->SetOcclusionRatio(0.0);
+  const InkTestImage peeledImage(peeled.Window);
+  check(peeledImage.CountDifferent(first, 30) < 40, "the picture with depth peeling, ",
+    peeledImage.CountDifferent(first, 30), " pixels differ");
+
+  // Tiles: the same picture, twice as large, without seams.
+  StippleScene tiled(Voxels());
+  tiled.Mapper->SetStippleSize(6.0);
+  const double one = InkTestImage(tiled.Window).Ink();
+  const InkTestImage tiles(tiled.Window, 2);
+  check(std::abs(tiles.Ink() / one / 4.0 - 1.0) < 0.05,
+    "four times the ink at twice the size: ", tiles.Ink() / one);
+  int jumps = 0;
+  int usual = 0;
+  for (int y = 0; y < 400; ++y)
+  {
+    jumps += std::abs(tiles.Gray(199, y) - tiles.Gray(200, y)) > 100;
+    usual += std::abs(tiles.Gray(180, y) - tiles.Gray(181, y)) > 100;
+  }
+  check(jumps <= usual + 12, "no seam between tiles: ", jumps, " jumps, ", usual, " elsewhere");
+
+  // Viewports: each as if it were alone.
+  StippleScene alone(Voxels(), 100, 200);
+  const InkTestImage expected(alone.Window);
+  StippleScene both(Voxels());
+  both.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> right;
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  right->SetBackground(1.0, 1.0, 1.0);
+  right->AddActor(both.Actor);
+  both.Window->AddRenderer(right);
+  both.Renderer->ResetCamera();
+  right->ResetCamera();
+  const InkTestImage two(both.Window);
+  int different = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 100; ++x)
+    {
+      different += std::abs(two.Gray(x, y) - expected.Gray(x, y)) > 2;
+      different += std::abs(two.Gray(x + 100, y) - expected.Gray(x, y)) > 2;
+    }
+  }
+  check(different == 0, "two viewports like one: ", different, " pixels differ");
+}
+
+/// What is out of sight or gets no stipples is not even looked at, and the picture does not miss it.
+void TestCulling(InkTestChecks& check)
+{
+  auto voxels = InkTestStipples::SphereVoxels(1.0, 0.04, 16);
+  StippleScene scene(voxels);
+  scene.Window->Render();
+  const vtkIdType far = scene.Mapper->GetNumberOfProcessedStipples();
+  check(far > 0 && far < voxels->GetNumberOfPoints() / 2, "few of ", voxels->GetNumberOfPoints(),
+    " stipples where voxels are small: ", far);
+  scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 1.3);
+  scene.Renderer->ResetCameraClippingRange();
+  scene.Window->Render();
+  const vtkIdType close = scene.Mapper->GetNumberOfProcessedStipples();
+  check(close > 0 && close < voxels->GetNumberOfPoints() / 2, "few of ", voxels->GetNumberOfPoints(),
+    " where most are out of sight: ", close);
+  scene.Mapper->SetKgc(0.0);
+  scene.Mapper->SetKgs(0.0);
+  check(InkTestImage(scene.Window).Ink() == 0.0, "no ink with T = 0");
+  check(scene.Mapper->GetNumberOfProcessedStipples() == 0, "nothing looked at with T = 0");
+}
+
+void TestSelection(InkTestChecks& check)
+{
+  auto stipples = InkTestStipples::SphereSurface(1.0, 2000, 8);
+  StippleScene scene(stipples);
+  scene.AllOff();
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(1.25);
+  const InkTestImage before(scene.Window);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  selector->SetArea(110, 90, 129, 109);
+  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  if (check(selection->GetNumberOfNodes() == 1, "one prop selected, ", selection->GetNumberOfNodes()))
+  {
+    auto* ids = vtkIdTypeArray::SafeDownCast(selection->GetNode(0)->GetSelectionList());
+    check(ids->GetNumberOfTuples() > 5, "several stipples, ", ids->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      double p[3];
+      stipples->GetPoint(ids->GetValue(i), p);
+      const double x = 100.0 + 80.0 * p[0];
+      const double y = 100.0 + 80.0 * p[1];
+      check(p[2] > 0.0 && x > 107.0 && x < 133.0 && y > 87.0 && y < 113.0, "stipple ", ids->GetValue(i),
+        " in the area and on the front, at ", x, ", ", y);
+    }
+  }
+  check(InkTestImage(scene.Window).CountDifferent(before) == 0, "the same picture afterwards");
+}
+
+/// The same picture of stipples that are scaled and shifted together with the camera.
+void TestScaleAndShift(InkTestChecks& check)
+{
+  auto local = Voxels();
+  StippleScene reference(local);
+  const InkTestImage expected(reference.Window);
+  const double far = 1e7;
+  const struct
+  {
+    double Scale;
+    double Shift[3];
+  } cases[] = { { 1.0, { far, -far, far } }, { 1e-9, { 0, 0, 0 } }, { 1e9, { far, far, far } } };
+  for (const auto& one : cases)
+  {
+    StippleScene scene(InkTestStipples::Transform(local, one.Scale, one.Shift));
+    vtkCamera* from = reference.Renderer->GetActiveCamera();
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    double position[3];
+    double focus[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      position[axis] = one.Scale * from->GetPosition()[axis] + one.Shift[axis];
+      focus[axis] = one.Scale * from->GetFocalPoint()[axis] + one.Shift[axis];
+    }
+    camera->SetPosition(position);
+    camera->SetFocalPoint(focus);
+    camera->SetClippingRange(
+      one.Scale * from->GetClippingRange()[0], one.Scale * from->GetClippingRange()[1]);
+    const int different = InkTestImage(scene.Window).CountDifferent(expected, 40);
+    check(different < 40, "the local picture at scale ", one.Scale, ", shifted by ", one.Shift[0], ": ",
+      different, " pixels differ");
+  }
+}
+
+void TestClippingPlanes(InkTestChecks& check)
+{
+  StippleScene scene(InkTestStipples::PlaneSurface(2.0, 30, 8));
+  scene.AllOff();
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(1.0);
+  vtkNew<vtkPlane> right;
+  right->SetNormal(1.0, 0.0, 0.0);
+  scene.Mapper->AddClippingPlane(right);
+  const InkTestImage image(scene.Window);
+  check(image.CountDark(0, 0, 98, 200) == 0 && image.CountDark(102, 0, 200, 200) > 500,
+    "stipples right of a clipping plane only");
+}
+
+} // namespace
+
+int TestStippleScene(int, char*[])
+{
+  InkTestChecks check;
+  TestHidden(check);
+  TestOccludedVolume(check);
+  TestAmongActors(check);
+  TestWindows(check);
+  TestCulling(check);
+  TestSelection(check);
+  TestScaleAndShift(check);
+  TestClippingPlanes(check);
+  return check.Result();
+}

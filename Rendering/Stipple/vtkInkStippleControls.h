@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkStippleControls
+ * @brief   a few sliders for the many parameters of a vtkInkStippleMapper
+ *
+ * The higher of two levels of control (Lu et al. 2003, section 6): each slider sets several of the mapper's
+ * k's, and a preset sets all sliders and what goes with them. Apply hands the result to a mapper; its k's can
+ * be changed one by one after that.
+ *
+ * @sa vtkInkStippleMapper
+ */
+#ifndef vtkInkStippleControls_h
+#define vtkInkStippleControls_h
+
+#include "vtkInkRenderingStippleModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkInkStippleMapper;
+
+class VTKINKRENDERINGSTIPPLE_EXPORT vtkInkStippleControls : public vtkObject
+{
+public:
+  static vtkInkStippleControls* New();
+  vtkTypeMacro(vtkInkStippleControls, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The kind of drawing to start from: anatomy (default), bone, soft-tissue, engineering or
+   * plate-white-on-black. Sets all sliders. An unknown name is an error and changes nothing.
+   */
+  bool SetPreset(const char* name);
+  const char* GetPreset();
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int index); ///< null out of range
+  ///@}
+
+  /// Sets all sliders to where the preset has them.
+  void Reset();
+
+  ///@{
+  /**
+   * Emphasis on boundaries (Kgc, Kgs): more ink with a larger one. 0 to 1; default: the preset's.
+   */
+  void SetGradient(double gradient);
+  double GetGradient();
+  ///@}
+
+  ///@{
+  /**
+   * Sharpness of boundaries, silhouettes and shades (Kge, Kse, Kle): less ink, in a smaller place, with a
+   * larger one. 0 to 1; default: the preset's.
+   */
+  void SetSharpness(double sharpness);
+  double GetSharpness();
+  ///@}
+
+  ///@{
+  /**
+   * How much silhouettes and light count (Kss, Kle, Lighting): the rim is darker and the middle lighter with
+   * a larger one. 0 to 1; default: the preset's.
+   */
+  void SetOrientation(double orientation);
+  double GetOrientation();
+  ///@}
+
+  ///@{
+  /**
+   * How much nearer parts stand out (Kde, DistanceSize, Distance). 0 (not at all) to 1; default: the
+   * preset's.
+   */
+  void SetDistance(double distance);
+  double GetDistance();
+  ///@}
+
+  ///@{
+  /**
+   * How see-through weak boundaries are (Kie, InteriorSize, Interior): less ink with a larger one. 0 to 1;
+   * default: the preset's.
+   */
+  void SetInterior(double interior);
+  double GetInterior();
+  ///@}
+
+  ///@{
+  /**
+   * How far warm and cool colours replace the ink (WarmCool). 0 to 1; default: the preset's.
+   */
+  void SetColor(double color);
+  double GetColor();
+  ///@}
+
+  /**
+   * Hands the sliders' k's, and the preset's size and room of stipples, ink colour and LightInk, to a mapper.
+   */
+  void Apply(vtkInkStippleMapper* mapper);
+
+  /// The colour of the paper that goes with the preset, for the renderer's background: white or black.
+  void GetPaperColor(double rgb[3]);
+
+protected:
+  vtkInkStippleControls();
+  ~vtkInkStippleControls() override;
+
+private:
+  vtkInkStippleControls(const vtkInkStippleControls&) = delete;
+  void operator=(const vtkInkStippleControls&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,534 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkStippleMapper.h"
+
+#include "InkLocalFrame.h"
+#include "InkRenderPasses.h"
+#include "InkStippleInput.h"
+#include "InkStippleOccluder.h"
+#include "InkStipplePasses.h"
+#include "InkStipplePoints.h"
+#include "InkStippleView.h"
+#include "InkView.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkInkStippleMapper);
+
+namespace
+{
+
+/// How far behind a surface its own stipples may lie, in elements' sizes: on a mesh for rounding only, around
+/// an iso-surface of a volume as far as the stipples of the voxels that it crosses.
+constexpr double SurfaceOffset = 0.1;
+constexpr double VolumeOffset = 1.5;
+
+ink::HlsColor ToHls(const double rgb[3])
+{
+  const glm::dvec3 limited(
+    std::clamp(rgb[0], 0.0, 1.0), std::clamp(rgb[1], 0.0, 1.0), std::clamp(rgb[2], 0.0, 1.0));
+  return ink::hlsFromRgb(glm::vec3(limited));
+}
+
+ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface, bool twoSided)
+{
+  const auto number = [](double value) { return static_cast<float>(value); };
+  ink::StippleTone tone;
+  tone.surface = surface;
+  tone.twoSided = twoSided;
+  tone.boundary = { mapper->GetBoundary(), number(mapper->GetKgc()), number(mapper->GetKgs()),
+    number(mapper->GetKge()) };
+  tone.silhouette = { mapper->GetSilhouette(), number(mapper->GetKsc()), number(mapper->GetKss()),
+    number(mapper->GetKse()) };
+  tone.resolution = { mapper->GetResolution(), number(mapper->GetKrc()), number(mapper->GetKnz()) };
+  tone.lighting = { mapper->GetLighting(), number(mapper->GetKle()),
+    number(std::cos(vtkMath::RadiansFromDegrees(mapper->GetFacingAngle()))), mapper->GetLightInk() };
+  tone.distance = { mapper->GetDistance(), number(mapper->GetKde()), number(mapper->GetDistanceSize()) };
+  tone.interior = { mapper->GetInterior(), number(mapper->GetKie()), number(mapper->GetInteriorSize()) };
+  tone.smallElements = { mapper->GetSmallElements() == vtkInkStippleMapper::PROBABILITY
+      ? ink::SmallElements::Way::probability
+      : ink::SmallElements::Way::intensity,
+    number(mapper->GetMinimumCoverage()), number(mapper->GetFade()) };
+  tone.warmCool = { ToHls(mapper->GetWarmColor()), ToHls(mapper->GetCoolColor()),
+    number(mapper->GetToneWeight()), number(mapper->GetDistanceWeight()), number(mapper->GetWarmCool()) };
+  tone.valueEffect = number(mapper->GetValueEffect());
+  tone.pixelsPerStipple = number(mapper->GetPixelsPerStipple());
+  tone.diameter = number(mapper->GetStippleSize());
+  tone.growing = mapper->GetGrowing();
+  tone.appearBySize = mapper->GetAppearBySize();
+  return tone;
+}
+
+} // namespace
+
+class vtkInkStippleMapper::vtkInternals
+{
+public:
+  /// What the stipples on the GPU were made from; modification times are unique, so no pointers are needed.
+  struct Source
+  {
+    vtkMTimeType Input;
+    vtkMTimeType Colors;
+    bool operator==(const Source&) const = default;
+  };
+
+  /// The depth image of one actor in one renderer.
+  struct Depth
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    vtkWeakPointer<vtkActor> Actor;
+    std::unique_ptr<InkStippleDepth> Image;
+  };
+
+  std::unique_ptr<InkStippleDepth>& FindDepth(vtkRenderer* renderer, vtkActor* actor)
+  {
+    std::erase_if(this->Depths, [](const Depth& d) { return !d.Renderer || !d.Actor; });
+    for (Depth& depth : this->Depths)
+    {
+      if (depth.Renderer == renderer && depth.Actor == actor)
+      {
+        return depth.Image;
+      }
+    }
+    Depth& depth = this->Depths.emplace_back();
+    depth.Renderer = renderer;
+    depth.Actor = actor;
+    return depth.Image;
+  }
+
+  InkStipplePoints Points;
+  std::optional<Source> PointsSource; ///< what Points was read from
+  vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
+  std::string ReportedError;
+  std::unique_ptr<InkStipplePasses> Passes;
+  std::unique_ptr<InkStippleOccluder> Occluder;
+  std::vector<Depth> Depths;
+  unsigned long WindowObserver = 0;
+};
+
+/// All that one picture of an actor depends on, put together.
+class vtkInkStippleMapper::vtkPicture
+{
+public:
+  vtkPicture(vtkInkStippleMapper* mapper, vtkRenderer* renderer, vtkActor* actor, const int size[2])
+    : View(renderer, actor, mapper, mapper->Internals->Points.GetFrame(), size)
+    , Occluder(FindOccluder(mapper, renderer, actor, this->View))
+    , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface(),
+        this->Occluder != nullptr && !actor->GetProperty()->GetBackfaceCulling()))
+    , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
+    , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,
+      FindOffset(mapper) * this->View.Unit, mapper->InkColor }
+  {
+  }
+  vtkPicture(const vtkPicture&) = delete;
+  void operator=(const vtkPicture&) = delete;
+
+private:
+  static InkStippleDepth* FindOccluder(
+    vtkInkStippleMapper* mapper, vtkRenderer* renderer, vtkActor* actor, const InkView& view)
+  {
+    vtkInternals& internals = *mapper->Internals;
+    vtkPolyData* surface = mapper->FindSurface();
+    if (!surface)
+    {
+      return nullptr;
+    }
+    if (!internals.Occluder)
+    {
+      internals.Occluder = std::make_unique<InkStippleOccluder>(internals.Passes->GetWindow());
+    }
+    internals.Occluder->Update(surface, internals.Points.GetFrame());
+    if (internals.Occluder->IsEmpty())
+    {
+      return nullptr;
+    }
+    std::unique_ptr<InkStippleDepth>& depth = internals.FindDepth(renderer, actor);
+    internals.Occluder->Draw(view, depth);
+    if (!depth->Complete)
+    {
+      mapper->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden stipples need.");
+      return nullptr;
+    }
+    return depth.get();
+  }
+
+  static float FindOffset(vtkInkStippleMapper* mapper)
+  {
+    const InkStipplePoints& points = mapper->Internals->Points;
+    const double automatic = points.IsSurface() ? SurfaceOffset : VolumeOffset;
+    return static_cast<float>(mapper->OccluderOffset < 0.0 ? automatic : mapper->OccluderOffset) *
+      points.GetElementSize();
+  }
+
+  const InkView View;
+  InkStippleDepth* const Occluder;
+  const ink::StippleTone Tone;
+  const InkStippleView ToneView;
+
+public:
+  const InkStipplePasses::Scene Scene;
+};
+
+vtkInkStippleMapper::vtkInkStippleMapper()
+  : Internals(std::make_unique<vtkInternals>())
+{
+  this->SetNumberOfInputPorts(2);
+  this->ScalarVisibility = 0;
+}
+
+vtkInkStippleMapper::~vtkInkStippleMapper()
+{
+  this->ReleaseWindow();
+}
+
+int vtkInkStippleMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkInkStippleMapper::SetSurfaceData(vtkPolyData* surface)
+{
+  if (surface)
+  {
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(surface);
+    this->SetInputConnection(1, producer->GetOutputPort());
+  }
+  else
+  {
+    this->SetInputConnection(1, nullptr);
+  }
+}
+
+void vtkInkStippleMapper::SetSurfaceConnection(vtkAlgorithmOutput* surface)
+{
+  this->SetInputConnection(1, surface);
+}
+
+vtkPolyData* vtkInkStippleMapper::FindSurface()
+{
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    return vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
+  }
+  vtkAlgorithm* generator =
+    this->SurfaceFromInput && this->Internals->Points.IsSurface() && this->GetNumberOfInputConnections(0) > 0
+    ? this->GetInputAlgorithm(0, 0)
+    : nullptr;
+  if (generator && generator->GetNumberOfInputPorts() > 0 && generator->GetNumberOfInputConnections(0) > 0)
+  {
+    return vtkPolyData::SafeDownCast(generator->GetInputDataObject(0, 0));
+  }
+  return nullptr;
+}
+
+void vtkInkStippleMapper::ReportOnce(const std::string& error)
+{
+  vtkInternals& internals = *this->Internals;
+  const vtkMTimeType time = this->GetInput()->GetMTime();
+  if (internals.ReportedTime < time || internals.ReportedError != error)
+  {
+    internals.ReportedTime = time;
+    internals.ReportedError = error;
+    vtkErrorMacro(<< error);
+  }
+}
+
+void vtkInkStippleMapper::ComputeBounds()
+{
+  vtkPolyData* input = this->GetInput();
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  input->GetBounds(this->Bounds);
+  if (std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
+  {
+    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds);
+  }
+}
+
+bool vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkPolyData* input = this->GetInput();
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    this->ReportOnce("Stipples need a vtkOpenGLRenderWindow.");
+    return false;
+  }
+  vtkPlaneCollection* planes = this->GetClippingPlanes();
+  if (planes && planes->GetNumberOfItems() > InkView::MaximumClippingPlanes)
+  {
+    std::ostringstream message;
+    message << "Only the first " << InkView::MaximumClippingPlanes << " of the " << planes->GetNumberOfItems()
+            << " clipping planes are used.";
+    this->ReportOnce(message.str());
+  }
+
+  if (internals.Passes && internals.Passes->GetWindow() != window)
+  {
+    this->ReleaseWindow();
+    window->MakeCurrent();
+  }
+  int byCell = 0;
+  vtkUnsignedCharArray* colors = this->ScalarVisibility ? this->MapScalars(input, 1.0, byCell) : nullptr;
+  const InkStippleInput found(input);
+  if (colors && (byCell != 1 || colors->GetNumberOfTuples() != input->GetNumberOfCells()))
+  {
+    this->ReportOnce("Expected cell scalars, one for each element, to colour stipples by; found others.");
+    colors = nullptr;
+  }
+  const vtkInternals::Source source{ found.GetTime(), colors ? colors->GetMTime() : 0 };
+  if (!internals.Passes || internals.PointsSource != source)
+  {
+    const std::string problem = found.FindProblem();
+    if (!problem.empty())
+    {
+      this->ReportOnce(problem);
+      return false;
+    }
+    if (!internals.Passes)
+    {
+      internals.Passes = std::make_unique<InkStipplePasses>(window);
+      // A window that never knew this mapper's actor does not release it either.
+      internals.WindowObserver =
+        window->AddObserver(vtkCommand::DeleteEvent, this, &vtkInkStippleMapper::ReleaseWindow);
+    }
+    const std::string left = internals.Points.Read(found, colors);
+    const std::string refused = internals.Passes->Upload(internals.Points);
+    internals.Points.ReleaseArrays();
+    internals.PointsSource = source;
+    for (const std::string& message : { left, refused })
+    {
+      if (!message.empty())
+      {
+        this->ReportOnce(message);
+      }
+    }
+    if (!refused.empty())
+    {
+      internals.PointsSource.reset();
+      return false;
+    }
+  }
+  if (internals.Points.GetNumberOfStipples() == 0)
+  {
+    std::ostringstream message;
+    message << "None of the " << input->GetNumberOfPoints()
+            << " stipples has a finite position and an element with a normal that is not zero.";
+    this->ReportOnce(message.str());
+    return false;
+  }
+  return true;
+}
+
+void vtkInkStippleMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->InvokeEvent(vtkCommand::StartEvent);
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+    if (this->GetNumberOfInputConnections(1) > 0)
+    {
+      this->GetInputAlgorithm(1, 0)->Update();
+    }
+  }
+  this->InvokeEvent(vtkCommand::EndEvent);
+
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector)
+  {
+    selector->BeginRenderProp();
+    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+    {
+      selector->RenderCompositeIndex(1);
+    }
+  }
+  if (this->UpdateStipples(renderer))
+  {
+    this->Draw(renderer, actor, selector);
+  }
+  if (selector)
+  {
+    selector->EndRenderProp();
+  }
+  this->UpdateProgress(1.0);
+}
+
+void vtkInkStippleMapper::Draw(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
+{
+  InkStipplePasses& passes = *this->Internals->Passes;
+  // Not the renderer's own: depth peeling draws into buffers of its own.
+  int viewport[4];
+  passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[2] <= 0 || viewport[3] <= 0)
+  {
+    return;
+  }
+  const vtkPicture picture(this, renderer, actor, viewport + 2);
+  if (!selector)
+  {
+    passes.Draw(picture.Scene, viewport, actor->GetProperty()->GetOpacity(), InkRenderPasses(this, actor));
+    return;
+  }
+
+  selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
+  int idShift = -1;
+  const float noCell[3] = { 0.0f, 0.0f, 0.0f };
+  const float* color = selector->GetPropColorValue();
+  switch (selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::POINT_ID_LOW24:
+      idShift = 0;
+      break;
+    case vtkHardwareSelector::POINT_ID_HIGH24:
+      idShift = 24;
+      break;
+    case vtkHardwareSelector::CELL_ID_LOW24:
+    case vtkHardwareSelector::CELL_ID_HIGH24:
+      color = noCell;
+      break;
+    default:
+      break;
+  }
+  passes.DrawIds(picture.Scene, viewport, idShift, color);
+}
+
+bool vtkInkStippleMapper::FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* marks)
+{
+  marks->Initialize();
+  marks->SetNumberOfComponents(6);
+  if (!renderer->GetRenderWindow() || !this->GetInput())
+  {
+    return false;
+  }
+  renderer->GetRenderWindow()->MakeCurrent();
+  const int* size = renderer->GetSize();
+  if (size[0] <= 0 || size[1] <= 0 || !this->UpdateStipples(renderer))
+  {
+    return false;
+  }
+  const vtkPicture picture(this, renderer, actor, size);
+  const vtkIdType count = this->GetInput()->GetNumberOfPoints();
+  const std::vector<float> results = this->Internals->Passes->FindResults(picture.Scene, count);
+  if (results.empty())
+  {
+    return false;
+  }
+  marks->SetNumberOfTuples(count);
+  std::copy(results.begin(), results.end(), marks->GetPointer(0));
+  return true;
+}
+
+void vtkInkStippleMapper::ReleaseWindow()
+{
+  vtkInternals& internals = *this->Internals;
+  if (internals.Passes)
+  {
+    vtkOpenGLRenderWindow* window = internals.Passes->GetWindow();
+    window->RemoveObserver(internals.WindowObserver);
+    window->PushContext();
+    internals.Depths.clear();
+    internals.Occluder.reset();
+    internals.Passes.reset();
+    window->PopContext();
+  }
+}
+
+void vtkInkStippleMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->ReleaseWindow();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+vtkMTimeType vtkInkStippleMapper::GetUploadTime()
+{
+  return this->Internals->Passes ? this->Internals->Passes->GetUploadTime() : 0;
+}
+
+vtkIdType vtkInkStippleMapper::GetNumberOfProcessedStipples()
+{
+  return this->Internals->Passes ? this->Internals->Passes->GetNumberOfProcessedStipples() : 0;
+}
+
+void vtkInkStippleMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Boundary: " << (this->Boundary ? "On" : "Off") << "\n";
+  os << indent << "Kgc: " << this->Kgc << "\n";
+  os << indent << "Kgs: " << this->Kgs << "\n";
+  os << indent << "Kge: " << this->Kge << "\n";
+  os << indent << "Silhouette: " << (this->Silhouette ? "On" : "Off") << "\n";
+  os << indent << "Ksc: " << this->Ksc << "\n";
+  os << indent << "Kss: " << this->Kss << "\n";
+  os << indent << "Kse: " << this->Kse << "\n";
+  os << indent << "Resolution: " << (this->Resolution ? "On" : "Off") << "\n";
+  os << indent << "Krc: " << this->Krc << "\n";
+  os << indent << "Knz: " << this->Knz << "\n";
+  os << indent << "Lighting: " << (this->Lighting ? "On" : "Off") << "\n";
+  os << indent << "Kle: " << this->Kle << "\n";
+  os << indent << "FacingAngle: " << this->FacingAngle << "\n";
+  os << indent << "Headlight: " << (this->Headlight ? "On" : "Off") << "\n";
+  os << indent << "LightInk: " << (this->LightInk ? "On" : "Off") << "\n";
+  os << indent << "Distance: " << (this->Distance ? "On" : "Off") << "\n";
+  os << indent << "Kde: " << this->Kde << "\n";
+  os << indent << "DistanceSize: " << this->DistanceSize << "\n";
+  os << indent << "Interior: " << (this->Interior ? "On" : "Off") << "\n";
+  os << indent << "Kie: " << this->Kie << "\n";
+  os << indent << "InteriorSize: " << this->InteriorSize << "\n";
+  os << indent << "ValueEffect: " << this->ValueEffect << "\n";
+  os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
+  os << indent << "StippleSize: " << this->StippleSize << "\n";
+  os << indent << "Growing: " << (this->Growing ? "On" : "Off") << "\n";
+  os << indent << "SmallElements: " << this->SmallElements << "\n";
+  os << indent << "MinimumCoverage: " << this->MinimumCoverage << "\n";
+  os << indent << "Fade: " << this->Fade << "\n";
+  os << indent << "AppearBySize: " << (this->AppearBySize ? "On" : "Off") << "\n";
+  os << indent << "WarmCool: " << this->WarmCool << "\n";
+  os << indent << "ToneWeight: " << this->ToneWeight << "\n";
+  os << indent << "DistanceWeight: " << this->DistanceWeight << "\n";
+  os << indent << "WarmColor: " << this->WarmColor[0] << ' ' << this->WarmColor[1] << ' '
+     << this->WarmColor[2] << "\n";
+  os << indent << "CoolColor: " << this->CoolColor[0] << ' ' << this->CoolColor[1] << ' '
+     << this->CoolColor[2] << "\n";
+  os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
+     << "\n";
+  os << indent << "OccluderOffset: " << this->OccluderOffset << "\n";
+  os << indent << "SurfaceFromInput: " << (this->SurfaceFromInput ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkStippleMapper
+ * @brief   stipple drawings of volumes and surfaces
+ *
+ * Draws the stipples of a vtkInkStippleGenerator (Lu et al. 2003): of each element, a voxel or a polygon, the
+ * first
+ *
+ *     T = N_max T_b T_s T_r T_l T_d T_i
+ *
+ * of its list (section 5 and Table 1), where N_max is the room for stipples in the element's projection
+ * (section 4.3) and the factors are the enhancements for boundaries, silhouettes, resolution, light, distance
+ * and interior, each with its k's and each on or off. Surfaces have those for resolution, light and distance.
+ * The graphics card finds T for each stipple in each picture; a change of a parameter or of the view sends
+ * nothing but that to it. Blocks of elements that are out of sight or get no stipples cost next to nothing.
+ *
+ * To the paper's method are added: stipples appear gradually, paler or smaller than whole ones; where an
+ * element's list is too short close up, they grow; and stipples show light on dark paper (LightInk).
+ *
+ * Input: one VTK_POLY_VERTEX cell for each element, all points in their order; cell data `Normals` (3) and,
+ * of volumes, `GradientMagnitude` and `Value` (0 to 1); field data `ElementSize` (world units), `ElementKind`
+ * (0 volume, 1 surface), `StipplesPerElement`. Elements whose normal is zero and what is not finite are not
+ * drawn. With ScalarVisibility on (it is off by default), cell scalars colour the elements through the lookup
+ * table.
+ *
+ * A surface (SetSurfaceConnection, SetSurfaceData; or the generator's own input, see SurfaceFromInput) hides
+ * the stipples behind it: a mesh its own, or an iso-surface those of a volume, which are see-through
+ * otherwise. Stipples of a mesh on its back are drawn where a surface hides those of closed surfaces, unless
+ * the actor's property has back-face culling on.
+ *
+ * Stipples are blended over what lies behind them, in the renderer's translucent pass, with the opacity of
+ * the actor's property. No stipple is larger than the largest point of the OpenGL in use. Hardware selection
+ * finds the actor and the stipples. Up to 6 clipping planes.
+ *
+ * @sa vtkInkStippleControls vtkInkSplattingLinesMapper
+ */
+#ifndef vtkInkStippleMapper_h
+#define vtkInkStippleMapper_h
+
+#include "vtkInkRenderingStippleModule.h" // for the export macro
+#include "vtkPolyDataMapper.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for error messages
+
+class vtkFloatArray;
+class vtkHardwareSelector;
+
+class VTKINKRENDERINGSTIPPLE_EXPORT vtkInkStippleMapper : public vtkPolyDataMapper
+{
+public:
+  static vtkInkStippleMapper* New();
+  vtkTypeMacro(vtkInkStippleMapper, vtkPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The surface that hides stipples behind it: polygons and strips. None: nothing is hidden, but see
+   * SurfaceFromInput.
+   */
+  void SetSurfaceData(vtkPolyData* surface);
+  void SetSurfaceConnection(vtkAlgorithmOutput* surface);
+  ///@}
+
+  ///@{
+  /**
+   * Whether boundaries get more stipples; volumes only. Default: on.
+   */
+  vtkSetMacro(Boundary, bool);
+  vtkGetMacro(Boundary, bool);
+  vtkBooleanMacro(Boundary, bool);
+  ///@}
+
+  ///@{
+  /**
+   * k_gc: what every voxel gets, whatever its gradient; more stipples with a larger one. 0 to 10; default:
+   * 0.2.
+   */
+  vtkSetClampMacro(Kgc, double, 0.0, 10.0);
+  vtkGetMacro(Kgc, double);
+  ///@}
+
+  ///@{
+  /**
+   * k_gs: what the gradient's magnitude adds; more stipples on boundaries with a larger one. 0 to 10;
+   * default: 1.
+   */
+  vtkSetClampMacro(Kgs, double, 0.0, 10.0);
+  vtkGetMacro(Kgs, double);
+  ///@}
+
+  ///@{
+  /**
+   * k_ge: sharpness; with a larger one only the largest gradients get stipples. 0 to 20; default: 1.
+   */
+  vtkSetClampMacro(Kge, double, 0.0, 20.0);
+  vtkGetMacro(Kge, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether silhouettes get more stipples; volumes only. Default: on.
+   */
+  vtkSetMacro(Silhouette, bool);
+  vtkGetMacro(Silhouette, bool);
+  vtkBooleanMacro(Silhouette, bool);
+  ///@}
+
+  ///@{
+  /**
+   * k_sc: what every voxel gets, whatever its orientation. 0 to 10; default: 0.3.
+   */
+  vtkSetClampMacro(Ksc, double, 0.0, 10.0);
+  vtkGetMacro(Ksc, double);
+  ///@}
+
+  ///@{
+  /**
+   * k_ss: what silhouettes get in addition. 0 to 10; default: 2.
+   */
+  vtkSetClampMacro(Kss, double, 0.0, 10.0);
+  vtkGetMacro(Kss, double);
+  ///@}
+
+  ///@{
+  /**
+   * k_se: sharpness; silhouettes are thinner with a smaller one. 0.01 to 20; default: 0.5.
+   */
+  vtkSetClampMacro(Kse, double, 0.01, 20.0);
+  vtkGetMacro(Kse, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether far and slanted elements get fewer stipples, so that the pattern is as dense as elsewhere.
+   * Default: on.
+   */
+  vtkSetMacro(Resolution, bool);
+  vtkGetMacro(Resolution, bool);
+  vtkBooleanMacro(Resolution, bool);
+  ///@}
+
+  ///@{
+  /**
+   * k_rc: exponent of the distance; the pattern is even with -2, denser far away with a larger one. -8 to 0;
+   * default: -2.
+   */
+  vtkSetClampMacro(Krc, double, -8.0, 0.0);
+  vtkGetMacro(Krc, double);
+  ///@}
+
+  ///@{
+  /**
+   * k_nz: exponent of the slant; the pattern is even with 1, denser where seen edge-on with a smaller one.
+   * 0 to 8; default: 1.
+   */
+  vtkSetClampMacro(Knz, double, 0.0, 8.0);
+  vtkGetMacro(Knz, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether light takes stipples away; where it does not fall, all stay. Of volumes only elements within
+   * FacingAngle of the eye are drawn then. Default: on.
+   */
+  vtkSetMacro(Lighting, bool);
+  vtkGetMacro(Lighting, bool);
+  vtkBooleanMacro(Lighting, bool);
+  ///@}
+
+  ///@{
+  /**
+   * k_le: exponent of the light; more is lit with a smaller one. 0.01 to 20; default: 1.
+   */
+  vtkSetClampMacro(Kle, double, 0.01, 20.0);
+  vtkGetMacro(Kle, double);
+  ///@}
+
+  ///@{
+  /**
+   * The largest angle between a voxel's normal and the eye at which lit volumes are drawn, in degrees. 0 to
+   * 180 (all); default: 90.
+   */
+  vtkSetClampMacro(FacingAngle, double, 0.0, 180.0);
+  vtkGetMacro(FacingAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Light from the camera in place of the renderer's lights (of which the first eight that are on count,
+   * without their cones and attenuation). Default: off.
+   */
+  vtkSetMacro(Headlight, bool);
+  vtkGetMacro(Headlight, bool);
+  vtkBooleanMacro(Headlight, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The ink is lighter than the paper: stipples show light instead of shade. Default: off.
+   */
+  vtkSetMacro(LightInk, bool);
+  vtkGetMacro(LightInk, bool);
+  vtkBooleanMacro(LightInk, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether what is in front gets more and larger stipples. Default: on.
+   */
+  vtkSetMacro(Distance, bool);
+  vtkGetMacro(Distance, bool);
+  vtkBooleanMacro(Distance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * k_de: with a larger one only the nearest and the farthest parts differ. 0.01 to 20; default: 1.
+   */
+  vtkSetClampMacro(Kde, double, 0.01, 20.0);
+  vtkGetMacro(Kde, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the diameter follows the distance: 0 not at all, 1 as the number does. Default: 0.5.
+   */
+  vtkSetClampMacro(DistanceSize, double, 0.0, 1.0);
+  vtkGetMacro(DistanceSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether elements with a small gradient get fewer and smaller stipples, so that what lies within shows
+   * through; volumes only. Default: on.
+   */
+  vtkSetMacro(Interior, bool);
+  vtkGetMacro(Interior, bool);
+  vtkBooleanMacro(Interior, bool);
+  ///@}
+
+  ///@{
+  /**
+   * k_ie: more is see-through with a larger one. 0 to 20; default: 1.
+   */
+  vtkSetClampMacro(Kie, double, 0.0, 20.0);
+  vtkGetMacro(Kie, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the diameter follows the interior enhancement: 0 not at all, 1 as the number does. Default: 0.5.
+   */
+  vtkSetClampMacro(InteriorSize, double, 0.0, 1.0);
+  vtkGetMacro(InteriorSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much a voxel's value counts beside its gradient, for boundaries and silhouettes: v counts as
+   * v^ValueEffect. 0 (not at all) to 1 (default: as in Table 1); parts with small values are darker with a
+   * smaller one.
+   */
+  vtkSetClampMacro(ValueEffect, double, 0.0, 1.0);
+  vtkGetMacro(ValueEffect, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many pixels of an element's projection make room for one stipple (section 4.3; the paper has 1); the
+   * drawing is darker with a smaller one. 0.1 to 1000; default: 4.
+   */
+  vtkSetClampMacro(PixelsPerStipple, double, 0.1, 1000.0);
+  vtkGetMacro(PixelsPerStipple, double);
+  ///@}
+
+  ///@{
+  /**
+   * The stipples' diameter in pixels, before distance and interior change it. 0.1 to 100; default: 2.
+   */
+  vtkSetClampMacro(StippleSize, double, 0.1, 100.0);
+  vtkGetMacro(StippleSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether stipples grow where an element has fewer than it has room for, close up, so that the grey stays.
+   * Default: on.
+   */
+  vtkSetMacro(Growing, bool);
+  vtkGetMacro(Growing, bool);
+  vtkBooleanMacro(Growing, bool);
+  ///@}
+
+  /// What becomes of parts of stipples (section 5.2).
+  enum SmallElementWays
+  {
+    INTENSITY = 0,  ///< a third of a stipple is a pale one
+    PROBABILITY = 1 ///< it is one with probability 1/3
+  };
+
+  ///@{
+  /**
+   * How elements that are too small for a pattern keep their grey: INTENSITY (default), which is smooth in
+   * motion, or PROBABILITY, which has black stipples only.
+   */
+  vtkSetClampMacro(SmallElements, int, INTENSITY, PROBABILITY);
+  vtkGetMacro(SmallElements, int);
+  ///@}
+
+  ///@{
+  /**
+   * The room for stipples, in stipples, below which elements count as small (section 5.2). 2 to 9;
+   * default: 9.
+   */
+  vtkSetClampMacro(MinimumCoverage, double, 2.0, 9.0);
+  vtkGetMacro(MinimumCoverage, double);
+  ///@}
+
+  ///@{
+  /**
+   * Over how large a part of a stipple stipples of larger elements appear and vanish: 0 suddenly, 1 evenly.
+   * Default: 1.
+   */
+  vtkSetClampMacro(Fade, double, 0.0, 1.0);
+  vtkGetMacro(Fade, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether stipples that appear or vanish are small instead of pale. Default: off.
+   */
+  vtkSetMacro(AppearBySize, bool);
+  vtkGetMacro(AppearBySize, bool);
+  vtkBooleanMacro(AppearBySize, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far warm and cool colours replace the stipples' own (section 5.7): 0 not at all, 1 altogether.
+   * Default: 0.
+   */
+  vtkSetClampMacro(WarmCool, double, 0.0, 1.0);
+  vtkGetMacro(WarmCool, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much the orientation towards the light decides between warm and cool. 0 to 1; default: 1.
+   */
+  vtkSetClampMacro(ToneWeight, double, 0.0, 1.0);
+  vtkGetMacro(ToneWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much the distance decides between warm (near) and cool (far). 0 to 1; default: 0.
+   */
+  vtkSetClampMacro(DistanceWeight, double, 0.0, 1.0);
+  vtkGetMacro(DistanceWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * The warm colour, RGB in 0..1, blended with the cool one by hue, lightness and saturation. Default: red.
+   */
+  vtkSetVector3Macro(WarmColor, double);
+  vtkGetVector3Macro(WarmColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * The cool colour, RGB in 0..1. Default: blue.
+   */
+  vtkSetVector3Macro(CoolColor, double);
+  vtkGetVector3Macro(CoolColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of the stipples where ScalarVisibility is off, as it is by default; RGB in 0..1. Default: black.
+   */
+  vtkSetVector3Macro(InkColor, double);
+  vtkGetVector3Macro(InkColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far in elements' sizes stipples may lie behind the hiding surface and still be seen; -1 (default):
+   * a tenth on surfaces, one and a half for volumes. -1 to 100.
+   */
+  vtkSetClampMacro(OccluderOffset, double, -1.0, 100.0);
+  vtkGetMacro(OccluderOffset, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether stipples of a surface are hidden by it when no surface is given: by the mesh that the filter
+   * which made the stipples had as its input. Default: on.
+   */
+  vtkSetMacro(SurfaceFromInput, bool);
+  vtkGetMacro(SurfaceFromInput, bool);
+  vtkBooleanMacro(SurfaceFromInput, bool);
+  ///@}
+
+  /**
+   * When the stipples were last sent to the GPU, as a modification time; 0 before the first time. Only a
+   * change of the input or of its colours sends them again.
+   */
+  vtkMTimeType GetUploadTime();
+
+  /**
+   * How many stipples the last picture had to look at; those that were left out as blocks are not among them.
+   */
+  vtkIdType GetNumberOfProcessedStipples();
+
+  /**
+   * What each of the input's points comes to in the renderer's present view: T, opacity (0: not drawn),
+   * diameter in pixels, red, green, blue; as the shader finds it, hidden stipples included among those not
+   * drawn. False and empty where there is nothing to draw or this OpenGL cannot do it. The window must have
+   * been rendered.
+   */
+  bool FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* marks);
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool GetSupportsSelection() override { return true; }
+  /// Soft dots are blended over what lies behind them.
+  bool HasOpaqueGeometry() override { return false; }
+  bool HasTranslucentPolygonalGeometry() override { return true; }
+
+protected:
+  vtkInkStippleMapper();
+  ~vtkInkStippleMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  /// All finite points.
+  void ComputeBounds() override;
+
+private:
+  vtkInkStippleMapper(const vtkInkStippleMapper&) = delete;
+  void operator=(const vtkInkStippleMapper&) = delete;
+
+  bool UpdateStipples(vtkRenderer* renderer);
+  vtkPolyData* FindSurface();
+  class vtkPicture;
+  void Draw(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
+  void ReportOnce(const std::string& error);
+  void ReleaseWindow();
+
+  bool Boundary = true;
+  double Kgc = 0.2;
+  double Kgs = 1.0;
+  double Kge = 1.0;
+  bool Silhouette = true;
+  double Ksc = 0.3;
+  double Kss = 2.0;
+  double Kse = 0.5;
+  bool Resolution = true;
+  double Krc = -2.0;
+  double Knz = 1.0;
+  bool Lighting = true;
+  double Kle = 1.0;
+  double FacingAngle = 90.0;
+  bool Headlight = false;
+  bool LightInk = false;
+  bool Distance = true;
+  double Kde = 1.0;
+  double DistanceSize = 0.5;
+  bool Interior = true;
+  double Kie = 1.0;
+  double InteriorSize = 0.5;
+  double ValueEffect = 1.0;
+  double PixelsPerStipple = 4.0;
+  double StippleSize = 2.0;
+  bool Growing = true;
+  int SmallElements = INTENSITY;
+  double MinimumCoverage = 9.0;
+  double Fade = 1.0;
+  bool AppearBySize = false;
+  double WarmCool = 0.0;
+  double ToneWeight = 1.0;
+  double DistanceWeight = 0.0;
+  double WarmColor[3] = { 0.76, 0.04, 0.04 };
+  double CoolColor[3] = { 0.035, 0.035, 0.665 };
+  double InkColor[3] = { 0.0, 0.0, 0.0 };
+  double OccluderOffset = -1.0;
+  bool SurfaceFromInput = true;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes and meshes at the ends of what there is: stipples where there should be some, all of them finite
+// and within their bounds, and not a word.
+
+#include "InkTestChecks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+using Change = std::function<void(vtkInkStippleGenerator*)>;
+
+/// Stipples the data with all that passes; all that comes out must be in bounds.
+vtkSmartPointer<vtkPolyData> Stipple(
+  InkTestChecks& check, const std::string& name, vtkDataSet* data,
+  const Change& change = [](vtkInkStippleGenerator*) {})
+{
+  vtkNew<vtkInkStippleGenerator> generator;
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(generator);
+  generator->SetInputDataObject(data);
+  generator->SetThresholdModeToMagnitude();
+  change(generator);
+  generator->Update();
+  check(messages->Messages.empty(), name, ": no message, found ",
+    messages->Messages.empty() ? "" : messages->Messages[0]);
+  vtkSmartPointer<vtkPolyData> output = generator->GetOutput();
+
+  double bounds[6];
+  data->GetBounds(bounds);
+  double slack = 0.0;
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    double spacing[3];
+    image->GetSpacing(spacing);
+    slack = vtkMath::Norm(spacing);
+  }
+  slack += 1e-6 * std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  bool inside = true;
+  for (vtkIdType n = 0; n < output->GetNumberOfPoints(); ++n)
+  {
+    double p[3];
+    output->GetPoint(n, p);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      inside = inside && p[axis] >= bounds[2 * axis] - slack && p[axis] <= bounds[2 * axis + 1] + slack;
+    }
+  }
+  check(inside, name, ": stipples within the data's bounds");
+  for (vtkIdType e = 0; e < output->GetNumberOfCells(); ++e)
+  {
+    const double length = vtkMath::Norm(output->GetCellData()->GetNormals()->GetTuple3(e));
+    if (!check(std::abs(length - 1.0) < 1e-5, name, ": unit normals, found one of ", length))
+    {
+      break;
+    }
+  }
+  for (const char* array : { "GradientMagnitude", "Value" })
+  {
+    if (vtkDataArray* shares = output->GetCellData()->GetArray(array))
+    {
+      for (vtkIdType e = 0; e < shares->GetNumberOfTuples(); ++e)
+      {
+        const double share = shares->GetComponent(e, 0);
+        if (!check(share >= 0.0 && share <= 1.0, name, ": a ", array, " of 0 to 1, found ", share))
+        {
+          break;
+        }
+      }
+    }
+  }
+  return output;
+}
+
+/// n voxels a side of the squared distance from the middle, between two values.
+vtkSmartPointer<vtkImageData> MakeImage(
+  int type, const std::array<int, 3>& n, double low = 0.0, double high = 100.0)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(n.data());
+  image->AllocateScalars(type, 1);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  vtkIdType id = 0;
+  for (int k = 0; k < n[2]; ++k)
+  {
+    for (int j = 0; j < n[1]; ++j)
+    {
+      for (int i = 0; i < n[0]; ++i)
+      {
+        const double x = 2.0 * i / n[0] - 1.0;
+        const double y = 2.0 * j / n[1] - 1.0;
+        const double z = 2.0 * k / n[2] - 1.0;
+        const double share = (x * x + y * y + z * z) / 3.0;
+        scalars->SetComponent(id++, 0, (1.0 - share) * high + share * low);
+      }
+    }
+  }
+  return image;
+}
+
+void TestPlaces(InkTestChecks& check)
+{
+  for (const std::array<double, 3>& spacing : { std::array{ 1e-9, 1e-9, 1e-9 }, std::array{ 1e9, 1e9, 1e9 },
+         std::array{ 1.0, 1.0, 1000.0 }, std::array{ 1000.0, 1.0, 1.0 }, std::array{ -1.0, 2.0, -3.0 } })
+  {
+    const std::string name = "spacing " + std::to_string(spacing[0]) + " " + std::to_string(spacing[2]);
+    const auto image = MakeImage(VTK_FLOAT, { 9, 10, 11 });
+    image->SetSpacing(spacing.data());
+    check(Stipple(check, name, image)->GetNumberOfCells() > 900, name, ": stipples");
+    image->SetDirectionMatrix(0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
+    check(Stipple(check, name + " turned", image)->GetNumberOfCells() > 900, name, ": stipples, turned");
+  }
+  const auto far = MakeImage(VTK_FLOAT, { 9, 9, 9 });
+  far->SetOrigin(1e7, -1e7, 1e7);
+  far->SetSpacing(0.01, 0.01, 0.01);
+  const auto stipples = Stipple(check, "far away", far);
+  check(stipples->GetPoints()->GetDataType() == VTK_DOUBLE, "far away: double precision");
+}
+
+void TestValues(InkTestChecks& check)
+{
+  for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
+         VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkSmartPointer<vtkDataArray> array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+    // Doubles just within a 64-bit integer's range.
+    const double low = array->GetDataTypeMin() * (1.0 - 1e-15);
+    const double high = array->GetDataTypeMax() * (1.0 - 1e-15);
+    const std::string name = std::string("whole range of ") + array->GetDataTypeAsString();
+    check(Stipple(check, name, MakeImage(type, { 8, 8, 8 }, low, high))->GetNumberOfCells() > 400, name,
+      ": stipples");
+  }
+  for (const double size : { 1e-30, 1e30 })
+  {
+    const std::string name = "values of " + std::to_string(size);
+    check(Stipple(check, name, MakeImage(VTK_FLOAT, { 8, 8, 8 }, 0.0, size))->GetNumberOfCells() > 400, name,
+      ": stipples");
+  }
+  const auto holes = MakeImage(VTK_FLOAT, { 12, 12, 12 });
+  for (vtkIdType n = 0; n < holes->GetNumberOfPoints(); n += 7)
+  {
+    holes->GetPointData()->GetScalars()->SetComponent(
+      n, 0, n % 3 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity());
+  }
+  check(Stipple(check, "holes", holes)->GetNumberOfCells() > 1000, "holes: stipples");
+}
+
+void TestShapes(InkTestChecks& check)
+{
+  for (const std::array<int, 3>& n : { std::array{ 1, 1, 1 }, std::array{ 1, 1, 2 }, std::array{ 30, 1, 1 },
+         std::array{ 1, 30, 30 }, std::array{ 30, 30, 1 }, std::array{ 2, 2, 2 }, std::array{ 300, 2, 1 } })
+  {
+    const std::string name =
+      std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]);
+    const auto image = MakeImage(VTK_FLOAT, n);
+    const vtkIdType voxels = image->GetNumberOfPoints();
+    const auto stipples = Stipple(check, name, image, [](auto* g) { g->SetMaximumStipples(64); });
+    check(stipples->GetNumberOfCells() > (voxels - 2) / 2 || voxels == 1, name, ": stipples, found ",
+      stipples->GetNumberOfCells(), " elements");
+    check(stipples->GetNumberOfPoints() == 64 * stipples->GetNumberOfCells(), name, ": 64 an element");
+  }
+}
+
+void TestMeshes(InkTestChecks& check)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  // A square, three more triangles on one of its edges, one without area, one with a point that is not
+  // finite, one twice; normals of length 0.
+  for (const double scale : { 1e-9, 1.0, 1e9 })
+  {
+    const std::string name = "mesh of size " + std::to_string(scale);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const std::array<double, 3>& p : { std::array{ 0.0, 0.0, 0.0 }, std::array{ 1.0, 0.0, 0.0 },
+           std::array{ 1.0, 1.0, 0.0 }, std::array{ 0.0, 1.0, 0.0 }, std::array{ 0.5, 0.0, 1.0 },
+           std::array{ 0.5, 0.5, -1.0 }, std::array{ 2.0, 0.0, 0.0 } })
+    {
+      points->InsertNextPoint(scale * p[0], scale * p[1], scale * p[2]);
+    }
+    const vtkIdType missing = points->InsertNextPoint(nan, 0.0, 0.0);
+    vtkNew<vtkCellArray> polygons;
+    polygons->InsertNextCell({ 0, 1, 2, 3 });
+    polygons->InsertNextCell({ 0, 1, 4 });
+    polygons->InsertNextCell({ 1, 0, 5 });
+    polygons->InsertNextCell({ 0, 1, 4 });
+    polygons->InsertNextCell({ 0, 1, 6 });
+    polygons->InsertNextCell({ 0, 0, 1 });
+    polygons->InsertNextCell({ 0, 1, missing });
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(polygons);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    normals->Fill(0.0);
+    mesh->GetPointData()->SetNormals(normals);
+    const auto stipples = Stipple(check, name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(300); });
+    check(stipples->GetNumberOfPoints() == 300 && stipples->GetNumberOfCells() == 4, name,
+      ": stipples in the four polygons with an area, found ", stipples->GetNumberOfCells());
+    const auto one = Stipple(check, name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(1); });
+    check(one->GetNumberOfPoints() == 1 && one->GetNumberOfCells() == 1, name, ": a single stipple");
+  }
+}
+
+} // namespace
+
+int TestStippleGeneratorExtremes(int, char*[])
+{
+  InkTestChecks check;
+  TestPlaces(check);
+  TestValues(check);
+  TestShapes(check);
+  TestMeshes(check);
+  return check.Result();
+}
