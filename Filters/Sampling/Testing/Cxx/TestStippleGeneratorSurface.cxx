@@ -167,8 +167,11 @@ int TestStippleGeneratorSurface(int, char*[])
     for (vtkIdType e = 0; e < 4; ++e)
     {
       const vtkIdType size = inStrips->GetVerts()->GetCellSize(e);
-      check(std::abs(static_cast<double>(size) / widths->GetComponent(e, 0) - 20.0) < 4.0,
-        "20 stipples for 1 of width ", widths->GetComponent(e, 0), ", found ", size);
+      const double width = widths->GetComponent(e, 0);
+      // The narrow ones have few stipples, and the outer ones more of the mesh's border, where stipples may
+      // lie closer.
+      check(std::abs(static_cast<double>(size) / width - 20.0) < 3.0 + 3.0 / width,
+        "20 stipples for 1 of width ", width, ", found ", size);
       check(inStrips->GetCellData()->GetNormals()->GetTuple3(e)[2] == 1.0, "a normal along z");
     }
   }
