@@ -260,33 +260,10 @@ vtkDataArray* vtkInkIsoSurfaceSampler::GetScalars(vtkImageData* image, vtkInform
   // ParaView gives an empty name where no array was chosen.
   vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
                                              : this->GetInputArrayToProcess(0, input, association);
-  if (!scalars)
+  const std::string problem = InkCheckScalars(image, chosen, scalars, association, this->ArrayComponent);
+  if (!problem.empty())
   {
-    const int count = image->GetPointData()->GetNumberOfArrays();
-    std::string found;
-    for (int i = 0; i < count; ++i)
-    {
-      const char* name = image->GetPointData()->GetArrayName(i);
-      found += (i ? ", \"" : "\"") + std::string(name ? name : "") + "\"";
-    }
-    vtkErrorMacro(<< (chosen && *chosen ? "No numeric point array \"" + std::string(chosen) + "\""
-                                        : std::string("No point scalars"))
-                  << " in the image. Its point arrays: " << (found.empty() ? "none" : found) << ".");
-    return nullptr;
-  }
-  const char* name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
-  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS ||
-    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    vtkErrorMacro("The array " << name << " has " << scalars->GetNumberOfTuples()
-                               << " values and is not point data. Expected a point array with "
-                               << image->GetNumberOfPoints() << " values.");
-    return nullptr;
-  }
-  if (this->ArrayComponent >= scalars->GetNumberOfComponents())
-  {
-    vtkErrorMacro("ArrayComponent is " << this->ArrayComponent << ", but the array " << name << " has "
-                                       << scalars->GetNumberOfComponents() << " components, counted from 0.");
+    vtkErrorMacro(<< problem);
     return nullptr;
   }
   return scalars;
