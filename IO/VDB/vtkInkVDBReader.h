@@ -30,6 +30,7 @@
 
 #include "vtkImageAlgorithm.h"
 #include "vtkInkIOVDBModule.h" // for the export macro
+#include "vtkSmartPointer.h"   // for the list of names
 
 #include <memory> // for the file
 
