@@ -73,11 +73,29 @@ std::string mebibytes(std::uint64_t bytes)
   return std::to_string((bytes + mebibyte - 1) / mebibyte) + " MiB";
 }
 
+/// Set when the process ends and this library has been shut down, and with it OpenVDB and oneTBB.
+bool ended = false;
+
+struct Ending
+{
+  ~Ending() { ended = true; }
+};
+const Ending ending;
+
 } // namespace
 
-VdbGrid::VdbGrid(VdbGridInfo info, std::shared_ptr<const Tree> tree)
+void VdbGrid::freeTree(const Tree* tree)
+{
+  // Programs such as ParaView delete what they hold as late as that, and freeing a tree takes threads.
+  if (!ended)
+  {
+    delete tree;
+  }
+}
+
+VdbGrid::VdbGrid(VdbGridInfo info, std::unique_ptr<const Tree> tree)
   : Info(std::move(info))
-  , Content(std::move(tree))
+  , Content(tree.release(), freeTree)
 {
 }
 
@@ -93,7 +111,7 @@ VdbGrid VdbGrid::read(std::istream& in, const VdbFile& file, const VdbGridInfo& 
     throw VdbTooLarge(
       "grid '" + grid.name + "' takes " + mebibytes(needed) + " of memory; allowed are " + mebibytes(memory));
   }
-  const auto tree = std::make_shared<Tree>();
+  auto tree = std::make_unique<Tree>();
   if (grid.isDouble)
   {
     tree->values.emplace<openvdb::DoubleTree>();
@@ -114,7 +132,7 @@ VdbGrid VdbGrid::read(std::istream& in, const VdbFile& file, const VdbGridInfo& 
   {
     throw VdbError("grid '" + grid.name + "': OpenVDB says: " + error.what());
   }
-  return VdbGrid(grid, tree);
+  return VdbGrid(grid, std::move(tree));
 }
 
 double VdbGrid::background() const

@@ -21,7 +21,7 @@ class VdbGrid
 public:
   /// The tree, for the sources that know OpenVDB.
   struct Tree;
-  VdbGrid(VdbGridInfo info, std::shared_ptr<const Tree> tree);
+  VdbGrid(VdbGridInfo info, std::unique_ptr<const Tree> tree);
 
   static constexpr std::uint64_t noLimit = std::numeric_limits<std::uint64_t>::max();
 
@@ -54,6 +54,8 @@ public:
   bool copyTo(const VoxelBox& box, bool negate, std::span<Real> values, const Progress& progress = {}) const;
 
 private:
+  static void freeTree(const Tree* tree);
+
   VdbGridInfo Info;
   std::shared_ptr<const Tree> Content;
 };

@@ -300,7 +300,7 @@ VdbGrid makeVdbGrid(const GridField<T>& volume, const VdbConversion& conversion)
   {
     info.direction[axis] = geometry.direction()[axis];
   }
-  const auto tree = std::make_shared<VdbGrid::Tree>();
+  auto tree = std::make_unique<VdbGrid::Tree>();
   tbb::task_arena(threadCount())
     .execute(
       [&]
@@ -309,7 +309,7 @@ VdbGrid makeVdbGrid(const GridField<T>& volume, const VdbConversion& conversion)
         const Builder builder(volume, conversion);
         builder.build(tree->values.template emplace<typename Builder::TreeType>(builder.background()));
       });
-  return VdbGrid(std::move(info), tree);
+  return VdbGrid(std::move(info), std::move(tree));
 }
 
 template VdbGrid makeVdbGrid(const GridField<float>&, const VdbConversion&);

@@ -130,6 +130,20 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals)
       this->FaceIds.push_back(face);
     }
   }
+  if (this->Triangles.empty())
+  {
+    // Some VTKs cut faces without an area into no triangles at all. A mesh of nothing but ghosts is another
+    // piece's.
+    const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+    for (vtkIdType face = first; face < mesh->GetNumberOfCells(); ++face)
+    {
+      if (!isLeftOut(face))
+      {
+        throw std::invalid_argument("its " + Counted(mesh->GetNumberOfCells() - first, "faces") +
+          " have no area; expected faces with three different points that are finite");
+      }
+    }
+  }
   if (!wantNormals)
   {
     return;

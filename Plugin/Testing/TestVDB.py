@@ -27,14 +27,15 @@ class TestVDB(unittest.TestCase):
         self.assertIn(reader.GetXMLName(), ("InkVDBReader", "InkVDBIsoSurfaceSampler"))
 
     def test_image_and_points_of_a_band_are_those_of_the_volume(self):
-        reader = InkVDBReader(FileName=self.file)
+        reader = InkOpenVDBReader(FileName=self.file)
         reader.UpdatePipeline()
-        self.assertEqual(list(reader.GridNames), ["density"])
+        names = reader.GetProperty("GridNames")
+        self.assertEqual([names.GetElement(n) for n in range(names.GetNumberOfElements())], ["density"])
         self.assertEqual(reader.Grid, "density")
         self.assertEqual(reader.GetDataInformation().DataInformation.GetExtent(), (0, 255, 0, 255, 0, 127))
         sampler = InkIsoSurfaceSampler(Input=reader)
         sampler.Isosurfaces = [80.0]
-        straight = InkVDBIsoSurfaceSampler(FileName=self.file)
+        straight = InkOpenVDBIsoSurfaceSampler(FileName=self.file)
         straight.Isosurfaces = [80.0]
         for one in (sampler, straight):
             one.UpdatePipeline()
