@@ -30,7 +30,7 @@ def files(layer, suffixes):
 
 
 def includes(path):
-    return re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', path.read_text(), re.MULTILINE)
+    return re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', path.read_text(encoding="utf-8"), re.MULTILINE)
 
 
 def layer_of_header():
@@ -77,7 +77,7 @@ def test_filters_and_io_never_see_rendering(layer):
     found = violations(layer, rendering.match)
     for name in ("vtk.module", "CMakeLists.txt"):
         for path in sorted((ROOT / layer).rglob(name)):
-            if "Testing" not in path.parts and re.search(r"\w+::\w*Rendering\w*", path.read_text()):
+            if "Testing" not in path.parts and re.search(r"\w+::\w*Rendering\w*", path.read_text(encoding="utf-8")):
                 found.append(f"{path.relative_to(ROOT)} names a rendering module")
     assert not found, "\n".join(found)
 
@@ -89,7 +89,7 @@ def test_module_dependencies_go_one_way(layer):
     assert modules
     found = []
     for path in modules:
-        for namespace, name in re.findall(r"^\s+(\w+)::(\w+)$", path.read_text(), re.MULTILINE):
+        for namespace, name in re.findall(r"^\s+(\w+)::(\w+)$", path.read_text(encoding="utf-8"), re.MULTILINE):
             if namespace != "VTK" and not (namespace == "vtkInk" and name.startswith(tuple(MAY_USE[layer]))):
                 found.append(f"{path.relative_to(ROOT)} depends on {namespace}::{name}")
     assert not found, "\n".join(found)
