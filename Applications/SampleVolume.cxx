@@ -30,25 +30,6 @@ namespace
 // What a point takes at most while it is made: coordinates in double, a normal, a radius and an index.
 constexpr std::uint64_t bytesPerPoint = 48;
 
-void checkIsoValues(const std::vector<double>& isoValues, const ValueSummary& values)
-{
-  if (!(values.least < values.greatest))
-  {
-    throw Failure(values.least == values.greatest
-        ? "no surface: all voxels have the value " + text(values.least)
-        : "no surface: no voxel has a finite value");
-  }
-  for (const double value : isoValues)
-  {
-    // Also for NaN.
-    if (!(value > values.least && value <= values.greatest))
-    {
-      throw UsageError("--iso " + text(value) + ": expected a value above " + text(values.least) +
-        " and up to " + text(values.greatest) + ", which the volume has");
-    }
-  }
-}
-
 double chooseIsoValue(VolumeSlices& volume, std::vector<std::string>& notes, Progress& progress)
 {
   progress.step("choosing an iso-value");
@@ -203,6 +184,25 @@ private:
 };
 
 } // namespace
+
+void checkIsoValues(const std::vector<double>& isoValues, const ValueSummary& values)
+{
+  if (!(values.least < values.greatest))
+  {
+    throw Failure(values.least == values.greatest
+        ? "no surface: all voxels have the value " + text(values.least)
+        : "no surface: no voxel has a finite value");
+  }
+  for (const double value : isoValues)
+  {
+    // Also for NaN.
+    if (!(value > values.least && value <= values.greatest))
+    {
+      throw UsageError("--iso " + text(value) + ": expected a value above " + text(values.least) +
+        " and up to " + text(values.greatest) + ", which the volume has");
+    }
+  }
+}
 
 std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling& sampling,
   const Memory& memory, const PointSink& sink, Progress& progress)

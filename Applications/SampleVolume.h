@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Statistics/ValueSummary.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,5 +36,9 @@ using PointSink = std::function<void(int surface, vtkPolyData* points)>;
 ///        is not enough.
 std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling& sampling,
   const Memory& memory, const PointSink& sink, Progress& progress);
+
+/// \param values that the volume has
+/// \throw UsageError for iso-values that it does not have, Failure if it has no surface at any.
+void checkIsoValues(const std::vector<double>& isoValues, const ValueSummary& values);
 
 } // namespace ink::cli
