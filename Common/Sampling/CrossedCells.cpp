@@ -54,24 +54,17 @@ struct LayerBits
 {
   std::vector<Word> above; ///< at or above the iso-value
   std::vector<Word> over;  ///< strictly above it; only for CrossingRule::Strict
-  /// For each row and the next: whether any or all of a cell's four corners are above; only for HalfOpen.
-  std::vector<Word> any;
-  std::vector<Word> all;
   // By blocks of rows.
   std::vector<Side> sides;
   std::vector<std::uint8_t> missing; ///< a sample may be NaN, infinite or hidden
   std::vector<std::uint8_t> filled;  ///< the bits are there, not only the side
-  std::vector<std::uint8_t> paired;  ///< and those of pairs
 
   LayerBits(std::size_t words, std::size_t blocks, bool strict)
     : above(words, 0)
     , over(strict ? words : 0, 0)
-    , any(strict ? 0 : words)
-    , all(strict ? 0 : words)
     , sides(blocks)
     , missing(blocks)
     , filled(blocks)
-    , paired(blocks)
   {
   }
 };
@@ -217,7 +210,7 @@ private:
     int statesOf = -1; ///< the layer of bricks that they are for
 
     explicit Scratch(const CellFinder& finder)
-      : crossed(finder.Words)
+      : crossed(finder.rowOffset(Rows))
       , low(finder.Measured ? finder.Measured->counts().x : 0)
       , high(this->low.size())
       , gathered(finder.Field.stride() == 1 ? 0 : static_cast<std::size_t>(Rows) * finder.Samples.x)
@@ -259,7 +252,6 @@ private:
       for (std::size_t t = 0; t < layers.size(); ++t)
       {
         LayerBits& layer = layers[t];
-        layer.paired[block] = false;
         layer.missing[block] = !this->Field.hidden().empty();
         if (Rows * block >= this->Samples.y)
         {
@@ -406,22 +398,6 @@ private:
     }
   }
 
-  void pair(LayerBits& layer, int block) const
-  {
-    this->fill(layer, block);
-    this->fill(layer, block + 1 < this->Blocks ? block + 1 : block);
-    if (this->Strict || layer.paired[block])
-    {
-      return;
-    }
-    layer.paired[block] = true;
-    for (int j = Rows * block; j < std::min(Rows * (block + 1), this->Cells.y); ++j)
-    {
-      this->Kernels.pairRows(&layer.above[this->rowOffset(j)], &layer.above[this->rowOffset(j + 1)],
-        this->Words, &layer.any[this->rowOffset(j)], &layer.all[this->rowOffset(j)]);
-    }
-  }
-
   void findInLayer(
     int k, LayerBits& lower, LayerBits& upper, Scratch& scratch, CrossedCells::Slab& slab) const
   {
@@ -434,43 +410,47 @@ private:
       {
         continue;
       }
-      this->pair(lower, block);
-      this->pair(upper, block);
+      for (LayerBits* layer : { &lower, &upper })
+      {
+        this->fill(*layer, block);
+        this->fill(*layer, next);
+      }
       const bool missing =
         lower.missing[block] || lower.missing[next] || upper.missing[block] || upper.missing[next];
-      const int end = std::min(Rows * (block + 1), this->End.y);
-      for (int j = std::max(Rows * block, this->Begin.y); j < end; ++j)
+      const int begin = Rows * block;
+      const int end = std::min(begin + Rows, this->End.y);
+      this->cross(begin, end, lower, upper, scratch);
+      for (int j = std::max(begin, this->Begin.y); j < end; ++j)
       {
-        if (this->cross(j, lower, upper, scratch))
-        {
-          this->keepCells(j, k, missing, scratch, slab);
-        }
+        this->keepCells(j, k, missing, &scratch.crossed[this->rowOffset(j - begin)], slab);
       }
     }
   }
 
-  /// The crossed cells of a row, to scratch.crossed.
-  bool cross(int j, const LayerBits& lower, const LayerBits& upper, Scratch& scratch) const
+  /// The crossed cells of some rows, to scratch.crossed.
+  void cross(int begin, int end, const LayerBits& lower, const LayerBits& upper, Scratch& scratch) const
   {
-    const std::size_t row = this->rowOffset(j);
     if (!this->Strict)
     {
-      return this->Kernels.crossRows(&lower.any[row], &lower.all[row], &upper.any[row], &upper.all[row],
-               this->Words, scratch.crossed.data()) != 0;
+      const std::size_t first = this->rowOffset(begin);
+      this->Kernels.crossRows(&lower.above[first], &upper.above[first], this->Words + 1, end - begin,
+        this->Words, scratch.crossed.data());
+      return;
     }
-    const std::size_t next = this->rowOffset(j + 1);
-    Word some = 0;
-    for (int w = 0; w < this->Words; ++w)
+    for (int j = begin; j < end; ++j)
     {
-      scratch.crossed[w] =
-        crossedStrict({ &lower.above[row], &lower.above[next], &upper.above[row], &upper.above[next] },
-          { &lower.over[row], &lower.over[next], &upper.over[row], &upper.over[next] }, w);
-      some |= scratch.crossed[w];
+      const std::size_t row = this->rowOffset(j);
+      const std::size_t next = this->rowOffset(j + 1);
+      for (int w = 0; w < this->Words; ++w)
+      {
+        scratch.crossed[this->rowOffset(j - begin) + w] =
+          crossedStrict({ &lower.above[row], &lower.above[next], &upper.above[row], &upper.above[next] },
+            { &lower.over[row], &lower.over[next], &upper.over[row], &upper.over[next] }, w);
+      }
     }
-    return some != 0;
   }
 
-  void keepCells(int j, int k, bool missing, const Scratch& scratch, CrossedCells::Slab& slab) const
+  void keepCells(int j, int k, bool missing, const Word* cells, CrossedCells::Slab& slab) const
   {
     const std::size_t room = slab.used + this->Words;
     if (slab.runs.size() < room)
@@ -479,9 +459,11 @@ private:
     }
     const bool oneByOne = missing || !this->Skipped.empty();
     CellRun* run = slab.runs.data() + slab.used;
-    for (int w = this->Begin.x / WordBits; w * WordBits < this->End.x; ++w)
+    const Word* inRange = this->InRange.data();
+    const int end = (this->End.x + WordBits - 1) / WordBits;
+    for (int w = this->Begin.x / WordBits; w < end; ++w)
     {
-      Word crossed = scratch.crossed[w] & this->InRange[w];
+      Word crossed = cells[w] & inRange[w];
       if (oneByOne && crossed != 0)
       {
         crossed = this->withoutExceptions(crossed, missing, { w * WordBits, j, k });

@@ -1,0 +1,486 @@
+#pragma once
+
+#include "Fields/GridField.h"
+#include "Sampling/CarefulSample.h"
+#include "Sampling/CellSegments.h"
+#include "Sampling/IsoSurfaceSamples.h"
+#include "Sampling/Kernels/TypedKernelsOf.h"
+#include "Sampling/RelativeValue.h"
+#include "Sampling/SampleWriter.h"
+#include "Sampling/SurfaceTermsOf.h"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// Internal to Common/Sampling.
+namespace ink
+{
+
+/// Places the samples of cells: their stencils are loaded and worked on a batch at a time by Kernels/. What
+/// those loops leave over, a handful of cells, is done one by one by CarefulSample. Work is float or double.
+template <class T, class Work>
+class SamplePlacer
+{
+public:
+  SamplePlacer(const GridField<T>& field, double isoValue, const SampleOptions& options)
+    : Field(field)
+    , Kernels(samplingKernels())
+    , Options(options)
+    , Relative(isoValue)
+    , Axes(axesOf(field.geometry()))
+    , Last(field.geometry().dimensions() - 2)
+    , Steps{ static_cast<std::ptrdiff_t>(field.stride()), this->Steps[0] * field.geometry().dimensions().x,
+      this->Steps[1] * field.geometry().dimensions().y }
+    , Segments(field.geometry().dimensions(), this->Steps)
+  {
+    if constexpr (std::is_same_v<Work, float>)
+    {
+      this->Terms = singleTerms<T>(field.geometry(), isoValue);
+      const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(field.geometry().sampleCount());
+      if (field.stride() == 1 && count > this->Steps[1] + this->Steps[2] + 1 + StencilReach)
+      {
+        this->Load = typedKernelsOf<T>(this->Kernels).load[static_cast<int>(options.method)];
+      }
+    }
+    else
+    {
+      this->Terms = relativeTerms(field.geometry());
+    }
+    for (int axis = 0; this->Axes != GridAxes::General && axis < 3; ++axis)
+    {
+      // Read by whole vectors.
+      const std::size_t count = static_cast<std::size_t>(field.geometry().dimensions()[axis]);
+      this->Corners[axis].resize(count + SegmentSize);
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        glm::dvec3 index(0.0);
+        index[axis] = static_cast<double>(n);
+        this->Corners[axis][n] = static_cast<Work>(field.geometry().toWorld(index)[axis]);
+      }
+    }
+    this->Narrow = field.geometry().dimensions().x <= StencilReach;
+    this->findOffsets();
+    this->findContinuations();
+  }
+
+  /// Places the samples of some runs of cells, one after the other.
+  void place(const std::vector<CellRun>& runs, SampleRoom to) const
+  {
+    const auto work = std::make_unique<Workspace>();
+    const bool normals = to.normals || to.shortNormals || to.byteNormals;
+    SegmentLister lister(this->Segments, runs);
+    SegmentBatch* now = &work->segments[0];
+    SegmentBatch* next = &work->segments[1];
+    lister.next(*now);
+    while (now->count != 0)
+    {
+      lister.next(*next);
+      this->fetchAhead(*next);
+      this->placeBatch(*now, normals, *work);
+      writeSamples(this->Kernels, work->batch, now->count, to);
+      to = roomAfter(to, static_cast<std::size_t>(now->count));
+      std::swap(now, next);
+    }
+  }
+
+private:
+  /// What one thread works on.
+  struct Workspace
+  {
+    CellBatch<Work> batch;
+    SegmentBatch segments[2];
+    std::ptrdiff_t distances[4][BatchStride];
+  };
+
+  /// Has the samples around some cells on their way while others are worked on: those of the layer that no
+  /// earlier cells looked at, as no machine can guess where the surface goes next. More than these would push
+  /// each other out of the cache where rows lie a power of two apart.
+  void fetchAhead(const SegmentBatch& cells) const
+  {
+    for (int s = 0; s < cells.segmentCount; ++s)
+    {
+      const T* after = this->Field.data() + cells.offsets[cells.segments[s].lane] + 2 * this->Steps[2];
+      __builtin_prefetch(after);
+      __builtin_prefetch(after + this->Steps[1]);
+    }
+  }
+
+  void placeBatch(SegmentBatch& cells, bool normals, Workspace& work) const
+  {
+    CellBatch<Work>& batch = work.batch;
+    const std::uint64_t all = ~std::uint64_t(0) >> (64 - cells.count);
+    const bool wide = this->Options.method == NormalMethod::Regression;
+    std::uint64_t careful = this->load(cells, normals, work);
+    const int axes = static_cast<int>(this->Axes);
+    const PlaceKernels<Work>& kernels = this->placeKernels();
+    careful |= kernels.findPoints[this->Options.rule == CrossingRule::Strict][wide][axes](
+      batch, this->Terms, cells.count);
+    if (normals)
+    {
+      careful |=
+        kernels.findNormals[static_cast<int>(this->Options.method)][axes](batch, this->Terms, cells.count);
+    }
+    for (std::uint64_t rest = careful & all; rest != 0; rest &= rest - 1)
+    {
+      const int lane = std::countr_zero(rest);
+      this->placeCarefully(cells.cell(lane), lane, normals, batch);
+    }
+  }
+
+  const PlaceKernels<Work>& placeKernels() const
+  {
+    if constexpr (std::is_same_v<Work, float>)
+    {
+      return this->Kernels.single;
+    }
+    else
+    {
+      return this->Kernels.precise;
+    }
+  }
+
+  /// Loads the cells' corners and stencils. Returns a bit for each that the loops cannot do.
+  std::uint64_t load(SegmentBatch& cells, bool normals, Workspace& work) const
+  {
+    CellBatch<Work>& batch = work.batch;
+    for (int s = 0; s < cells.segmentCount; ++s)
+    {
+      this->findCorners(cells.segments[s], batch);
+    }
+    bool loaded = false;
+    if constexpr (std::is_same_v<Work, float>)
+    {
+      if (this->Load)
+      {
+        this->loadQuickly(cells, work);
+        loaded = true;
+      }
+    }
+    for (int i = 0; !loaded && i < cells.count; ++i)
+    {
+      this->loadOne(cells, i, batch);
+    }
+    std::uint64_t careful = 0;
+    if (normals && this->Options.method != NormalMethod::Cell)
+    {
+      if (cells.border)
+      {
+        this->extrapolate(cells, batch);
+      }
+      for (int i = 0; i < cells.count && !this->Field.hidden().empty(); ++i)
+      {
+        careful |= static_cast<std::uint64_t>(this->hasHidden(cells.cell(i))) << i;
+      }
+    }
+    return careful;
+  }
+
+  /// By vectors of neighbouring samples. Rows beyond the grid's border are replaced by those at it.
+  void loadQuickly(SegmentBatch& cells, Workspace& work) const
+  {
+    using K = KernelScalar<T>;
+    StencilSource<K> source = { reinterpret_cast<const K*>(this->Field.data()), cells.offsets, this->Steps[1],
+      this->Steps[2], {}, cells.segments, cells.segmentCount };
+    std::uint64_t outside = 0;
+    if (cells.border || this->Narrow)
+    {
+      outside = this->findDistances(cells, work);
+      for (int n = 0; n < 4; ++n)
+      {
+        source.border[n] = work.distances[n];
+      }
+    }
+    this->Load(source, cells.count, work.batch);
+    for (std::uint64_t rest = outside; rest != 0; rest &= rest - 1)
+    {
+      this->loadOne(cells, std::countr_zero(rest), work.batch);
+    }
+  }
+
+  /// The distances to neighbours of each cell of a batch, some of which are at the border. Returns a bit for
+  /// each cell whose rows would begin before or end beyond the array; in its place comes something that can
+  /// be read.
+  std::uint64_t findDistances(SegmentBatch& cells, Workspace& work) const
+  {
+    const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(this->Field.geometry().sampleCount());
+    const std::ptrdiff_t y = this->Steps[1];
+    const std::ptrdiff_t z = this->Steps[2];
+    auto& distances = work.distances;
+    const auto stay = [&](int i)
+    {
+      cells.offsets[i] = 1;
+      distances[0][i] = distances[2][i] = 0;
+      distances[1][i] = y;
+      distances[3][i] = z;
+    };
+    std::uint64_t outside = 0;
+    for (int s = 0; s < cells.segmentCount; ++s)
+    {
+      const CellSegment& segment = cells.segments[s];
+      const std::ptrdiff_t around[4] = { segment.sides & 1 ? 0 : -y, segment.sides & 2 ? y : 2 * y,
+        segment.sides & 4 ? 0 : -z, segment.sides & 8 ? z : 2 * z };
+      const std::ptrdiff_t first = cells.offsets[segment.lane];
+      const bool leaves = first + around[0] + around[2] < 1 ||
+        first + segment.cells - 1 + around[1] + around[3] + StencilReach >= end;
+      for (int i = segment.lane; i < segment.lane + segment.cells; ++i)
+      {
+        for (int n = 0; n < 4; ++n)
+        {
+          distances[n][i] = around[n];
+        }
+        if (leaves)
+        {
+          outside |= std::uint64_t(1) << i;
+          stay(i);
+        }
+      }
+    }
+    for (int i = cells.count; i < std::min(cells.count + SegmentSize, BatchStride); ++i)
+    {
+      stay(i);
+    }
+    return outside;
+  }
+
+  /// Where the cells' first samples are in the world; from global indices, so that the pieces of a grid agree
+  /// to the last bit.
+  void findCorners(const CellSegment& segment, CellBatch<Work>& batch) const
+  {
+    if (this->Axes == GridAxes::General)
+    {
+      for (int i = 0; i < segment.cells; ++i)
+      {
+        const glm::dvec3 corner =
+          this->Field.geometry().toWorld(glm::dvec3(segment.x + i, segment.y, segment.z));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          batch.corners[axis][segment.lane + i] = static_cast<Work>(corner[axis]);
+        }
+      }
+      return;
+    }
+    const Work* x = &this->Corners[0][static_cast<std::size_t>(segment.x)];
+    const Work y = this->Corners[1][static_cast<std::size_t>(segment.y)];
+    const Work z = this->Corners[2][static_cast<std::size_t>(segment.z)];
+    // Copies of a known length become vectors.
+    Work all[3][SegmentSize];
+    std::copy_n(x, SegmentSize, all[0]);
+    std::fill_n(all[1], SegmentSize, y);
+    std::fill_n(all[2], SegmentSize, z);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::memcpy(&batch.corners[axis][segment.lane], all[axis], sizeof all[axis]);
+    }
+  }
+
+  /// Samples beyond the grid's border take the value of the one at it.
+  void loadOne(const SegmentBatch& cells, int lane, CellBatch<Work>& batch) const
+  {
+    const glm::ivec3 cell = cells.cell(lane);
+    const bool inside =
+      glm::all(glm::greaterThan(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, this->Last));
+    const T* corner =
+      this->Field.data() + static_cast<std::ptrdiff_t>(this->Field.geometry().offset(cell)) * this->Steps[0];
+    const int size = this->stencilSize();
+    for (int n = 0; n < size; ++n)
+    {
+      const T value = inside
+        ? corner[this->Offsets[n]]
+        : this->Field.at(glm::clamp(cell + this->Places[n], glm::ivec3(0), this->Last + 1));
+      batch.values[n][lane] = this->toWork(value);
+    }
+  }
+
+  Work toWork(T value) const
+  {
+    if constexpr (std::is_same_v<Work, float>)
+    {
+      return static_cast<float>(value);
+    }
+    else
+    {
+      return this->Relative(value);
+    }
+  }
+
+  int stencilSize() const
+  {
+    return this->Options.method == NormalMethod::Cell    ? Corners8
+      : this->Options.method == NormalMethod::Regression ? WideStencilSize
+                                                         : StencilSize;
+  }
+
+  /// Where each row of a batch lies around a cell's first corner.
+  void findOffsets()
+  {
+    const auto offset = [this](const glm::ivec3& n)
+    { return n.x * this->Steps[0] + n.y * this->Steps[1] + n.z * this->Steps[2]; };
+    for (int n = 0; n < WideStencilSize; ++n)
+    {
+      this->Places[n] = this->placeOf(n);
+      this->Offsets[n] = offset(this->Places[n]);
+    }
+  }
+
+  glm::ivec3 placeOf(int n) const
+  {
+    if (this->Options.method == NormalMethod::Regression)
+    {
+      return { (n & 3) - 1, (n >> 2 & 3) - 1, (n >> 4) - 1 };
+    }
+    if (n >= StencilSize)
+    {
+      return glm::ivec3(0);
+    }
+    if (n < Corners8)
+    {
+      return { n & 1, n >> 1 & 1, n >> 2 };
+    }
+    const int axis = (n - Corners8) % Edges / 4;
+    const int corner = lowCorner(axis, n % 4);
+    glm::ivec3 place(corner & 1, corner >> 1 & 1, corner >> 2);
+    place[axis] += n < Corners8 + Edges ? -1 : 2;
+    return place;
+  }
+
+  /// A row of a batch beyond the grid's border, and the two that it continues.
+  struct Continuation
+  {
+    int outer;
+    int near;
+    int far;
+  };
+
+  /// The continuations before the first cell along an axis, and after the last.
+  void findContinuations()
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (this->Options.method == NormalMethod::Regression)
+      {
+        constexpr int steps[3] = { 1, 4, 16 };
+        const int step = steps[axis];
+        for (int n = 0; n < 16; ++n)
+        {
+          const int outer = axis == 0 ? 4 * n : axis == 1 ? n % 4 + 16 * (n / 4) : n;
+          this->Continuations[axis][0].push_back({ outer, outer + step, outer + 2 * step });
+          this->Continuations[axis][1].push_back({ outer + 3 * step, outer + 2 * step, outer + step });
+        }
+        continue;
+      }
+      for (int n = 0; n < 4; ++n)
+      {
+        const int low = lowCorner(axis, n);
+        const int high = highCorner(axis, n);
+        this->Continuations[axis][0].push_back({ neighbourBefore(axis, n), low, high });
+        this->Continuations[axis][1].push_back({ neighbourAfter(axis, n), high, low });
+      }
+    }
+  }
+
+  /// Neighbours beyond the grid's border, from the edge that they continue: the central difference becomes
+  /// one-sided.
+  void extrapolate(const SegmentBatch& cells, CellBatch<Work>& batch) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int side = 0; side < 2; ++side)
+      {
+        for (const Continuation& c : this->Continuations[axis][side])
+        {
+          for (std::uint64_t rest = cells.sides[axis][side]; rest != 0; rest &= rest - 1)
+          {
+            const int lane = std::countr_zero(rest);
+            batch.values[c.outer][lane] = Work(2) * batch.values[c.near][lane] - batch.values[c.far][lane];
+          }
+        }
+      }
+    }
+  }
+
+  /// Whether a neighbour of the cell is marked as hidden.
+  bool hasHidden(const glm::ivec3& cell) const
+  {
+    bool found = false;
+    for (int n = 0; n < this->stencilSize(); ++n)
+    {
+      const glm::ivec3 sample = glm::clamp(cell + this->Places[n], glm::ivec3(0), this->Last + 1);
+      found |= this->Field.hidden()[this->Field.geometry().offset(sample)];
+    }
+    return found;
+  }
+
+  /// In double, with missing neighbours extrapolated.
+  void placeCarefully(const glm::ivec3& cell, int lane, bool normals, CellBatch<Work>& batch) const
+  {
+    CellStencil stencil = {};
+    for (int c = 0; c < Corners8; ++c)
+    {
+      stencil.values[c] = this->Relative(this->Field.at(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2)));
+    }
+    const glm::dvec3 mean = meanCrossing(stencil, this->Options.rule);
+    // As findCorners: not from the grid's own first sample, which other pieces do not have.
+    const GridGeometry& geometry = this->Field.geometry();
+    const glm::dvec3 point =
+      geometry.origin() + geometry.stepToWorld() * (glm::dvec3(geometry.first() + cell) + mean);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      batch.points[axis][lane] = static_cast<Work>(point[axis]);
+    }
+    if (!normals)
+    {
+      return;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int n = 0; n < 4; ++n)
+      {
+        const int low = lowCorner(axis, n);
+        glm::ivec3 sample = cell + glm::ivec3(low & 1, low >> 1 & 1, low >> 2);
+        sample[axis] -= 1;
+        const auto take = [&](int place) { stencil.values[place] = this->Relative(this->Field.at(sample)); };
+        this->Field.has(sample) ? take(neighbourBefore(axis, n)) : stencil.extrapolateBefore(axis, n);
+        sample[axis] += 3;
+        this->Field.has(sample) ? take(neighbourAfter(axis, n)) : stencil.extrapolateAfter(axis, n);
+      }
+    }
+    stencil.normalize();
+    const glm::dvec3 normal = carefulNormal(
+      stencil, mean, this->Options.rule, this->Options.method, this->Field.geometry().gradientDirection());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      batch.normals[axis][lane] = static_cast<float>(normal[axis]);
+    }
+  }
+
+  static constexpr int Corners8 = ink::Corners;
+
+  const GridField<T>& Field;
+  const SamplingKernels& Kernels;
+  SampleOptions Options;
+  RelativeValue<T> Relative;
+  GridAxes Axes;
+  glm::ivec3 Last; ///< the last cell along each axis
+  std::ptrdiff_t Steps[3];
+  SegmentTerms Segments;
+  SurfaceTerms<Work> Terms;
+  void (*Load)(const StencilSource<KernelScalar<T>>&, int, CellBatch<float>&) = nullptr;
+  std::vector<Work> Corners[3]; ///< the world's x of samples by i and so on, unless the axes are general
+  glm::ivec3 Places[WideStencilSize];
+  std::ptrdiff_t Offsets[WideStencilSize];
+  std::vector<Continuation> Continuations[3][2];
+  bool Narrow = false; ///< vectors may reach far beyond a row
+};
+
+} // namespace ink
