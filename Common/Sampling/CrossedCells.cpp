@@ -230,13 +230,14 @@ private:
       reinterpret_cast<const K*>(this->Field.data() + this->Field.geometry().offset({ 0, j, k }) * stride);
     if (stride == 1)
     {
-      return { first, this->Samples.x, rows, this->Samples.x };
+      return { first, this->Samples.x, rows, this->Samples.x,
+        static_cast<std::ptrdiff_t>(this->Samples.x) * this->Samples.y };
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(rows) * this->Samples.x; ++n)
     {
       scratch.gathered[n] = first[n * stride];
     }
-    return { scratch.gathered.data(), this->Samples.x, rows, this->Samples.x };
+    return { scratch.gathered.data(), this->Samples.x, rows, this->Samples.x, 0 };
   }
 
   void classify(int k, bool measure, Scratch& scratch, std::vector<LayerBits>& layers) const

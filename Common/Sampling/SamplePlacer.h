@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -79,7 +78,7 @@ public:
   {
     const auto work = std::make_unique<Workspace>();
     const bool normals = to.normals || to.shortNormals || to.byteNormals;
-    SegmentLister lister(this->Segments, runs);
+    SegmentLister lister(this->Segments, runs, this->Kernels);
     SegmentBatch* now = &work->segments[0];
     SegmentBatch* next = &work->segments[1];
     lister.next(*now);
@@ -154,10 +153,7 @@ private:
   std::uint64_t load(SegmentBatch& cells, bool normals, Workspace& work) const
   {
     CellBatch<Work>& batch = work.batch;
-    for (int s = 0; s < cells.segmentCount; ++s)
-    {
-      this->findCorners(cells.segments[s], batch);
-    }
+    this->findCorners(cells, batch);
     bool loaded = false;
     if constexpr (std::is_same_v<Work, float>)
     {
@@ -255,32 +251,27 @@ private:
 
   /// Where the cells' first samples are in the world; from global indices, so that the pieces of a grid agree
   /// to the last bit.
-  void findCorners(const CellSegment& segment, CellBatch<Work>& batch) const
+  void findCorners(const SegmentBatch& cells, CellBatch<Work>& batch) const
   {
-    if (this->Axes == GridAxes::General)
+    if constexpr (std::is_same_v<Work, float>)
     {
-      for (int i = 0; i < segment.cells; ++i)
+      if (this->Axes != GridAxes::General)
       {
-        const glm::dvec3 corner =
-          this->Field.geometry().toWorld(glm::dvec3(segment.x + i, segment.y, segment.z));
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          batch.corners[axis][segment.lane + i] = static_cast<Work>(corner[axis]);
-        }
+        const auto& [x, y, z] = this->Corners;
+        this->Kernels.findCorners(cells, x.data(), y.data(), z.data(), batch);
+        return;
       }
-      return;
     }
-    const Work* x = &this->Corners[0][static_cast<std::size_t>(segment.x)];
-    const Work y = this->Corners[1][static_cast<std::size_t>(segment.y)];
-    const Work z = this->Corners[2][static_cast<std::size_t>(segment.z)];
-    // Copies of a known length become vectors.
-    Work all[3][SegmentSize];
-    std::copy_n(x, SegmentSize, all[0]);
-    std::fill_n(all[1], SegmentSize, y);
-    std::fill_n(all[2], SegmentSize, z);
-    for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < cells.count; ++i)
     {
-      std::memcpy(&batch.corners[axis][segment.lane], all[axis], sizeof all[axis]);
+      const glm::ivec3 cell = cells.cell(i);
+      const bool general = this->Axes == GridAxes::General;
+      const glm::dvec3 corner = general ? this->Field.geometry().toWorld(cell) : glm::dvec3(0.0);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        batch.corners[axis][i] = general ? static_cast<Work>(corner[axis])
+                                         : this->Corners[axis][static_cast<std::size_t>(cell[axis])];
+      }
     }
   }
 
