@@ -13,14 +13,9 @@
 namespace ink
 {
 
-/// The cells of one batch.
-struct SegmentBatch
+/// The cells of one batch. The offsets after the last cell's are readable, too.
+struct SegmentBatch : SegmentList
 {
-  CellSegment segments[BatchSize];
-  /// Where the cells' first corners are in the array; those after the last are readable, too.
-  std::ptrdiff_t offsets[BatchStride] = {};
-  int segmentCount = 0;
-  int count = 0; ///< cells
   /// A bit for each cell that is the first or last of the grid along an axis.
   std::uint64_t sides[3][2];
   bool border = false; ///< one of those bits is set
@@ -40,16 +35,16 @@ private:
 
   glm::ivec3 Last; ///< the last cell along each axis
   std::ptrdiff_t Steps[3];
-  std::ptrdiff_t Along[SegmentSize]; ///< from a sample to those after it along x
 };
 
 /// Lists the cells of some runs a batch at a time.
 class SegmentLister
 {
 public:
-  SegmentLister(const SegmentTerms& terms, const std::vector<CellRun>& runs)
+  SegmentLister(const SegmentTerms& terms, const std::vector<CellRun>& runs, const SamplingKernels& kernels)
     : Terms(terms)
     , Runs(runs)
+    , Kernels(kernels)
   {
   }
 
@@ -58,15 +53,15 @@ public:
 
 private:
   void enterRun(const CellRun& run);
-  void markBorder(const CellSegment& segment, SegmentBatch& batch) const;
+  void markBorder(int firstSegment, SegmentBatch& batch) const;
 
   const SegmentTerms& Terms;
   const std::vector<CellRun>& Runs;
+  const SamplingKernels& Kernels;
   std::size_t Entered = 0; ///< runs
   std::uint64_t Rest = 0;  ///< cells of the run that were not listed yet
-  glm::ivec3 First;
-  std::ptrdiff_t Offset = 0;
-  int Sides = 0;
+  RunPlace Place = {};
+  std::uint64_t Border = 0; ///< a bit for each cell of the run that lies at the grid's border
 };
 
 } // namespace ink

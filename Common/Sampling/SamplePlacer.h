@@ -7,6 +7,7 @@
 #include "Sampling/Kernels/TypedKernelsOf.h"
 #include "Sampling/RelativeValue.h"
 #include "Sampling/SampleWriter.h"
+#include "Sampling/StencilShape.h"
 #include "Sampling/SurfaceTermsOf.h"
 
 #include <glm/common.hpp>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -43,6 +43,7 @@ public:
     , Steps{ static_cast<std::ptrdiff_t>(field.stride()), this->Steps[0] * field.geometry().dimensions().x,
       this->Steps[1] * field.geometry().dimensions().y }
     , Segments(field.geometry().dimensions(), this->Steps)
+    , Shape(options.method)
   {
     if constexpr (std::is_same_v<Work, float>)
     {
@@ -70,8 +71,11 @@ public:
       }
     }
     this->Narrow = field.geometry().dimensions().x <= StencilReach;
-    this->findOffsets();
-    this->findContinuations();
+    for (int n = 0; n < WideStencilSize; ++n)
+    {
+      const glm::ivec3& place = this->Shape.places[n];
+      this->Offsets[n] = place.x * this->Steps[0] + place.y * this->Steps[1] + place.z * this->Steps[2];
+    }
   }
 
   /// Places the samples of some runs of cells, one after the other.
@@ -79,7 +83,7 @@ public:
   {
     const auto work = std::make_unique<Workspace>();
     const bool normals = to.normals || to.shortNormals || to.byteNormals;
-    SegmentLister lister(this->Segments, runs);
+    SegmentLister lister(this->Segments, runs, this->Kernels);
     SegmentBatch* now = &work->segments[0];
     SegmentBatch* next = &work->segments[1];
     lister.next(*now);
@@ -154,10 +158,7 @@ private:
   std::uint64_t load(SegmentBatch& cells, bool normals, Workspace& work) const
   {
     CellBatch<Work>& batch = work.batch;
-    for (int s = 0; s < cells.segmentCount; ++s)
-    {
-      this->findCorners(cells.segments[s], batch);
-    }
+    this->findCorners(cells, batch);
     bool loaded = false;
     if constexpr (std::is_same_v<Work, float>)
     {
@@ -255,32 +256,27 @@ private:
 
   /// Where the cells' first samples are in the world; from global indices, so that the pieces of a grid agree
   /// to the last bit.
-  void findCorners(const CellSegment& segment, CellBatch<Work>& batch) const
+  void findCorners(const SegmentBatch& cells, CellBatch<Work>& batch) const
   {
-    if (this->Axes == GridAxes::General)
+    if constexpr (std::is_same_v<Work, float>)
     {
-      for (int i = 0; i < segment.cells; ++i)
+      if (this->Axes != GridAxes::General)
       {
-        const glm::dvec3 corner =
-          this->Field.geometry().toWorld(glm::dvec3(segment.x + i, segment.y, segment.z));
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          batch.corners[axis][segment.lane + i] = static_cast<Work>(corner[axis]);
-        }
+        const auto& [x, y, z] = this->Corners;
+        this->Kernels.findCorners(cells, x.data(), y.data(), z.data(), batch);
+        return;
       }
-      return;
     }
-    const Work* x = &this->Corners[0][static_cast<std::size_t>(segment.x)];
-    const Work y = this->Corners[1][static_cast<std::size_t>(segment.y)];
-    const Work z = this->Corners[2][static_cast<std::size_t>(segment.z)];
-    // Copies of a known length become vectors.
-    Work all[3][SegmentSize];
-    std::copy_n(x, SegmentSize, all[0]);
-    std::fill_n(all[1], SegmentSize, y);
-    std::fill_n(all[2], SegmentSize, z);
-    for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < cells.count; ++i)
     {
-      std::memcpy(&batch.corners[axis][segment.lane], all[axis], sizeof all[axis]);
+      const glm::ivec3 cell = cells.cell(i);
+      const bool general = this->Axes == GridAxes::General;
+      const glm::dvec3 corner = general ? this->Field.geometry().toWorld(cell) : glm::dvec3(0.0);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        batch.corners[axis][i] = general ? static_cast<Work>(corner[axis])
+                                         : this->Corners[axis][static_cast<std::size_t>(cell[axis])];
+      }
     }
   }
 
@@ -292,12 +288,12 @@ private:
       glm::all(glm::greaterThan(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, this->Last));
     const T* corner =
       this->Field.data() + static_cast<std::ptrdiff_t>(this->Field.geometry().offset(cell)) * this->Steps[0];
-    const int size = this->stencilSize();
+    const int size = this->Shape.size;
     for (int n = 0; n < size; ++n)
     {
       const T value = inside
         ? corner[this->Offsets[n]]
-        : this->Field.at(glm::clamp(cell + this->Places[n], glm::ivec3(0), this->Last + 1));
+        : this->Field.at(glm::clamp(cell + this->Shape.places[n], glm::ivec3(0), this->Last + 1));
       batch.values[n][lane] = this->toWork(value);
     }
   }
@@ -314,81 +310,6 @@ private:
     }
   }
 
-  int stencilSize() const
-  {
-    return this->Options.method == NormalMethod::Cell    ? Corners8
-      : this->Options.method == NormalMethod::Regression ? WideStencilSize
-                                                         : StencilSize;
-  }
-
-  /// Where each row of a batch lies around a cell's first corner.
-  void findOffsets()
-  {
-    const auto offset = [this](const glm::ivec3& n)
-    { return n.x * this->Steps[0] + n.y * this->Steps[1] + n.z * this->Steps[2]; };
-    for (int n = 0; n < WideStencilSize; ++n)
-    {
-      this->Places[n] = this->placeOf(n);
-      this->Offsets[n] = offset(this->Places[n]);
-    }
-  }
-
-  glm::ivec3 placeOf(int n) const
-  {
-    if (this->Options.method == NormalMethod::Regression)
-    {
-      return { (n & 3) - 1, (n >> 2 & 3) - 1, (n >> 4) - 1 };
-    }
-    if (n >= StencilSize)
-    {
-      return glm::ivec3(0);
-    }
-    if (n < Corners8)
-    {
-      return { n & 1, n >> 1 & 1, n >> 2 };
-    }
-    const int axis = (n - Corners8) % Edges / 4;
-    const int corner = lowCorner(axis, n % 4);
-    glm::ivec3 place(corner & 1, corner >> 1 & 1, corner >> 2);
-    place[axis] += n < Corners8 + Edges ? -1 : 2;
-    return place;
-  }
-
-  /// A row of a batch beyond the grid's border, and the two that it continues.
-  struct Continuation
-  {
-    int outer;
-    int near;
-    int far;
-  };
-
-  /// The continuations before the first cell along an axis, and after the last.
-  void findContinuations()
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (this->Options.method == NormalMethod::Regression)
-      {
-        constexpr int steps[3] = { 1, 4, 16 };
-        const int step = steps[axis];
-        for (int n = 0; n < 16; ++n)
-        {
-          const int outer = axis == 0 ? 4 * n : axis == 1 ? n % 4 + 16 * (n / 4) : n;
-          this->Continuations[axis][0].push_back({ outer, outer + step, outer + 2 * step });
-          this->Continuations[axis][1].push_back({ outer + 3 * step, outer + 2 * step, outer + step });
-        }
-        continue;
-      }
-      for (int n = 0; n < 4; ++n)
-      {
-        const int low = lowCorner(axis, n);
-        const int high = highCorner(axis, n);
-        this->Continuations[axis][0].push_back({ neighbourBefore(axis, n), low, high });
-        this->Continuations[axis][1].push_back({ neighbourAfter(axis, n), high, low });
-      }
-    }
-  }
-
   /// Neighbours beyond the grid's border, from the edge that they continue: the central difference becomes
   /// one-sided.
   void extrapolate(const SegmentBatch& cells, CellBatch<Work>& batch) const
@@ -397,7 +318,7 @@ private:
     {
       for (int side = 0; side < 2; ++side)
       {
-        for (const Continuation& c : this->Continuations[axis][side])
+        for (const StencilShape::Continuation& c : this->Shape.continuations[axis][side])
         {
           for (std::uint64_t rest = cells.sides[axis][side]; rest != 0; rest &= rest - 1)
           {
@@ -413,9 +334,9 @@ private:
   bool hasHidden(const glm::ivec3& cell) const
   {
     bool found = false;
-    for (int n = 0; n < this->stencilSize(); ++n)
+    for (int n = 0; n < this->Shape.size; ++n)
     {
-      const glm::ivec3 sample = glm::clamp(cell + this->Places[n], glm::ivec3(0), this->Last + 1);
+      const glm::ivec3 sample = glm::clamp(cell + this->Shape.places[n], glm::ivec3(0), this->Last + 1);
       found |= this->Field.hidden()[this->Field.geometry().offset(sample)];
     }
     return found;
@@ -425,7 +346,7 @@ private:
   void placeCarefully(const glm::ivec3& cell, int lane, bool normals, CellBatch<Work>& batch) const
   {
     CellStencil stencil = {};
-    for (int c = 0; c < Corners8; ++c)
+    for (int c = 0; c < ink::Corners; ++c)
     {
       stencil.values[c] = this->Relative(this->Field.at(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2)));
     }
@@ -464,8 +385,6 @@ private:
     }
   }
 
-  static constexpr int Corners8 = ink::Corners;
-
   const GridField<T>& Field;
   const SamplingKernels& Kernels;
   SampleOptions Options;
@@ -477,10 +396,9 @@ private:
   SurfaceTerms<Work> Terms;
   void (*Load)(const StencilSource<KernelScalar<T>>&, int, CellBatch<float>&) = nullptr;
   std::vector<Work> Corners[3]; ///< the world's x of samples by i and so on, unless the axes are general
-  glm::ivec3 Places[WideStencilSize];
-  std::ptrdiff_t Offsets[WideStencilSize];
-  std::vector<Continuation> Continuations[3][2];
-  bool Narrow = false; ///< vectors may reach far beyond a row
+  StencilShape Shape;
+  std::ptrdiff_t Offsets[WideStencilSize]; ///< of the shape's places, in memory
+  bool Narrow = false;                     ///< vectors may reach far beyond a row
 };
 
 } // namespace ink

@@ -280,7 +280,7 @@ int classifyMixed(
       words[r * reach + w] = known;
     }
   }
-  // They lie apart in memory: all are on their way before the first is looked at.
+  // They lie apart in memory, and so do those of the next layer, mostly the same: these are sent for already.
   constexpr int most = 64;
   int mixed[most + 1];
   for (int begin = 0; begin < bricks; begin += most)
@@ -295,7 +295,7 @@ int classifyMixed(
     {
       for (int r = 0; r < rows.rows; ++r)
       {
-        __builtin_prefetch(rows.first + r * rows.stride + mixed[n] * BrickLength<T>);
+        __builtin_prefetch(rows.first + rows.next + r * rows.stride + mixed[n] * BrickLength<T>);
       }
     }
     for (int n = 0; n < count; ++n)

@@ -101,6 +101,27 @@ struct CellSegment
   std::int8_t sides;
 };
 
+/// Up to 64 cells in a row: bit b of a word stands for the cell (x + b, y, z).
+struct RunPlace
+{
+  std::int32_t x;
+  std::int32_t y;
+  std::int32_t z;
+  std::int32_t sides;    ///< as in CellSegment
+  std::ptrdiff_t offset; ///< of the first cell's first corner in the array
+  std::ptrdiff_t step;   ///< to the next cell's
+};
+
+/// Some cells, in the order of a batch.
+struct SegmentList
+{
+  CellSegment segments[BatchSize];
+  /// Where the cells' first corners are in the array.
+  std::ptrdiff_t offsets[BatchStride];
+  std::int32_t segmentCount;
+  std::int32_t count; ///< cells
+};
+
 /// The samples around some cells: a cell's first corner is at data[offsets[n]], and its neighbours lie at
 /// these distances from it.
 template <class T>
@@ -126,7 +147,8 @@ struct SampleRows
   const T* first;
   std::ptrdiff_t stride; ///< from row to row
   int rows;
-  int samples; ///< in a row
+  int samples;         ///< in a row
+  std::ptrdiff_t next; ///< to the block of the next layer
 };
 
 /// The samples of a brick, see BrickRanges.
@@ -197,6 +219,13 @@ struct SamplingKernels
   /// lie `reach` words, more than `words`; of the samples one more row and one more word are read.
   void (*crossRows)(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach, int rows,
     int words, std::uint64_t* crossed);
+  /// Appends cells of a run to a list, up to BatchSize cells in all.
+  /// \returns the cells that the list had no room for
+  std::uint64_t (*listCells)(std::uint64_t cells, const RunPlace& run, SegmentList& list);
+  /// Writes where the cells' first corners are, by the world's x of samples by i and so on; these are
+  /// readable SegmentSize further.
+  void (*findCorners)(
+    const SegmentList& list, const float* x, const float* y, const float* z, CellBatch<float>& batch);
   /// Writes x y z of `count` columns one after the other.
   void (*interleave)(const float* x, const float* y, const float* z, int count, float* xyz);
 
