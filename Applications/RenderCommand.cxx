@@ -119,7 +119,8 @@ void render(const RenderOptions& options)
   }
 
   Progress progress(options.quiet);
-  const Input input = readInput(options.input, progress);
+  const Input input =
+    readInput(options.input, progress, options.isoValues.empty() ? Wanted::Surface : Wanted::GivenSurfaces);
   const Surface surface =
     makeSurface(input, options.isoValues, options.samples, options.input.memory, progress);
   progress.step("drawing");
