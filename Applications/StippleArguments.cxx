@@ -295,7 +295,8 @@ void StippleArguments::addMarks(CLI::App* command)
     mapper->GetStippleSizeMaxValue(), supersampling, "diameter in pixels (the preset's)");
   number("--pixels-per-stipple", &Mapper::SetPixelsPerStipple, mapper->GetPixelsPerStippleMinValue(),
     mapper->GetPixelsPerStippleMaxValue(), supersampling * supersampling,
-    "pixels of an element that make room for a stipple; darker with fewer (the preset's)");
+    "pixels of an element that make room for a stipple; darker with fewer (the preset's; less with --iso)");
+  this->room = this->all.back();
   number("--fade", &Mapper::SetFade, 0.0, 1.0, 1.0,
     "over how much of a stipple stipples appear; 0: all are whole, 1: pale ones keep the grey exact (1)");
   number("--minimum-coverage", &Mapper::SetMinimumCoverage, mapper->GetMinimumCoverageMinValue(),
@@ -391,6 +392,7 @@ StippleStyle StippleArguments::style(const std::optional<Color>& ink, const std:
     mapper->SetAppearBySize(this->parts == "size");
   }
   mapper->SetGrowing(!this->noGrowing);
+  style.roomGiven = this->room->count() > 0;
   if (ink)
   {
     mapper->SetInkColor(ink->data());

@@ -64,6 +64,7 @@ private:
   int seed = 0;
   std::string parts;
   bool noGrowing = false;
+  CLI::Option* room = nullptr; ///< --pixels-per-stipple
   std::string colorMap;
   std::string colorBy;
   std::vector<double> colorRange;

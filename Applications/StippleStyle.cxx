@@ -28,6 +28,9 @@ namespace ink::cli
 namespace
 {
 
+// Of the layers of stipples at a boundary, a surface leaves less than half to be seen.
+constexpr double roomOnSurfaces = 0.4;
+
 constexpr double fewestSamples = 20'000;
 constexpr double mostSamples = 2'000'000;
 
@@ -68,6 +71,10 @@ void takeIsoValues(
   progress.step("finding the surface", surface);
   surface->Update();
   style.mapper->SetSurfaceData(surface->GetOutput());
+  if (!style.roomGiven)
+  {
+    style.mapper->SetPixelsPerStipple(roomOnSurfaces * style.mapper->GetPixelsPerStipple());
+  }
   if (!style.generator->GetUseScalarWindow())
   {
     style.generator->UseScalarWindowOn();

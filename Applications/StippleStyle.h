@@ -39,6 +39,7 @@ struct StippleStyle
   std::optional<ScalarColors> scalarColors;
   std::optional<std::string> volumeOption; ///< one that was given and that meshes do not have
   bool listLengthGiven = false;            ///< the generator's MaximumStipples
+  bool roomGiven = false;                  ///< the mapper's PixelsPerStipple
 };
 
 /// Makes the stipples of what was read and hands them to the style's mapper.

@@ -122,7 +122,7 @@ def test_iso_surfaces_hide_what_lies_behind(stippled, tmp_path):
     """A ball before a ball: without a surface, one sees the rear one through the other."""
     ball = ink_files.blob((24, 24, 24))
     ink_files.write_vti(tmp_path / "balls.vti", np.concatenate([ball, ball], axis=1))
-    options = ["--lighting", "off", "--silhouette", "off", "--distance", 0]
+    options = ["--lighting", "off", "--silhouette", "off", "--distance", 0, "--pixels-per-stipple", 12]
     through = stippled(tmp_path / "balls.vti", *options).mean()
     solid = stippled(tmp_path / "balls.vti", *options, "--iso", 100).mean()
     assert 0.05 * through < solid < 0.7 * through
@@ -177,7 +177,7 @@ def test_turned_volumes_are_drawn_as_they_lie(picture, tmp_path):
     ink_files.write_nrrd(tmp_path / "plain.nrrd", volume)
     ink_files.write_nrrd(tmp_path / "turned.nrrd", np.ascontiguousarray(volume.transpose(0, 2, 1)),
                          directions="(0,1,0) (1,0,0) (0,0,1)")
-    pictures = [picture(tmp_path / name, "--style", "stipple", "--iso", 100).astype(int)
+    pictures = [picture(tmp_path / name, "--style", "stipple", "--iso", 100, "--pixels-per-stipple", 6).astype(int)
                 for name in ("plain.nrrd", "turned.nrrd")]
     blocks = [image.mean(axis=2).reshape(10, 20, 10, 20).mean(axis=(1, 3)) for image in pictures]
     assert np.abs(blocks[0] - blocks[1]).max() < 20
