@@ -30,7 +30,7 @@ using ink::testing::Wide;
 using ink::testing::WideMatrix;
 using ink::testing::WideVector;
 
-constexpr unsigned Images = 4000;
+constexpr unsigned Images = 2000;
 
 const char* const Names[] = { "Gradient", "GradientMagnitude", "Value", "Laplacian" };
 
