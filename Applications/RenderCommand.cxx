@@ -175,7 +175,10 @@ void render(const RenderOptions& options)
   }
 
   Progress progress(options.quiet);
-  const Input input = readInput(options.input, progress);
+  const Wanted wanted = options.stipple ? Wanted::Values
+    : options.isoValues.empty()         ? Wanted::Surface
+                                        : Wanted::GivenSurfaces;
+  const Input input = readInput(options.input, progress, wanted);
   const Subject subject =
     options.stipple ? makeStippling(input, options, progress) : makeLines(input, options, progress);
   progress.step("drawing");
