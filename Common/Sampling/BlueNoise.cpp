@@ -1,8 +1,8 @@
 #include "Sampling/BlueNoise.h"
 
-#include "Sampling/BlueNoiseBlock.h"
+#include "Sampling/BlueNoiseBins.h"
+#include "Sampling/BlueNoiseGaps.h"
 #include "Sampling/Hash.h"
-#include "Sampling/SurfaceWalk.h"
 #include "Sampling/WhiteNoise.h"
 
 #include <glm/common.hpp>
@@ -12,9 +12,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace ink
 {
@@ -22,50 +26,51 @@ namespace ink
 namespace
 {
 
-// Darts for each sample that is expected. More take time, fewer leave more to the filling of gaps, which
-// prefers the small triangles.
-constexpr double dartsPerSample = 4.0;
-// All blocks get a part of their darts before any gets the next, and gaps are filled last: a block that was
-// full before its neighbours have any would have its samples along its sides.
-constexpr std::size_t dartRounds = 4;
+// Darts for each sample that is expected, twice. Gaps are then found faster than by more darts; but blocks
+// are not filled before their neighbours have any samples: these would stand along the blocks' sides.
+constexpr double dartsPerRound = 0.5;
+// A block's side in the largest radii. Discs of blocks of one colour must not meet in one bin: each reaches
+// out by a radius, and by the width of a bin at either end.
+constexpr float radiiPerBlock = 16.0f;
 // The radius at a place of little density is at most this many times the least.
 constexpr double mostStretch = 16.0;
 
-/// Which block each thing is in, a list for each block.
+/// What lies in each block, one block after the other.
+template <class Thing>
 class BlockLists
 {
 public:
-  void add(std::uint32_t block, std::uint32_t thing) { this->Pairs.emplace_back(block, thing); }
-
-  void sort(std::size_t blocks)
+  /// @param parts things with their blocks
+  BlockLists(std::span<const std::vector<std::pair<std::uint32_t, Thing>>> parts, std::size_t blocks)
+    : Begin(blocks + 1, 0)
   {
-    this->Begin.assign(blocks + 1, 0);
-    for (const auto& [block, thing] : this->Pairs)
+    for (const auto& part : parts)
     {
-      ++this->Begin[block + 1];
+      for (const auto& [block, thing] : part)
+      {
+        ++this->Begin[block + 1];
+      }
     }
-    for (std::size_t i = 0; i < blocks; ++i)
-    {
-      this->Begin[i + 1] += this->Begin[i];
-    }
-    this->Things.resize(this->Pairs.size());
+    std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
+    this->Things.resize(this->Begin.back());
     std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (const auto& [block, thing] : this->Pairs)
+    for (const auto& part : parts)
     {
-      this->Things[next[block]++] = thing;
+      for (const auto& [block, thing] : part)
+      {
+        this->Things[next[block]++] = thing;
+      }
     }
-    this->Pairs = {};
   }
 
-  std::span<const std::uint32_t> of(std::size_t block) const
+  std::span<const Thing> of(std::size_t block) const
   {
     return std::span(this->Things).subspan(this->Begin[block], this->Begin[block + 1] - this->Begin[block]);
   }
 
 private:
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> Pairs;
-  std::vector<std::uint32_t> Things;
   std::vector<std::size_t> Begin;
+  std::vector<Thing> Things;
 };
 
 /// Names the blocks that something lies in.
@@ -90,13 +95,6 @@ public:
     this->LastBlock = block;
     this->LastName = entry->second;
     return entry->second;
-  }
-
-  /// -1: nothing lies there.
-  std::int64_t find(const glm::ivec3& block) const
-  {
-    const auto entry = this->Names.find(key(block));
-    return entry == this->Names.end() ? -1 : static_cast<std::int64_t>(entry->second);
   }
 
   std::span<const glm::ivec3> blocks() const { return this->Blocks; }
@@ -151,32 +149,16 @@ std::vector<glm::vec3> scalePoints(const TriangleMesh& mesh, const CumulativeAre
   return points;
 }
 
-/// Cuts a triangle into parts that are small against a block, and gives each to the blocks that it may
-/// reach into.
-void giveOut(const SurfacePart& part, std::vector<SurfacePart>& parts, BlockTable& table, BlockLists& lists)
+/// A step that leads through 0 to count - 1 in long leaps: near the golden section, and without a common
+/// divisor.
+std::size_t strideThrough(std::size_t count)
 {
-  if (part.reach() > 0.25f * BlueNoiseBlock::size)
+  auto stride = static_cast<std::size_t>(0.618 * static_cast<double>(count)) + 1;
+  while (std::gcd(stride, count) > 1)
   {
-    const auto [first, second] = part.halves();
-    giveOut(first, parts, table, lists);
-    giveOut(second, parts, table, lists);
-    return;
+    ++stride;
   }
-  const auto name = static_cast<std::uint32_t>(parts.size());
-  parts.push_back(part);
-  const auto& [a, b, c] = part.positions;
-  const glm::ivec3 low(glm::floor(glm::min(glm::min(a, b), c) / BlueNoiseBlock::size));
-  const glm::ivec3 high(glm::floor(glm::max(glm::max(a, b), c) / BlueNoiseBlock::size));
-  for (int z = low.z; z <= high.z; ++z)
-  {
-    for (int y = low.y; y <= high.y; ++y)
-    {
-      for (int x = low.x; x <= high.x; ++x)
-      {
-        lists.add(table.at({ x, y, z }), name);
-      }
-    }
-  }
+  return stride;
 }
 
 } // namespace
@@ -217,7 +199,288 @@ double LocalRadius::at(float density) const
     : std::clamp(this->Scale / std::sqrt(static_cast<double>(density)), this->Least, this->Most);
 }
 
-BlueNoise sampleBlueNoise(const TriangleMesh& mesh, const CumulativeArea& areas, double radius,
+namespace
+{
+
+/// A mesh with its triangles in another order: block after block of space, so that what is near on the
+/// surface is near in memory.
+class SortedMesh
+{
+public:
+  /// @param points scaled
+  SortedMesh(const TriangleMesh& mesh, std::span<const glm::vec3> points, float block)
+    : Triangles(mesh.triangles.size())
+    , Density(mesh.triangleDensity.size())
+    , Order(mesh.triangles.size())
+  {
+    BlockTable table;
+    std::vector<std::uint32_t> blocks(this->Order.size());
+    for (std::size_t t = 0; t < this->Order.size(); ++t)
+    {
+      const glm::vec3 place = points[mesh.triangles[t][0]] / block;
+      blocks[t] = glm::all(glm::lessThan(glm::abs(place), glm::vec3(0x1p20f)))
+        ? table.at(glm::ivec3(glm::floor(place)))
+        : 0;
+    }
+    std::vector<std::uint32_t> next(table.blocks().size() + 2);
+    for (const std::uint32_t name : blocks)
+    {
+      ++next[name + 1];
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (std::uint32_t t = 0; t < this->Order.size(); ++t)
+    {
+      this->Order[next[blocks[t]]++] = t;
+    }
+    for (std::size_t i = 0; i < this->Order.size(); ++i)
+    {
+      this->Triangles[i] = mesh.triangles[this->Order[i]];
+      if (!this->Density.empty())
+      {
+        this->Density[i] = mesh.triangleDensity[this->Order[i]];
+      }
+    }
+    this->View = { mesh.points, this->Triangles, mesh.pointDensity, this->Density };
+  }
+  SortedMesh(const SortedMesh&) = delete;
+  SortedMesh& operator=(const SortedMesh&) = delete;
+
+  const TriangleMesh& view() const { return this->View; }
+  /// A triangle's place in the mesh as it was.
+  std::uint32_t nameOf(std::uint32_t triangle) const { return this->Order[triangle]; }
+
+private:
+  std::vector<Triangle> Triangles;
+  std::vector<float> Density;
+  std::vector<std::uint32_t> Order;
+  TriangleMesh View;
+};
+
+/// The work on one mesh and radius, round by round.
+class Sampling
+{
+public:
+  Sampling(const TriangleMesh& mesh, const CumulativeArea& areas, double radius, std::uint64_t seed)
+    : Radii(mesh, areas, radius)
+    , Seed(seed)
+    , BlockSize(radiiPerBlock * static_cast<float>(this->Radii.most() / this->Radii.least()))
+    , Points(scalePoints(mesh, areas, this->Radii.least()))
+    , Sorted(mesh, this->Points, this->BlockSize)
+    , Mesh(this->Sorted.view())
+    , Areas(cumulateArea(this->Mesh))
+    , LeastRadii(this->radiiOfTriangles())
+    , Bins(this->Points, this->Mesh.triangles, this->LeastRadii)
+  {
+  }
+
+  /// Throws darts, evenly over the mesh. Returns whether to go on.
+  bool throwDarts(std::uint64_t round, std::size_t count, const Progress& progress);
+  /// Returns whether to go on.
+  bool fillGaps(float smallest, const Progress& progress);
+  std::vector<SurfaceSample> takeSamples() { return std::move(this->Results); }
+
+private:
+  std::vector<float> radiiOfTriangles() const;
+  float radiusAt(const SurfaceSample& sample) const;
+  std::uint32_t blockAt(const glm::vec3& position)
+  {
+    return this->Table.at(glm::ivec3(glm::floor(position / this->BlockSize)));
+  }
+  /// Calls body(thing, make) for what is in each block, block after block of a colour in parallel; make(dart)
+  /// makes a sample.
+  template <class Thing, class Body>
+  bool inBlocks(const BlockLists<Thing>& lists, const Body& body, const Progress& progress);
+
+  LocalRadius Radii;
+  std::uint64_t Seed;
+  float BlockSize;
+  std::vector<glm::vec3> Points;
+  SortedMesh Sorted;
+  const TriangleMesh& Mesh; // sorted
+  CumulativeArea Areas;
+  std::vector<float> LeastRadii;
+  BlueNoiseBins Bins;
+  BlockTable Table;
+  std::vector<SurfaceSample> Results;
+};
+
+std::vector<float> Sampling::radiiOfTriangles() const
+{
+  std::vector<float> radii(this->Mesh.hasDensity() ? this->Mesh.triangles.size() : 0);
+  for (std::size_t t = 0; t < radii.size(); ++t)
+  {
+    const glm::vec3 density = this->Mesh.density(t);
+    const float densest = std::max({ density.x, density.y, density.z });
+    radii[t] = densest > 0.0f ? static_cast<float>(this->Radii.at(densest) / this->Radii.least()) : 0.0f;
+  }
+  return radii;
+}
+
+float Sampling::radiusAt(const SurfaceSample& sample) const
+{
+  const float density = densityOf(this->Mesh, sample);
+  return density > 0.0f ? static_cast<float>(this->Radii.at(density) / this->Radii.least()) : 0.0f;
+}
+
+template <class Thing, class Body>
+bool Sampling::inBlocks(const BlockLists<Thing>& lists, const Body& body, const Progress& progress)
+{
+  std::vector<std::uint32_t> ofColour[8];
+  const std::span<const glm::ivec3> blocks = this->Table.blocks();
+  for (std::uint32_t block = 0; block < blocks.size(); ++block)
+  {
+    const glm::ivec3 parity = blocks[block] & 1;
+    if (!lists.of(block).empty())
+    {
+      ofColour[parity.x + 2 * parity.y + 4 * parity.z].push_back(block);
+    }
+  }
+  double done = 0.0;
+  for (const std::vector<std::uint32_t>& names : ofColour)
+  {
+    const double share = static_cast<double>(names.size()) / static_cast<double>(blocks.size());
+    std::vector<std::vector<SurfaceSample>> made(names.size());
+    const auto fill = [&](std::size_t i)
+    {
+      this->Bins.with(
+        [&](BlueNoiseBins::Workspace& workspace)
+        {
+          body(lists.of(names[i]),
+            [&](const BlueNoiseDart& dart)
+            {
+              made[i].push_back(
+                { this->Sorted.nameOf(dart.sample.triangle), dart.sample.b1, dart.sample.b2 });
+              this->Bins.add({ dart.position, dart.sample.triangle }, dart.radius, workspace);
+            });
+        });
+    };
+    if (!parallelFor(names.size(), fill,
+          progress ? [&](double part) { return progress(done + share * part); } : Progress()))
+    {
+      return false;
+    }
+    for (const std::vector<SurfaceSample>& samples : made)
+    {
+      this->Results.insert(this->Results.end(), samples.begin(), samples.end());
+    }
+    done += share;
+  }
+  return true;
+}
+
+bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress& progress)
+{
+  constexpr std::size_t chunk = 1 << 12;
+  const std::size_t chunks = (count + chunk - 1) / chunk;
+  const std::span<const double> weights = this->Areas.weights();
+  const double last = std::nextafter(weights.back(), 0.0);
+  const double step = weights.back() / static_cast<double>(count);
+  const std::uint64_t alongSeed = hash(this->Seed, round, 6);
+  const std::uint64_t placeSeed = hash(this->Seed, round, 7);
+  std::vector<std::vector<std::pair<std::uint32_t, BlueNoiseDart>>> thrown(chunks);
+  parallelFor(chunks,
+    [&](std::size_t c)
+    {
+      std::uint32_t triangle = 0;
+      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i)
+      {
+        const double place =
+          std::min((static_cast<double>(i) + unitDouble(hash(alongSeed ^ i))) * step, last);
+        triangle = i == c * chunk ? findTriangle(weights, place) : findTriangle(weights, place, triangle);
+        if (this->Bins.isCovered(triangle))
+        {
+          continue;
+        }
+        BlueNoiseDart dart;
+        dart.sample = placeInTriangle(this->Mesh, triangle, hash(placeSeed ^ i));
+        dart.radius = this->Mesh.hasDensity() ? this->radiusAt(dart.sample) : 1.0f;
+        const auto& [a, b, c3] = this->Mesh.triangles[triangle];
+        const glm::vec3& origin = this->Points[a];
+        dart.position =
+          origin + dart.sample.b1 * (this->Points[b] - origin) + dart.sample.b2 * (this->Points[c3] - origin);
+        if (dart.radius > 0.0f && !this->Bins.isTaken(triangle, dart.position, dart.radius))
+        {
+          thrown[c].emplace_back(0, dart);
+        }
+      }
+    });
+  for (auto& part : thrown)
+  {
+    for (auto& [block, dart] : part)
+    {
+      block = this->blockAt(dart.position);
+    }
+  }
+  const BlockLists<BlueNoiseDart> lists(thrown, this->Table.blocks().size());
+  return this->inBlocks(
+    lists,
+    [&](std::span<const BlueNoiseDart> darts, const auto& make)
+    {
+      // Neighbours in the list are neighbours on the mesh: they are tried far from each other.
+      const std::size_t stride = strideThrough(darts.size());
+      for (std::size_t i = 0, place = 0; i < darts.size(); ++i, place = (place + stride) % darts.size())
+      {
+        const BlueNoiseDart& dart = darts[place];
+        if (!this->Bins.isTaken(dart.sample.triangle, dart.position, dart.radius))
+        {
+          make(dart);
+        }
+      }
+    },
+    progress);
+}
+
+bool Sampling::fillGaps(float smallest, const Progress& progress)
+{
+  constexpr std::size_t chunk = 1 << 12;
+  const std::size_t chunks = (this->Mesh.triangles.size() + chunk - 1) / chunk;
+  std::vector<std::vector<std::pair<std::uint32_t, BlueNoiseBins::Open>>> found(chunks);
+  parallelFor(chunks,
+    [&](std::size_t c)
+    {
+      std::vector<BlueNoiseBins::Open> open;
+      for (std::size_t t = c * chunk; t < std::min((c + 1) * chunk, this->Mesh.triangles.size()); ++t)
+      {
+        this->Bins.listOpen(static_cast<std::uint32_t>(t), open);
+      }
+      for (const BlueNoiseBins::Open& bin : open)
+      {
+        found[c].emplace_back(0, bin);
+      }
+    });
+  for (auto& part : found)
+  {
+    for (auto& [block, bin] : part)
+    {
+      block = this->blockAt(this->Bins.placeOf(bin));
+    }
+  }
+  const BlockLists<BlueNoiseBins::Open> lists(found, this->Table.blocks().size());
+  const BlueNoiseGaps::RadiusAt radiusAt = this->Mesh.hasDensity() ? [this](const SurfaceSample& place)
+  { return this->radiusAt(place); }
+                                                                   : BlueNoiseGaps::RadiusAt();
+  return this->inBlocks(
+    lists,
+    [&](std::span<const BlueNoiseBins::Open> bins, const auto& make)
+    {
+      const BlueNoiseGaps::Make makeSample = make;
+      BlueNoiseGaps gaps(this->Bins, radiusAt, smallest, makeSample);
+      for (const BlueNoiseBins::Open& bin : bins)
+      {
+        gaps.fill(bin, hash(this->Seed, bin.bin, 4));
+      }
+    },
+    progress);
+}
+
+} // namespace
+
+double fittedCount(double gap)
+{
+  return 0.72 - 0.3 * gap + 0.09 * gap * gap;
+}
+
+BlueNoise sampleBlueNoise(const TriangleMesh& mesh, const CumulativeArea& areas, double radius, double gap,
   std::uint64_t seed, const Progress& progress)
 {
   BlueNoise result;
@@ -226,132 +489,21 @@ BlueNoise sampleBlueNoise(const TriangleMesh& mesh, const CumulativeArea& areas,
   {
     return result;
   }
-  const LocalRadius radii(mesh, areas, radius);
-  const double unit = radii.least();
-  const std::vector<glm::vec3> points = scalePoints(mesh, areas, unit);
-  const SurfaceWalk walk(points, mesh.triangles);
-  const auto relativeRadius = [&](float density) { return static_cast<float>(radii.at(density) / unit); };
-
-  BlockTable table;
-  BlockLists partLists;
-  std::vector<SurfacePart> parts;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+  Sampling sampling(mesh, areas, radius, seed);
+  const auto darts = static_cast<std::size_t>(
+    std::ceil(dartsPerRound * saturatedCount * areas.area.back() / (radius * radius)));
+  const auto upTo = [&](double begin, double end) -> Progress
   {
-    const glm::vec3 density = mesh.density(t);
-    const float densest = std::max({ density.x, density.y, density.z });
-    if (areas.area[t + 1] > areas.area[t] && densest > 0.0f)
-    {
-      const auto& [a, b, c] = mesh.triangles[t];
-      const SurfacePart whole{ t, relativeRadius(densest), { points[a], points[b], points[c] },
-        { glm::vec2(0.0f), glm::vec2(1.0f, 0.0f), glm::vec2(0.0f, 1.0f) } };
-      giveOut(whole, parts, table, partLists);
-    }
-  }
-
-  const double expected = saturatedCount * areas.area.back() / (radius * radius);
-  const auto dartCount = static_cast<std::size_t>(std::ceil(dartsPerSample * expected)) + 1;
-  const std::vector<SurfaceSample> thrown = sampleWhiteNoise(mesh, areas, dartCount, seed);
-  std::vector<BlueNoiseDart> darts(thrown.size());
-  constexpr std::size_t blockSize = 1 << 13;
-  parallelFor((darts.size() + blockSize - 1) / blockSize,
-    [&](std::size_t block)
-    {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, darts.size()); ++i)
-      {
-        const SurfaceSample& sample = thrown[i];
-        const auto& [a, b, c] = mesh.triangles[sample.triangle];
-        darts[i].sample = sample;
-        darts[i].position =
-          points[a] + sample.b1 * (points[b] - points[a]) + sample.b2 * (points[c] - points[a]);
-        darts[i].radius = mesh.hasDensity() ? relativeRadius(densityOf(mesh, sample)) : 1.0f;
-      }
-    });
-  BlockLists dartLists;
-  for (std::uint32_t i = 0; i < darts.size(); ++i)
-  {
-    dartLists.add(table.at(glm::ivec3(glm::floor(darts[i].position / BlueNoiseBlock::size))), i);
-  }
-
-  const std::span<const glm::ivec3> blocks = table.blocks();
-  partLists.sort(blocks.size());
-  dartLists.sort(blocks.size());
-  std::vector<std::uint32_t> ofColour[8];
-  for (std::uint32_t block = 0; block < blocks.size(); ++block)
-  {
-    const glm::ivec3 parity = blocks[block] & 1;
-    ofColour[parity.x + 2 * parity.y + 4 * parity.z].push_back(block);
-  }
-
-  std::vector<std::vector<std::uint32_t>> order(blocks.size());
-  parallelFor(blocks.size(),
-    [&](std::size_t name)
-    {
-      std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
-      for (const std::uint32_t dart : dartLists.of(name))
-      {
-        keys.emplace_back(hash(seed, dart, 3), dart);
-      }
-      std::sort(keys.begin(), keys.end());
-      for (const auto& [random, dart] : keys)
-      {
-        order[name].push_back(dart);
-      }
-    });
-
-  std::vector<std::vector<BlueNoiseDart>> taken(blocks.size());
-  const auto fill = [&](std::uint32_t name, std::size_t round)
-  {
-    BlueNoiseBlock block(mesh, walk, blocks[name], relativeRadius);
-    for (int neighbour = 0; neighbour < 27; ++neighbour)
-    {
-      const glm::ivec3 offset(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
-      if (const std::int64_t other = table.find(blocks[name] + offset); other >= 0)
-      {
-        block.addSamples(taken[other]);
-      }
-    }
-    if (round < dartRounds)
-    {
-      const std::size_t begin = order[name].size() * round / dartRounds;
-      const std::size_t end = order[name].size() * (round + 1) / dartRounds;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        block.tryDart(darts[order[name][i]]);
-      }
-    }
-    else
-    {
-      for (const std::uint32_t part : partLists.of(name))
-      {
-        block.fillGaps(parts[part], hash(seed, part, 4));
-      }
-    }
-    const std::vector<BlueNoiseDart> made = block.takeDarts();
-    taken[name].insert(taken[name].end(), made.begin(), made.end());
+    return progress ? [&, begin, end](double done) { return progress(begin + done * (end - begin)); }
+                    : Progress();
   };
-  double done = 0.0;
-  for (std::size_t round = 0; round <= dartRounds; ++round)
+  result.stopped = !sampling.throwDarts(0, darts, upTo(0.0, 0.2)) ||
+    !sampling.throwDarts(1, darts, upTo(0.2, 0.4)) ||
+    !sampling.fillGaps(static_cast<float>(std::clamp(gap, leastGap, largestGap)), upTo(0.4, 1.0));
+  result.samples = sampling.takeSamples();
+  if (result.stopped)
   {
-    for (const std::vector<std::uint32_t>& names : ofColour)
-    {
-      const double share =
-        static_cast<double>(names.size()) / static_cast<double>((dartRounds + 1) * blocks.size());
-      if (!parallelFor(
-            names.size(), [&](std::size_t i) { fill(names[i], round); },
-            progress ? [&](double part) { return progress(done + share * part); } : Progress()))
-      {
-        result.stopped = true;
-        return result;
-      }
-      done += share;
-    }
-  }
-  for (const std::vector<BlueNoiseDart>& ofBlock : taken)
-  {
-    for (const BlueNoiseDart& dart : ofBlock)
-    {
-      result.samples.push_back(dart.sample);
-    }
+    result.samples.clear();
   }
   return result;
 }

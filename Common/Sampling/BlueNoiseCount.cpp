@@ -14,8 +14,6 @@ namespace ink
 namespace
 {
 
-// What sampleBlueNoise fits on a flat surface: it stops a little before the limit.
-constexpr double fitted = 0.687;
 // So many samples more than asked for are aimed at, and so many at most left out.
 constexpr double aimedAt = 1.02;
 constexpr double atMost = 1.08;
@@ -70,7 +68,8 @@ bool sortByPriority(const TriangleMesh& mesh, const CumulativeArea& areas, std::
 }
 
 BlueNoise sampleBlueNoiseCount(const TriangleMesh& mesh, const CumulativeArea& areas,
-  std::span<const glm::vec3> normals, std::size_t count, std::uint64_t seed, const Progress& progress)
+  std::span<const glm::vec3> normals, std::size_t count, double gap, std::uint64_t seed,
+  const Progress& progress)
 {
   BlueNoise result;
   if (count == 0 || areas.weights().empty() || !(areas.weights().back() > 0.0))
@@ -79,14 +78,14 @@ BlueNoise sampleBlueNoiseCount(const TriangleMesh& mesh, const CumulativeArea& a
   }
   const double aim = std::ceil(aimedAt * static_cast<double>(count)) + 1.0;
   const double most = std::ceil(atMost * static_cast<double>(count)) + 3.0;
-  double radius = std::sqrt(fitted * areas.area.back() / aim);
+  double radius = std::sqrt(fittedCount(gap) * areas.area.back() / aim);
   // Borders, curvature and small pieces change how many fit. Radii known to fit too many and too few.
   double tooSmall = 0.0;
   double tooLarge = std::numeric_limits<double>::infinity();
   for (int attempt = 0; attempt < mostTries; ++attempt)
   {
-    BlueNoise found = sampleBlueNoise(
-      mesh, areas, radius, seed, part(progress, 0.5 - 0.5 / (1 << attempt), 0.5 - 0.25 / (1 << attempt)));
+    BlueNoise found = sampleBlueNoise(mesh, areas, radius, gap, seed,
+      part(progress, 0.5 - 0.5 / (1 << attempt), 0.5 - 0.25 / (1 << attempt)));
     if (found.stopped)
     {
       return found;

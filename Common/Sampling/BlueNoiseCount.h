@@ -13,7 +13,8 @@ namespace ink
 ///   precision does not tell them apart.
 /// Other parameters and errors as for sampleBlueNoise.
 BlueNoise sampleBlueNoiseCount(const TriangleMesh& mesh, const CumulativeArea& areas,
-  std::span<const glm::vec3> normals, std::size_t count, std::uint64_t seed, const Progress& progress = {});
+  std::span<const glm::vec3> normals, std::size_t count, double gap, std::uint64_t seed,
+  const Progress& progress = {});
 
 /// Sorts samples by priorityOrder, with the space around each by the mesh's density. Returns false, and
 /// leaves them as they were, when stopped.

@@ -12,23 +12,21 @@ namespace ink
 namespace
 {
 
-// Of the radius: how far from the discs gaps may lie that sampleBlueNoise does not look for.
-constexpr double gap = 1.06;
-// Of what the radius would be if the count were a saturated set's: chosen so that probes of known surfaces
-// find no hole.
-constexpr double gapAfterLeavingOut = 1.3;
+// How much wider discs must be for the gaps that leaving out a few samples leaves: chosen so that probes of
+// known surfaces find no hole.
+constexpr double afterLeavingOut = 1.4;
 constexpr double holes = 0.01;
 
 } // namespace
 
-double blueNoiseCover(double radius)
+double blueNoiseCover(double radius, double gap)
 {
-  return gap * radius;
+  return (1.0 + gap) * radius;
 }
 
-double blueNoiseCover(double area, double count)
+double blueNoiseCover(double area, double count, double gap)
 {
-  return gapAfterLeavingOut * std::sqrt(saturatedCount * area / count);
+  return afterLeavingOut * blueNoiseCover(std::sqrt(fittedCount(gap) * area / count), gap);
 }
 
 double whiteNoiseCover(double area, double count)

@@ -6,12 +6,12 @@ namespace ink
 /// How large discs around samples must be to leave no holes. Zhang et al. 2014 (section 4) give A / n, which
 /// has the unit of an area; a length in its place is in proportion to sqrt(A / n).
 
-/// For blue noise of a radius: no place of the surface is farther from a sample, see sampleBlueNoise.
-double blueNoiseCover(double radius);
+/// For blue noise of a radius and gap: no place of the surface is farther from a sample, see sampleBlueNoise.
+double blueNoiseCover(double radius, double gap);
 
 /// For `count` blue-noise samples on an area of which no more than a tenth of a saturated set was left out,
 /// the most crowded first.
-double blueNoiseCover(double area, double count);
+double blueNoiseCover(double area, double count, double gap);
 
 /// For `count` independent samples, evenly on an area. Discs that cover x times the area between them leave
 /// holes, n x exp(-x) in the mean (Hall 1988, section 3.2); x is chosen so that this is one in a hundred.

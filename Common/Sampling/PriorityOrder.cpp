@@ -1,5 +1,6 @@
 #include "Sampling/PriorityOrder.h"
 
+#include "Parallel/ParallelSort.h"
 #include "Sampling/Hash.h"
 
 #include <glm/common.hpp>
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ink
 {
@@ -16,11 +18,14 @@ namespace ink
 namespace
 {
 
-constexpr int levelsPerOctave = 6;
+constexpr int levelsPerOctave = 12;
 // Points nearer to each other than this part of the largest extent are as good as one.
 constexpr int octaves = 22;
 constexpr int levelCount = levelsPerOctave * octaves;
-constexpr std::size_t blockSize = 1 << 10;
+constexpr std::size_t blockSize = 1 << 12;
+// So many points of a block are looked at one after the other before the rest is looked at in parallel.
+constexpr std::size_t fewInABlock = 64;
+constexpr std::uint16_t isChosen = 0xffff;
 // The cosine between normals of different sides of a surface.
 constexpr float otherSide = -0.25f;
 // The cosine between normals of sheets that lie above each other, at least, and the squared cosine between
@@ -48,156 +53,447 @@ bool areApart(const Point& a, const Point& b, const glm::vec3& offset, float squ
   return likeness > sameSide && std::min(up * up, otherUp * otherUp) > straightUp * squaredDistance;
 }
 
-/// The chosen points in cells of a width that halves as the radius does.
-class ChosenPoints
-{
-public:
-  explicit ChosenPoints(std::span<const Point> points)
-    : Points(points)
-  {
-  }
-
-  /// Sorts all into cells that radii of up to `width` are looked up in.
-  void sortInto(float width)
-  {
-    this->Scale = 1.0f / width;
-    this->Slots.assign(std::bit_ceil(4 * this->Chosen.size() + 64), Slot());
-    this->Used = 0;
-    for (std::uint32_t i = 0; i < this->Chosen.size(); ++i)
-    {
-      this->link(i);
-    }
-  }
-
-  void add(std::uint32_t point)
-  {
-    this->Chosen.push_back({ point, none });
-    if (2 * this->Used >= this->Slots.size())
-    {
-      this->sortInto(1.0f / this->Scale);
-    }
-    else
-    {
-      this->link(static_cast<std::uint32_t>(this->Chosen.size() - 1));
-    }
-  }
-
-  /// The least distance of a point to chosen ones, in units of the smaller radius of the two; infinite if
-  /// that is not below `width`.
-  float distance(std::uint32_t index, float width) const
-  {
-    const Point& point = this->Points[index];
-    const float reach = width * point.radius;
-    const glm::ivec3 low(glm::floor((point.position - reach) * this->Scale));
-    const glm::ivec3 high(glm::floor((point.position + reach) * this->Scale));
-    float least = width;
-    for (int z = low.z; z <= high.z; ++z)
-    {
-      for (int y = low.y; y <= high.y; ++y)
-      {
-        for (int x = low.x; x <= high.x; ++x)
-        {
-          for (std::uint32_t i = this->Slots[this->slot({ x, y, z })].head; i != none;
-               i = this->Chosen[i].next)
-          {
-            const Point& other = this->Points[this->Chosen[i].point];
-            const glm::vec3 offset = other.position - point.position;
-            const float squared = glm::dot(offset, offset);
-            const float radius = std::min(point.radius, other.radius);
-            const float limit = least * radius;
-            if (squared < limit * limit && !areApart(point, other, offset, squared))
-            {
-              least = std::sqrt(squared) / radius;
-            }
-          }
-        }
-      }
-    }
-    return least < width ? least : std::numeric_limits<float>::infinity();
-  }
-
-  std::size_t count() const { return this->Chosen.size(); }
-  std::vector<std::uint32_t> take() const
-  {
-    std::vector<std::uint32_t> points;
-    points.reserve(this->Chosen.size());
-    for (const auto& [point, next] : this->Chosen)
-    {
-      points.push_back(point);
-    }
-    return points;
-  }
-
-private:
-  static constexpr std::uint32_t none = ~0u;
-  static constexpr std::uint64_t empty = ~std::uint64_t(0);
-  struct Slot
-  {
-    std::uint64_t key = empty;
-    std::uint32_t head = none;
-  };
-  struct Link
-  {
-    std::uint32_t point;
-    std::uint32_t next;
-  };
-
-  static std::uint64_t key(const glm::ivec3& cell)
-  {
-    constexpr int bits = 21; // more than there are octaves below 2^20, and less than a third of 64
-    const glm::uvec3 positive(cell + (1 << (bits - 1)));
-    return std::uint64_t(positive.x) << (2 * bits) | std::uint64_t(positive.y) << bits | positive.z;
-  }
-
-  std::size_t slot(const glm::ivec3& cell) const
-  {
-    const std::uint64_t name = key(cell);
-    const std::size_t mask = this->Slots.size() - 1;
-    std::size_t place = (name * 0x9e3779b97f4a7c15u >> 32) & mask;
-    while (this->Slots[place].key != name && this->Slots[place].key != empty)
-    {
-      place = (place + 1) & mask;
-    }
-    return place;
-  }
-
-  void link(std::uint32_t chosen)
-  {
-    const glm::ivec3 cell(glm::floor(this->Points[this->Chosen[chosen].point].position * this->Scale));
-    Slot& place = this->Slots[this->slot(cell)];
-    if (place.key == empty)
-    {
-      place.key = key(cell);
-      ++this->Used;
-    }
-    this->Chosen[chosen].next = place.head;
-    place.head = chosen;
-  }
-
-  std::span<const Point> Points;
-  std::vector<Link> Chosen;
-  std::vector<Slot> Slots;
-  std::size_t Used = 0;
-  float Scale = 1.0f;
-};
-
 bool isFinite(const glm::vec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-/// All points in random order: neighbours in the order are no neighbours in space.
-std::vector<std::uint32_t> shuffled(std::size_t count, std::uint64_t seed)
+/// The bits of a number of 21 bits, two apart.
+std::uint64_t spread(std::uint64_t bits)
 {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(count);
-  for (std::uint32_t i = 0; i < count; ++i)
+  bits = (bits | bits << 32) & 0x001f00000000ffffu;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
+  return (bits | bits << 2) & 0x1249249249249249u;
+}
+
+/// The inverse of spread.
+std::uint32_t gather(std::uint64_t bits)
+{
+  bits &= 0x1249249249249249u;
+  bits = (bits | bits >> 2) & 0x10c30c30c30c30c3u;
+  bits = (bits | bits >> 4) & 0x100f00f00f00f00fu;
+  bits = (bits | bits >> 8) & 0x001f0000ff0000ffu;
+  bits = (bits | bits >> 16) & 0x001f00000000ffffu;
+  return static_cast<std::uint32_t>(bits | bits >> 32);
+}
+
+/// A place in the order of Morton (1966), in which what is near in space is mostly near in memory: a number
+/// of which each three bits less name a cell twice as wide.
+constexpr int placeBits = 21;
+
+std::uint64_t placeOf(const glm::vec3& position) // from 0 to 1
+{
+  const glm::uvec3 steps(position * static_cast<float>(1 << (placeBits - 1)));
+  return spread(steps.x) | spread(steps.y) << 1 | spread(steps.z) << 2;
+}
+
+std::uint64_t placeOf(const glm::uvec3& cell)
+{
+  return spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
+}
+
+glm::uvec3 cellAt(std::uint64_t place)
+{
+  return { gather(place), gather(place >> 1), gather(place >> 2) };
+}
+
+constexpr std::uint32_t none = ~0u;
+
+/// Cells of space of one width with what has been chosen in each.
+class ChosenPoints
+{
+public:
+  ChosenPoints(std::span<const Point> points, std::span<const std::uint64_t> places)
+    : Points(points)
+    , Places(places)
+    , CellOf(points.size())
+    , Next(points.size(), none)
   {
-    keys[i] = { hash(seed, i, 5), i };
   }
-  std::sort(keys.begin(), keys.end());
-  std::vector<std::uint32_t> order(count);
-  std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& entry) { return entry.second; });
-  return order;
+
+  /// Cells of 2^(1 - octave); the chosen are sorted in again.
+  /// @param isDone(point): no one asks for its distance any more
+  template <class IsChosen>
+  void setOctave(int octave, std::span<const std::uint32_t> chosen, const IsChosen& isDone);
+
+  /// The least distance of a point to chosen ones, in units of the smaller radius of the two; infinite if
+  /// that is not below `width`, which is at most that of the cells.
+  float distance(std::uint32_t index, float width) const;
+
+  void add(std::uint32_t point)
+  {
+    std::uint32_t& head = this->Heads[this->CellOf[point]];
+    this->Next[point] = head;
+    head = point;
+  }
+
+  /// The block of four cells along each axis that a point is in, the lowest bits saying its colour: blocks of
+  /// one colour are far enough apart for points to be added at the same time.
+  std::uint64_t blockOf(std::uint32_t point) const { return this->Places[point] >> this->Shift >> 6; }
+  static constexpr std::uint64_t colours = 8;
+
+private:
+  void findNeighbours(const std::vector<bool>& wanted);
+
+  std::span<const Point> Points;
+  std::span<const std::uint64_t> Places;
+  int Shift = 0;
+  float Width = 2.0f;
+  std::vector<std::uint32_t> CellOf; // of each point
+  std::vector<std::uint64_t> Cells;  // which there are, in the order of their places
+  std::vector<std::uint32_t> Heads;  // of each cell: one chosen point,
+  std::vector<std::uint32_t> Next;   // and of each point another
+  // Those of the 27 cells around each that there are, and which of the 27 they are.
+  std::vector<std::uint32_t> Begin;
+  std::vector<std::uint32_t> Neighbours;
+  std::vector<std::uint8_t> Directions;
+};
+
+template <class IsChosen>
+void ChosenPoints::setOctave(int octave, std::span<const std::uint32_t> chosen, const IsChosen& isDone)
+{
+  this->Shift = 3 * (placeBits - octave);
+  this->Width = std::ldexp(2.0f, -octave);
+  this->Cells.clear();
+  std::vector<bool> wanted;
+  for (std::uint32_t i = 0; i < this->Places.size(); ++i)
+  {
+    const std::uint64_t cell = this->Places[i] >> this->Shift;
+    if (this->Cells.empty() || this->Cells.back() != cell)
+    {
+      this->Cells.push_back(cell);
+      wanted.push_back(false);
+    }
+    wanted.back() = wanted.back() || !isDone(i);
+    this->CellOf[i] = static_cast<std::uint32_t>(this->Cells.size() - 1);
+  }
+  this->findNeighbours(wanted);
+  this->Heads.assign(this->Cells.size(), none);
+  for (const std::uint32_t point : chosen)
+  {
+    this->add(point);
+  }
+}
+
+void ChosenPoints::findNeighbours(const std::vector<bool>& wanted)
+{
+  const std::size_t mask = std::bit_ceil(2 * this->Cells.size() + 1) - 1;
+  std::vector<std::uint32_t> table(mask + 1, none);
+  const auto slotOf = [&](std::uint64_t cell)
+  {
+    std::size_t slot = (cell * 0x9e3779b97f4a7c15u >> 24) & mask;
+    while (table[slot] != none && this->Cells[table[slot]] != cell)
+    {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
+  };
+  for (std::uint32_t i = 0; i < this->Cells.size(); ++i)
+  {
+    table[slotOf(this->Cells[i])] = i;
+  }
+  const std::size_t blocks = (this->Cells.size() + blockSize - 1) / blockSize;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint8_t>>> found(blocks);
+  this->Begin.assign(this->Cells.size() + 1, 0);
+  parallelFor(blocks,
+    [&](std::size_t block)
+    {
+      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, this->Cells.size()); ++i)
+      {
+        const glm::uvec3 cell = cellAt(this->Cells[i]);
+        const std::size_t before = found[block].size();
+        for (std::uint8_t direction = 0; wanted[i] && direction < 27; ++direction)
+        {
+          // Below 0 becomes more than there is.
+          const glm::uvec3 other = (cell + glm::uvec3(direction % 3, direction / 3 % 3, direction / 9) - 1u) &
+            ((1u << placeBits) - 1u);
+          if (const std::uint32_t name = table[slotOf(placeOf(other))]; name != none)
+          {
+            found[block].emplace_back(name, direction);
+          }
+        }
+        this->Begin[i + 1] = static_cast<std::uint32_t>(found[block].size() - before);
+      }
+    });
+  std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
+  this->Neighbours.resize(this->Begin.back());
+  this->Directions.resize(this->Begin.back());
+  parallelFor(blocks,
+    [&](std::size_t block)
+    {
+      std::size_t place = this->Begin[block * blockSize];
+      for (const auto& [name, direction] : found[block])
+      {
+        this->Neighbours[place] = name;
+        this->Directions[place++] = direction;
+      }
+    });
+}
+
+float ChosenPoints::distance(std::uint32_t index, float width) const
+{
+  const Point& point = this->Points[index];
+  const float reach = width * point.radius;
+  const std::uint32_t cell = this->CellOf[index];
+  const glm::vec3 low = glm::vec3(cellAt(this->Cells[cell])) * this->Width;
+  const auto within = [&](int axis)
+  {
+    return (point.position[axis] - reach < low[axis] ? 1u : 0u) | 2u |
+      (point.position[axis] + reach >= low[axis] + this->Width ? 4u : 0u);
+  };
+  const unsigned ranges[3] = { within(0), within(1), within(2) };
+  float least = width;
+  for (std::uint32_t n = this->Begin[cell]; n < this->Begin[cell + 1]; ++n)
+  {
+    const unsigned direction = this->Directions[n];
+    if (!(ranges[0] >> direction % 3 & ranges[1] >> direction / 3 % 3 & ranges[2] >> direction / 9 & 1u))
+    {
+      continue;
+    }
+    for (std::uint32_t i = this->Heads[this->Neighbours[n]]; i != none; i = this->Next[i])
+    {
+      const Point& other = this->Points[i];
+      const glm::vec3 offset = other.position - point.position;
+      const float squared = glm::dot(offset, offset);
+      const float radius = std::min(point.radius, other.radius);
+      const float limit = least * radius;
+      if (squared < limit * limit && !areApart(point, other, offset, squared))
+      {
+        least = std::sqrt(squared) / radius;
+      }
+    }
+  }
+  return least < width ? least : std::numeric_limits<float>::infinity();
+}
+
+/// The points to be ordered, neighbours near each other in memory.
+struct SortedPoints
+{
+  std::vector<Point> points;
+  std::vector<std::uint64_t> places;
+  std::vector<std::uint32_t> names;   // their indices before
+  std::vector<std::uint32_t> chances; // random
+  std::vector<std::uint32_t> rest;    // points that are not finite
+};
+
+SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::vec3> normals,
+  std::span<const float> radii, std::uint64_t seed)
+{
+  glm::vec3 low(std::numeric_limits<float>::infinity());
+  glm::vec3 high(-low);
+  float largest = 0.0f;
+  SortedPoints sorted;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    if (isFinite(points[i]))
+    {
+      low = glm::min(low, points[i]);
+      high = glm::max(high, points[i]);
+      largest = std::max(largest, radii.empty() ? 1.0f : radii[i]);
+      sorted.names.push_back(i);
+    }
+    else
+    {
+      sorted.rest.push_back(i);
+    }
+  }
+  const glm::vec3 size = high - low;
+  const float widest = std::max({ size.x, size.y, size.z });
+  const float scale = widest > 0.0f && std::isfinite(widest) ? 1.0f / widest : 1.0f;
+  const auto scaled = [&](std::uint32_t point)
+  { return glm::clamp((points[point] - low) * scale, 0.0f, 1.0f); };
+
+  const std::size_t count = sorted.names.size();
+  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  const auto forAll = [&](const auto& body)
+  {
+    parallelFor(blocks,
+      [&](std::size_t block)
+      {
+        for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+        {
+          body(i);
+        }
+      });
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(count);
+  forAll([&](std::size_t i) { keys[i] = { placeOf(scaled(sorted.names[i])), sorted.names[i] }; });
+  parallelSort(keys.begin(), keys.end());
+  sorted.points.resize(count);
+  sorted.places.resize(count);
+  sorted.chances.resize(count);
+  forAll(
+    [&](std::size_t i)
+    {
+      const auto [place, name] = keys[i];
+      sorted.places[i] = place;
+      sorted.names[i] = name;
+      sorted.chances[i] = static_cast<std::uint32_t>(hash(seed, name, 5) >> 32);
+      Point& point = sorted.points[i];
+      point.position = scaled(name);
+      point.normal = normals.empty() || !isFinite(normals[name]) ? glm::vec3(0.0f) : normals[name];
+      // What differs more is looked up in too many cells.
+      point.radius =
+        radii.empty() || !(largest > 0.0f) ? 1.0f : std::clamp(radii[name] / largest, 1e-3f, 1.0f);
+    });
+  return sorted;
+}
+
+/// Chooses points at one radius after the other.
+class Chooser
+{
+public:
+  explicit Chooser(const SortedPoints& sorted)
+    : Sorted(sorted)
+    , Chosen(sorted.points, sorted.places)
+    , Due(sorted.points.size(), 0)
+  {
+  }
+
+  /// Chooses all points that have room at a level's radius.
+  void choose(int level);
+  std::span<const std::uint32_t> order() const { return this->Order; }
+
+private:
+  void sortByChance(std::vector<std::uint32_t>& points) const
+  {
+    std::sort(points.begin(), points.end(),
+      [&](std::uint32_t a, std::uint32_t b)
+      { return std::pair(this->Sorted.chances[a], a) < std::pair(this->Sorted.chances[b], b); });
+  }
+  /// Whether a point has room; otherwise notes when to look again.
+  bool hasRoom(std::uint32_t point, int level);
+  /// Those of some points that have room, among what has been chosen up to now.
+  template <class Pick>
+  std::vector<std::uint32_t> findRoom(std::size_t count, int level, const Pick& pick);
+  void chooseAmong(std::span<const std::uint32_t> candidates, int level, std::vector<std::uint32_t>& chosen);
+
+  const SortedPoints& Sorted;
+  ChosenPoints Chosen;
+  std::vector<std::uint16_t> Due; // the level at which to look at each point again
+  std::vector<std::uint32_t> Order;
+};
+
+float widthAt(int level)
+{
+  return 2.0f * std::exp2(-static_cast<float>(level) / levelsPerOctave);
+}
+
+bool Chooser::hasRoom(std::uint32_t point, int level)
+{
+  const float distance = this->Chosen.distance(point, widthAt(level));
+  if (!std::isfinite(distance))
+  {
+    return true;
+  }
+  const float exact = -levelsPerOctave * std::log2(std::max(0.5f * distance, 1e-30f));
+  this->Due[point] =
+    static_cast<std::uint16_t>(std::clamp(static_cast<int>(std::ceil(exact)), level + 1, levelCount));
+  return false;
+}
+
+template <class Pick>
+std::vector<std::uint32_t> Chooser::findRoom(std::size_t count, int level, const Pick& pick)
+{
+  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  std::vector<std::vector<std::uint32_t>> found(blocks);
+  parallelFor(blocks,
+    [&](std::size_t block)
+    {
+      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+      {
+        if (const std::uint32_t point = pick(i); point != none && this->hasRoom(point, level))
+        {
+          found[block].push_back(point);
+        }
+      }
+    });
+  std::vector<std::uint32_t> all;
+  for (const std::vector<std::uint32_t>& part : found)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+void Chooser::choose(int level)
+{
+  if (level % levelsPerOctave == 0)
+  {
+    this->Chosen.setOctave(level / levelsPerOctave, this->Order,
+      [&](std::uint32_t point) { return this->Due[point] == isChosen; });
+  }
+  std::vector<std::uint32_t> candidates = this->findRoom(this->Due.size(), level,
+    [&](std::size_t i) { return this->Due[i] == level ? static_cast<std::uint32_t>(i) : none; });
+  std::vector<std::uint32_t> chosen;
+  // In the order of their chances, a few in each block at a time: the first leave most others no room, which
+  // can be seen in parallel.
+  std::uint64_t seen = 0;
+  constexpr std::uint64_t all = std::uint64_t(1) << 32;
+  while (!candidates.empty())
+  {
+    std::size_t blocks = 1;
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+    {
+      blocks += this->Chosen.blockOf(candidates[i]) != this->Chosen.blockOf(candidates[i - 1]) ? 1 : 0;
+    }
+    const double share = static_cast<double>(fewInABlock * blocks) / static_cast<double>(candidates.size());
+    const std::uint64_t end =
+      share < 1.0 ? seen + static_cast<std::uint64_t>(share * static_cast<double>(all - seen)) + 1 : all;
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t point : candidates)
+    {
+      (this->Sorted.chances[point] < end ? first : others).push_back(point);
+    }
+    this->chooseAmong(first, level, chosen);
+    candidates = this->findRoom(others.size(), level, [&](std::size_t i) { return others[i]; });
+    seen = end;
+  }
+  this->sortByChance(chosen);
+  this->Order.insert(this->Order.end(), chosen.begin(), chosen.end());
+}
+
+void Chooser::chooseAmong(
+  std::span<const std::uint32_t> candidates, int level, std::vector<std::uint32_t>& chosen)
+{
+  std::vector<std::vector<std::uint32_t>> ofColour[ChosenPoints::colours];
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    const std::uint64_t block = this->Chosen.blockOf(candidates[i]);
+    auto& blocks = ofColour[block % ChosenPoints::colours];
+    if (i == 0 || this->Chosen.blockOf(candidates[i - 1]) != block)
+    {
+      blocks.emplace_back();
+    }
+    blocks.back().push_back(candidates[i]);
+  }
+  for (auto& blocks : ofColour)
+  {
+    parallelFor(blocks.size(),
+      [&](std::size_t b)
+      {
+        std::vector<std::uint32_t>& points = blocks[b];
+        this->sortByChance(points);
+        std::erase_if(points,
+          [&](std::uint32_t point)
+          {
+            if (!this->hasRoom(point, level))
+            {
+              return true;
+            }
+            this->Chosen.add(point);
+            this->Due[point] = isChosen;
+            return false;
+          });
+      });
+    for (const std::vector<std::uint32_t>& points : blocks)
+    {
+      chosen.insert(chosen.end(), points.begin(), points.end());
+    }
+  }
 }
 
 } // namespace
@@ -206,101 +502,34 @@ std::vector<std::uint32_t> priorityOrder(std::span<const glm::vec3> points,
   std::span<const glm::vec3> normals, std::span<const float> radii, std::uint64_t seed,
   const Progress& progress)
 {
-  const std::vector<std::uint32_t> random = shuffled(points.size(), seed);
-  glm::vec3 low(std::numeric_limits<float>::infinity());
-  glm::vec3 high(-low);
-  float largest = 0.0f;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  const SortedPoints sorted = sortPoints(points, normals, radii, seed);
+  Chooser chooser(sorted);
+  for (int level = 0; level < levelCount && chooser.order().size() < sorted.points.size(); ++level)
   {
-    if (isFinite(points[i]))
-    {
-      low = glm::min(low, points[i]);
-      high = glm::max(high, points[i]);
-      largest = std::max(largest, radii.empty() ? 1.0f : radii[i]);
-    }
-  }
-  const glm::vec3 size = high - low;
-  const float widest = std::max({ size.x, size.y, size.z });
-  const float scale = widest > 0.0f && std::isfinite(widest) ? 1.0f / widest : 1.0f;
-
-  // In the random order, so that memory is read in the order in which points are looked at.
-  std::vector<Point> shuffledPoints(points.size());
-  std::vector<std::vector<std::uint32_t>> levels(levelCount + 1);
-  std::vector<std::uint32_t> rest;
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-  {
-    const std::uint32_t point = random[i];
-    if (!isFinite(points[point]))
-    {
-      rest.push_back(i);
-      continue;
-    }
-    shuffledPoints[i].position = (points[point] - low) * scale;
-    shuffledPoints[i].normal =
-      normals.empty() || !isFinite(normals[point]) ? glm::vec3(0.0f) : normals[point];
-    // What differs more is looked up in too many cells.
-    shuffledPoints[i].radius =
-      radii.empty() || !(largest > 0.0f) ? 1.0f : std::clamp(radii[point] / largest, 1e-3f, 1.0f);
-    levels[0].push_back(i);
-  }
-
-  ChosenPoints chosen(shuffledPoints);
-  std::vector<int> next(points.size());
-  std::size_t seen = 0;
-  for (int level = 0; level < levelCount; ++level)
-  {
-    const float width = 2.0f * std::exp2(-static_cast<float>(level) / levelsPerOctave);
-    if (level % levelsPerOctave == 0)
-    {
-      chosen.sortInto(width);
-    }
-    const std::vector<std::uint32_t> candidates = std::move(levels[level]);
-    levels[level] = {};
-    const auto levelAt = [&](float distance)
-    {
-      const float exact = -levelsPerOctave * std::log2(std::max(0.5f * distance, 1e-30f));
-      return std::clamp(static_cast<int>(std::ceil(exact)), level + 1, levelCount);
-    };
-    // Most are too near to one that was chosen at a larger radius: that can be seen in parallel.
-    parallelFor((candidates.size() + blockSize - 1) / blockSize,
-      [&](std::size_t block)
-      {
-        for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, candidates.size()); ++i)
-        {
-          const float distance = chosen.distance(candidates[i], width);
-          next[candidates[i]] = std::isfinite(distance) ? levelAt(distance) : level;
-        }
-      });
-    const std::size_t before = chosen.count();
-    for (const std::uint32_t candidate : candidates)
-    {
-      int other = next[candidate];
-      if (other == level)
-      {
-        const float distance = chosen.count() > before ? chosen.distance(candidate, width)
-                                                       : std::numeric_limits<float>::infinity();
-        if (!std::isfinite(distance))
-        {
-          chosen.add(candidate);
-          continue;
-        }
-        other = levelAt(distance);
-      }
-      levels[other].push_back(candidate);
-    }
-    seen = chosen.count();
-    if (progress && !progress(static_cast<double>(seen) / static_cast<double>(points.size())))
+    chooser.choose(level);
+    if (progress &&
+      !progress(static_cast<double>(chooser.order().size()) / static_cast<double>(points.size())))
     {
       return {};
     }
   }
-  std::vector<std::uint32_t> order = chosen.take();
-  order.insert(order.end(), levels[levelCount].begin(), levels[levelCount].end());
-  order.insert(order.end(), rest.begin(), rest.end());
-  for (std::uint32_t& point : order)
+  std::vector<std::uint32_t> order;
+  order.reserve(points.size());
+  std::vector<bool> isOrdered(sorted.points.size());
+  for (const std::uint32_t point : chooser.order())
   {
-    point = random[point];
+    order.push_back(sorted.names[point]);
+    isOrdered[point] = true;
   }
+  // As good as one with those chosen.
+  for (std::size_t i = 0; i < isOrdered.size(); ++i)
+  {
+    if (!isOrdered[i])
+    {
+      order.push_back(sorted.names[i]);
+    }
+  }
+  order.insert(order.end(), sorted.rest.begin(), sorted.rest.end());
   return order;
 }
 

@@ -14,10 +14,11 @@ namespace ink
 /// An order of points in which every beginning is spread evenly: the first k points are nowhere nearer to
 /// each other than a distance that falls with k, and leave no gaps much larger than it.
 ///
-/// Darts are thrown at the points with a radius that shrinks by a sixth of an octave at a time (McCool and
+/// Darts are thrown at the points with a radius that shrinks by a twelfth of an octave at a time (McCool and
 /// Fiume 1992, section 3): at each radius every point that is far enough from all chosen ones is chosen, in
-/// random order. A point that is not need not be looked at again before the radius is below its distance to
-/// the chosen ones, so that the time is nearly linear in the number of points.
+/// random order within blocks of space that are looked at in parallel. A point that is not need not be looked
+/// at again before the radius is below its distance to the chosen ones, so that the time is nearly linear in
+/// the number of points.
 ///
 /// Points on different sides or sheets of a surface do not keep each other away: normals that point away from
 /// each other by more than 105 degrees, or the same way but one point straight above the other.

@@ -52,6 +52,20 @@ void placeByDensity(glm::vec3 density, std::uint64_t random, SurfaceSample& samp
 
 } // namespace
 
+SurfaceSample placeInTriangle(const TriangleMesh& mesh, std::uint32_t triangle, std::uint64_t random)
+{
+  SurfaceSample sample{ triangle, 0.0f, 0.0f };
+  if (mesh.pointDensity.empty())
+  {
+    placeEvenly(random, sample);
+  }
+  else
+  {
+    placeByDensity(mesh.density(triangle), random, sample);
+  }
+  return sample;
+}
+
 std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const CumulativeArea& areas,
   std::size_t count, std::uint64_t seed, const Progress& progress)
 {
@@ -98,32 +112,46 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
     {
       const std::size_t begin = block * blockSize;
       const std::size_t end = std::min(begin + blockSize, count);
-      std::size_t triangle = 0;
+      std::uint32_t triangle = 0;
       for (std::size_t i = begin; i < end; ++i)
       {
         const double place = std::min((before[block] + sums[i]) * scale, std::nextafter(total, 0.0));
-        // The last triangle that begins at or before the place: never one of no weight.
-        if (i == begin)
-        {
-          triangle = std::upper_bound(weights.begin(), weights.end(), place) - weights.begin() - 1;
-        }
-        while (weights[triangle + 1] <= place)
-        {
-          ++triangle;
-        }
-        samples[i].triangle = static_cast<std::uint32_t>(triangle);
-        const std::uint64_t random = hash(placeSeed ^ i);
-        if (mesh.pointDensity.empty())
-        {
-          placeEvenly(random, samples[i]);
-        }
-        else
-        {
-          placeByDensity(mesh.density(triangle), random, samples[i]);
-        }
+        triangle = i == begin ? findTriangle(weights, place) : findTriangle(weights, place, triangle);
+        samples[i] = placeInTriangle(mesh, triangle, hash(placeSeed ^ i));
       }
     },
     progress ? [&](double done) { return progress(0.5 + 0.5 * done); } : Progress());
+  return going ? samples : std::vector<SurfaceSample>();
+}
+
+std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, std::span<const std::uint64_t> names,
+  double perArea, std::uint64_t seed, const Progress& progress)
+{
+  const std::size_t blocks = (names.size() + blockSize - 1) / blockSize;
+  std::vector<std::vector<SurfaceSample>> found(blocks);
+  const bool going = parallelFor(
+    blocks,
+    [&](std::size_t block)
+    {
+      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, names.size()); ++t)
+      {
+        const double exact = areaOf(mesh, t) * perArea;
+        const auto count =
+          static_cast<std::uint64_t>(std::floor(exact + unitDouble(hash(seed, names[t], 1))));
+        for (std::uint64_t i = 0; i < count; ++i)
+        {
+          SurfaceSample sample{ static_cast<std::uint32_t>(t), 0.0f, 0.0f };
+          placeEvenly(hash(hash(seed, names[t], 2), i), sample);
+          found[block].push_back(sample);
+        }
+      }
+    },
+    progress);
+  std::vector<SurfaceSample> samples;
+  for (const std::vector<SurfaceSample>& part : found)
+  {
+    samples.insert(samples.end(), part.begin(), part.end());
+  }
   return going ? samples : std::vector<SurfaceSample>();
 }
 

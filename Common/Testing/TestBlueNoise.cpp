@@ -7,16 +7,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
 
 using namespace ink::test;
 
-ink::BlueNoise sample(const Mesh& mesh, double radius, std::uint64_t seed = 1)
+ink::BlueNoise sample(const Mesh& mesh, double radius, std::uint64_t seed = 1, double gap = ink::defaultGap)
 {
-  return ink::sampleBlueNoise(mesh.view(), ink::cumulateArea(mesh.view()), radius, seed);
+  return ink::sampleBlueNoise(mesh.view(), ink::cumulateArea(mesh.view()), radius, gap, seed);
 }
 
 /// Random places on the mesh, many more than samples.
@@ -53,11 +56,51 @@ TEST(BlueNoise, IsSaturatedInThePlane)
     const auto samples = sample(mesh, radius).samples;
     const auto points = positionsOf(mesh.view(), samples);
     EXPECT_GE(leastDistance(points, points.size()), radius * (1.0 - 1e-5)) << cells;
-    EXPECT_LE(largestGap(probes(mesh, 20000), points, points.size()), ink::blueNoiseCover(radius)) << cells;
+    EXPECT_LE(
+      largestGap(probes(mesh, 20000), points, points.size()), ink::blueNoiseCover(radius, ink::defaultGap))
+      << cells;
     // The border adds a little.
     const double ratio = radius / ink::hexagonalDistance(1.0, static_cast<double>(points.size()));
     EXPECT_GT(ratio, 0.76) << cells;
     EXPECT_LT(ratio, 0.82) << cells;
+  }
+}
+
+/// Two triangles of some thousands of radii.
+TEST(BlueNoise, IsExactInLargeTriangles)
+{
+  Mesh strip;
+  strip.addPatch(1, 1, [](double u, double v) { return glm::dvec3(u, 4e-4 * v, 0.0); });
+  const double radius = 2e-4;
+  const auto points = positionsOf(strip.view(), sample(strip, radius).samples);
+  EXPECT_GT(points.size(), 8000u);
+  EXPECT_GE(leastDistance(points, points.size()), 0.999 * radius);
+}
+
+/// The wider the gap, the fewer samples; the promise stays.
+TEST(BlueNoise, LeavesGapsAsWideAsAskedFor)
+{
+  for (const Mesh& mesh : { square(1), sphere(60, 30) })
+  {
+    const double radius = 0.03 * std::sqrt(areaOf(mesh));
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    for (const double gap : { 0.02, 0.06, 0.2, 0.5, 1.0 })
+    {
+      const auto points = positionsOf(mesh.view(), sample(mesh, radius, 1, gap).samples);
+      EXPECT_LT(points.size(), before) << gap;
+      before = points.size();
+      EXPECT_GE(leastDistance(points, points.size()), 0.99 * radius) << gap;
+      EXPECT_LE(largestGap(probes(mesh, 5000), points, points.size()), ink::blueNoiseCover(radius, gap))
+        << gap;
+      const auto fitted = ink::fittedCount(gap) * areaOf(mesh) / (radius * radius);
+      EXPECT_NEAR(static_cast<double>(points.size()), fitted, 0.12 * fitted) << gap;
+      const auto counted =
+        ink::sampleBlueNoiseCount(mesh.view(), ink::cumulateArea(mesh.view()), {}, 500, gap, 3);
+      const auto some = positionsOf(mesh.view(), counted.samples);
+      ASSERT_EQ(some.size(), 500u);
+      EXPECT_LE(largestGap(probes(mesh, 5000), some, 500), ink::blueNoiseCover(areaOf(mesh), 500.0, gap))
+        << gap;
+    }
   }
 }
 
@@ -71,9 +114,56 @@ TEST(BlueNoise, IsSaturatedOnCurvedSurfaces)
     const auto points = positionsOf(mesh.view(), samples);
     // A chord is a little shorter than its arc.
     EXPECT_GE(leastDistance(points, points.size()), 0.99 * radius);
-    EXPECT_LE(largestGap(probes(mesh, 20000), points, points.size()), ink::blueNoiseCover(radius));
+    EXPECT_LE(
+      largestGap(probes(mesh, 20000), points, points.size()), ink::blueNoiseCover(radius, ink::defaultGap));
     EXPECT_GT(radius / ink::hexagonalDistance(areaOf(mesh), static_cast<double>(points.size())), 0.74);
   }
+}
+
+/// Radially averaged power of samples on a square, at whole numbers of waves along each side: 1 for
+/// independent samples. Blue noise has little below the wave length of its distance, and no direction that
+/// stands out.
+TEST(BlueNoise, HasLittlePowerAtLowFrequencies)
+{
+  const Mesh mesh = square(30);
+  const auto spectrum = [](const std::vector<glm::dvec3>& points, double from, double to)
+  {
+    const double mean = std::sqrt(static_cast<double>(points.size()));
+    double sum = 0.0;
+    double most = 0.0;
+    int count = 0;
+    const int last = static_cast<int>(to * mean);
+    for (int y = 0; y <= last; ++y)
+    {
+      for (int x = y > 0 ? -last : 1; x <= last; ++x)
+      {
+        const double frequency = std::hypot(x, y) / mean;
+        if (frequency >= from && frequency < to)
+        {
+          double real = 0.0;
+          double imaginary = 0.0;
+          for (const glm::dvec3& p : points)
+          {
+            const double angle = 2.0 * std::numbers::pi * (x * p.x + y * p.y);
+            real += std::cos(angle);
+            imaginary += std::sin(angle);
+          }
+          const double power = (real * real + imaginary * imaginary) / static_cast<double>(points.size());
+          sum += power;
+          most = std::max(most, power);
+          ++count;
+        }
+      }
+    }
+    return std::pair(sum / count, most);
+  };
+  const auto blue = positionsOf(mesh.view(), sample(mesh, 0.035).samples);
+  const auto white = probes(mesh, blue.size());
+  EXPECT_GT(spectrum(white, 0.0, 0.5).first, 0.7);
+  EXPECT_LT(spectrum(blue, 0.0, 0.5).first, 0.15);
+  EXPECT_GT(spectrum(blue, 0.9, 1.2).first, 1.3);
+  // A lattice would have some hundred times the mean in a few directions.
+  EXPECT_LT(spectrum(blue, 0.9, 1.2).second, 20.0);
 }
 
 TEST(BlueNoise, IsEvenOnASphere)
@@ -196,8 +286,8 @@ TEST(BlueNoise, KeepsTheSmallerRadiusWhereDensityVaries)
         places.push_back(p);
       }
     }
-    EXPECT_LE(
-      largestGap(places, points, points.size()), ink::blueNoiseCover(local.at(isRight ? 4.0f : 1.0f)));
+    EXPECT_LE(largestGap(places, points, points.size()),
+      ink::blueNoiseCover(local.at(isRight ? 4.0f : 1.0f), ink::defaultGap));
   }
 }
 
@@ -224,7 +314,11 @@ TEST(BlueNoise, IsTheSameOnAnyNumberOfThreads)
   EXPECT_EQ(one, onThreads(2, run));
   EXPECT_NE(one, sample(mesh, 0.02, 2).samples);
   const auto count = [&]
-  { return ink::sampleBlueNoiseCount(mesh.view(), ink::cumulateArea(mesh.view()), {}, 3000, 5).samples; };
+  {
+    return ink::sampleBlueNoiseCount(
+      mesh.view(), ink::cumulateArea(mesh.view()), {}, 3000, ink::defaultGap, 5)
+      .samples;
+  };
   EXPECT_EQ(onThreads(1, count), onThreads(2, count));
 }
 
@@ -250,7 +344,7 @@ TEST(BlueNoise, MakesTheNumberAskedFor)
     const auto places = probes(mesh, 5000);
     for (const std::size_t count : { 1u, 2u, 7u, 100u, 2000u })
     {
-      const auto result = ink::sampleBlueNoiseCount(mesh.view(), areas, {}, count, 3);
+      const auto result = ink::sampleBlueNoiseCount(mesh.view(), areas, {}, count, ink::defaultGap, 3);
       ASSERT_EQ(result.samples.size(), count);
       if (count >= 100)
       {
@@ -258,7 +352,8 @@ TEST(BlueNoise, MakesTheNumberAskedFor)
         // Through space it is shorter from one side of the torus to the other.
         const double chord = &mesh == &meshes[2] ? 0.6 : 0.98;
         EXPECT_GE(leastDistance(points, count), chord * result.radius) << count;
-        EXPECT_LE(largestGap(places, points, count), ink::blueNoiseCover(areas.area.back(), double(count)))
+        EXPECT_LE(largestGap(places, points, count),
+          ink::blueNoiseCover(areas.area.back(), double(count), ink::defaultGap))
           << count;
       }
     }
@@ -296,5 +391,7 @@ TEST(BlueNoise, CanBeStopped)
 {
   const Mesh mesh = square(1);
   const auto stop = [](double) { return false; };
-  EXPECT_TRUE(ink::sampleBlueNoise(mesh.view(), ink::cumulateArea(mesh.view()), 0.02, 1, stop).stopped);
+  EXPECT_TRUE(
+    ink::sampleBlueNoise(mesh.view(), ink::cumulateArea(mesh.view()), 0.02, ink::defaultGap, 1, stop)
+      .stopped);
 }

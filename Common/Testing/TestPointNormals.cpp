@@ -28,8 +28,8 @@ std::vector<glm::vec3> randomPoints(std::size_t count)
 
 std::vector<glm::vec3> samplesOf(const Mesh& mesh, double radius)
 {
-  const auto points = positionsOf(
-    mesh.view(), ink::sampleBlueNoise(mesh.view(), ink::cumulateArea(mesh.view()), radius, 1).samples);
+  const auto points = positionsOf(mesh.view(),
+    ink::sampleBlueNoise(mesh.view(), ink::cumulateArea(mesh.view()), radius, ink::defaultGap, 1).samples);
   return { points.begin(), points.end() };
 }
 

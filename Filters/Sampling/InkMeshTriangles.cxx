@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkMeshTriangles.h"
 
+#include "Sampling/Hash.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -129,6 +131,14 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals)
         static_cast<std::uint32_t>(points[1]), static_cast<std::uint32_t>(points[2]) });
       this->FaceIds.push_back(face);
     }
+  }
+  vtkDataArray* globalIds = mesh->GetCellData()->GetGlobalIds();
+  std::uint64_t partOfFace = 0;
+  for (std::size_t i = 0; globalIds && i < this->FaceIds.size(); ++i)
+  {
+    partOfFace = i > 0 && this->FaceIds[i] == this->FaceIds[i - 1] ? partOfFace + 1 : 0;
+    const auto globalId = static_cast<std::uint64_t>(globalIds->GetComponent(this->FaceIds[i], 0));
+    this->Names.push_back(ink::hash(globalId, partOfFace));
   }
   if (this->Triangles.empty())
   {

@@ -6,6 +6,7 @@
 
 #include "vtkType.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct InkMeshTriangles
   std::vector<glm::dvec3> Points;
   std::vector<ink::Triangle> Triangles;
   std::vector<vtkIdType> FaceIds; ///< the cell of each triangle
+  /// Of each triangle, the same in whatever piece of a mesh it is: from the cell's global id. Empty where
+  /// there are no global ids.
+  std::vector<std::uint64_t> Names;
   std::vector<glm::vec3> Normals; ///< unit, one a point
   std::vector<float> PointDensity;
   std::vector<float> FaceDensity; ///< one a triangle

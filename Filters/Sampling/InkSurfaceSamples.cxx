@@ -36,7 +36,7 @@ constexpr std::size_t BlockSize = 1 << 14;
 
 // What a sample takes at the most while it is made, with its share of darts and its place in the order.
 constexpr double BytesWhite = 100.0;
-constexpr double BytesBlue = 400.0;
+constexpr double BytesBlue = 600.0;
 
 std::string Text(double value)
 {
@@ -139,10 +139,10 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
   const auto seed = static_cast<std::uint64_t>(request.Seed);
   if (request.BlueNoise && !request.ByRadius)
   {
-    this->Samples =
-      ink::sampleBlueNoiseCount(mesh, this->Areas, triangles.Normals, request.Count, seed, request.Progress)
-        .samples;
-    this->Cover = ink::blueNoiseCover(area, static_cast<double>(this->Samples.size()));
+    this->Samples = ink::sampleBlueNoiseCount(
+      mesh, this->Areas, triangles.Normals, request.Count, request.Gap, seed, request.Progress)
+                      .samples;
+    this->Cover = ink::blueNoiseCover(area, static_cast<double>(this->Samples.size()), request.Gap);
     return;
   }
   const auto upTo = [&](double begin, double end)
@@ -153,8 +153,15 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
   const double half = request.Priority ? 0.5 : 1.0;
   if (request.BlueNoise)
   {
-    this->Samples = ink::sampleBlueNoise(mesh, this->Areas, request.Radius, seed, upTo(0.0, half)).samples;
-    this->Cover = ink::blueNoiseCover(request.Radius);
+    this->Samples =
+      ink::sampleBlueNoise(mesh, this->Areas, request.Radius, request.Gap, seed, upTo(0.0, half)).samples;
+    this->Cover = ink::blueNoiseCover(request.Radius, request.Gap);
+  }
+  else if (request.ByRadius && !triangles.Names.empty() && !mesh.hasDensity())
+  {
+    this->Samples = ink::sampleWhiteNoise(
+      mesh, triangles.Names, ink::saturatedCount / (request.Radius * request.Radius), seed, upTo(0.0, half));
+    this->Cover = ink::whiteNoiseCover(area, count);
   }
   else
   {

@@ -21,6 +21,7 @@ struct InkSampleRequest
   bool ByRadius = false; ///< Radius counts, not Count
   std::size_t Count = 0;
   double Radius = 0.0;
+  double Gap = ink::defaultGap;
   bool Priority = true;
   int Seed = 0;
   ink::Progress Progress;

@@ -104,6 +104,7 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output)
   request.ByRadius = this->Amount == SAMPLE_RADIUS;
   request.Count = static_cast<std::size_t>(this->NumberOfSamples);
   request.Radius = this->SampleRadius;
+  request.Gap = this->Gap;
   request.Priority = this->ComputePriority;
   request.Seed = this->Seed;
   request.Progress = [this](double done)
@@ -159,6 +160,7 @@ void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "SampleRadius: " << this->SampleRadius << "\n"
+     << indent << "Gap: " << this->Gap << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"

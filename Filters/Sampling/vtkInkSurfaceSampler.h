@@ -7,8 +7,8 @@
  * alone, each sample for itself (WHITE_NOISE, Osada et al. 2002), or so that no two samples are nearer along
  * the surface than a radius and none fits in between (BLUE_NOISE, a Poisson-disc sampling after Cline et al.
  * 2009). Distances are measured on the mesh, so that both sides of a thin sheet get their samples; see
- * ink::SurfaceWalk. Triangles without area are passed over; edges of many triangles, borders, inconsistent
- * orientation and unconnected triangles are taken as they are.
+ * ink::SurfaceUnfolding. Triangles without area are passed over; edges of many triangles, borders,
+ * inconsistent orientation and unconnected triangles are taken as they are.
  *
  * Output point data: `Normals` (unit; barycentric in the mesh's point normals, or where it has none in the
  * mean normals of the faces around each point), `Radius` (discs of this radius leave no holes), `Priority`,
@@ -36,8 +36,9 @@
  * vtkInkPointPriority.
  *
  * The same input gives the same output on any number of threads. In parallel each piece is sampled for
- * itself: ghost cells are left out, and NumberOfSamples counts per piece. Samples of two pieces do not know
- * of each other, and may be nearer than the radius where pieces meet; no point is made twice.
+ * itself: ghost cells are left out, and NumberOfSamples counts per piece. With WHITE_NOISE, SampleRadius,
+ * global ids of cells and no density, pieces have the whole's points. Blue-noise samples of two pieces do not
+ * know of each other, and may be nearer than the radius where pieces meet; no point is made twice.
  *
  * Errors, each with an empty output: a Radius of 0 or less where it is asked for, faces without area, density
  * that is no array of one component or is 0 everywhere, more samples than memory, the first frame's samples
@@ -110,6 +111,16 @@ public:
    */
   vtkSetMacro(SampleRadius, double);
   vtkGetMacro(SampleRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far beyond the radius, as a part of it, a place may be from all samples before BLUE_NOISE puts one
+   * there: 0.02 to 1; default: 0.06. The larger, the fewer samples a radius has, the wider their `Radius`
+   * must be to leave no holes, and the sooner they are made: at 1, in some half of the time.
+   */
+  vtkSetClampMacro(Gap, double, 0.02, 1.0);
+  vtkGetMacro(Gap, double);
   ///@}
 
   ///@{
@@ -202,6 +213,7 @@ private:
   int Amount = NUMBER_OF_SAMPLES;
   vtkIdType NumberOfSamples = 100000;
   double SampleRadius = 0.0;
+  double Gap = 0.06;
   int Seed = 0;
   bool ComputeNormals = true;
   bool ComputeRadius = true;

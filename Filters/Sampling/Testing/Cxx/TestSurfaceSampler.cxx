@@ -7,10 +7,14 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInkSurfaceSampler.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <vector>
 
 namespace
 {
@@ -227,7 +231,11 @@ void TestDensity(InkTestChecks& check)
     {
       const bool isRight = points->GetPoint(i)[0] > 0.5;
       right += isRight ? 1 : 0;
-      radius[isRight] = points->GetPointData()->GetArray("Radius")->GetComponent(i, 0);
+      // In between, the density of points goes from one to the other.
+      if (std::abs(points->GetPoint(i)[0] - 0.5) > 0.1)
+      {
+        radius[isRight] = points->GetPointData()->GetArray("Radius")->GetComponent(i, 0);
+      }
     }
     check(points->GetNumberOfPoints() == 2000, "2000 points");
     check(std::abs(right - 1600) < 80, "four times as many on the right: ", right);
@@ -259,6 +267,67 @@ void TestGhosts(InkTestChecks& check)
   check(Sample(square, 500)->GetNumberOfPoints() == 0, "none on ghosts alone");
 }
 
+/// Triangles of a mesh, with their global ids.
+vtkSmartPointer<vtkPolyData> CutOut(vtkPolyData* mesh, const std::function<bool(vtkIdType)>& isIn)
+{
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Ids");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    if (isIn(i))
+    {
+      polys->InsertNextCell(mesh->GetCell(i));
+      ids->InsertNextValue(1000 + i);
+    }
+  }
+  auto piece = vtkSmartPointer<vtkPolyData>::New();
+  piece->SetPoints(mesh->GetPoints());
+  piece->SetPolys(polys);
+  piece->GetCellData()->SetGlobalIds(ids);
+  return piece;
+}
+
+/// Pieces of a mesh with global ids have the whole's white noise, however it is cut and whatever order its
+/// cells are in.
+void TestPieces(InkTestChecks& check)
+{
+  const auto ball = MakeBall(30, 1.0);
+  const auto sample = [](vtkPolyData* mesh)
+  {
+    const auto points = Sample(mesh, 1,
+      [](vtkInkSurfaceSampler* sampler)
+      {
+        sampler->SetMethodToWhiteNoise();
+        sampler->SetAmountToSampleRadius();
+        sampler->SetSampleRadius(0.04);
+        sampler->SetSeed(3);
+      });
+    std::vector<std::array<double, 3>> places(static_cast<std::size_t>(points->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      points->GetPoint(static_cast<vtkIdType>(i), places[i].data());
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  };
+  const auto whole = sample(CutOut(ball, [](vtkIdType) { return true; }));
+  const double expected = 0.697 * 4.0 * std::acos(-1.0) / (0.04 * 0.04);
+  check(std::abs(static_cast<double>(whole.size()) / expected - 1.0) < 0.03,
+    "as many as blue noise has, found ", whole.size());
+  for (const int pieces : { 2, 5 })
+  {
+    std::vector<std::array<double, 3>> together;
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      const auto part = sample(CutOut(ball, [&](vtkIdType i) { return i / 7 % pieces == piece; }));
+      together.insert(together.end(), part.begin(), part.end());
+    }
+    std::sort(together.begin(), together.end());
+    check(together == whole, pieces, " pieces have the whole's samples");
+  }
+}
+
 void TestThreads(InkTestChecks& check)
 {
   const auto ball = MakeBall(30, 1.0);
@@ -286,6 +355,7 @@ int TestSurfaceSampler(int, char*[])
   TestFaces(check);
   TestDensity(check);
   TestGhosts(check);
+  TestPieces(check);
   TestThreads(check);
   return check.Result();
 }

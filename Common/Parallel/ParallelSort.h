@@ -1,0 +1,18 @@
+#pragma once
+
+#include "Parallel/Threads.h"
+
+#include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
+
+namespace ink
+{
+
+/// Sorts on up to ink::threadCount() threads. Equal elements come in no particular order.
+template <class Iterator>
+void parallelSort(Iterator begin, Iterator end)
+{
+  tbb::task_arena(threadCount()).execute([&] { tbb::parallel_sort(begin, end); });
+}
+
+} // namespace ink
