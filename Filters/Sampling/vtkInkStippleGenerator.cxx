@@ -173,14 +173,10 @@ void vtkInkStippleGenerator::StippleVolume(
   vtkInformation* info = input[0]->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  // ParaView gives an empty name where no array was chosen.
-  vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
-                                             : this->GetInputArrayToProcess(0, input, association);
-  const std::string problem = InkCheckScalars(image, chosen, scalars, association, this->ArrayComponent);
-  if (!problem.empty())
+  vtkDataArray* found = this->GetInputArrayToProcess(0, input, association);
+  vtkDataArray* scalars = InkChooseScalars(this, image, found, association, this->ArrayComponent);
+  if (!scalars)
   {
-    vtkErrorMacro(<< problem);
     return;
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -11,6 +11,11 @@ struct BlockOf
 };
 template <class T>
 using Block = typename BlockOf<T>::Type;
+template <class T>
+struct QuarterOf
+{
+  typedef T Type __attribute__((vector_size(16)));
+};
 
 constexpr int WordBits = 64;
 constexpr int BlockRows = BrickWidth;
@@ -75,13 +80,54 @@ INK_INLINE bool maybeMissing(const Block<T>& sum)
   }
 }
 
-/// One word's samples in all rows of a block. All bricks are there to be read, but only `samples` count.
-template <class T, bool measure>
-INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int rows, int samples, T lowest,
+#if defined(__x86_64__)
+/// The lesser of each element and the one so many bytes further up, or the larger.
+template <class T, bool largest, int bytes>
+INK_INLINE void fold(typename QuarterOf<T>::Type& v)
+{
+  if constexpr (bytes >= static_cast<int>(sizeof(T)))
+  {
+    using V = typename QuarterOf<T>::Type;
+    const V further = reinterpret_cast<V>(_mm_srli_si128(reinterpret_cast<__m128i>(v), bytes));
+    v = (largest ? v > further : v < further) ? v : further;
+    fold<T, largest, bytes / 2>(v);
+  }
+}
+#endif
+
+/// The least element of a vector, or the largest.
+template <class T, bool largest>
+INK_INLINE T extremeOf(const Block<T>& block)
+{
+#if defined(__x86_64__)
+  using V = typename QuarterOf<T>::Type;
+  V v;
+  __builtin_memcpy(&v, &block, sizeof v);
+  if constexpr (sizeof(block) > sizeof v)
+  {
+    V upper;
+    __builtin_memcpy(&upper, reinterpret_cast<const char*>(&block) + sizeof v, sizeof upper);
+    v = (largest ? v > upper : v < upper) ? v : upper;
+  }
+  fold<T, largest, 8>(v);
+  return v[0];
+#else
+  T extreme = block[0];
+  for (int i = 1; i < BlockLanes<T>; ++i)
+  {
+    extreme = (largest ? block[i] > extreme : block[i] < extreme) ? block[i] : extreme;
+  }
+  return extreme;
+#endif
+}
+
+/// One word's samples in the rows of a block. All bricks are there to be read, but only `samples` count.
+template <class T, bool measure, int rows>
+INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int samples, T lowest,
   std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
   const Block<T> bound = Block<T>{} + lowest;
-  std::uint64_t bits[BlockRows] = {};
+  std::uint64_t bits[rows] = {};
   bool missing = false;
   for (int b = 0; b * BrickLength<T> < samples; ++b)
   {
@@ -95,27 +141,20 @@ INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int rows, int
     for (int r = 0; r < rows; ++r)
     {
       // A machine that sees four streams of one line each fetches none of them ahead: the next block's turn.
-      __builtin_prefetch(from + (r + BlockRows) * stride);
+      __builtin_prefetch(from + (r + rows) * stride);
       bits[r] |= classifyBrick<T, measure>(from + r * stride, bound, sum, range) << (b * BrickLength<T>);
     }
     const bool bad = maybeMissing<T>(sum);
     missing |= bad;
     if constexpr (measure)
     {
-      T least = range.low[0];
-      T largest = range.high[0];
-      for (int i = 1; i < BlockLanes<T>; ++i)
-      {
-        least = range.low[i] < least ? range.low[i] : least;
-        largest = range.high[i] > largest ? range.high[i] : largest;
-      }
+      low[b] = extremeOf<T, false>(range.low);
+      high[b] = extremeOf<T, true>(range.high);
       if constexpr (IsFloating<T>)
       {
-        least = bad ? T(__builtin_nan("")) : least;
-        largest = bad ? T(__builtin_nan("")) : largest;
+        low[b] = bad ? T(__builtin_nan("")) : low[b];
+        high[b] = bad ? T(__builtin_nan("")) : high[b];
       }
-      low[b] = least;
-      high[b] = largest;
     }
   }
   const std::uint64_t there = ~std::uint64_t(0) >> (WordBits - samples);
@@ -130,8 +169,8 @@ INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int rows, int
   return (missing ? MaybeMissing : 0) | (set != 0 ? SomeSet : 0) | (clear != 0 ? SomeClear : 0);
 }
 
-template <class T, bool measure>
-INK_INLINE int classifyRows(
+template <class T, bool measure, int count>
+INK_INLINE int classifySome(
   const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
   constexpr int bricksPerWord = WordBits / BrickLength<T>;
@@ -140,15 +179,15 @@ INK_INLINE int classifyRows(
   for (int w = 0; w < whole; ++w)
   {
     const int b = w * bricksPerWord;
-    found |= classifyWord<T, measure>(rows.first + w * WordBits, rows.stride, rows.rows, WordBits, lowest,
-      words + w, reach, low + b, high + b);
+    found |= classifyWord<T, measure, count>(
+      rows.first + w * WordBits, rows.stride, WordBits, lowest, words + w, reach, low + b, high + b);
   }
   const int rest = rows.samples - whole * WordBits;
   if (rest > 0)
   {
     // The last sample, repeated, changes no range.
-    T padded[BlockRows][WordBits];
-    for (int r = 0; r < rows.rows; ++r)
+    T padded[count][WordBits];
+    for (int r = 0; r < count; ++r)
     {
       const T* from = rows.first + r * rows.stride + whole * WordBits;
       for (int i = 0; i < WordBits; ++i)
@@ -157,10 +196,28 @@ INK_INLINE int classifyRows(
       }
     }
     const int b = whole * bricksPerWord;
-    found |= classifyWord<T, measure>(
-      padded[0], WordBits, rows.rows, rest, lowest, words + whole, reach, low + b, high + b);
+    found |= classifyWord<T, measure, count>(
+      padded[0], WordBits, rest, lowest, words + whole, reach, low + b, high + b);
   }
   return found;
+}
+
+template <class T, bool measure>
+INK_INLINE int classifyRows(
+  const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
+{
+  static_assert(BlockRows == 4);
+  switch (rows.rows)
+  {
+    case 1:
+      return classifySome<T, measure, 1>(rows, lowest, words, reach, low, high);
+    case 2:
+      return classifySome<T, measure, 2>(rows, lowest, words, reach, low, high);
+    case 3:
+      return classifySome<T, measure, 3>(rows, lowest, words, reach, low, high);
+    default:
+      return classifySome<T, measure, 4>(rows, lowest, words, reach, low, high);
+  }
 }
 
 template <class T>
@@ -223,7 +280,7 @@ int classifyMixed(
       words[r * reach + w] = known;
     }
   }
-  // They lie apart in memory: all are on their way before the first is looked at.
+  // They lie apart in memory, and so do those of the next layer, mostly the same: these are sent for already.
   constexpr int most = 64;
   int mixed[most + 1];
   for (int begin = 0; begin < bricks; begin += most)
@@ -238,7 +295,7 @@ int classifyMixed(
     {
       for (int r = 0; r < rows.rows; ++r)
       {
-        __builtin_prefetch(rows.first + r * rows.stride + mixed[n] * BrickLength<T>);
+        __builtin_prefetch(rows.first + rows.next + r * rows.stride + mixed[n] * BrickLength<T>);
       }
     }
     for (int n = 0; n < count; ++n)
@@ -282,26 +339,47 @@ int judge(const T* low, const T* high, int count, T lowest, std::uint8_t* states
   return (anyMixed | (anyAbove & anyBelow)) != 0 ? 2 : anyAbove;
 }
 
-void pairRows(
-  const std::uint64_t* a, const std::uint64_t* b, int words, std::uint64_t* any, std::uint64_t* all)
+/// Some words of the rows of cells between two layers of samples.
+template <class W>
+INK_INLINE void crossWords(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach,
+  int rows, std::uint64_t* crossed)
 {
-  for (int w = 0; w < words; ++w)
+  const auto load = [](const std::uint64_t* from)
   {
-    const std::uint64_t nextA = a[w] >> 1 | a[w + 1] << 63;
-    const std::uint64_t nextB = b[w] >> 1 | b[w + 1] << 63;
-    any[w] = (a[w] | nextA) | (b[w] | nextB);
-    all[w] = (a[w] & nextA) & (b[w] & nextB);
+    W words;
+    __builtin_memcpy(&words, from, sizeof words);
+    return words;
+  };
+  // Of the four samples around the edge between two rows of cells: any above, all above.
+  W any[2];
+  W all[2];
+  for (int r = 0; r <= rows; ++r)
+  {
+    const W a = load(lower + r * reach);
+    const W b = load(upper + r * reach);
+    const W nextA = a >> 1 | load(lower + r * reach + 1) << 63;
+    const W nextB = b >> 1 | load(upper + r * reach + 1) << 63;
+    any[r & 1] = (a | nextA) | (b | nextB);
+    all[r & 1] = (a & nextA) & (b & nextB);
+    if (r > 0)
+    {
+      const W found = (any[0] | any[1]) & ~(all[0] & all[1]);
+      __builtin_memcpy(crossed + (r - 1) * reach, &found, sizeof found);
+    }
   }
 }
 
-std::uint64_t crossRows(const std::uint64_t* anyLower, const std::uint64_t* allLower,
-  const std::uint64_t* anyUpper, const std::uint64_t* allUpper, int words, std::uint64_t* crossed)
+void crossRows(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach, int rows,
+  int words, std::uint64_t* crossed)
 {
-  std::uint64_t some = 0;
-  for (int w = 0; w < words; ++w)
+  constexpr int several = BlockBytes / 8;
+  int w = 0;
+  for (; w + several <= words; w += several)
   {
-    crossed[w] = (anyLower[w] | anyUpper[w]) & ~(allLower[w] & allUpper[w]);
-    some |= crossed[w];
+    crossWords<Block<std::uint64_t>>(lower + w, upper + w, reach, rows, crossed + w);
   }
-  return some;
+  for (; w < words; ++w)
+  {
+    crossWords<std::uint64_t>(lower + w, upper + w, reach, rows, crossed + w);
+  }
 }

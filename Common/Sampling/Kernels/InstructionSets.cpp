@@ -46,6 +46,10 @@ const SamplingKernels* samplingKernelsOf(const char* name)
     return &baselineKernels;
   }
 #ifdef INK_X86_KERNELS
+  if (!__builtin_cpu_supports("bmi") || !__builtin_cpu_supports("bmi2"))
+  {
+    return nullptr;
+  }
   if (std::strcmp(name, "avx2") == 0 && __builtin_cpu_supports("avx2"))
   {
     return &avx2Kernels;

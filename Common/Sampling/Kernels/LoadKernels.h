@@ -259,9 +259,112 @@ INK_INLINE void loadCornerGroup(const StencilSource<T>& source, int at, CellBatc
   }
 }
 
+#  if defined(__AVX2__)
+/// The four samples from the one before each cell on, for the cells of a segment: 4 bytes of a vector each.
+/// Pairs leave out the first and the last.
+enum class Packing
+{
+  Quads,
+  LowerPairs,
+  UpperPairs
+};
+template <Packing packing>
+INK_INLINE __m256i packBytes(const void* first)
+{
+  const __m256i samples = _mm256_broadcastsi128_si256(_mm_loadu_si128(static_cast<const __m128i*>(first)));
+  constexpr char no = -1;
+  const auto pattern = [](int i, int byte) -> char
+  {
+    return packing == Packing::Quads   ? static_cast<char>(i + byte)
+      : packing == Packing::LowerPairs ? (byte < 2 ? static_cast<char>(i + byte + 1) : no)
+                                       : (byte < 2 ? no : static_cast<char>(i + byte - 1));
+  };
+  const auto p = [&](int i) { return pattern(i / 4, i % 4); };
+  return _mm256_shuffle_epi8(samples,
+    _mm256_setr_epi8(p(0), p(1), p(2), p(3), p(4), p(5), p(6), p(7), p(8), p(9), p(10), p(11), p(12), p(13),
+      p(14), p(15), p(16), p(17), p(18), p(19), p(20), p(21), p(22), p(23), p(24), p(25), p(26), p(27), p(28),
+      p(29), p(30), p(31)));
+}
+
+/// Byte `n` of each element as a number.
+template <bool isSigned, int n>
+INK_INLINE __m256 byteOf(__m256i packed)
+{
+  if constexpr (isSigned)
+  {
+    return _mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(packed, 24 - 8 * n), 24));
+  }
+  else
+  {
+    return _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(packed, 8 * n), _mm256_set1_epi32(255)));
+  }
+}
+
+template <bool isSigned>
+INK_INLINE void unpackBytes(const std::uint32_t* packed, float* s0, float* s1, float* s2, float* s3)
+{
+  const __m256i bytes = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(packed));
+  _mm256_storeu_ps(s0, byteOf<isSigned, 0>(bytes));
+  _mm256_storeu_ps(s1, byteOf<isSigned, 1>(bytes));
+  _mm256_storeu_ps(s2, byteOf<isSigned, 2>(bytes));
+  _mm256_storeu_ps(s3, byteOf<isSigned, 3>(bytes));
+}
+
+/// Samples of one byte: the cells of a segment share their rows' samples, so that one vector holds the row of
+/// all of them. They come together as bytes, and become numbers a whole vector of cells at a time.
+template <class T>
+void loadBytes(const StencilSource<T>& source, int count, CellBatch<float>& batch)
+{
+  alignas(64) std::uint32_t packed[8][BatchStride];
+  for (int s = 0; s < source.segmentCount; ++s)
+  {
+    const int lane = source.segments[s].lane;
+    const T* cell = source.data + source.offsets[lane] - 1;
+    const auto distance = [&](int n, std::ptrdiff_t usual)
+    { return source.border[0] ? source.border[n][lane] : usual; };
+    const std::ptrdiff_t around[2][2] = { { distance(0, -source.y), distance(1, 2 * source.y) },
+      { distance(2, -source.z), distance(3, 2 * source.z) } };
+    const auto put = [&](int row, __m256i bytes)
+    { _mm256_storeu_si256(reinterpret_cast<__m256i*>(&packed[row][lane]), bytes); };
+    for (int n = 0; n < 4; ++n)
+    {
+      put(n, packBytes<Packing::Quads>(cell + (n & 1) * source.y + (n >> 1) * source.z));
+    }
+    for (int n = 0; n < 4; ++n)
+    {
+      const int axis = n >> 1;
+      const T* p = cell + (n & 1) * (axis == 0 ? source.z : source.y);
+      put(4 + n,
+        _mm256_or_si256(packBytes<Packing::LowerPairs>(p + around[axis][0]),
+          packBytes<Packing::UpperPairs>(p + around[axis][1])));
+    }
+  }
+  for (int i = 0; i < count; i += Group)
+  {
+    const auto row = [&](int n) { return &batch.values[n][i]; };
+    for (int n = 0; n < 4; ++n)
+    {
+      unpackBytes<std::is_signed_v<T>>(
+        &packed[n][i], row(Corners + n), row(2 * n), row(2 * n + 1), row(Corners + Edges + n));
+      const int before = Corners + 4 + 2 * n;
+      const int after = before + Edges;
+      unpackBytes<std::is_signed_v<T>>(
+        &packed[4 + n][i], row(before), row(before + 1), row(after), row(after + 1));
+    }
+  }
+}
+#  endif
+
 template <class T, NormalMethod method>
 void load(const StencilSource<T>& source, int count, CellBatch<float>& batch)
 {
+#  if defined(__AVX2__)
+  if constexpr (sizeof(T) == 1 && method != NormalMethod::Cell && method != NormalMethod::Regression)
+  {
+    loadBytes(source, count, batch);
+    return;
+  }
+#  endif
   for (int at = 0; at < count; at += Group)
   {
     if constexpr (method == NormalMethod::Cell)

@@ -333,36 +333,47 @@ std::uint64_t findNormals(CellBatch<Real>& batch, const SurfaceTerms<Real>& term
   return doubtful;
 }
 
-INK_INLINE void interleaveOne(float x, float y, float z, float* xyz)
-{
-  xyz[0] = x;
-  xyz[1] = y;
-  xyz[2] = z;
-}
-
 void interleave(const float* x, const float* y, const float* z, int count, float* xyz)
 {
   int i = 0;
 #if defined(__x86_64__)
+  // As the comments show for the first four.
+#  if defined(__AVX2__)
+  for (; i + 8 <= count; i += 8)
+  {
+    const __m256 a = _mm256_loadu_ps(x + i);
+    const __m256 b = _mm256_loadu_ps(y + i);
+    const __m256 c = _mm256_loadu_ps(z + i);
+    const __m256 xy = _mm256_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0));       // x0 x2 y0 y2
+    const __m256 yz = _mm256_shuffle_ps(b, c, _MM_SHUFFLE(3, 1, 3, 1));       // y1 y3 z1 z3
+    const __m256 zx = _mm256_shuffle_ps(c, a, _MM_SHUFFLE(3, 1, 2, 0));       // z0 z2 x1 x3
+    const __m256 first = _mm256_shuffle_ps(xy, zx, _MM_SHUFFLE(2, 0, 2, 0));  // x0 y0 z0 x1
+    const __m256 second = _mm256_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0)); // y1 z1 x2 y2
+    const __m256 third = _mm256_shuffle_ps(zx, yz, _MM_SHUFFLE(3, 1, 3, 1));  // z2 x3 y3 z3
+    float* const to = xyz + 3 * i;
+    _mm256_storeu_ps(to, _mm256_permute2f128_ps(first, second, 0x20));
+    _mm256_storeu_ps(to + 8, _mm256_permute2f128_ps(third, first, 0x30));
+    _mm256_storeu_ps(to + 16, _mm256_permute2f128_ps(second, third, 0x31));
+  }
+#  endif
   for (; i + 4 <= count; i += 4)
   {
     const __m128 a = _mm_loadu_ps(x + i);
     const __m128 b = _mm_loadu_ps(y + i);
     const __m128 c = _mm_loadu_ps(z + i);
-    const __m128 low = _mm_unpacklo_ps(a, b);                        // x0 y0 x1 y1
-    const __m128 zx = _mm_shuffle_ps(c, a, _MM_SHUFFLE(1, 1, 0, 0)); // z0 z0 x1 x1
-    const __m128 yz = _mm_shuffle_ps(b, c, _MM_SHUFFLE(1, 1, 1, 1)); // y1 y1 z1 z1
-    const __m128 high = _mm_unpackhi_ps(a, b);                       // x2 y2 x3 y3
-    const __m128 z2 = _mm_shuffle_ps(c, a, _MM_SHUFFLE(3, 3, 2, 2)); // z2 z2 x3 x3
-    const __m128 y3 = _mm_shuffle_ps(b, c, _MM_SHUFFLE(3, 3, 3, 3)); // y3 y3 z3 z3
+    const __m128 xy = _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0));
+    const __m128 yz = _mm_shuffle_ps(b, c, _MM_SHUFFLE(3, 1, 3, 1));
+    const __m128 zx = _mm_shuffle_ps(c, a, _MM_SHUFFLE(3, 1, 2, 0));
     float* const to = xyz + 3 * i;
-    _mm_storeu_ps(to, _mm_shuffle_ps(low, zx, _MM_SHUFFLE(2, 0, 1, 0)));      // x0 y0 z0 x1
-    _mm_storeu_ps(to + 4, _mm_shuffle_ps(yz, high, _MM_SHUFFLE(1, 0, 2, 0))); // y1 z1 x2 y2
-    _mm_storeu_ps(to + 8, _mm_shuffle_ps(z2, y3, _MM_SHUFFLE(2, 0, 2, 0)));   // z2 x3 y3 z3
+    _mm_storeu_ps(to, _mm_shuffle_ps(xy, zx, _MM_SHUFFLE(2, 0, 2, 0)));
+    _mm_storeu_ps(to + 4, _mm_shuffle_ps(yz, xy, _MM_SHUFFLE(3, 1, 2, 0)));
+    _mm_storeu_ps(to + 8, _mm_shuffle_ps(zx, yz, _MM_SHUFFLE(3, 1, 3, 1)));
   }
 #endif
   for (; i < count; ++i)
   {
-    interleaveOne(x[i], y[i], z[i], xyz + 3 * i);
+    xyz[3 * i] = x[i];
+    xyz[3 * i + 1] = y[i];
+    xyz[3 * i + 2] = z[i];
   }
 }

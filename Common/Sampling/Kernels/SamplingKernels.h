@@ -88,8 +88,42 @@ enum class GridAxes
   General
 };
 
-/// The samples of four cell rows' surroundings: a cell's first corner is at data[offsets[n]], and its
-/// neighbours lie at these distances from it.
+/// Up to so many cells that follow each other along x, in the grid as in a batch.
+constexpr int SegmentSize = 8;
+struct CellSegment
+{
+  std::int32_t x; ///< the first cell
+  std::int32_t y;
+  std::int32_t z;
+  std::int16_t lane; ///< where the first cell stands in the batch
+  std::int8_t cells;
+  /// Bits 0 to 3: the cells are the first along y, the last, the first along z, the last.
+  std::int8_t sides;
+};
+
+/// Up to 64 cells in a row: bit b of a word stands for the cell (x + b, y, z).
+struct RunPlace
+{
+  std::int32_t x;
+  std::int32_t y;
+  std::int32_t z;
+  std::int32_t sides;    ///< as in CellSegment
+  std::ptrdiff_t offset; ///< of the first cell's first corner in the array
+  std::ptrdiff_t step;   ///< to the next cell's
+};
+
+/// Some cells, in the order of a batch.
+struct SegmentList
+{
+  CellSegment segments[BatchSize];
+  /// Where the cells' first corners are in the array.
+  std::ptrdiff_t offsets[BatchStride];
+  std::int32_t segmentCount;
+  std::int32_t count; ///< cells
+};
+
+/// The samples around some cells: a cell's first corner is at data[offsets[n]], and its neighbours lie at
+/// these distances from it.
 template <class T>
 struct StencilSource
 {
@@ -100,7 +134,11 @@ struct StencilSource
   /// Distances to the samples before and after the cell, for each cell; null: -y, 2 y, -z, 2 z. They stay
   /// inside the grid where the neighbour does not.
   const std::ptrdiff_t* border[4];
+  const CellSegment* segments;
+  int segmentCount;
 };
+/// Rows of samples are read by vectors that reach up to so far from a cell's first corner on.
+constexpr int StencilReach = 15;
 
 /// One block of up to four rows of samples to classify.
 template <class T>
@@ -109,7 +147,8 @@ struct SampleRows
   const T* first;
   std::ptrdiff_t stride; ///< from row to row
   int rows;
-  int samples; ///< in a row
+  int samples;         ///< in a row
+  std::ptrdiff_t next; ///< to the block of the next layer
 };
 
 /// The samples of a brick, see BrickRanges.
@@ -176,14 +215,17 @@ struct SamplingKernels
   PlaceKernels<float> single;
   PlaceKernels<double> precise;
 
-  /// Of two neighbouring rows: any = a | a' | b | b', all = a & a' & b & b', where a' is a moved by one
-  /// sample. Reads one word past the rows.
-  void (*pairRows)(
-    const std::uint64_t* a, const std::uint64_t* b, int words, std::uint64_t* any, std::uint64_t* all);
-  /// The cells between such pairs of rows in two neighbouring layers that have corners on both sides.
-  /// \returns 0 when there are none
-  std::uint64_t (*crossRows)(const std::uint64_t* anyLower, const std::uint64_t* allLower,
-    const std::uint64_t* anyUpper, const std::uint64_t* allUpper, int words, std::uint64_t* crossed);
+  /// The cells of `rows` rows between two layers of samples that have corners on both sides. From row to row
+  /// lie `reach` words, more than `words`; of the samples one more row and one more word are read.
+  void (*crossRows)(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach, int rows,
+    int words, std::uint64_t* crossed);
+  /// Appends cells of a run to a list, up to BatchSize cells in all.
+  /// \returns the cells that the list had no room for
+  std::uint64_t (*listCells)(std::uint64_t cells, const RunPlace& run, SegmentList& list);
+  /// Writes where the cells' first corners are, by the world's x of samples by i and so on; these are
+  /// readable SegmentSize further.
+  void (*findCorners)(
+    const SegmentList& list, const float* x, const float* y, const float* z, CellBatch<float>& batch);
   /// Writes x y z of `count` columns one after the other.
   void (*interleave)(const float* x, const float* y, const float* z, int count, float* xyz);
 
