@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -153,33 +154,76 @@ TEST(StippleTone, ParallelProjectionsIgnoreTheDistance)
 TEST(StippleTone, MostToneIsAnUpperBound)
 {
   ink::StippleTone tone;
-  tone.lighting.facingCosine = -1.0f;
   tone.resolution.knz = 0.1f;
+  const ink::StippleLight sun{ glm::vec4(glm::normalize(glm::vec3(0.4f, 0.5f, 1.0f)), 0.0f), 0.8f };
   int near = 0;
-  for (bool growing : { true, false })
+  int nothing = 0;
+  for (int kind = 0; kind < 8; ++kind)
   {
+    tone.growing = kind & 1;
+    tone.lighting.lightInk = kind & 2;
+    tone.surface = kind & 4;
     for (float krc : { -2.0f, 0.0f, 1.0f })
     {
-      tone.growing = growing;
-      tone.resolution.krc = krc;
-      const float most = tone.mostTone(view, 0.9f, 0.8f, 16.0f, 4.0f, 8.0f);
-      for (int i = 0; i < 2000; ++i)
+      // Normals within a cone around the x-z plane's direction of that angle.
+      for (float angle : { 0.3f, 1.2f, 2.5f })
       {
-        const auto fraction = [i](double step) { return float(i * step - std::floor(i * step)); };
-        auto one = element();
-        one.position = { 0.0f, 0.0f, -4.0f - 4.0f * fraction(0.618034) };
-        one.normal = glm::normalize(glm::vec3(0.0f, 1.0f, 2.0f * fraction(0.7548777) - 1.0f));
-        one.value = 0.9f * fraction(0.569840);
-        one.gradientMagnitude = 0.8f * fraction(0.819173);
-        const float found = tone.mark(view, {}, one, 0).tone;
-        EXPECT_LE(found, most * 1.00001f);
-        near += found > 0.1f * most;
+        tone.resolution.krc = krc;
+        std::vector<ink::StippleTone::Element> group;
+        ink::StippleTone::Directions directions{ 1.0f, -1.0f, 1.0f, 0.0f };
+        for (int i = 0; i < 500; ++i)
+        {
+          const auto fraction = [i](double step) { return float(i * step - std::floor(i * step)); };
+          auto one = element();
+          one.position = { 0.0f, 0.0f, -4.0f - 4.0f * fraction(0.618034) };
+          const float turn = angle + 0.3f * (fraction(0.7548777) - 0.5f);
+          one.normal = { std::sin(turn), 0.0f, std::cos(turn) };
+          one.value = 0.9f * fraction(0.569840);
+          one.gradientMagnitude = 0.8f * fraction(0.819173);
+          const float cosine = one.normal.z;
+          const float lit = tone.lighting.lit({ &sun, 1 }, one.position, one.normal);
+          directions.leastCosine = std::min(directions.leastCosine, cosine);
+          directions.mostCosine = std::max(directions.mostCosine, cosine);
+          directions.leastLit = std::min(directions.leastLit, lit);
+          directions.mostLit = std::max(directions.mostLit, lit);
+          group.push_back(one);
+        }
+        const float most = tone.mostTone(view, 0.9f, 0.8f, 16.0f, 4.0f, 8.0f, directions);
+        nothing += most == 0.0f;
+        for (const auto& one : group)
+        {
+          const auto mark = tone.mark(view, { &sun, 1 }, one, 0);
+          const float found = mark.opacity > 0.0f ? mark.tone : 0.0f;
+          EXPECT_LE(found, most * 1.00001f);
+          near += found > 0.1f * most && most > 0.0f;
+        }
       }
     }
   }
   EXPECT_GT(near, 10);
-  EXPECT_EQ(tone.mostTone(view, 0.0f, 0.8f, 16.0f, 4.0f, 8.0f), 0.0f);
-  EXPECT_TRUE(std::isinf(ink::StippleTone().mostTone(view, 0.9f, 0.8f, 16.0f, -1.0f, 8.0f)));
+  EXPECT_GT(nothing, 0);
+  EXPECT_EQ(ink::StippleTone().mostTone(view, 0.0f, 0.8f, 16.0f, 4.0f, 8.0f, {}), 0.0f);
+  EXPECT_TRUE(std::isinf(ink::StippleTone().mostTone(view, 0.9f, 0.8f, 16.0f, -1.0f, 8.0f, {})));
+}
+
+/// VTK's equations for lamps, worked out by hand.
+TEST(StippleTone, LampsFadeWithDistanceAndTowardsTheRim)
+{
+  ink::StippleLight lamp{ { 0.0f, 0.0f, 2.0f, 1.0f }, 3.0f };
+  EXPECT_FLOAT_EQ(lamp.intensityAt({ 0.0f, 0.0f, -2.0f }), 3.0f);
+  lamp.attenuation = { 1.0f, 0.5f, 0.25f };
+  EXPECT_FLOAT_EQ(lamp.intensityAt({ 0.0f, 0.0f, -2.0f }), 3.0f / 7.0f);
+  lamp.attenuation = { 1.0f, 0.0f, 0.0f };
+  lamp.coneCosine = 0.7f;
+  lamp.coneExponent = 2.0f;
+  EXPECT_FLOAT_EQ(lamp.intensityAt({ 3.0f, 0.0f, -2.0f }), 3.0f * 0.64f);
+  EXPECT_EQ(lamp.intensityAt({ 5.0f, 0.0f, -2.0f }), 0.0f);
+  EXPECT_EQ(lamp.intensityAt({ 0.0f, 0.0f, 3.0f }), 0.0f);
+  lamp.position.w = 0.0f;
+  EXPECT_EQ(lamp.intensityAt({ 5.0f, 0.0f, -2.0f }), 3.0f);
+  lamp.position.w = 1.0f;
+  lamp.attenuation = { 0.0f, 0.0f, 0.0f };
+  EXPECT_EQ(lamp.intensityAt({ 0.0f, 0.0f, -2.0f }), 0.0f);
 }
 
 /// A sphere of voxels: its ink over its projected area is the same over ten octaves of distance; by random

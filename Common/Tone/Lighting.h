@@ -13,6 +13,17 @@ struct StippleLight
 {
   glm::vec4 position; ///< of a lamp: x, y, z, 1; of the sun: the unit vector towards it, 0
   float intensity;    ///< 1: as Table 1 has it
+  /// Of a lamp: the unit vector of its axis, the cosine of its cone's half angle, -1 for one that shines all
+  /// around, and how fast its light fades towards the cone's rim, as a power of the angle's cosine.
+  glm::vec3 direction{ 0.0f, 0.0f, -1.0f };
+  float coneCosine = -1.0f;
+  float coneExponent = 1.0f;
+  /// A lamp's intensity is divided by [0] + [1] d + [2] d^2 at the distance d.
+  glm::vec3 attenuation{ 1.0f, 0.0f, 0.0f };
+
+  bool isLamp() const { return this->position.w != 0.0f; }
+  /// The intensity at a place in view coordinates.
+  float intensityAt(const glm::vec3& place) const;
 };
 
 /// Light enhancement (Lu et al. 2003, section 5.5 and Table 1, row 6): fewer stipples where the light falls.
@@ -23,8 +34,8 @@ struct Lighting
   float facingCosine = 0.0f; ///< volumes: only elements within this angle's cosine of the eye are drawn
   bool lightInk = false;     ///< the ink is lighter than the paper: stipples show light instead of shade
 
-  /// How much light an element gets, 0 to 1: the sum of intensity (N . L)^k_le over the lights it faces; with
-  /// one light of intensity 1, Table 1's term.
+  /// How much light an element gets, 0 to 1: the sum of intensityAt() (N . L)^k_le over the lights it faces;
+  /// with one light of intensity 1, Table 1's term.
   /// @param position, normal the element's, in view coordinates, the normal of unit length
   float lit(std::span<const StippleLight> lights, const glm::vec3& position, const glm::vec3& normal) const;
 

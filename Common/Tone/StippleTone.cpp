@@ -92,14 +92,24 @@ StippleTone::Mark StippleTone::mark(
 }
 
 float StippleTone::mostTone(const View& view, float largestValue, float largestGradient, float longestList,
-  float nearestDistance, float farthestDistance) const
+  float nearestDistance, float farthestDistance, const Directions& directions) const
 {
-  float factors = 1.0f;
+  if (this->surface ? !this->twoSided && directions.mostCosine <= 0.0f
+                    : !this->lighting.faces(directions.mostCosine))
+  {
+    return 0.0f;
+  }
+  const bool bothSides = directions.leastCosine < 0.0f && directions.mostCosine > 0.0f;
+  const float ends[2] = { std::abs(directions.leastCosine), std::abs(directions.mostCosine) };
+  const float leastSlant = bothSides ? 0.0f : std::min(ends[0], ends[1]);
+  const float mostSlant = std::max(ends[0], ends[1]);
+  float factors = this->resolution.slantFactor(this->resolution.knz >= 0.0f ? mostSlant : leastSlant);
+  factors *= this->lighting.factor(this->lighting.lightInk ? directions.mostLit : directions.leastLit);
   if (!this->surface)
   {
     const float value = power(largestValue, this->valueEffect);
     factors *= this->boundary.factor(value, largestGradient);
-    factors *= this->silhouette.factor(value, 0.0f);
+    factors *= this->silhouette.factor(value, this->silhouette.kss >= 0.0f ? leastSlant : mostSlant);
     factors *= this->interior.factor(largestGradient);
   }
   factors *= this->distance.factor((view.middle - nearestDistance) / view.halfRange);

@@ -78,11 +78,21 @@ struct StippleTone
   /// @param rank of the stipple in the element's list, from 0
   Mark mark(const View& view, std::span<const StippleLight> lights, const Element& element, int rank) const;
 
+  /// How the elements of a group lie to the eye and the light.
+  struct Directions
+  {
+    float leastCosine = -1.0f; ///< of the angles between normals and the eye
+    float mostCosine = 1.0f;
+    float leastLit = 0.0f; ///< as Lighting::lit gives it
+    float mostLit = 1.0f;
+  };
+
   /// At least T, for whole groups of elements: no more than this of the first in each list need be looked at.
+  /// 0 where none of the group is drawn.
   /// @param largestValue, largestGradient, longestList over the group
   /// @param nearestDistance, farthestDistance of the group from the eye along the view
   float mostTone(const View& view, float largestValue, float largestGradient, float longestList,
-    float nearestDistance, float farthestDistance) const;
+    float nearestDistance, float farthestDistance, const Directions& directions) const;
 
   /// No stipple's diameter exceeds this anywhere in the view.
   float largestDiameter(const View& view) const;

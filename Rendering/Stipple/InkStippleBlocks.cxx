@@ -6,71 +6,185 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <numeric>
 
 namespace
 {
 
-/// Whether all corners of a box lie beyond one side of the view, and how far they are from the eye.
-struct Seen
-{
-  bool Outside;
-  float Nearest;
-  float Farthest;
-};
+/// Runs with no more stipples between them than this become one: a run takes longer than a few stipples.
+constexpr int SmallGap = 16;
 
-Seen LookAt(
-  const InkStippleBlock& block, const glm::mat4& toView, const glm::mat4& toClip, const glm::vec2& reach)
+/// For rounding, in cosines and radians.
+constexpr float Slack = 1e-3f;
+
+/// Blocks as a view sees them.
+class BlockView
 {
-  bool beyond[6] = { true, true, true, true, true, true };
-  Seen seen{ false, INFINITY, -INFINITY };
-  for (int corner = 0; corner < 8; ++corner)
+public:
+  BlockView(const InkView& view, const ink::StippleTone& tone, const InkStippleView& toneView, float margin)
+    : ToView(glm::make_mat4(view.MCVC.data()))
+    , Normal(glm::make_mat3(view.Normal.data()))
+    , Tone(tone)
+    , ToneView(toneView)
+    , Parallel(view.Eye[3] == 0.0f)
   {
-    const glm::vec4 place((corner & 1 ? block.High : block.Low)[0], (corner & 2 ? block.High : block.Low)[1],
-      (corner & 4 ? block.High : block.Low)[2], 1.0f);
-    const glm::vec4 view = toView * place;
-    const glm::vec4 clip = toClip * view;
-    seen.Nearest = std::min(seen.Nearest, -view.z);
-    seen.Farthest = std::max(seen.Farthest, -view.z);
-    beyond[0] = beyond[0] && clip.x < -reach.x * clip.w;
-    beyond[1] = beyond[1] && clip.x > reach.x * clip.w;
-    beyond[2] = beyond[2] && clip.y < -reach.y * clip.w;
-    beyond[3] = beyond[3] && clip.y > reach.y * clip.w;
-    beyond[4] = beyond[4] && clip.z < -clip.w;
-    beyond[5] = beyond[5] && clip.z > clip.w;
+    const glm::mat4 rows = glm::transpose(glm::make_mat4(view.VCDC.data()) * this->ToView);
+    const glm::vec2 reach(1.0f + 2.0f * margin / view.Size[0], 1.0f + 2.0f * margin / view.Size[1]);
+    for (int side = 0; side < 6; ++side)
+    {
+      const int axis = side / 2;
+      const float sign = side % 2 ? -1.0f : 1.0f;
+      this->Sides[side] = (axis < 2 ? reach[axis] : 1.0f) * rows[3] + sign * rows[axis];
+    }
+    const glm::mat4 viewRows = glm::transpose(this->ToView);
+    this->Depth = -viewRows[2];
+    // Angles between normals are the same in the view where it neither shears nor stretches.
+    const glm::mat3 steps(this->ToView);
+    const glm::mat3 square = glm::transpose(steps) * steps;
+    const float size = square[0][0];
+    this->Unit = std::sqrt(size);
+    this->KeepsAngles = std::abs(square[1][1] - size) < 1e-3f * size &&
+      std::abs(square[2][2] - size) < 1e-3f * size && std::abs(square[0][1]) < 1e-3f * size &&
+      std::abs(square[0][2]) < 1e-3f * size && std::abs(square[1][2]) < 1e-3f * size;
   }
-  seen.Outside = std::any_of(beyond, beyond + 6, [](bool b) { return b; });
-  return seen;
-}
+
+  /// At least the T of all the block's elements; 0 where none is seen.
+  float MostTone(const InkStippleBlock& block) const
+  {
+    const glm::vec3 low = glm::make_vec3(block.Low.data());
+    const glm::vec3 high = glm::make_vec3(block.High.data());
+    const glm::vec3 middle = 0.5f * (low + high);
+    const glm::vec3 half = 0.5f * (high - low);
+    for (const glm::vec4& side : this->Sides)
+    {
+      if (glm::dot(glm::vec3(side), middle) + side.w + glm::dot(glm::abs(glm::vec3(side)), half) < 0.0f)
+      {
+        return 0.0f;
+      }
+    }
+    const float distance = glm::dot(glm::vec3(this->Depth), middle) + this->Depth.w;
+    const float depth = glm::dot(glm::abs(glm::vec3(this->Depth)), half);
+    return this->Tone.mostTone(this->ToneView.Tone, block.LargestValue, block.LargestGradient,
+      static_cast<float>(block.Ends.size()), distance - depth, distance + depth,
+      this->FindDirections(block, middle, glm::length(half)));
+  }
+
+private:
+  struct Cosines
+  {
+    float Least;
+    float Most;
+  };
+
+  /// Of the angles between the directions in two cones.
+  static Cosines Between(const glm::vec3& a, const glm::vec3& b, float spread)
+  {
+    constexpr float pi = glm::pi<float>();
+    const float angle = std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
+    return { std::cos(std::min(angle + spread + Slack, pi)) - Slack,
+      std::cos(std::max(angle - spread - Slack, 0.0f)) + Slack };
+  }
+
+  ink::StippleTone::Directions FindDirections(
+    const InkStippleBlock& block, const glm::vec3& middle, float radius) const
+  {
+    ink::StippleTone::Directions directions;
+    if (!this->KeepsAngles || !(block.Spread < glm::pi<float>()))
+    {
+      return directions;
+    }
+    const glm::vec3 axis = glm::normalize(this->Normal * glm::make_vec3(block.Axis.data()));
+    glm::vec3 toEye(0.0f, 0.0f, 1.0f);
+    float across = 0.0f;
+    if (!this->Parallel)
+    {
+      toEye = -glm::vec3(this->ToView * glm::vec4(middle, 1.0f));
+      const float length = glm::length(toEye);
+      if (length <= radius * this->Unit)
+      {
+        return directions;
+      }
+      toEye /= length;
+      across = std::asin(radius * this->Unit / length);
+    }
+    const Cosines eye = Between(axis, toEye, block.Spread + across);
+    directions.leastCosine = eye.Least;
+    directions.mostCosine = eye.Most;
+    // Normals on the back are turned round there.
+    if (this->Tone.lighting.on && !(this->Tone.surface && this->Tone.twoSided && eye.Least < 0.0f))
+    {
+      this->FindLight(axis, block.Spread, directions);
+    }
+    return directions;
+  }
+
+  void FindLight(const glm::vec3& axis, float spread, ink::StippleTone::Directions& directions) const
+  {
+    float least = 0.0f;
+    float most = 0.0f;
+    for (const ink::StippleLight& light : this->ToneView.Lights)
+    {
+      if (light.isLamp())
+      {
+        most = 1.0f;
+        continue;
+      }
+      const Cosines cosines = Between(axis, glm::vec3(light.position), spread);
+      const auto lit = [&](float cosine)
+      {
+        return cosine > 0.0f ? light.intensity * std::pow(std::min(cosine, 1.0f), this->Tone.lighting.kle)
+                             : 0.0f;
+      };
+      least += lit(cosines.Least);
+      most += lit(cosines.Most);
+    }
+    directions.leastLit = std::clamp(least, 0.0f, 1.0f);
+    directions.mostLit = std::clamp(most, 0.0f, 1.0f);
+  }
+
+  glm::mat4 ToView;
+  glm::mat3 Normal;
+  const ink::StippleTone& Tone;
+  const InkStippleView& ToneView;
+  bool Parallel;
+  bool KeepsAngles;
+  float Unit;
+  glm::vec4 Sides[6]; ///< of the view: what is inside has positive products with all of them
+  glm::vec4 Depth;    ///< the product with it is the distance from the eye along the view
+};
 
 } // namespace
 
 void InkStippleRuns::Find(const std::vector<InkStippleBlock>& blocks, const InkView& view,
-  const ink::StippleTone& tone, const ink::StippleTone::View& toneView, float margin)
+  const ink::StippleTone& tone, const InkStippleView& toneView, float margin)
 {
   this->Firsts.clear();
   this->Counts.clear();
-  const glm::mat4 toView = glm::make_mat4(view.MCVC.data());
-  const glm::mat4 toClip = glm::make_mat4(view.VCDC.data());
-  const glm::vec2 reach(1.0f + 2.0f * margin / view.Size[0], 1.0f + 2.0f * margin / view.Size[1]);
+  const BlockView seen(view, tone, toneView, margin);
   for (const InkStippleBlock& block : blocks)
   {
-    const Seen seen = LookAt(block, toView, toClip, reach);
-    if (seen.Outside)
-    {
-      continue;
-    }
-    const float most = tone.mostTone(toneView, block.LargestValue, block.LargestGradient,
-      static_cast<float>(block.Ends.size()), seen.Nearest, seen.Farthest);
-    // By random values, a stipple may be drawn that is one beyond; and a little for rounding.
-    const double ranks = most > 0.0f ? std::ceil(1.0001 * most + 1.0) : 0.0;
+    // The last stipple drawn has a rank below T, by random values, too; a little for rounding.
+    const double ranks = std::ceil(1.001 * seen.MostTone(block));
     if (ranks >= 1.0)
     {
       const auto last = static_cast<std::size_t>(std::min<double>(ranks, block.Ends.size())) - 1;
-      this->Firsts.push_back(block.First);
-      this->Counts.push_back(block.Ends[last]);
+      this->Add(block.First, block.Ends[last]);
     }
+  }
+}
+
+void InkStippleRuns::Add(int first, int count)
+{
+  if (!this->Firsts.empty() && first - (this->Firsts.back() + this->Counts.back()) <= SmallGap)
+  {
+    this->Counts.back() = first + count - this->Firsts.back();
+  }
+  else
+  {
+    this->Firsts.push_back(first);
+    this->Counts.push_back(count);
   }
 }
 
@@ -80,8 +194,7 @@ void InkStippleRuns::Fill(const std::vector<InkStippleBlock>& blocks)
   this->Counts.clear();
   for (const InkStippleBlock& block : blocks)
   {
-    this->Firsts.push_back(block.First);
-    this->Counts.push_back(block.Ends.back());
+    this->Add(block.First, block.Ends.back());
   }
 }
 

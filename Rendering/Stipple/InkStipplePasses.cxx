@@ -29,12 +29,23 @@
 #include <algorithm>
 #include <cstddef>
 
+namespace
+{
+
+/// Replaces a tag, which is there once.
+void Replace(std::string& shader, const std::string& tag, const std::string& text)
+{
+  shader.replace(shader.find(tag), tag.size(), text);
+}
+
+} // namespace
+
 /// A form of the shaders and its binding to the buffer.
 struct InkStipplePasses::Pass
 {
-  std::string VertexShader = InkStippleVS;
-  std::string FragmentShader;
+  std::string VertexShader;
   std::string GeometryShader;
+  std::string FragmentShader;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   int ProgramHandle = 0;
 };
@@ -42,11 +53,7 @@ struct InkStipplePasses::Pass
 InkStipplePasses::InkStipplePasses(vtkOpenGLRenderWindow* window)
   : Window(window)
   , Textures(window)
-  , IdPass(std::make_unique<Pass>())
-  , ResultPass(std::make_unique<Pass>())
 {
-  this->IdPass->FragmentShader = InkStippleIdFS;
-  this->ResultPass->FragmentShader = InkStippleResultFS;
   float range[2] = { 1.0f, 1.0f };
   glGetFloatv(GL_POINT_SIZE_RANGE, range);
   this->LargestPoint = range[1];
@@ -57,12 +64,10 @@ InkStipplePasses::InkStipplePasses(vtkOpenGLRenderWindow* window)
 
 InkStipplePasses::~InkStipplePasses()
 {
-  for (auto& [shader, pass] : this->DrawPasses)
+  for (auto& [shaders, pass] : this->Passes)
   {
     pass->VertexArray->ReleaseGraphicsResources();
   }
-  this->IdPass->VertexArray->ReleaseGraphicsResources();
-  this->ResultPass->VertexArray->ReleaseGraphicsResources();
   this->Buffer->ReleaseGraphicsResources();
 }
 
@@ -76,6 +81,41 @@ std::string InkStipplePasses::Upload(const InkStipplePoints& points)
   now.Modified();
   this->UploadTime = now.GetMTime();
   return this->Textures.Upload(points);
+}
+
+std::string InkStipplePasses::MakeVertexShader(const Scene& scene) const
+{
+  std::string features;
+  if (std::any_of(scene.ToneView.Lights.begin(), scene.ToneView.Lights.end(),
+        [](const ink::StippleLight& light) { return light.isLamp(); }))
+  {
+    features += "#define INK_LAMPS\n";
+  }
+  if (this->Textures.HasColors() || scene.Tone.warmCool.amount > 0.0f)
+  {
+    features += "#define INK_COLORS\n";
+  }
+  if (scene.Occluder)
+  {
+    features += "#define INK_OCCLUDED\n";
+  }
+  std::string shader = InkStippleVS;
+  Replace(shader, "//INK::Features", features);
+  return shader;
+}
+
+InkStipplePasses::Pass& InkStipplePasses::FindPass(
+  const std::string& vertexShader, const std::string& geometryShader, const std::string& fragmentShader)
+{
+  std::unique_ptr<Pass>& pass = this->Passes[vertexShader + geometryShader + fragmentShader];
+  if (!pass)
+  {
+    pass = std::make_unique<Pass>();
+    pass->VertexShader = vertexShader;
+    pass->GeometryShader = geometryShader;
+    pass->FragmentShader = fragmentShader;
+  }
+  return *pass;
 }
 
 vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
@@ -147,7 +187,7 @@ InkStippleRuns InkStipplePasses::FindRuns(const Scene& scene) const
   const float scale = static_cast<float>(scene.View.TileScale);
   const float largest = std::min(scene.Tone.largestDiameter(scene.ToneView.Tone) * scale, this->LargestPoint);
   InkStippleRuns runs;
-  runs.Find(scene.Points.GetBlocks(), scene.View, scene.Tone, scene.ToneView.Tone, 0.5f * largest + 1.0f);
+  runs.Find(scene.Points.GetBlocks(), scene.View, scene.Tone, scene.ToneView, 0.5f * largest + 1.0f);
   return runs;
 }
 
@@ -171,25 +211,25 @@ void InkStipplePasses::DrawRuns(const InkStippleRuns& runs)
 void InkStipplePasses::Draw(
   const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses)
 {
-  auto form = std::make_unique<Pass>();
-  form->FragmentShader = InkStippleFS;
-  renderPasses.ReplaceShaderValues(form->VertexShader, form->GeometryShader, form->FragmentShader);
-  std::unique_ptr<Pass>& pass = this->DrawPasses[form->VertexShader + form->FragmentShader];
-  if (!pass)
-  {
-    pass = std::move(form);
-  }
+  std::string vertexShader = this->MakeVertexShader(scene);
+  std::string geometryShader;
+  std::string fragmentShader = InkStippleFS;
+  renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
+  // Depth peeling asks for it; without, a fragment's depth can be tested before it is shaded.
+  const bool peeled = fragmentShader.find("//VTK::DepthPeeling::PreColor") == std::string::npos;
+  Replace(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
+  Pass& pass = this->FindPass(vertexShader, geometryShader, fragmentShader);
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  if (vtkShaderProgram* program = this->Begin(*pass, scene))
+  if (vtkShaderProgram* program = this->Begin(pass, scene))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniformf("actorOpacity", static_cast<float>(opacity));
-    renderPasses.SetShaderParameters(program, pass->VertexArray);
+    renderPasses.SetShaderParameters(program, pass.VertexArray);
     this->DrawRuns(this->FindRuns(scene));
-    this->End(*pass, scene);
+    this->End(pass, scene);
   }
 }
 
@@ -199,14 +239,15 @@ void InkStipplePasses::DrawIds(
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  if (vtkShaderProgram* program = this->Begin(*this->IdPass, scene))
+  Pass& pass = this->FindPass(this->MakeVertexShader(scene), "", InkStippleIdFS);
+  if (vtkShaderProgram* program = this->Begin(pass, scene))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniformi("idShift", idShift);
     program->SetUniform3f("propColor", propColor);
     this->DrawRuns(this->FindRuns(scene));
-    this->End(*this->IdPass, scene);
+    this->End(pass, scene);
   }
 }
 
@@ -245,14 +286,15 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    if (vtkShaderProgram* program = this->Begin(*this->ResultPass, scene))
+    Pass& pass = this->FindPass(this->MakeVertexShader(scene), "", InkStippleResultFS);
+    if (vtkShaderProgram* program = this->Begin(pass, scene))
     {
       const float size[2] = { static_cast<float>(width), static_cast<float>(height) };
       program->SetUniform2f("resultSize", size);
       InkStippleRuns runs;
       runs.Fill(scene.Points.GetBlocks());
       this->DrawRuns(runs);
-      this->End(*this->ResultPass, scene);
+      this->End(pass, scene);
       results.resize(6 * static_cast<std::size_t>(count));
       std::vector<float> pixels(4 * static_cast<std::size_t>(width * height));
       for (unsigned int i = 0; i < 2; ++i)

@@ -70,6 +70,10 @@ public:
 private:
   struct Pass;
 
+  /// The vertex shader with what the scene needs of it.
+  std::string MakeVertexShader(const Scene& scene) const;
+  Pass& FindPass(
+    const std::string& vertexShader, const std::string& geometryShader, const std::string& fragmentShader);
   vtkShaderProgram* Begin(Pass& pass, const Scene& scene);
   InkStippleRuns FindRuns(const Scene& scene) const;
   void DrawRuns(const InkStippleRuns& runs);
@@ -82,10 +86,8 @@ private:
   vtkIdType Processed = 0;
   float LargestPoint = 1.0f;
   int LastTextureUnit = 0;
-  /// One for each form that render passes give the shaders.
-  std::map<std::string, std::unique_ptr<Pass>> DrawPasses;
-  std::unique_ptr<Pass> IdPass;
-  std::unique_ptr<Pass> ResultPass;
+  /// One for each form that scenes and render passes give the shaders.
+  std::map<std::string, std::unique_ptr<Pass>> Passes;
 };
 
 #endif

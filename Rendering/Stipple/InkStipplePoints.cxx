@@ -21,10 +21,12 @@
 namespace
 {
 
-/// Blocks are cubes of this many elements along an edge, each cut in two where it holds very many: large
-/// enough that their number is small beside that of the stipples, small enough that they are cut off closely.
-constexpr double BlockEdge = 8.0;
+/// Blocks are what lies in cubes of this many elements along an edge and has similar normals and gradients,
+/// cut in two where it is very much: large enough that their number is small beside that of the stipples,
+/// small enough that they are cut off closely.
+constexpr double BlockEdge = 16.0;
 constexpr std::size_t MostElementsPerBlock = 512;
+constexpr double GradientBins = 4.0;
 
 /// What separates the random values of elements from other uses of their ids.
 constexpr std::uint64_t RandomSeed = 0x5717b1e;
@@ -49,11 +51,25 @@ std::uint64_t MortonCode(const float position[3])
   return code;
 }
 
+/// A number for each of the 26 directions to the neighbours in a grid, the nearest to a direction: so that
+/// the axes, along which many things are built, lie in the middle of theirs.
+std::uint64_t DirectionBin(const double direction[3])
+{
+  const double largest = std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
+  std::uint64_t bin = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double share = direction[axis] / largest;
+    bin = 3 * bin + (share < -0.5 ? 0 : share > 0.5 ? 2 : 1);
+  }
+  return bin;
+}
+
 } // namespace
 
 struct InkStipplePoints::Element
 {
-  std::uint64_t Place;
+  std::uint64_t Block; ///< the same for elements that may share one
   vtkIdType Id;
   vtkIdType First;
   int Length;
@@ -62,6 +78,9 @@ struct InkStipplePoints::Element
 std::vector<InkStipplePoints::Element> InkStipplePoints::ReadElements(
   const InkStippleInput& input, vtkIdType longest)
 {
+  // A cube of 2^k cells of the curve along an edge is what has all but the lowest 3 k bits in common.
+  const double edge = std::clamp(BlockEdge * this->ElementSize * MortonCells, 1.0, MortonCells);
+  const int shift = 3 * static_cast<int>(std::lround(std::log2(edge)));
   vtkCellArray* cells = input.Data->GetVerts();
   std::vector<Element> elements;
   elements.reserve(cells->GetNumberOfCells());
@@ -83,13 +102,18 @@ std::vector<InkStipplePoints::Element> InkStipplePoints::ReadElements(
       input.Data->GetPoint(first, p);
       this->Frame.ToLocal(p, local);
       const bool finite = std::isfinite(local[0]) && std::isfinite(local[1]) && std::isfinite(local[2]);
-      elements.push_back(
-        { finite ? MortonCode(local) : 0, id, first, static_cast<int>(std::min(length, longest)) });
+      const double gradient =
+        input.Surface ? 1.0 : std::clamp(input.GradientMagnitudes->GetComponent(id, 0), 0.0, 1.0);
+      const auto steepness =
+        static_cast<std::uint64_t>(std::min(gradient * GradientBins, GradientBins - 1.0));
+      const std::uint64_t cube = finite ? MortonCode(local) >> shift : 0;
+      elements.push_back({ (cube << 5 | DirectionBin(normal)) << 2 | steepness, id, first,
+        static_cast<int>(std::min(length, longest)) });
     }
     first += length;
   }
   std::sort(elements.begin(), elements.end(),
-    [](const Element& a, const Element& b) { return a.Place != b.Place ? a.Place < b.Place : a.Id < b.Id; });
+    [](const Element& a, const Element& b) { return a.Block != b.Block ? a.Block < b.Block : a.Id < b.Id; });
   return elements;
 }
 
@@ -132,14 +156,11 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
          << " stipples are drawn: the numbers of element and stipple have 32 bits together.";
   }
   this->Vertices.reserve(static_cast<std::size_t>(input.Data->GetNumberOfPoints()));
-  // A cube of 2^k cells of the curve along an edge is what has all but the lowest 3 k bits in common.
-  const double edge = std::clamp(BlockEdge * this->ElementSize * MortonCells, 1.0, MortonCells);
-  const int shift = 3 * static_cast<int>(std::lround(std::log2(edge)));
   for (std::size_t first = 0, last; first < elements.size(); first = last)
   {
     last = first + 1;
     while (last < elements.size() && last - first < MostElementsPerBlock &&
-      elements[last].Place >> shift == elements[first].Place >> shift)
+      elements[last].Block == elements[first].Block)
     {
       ++last;
     }
@@ -166,12 +187,14 @@ void InkStipplePoints::AddBlock(const InkStippleInput& input, const Element* ele
   block.First = static_cast<int>(this->Vertices.size());
   const auto firstElement = static_cast<std::uint32_t>(this->Shapes.size());
   int longest = 0;
+  double mean[3] = { 0.0, 0.0, 0.0 };
   for (int i = 0; i < count; ++i)
   {
     const Element& element = elements[i];
     double normal[3];
     input.Normals->GetTuple(element.Id, normal);
     vtkMath::Normalize(normal);
+    vtkMath::Add(mean, normal, mean);
     const auto limited = [&](vtkDataArray* array)
     { return array ? static_cast<float>(std::clamp(array->GetComponent(element.Id, 0), 0.0, 1.0)) : 1.0f; };
     const float gradient = this->Surface ? 1.0f : limited(input.GradientMagnitudes);
@@ -186,6 +209,17 @@ void InkStipplePoints::AddBlock(const InkStippleInput& input, const Element* ele
     block.LargestValue = std::max(block.LargestValue, value);
     block.LargestGradient = std::max(block.LargestGradient, gradient);
     longest = std::max(longest, element.Length);
+  }
+  if (vtkMath::Normalize(mean) > 0.0)
+  {
+    double least = 1.0;
+    for (std::size_t e = firstElement; e < this->Shapes.size(); ++e)
+    {
+      const float* normal = this->Shapes[e].Normal;
+      least = std::min(least, mean[0] * normal[0] + mean[1] * normal[1] + mean[2] * normal[2]);
+    }
+    std::copy_n(mean, 3, block.Axis.begin());
+    block.Spread = static_cast<float>(std::acos(std::clamp(least, -1.0, 1.0)));
   }
   for (int rank = 0; rank < longest; ++rank)
   {

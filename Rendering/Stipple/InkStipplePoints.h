@@ -25,6 +25,7 @@ public:
     float Position[3];            ///< in the local frame
     std::uint32_t ElementAndRank; ///< the rank in the lowest bits
   };
+  static_assert(sizeof(Vertex) == 16);
   struct Shape
   {
     float Normal[3];

@@ -25,6 +25,8 @@ public:
   /// @return why that cannot be done, for the user; empty if it can
   std::string Upload(const InkStipplePoints& points);
 
+  bool HasColors() const { return this->Colors.Filled; }
+
   void Activate(vtkShaderProgram* program);
   void Deactivate();
 

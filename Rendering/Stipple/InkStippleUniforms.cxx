@@ -7,6 +7,8 @@
 
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -67,19 +69,30 @@ void InkSetStippleUniforms(
 
   const int count = static_cast<int>(view.Lights.size());
   program->SetUniformi("lightCount", count);
+  program->SetUniformi("sunCount",
+    static_cast<int>(std::count_if(
+      view.Lights.begin(), view.Lights.end(), [](const auto& light) { return !light.isLamp(); })));
   if (count > 0)
   {
-    float positions[4 * InkStippleView::MostLights];
-    float intensities[InkStippleView::MostLights];
+    constexpr std::size_t most = InkStippleView::MostLights;
+    float positions[4 * most];
+    float intensities[most];
+    float directions[4 * most];
+    float fading[4 * most];
     for (int i = 0; i < count; ++i)
     {
+      const ink::StippleLight& light = view.Lights[i];
       for (int axis = 0; axis < 4; ++axis)
       {
-        positions[4 * i + axis] = view.Lights[i].position[axis];
+        positions[4 * i + axis] = light.position[axis];
+        directions[4 * i + axis] = axis < 3 ? light.direction[axis] : light.coneCosine;
+        fading[4 * i + axis] = axis < 3 ? light.attenuation[axis] : light.coneExponent;
       }
-      intensities[i] = view.Lights[i].intensity;
+      intensities[i] = light.intensity;
     }
     program->SetUniform4fv("lightPositions", count, positions);
     program->SetUniform1fv("lightIntensities", count, intensities);
+    program->SetUniform4fv("lampDirections", count, directions);
+    program->SetUniform4fv("lampFading", count, fading);
   }
 }

@@ -10,6 +10,7 @@
 #include "vtkCollectionIterator.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
@@ -21,7 +22,7 @@
 namespace
 {
 
-/// VTK's lights, without their cones and attenuation.
+/// VTK's lights, in view coordinates; suns first, which the shader counts on.
 std::vector<ink::StippleLight> FindLights(vtkRenderer* renderer)
 {
   std::vector<ink::StippleLight> lights;
@@ -45,15 +46,28 @@ std::vector<ink::StippleLight> FindLights(vtkRenderer* renderer)
     const double* rgb = light->GetDiffuseColor();
     const double luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
     const auto intensity = static_cast<float>(light->GetIntensity() * luminance);
-    glm::dvec3 place(from[0], from[1], from[2]);
+    const glm::dvec3 place(from[0], from[1], from[2]);
+    const glm::dvec3 back = place - glm::dvec3(to[0], to[1], to[2]);
+    const double length = glm::length(back);
+    const glm::vec3 towards = length > 0.0 ? glm::vec3(back / length) : glm::vec3(0.0f, 0.0f, 1.0f);
     if (!light->GetPositional())
     {
-      place -= glm::dvec3(to[0], to[1], to[2]);
-      const double length = glm::length(place);
-      place = length > 0.0 ? place / length : glm::dvec3(0.0, 0.0, 1.0);
+      lights.push_back({ glm::vec4(towards, 0.0f), intensity });
+      continue;
     }
-    lights.push_back({ glm::vec4(glm::vec3(place), light->GetPositional() ? 1.0f : 0.0f), intensity });
+    ink::StippleLight lamp{ glm::vec4(glm::vec3(place), 1.0f), intensity, -towards };
+    // As VTK has it, a cone of more than 90 degrees is none.
+    if (light->GetConeAngle() <= 90.0)
+    {
+      lamp.coneCosine = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle())));
+      lamp.coneExponent = static_cast<float>(light->GetExponent());
+    }
+    const double* attenuation = light->GetAttenuationValues();
+    lamp.attenuation = { attenuation[0], attenuation[1], attenuation[2] };
+    lights.push_back(lamp);
   }
+  std::stable_partition(
+    lights.begin(), lights.end(), [](const ink::StippleLight& light) { return !light.isLamp(); });
   return lights;
 }
 

@@ -128,7 +128,8 @@ struct Window
   }
 };
 
-/// The stipples that the mapper draws now, as plain points, and the mean diameter of their dots.
+/// The stipples that the mapper draws now, as plain points, and the mean diameter of their dots. None where
+/// there are more stipples than vtkInkStippleMapper::FindMarks can look into.
 vtkSmartPointer<vtkPolyData> PlainPoints(
   vtkInkStippleMapper* mapper, Window& window, vtkPolyData* stipples, double& size)
 {
@@ -228,7 +229,8 @@ void Measure(const std::string& name, vtkDataSet* data, int perElement, int fram
     static_cast<long long>(isVolume ? data->GetNumberOfPoints() : data->GetNumberOfCells()), preprocessing,
     first, 1e-6 * static_cast<double>(stipples->GetNumberOfPoints()), 1e-3 * processed,
     1e-3 * static_cast<double>(points->GetNumberOfPoints()), size, 1e3 * Median(processor[0]),
-    1.0 / Median(wall[0]), Median(processor[0]) / Median(processor[1]),
+    1.0 / Median(wall[0]),
+    points->GetNumberOfPoints() > 0 ? Median(processor[0]) / Median(processor[1]) : NAN,
     static_cast<double>(usage.ru_maxrss) / 1024.0);
   std::fflush(stdout);
 }

@@ -21,7 +21,7 @@ void main()
   {
     discard;
   }
-  gl_FragDepth = gl_FragCoord.z;
+  //INK::Depth
 
   //VTK::DepthPeeling::PreColor
 

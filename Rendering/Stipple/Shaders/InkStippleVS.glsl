@@ -1,7 +1,11 @@
 //VTK::System::Dec
+//INK::Features
 
 // Lu et al. 2003, sections 4.3 and 5: how many of its element's stipples are drawn, and so whether this one is,
 // how large and in which colour. Common/Tone has the same in C++, function by function, and says more.
+//
+// Software rasterisers compute what a condition leaves out, too. So what most pictures do without is compiled only
+// where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED.
 
 in vec3 pointMC;    // in the local frame
 in uint elementAndRank; // the element's number, and in the lowest bits the stipple's place in its list
@@ -63,8 +67,11 @@ uniform vec3 cool;
 uniform vec3 warmCool;            // weights of tone and distance, amount
 
 uniform int lightCount;
+uniform int sunCount;             // the first of the lights have parallel rays
 uniform vec4 lightPositions[8];
 uniform float lightIntensities[8];
+uniform vec4 lampDirections[8];   // and the cosine of the cone's half angle, -1: no cone
+uniform vec4 lampFading[8];       // attenuation; the cone's exponent
 
 // Where to write what each stipple comes to instead of drawing it: pixels of an image; 0: nowhere.
 uniform vec2 resultSize;
@@ -162,7 +169,19 @@ void main()
     float reach = length(towards);
     float c = reach > 0.0 ? dot(normal, towards) / reach : 1.0;
     lightCosine = max(lightCosine, min(c, 1.0));
-    lit += c > 0.0 ? lightIntensities[i] * power(min(c, 1.0), lighting.x) : 0.0;
+    float intensity = lightIntensities[i];
+#ifdef INK_LAMPS
+    if (i >= sunCount)
+    {
+      vec4 fading = lampFading[i];
+      float loss = fading.x + reach * fading.y + reach * reach * fading.z;
+      intensity = loss > 0.0 ? intensity / loss : 0.0;
+      vec4 cone = lampDirections[i];
+      float inCone = reach > 0.0 ? -dot(towards, cone.xyz) / reach : 1.0;
+      intensity *= cone.w <= -1.0 ? 1.0 : inCone >= cone.w ? power(min(inCone, 1.0), fading.w) : 0.0;
+    }
+#endif
+    lit += c > 0.0 ? intensity * power(min(c, 1.0), lighting.x) : 0.0;
   }
   lit = min(lit, 1.0);
 
@@ -203,7 +222,9 @@ void main()
     opacity = 1.0;
   }
 
-  vec3 color = ownColors ? texelFetch(elementColors, element).rgb : inkColor;
+  vec3 color = inkColor;
+#ifdef INK_COLORS
+  color = ownColors ? texelFetch(elementColors, element).rgb : color;
   float weights = warmCool.x + warmCool.y;
   if (warmCool.z > 0.0 && weights > 0.0)
   {
@@ -211,6 +232,7 @@ void main()
                      warmCool.y * (0.5 + 0.5 * clamp(depth, -1.0, 1.0))) / weights;
     color = mix(color, rgbFromHls(mixHls(cool, warm, warmth)), warmCool.z);
   }
+#endif
 
   for (int i = 0; i < clipPlaneCount; ++i)
   {
@@ -218,6 +240,7 @@ void main()
   }
   vec4 center = VCDCMatrix * position;
   vec2 centerPixel = (0.5 * center.xy / center.w + 0.5) * viewportSize;
+#ifdef INK_OCCLUDED
   if (occluded && opacity > 0.0)
   {
     // Lifted a little towards the eye, but not behind it.
@@ -226,6 +249,7 @@ void main()
     float hides = texelFetch(occluder, ivec2(clamp(centerPixel, vec2(0.0), viewportSize - 1.0)), 0).r;
     opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
   }
+#endif
   idVSOutput = int(list.x) + rank;
   toneVSOutput = vec3(tone, opacity, size);
   colorVSOutput = color;

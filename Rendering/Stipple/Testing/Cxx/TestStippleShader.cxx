@@ -58,9 +58,9 @@ ink::StippleTone Expected(vtkInkStippleMapper* m, bool surface)
   return tone;
 }
 
-/// @param sun the direction that the light comes from, in world coordinates
-void Compare(InkTestChecks& check, StippleScene& scene, vtkPolyData* stipples, const glm::dvec3& sun,
-  const std::string& what)
+/// @param light the scene's only one, looking at the origin
+void Compare(
+  InkTestChecks& check, StippleScene& scene, vtkPolyData* stipples, vtkLight* light, const std::string& what)
 {
   scene.Window->Render();
   vtkNew<vtkFloatArray> found;
@@ -105,8 +105,19 @@ void Compare(InkTestChecks& check, StippleScene& scene, vtkPolyData* stipples, c
   view.maximumStipples = maximumAt(view.nearest);
   view.smallness =
     tone.smallElements.weight(maximumAt(std::max<double>(view.middle, camera->GetClippingRange()[0])));
-  const glm::dvec4 light = Times(toView, glm::dvec4(glm::normalize(sun), 0.0));
-  const ink::StippleLight lights[1] = { { glm::vec4(light), 1.0f } };
+  const double* from = light->GetPosition();
+  const glm::dvec3 source(from[0], from[1], from[2]);
+  const glm::vec4 towards(Times(toView, glm::dvec4(glm::normalize(source), 0.0)));
+  ink::StippleLight lights[1] = { { towards, 1.0f } };
+  if (light->GetPositional())
+  {
+    lights[0] = { glm::vec4(Times(toView, glm::dvec4(source, 1.0))), 1.0f, -glm::vec3(towards),
+      light->GetConeAngle() > 90.0 ? -1.0f
+                                   : float(std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle()))),
+      float(light->GetExponent()) };
+    const double* attenuation = light->GetAttenuationValues();
+    lights[0].attenuation = { attenuation[0], attenuation[1], attenuation[2] };
+  }
 
   const auto array = [&](const char* name) { return stipples->GetCellData()->GetArray(name); };
   double worst[4] = {};
@@ -170,6 +181,7 @@ int TestStippleShader(int, char*[])
   auto voxels = InkTestStipples::SphereVoxels(1.0, 0.12, 24);
   auto surface = InkTestStipples::SphereSurface(1.0, 600, 24);
 
+  vtkLight* light = nullptr;
   using Change = std::function<void(StippleScene&)>;
   const auto off = [](StippleScene& s) { s.AllOff(); };
   const struct
@@ -208,6 +220,21 @@ int TestStippleShader(int, char*[])
         off(s);
         s.Mapper->LightingOn();
         s.Mapper->SetKle(0.6);
+      } },
+    { "a lamp",
+      [&](StippleScene&)
+      {
+        light->PositionalOn();
+        light->SetConeAngle(180.0);
+        light->SetAttenuationValues(0.5, 0.2, 0.05);
+      } },
+    { "a spotlight",
+      [&](StippleScene& s)
+      {
+        light->PositionalOn();
+        light->SetConeAngle(14.0);
+        light->SetExponent(20.0);
+        s.Mapper->SetKle(0.5);
       } },
     { "light ink and a facing angle",
       [&](StippleScene& s)
@@ -268,15 +295,15 @@ int TestStippleShader(int, char*[])
       scene.Mapper->SetInkColor(0.1, 0.2, 0.3);
       scene.Renderer->GetActiveCamera()->Azimuth(25.0);
       scene.Renderer->GetActiveCamera()->Elevation(15.0);
-      vtkNew<vtkLight> light;
+      vtkNew<vtkLight> only;
+      light = only;
       light->SetLightTypeToSceneLight();
-      const glm::dvec3 sun(1.0, 2.0, 1.5);
-      light->SetPosition(sun.x, sun.y, sun.z);
+      light->SetPosition(1.0, 2.0, 1.5);
       light->SetFocalPoint(0.0, 0.0, 0.0);
       scene.Renderer->AddLight(light);
       scene.Renderer->ResetCameraClippingRange();
       change(scene);
-      Compare(check, scene, data, sun, std::string(name) + " on " + kind);
+      Compare(check, scene, data, light, std::string(name) + " on " + kind);
     }
   }
   return check.Result();

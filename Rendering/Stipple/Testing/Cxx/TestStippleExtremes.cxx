@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ends of what the mapper accepts: sliders, distances, single stipples and a million of them; that no
+// parameter sends stipples again; and that what a generator makes is hidden by its own input.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestStipples.h"
+#include "StippleScene.h"
+#include "vtkInkStippleControls.h"
+#include "vtkInkStippleGenerator.h"
+
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+/// All that the shader gives is finite, opacities and colours within [0, 1].
+void CheckMarks(InkTestChecks& check, StippleScene& scene, const std::string& what)
+{
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  scene.Window->Render();
+  vtkNew<vtkFloatArray> marks;
+  if (!check(scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks), "marks with ", what))
+  {
+    return;
+  }
+  int wrong = 0;
+  for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
+  {
+    const double* mark = marks->GetTuple(i);
+    bool good = mark[0] >= 0.0 && mark[1] >= 0.0 && mark[1] <= 1.0 && mark[2] >= 0.0;
+    for (int n = 0; n < 6; ++n)
+    {
+      good = good && std::isfinite(mark[n]) && (n < 3 || (mark[n] >= 0.0 && mark[n] <= 1.0));
+    }
+    wrong += !good;
+  }
+  check(wrong == 0, wrong, " of ", marks->GetNumberOfTuples(), " marks out of range with ", what);
+  check(messages->Messages.empty(), "no message with ", what);
+}
+
+void TestSliders(InkTestChecks& check)
+{
+  StippleScene scene(InkTestStipples::SphereVoxels(1.0, 0.15, 8));
+  vtkNew<vtkInkStippleControls> controls;
+  for (int preset = 0; preset < vtkInkStippleControls::GetNumberOfPresets(); ++preset)
+  {
+    for (int ends = 0; ends < 64; ++ends)
+    {
+      controls->SetPreset(vtkInkStippleControls::GetPresetName(preset));
+      controls->SetGradient(ends & 1);
+      controls->SetSharpness(ends >> 1 & 1);
+      controls->SetOrientation(ends >> 2 & 1);
+      controls->SetDistance(ends >> 3 & 1);
+      controls->SetInterior(ends >> 4 & 1);
+      controls->SetColor(ends >> 5 & 1);
+      controls->Apply(scene.Mapper);
+      CheckMarks(check, scene, std::string(controls->GetPreset()) + ", ends " + std::to_string(ends));
+    }
+  }
+}
+
+/// From inside the object to a hundredth of a pixel.
+void TestDistances(InkTestChecks& check)
+{
+  for (auto data :
+    { InkTestStipples::SphereVoxels(1.0, 0.1, 8), InkTestStipples::SphereSurface(1.0, 500, 8) })
+  {
+    StippleScene scene(data);
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    for (int parallel : { 0, 1 })
+    {
+      camera->SetParallelProjection(parallel);
+      for (double distance : { 0.0, 0.5, 1.0, 1.001, 1.05, 2.0, 1e2, 1e3, 1e5, 1e7 })
+      {
+        camera->SetPosition(0.0, 0.0, distance);
+        camera->SetFocalPoint(0.0, 0.0, distance - 1.0);
+        camera->SetParallelScale(std::max(1e-3, distance));
+        scene.Renderer->ResetCameraClippingRange();
+        CheckMarks(check, scene, "distance " + std::to_string(distance));
+        check(InkTestImage(scene.Window).Ink() < 200.0 * 200.0, "a picture at distance ", distance);
+      }
+    }
+  }
+}
+
+/// The grey of a sphere stays what it was when the sphere is but a few pixels, down to less than one.
+void TestTinySphere(InkTestChecks& check)
+{
+  StippleScene scene(InkTestStipples::SphereVoxels(1.0, 0.04, 12));
+  scene.AllOff();
+  // Few enough that stipples hardly ever lie on each other, which would make them paler together.
+  scene.Mapper->SetPixelsPerStipple(120.0);
+  scene.Mapper->SetStippleSize(1.5);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  double expected = 0.0;
+  for (double radius : { 40.0, 20.0, 5.0, 2.0, 0.5 })
+  {
+    camera->SetParallelScale(100.0 / radius);
+    const double tone = InkTestImage(scene.Window).Ink() / (vtkMath::Pi() * radius * radius);
+    expected = expected > 0.0 ? expected : tone;
+    // A pixel's brightness has 256 steps only.
+    check(std::abs(tone / expected - 1.0) < (radius < 1.0 ? 0.3 : 0.07), "grey ", expected,
+      " of a sphere of ", radius, " pixels' radius, found ", tone);
+  }
+}
+
+void TestMany(InkTestChecks& check)
+{
+  auto stipples = InkTestStipples::SphereVoxels(1.0, 0.014, 8);
+  check(stipples->GetNumberOfPoints() > 1000000, "a million stipples, ", stipples->GetNumberOfPoints());
+  StippleScene scene(stipples);
+  const double ink = InkTestImage(scene.Window).Ink();
+  check(ink > 100.0 && ink < 20000.0, "a picture of a million stipples, ink ", ink);
+  check(scene.Mapper->GetNumberOfProcessedStipples() < stipples->GetNumberOfPoints() / 8,
+    "few of them looked at: ", scene.Mapper->GetNumberOfProcessedStipples());
+}
+
+/// Parameters are uniforms: none sends stipples again, each changes what it says.
+void TestUploads(InkTestChecks& check)
+{
+  StippleScene scene(InkTestStipples::SphereVoxels(1.0, 0.1, 8));
+  scene.Window->Render();
+  const vtkMTimeType time = scene.Mapper->GetUploadTime();
+  vtkInkStippleMapper* m = scene.Mapper;
+  using Set = void (vtkInkStippleMapper::*)(double);
+  const Set numbers[] = { &vtkInkStippleMapper::SetKgc, &vtkInkStippleMapper::SetKgs,
+    &vtkInkStippleMapper::SetKge, &vtkInkStippleMapper::SetKsc, &vtkInkStippleMapper::SetKss,
+    &vtkInkStippleMapper::SetKse, &vtkInkStippleMapper::SetKnz, &vtkInkStippleMapper::SetKle,
+    &vtkInkStippleMapper::SetFacingAngle, &vtkInkStippleMapper::SetKde, &vtkInkStippleMapper::SetDistanceSize,
+    &vtkInkStippleMapper::SetKie, &vtkInkStippleMapper::SetInteriorSize, &vtkInkStippleMapper::SetValueEffect,
+    &vtkInkStippleMapper::SetPixelsPerStipple, &vtkInkStippleMapper::SetStippleSize,
+    &vtkInkStippleMapper::SetMinimumCoverage, &vtkInkStippleMapper::SetFade,
+    &vtkInkStippleMapper::SetWarmCool, &vtkInkStippleMapper::SetToneWeight,
+    &vtkInkStippleMapper::SetDistanceWeight, &vtkInkStippleMapper::SetOccluderOffset };
+  for (const Set set : numbers)
+  {
+    (m->*set)(0.7);
+    scene.Window->Render();
+  }
+  using Switch = void (vtkInkStippleMapper::*)(bool);
+  const Switch switches[] = { &vtkInkStippleMapper::SetBoundary, &vtkInkStippleMapper::SetSilhouette,
+    &vtkInkStippleMapper::SetResolution, &vtkInkStippleMapper::SetLighting, &vtkInkStippleMapper::SetDistance,
+    &vtkInkStippleMapper::SetInterior, &vtkInkStippleMapper::SetHeadlight, &vtkInkStippleMapper::SetLightInk,
+    &vtkInkStippleMapper::SetGrowing, &vtkInkStippleMapper::SetAppearBySize };
+  for (const Switch set : switches)
+  {
+    (m->*set)(false);
+    scene.Window->Render();
+    (m->*set)(true);
+    scene.Window->Render();
+  }
+  m->SetKrc(-1.0);
+  m->SetSmallElements(vtkInkStippleMapper::PROBABILITY);
+  m->SetInkColor(0.5, 0.0, 0.0);
+  m->SetWarmColor(1.0, 1.0, 0.0);
+  scene.Window->Render();
+  check(m->GetUploadTime() == time, "no upload for any parameter");
+}
+
+/// Stipples that a generator made of a mesh are hidden by that mesh, unless told otherwise.
+void TestSurfaceFromInput(InkTestChecks& check)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputConnection(sphere->GetOutputPort());
+  generator->SetNumberOfSurfaceStipples(8000);
+  generator->Update();
+  vtkPolyData* stipples = generator->GetOutput();
+  // Seen from inside, hidden by nothing: only a surface makes both sides of it count.
+  StippleScene scene(stipples);
+  scene.AllOff();
+  scene.Mapper->SetInputConnection(generator->GetOutputPort());
+  scene.Renderer->ResetCamera();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  const double eye = camera->GetPosition()[2];
+  const auto countBehind = [&]
+  {
+    scene.Window->Render();
+    vtkNew<vtkFloatArray> marks;
+    scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks);
+    int shown[2] = { 0, 0 };
+    for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
+    {
+      const double z = stipples->GetPoint(i)[2];
+      shown[z < 1.0 / eye] += marks->GetComponent(i, 1) > 0.0 && std::abs(z - 1.0 / eye) > 0.2;
+    }
+    check(shown[0] > 500, "stipples on the front, ", shown[0]);
+    return shown[1];
+  };
+  check(countBehind() == 0, "none behind");
+  // A hole in the surface lets the inside be seen, and only with the mesh is the inside drawn at all.
+  sphere->SetStartPhi(60.0);
+  generator->Update();
+  camera->SetPosition(0.0, 0.0, eye);
+  const int inside = countBehind();
+  check(inside > 50, "the inside through a hole, ", inside);
+  scene.Mapper->SurfaceFromInputOff();
+  check(countBehind() == 0, "no inside without the mesh");
+}
+
+} // namespace
+
+int TestStippleExtremes(int, char*[])
+{
+  InkTestChecks check;
+  TestSliders(check);
+  TestDistances(check);
+  TestTinySphere(check);
+  TestMany(check);
+  TestUploads(check);
+  TestSurfaceFromInput(check);
+  return check.Result();
+}
