@@ -117,7 +117,8 @@ public:
   /**
    * How far beyond the radius, as a part of it, a place may be from all samples before BLUE_NOISE puts one
    * there: 0.02 to 1; default: 0.06. The larger, the fewer samples a radius has, the wider their `Radius`
-   * must be to leave no holes, and the sooner they are made: at 1, in some half of the time.
+   * must be to leave no holes, and the sooner they are made: at 1, in six to eight tenths of
+   * the time.
    */
   vtkSetClampMacro(Gap, double, 0.02, 1.0);
   vtkGetMacro(Gap, double);

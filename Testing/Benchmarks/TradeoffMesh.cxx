@@ -7,7 +7,9 @@
 #include "Sampling/BlueNoise.h"
 #include "Sampling/WhiteNoise.h"
 
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -54,10 +56,10 @@ void MeasureGap()
 {
   const double radius = 0.01;
   Tradeoff knob("Gap (vtkInkSurfaceSampler)",
-    "Keep 0.06: filling the gaps takes no more than a third of the time; go to 0.3 or beyond where many "
-    "samples are "
-    "made anew in each frame and the wider discs do no harm.",
-    "farthest place from a sample, against the square root of the area per sample",
+    "Keep 0.06: leaving gaps open saves no more than a fifth of the time; a wider one is for those who want "
+    "fewer samples "
+    "of the same least distance.",
+    "farthest place from a sample, of the radius",
     "blue noise of a radius of a hundredth of the square root of the area, on the torus");
   for (const double gap : { 0.02, 0.06, 0.15, 0.3, 0.6, 1.0 })
   {
@@ -65,7 +67,7 @@ void MeasureGap()
     for (const auto& [name, mesh] : AllScenes)
     {
       const auto samples = Sample(mesh, true, radius, gap);
-      errors.emplace_back(name, Hole(mesh, samples) * std::sqrt(static_cast<double>(samples.size())));
+      errors.emplace_back(name, Hole(mesh, samples) / radius);
     }
     std::string title = std::to_string(gap);
     knob.Add(
@@ -78,9 +80,9 @@ void MeasureGap()
 void MeasureDensity()
 {
   Tradeoff knob("Number of samples (vtkInkSurfaceSampler)",
-    "Keep blue noise of some 100,000 samples for a drawing of a thousand pixels; four times as many halve "
+    "Keep some 100,000 samples of blue noise for a drawing of a thousand pixels; four times as many halve "
     "the holes, and "
-    "white noise needs some ten times as many for the same.",
+    "white noise has the same holes with four times as many, in a twentieth of the time.",
     "farthest place from a sample, of the square root of the area", "samples of the torus");
   for (const bool blue : { false, true })
   {
