@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help demo test setup setup-headless setup-paraview build build-headless build-paraview build-asan \
-  build-tsan test-headless test-paraview bench tradeoff sanitize fuzz format install clean
+  build-tsan test-headless test-paraview bench tradeoff pictures sanitize fuzz format install clean
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -48,6 +48,9 @@ bench: setup-headless build-headless ## Measure the sampler and the mapper again
 tradeoff: setup-headless build-headless ## Measure error against time, write Documentation/accuracy-and-speed.md
 	@Utilities/setup.sh tradeoff
 	@Utilities/tradeoff.sh
+
+pictures: setup-headless build-headless ## Draw the pictures of Documentation/stipple.md
+	@Utilities/pictures.sh
 
 sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behaviour sanitizers
 	@Utilities/test.sh asan

@@ -63,7 +63,7 @@ std::string knownSuffixes()
   return list;
 }
 
-Input read(const InputOptions& options, Progress& progress)
+Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress& progress)
 {
   const fs::path& file = options.file;
   std::error_code error;
@@ -97,7 +97,12 @@ Input read(const InputOptions& options, Progress& progress)
 #ifdef INK_WITH_OPENVDB
   if (contains(vdbSuffixes, suffix))
   {
-    return readVdb(file, options.grid, options.memory, progress);
+    return readVdb(file, options.grid, wanted, options.memory, progress);
+  }
+#else
+  if (suffix == ".vdb")
+  {
+    failToRead(file, "this ink was built without OpenVDB");
   }
 #endif
   if (!options.grid.empty())
@@ -119,9 +124,9 @@ Input read(const InputOptions& options, Progress& progress)
 
 } // namespace
 
-Input readInput(const InputOptions& options, Progress& progress)
+Input readInput(const InputOptions& options, Progress& progress, Wanted wanted)
 {
-  Input input = read(options, progress);
+  Input input = read(options, wanted, progress);
   if (auto* image = vtkImageData::SafeDownCast(input.data))
   {
     input.volume = std::make_shared<VolumeSlices>(image);

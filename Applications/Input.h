@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Memory.h"
+#include "SampleVolume.h"
 
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
@@ -46,16 +47,29 @@ struct Input
   /// larger than memory.
   vtkSmartPointer<vtkDataObject> data;
   std::shared_ptr<VolumeSlices> volume; ///< null for a mesh
+  /// Instead of `volume` where only surfaces were wanted and the file itself can be sampled.
+  VolumeSampler volumeSampler;
   std::string format;
   /// What of the file was not used as it is, each a sentence without its dot.
   std::vector<std::string> notes;
   int components = 1;                 ///< that the file's voxels have
   std::optional<double> surfaceValue; ///< the iso-value that the file is about, if it says one
+
+  bool isVolume() const { return this->volume || this->volumeSampler; }
 };
 
-/// Reads a volume or a mesh; which of them, and in which format, the file's name tells.
-/// \throw Failure if it cannot be read whole, with the reason.
-Input readInput(const InputOptions& options, Progress& progress);
+/// What of a volume is needed.
+enum class Wanted
+{
+  Values,
+  Surface, ///< that the file is about, or of a value that is chosen by looking at all values
+  GivenSurfaces
+};
+
+/// Reads a volume or a mesh; which of them, and in which format, the file's name tells. Sparse volumes are
+/// left to Input::volumeSampler where surfaces are wanted and nothing else. \throw Failure if it cannot be
+/// read whole, with the reason.
+Input readInput(const InputOptions& options, Progress& progress, Wanted wanted = Wanted::Values);
 
 /// Where no iso-value is given and the file says one, takes that and notes it.
 void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes);

@@ -59,17 +59,18 @@ std::uint64_t announcedBytes(vtkAlgorithm* reader)
   {
     return 0;
   }
-  auto bytes = static_cast<std::uint64_t>(
-    vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE())));
+  double bytes = vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()));
   if (scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()))
   {
-    bytes *= static_cast<std::uint64_t>(scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()));
+    bytes *= scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
   }
   for (int i = 0; i < 3; ++i)
   {
-    bytes *= static_cast<std::uint64_t>(std::max(extent[2 * i + 1] - extent[2 * i] + 1, 0));
+    bytes *= std::max(static_cast<double>(extent[2 * i + 1]) - extent[2 * i] + 1.0, 0.0);
   }
-  return bytes;
+  // A sparse grid's box may have more voxels than there are numbers of 64 bits.
+  constexpr double moreThanAnyMachine = 1LL << 60;
+  return static_cast<std::uint64_t>(std::min(bytes, moreThanAnyMachine));
 }
 
 } // namespace

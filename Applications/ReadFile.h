@@ -33,8 +33,8 @@ void runVolumeReader(vtkAlgorithm* reader, const std::filesystem::path& file, co
 /// One of these for each kind of input; all as readInput.
 Input readVolume(
   const std::filesystem::path& file, const std::string& suffix, const Memory& memory, Progress& progress);
-Input readVdb(
-  const std::filesystem::path& file, const std::string& grid, const Memory& memory, Progress& progress);
+Input readVdb(const std::filesystem::path& file, const std::string& grid, Wanted wanted, const Memory& memory,
+  Progress& progress);
 Input readRawVolume(
   const std::filesystem::path& file, const RawLayout& layout, const Memory& memory, Progress& progress);
 Input readDicomFolder(const std::filesystem::path& folder, const Memory& memory, Progress& progress);

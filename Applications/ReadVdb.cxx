@@ -2,45 +2,82 @@
 
 #include "Errors.h"
 #include "FinishVolume.h"
+#include "Progress.h"
+#include "SampleVdb.h"
 #include "Text.h"
 
 #include "vtkImageData.h"
 #include "vtkInkVDBReader.h"
 #include "vtkNew.h"
 
-#include "Vdb/VdbFile.h"
+#include "Vdb/VdbGrid.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 
 namespace ink::cli
 {
-
-Input readVdb(
-  const std::filesystem::path& file, const std::string& grid, const Memory& memory, Progress& progress)
+namespace
 {
+
+void requireMemory(
+  const std::filesystem::path& file, const std::string& what, std::uint64_t bytes, const Memory& memory)
+{
+  if (bytes > memory.forWholeVolume())
+  {
+    failToRead(file,
+      what + " takes " + memoryText(bytes) + ": expected --memory " + memoryText(Memory::limitFor(bytes, 2)) +
+        " or more, found " + memoryText(memory.limit));
+  }
+}
+
+vtkSmartPointer<vtkImageData> readImage(const std::filesystem::path& file, const VdbGridInfo& grid,
+  std::uint64_t treeBytes, const Memory& memory, Progress& progress)
+{
+  vtkNew<vtkInkVDBReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->SetGridName(grid.name.c_str());
+  reader->SetMaximumMemory(0);
+  const std::uint64_t imageBytes = readHeader(reader, file, progress);
+  requireMemory(file, "grid '" + grid.name + "' as an image", imageBytes + treeBytes, memory);
+  runReader(reader, file, progress);
+  return reader->GetOutput();
+}
+
+} // namespace
+
+Input readVdb(const std::filesystem::path& file, const std::string& grid, Wanted wanted, const Memory& memory,
+  Progress& progress)
+{
+  progress.step("reading " + file.filename().string());
   ink::VdbFile list;
   ink::VdbGridInfo chosen;
+  std::uint64_t treeBytes = 0;
   try
   {
     std::ifstream in(file, std::ios::binary);
     list = ink::VdbFile::list(in);
     chosen = list.find(grid);
+    treeBytes = ink::VdbGrid::memoryOf(in, chosen);
   }
   catch (const ink::VdbError& error)
   {
     failToRead(file, error.what());
   }
-  vtkNew<vtkInkVDBReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->SetGridName(chosen.name.c_str());
-  constexpr std::uint64_t mebibyte = 1 << 20;
-  reader->SetMaximumMemory(static_cast<int>(
-    std::clamp<std::uint64_t>(memory.forWholeVolume() / mebibyte, 1, reader->GetMaximumMemoryMaxValue())));
-  runReader(reader, file, progress);
+  requireMemory(file, "grid '" + chosen.name + "'", treeBytes, memory);
 
-  Input input = makeVolumeInput(reader->GetOutput(), file, "OpenVDB grid '" + chosen.name + "'");
+  Input input;
+  const std::string format = "OpenVDB grid '" + chosen.name + "'";
+  if (wanted == Wanted::GivenSurfaces || (wanted == Wanted::Surface && chosen.surface))
+  {
+    input.format = format;
+    const std::uint64_t voxels = treeBytes / (chosen.isDouble ? sizeof(double) : sizeof(float));
+    input.volumeSampler = makeVdbSampler(file, chosen, voxels);
+  }
+  else
+  {
+    input = makeVolumeInput(readImage(file, chosen, treeBytes, memory, progress), file, format);
+  }
   input.surfaceValue = chosen.surface;
   if (list.grids.size() > 1)
   {

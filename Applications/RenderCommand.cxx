@@ -13,12 +13,16 @@
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInkSplattingLinesMapper.h"
+#include "vtkInkStippleMapper.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <regex>
@@ -46,17 +50,69 @@ void setUpMapper(vtkInkSplattingLinesMapper* mapper, const RenderOptions& option
   }
 }
 
-vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& options)
+/// Light that stays with the viewer.
+/// \param azimuth, elevation where it comes from: degrees to the right of the viewer and above
+vtkSmartPointer<vtkLight> makeLight(double azimuth, double elevation)
+{
+  const double right = vtkMath::RadiansFromDegrees(azimuth);
+  const double up = vtkMath::RadiansFromDegrees(elevation);
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToCameraLight();
+  light->SetFocalPoint(0, 0, 0);
+  light->SetPosition(std::sin(right) * std::cos(up), std::sin(up), std::cos(right) * std::cos(up));
+  return light;
+}
+
+/// What is drawn, before it has a camera.
+struct Subject
+{
+  vtkSmartPointer<vtkPolyData> points;
+  vtkSmartPointer<vtkMapper> mapper;
+  vtkSmartPointer<vtkLight> light; ///< null: the mapper needs none
+  Color background;
+  std::vector<std::string> notes;
+};
+
+Subject makeLines(const Input& input, const RenderOptions& options, Progress& progress)
+{
+  Surface surface = makeSurface(input, options.isoValues, options.samples, options.input.memory, progress);
+  Subject subject;
+  subject.points = surface.points;
+  subject.notes = std::move(surface.notes);
+  vtkNew<vtkInkSplattingLinesMapper> mapper;
+  mapper->SetInputData(subject.points);
+  setUpMapper(mapper, options);
+  subject.mapper = mapper;
+  subject.background = options.background;
+  return subject;
+}
+
+Subject makeStippling(const Input& input, const RenderOptions& options, Progress& progress)
+{
+  const StippleStyle& style = *options.stipple;
+  const double pixels =
+    options.zoom * std::max(options.size.width, options.size.height) * PictureSize::supersampling;
+  Subject subject;
+  subject.points =
+    makeStipples(input, style, options.isoValues, options.samples, pixels, subject.notes, progress);
+  subject.mapper = style.mapper;
+  subject.light = makeLight(style.lightAzimuth, style.lightElevation);
+  subject.background = style.paper;
+  return subject;
+}
+
+vtkSmartPointer<vtkImageData> draw(const Subject& subject, const RenderOptions& options)
 {
   const VtkMessages messages;
-  vtkNew<vtkInkSplattingLinesMapper> mapper;
-  mapper->SetInputData(points);
-  setUpMapper(mapper, options);
   vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
+  actor->SetMapper(subject.mapper);
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
+  if (subject.light)
+  {
+    renderer->AddLight(subject.light);
+  }
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();
   window->SetMultiSamples(0);
@@ -68,7 +124,7 @@ vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& opt
   view.rotate(options.azimuth, options.elevation);
   vtkCamera* camera = renderer->GetActiveCamera();
   const double aspect = static_cast<double>(options.size.width) / options.size.height;
-  fitCamera(camera, view, points->GetPoints(), aspect, margin, options.parallel);
+  fitCamera(camera, view, subject.points->GetPoints(), aspect, margin, options.parallel);
   camera->Zoom(options.zoom);
   renderer->ResetCameraClippingRange();
 
@@ -79,7 +135,7 @@ vtkSmartPointer<vtkImageData> draw(vtkPolyData* points, const RenderOptions& opt
     return takePicture(window, PictureSize::supersampling);
   };
   const auto picture =
-    options.transparent ? findAlpha(drawOn({ 0, 0, 0 }), drawOn({ 1, 1, 1 })) : drawOn(options.background);
+    options.transparent ? findAlpha(drawOn({ 0, 0, 0 }), drawOn({ 1, 1, 1 })) : drawOn(subject.background);
   if (const std::string problem = messages.error(); !problem.empty())
   {
     throw Failure("drawing failed: " + problem);
@@ -119,11 +175,14 @@ void render(const RenderOptions& options)
   }
 
   Progress progress(options.quiet);
-  const Input input = readInput(options.input, progress);
-  const Surface surface =
-    makeSurface(input, options.isoValues, options.samples, options.input.memory, progress);
+  const Wanted wanted = options.stipple ? Wanted::Values
+    : options.isoValues.empty()         ? Wanted::Surface
+                                        : Wanted::GivenSurfaces;
+  const Input input = readInput(options.input, progress, wanted);
+  const Subject subject =
+    options.stipple ? makeStippling(input, options, progress) : makeLines(input, options, progress);
   progress.step("drawing");
-  const auto picture = draw(surface.points, options);
+  const auto picture = draw(subject, options);
   progress.step("writing " + options.output.filename().string());
   const auto png = encodePng(picture);
   output.write({ png->GetPointer(0), static_cast<std::size_t>(png->GetNumberOfValues()) });
@@ -131,7 +190,7 @@ void render(const RenderOptions& options)
 
   if (!options.quiet)
   {
-    for (const auto* notes : { &input.notes, &surface.notes })
+    for (const auto* notes : { &input.notes, &subject.notes })
     {
       for (const std::string& note : *notes)
       {

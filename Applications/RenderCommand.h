@@ -2,6 +2,7 @@
 
 #include "Color.h"
 #include "Input.h"
+#include "StippleStyle.h"
 #include "View.h"
 
 #include <optional>
@@ -31,7 +32,7 @@ struct RenderOptions
 {
   InputOptions input;
   std::filesystem::path output;
-  std::vector<double> isoValues;    ///< empty: one is chosen
+  std::vector<double> isoValues;    ///< empty: one is chosen; with stipples none
   std::optional<long long> samples; ///< on a mesh; none: as many as suit it, 0: its vertices are drawn
   std::string view = "front";
   double azimuth = 0;   ///< degrees
@@ -39,6 +40,7 @@ struct RenderOptions
   double zoom = 1;
   bool parallel = false;
   PictureSize size;
+  std::optional<StippleStyle> stipple; ///< none: splatting lines
   /// Those of vtkInkSplattingLinesMapper; what is not given stays at its default.
   std::optional<double> tau;
   std::optional<double> phi;

@@ -6,7 +6,6 @@
 #include "PointStore.h"
 #include "Progress.h"
 #include "SampleMesh.h"
-#include "VolumeSlices.h"
 
 #include "vtkPolyData.h"
 
@@ -22,10 +21,11 @@ void sample(const SampleOptions& options)
   const OutputFile output(options.output);
 
   Progress progress(options.quiet);
-  const Input input = readInput(options.input, progress);
+  const Input input = readInput(
+    options.input, progress, options.volume.isoValues.empty() ? Wanted::Surface : Wanted::GivenSurfaces);
   PointStore points(options.input.memory.forKeptPoints(), output.temporaryFolder());
   std::vector<std::string> notes = input.notes;
-  if (input.volume)
+  if (input.isVolume())
   {
     if (options.meshOption)
     {
@@ -33,9 +33,7 @@ void sample(const SampleOptions& options)
         ": expected a mesh, found a volume, which has a point in each voxel that its surface crosses");
     }
     const auto keep = [&points](int surface, vtkPolyData* part) { points.add(surface, part); };
-    VolumeSampling sampling = options.volume;
-    takeSurfaceValue(input, sampling.isoValues, notes);
-    const auto more = sampleVolume(*input.volume, sampling, options.input.memory, keep, progress);
+    const auto more = sampleVolume(input, options.volume, options.input.memory, keep, progress);
     notes.insert(notes.end(), more.begin(), more.end());
   }
   else

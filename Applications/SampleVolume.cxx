@@ -1,6 +1,7 @@
 #include "SampleVolume.h"
 
 #include "Errors.h"
+#include "Input.h"
 #include "Memory.h"
 #include "Progress.h"
 #include "Text.h"
@@ -27,28 +28,6 @@ namespace ink::cli
 namespace
 {
 
-// What a point takes at most while it is made: coordinates in double, a normal, a radius and an index.
-constexpr std::uint64_t bytesPerPoint = 48;
-
-void checkIsoValues(const std::vector<double>& isoValues, const ValueSummary& values)
-{
-  if (!(values.least < values.greatest))
-  {
-    throw Failure(values.least == values.greatest
-        ? "no surface: all voxels have the value " + text(values.least)
-        : "no surface: no voxel has a finite value");
-  }
-  for (const double value : isoValues)
-  {
-    // Also for NaN.
-    if (!(value > values.least && value <= values.greatest))
-    {
-      throw UsageError("--iso " + text(value) + ": expected a value above " + text(values.least) +
-        " and up to " + text(values.greatest) + ", which the volume has");
-    }
-  }
-}
-
 double chooseIsoValue(VolumeSlices& volume, std::vector<std::string>& notes, Progress& progress)
 {
   progress.step("choosing an iso-value");
@@ -60,15 +39,6 @@ double chooseIsoValue(VolumeSlices& volume, std::vector<std::string>& notes, Pro
   }
   notes.push_back("iso-value " + text(suggestion->value) + ": " + methodText(*suggestion));
   return suggestion->value;
-}
-
-void addSurfaceIndex(vtkPolyData* points, int surface)
-{
-  vtkNew<vtkIntArray> index;
-  index->SetName("SurfaceIndex");
-  index->SetNumberOfValues(points->GetNumberOfPoints());
-  index->Fill(surface);
-  points->GetPointData()->AddArray(index);
 }
 
 /// Layers of cells: layer n lies between the slices n and n + 1.
@@ -203,6 +173,46 @@ private:
 };
 
 } // namespace
+
+void checkIsoValues(const std::vector<double>& isoValues, const ValueSummary& values)
+{
+  if (!(values.least < values.greatest))
+  {
+    throw Failure(values.least == values.greatest
+        ? "no surface: all voxels have the value " + text(values.least)
+        : "no surface: no voxel has a finite value");
+  }
+  for (const double value : isoValues)
+  {
+    // Also for NaN.
+    if (!(value > values.least && value <= values.greatest))
+    {
+      throw UsageError("--iso " + text(value) + ": expected a value above " + text(values.least) +
+        " and up to " + text(values.greatest) + ", which the volume has");
+    }
+  }
+}
+
+void addSurfaceIndex(vtkPolyData* points, int surface)
+{
+  vtkNew<vtkIntArray> index;
+  index->SetName("SurfaceIndex");
+  index->SetNumberOfValues(points->GetNumberOfPoints());
+  index->Fill(surface);
+  points->GetPointData()->AddArray(index);
+}
+
+std::vector<std::string> sampleVolume(const Input& input, VolumeSampling sampling, const Memory& memory,
+  const PointSink& sink, Progress& progress)
+{
+  std::vector<std::string> notes;
+  takeSurfaceValue(input, sampling.isoValues, notes);
+  const std::vector<std::string> more = input.volume
+    ? sampleVolume(*input.volume, sampling, memory, sink, progress)
+    : input.volumeSampler(sampling, memory, sink, progress);
+  notes.insert(notes.end(), more.begin(), more.end());
+  return notes;
+}
 
 std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling& sampling,
   const Memory& memory, const PointSink& sink, Progress& progress)

@@ -1,14 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 class vtkPolyData;
 
+namespace ink
+{
+struct ValueSummary;
+}
+
 namespace ink::cli
 {
 
+struct Input;
 struct Memory;
 class Progress;
 class VolumeSlices;
@@ -27,6 +34,21 @@ struct VolumeSampling
 /// Takes points of a surface, which is the index of its iso-value. Those of a surface come in their order.
 using PointSink = std::function<void(int surface, vtkPolyData* points)>;
 
+/// What a point takes at most while it is made: coordinates in double, a normal, a radius and an index.
+constexpr std::uint64_t bytesPerPoint = 48;
+
+/// Adds the array SurfaceIndex: all points belong to that one.
+void addSurfaceIndex(vtkPolyData* points, int surface);
+
+/// Samples a volume whatever holds it: one of the two below, at the surface that the file is about where no
+/// iso-value is given.
+std::vector<std::string> sampleVolume(const Input& input, VolumeSampling sampling, const Memory& memory,
+  const PointSink& sink, Progress& progress);
+
+/// What samples a volume that is not in memory but can be sampled from its file; as the function below.
+using VolumeSampler = std::function<std::vector<std::string>(
+  const VolumeSampling& sampling, const Memory& memory, const PointSink& sink, Progress& progress)>;
+
 /// Samples all iso-surfaces, a few slices at a time if memory asks for it: the points are the same.
 /// \return notes for the user
 /// \throw UsageError for iso-values that the volume does not have, Failure if there are no points or if
@@ -34,5 +56,9 @@ using PointSink = std::function<void(int surface, vtkPolyData* points)>;
 ///        is not enough.
 std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling& sampling,
   const Memory& memory, const PointSink& sink, Progress& progress);
+
+/// \param values that the volume has
+/// \throw UsageError for iso-values that it does not have, Failure if it has no surface at any.
+void checkIsoValues(const std::vector<double>& isoValues, const ValueSummary& values);
 
 } // namespace ink::cli

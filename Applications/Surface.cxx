@@ -5,7 +5,6 @@
 #include "Progress.h"
 #include "SampleMesh.h"
 #include "SampleVolume.h"
-#include "VolumeSlices.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -53,7 +52,7 @@ Surface takeVertices(vtkPolyData* mesh, Progress& progress)
 
 /// All points at once, as the mapper needs them.
 Surface sampleWhole(
-  VolumeSlices& volume, const std::vector<double>& isoValues, const Memory& memory, Progress& progress)
+  const Input& input, const std::vector<double>& isoValues, const Memory& memory, Progress& progress)
 {
   VolumeSampling sampling;
   sampling.isoValues = isoValues;
@@ -70,7 +69,7 @@ Surface sampleWhole(
     points.add(index, part);
   };
   Surface surface;
-  surface.notes = sampleVolume(volume, sampling, memory, keep, progress);
+  surface.notes = sampleVolume(input, sampling, memory, keep, progress);
   surface.points = points.take();
   return surface;
 }
@@ -80,14 +79,9 @@ Surface sampleWhole(
 Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
   std::optional<long long> samples, const Memory& memory, Progress& progress)
 {
-  if (input.volume)
+  if (input.isVolume())
   {
-    std::vector<double> values = isoValues;
-    std::vector<std::string> notes;
-    takeSurfaceValue(input, values, notes);
-    Surface surface = sampleWhole(*input.volume, values, memory, progress);
-    surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
-    return surface;
+    return sampleWhole(input, isoValues, memory, progress);
   }
   if (!isoValues.empty())
   {

@@ -6,23 +6,17 @@
 #include "Errors.h"
 #include "InfoCommand.h"
 #include "InputArguments.h"
-#include "RenderCommand.h"
+#include "RenderArguments.h"
 #include "SampleArguments.h"
 #include "VersionCommand.h"
 
-#include "vtkInkSplattingLinesMapper.h"
 #include "vtkLogger.h"
-#include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <new>
-#include <optional>
-#include <sstream>
 #include <string>
 
 namespace
@@ -40,131 +34,6 @@ enum ExitCode
 constexpr const char* help = R"(
 Exit codes: 0 done; 1 a file could not be read or written, or nothing could be drawn; 2 the command line is wrong.
 Errors are one line on the standard error stream, and an existing output file stays as it was.)";
-
-/// `ink render`: what CLI11 fills in as text, checked and turned into RenderOptions when the command runs.
-struct RenderArguments
-{
-  InputArguments input;
-  RenderOptions options;
-  std::string output;
-  std::string style = "splatting-lines";
-  std::string size = "1024x1024";
-  std::string inkColor = "black";
-  std::string paperColor = "white";
-  std::string background = "white";
-
-  void add(CLI::App* command)
-  {
-    this->input.addFile(command, "mesh or points");
-    command->add_option("-o,--output", this->output, "the picture to write")
-      ->required()
-      ->type_name("OUT.png");
-    command
-      ->add_option("--iso", this->options.isoValues,
-        "value of the surface to draw in a volume; may be given several times. Without it one is chosen and "
-        "named")
-      ->type_name("V")
-      ->expected(1)
-      ->take_all();
-    command
-      ->add_option("--samples", this->options.samples,
-        "points to make on a mesh; 0: its vertices are drawn (twice as many, but 200000 to 1000000)")
-      ->type_name("N")
-      ->check(within(0, 1e12));
-    std::vector<std::string> views;
-    for (const auto& [name, view] : namedViews())
-    {
-      views.push_back(name);
-    }
-    command
-      ->add_option("--view", this->options.view,
-        "side to look at: front, back, left, right, top, bottom, or iso, from the front, left and top at "
-        "once (front).\n"
-        "World axes are read as DICOM's: +x is the subject's left, +y its back, +z its top and up in the "
-        "picture;\n"
-        "from the top and the bottom, +y and -y are up. Orientations in NIfTI and NRRD files are turned to "
-        "these")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(views));
-    command->add_option("--size", this->size, "size of the picture in pixels (1024x1024)")->type_name("WxH");
-    command->add_option("--style", this->style, "way of drawing: splatting-lines")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({ "splatting-lines" }));
-    command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
-
-    const auto angle = within(-360, 360);
-    command->add_option("--azimuth", this->options.azimuth, "go to the right around the subject, degrees (0)")
-      ->check(angle)
-      ->group("Camera");
-    command->add_option("--elevation", this->options.elevation, "then go up, degrees (0)")
-      ->check(angle)
-      ->group("Camera");
-    command->add_option("--zoom", this->options.zoom, "enlarge; at 1 all of the subject fits (1)")
-      ->check(within(0.01, 1000))
-      ->group("Camera");
-    command->add_flag("--parallel", this->options.parallel, "parallel instead of perspective projection")
-      ->group("Camera");
-
-    // Ranges and defaults are the mapper's own.
-    vtkNew<vtkInkSplattingLinesMapper> mapper;
-    const auto addLineOption = [&](const char* name, std::optional<double>& value, const char* effect,
-                                 double least, double greatest, double preset)
-    {
-      std::ostringstream description;
-      description << effect << " (" << preset << ")";
-      command->add_option(name, value, description.str())->check(within(least, greatest))->group("Lines");
-    };
-    addLineOption("--tau", this->options.tau, "threshold: more lines with a larger one",
-      mapper->GetTauMinValue(), mapper->GetTauMaxValue(), mapper->GetTau());
-    addLineOption("--phi", this->options.phi, "strength: darker lines with a larger one",
-      mapper->GetPhiMinValue(), mapper->GetPhiMaxValue(), mapper->GetPhi());
-    addLineOption("--lambda", this->options.lambda, "detail: fewer, broader lines with a larger one",
-      mapper->GetLambdaMinValue(), mapper->GetLambdaMaxValue(), mapper->GetLambda());
-    addLineOption("--sigma", this->options.sigma, "width of the narrower Gaussian as part of a splat",
-      mapper->GetSigmaMinValue(), mapper->GetSigmaMaxValue(), mapper->GetSigma());
-
-    command
-      ->add_flag("--as-published", this->options.asPublished,
-        "splat exactly as in the paper: without what makes contours solid and lines smooth")
-      ->group("Lines");
-
-    command->add_option("--ink-color", this->inkColor, "colour of the lines (black)")
-      ->type_name("COLOR")
-      ->group("Colours: names as in HTML, #rrggbb or #rgb");
-    command
-      ->add_option("--paper-color", this->paperColor,
-        "colour of the surface between the lines (white); none: the lines alone are drawn")
-      ->type_name("COLOR")
-      ->group("Colours: names as in HTML, #rrggbb or #rgb");
-    command->add_option("--background", this->background, "colour around the subject (white)")
-      ->type_name("COLOR")
-      ->group("Colours: names as in HTML, #rrggbb or #rgb");
-    command
-      ->add_flag("--transparent", this->options.transparent, "nothing around the subject: a PNG with alpha")
-      ->group("Colours: names as in HTML, #rrggbb or #rgb");
-
-    this->input.addReading(command);
-  }
-
-  void run()
-  {
-    this->options.input = this->input.options();
-    this->options.output = this->output;
-    if (this->options.output.extension() != ".png")
-    {
-      throw UsageError("-o '" + this->output + "': expected a name that ends in .png");
-    }
-    this->options.size = PictureSize::parse(this->size);
-    this->options.inkColor = parseColor("--ink-color", this->inkColor);
-    this->options.background = parseColor("--background", this->background);
-    this->options.paperColor.reset();
-    if (this->paperColor != "none")
-    {
-      this->options.paperColor = parseColor("--paper-color", this->paperColor);
-    }
-    render(this->options);
-  }
-};
 
 int report(ExitCode code, std::string message)
 {

@@ -18,13 +18,12 @@ cmake -S "$root/Testing/Fuzz/Standalone" -B "$tree" -G Ninja -DCMAKE_CXX_COMPILE
   -DCMAKE_BUILD_TYPE=RelWithDebInfo >"$tree.log" 2>&1 || { cat "$tree.log" >&2; exit 1; }
 cmake --build "$tree" --parallel "${INK_JOBS:-2}" >>"$tree.log" 2>&1 || { tail -40 "$tree.log" >&2; exit 1; }
 
-mkdir -p "$tree/seeds" "$tree/corpus" "$tree/found"
-"$tree/MakeSeeds" "$tree/seeds"
+mkdir -p "$tree/corpus" "$tree/found"
 # One thread each: a fuzzer's runs have to be repeatable.
 export VTK_SMP_MAX_THREADS=1
 export LLVM_PROFILE_FILE=/dev/null
 "$tree/FuzzVdb" -max_total_time="$seconds" -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=10 \
   -max_len=65536 -print_final_stats=1 -artifact_prefix="$tree/found/" \
-  "$tree/corpus" "$tree/seeds" "$root/Testing/Fuzz/Corpus" 2>"$tree/fuzz.log" || status=$?
+  "$tree/corpus" "$root/Testing/Fuzz/Corpus" 2>"$tree/fuzz.log" || status=$?
 grep -E "^stat::|SUMMARY|cov:.*(DONE|pulse|RELOAD)|DONE" "$tree/fuzz.log" | tail -12
 exit "${status:-0}"

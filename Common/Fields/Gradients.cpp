@@ -352,18 +352,26 @@ private:
         this->fitSample(sample, mayMiss, gradient, value);
       }
     }
-    gradient = this->ToWorld * gradient;
+    // Relative to its largest part, so that sums over the axes do not overflow on the way to a result that
+    // does not.
+    double size = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      gradient[axis] = bounded<double>(gradient[axis]);
+      size = std::max(size, std::abs(gradient[axis]));
+    }
+    const glm::dvec3 world = size > 0.0 ? this->ToWorld * (gradient / size) : glm::dvec3(0.0);
     const std::size_t n = this->outputIndex(sample);
     if (!this->Arrays.gradient.empty())
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        this->Arrays.gradient[3 * n + axis] = bounded<Real>(gradient[axis]);
+        this->Arrays.gradient[3 * n + axis] = bounded<Real>(world[axis] * size);
       }
     }
     if (!this->Arrays.magnitude.empty())
     {
-      this->Arrays.magnitude[n] = bounded<Real>(std::hypot(gradient.x, gradient.y, gradient.z));
+      this->Arrays.magnitude[n] = bounded<Real>(std::hypot(world.x, world.y, world.z) * size);
     }
     if (!this->Arrays.value.empty())
     {

@@ -75,7 +75,14 @@ double GridField<T>::slopeAt(const glm::ivec3& sample, int axis) const
   {
     // Two halves, because the whole step may overflow.
     const T middle = this->at(sample);
-    return 0.5 * difference(this->at(after), middle) + 0.5 * difference(middle, this->at(before));
+    const double slope =
+      0.5 * difference(this->at(after), middle) + 0.5 * difference(middle, this->at(before));
+    if constexpr (std::is_same_v<T, double>)
+    {
+      // Half steps may overflow, too.
+      return std::isfinite(slope) ? slope : 0.5 * this->at(after) - 0.5 * this->at(before);
+    }
+    return slope;
   }
   return hasAfter ? difference(this->at(after), this->at(sample))
     : hasBefore   ? difference(this->at(sample), this->at(before))

@@ -1,7 +1,7 @@
 #include "Sampling/VolumeStipples.h"
 
 #include "Sampling/Hash.h"
-#include "Sampling/StippleCrowd.h"
+#include "Sampling/Kernels/SamplingKernels.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,8 +19,7 @@ namespace ink
 namespace
 {
 
-using Lanes = StippleCrowd::Lanes;
-constexpr int lanes = StippleCrowd::lanes;
+static_assert(maximumStipplesPerVoxel <= VoxelFill::MostStipples && sizeof(glm::vec3) == 3 * sizeof(float));
 
 /// Stipples farther away than this, in units of the root of the area that a stipple has, do not matter: where
 /// a surface is one voxel thick, a place lies hardly farther than that from the next stipple.
@@ -34,108 +33,42 @@ int parityClass(const glm::ivec3& global)
   return (global.x & 1) | (global.y & 1) << 1 | (global.z & 1) << 2;
 }
 
+/// Axes of the plane with a unit normal, in units of which sample steps are taken to by `toUnits`; and at
+/// least as far as a voxel's corners lie from its middle on it.
+float setPlane(const glm::dvec3& normal, const glm::dmat3& toUnits, VoxelFill& voxel)
+{
+  // Duff et al. 2017, listing 3.
+  const double sign = std::copysign(1.0, normal.z);
+  const double a = -1.0 / (sign + normal.z);
+  const double b = normal.x * normal.y * a;
+  const glm::vec3 x(glm::dvec3(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x) * toUnits);
+  const glm::vec3 y(glm::dvec3(b, sign + normal.y * normal.y * a, -normal.y) * toUnits);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    voxel.planeX[axis] = x[axis];
+    voxel.planeY[axis] = y[axis];
+  }
+  const glm::vec3 sizeX = glm::abs(x);
+  const glm::vec3 sizeY = glm::abs(y);
+  return 0.5f * glm::length(glm::vec2(sizeX.x + sizeX.y + sizeX.z, sizeY.x + sizeY.y + sizeY.z));
+}
+
 /// The places of a voxel between the planes, from which the stipples are chosen.
-class Candidates
+/// \param normal of the planes, unit, in sample steps
+/// \param thickness of the layer between the planes, in sample steps
+void setCandidates(const glm::vec3& normal, float thickness, std::uint64_t random, VoxelFill& voxel)
 {
-public:
-  /// \param normal of the planes, unit, in sample steps
-  /// \param thickness of the layer between the planes, in sample steps
-  Candidates(const glm::vec3& normal, float thickness, std::uint64_t random)
-    : StartA(static_cast<std::uint32_t>(random))
-    , StartB(static_cast<std::uint32_t>(random >> 32))
-    , StartC(static_cast<std::uint32_t>(hash(random)))
-  {
-    // The axis nearest to the normal is solved for, the others are free.
-    const glm::vec3 size = glm::abs(normal);
-    this->C = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    this->A = (this->C + 1) % 3;
-    this->B = (this->C + 2) % 3;
-    const float inverse = 1.0f / normal[this->C];
-    this->SlopeA = normal[this->A] * inverse;
-    this->SlopeB = normal[this->B] * inverse;
-    // The voxel's corners are as far apart along the normal.
-    this->Height = std::min(thickness, size.x + size.y + size.z) * inverse;
-  }
-
-  /// The next ones.
-  void next()
-  {
-    // The additive recurrence with the powers of 1 / 1.2207440846, which fills the cube evenly from the first
-    // point on (Roberts 2018). Whole numbers do not round.
-    Lanes a;
-    Lanes b;
-    Lanes c;
-    for (int i = 0; i < lanes; ++i)
-    {
-      const std::uint32_t n = this->Made + static_cast<std::uint32_t>(i);
-      a[i] = centred(this->StartA + n * 3518319155u);
-      b[i] = centred(this->StartB + n * 2882110345u);
-      c[i] =
-        this->Height * centred(this->StartC + n * 2360945575u) - this->SlopeA * a[i] - this->SlopeB * b[i];
-    }
-    this->Made += lanes;
-    this->Position[this->A] = a;
-    this->Position[this->B] = b;
-    this->Position[this->C] = c;
-  }
-
-  /// In sample steps, by axis.
-  const std::array<Lanes, 3>& positions() const { return this->Position; }
-  bool isInside(int i) const { return std::abs(this->Position[this->C][i]) <= 0.5f; }
-
-private:
-  /// All of the numbers to [-1/2, 1/2].
-  static float centred(std::uint32_t bits)
-  {
-    return static_cast<float>(static_cast<std::int32_t>(bits)) * 0x1p-32f;
-  }
-
-  std::array<Lanes, 3> Position{};
-  int A;
-  int B;
-  int C;
-  float SlopeA;
-  float SlopeB;
-  float Height;
-  std::uint32_t StartA;
-  std::uint32_t StartB;
-  std::uint32_t StartC;
-  std::uint32_t Made = 0;
-};
-
-/// Takes places in a voxel to its tangent plane.
-class Projection
-{
-public:
-  /// \param normal of the plane, unit
-  /// \param toUnits takes sample steps to the unit of lengths on the plane
-  Projection(const glm::dvec3& normal, const glm::dmat3& toUnits)
-  {
-    // Duff et al. 2017, listing 3.
-    const double sign = std::copysign(1.0, normal.z);
-    const double a = -1.0 / (sign + normal.z);
-    const double b = normal.x * normal.y * a;
-    this->X = glm::dvec3(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x) * toUnits;
-    this->Y = glm::dvec3(b, sign + normal.y * normal.y * a, -normal.y) * toUnits;
-    const glm::vec3 x = glm::abs(this->X);
-    const glm::vec3 y = glm::abs(this->Y);
-    this->Reach = 0.5f * glm::length(glm::vec2(x.x + x.y + x.z, y.x + y.y + y.z));
-  }
-
-  glm::vec2 operator()(const glm::vec3& step) const
-  {
-    return { this->X.x * step.x + this->X.y * step.y + this->X.z * step.z,
-      this->Y.x * step.x + this->Y.y * step.y + this->Y.z * step.z };
-  }
-
-  /// At least as far as the voxel's corners lie from its middle.
-  float reach() const { return this->Reach; }
-
-private:
-  glm::vec3 X;
-  glm::vec3 Y;
-  float Reach;
-};
+  const glm::vec3 size = glm::abs(normal);
+  voxel.solved = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const float inverse = 1.0f / normal[voxel.solved];
+  voxel.slope[0] = normal[(voxel.solved + 1) % 3] * inverse;
+  voxel.slope[1] = normal[(voxel.solved + 2) % 3] * inverse;
+  // The voxel's corners are as far apart along the normal.
+  voxel.height = std::min(thickness, size.x + size.y + size.z) * inverse;
+  voxel.start[0] = static_cast<std::uint32_t>(random);
+  voxel.start[1] = static_cast<std::uint32_t>(random >> 32);
+  voxel.start[2] = static_cast<std::uint32_t>(hash(random));
+}
 
 /// Fills voxels, one after the other; one such object for each thread's work.
 class VoxelFiller
@@ -148,10 +81,20 @@ public:
     , Options(options)
     , Count(static_cast<std::size_t>(options.perVoxel))
     , Stipples(stipples)
-    , Near(27 * Count + 1)
+    , Near(3 * (27 * Count + 2 * VoxelFill::Lanes))
   {
     const glm::dmat3& steps = geometry.stepToWorld();
     this->ToUnits = steps * (1.0 / std::cbrt(std::abs(glm::determinant(steps))));
+    const std::size_t room = this->Near.size() / 3;
+    this->Voxel.nearX = this->Near.data();
+    this->Voxel.nearY = this->Voxel.nearX + room;
+    this->Voxel.nearNumber = this->Voxel.nearY + room;
+    this->Voxel.count = options.perVoxel;
+    this->Voxel.sortedOut = 1u << 1 | 1u << 3 | 1u << 7 | 1u << 15;
+    for (int rank = 0; rank < VoxelFill::MostStipples; ++rank)
+    {
+      this->Sight[static_cast<std::size_t>(rank)] = sight / std::sqrt(static_cast<float>(rank + 1));
+    }
   }
 
   /// Fills the voxels of a layer whose class comes at `order`.
@@ -176,11 +119,6 @@ private:
   {
     std::size_t at = 0;
     std::size_t end = 0;
-  };
-  struct Neighbour
-  {
-    const glm::vec3* stipples;
-    glm::vec3 offset; ///< in sample steps
   };
 
   /// Which neighbours of a class's voxels are filled before them.
@@ -228,7 +166,7 @@ private:
 
   void findNeighbours(int x, std::array<Row, 9>& rows)
   {
-    this->NeighbourCount = 0;
+    this->Voxel.neighbours = 0;
     for (int n = 0; n < 9; ++n)
     {
       Row& row = rows[n];
@@ -241,8 +179,11 @@ private:
         const int dx = this->Voxels.x[at] - x;
         if (this->Earlier[3 * n + dx + 1])
         {
-          this->Neighbours[this->NeighbourCount++] = { &this->Stipples[at * this->Count],
-            glm::vec3(dx, n % 3 - 1, n / 3 - 1) };
+          const int neighbour = this->Voxel.neighbours++;
+          this->Voxel.neighbour[neighbour] = &this->Stipples[at * this->Count].x;
+          this->Voxel.offset[neighbour][0] = static_cast<float>(dx);
+          this->Voxel.offset[neighbour][1] = static_cast<float>(n % 3 - 1);
+          this->Voxel.offset[neighbour][2] = static_cast<float>(n / 3 - 1);
         }
       }
     }
@@ -251,36 +192,18 @@ private:
   void fillVoxel(std::size_t voxel, const glm::ivec3& sample)
   {
     const glm::dvec3 normal = glm::normalize(glm::dvec3(this->Voxels.gradients[voxel]));
-    const Projection toPlane(normal, this->ToUnits);
-    const auto sightAt = [&toPlane](int number)
-    { return toPlane.reach() + sight / std::sqrt(static_cast<float>(number)); };
-
-    this->Near.clear();
-    for (int rank = 0; rank < this->Options.perVoxel; ++rank)
+    const float reach = setPlane(normal, this->ToUnits, this->Voxel);
+    for (std::size_t rank = 0; rank < this->Count; ++rank)
     {
-      const float distance = sightAt(rank + 1);
-      for (int n = 0; n < this->NeighbourCount; ++n)
-      {
-        const glm::vec2 place = toPlane(this->Neighbours[n].offset + this->Neighbours[n].stipples[rank]);
-        this->Near.addIf(glm::dot(place, place) <= distance * distance, place.x, place.y, rank + 1);
-      }
+      const float distance = reach + this->Sight[rank];
+      this->Voxel.sight[rank] = distance * distance;
     }
-
     // The plane's normal in sample steps is along the gradient per sample step.
     const glm::vec3 normalInSteps(glm::normalize(normal * this->ToUnits));
-    Candidates candidates(normalInSteps, static_cast<float>(this->Options.thickness), this->randomOf(sample));
-    for (int rank = 0; rank < this->Options.perVoxel; ++rank)
-    {
-      // Not each time, because it takes a while, too.
-      if (rank == 1 || rank == 3 || rank == 7 || rank == 15)
-      {
-        this->Near.keepWithin(sightAt(rank + 1));
-      }
-      const glm::vec3 chosen = this->chooseCandidate(candidates, toPlane, rank);
-      this->Stipples[voxel * this->Count + static_cast<std::size_t>(rank)] = chosen;
-      const glm::vec2 place = toPlane(chosen);
-      this->Near.addIf(true, place.x, place.y, rank + 1);
-    }
+    setCandidates(
+      normalInSteps, static_cast<float>(this->Options.thickness), this->randomOf(sample), this->Voxel);
+    this->Voxel.stipples = &this->Stipples[voxel * this->Count].x;
+    this->Fill(this->Voxel);
   }
 
   std::uint64_t randomOf(const glm::ivec3& sample) const
@@ -290,38 +213,6 @@ private:
     return hash(this->Options.seed, row, global.x);
   }
 
-  /// The one whose nearest stipple is farthest.
-  glm::vec3 chooseCandidate(Candidates& candidates, const Projection& toPlane, int rank)
-  {
-    glm::vec3 chosen(0.0f);
-    float widest = -1.0f;
-    // Hardly ever are all of them outside. In a thin layer at a voxel's corner the middle is then as good.
-    for (int tries = 0; tries < 4 && widest < 0.0f; ++tries)
-    {
-      candidates.next();
-      const auto& [a, b, c] = candidates.positions();
-      Lanes x;
-      Lanes y;
-      for (int i = 0; i < lanes; ++i)
-      {
-        const glm::vec2 place = toPlane({ a[i], b[i], c[i] });
-        x[i] = place.x;
-        y[i] = place.y;
-      }
-      Lanes spacing;
-      this->Near.leastSpacing(x, y, rank + 1, spacing);
-      for (int i = 0; i < lanes; ++i)
-      {
-        if (candidates.isInside(i) && spacing[i] > widest)
-        {
-          widest = spacing[i];
-          chosen = { a[i], b[i], c[i] };
-        }
-      }
-    }
-    return chosen;
-  }
-
   const GridGeometry& Geometry;
   const StippledVoxels& Voxels;
   const VolumeStippleOptions& Options;
@@ -329,9 +220,11 @@ private:
   std::vector<glm::vec3>& Stipples;
   glm::dmat3 ToUnits; ///< sample steps to world units relative to the voxel's size
   std::array<bool, 27> Earlier{};
-  std::array<Neighbour, 26> Neighbours;
-  int NeighbourCount = 0;
-  StippleCrowd Near;
+  void (*const Fill)(const VoxelFill&) = samplingKernels().fillVoxel;
+  /// By rank, how far from the voxel's outline on its plane a stipple matters.
+  std::array<float, VoxelFill::MostStipples> Sight;
+  std::vector<float> Near;
+  VoxelFill Voxel{};
 };
 
 } // namespace

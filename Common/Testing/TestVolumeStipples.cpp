@@ -4,6 +4,7 @@
 #include "PointStatistics.h"
 #include "SampledVolume.h"
 #include "Sampling/Hash.h"
+#include "Sampling/Kernels/SamplingKernels.h"
 
 #include <gtest/gtest.h>
 
@@ -341,4 +342,28 @@ TEST(VolumeStipples, RefuseWhatTheyCannotDo)
   StippledVoxels none;
   none.rows.assign(1, 0);
   EXPECT_TRUE(placeVolumeStipples(volume.geometry, none, { 8 }).empty());
+}
+
+TEST(VolumeStipples, AreTheSameWithEveryInstructionSet)
+{
+  const Volume<float> volume = stepAcross(Sphere{ glm::dvec3(0.0), 9.0 }, 24);
+  const StippledVoxels voxels = voxelsOf(volume, wholeOf(volume));
+  for (const int number : { 1, 3, 8, 21, 64 })
+  {
+    VolumeStippleOptions options;
+    options.perVoxel = number;
+    options.thickness = 0.3 + 0.02 * number;
+    useSamplingKernels(samplingKernelsOf("baseline"));
+    const auto expected = placeVolumeStipples(volume.geometry, voxels, options);
+    for (const char* name : { "avx2", "avx512" })
+    {
+      if (const SamplingKernels* kernels = samplingKernelsOf(name))
+      {
+        useSamplingKernels(kernels);
+        EXPECT_TRUE(placeVolumeStipples(volume.geometry, voxels, options) == expected)
+          << number << ", " << name;
+      }
+    }
+    useSamplingKernels(nullptr);
+  }
 }

@@ -30,11 +30,11 @@ float exponent(float value)
 }
 
 constexpr StipplePreset presets[] = {
-  { "anatomy", { 0.5f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 5.0f, 1.8f, 0.7f, 0.25f, false },
-  { "bone", { 0.8f, 0.6f, 0.45f, 0.4f, 0.6f, 0.0f }, 5.0f, 1.7f, 0.7f, 0.25f, false },
-  { "soft-tissue", { 0.6f, 0.3f, 0.55f, 0.25f, 0.05f, 0.0f }, 4.0f, 1.5f, 0.7f, 0.25f, false },
-  { "engineering", { 0.7f, 0.75f, 0.65f, 0.1f, 0.2f, 0.0f }, 5.0f, 1.6f, 0.4f, 0.25f, false },
-  { "plate-white-on-black", { 0.6f, 0.5f, 0.5f, 0.4f, 0.3f, 0.0f }, 4.0f, 1.8f, 0.7f, 0.25f, true },
+  { "anatomy", { 0.5f, 0.5f, 0.5f, 0.15f, 0.15f, 0.0f }, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
+  { "bone", { 0.65f, 0.6f, 0.5f, 0.15f, 0.35f, 0.0f }, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
+  { "soft-tissue", { 0.45f, 0.3f, 0.5f, 0.1f, 0.05f, 0.0f }, 7.0f, 1.8f, false, 1.0f, 0.25f, false },
+  { "engineering", { 0.5f, 0.65f, 0.75f, 0.05f, 0.15f, 0.0f }, 7.0f, 2.0f, true, 0.8f, 0.25f, false },
+  { "plate-white-on-black", { 0.6f, 0.5f, 0.5f, 0.2f, 0.15f, 0.0f }, 7.0f, 2.2f, true, 1.0f, 0.25f, true },
 };
 
 } // namespace
@@ -45,13 +45,13 @@ void StippleSliders::apply(StippleTone& tone) const
   const float sharp = octaves(limited(this->sharpness));
 
   tone.boundary.on = true;
-  tone.boundary.kgc = 0.2f * (0.5f + limited(this->gradient));
-  tone.boundary.kgs = gain(limited(this->gradient));
-  tone.boundary.kge = exponent(sharp);
+  tone.boundary.kgc = 0.1f + 0.5f * limited(this->gradient);
+  tone.boundary.kgs = 0.65f * gain(limited(this->gradient));
+  tone.boundary.kge = exponent(0.8f * sharp);
 
   const float turned = gain(limited(this->orientation));
   tone.silhouette.on = true;
-  tone.silhouette.kss = 2.0f * turned;
+  tone.silhouette.kss = 1.6f * turned;
   tone.silhouette.kse = exponent(0.5f / sharp);
   tone.lighting.on = turned > 0.0f;
   tone.lighting.kle = turned > 0.0f ? exponent(1.0f / (sharp * turned)) : mostExponent;
@@ -72,6 +72,7 @@ void StipplePreset::apply(StippleTone& tone) const
   this->sliders.apply(tone);
   tone.pixelsPerStipple = this->pixelsPerStipple;
   tone.diameter = this->diameter;
+  tone.appearBySize = this->appearBySize;
   tone.resolution.knz = this->knz;
   tone.valueEffect = this->valueEffect;
   tone.lighting.lightInk = this->lightInk;

@@ -36,6 +36,7 @@ struct StipplePreset
   StippleSliders sliders;
   float pixelsPerStipple;
   float diameter;
+  bool appearBySize;
   float knz;
   float valueEffect;
   bool lightInk; ///< white ink on black paper

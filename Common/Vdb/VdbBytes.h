@@ -22,6 +22,8 @@ public:
   std::uint64_t size() const { return this->Size; }
   std::uint64_t position() const { return this->Position; }
   std::uint64_t remaining() const { return this->Size - this->Position; }
+  /// For those who read by themselves; seek() thereafter.
+  std::istream& stream() { return this->In; }
 
   void seek(std::uint64_t position, const char* what);
   void skip(std::uint64_t count, const char* what);

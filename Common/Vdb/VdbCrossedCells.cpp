@@ -15,9 +15,11 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -45,13 +47,15 @@ public:
   using Lookup = VdbLookup<TreeType>;
   using Block = VdbCrossedCells::Block;
 
-  VdbCellFinder(const VdbGrid& grid, const TreeType& tree, double isoValue, CrossingRule rule, bool negate)
+  VdbCellFinder(const VdbGrid& grid, const TreeType& tree, double isoValue, CrossingRule rule, bool negate,
+    std::uint64_t memory)
     : Tree(tree)
     , Domain(grid.domain())
     , Rule(rule)
     , Negate(negate)
     , AtLeast(ScalarBound<T>::atLeast(isoValue))
     , Above(ScalarBound<T>::above(isoValue))
+    , MostBlocks(memory / bytesPerBlock)
   {
   }
 
@@ -112,6 +116,19 @@ public:
 
 private:
   static constexpr std::size_t leavesAtOnce = 64;
+  /// Each is listed, and its cells are, in a part of the result and in all of it.
+  static constexpr std::uint64_t bytesPerBlock = 2 * (sizeof(glm::ivec3) + sizeof(Block));
+
+  void add(const glm::ivec3& block, std::vector<glm::ivec3>& blocks) const
+  {
+    if (this->Blocks.fetch_add(1, std::memory_order_relaxed) >= this->MostBlocks)
+    {
+      throw VdbTooLarge("the surface crosses more than " + std::to_string(this->MostBlocks) +
+        " blocks of 8 x 8 x 8 voxels, which take " + std::to_string(this->MostBlocks * bytesPerBlock >> 20) +
+        " MiB of memory");
+    }
+    blocks.push_back(block);
+  }
 
   /// A bit for each of the samples along z at (x, y).
   struct Rows
@@ -150,7 +167,7 @@ private:
   void addLeaf(const Leaf& leaf, Lookup& lookup, std::vector<glm::ivec3>& blocks) const
   {
     const glm::ivec3 first = toVector(leaf.origin());
-    blocks.push_back(first);
+    this->add(first, blocks);
     for (int n = 1; n < 8; ++n)
     {
       const glm::ivec3 step(n & 1, n >> 1 & 1, n >> 2);
@@ -158,7 +175,7 @@ private:
       if (!lookup.probeConstLeaf(toCoord(neighbour)) &&
         !this->borderIs(this->isAbove(lookup.getValue(toCoord(neighbour))), leaf, step))
       {
-        blocks.push_back(neighbour);
+        this->add(neighbour, blocks);
       }
     }
   }
@@ -221,7 +238,7 @@ private:
         {
           if (this->isBeforeOtherTile({ x, y, z }, lookup))
           {
-            blocks.emplace_back(x, y, z);
+            this->add({ x, y, z }, blocks);
           }
         }
       }
@@ -348,12 +365,14 @@ private:
   bool Negate;
   ScalarBound<T> AtLeast;
   ScalarBound<T> Above;
+  std::uint64_t MostBlocks;
+  mutable std::atomic<std::uint64_t> Blocks = 0;
 };
 
 } // namespace
 
-VdbCrossedCells findCrossedCells(
-  const VdbGrid& grid, double isoValue, CrossingRule rule, bool negate, const Progress& progress)
+VdbCrossedCells findCrossedCells(const VdbGrid& grid, double isoValue, CrossingRule rule, bool negate,
+  const Progress& progress, std::uint64_t memory)
 {
   VdbCrossedCells cells;
   if (std::isnan(isoValue))
@@ -364,7 +383,7 @@ VdbCrossedCells findCrossedCells(
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
-      const VdbCellFinder<TreeType> finder(grid, tree, isoValue, rule, negate);
+      const VdbCellFinder<TreeType> finder(grid, tree, isoValue, rule, negate, memory);
       const std::vector<glm::ivec3> blocks = finder.findBlocks();
       constexpr std::size_t blocksAtOnce = 64;
       std::vector<std::vector<VdbCrossedCells::Block>> found(

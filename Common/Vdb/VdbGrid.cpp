@@ -99,13 +99,17 @@ VdbGrid::VdbGrid(VdbGridInfo info, std::unique_ptr<const Tree> tree)
 {
 }
 
-VdbGrid VdbGrid::read(std::istream& in, const VdbFile& file, const VdbGridInfo& grid, std::uint64_t memory)
+std::uint64_t VdbGrid::memoryOf(std::istream& in, const VdbGridInfo& grid)
 {
   const int valueSize = grid.isDouble ? sizeof(double) : sizeof(float);
   VdbBytes bytes(in);
   bytes.seek(grid.treeAt, "a grid's tree");
-  const std::uint64_t needed =
-    checkVdbTree(bytes, { valueSize, grid.isHalf, grid.compression }).bytes(valueSize);
+  return checkVdbTree(bytes, { valueSize, grid.isHalf, grid.compression }).bytes(valueSize);
+}
+
+VdbGrid VdbGrid::read(std::istream& in, const VdbFile& file, const VdbGridInfo& grid, std::uint64_t memory)
+{
+  const std::uint64_t needed = memoryOf(in, grid);
   if (needed > memory)
   {
     throw VdbTooLarge(
@@ -156,6 +160,35 @@ VoxelBox VdbGrid::activeBox() const
       return toBox(box);
     },
     this->Content->values);
+}
+
+ValueSummary VdbGrid::values(bool negate) const
+{
+  ValueSummary summary;
+  std::visit(
+    [&](const auto& tree)
+    {
+      using T = typename std::remove_cvref_t<decltype(tree)>::ValueType;
+      const auto add = [&](const T* values, std::size_t count)
+      { summary.add(summarizeValues(std::span<const T>(values, count))); };
+      add(&tree.background(), 1);
+      for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf)
+      {
+        add(leaf->buffer().data(), leaf->buffer().size());
+      }
+      auto tile = tree.cbeginValueAll();
+      tile.setMaxDepth(tile.getLeafDepth() - 1);
+      for (; tile; ++tile)
+      {
+        add(&tile.getValue(), 1);
+      }
+    },
+    this->Content->values);
+  if (negate)
+  {
+    summary.least = -std::exchange(summary.greatest, -summary.least);
+  }
+  return summary;
 }
 
 VoxelBox VdbGrid::domain() const

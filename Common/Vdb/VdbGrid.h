@@ -2,6 +2,7 @@
 
 #include "Fields/GridGeometry.h"
 #include "Parallel/ParallelFor.h"
+#include "Statistics/ValueSummary.h"
 #include "Vdb/VdbFile.h"
 
 #include <cstdint>
@@ -25,6 +26,11 @@ public:
 
   static constexpr std::uint64_t noLimit = std::numeric_limits<std::uint64_t>::max();
 
+  /// The bytes that a grid will take, from a walk through its tree in the file, which is checked as read()
+  /// does it.
+  /// \throws VdbError
+  static std::uint64_t memoryOf(std::istream& in, const VdbGridInfo& grid);
+
   /// Reads one grid of a file, after checking what OpenVDB takes on trust.
   /// \param in     what `file` is the list of
   /// \param grid   one of file.grids that has no problem
@@ -40,6 +46,9 @@ public:
   std::uint64_t memory() const;
   /// The smallest box around the active voxels and tiles; empty when there are none.
   VoxelBox activeBox() const;
+  /// What values the voxels have, active or not, and the background.
+  /// \param negate after being multiplied by -1
+  ValueSummary values(bool negate) const;
   /// What belongs to the grid: its domain where it has one, otherwise all voxels there can be.
   VoxelBox domain() const;
   /// Where the voxels of a box lie. Voxels keep their indices, as GridGeometry's global ones.

@@ -39,9 +39,12 @@ struct VdbCrossedCells
 /// differs: where a tile or the background is exactly the iso-value, CrossingRule::Strict takes every cell of
 /// the dense copy for a flat piece of the surface; here, only those beside a leaf are looked at.
 /// \param negate the values are multiplied by -1 first
+/// \param memory the most bytes that finding them may take: the border of a few tiles, which take next to
+///               nothing themselves, may have millions of cells
 /// \returns the cells, the same for any number of threads; none when `progress` asked to stop
-VdbCrossedCells findCrossedCells(
-  const VdbGrid& grid, double isoValue, CrossingRule rule, bool negate, const Progress& progress = {});
+/// \throws VdbTooLarge
+VdbCrossedCells findCrossedCells(const VdbGrid& grid, double isoValue, CrossingRule rule, bool negate,
+  const Progress& progress = {}, std::uint64_t memory = VdbGrid::noLimit);
 
 /// Places one sample in each of the given cells, as placeIsoSurfaceSamples does for a dense grid: the same
 /// points and normals to the bit.

@@ -1,8 +1,11 @@
 #include "Vdb/VdbTreeCheck.h"
 
+#include <openvdb/io/Compression.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <string>
 #include <vector>
 
 namespace ink
@@ -64,12 +67,19 @@ public:
     for (std::uint64_t leaf = 0; leaf < this->Parts.leaves; ++leaf)
     {
       const auto active = this->Bytes.get<Mask<LeafSlots>>("the leaves' values");
-      this->values(LeafSlots, active.countOn(), "the leaves' values");
+      this->values(LeafSlots, active.countOn(), Unpacked::No, "the leaves' values");
     }
     return this->Parts;
   }
 
 private:
+  /// Whether chunks are unpacked to see that they can be.
+  enum class Unpacked
+  {
+    No,
+    Yes
+  };
+
   void root()
   {
     constexpr const char* what = "the tree's root";
@@ -128,7 +138,9 @@ private:
     {
       throw VdbError("a slot of a node in it is both an active tile and a node");
     }
-    this->values(slots, active.countOn(), what);
+    // OpenVDB loses the nodes that it has begun where the values of an inner one cannot be unpacked. Leaves
+    // have been handed to the tree by then, and are the bulk of it.
+    this->values(slots, active.countOn(), Unpacked::Yes, what);
     return children.countOn();
   }
 
@@ -147,7 +159,7 @@ private:
   }
 
   /// One node's values: a byte that says how the inactive ones are stored, those, and then the others.
-  void values(int slots, int active, const char* what)
+  void values(int slots, int active, Unpacked unpacked, const char* what)
   {
     enum Stored : std::uint8_t
     {
@@ -170,7 +182,38 @@ private:
     const std::uint64_t count = static_cast<std::uint64_t>(activeOnly ? active : slots);
     if (count > 0 || !this->Format.half)
     {
-      this->chunk(count * (this->Format.half ? 2 : this->Format.size), what);
+      const std::uint64_t start = this->Bytes.position();
+      const std::uint64_t size = count * (this->Format.half ? 2 : this->Format.size);
+      this->chunk(size, what);
+      if (unpacked == Unpacked::Yes && (this->Format.compression & (Zip | Blosc)) != 0)
+      {
+        const std::uint64_t end = this->Bytes.position();
+        this->Bytes.seek(start, what);
+        this->unpack(size, what);
+        this->Bytes.seek(end, what);
+      }
+    }
+  }
+
+  /// Unpacks a chunk that is known to be within the file, as OpenVDB will.
+  void unpack(std::uint64_t size, const char* what)
+  {
+    this->Room.resize(size);
+    try
+    {
+      if ((this->Format.compression & Blosc) != 0)
+      {
+        openvdb::io::bloscFromStream(this->Bytes.stream(), this->Room.data(), size);
+      }
+      else
+      {
+        openvdb::io::unzipFromStream(this->Bytes.stream(), this->Room.data(), size);
+      }
+    }
+    catch (const openvdb::Exception& error)
+    {
+      throw VdbError(
+        std::string("a chunk of ") + what + " cannot be uncompressed: OpenVDB says: " + error.what());
     }
   }
 
@@ -216,6 +259,7 @@ private:
   VdbBytes& Bytes;
   VdbValueFormat Format;
   VdbTreeParts Parts;
+  std::vector<char> Room; ///< for what is unpacked
 };
 
 } // namespace

@@ -30,7 +30,8 @@ struct VdbTreeParts
 /// Goes through a tree of OpenVDB's usual shape (5, 4, 3) from the reader's position to the tree's end, and
 /// checks all that OpenVDB itself takes on trust: that there are as many bytes as the counts, masks and chunk
 /// sizes say, that nodes lie where nodes can lie and none twice, that no slot is both a tile and a node, and
-/// that compressed chunks are as long as their own headers say. Nothing is uncompressed.
+/// that compressed chunks are as long as their own headers say. Of inner nodes, whose values OpenVDB must not
+/// fail to uncompress, they are uncompressed; those of leaves are not.
 /// \throws VdbError
 VdbTreeParts checkVdbTree(VdbBytes& bytes, const VdbValueFormat& format);
 

@@ -22,6 +22,7 @@
 #include <limits>
 #include <span>
 #include <sstream>
+#include <string>
 
 InkExtent::InkExtent(const int extent[6])
   : First(extent[0], extent[2], extent[4])
@@ -85,7 +86,12 @@ ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bi
   return { { array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()) }, bits };
 }
 
-std::string InkCheckScalars(
+namespace
+{
+
+/// Why an image's scalars cannot be used, empty when they can. `scalars` is the array that was found for the
+/// name `chosen`, null for none, and `association` what it belongs to.
+std::string ProblemOf(
   vtkImageData* image, const char* chosen, vtkDataArray* scalars, int association, int component)
 {
   std::ostringstream problem;
@@ -117,6 +123,27 @@ std::string InkCheckScalars(
             << scalars->GetNumberOfComponents() << " components, counted from 0.";
   }
   return problem.str();
+}
+
+} // namespace
+
+vtkDataArray* InkChooseScalars(
+  vtkAlgorithm* filter, vtkImageData* image, vtkDataArray* found, int association, int component)
+{
+  const char* chosen = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* scalars = found;
+  if (chosen && !*chosen)
+  {
+    scalars = image->GetPointData()->GetScalars();
+    association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  }
+  const std::string problem = ProblemOf(image, chosen, scalars, association, component);
+  if (!problem.empty())
+  {
+    vtkErrorWithObjectMacro(filter, << problem);
+    return nullptr;
+  }
+  return scalars;
 }
 
 vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component)

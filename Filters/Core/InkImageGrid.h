@@ -9,8 +9,6 @@
 #include "vtkInkFiltersCoreModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
-#include <string>
-
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSetAttributes;
@@ -42,11 +40,12 @@ VTKINKFILTERSCORE_EXPORT bool InkNeedsDoublePrecision(const ink::GridGeometry& g
 /// there is no such array.
 VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits);
 
-/// Why an image's scalars cannot be used: a sentence that names what was found and what was expected, empty
-/// when they can. `scalars` is the array that was found for the name `chosen`, null for none, and
-/// `association` what it belongs to; an empty or null name stands for the active point scalars.
-VTKINKFILTERSCORE_EXPORT std::string InkCheckScalars(
-  vtkImageData* image, const char* chosen, vtkDataArray* scalars, int association, int component);
+/// The array of an image that a filter works on: `found`, what GetInputArrayToProcess(0, ...) returned with
+/// its `association`, or where an empty name was given, as ParaView does where no array was chosen, the active
+/// point scalars. Null where there is none, it is not point data or has no such component: then the filter has
+/// reported one error that names what was found and what was expected.
+VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(
+  vtkAlgorithm* filter, vtkImageData* image, vtkDataArray* found, int association, int component);
 
 /// The array itself where its components lie side by side in memory, otherwise a copy of the given component;
 /// `component` becomes the one to read.

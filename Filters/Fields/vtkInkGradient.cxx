@@ -299,14 +299,10 @@ int vtkInkGradient::RequestData(
     return 1;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  // ParaView gives an empty name where no array was chosen.
-  vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
-                                             : this->GetInputArrayToProcess(0, inputVector, association);
-  const std::string problem = InkCheckScalars(image, chosen, scalars, association, this->ArrayComponent);
-  if (!problem.empty())
+  vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
+  vtkDataArray* scalars = InkChooseScalars(this, image, found, association, this->ArrayComponent);
+  if (!scalars)
   {
-    vtkErrorMacro(<< problem);
     return 1;
   }
 

@@ -43,7 +43,8 @@ constexpr double ReferenceShare = 0.99;
 /// The voxels that get stipples, where they are and how they are normalised.
 struct Elements
 {
-  ink::VolumeStatistics Statistics;
+  double Lowest = 0.0; ///< the values that Value is relative to
+  double Highest = 0.0;
   ink::StippledVoxels Voxels;
   /// Of the voxels, those that the output holds: the others are only neighbours.
   std::vector<std::size_t> Own;
@@ -55,9 +56,10 @@ struct Elements
 template <class T>
 bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest& request, Elements& elements)
 {
-  ink::VolumeStatistics& statistics = elements.Statistics;
-  if (!ink::measureVolume(
-        field, request.Gradient, statistics, InkPartOfProgress(request.Progress, 0.0, 0.15)))
+  ink::VolumeStatistics statistics;
+  const bool measured = request.ByPercentile || !request.GivenRanges;
+  if (measured &&
+    !ink::measureVolume(field, request.Gradient, statistics, InkPartOfProgress(request.Progress, 0.0, 0.15)))
   {
     return false;
   }
@@ -67,9 +69,23 @@ bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest&
     : static_cast<float>(std::min<double>(request.Threshold, std::numeric_limits<float>::max()));
   criteria.lowest = request.Window[0];
   criteria.highest = request.Window[1];
-  // Voxels without a gradient are never stippled.
-  elements.SteepestGradient = statistics.magnitudes.quantile(
-    ReferenceShare, std::max(criteria.threshold, std::numeric_limits<float>::min()));
+  if (request.GivenRanges)
+  {
+    elements.Lowest = request.ScalarRange[0];
+    elements.Highest = request.ScalarRange[1];
+    elements.SteepestGradient = request.SteepestGradient;
+  }
+  else
+  {
+    if (statistics.lowest <= statistics.highest)
+    {
+      elements.Lowest = statistics.lowest;
+      elements.Highest = statistics.highest;
+    }
+    // Voxels without a gradient are never stippled.
+    elements.SteepestGradient = statistics.magnitudes.quantile(
+      ReferenceShare, std::max(criteria.threshold, std::numeric_limits<float>::min()));
+  }
 
   ink::SampleBox box;
   box.begin = glm::max(request.Own.begin - ink::stippleReach, glm::ivec3(0));
@@ -99,6 +115,7 @@ bool FindElements(const ink::GridGeometry& geometry, vtkDataArray* array, int co
 
 /// Of the voxels found, those that belong to the piece: their sample is the lower corner of a cell that is
 /// not marked as another piece's, or at the image's upper end the upper corner.
+/// @param others marks of cells
 void SelectOwn(const ink::GridGeometry& geometry, const ink::SampleBox& own, const ink::ElementMarks& others,
   Elements& elements)
 {
@@ -181,8 +198,7 @@ void AddCellArrays(const Elements& elements, vtkPolyData* output)
         normal[3 * e + static_cast<std::size_t>(axis)] = static_cast<float>(-gradient[axis] / length);
       }
       magnitude[e] = ShareOf(length, 0.0, elements.SteepestGradient);
-      value[e] =
-        ShareOf(elements.Voxels.values[voxel], elements.Statistics.lowest, elements.Statistics.highest);
+      value[e] = ShareOf(elements.Voxels.values[voxel], elements.Lowest, elements.Highest);
     });
   output->GetCellData()->SetNormals(normals);
   output->GetCellData()->AddArray(magnitudes);
@@ -220,8 +236,8 @@ void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& r
   {
     return;
   }
-  SelectOwn(geometry, request.Own, InkGetMarks(image->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT),
-    elements);
+  SelectOwn(
+    geometry, request.Own, InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL), elements);
 
   const auto perVoxel = static_cast<std::size_t>(request.Stipples.perVoxel);
   const std::size_t count = elements.Own.size() * perVoxel;
@@ -258,9 +274,7 @@ void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& r
   {
     AddColors(geometry, elements, request.Colors, output);
   }
-  const ink::VolumeStatistics& statistics = elements.Statistics;
-  const bool any = statistics.lowest <= statistics.highest;
-  const double range[2] = { any ? statistics.lowest : 0.0, any ? statistics.highest : 0.0 };
+  const double range[2] = { elements.Lowest, elements.Highest };
   const double magnitudes[2] = { 0.0, elements.SteepestGradient };
   const double kind = 0.0;
   const double perElement = request.Stipples.perVoxel;

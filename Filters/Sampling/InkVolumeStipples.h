@@ -20,6 +20,10 @@ struct InkVolumeStippleRequest
   double Percentile = 0.0;
   double Threshold = 0.0;
   double Window[2]; ///< voxels outside get no stipples
+  /// Whether Value and GradientMagnitude are relative to the given numbers instead of the image's own.
+  bool GivenRanges = false;
+  double ScalarRange[2] = { 0.0, 1.0 };
+  double SteepestGradient = 1.0;
   ink::VolumeStippleOptions Stipples;
   ink::SampleBox Own;             ///< the samples whose voxels are stippled
   bool Doubles = false;           ///< the points' type

@@ -253,22 +253,6 @@ int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
   return 1;
 }
 
-vtkDataArray* vtkInkIsoSurfaceSampler::GetScalars(vtkImageData* image, vtkInformationVector** input)
-{
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  // ParaView gives an empty name where no array was chosen.
-  vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
-                                             : this->GetInputArrayToProcess(0, input, association);
-  const std::string problem = InkCheckScalars(image, chosen, scalars, association, this->ArrayComponent);
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-    return nullptr;
-  }
-  return scalars;
-}
-
 int vtkInkIsoSurfaceSampler::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -287,7 +271,9 @@ int vtkInkIsoSurfaceSampler::RequestData(
                                      << " samples. An iso-surface needs at least 2 along each axis.");
     return 1;
   }
-  vtkDataArray* scalars = this->GetScalars(image, inputVector);
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
+  vtkDataArray* scalars = InkChooseScalars(this, image, found, association, this->ArrayComponent);
   if (!scalars)
   {
     return 1;

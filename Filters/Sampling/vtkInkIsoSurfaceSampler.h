@@ -248,8 +248,6 @@ private:
 
   class vtkInternals;
 
-  /// The array to sample, or null after an error.
-  vtkDataArray* GetScalars(vtkImageData* image, vtkInformationVector** input);
   void FillOutput(double radius, vtkPolyData* output);
 
   vtkNew<vtkContourValues> ContourValues;

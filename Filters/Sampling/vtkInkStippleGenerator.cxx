@@ -21,6 +21,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -33,33 +34,46 @@ vtkStandardNewMacro(vtkInkStippleGenerator);
 namespace
 {
 
+bool HasDuplicates(vtkImageData* image)
+{
+  const ink::ElementMarks marks = InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+  return std::any_of(
+    marks.bytes.begin(), marks.bytes.end(), [&](auto bits) { return (bits & marks.mask) != 0; });
+}
+
+/// How far beyond its own voxels a piece has to know the image: as far as a voxel's stipples depend on
+/// others' gradients, and these on values.
+const int GhostLevels = ink::stippleReach.x + 1;
+
 /// The samples whose voxels the piece asked for owns: those that are the lower corner of a cell of its, and
 /// at the upper end of the whole image the last ones. What a part's marks leave out, InkMakeVolumeStipples
 /// sees to.
-ink::SampleBox OwnSamples(vtkInformation* outInfo, vtkInformation* inInfo, vtkImageData* image)
+/// @param asWhole whether the whole image was asked for, of which a piece is wanted
+ink::SampleBox OwnSamples(
+  vtkInformation* outInfo, vtkInformation* inInfo, vtkAlgorithm* producer, vtkImageData* image, bool asWhole)
 {
   const InkExtent all(image->GetExtent());
   const InkExtent whole = InkGetWholeExtent(inInfo, image);
-  const ink::ElementMarks others = InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
-  bool isPart = !(whole == all);
-  for (std::size_t cell = 0; cell < others.bytes.size() && !isPart; ++cell)
-  {
-    isPart = others[cell];
-  }
-  InkExtent piece = all;
+  const glm::ivec3 cells = all.GetDimensions() - 1;
+  ink::SampleBox own{ glm::ivec3(0), cells };
   const int pieces = outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
-  if (pieces > 1 && !isPart)
+  if (!asWhole)
+  {
+    const ink::CellSelection selection = InkSelectCells(inInfo, producer, image);
+    own = { selection.begin, glm::min(selection.end, cells) };
+  }
+  else if (pieces > 1 && whole == all && !HasDuplicates(image))
   {
     vtkNew<vtkExtentTranslator> translator;
     int extent[6] = { 0, -1, 0, -1, 0, -1 };
     translator->PieceToExtentThreadSafe(outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()), pieces, 0,
       image->GetExtent(), extent, vtkExtentTranslator::BLOCK_MODE, 0);
-    piece = InkExtent(extent);
+    const InkExtent piece(extent);
+    own = { piece.First - all.First, piece.Last - all.First };
   }
-  ink::SampleBox own{ piece.First - all.First, piece.Last - all.First };
   for (int axis = 0; axis < 3; ++axis)
   {
-    own.end[axis] += piece.Last[axis] == whole.Last[axis] ? 1 : 0;
+    own.end[axis] += all.First[axis] + own.end[axis] == whole.Last[axis] ? 1 : 0;
   }
   return own;
 }
@@ -84,12 +98,21 @@ int vtkInkStippleGenerator::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkInkStippleGenerator::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+bool vtkInkStippleGenerator::NeedsWholeImage() const
 {
-  // Thresholds and ranges are those of the whole image.
+  // Percentiles and ranges are those of the whole image.
+  return this->ThresholdMode == PERCENTILE || !this->UseReferenceRanges;
+}
+
+int vtkInkStippleGenerator::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
   vtkInformation* info = input[0]->GetInformationObject(0);
-  if (vtkImageData::GetData(info))
+  if (!vtkImageData::GetData(info))
+  {
+    return 1;
+  }
+  if (this->NeedsWholeImage())
   {
     info->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
     info->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
@@ -98,6 +121,11 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
     {
       info->Set(SDDP::UPDATE_EXTENT(), info->Get(SDDP::WHOLE_EXTENT()), 6);
     }
+  }
+  else
+  {
+    const int levels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+    info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels + GhostLevels);
   }
   return 1;
 }
@@ -145,14 +173,10 @@ void vtkInkStippleGenerator::StippleVolume(
   vtkInformation* info = input[0]->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  // ParaView gives an empty name where no array was chosen.
-  vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
-                                             : this->GetInputArrayToProcess(0, input, association);
-  const std::string problem = InkCheckScalars(image, chosen, scalars, association, this->ArrayComponent);
-  if (!problem.empty())
+  vtkDataArray* found = this->GetInputArrayToProcess(0, input, association);
+  vtkDataArray* scalars = InkChooseScalars(this, image, found, association, this->ArrayComponent);
+  if (!scalars)
   {
-    vtkErrorMacro(<< problem);
     return;
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -170,7 +194,10 @@ void vtkInkStippleGenerator::StippleVolume(
   request.Stipples.perVoxel = this->MaximumStipples;
   request.Stipples.thickness = this->LayerThickness;
   request.Stipples.seed = static_cast<std::uint64_t>(this->Seed);
-  request.Own = OwnSamples(outInfo, info, image);
+  request.GivenRanges = this->UseReferenceRanges;
+  std::copy_n(this->ReferenceScalarRange, 2, request.ScalarRange);
+  request.SteepestGradient = this->ReferenceGradient;
+  request.Own = OwnSamples(outInfo, info, this->GetInputAlgorithm(), image, this->NeedsWholeImage());
   request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
     (this->OutputPointsPrecision == DEFAULT_PRECISION &&
       InkNeedsDoublePrecision(InkMakeGrid(image, InkGetWholeExtent(info, image))));
@@ -249,6 +276,10 @@ void vtkInkStippleGenerator::PrintSelf(ostream& os, vtkIndent indent)
      << "\n"
      << indent << "UseScalarWindow: " << this->UseScalarWindow << "\n"
      << indent << "ScalarWindow: " << this->ScalarWindow[0] << " " << this->ScalarWindow[1] << "\n"
+     << indent << "UseReferenceRanges: " << this->UseReferenceRanges << "\n"
+     << indent << "ReferenceScalarRange: " << this->ReferenceScalarRange[0] << " "
+     << this->ReferenceScalarRange[1] << "\n"
+     << indent << "ReferenceGradient: " << this->ReferenceGradient << "\n"
      << indent << "PassScalars: " << this->PassScalars << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "ArrayComponent: " << this->ArrayComponent << "\n"

@@ -29,12 +29,13 @@
  * (MaximumStipples; for surfaces the mean over all polygons), of volumes also `ScalarRange` and
  * `GradientMagnitudeRange`, which 0 and 1 stand for.
  *
- * The same input gives the same stipples on any number of threads. Of an image, the whole is asked for
- * whatever piece is asked of this filter, because thresholds and ranges are those of the whole; the pieces'
- * stipples are then together exactly the whole's. Where a source can only give a part, as a simulation in
- * distributed memory does, the part is stippled for itself, by its own statistics and without those of its
- * neighbours; cells marked as duplicates say which voxels are another part's. Pieces of a mesh are sampled
- * each for itself, too.
+ * The same input gives the same stipples on any number of threads and of pieces. Percentiles and ranges are
+ * those of the whole image, so the whole is asked for whatever piece is asked of this filter. With
+ * UseReferenceRanges and a GradientThreshold nothing of the whole is needed: then each piece is asked for
+ * with five levels of ghost cells, and an image of which no process has the whole, as in a simulation, gives
+ * exactly the same stipples if its parts have as many (cells that are another part's being marked as
+ * duplicates). Without, such a part has percentiles and ranges of its own. Pieces of a mesh are sampled each
+ * for itself.
  *
  * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
  * gives none, which is no error. Errors, each with an empty output: no such point array, ArrayComponent
@@ -163,6 +164,35 @@ public:
 
   ///@{
   /**
+   * Volumes: whether Value and GradientMagnitude are relative to ReferenceScalarRange and ReferenceGradient
+   * instead of the image's own ranges, so that several images, as those of a time series or the parts of a
+   * distributed one, look alike. Default: off.
+   */
+  vtkSetMacro(UseReferenceRanges, bool);
+  vtkGetMacro(UseReferenceRanges, bool);
+  vtkBooleanMacro(UseReferenceRanges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The values at which Value is 0 and 1, in the scalars' unit; what an output's `ScalarRange` says of its
+   * own image. Default: 0 and 1.
+   */
+  vtkSetVector2Macro(ReferenceScalarRange, double);
+  vtkGetVector2Macro(ReferenceScalarRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * The gradient's magnitude at which GradientMagnitude is 1, in value per world unit; what an output's
+   * `GradientMagnitudeRange` says of its own image. Default: 1; range from 0 on.
+   */
+  vtkSetClampMacro(ReferenceGradient, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ReferenceGradient, double);
+  ///@}
+
+  ///@{
+  /**
    * Give the elements scalars to be coloured by: the array that SetInputArrayToProcess(1, ...) names, of the
    * image's points or of the mesh's points or cells, or without a name the active point scalars. A polygon
    * takes the mean of its first three points. Default: off.
@@ -214,6 +244,7 @@ private:
   void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
   /// The array for colours, null when none is wanted; `ofCells` says whose it is.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);
+  bool NeedsWholeImage() const;
   bool ReportProgress(double share);
 
   int MaximumStipples = 8;
@@ -225,6 +256,9 @@ private:
   int GradientMethod = REGRESSION;
   bool UseScalarWindow = false;
   double ScalarWindow[2] = { 0.0, 0.0 };
+  bool UseReferenceRanges = false;
+  double ReferenceScalarRange[2] = { 0.0, 1.0 };
+  double ReferenceGradient = 1.0;
   bool PassScalars = false;
   int Seed = 0;
   int ArrayComponent = 0;

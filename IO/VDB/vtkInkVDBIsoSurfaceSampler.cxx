@@ -14,6 +14,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -72,7 +73,7 @@ struct Surfaces
 };
 
 template <class Array, class NextStep>
-bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, ink::CrossingRule rule, bool negate,
+bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, const ink::SampleOptions& options, bool negate,
   Array* points, vtkFloatArray* normals, const NextStep& nextStep)
 {
   using Real = typename Array::ValueType;
@@ -82,7 +83,7 @@ bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, ink::CrossingRule
   for (std::size_t i = 0; i < surfaces.Cells.size(); ++i)
   {
     const std::size_t size = 3 * surfaces.Cells[i].count;
-    if (!ink::placeIsoSurfaceSamples(grid, surfaces.IsoValues[i], { rule }, negate, surfaces.Cells[i],
+    if (!ink::placeIsoSurfaceSamples(grid, surfaces.IsoValues[i], options, negate, surfaces.Cells[i],
           std::span<Real>(point, size), std::span<float>(normal, normal ? size : 0), nextStep()))
     {
       return false;
@@ -91,6 +92,19 @@ bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, ink::CrossingRule
     normal += normal ? size : 0;
   }
   return true;
+}
+
+vtkSmartPointer<vtkIntArray> IndexOf(const Surfaces& surfaces)
+{
+  vtkNew<vtkIntArray> index;
+  index->SetName("SurfaceIndex");
+  index->SetNumberOfValues(static_cast<vtkIdType>(surfaces.Count));
+  int* next = index->GetPointer(0);
+  for (std::size_t i = 0; i < surfaces.Cells.size(); ++i)
+  {
+    next = std::fill_n(next, surfaces.Cells[i].count, static_cast<int>(i));
+  }
+  return index;
 }
 
 } // namespace
@@ -184,8 +198,9 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
       this->Source->Read(Text(this->FileName), Text(this->GridName), this->MaximumMemory);
     const bool levelSet = grid.info().gridClass == ink::VdbClass::LevelSet;
     const bool negate = this->InvertLevelSets && levelSet;
-    const ink::CrossingRule rule =
-      this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
+    ink::SampleOptions options;
+    options.rule = this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
+    options.method = static_cast<ink::NormalMethod>(this->NormalMethod);
     Surfaces surfaces;
     surfaces.IsoValues.assign(this->ContourValues->GetValues(),
       this->ContourValues->GetValues() + this->ContourValues->GetNumberOfContours());
@@ -211,35 +226,57 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     };
     const int pieces = std::max(info->Get(SDDP::UPDATE_NUMBER_OF_PIECES()), 1);
     const int piece = std::clamp(info->Get(SDDP::UPDATE_PIECE_NUMBER()), 0, pieces - 1);
+    const std::uint64_t most = static_cast<std::uint64_t>(this->MaximumMemory) << 20;
+    const std::uint64_t allowed = most == 0 ? ink::VdbGrid::noLimit : most - std::min(most, grid.memory());
     for (const double isoValue : surfaces.IsoValues)
     {
-      surfaces.Cells.push_back(
-        ShareOf(ink::findCrossedCells(grid, isoValue, rule, negate, nextStep()), piece, pieces));
+      surfaces.Cells.push_back(ShareOf(
+        ink::findCrossedCells(grid, isoValue, options.rule, negate, nextStep(), allowed), piece, pieces));
       if (InkCheckAbort(this))
       {
         return 1;
       }
       surfaces.Count += surfaces.Cells.back().count;
+      // Points and normals, and with each a radius, an index and a vertex at most.
+      constexpr std::uint64_t bytesPerPoint = 48;
+      if (surfaces.Count > allowed / bytesPerPoint)
+      {
+        throw ink::VdbTooLarge("the surface has " + std::to_string(surfaces.Count) +
+          " points or more, which take " + InkMebibytes(static_cast<double>(surfaces.Count * bytesPerPoint)));
+      }
     }
 
     const ink::GridGeometry geometry = grid.geometry(grid.activeBox());
     const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
       (this->OutputPointsPrecision == DEFAULT_PRECISION && surfaces.Count > 0 &&
         InkNeedsDoublePrecision(geometry));
+    options.arithmetic = doubles || this->ArithmeticPrecision == DOUBLE_PRECISION ? ink::Arithmetic::Double
+                                                                                  : ink::Arithmetic::Single;
     vtkNew<vtkPoints> points;
     points->SetDataType(doubles ? VTK_DOUBLE : VTK_FLOAT);
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
     normals->SetNumberOfTuples(this->ComputeNormals ? static_cast<vtkIdType>(surfaces.Count) : 0);
     vtkFloatArray* wanted = this->ComputeNormals ? normals.Get() : nullptr;
-    const bool whole = doubles
-      ? Place(grid, surfaces, rule, negate, vtkDoubleArray::SafeDownCast(points->GetData()), wanted, nextStep)
-      : Place(grid, surfaces, rule, negate, vtkFloatArray::SafeDownCast(points->GetData()), wanted, nextStep);
+    const bool whole = doubles ? Place(grid, surfaces, options, negate,
+                                   vtkDoubleArray::SafeDownCast(points->GetData()), wanted, nextStep)
+                               : Place(grid, surfaces, options, negate,
+                                   vtkFloatArray::SafeDownCast(points->GetData()), wanted, nextStep);
     if (!whole)
     {
       return 1;
     }
-    this->FillOutput(points, wanted, ink::isoSurfaceSampleRadius(geometry), output);
+    vtkSmartPointer<vtkIntArray> surfaceIndex;
+    if (this->ComputeSurfaceIndex && surfaces.IsoValues.size() > 1)
+    {
+      surfaceIndex = IndexOf(surfaces);
+    }
+    this->FillOutput(points, wanted, surfaceIndex, ink::isoSurfaceSampleRadius(geometry), output);
+  }
+  catch (const ink::VdbTooLarge& error)
+  {
+    vtkErrorMacro("Cannot sample \"" << Text(this->FileName) << "\": " << error.what() << "; allowed are "
+                                     << this->MaximumMemory << " MiB for it and the grid (MaximumMemory).");
   }
   catch (const ink::VdbError& error)
   {
@@ -253,7 +290,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
 }
 
 void vtkInkVDBIsoSurfaceSampler::FillOutput(
-  vtkPoints* points, vtkFloatArray* normals, double radius, vtkPolyData* output)
+  vtkPoints* points, vtkFloatArray* normals, vtkIntArray* surfaceIndex, double radius, vtkPolyData* output)
 {
   const vtkIdType count = points->GetNumberOfPoints();
   output->SetPoints(points);
@@ -270,6 +307,10 @@ void vtkInkVDBIsoSurfaceSampler::FillOutput(
     radii->SetNumberOfTuples(count);
     radii->Fill(radius);
     output->GetPointData()->AddArray(radii);
+  }
+  if (surfaceIndex)
+  {
+    output->GetPointData()->AddArray(surfaceIndex);
   }
   if (this->GenerateVertices && count > 0)
   {
@@ -292,10 +333,13 @@ void vtkInkVDBIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GridName: " << Text(this->GridName) << "\n"
      << indent << "InvertLevelSets: " << this->InvertLevelSets << "\n"
      << indent << "CrossingRule: " << (this->CrossingRule == STRICT ? "STRICT" : "HALF_OPEN") << "\n"
+     << indent << "NormalMethod: " << this->NormalMethod << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
+     << indent << "ComputeSurfaceIndex: " << this->ComputeSurfaceIndex << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
      << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n"
+     << indent << "ArithmeticPrecision: " << this->ArithmeticPrecision << "\n"
      << indent << "MaximumMemory: " << this->MaximumMemory << "\n"
      << indent << "ContourValues:\n";
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());

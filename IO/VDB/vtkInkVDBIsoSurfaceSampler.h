@@ -29,6 +29,7 @@
 
 class vtkContourValues;
 class vtkFloatArray;
+class vtkIntArray;
 class vtkPoints;
 class vtkStringArray;
 class InkVDBSource;
@@ -109,6 +110,37 @@ public:
   vtkBooleanMacro(ComputeNormals, bool);
   ///@}
 
+  /// How normals are found, see SetNormalMethod.
+  enum NormalMethodType
+  {
+    CELL = 0,
+    GRADIENT = 1,
+    CENTRAL_DIFFERENCE = 2,
+    REGRESSION = 3
+  };
+
+  ///@{
+  /**
+   * How normals are found, as in vtkInkIsoSurfaceSampler. Default: CENTRAL_DIFFERENCE.
+   */
+  vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
+  vtkGetMacro(NormalMethod, int);
+  void SetNormalMethodToCell() { this->SetNormalMethod(CELL); }
+  void SetNormalMethodToGradient() { this->SetNormalMethod(GRADIENT); }
+  void SetNormalMethodToCentralDifference() { this->SetNormalMethod(CENTRAL_DIFFERENCE); }
+  void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
+  ///@}
+
+  ///@{
+  /**
+   * With several iso-values, compute the point array `SurfaceIndex`: the number of the iso-value that a point
+   * belongs to. Default: on.
+   */
+  vtkSetMacro(ComputeSurfaceIndex, bool);
+  vtkGetMacro(ComputeSurfaceIndex, bool);
+  vtkBooleanMacro(ComputeSurfaceIndex, bool);
+  ///@}
+
   ///@{
   /**
    * Compute the point array `Radius`. Default: on.
@@ -139,8 +171,18 @@ public:
 
   ///@{
   /**
-   * The most memory in MiB that the grid may take, 0 for any. More is an error that says how much it would
-   * be. 0 to 16777216 (16 TiB). Default: 4096.
+   * What points and normals of a grid of floats are computed in, as in vtkInkIsoSurfaceSampler:
+   * vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION. Grids of doubles, and points in double
+   * precision, are always computed in double.
+   */
+  vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
+  vtkGetMacro(ArithmeticPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most memory in MiB that the grid and the points of its surfaces may take, 0 for any. More is an error
+   * that says how much it would be. 0 to 16777216 (16 TiB). Default: 4096.
    */
   vtkSetClampMacro(MaximumMemory, int, 0, 16777216);
   vtkGetMacro(MaximumMemory, int);
@@ -160,18 +202,22 @@ private:
   vtkInkVDBIsoSurfaceSampler(const vtkInkVDBIsoSurfaceSampler&) = delete;
   void operator=(const vtkInkVDBIsoSurfaceSampler&) = delete;
 
-  /// `normals` may be null: none.
-  void FillOutput(vtkPoints* points, vtkFloatArray* normals, double radius, vtkPolyData* output);
+  /// `normals` and `surfaceIndex` may be null: none.
+  void FillOutput(
+    vtkPoints* points, vtkFloatArray* normals, vtkIntArray* surfaceIndex, double radius, vtkPolyData* output);
 
   char* FileName = nullptr;
   char* GridName = nullptr;
   vtkNew<vtkContourValues> ContourValues;
   bool InvertLevelSets = true;
   int CrossingRule = HALF_OPEN;
+  int NormalMethod = CENTRAL_DIFFERENCE;
   bool ComputeNormals = true;
+  bool ComputeSurfaceIndex = true;
   bool ComputeRadius = true;
   bool GenerateVertices = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  int ArithmeticPrecision = SINGLE_PRECISION;
   int MaximumMemory = 4096;
   /// Whether the list of grids could not be read, which then was said.
   bool Failed = false;

@@ -164,6 +164,7 @@ void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
   mapper->SetValueEffect(tone.valueEffect);
   mapper->SetPixelsPerStipple(tone.pixelsPerStipple);
   mapper->SetStippleSize(tone.diameter);
+  mapper->SetAppearBySize(tone.appearBySize);
   const double ink = tone.lighting.lightInk ? 1.0 : 0.0;
   mapper->SetInkColor(ink, ink, ink);
 }

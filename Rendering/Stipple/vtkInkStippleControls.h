@@ -93,7 +93,8 @@ public:
   ///@}
 
   /**
-   * Hands the sliders' k's, and the preset's size and room of stipples, ink colour and LightInk, to a mapper.
+   * Hands the sliders' k's, and the preset's size and room of stipples, AppearBySize, ink colour and
+   * LightInk, to a mapper.
    */
   void Apply(vtkInkStippleMapper* mapper);
 

@@ -22,6 +22,14 @@
 #include "vtkSmartPointer.h"
 #include "vtkVersion.h"
 
+#if __has_include("vtkImageGaussianSmooth.h")
+#  include "vtkImageGaussianSmooth.h"
+#  define INK_HAS_IMAGE_GAUSSIAN_SMOOTH
+#endif
+#if __has_include("vtkImageLaplacian.h")
+#  include "vtkImageLaplacian.h"
+#  define INK_HAS_IMAGE_LAPLACIAN
+#endif
 #if __has_include("vtkImageGradient.h")
 #  include "vtkImageGradient.h"
 #  define INK_HAS_IMAGE_GRADIENT
@@ -216,6 +224,35 @@ int main(int argc, char* argv[])
             state, data, t, [](vtkGradientFilter* filter) { filter->SetResultArrayName("Result"); }, result);
         },
         [](vtkPointData* data) { return data->GetArray("Result"); });
+      [[maybe_unused]] const auto none = [](vtkPointData*) -> vtkDataArray* { return nullptr; };
+#ifdef INK_HAS_IMAGE_GAUSSIAN_SMOOTH
+      // A peer of the Laplacian is the sum of this and the next, which has to wait for it.
+      add(
+        "vtkImageGaussianSmooth, scale 1",
+        [](benchmark::State& state, vtkImageData* data, int t, const auto& result)
+        {
+          Run<vtkImageGaussianSmooth>(
+            state, data, t,
+            [](vtkImageGaussianSmooth* filter)
+            {
+              filter->SetStandardDeviation(1.0);
+              // As far as vtkInkGradient's.
+              filter->SetRadiusFactors(4.0, 4.0, 4.0);
+            },
+            result);
+        },
+        none);
+#endif
+#ifdef INK_HAS_IMAGE_LAPLACIAN
+      add(
+        "vtkImageLaplacian",
+        [](benchmark::State& state, vtkImageData* data, int t, const auto& result)
+        {
+          Run<vtkImageLaplacian>(
+            state, data, t, [](vtkImageLaplacian* filter) { filter->SetDimensionality(3); }, result);
+        },
+        none);
+#endif
 #ifdef INK_HAS_IMAGE_GRADIENT
       add(
         "vtkImageGradient",

@@ -1,4 +1,4 @@
-// Writes small .vdb files of all kinds into a folder, for the fuzzer to start from.
+// Writes small .vdb files of all kinds into a folder, for the fuzzer to start from: Corpus/seed-*.vdb.
 
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
@@ -54,15 +54,21 @@ int main(int argc, char* argv[])
   write(folder, "empty", { FloatGrid::create(1.0f) }, blosc);
   write(folder, "one-voxel", { some<FloatGrid>("a") }, blosc);
   write(folder, "double-zip", { some<DoubleGrid>("a") }, zip);
-  write(folder, "plain", { some<FloatGrid>("a") }, openvdb::io::COMPRESS_NONE);
+  write(folder, "plain", { some<FloatGrid>("a") }, openvdb::io::COMPRESS_ACTIVE_MASK);
   write(folder, "two-of-one-name", { some<FloatGrid>("a"), some<DoubleGrid>("a") }, blosc);
   const auto half = some<FloatGrid>("a");
   half->setSaveFloatAsHalf(true);
   write(folder, "half", { half }, blosc);
+  const auto fog = some<DoubleGrid>("a");
+  fog->setSaveFloatAsHalf(true);
+  fog->setGridClass(openvdb::GRID_FOG_VOLUME);
+  fog->sparseFill({ Coord(2, 2, 2), Coord(9, 5, 4) }, 0.5, true);
+  write(folder, "fog-half-double", { fog }, openvdb::io::COMPRESS_ACTIVE_MASK);
   auto other = openvdb::Vec3SGrid::create();
   other->tree().setValue(Coord(0, 0, 0), openvdb::Vec3s(1.0f));
   write(folder, "other-types", { other, openvdb::BoolGrid::create(), some<FloatGrid>("a") }, blosc);
-  const auto sphere = openvdb::tools::createLevelSetSphere<FloatGrid>(2.0f, { 1.0f, 2.0f, 3.0f }, 1.0f, 2.0f);
+  // Within one inner node, the largest part of a small file.
+  const auto sphere = openvdb::tools::createLevelSetSphere<FloatGrid>(2.0f, { 9.0f, 8.0f, 7.0f }, 1.0f, 2.0f);
   sphere->transform().postRotate(0.3, openvdb::math::X_AXIS);
   write(folder, "level-set", { sphere }, zip);
   const auto tiles = some<FloatGrid>("a");

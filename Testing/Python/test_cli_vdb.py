@@ -5,7 +5,7 @@ import struct
 import numpy as np
 import pytest
 
-from ink_files import blob, write_nifti, write_ply, sphere_mesh
+from ink_files import blob, read_png, write_nifti, write_ply, sphere_mesh
 
 OFFSET_OF_COUNT = 8 + 4 + 4 + 4 + 1 + 36
 
@@ -74,6 +74,67 @@ def test_render_draws_a_vdb_file(ink, volume, tmp_path):
     assert "iso-value 100: that of the file's surface" in result.err
 
 
+def test_a_picture_is_that_of_the_volume(ink, volume, tmp_path):
+    band = tmp_path / "band.vdb"
+    assert ink("convert", volume, band, "--around", "100").code == 0
+    pictures = []
+    for file in (volume, band):
+        out = tmp_path / f"{len(pictures)}.png"
+        assert ink("render", file, "-o", out, "--iso", "100", "--size", "120x100").code == 0
+        pictures.append(read_png(out).astype(int))
+    # The same marks; their order, and with it rounding, may differ.
+    assert pictures[0].min() < 100
+    assert np.abs(pictures[0] - pictures[1]).max() <= 2
+
+
+@pytest.fixture
+def wide(ink, can_convert, tmp_path):
+    """A bar whose second half was moved so far away that an image of both would take 4 GiB."""
+    values = np.zeros((6, 8, 4200), np.uint8)
+    values[2:4, 2:6, 10:4190] = 200
+    raw, near, far = (tmp_path / name for name in ("bar.raw", "near.vdb", "far.vdb"))
+    raw.write_bytes(values.tobytes())
+    assert ink("convert", raw, near, "--raw", "4200x8x6:uint8", "--around", "100").code == 0
+    data = near.read_bytes()
+    # A node's place, and behind it which children it has: the first one.
+    place = struct.pack("<3i", 4096, 0, 0) + b"\x01" + bytes(64)
+    assert data.count(place) == 1
+    data = data.replace(place, struct.pack("<3i", 1 << 24, 0, 0) + place[12:])
+    # Nor does the file say how large the volume was.
+    for name in (b"ink_domain_first", b"file_bbox_min"):
+        assert data.count(name) == 1
+        data = data.replace(name, name[:-1] + b"?")
+    far.write_bytes(data)
+    return near, far
+
+
+def test_a_huge_sparse_grid_is_sampled_and_drawn(ink, wide, tmp_path):
+    near, far = wide
+    rows = [points(ink, file, tmp_path / "out.xyz", "--memory", "256MiB") for file in wide]
+    # Cut in two, the bar has no more points but at the cuts.
+    assert len(rows[0]) > 40000 and abs(len(rows[1]) - len(rows[0])) < 200
+    assert rows[1][:, 0].max() > 1e7
+    out = tmp_path / "far.png"
+    assert ink("render", far, "-o", out, "--size", "64x64", "--memory", "256MiB").code == 0
+    several = ink("sample", far, tmp_path / "two.vtp", "--iso", "50", "--iso", "150")
+    assert several.code == 0, several.err
+
+
+def test_what_needs_an_image_too_large_names_the_option(ink, wide):
+    result = ink("info", wide[1], "--memory", "256MiB")
+    assert result.code == 1 and len(result.err.splitlines()) == 1
+    assert "--memory" in result.err and "MaximumMemory" not in result.err
+
+
+@pytest.mark.parametrize("iso", ["500", "-3", "nan"])
+def test_iso_values_that_a_grid_does_not_have(ink, volume, tmp_path, iso):
+    band, out = tmp_path / "band.vdb", tmp_path / "out.vtp"
+    assert ink("convert", volume, band, "--around", "100").code == 0
+    result = ink("sample", band, out, f"--iso={iso}")
+    assert result.code == 2 and len(result.err.splitlines()) == 1 and not out.exists()
+    assert f"--iso {iso}: expected a value above" in result.err
+
+
 @pytest.mark.parametrize(
     "options, code, words",
     [
@@ -92,6 +153,18 @@ def test_what_cannot_be_is_one_line_and_no_file(ink, volume, tmp_path, options, 
     assert len(result.err.splitlines()) == 1
     assert all(word in result.err for word in words), result.err
     assert not list(tmp_path.glob("*.vdb")) and not list(tmp_path.glob("*.tmp"))
+
+
+def test_built_without_openvdb_it_says_so(ink, tmp_path):
+    if ink("convert", "--help").code == 0:
+        pytest.skip("built with OpenVDB")
+    file, out = tmp_path / "a.vdb", tmp_path / "out"
+    file.write_bytes(b"anything")
+    for arguments in (["info", file], ["sample", file, f"{out}.vtp"], ["render", file, "-o", f"{out}.png"]):
+        result = ink(*arguments)
+        assert result.code == 1 and not result.out
+        assert len(result.err.splitlines()) == 1 and "built without OpenVDB" in result.err
+    assert not list(tmp_path.glob("out*"))
 
 
 def test_a_mesh_cannot_be_converted(ink, can_convert, tmp_path):

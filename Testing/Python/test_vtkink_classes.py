@@ -401,6 +401,34 @@ def test_example_is_short_and_draws(tmp_path):
     assert 0.5 < numpy.mean(grey > 0.95) < 0.99 and 0.001 < numpy.mean(grey < 0.5) < 0.2
 
 
+def write_nifti(path, values):
+    """values: uint8, indexed [z, y, x]."""
+    header = bytearray(352)
+    numpy.frombuffer(header, "<i4", 1, 0)[:] = 348
+    numpy.frombuffer(header, "<i2", 8, 40)[:] = [3, *values.shape[::-1], 1, 1, 1, 1]
+    numpy.frombuffer(header, "<i2", 2, 70)[:] = [2, 8]
+    numpy.frombuffer(header, "<f4", 9, 76)[:] = [1, 1, 1, 1, 1, 1, 1, 1, 352]
+    header[344:348] = b"n+1\0"
+    path.write_bytes(bytes(header) + values.tobytes())
+
+
+@pytest.mark.parametrize("preset", ["anatomy", "plate-white-on-black"])
+def test_stipple_example_is_short_and_draws(tmp_path, preset):
+    example = EXAMPLE.with_name("stipple.py")
+    assert len(example.read_text().splitlines()) <= 30
+    write_nifti(tmp_path / "ball.nii", numpy.clip(128 + 40 * ball(), 0, 255).astype("u1"))
+    command = [sys.executable, str(example), "ball.nii", preset]
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert result.returncode == 0 and not result.stderr, result.stderr
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(tmp_path / "stipple.png"))
+    reader.Update()
+    assert reader.GetOutput().GetDimensions() == (800, 800, 1)
+    grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
+    paper = float(preset == "anatomy")
+    assert 0.4 < numpy.mean(abs(grey - paper) < 0.05) < 0.99 and 0.005 < numpy.mean(abs(grey - paper) > 0.5) < 0.4
+
+
 def stippled_square(elements=10, per_element=8):
     """A square of the plane z = 0 facing +z as stipples of a surface, in the form that the mapper expects."""
     places = numpy.random.default_rng(1).random((elements, elements, per_element, 2))

@@ -3,6 +3,7 @@
 // and in several. With a number as argument, only the image of that seed.
 
 #include "IsoSurfaceReference.h"
+#include "RandomImages.h"
 #include "StabilityChecks.h"
 
 #include "vtkCellData.h"
@@ -24,7 +25,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <random>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -35,82 +35,6 @@ namespace
 
 constexpr unsigned Images = 3000;
 
-/// Numbers that are the same with every standard library.
-class Random
-{
-public:
-  explicit Random(unsigned seed)
-    : Engine(seed)
-  {
-  }
-  /// 0 to n - 1.
-  int UpTo(int n) { return static_cast<int>(this->Engine() % static_cast<unsigned>(n)); }
-  bool Once(int in) { return this->UpTo(in) == 0; }
-  /// From 0 to 1.
-  double Share() { return this->Engine() / 4294967296.0; }
-  /// From 10^least to 10^greatest.
-  double Magnitude(double least, double greatest)
-  {
-    return std::pow(10.0, least + (greatest - least) * this->Share());
-  }
-
-private:
-  std::mt19937 Engine;
-};
-
-glm::dmat3 RandomDirection(Random& random)
-{
-  glm::dmat3 direction(1.0);
-  switch (random.UpTo(4))
-  {
-    case 0:
-      break;
-    case 1: // axes exchanged and mirrored
-      direction = glm::dmat3(0, 1, 0, 0, 0, -1, 1, 0, 0);
-      break;
-    case 2: // turned
-    {
-      const double a = 6.28 * random.Share();
-      const double b = 6.28 * random.Share();
-      direction = glm::dmat3(std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a), 0, 0, 0, 1) *
-        glm::dmat3(1, 0, 0, 0, std::cos(b), std::sin(b), 0, -std::sin(b), std::cos(b));
-      break;
-    }
-    default: // sheared
-      direction[1][0] = random.Share();
-      direction[2][1] = -random.Share();
-  }
-  return direction;
-}
-
-/// A value of the image's type: one of few, so that many are at an iso-value, or any.
-template <class T>
-T RandomValue(Random& random, int kind, int levels)
-{
-  const int level = random.UpTo(levels);
-  if (kind == 0)
-  {
-    return static_cast<T>(level);
-  }
-  if constexpr (std::is_integral_v<T>)
-  {
-    // All bits, at the ends of the type, or near its greatest value.
-    const auto bits = static_cast<std::uint64_t>(random.Share() * 4294967296.0) << 32 |
-      static_cast<std::uint64_t>(random.Share() * 4294967296.0);
-    return kind == 1 ? static_cast<T>(bits)
-      : kind == 2    ? (level % 2 ? std::numeric_limits<T>::max() : std::numeric_limits<T>::lowest())
-                     : static_cast<T>(std::numeric_limits<T>::max() - static_cast<T>(level));
-  }
-  else
-  {
-    const auto largest = static_cast<double>(std::numeric_limits<T>::max());
-    const double signedShare = 2 * random.Share() - 1;
-    return kind == 1 ? static_cast<T>(signedShare)
-      : kind == 2    ? static_cast<T>(signedShare * 0.99 * largest)
-                     : static_cast<T>(1000 + signedShare);
-  }
-}
-
 struct Description
 {
   std::string Name;
@@ -120,19 +44,6 @@ struct Description
   int NormalMethod;
   std::vector<double> IsoValues;
 };
-
-vtkSmartPointer<vtkUnsignedCharArray> RandomMarks(
-  Random& random, vtkIdType count, unsigned char mark, int percent)
-{
-  auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  marks->SetName(vtkDataSetAttributes::GhostArrayName());
-  marks->SetNumberOfValues(count);
-  for (vtkIdType n = 0; n < count; ++n)
-  {
-    marks->SetValue(n, random.UpTo(100) < percent ? mark : 0);
-  }
-  return marks;
-}
 
 /// One point against the reference, in samples, where all cells are alike.
 bool CheckPoint(InkTestChecks& check, const std::string& name, vtkPolyData* output, vtkIdType n,
@@ -375,35 +286,7 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
 
 void CheckSeed(InkTestChecks& check, unsigned seed)
 {
-  switch (seed % 13)
-  {
-    case 0:
-      return CheckImage<char>(check, seed, VTK_CHAR);
-    case 1:
-      return CheckImage<signed char>(check, seed, VTK_SIGNED_CHAR);
-    case 2:
-      return CheckImage<unsigned char>(check, seed, VTK_UNSIGNED_CHAR);
-    case 3:
-      return CheckImage<short>(check, seed, VTK_SHORT);
-    case 4:
-      return CheckImage<unsigned short>(check, seed, VTK_UNSIGNED_SHORT);
-    case 5:
-      return CheckImage<int>(check, seed, VTK_INT);
-    case 6:
-      return CheckImage<unsigned int>(check, seed, VTK_UNSIGNED_INT);
-    case 7:
-      return CheckImage<long>(check, seed, VTK_LONG);
-    case 8:
-      return CheckImage<unsigned long>(check, seed, VTK_UNSIGNED_LONG);
-    case 9:
-      return CheckImage<long long>(check, seed, VTK_LONG_LONG);
-    case 10:
-      return CheckImage<unsigned long long>(check, seed, VTK_UNSIGNED_LONG_LONG);
-    case 11:
-      return CheckImage<float>(check, seed, VTK_FLOAT);
-    default:
-      return CheckImage<double>(check, seed, VTK_DOUBLE);
-  }
+  WithScalarType(seed, [&](auto zero, int type) { CheckImage<decltype(zero)>(check, seed, type); });
 }
 
 } // namespace

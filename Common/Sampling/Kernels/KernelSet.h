@@ -23,6 +23,7 @@ namespace
 #include "Sampling/Kernels/ListKernels.h"
 #include "Sampling/Kernels/LoadKernels.h"
 #include "Sampling/Kernels/PlaceKernels.h"
+#include "Sampling/Kernels/StippleKernels.h"
 
 template <class T>
 constexpr TypedKernels<T> typedKernels()
@@ -63,6 +64,6 @@ const SamplingKernels INK_KERNEL_SET = { INK_TEXT(INK_KERNEL_NAME), typedKernels
   typedKernels<std::uint8_t>(), typedKernels<std::int16_t>(), typedKernels<std::uint16_t>(),
   typedKernels<std::int32_t>(), typedKernels<std::uint32_t>(), typedKernels<std::int64_t>(),
   typedKernels<std::uint64_t>(), typedKernels<float>(), typedKernels<double>(), placeKernels<float>(),
-  placeKernels<double>(), crossRows, listCells, findCorners, interleave };
+  placeKernels<double>(), crossRows, listCells, findCorners, interleave, fillVoxel };
 
 } // namespace ink

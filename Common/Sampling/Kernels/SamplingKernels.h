@@ -1,10 +1,12 @@
 #pragma once
 
+#include "Sampling/Kernels/VoxelFill.h"
+
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loops of iso-surface sampling, compiled once for each instruction set and chosen at run time.
-/// Internal to Common/Sampling.
+/// The inner loops of iso-surface sampling and of placing stipples, compiled once for each instruction set
+/// and chosen at run time. Internal to Common/Sampling.
 ///
 /// Everything here is plain data and pointers to functions: the sources compiled for an instruction set
 /// include nothing else, because an inline function that they shared with others could be the one that the
@@ -226,6 +228,9 @@ struct SamplingKernels
     const SegmentList& list, const float* x, const float* y, const float* z, CellBatch<float>& batch);
   /// Writes x y z of `count` columns one after the other.
   void (*interleave)(const float* x, const float* y, const float* z, int count, float* xyz);
+
+  /// Places a voxel's stipples.
+  void (*fillVoxel)(const VoxelFill& voxel);
 };
 
 /// The kernels of the best set that this machine has, or of the set that the environment variable

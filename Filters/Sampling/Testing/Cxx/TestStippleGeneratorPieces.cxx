@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pieces of an image give, together, exactly the stipples of the whole: each once, with the same arrays.
+// The pieces of an image, or parts of it with ghost cells, give together exactly the stipples of the whole:
+// each once, with the same arrays.
 
 #include "InkTestChecks.h"
 #include "SamplerTestImages.h"
 
 #include "vtkCellData.h"
+#include "vtkExtentTranslator.h"
+#include "vtkFieldData.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkNew.h"
 #include "vtkRTAnalyticSource.h"
+#include "vtkTrivialProducer.h"
 
 namespace
 {
@@ -37,6 +41,39 @@ vtkSmartPointer<vtkInkStippleGenerator> MakeGenerator()
   generator->SetMaximumStipples(PerVoxel);
   generator->SetGradientPercentile(80.0);
   return generator;
+}
+
+/// One that needs nothing of the whole image: as the whole's output says.
+vtkSmartPointer<vtkInkStippleGenerator> MakeLocalGenerator(vtkPolyData* whole)
+{
+  const auto generator = MakeGenerator();
+  generator->SetThresholdModeToMagnitude();
+  generator->SetGradientThreshold(10.0);
+  generator->UseReferenceRangesOn();
+  vtkFieldData* field = whole->GetFieldData();
+  generator->SetReferenceScalarRange(field->GetArray("ScalarRange")->GetTuple(0));
+  generator->SetReferenceGradient(field->GetArray("GradientMagnitudeRange")->GetComponent(0, 1));
+  return generator;
+}
+
+/// As a simulation hands it over: its own part of an image, with ghost cells.
+vtkSmartPointer<vtkTrivialProducer> MakePart(vtkImageData* image, int part, int parts, int levels)
+{
+  vtkNew<vtkExtentTranslator> translator;
+  int own[6];
+  int grown[6];
+  int extent[6];
+  image->GetExtent(extent);
+  translator->PieceToExtentThreadSafe(part, parts, 0, extent, own, vtkExtentTranslator::BLOCK_MODE, 0);
+  translator->PieceToExtentThreadSafe(part, parts, levels, extent, grown, vtkExtentTranslator::BLOCK_MODE, 0);
+  vtkNew<vtkImageData> piece;
+  piece->DeepCopy(image);
+  piece->Crop(grown);
+  piece->GenerateGhostArray(own);
+  auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
+  producer->SetOutput(piece);
+  producer->SetWholeExtent(extent);
+  return producer;
 }
 
 std::vector<Stipple> StipplePieces(vtkInkStippleGenerator* generator, int pieces, std::size_t& largest)
@@ -83,6 +120,42 @@ int TestStippleGeneratorPieces(int, char*[])
         stipples.size());
       check(largest < whole.size(), "stipples in more than one piece");
     }
+  }
+
+  const auto reference = MakeGenerator();
+  reference->SetThresholdModeToMagnitude();
+  reference->SetGradientThreshold(10.0);
+  reference->SetInputData(image);
+  reference->Update();
+  auto expected = StipplesOf(reference->GetOutput());
+  std::sort(expected.begin(), expected.end());
+  check(expected.size() > 1000, "stipples beyond a threshold, found ", expected.size());
+  const auto local = MakeLocalGenerator(reference->GetOutput());
+  local->SetInputConnection(source->GetOutputPort());
+  const auto localOfData = MakeLocalGenerator(reference->GetOutput());
+  localOfData->SetInputData(image);
+  for (const int pieces : { 1, 2, 5, 8 })
+  {
+    for (vtkInkStippleGenerator* one : { local.Get(), localOfData.Get() })
+    {
+      std::size_t largest = 0;
+      const auto stipples = StipplePieces(one, pieces, largest);
+      check(stipples == expected, "the whole from ", pieces, " pieces by given ranges: ", expected.size(),
+        " stipples, found ", stipples.size());
+    }
+    std::vector<Stipple> together;
+    for (int part = 0; part < pieces; ++part)
+    {
+      const auto producer = MakePart(image, part, pieces, 5);
+      const auto ofPart = MakeLocalGenerator(reference->GetOutput());
+      ofPart->SetInputConnection(producer->GetOutputPort());
+      ofPart->UpdatePiece(part, pieces, 0);
+      const auto stipples = StipplesOf(ofPart->GetOutput());
+      together.insert(together.end(), stipples.begin(), stipples.end());
+    }
+    std::sort(together.begin(), together.end());
+    check(together == expected, "the whole from ", pieces, " parts with ghost cells: ", expected.size(),
+      " stipples, found ", together.size());
   }
   return check.Result();
 }

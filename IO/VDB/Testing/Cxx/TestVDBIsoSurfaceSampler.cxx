@@ -16,7 +16,24 @@
 namespace
 {
 
-std::vector<VDBSample> Dense(const std::string& file, const char* grid, const std::vector<double>& values)
+/// Settings that both samplers have.
+struct Settings
+{
+  int NormalMethod = vtkInkIsoSurfaceSampler::CENTRAL_DIFFERENCE;
+  int Arithmetic = vtkAlgorithm::SINGLE_PRECISION;
+  int Points = vtkAlgorithm::DEFAULT_PRECISION;
+
+  template <class Sampler>
+  void Apply(Sampler* sampler) const
+  {
+    sampler->SetNormalMethod(this->NormalMethod);
+    sampler->SetArithmeticPrecision(this->Arithmetic);
+    sampler->SetOutputPointsPrecision(this->Points);
+  }
+};
+
+std::vector<VDBSample> Dense(
+  const std::string& file, const char* grid, const std::vector<double>& values, const Settings& settings = {})
 {
   vtkNew<vtkInkVDBReader> reader;
   reader->SetFileName(file.c_str());
@@ -27,8 +44,66 @@ std::vector<VDBSample> Dense(const std::string& file, const char* grid, const st
   {
     sampler->SetValue(static_cast<int>(n), values[n]);
   }
+  settings.Apply(sampler.Get());
   sampler->Update();
   return SamplesOf(sampler->GetOutput());
+}
+
+void TestSettings(InkTestChecks& check, const std::string& file)
+{
+  vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
+  sampler->SetFileName(file.c_str());
+  sampler->SetValue(0, 0.3);
+  for (const char* grid : { "sphere", "fog" })
+  {
+    sampler->SetGridName(grid);
+    std::vector<VDBSample> before;
+    for (int method = vtkInkIsoSurfaceSampler::CELL; method <= vtkInkIsoSurfaceSampler::REGRESSION; ++method)
+    {
+      for (const int arithmetic : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
+      {
+        for (const int points : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
+        {
+          const Settings settings{ method, arithmetic, points };
+          settings.Apply(sampler.Get());
+          sampler->Update();
+          const std::vector<VDBSample> samples = SamplesOf(sampler->GetOutput());
+          check(!samples.empty() && samples == Dense(file, grid, { 0.3 }, settings), grid, ": method ",
+            method, ", arithmetic ", arithmetic, ", points ", points, ": the dense path's to the bit");
+          // Each does change something.
+          const bool doubled = std::string(grid) == "fog" && arithmetic == vtkAlgorithm::DOUBLE_PRECISION;
+          check(doubled || points == vtkAlgorithm::DOUBLE_PRECISION || samples != before, grid, ": method ",
+            method, ", arithmetic ", arithmetic, ": other samples than before");
+          before = samples;
+        }
+      }
+    }
+  }
+}
+
+void TestSurfaceIndex(InkTestChecks& check, const std::string& file)
+{
+  vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
+  sampler->SetFileName(file.c_str());
+  sampler->SetGridName("sphere");
+  sampler->SetValue(0, 0.5);
+  sampler->Update();
+  vtkPointData* data = sampler->GetOutput()->GetPointData();
+  const vtkIdType first = sampler->GetOutput()->GetNumberOfPoints();
+  check(first > 0 && !data->HasArray("SurfaceIndex"), "no index of one surface");
+  sampler->SetValue(1, -0.25);
+  sampler->Update();
+  data = sampler->GetOutput()->GetPointData();
+  vtkDataArray* index = data->GetArray("SurfaceIndex");
+  bool right = index && index->GetNumberOfTuples() == sampler->GetOutput()->GetNumberOfPoints();
+  for (vtkIdType n = 0; right && n < index->GetNumberOfTuples(); ++n)
+  {
+    right = index->GetTuple1(n) == (n < first ? 0.0 : 1.0);
+  }
+  check(right, "an index from 0 for each of two surfaces");
+  sampler->ComputeSurfaceIndexOff();
+  sampler->Update();
+  check(!data->HasArray("SurfaceIndex"), "no index unasked");
 }
 
 } // namespace
@@ -107,6 +182,8 @@ int TestVDBIsoSurfaceSampler(int, char*[])
       output->GetPoints()->GetDataType() == VTK_DOUBLE &&
       output->GetNumberOfPoints() == static_cast<vtkIdType>(samples.size()),
     "nothing but points in double precision");
+  TestSettings(check, file);
+  TestSurfaceIndex(check, file);
   check(messages->Messages.empty(), "no message, found ",
     messages->Messages.empty() ? "" : messages->Messages[0]);
   return check.Result();

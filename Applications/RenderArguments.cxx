@@ -1,0 +1,179 @@
+#include "RenderArguments.h"
+
+#include "Errors.h"
+
+#include "vtkInkSplattingLinesMapper.h"
+#include "vtkNew.h"
+
+#include <sstream>
+
+namespace ink::cli
+{
+namespace
+{
+
+constexpr const char* lines = "splatting-lines";
+constexpr const char* stipples = "stipple";
+
+} // namespace
+
+void RenderArguments::add(CLI::App* command)
+{
+  this->app = command;
+  this->input.addFile(command, "mesh or points");
+  command->add_option("-o,--output", this->output, "the picture to write")->required()->type_name("OUT.png");
+  command->add_option("--style", this->style, "way of drawing: splatting-lines or stipple (splatting-lines)")
+    ->type_name("NAME")
+    ->check(CLI::IsMember({ lines, stipples }));
+  command
+    ->add_option("--iso", this->options.isoValues,
+      "value of the surface to draw in a volume; may be given several times. Without it, lines choose one "
+      "and\n"
+      "name it, and stipples show all boundaries through each other; with it, they are those of what is "
+      "denser\n"
+      "than the least value, and its surface hides what lies behind it")
+    ->type_name("V")
+    ->expected(1)
+    ->take_all();
+  command
+    ->add_option("--samples", this->options.samples,
+      "points to make on a mesh; 0: lines are drawn from its vertices (lines: twice as many, but 200000 to\n"
+      "1000000; stipples: as many as the picture has room for)")
+    ->type_name("N")
+    ->check(within(0, 1e12));
+  std::vector<std::string> views;
+  for (const auto& [name, view] : namedViews())
+  {
+    views.push_back(name);
+  }
+  command
+    ->add_option("--view", this->options.view,
+      "side to look at: front, back, left, right, top, bottom, or iso, from the front, left and top at "
+      "once (front).\n"
+      "World axes are read as DICOM's: +x is the subject's left, +y its back, +z its top and up in the "
+      "picture;\n"
+      "from the top and the bottom, +y and -y are up. Orientations in NIfTI and NRRD files are turned to "
+      "these")
+    ->type_name("NAME")
+    ->check(CLI::IsMember(views));
+  command->add_option("--size", this->size, "size of the picture in pixels (1024x1024)")->type_name("WxH");
+  command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
+
+  const auto angle = within(-360, 360);
+  command->add_option("--azimuth", this->options.azimuth, "go to the right around the subject, degrees (0)")
+    ->check(angle)
+    ->group("Camera");
+  command->add_option("--elevation", this->options.elevation, "then go up, degrees (0)")
+    ->check(angle)
+    ->group("Camera");
+  command->add_option("--zoom", this->options.zoom, "enlarge; at 1 all of the subject fits (1)")
+    ->check(within(0.01, 1000))
+    ->group("Camera");
+  command->add_flag("--parallel", this->options.parallel, "parallel instead of perspective projection")
+    ->group("Camera");
+
+  this->addColors(command);
+  this->addLines(command);
+  this->stipple.add(command);
+  this->input.addReading(command);
+}
+
+void RenderArguments::addLines(CLI::App* command)
+{
+  // Ranges and defaults are the mapper's own.
+  vtkNew<vtkInkSplattingLinesMapper> mapper;
+  const auto add = [&](const char* name, std::optional<double>& value, const char* effect, double least,
+                     double greatest, double preset)
+  {
+    std::ostringstream description;
+    description << effect << " (" << preset << ")";
+    this->linesAlone.push_back(
+      command->add_option(name, value, description.str())->check(within(least, greatest))->group("Lines"));
+  };
+  add("--tau", this->options.tau, "threshold: more lines with a larger one", mapper->GetTauMinValue(),
+    mapper->GetTauMaxValue(), mapper->GetTau());
+  add("--phi", this->options.phi, "strength: darker lines with a larger one", mapper->GetPhiMinValue(),
+    mapper->GetPhiMaxValue(), mapper->GetPhi());
+  add("--lambda", this->options.lambda, "detail: fewer, broader lines with a larger one",
+    mapper->GetLambdaMinValue(), mapper->GetLambdaMaxValue(), mapper->GetLambda());
+  add("--sigma", this->options.sigma, "width of the narrower Gaussian as part of a splat",
+    mapper->GetSigmaMinValue(), mapper->GetSigmaMaxValue(), mapper->GetSigma());
+  this->linesAlone.push_back(command
+                               ->add_flag("--as-published", this->options.asPublished,
+                                 "splat exactly as in the paper: without what makes contours solid and "
+                                 "lines smooth")
+                               ->group("Lines"));
+}
+
+void RenderArguments::addColors(CLI::App* command)
+{
+  constexpr const char* group = "Colours: names as in HTML, #rrggbb or #rgb";
+  command->add_option("--ink-color", this->inkColor, "colour of the lines (black) or stipples (the preset's)")
+    ->type_name("COLOR")
+    ->group(group);
+  command
+    ->add_option("--paper-color", this->paperColor,
+      "lines: colour of the surface between them (white); none: the lines alone are drawn.\n"
+      "Stipples: colour of the page (the preset's); on a page darker than the ink, they show light")
+    ->type_name("COLOR")
+    ->group(group);
+  this->linesAlone.push_back(
+    command->add_option("--background", this->background, "lines: colour around the subject (white)")
+      ->type_name("COLOR")
+      ->group(group));
+  command
+    ->add_flag("--transparent", this->options.transparent, "nothing around the subject: a PNG with alpha")
+    ->group(group);
+}
+
+void RenderArguments::refuse(const std::vector<CLI::Option*>& others, const std::string& itsStyle) const
+{
+  for (const CLI::Option* option : others)
+  {
+    if (option->count() > 0)
+    {
+      throw UsageError(
+        option->get_name() + ": expected with --style " + itsStyle + ", found --style " + this->style);
+    }
+  }
+}
+
+void RenderArguments::run()
+{
+  this->options.input = this->input.options();
+  this->options.output = this->output;
+  if (this->options.output.extension() != ".png")
+  {
+    throw UsageError("-o '" + this->output + "': expected a name that ends in .png");
+  }
+  this->options.size = PictureSize::parse(this->size);
+  const auto colorOf = [this](const char* option, const std::string& text)
+  { return this->app->count(option) > 0 ? std::optional(parseColor(option, text)) : std::nullopt; };
+  const bool noPaper = this->paperColor == "none";
+  const std::optional<Color> ink = colorOf("--ink-color", this->inkColor);
+  const std::optional<Color> paper = noPaper ? std::nullopt : colorOf("--paper-color", this->paperColor);
+  if (this->style == stipples)
+  {
+    this->refuse(this->linesAlone, lines);
+    if (noPaper)
+    {
+      throw UsageError(
+        "--paper-color none: expected the page's colour with --style stipple; --transparent leaves it out");
+    }
+    this->options.stipple = this->stipple.style(ink, paper);
+  }
+  else
+  {
+    this->refuse(this->stipple.all, stipples);
+    this->options.inkColor = ink.value_or(this->options.inkColor);
+    this->options.paperColor = paper ? paper : this->options.paperColor;
+    if (noPaper)
+    {
+      this->options.paperColor.reset();
+    }
+    this->options.background = colorOf("--background", this->background).value_or(this->options.background);
+  }
+  render(this->options);
+}
+
+} // namespace ink::cli

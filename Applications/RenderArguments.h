@@ -1,0 +1,34 @@
+#pragma once
+
+#include "InputArguments.h"
+#include "RenderCommand.h"
+#include "StippleArguments.h"
+
+namespace ink::cli
+{
+
+/// `ink render`: what CLI11 fills in as text, checked and turned into RenderOptions when the command runs.
+struct RenderArguments
+{
+  InputArguments input;
+  RenderOptions options;
+  std::string output;
+  std::string style = "splatting-lines";
+  std::string size = "1024x1024";
+  std::string inkColor;
+  std::string paperColor;
+  std::string background;
+  StippleArguments stipple;
+  CLI::App* app = nullptr;              ///< knows which options were given
+  std::vector<CLI::Option*> linesAlone; ///< those that only splatting lines have
+
+  void add(CLI::App* command);
+  void run();
+
+private:
+  void addLines(CLI::App* command);
+  void addColors(CLI::App* command);
+  void refuse(const std::vector<CLI::Option*>& others, const std::string& itsStyle) const;
+};
+
+} // namespace ink::cli

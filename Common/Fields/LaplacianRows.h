@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace ink
+{
+
+/// The loops behind ink::laplacianOfGaussian, over one row at a time, in plain steps that compilers turn into
+/// vector instructions. Kernels are those of samples all of whose neighbours are there: mirrored, so that
+/// only one side is given. All work on differences from the row in the middle, so that derivatives of equal
+/// rows are exactly 0 and their mean is exactly the row.
+
+/// The row in the middle of a kernel and those n + 1 steps before and after it.
+struct RowPairs
+{
+  const double* middle = nullptr;
+  std::vector<const double*> before;
+  std::vector<const double*> after;
+};
+
+/// One side of a mirrored kernel, from the nearest neighbour on.
+using HalfKernel = std::vector<double>;
+
+/// value = the mean with the weights `smooth`; curve = the second derivative.
+void smoothAndBend(const RowPairs& rows, const HalfKernel& smooth, const HalfKernel& second,
+  std::size_t count, double* value, double* curve);
+
+/// to += the mean.
+void addSmooth(const RowPairs& rows, const HalfKernel& smooth, std::size_t count, double* to);
+
+/// to += the second derivative.
+void addBend(const RowPairs& rows, const HalfKernel& second, std::size_t count, double* to);
+
+/// to += the first derivative.
+void addSlope(const RowPairs& rows, const HalfKernel& first, std::size_t count, double* to);
+
+} // namespace ink

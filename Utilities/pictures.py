@@ -1,0 +1,80 @@
+"""What Utilities/pictures.sh needs beside ink: a mesh, and pictures beside each other in few bytes.
+
+    pictures.py mesh VOLUME.nii.gz ISO_VALUE OUT.ply
+    pictures.py join OUT.png PICTURE.png ...
+"""
+
+import importlib
+import struct
+import sys
+import zlib
+
+import numpy as np
+from vtkink import VTK_PACKAGE, vtk
+
+GAP = 8
+GREYS = 16
+SHADES = 6  # of red, green and blue each
+
+
+def mesh(volume, iso_value, out):
+    reader, surface, writer = vtk.vtkNIFTIImageReader(), vtk.vtkFlyingEdges3D(), vtk.vtkPLYWriter()
+    reader.SetFileName(volume)
+    surface.SetInputConnection(reader.GetOutputPort())
+    surface.SetValue(0, float(iso_value))
+    writer.SetInputConnection(surface.GetOutputPort())
+    writer.SetFileName(out)
+    writer.Write()
+
+
+def read(path):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    to_numpy = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support").vtk_to_numpy
+    return to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3]
+
+
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def encode(image):
+    """A PNG file with a palette: some greys, or a cube of colours where there are any."""
+    height, width, _ = image.shape
+    colourful = np.ptp(image.astype(int), axis=2).max() > 8
+    if colourful:
+        shades = (image.astype(int) * (SHADES - 1) + 127) // 255
+        indices = (shades[..., 0] * SHADES + shades[..., 1]) * SHADES + shades[..., 2]
+        palette = [[c * 255 // (SHADES - 1) for c in divmod_twice(i)] for i in range(SHADES**3)]
+        bits, rows = 8, indices.astype(np.uint8)
+    else:
+        indices = (image[..., 0].astype(int) * (GREYS - 1) + 127) // 255
+        palette = [[i * 255 // (GREYS - 1)] * 3 for i in range(GREYS)]
+        pairs = np.pad(indices, ((0, 0), (0, width % 2)))
+        bits, rows = 4, (pairs[:, 0::2] * 16 + pairs[:, 1::2]).astype(np.uint8)
+    data = b"".join(b"\0" + row.tobytes() for row in rows)
+    return (
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, bits, 3, 0, 0, 0))
+        + chunk(b"PLTE", bytes(np.ravel(palette).astype(np.uint8)))
+        + chunk(b"IDAT", zlib.compress(data, 9))
+        + chunk(b"IEND", b"")
+    )
+
+
+def divmod_twice(index):
+    return index // SHADES**2, index // SHADES % SHADES, index % SHADES
+
+
+def join(out, *paths):
+    images = [read(path) for path in paths]
+    gap = np.full((images[0].shape[0], GAP, 3), 255, np.uint8)
+    parts = [part for image in images for part in (image, gap)][:-1]
+    with open(out, "wb") as file:
+        file.write(encode(np.concatenate(parts, axis=1)))
+
+
+if __name__ == "__main__":
+    {"mesh": mesh, "join": join}[sys.argv[1]](*sys.argv[2:])
