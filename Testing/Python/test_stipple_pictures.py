@@ -62,7 +62,7 @@ class Scene:
         """Rows from the bottom, RGB, 0 to 1."""
         self.window.Render()
         pixels = vtk.vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels)
+        self.window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)  # VTK 9.2 asks for the last one
         return np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3) / 255
 
     def ink(self):
