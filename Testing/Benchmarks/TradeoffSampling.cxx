@@ -65,7 +65,7 @@ double Error(const glm::dvec3& spacing, double noise, const SampleOptions& optio
       normal = glm::normalize(glm::round(normal * static_cast<double>(storage)));
     }
     const glm::dvec3 truth = glm::normalize(Shape.gradient(samples.point(i)));
-    sum += std::atan2(glm::length(glm::cross(normal, truth)), -glm::dot(normal, truth));
+    sum += std::atan2(glm::length(glm::cross(normal, truth)), glm::dot(normal, truth));
     ++count;
   }
   return sum / count * 180.0 / std::acos(-1.0);
