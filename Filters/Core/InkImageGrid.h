@@ -41,9 +41,9 @@ VTKINKFILTERSCORE_EXPORT bool InkNeedsDoublePrecision(const ink::GridGeometry& g
 VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits);
 
 /// The array of an image that a filter works on: `found`, what GetInputArrayToProcess(0, ...) returned with
-/// its `association`, or where an empty name was given, as ParaView does where no array was chosen, the active
-/// point scalars. Null where there is none, it is not point data or has no such component: then the filter has
-/// reported one error that names what was found and what was expected.
+/// its `association`, or where an empty name was given, as ParaView does where no array was chosen, the
+/// active point scalars. Null where there is none, it is not point data or has no such component: then the
+/// filter has reported one error that names what was found and what was expected.
 VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(
   vtkAlgorithm* filter, vtkImageData* image, vtkDataArray* found, int association, int component);
 

@@ -56,8 +56,8 @@ void MeasureGap()
 {
   const double radius = 0.01;
   Tradeoff knob("Gap (vtkInkSurfaceSampler)",
-    "Keep 0.06: wider gaps save up to a fifth of the time, the widest two fifths; they are for those who want "
-    "fewer samples of the same least distance.",
+    "Keep 0.06: wider gaps save up to a fifth of the time, the widest two fifths; they are for those who "
+    "want fewer samples of the same least distance.",
     "farthest place from a sample, of the radius",
     "blue noise of a radius of a hundredth of the square root of the area, on the torus");
   for (const double gap : { 0.02, 0.06, 0.15, 0.3, 0.6, 1.0 })
