@@ -10,10 +10,13 @@ from ink_files import blob, read_png, write_nifti, write_ply, sphere_mesh
 OFFSET_OF_COUNT = 8 + 4 + 4 + 4 + 1 + 36
 
 
+def has_convert(ink):
+    return any(line.split()[:1] == ["convert"] for line in ink("--help").out.splitlines())
+
+
 @pytest.fixture(scope="module")
 def can_convert(ink):
-    result = ink("convert", "--help")
-    if result.code != 0:
+    if not has_convert(ink):
         pytest.skip("built without OpenVDB")
 
 
@@ -156,7 +159,7 @@ def test_what_cannot_be_is_one_line_and_no_file(ink, volume, tmp_path, options, 
 
 
 def test_built_without_openvdb_it_says_so(ink, tmp_path):
-    if ink("convert", "--help").code == 0:
+    if has_convert(ink):
         pytest.skip("built with OpenVDB")
     file, out = tmp_path / "a.vdb", tmp_path / "out"
     file.write_bytes(b"anything")

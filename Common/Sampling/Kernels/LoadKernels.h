@@ -9,8 +9,12 @@ struct FloatLoader
   static INK_INLINE Row quad(const float* p) { return _mm_loadu_ps(p); }
   static INK_INLINE Row pairs(const float* p, const float* q)
   {
-    const __m128d low = _mm_load_sd(reinterpret_cast<const double*>(p));
-    return _mm_castpd_ps(_mm_loadh_pd(low, reinterpret_cast<const double*>(q)));
+    // Through doubles of their own, as samples need not lie where doubles may.
+    double low = 0.0;
+    double high = 0.0;
+    __builtin_memcpy(&low, p, 8);
+    __builtin_memcpy(&high, q, 8);
+    return _mm_castpd_ps(_mm_set_pd(high, low));
   }
   static INK_INLINE __m128 floats(Row r) { return r; }
 #  if defined(__AVX2__)
