@@ -31,12 +31,7 @@ public:
   {
     this->Sampler->SetFileName(file.c_str());
     this->Sampler->SetGridName(grid.name.c_str());
-    this->Sampler->SetNumberOfContours(1);
-    this->Sampler->SetCrossingRule(sampling.crossingRule);
-    this->Sampler->SetOutputPointsPrecision(sampling.precision);
-    this->Sampler->SetComputeNormals(sampling.normals);
-    this->Sampler->SetComputeRadius(sampling.radius);
-    this->Sampler->GenerateVerticesOff();
+    setUp(this->Sampler.Get(), sampling);
     constexpr std::uint64_t mebibyte = 1 << 20;
     this->Sampler->SetMaximumMemory(static_cast<int>(
       std::min<std::uint64_t>(memory.limit / mebibyte, this->Sampler->GetMaximumMemoryMaxValue())));

@@ -57,12 +57,7 @@ public:
     , WithIndex(sampling.surfaceIndex)
     , MostPoints(memory.forNewPoints() / bytesPerPoint)
   {
-    this->Sampler->SetNumberOfContours(1);
-    this->Sampler->SetCrossingRule(sampling.crossingRule);
-    this->Sampler->SetOutputPointsPrecision(sampling.precision);
-    this->Sampler->SetComputeNormals(sampling.normals);
-    this->Sampler->SetComputeRadius(sampling.radius);
-    this->Sampler->GenerateVerticesOff();
+    setUp(this->Sampler.Get(), sampling);
     // Parts of the volume are seen once, and points that are kept should take no more memory than they need.
     this->Sampler->UseIndexOff();
     this->Sampler->ReuseArraysOff();

@@ -31,6 +31,18 @@ struct VolumeSampling
   bool surfaceIndex = false; ///< an array of this name: which of the iso-values a point belongs to
 };
 
+/// Sets what both samplers of iso-surfaces have in common; one surface at a time.
+template <class Sampler>
+void setUp(Sampler* sampler, const VolumeSampling& sampling)
+{
+  sampler->SetNumberOfContours(1);
+  sampler->SetCrossingRule(sampling.crossingRule);
+  sampler->SetOutputPointsPrecision(sampling.precision);
+  sampler->SetComputeNormals(sampling.normals);
+  sampler->SetComputeRadius(sampling.radius);
+  sampler->GenerateVerticesOff();
+}
+
 /// Takes points of a surface, which is the index of its iso-value. Those of a surface come in their order.
 using PointSink = std::function<void(int surface, vtkPolyData* points)>;
 
