@@ -3,6 +3,8 @@
 #ifndef RandomImages_h
 #define RandomImages_h
 
+#include "InkTestRandom.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -12,32 +14,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <type_traits>
 
-class Random
-{
-public:
-  explicit Random(unsigned seed)
-    : Engine(seed)
-  {
-  }
-  /// 0 to n - 1.
-  int UpTo(int n) { return static_cast<int>(this->Engine() % static_cast<unsigned>(n)); }
-  bool Once(int in) { return this->UpTo(in) == 0; }
-  /// From 0 to 1.
-  double Share() { return this->Engine() / 4294967296.0; }
-  /// From 10^least to 10^greatest.
-  double Magnitude(double least, double greatest)
-  {
-    return std::pow(10.0, least + (greatest - least) * this->Share());
-  }
-
-private:
-  std::mt19937 Engine;
-};
-
-inline glm::dmat3 RandomDirection(Random& random)
+inline glm::dmat3 RandomDirection(InkTestRandom& random)
 {
   glm::dmat3 direction(1.0);
   switch (random.UpTo(4))
@@ -64,7 +43,7 @@ inline glm::dmat3 RandomDirection(Random& random)
 
 /// A value of the image's type: one of few, so that many are at an iso-value, or any.
 template <class T>
-T RandomValue(Random& random, int kind, int levels)
+T RandomValue(InkTestRandom& random, int kind, int levels)
 {
   const int level = random.UpTo(levels);
   if (kind == 0)
@@ -91,7 +70,7 @@ T RandomValue(Random& random, int kind, int levels)
 }
 
 inline vtkSmartPointer<vtkUnsignedCharArray> RandomMarks(
-  Random& random, vtkIdType count, unsigned char mark, int percent)
+  InkTestRandom& random, vtkIdType count, unsigned char mark, int percent)
 {
   auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
   marks->SetName(vtkDataSetAttributes::GhostArrayName());

@@ -34,7 +34,7 @@ constexpr unsigned Images = 2000;
 
 const char* const Names[] = { "Gradient", "GradientMagnitude", "Value", "Laplacian" };
 
-void SetUp(vtkInkGradient* filter, Random& random, int components)
+void SetUp(vtkInkGradient* filter, InkTestRandom& random, int components)
 {
   filter->SetMethod(random.Once(4) ? vtkInkGradient::CENTRAL_DIFFERENCE : vtkInkGradient::REGRESSION);
   filter->SetNeighborhood(random.UpTo(2));
@@ -183,8 +183,8 @@ bool CompareLaplacians(Comparison& compare, vtkInkGradient* filter, const ink::G
 }
 
 /// A part asked for alone has the bits that it has in the whole.
-void ComparePart(
-  InkTestChecks& check, const std::string& name, vtkInkGradient* filter, vtkImageData* whole, Random& random)
+void ComparePart(InkTestChecks& check, const std::string& name, vtkInkGradient* filter, vtkImageData* whole,
+  InkTestRandom& random)
 {
   int extent[6];
   whole->GetExtent(extent);
@@ -222,7 +222,7 @@ void ComparePart(
 template <class T>
 void CheckImage(InkTestChecks& check, unsigned seed, int type)
 {
-  Random random(seed);
+  InkTestRandom random(seed);
   // Mostly all border; some with an inside in which whole rows are worked on.
   const int most = random.Once(4) ? 12 : 6;
   const glm::ivec3 dimensions(1 + random.UpTo(most), 1 + random.UpTo(most), 1 + random.UpTo(most));
@@ -347,16 +347,5 @@ void CheckSeed(InkTestChecks& check, unsigned seed)
 
 int TestGradientRandom(int argc, char* argv[])
 {
-  InkTestChecks check;
-  if (argc > 1)
-  {
-    CheckSeed(check, static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)));
-    return check.Result();
-  }
-  // A defect shows in many images; the first tell enough.
-  for (unsigned seed = 0; seed < Images && check.Failed() < 10; ++seed)
-  {
-    CheckSeed(check, seed);
-  }
-  return check.Result();
+  return InkTestSeeds(argc, argv, Images, CheckSeed);
 }

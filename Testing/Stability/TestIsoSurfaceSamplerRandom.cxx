@@ -120,7 +120,7 @@ std::vector<std::vector<double>> SortedSamples(const std::vector<double>& number
 template <class T>
 void CheckImage(InkTestChecks& check, unsigned seed, int type)
 {
-  Random random(seed);
+  InkTestRandom random(seed);
   const glm::ivec3 dimensions(2 + random.UpTo(9), 2 + random.UpTo(7), 2 + random.UpTo(7));
   const glm::ivec3 first(random.UpTo(9) - 4, random.UpTo(9) - 4, random.UpTo(9) - 4);
   const double scale = random.Once(3) ? random.Magnitude(-9, 9) : 1.0;
@@ -293,16 +293,5 @@ void CheckSeed(InkTestChecks& check, unsigned seed)
 
 int TestIsoSurfaceSamplerRandom(int argc, char* argv[])
 {
-  InkTestChecks check;
-  if (argc > 1)
-  {
-    CheckSeed(check, static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)));
-    return check.Result();
-  }
-  // A defect shows in many images; the first tell enough.
-  for (unsigned seed = 0; seed < Images && check.Failed() < 10; ++seed)
-  {
-    CheckSeed(check, seed);
-  }
-  return check.Result();
+  return InkTestSeeds(argc, argv, Images, CheckSeed);
 }

@@ -3,7 +3,7 @@
 // vtkInkVDBReader's image, to the bit, and that image has the tree's values. With a number as argument, only
 // the tree of that seed.
 
-#include "InkTestChecks.h"
+#include "InkTestRandom.h"
 #include "VDBTestFiles.h"
 
 #include "vtkImageData.h"
@@ -13,9 +13,7 @@
 #include "vtkNew.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -27,31 +25,19 @@ using openvdb::CoordBBox;
 
 constexpr unsigned Trees = 120;
 
-/// 0 to n - 1, the same with every standard library.
-class Random
+Coord RandomPlace(InkTestRandom& random, int size)
 {
-public:
-  explicit Random(unsigned seed)
-    : Engine(seed)
-  {
-  }
-  int UpTo(int n) { return static_cast<int>(this->Engine() % static_cast<unsigned>(n)); }
-  bool Once(int in) { return this->UpTo(in) == 0; }
-  double Share() { return this->Engine() / 4294967296.0; }
-  Coord Place(int size) { return Coord(this->UpTo(size), this->UpTo(size), this->UpTo(size)); }
-
-private:
-  std::mt19937 Engine;
-};
+  return Coord(random.UpTo(size), random.UpTo(size), random.UpTo(size));
+}
 
 /// Values of few levels, so that neighbours are often equal, and what a half float holds exactly.
-double RandomValue(Random& random)
+double RandomValue(InkTestRandom& random)
 {
   return random.UpTo(9) / 4.0 - 1.0;
 }
 
 template <class Grid>
-typename Grid::Ptr MakeGrid(Random& random)
+typename Grid::Ptr MakeGrid(InkTestRandom& random)
 {
   const auto grid = Grid::create(static_cast<typename Grid::ValueType>(RandomValue(random)));
   grid->setName("random");
@@ -65,24 +51,25 @@ typename Grid::Ptr MakeGrid(Random& random)
   // Boxes that become leaves and, where they fill blocks, tiles; noise; single voxels that are not active.
   for (int n = random.UpTo(4); n > 0; --n)
   {
-    const Coord low = first + random.Place(24);
-    tree.sparseFill(CoordBBox(low, low + random.Place(20)), value(), !random.Once(4));
+    const Coord low = first + RandomPlace(random, 24);
+    tree.sparseFill(CoordBBox(low, low + RandomPlace(random, 20)), value(), !random.Once(4));
   }
   for (int n = random.UpTo(3); n > 0; --n)
   {
-    const Coord low = first + random.Place(30);
-    for (auto at = CoordBBox(low, low + random.Place(9)).begin(); at; ++at)
+    const Coord low = first + RandomPlace(random, 30);
+    for (auto at = CoordBBox(low, low + RandomPlace(random, 9)).begin(); at; ++at)
     {
       tree.setValue(*at, value());
     }
   }
   for (int n = random.UpTo(8); n > 0; --n)
   {
-    tree.setValueOff(first + random.Place(36), value());
+    tree.setValueOff(first + RandomPlace(random, 36), value());
   }
   if (random.Once(3))
   {
-    tree.setValue(first + random.Place(30), std::numeric_limits<typename Grid::ValueType>::quiet_NaN());
+    tree.setValue(
+      first + RandomPlace(random, 30), std::numeric_limits<typename Grid::ValueType>::quiet_NaN());
   }
   if (random.Once(80))
   {
@@ -135,7 +122,7 @@ vtkIdType CountWrong(const Grid& grid, vtkImageData* image, bool negate)
 template <class Sampler>
 void SetUp(Sampler* sampler, unsigned seed)
 {
-  Random random(seed);
+  InkTestRandom random(seed);
   // Between the levels, where STRICT sees no flat pieces, or on one.
   const bool strict = random.Once(3);
   sampler->SetCrossingRule(strict ? Sampler::STRICT : Sampler::HALF_OPEN);
@@ -151,7 +138,7 @@ void SetUp(Sampler* sampler, unsigned seed)
 template <class Grid>
 void CheckTree(InkTestChecks& check, unsigned seed)
 {
-  Random random(seed);
+  InkTestRandom random(seed);
   const auto grid = MakeGrid<Grid>(random);
   const std::string name = "seed " + std::to_string(seed);
   const std::string file = WriteVDB("TestVDBRandom.vdb", { grid });
@@ -212,15 +199,5 @@ void CheckSeed(InkTestChecks& check, unsigned seed)
 
 int TestVDBRandom(int argc, char* argv[])
 {
-  InkTestChecks check;
-  if (argc > 1)
-  {
-    CheckSeed(check, static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)));
-    return check.Result();
-  }
-  for (unsigned seed = 0; seed < Trees && check.Failed() < 10; ++seed)
-  {
-    CheckSeed(check, seed);
-  }
-  return check.Result();
+  return InkTestSeeds(argc, argv, Trees, CheckSeed);
 }
