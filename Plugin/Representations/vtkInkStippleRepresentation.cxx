@@ -144,7 +144,6 @@ int vtkInkStippleRepresentation::ProcessViewRequest(
 int vtkInkStippleRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  ++this->TimesMade;
   vtkNew<vtkInformation> update;
   vtkInkStippleRequest wanted;
   wanted.Generator = this->Generator;
@@ -542,5 +541,4 @@ void vtkInkStippleRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceHides: " << this->SurfaceHides << "\n";
   os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
   os << indent << "StippleSize: " << this->StippleSize << "\n";
-  os << indent << "TimesMade: " << this->TimesMade << "\n";
 }

@@ -121,9 +121,6 @@ public:
   void SetMapScalars(bool map);
   ///@}
 
-  /// How often stipples have been made; changes of the mapper's properties do not count up.
-  vtkGetMacro(TimesMade, int);
-
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
@@ -151,7 +148,6 @@ private:
   double IsoValue = 0.0;
   bool SurfaceHides = true;
   std::string Arrays; ///< that the stipples were made with
-  int TimesMade = 0;
 
   vtkSmartPointer<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;
