@@ -15,6 +15,8 @@
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <utility>
+
 namespace
 {
 
@@ -23,9 +25,9 @@ constexpr const char* IdsAreInputs = "InkIdsAreInputs";
 
 } // namespace
 
-vtkInkRepresentation::vtkInkRepresentation(vtkMapper* mapper, int pieces)
+vtkInkRepresentation::vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces)
+  : Actor(std::move(actor))
 {
-  this->Actor->SetMapper(mapper);
   for (int piece = 0; piece < pieces; ++piece)
   {
     this->Pieces.push_back(vtkSmartPointer<vtkPolyData>::New());
@@ -41,6 +43,11 @@ int vtkInkRepresentation::FillInputPortInformation(int, vtkInformation* info)
   // The client and the render server have no input.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+vtkActor* vtkInkRepresentation::GetActor()
+{
+  return this->Actor;
 }
 
 vtkPolyData* vtkInkRepresentation::GetPiece(int piece)
@@ -100,7 +107,9 @@ void vtkInkRepresentation::Deliver(vtkInformation* inInfo, vtkInformation* outIn
   }
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->Actor->HasTranslucentPolygonalGeometry());
+  const bool blended = this->Actor->HasTranslucentPolygonalGeometry() ||
+    this->Actor->GetMapper()->HasTranslucentPolygonalGeometry();
+  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), blended ? 1 : 0);
   // What the view holds for the current time; the first piece may be of another while it plays from its
   // cache.
   double bounds[6];

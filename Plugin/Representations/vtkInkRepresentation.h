@@ -17,14 +17,12 @@
 #define vtkInkRepresentation_h
 
 #include "vtkInkPluginRepresentationsModule.h" // for the export macro
-#include "vtkNew.h"                            // for the members
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h" // for the pieces
 
 #include <vector> // for the pieces
 
 class vtkActor;
-class vtkMapper;
 class vtkPolyData;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkRepresentation : public vtkPVDataRepresentation
@@ -58,8 +56,9 @@ public:
   vtkDataObject* GetRenderedDataObject(int port) override;
 
 protected:
+  /// @param actor to which the subclass gives its mapper
   /// @param pieces how many pieces of poly data the subclass draws from
-  vtkInkRepresentation(vtkMapper* mapper, int pieces);
+  vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces);
   ~vtkInkRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -67,6 +66,7 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
+  vtkActor* GetActor();
   /// Those of this process, never null; RequestData changes what they hold. The first has the points that
   /// are drawn.
   vtkPolyData* GetPiece(int piece);
@@ -85,7 +85,7 @@ private:
   void UpdatePickable();
 
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
-  vtkNew<vtkActor> Actor;
+  const vtkSmartPointer<vtkActor> Actor;
   bool Pickable = true;
   bool PointIdsAreInputs = false;
 };

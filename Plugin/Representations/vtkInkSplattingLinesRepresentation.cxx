@@ -4,26 +4,19 @@
 #include "vtkInkGatherPoints.h"
 #include "vtkInkSplattingLinesMapper.h"
 
+#include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <utility>
-
 vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
 
 vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation()
-  : vtkInkSplattingLinesRepresentation(vtkSmartPointer<vtkInkSplattingLinesMapper>::New())
+  : vtkInkRepresentation(vtkSmartPointer<vtkActor>::New(), 1)
 {
-}
-
-vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation(
-  vtkSmartPointer<vtkInkSplattingLinesMapper> mapper)
-  : vtkInkRepresentation(mapper, 1)
-  , Mapper(std::move(mapper))
-{
+  this->GetActor()->SetMapper(this->Mapper);
 }
 
 vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = default;

@@ -15,6 +15,7 @@
 
 #include "vtkInkPluginRepresentationsModule.h" // for the export macro
 #include "vtkInkRepresentation.h"
+#include "vtkNew.h" // for the mapper
 
 class vtkInkSplattingLinesMapper;
 
@@ -47,11 +48,10 @@ protected:
   void Show(const std::vector<vtkPolyData*>& delivered, bool coarse) override;
 
 private:
-  explicit vtkInkSplattingLinesRepresentation(vtkSmartPointer<vtkInkSplattingLinesMapper> mapper);
   vtkInkSplattingLinesRepresentation(const vtkInkSplattingLinesRepresentation&) = delete;
   void operator=(const vtkInkSplattingLinesRepresentation&) = delete;
 
-  vtkSmartPointer<vtkInkSplattingLinesMapper> Mapper;
+  vtkNew<vtkInkSplattingLinesMapper> Mapper;
 };
 
 #endif

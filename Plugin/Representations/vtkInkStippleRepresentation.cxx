@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleRepresentation.h"
 
+#include "vtkInkBlendedActor.h"
 #include "vtkInkMakeStipples.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
@@ -17,7 +18,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVView.h"
+#include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -27,7 +28,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -89,16 +89,11 @@ void WriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
 } // namespace
 
 vtkInkStippleRepresentation::vtkInkStippleRepresentation()
-  : vtkInkStippleRepresentation(vtkSmartPointer<vtkInkStippleMapper>::New())
-{
-}
-
-vtkInkStippleRepresentation::vtkInkStippleRepresentation(vtkSmartPointer<vtkInkStippleMapper> mapper)
-  : vtkInkRepresentation(mapper, PieceCount)
-  , Mapper(std::move(mapper))
+  : vtkInkRepresentation(vtkSmartPointer<vtkInkBlendedActor>::New(), PieceCount)
   , PixelsPerStipple(this->Mapper->GetPixelsPerStipple())
   , StippleSize(this->Mapper->GetStippleSize())
 {
+  this->GetActor()->SetMapper(this->Mapper);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   this->Mapper->SetScalarModeToUseCellData();
@@ -184,6 +179,16 @@ int vtkInkStippleRepresentation::RequestData(
     vtkWarningMacro(<< "Stipple draws nothing for " << made.Problem);
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+bool vtkInkStippleRepresentation::AddToView(vtkView* view)
+{
+  auto renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
+  {
+    vtkInkBlendedActor::SafeDownCast(this->GetActor())->SetRenderer(renderView->GetRenderer());
+  }
+  return this->Superclass::AddToView(view);
 }
 
 void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivered, bool coarse)

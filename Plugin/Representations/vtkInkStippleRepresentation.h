@@ -23,6 +23,7 @@
 
 #include "vtkInkPluginRepresentationsModule.h" // for the export macro
 #include "vtkInkRepresentation.h"
+#include "vtkNew.h" // for the members
 
 #include <string> // for what the stipples were made with
 
@@ -130,10 +131,10 @@ protected:
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool AddToView(vtkView* view) override;
   void Show(const std::vector<vtkPolyData*>& delivered, bool coarse) override;
 
 private:
-  explicit vtkInkStippleRepresentation(vtkSmartPointer<vtkInkStippleMapper> mapper);
   vtkInkStippleRepresentation(const vtkInkStippleRepresentation&) = delete;
   void operator=(const vtkInkStippleRepresentation&) = delete;
 
@@ -149,7 +150,7 @@ private:
   bool SurfaceHides = true;
   std::string Arrays; ///< that the stipples were made with
 
-  vtkSmartPointer<vtkInkStippleMapper> Mapper;
+  vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;
   double StippleSize;
   /// What is drawn: the delivered stipples with the numbers that belong to them.
