@@ -85,7 +85,7 @@ int vtkInkRepresentation::ProcessViewRequest(
     {
       delivered.push_back(vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this, piece)));
     }
-    this->Show(delivered, inInfo->Has(vtkPVRenderView::USE_LOD()) != 0);
+    this->Show(delivered);
     this->PointIdsAreInputs = delivered[0] && delivered[0]->GetFieldData()->HasArray(IdsAreInputs);
     this->UpdatePickable();
     this->Actor->SetVisibility(this->DrawsOnThisProcess());

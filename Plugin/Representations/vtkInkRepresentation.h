@@ -73,8 +73,7 @@ protected:
   /// To be called in RequestData, for a first piece whose points have the ids of the input.
   void MarkIdsAsInputs();
   /// Hands the pieces of all processes to the mapper, each where it has been delivered, else null.
-  /// @param coarse whether the view would rather be quick, while the user turns large data
-  virtual void Show(const std::vector<vtkPolyData*>& delivered, bool coarse) = 0;
+  virtual void Show(const std::vector<vtkPolyData*>& delivered) = 0;
 
 private:
   vtkInkRepresentation(const vtkInkRepresentation&) = delete;

@@ -37,7 +37,7 @@ int vtkInkSplattingLinesRepresentation::RequestData(
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
-void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& delivered, bool)
+void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
 {
   this->Mapper->SetInputDataObject(delivered[0]);
 }

@@ -45,7 +45,7 @@ protected:
   ~vtkInkSplattingLinesRepresentation() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  void Show(const std::vector<vtkPolyData*>& delivered, bool coarse) override;
+  void Show(const std::vector<vtkPolyData*>& delivered) override;
 
 private:
   vtkInkSplattingLinesRepresentation(const vtkInkSplattingLinesRepresentation&) = delete;

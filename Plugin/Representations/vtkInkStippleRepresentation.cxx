@@ -27,7 +27,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -48,9 +47,6 @@ enum Pieces
 /// Of the stipples' field data what the mapper needs and delivery to other processes loses, and one number
 /// more.
 constexpr const char* NumberNames[] = { "ElementKind", "ElementSize", "StipplesPerElement", "RoomFactor" };
-
-/// While large data is turned: so many times the room, and its root times the diameter, for as much ink.
-constexpr double CoarseRoom = 4.0;
 
 /// What the array of that index is, as text.
 std::string DescribeArray(vtkInformation* array)
@@ -91,7 +87,6 @@ void WriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
 vtkInkStippleRepresentation::vtkInkStippleRepresentation()
   : vtkInkRepresentation(vtkSmartPointer<vtkInkBlendedActor>::New(), PieceCount)
   , PixelsPerStipple(this->Mapper->GetPixelsPerStipple())
-  , StippleSize(this->Mapper->GetStippleSize())
 {
   this->GetActor()->SetMapper(this->Mapper);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
@@ -191,7 +186,7 @@ bool vtkInkStippleRepresentation::AddToView(vtkView* view)
   return this->Superclass::AddToView(view);
 }
 
-void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivered, bool coarse)
+void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
 {
   vtkPolyData* stipples = delivered[Stipples];
   vtkPolyData* numbers = delivered[Numbers];
@@ -224,8 +219,7 @@ void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivere
   this->Mapper->SetScalarVisibility(
     this->Drawn->GetCellData()->GetScalars() && !NameOf(this->GetInputArrayInformation(0)).empty());
   const double room = numbers->GetPointData()->GetArray("RoomFactor")->GetComponent(0, 0);
-  this->Mapper->SetPixelsPerStipple(this->PixelsPerStipple * room * (coarse ? CoarseRoom : 1.0));
-  this->Mapper->SetStippleSize(this->StippleSize * (coarse ? std::sqrt(CoarseRoom) : 1.0));
+  this->Mapper->SetPixelsPerStipple(this->PixelsPerStipple * room);
 }
 
 template <class Change>
@@ -324,6 +318,12 @@ void vtkInkStippleRepresentation::SetReferenceScalarRange(double lowest, double 
 {
   this->ChangeGenerator(
     [=](vtkInkStippleGenerator* generator) { generator->SetReferenceScalarRange(lowest, highest); });
+}
+
+void vtkInkStippleRepresentation::SelectStippleArray(int, int, int, int association, const char* name)
+{
+  // Array 0 is the one to colour by.
+  this->SetInputArrayToProcess(1, 0, 0, association, name);
 }
 
 void vtkInkStippleRepresentation::SetIsoSurfaceHides(bool hides)
@@ -508,7 +508,7 @@ void vtkInkStippleRepresentation::SetPixelsPerStipple(double pixels)
 
 void vtkInkStippleRepresentation::SetStippleSize(double pixels)
 {
-  this->StippleSize = pixels;
+  this->Mapper->SetStippleSize(pixels);
 }
 
 void vtkInkStippleRepresentation::SetWarmColor(double red, double green, double blue)
@@ -545,5 +545,4 @@ void vtkInkStippleRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "SurfaceHides: " << this->SurfaceHides << "\n";
   os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
-  os << indent << "StippleSize: " << this->StippleSize << "\n";
 }

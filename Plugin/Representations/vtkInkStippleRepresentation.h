@@ -40,9 +40,9 @@ public:
 
   ///@{
   /**
-   * How stipples are made: see vtkInkStippleGenerator for meaning, range and default. The image's scalars are
-   * SetInputArrayToProcess's array 1. NumberOfSurfaceStipples 0 stands for as many as a picture of 600 pixels
-   * has room for, or MaximumStipples a polygon, whichever are more.
+   * How stipples are made: see vtkInkStippleGenerator for meaning, range and default. NumberOfSurfaceStipples
+   * 0 stands for as many as a picture of 600 pixels has room for, or MaximumStipples a polygon, whichever are
+   * more.
    */
   void SetMaximumStipples(int maximumStipples);
   void SetNumberOfSurfaceStipples(vtkIdType numberOfSurfaceStipples);
@@ -58,6 +58,10 @@ public:
   void SetScalarWindow(double lowest, double highest);
   void SetReferenceScalarRange(double lowest, double highest);
   ///@}
+
+  /// The point array of images whose gradients are stippled, with vtkAlgorithm::SetInputArrayToProcess's
+  /// parameters, of which the last two count. An empty name stands for the active scalars. Default: these.
+  void SelectStippleArray(int, int, int, int association, const char* name);
 
   ///@{
   /**
@@ -132,7 +136,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool AddToView(vtkView* view) override;
-  void Show(const std::vector<vtkPolyData*>& delivered, bool coarse) override;
+  void Show(const std::vector<vtkPolyData*>& delivered) override;
 
 private:
   vtkInkStippleRepresentation(const vtkInkStippleRepresentation&) = delete;
@@ -152,7 +156,6 @@ private:
 
   vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;
-  double StippleSize;
   /// What is drawn: the delivered stipples with the numbers that belong to them.
   vtkNew<vtkPolyData> Drawn;
   vtkMTimeType DrawnTime = 0; ///< when what it was put together from was last changed

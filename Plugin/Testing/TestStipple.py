@@ -6,20 +6,16 @@ import unittest
 
 import numpy
 
-from paraview import smstate
+from paraview import servermanager, smstate
 from rendering import *
 
 
 class TestStipple(unittest.TestCase):
     def setUp(self):
-        self.view = green_view()
+        # One for many tests: a new window would compile all shaders again.
+        self.view = GetActiveView() or green_view()
 
     def tearDown(self):
-        self.clear()
-
-    def clear(self):
-        for view in GetViews():
-            Delete(view)
         for source in GetSources().values():
             Delete(source)
 
@@ -272,6 +268,28 @@ class TestStipple(unittest.TestCase):
         self.assertEqual(Show(generator, self.view).Representation, "Stipple")
         numpy.testing.assert_array_equal(picture(self.view), expected)
 
+    def test_stipples_of_the_filter_are_selected_where_they_are_seen(self):
+        generator = InkStippleGenerator(Input=Wavelet(), GradientPercentile=60)
+        self.show(generator)
+        picture(self.view)
+        SelectSurfacePoints(Rectangle=[0, 0, 99, 199], View=self.view)
+        selection = servermanager._getPyProxy(generator.SMProxy.GetSelectionInput(0))
+        self.assertIsNotNone(selection)
+        chosen = ExtractSelection(Input=generator, Selection=selection)
+        chosen.UpdatePipeline()
+        information = chosen.GetDataInformation()
+        self.assertGreater(information.GetNumberOfPoints(), 100)
+        # The left half of the picture.
+        self.assertLess(information.GetBounds()[1], 0.5)
+
+    def test_an_image_without_point_scalars_is_an_error_named_once(self):
+        with Warnings() as warnings:
+            self.show(PointDatatoCellData(Input=Wavelet()))
+            self.assertTrue(is_background(picture(self.view)).all())
+            picture(self.view)
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn("No point scalars in the image", warnings[0])
+
     def test_new_data_is_drawn(self):
         wavelet = Wavelet()
         self.show(wavelet, GradientPercentile=60)
@@ -306,7 +324,8 @@ class TestStipple(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "saved"
             save(file)
-            self.clear()
+            Delete(self.view)
+            self.tearDown()
             load(file)
         (self.view,) = GetViews()
         # A setting of ParaView's, which states leave out.
