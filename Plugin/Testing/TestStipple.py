@@ -19,6 +19,11 @@ class TestStipple(unittest.TestCase):
         for source in GetSources().values():
             Delete(source)
 
+    @classmethod
+    def tearDownClass(cls):
+        for view in GetViews():
+            Delete(view)
+
     def show(self, source, **properties):
         display = Show(source, self.view)
         display.SetRepresentationType("Stipple")
