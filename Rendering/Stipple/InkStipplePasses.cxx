@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStipplePasses.h"
 
+#include "InkPackedStipples.h"
 #include "InkRenderPasses.h"
 #include "InkScopedState.h"
 #include "InkStippleOccluder.h"
@@ -71,16 +72,30 @@ InkStipplePasses::~InkStipplePasses()
   this->Buffer->ReleaseGraphicsResources();
 }
 
-std::string InkStipplePasses::Upload(const InkStipplePoints& points)
+std::string InkStipplePasses::Upload(const InkStipplePoints& points, bool packed)
 {
-  if (!points.GetVertices().empty())
-  {
-    this->Buffer->Upload(points.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
-  }
   vtkTimeStamp now;
   now.Modified();
   this->UploadTime = now.GetMTime();
-  return this->Textures.Upload(points);
+  this->Packed = packed;
+  if (!packed)
+  {
+    if (!points.GetVertices().empty())
+    {
+      this->Buffer->Upload(points.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+    }
+    return this->Textures.Upload(points, {});
+  }
+  const InkPackedStipples stipples(points);
+  if (!stipples.Vertices.empty())
+  {
+    this->Buffer->Upload(stipples.Vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->PackedStep[axis] = stipples.Edges[axis] / static_cast<float>(ink::packedPlaceSteps);
+  }
+  return this->Textures.Upload(points, stipples.Boxes);
 }
 
 std::string InkStipplePasses::MakeVertexShader(const Scene& scene) const
@@ -98,6 +113,10 @@ std::string InkStipplePasses::MakeVertexShader(const Scene& scene) const
   if (scene.Occluder)
   {
     features += "#define INK_OCCLUDED\n";
+  }
+  if (this->Packed)
+  {
+    features += "#define INK_PACKED\n";
   }
   std::string shader = InkStippleVS;
   Replace(shader, "//INK::Features", features);
@@ -118,6 +137,33 @@ InkStipplePasses::Pass& InkStipplePasses::FindPass(
   return *pass;
 }
 
+void InkStipplePasses::BindAttributes(Pass& pass, vtkShaderProgram* program)
+{
+  // vtkOpenGLVertexArrayObject would turn integers into floats.
+  const auto bindInteger = [&](const char* name, std::size_t offset, std::size_t stride)
+  {
+    this->Buffer->Bind();
+    const int location = glGetAttribLocation(program->GetHandle(), name);
+    glEnableVertexAttribArray(location);
+    glVertexAttribIPointer(
+      location, 1, GL_UNSIGNED_INT, static_cast<int>(stride), reinterpret_cast<const void*>(offset));
+    this->Buffer->Release();
+  };
+  if (this->Packed)
+  {
+    using Vertex = InkPackedStipples::Vertex;
+    bindInteger("packedPlace", offsetof(Vertex, Place), sizeof(Vertex));
+    bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
+  }
+  else
+  {
+    using Vertex = InkStipplePoints::Vertex;
+    pass.VertexArray->AddAttributeArray(
+      program, this->Buffer, "pointMC", offsetof(Vertex, Position), sizeof(Vertex), VTK_FLOAT, 3, false);
+    bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
+  }
+}
+
 vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
 {
   vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
@@ -131,15 +177,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     // This deletes the binding: it goes before Bind.
     pass.VertexArray->ShaderProgramChanged();
     pass.VertexArray->Bind();
-    pass.VertexArray->AddAttributeArray(program, this->Buffer, "pointMC",
-      offsetof(InkStipplePoints::Vertex, Position), sizeof(InkStipplePoints::Vertex), VTK_FLOAT, 3, false);
-    // vtkOpenGLVertexArrayObject would turn the integers into floats.
-    this->Buffer->Bind();
-    const int location = glGetAttribLocation(program->GetHandle(), "elementAndRank");
-    glEnableVertexAttribArray(location);
-    glVertexAttribIPointer(location, 1, GL_UNSIGNED_INT, sizeof(InkStipplePoints::Vertex),
-      reinterpret_cast<const void*>(offsetof(InkStipplePoints::Vertex, ElementAndRank)));
-    this->Buffer->Release();
+    this->BindAttributes(pass, program);
     pass.ProgramHandle = program->GetHandle();
   }
   else
@@ -151,6 +189,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
   InkSetStippleUniforms(program, scene.Tone, scene.ToneView, scale);
   this->Textures.Activate(program);
   program->SetUniformi("rankBits", scene.Points.GetRankBits());
+  program->SetUniform3f("packedStep", this->PackedStep.data());
   const float color[3] = { static_cast<float>(scene.InkColor[0]), static_cast<float>(scene.InkColor[1]),
     static_cast<float>(scene.InkColor[2]) };
   program->SetUniform3f("inkColor", color);

@@ -5,9 +5,15 @@
 // how large and in which colour. Common/Tone has the same in C++, function by function, and says more.
 //
 // Software rasterisers compute what a condition leaves out, too. So what most pictures do without is compiled only
-// where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED.
+// where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED; INK_PACKED: places are as Common/Sampling/PackedPlace has them.
 
+#ifdef INK_PACKED
+in uint packedPlace; // in the element's box, ten bits an axis
+uniform samplerBuffer elementBoxes; // lower corner in the local frame, scale
+uniform vec3 packedStep;            // at scale 1
+#else
 in vec3 pointMC;    // in the local frame
+#endif
 in uint elementAndRank; // the element's number, and in the lowest bits the stipple's place in its list
 
 uniform int rankBits;
@@ -142,6 +148,10 @@ void main()
   float gradientMagnitude = shape.w;
   float value = power(valueRandom.x, valueEffect);
 
+#ifdef INK_PACKED
+  vec4 box = texelFetch(elementBoxes, element);
+  vec3 pointMC = box.xyz + box.w * packedStep * vec3(packedPlace & 1023u, packedPlace >> 10u & 1023u, packedPlace >> 20u);
+#endif
   vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
   vec3 normal = normalize(normalMatrix * shape.xyz);
   vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
