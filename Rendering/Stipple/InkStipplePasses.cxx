@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStipplePasses.h"
 
+#include "InkBlendStep.h"
 #include "InkPackedStipples.h"
 #include "InkRenderPasses.h"
 #include "InkScopedState.h"
@@ -32,6 +33,10 @@
 
 namespace
 {
+
+/// Dots are at least this many of the steps that blending can make, so that rounding hardly shows; paler ones
+/// are drawn more rarely instead.
+constexpr float LeastSteps = 8.0f;
 
 /// Replaces a tag, which is there once.
 void Replace(std::string& shader, const std::string& tag, const std::string& text)
@@ -208,6 +213,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
   }
   const float nowhere[2] = { 0.0f, 0.0f };
   program->SetUniform2f("resultSize", nowhere);
+  program->SetUniformf("leastIntensity", 0.0f);
   return program;
 }
 
@@ -266,6 +272,8 @@ void InkStipplePasses::Draw(
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniformf("actorOpacity", static_cast<float>(opacity));
+    const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
+    program->SetUniformf("leastIntensity", std::min(least, 1.0f));
     renderPasses.SetShaderParameters(program, pass.VertexArray);
     this->DrawRuns(this->FindRuns(scene));
     this->End(pass, scene);

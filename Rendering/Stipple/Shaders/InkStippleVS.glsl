@@ -79,6 +79,8 @@ uniform float lightIntensities[8];
 uniform vec4 lampDirections[8];   // and the cosine of the cone's half angle, -1: no cone
 uniform vec4 lampFading[8];       // attenuation; the cone's exponent
 
+uniform float leastIntensity; // of dots; the framebuffer cannot add up paler ones
+
 // Where to write what each stipple comes to instead of drawing it: pixels of an image; 0: nowhere.
 uniform vec2 resultSize;
 
@@ -90,6 +92,12 @@ flat out int idVSOutput;
 float power(float base, float exponent)
 {
   return base > 0.0 ? pow(base, exponent) : (base == 0.0 && exponent == 0.0 ? 1.0 : 0.0);
+}
+
+float thinnedIntensity(float intensity, uint index)
+{
+  float random = float((index * 2654435769u) >> 8u) / 16777216.0;
+  return intensity >= leastIntensity ? intensity : (intensity > leastIntensity * random ? leastIntensity : 0.0);
 }
 
 float distanceFactor(float depth)
@@ -279,7 +287,12 @@ void main()
   float square = 0.25 * size * size;
   float radius = sqrt(max(square, 0.25 + 1.0 / 12.0) - 1.0 / 12.0);
   radius = min(radius, 0.5 * largestPoint - 1.0);
-  dotVSOutput = vec4(centerPixel, radius, opacity * min(square / (0.25 + 1.0 / 12.0), 1.0));
+  float intensity = thinnedIntensity(opacity * min(square / (0.25 + 1.0 / 12.0), 1.0), uint(element));
+  if (intensity == 0.0)
+  {
+    return;
+  }
+  dotVSOutput = vec4(centerPixel, radius, intensity);
 
   // The part of the dot's box in the viewport: dots whose centre lies outside are drawn, too.
   vec2 low = max(centerPixel - radius - 0.5, vec2(0.0));
