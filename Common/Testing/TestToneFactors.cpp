@@ -106,7 +106,7 @@ TEST(ToneFactors, MaximumStipplesIsTheProjectedArea)
   EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 1.0f, 1.0f), 9.0f);
   EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 6.0f, 1.0f), 0.25f);
   EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 1.0f, 4.0f), 2.25f);
-  EXPECT_EQ(ink::maximumStipples(3.0f, std::numeric_limits<float>::min(), 1.0f), 1e6f);
+  EXPECT_EQ(ink::maximumStipples(3.0f, std::numeric_limits<float>::min(), 2.0f), 5e11f);
 }
 
 TEST(SmallElements, WeightGrowsAsElementsShrink)
