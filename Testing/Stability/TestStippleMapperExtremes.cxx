@@ -42,10 +42,10 @@ using Data = vtkSmartPointer<vtkPolyData>;
 using Change = std::function<void(StippleScene&)>;
 
 /// The ink of the data's picture in a window of 120 x 120 pixels. Places in either precision give the same.
-/// @param message what the one message has to contain; null: there must be none
+/// @param words that the one message has to contain; empty: there must be none
 double FindInk(
   InkTestChecks& check, const std::string& name, vtkPolyData* data,
-  const Change& change = [](StippleScene&) {}, const char* message = nullptr)
+  const Change& change = [](StippleScene&) {}, const std::vector<std::string>& words = {})
 {
   StippleScene scene(data, 120, 120);
   vtkNew<InkTestMessages> messages;
@@ -55,16 +55,9 @@ double FindInk(
   // Neither again by another picture nor by a question is anything said twice.
   vtkNew<vtkFloatArray> marks;
   scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks);
-  if (message)
+  messages->Expect(check, name, words);
+  if (words.empty())
   {
-    check(messages->Messages.size() == 1 && messages->Messages[0].find(message) != std::string::npos, name,
-      ": one message with \"", message, "\", found ", messages->Messages.size(), ": ",
-      messages->Messages.empty() ? "" : messages->Messages[0]);
-  }
-  else
-  {
-    check(messages->Messages.empty(), name, ": no message, found ",
-      messages->Messages.empty() ? "" : messages->Messages[0]);
     for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
     {
       const double* mark = marks->GetTuple(i);
@@ -92,11 +85,9 @@ void ExpectInk(
   check(ink >= least && ink <= most, name, ": ink of ", least, " to ", most, ", found ", ink);
 }
 
-void ExpectMessage(InkTestChecks& check, const std::string& name, vtkPolyData* data, const char* message)
+void ExpectMessage(InkTestChecks& check, const std::string& name, vtkPolyData* data, const std::string& word)
 {
-  check(FindInk(
-          check, name, data, [](StippleScene&) {}, message) == 0.0,
-    name, ": nothing drawn");
+  check(FindInk(check, name, data, [](StippleScene&) {}, { word }) == 0.0, name, ": nothing drawn");
 }
 
 /// What the generator makes of a ball that fills most of n voxels a side.
@@ -417,10 +408,10 @@ void TestSpoilt(InkTestChecks& check)
     few->SetNumberOfTuples(3);
     few->Fill(0.5);
     // A volume is known by its gradients; without them and without ElementKind it would be a surface.
-    ExpectMessage(check, std::string("no ") + name, replace(name, nullptr), expected.c_str());
-    ExpectMessage(check, std::string("text as ") + name, replace(name, text), expected.c_str());
-    ExpectMessage(check, std::string("pairs as ") + name, replace(name, wide), expected.c_str());
-    ExpectMessage(check, std::string("too few ") + name, replace(name, few), expected.c_str());
+    ExpectMessage(check, std::string("no ") + name, replace(name, nullptr), expected);
+    ExpectMessage(check, std::string("text as ") + name, replace(name, text), expected);
+    ExpectMessage(check, std::string("pairs as ") + name, replace(name, wide), expected);
+    ExpectMessage(check, std::string("too few ") + name, replace(name, few), expected);
   }
   auto integers = vtkSmartPointer<vtkIntArray>::New();
   integers->SetNumberOfComponents(3);
@@ -679,9 +670,8 @@ void TestSliders(InkTestChecks& check)
   messages->Observe(controls);
   controls->SetGradient(0.3);
   controls->SetGradient(NaN);
-  check(controls->GetGradient() == static_cast<double>(0.3f) && messages->Messages.size() == 1 &&
-      messages->Messages[0].find("from 0 to 1, found nan") != std::string::npos,
-    "one message about a slider that is not a number, and the slider where it was: ",
+  messages->Expect(check, "a slider that is not a number", { "from 0 to 1, found nan" });
+  check(controls->GetGradient() == static_cast<double>(0.3f), "the slider where it was, found ",
     controls->GetGradient());
   controls->SetGradient(Infinity);
   controls->SetSharpness(-Infinity);
