@@ -44,7 +44,7 @@ private:
   vtkOpenGLRenderWindow* Window;
   Buffer Shapes;
   Buffer Values;
-  Buffer Lists;
+  Buffer Ids;
   Buffer Colors;
 };
 
