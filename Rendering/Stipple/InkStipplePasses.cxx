@@ -38,10 +38,15 @@ namespace
 /// are drawn more rarely instead.
 constexpr float LeastSteps = 8.0f;
 
-/// Replaces a tag, which is there once.
-void Replace(std::string& shader, const std::string& tag, const std::string& text)
+/// A shader with a tag replaced, which is there once.
+std::string Replace(std::string shader, const std::string& tag, const std::string& text)
 {
-  shader.replace(shader.find(tag), tag.size(), text);
+  return shader.replace(shader.find(tag), tag.size(), text);
+}
+
+std::string WithFeatures(const std::string& shader, const std::string& features)
+{
+  return Replace(shader, "//INK::Features", features);
 }
 
 } // namespace
@@ -103,13 +108,23 @@ std::string InkStipplePasses::Upload(const InkStipplePoints& points, bool packed
   return this->Textures.Upload(points, stipples.Boxes);
 }
 
-std::string InkStipplePasses::MakeVertexShader(const Scene& scene) const
+std::string InkStipplePasses::FindFeatures(const Scene& scene) const
 {
-  std::string features;
-  if (std::any_of(scene.ToneView.Lights.begin(), scene.ToneView.Lights.end(),
-        [](const ink::StippleLight& light) { return light.isLamp(); }))
+  const std::vector<ink::StippleLight>& lights = scene.ToneView.Lights;
+  const auto lamps = std::count_if(
+    lights.begin(), lights.end(), [](const ink::StippleLight& light) { return light.isLamp(); });
+  const auto define = [](const char* name, std::size_t number)
+  { return std::string("#define ") + name + ' ' + std::to_string(number) + '\n'; };
+  std::string features = define("INK_LIGHTS", lights.size());
+  features += define("INK_SUNS", lights.size() - lamps);
+  features += define("INK_PLANES", scene.View.NumberOfClippingPlanes);
+  if (lamps > 0)
   {
     features += "#define INK_LAMPS\n";
+  }
+  if (scene.Tone.smallElements.way == ink::SmallElements::Way::probability)
+  {
+    features += "#define INK_PROBABILITY\n";
   }
   if (this->Textures.HasColors() || scene.Tone.warmCool.amount > 0.0f)
   {
@@ -123,9 +138,7 @@ std::string InkStipplePasses::MakeVertexShader(const Scene& scene) const
   {
     features += "#define INK_PACKED\n";
   }
-  std::string shader = InkStippleVS;
-  Replace(shader, "//INK::Features", features);
-  return shader;
+  return features;
 }
 
 InkStipplePasses::Pass& InkStipplePasses::FindPass(
@@ -211,9 +224,6 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     // Samplers of different kinds must not share a unit, also if one of them is not looked at.
     program->SetUniformi("occluder", this->LastTextureUnit);
   }
-  const float nowhere[2] = { 0.0f, 0.0f };
-  program->SetUniform2f("resultSize", nowhere);
-  program->SetUniformf("leastIntensity", 0.0f);
   return program;
 }
 
@@ -256,13 +266,19 @@ void InkStipplePasses::DrawRuns(const InkStippleRuns& runs)
 void InkStipplePasses::Draw(
   const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses)
 {
-  std::string vertexShader = this->MakeVertexShader(scene);
+  std::string features = this->FindFeatures(scene);
+  const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
+  if (least > 0.0f)
+  {
+    features += "#define INK_THINNED\n";
+  }
+  std::string vertexShader = WithFeatures(InkStippleVS, features);
   std::string geometryShader;
-  std::string fragmentShader = InkStippleFS;
+  std::string fragmentShader = WithFeatures(InkStippleFS, features);
   renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
   // Depth peeling asks for it; without, a fragment's depth can be tested before it is shaded.
   const bool peeled = fragmentShader.find("//VTK::DepthPeeling::PreColor") == std::string::npos;
-  Replace(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
+  fragmentShader = Replace(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
   Pass& pass = this->FindPass(vertexShader, geometryShader, fragmentShader);
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
@@ -272,7 +288,6 @@ void InkStipplePasses::Draw(
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniformf("actorOpacity", static_cast<float>(opacity));
-    const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
     program->SetUniformf("leastIntensity", std::min(least, 1.0f));
     renderPasses.SetShaderParameters(program, pass.VertexArray);
     this->DrawRuns(this->FindRuns(scene));
@@ -286,7 +301,8 @@ void InkStipplePasses::DrawIds(
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  Pass& pass = this->FindPass(this->MakeVertexShader(scene), "", InkStippleIdFS);
+  const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n";
+  Pass& pass = this->FindPass(WithFeatures(InkStippleVS, features), "", InkStippleIdFS);
   if (vtkShaderProgram* program = this->Begin(pass, scene))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
@@ -333,13 +349,15 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    Pass& pass = this->FindPass(this->MakeVertexShader(scene), "", InkStippleResultFS);
+    const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n#define INK_RESULTS\n";
+    Pass& pass =
+      this->FindPass(WithFeatures(InkStippleVS, features), "", WithFeatures(InkStippleResultFS, features));
     if (vtkShaderProgram* program = this->Begin(pass, scene))
     {
       const float size[2] = { static_cast<float>(width), static_cast<float>(height) };
       program->SetUniform2f("resultSize", size);
       InkStippleRuns runs;
-      runs.Fill(scene.Points.GetBlocks());
+      runs.Fill(static_cast<int>(scene.Points.GetNumberOfStipples()));
       this->DrawRuns(runs);
       this->End(pass, scene);
       results.resize(6 * static_cast<std::size_t>(count));

@@ -72,8 +72,8 @@ public:
 private:
   struct Pass;
 
-  /// The vertex shader with what the scene needs of it.
-  std::string MakeVertexShader(const Scene& scene) const;
+  /// Definitions for what of the shaders the scene needs.
+  std::string FindFeatures(const Scene& scene) const;
   Pass& FindPass(
     const std::string& vertexShader, const std::string& geometryShader, const std::string& fragmentShader);
   void BindAttributes(Pass& pass, vtkShaderProgram* program);

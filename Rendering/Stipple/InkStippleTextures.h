@@ -47,7 +47,7 @@ private:
   vtkOpenGLRenderWindow* Window;
   Buffer Shapes;
   Buffer Values;
-  Buffer Lists;
+  Buffer Ids;
   Buffer Boxes;
   Buffer Colors;
 };
