@@ -216,6 +216,8 @@ void TestShapes(InkTestChecks& check)
   const auto nothing = [](vtkImageData*) {};
   const Data one = StippleBall(VTK_FLOAT, { 1, 1, 1 }, nothing);
   ExpectInk(check, "one voxel", one, 0.0, 0.0);
+  const auto even = [](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(7.0); };
+  ExpectInk(check, "a constant", StippleBall(VTK_FLOAT, { 12, 12, 12 }, even), 0.0, 0.0);
   ExpectInk(check, "no cells", vtkSmartPointer<vtkPolyData>::New(), 0.0, 0.0);
   const Data flat = StippleBall(VTK_FLOAT, { 40, 40, 1 }, nothing);
   // Normals lie in the plane and away from an eye before its middle: not lit.
@@ -448,6 +450,39 @@ void TestSpoilt(InkTestChecks& check)
     ExpectInk(check, "StipplesPerElement " + std::to_string(size), field("StipplesPerElement", size), 0.0,
       120.0 * 120.0);
   }
+}
+
+/// Surfaces that hide nothing, and one that hides half of what lies behind it.
+void TestOccluders(InkTestChecks& check)
+{
+  const Data voxels = InkTestStipples::SphereVoxels(1.0, 0.15, 6);
+  const double usual = FindInk(check, "voxels", voxels);
+  const auto expect =
+    [&](const std::string& name, const std::vector<std::array<double, 3>>& corners, double least, double most)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> triangles;
+    for (const std::array<double, 3>& corner : corners)
+    {
+      points->InsertNextPoint(corner.data());
+    }
+    for (vtkIdType n = 0; n + 2 < points->GetNumberOfPoints(); n += 3)
+    {
+      triangles->InsertNextCell({ n, n + 1, n + 2 });
+    }
+    vtkNew<vtkPolyData> surface;
+    surface->SetPoints(points);
+    surface->SetPolys(triangles);
+    const auto hide = [&](StippleScene& scene) { scene.Mapper->SetSurfaceData(surface); };
+    ExpectInk(check, "hidden by " + name, voxels, least * usual, most * usual, hide);
+  };
+  expect("nothing", {}, 0.999, 1.001);
+  expect("a line", { { -1.0, 0.0, 3.0 }, { 0.0, 0.0, 3.0 }, { 1.0, 0.0, 3.0 } }, 0.999, 1.001);
+  expect("a point", { { 0.0, 0.0, 3.0 }, { 0.0, 0.0, 3.0 }, { 0.0, 0.0, 3.0 } }, 0.999, 1.001);
+  expect(
+    "corners that are none", { { NaN, 0.0, 3.0 }, { 9.0, 0.0, 3.0 }, { 0.0, Infinity, 3.0 } }, 0.999, 1.001);
+  expect("a far triangle", { { 1e9, 0.0, 3.0 }, { 1e9, 9.0, 3.0 }, { 1e9 + 9.0, 0.0, 3.0 } }, 0.999, 1.001);
+  expect("half a plane", { { 0.0, -1e6, 1.5 }, { 1e6, 0.0, 1.5 }, { 0.0, 1e6, 1.5 } }, 0.4, 0.6);
 }
 
 /// A matrix of the actor's, with shear and mirror, gives the picture of what it makes of the data.
@@ -691,6 +726,7 @@ int TestStippleMapperExtremes(int, char*[])
   TestShapes(check);
   TestMeshes(check);
   TestSpoilt(check);
+  TestOccluders(check);
   TestMatrices(check);
   TestViews(check);
   TestSliders(check);
