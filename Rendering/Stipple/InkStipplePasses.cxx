@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStipplePasses.h"
 
+#include "InkBlendStep.h"
+#include "InkPackedStipples.h"
 #include "InkRenderPasses.h"
 #include "InkScopedState.h"
 #include "InkStippleOccluder.h"
@@ -31,6 +33,10 @@
 
 namespace
 {
+
+/// Dots are at least this many of the steps that blending can make, so that rounding hardly shows; paler ones
+/// are drawn more rarely instead.
+constexpr float LeastSteps = 8.0f;
 
 /// A shader with a tag replaced, which is there once.
 std::string Replace(std::string shader, const std::string& tag, const std::string& text)
@@ -76,16 +82,30 @@ InkStipplePasses::~InkStipplePasses()
   this->Buffer->ReleaseGraphicsResources();
 }
 
-std::string InkStipplePasses::Upload(const InkStipplePoints& points)
+std::string InkStipplePasses::Upload(const InkStipplePoints& points, bool packed)
 {
-  if (!points.GetVertices().empty())
-  {
-    this->Buffer->Upload(points.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
-  }
   vtkTimeStamp now;
   now.Modified();
   this->UploadTime = now.GetMTime();
-  return this->Textures.Upload(points);
+  this->Packed = packed;
+  if (!packed)
+  {
+    if (!points.GetVertices().empty())
+    {
+      this->Buffer->Upload(points.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+    }
+    return this->Textures.Upload(points, {});
+  }
+  const InkPackedStipples stipples(points);
+  if (!stipples.Vertices.empty())
+  {
+    this->Buffer->Upload(stipples.Vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->PackedStep[axis] = stipples.Edges[axis] / static_cast<float>(ink::packedPlaceSteps);
+  }
+  return this->Textures.Upload(points, stipples.Boxes);
 }
 
 std::string InkStipplePasses::FindFeatures(const Scene& scene) const
@@ -114,6 +134,10 @@ std::string InkStipplePasses::FindFeatures(const Scene& scene) const
   {
     features += "#define INK_OCCLUDED\n";
   }
+  if (this->Packed)
+  {
+    features += "#define INK_PACKED\n";
+  }
   return features;
 }
 
@@ -131,6 +155,33 @@ InkStipplePasses::Pass& InkStipplePasses::FindPass(
   return *pass;
 }
 
+void InkStipplePasses::BindAttributes(Pass& pass, vtkShaderProgram* program)
+{
+  // vtkOpenGLVertexArrayObject would turn integers into floats.
+  const auto bindInteger = [&](const char* name, std::size_t offset, std::size_t stride)
+  {
+    this->Buffer->Bind();
+    const int location = glGetAttribLocation(program->GetHandle(), name);
+    glEnableVertexAttribArray(location);
+    glVertexAttribIPointer(
+      location, 1, GL_UNSIGNED_INT, static_cast<int>(stride), reinterpret_cast<const void*>(offset));
+    this->Buffer->Release();
+  };
+  if (this->Packed)
+  {
+    using Vertex = InkPackedStipples::Vertex;
+    bindInteger("packedPlace", offsetof(Vertex, Place), sizeof(Vertex));
+    bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
+  }
+  else
+  {
+    using Vertex = InkStipplePoints::Vertex;
+    pass.VertexArray->AddAttributeArray(
+      program, this->Buffer, "pointMC", offsetof(Vertex, Position), sizeof(Vertex), VTK_FLOAT, 3, false);
+    bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
+  }
+}
+
 vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
 {
   vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
@@ -144,15 +195,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     // This deletes the binding: it goes before Bind.
     pass.VertexArray->ShaderProgramChanged();
     pass.VertexArray->Bind();
-    pass.VertexArray->AddAttributeArray(program, this->Buffer, "pointMC",
-      offsetof(InkStipplePoints::Vertex, Position), sizeof(InkStipplePoints::Vertex), VTK_FLOAT, 3, false);
-    // vtkOpenGLVertexArrayObject would turn the integers into floats.
-    this->Buffer->Bind();
-    const int location = glGetAttribLocation(program->GetHandle(), "elementAndRank");
-    glEnableVertexAttribArray(location);
-    glVertexAttribIPointer(location, 1, GL_UNSIGNED_INT, sizeof(InkStipplePoints::Vertex),
-      reinterpret_cast<const void*>(offsetof(InkStipplePoints::Vertex, ElementAndRank)));
-    this->Buffer->Release();
+    this->BindAttributes(pass, program);
     pass.ProgramHandle = program->GetHandle();
   }
   else
@@ -164,6 +207,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
   InkSetStippleUniforms(program, scene.Tone, scene.ToneView, scale);
   this->Textures.Activate(program);
   program->SetUniformi("rankBits", scene.Points.GetRankBits());
+  program->SetUniform3f("packedStep", this->PackedStep.data());
   const float color[3] = { static_cast<float>(scene.InkColor[0]), static_cast<float>(scene.InkColor[1]),
     static_cast<float>(scene.InkColor[2]) };
   program->SetUniform3f("inkColor", color);
@@ -180,6 +224,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     // Samplers of different kinds must not share a unit, also if one of them is not looked at.
     program->SetUniformi("occluder", this->LastTextureUnit);
   }
+  program->SetUniformf("leastIntensity", 0.0f);
   return program;
 }
 
@@ -239,6 +284,8 @@ void InkStipplePasses::Draw(
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniformf("actorOpacity", static_cast<float>(opacity));
+    const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
+    program->SetUniformf("leastIntensity", std::min(least, 1.0f));
     renderPasses.SetShaderParameters(program, pass.VertexArray);
     this->DrawRuns(this->FindRuns(scene));
     this->End(pass, scene);

@@ -149,8 +149,9 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
   this->ElementSize = static_cast<float>(input.ElementSize / this->Frame.Unit);
   vtkCellArray* cells = input.Data->GetVerts();
   const vtkIdType longest = cells->GetMaxCellSize();
-  this->Listed = static_cast<float>(
-    input.StipplesPerElement > 0.0 ? input.StipplesPerElement : std::max<double>(longest, 1.0));
+  this->Listed = static_cast<float>(input.StipplesPerElement > 0.0 && std::isfinite(input.StipplesPerElement)
+      ? input.StipplesPerElement
+      : std::max<double>(longest, 1.0));
 
   // As many bits for the rank as the elements' numbers leave.
   const auto count = static_cast<std::uint64_t>(cells->GetNumberOfCells());

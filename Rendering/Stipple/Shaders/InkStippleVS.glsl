@@ -6,9 +6,16 @@
 //
 // Software rasterisers compute what a condition leaves out, too, and take long over loops of unknown length. So what
 // most pictures do without is compiled only where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED, INK_PROBABILITY,
-// INK_IDS, INK_RESULTS; and INK_LIGHTS, INK_SUNS and INK_PLANES are numbers.
+// INK_IDS, INK_RESULTS, INK_PACKED (places are as Common/Sampling/PackedPlace has them); and INK_LIGHTS, INK_SUNS and
+// INK_PLANES are numbers.
 
+#ifdef INK_PACKED
+in uint packedPlace; // in the element's box, ten bits an axis
+uniform samplerBuffer elementBoxes; // lower corner in the local frame, scale
+uniform vec3 packedStep;            // at scale 1
+#else
 in vec3 pointMC;    // in the local frame
+#endif
 in uint elementAndRank; // the element's number, and in the lowest bits the stipple's place in its list
 
 uniform int rankBits;
@@ -70,6 +77,8 @@ uniform float lightIntensities[8];
 uniform vec4 lampDirections[8];   // and the cosine of the cone's half angle, -1: no cone
 uniform vec4 lampFading[8];       // attenuation; the cone's exponent
 
+uniform float leastIntensity; // of dots; the framebuffer cannot add up paler ones
+
 // Where INK_RESULTS writes what each stipple comes to instead of drawing it: the size of an image, pixels.
 uniform vec2 resultSize;
 
@@ -83,6 +92,12 @@ flat out int idVSOutput;
 float power(float base, float exponent)
 {
   return base > 0.0 ? pow(base, exponent) : (base == 0.0 && exponent == 0.0 ? 1.0 : 0.0);
+}
+
+float thinnedIntensity(float intensity, uint index)
+{
+  float random = float((index * 2654435769u) >> 8u) / 16777216.0;
+  return intensity >= leastIntensity ? intensity : (intensity > leastIntensity * random ? leastIntensity : 0.0);
 }
 
 float distanceFactor(float depth)
@@ -130,7 +145,7 @@ void placeResult()
 }
 #endif
 
-void placeDot(vec4 center, vec2 centerPixel, float opacity, float size)
+void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint element)
 {
   if (!(opacity > 0.0) || center.w <= 0.0)
   {
@@ -141,7 +156,12 @@ void placeDot(vec4 center, vec2 centerPixel, float opacity, float size)
   float square = 0.25 * size * size;
   float radius = sqrt(max(square, 0.25 + 1.0 / 12.0) - 1.0 / 12.0);
   radius = min(radius, 0.5 * largestPoint - 1.0);
-  dotVSOutput = vec4(centerPixel, radius, opacity * min(square / (0.25 + 1.0 / 12.0), 1.0));
+  float intensity = thinnedIntensity(opacity * min(square / (0.25 + 1.0 / 12.0), 1.0), element);
+  if (intensity == 0.0)
+  {
+    return;
+  }
+  dotVSOutput = vec4(centerPixel, radius, intensity);
 
   // The part of the dot's box in the viewport: dots whose centre lies outside are drawn, too.
   vec2 low = max(centerPixel - radius - 0.5, vec2(0.0));
@@ -174,6 +194,10 @@ void main()
   random = float(texelFetch(elementIds, element).g) / 16777216.0;
 #endif
 
+#ifdef INK_PACKED
+  vec4 box = texelFetch(elementBoxes, element);
+  vec3 pointMC = box.xyz + box.w * packedStep * vec3(packedPlace & 1023u, packedPlace >> 10u & 1023u, packedPlace >> 20u);
+#endif
   vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
   vec3 normal = normalize(normalMatrix * shape.xyz);
   vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
@@ -289,6 +313,6 @@ void main()
 #ifdef INK_RESULTS
   placeResult();
 #else
-  placeDot(center, centerPixel, opacity, size);
+  placeDot(center, centerPixel, opacity, size, uint(element));
 #endif
 }
