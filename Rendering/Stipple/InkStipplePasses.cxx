@@ -224,6 +224,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     // Samplers of different kinds must not share a unit, also if one of them is not looked at.
     program->SetUniformi("occluder", this->LastTextureUnit);
   }
+  program->SetUniformf("leastIntensity", 0.0f);
   return program;
 }
 
@@ -266,12 +267,7 @@ void InkStipplePasses::DrawRuns(const InkStippleRuns& runs)
 void InkStipplePasses::Draw(
   const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses)
 {
-  std::string features = this->FindFeatures(scene);
-  const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
-  if (least > 0.0f)
-  {
-    features += "#define INK_THINNED\n";
-  }
+  const std::string features = this->FindFeatures(scene);
   std::string vertexShader = WithFeatures(InkStippleVS, features);
   std::string geometryShader;
   std::string fragmentShader = WithFeatures(InkStippleFS, features);
@@ -288,6 +284,7 @@ void InkStipplePasses::Draw(
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniformf("actorOpacity", static_cast<float>(opacity));
+    const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
     program->SetUniformf("leastIntensity", std::min(least, 1.0f));
     renderPasses.SetShaderParameters(program, pass.VertexArray);
     this->DrawRuns(this->FindRuns(scene));

@@ -144,8 +144,9 @@ struct Window
   }
 };
 
-/// The stipples that the mapper draws now, as plain points, and the mean diameter of their dots. None where
-/// there are more stipples than vtkInkStippleMapper::FindMarks can look into.
+/// As many of the stipples as the mapper draws now straight into the picture, as plain points, and the mean
+/// diameter of their dots: dots that 8 bits cannot add up are drawn more rarely instead. None where there are
+/// more stipples than vtkInkStippleMapper::FindMarks can look into.
 vtkSmartPointer<vtkPolyData> PlainPoints(
   vtkInkStippleMapper* mapper, Window& window, vtkPolyData* stipples, double& size)
 {
@@ -159,7 +160,11 @@ vtkSmartPointer<vtkPolyData> PlainPoints(
   }
   for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
   {
-    if (marks->GetComponent(i, 1) > 0.0)
+    const auto diameter = static_cast<float>(marks->GetComponent(i, 2));
+    const auto opacity = static_cast<float>(marks->GetComponent(i, 1));
+    constexpr float leastIntensity = 8.0f / 255.0f;
+    if (ink::thinnedIntensity(
+          opacity * ink::dotShape(diameter).intensity, leastIntensity, static_cast<std::uint32_t>(i)) > 0.0f)
     {
       points->GetPoints()->InsertNextPoint(stipples->GetPoint(i));
       size += marks->GetComponent(i, 2);

@@ -6,8 +6,8 @@
 //
 // Software rasterisers compute what a condition leaves out, too, and take long over loops of unknown length. So what
 // most pictures do without is compiled only where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED, INK_PROBABILITY,
-// INK_PACKED (places as Common/Sampling/PackedPlace has them), INK_THINNED, INK_IDS, INK_RESULTS; and INK_LIGHTS,
-// INK_SUNS and INK_PLANES are numbers.
+// INK_IDS, INK_RESULTS, INK_PACKED (places are as Common/Sampling/PackedPlace has them); and INK_LIGHTS, INK_SUNS and
+// INK_PLANES are numbers.
 
 #ifdef INK_PACKED
 in uint packedPlace; // in the element's box, ten bits an axis
@@ -77,7 +77,7 @@ uniform float lightIntensities[8];
 uniform vec4 lampDirections[8];   // and the cosine of the cone's half angle, -1: no cone
 uniform vec4 lampFading[8];       // attenuation; the cone's exponent
 
-uniform float leastIntensity;     // INK_THINNED: of dots; the framebuffer cannot add up paler ones
+uniform float leastIntensity; // of dots; the framebuffer cannot add up paler ones
 
 // Where INK_RESULTS writes what each stipple comes to instead of drawing it: the size of an image, pixels.
 uniform vec2 resultSize;
@@ -145,7 +145,7 @@ void placeResult()
 }
 #endif
 
-void placeDot(uint element, vec4 center, vec2 centerPixel, float opacity, float size)
+void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint element)
 {
   if (!(opacity > 0.0) || center.w <= 0.0)
   {
@@ -156,14 +156,11 @@ void placeDot(uint element, vec4 center, vec2 centerPixel, float opacity, float 
   float square = 0.25 * size * size;
   float radius = sqrt(max(square, 0.25 + 1.0 / 12.0) - 1.0 / 12.0);
   radius = min(radius, 0.5 * largestPoint - 1.0);
-  float intensity = opacity * min(square / (0.25 + 1.0 / 12.0), 1.0);
-#ifdef INK_THINNED
-  intensity = thinnedIntensity(intensity, element);
+  float intensity = thinnedIntensity(opacity * min(square / (0.25 + 1.0 / 12.0), 1.0), element);
   if (intensity == 0.0)
   {
     return;
   }
-#endif
   dotVSOutput = vec4(centerPixel, radius, intensity);
 
   // The part of the dot's box in the viewport: dots whose centre lies outside are drawn, too.
@@ -316,6 +313,6 @@ void main()
 #ifdef INK_RESULTS
   placeResult();
 #else
-  placeDot(uint(element), center, centerPixel, opacity, size);
+  placeDot(center, centerPixel, opacity, size, uint(element));
 #endif
 }
