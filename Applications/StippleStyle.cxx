@@ -8,18 +8,17 @@
 #include "VolumeSlices.h"
 #include "VtkMessages.h"
 
+#include "Tone/StippleSliders.h"
+
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
-#include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -27,33 +26,6 @@ namespace ink::cli
 {
 namespace
 {
-
-// Of the layers of stipples at a boundary, a surface leaves less than half to be seen.
-constexpr double roomOnSurfaces = 0.4;
-
-constexpr double fewestSamples = 20'000;
-constexpr double mostSamples = 2'000'000;
-
-/// As many stipples as all of the mesh has room for in a picture, its far side included.
-/// \param pixels of the subject's largest side in the picture
-long long countStipples(vtkPolyData* mesh, double pixels, double pixelsPerStipple)
-{
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
-  {
-    return 0;
-  }
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(mesh);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  vtkNew<vtkMassProperties> properties;
-  properties->SetInputConnection(triangles->GetOutputPort());
-  const double* box = mesh->GetBounds();
-  const double side = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
-  const double pixel = side / pixels;
-  const double room = properties->GetSurfaceArea() / (pixel * pixel * pixelsPerStipple);
-  return std::llround(std::isfinite(room) ? std::clamp(room, fewestSamples, mostSamples) : fewestSamples);
-}
 
 /// The surfaces that hide what lies behind them, and stipples only of what they enclose.
 void takeIsoValues(
@@ -73,7 +45,7 @@ void takeIsoValues(
   style.mapper->SetSurfaceData(surface->GetOutput());
   if (!style.roomGiven)
   {
-    style.mapper->SetPixelsPerStipple(roomOnSurfaces * style.mapper->GetPixelsPerStipple());
+    style.mapper->SetPixelsPerStipple(ink::roomAtHidingSurface * style.mapper->GetPixelsPerStipple());
   }
   if (!style.generator->GetUseScalarWindow())
   {
@@ -118,7 +90,7 @@ void prepareMesh(vtkPolyData* mesh, const StippleStyle& style, const std::vector
   }
   if (!samples && !style.listLengthGiven)
   {
-    samples = countStipples(mesh, pixels, style.mapper->GetPixelsPerStipple());
+    samples = vtkInkStippleGenerator::CountForPicture(mesh, pixels, style.mapper->GetPixelsPerStipple());
   }
   style.generator->SetNumberOfSurfaceStipples(samples.value_or(0));
   style.mapper->SetSurfaceData(mesh);

@@ -37,12 +37,12 @@ std::vector<SampleBox> slabsOf(const SampleBox& box)
   return slabs;
 }
 
-/// Adds the samples of a row from `first` on, and their gradients' magnitudes.
+/// Adds one's own samples of a row from `first` on, and their gradients' magnitudes.
 template <class T>
-void addRow(const GridField<T>& field, const glm::ivec3& first, std::span<const float> magnitudes,
-  VolumeStatistics& statistics)
+void addRow(const GridField<T>& field, const OwnSamples& own, const glm::ivec3& first,
+  std::span<const float> magnitudes, VolumeStatistics& statistics)
 {
-  const bool complete = std::is_integral_v<T> && field.hidden().empty();
+  const bool complete = std::is_integral_v<T> && field.hidden().empty() && own.wholeBox();
   if (complete)
   {
     statistics.magnitudes.add(magnitudes);
@@ -52,7 +52,7 @@ void addRow(const GridField<T>& field, const glm::ivec3& first, std::span<const 
   for (std::size_t x = 0; x < magnitudes.size(); ++x)
   {
     const glm::ivec3 sample = first + glm::ivec3(x, 0, 0);
-    if (complete || field.has(sample))
+    if (complete || (field.has(sample) && own.has(sample)))
     {
       const T value = field.at(sample);
       lowest = std::min(lowest, value);
@@ -73,11 +73,10 @@ void addRow(const GridField<T>& field, const glm::ivec3& first, std::span<const 
 } // namespace
 
 template <class T>
-bool measureVolume(const GridField<T>& field, const GradientOptions& gradient, VolumeStatistics& statistics,
-  const Progress& progress)
+bool measureVolume(const GridField<T>& field, const OwnSamples& own, const GradientOptions& gradient,
+  VolumeStatistics& statistics, const Progress& progress)
 {
-  const SampleBox whole{ glm::ivec3(0), field.geometry().dimensions() };
-  const std::vector<SampleBox> slabs = slabsOf(whole);
+  const std::vector<SampleBox> slabs = slabsOf(own.box());
   std::vector<float> magnitudes;
   std::mutex merging;
   for (std::size_t s = 0; s < slabs.size(); ++s)
@@ -96,9 +95,9 @@ bool measureVolume(const GridField<T>& field, const GradientOptions& gradient, V
         for (std::size_t row = p * rows / parts; row < (p + 1) * rows / parts; ++row)
         {
           const int layerRows = slab.size().y;
-          const glm::ivec3 first(
-            0, static_cast<int>(row) % layerRows, slab.begin.z + static_cast<int>(row) / layerRows);
-          addRow(field, first, std::span<const float>(magnitudes).subspan(row * width, width), part);
+          const glm::ivec3 first =
+            slab.begin + glm::ivec3(0, static_cast<int>(row) % layerRows, static_cast<int>(row) / layerRows);
+          addRow(field, own, first, std::span<const float>(magnitudes).subspan(row * width, width), part);
         }
         const std::lock_guard lock(merging);
         statistics.magnitudes.add(part.magnitudes);
@@ -181,7 +180,7 @@ bool findStippledVoxels(const GridField<T>& field, const SampleBox& box, const G
 
 #define INK_INSTANTIATE(T)                                                                                   \
   template bool measureVolume(                                                                               \
-    const GridField<T>&, const GradientOptions&, VolumeStatistics&, const Progress&);                        \
+    const GridField<T>&, const OwnSamples&, const GradientOptions&, VolumeStatistics&, const Progress&);     \
   template bool findStippledVoxels(const GridField<T>&, const SampleBox&, const GradientOptions&,            \
     const VoxelCriteria&, StippledVoxels&, const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)

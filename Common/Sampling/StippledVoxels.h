@@ -2,7 +2,7 @@
 
 #include "Fields/Gradients.h"
 #include "Fields/GridField.h"
-#include "Fields/SampleBox.h"
+#include "Fields/OwnSamples.h"
 #include "Parallel/ParallelFor.h"
 #include "Statistics/MagnitudeHistogram.h"
 
@@ -25,10 +25,11 @@ struct VolumeStatistics
   double highest = -std::numeric_limits<double>::infinity();
 };
 
+/// Adds one's own samples of a grid to the statistics.
 /// \returns false when `progress` asked to stop
 template <class T>
-bool measureVolume(const GridField<T>& field, const GradientOptions& gradient, VolumeStatistics& statistics,
-  const Progress& progress = {});
+bool measureVolume(const GridField<T>& field, const OwnSamples& own, const GradientOptions& gradient,
+  VolumeStatistics& statistics, const Progress& progress = {});
 
 /// Which voxels get stipples.
 struct VoxelCriteria

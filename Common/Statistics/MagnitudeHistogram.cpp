@@ -4,6 +4,9 @@
 #include <bit>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
 
 namespace ink
 {
@@ -43,6 +46,17 @@ void MagnitudeHistogram::add(const MagnitudeHistogram& other)
 {
   std::transform(this->Bins.begin(), this->Bins.end(), other.Bins.begin(), this->Bins.begin(), std::plus<>());
   this->Count += other.Count;
+}
+
+void MagnitudeHistogram::setBins(std::span<const std::uint64_t> bins)
+{
+  if (bins.size() != this->Bins.size())
+  {
+    throw std::invalid_argument("a histogram of magnitudes has " + std::to_string(this->Bins.size()) +
+      " bins; found " + std::to_string(bins.size()));
+  }
+  this->Bins.assign(bins.begin(), bins.end());
+  this->Count = std::accumulate(bins.begin(), bins.end(), std::uint64_t(0));
 }
 
 float MagnitudeHistogram::quantile(double share, float from) const

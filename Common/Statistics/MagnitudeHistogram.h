@@ -20,6 +20,11 @@ public:
 
   std::uint64_t count() const { return this->Count; }
 
+  /// One number a bin, always as many: what another process needs to add this histogram to its own.
+  std::span<const std::uint64_t> bins() const { return this->Bins; }
+  /// \throws std::invalid_argument unless there are as many as bins() has
+  void setBins(std::span<const std::uint64_t> bins);
+
   /// The lower end of the bin below which a share, in [0, 1], of the magnitudes lies. Only those in the bin
   /// of `from` and above it count. 0 without any.
   float quantile(double share, float from = 0.0f) const;

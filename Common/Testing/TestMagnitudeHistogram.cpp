@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace
@@ -72,4 +73,15 @@ TEST(MagnitudeHistogram, TakesWhatFloatsThereAre)
   EXPECT_EQ(histogram.count(), 5u);
   EXPECT_EQ(histogram.quantile(0.3), 0.0f);
   EXPECT_EQ(histogram.quantile(1.0), Limits::infinity());
+}
+
+TEST(MagnitudeHistogram, TravelsAsItsBins)
+{
+  ink::MagnitudeHistogram sent;
+  sent.add(counted(5000, 0.37f));
+  ink::MagnitudeHistogram received;
+  received.setBins(sent.bins());
+  EXPECT_EQ(received.count(), sent.count());
+  EXPECT_EQ(received.quantile(0.3), sent.quantile(0.3));
+  EXPECT_THROW(received.setBins(sent.bins().first(7)), std::invalid_argument);
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -33,6 +34,11 @@ Volume<T> ball(const glm::dvec3& spacing = glm::dvec3(1.0))
 SampleBox wholeOf(const GridGeometry& geometry)
 {
   return { glm::ivec3(0), geometry.dimensions() };
+}
+
+OwnSamples allOf(const GridGeometry& geometry)
+{
+  return { geometry.dimensions(), wholeOf(geometry) };
 }
 
 /// What findStippledVoxels should find, as sample offsets.
@@ -134,7 +140,7 @@ TEST(StippledVoxels, LeaveMissingSamplesOut)
     EXPECT_FALSE(std::binary_search(found.begin(), found.end(), volume.geometry.offset(missing)));
   }
   VolumeStatistics statistics;
-  measureVolume(field, {}, statistics);
+  measureVolume(field, allOf(volume.geometry), {}, statistics);
   EXPECT_EQ(statistics.magnitudes.count(), volume.values.size() - 2);
   EXPECT_EQ(statistics.lowest, 32.0);
   EXPECT_LE(statistics.highest, 64.0);
@@ -148,7 +154,7 @@ TEST(StippledVoxels, MeasureTheSameOnAnyNumberOfThreads)
   {
     setenv("VTK_SMP_MAX_THREADS", threads, 1);
     VolumeStatistics statistics;
-    EXPECT_TRUE(measureVolume(volume.field(), {}, statistics));
+    EXPECT_TRUE(measureVolume(volume.field(), allOf(volume.geometry), {}, statistics));
     unsetenv("VTK_SMP_MAX_THREADS");
     return statistics;
   };
@@ -163,6 +169,30 @@ TEST(StippledVoxels, MeasureTheSameOnAnyNumberOfThreads)
   }
 }
 
+TEST(StippledVoxels, MeasureOfPartsTogetherWhatTheWholeHas)
+{
+  const auto volume = ball<float>();
+  const auto field = volume.field();
+  VolumeStatistics whole;
+  ASSERT_TRUE(measureVolume(field, allOf(volume.geometry), central, whole));
+
+  // The lower part by a box, the upper one by marks on 23^3 cells; sample 23 goes with cell 22.
+  const glm::ivec3 dimensions = volume.geometry.dimensions();
+  std::vector<std::uint8_t> lower(23u * 23u * 23u);
+  std::fill_n(lower.begin(), 9u * 23u * 23u, std::uint8_t(1));
+  const OwnSamples below(dimensions, { glm::ivec3(0), { 24, 24, 9 } });
+  const OwnSamples above(dimensions, wholeOf(volume.geometry), { lower, 1 });
+  VolumeStatistics parts;
+  ASSERT_TRUE(measureVolume(field, below, central, parts));
+  EXPECT_EQ(parts.magnitudes.count(), 24u * 24u * 9u);
+  ASSERT_TRUE(measureVolume(field, above, central, parts));
+  EXPECT_EQ(parts.lowest, whole.lowest);
+  EXPECT_EQ(parts.highest, whole.highest);
+  const auto expected = whole.magnitudes.bins();
+  const auto found = parts.magnitudes.bins();
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), found.begin(), found.end()));
+}
+
 TEST(StippledVoxels, StopWhenAsked)
 {
   const auto volume = ball<float>();
@@ -170,5 +200,5 @@ TEST(StippledVoxels, StopWhenAsked)
   StippledVoxels voxels;
   VolumeStatistics statistics;
   EXPECT_FALSE(findStippledVoxels(volume.field(), wholeOf(volume.geometry), {}, {}, voxels, stop));
-  EXPECT_FALSE(measureVolume(volume.field(), {}, statistics, stop));
+  EXPECT_FALSE(measureVolume(volume.field(), allOf(volume.geometry), {}, statistics, stop));
 }

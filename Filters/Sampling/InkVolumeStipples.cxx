@@ -57,11 +57,18 @@ template <class T>
 bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest& request, Elements& elements)
 {
   ink::VolumeStatistics statistics;
-  const bool measured = request.ByPercentile || !request.GivenRanges;
-  if (measured &&
-    !ink::measureVolume(field, request.Gradient, statistics, InkPartOfProgress(request.Progress, 0.0, 0.15)))
+  if (request.Statistics)
   {
-    return false;
+    statistics = *request.Statistics;
+  }
+  else if (request.ByPercentile || !request.GivenRanges)
+  {
+    const ink::SampleBox whole{ glm::ivec3(0), field.geometry().dimensions() };
+    if (!ink::measureVolume(field, { whole.end, whole }, request.Gradient, statistics,
+          InkPartOfProgress(request.Progress, 0.0, 0.15)))
+    {
+      return false;
+    }
   }
   ink::VoxelCriteria criteria;
   criteria.threshold = request.ByPercentile
@@ -94,46 +101,54 @@ bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest&
     field, box, request.Gradient, criteria, elements.Voxels, InkPartOfProgress(request.Progress, 0.15, 0.35));
 }
 
-bool FindElements(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
-  const ink::ElementMarks& hidden, const InkVolumeStippleRequest& request, Elements& elements)
+/// Calls `use` with the image's scalars as a field.
+/// @throws std::invalid_argument with what is wrong with the image
+template <class Use>
+bool WithField(vtkImageData* image, const InkVolumeStippleRequest& request, const Use& use)
 {
-  const auto find = [&](auto* values)
+  const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  int component = request.Component;
+  const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(request.Scalars, component);
+  const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
+  const auto useValues = [&](auto* values)
   {
     using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
     const std::span<const T> all(
       values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
-    const ink::GridField<T> field(geometry, all.subspan(static_cast<std::size_t>(component)),
-      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden);
-    return FindElements(field, request, elements);
+    return use(ink::GridField<T>(geometry, all.subspan(static_cast<std::size_t>(component)),
+      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden));
   };
   switch (array->GetDataType())
   {
-    vtkTemplateMacro(return find(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
+    vtkTemplateMacro(return useValues(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array.Get())));
   }
   throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
 }
 
-/// Of the voxels found, those that belong to the piece: their sample is the lower corner of a cell that is
-/// not marked as another piece's, or at the image's upper end the upper corner.
-/// @param others marks of cells
-void SelectOwn(const ink::GridGeometry& geometry, const ink::SampleBox& own, const ink::ElementMarks& others,
-  Elements& elements)
+/// The samples whose voxels belong to the piece: those that go with its cells that are not marked as another
+/// piece's.
+ink::OwnSamples FindOwnSamples(vtkImageData* image, const InkVolumeStippleRequest& request)
+{
+  return { InkExtent(image->GetExtent()).GetDimensions(), request.Own,
+    InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL) };
+}
+
+/// Of the voxels found, those that belong to the piece.
+void SelectOwn(const ink::OwnSamples& own, Elements& elements)
 {
   const ink::StippledVoxels& voxels = elements.Voxels;
   const ink::SampleBox& box = voxels.box;
-  const glm::ivec3 lastCell = glm::max(geometry.dimensions() - 2, glm::ivec3(0));
-  const ink::GridGeometry cells(lastCell + 1);
-  for (int z = own.begin.z; z < own.end.z; ++z)
+  const auto& [begin, end] = own.box();
+  for (int z = begin.z; z < end.z; ++z)
   {
-    for (int y = own.begin.y; y < own.end.y; ++y)
+    for (int y = begin.y; y < end.y; ++y)
     {
       const std::size_t row = static_cast<std::size_t>(y - box.begin.y) +
         static_cast<std::size_t>(box.size().y) * static_cast<std::size_t>(z - box.begin.z);
       for (std::size_t n = voxels.rows[row]; n < voxels.rows[row + 1]; ++n)
       {
         const glm::ivec3 sample(voxels.x[n], y, z);
-        if (sample.x >= own.begin.x && sample.x < own.end.x &&
-          (others.empty() || !others[cells.offset(glm::min(sample, lastCell))]))
+        if (sample.x >= begin.x && sample.x < end.x && own.has(sample))
         {
           elements.Own.push_back(n);
           elements.Samples.push_back(sample);
@@ -225,19 +240,26 @@ void AddColors(
 
 } // namespace
 
+bool InkMeasureVolume(
+  vtkImageData* image, const InkVolumeStippleRequest& request, ink::VolumeStatistics& statistics)
+{
+  const auto measure = [&](const auto& field)
+  {
+    return ink::measureVolume(
+      field, FindOwnSamples(image, request), request.Gradient, statistics, request.Progress);
+  };
+  return WithField(image, request, measure);
+}
+
 void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& request, vtkPolyData* output)
 {
   const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
-  int component = request.Component;
-  const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(request.Scalars, component);
-  const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
   Elements elements;
-  if (!FindElements(geometry, array, component, hidden, request, elements))
+  if (!WithField(image, request, [&](const auto& field) { return FindElements(field, request, elements); }))
   {
     return;
   }
-  SelectOwn(
-    geometry, request.Own, InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL), elements);
+  SelectOwn(FindOwnSamples(image, request), elements);
 
   const auto perVoxel = static_cast<std::size_t>(request.Stipples.perVoxel);
   const std::size_t count = elements.Own.size() * perVoxel;

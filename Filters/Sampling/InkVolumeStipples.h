@@ -24,12 +24,20 @@ struct InkVolumeStippleRequest
   bool GivenRanges = false;
   double ScalarRange[2] = { 0.0, 1.0 };
   double SteepestGradient = 1.0;
+  /// What percentile and ranges are of; null: of the samples whose voxels are stippled.
+  const ink::VolumeStatistics* Statistics = nullptr;
   ink::VolumeStippleOptions Stipples;
   ink::SampleBox Own;             ///< the samples whose voxels are stippled
   bool Doubles = false;           ///< the points' type
   vtkDataArray* Colors = nullptr; ///< passed on; may be null
   ink::Progress Progress;
 };
+
+/// Adds the samples whose voxels would be stippled to the statistics.
+/// @returns false when the progress asks to stop
+/// @throws std::invalid_argument with what is wrong with the image
+bool InkMeasureVolume(
+  vtkImageData* image, const InkVolumeStippleRequest& request, ink::VolumeStatistics& statistics);
 
 /// Writes the stipples of an image to an empty output; leaves it empty when the progress asks to stop.
 /// @throws std::invalid_argument with what is wrong with the image or the request

@@ -15,17 +15,21 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTriangleFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -101,7 +105,29 @@ int vtkInkStippleGenerator::FillInputPortInformation(int, vtkInformation* info)
 bool vtkInkStippleGenerator::NeedsWholeImage() const
 {
   // Percentiles and ranges are those of the whole image.
-  return this->ThresholdMode == PERCENTILE || !this->UseReferenceRanges;
+  const bool measures = this->ThresholdMode == PERCENTILE || !this->UseReferenceRanges;
+  return measures && !this->Statistics && !this->Measured;
+}
+
+bool vtkInkStippleGenerator::Measure(vtkInformation* request, ink::VolumeStatistics& statistics)
+{
+  this->Measured = &statistics;
+  this->Modified();
+  this->Update(request);
+  const bool done = !this->Measured;
+  this->Measured = nullptr;
+  // The output holds no stipples now.
+  this->Modified();
+  return done;
+}
+
+void vtkInkStippleGenerator::SetStatistics(std::shared_ptr<const ink::VolumeStatistics> statistics)
+{
+  if (statistics != this->Statistics)
+  {
+    this->Statistics = std::move(statistics);
+    this->Modified();
+  }
 }
 
 int vtkInkStippleGenerator::RequestUpdateExtent(
@@ -139,6 +165,7 @@ int vtkInkStippleGenerator::RequestData(
   // A piece that holds nothing is no error.
   if (!data || data->GetNumberOfPoints() == 0)
   {
+    this->Measured = nullptr;
     return 1;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
@@ -207,7 +234,16 @@ void vtkInkStippleGenerator::StippleVolume(
   {
     throw std::invalid_argument("the scalars to pass on are cell data; expected point data");
   }
+  request.Statistics = this->Statistics.get();
   request.Progress = [this](double share) { return this->ReportProgress(share); };
+  if (this->Measured)
+  {
+    if (InkMeasureVolume(image, request, *this->Measured))
+    {
+      this->Measured = nullptr;
+    }
+    return;
+  }
   InkMakeVolumeStipples(image, request, output);
 }
 
@@ -253,6 +289,27 @@ vtkDataArray* vtkInkStippleGenerator::GetColors(vtkDataSet* data, vtkInformation
       std::to_string(colors->GetNumberOfTuples()) + " values; expected " + std::to_string(expected));
   }
   return colors;
+}
+
+vtkIdType vtkInkStippleGenerator::CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple)
+{
+  constexpr double fewest = 20'000;
+  constexpr double most = 2'000'000;
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  {
+    return 0;
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(mesh);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  vtkNew<vtkMassProperties> properties;
+  properties->SetInputConnection(triangles->GetOutputPort());
+  const double* box = mesh->GetBounds();
+  const double side = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+  const double pixel = side / pixels;
+  const double room = properties->GetSurfaceArea() / (pixel * pixel * pixelsPerStipple);
+  return static_cast<vtkIdType>(std::llround(std::isfinite(room) ? std::clamp(room, fewest, most) : fewest));
 }
 
 bool vtkInkStippleGenerator::ReportProgress(double share)

@@ -34,7 +34,8 @@
  * UseReferenceRanges and a GradientThreshold nothing of the whole is needed: then each piece is asked for
  * with five levels of ghost cells, and an image of which no process has the whole, as in a simulation, gives
  * exactly the same stipples if its parts have as many (cells that are another part's being marked as
- * duplicates). Without, such a part has percentiles and ranges of its own. Pieces of a mesh are sampled each
+ * duplicates). So do statistics of all parts, see SetStatistics. Without, such a part has percentiles and
+ * ranges of its own. Pieces of a mesh are sampled each
  * for itself.
  *
  * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
@@ -49,6 +50,13 @@
 
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::shared_ptr
+
+namespace ink
+{
+struct VolumeStatistics;
+}
 
 class vtkDataArray;
 class vtkDataSet;
@@ -228,6 +236,25 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * For an image of which several processes hold parts, and for several images that are drawn together:
+   * percentiles and ranges of them all, so that nothing of the whole image is asked for. Measure adds what
+   * this input's own voxels are like, with the input brought up to date as `request` says (as
+   * vtkAlgorithm::Update takes it); it returns false, after one error, where they cannot be measured. Null
+   * (default): those of the input.
+   */
+  bool Measure(vtkInformation* request, ink::VolumeStatistics& statistics);
+  void SetStatistics(std::shared_ptr<const ink::VolumeStatistics> statistics);
+  ///@}
+
+  /**
+   * How many stipples a mesh needs so that a picture of it has room for no more, its far side included.
+   * `pixels` is what the longest side of its bounds measures in the picture; a stipple takes
+   * `pixelsPerStipple`. Between 20,000 and 2,000,000; 0 without polygons.
+   */
+  static vtkIdType CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple);
+
 protected:
   vtkInkStippleGenerator();
   ~vtkInkStippleGenerator() override;
@@ -263,6 +290,8 @@ private:
   int Seed = 0;
   int ArrayComponent = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  std::shared_ptr<const ink::VolumeStatistics> Statistics;
+  ink::VolumeStatistics* Measured = nullptr; ///< to be filled in place of making stipples; null: done
 };
 
 #endif

@@ -8,14 +8,29 @@ import pytest
 vtkink = pytest.importorskip("vtkink")
 
 SERVER_MANAGER = pathlib.Path(__file__).resolve().parents[2] / "Plugin" / "ServerManager"
-PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
+PROPERTIES = ("IntVectorProperty", "DoubleVectorProperty")
 # Of the classes' own properties, those that the panels reach in another way or not at all: iso-values have
 # a property of their own kind; ParaView offers only arrays of one component.
 ELSEWHERE = {"Value", "NumberOfContours", "ArrayComponent"}
+# What "Stipple" decides by itself, or has under another name.
+STIPPLE_ELSEWHERE = {"SurfaceFromInput", "PassScalars", "OutputPointsPrecision"}
+# What only the representation has; TestStipple.py looks at it.
+STIPPLE_OWN = {"SetIsoSurfaceHides", "SetIsoValue", "SetSurfaceHides", "SetMapScalars"}
+# Sliders that offer what is useful; what C++ takes beyond can be typed in.
+NARROWER = {"StippleSize", "PixelsPerStipple"}
+PANELS = {"SplattingLinesPanel.xml.in": "SplattingLines.xml", "StipplePanel.xml.in": "Stipple.xml"}
 
 
 def proxy_of(file, kind):
     return xml.etree.ElementTree.parse(SERVER_MANAGER / file).getroot().find(f".//{kind}")
+
+
+def representation_of(file, kind):
+    """With what it has from its base."""
+    proxy = proxy_of(file, kind)
+    base = proxy_of("Representation.xml", f"RepresentationProxy[@name='{proxy.get('base_proxyname')}']")
+    proxy.extend([element for element in base if element.tag != "Documentation"])
+    return proxy
 
 
 def sampler():
@@ -37,7 +52,16 @@ def point_priority():
 def splatting_lines():
     actor = vtkink.vtk.vtkActor()
     objects = [vtkink.vtkInkSplattingLinesMapper(), actor, actor.GetProperty()]
-    return proxy_of("SplattingLines.xml", "RepresentationProxy"), objects
+    return representation_of("SplattingLines.xml", "RepresentationProxy"), objects
+
+
+def stipple():
+    """As the first preset has it, which the representation starts with."""
+    mapper = vtkink.vtkInkStippleMapper()
+    vtkink.vtkInkStippleControls().Apply(mapper)
+    actor = vtkink.vtk.vtkActor()
+    objects = [mapper, vtkink.vtkInkStippleGenerator(), actor, actor.GetProperty()]
+    return representation_of("Stipple.xml", "InkStippleRepresentationProxy"), objects
 
 
 def stipple_generator():
@@ -49,6 +73,7 @@ PROXIES = {
     "IsoSurfaceSampler.xml": sampler,
     "PointPriority.xml": point_priority,
     "SplattingLines.xml": splatting_lines,
+    "Stipple.xml": stipple,
     "StippleGenerator.xml": stipple_generator,
     "SurfaceSampler.xml": surface_sampler,
 }
@@ -68,8 +93,10 @@ def cases():
         proxy, objects = make()
         for element in proxy:
             # Iso-values have no default and UserTransform's is null in C++.
-            if element.tag in PROPERTIES and element.get("name") not in ("ContourValues", "UserTransform"):
-                name = element.get("command")[len("Set") :]
+            left_out = element.get("name") in ("ContourValues", "UserTransform")
+            command = element.get("command")
+            if element.tag in PROPERTIES and command and not left_out and command not in STIPPLE_OWN:
+                name = command[len("Set") :]
                 (owner, *_) = [one for one in objects if hasattr(one, f"Get{name}")] or [None]
                 yield pytest.param(element, owner, name, id=f"{file}:{name}")
 
@@ -86,14 +113,15 @@ def value(owner, name):
 @pytest.mark.parametrize("element, owner, name", list(cases()))
 def test_defaults_are_equal(element, owner, name):
     assert owner is not None, f"no class has Get{name}"
-    assert numbers(element.get("default_values")) == value(owner, name)
+    # Presets are in single precision.
+    assert numbers(element.get("default_values")) == pytest.approx(value(owner, name), rel=1e-6)
 
 
 @pytest.mark.parametrize("element, owner, name", list(cases()))
 def test_ranges_are_equal(element, owner, name):
     clamps = hasattr(owner, f"Get{name}MinValue")
     domain = next(
-        (one for kind in ("Double", "Int", "IdType") for one in element.iter(f"{kind}RangeDomain")), None
+        (one for kind in ("Double", "Int") for one in element.iter(f"{kind}RangeDomain")), None
     )
     choices = [float(entry.get("value")) for entry in element.iter("Entry")]
     if domain is not None and clamps:
@@ -113,6 +141,9 @@ def test_ranges_are_equal(element, owner, name):
         if limit is None:
             assert abs(at_end) > 1e18, f"the panel gives no {end} for {name}, C++ {at_end}"
             continue
+        if name in NARROWER and element.get("name") == name:
+            assert getattr(owner, f"Get{name}MinValue")() <= float(limit) <= getattr(owner, f"Get{name}MaxValue")()
+            continue
         assert float(limit) == at_end
         set_value(int(beyond) if integer else beyond)
         assert value(owner, name) == [at_end]
@@ -121,14 +152,20 @@ def test_ranges_are_equal(element, owner, name):
 
 @pytest.mark.parametrize("make", PROXIES.values(), ids=PROXIES.keys())
 def test_no_property_is_forgotten(make):
-    proxy, (algorithm, *_) = make()
-    own = {
-        name[len("Set") :]
-        for name in vars(type(algorithm))
-        if name.startswith("Set") and hasattr(algorithm, f"Get{name[len('Set') :]}")
-    }
+    proxy, objects = make()
     offered = {element.get("command", "")[len("Set") :] for element in proxy}
-    assert own - offered <= ELSEWHERE
+    elsewhere = ELSEWHERE | (STIPPLE_ELSEWHERE if make is stipple else set())
+    for algorithm in objects:
+        if type(algorithm).__name__.startswith("vtkInk"):
+            own = {name[len("Set") :] for name in vars(type(algorithm)) if name.startswith("Set")}
+            own = {name for name in own if hasattr(algorithm, f"Get{name}")}
+            assert own - offered <= elsewhere
+
+
+@pytest.mark.parametrize("file", sorted(SERVER_MANAGER.glob("*.xml")), ids=lambda file: file.name)
+def test_every_property_gets_a_widget(file):
+    """ParaView 5.11 leaves properties of this type out of its panels."""
+    assert xml.etree.ElementTree.parse(file).find(".//IdTypeVectorProperty") is None
 
 
 def test_every_property_is_documented():
@@ -140,13 +177,41 @@ def test_every_property_is_documented():
                 assert text and text.strip().endswith("."), element.get("name")
 
 
-def test_every_extended_representation_shows_the_same_panel():
-    root = xml.etree.ElementTree.parse(SERVER_MANAGER / "SplattingLines.xml").getroot()
-    extensions = root.findall(".//Extension")
-    panels = {xml.etree.ElementTree.tostring(child).strip() for one in extensions for child in one}
-    assert {one.get("name") for one in extensions} == {
-        "GeometryRepresentation",
-        "UnstructuredGridRepresentation",
-        "StructuredGridRepresentation",
-    }
-    assert len(panels) == 2  # the type, and its proxy with the panel
+def test_stipple_has_the_presets_and_sliders_of_the_controls():
+    proxy, _ = stipple()
+    elements = {element.get("name"): element for element in proxy}
+    controls = vtkink.vtkInkStippleControls()
+    plain = [
+        entry.get("text").lower().replace(",", "").replace(" ", "-") for entry in elements["StipplePreset"].iter("Entry")
+    ]
+    assert plain == [controls.GetPresetName(i) for i in range(controls.GetNumberOfPresets())]
+    assert elements["StipplePreset"].get("default_values") == "0"
+    for slider in ("Gradient", "Sharpness", "Orientation", "Distance", "Interior", "Color"):
+        element = elements[f"Stipple{slider}"]
+        assert element.get("command") is None, "the proxy sets the mapper's properties"
+        assert numbers(element.get("default_values")) == pytest.approx(value(controls, slider))
+        domain = element.find("DoubleRangeDomain")
+        for limit, beyond in (("min", -9.0), ("max", 9.0)):
+            getattr(controls, f"Set{slider}")(beyond)
+            assert value(controls, slider) == [float(domain.get(limit))]
+        controls.Reset()
+
+
+@pytest.mark.parametrize("panel, file", PANELS.items())
+def test_panels_show_every_property_once(panel, file):
+    extension = proxy_of(panel, "Extension")
+    shown = [element.get("name") for element in extension.findall(".//PropertyGroup/Property")]
+    assert len(shown) == len(set(shown))
+    proxy = next(iter(proxy_of(file, "ProxyGroup")))
+    # The colouring is the host's.
+    shared = {"Input", "ColorArrayName", "LookupTable", "MapScalars"}
+    own = {element.get("name") for element in proxy if element.tag.endswith("Property")}
+    assert set(shown) == own - shared
+
+
+def test_properties_that_decide_what_is_shown_exist():
+    for make in PROXIES.values():
+        proxy, _ = make()
+        names = {element.get("name") for element in proxy}
+        for decorator in proxy.iter("PropertyWidgetDecorator"):
+            assert decorator.get("property") in names

@@ -4,14 +4,19 @@
 
 #include "InkTestChecks.h"
 #include "SamplerTestImages.h"
+#include "Sampling/StippledVoxels.h"
 
 #include "vtkCellData.h"
 #include "vtkExtentTranslator.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkNew.h"
 #include "vtkRTAnalyticSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
+
+#include <memory>
 
 namespace
 {
@@ -155,6 +160,37 @@ int TestStippleGeneratorPieces(int, char*[])
     }
     std::sort(together.begin(), together.end());
     check(together == expected, "the whole from ", pieces, " parts with ghost cells: ", expected.size(),
+      " stipples, found ", together.size());
+  }
+
+  // By the percentile of all parts together, which no part knows.
+  for (const int parts : { 1, 2, 5 })
+  {
+    std::vector<vtkSmartPointer<vtkInkStippleGenerator>> generators;
+    const auto statistics = std::make_shared<ink::VolumeStatistics>();
+    for (int part = 0; part < parts; ++part)
+    {
+      const auto producer = MakePart(image, part, parts, 5);
+      generators.push_back(MakeGenerator());
+      generators.back()->SetInputConnection(producer->GetOutputPort());
+      vtkNew<vtkInformation> request;
+      request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), part);
+      request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), parts);
+      check(generators.back()->Measure(request, *statistics), "part ", part, " is measured");
+    }
+    check(statistics->magnitudes.count() == static_cast<std::uint64_t>(image->GetNumberOfPoints()),
+      "each of ", image->GetNumberOfPoints(), " points measured once, found ",
+      statistics->magnitudes.count());
+    std::vector<Stipple> together;
+    for (int part = 0; part < parts; ++part)
+    {
+      generators[static_cast<std::size_t>(part)]->SetStatistics(statistics);
+      generators[static_cast<std::size_t>(part)]->UpdatePiece(part, parts, 0);
+      const auto stipples = StipplesOf(generators[static_cast<std::size_t>(part)]->GetOutput());
+      together.insert(together.end(), stipples.begin(), stipples.end());
+    }
+    std::sort(together.begin(), together.end());
+    check(together == whole, "the whole from ", parts, " parts by their percentile: ", whole.size(),
       " stipples, found ", together.size());
   }
   return check.Result();

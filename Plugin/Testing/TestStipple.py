@@ -1,0 +1,352 @@
+"""The representation Stipple: what it draws of which data, what its properties change, and what they leave."""
+
+import pathlib
+import tempfile
+import unittest
+
+import numpy
+
+from paraview import servermanager, smstate
+from rendering import *
+
+
+class TestStipple(unittest.TestCase):
+    def setUp(self):
+        # One for many tests: a new window would compile all shaders again.
+        self.view = GetActiveView() or green_view()
+
+    def tearDown(self):
+        for source in GetSources().values():
+            Delete(source)
+
+    def show(self, source, **properties):
+        display = Show(source, self.view)
+        display.SetRepresentationType("Stipple")
+        for name, value in properties.items():
+            setattr(display, name, value)
+        ResetCamera(self.view)
+        return display
+
+    def show_wavelet(self, **properties):
+        return self.show(Wavelet(), **{"GradientPercentile": 60, **properties})
+
+    def show_sphere(self, **properties):
+        return self.show(Sphere(ThetaResolution=32, PhiResolution=32), NumberOfSurfaceStipples=20000, **properties)
+
+    def ink(self):
+        return ink(picture(self.view))
+
+    def stipples(self, display):
+        """The stipples made on this process, and when."""
+        active = display.GetClientSideObject().GetActiveRepresentation()
+        points = active.GetRenderedDataObject(0).GetPoints()
+        return (points.GetNumberOfPoints(), points.GetMTime()) if points else (0, 0)
+
+    def test_is_offered_for_images_meshes_and_composite_data(self):
+        sphere = Sphere()
+        for source in (
+            Wavelet(),
+            sphere,
+            AppendDatasets(Input=[sphere]),  # a vtkUnstructuredGrid
+            ImageDatatoPointSet(Input=Wavelet()),  # a vtkStructuredGrid
+            GroupDatasets(Input=[sphere, sphere]),
+        ):
+            display = Show(source, self.view)
+            self.assertIn("Stipple", display.GetProperty("Representation").GetAvailable())
+
+    def test_draws_dots_of_ink_on_the_background(self):
+        self.show_wavelet()
+        pixels = picture(self.view)
+        inked = ~is_background(pixels)
+        self.assertGreater(inked.mean(), 0.02)
+        self.assertLess(inked.mean(), 0.7)
+        self.assertFalse(inked[0, 0])
+        self.assertLess(pixels[..., 1].min(), 0.1)
+        # Black over green is green, darker.
+        self.assertLess(pixels[..., 0].max(), 0.02)
+
+    def test_sliders_change_the_ink_and_make_no_new_stipples(self):
+        display = self.show_wavelet()
+        picture(self.view)
+        made = self.stipples(display)
+        self.assertGreater(made[0], 10000)
+        for slider, more in (("Gradient", True), ("Sharpness", False), ("Interior", False)):
+            inks = []
+            for position in (0.0, 0.5, 1.0):
+                setattr(display, f"Stipple{slider}", position)
+                inks.append(self.ink())
+            self.assertEqual(inks, sorted(set(inks), reverse=not more), slider)
+            display.StipplePreset = "Bone"
+            display.StipplePreset = "Anatomy"
+        before = picture(self.view)
+        for slider in ("Orientation", "Distance", "Color"):
+            setattr(display, f"Stipple{slider}", 1.0)
+            after = picture(self.view)
+            self.assertGreater(numpy.abs(after - before).mean(), 0.002, slider)
+            before = after
+        self.assertEqual(self.stipples(display), made)
+
+    def test_a_slider_sets_what_it_stands_for_and_nothing_else(self):
+        display = self.show_wavelet(Kgc=4.0, StippleSize=5.0, PixelsPerStipple=9.0)
+        kse = display.Kse
+        display.StippleOrientation = 0.0
+        self.assertFalse(display.LightingEnhancement)
+        self.assertEqual(display.Kss, 0.0)
+        self.assertEqual((display.Kgc, display.StippleSize, display.PixelsPerStipple, display.Kse), (4.0, 5.0, 9.0, kse))
+        display.StippleSharpness = 1.0
+        self.assertLess(display.Kse, kse)
+        display.Kse = 3.0
+        display.StippleGradient = 0.2
+        self.assertEqual(display.Kse, 3.0)
+        self.assertNotEqual(display.Kgc, 4.0)
+
+    def test_each_enhancement_is_switched(self):
+        display = self.show_wavelet()
+        whole = picture(self.view)
+        made = self.stipples(display)
+        for name in ("Boundary", "Silhouette", "Resolution", "Lighting", "Distance", "Interior"):
+            setattr(display, f"{name}Enhancement", False)
+            self.assertGreater(numpy.abs(picture(self.view) - whole).mean(), 0.001, name)
+            setattr(display, f"{name}Enhancement", True)
+        numpy.testing.assert_array_equal(picture(self.view), whole)
+        self.assertEqual(self.stipples(display), made)
+
+    def test_presets_set_the_sliders_and_differ(self):
+        display = self.show_wavelet(StipplePreset="Bone")
+        display.StippleGradient = 0.9
+        pictures, sharpness = [], []
+        for preset in display.GetProperty("StipplePreset").GetAvailable():
+            display.StipplePreset = preset
+            self.assertLess(display.StippleGradient, 0.7)
+            sharpness.append(display.StippleSharpness)
+            pictures.append(picture(self.view))
+        self.assertGreater(len(set(sharpness)), 2)
+        for i, one in enumerate(pictures):
+            for other in pictures[:i]:
+                self.assertGreater(numpy.abs(one - other).mean(), 0.001)
+        self.assertEqual(list(display.StippleInkColor), [1.0, 1.0, 1.0])
+        self.assertGreater(pictures[-1].min(axis=-1).max(), 0.9)
+        display.StipplePreset = "Anatomy"
+        numpy.testing.assert_array_equal(picture(self.view), pictures[0])
+
+    def test_where_there_are_stipples_follows_the_generators_properties(self):
+        display = self.show_wavelet()
+        picture(self.view)
+        counts = [self.stipples(display)[0]]
+        for name, value in (
+            ("GradientPercentile", 90),
+            ("StipplesPerElement", 2),
+            ("ScalarWindow", [150.0, 300.0]),
+            ("UseScalarWindow", True),
+        ):
+            setattr(display, name, value)
+            picture(self.view)
+            counts.append(self.stipples(display)[0])
+        self.assertEqual(counts[1], counts[2] * 4)
+        self.assertEqual(counts[2], counts[3])
+        self.assertGreater(counts[0], 3 * counts[1])
+        self.assertGreater(counts[3], counts[4])
+        self.assertGreater(counts[4], 0)
+        made = self.stipples(display)
+        display.StippleSeed = 7
+        picture(self.view)
+        self.assertEqual(self.stipples(display)[0], made[0])
+        self.assertGreater(self.stipples(display)[1], made[1])
+
+    def test_colours_by_an_array_through_the_lookup_table(self):
+        wavelet = Wavelet()
+        display = self.show(wavelet, GradientPercentile=60, BoundaryEnhancement=False, LightingEnhancement=False)
+        ColorBy(display, ("POINTS", "RTData"))
+        table = GetColorTransferFunction("RTData")
+        table.RGBPoints = [37.0, 1.0, 0.0, 0.0, 277.0, 0.0, 0.0, 1.0]
+        table.ColorSpace = "RGB"
+        pixels = picture(self.view)
+        inked = pixels[~is_background(pixels)]
+        self.assertGreater(inked[:, 0].max(), 0.4)
+        self.assertGreater(inked[:, 2].max(), 0.4)
+        made = self.stipples(display)
+        table.RGBPoints = [37.0, 0.0, 0.0, 1.0, 277.0, 0.0, 0.0, 1.0]
+        pixels = picture(self.view)
+        self.assertLess(pixels[~is_background(pixels)][:, 0].max(), 0.02)
+        self.assertEqual(self.stipples(display), made)
+        ColorBy(display, None)
+        pixels = picture(self.view)
+        self.assertLess(pixels[..., 2].max(), 0.02)
+
+    def test_colours_meshes_by_arrays_of_points_and_of_cells(self):
+        sphere = Sphere(ThetaResolution=32, PhiResolution=32)
+        elevation = Elevation(Input=sphere, LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
+        both = PointDatatoCellData(Input=elevation, PassPointData=True)
+        display = self.show(both, NumberOfSurfaceStipples=20000, LightingEnhancement=False)
+        for association in ("POINTS", "CELLS"):
+            ColorBy(display, (association, "Elevation"))
+            table = GetColorTransferFunction("Elevation")
+            table.RGBPoints = [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0]
+            table.ColorSpace = "RGB"
+            pixels = picture(self.view)
+            # Rows count upwards.
+            self.assertGreater(pixels[20:60, :, 0].max(), 0.6)
+            self.assertLess(pixels[20:60, :, 2].max(), 0.4)
+            self.assertGreater(pixels[140:180, :, 2].max(), 0.6)
+        # An array that has the name of one of the stipples' own.
+        ColorBy(display, ("POINTS", "Normals"))
+        before = picture(self.view)
+        self.assertGreater((~is_background(before)).mean(), 0.1)
+        with Warnings() as warnings:
+            picture(self.view)
+        self.assertEqual(warnings, [])
+
+    def test_meshes_are_drawn_in_the_shade(self):
+        self.show_sphere(StippleHeadlight=True)
+        inked = ~is_background(picture(self.view))
+        rows = inked[90:110]
+        rim = numpy.flatnonzero(rows.any(axis=0))[0]
+        self.assertLess(rows[:, 90:110].mean(), 0.6 * rows[:, rim + 1 : rim + 8].mean())
+
+    def test_a_surface_hides_what_lies_behind_it(self):
+        front = Sphere(Center=[0, 0, 5], Radius=2, ThetaResolution=32, PhiResolution=32)
+        pair = AppendGeometry(Input=[front, Sphere(ThetaResolution=32, PhiResolution=32)])
+        heights = Elevation(Input=pair, LowPoint=[0, 0, 0], HighPoint=[0, 0, 5])
+        display = self.show(heights, NumberOfSurfaceStipples=40000, LightingEnhancement=False)
+        ColorBy(display, ("POINTS", "Elevation"))
+        table = GetColorTransferFunction("Elevation")
+        table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 0.5, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0]
+        self.assertLess(picture(self.view)[..., 2].max(), 0.02)
+        display.SurfaceHides = False
+        self.assertGreater(picture(self.view)[..., 2].max(), 0.2)
+
+    def test_an_iso_surface_hides_what_lies_behind_it(self):
+        display = self.show_wavelet(GradientPercentile=0)
+        picture(self.view)
+        see_through = self.stipples(display)[0]
+        display.StippleIsoValue = 150.0
+        display.IsoSurfaceHides = True
+        solid = picture(self.view)
+        self.assertLess(self.stipples(display)[0], see_through)
+        self.assertGreater((~is_background(solid)).mean(), 0.02)
+        self.assertEqual(display.PixelsPerStipple, 6.0)
+        display.OccluderOffset = 100
+        self.assertGreater(self.ink(), 1.05 * ink(solid))
+
+    def test_other_data_is_drawn_by_its_outer_surface(self):
+        sphere = Sphere(ThetaResolution=32, PhiResolution=32)
+        count = {"NumberOfSurfaceStipples": 20000}
+        self.show(sphere, **count)
+        of_mesh = picture(self.view)
+        Hide(sphere, self.view)
+        grid = AppendDatasets(Input=[sphere])
+        self.show(grid, **count)
+        # The same surface, its polygons perhaps in another order.
+        self.assertAlmostEqual(self.ink() / ink(of_mesh), 1.0, delta=0.05)
+        Hide(grid, self.view)
+        self.show(GroupDatasets(Input=[Sphere(Center=[-1, 0, 0]), Sphere(Center=[1, 0, 0])]), **count)
+        inked = ~is_background(picture(self.view))
+        self.assertGreater(inked[:, :100].sum(), 500)
+        self.assertAlmostEqual(inked[:, :100].sum() / inked[:, 100:].sum(), 1.0, delta=0.3)
+
+    def test_a_mesh_of_few_polygons_gets_enough_stipples(self):
+        display = self.show(Box())
+        picture(self.view)
+        self.assertGreater(self.stipples(display)[0], 100000)
+
+    def test_images_of_composite_data_are_normalised_together(self):
+        whole = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+        display = self.show(GroupDatasets(Input=[whole]), GradientPercentile=60)
+        of_group = picture(self.view)
+        count = self.stipples(display)[0]
+        Hide(GetActiveSource(), self.view)
+        display = self.show(whole, GradientPercentile=60)
+        numpy.testing.assert_array_equal(picture(self.view), of_group)
+        self.assertEqual(self.stipples(display)[0], count)
+
+    def test_stipples_of_the_filter_are_drawn_as_they_are(self):
+        wavelet = Wavelet()
+        self.show(wavelet)
+        expected = picture(self.view)
+        Hide(wavelet, self.view)
+        generator = InkStippleGenerator(Input=wavelet)
+        self.assertEqual(Show(generator, self.view).Representation, "Stipple")
+        numpy.testing.assert_array_equal(picture(self.view), expected)
+
+    def test_stipples_of_the_filter_are_selected_where_they_are_seen(self):
+        generator = InkStippleGenerator(Input=Wavelet(), GradientPercentile=60)
+        self.show(generator)
+        picture(self.view)
+        SelectSurfacePoints(Rectangle=[0, 0, 99, 199], View=self.view)
+        selection = servermanager._getPyProxy(generator.SMProxy.GetSelectionInput(0))
+        self.assertIsNotNone(selection)
+        chosen = ExtractSelection(Input=generator, Selection=selection)
+        chosen.UpdatePipeline()
+        information = chosen.GetDataInformation()
+        self.assertGreater(information.GetNumberOfPoints(), 100)
+        # The left half of the picture.
+        self.assertLess(information.GetBounds()[1], 0.5)
+
+    def test_an_image_without_point_scalars_is_an_error_named_once(self):
+        with Warnings() as warnings:
+            self.show(PointDatatoCellData(Input=Wavelet()))
+            self.assertTrue(is_background(picture(self.view)).all())
+            picture(self.view)
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn("No point scalars in the image", warnings[0])
+
+    def test_new_data_is_drawn(self):
+        wavelet = Wavelet()
+        self.show(wavelet, GradientPercentile=60)
+        before = picture(self.view)
+        wavelet.XFreq = 10
+        self.assertGreater(numpy.abs(picture(self.view) - before).mean(), 0.005)
+
+    def test_is_moved_with_its_bounds(self):
+        display = self.show_sphere()
+        self.assertGreater(self.ink(), 0)
+        display.Position = [100, 0, 0]
+        self.assertTrue(is_background(picture(self.view)).all())
+        ResetCamera(self.view)
+        numpy.testing.assert_allclose(self.view.CameraFocalPoint, [100, 0, 0], atol=0.01)
+        self.assertGreater(self.ink(), 0)
+
+    def test_what_cannot_be_drawn_is_named_once(self):
+        line = Line()
+        with Warnings() as warnings:
+            self.show(line)
+            self.assertTrue(is_background(picture(self.view)).all())
+            picture(self.view)
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn("without polygons. It needs an image, a mesh, or stipples", warnings[0])
+
+    def assert_restored(self, save, load):
+        changed = {"StipplePreset": "Engineering", "StippleInterior": 0.9, "Kss": 0.7, "StippleInkColor": [0, 0, 1]}
+        display = self.show_wavelet(**changed)
+        names = [name for name in display.ListProperties() if name.startswith(("Stipple", "K", "Gradient"))]
+        expected = {name: str(getattr(display, name)) for name in names}
+        drawn = picture(self.view)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "saved"
+            save(file)
+            Delete(self.view)
+            self.tearDown()
+            load(file)
+        (self.view,) = GetViews()
+        # A setting of ParaView's, which states leave out.
+        self.view.UseFXAA = False
+        (source,) = GetSources().values()
+        display = GetDisplayProperties(source, self.view)
+        self.assertEqual(display.Representation, "Stipple")
+        self.assertEqual({name: str(getattr(display, name)) for name in names}, expected)
+        numpy.testing.assert_array_equal(picture(self.view), drawn)
+
+    def test_is_restored_from_a_state(self):
+        self.assert_restored(
+            lambda file: SaveState(str(file.with_suffix(".pvsm"))), lambda file: LoadState(str(file.with_suffix(".pvsm")))
+        )
+
+    def test_is_restored_from_a_script(self):
+        self.assert_restored(
+            lambda file: file.write_text(smstate.get_state(), encoding="utf-8"),
+            lambda file: exec(file.read_text(encoding="utf-8"), {}),
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()
