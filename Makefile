@@ -42,7 +42,7 @@ test-headless: ## Run the tests of the headless build
 test-paraview: ## Run the tests of the ParaView build
 	@Utilities/test.sh paraview
 
-bench: setup-headless build-headless ## Measure the sampler and the mapper against VTK's own
+bench: setup-headless build-headless ## Measure vtkInk against VTK's own, and how calm stipples are
 	@Utilities/bench.sh
 
 tradeoff: setup-headless build-headless ## Measure error against time, write Documentation/accuracy-and-speed.md

@@ -8,11 +8,24 @@ preset="${1:-headless}"
 cd "$(dirname "$0")/.."
 . Utilities/env.sh "$preset"
 
+on_display()
+{
+  if [ "$preset" = paraview ]; then
+    xvfb-run -a -s "-noreset -screen 0 1600x1200x24" "$@"
+  else
+    "$@"
+  fi
+}
+
 for benchmark in "$INK_BUILD/$INK_BUILD_BINDIR"/Benchmark*; do
   echo "bench: $(basename "$benchmark") ($preset, VTK $INK_BUILD_VTK_VERSION)"
-  if [ "$preset" = paraview ]; then
-    xvfb-run -a -s "-noreset -screen 0 1600x1200x24" "$benchmark" "$@"
-  else
-    "$benchmark" "$@"
-  fi
+  on_display "$benchmark" "$@"
 done
+
+# Two frames of each motion; more of them change little.
+if "$INK_PYTHON" -c 'import numpy, vtkink' 2>/dev/null; then
+  echo "bench: stipple_coherence.py ($preset, VTK $INK_BUILD_VTK_VERSION)"
+  on_display "$INK_PYTHON" Testing/Benchmarks/stipple_coherence.py 2
+else
+  echo "bench: left out of $preset: stipple_coherence.py, as $INK_PYTHON has no numpy or no vtkink"
+fi

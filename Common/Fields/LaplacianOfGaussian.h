@@ -41,6 +41,10 @@ glm::ivec3 laplacianReach(const glm::dvec3& deviation);
 /// a missing sample the result is 0. Where the axes are not at right angles the mixed derivatives have their
 /// part, too.
 ///
+/// 64-bit integers count as the nearest doubles: beyond 2^53 one of magnitude v is off by up to v / 2^53, and
+/// a Laplacian that is not smoothed by up to 12 times that where the spacing is 1. (Relative to one of the
+/// grid's values more of them would be exact, but parts of a grid would not give the bits of the whole.)
+///
 /// \param deviation along each axis, in samples
 /// \param laplacian one value for each sample of the box with x running fastest; no larger than Real can hold
 /// \returns false when `progress` asked to stop

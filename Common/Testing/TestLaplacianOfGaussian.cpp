@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -50,6 +51,34 @@ double quadratic(const glm::dvec3& p)
     0.75 * p.x * p.y - 0.5 * p.y * p.z + 1.5 * p.x * p.z;
 }
 constexpr double quadraticLaplacian = 2.0 - 1.0 + 0.5;
+
+TEST(LaplacianOfGaussian, RoundsWideIntegersToDoubles)
+{
+  for (const std::int64_t base : { std::int64_t(1) << 52, std::int64_t(1) << 60, -(std::int64_t(1) << 60) })
+  {
+    std::uint64_t index = 0;
+    auto volume = Volume<std::int64_t>::from(ink::GridGeometry({ 9, 9, 9 }),
+      [&](const glm::dvec3&) { return base + static_cast<std::int64_t>(hashNormal(3, index++) * 100.0); });
+    const std::vector<double> laplacian = laplacianOf(volume.field(), 0.0);
+    double largest = 0.0;
+    for (int k = 1; k < 8; ++k)
+    {
+      for (int j = 1; j < 8; ++j)
+      {
+        for (int i = 1; i < 8; ++i)
+        {
+          const auto at = [&](int x, int y, int z) { return volume.at({ x, y, z }) - base; };
+          const std::int64_t exact = at(i - 1, j, k) + at(i + 1, j, k) + at(i, j - 1, k) + at(i, j + 1, k) +
+            at(i, j, k - 1) + at(i, j, k + 1) - 6 * at(i, j, k);
+          largest = std::max(largest, std::abs(laplacian[i + 9 * (j + 9 * k)] - static_cast<double>(exact)));
+        }
+      }
+    }
+    const double size = std::abs(static_cast<double>(base));
+    EXPECT_LE(largest, size < 0x1p53 ? 0.0 : 12.0 * size * 0x1p-53) << base;
+    EXPECT_TRUE(size < 0x1p53 || largest > 0.0) << base;
+  }
+}
 
 TEST(LaplacianOfGaussian, IsExactForQuadraticsUpToTheBorder)
 {

@@ -106,7 +106,7 @@ TEST(ToneFactors, MaximumStipplesIsTheProjectedArea)
   EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 1.0f, 1.0f), 9.0f);
   EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 6.0f, 1.0f), 0.25f);
   EXPECT_FLOAT_EQ(ink::maximumStipples(3.0f, 1.0f, 4.0f), 2.25f);
-  EXPECT_EQ(ink::maximumStipples(3.0f, std::numeric_limits<float>::min(), 1.0f), 1e6f);
+  EXPECT_EQ(ink::maximumStipples(3.0f, std::numeric_limits<float>::min(), 2.0f), 5e11f);
 }
 
 TEST(SmallElements, WeightGrowsAsElementsShrink)
@@ -268,4 +268,27 @@ TEST(DotCoverage, AreaIsExactOnAverage)
     EXPECT_NEAR(sum / (places * places) / area, 1.0, 2e-3) << "diameter " << diameter;
   }
   EXPECT_EQ(ink::dotShape(0.0f).intensity, 0.0f);
+}
+
+TEST(DotCoverage, ThinnedDotsKeepTheirInk)
+{
+  const float least = 0.03f;
+  for (const float intensity : { 0.02f, 0.001f, 3e-5f })
+  {
+    const std::uint32_t count = 100000;
+    double sum = 0.0;
+    for (std::uint32_t index = 12345; index < 12345 + count; ++index)
+    {
+      const float thinned = ink::thinnedIntensity(intensity, least, index);
+      EXPECT_TRUE(thinned == 0.0f || thinned == least);
+      sum += thinned;
+    }
+    // As even as whole dots can be.
+    EXPECT_NEAR(sum, count * intensity, 3.0 * least) << "intensity " << intensity;
+  }
+  EXPECT_EQ(ink::thinnedIntensity(0.0f, least, 0), 0.0f);
+  EXPECT_EQ(ink::thinnedIntensity(0.0f, 0.0f, 0), 0.0f);
+  EXPECT_EQ(ink::thinnedIntensity(least, least, 1), least);
+  EXPECT_EQ(ink::thinnedIntensity(0.7f, least, 1), 0.7f);
+  EXPECT_EQ(ink::thinnedIntensity(1e-6f, 0.0f, 1), 1e-6f);
 }

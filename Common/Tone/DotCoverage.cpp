@@ -22,4 +22,12 @@ float dotCoverage(const DotShape& dot, float distance)
   return dot.intensity * std::clamp(dot.radius + 0.5f - distance, 0.0f, 1.0f);
 }
 
+float thinnedIntensity(float intensity, float least, std::uint32_t index)
+{
+  // Multiples of the golden section modulo 1 fill the unit interval evenly, however many there are.
+  constexpr std::uint32_t goldenSection = 2654435769u;
+  const float random = static_cast<float>((index * goldenSection) >> 8) * 0x1p-24f;
+  return intensity >= least ? intensity : intensity > least * random ? least : 0.0f;
+}
+
 } // namespace ink

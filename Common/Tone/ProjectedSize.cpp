@@ -7,9 +7,9 @@ namespace ink
 
 float maximumStipples(float elementSize, float pixelSize, float pixelsPerStipple)
 {
-  constexpr float most = 1e6f;
-  const float pixels = std::min(elementSize / pixelSize, most);
-  return std::min(pixels * pixels / pixelsPerStipple, most);
+  constexpr float mostPixels = 1e6f;
+  const float pixels = std::min(elementSize / pixelSize, mostPixels);
+  return pixels * pixels / pixelsPerStipple;
 }
 
 } // namespace ink

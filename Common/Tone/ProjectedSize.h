@@ -9,7 +9,8 @@ namespace ink
 /// @param pixelSize view units that a pixel covers at that distance; positive
 /// @param pixelsPerStipple 1: as in the paper; about the number of pixels that a stipple covers, divided by
 ///   the darkest grey wanted
-/// @return at most 1e6, at which an element fills any window
+///   Elements wider than a million pixels count as that wide, far beyond any window: with the eye within the
+///   object, those at the near plane may be so wide, and N_max of others follows from theirs.
 float maximumStipples(float elementSize, float pixelSize, float pixelsPerStipple);
 
 } // namespace ink

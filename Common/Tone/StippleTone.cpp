@@ -47,16 +47,11 @@ StippleTone::Mark StippleTone::mark(
   const float depth = (view.middle - distanceFromEye) / view.halfRange;
   glm::vec3 normal = element.normal;
   float cosine = eyeCosine(view, element);
-  bool drawn = true;
+  const bool seen = this->isSeen(cosine);
   if (this->surface)
   {
-    drawn = this->twoSided || cosine > 0.0f;
     normal = cosine < 0.0f ? -normal : normal;
     cosine = std::abs(cosine);
-  }
-  else
-  {
-    drawn = this->lighting.faces(cosine);
   }
 
   float factors = 1.0f;
@@ -76,7 +71,7 @@ StippleTone::Mark StippleTone::mark(
   const float room = view.maximumStipples / view.listed * byDistance;
   Mark mark;
   mark.tone = element.listLength * (this->growing ? std::min(room, 1.0f) : room) * factors;
-  mark.opacity = drawn && static_cast<float>(rank) < element.listLength
+  mark.opacity = seen && static_cast<float>(rank) < element.listLength
     ? this->smallElements.part(mark.tone, rank, element.random, view.smallness)
     : 0.0f;
   mark.diameter = this->diameter * this->distance.sizeFactor(depth);
@@ -91,11 +86,15 @@ StippleTone::Mark StippleTone::mark(
   return mark;
 }
 
+bool StippleTone::isSeen(float cosine) const
+{
+  return this->surface ? this->twoSided || cosine > 0.0f : this->lighting.faces(cosine);
+}
+
 float StippleTone::mostTone(const View& view, float largestValue, float largestGradient, float longestList,
   float nearestDistance, float farthestDistance, const Directions& directions) const
 {
-  if (this->surface ? !this->twoSided && directions.mostCosine <= 0.0f
-                    : !this->lighting.faces(directions.mostCosine))
+  if (!this->isSeen(directions.mostCosine))
   {
     return 0.0f;
   }

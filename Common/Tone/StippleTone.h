@@ -78,6 +78,10 @@ struct StippleTone
   /// @param rank of the stipple in the element's list, from 0
   Mark mark(const View& view, std::span<const StippleLight> lights, const Element& element, int rank) const;
 
+  /// Whether the way an element faces lets it be drawn.
+  /// @param cosine of the angle between its normal and the eye
+  bool isSeen(float cosine) const;
+
   /// How the elements of a group lie to the eye and the light.
   struct Directions
   {

@@ -133,7 +133,8 @@ public:
 
   ///@{
   /**
-   * Compute the point array `Laplacian`, of the image smoothed by a Gaussian. Default: off.
+   * Compute the point array `Laplacian`, of the image smoothed by a Gaussian. Default: off. Here, unlike in
+   * gradients, 64-bit integers beyond 2^53 count as the nearest doubles, off by up to 2^-53 of themselves.
    */
   vtkSetMacro(ComputeLaplacian, bool);
   vtkGetMacro(ComputeLaplacian, bool);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <numeric>
 
@@ -16,8 +15,35 @@ namespace
 /// Runs with no more stipples between them than this become one: a run takes longer than a few stipples.
 constexpr int SmallGap = 16;
 
-/// For rounding, in cosines and radians.
+/// For rounding, in cosines.
 constexpr float Slack = 1e-3f;
+
+/// An angle between 0 and pi.
+struct Angle
+{
+  float Cosine = 1.0f;
+  float Sine = 0.0f;
+
+  explicit Angle(float cosine)
+    : Cosine(std::clamp(cosine, -1.0f, 1.0f))
+    , Sine(std::sqrt(1.0f - this->Cosine * this->Cosine))
+  {
+  }
+  /// At most pi.
+  Angle operator+(const Angle& other) const
+  {
+    return this->Sine * other.Cosine + this->Cosine * other.Sine < 0.0f
+      ? Angle(-1.0f)
+      : Angle(this->Cosine * other.Cosine - this->Sine * other.Sine);
+  }
+  /// At least 0.
+  Angle operator-(const Angle& other) const
+  {
+    return this->Sine * other.Cosine - this->Cosine * other.Sine < 0.0f
+      ? Angle(1.0f)
+      : Angle(this->Cosine * other.Cosine + this->Sine * other.Sine);
+  }
+};
 
 /// Blocks as a view sees them.
 class BlockView
@@ -67,7 +93,7 @@ public:
     const float distance = glm::dot(glm::vec3(this->Depth), middle) + this->Depth.w;
     const float depth = glm::dot(glm::abs(glm::vec3(this->Depth)), half);
     return this->Tone.mostTone(this->ToneView.Tone, block.LargestValue, block.LargestGradient,
-      static_cast<float>(block.Ends.size()), distance - depth, distance + depth,
+      static_cast<float>(block.Runs.size()), distance - depth, distance + depth,
       this->FindDirections(block, middle, glm::length(half)));
   }
 
@@ -79,25 +105,24 @@ private:
   };
 
   /// Of the angles between the directions in two cones.
-  static Cosines Between(const glm::vec3& a, const glm::vec3& b, float spread)
+  static Cosines Between(const glm::vec3& a, const glm::vec3& b, const Angle& spread)
   {
-    constexpr float pi = glm::pi<float>();
-    const float angle = std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
-    return { std::cos(std::min(angle + spread + Slack, pi)) - Slack,
-      std::cos(std::max(angle - spread - Slack, 0.0f)) + Slack };
+    const Angle angle(glm::dot(a, b));
+    return { (angle + spread).Cosine - Slack, (angle - spread).Cosine + Slack };
   }
 
   ink::StippleTone::Directions FindDirections(
     const InkStippleBlock& block, const glm::vec3& middle, float radius) const
   {
     ink::StippleTone::Directions directions;
-    if (!this->KeepsAngles || !(block.Spread < glm::pi<float>()))
+    if (!this->KeepsAngles || !(block.LeastCosine > -1.0f))
     {
       return directions;
     }
     const glm::vec3 axis = glm::normalize(this->Normal * glm::make_vec3(block.Axis.data()));
     glm::vec3 toEye(0.0f, 0.0f, 1.0f);
-    float across = 0.0f;
+    const Angle spread(block.LeastCosine);
+    Angle across(1.0f);
     if (!this->Parallel)
     {
       toEye = -glm::vec3(this->ToView * glm::vec4(middle, 1.0f));
@@ -107,20 +132,22 @@ private:
         return directions;
       }
       toEye /= length;
-      across = std::asin(radius * this->Unit / length);
+      const float sine = radius * this->Unit / length;
+      across = Angle(std::sqrt(1.0f - sine * sine));
     }
-    const Cosines eye = Between(axis, toEye, block.Spread + across);
+    const Cosines eye = Between(axis, toEye, spread + across);
     directions.leastCosine = eye.Least;
     directions.mostCosine = eye.Most;
     // Normals on the back are turned round there.
-    if (this->Tone.lighting.on && !(this->Tone.surface && this->Tone.twoSided && eye.Least < 0.0f))
+    if (this->Tone.lighting.on && this->Tone.isSeen(eye.Most) &&
+      !(this->Tone.surface && this->Tone.twoSided && eye.Least < 0.0f))
     {
-      this->FindLight(axis, block.Spread, directions);
+      this->FindLight(axis, spread, directions);
     }
     return directions;
   }
 
-  void FindLight(const glm::vec3& axis, float spread, ink::StippleTone::Directions& directions) const
+  void FindLight(const glm::vec3& axis, const Angle& spread, ink::StippleTone::Directions& directions) const
   {
     float least = 0.0f;
     float most = 0.0f;
@@ -163,39 +190,49 @@ void InkStippleRuns::Find(const std::vector<InkStippleBlock>& blocks, const InkV
   this->Firsts.clear();
   this->Counts.clear();
   const BlockView seen(view, tone, toneView, margin);
-  for (const InkStippleBlock& block : blocks)
+  std::vector<std::size_t> ranks; // to be drawn, of each block of the group
+  for (std::size_t first = 0, last; first < blocks.size(); first = last)
   {
-    // The last stipple drawn has a rank below T, by random values, too; a little for rounding.
-    const double ranks = std::ceil(1.001 * seen.MostTone(block));
-    if (ranks >= 1.0)
+    ranks.clear();
+    std::size_t most = 0;
+    for (last = first; last < blocks.size() && blocks[last].Group == blocks[first].Group; ++last)
     {
-      const auto last = static_cast<std::size_t>(std::min<double>(ranks, block.Ends.size())) - 1;
-      this->Add(block.First, block.Ends[last]);
+      // The last stipple drawn has a rank below T, by random values, too; a little for rounding.
+      const double tonesRanks = std::ceil(1.001 * seen.MostTone(blocks[last]));
+      ranks.push_back(static_cast<std::size_t>(
+        std::min<double>(tonesRanks, static_cast<double>(blocks[last].Runs.size()))));
+      most = std::max(most, ranks.back());
+    }
+    for (std::size_t rank = 0; rank < most; ++rank)
+    {
+      for (std::size_t block = first; block < last; ++block)
+      {
+        if (rank < ranks[block - first])
+        {
+          this->Add(blocks[block].Runs[rank]);
+        }
+      }
     }
   }
 }
 
-void InkStippleRuns::Add(int first, int count)
+void InkStippleRuns::Add(const InkStippleBlock::Run& run)
 {
-  if (!this->Firsts.empty() && first - (this->Firsts.back() + this->Counts.back()) <= SmallGap)
+  if (!this->Firsts.empty() && run.First - (this->Firsts.back() + this->Counts.back()) <= SmallGap)
   {
-    this->Counts.back() = first + count - this->Firsts.back();
+    this->Counts.back() = run.First + run.Count - this->Firsts.back();
   }
   else
   {
-    this->Firsts.push_back(first);
-    this->Counts.push_back(count);
+    this->Firsts.push_back(run.First);
+    this->Counts.push_back(run.Count);
   }
 }
 
-void InkStippleRuns::Fill(const std::vector<InkStippleBlock>& blocks)
+void InkStippleRuns::Fill(int numberOfStipples)
 {
-  this->Firsts.clear();
-  this->Counts.clear();
-  for (const InkStippleBlock& block : blocks)
-  {
-    this->Add(block.First, block.Ends.back());
-  }
+  this->Firsts = { 0 };
+  this->Counts = { numberOfStipples };
 }
 
 long long InkStippleRuns::GetNumberOfStipples() const

@@ -5,24 +5,29 @@
 #include "InkStippleView.h"
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 struct InkView;
 
-/// A group of elements that lie close together. Its stipples stand one after the other on the GPU: the first
-/// of each element, then the second of each, and so on, so that a beginning of them is enough where few of
-/// each element are to be drawn.
+/// Elements that lie close together and are alike. On the GPU the stipples of a sequence of blocks, a group,
+/// stand one after the other: the first of each element, then the second of each, and so on, so that one run
+/// holds what is drawn of many blocks, many of each element or few.
 struct InkStippleBlock
 {
+  struct Run
+  {
+    int First;
+    int Count;
+  };
+
   std::array<float, 3> Low{}; ///< of its stipples' box, in the local frame
   std::array<float, 3> High{};
   float LargestValue = 0.0f;
   float LargestGradient = 0.0f;
   std::array<float, 3> Axis{}; ///< of a cone around its elements' normals, unit length
-  float Spread = INFINITY;     ///< half that cone's angle in radians; from pi on there is none
-  int First = 0;               ///< of its stipples
-  std::vector<int> Ends;       ///< by rank: the number of its stipples up to that rank
+  float LeastCosine = -1.0f;   ///< of half that cone's angle; -1: there is none
+  int Group = 0;               ///< blocks of a group follow each other
+  std::vector<Run> Runs;       ///< its stipples, by rank
 };
 
 /// Which stipples are worth looking at: a list of runs for one draw call.
@@ -38,12 +43,12 @@ struct InkStippleRuns
     const InkStippleView& toneView, float margin);
 
   /// All stipples.
-  void Fill(const std::vector<InkStippleBlock>& blocks);
+  void Fill(int numberOfStipples);
 
   long long GetNumberOfStipples() const;
 
 private:
-  void Add(int first, int count);
+  void Add(const InkStippleBlock::Run& run);
 };
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStipplePasses.h"
 
+#include "InkBlendStep.h"
+#include "InkPackedStipples.h"
 #include "InkRenderPasses.h"
 #include "InkScopedState.h"
 #include "InkStippleOccluder.h"
@@ -32,10 +34,19 @@
 namespace
 {
 
-/// Replaces a tag, which is there once.
-void Replace(std::string& shader, const std::string& tag, const std::string& text)
+/// Dots are at least this many of the steps that blending can make, so that rounding hardly shows; paler ones
+/// are drawn more rarely instead.
+constexpr float LeastSteps = 8.0f;
+
+/// A shader with a tag replaced, which is there once.
+std::string Replace(std::string shader, const std::string& tag, const std::string& text)
 {
-  shader.replace(shader.find(tag), tag.size(), text);
+  return shader.replace(shader.find(tag), tag.size(), text);
+}
+
+std::string WithFeatures(const std::string& shader, const std::string& features)
+{
+  return Replace(shader, "//INK::Features", features);
 }
 
 } // namespace
@@ -71,25 +82,49 @@ InkStipplePasses::~InkStipplePasses()
   this->Buffer->ReleaseGraphicsResources();
 }
 
-std::string InkStipplePasses::Upload(const InkStipplePoints& points)
+std::string InkStipplePasses::Upload(const InkStipplePoints& points, bool packed)
 {
-  if (!points.GetVertices().empty())
-  {
-    this->Buffer->Upload(points.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
-  }
   vtkTimeStamp now;
   now.Modified();
   this->UploadTime = now.GetMTime();
-  return this->Textures.Upload(points);
+  this->Packed = packed;
+  if (!packed)
+  {
+    if (!points.GetVertices().empty())
+    {
+      this->Buffer->Upload(points.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
+    }
+    return this->Textures.Upload(points, {});
+  }
+  const InkPackedStipples stipples(points);
+  if (!stipples.Vertices.empty())
+  {
+    this->Buffer->Upload(stipples.Vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->PackedStep[axis] = stipples.Edges[axis] / static_cast<float>(ink::packedPlaceSteps);
+  }
+  return this->Textures.Upload(points, stipples.Boxes);
 }
 
-std::string InkStipplePasses::MakeVertexShader(const Scene& scene) const
+std::string InkStipplePasses::FindFeatures(const Scene& scene) const
 {
-  std::string features;
-  if (std::any_of(scene.ToneView.Lights.begin(), scene.ToneView.Lights.end(),
-        [](const ink::StippleLight& light) { return light.isLamp(); }))
+  const std::vector<ink::StippleLight>& lights = scene.ToneView.Lights;
+  const auto lamps = std::count_if(
+    lights.begin(), lights.end(), [](const ink::StippleLight& light) { return light.isLamp(); });
+  const auto define = [](const char* name, std::size_t number)
+  { return std::string("#define ") + name + ' ' + std::to_string(number) + '\n'; };
+  std::string features = define("INK_LIGHTS", lights.size());
+  features += define("INK_SUNS", lights.size() - lamps);
+  features += define("INK_PLANES", scene.View.NumberOfClippingPlanes);
+  if (lamps > 0)
   {
     features += "#define INK_LAMPS\n";
+  }
+  if (scene.Tone.smallElements.way == ink::SmallElements::Way::probability)
+  {
+    features += "#define INK_PROBABILITY\n";
   }
   if (this->Textures.HasColors() || scene.Tone.warmCool.amount > 0.0f)
   {
@@ -99,9 +134,11 @@ std::string InkStipplePasses::MakeVertexShader(const Scene& scene) const
   {
     features += "#define INK_OCCLUDED\n";
   }
-  std::string shader = InkStippleVS;
-  Replace(shader, "//INK::Features", features);
-  return shader;
+  if (this->Packed)
+  {
+    features += "#define INK_PACKED\n";
+  }
+  return features;
 }
 
 InkStipplePasses::Pass& InkStipplePasses::FindPass(
@@ -118,6 +155,33 @@ InkStipplePasses::Pass& InkStipplePasses::FindPass(
   return *pass;
 }
 
+void InkStipplePasses::BindAttributes(Pass& pass, vtkShaderProgram* program)
+{
+  // vtkOpenGLVertexArrayObject would turn integers into floats.
+  const auto bindInteger = [&](const char* name, std::size_t offset, std::size_t stride)
+  {
+    this->Buffer->Bind();
+    const int location = glGetAttribLocation(program->GetHandle(), name);
+    glEnableVertexAttribArray(location);
+    glVertexAttribIPointer(
+      location, 1, GL_UNSIGNED_INT, static_cast<int>(stride), reinterpret_cast<const void*>(offset));
+    this->Buffer->Release();
+  };
+  if (this->Packed)
+  {
+    using Vertex = InkPackedStipples::Vertex;
+    bindInteger("packedPlace", offsetof(Vertex, Place), sizeof(Vertex));
+    bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
+  }
+  else
+  {
+    using Vertex = InkStipplePoints::Vertex;
+    pass.VertexArray->AddAttributeArray(
+      program, this->Buffer, "pointMC", offsetof(Vertex, Position), sizeof(Vertex), VTK_FLOAT, 3, false);
+    bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
+  }
+}
+
 vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
 {
   vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
@@ -131,15 +195,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     // This deletes the binding: it goes before Bind.
     pass.VertexArray->ShaderProgramChanged();
     pass.VertexArray->Bind();
-    pass.VertexArray->AddAttributeArray(program, this->Buffer, "pointMC",
-      offsetof(InkStipplePoints::Vertex, Position), sizeof(InkStipplePoints::Vertex), VTK_FLOAT, 3, false);
-    // vtkOpenGLVertexArrayObject would turn the integers into floats.
-    this->Buffer->Bind();
-    const int location = glGetAttribLocation(program->GetHandle(), "elementAndRank");
-    glEnableVertexAttribArray(location);
-    glVertexAttribIPointer(location, 1, GL_UNSIGNED_INT, sizeof(InkStipplePoints::Vertex),
-      reinterpret_cast<const void*>(offsetof(InkStipplePoints::Vertex, ElementAndRank)));
-    this->Buffer->Release();
+    this->BindAttributes(pass, program);
     pass.ProgramHandle = program->GetHandle();
   }
   else
@@ -151,6 +207,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
   InkSetStippleUniforms(program, scene.Tone, scene.ToneView, scale);
   this->Textures.Activate(program);
   program->SetUniformi("rankBits", scene.Points.GetRankBits());
+  program->SetUniform3f("packedStep", this->PackedStep.data());
   const float color[3] = { static_cast<float>(scene.InkColor[0]), static_cast<float>(scene.InkColor[1]),
     static_cast<float>(scene.InkColor[2]) };
   program->SetUniform3f("inkColor", color);
@@ -167,8 +224,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     // Samplers of different kinds must not share a unit, also if one of them is not looked at.
     program->SetUniformi("occluder", this->LastTextureUnit);
   }
-  const float nowhere[2] = { 0.0f, 0.0f };
-  program->SetUniform2f("resultSize", nowhere);
+  program->SetUniformf("leastIntensity", 0.0f);
   return program;
 }
 
@@ -211,13 +267,14 @@ void InkStipplePasses::DrawRuns(const InkStippleRuns& runs)
 void InkStipplePasses::Draw(
   const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses)
 {
-  std::string vertexShader = this->MakeVertexShader(scene);
+  const std::string features = this->FindFeatures(scene);
+  std::string vertexShader = WithFeatures(InkStippleVS, features);
   std::string geometryShader;
-  std::string fragmentShader = InkStippleFS;
+  std::string fragmentShader = WithFeatures(InkStippleFS, features);
   renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
   // Depth peeling asks for it; without, a fragment's depth can be tested before it is shaded.
   const bool peeled = fragmentShader.find("//VTK::DepthPeeling::PreColor") == std::string::npos;
-  Replace(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
+  fragmentShader = Replace(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
   Pass& pass = this->FindPass(vertexShader, geometryShader, fragmentShader);
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
@@ -227,6 +284,8 @@ void InkStipplePasses::Draw(
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniformf("actorOpacity", static_cast<float>(opacity));
+    const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
+    program->SetUniformf("leastIntensity", std::min(least, 1.0f));
     renderPasses.SetShaderParameters(program, pass.VertexArray);
     this->DrawRuns(this->FindRuns(scene));
     this->End(pass, scene);
@@ -239,7 +298,8 @@ void InkStipplePasses::DrawIds(
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  Pass& pass = this->FindPass(this->MakeVertexShader(scene), "", InkStippleIdFS);
+  const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n";
+  Pass& pass = this->FindPass(WithFeatures(InkStippleVS, features), "", InkStippleIdFS);
   if (vtkShaderProgram* program = this->Begin(pass, scene))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
@@ -286,13 +346,15 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    Pass& pass = this->FindPass(this->MakeVertexShader(scene), "", InkStippleResultFS);
+    const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n#define INK_RESULTS\n";
+    Pass& pass =
+      this->FindPass(WithFeatures(InkStippleVS, features), "", WithFeatures(InkStippleResultFS, features));
     if (vtkShaderProgram* program = this->Begin(pass, scene))
     {
       const float size[2] = { static_cast<float>(width), static_cast<float>(height) };
       program->SetUniform2f("resultSize", size);
       InkStippleRuns runs;
-      runs.Fill(scene.Points.GetBlocks());
+      runs.Fill(static_cast<int>(scene.Points.GetNumberOfStipples()));
       this->DrawRuns(runs);
       this->End(pass, scene);
       results.resize(6 * static_cast<std::size_t>(count));

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,8 +35,9 @@ public:
 
   vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
 
+  /// @param packed whether in 8 bytes a stipple, see InkPackedStipples, instead of 16
   /// @return why that cannot be done, for the user; empty if it can
-  std::string Upload(const InkStipplePoints& points);
+  std::string Upload(const InkStipplePoints& points, bool packed);
   /// When Upload was last called, on VTK's clock; 0: never.
   vtkMTimeType GetUploadTime() const { return this->UploadTime; }
 
@@ -70,10 +72,11 @@ public:
 private:
   struct Pass;
 
-  /// The vertex shader with what the scene needs of it.
-  std::string MakeVertexShader(const Scene& scene) const;
+  /// Definitions for what of the shaders the scene needs.
+  std::string FindFeatures(const Scene& scene) const;
   Pass& FindPass(
     const std::string& vertexShader, const std::string& geometryShader, const std::string& fragmentShader);
+  void BindAttributes(Pass& pass, vtkShaderProgram* program);
   vtkShaderProgram* Begin(Pass& pass, const Scene& scene);
   InkStippleRuns FindRuns(const Scene& scene) const;
   void DrawRuns(const InkStippleRuns& runs);
@@ -82,6 +85,8 @@ private:
   vtkOpenGLRenderWindow* Window;
   vtkNew<vtkOpenGLBufferObject> Buffer;
   InkStippleTextures Textures;
+  bool Packed = false;
+  std::array<float, 3> PackedStep{}; ///< of a packed place at scale 1
   vtkMTimeType UploadTime = 0;
   vtkIdType Processed = 0;
   float LargestPoint = 1.0f;

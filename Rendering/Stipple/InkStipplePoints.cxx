@@ -24,9 +24,9 @@ namespace
 /// Blocks are what lies in cubes of this many elements along an edge and has similar normals and gradients,
 /// cut in two where it is very much: large enough that their number is small beside that of the stipples,
 /// small enough that they are cut off closely.
-constexpr double BlockEdge = 16.0;
-constexpr std::size_t MostElementsPerBlock = 512;
-constexpr double GradientBins = 4.0;
+constexpr double BlockEdge = 8.0;
+constexpr int MostElementsPerBlock = 512;
+constexpr double GradientBins = 4.0; // GradientBits of them
 
 /// What separates the random values of elements from other uses of their ids.
 constexpr std::uint64_t RandomSeed = 0x5717b1e;
@@ -51,8 +51,8 @@ std::uint64_t MortonCode(const float position[3])
   return code;
 }
 
-/// A number for each of the 26 directions to the neighbours in a grid, the nearest to a direction: so that
-/// the axes, along which many things are built, lie in the middle of theirs.
+/// A number for each of the 98 directions to the outer cells of a grid of 5^3, the nearest to a direction: so
+/// that the axes, along which many things are built, lie in the middle of theirs.
 std::uint64_t DirectionBin(const double direction[3])
 {
   const double largest = std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
@@ -60,9 +60,26 @@ std::uint64_t DirectionBin(const double direction[3])
   for (int axis = 0; axis < 3; ++axis)
   {
     const double share = direction[axis] / largest;
-    bin = 3 * bin + (share < -0.5 ? 0 : share > 0.5 ? 2 : 1);
+    bin = 5 * bin + static_cast<std::uint64_t>(std::clamp(std::floor(2.5 + 2.0 * share), 0.0, 4.0));
   }
   return bin;
+}
+
+/// Groups are 2^3 cubes along each axis, and all gradients.
+constexpr int CubeBits = 9;
+constexpr int GradientBits = 2;
+
+/// The same for elements that may share a block. In its order, what looks into the same direction comes
+/// together, so that what is drawn in a view stands in few runs.
+std::uint64_t BlockKey(std::uint64_t cube, std::uint64_t direction, std::uint64_t steepness)
+{
+  const std::uint64_t group = direction << 32 | cube >> CubeBits;
+  return (group << GradientBits | steepness) << CubeBits | (cube & ((1u << CubeBits) - 1));
+}
+
+std::uint64_t GroupOf(std::uint64_t blockKey)
+{
+  return blockKey >> (GradientBits + CubeBits);
 }
 
 } // namespace
@@ -107,7 +124,7 @@ std::vector<InkStipplePoints::Element> InkStipplePoints::ReadElements(
       const auto steepness =
         static_cast<std::uint64_t>(std::min(gradient * GradientBins, GradientBins - 1.0));
       const std::uint64_t cube = finite ? MortonCode(local) >> shift : 0;
-      elements.push_back({ (cube << 5 | DirectionBin(normal)) << 2 | steepness, id, first,
+      elements.push_back({ BlockKey(cube, DirectionBin(normal), steepness), id, first,
         static_cast<int>(std::min(length, longest)) });
     }
     first += length;
@@ -132,8 +149,9 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
   this->ElementSize = static_cast<float>(input.ElementSize / this->Frame.Unit);
   vtkCellArray* cells = input.Data->GetVerts();
   const vtkIdType longest = cells->GetMaxCellSize();
-  this->Listed = static_cast<float>(
-    input.StipplesPerElement > 0.0 ? input.StipplesPerElement : std::max<double>(longest, 1.0));
+  this->Listed = static_cast<float>(input.StipplesPerElement > 0.0 && std::isfinite(input.StipplesPerElement)
+      ? input.StipplesPerElement
+      : std::max<double>(longest, 1.0));
 
   // As many bits for the rank as the elements' numbers leave.
   const auto count = static_cast<std::uint64_t>(cells->GetNumberOfCells());
@@ -156,15 +174,15 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
          << " stipples are drawn: the numbers of element and stipple have 32 bits together.";
   }
   this->Vertices.reserve(static_cast<std::size_t>(input.Data->GetNumberOfPoints()));
-  for (std::size_t first = 0, last; first < elements.size(); first = last)
+  int group = 0;
+  for (std::size_t first = 0, last; first < elements.size(); first = last, ++group)
   {
     last = first + 1;
-    while (last < elements.size() && last - first < MostElementsPerBlock &&
-      elements[last].Block == elements[first].Block)
+    while (last < elements.size() && GroupOf(elements[last].Block) == GroupOf(elements[first].Block))
     {
       ++last;
     }
-    this->AddBlock(input, &elements[first], static_cast<int>(last - first));
+    this->AddGroup(input, &elements[first], static_cast<int>(last - first), group);
   }
   this->NumberOfStipples = static_cast<vtkIdType>(this->Vertices.size());
   if (colors)
@@ -179,13 +197,54 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
   return left.str();
 }
 
-void InkStipplePoints::AddBlock(const InkStippleInput& input, const Element* elements, int count)
+void InkStipplePoints::AddGroup(const InkStippleInput& input, const Element* elements, int count, int group)
+{
+  const auto firstElement = static_cast<std::uint32_t>(this->Shapes.size());
+  const std::size_t firstBlock = this->Blocks.size();
+  std::vector<int> ends; // of the blocks, in elements
+  int longest = 0;
+  for (int first = 0, last; first < count; first = last)
+  {
+    last = first + 1;
+    while (
+      last < count && last - first < MostElementsPerBlock && elements[last].Block == elements[first].Block)
+    {
+      ++last;
+    }
+    this->Blocks.push_back(this->ReadBlock(input, elements + first, last - first));
+    this->Blocks.back().Group = group;
+    ends.push_back(last);
+    longest = std::max(longest, static_cast<int>(this->Blocks.back().Runs.size()));
+  }
+  for (int rank = 0; rank < longest; ++rank)
+  {
+    int i = 0;
+    for (std::size_t b = 0; b < ends.size(); ++b)
+    {
+      InkStippleBlock& block = this->Blocks[firstBlock + b];
+      const std::size_t start = this->Vertices.size();
+      for (; i < ends[b]; ++i)
+      {
+        if (rank < elements[i].Length)
+        {
+          this->AddStipple(
+            input, elements[i].First + rank, firstElement + static_cast<std::uint32_t>(i), rank, block);
+        }
+      }
+      if (rank < static_cast<int>(block.Runs.size()))
+      {
+        block.Runs[rank] = { static_cast<int>(start), static_cast<int>(this->Vertices.size() - start) };
+      }
+    }
+  }
+}
+
+InkStippleBlock InkStipplePoints::ReadBlock(const InkStippleInput& input, const Element* elements, int count)
 {
   InkStippleBlock block;
   block.Low.fill(INFINITY);
   block.High.fill(-INFINITY);
-  block.First = static_cast<int>(this->Vertices.size());
-  const auto firstElement = static_cast<std::uint32_t>(this->Shapes.size());
+  const std::size_t firstElement = this->Shapes.size();
   int longest = 0;
   double mean[3] = { 0.0, 0.0, 0.0 };
   for (int i = 0; i < count; ++i)
@@ -203,9 +262,9 @@ void InkStipplePoints::AddBlock(const InkStippleInput& input, const Element* ele
       { { static_cast<float>(normal[0]), static_cast<float>(normal[1]), static_cast<float>(normal[2]) },
         gradient });
     const auto bits = ink::hash(RandomSeed, static_cast<std::uint64_t>(element.Id));
-    this->Values.push_back({ value, ink::unitFloat(bits) });
-    this->Lists.push_back(
-      { static_cast<std::uint32_t>(element.First), static_cast<std::uint32_t>(element.Length) });
+    this->Values.push_back({ value, static_cast<float>(element.Length) });
+    this->ElementIds.push_back({ static_cast<std::uint32_t>(element.First),
+      static_cast<std::uint32_t>(ink::unitFloat(bits) * 0x1p24f) });
     block.LargestValue = std::max(block.LargestValue, value);
     block.LargestGradient = std::max(block.LargestGradient, gradient);
     longest = std::max(longest, element.Length);
@@ -219,40 +278,31 @@ void InkStipplePoints::AddBlock(const InkStippleInput& input, const Element* ele
       least = std::min(least, mean[0] * normal[0] + mean[1] * normal[1] + mean[2] * normal[2]);
     }
     std::copy_n(mean, 3, block.Axis.begin());
-    block.Spread = static_cast<float>(std::acos(std::clamp(least, -1.0, 1.0)));
+    block.LeastCosine = static_cast<float>(least);
   }
-  for (int rank = 0; rank < longest; ++rank)
+  block.Runs.resize(longest);
+  return block;
+}
+
+void InkStipplePoints::AddStipple(
+  const InkStippleInput& input, vtkIdType point, std::uint32_t element, int rank, InkStippleBlock& block)
+{
+  double p[3];
+  input.Data->GetPoint(point, p);
+  Vertex vertex;
+  this->Frame.ToLocal(p, vertex.Position);
+  if (!std::isfinite(vertex.Position[0]) || !std::isfinite(vertex.Position[1]) ||
+    !std::isfinite(vertex.Position[2]))
   {
-    for (int i = 0; i < count; ++i)
-    {
-      if (rank >= elements[i].Length)
-      {
-        continue;
-      }
-      double p[3];
-      input.Data->GetPoint(elements[i].First + rank, p);
-      Vertex vertex;
-      this->Frame.ToLocal(p, vertex.Position);
-      if (!std::isfinite(vertex.Position[0]) || !std::isfinite(vertex.Position[1]) ||
-        !std::isfinite(vertex.Position[2]))
-      {
-        continue;
-      }
-      vertex.ElementAndRank =
-        (this->RankBits < 32 ? (firstElement + static_cast<std::uint32_t>(i)) << this->RankBits : 0u) |
-        static_cast<std::uint32_t>(rank);
-      this->Vertices.push_back(vertex);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        block.Low[axis] = std::min(block.Low[axis], vertex.Position[axis]);
-        block.High[axis] = std::max(block.High[axis], vertex.Position[axis]);
-      }
-    }
-    block.Ends.push_back(static_cast<int>(this->Vertices.size()) - block.First);
+    return;
   }
-  if (!block.Ends.empty() && block.Ends.back() > 0)
+  vertex.ElementAndRank =
+    (this->RankBits < 32 ? element << this->RankBits : 0u) | static_cast<std::uint32_t>(rank);
+  this->Vertices.push_back(vertex);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    this->Blocks.push_back(std::move(block));
+    block.Low[axis] = std::min(block.Low[axis], vertex.Position[axis]);
+    block.High[axis] = std::max(block.High[axis], vertex.Position[axis]);
   }
 }
 
@@ -261,6 +311,6 @@ void InkStipplePoints::ReleaseArrays()
   this->Vertices = {};
   this->Shapes = {};
   this->Values = {};
-  this->Lists = {};
+  this->ElementIds = {};
   this->Colors = {};
 }

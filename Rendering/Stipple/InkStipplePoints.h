@@ -34,12 +34,12 @@ public:
   struct Value
   {
     float Value;
-    float Random;
+    float Length; ///< of the element's list
   };
-  struct List
+  struct Ids
   {
-    std::uint32_t First; ///< the id of the element's first point in the input
-    std::uint32_t Length;
+    std::uint32_t First;  ///< the id of the element's first point in the input
+    std::uint32_t Random; ///< 24 bits
   };
 
   /// Reads input without problems. Elements without a finite normal, gradient magnitude or value, or whose
@@ -63,13 +63,17 @@ public:
   const std::vector<Vertex>& GetVertices() const { return this->Vertices; }
   const std::vector<Shape>& GetShapes() const { return this->Shapes; }
   const std::vector<Value>& GetValues() const { return this->Values; }
-  const std::vector<List>& GetLists() const { return this->Lists; }
+  const std::vector<Ids>& GetIds() const { return this->ElementIds; }
   const std::vector<std::uint32_t>& GetColors() const { return this->Colors; } ///< empty: none
 
 private:
   struct Element;
   std::vector<Element> ReadElements(const InkStippleInput& input, vtkIdType longest);
-  void AddBlock(const InkStippleInput& input, const Element* elements, int count);
+  void AddGroup(const InkStippleInput& input, const Element* elements, int count, int group);
+  /// Adds what the elements of a block are and finds the block's cone and limits.
+  InkStippleBlock ReadBlock(const InkStippleInput& input, const Element* elements, int count);
+  void AddStipple(
+    const InkStippleInput& input, vtkIdType point, std::uint32_t element, int rank, InkStippleBlock& block);
 
   InkLocalFrame Frame;
   std::array<double, 6> LocalBounds{};
@@ -82,7 +86,7 @@ private:
   std::vector<Vertex> Vertices;
   std::vector<Shape> Shapes;
   std::vector<Value> Values;
-  std::vector<List> Lists;
+  std::vector<Ids> ElementIds;
   std::vector<std::uint32_t> Colors;
 };
 

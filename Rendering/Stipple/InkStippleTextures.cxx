@@ -20,7 +20,7 @@ InkStippleTextures::InkStippleTextures(vtkOpenGLRenderWindow* window)
 
 InkStippleTextures::~InkStippleTextures()
 {
-  for (Buffer* buffer : { &this->Shapes, &this->Values, &this->Lists, &this->Colors })
+  for (Buffer* buffer : { &this->Shapes, &this->Values, &this->Ids, &this->Boxes, &this->Colors })
   {
     buffer->Texture->ReleaseGraphicsResources(this->Window);
     buffer->Data->ReleaseGraphicsResources();
@@ -43,7 +43,8 @@ void InkStippleTextures::Fill(
   }
 }
 
-std::string InkStippleTextures::Upload(const InkStipplePoints& points)
+std::string InkStippleTextures::Upload(
+  const InkStipplePoints& points, const std::vector<ink::PlaceBox>& boxes)
 {
   int most = 0;
   this->Window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
@@ -56,7 +57,8 @@ std::string InkStippleTextures::Upload(const InkStipplePoints& points)
   }
   this->Fill(this->Shapes, points.GetShapes(), 4, VTK_FLOAT, GL_RGBA32F);
   this->Fill(this->Values, points.GetValues(), 2, VTK_FLOAT, GL_RG32F);
-  this->Fill(this->Lists, points.GetLists(), 2, VTK_UNSIGNED_INT, GL_RG32UI);
+  this->Fill(this->Ids, points.GetIds(), 2, VTK_UNSIGNED_INT, GL_RG32UI);
+  this->Fill(this->Boxes, boxes, 4, VTK_FLOAT, GL_RGBA32F);
   this->Fill(this->Colors, points.GetColors(), 4, VTK_UNSIGNED_CHAR, GL_RGBA8);
   return {};
 }
@@ -70,7 +72,11 @@ void InkStippleTextures::Activate(vtkShaderProgram* program)
   };
   activate(this->Shapes, "elementShapes");
   activate(this->Values, "elementValues");
-  activate(this->Lists, "elementLists");
+  activate(this->Ids, "elementIds");
+  if (this->Boxes.Filled)
+  {
+    activate(this->Boxes, "elementBoxes");
+  }
   // A sampler needs a texture of its kind, also if it is not looked at.
   activate(this->Colors.Filled ? this->Colors : this->Shapes, "elementColors");
   program->SetUniformi("ownColors", this->Colors.Filled);
@@ -78,7 +84,7 @@ void InkStippleTextures::Activate(vtkShaderProgram* program)
 
 void InkStippleTextures::Deactivate()
 {
-  for (Buffer* buffer : { &this->Shapes, &this->Values, &this->Lists, &this->Colors })
+  for (Buffer* buffer : { &this->Shapes, &this->Values, &this->Ids, &this->Boxes, &this->Colors })
   {
     if (buffer->Filled)
     {

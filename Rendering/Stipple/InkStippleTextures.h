@@ -2,6 +2,8 @@
 #ifndef InkStippleTextures_h
 #define InkStippleTextures_h
 
+#include "Sampling/PackedPlace.h"
+
 #include "vtkNew.h"
 
 #include <string>
@@ -22,8 +24,9 @@ public:
   InkStippleTextures(const InkStippleTextures&) = delete;
   void operator=(const InkStippleTextures&) = delete;
 
+  /// @param boxes of the elements, for packed stipples; empty for others
   /// @return why that cannot be done, for the user; empty if it can
-  std::string Upload(const InkStipplePoints& points);
+  std::string Upload(const InkStipplePoints& points, const std::vector<ink::PlaceBox>& boxes);
 
   bool HasColors() const { return this->Colors.Filled; }
 
@@ -44,7 +47,8 @@ private:
   vtkOpenGLRenderWindow* Window;
   Buffer Shapes;
   Buffer Values;
-  Buffer Lists;
+  Buffer Ids;
+  Buffer Boxes;
   Buffer Colors;
 };
 

@@ -7,8 +7,6 @@
 
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
-
 namespace
 {
 
@@ -57,7 +55,6 @@ void InkSetStippleUniforms(
   program->SetUniformi("lightInk", tone.lighting.lightInk);
   SetPair(program, "distanceK", tone.distance.kde, tone.distance.size);
   SetPair(program, "interior", tone.interior.kie, tone.interior.size);
-  program->SetUniformi("probability", tone.smallElements.way == ink::SmallElements::Way::probability);
   program->SetUniformf("fade", tone.smallElements.fade);
   program->SetUniformf("valueEffect", tone.valueEffect);
   program->SetUniformi("growing", tone.growing);
@@ -68,10 +65,6 @@ void InkSetStippleUniforms(
   SetTriple(program, "warmCool", tone.warmCool.tone, tone.warmCool.distance, tone.warmCool.amount);
 
   const int count = static_cast<int>(view.Lights.size());
-  program->SetUniformi("lightCount", count);
-  program->SetUniformi("sunCount",
-    static_cast<int>(std::count_if(
-      view.Lights.begin(), view.Lights.end(), [](const auto& light) { return !light.isLamp(); })));
   if (count > 0)
   {
     constexpr std::size_t most = InkStippleView::MostLights;

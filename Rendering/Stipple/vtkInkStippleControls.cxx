@@ -8,6 +8,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 vtkStandardNewMacro(vtkInkStippleControls);
@@ -17,6 +18,11 @@ class vtkInkStippleControls::vtkInternals
 public:
   void Set(vtkInkStippleControls* self, float ink::StippleSliders::*slider, double value)
   {
+    if (std::isnan(value))
+    {
+      vtkErrorWithObjectMacro(self, "Expected a slider's place from 0 to 1, found " << value << '.');
+      return;
+    }
     const float limited = static_cast<float>(std::clamp(value, 0.0, 1.0));
     if (this->Sliders.*slider != limited)
     {

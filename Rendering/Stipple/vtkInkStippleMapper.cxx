@@ -92,6 +92,7 @@ public:
   {
     vtkMTimeType Input;
     vtkMTimeType Colors;
+    int PositionPrecision;
     bool operator==(const Source&) const = default;
   };
 
@@ -314,7 +315,8 @@ bool vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
     this->ReportOnce("Expected cell scalars, one for each element, to colour stipples by; found others.");
     colors = nullptr;
   }
-  const vtkInternals::Source source{ found.GetTime(), colors ? colors->GetMTime() : 0 };
+  const vtkInternals::Source source{ found.GetTime(), colors ? colors->GetMTime() : 0,
+    this->PositionPrecision };
   if (!internals.Passes || internals.PointsSource != source)
   {
     const std::string problem = found.FindProblem();
@@ -331,7 +333,8 @@ bool vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
         window->AddObserver(vtkCommand::DeleteEvent, this, &vtkInkStippleMapper::ReleaseWindow);
     }
     const std::string left = internals.Points.Read(found, colors);
-    const std::string refused = internals.Passes->Upload(internals.Points);
+    const std::string refused =
+      internals.Passes->Upload(internals.Points, this->PositionPrecision == QUANTIZED);
     internals.Points.ReleaseArrays();
     internals.PointsSource = source;
     for (const std::string& message : { left, refused })
@@ -531,4 +534,5 @@ void vtkInkStippleMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "OccluderOffset: " << this->OccluderOffset << "\n";
   os << indent << "SurfaceFromInput: " << (this->SurfaceFromInput ? "On" : "Off") << "\n";
+  os << indent << "PositionPrecision: " << this->PositionPrecision << "\n";
 }

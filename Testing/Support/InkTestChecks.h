@@ -55,6 +55,21 @@ public:
     object->AddObserver(vtkCommand::WarningEvent, this);
   }
 
+  /// There is one message, with all these words in it; without words, none.
+  void Expect(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words) const
+  {
+    if (!check(this->Messages.size() == (words.empty() ? 0 : 1), name, ": one message if any, found ",
+          this->Messages.size(), this->Messages.empty() ? "" : ": " + this->Messages[0]))
+    {
+      return;
+    }
+    for (const std::string& word : words)
+    {
+      check(this->Messages[0].find(word) != std::string::npos, name, ": \"", word,
+        "\" in the message: ", this->Messages[0]);
+    }
+  }
+
   std::vector<std::string> Messages;
 };
 

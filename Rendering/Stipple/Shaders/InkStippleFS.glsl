@@ -1,12 +1,16 @@
 //VTK::System::Dec
+//INK::Features
 
 // A round dot with a soft rim of one pixel.
 
 flat in vec4 dotVSOutput; // centre and radius in pixels, intensity
+#ifdef INK_COLORS
 flat in vec3 colorVSOutput;
+#endif
 
 uniform vec2 viewportOrigin; // pixels
 uniform float actorOpacity;
+uniform vec3 inkColor;
 
 //VTK::DepthPeeling::Dec
 
@@ -25,7 +29,11 @@ void main()
 
   //VTK::DepthPeeling::PreColor
 
+#ifdef INK_COLORS
   gl_FragData[0] = vec4(colorVSOutput, coverage);
+#else
+  gl_FragData[0] = vec4(inkColor, coverage);
+#endif
 
   //VTK::DepthPeeling::Impl
 }

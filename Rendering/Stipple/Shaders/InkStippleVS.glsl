@@ -4,16 +4,24 @@
 // Lu et al. 2003, sections 4.3 and 5: how many of its element's stipples are drawn, and so whether this one is,
 // how large and in which colour. Common/Tone has the same in C++, function by function, and says more.
 //
-// Software rasterisers compute what a condition leaves out, too. So what most pictures do without is compiled only
-// where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED.
+// Software rasterisers compute what a condition leaves out, too, and take long over loops of unknown length. So what
+// most pictures do without is compiled only where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED, INK_PROBABILITY,
+// INK_IDS, INK_RESULTS, INK_PACKED (places are as Common/Sampling/PackedPlace has them); and INK_LIGHTS, INK_SUNS and
+// INK_PLANES are numbers.
 
+#ifdef INK_PACKED
+in uint packedPlace; // in the element's box, ten bits an axis
+uniform samplerBuffer elementBoxes; // lower corner in the local frame, scale
+uniform vec3 packedStep;            // at scale 1
+#else
 in vec3 pointMC;    // in the local frame
+#endif
 in uint elementAndRank; // the element's number, and in the lowest bits the stipple's place in its list
 
 uniform int rankBits;
 uniform samplerBuffer elementShapes;  // normal, gradient magnitude
-uniform samplerBuffer elementValues;  // value, random
-uniform usamplerBuffer elementLists;  // first point's id, length
+uniform samplerBuffer elementValues;  // value, length of the list
+uniform usamplerBuffer elementIds;    // first point's id, random value * 2^24
 uniform samplerBuffer elementColors;
 uniform bool ownColors;               // whether there are elementColors
 uniform vec3 inkColor;
@@ -24,7 +32,6 @@ uniform mat4 VCDCMatrix;
 uniform vec4 eyeVC;         // perspective: (0,0,0,1); parallel: (0,0,1,0)
 uniform vec2 viewportSize;  // pixels
 uniform float largestPoint; // pixels
-uniform int clipPlaneCount;
 uniform vec4 clipPlanesVC[6];
 
 // The surface that hides stipples behind it; see the occluder's shaders.
@@ -56,7 +63,6 @@ uniform vec2 lighting;            // k_le, cosine of the facing angle
 uniform bool lightInk;
 uniform vec2 distanceK;           // k_de, size
 uniform vec2 interior;            // k_ie, size
-uniform bool probability;
 uniform float fade;
 uniform float valueEffect;
 uniform bool growing;
@@ -66,24 +72,32 @@ uniform vec3 warm;                // hue, lightness, saturation
 uniform vec3 cool;
 uniform vec3 warmCool;            // weights of tone and distance, amount
 
-uniform int lightCount;
-uniform int sunCount;             // the first of the lights have parallel rays
-uniform vec4 lightPositions[8];
+uniform vec4 lightPositions[8];   // the first INK_SUNS of the INK_LIGHTS have parallel rays
 uniform float lightIntensities[8];
 uniform vec4 lampDirections[8];   // and the cosine of the cone's half angle, -1: no cone
 uniform vec4 lampFading[8];       // attenuation; the cone's exponent
 
-// Where to write what each stipple comes to instead of drawing it: pixels of an image; 0: nowhere.
+uniform float leastIntensity; // of dots; the framebuffer cannot add up paler ones
+
+// Where INK_RESULTS writes what each stipple comes to instead of drawing it: the size of an image, pixels.
 uniform vec2 resultSize;
 
 flat out vec4 dotVSOutput;   // centre and radius in pixels, intensity
+#ifdef INK_COLORS
 flat out vec3 colorVSOutput;
+#endif
 flat out vec3 toneVSOutput;  // T, opacity, diameter
 flat out int idVSOutput;
 
 float power(float base, float exponent)
 {
   return base > 0.0 ? pow(base, exponent) : (base == 0.0 && exponent == 0.0 ? 1.0 : 0.0);
+}
+
+float thinnedIntensity(float intensity, uint index)
+{
+  float random = float((index * 2654435769u) >> 8u) / 16777216.0;
+  return intensity >= leastIntensity ? intensity : (intensity > leastIntensity * random ? leastIntensity : 0.0);
 }
 
 float distanceFactor(float depth)
@@ -96,15 +110,12 @@ float part(float tone, float rank, float random)
 {
   float number = tone;
   float width = fade;
-  if (probability)
-  {
-    number += smallness * (random - 0.5);
-    width *= 1.0 - smallness;
-  }
-  else
-  {
-    width += smallness * (1.0 - width);
-  }
+#ifdef INK_PROBABILITY
+  number += smallness * (random - 0.5);
+  width *= 1.0 - smallness;
+#else
+  width += smallness * (1.0 - width);
+#endif
   float beyond = number - rank - 0.5;
   return width < 1e-3 ? step(0.0, beyond) : clamp(beyond / width + 0.5, 0.0, 1.0);
 }
@@ -125,23 +136,68 @@ vec3 mixHls(vec3 from, vec3 to, float t)
   return vec3(fract(fromHue + t * way), mix(from.yz, to.yz, t));
 }
 
+#ifdef INK_RESULTS
+void placeResult()
+{
+  int width = int(resultSize.x);
+  vec2 pixel = vec2(float(idVSOutput % width), float(idVSOutput / width)) + 0.5;
+  gl_Position = vec4(2.0 * pixel / resultSize - 1.0, 0.0, 1.0);
+}
+#endif
+
+void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint element)
+{
+  if (!(opacity > 0.0) || center.w <= 0.0)
+  {
+    return;
+  }
+
+  // A soft dot with a sharp one's area; see DotCoverage.h.
+  float square = 0.25 * size * size;
+  float radius = sqrt(max(square, 0.25 + 1.0 / 12.0) - 1.0 / 12.0);
+  radius = min(radius, 0.5 * largestPoint - 1.0);
+  float intensity = thinnedIntensity(opacity * min(square / (0.25 + 1.0 / 12.0), 1.0), element);
+  if (intensity == 0.0)
+  {
+    return;
+  }
+  dotVSOutput = vec4(centerPixel, radius, intensity);
+
+  // The part of the dot's box in the viewport: dots whose centre lies outside are drawn, too.
+  vec2 low = max(centerPixel - radius - 0.5, vec2(0.0));
+  vec2 high = min(centerPixel + radius + 0.5, viewportSize);
+  if (low.x >= high.x || low.y >= high.y)
+  {
+    return;
+  }
+  gl_Position = vec4((low + high) / viewportSize - 1.0, center.z / center.w, 1.0);
+  gl_PointSize = max(high.x - low.x, high.y - low.y);
+}
+
 void main()
 {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside, for stipples that are left out
   gl_PointSize = 1.0;
   dotVSOutput = vec4(0.0);
-  colorVSOutput = vec3(0.0);
   toneVSOutput = vec3(0.0);
   idVSOutput = 0;
 
   int element = int(elementAndRank >> uint(rankBits));
   int rank = int(elementAndRank & ((1u << uint(rankBits)) - 1u));
   vec4 shape = texelFetch(elementShapes, element);
-  vec2 valueRandom = texelFetch(elementValues, element).rg;
-  uvec2 list = texelFetch(elementLists, element).rg;
+  vec2 valueLength = texelFetch(elementValues, element).rg;
   float gradientMagnitude = shape.w;
-  float value = power(valueRandom.x, valueEffect);
+  float value = power(valueLength.x, valueEffect);
+  float listLength = valueLength.y;
+  float random = 0.0;
+#ifdef INK_PROBABILITY
+  random = float(texelFetch(elementIds, element).g) / 16777216.0;
+#endif
 
+#ifdef INK_PACKED
+  vec4 box = texelFetch(elementBoxes, element);
+  vec3 pointMC = box.xyz + box.w * packedStep * vec3(packedPlace & 1023u, packedPlace >> 10u & 1023u, packedPlace >> 20u);
+#endif
   vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
   vec3 normal = normalize(normalMatrix * shape.xyz);
   vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
@@ -163,7 +219,7 @@ void main()
 
   float lit = 0.0;
   float lightCosine = -1.0;
-  for (int i = 0; i < lightCount; ++i)
+  for (int i = 0; i < INK_LIGHTS; ++i)
   {
     vec3 towards = lightPositions[i].xyz - lightPositions[i].w * position.xyz;
     float reach = length(towards);
@@ -171,7 +227,7 @@ void main()
     lightCosine = max(lightCosine, min(c, 1.0));
     float intensity = lightIntensities[i];
 #ifdef INK_LAMPS
-    if (i >= sunCount)
+    if (i >= INK_SUNS)
     {
       vec4 fading = lampFading[i];
       float loss = fading.x + reach * fading.y + reach * reach * fading.z;
@@ -186,6 +242,7 @@ void main()
   lit = min(lit, 1.0);
 
   // Table 1, in the paper's order.
+  float slant = min(abs(cosine), 1.0);
   float factors = 1.0;
   if (!surface && boundaryOn)
   {
@@ -193,13 +250,13 @@ void main()
   }
   if (!surface && silhouetteOn)
   {
-    factors *= value * (silhouette.x + silhouette.y * (1.0 - power(abs(cosine), silhouette.z)));
+    factors *= value * (silhouette.x + silhouette.y * (1.0 - power(slant, silhouette.z)));
   }
   float byDistance = 1.0;
   if (resolutionOn)
   {
     byDistance = eyeVC.w == 0.0 ? 1.0 : power(distanceFromEye / nearest, resolution.x);
-    factors *= power(min(abs(cosine), 1.0), resolution.y);
+    factors *= power(slant, resolution.y);
   }
   if (lightingOn)
   {
@@ -210,10 +267,9 @@ void main()
   float interiorT = !surface && interiorOn ? power(gradientMagnitude, interior.x) : 1.0;
   factors *= interiorT;
 
-  float listLength = float(list.y);
   float room = maximumStipples / listed * byDistance;
   float tone = listLength * (growing ? min(room, 1.0) : room) * factors;
-  float opacity = drawn && float(rank) < listLength ? part(tone, float(rank), valueRandom.y) : 0.0;
+  float opacity = drawn && float(rank) < listLength ? part(tone, float(rank), random) : 0.0;
   float size = diameter * (1.0 + distanceK.y * (distanceT - 1.0)) * (1.0 + interior.y * (interiorT - 1.0));
   size *= growing ? sqrt(max(room, 1.0)) : 1.0;
   if (appearBySize && opacity > 0.0)
@@ -222,9 +278,8 @@ void main()
     opacity = 1.0;
   }
 
-  vec3 color = inkColor;
 #ifdef INK_COLORS
-  color = ownColors ? texelFetch(elementColors, element).rgb : color;
+  vec3 color = ownColors ? texelFetch(elementColors, element).rgb : inkColor;
   float weights = warmCool.x + warmCool.y;
   if (warmCool.z > 0.0 && weights > 0.0)
   {
@@ -232,9 +287,10 @@ void main()
                      warmCool.y * (0.5 + 0.5 * clamp(depth, -1.0, 1.0))) / weights;
     color = mix(color, rgbFromHls(mixHls(cool, warm, warmth)), warmCool.z);
   }
+  colorVSOutput = color;
 #endif
 
-  for (int i = 0; i < clipPlaneCount; ++i)
+  for (int i = 0; i < INK_PLANES; ++i)
   {
     opacity = dot(clipPlanesVC[i], position) < 0.0 ? 0.0 : opacity;
   }
@@ -250,35 +306,13 @@ void main()
     opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
   }
 #endif
-  idVSOutput = int(list.x) + rank;
   toneVSOutput = vec3(tone, opacity, size);
-  colorVSOutput = color;
-  if (resultSize.x > 0.0)
-  {
-    int width = int(resultSize.x);
-    vec2 pixel = vec2(float(idVSOutput % width), float(idVSOutput / width)) + 0.5;
-    gl_Position = vec4(2.0 * pixel / resultSize - 1.0, 0.0, 1.0);
-    return;
-  }
-  if (!(opacity > 0.0) || center.w <= 0.0)
-  {
-    return;
-  }
-
-  // A soft dot with a sharp one's area; see DotCoverage.h.
-  float square = 0.25 * size * size;
-  float radius = sqrt(max(square, 0.25 + 1.0 / 12.0) - 1.0 / 12.0);
-  radius = min(radius, 0.5 * largestPoint - 1.0);
-  dotVSOutput = vec4(centerPixel, radius, opacity * min(square / (0.25 + 1.0 / 12.0), 1.0));
-
-  // The part of the dot's box in the viewport: dots whose centre lies outside are drawn, too.
-  vec2 low = max(centerPixel - radius - 0.5, vec2(0.0));
-  vec2 high = min(centerPixel + radius + 0.5, viewportSize);
-  if (low.x >= high.x || low.y >= high.y)
-  {
-    return;
-  }
-  gl_Position = vec4((low + high) / viewportSize - 1.0, center.z / center.w, 1.0);
-  // A little more than the box, against rounding.
-  gl_PointSize = max(high.x - low.x, high.y - low.y) + 0.25;
+#ifdef INK_IDS
+  idVSOutput = int(texelFetch(elementIds, element).r) + rank;
+#endif
+#ifdef INK_RESULTS
+  placeResult();
+#else
+  placeDot(center, centerPixel, opacity, size, uint(element));
+#endif
 }

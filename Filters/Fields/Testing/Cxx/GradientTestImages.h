@@ -3,6 +3,8 @@
 #ifndef GradientTestImages_h
 #define GradientTestImages_h
 
+#include "InkTestVolume.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -23,15 +25,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int type, const std::array<int, 6>& exte
   image->SetSpacing(spacing.data());
   image->SetOrigin(3.0, -2.0, 1.0);
   image->SetDirectionMatrix(0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
-  image->AllocateScalars(type, 1);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  scalars->SetName("Density");
-  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
-  {
-    double p[3];
-    image->GetPoint(n, p);
-    scalars->SetComponent(n, 0, function(p[0], p[1], p[2]));
-  }
+  InkTestFill(image, type, function);
   return image;
 }
 

@@ -3,6 +3,8 @@
 #ifndef SamplerTestImages_h
 #define SamplerTestImages_h
 
+#include "InkTestVolume.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -22,15 +24,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int type, const std::array<int, 6>& exte
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(const_cast<int*>(extent.data()));
   image->SetSpacing(spacing.data());
-  image->AllocateScalars(type, 1);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  scalars->SetName("Density");
-  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
-  {
-    double p[3];
-    image->GetPoint(n, p);
-    scalars->SetComponent(n, 0, function(p[0], p[1], p[2]));
-  }
+  InkTestFill(image, type, function);
   return image;
 }
 

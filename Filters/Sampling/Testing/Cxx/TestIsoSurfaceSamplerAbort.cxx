@@ -1,39 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress is told on the way, and a run that is aborted leaves an empty output and a filter that works.
-
-#include "InkTestChecks.h"
+#include "InkTestProgress.h"
 #include "SamplerTestImages.h"
 
-#include "vtkCommand.h"
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkNew.h"
-
-#include <thread>
-
-namespace
-{
-
-class Watcher : public vtkCommand
-{
-public:
-  static Watcher* New() { return new Watcher; }
-  void Execute(vtkObject* caller, unsigned long, void* amount) override
-  {
-    this->Shares.push_back(*static_cast<double*>(amount));
-    this->SameThread = this->SameThread && std::this_thread::get_id() == this->Thread;
-    if (this->Shares.back() > this->AbortAt)
-    {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    }
-  }
-
-  std::vector<double> Shares;
-  std::thread::id Thread = std::this_thread::get_id();
-  bool SameThread = true;
-  double AbortAt = 2.0;
-};
-
-} // namespace
 
 int TestIsoSurfaceSamplerAbort(int, char*[])
 {
@@ -43,28 +13,6 @@ int TestIsoSurfaceSamplerAbort(int, char*[])
     [](double x, double y, double z) { return BallDensity(x, y, z, 35.0); }));
   sampler->SetValue(0, 100.0);
   sampler->SetValue(1, 200.0);
-  vtkNew<Watcher> watcher;
-  sampler->AddObserver(vtkCommand::ProgressEvent, watcher);
-  sampler->Update();
-  const vtkIdType whole = sampler->GetOutput()->GetNumberOfPoints();
-  check(whole > 10000, "many points, found ", whole);
-  check(watcher->Shares.size() > 8, "progress on the way, found ", watcher->Shares.size(), " reports");
-  check(std::is_sorted(watcher->Shares.begin(), watcher->Shares.end()), "progress that grows");
-  check(watcher->Shares.front() >= 0.0 && watcher->Shares.back() == 1.0, "progress up to 1");
-  check(watcher->SameThread, "progress from the thread that updates");
-
-  for (const double abortAt : { 0.1, 0.4, 0.6, 0.9 })
-  {
-    watcher->AbortAt = abortAt;
-    sampler->Modified();
-    sampler->Update();
-    check(sampler->GetOutput()->GetNumberOfPoints() == 0 && sampler->GetOutput()->GetNumberOfCells() == 0,
-      "an empty output after an abort at ", abortAt);
-  }
-  watcher->AbortAt = 2.0;
-  sampler->SetAbortExecute(0);
-  sampler->Modified();
-  sampler->Update();
-  check(sampler->GetOutput()->GetNumberOfPoints() == whole, "all points again");
+  InkTestProgressAndAbort(check, sampler.Get());
   return check.Result();
 }

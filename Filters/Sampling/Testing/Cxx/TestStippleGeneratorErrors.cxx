@@ -32,16 +32,7 @@ void Expect(
   generator->Update();
   check(generator->GetOutput()->GetNumberOfPoints() == 0 && generator->GetOutput()->GetNumberOfCells() == 0,
     name, ": no stipples");
-  if (!check(messages->Messages.size() == (words.empty() ? 0 : 1), name, ": one message if any, found ",
-        messages->Messages.size()))
-  {
-    return;
-  }
-  for (const std::string& word : words)
-  {
-    check(messages->Messages[0].find(word) != std::string::npos, name, ": \"", word,
-      "\" in the message: ", messages->Messages[0]);
-  }
+  messages->Expect(check, name, words);
 }
 
 vtkSmartPointer<vtkImageData> Ball()

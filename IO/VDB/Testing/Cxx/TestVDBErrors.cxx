@@ -29,15 +29,7 @@ void ExpectFrom(InkTestChecks& check, const std::string& name, const std::vector
   change(reader);
   reader->Update();
   check(reader->GetOutput()->GetNumberOfPoints() == 0, name, ": no points");
-  if (!check(messages->Messages.size() == 1, name, ": one message, found ", messages->Messages.size()))
-  {
-    return;
-  }
-  for (const std::string& word : words)
-  {
-    check(messages->Messages[0].find(word) != std::string::npos, name, ": \"", word,
-      "\" in the message: ", messages->Messages[0]);
-  }
+  messages->Expect(check, name, words);
 }
 
 /// For both classes.

@@ -2,37 +2,9 @@
 #ifndef SplattingLinesScene_h
 #define SplattingLinesScene_h
 
+#include "InkTestScene.h"
 #include "vtkInkSplattingLinesMapper.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkProperty.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-
-/// Splatting lines in an off-screen window with a white background, seen along -z.
-class SplattingLinesScene
-{
-public:
-  explicit SplattingLinesScene(vtkPolyData* points, int width = 200, int height = 200)
-  {
-    this->Mapper->SetInputData(points);
-    this->Actor->SetMapper(this->Mapper);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetBackground(1.0, 1.0, 1.0);
-    this->Window->SetOffScreenRendering(true);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(width, height);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->ResetCamera();
-  }
-
-  vtkNew<vtkInkSplattingLinesMapper> Mapper;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
-};
+using SplattingLinesScene = InkTestScene<vtkInkSplattingLinesMapper>;
 
 #endif
