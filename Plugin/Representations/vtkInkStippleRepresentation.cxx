@@ -481,6 +481,11 @@ void vtkInkStippleRepresentation::SetAppearBySize(bool appearBySize)
   this->Mapper->SetAppearBySize(appearBySize);
 }
 
+void vtkInkStippleRepresentation::SetPositionPrecision(int positionPrecision)
+{
+  this->Mapper->SetPositionPrecision(positionPrecision);
+}
+
 void vtkInkStippleRepresentation::SetWarmCool(double warmCool)
 {
   this->Mapper->SetWarmCool(warmCool);

@@ -107,6 +107,7 @@ public:
   void SetMinimumCoverage(double minimumCoverage);
   void SetFade(double fade);
   void SetAppearBySize(bool appearBySize);
+  void SetPositionPrecision(int positionPrecision);
   void SetWarmCool(double warmCool);
   void SetToneWeight(double toneWeight);
   void SetDistanceWeight(double distanceWeight);

@@ -116,6 +116,16 @@ class TestStipple(unittest.TestCase):
         numpy.testing.assert_array_equal(picture(self.view), whole)
         self.assertEqual(self.stipples(display), made)
 
+    def test_quantised_places_look_alike(self):
+        display = self.show_wavelet()
+        exact = picture(self.view)
+        made = self.stipples(display)
+        display.PositionPrecision = "Quantized"
+        rounded = picture(self.view)
+        self.assertGreater(numpy.abs(rounded - exact).max(), 0.0)
+        self.assertLess(numpy.abs(rounded - exact).mean(), 0.002)
+        self.assertEqual(self.stipples(display), made)
+
     def test_presets_set_the_sliders_and_differ(self):
         display = self.show_wavelet(StipplePreset="Bone")
         display.StippleGradient = 0.9
