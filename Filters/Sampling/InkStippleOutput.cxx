@@ -2,6 +2,7 @@
 #include "InkStippleOutput.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -16,6 +17,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -74,6 +76,16 @@ void InkAddField(vtkPolyData* output, const char* name, std::span<const double> 
   array->SetNumberOfComponents(static_cast<int>(values.size()));
   array->InsertNextTuple(values.data());
   output->GetFieldData()->AddArray(array);
+}
+
+void InkAddColors(vtkPolyData* output, vtkDataArray* colors)
+{
+  const char* name = colors->GetName();
+  if (name && output->GetCellData()->HasArray(name))
+  {
+    colors->SetName((std::string("Input") + name).c_str());
+  }
+  output->GetCellData()->SetScalars(colors);
 }
 
 void InkCheckStippleMemory(double count, double bytes)

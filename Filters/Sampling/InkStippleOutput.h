@@ -12,6 +12,7 @@
 #include <span>
 
 class vtkCellArray;
+class vtkDataArray;
 class vtkPolyData;
 
 /// What a run is called with and split into: a share of it, or nothing where nobody listens.
@@ -25,6 +26,9 @@ vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> beg
 
 /// Adds a field array of numbers.
 void InkAddField(vtkPolyData* output, const char* name, std::span<const double> values);
+
+/// Adds the elements' colours as active scalars, as "Input..." where the stipples have an array of that name.
+void InkAddColors(vtkPolyData* output, vtkDataArray* colors);
 
 /// @param bytes that a stipple takes while it is made
 /// @throws std::invalid_argument when so many do not fit into the machine's memory

@@ -202,8 +202,7 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
   output->GetCellData()->SetNormals(normals);
   if (request.Colors)
   {
-    output->GetCellData()->SetScalars(
-      ColorsOf(triangles, polygons, lists, request.Colors, request.ColorsOfCells));
+    InkAddColors(output, ColorsOf(triangles, polygons, lists, request.Colors, request.ColorsOfCells));
   }
   const double kind = 1.0;
   const auto polygonCount = static_cast<double>(polygons.Cells.size());

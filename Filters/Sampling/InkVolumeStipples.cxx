@@ -235,7 +235,7 @@ void AddColors(
   passed->SetNumberOfComponents(colors->GetNumberOfComponents());
   passed->SetNumberOfTuples(ids->GetNumberOfIds());
   colors->GetTuples(ids, passed);
-  output->GetCellData()->SetScalars(passed);
+  InkAddColors(output, passed);
 }
 
 } // namespace

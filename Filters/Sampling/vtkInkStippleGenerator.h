@@ -23,7 +23,8 @@
  * priority. Cell data: `Normals` (unit; out of the denser side, or out of the front of the polygon: the mean
  * of its points' normals where the mesh has some); of volumes also `GradientMagnitude` (0 to 1, relative to
  * the magnitude below which 99 of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's
- * range); with PassScalars the scalars for colours, under their own name and as active scalars. Point data,
+ * range); with PassScalars the scalars for colours, as active scalars and under their own name, or that after
+ * `Input` if it is one of the above. Point data,
  * of surfaces only: `Priority`, of all stipples together. Field data: `ElementKind` (0 volume, 1 surface),
  * `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area), `StipplesPerElement`
  * (MaximumStipples; for surfaces the mean over all polygons), of volumes also `ScalarRange` and

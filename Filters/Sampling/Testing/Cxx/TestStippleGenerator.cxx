@@ -190,6 +190,16 @@ int TestStippleGenerator(int, char*[])
     "the scalars passed on");
   check(!plain->GetCellData()->GetScalars(), "no scalars passed on unasked");
 
+  const vtkSmartPointer<vtkImageData> named = vtkSmartPointer<vtkImageData>::New();
+  named->DeepCopy(ball);
+  named->GetPointData()->GetScalars()->SetName("Value");
+  const auto kept = Stipple(named, [](auto* g) { g->PassScalarsOn(); });
+  kept->GetCellData()->GetArray("Value")->GetRange(range);
+  check(range[1] <= 1.0, "values from 0 to 1 beside scalars of that name, found up to ", range[1]);
+  colors = kept->GetCellData()->GetScalars();
+  check(colors && colors->GetName() == std::string("InputValue") && colors->GetRange()[1] > 1.0,
+    "scalars passed on under another name");
+
   const auto inVoxel = [](vtkPolyData* data, vtkIdType n)
   {
     double p[3];
