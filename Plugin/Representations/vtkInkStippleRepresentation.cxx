@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleRepresentation.h"
 
-#include "vtkInkBlendedActor.h"
 #include "vtkInkMakeStipples.h"
+#include "vtkInkStippleActor.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
@@ -18,7 +18,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -85,7 +84,7 @@ void WriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
 } // namespace
 
 vtkInkStippleRepresentation::vtkInkStippleRepresentation()
-  : vtkInkRepresentation(vtkSmartPointer<vtkInkBlendedActor>::New(), PieceCount)
+  : vtkInkRepresentation(vtkSmartPointer<vtkInkStippleActor>::New(), PieceCount)
   , PixelsPerStipple(this->Mapper->GetPixelsPerStipple())
 {
   this->GetActor()->SetMapper(this->Mapper);
@@ -174,16 +173,6 @@ int vtkInkStippleRepresentation::RequestData(
     vtkWarningMacro(<< "Stipple draws nothing for " << made.Problem);
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
-}
-
-bool vtkInkStippleRepresentation::AddToView(vtkView* view)
-{
-  auto renderView = vtkPVRenderView::SafeDownCast(view);
-  if (renderView)
-  {
-    vtkInkBlendedActor::SafeDownCast(this->GetActor())->SetRenderer(renderView->GetRenderer());
-  }
-  return this->Superclass::AddToView(view);
 }
 
 void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivered)

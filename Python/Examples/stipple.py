@@ -1,12 +1,12 @@
 """Draws a volume to stipple.png:  stipple.py [VOLUME.nii.gz [PRESET]]"""
 import sys
-from vtkink import vtk, vtkInkStippleControls, vtkInkStippleGenerator, vtkInkStippleMapper
+from vtkink import vtk, vtkInkStippleActor, vtkInkStippleControls, vtkInkStippleGenerator, vtkInkStippleMapper
 
 bonsai = sys.path[0] + "/../../Data/bonsai.nii.gz"
 reader, generator = vtk.vtkNIFTIImageReader(), vtkInkStippleGenerator()
 reader.SetFileName(sys.argv[1] if len(sys.argv) > 1 else bonsai)
 generator.SetInputConnection(reader.GetOutputPort())
-actor, mapper, controls = vtk.vtkActor(), vtkInkStippleMapper(), vtkInkStippleControls()
+actor, mapper, controls = vtkInkStippleActor(), vtkInkStippleMapper(), vtkInkStippleControls()
 mapper.SetInputConnection(generator.GetOutputPort())
 controls.SetPreset(sys.argv[2] if len(sys.argv) > 2 else "anatomy")
 controls.SetOrientation(0.6)  # six sliders; after Apply, any of the mapper's k's

@@ -138,7 +138,8 @@ void TestTinySphere(InkTestChecks& check)
       for (double radius : { 20.0, 10.0, 5.0, 2.0, 1.0, 0.5 })
       {
         const double tone = FindTone(scene, radius);
-        // In the least spheres there are no more than five of the palest dots that 8 bits take, then some eighty.
+        // In the least spheres there are no more than five of the palest dots that 8 bits take, then some
+        // eighty.
         const double tolerance = !peeled ? 0.12 : radius <= 1.0 ? 0.4 : radius <= 2.0 ? 0.2 : 0.12;
         check(std::abs(tone / expected - 1.0) < tolerance, "grey ", expected, " of a sphere of ", radius,
           " pixels' radius", peeled ? ", peeled" : "", preset ? ", anatomy" : "", ", found ", tone);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkStippleActor.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+namespace
+{
+
+bool HasOthersTranslucent(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    // Those of this kind would ask back.
+    if (prop->GetVisibility() && !vtkInkStippleActor::SafeDownCast(prop) &&
+      prop->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkInkStippleActor);
+
+vtkInkStippleActor::vtkInkStippleActor() = default;
+
+vtkInkStippleActor::~vtkInkStippleActor() = default;
+
+bool vtkInkStippleActor::IsAlone()
+{
+  // In an assembly, whose renderers it does not know, it is like any actor.
+  const int count = this->GetNumberOfConsumers();
+  for (int i = 0; i < count; ++i)
+  {
+    auto* renderer = vtkRenderer::SafeDownCast(this->GetConsumer(i));
+    if (!renderer || HasOthersTranslucent(renderer))
+    {
+      return false;
+    }
+  }
+  return count > 0;
+}
+
+vtkTypeBool vtkInkStippleActor::HasTranslucentPolygonalGeometry()
+{
+  return this->Superclass::HasTranslucentPolygonalGeometry() && (this->Drawing || !this->IsAlone());
+}
+
+int vtkInkStippleActor::RenderVolumetricGeometry(vtkViewport* viewport)
+{
+  if (this->HasTranslucentPolygonalGeometry())
+  {
+    return 0;
+  }
+  this->Drawing = true;
+  const int rendered = this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+  this->Drawing = false;
+  return rendered;
+}
