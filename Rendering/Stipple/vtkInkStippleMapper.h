@@ -28,11 +28,12 @@
  * otherwise. Stipples of a mesh on its back are drawn where a surface hides those of closed surfaces, unless
  * the actor's property has back-face culling on.
  *
- * Stipples are blended over what lies behind them, in the renderer's translucent pass, with the opacity of
- * the actor's property. No stipple is larger than the largest point of the OpenGL in use. Hardware selection
- * finds the actor and the stipples. Up to 6 clipping planes.
+ * Stipples are blended over what lies behind them, in the renderer's translucent pass or with
+ * vtkInkStippleActor, which is faster, after it, with the opacity of the actor's property. No stipple is
+ * larger than the largest point of the OpenGL in use. Hardware selection finds the actor and the stipples. Up
+ * to 6 clipping planes.
  *
- * @sa vtkInkStippleControls vtkInkSplattingLinesMapper
+ * @sa vtkInkStippleActor vtkInkStippleControls vtkInkSplattingLinesMapper
  */
 #ifndef vtkInkStippleMapper_h
 #define vtkInkStippleMapper_h
