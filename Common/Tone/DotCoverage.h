@@ -24,8 +24,7 @@ float dotCoverage(const DotShape& dot, float distance);
 /// For targets of few bits, which cannot add up very pale dots: of dots paler than `least`, as many as have
 /// the same ink together get that intensity, and the others none. Other dots stay as they are.
 /// @param index of the dot's element, of whose stipples at most one is pale; of any row of elements that
-/// follow
-///   each other, evenly spread ones are kept
+///   follow each other, evenly spread ones are kept
 float thinnedIntensity(float intensity, float least, std::uint32_t index);
 
 } // namespace ink
