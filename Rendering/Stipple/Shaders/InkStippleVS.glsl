@@ -299,9 +299,10 @@ void main()
 #ifdef INK_OCCLUDED
   if (occluded && opacity > 0.0)
   {
-    // Lifted a little towards the eye, but not behind it.
-    vec4 lifted = VCDCMatrix *
-      vec4(position.xyz + toEye * min(occluderOffset, max(0.5 * distanceFromEye, 0.0)), 1.0);
+    // Lifted a little towards the eye, more where the surface is slanted and so farther before it that way, but not
+    // behind the eye.
+    float lift = min(occluderOffset / max(slant, 0.25), max(0.5 * distanceFromEye, 0.0));
+    vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
     float hides = texelFetch(occluder, ivec2(clamp(centerPixel, vec2(0.0), viewportSize - 1.0)), 0).r;
     opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
   }
