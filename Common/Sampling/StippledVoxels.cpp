@@ -122,6 +122,11 @@ bool findStippledVoxels(const GridField<T>& field, const SampleBox& box, const G
   voxels.rows.assign(static_cast<std::size_t>(size.y) * size.z + 1, 0);
   const std::vector<SampleBox> slabs = slabsOf(box);
   const bool windowed = std::isfinite(criteria.lowest) || std::isfinite(criteria.highest);
+  // From a voxel's sample to the middles of its faces, in its columns.
+  const GridGeometry& geometry = field.geometry();
+  const glm::dvec3 halves = 0.5 * geometry.spacing();
+  const glm::mat3 halfSteps(geometry.direction()[0] * halves.x, geometry.direction()[1] * halves.y,
+    geometry.direction()[2] * halves.z);
   std::vector<float> gradients;
   std::vector<float> magnitudes;
   std::vector<float> values;
@@ -133,11 +138,16 @@ bool findStippledVoxels(const GridField<T>& field, const SampleBox& box, const G
     magnitudes.resize(count);
     values.resize(count);
     estimateGradients<T, float>(field, slabs[s], gradient, { gradients, magnitudes, values });
-    const auto chosen = [&](std::size_t n)
+    const auto isInWindow = [&](std::size_t n)
     {
-      return magnitudes[n] > 0.0f && magnitudes[n] >= criteria.threshold &&
-        (!windowed || (values[n] >= criteria.lowest && values[n] <= criteria.highest));
+      const glm::vec3 slope(gradients[3 * n], gradients[3 * n + 1], gradients[3 * n + 2]);
+      const glm::vec3 reach = glm::abs(slope * halfSteps);
+      const float most = reach.x + reach.y + reach.z;
+      return criteria.lowest <= criteria.highest && values[n] + most >= criteria.lowest &&
+        values[n] - most <= criteria.highest;
     };
+    const auto chosen = [&](std::size_t n)
+    { return magnitudes[n] > 0.0f && magnitudes[n] >= criteria.threshold && (!windowed || isInWindow(n)); };
     const std::size_t width = static_cast<std::size_t>(size.x);
     const std::size_t rows = count / width;
     parallelFor(rows,

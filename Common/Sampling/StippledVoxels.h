@@ -36,7 +36,9 @@ struct VoxelCriteria
 {
   /// A voxel's gradient must be at least this long, in value per world unit, and longer than 0.
   float threshold = 0.0f;
-  /// Its value, smoothed where the gradient's method smooths, must be between these.
+  /// Somewhere in it must be a value between these, by its sample's value, smoothed where the gradient's
+  /// method smooths, and gradient: so an iso-surface's voxels have no gaps where it passes from one layer to
+  /// the next.
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
 };

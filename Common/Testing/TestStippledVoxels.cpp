@@ -99,17 +99,21 @@ TEST(StippledVoxels, AreThoseWithSteepGradients)
   }
 }
 
-TEST(StippledVoxels, AreThoseWithinAWindow)
+TEST(StippledVoxels, AreThoseThatReachAWindow)
 {
-  const auto volume = ball<float>();
+  const auto volume = ball<double>({ 1.0, 1.0, 0.5 });
+  const auto field = volume.field();
   StippledVoxels voxels;
-  ASSERT_TRUE(
-    findStippledVoxels(volume.field(), wholeOf(volume.geometry), central, { 0.0f, 50.0, 60.0 }, voxels));
-  ASSERT_GT(voxels.size(), 100u);
-  for (const float value : voxels.values)
-  {
-    EXPECT_TRUE(value >= 50.0f && value <= 60.0f) << value;
-  }
+  ASSERT_TRUE(findStippledVoxels(field, wholeOf(volume.geometry), central, { 1e-3f, 50.0, 50.5 }, voxels));
+  const auto expected = samplesWith(volume,
+    [&](const glm::ivec3& s)
+    {
+      const glm::vec3 g = glm::abs(volume.geometry.gradientToWorld(field.gradientAt(s)));
+      const double reach = 0.5 * g.x + 0.5 * g.y + 0.25 * g.z;
+      return glm::length(g) >= 1e-3 && field.at(s) + reach >= 50.0 && field.at(s) - reach <= 50.5;
+    });
+  EXPECT_GT(expected.size(), 500u);
+  EXPECT_EQ(samplesOf(volume.geometry, voxels), expected);
 }
 
 TEST(StippledVoxels, AreNoneWhereNothingChanges)

@@ -37,6 +37,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -350,8 +351,54 @@ int vtkInkIsoSurfaceSampler::RequestData(
     vtkErrorMacro("The image cannot be sampled: " << error.what() << ".");
     return 1;
   }
-  this->FillOutput(radius, vtkPolyData::GetData(outputVector));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->FillOutput(radius, output);
+  // A part of an image may well have no points.
+  if (output->GetNumberOfPoints() == 0 && InkExtent(image->GetExtent()) == whole &&
+    outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <=
+      1)
+  {
+    this->ReportOutside(scalars);
+  }
   return 1;
+}
+
+void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
+{
+  const int count = this->ContourValues->GetNumberOfContours();
+  if (count == 0)
+  {
+    vtkWarningMacro("No iso-value is set, so there are no points. Expected one or more (SetValue).");
+    return;
+  }
+  double range[2];
+  scalars->GetFiniteRange(range, this->ArrayComponent);
+  std::ostringstream found;
+  for (int i = 0; i < count; ++i)
+  {
+    const double value = this->GetValue(i);
+    // NaN has its own warning.
+    if ((value > range[0] && value <= range[1]) || std::isnan(value))
+    {
+      return;
+    }
+    found << (i > 0 ? ", " : "") << value;
+  }
+  std::ostringstream expected;
+  if (range[0] == range[1])
+  {
+    expected << "All of the image's values are " << range[0] << '.';
+  }
+  else if (range[0] < range[1])
+  {
+    expected << "Expected a value above " << range[0] << " and up to " << range[1]
+             << ", which the image has.";
+  }
+  else
+  {
+    expected << "None of the image's values is finite.";
+  }
+  vtkWarningMacro("No voxel lies on the iso-surface of " << found.str() << ". " << expected.str());
 }
 
 void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)

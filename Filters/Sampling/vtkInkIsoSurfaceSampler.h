@@ -249,6 +249,8 @@ private:
   class vtkInternals;
 
   void FillOutput(double radius, vtkPolyData* output);
+  /// Warns where no iso-value lies within the values' range.
+  void ReportOutside(vtkDataArray* scalars);
 
   vtkNew<vtkContourValues> ContourValues;
   int CrossingRule = HALF_OPEN;

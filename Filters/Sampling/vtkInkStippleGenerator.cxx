@@ -27,6 +27,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -245,6 +246,30 @@ void vtkInkStippleGenerator::StippleVolume(
     return;
   }
   InkMakeVolumeStipples(image, request, output);
+  // A part of an image may well have none.
+  const bool whole = InkExtent(image->GetExtent()) == InkGetWholeExtent(info, image) &&
+    outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) <= 1;
+  if (output->GetNumberOfPoints() == 0 && whole && !InkCheckAbort(this))
+  {
+    double range[2];
+    scalars->GetFiniteRange(range, this->ArrayComponent);
+    std::ostringstream window;
+    if (this->UseScalarWindow)
+    {
+      window << " and values between " << this->ScalarWindow[0] << " and " << this->ScalarWindow[1];
+    }
+    std::ostringstream values;
+    if (range[0] <= range[1])
+    {
+      values << "The values range from " << range[0] << " to " << range[1] << '.';
+    }
+    else
+    {
+      values << "None of the values is finite.";
+    }
+    vtkWarningMacro("No voxel has a gradient that is steep enough"
+      << window.str() << ", so none is stippled. " << values.str());
+  }
 }
 
 void vtkInkStippleGenerator::StippleSurface(

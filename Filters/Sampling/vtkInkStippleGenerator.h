@@ -8,7 +8,7 @@
  * does by drawing the beginnings of these lists.
  *
  * Volumes: a voxel, the cube of one sample step around a point of the image, gets MaximumStipples stipples
- * when its gradient is steep enough, see SetThresholdMode, and its value lies in the ScalarWindow, if there
+ * when its gradient is steep enough, see SetThresholdMode, and it has values in the ScalarWindow, if there
  * is one. They lie in the voxel between the planes p1 and p2 beside its tangent plane, see SetLayerThickness,
  * and are spread evenly in it and across its neighbours: seen along the surface's normal they are close to a
  * Poisson-disc sampling, and so are the first n of all voxels for every n. The gradient is by default that of
@@ -155,8 +155,9 @@ public:
 
   ///@{
   /**
-   * Volumes: stipple only voxels whose value, smoothed by the regression, lies in ScalarWindow: a material,
-   * or a band around an iso-value. Default: off.
+   * Volumes: stipple only voxels with values in ScalarWindow, by the value, smoothed by the regression, and
+   * the gradient in their middle: a material, or a band around an iso-value, also one of no width. Default:
+   * off.
    */
   vtkSetMacro(UseScalarWindow, bool);
   vtkGetMacro(UseScalarWindow, bool);

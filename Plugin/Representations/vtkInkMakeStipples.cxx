@@ -8,7 +8,6 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCleanPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -217,16 +216,22 @@ void StippleImages(const Leaves& leaves, const vtkInkStippleRequest& request, vt
 
   const auto statistics = std::make_shared<ink::VolumeStatistics>();
   std::vector<vtkImageData*> measured;
+  // The same on all processes.
+  const bool measures = generator->GetThresholdMode() == vtkInkStippleGenerator::PERCENTILE ||
+    !generator->GetUseReferenceRanges();
   for (vtkImageData* image : leaves.Images)
   {
     connect(image);
-    if (generator->Measure(update, *statistics))
+    if (!measures || generator->Measure(update, *statistics))
     {
       measured.push_back(image);
     }
   }
-  AddUp(*statistics, request.Controller);
-  generator->SetStatistics(statistics);
+  if (measures)
+  {
+    AddUp(*statistics, request.Controller);
+    generator->SetStatistics(statistics);
+  }
   std::vector<vtkSmartPointer<vtkPolyData>> stipples;
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   for (vtkImageData* image : measured)
@@ -286,16 +291,7 @@ vtkSmartPointer<vtkPolyData> Gather(vtkSmartPointer<vtkPolyData> mesh, vtkMultiP
       meshes.emplace_back(part);
     }
   }
-  // Points at the parts' seams, so that the surface is one.
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(Append(meshes));
-  clean->ToleranceIsAbsoluteOn();
-  clean->SetAbsoluteTolerance(0.0);
-  clean->ConvertLinesToPointsOff();
-  clean->ConvertPolysToLinesOff();
-  clean->ConvertStripsToPolysOff();
-  clean->Update();
-  return clean->GetOutput();
+  return Append(meshes);
 }
 
 void StippleSurfaces(const Leaves& leaves, const vtkInkStippleRequest& request, vtkInkMadeStipples& made)

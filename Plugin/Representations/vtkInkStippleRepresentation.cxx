@@ -24,7 +24,6 @@
 #include "vtkPolyData.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -105,9 +104,9 @@ int vtkInkStippleRepresentation::RequestUpdateExtent(
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
     vtkInformation* info = inputVector[0]->GetInformationObject(0);
-    // As the generator asks for them; of unstructured data as many as tell the outer surface.
-    int levels = vtkImageData::GetData(info) ? ink::stippleReach.x + 1 : 0;
-    levels = vtkUnstructuredGrid::GetData(info) ? 1 : levels;
+    // As the generator asks for them; of grids as many as tell the outer surface.
+    const int ofGrids = vtkPolyData::GetData(info) ? 0 : 1;
+    const int levels = vtkImageData::GetData(info) ? ink::stippleReach.x + 1 : ofGrids;
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
       std::max(levels, info->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS())));
   }
@@ -323,7 +322,11 @@ void vtkInkStippleRepresentation::SetIsoSurfaceHides(bool hides)
 
 void vtkInkStippleRepresentation::SetIsoValue(double value)
 {
-  this->ChangeValue(this->IsoValue, value);
+  if (this->IsoSurfaceHides)
+  {
+    this->ChangeValue(this->IsoValue, value);
+  }
+  this->IsoValue = value;
 }
 
 void vtkInkStippleRepresentation::SetSurfaceHides(bool hides)

@@ -212,7 +212,6 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
     static_cast<float>(scene.InkColor[2]) };
   program->SetUniform3f("inkColor", color);
   program->SetUniformf("largestPoint", this->LargestPoint);
-  program->SetUniformi("occluded", scene.Occluder != nullptr);
   program->SetUniformf("occluderOffset", scene.OccluderOffset);
   if (scene.Occluder)
   {

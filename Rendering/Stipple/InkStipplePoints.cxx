@@ -16,6 +16,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 namespace
@@ -168,6 +169,12 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
     elements.clear();
     left << "Expected at most 2^32 elements, found " << count << '.';
   }
+  else if (input.Data->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    elements.clear();
+    left << "Expected at most 2^31 - 1 stipples, which OpenGL can count, found "
+         << input.Data->GetNumberOfPoints() << '.';
+  }
   else if (most < longest)
   {
     left << "Of each of the " << count << " elements only the first " << most << " of up to " << longest
@@ -222,6 +229,11 @@ void InkStipplePoints::AddGroup(const InkStippleInput& input, const Element* ele
     for (std::size_t b = 0; b < ends.size(); ++b)
     {
       InkStippleBlock& block = this->Blocks[firstBlock + b];
+      if (rank >= static_cast<int>(block.Runs.size()))
+      {
+        i = ends[b];
+        continue;
+      }
       const std::size_t start = this->Vertices.size();
       for (; i < ends[b]; ++i)
       {
@@ -231,10 +243,7 @@ void InkStipplePoints::AddGroup(const InkStippleInput& input, const Element* ele
             input, elements[i].First + rank, firstElement + static_cast<std::uint32_t>(i), rank, block);
         }
       }
-      if (rank < static_cast<int>(block.Runs.size()))
-      {
-        block.Runs[rank] = { static_cast<int>(start), static_cast<int>(this->Vertices.size() - start) };
-      }
+      block.Runs[rank] = { static_cast<int>(start), static_cast<int>(this->Vertices.size() - start) };
     }
   }
 }

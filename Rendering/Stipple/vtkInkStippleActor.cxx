@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleActor.h"
 
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
 namespace
 {
+
+bool HasVolumes(vtkProp* prop)
+{
+  vtkNew<vtkPropCollection> volumes;
+  prop->GetVolumes(volumes);
+  return volumes->GetNumberOfItems() > 0;
+}
 
 bool HasOthersTranslucent(vtkRenderer* renderer)
 {
@@ -17,7 +25,7 @@ bool HasOthersTranslucent(vtkRenderer* renderer)
   {
     // Those of this kind would ask back.
     if (prop->GetVisibility() && !vtkInkStippleActor::SafeDownCast(prop) &&
-      prop->HasTranslucentPolygonalGeometry())
+      (HasVolumes(prop) || prop->HasTranslucentPolygonalGeometry()))
     {
       return true;
     }
@@ -34,6 +42,19 @@ vtkInkStippleActor::vtkInkStippleActor() = default;
 vtkInkStippleActor::~vtkInkStippleActor() = default;
 
 bool vtkInkStippleActor::IsAlone()
+{
+  // An assembly with this actor as a part asks its parts.
+  if (this->Asking)
+  {
+    return false;
+  }
+  this->Asking = true;
+  const bool alone = this->FindAlone();
+  this->Asking = false;
+  return alone;
+}
+
+bool vtkInkStippleActor::FindAlone()
 {
   // In an assembly, whose renderers it does not know, it is like any actor.
   const int count = this->GetNumberOfConsumers();

@@ -7,7 +7,8 @@
  * pass: by depth peeling, which draws them several times, or by the order-independent pass, which adds up in
  * floating point numbers and costs about as much again as the stipples. Dots of one ink look the same in any
  * order. So this actor blends them straight into the picture, after all surfaces, where nothing else in its
- * renderers is translucent; else it does what vtkActor does, since what is translucent may lie in front.
+ * renderers is translucent, volumes included; else it does what vtkActor does, since what is translucent may
+ * lie in front.
  *
  * A picture has 8 bits as a rule: dots too pale for them are drawn more rarely instead. Where each grey
  * matters more than the time of a frame, take vtkActor without depth peeling.
@@ -37,10 +38,12 @@ private:
   vtkInkStippleActor(const vtkInkStippleActor&) = delete;
   void operator=(const vtkInkStippleActor&) = delete;
 
-  /// Whether there is nothing else translucent in any renderer with this actor.
+  /// Whether there is nothing else translucent, and no volume, in any renderer with this actor.
   bool IsAlone();
+  bool FindAlone();
 
   bool Drawing = false;
+  bool Asking = false;
 };
 
 #endif

@@ -189,7 +189,7 @@ public:
   ///@{
   /**
    * Light from the camera in place of the renderer's lights (of which the first eight that are on count,
-   * without their cones and attenuation). Default: off.
+   * with their cones and attenuation). Default: off.
    */
   vtkSetMacro(Headlight, bool);
   vtkGetMacro(Headlight, bool);

@@ -214,8 +214,10 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   }
   sampler->Update();
   vtkPolyData* output = sampler->GetOutput();
-  if (!check(messages->Messages.empty(), run.Name, ": no message, found ",
-        messages->Messages.empty() ? "" : messages->Messages[0]) ||
+  // That no value lies beyond the iso-value is said.
+  const bool silent = messages->Messages.empty() || output->GetNumberOfPoints() == 0;
+  if (!check(
+        silent, run.Name, ": no message, found ", messages->Messages.empty() ? "" : messages->Messages[0]) ||
     !CheckValidPoints(check, run.Name, output))
   {
     return;

@@ -35,7 +35,6 @@ uniform float largestPoint; // pixels
 uniform vec4 clipPlanesVC[6];
 
 // The surface that hides stipples behind it; see the occluder's shaders.
-uniform bool occluded;
 uniform sampler2D occluder;
 uniform float occluderOffset; // view units towards the eye
 
@@ -297,7 +296,7 @@ void main()
   vec4 center = VCDCMatrix * position;
   vec2 centerPixel = (0.5 * center.xy / center.w + 0.5) * viewportSize;
 #ifdef INK_OCCLUDED
-  if (occluded && opacity > 0.0)
+  if (opacity > 0.0)
   {
     // Lifted a little towards the eye, more where the surface is slanted and so farther before it that way, but not
     // behind the eye.

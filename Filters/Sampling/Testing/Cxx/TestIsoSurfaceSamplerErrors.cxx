@@ -91,8 +91,11 @@ int TestIsoSurfaceSamplerErrors(int, char*[])
     { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
   Expect(check, "NaN as iso-value", { "NaN" },
     [nan](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, nan); });
-  // An iso-value that no voxel reaches is not an error: in another piece, or at another time, one may.
-  Expect(check, "iso-value out of range", {},
+  Expect(check, "iso-value out of range", { "1e+09", "Expected a value above" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, 1e9); });
+  Expect(check, "no iso-value", { "No iso-value is set" },
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetNumberOfContours(0); });
+  Expect(check, "nothing finite", { "None of the image's values is finite" },
+    [nan](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(nan); });
   return check.Result();
 }

@@ -182,8 +182,10 @@ int TestStippleGenerator(int, char*[])
     });
   double range[2];
   window->GetCellData()->GetArray("Value")->GetRange(range);
-  check(window->GetNumberOfCells() > 100 && range[0] > 0.599 && range[1] < 0.801,
-    "values in the window, found ", range[0], " to ", range[1]);
+  // Its voxels reach it, but their middles may lie outside.
+  check(window->GetNumberOfCells() > 100 && range[0] > 0.25 && range[0] < 0.6 &&
+      window->GetNumberOfCells() < all->GetNumberOfCells() / 2,
+    "values around the window, found ", range[0], " to ", range[1]);
   vtkDataArray* colors = window->GetCellData()->GetScalars();
   check(colors && colors->GetName() == std::string("Density") &&
       colors->GetNumberOfTuples() == window->GetNumberOfCells(),

@@ -76,24 +76,24 @@ int TestStippleGeneratorErrors(int, char*[])
     check, "no spacing", { "spacing" }, [](vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
   ExpectOfImage(check, "flat direction matrix", { "direction matrix" },
     [](vtkImageData* image) { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
-  ExpectOfImage(
-    check, "constant", {}, [](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(7.0); });
-  ExpectOfImage(check, "nothing but NaN", {},
+  ExpectOfImage(check, "constant", { "No voxel has a gradient", "7 to 7" },
+    [](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(7.0); });
+  ExpectOfImage(check, "nothing but NaN", { "None of the values is finite" },
     [nan](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(nan); });
-  ExpectOfImage(check, "one voxel", {},
+  ExpectOfImage(check, "one voxel", { "No voxel has a gradient" },
     [](vtkImageData* image)
     {
       image->SetExtent(0, 0, 0, 0, 0, 0);
       image->AllocateScalars(VTK_FLOAT, 1);
       image->GetPointData()->GetScalars()->Fill(1.0);
     });
-  ExpectOfImage(check, "window out of range", {}, as,
+  ExpectOfImage(check, "window out of range", { "between 1e+06 and 1e+07", "range from" }, as,
     [](vtkInkStippleGenerator* g)
     {
       g->UseScalarWindowOn();
       g->SetScalarWindow(1e6, 1e7);
     });
-  ExpectOfImage(check, "window the wrong way round", {}, as,
+  ExpectOfImage(check, "window the wrong way round", { "between 90 and 80" }, as,
     [](vtkInkStippleGenerator* g)
     {
       g->UseScalarWindowOn();
