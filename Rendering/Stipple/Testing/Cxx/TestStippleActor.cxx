@@ -7,11 +7,13 @@
 #include "InkTestStipples.h"
 #include "vtkInkStippleActor.h"
 
+#include "vtkAssembly.h"
 #include "vtkHardwareSelector.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSphereSource.h"
+#include "vtkVolume.h"
 
 #include <cmath>
 
@@ -109,6 +111,19 @@ void TestBesideTranslucent(InkTestChecks& check)
   other->SetMapper(scene.Mapper);
   scene.Renderer->AddActor(other);
   check(!scene.Straight->HasTranslucentPolygonalGeometry(), "beside another");
+
+  // What a volume in front does to stipples is known to the translucent pass only.
+  vtkNew<vtkVolume> volume;
+  scene.Renderer->AddVolume(volume);
+  check(scene.Straight->HasTranslucentPolygonalGeometry(), "a part of the translucent pass beside a volume");
+  scene.Renderer->RemoveVolume(volume);
+  check(!scene.Straight->HasTranslucentPolygonalGeometry(), "alone without the volume");
+
+  // Asks its parts, of which this actor is one.
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(scene.Straight);
+  scene.Renderer->AddActor(assembly);
+  check(scene.Straight->HasTranslucentPolygonalGeometry(), "as vtkActor as a part of an assembly");
 
   vtkNew<vtkInkStippleActor> nowhere;
   nowhere->SetMapper(scene.Mapper);
