@@ -94,7 +94,7 @@ def test_colours_decide_what_stipples_show(stippled, picture, volume_file):
     ("--silhouette", "0.1,0,1", "1,2,1"), ("--silhouette", "off", "1,2,0.5"), ("--resolution", "-2,3", "off"),
     ("--lighting", "0.2", "off"), ("--interior-ks", "4,0", "off"), ("--distance-ks", "on", "1,1"),
     ("--value-effect", 1, 0), ("--pixels-per-stipple", 20, 3), ("--stipple-size", 1, 3), ("--percentile", 99, 80),
-    ("--threshold", 55, 5), ("--facing-angle", 30, 180), ("--window", "90,200", "20,200")])
+    ("--threshold", 55, 5), ("--facing-angle", 30, 180), ("--window", "150,200", "20,200")])
 def test_more_ink(stippled, volume_file, option, low, high):
     assert stippled(volume_file, option, low).mean() < stippled(volume_file, option, high).mean() - 0.001
 
@@ -180,7 +180,8 @@ def test_turned_volumes_are_drawn_as_they_lie(picture, tmp_path):
     pictures = [picture(tmp_path / name, "--style", "stipple", "--iso", 100, "--pixels-per-stipple", 6).astype(int)
                 for name in ("plain.nrrd", "turned.nrrd")]
     blocks = [image.mean(axis=2).reshape(10, 20, 10, 20).mean(axis=(1, 3)) for image in pictures]
-    assert np.abs(blocks[0] - blocks[1]).max() < 20
+    difference = blocks[0] - blocks[1]  # by other stipples only
+    assert abs(difference.mean()) < 1 and difference.std() < 10 and np.abs(difference).max() < 35
     assert np.abs(pictures[0] - 255).mean() > 3
 
 
