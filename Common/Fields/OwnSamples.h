@@ -13,9 +13,8 @@ namespace ink
 class OwnSamples
 {
 public:
-  /// \param others cells of the grid, one byte each, that are others': a sample goes with the cell whose
-  /// lower
-  ///        corner it is, at the grid's upper end whose upper corner
+  /// \param others cells of the grid, one byte each, that are others': a sample goes with the cell
+  ///        whose lower corner it is, at the grid's upper end whose upper corner
   OwnSamples(const glm::ivec3& dimensions, const SampleBox& box, const ElementMarks& others = {})
     : Box{ glm::max(box.begin, glm::ivec3(0)), glm::min(box.end, dimensions) }
     , LastCell(glm::max(dimensions - 2, glm::ivec3(0)))

@@ -41,6 +41,12 @@ InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image)
   return InkExtent(whole ? whole : image->GetExtent());
 }
 
+bool InkIsWholeImage(vtkInformation* input, vtkInformation* output, vtkImageData* image)
+{
+  return InkExtent(image->GetExtent()) == InkGetWholeExtent(input, image) &&
+    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1;
+}
+
 ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent)
 {
   glm::dvec3 origin;

@@ -29,6 +29,12 @@ struct VTKINKFILTERSCORE_EXPORT InkExtent
 /// The extent of the whole image of which `image` may be a piece; its own where `info` does not say.
 VTKINKFILTERSCORE_EXPORT InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image);
 
+/// Whether nothing but the whole image was asked for at once: if it is without result, so is all that there
+/// is.
+/// @param input, output the filter's pipeline information
+VTKINKFILTERSCORE_EXPORT bool InkIsWholeImage(
+  vtkInformation* input, vtkInformation* output, vtkImageData* image);
+
 /// The image's samples within an extent, which need not be the image's own.
 /// \throws std::invalid_argument when the image has a spacing of zero or a direction matrix without inverse
 VTKINKFILTERSCORE_EXPORT ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent);

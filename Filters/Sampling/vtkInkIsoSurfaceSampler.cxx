@@ -354,9 +354,7 @@ int vtkInkIsoSurfaceSampler::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->FillOutput(radius, output);
   // A part of an image may well have no points.
-  if (output->GetNumberOfPoints() == 0 && InkExtent(image->GetExtent()) == whole &&
-    outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <=
-      1)
+  if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outputVector->GetInformationObject(0), image))
   {
     this->ReportOutside(scalars);
   }

@@ -247,29 +247,32 @@ void vtkInkStippleGenerator::StippleVolume(
   }
   InkMakeVolumeStipples(image, request, output);
   // A part of an image may well have none.
-  const bool whole = InkExtent(image->GetExtent()) == InkGetWholeExtent(info, image) &&
-    outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) <= 1;
-  if (output->GetNumberOfPoints() == 0 && whole && !InkCheckAbort(this))
+  if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image) && !InkCheckAbort(this))
   {
-    double range[2];
-    scalars->GetFiniteRange(range, this->ArrayComponent);
-    std::ostringstream window;
-    if (this->UseScalarWindow)
-    {
-      window << " and values between " << this->ScalarWindow[0] << " and " << this->ScalarWindow[1];
-    }
-    std::ostringstream values;
-    if (range[0] <= range[1])
-    {
-      values << "The values range from " << range[0] << " to " << range[1] << '.';
-    }
-    else
-    {
-      values << "None of the values is finite.";
-    }
-    vtkWarningMacro("No voxel has a gradient that is steep enough"
-      << window.str() << ", so none is stippled. " << values.str());
+    this->ReportNothing(scalars);
   }
+}
+
+void vtkInkStippleGenerator::ReportNothing(vtkDataArray* scalars)
+{
+  double range[2];
+  scalars->GetFiniteRange(range, this->ArrayComponent);
+  std::ostringstream message;
+  message << "No voxel has a gradient that is steep enough";
+  if (this->UseScalarWindow)
+  {
+    message << " and values between " << this->ScalarWindow[0] << " and " << this->ScalarWindow[1];
+  }
+  message << ", so none is stippled. ";
+  if (range[0] <= range[1])
+  {
+    message << "The values range from " << range[0] << " to " << range[1] << '.';
+  }
+  else
+  {
+    message << "None of the values is finite.";
+  }
+  vtkWarningMacro(<< message.str());
 }
 
 void vtkInkStippleGenerator::StippleSurface(

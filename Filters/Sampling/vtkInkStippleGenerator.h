@@ -270,6 +270,8 @@ private:
   void operator=(const vtkInkStippleGenerator&) = delete;
 
   void StippleVolume(vtkInformationVector** input, vtkInformation* outInfo, vtkPolyData* output);
+  /// Warns that no voxel of the whole image is stippled.
+  void ReportNothing(vtkDataArray* scalars);
   void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
   /// The array for colours, null when none is wanted; `ofCells` says whose it is.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);

@@ -3,8 +3,8 @@
 // and within their bounds, and not a word.
 
 #include "InkTestChecks.h"
+#include "InkTestMesh.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -14,7 +14,6 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -182,32 +181,11 @@ void TestShapes(InkTestChecks& check)
 
 void TestMeshes(InkTestChecks& check)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  // A square, three more triangles on one of its edges, one without area, one with a point that is not
-  // finite, one twice; normals of length 0.
+  // Normals of length 0 as well.
   for (const double scale : { 1e-9, 1.0, 1e9 })
   {
     const std::string name = "mesh of size " + std::to_string(scale);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const std::array<double, 3>& p : { std::array{ 0.0, 0.0, 0.0 }, std::array{ 1.0, 0.0, 0.0 },
-           std::array{ 1.0, 1.0, 0.0 }, std::array{ 0.0, 1.0, 0.0 }, std::array{ 0.5, 0.0, 1.0 },
-           std::array{ 0.5, 0.5, -1.0 }, std::array{ 2.0, 0.0, 0.0 } })
-    {
-      points->InsertNextPoint(scale * p[0], scale * p[1], scale * p[2]);
-    }
-    const vtkIdType missing = points->InsertNextPoint(nan, 0.0, 0.0);
-    vtkNew<vtkCellArray> polygons;
-    polygons->InsertNextCell({ 0, 1, 2, 3 });
-    polygons->InsertNextCell({ 0, 1, 4 });
-    polygons->InsertNextCell({ 1, 0, 5 });
-    polygons->InsertNextCell({ 0, 1, 4 });
-    polygons->InsertNextCell({ 0, 1, 6 });
-    polygons->InsertNextCell({ 0, 0, 1 });
-    polygons->InsertNextCell({ 0, 1, missing });
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(polygons);
+    const vtkSmartPointer<vtkPolyData> mesh = InkTestOddMesh(scale);
     vtkNew<vtkFloatArray> normals;
     normals->SetName("Normals");
     normals->SetNumberOfComponents(3);

@@ -4,6 +4,7 @@
 
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMesh.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 
@@ -276,26 +277,7 @@ void TestMeshes(InkTestChecks& check)
 {
   for (const double scale : { 1e-9, 1.0, 1e9 })
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const std::array<double, 3>& p : { std::array{ 0.0, 0.0, 0.0 }, std::array{ 1.0, 0.0, 0.0 },
-           std::array{ 1.0, 1.0, 0.0 }, std::array{ 0.0, 1.0, 0.0 }, std::array{ 0.5, 0.0, 1.0 },
-           std::array{ 0.5, 0.5, -1.0 }, std::array{ 2.0, 0.0, 0.0 } })
-    {
-      points->InsertNextPoint(scale * p[0], scale * p[1], scale * p[2]);
-    }
-    const vtkIdType missing = points->InsertNextPoint(NaN, 0.0, 0.0);
-    vtkNew<vtkCellArray> polygons;
-    polygons->InsertNextCell({ 0, 1, 2, 3 });
-    polygons->InsertNextCell({ 0, 1, 4 });
-    polygons->InsertNextCell({ 1, 0, 5 });
-    polygons->InsertNextCell({ 0, 1, 4 });
-    polygons->InsertNextCell({ 0, 1, 6 });
-    polygons->InsertNextCell({ 0, 0, 1 });
-    polygons->InsertNextCell({ 0, 1, missing });
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(polygons);
+    const vtkSmartPointer<vtkPolyData> mesh = InkTestOddMesh(scale);
     vtkNew<vtkInkStippleGenerator> generator;
     generator->SetInputData(mesh);
     generator->SetNumberOfSurfaceStipples(4000);
