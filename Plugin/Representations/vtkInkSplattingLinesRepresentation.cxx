@@ -14,7 +14,7 @@
 vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
 
 vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation()
-  : vtkInkRepresentation(vtkSmartPointer<vtkActor>::New(), 1)
+  : vtkInkRepresentation(vtkSmartPointer<vtkActor>::New(), 1, 1)
 {
   this->GetActor()->SetMapper(this->Mapper);
 }
@@ -24,7 +24,8 @@ vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = defa
 int vtkInkSplattingLinesRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkInkGatheredPoints gathered = vtkInkGatherPoints(vtkDataObject::GetData(inputVector[0], 0));
+  const vtkInkGatheredPoints gathered = vtkInkGatherPoints(
+    vtkDataObject::GetData(inputVector[0], 0), this->GetArrayName(0), this->GetArrayAssociation(0));
   this->GetPiece(0)->ShallowCopy(gathered.Points);
   if (gathered.IdsAreInputs)
   {
