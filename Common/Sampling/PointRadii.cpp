@@ -26,12 +26,15 @@ constexpr std::size_t mostNeighbours = PlaneCell::mostNeighbours;
 constexpr std::size_t smoothed = 12; // neighbours that radii are made alike with
 constexpr std::size_t spacingAt = 8; // which neighbour's distance says how densely points lie
 constexpr std::size_t onALine = 6;   // whose distance is the radius where there is no cell
-// Times as far from its neighbours as these are from theirs: when it stands out of their plane, and in any
-// case.
+// Times as far from its neighbours as the densest of these are from theirs: when it stands out of their
+// plane, and in any case.
 constexpr float isolatedAbove = 3.0f;
 constexpr float isolatedAnyway = 8.0f;
-constexpr float outOfPlane = 0.3f; // of the distance to the neighbours
-constexpr float holeFrom = 3.0f;   // times as far as corners of cells are in the median
+constexpr std::size_t densest = 3;    // of the neighbours
+constexpr float outOfPlane = 0.3f;    // of the distance to the neighbours
+constexpr float isolatedCloud = 6.0f; // times the median distance of all points
+constexpr float thickCloud = 0.25f;   // of the distance to the neighbours: how far these are from their plane
+constexpr float holeFrom = 3.0f;      // times as far as corners of cells are in the median
 constexpr float ownMedianCounts = 4.0f;
 constexpr float overlap = 1.25f;
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -95,21 +98,45 @@ struct Neighbourhoods
     this->spacing[i] = glm::distance(this->places[i], this->places[other]);
   }
 
-  void findIsolated(std::size_t i)
+  /// Isolated are single points and small groups among others, and clouds of them that fill space.
+  void findIsolated(std::size_t i, float usualSpacing)
   {
+    const auto all = this->near(i);
     std::array<float, mostNeighbours> spacings;
-    glm::vec3 middleOfNear(0.0f);
-    for (std::size_t n = 0; n < this->count; ++n)
+    std::transform(
+      all.begin(), all.end(), spacings.begin(), [&](std::uint32_t n) { return this->spacing[n]; });
+    const std::size_t rank = std::min(densest, this->count) - 1;
+    std::nth_element(spacings.begin(), spacings.begin() + rank, spacings.begin() + this->count);
+    const float apart = this->spacing[i] / spacings[rank];
+    const bool sparse = this->spacing[i] > isolatedCloud * usualSpacing;
+    this->isolated[i] = apart > isolatedAnyway;
+    if (!this->isolated[i] && (sparse || apart > isolatedAbove))
     {
-      spacings[n] = this->spacing[this->near(i)[n]];
-      middleOfNear += this->places[this->near(i)[n]] / static_cast<float>(this->count);
+      const glm::vec3 normal = principalNormal(this->places, all);
+      glm::vec3 middleOfAll(0.0f);
+      for (const std::uint32_t n : all)
+      {
+        middleOfAll += this->places[n] / static_cast<float>(this->count);
+      }
+      float thickness = 0.0f;
+      for (const std::uint32_t n : all)
+      {
+        const float height = glm::dot(this->places[n] - middleOfAll, normal);
+        thickness += height * height / static_cast<float>(this->count);
+      }
+      const float height = std::abs(glm::dot(this->places[i] - middleOfAll, normal));
+      this->isolated[i] = (apart > isolatedAbove && height > outOfPlane * this->spacing[i]) ||
+        (sparse && std::sqrt(thickness) > thickCloud * this->spacing[i]);
     }
-    const float apart = this->spacing[i] / median(std::span(spacings).first(this->count));
-    const auto height = [&] {
-      return std::abs(glm::dot(this->places[i] - middleOfNear, principalNormal(this->places, this->near(i))));
-    };
-    this->isolated[i] =
-      apart > isolatedAnyway || (apart > isolatedAbove && height() > outOfPlane * this->spacing[i]);
+  }
+
+  /// Among isolated points there is no surface either.
+  bool isAmongIsolated(std::size_t i) const
+  {
+    const auto all = this->near(i);
+    const auto alone =
+      std::count_if(all.begin(), all.end(), [&](std::uint32_t n) { return this->isolated[n] != 0; });
+    return 2 * static_cast<std::size_t>(alone) > this->count;
   }
 
   /// Whether another place can be the next one on the same side of the same surface.
@@ -302,8 +329,20 @@ PointRadii pointRadii(
       }
     };
   };
-  if (!run(0.5, [&](std::size_t i) { all.findNeighbours(i); }) ||
-    !run(0.1, [&](std::size_t i) { all.findIsolated(i); }) ||
+  const auto findIsolated = [&]
+  {
+    std::vector<float> spacings = all.spacing;
+    const float usual = median(spacings);
+    std::vector<char> more(distinct.places.size());
+    if (!run(0.08, [&](std::size_t i) { all.findIsolated(i, usual); }) ||
+      !run(0.02, [&](std::size_t i) { more[i] = all.isolated[i] || all.isAmongIsolated(i); }))
+    {
+      return false;
+    }
+    all.isolated = std::move(more);
+    return true;
+  };
+  if (!run(0.5, [&](std::size_t i) { all.findNeighbours(i); }) || !findIsolated() ||
     !run(0.3, unlessIsolated([&](std::size_t i) { all.measureCell(i); })) ||
     !run(0.05, unlessIsolated([&](std::size_t i) { all.coverCell(i); })) ||
     !run(0.02, unlessIsolated([&](std::size_t i) { all.widen(i); })) ||

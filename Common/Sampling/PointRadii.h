@@ -29,8 +29,9 @@ struct PointRadii
 /// point takes the widest of the twelve nearest, and the mean of these, which makes radii change slowly from
 /// point to point, and a quarter more.
 ///
-/// A point is isolated when it is eight times as far from its neighbours as these are from theirs, or three
-/// times and stands out of their plane. Points at one place count as one.
+/// A point is isolated when it is eight times as far from its neighbours as the densest three of these are
+/// from theirs, or three times and stands out of their plane; or when it is in a cloud that fills space and
+/// is six times as sparse as the points are in the median. Points at one place count as one.
 ///
 /// @param normals unit, one a point: neighbours that face away are not of the same side of the surface.
 /// Empty, or zero for some points: both sides count.
