@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr std::array volumeSuffixes{ ".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtk" };
-constexpr std::array meshSuffixes{ ".ply", ".obj", ".stl", ".vtp" };
+constexpr std::array meshSuffixes{ ".ply", ".obj", ".stl", ".vtp", ".xyz" };
 
 /// The suffix in small letters, ".nii.gz" being one.
 std::string suffixOf(const fs::path& file)
@@ -115,7 +115,7 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   }
   if (contains(meshSuffixes, suffix))
   {
-    return readMesh(file, suffix, progress);
+    return suffix == ".xyz" ? readPoints(file, progress) : readMesh(file, suffix, progress);
   }
   failToRead(file,
     "unknown type '" + suffix + "'; expected one of " + knownSuffixes() +

@@ -36,7 +36,7 @@ void InputArguments::addFile(CLI::App* command, const std::string& mesh)
       "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .vti .vtk" + std::string(vdbSuffix) +
         ", a folder of DICOM files, or any file with "
         "--raw;\n" +
-        mesh + ": .ply .obj .stl .vtp")
+        mesh + ": .ply .obj .stl .vtp .xyz")
     ->required();
 }
 

@@ -38,6 +38,7 @@ Input readVdb(const std::filesystem::path& file, const std::string& grid, Wanted
 Input readRawVolume(
   const std::filesystem::path& file, const RawLayout& layout, const Memory& memory, Progress& progress);
 Input readDicomFolder(const std::filesystem::path& folder, const Memory& memory, Progress& progress);
+Input readPoints(const std::filesystem::path& file, Progress& progress);
 Input readMesh(const std::filesystem::path& file, const std::string& suffix, Progress& progress);
 
 } // namespace ink::cli

@@ -75,6 +75,7 @@ void RenderArguments::add(CLI::App* command)
   this->addColors(command);
   this->addLines(command);
   this->stipple.add(command);
+  this->cloud.add(command);
   this->input.addReading(command);
 }
 
@@ -146,6 +147,7 @@ void RenderArguments::run()
   {
     throw UsageError("-o '" + this->output + "': expected a name that ends in .png");
   }
+  this->options.cloud = this->cloud.options();
   this->options.size = PictureSize::parse(this->size);
   const auto colorOf = [this](const char* option, const std::string& text)
   { return this->app->count(option) > 0 ? std::optional(parseColor(option, text)) : std::nullopt; };
@@ -159,6 +161,11 @@ void RenderArguments::run()
     {
       throw UsageError(
         "--paper-color none: expected the page's colour with --style stipple; --transparent leaves it out");
+    }
+    if (!this->options.cloud.given.empty())
+    {
+      throw UsageError(
+        this->options.cloud.given + ": expected with --style splatting-lines, found --style stipple");
     }
     this->options.stipple = this->stipple.style(ink, paper);
   }

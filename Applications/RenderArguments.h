@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CloudArguments.h"
 #include "InputArguments.h"
 #include "RenderCommand.h"
 #include "StippleArguments.h"
@@ -18,6 +19,7 @@ struct RenderArguments
   std::string inkColor;
   std::string paperColor;
   std::string background;
+  CloudArguments cloud;
   StippleArguments stipple;
   CLI::App* app = nullptr;              ///< knows which options were given
   std::vector<CLI::Option*> linesAlone; ///< those that only splatting lines have

@@ -75,7 +75,8 @@ struct Subject
 
 Subject makeLines(const Input& input, const RenderOptions& options, Progress& progress)
 {
-  Surface surface = makeSurface(input, options.isoValues, options.samples, options.input.memory, progress);
+  Surface surface =
+    makeSurface(input, options.isoValues, options.samples, options.cloud, options.input.memory, progress);
   Subject subject;
   subject.points = surface.points;
   subject.notes = std::move(surface.notes);

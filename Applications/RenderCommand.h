@@ -2,6 +2,7 @@
 
 #include "Color.h"
 #include "Input.h"
+#include "SampleMesh.h"
 #include "StippleStyle.h"
 #include "View.h"
 
@@ -34,6 +35,7 @@ struct RenderOptions
   std::filesystem::path output;
   std::vector<double> isoValues;    ///< empty: one is chosen; with stipples none
   std::optional<long long> samples; ///< on a mesh; none: as many as suit it, 0: its vertices are drawn
+  CloudSampling cloud;
   std::string view = "front";
   double azimuth = 0;   ///< degrees
   double elevation = 0; ///< degrees

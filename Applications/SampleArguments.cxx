@@ -101,6 +101,7 @@ void SampleArguments::add(CLI::App* command)
   command->add_option("--seed", mesh.seed, "another seed makes other points, just as good (0)")
     ->type_name("N")
     ->group("Meshes");
+  this->cloud.add(command);
   this->app = command;
   this->input.addReading(command);
 }
@@ -123,6 +124,7 @@ void SampleArguments::run()
   volume.radius = standard || wants("Radius");
   volume.surfaceIndex = standard ? volume.isoValues.size() > 1 : wants("SurfaceIndex");
   MeshSampling& mesh = this->options.mesh;
+  mesh.cloud = this->cloud.options();
   mesh.precision = volume.precision;
   mesh.normals = volume.normals;
   mesh.radiusArray = volume.radius;
@@ -137,6 +139,10 @@ void SampleArguments::run()
     {
       this->options.meshOption = name;
     }
+  }
+  if (!mesh.cloud.given.empty())
+  {
+    this->options.meshOption = mesh.cloud.given;
   }
   if (wants("Priority"))
   {

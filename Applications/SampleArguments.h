@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CloudArguments.h"
 #include "InputArguments.h"
 #include "SampleCommand.h"
 
@@ -17,6 +18,7 @@ struct SampleArguments
   std::string rule = "half-open";
   std::string precision = "auto";
   std::string noise;
+  CloudArguments cloud;
 
   void add(CLI::App* command);
   void run();

@@ -36,7 +36,18 @@ vtkSmartPointer<vtkPolyData> sampleMesh(
   sampler->SetComputeNormals(sampling.normals);
   sampler->SetComputeRadius(sampling.radiusArray);
   sampler->SetComputePriority(sampling.priority);
-  progress.step("sampling the mesh", sampler);
+  const CloudSampling& cloud = sampling.cloud;
+  if (!isCloud && !cloud.given.empty())
+  {
+    throw UsageError(cloud.given + ": expected points without polygons, found a mesh");
+  }
+  sampler->SetNormalNeighbours(cloud.neighbours.value_or(sampler->GetNormalNeighbours()));
+  if (cloud.viewpoint)
+  {
+    sampler->OrientTowardsViewpointOn();
+    sampler->SetViewpoint(cloud.viewpoint->data());
+  }
+  progress.step(isCloud ? "looking at the points" : "sampling the mesh", sampler);
   const VtkMessages messages;
   sampler->Update();
   if (const std::string problem = messages.error(); !problem.empty())
@@ -53,6 +64,10 @@ vtkSmartPointer<vtkPolyData> sampleMesh(
     const bool estimated = sampling.normals && !mesh->GetPointData()->GetNormals();
     notes.push_back("the file has no polygons; its " + std::to_string(points) +
       " points are taken as they are" + (estimated ? ", with normals estimated from their neighbours" : ""));
+    if (const vtkIdType isolated = sampler->GetNumberOfIsolatedPoints(); isolated > 0)
+    {
+      notes.push_back(std::to_string(isolated) + " points that are far from all others are left out");
+    }
   }
   return samples;
 }

@@ -2,6 +2,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@ namespace ink::cli
 {
 
 class Progress;
+
+/// What is done with points without polygons.
+struct CloudSampling
+{
+  std::optional<int> neighbours; ///< for normals; none: the sampler's own number
+  std::optional<std::array<double, 3>> viewpoint;
+  std::string given; ///< one of the options that was given, as it is called; empty: none
+};
 
 /// How a mesh becomes points. What vtkInkSurfaceSampler has numbers for is given as these.
 struct MeshSampling
@@ -30,12 +39,13 @@ struct MeshSampling
   bool normals = true;
   bool radiusArray = true;
   bool priority = true;
+  CloudSampling cloud;
 };
 
 /// Samples the surface of a mesh; points without polygons are taken as they are, with normals estimated where
 /// they have none.
 /// \param notes what was chosen and what was not as expected, each a sentence without its dot, is added
-/// \throw Failure if there are no points
+/// \throw Failure if there are no points, UsageError for options that only points without polygons have
 vtkSmartPointer<vtkPolyData> sampleMesh(
   vtkPolyData* mesh, const MeshSampling& sampling, std::vector<std::string>& notes, Progress& progress);
 

@@ -20,7 +20,8 @@ namespace
 // A point as it is made, as it is drawn, and as OpenGL may keep it.
 constexpr std::uint64_t drawnPointBytes = 100;
 
-/// Normals are those of the file; without any they follow from the polygons. The points stay what they are.
+/// Of a mesh with polygons. Normals are those of the file; without any they follow from the polygons. The
+/// points stay what they are.
 Surface takeVertices(vtkPolyData* mesh, Progress& progress)
 {
   Surface surface;
@@ -34,10 +35,6 @@ Surface takeVertices(vtkPolyData* mesh, Progress& progress)
   if (pointData->GetNormals())
   {
     return surface;
-  }
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
-  {
-    throw Failure("no surface: the points have no normals, and there are no polygons to compute them from");
   }
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(mesh);
@@ -77,10 +74,14 @@ Surface sampleWhole(
 } // namespace
 
 Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
-  std::optional<long long> samples, const Memory& memory, Progress& progress)
+  std::optional<long long> samples, const CloudSampling& cloud, const Memory& memory, Progress& progress)
 {
   if (input.isVolume())
   {
+    if (!cloud.given.empty())
+    {
+      throw UsageError(cloud.given + ": expected points without polygons, found a volume");
+    }
     return sampleWhole(input, isoValues, memory, progress);
   }
   if (!isoValues.empty())
@@ -88,12 +89,13 @@ Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
     throw UsageError("--iso: a mesh has no iso-values, only volumes have");
   }
   auto* mesh = vtkPolyData::SafeDownCast(input.data);
-  if (samples == 0)
+  if (samples == 0 && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 && cloud.given.empty())
   {
     return takeVertices(mesh, progress);
   }
   MeshSampling sampling;
   sampling.count = samples;
+  sampling.cloud = cloud;
   sampling.priority = false;
   Surface surface;
   surface.points = sampleMesh(mesh, sampling, surface.notes, progress);

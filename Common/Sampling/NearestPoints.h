@@ -13,7 +13,7 @@ namespace ink
 class NearestPoints
 {
 public:
-  static constexpr int most = 32;
+  static constexpr int most = 64;
 
   /// @param points all finite. Kept as a reference.
   explicit NearestPoints(std::span<const glm::vec3> points);

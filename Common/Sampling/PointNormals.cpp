@@ -1,11 +1,13 @@
 #include "Sampling/PointNormals.h"
 
+#include "Sampling/DistinctPoints.h"
 #include "Sampling/NearestPoints.h"
+#include "Sampling/PrincipalNormal.h"
 
-#include <Eigen/Eigenvalues>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -17,8 +19,9 @@ namespace
 {
 
 constexpr std::size_t blockSize = 1 << 10;
-// An eigenvalue below this part of the largest is none.
-constexpr double flat = 1e-10;
+// How many of a point's neighbours the graph joins it with: more neighbours smooth normals, but hardly change
+// the tree.
+constexpr std::size_t mostEdges = 16;
 
 struct Edge
 {
@@ -31,34 +34,6 @@ struct Edge
     return std::tie(this->weight, this->from, this->to) < std::tie(other.weight, other.from, other.to);
   }
 };
-
-glm::vec3 principalNormal(std::span<const glm::vec3> points, std::span<const std::uint32_t> near)
-{
-  glm::dvec3 mean(0.0);
-  for (const std::uint32_t i : near)
-  {
-    mean += glm::dvec3(points[i]) / static_cast<double>(near.size());
-  }
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const std::uint32_t i : near)
-  {
-    const glm::dvec3 offset = glm::dvec3(points[i]) - mean;
-    const Eigen::Vector3d vector(offset.x, offset.y, offset.z);
-    spread += vector * vector.transpose();
-  }
-  const double size = spread.trace();
-  if (!(size > 0.0))
-  {
-    return { 0.0f, 0.0f, 1.0f };
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread / size);
-  if (!(solver.eigenvalues()[1] > flat))
-  {
-    return { 0.0f, 0.0f, 1.0f };
-  }
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  return glm::normalize(glm::vec3(normal.x(), normal.y(), normal.z()));
-}
 
 /// Sets of points that become one.
 class Parts
@@ -166,56 +141,64 @@ void orient(std::span<const glm::vec3> points, std::vector<Edge>& edges, std::ve
 
 } // namespace
 
-std::vector<glm::vec3> estimateNormals(
-  std::span<const glm::vec3> points, int neighbours, const Progress& progress)
+std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int neighbours,
+  const Progress& progress, const std::optional<glm::vec3>& viewpoint)
 {
-  std::vector<glm::vec3> finite;
-  std::vector<std::uint32_t> places;
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-  {
-    if (std::isfinite(points[i].x) && std::isfinite(points[i].y) && std::isfinite(points[i].z))
-    {
-      finite.push_back(points[i]);
-      places.push_back(i);
-    }
-  }
-  const NearestPoints tree(finite);
+  const DistinctPoints distinct(points);
+  const std::span<const glm::vec3> places(distinct.places);
+  const NearestPoints tree(places);
   const auto count = static_cast<std::size_t>(std::clamp(neighbours, 3, NearestPoints::most));
-  std::vector<glm::vec3> normals(finite.size());
-  std::vector<std::uint32_t> near(count * finite.size());
-  const std::size_t found = std::min(count, finite.size());
-  if (!parallelFor((finite.size() + blockSize - 1) / blockSize,
+  const std::size_t found = std::min(count, places.size());
+  const std::size_t joined = viewpoint ? 0 : std::min(found, mostEdges);
+  std::vector<glm::vec3> normals(places.size());
+  std::vector<std::uint32_t> near(joined * places.size());
+  if (!parallelFor((places.size() + blockSize - 1) / blockSize,
         [&](std::size_t block)
         {
-          for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, finite.size()); ++i)
+          std::array<std::uint32_t, NearestPoints::most> all;
+          const std::span<std::uint32_t> mine(all.data(), found);
+          for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, places.size()); ++i)
           {
-            const std::span<std::uint32_t> mine(&near[i * count], found);
-            tree.find(finite[i], mine);
-            normals[i] = principalNormal(finite, mine);
+            tree.find(places[i], mine);
+            normals[i] = principalNormal(places, mine);
+            std::copy_n(mine.begin(), joined, near.begin() + static_cast<std::ptrdiff_t>(i * joined));
           }
         },
         progress))
   {
     return {};
   }
-  std::vector<Edge> edges;
-  edges.reserve(near.size());
-  for (std::uint32_t i = 0; i < finite.size(); ++i)
+  if (viewpoint)
   {
-    for (std::size_t n = 0; n < found; ++n)
+    for (std::size_t i = 0; i < places.size(); ++i)
     {
-      const std::uint32_t other = near[i * count + n];
-      if (other != i)
-      {
-        edges.push_back({ 1.0f - std::abs(glm::dot(normals[i], normals[other])), i, other });
-      }
+      normals[i] *= glm::dot(normals[i], *viewpoint - places[i]) < 0.0f ? -1.0f : 1.0f;
     }
   }
-  orient(finite, edges, normals);
-  std::vector<glm::vec3> result(points.size(), glm::vec3(0.0f));
-  for (std::size_t i = 0; i < finite.size(); ++i)
+  else
   {
-    result[places[i]] = normals[i];
+    std::vector<Edge> edges;
+    edges.reserve(near.size());
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+    {
+      for (std::size_t n = 0; n < joined; ++n)
+      {
+        const std::uint32_t other = near[i * joined + n];
+        if (other != i)
+        {
+          edges.push_back({ 1.0f - std::abs(glm::dot(normals[i], normals[other])), i, other });
+        }
+      }
+    }
+    orient(places, edges, normals);
+  }
+  std::vector<glm::vec3> result(points.size(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (distinct.of[i] != DistinctPoints::none)
+    {
+      result[i] = normals[distinct.of[i]];
+    }
   }
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,9 +17,12 @@ namespace ink
 /// connected part the point farthest from its middle gets a normal away from it, so that closed surfaces have
 /// their normals outside.
 /// @param points those that are not finite get the normal 0
-/// @param neighbours how many count, themselves included; 3 to 32. More smooth noise and edges.
+/// Points at one place count as one.
+/// @param neighbours how many count, themselves included; 3 to 64. More smooth noise and edges.
+/// @param viewpoint from where all points were seen, as by a range scanner: normals then point to its side,
+/// and no tree is needed
 /// @return one a point; none when stopped. (0, 0, 1) where the neighbours lie on a line or at one place.
-std::vector<glm::vec3> estimateNormals(
-  std::span<const glm::vec3> points, int neighbours = 16, const Progress& progress = {});
+std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int neighbours = 16,
+  const Progress& progress = {}, const std::optional<glm::vec3>& viewpoint = {});
 
 } // namespace ink

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace
@@ -117,5 +118,44 @@ TEST(PointNormals, OfExtremes)
   for (const glm::vec3& normal : ink::estimateNormals(std::vector<glm::vec3>(40, glm::vec3(5.0f))))
   {
     EXPECT_EQ(normal, glm::vec3(0, 0, 1));
+  }
+}
+
+TEST(PointNormals, SurviveNoiseUnevenDensityAndCopies)
+{
+  const Mesh mesh = torus(1.0, 0.4, 240, 120);
+  const auto exact =
+    positionsOf(mesh.view(), ink::sampleWhiteNoise(mesh.view(), ink::cumulateArea(mesh.view()), 40000, 5));
+  std::vector<glm::vec3> points;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    const glm::vec3 point(exact[i]);
+    // Twenty times as many on one side as on the other, one in a hundred of them thirty times.
+    if (ink::unitFloat(ink::hash(7, i)) < std::pow(0.05f, 0.5f + point.x / 2.8f))
+    {
+      const glm::vec3 noise(
+        ink::unitFloat(ink::hash(8, i)), ink::unitFloat(ink::hash(9, i)), ink::unitFloat(ink::hash(10, i)));
+      points.insert(points.end(), i % 100 == 0 ? 30 : 1, point + 0.004f * (noise - 0.5f));
+    }
+  }
+  const auto normals = ink::estimateNormals(points, 32);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const glm::vec3 axis = glm::normalize(glm::vec3(points[i].x, points[i].y, 0.0f));
+    wrong += glm::dot(normals[i], glm::normalize(points[i] - axis)) < 0.9f ? 1 : 0;
+  }
+  EXPECT_LT(wrong, points.size() / 200);
+}
+
+TEST(PointNormals, PointToTheViewer)
+{
+  const auto ball = samplesOf(sphere(80, 40), 0.06);
+  const glm::vec3 viewpoint(3.0f, 0.0f, 0.0f);
+  const auto normals = ink::estimateNormals(ball, 16, {}, viewpoint);
+  for (std::size_t i = 0; i < ball.size(); ++i)
+  {
+    EXPECT_GE(glm::dot(normals[i], viewpoint - ball[i]), 0.0f);
+    EXPECT_GT(std::abs(glm::dot(normals[i], glm::normalize(ball[i]))), 0.98f);
   }
 }

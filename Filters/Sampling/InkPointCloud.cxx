@@ -4,6 +4,7 @@
 #include "InkPointOutput.h"
 #include "InkVTKCompat.h"
 #include "Sampling/PointNormals.h"
+#include "Sampling/PointRadii.h"
 #include "Sampling/PointSpacing.h"
 #include "Sampling/PriorityOrder.h"
 
@@ -21,10 +22,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -32,7 +36,7 @@ namespace
 
 /// The positions from the middle of their bounds, so that single precision does for them, in units of the
 /// largest extent.
-std::vector<glm::vec3> GetLocalPositions(vtkPointSet* points, double& unit)
+std::vector<glm::vec3> GetLocalPositions(vtkPointSet* points, double& unit, glm::dvec3& origin)
 {
   const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
   std::vector<glm::dvec3> exact(count);
@@ -50,9 +54,10 @@ std::vector<glm::vec3> GetLocalPositions(vtkPointSet* points, double& unit)
   const glm::dvec3 size = high - low;
   unit = std::max({ size.x, size.y, size.z });
   unit = unit > 0.0 && std::isfinite(unit) ? unit : 1.0;
+  origin = 0.5 * (low + high);
   std::vector<glm::vec3> positions(count);
   std::transform(exact.begin(), exact.end(), positions.begin(),
-    [&](const glm::dvec3& point) { return glm::vec3((point - 0.5 * (low + high)) / unit); });
+    [&](const glm::dvec3& point) { return glm::vec3((point - origin) / unit); });
   return positions;
 }
 
@@ -71,37 +76,67 @@ vtkDataArray* GetPointArray(vtkPointSet* points, const char* name, int component
   return array;
 }
 
+template <class Value>
+std::vector<Value> Pick(const std::vector<Value>& values, const std::vector<std::uint32_t>& which)
+{
+  std::vector<Value> picked;
+  if (!values.empty())
+  {
+    picked.reserve(which.size());
+    std::transform(
+      which.begin(), which.end(), std::back_inserter(picked), [&](std::uint32_t i) { return values[i]; });
+  }
+  return picked;
+}
+
+bool AreRadii(const std::vector<float>& radii)
+{
+  return std::all_of(radii.begin(), radii.end(), [](float r) { return r > 0.0f && std::isfinite(r); });
+}
+
 } // namespace
 
-void InkPreparePointCloud(
+vtkIdType InkPreparePointCloud(
   vtkPointSet* input, const InkPointCloudOptions& options, vtkAlgorithm* algorithm, vtkPolyData* output)
 {
-  const vtkIdType count = input->GetNumberOfPoints();
-  if (count >= static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
+  if (input->GetNumberOfPoints() >= static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
   {
     throw std::invalid_argument(
-      "there are " + std::to_string(count) + " points; expected fewer than 4294967295");
+      "there are " + std::to_string(input->GetNumberOfPoints()) + " points; expected fewer than 4294967295");
   }
   double done = 0.0;
-  double share = 0.5;
+  double share = 0.0;
   const ink::Progress progress = [&](double part)
   {
     algorithm->UpdateProgress(done + share * part);
     return !InkCheckAbort(algorithm);
   };
+  const auto next = [&](double part)
+  {
+    done += share;
+    share = part;
+  };
   double unit = 1.0;
-  const std::vector<glm::vec3> positions = GetLocalPositions(input, unit);
+  glm::dvec3 origin(0.0);
+  std::vector<glm::vec3> positions = GetLocalPositions(input, unit, origin);
 
   vtkDataArray* given = input->GetPointData()->GetNormals();
   given = given ? given : GetPointArray(input, "Normals", 3);
   std::vector<glm::vec3> normals;
   const bool estimated = !given && options.Normals;
+  next(0.4);
   if (estimated)
   {
-    normals = ink::estimateNormals(positions, 16, progress);
+    std::optional<glm::vec3> viewpoint;
+    if (options.Viewpoint)
+    {
+      const glm::dvec3 place(options.Viewpoint[0], options.Viewpoint[1], options.Viewpoint[2]);
+      viewpoint = glm::vec3((place - origin) / unit);
+    }
+    normals = ink::estimateNormals(positions, options.NormalNeighbours, progress, viewpoint);
     if (normals.size() != positions.size())
     {
-      return;
+      return 0;
     }
   }
   else if (given)
@@ -114,27 +149,58 @@ void InkPreparePointCloud(
       normals[i] = glm::vec3(normal[0], normal[1], normal[2]);
     }
   }
-  done = 0.5;
-  vtkDataArray* radius = GetPointArray(input, "Radius", 1);
+
+  next(0.2);
+  vtkDataArray* givenRadius = GetPointArray(input, "Radius", 1);
+  std::vector<float> radii;
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0u);
-  if (options.Priority)
+  std::size_t isolated = 0;
+  if (givenRadius)
   {
-    std::vector<float> radii(radius ? positions.size() : 0);
+    radii.resize(positions.size());
     for (std::size_t i = 0; i < radii.size(); ++i)
     {
-      radii[i] = static_cast<float>(radius->GetComponent(static_cast<vtkIdType>(i), 0) / unit);
-    }
-    const bool usable =
-      std::all_of(radii.begin(), radii.end(), [](float r) { return r > 0.0f && std::isfinite(r); });
-    order = ink::priorityOrder(positions, normals, usable ? radii : std::vector<float>(),
-      static_cast<std::uint64_t>(options.Seed), progress);
-    if (order.size() != positions.size())
-    {
-      return;
+      radii[i] = static_cast<float>(givenRadius->GetComponent(static_cast<vtkIdType>(i), 0) / unit);
     }
   }
+  else if (options.Radius && options.UniformRadius)
+  {
+    radii.assign(positions.size(), ink::discRadiusFromSpacing(positions));
+  }
+  else if (options.Radius)
+  {
+    ink::PointRadii own = ink::pointRadii(positions, normals, progress);
+    if (own.radius.size() != positions.size())
+    {
+      return 0;
+    }
+    isolated = own.isolatedCount;
+    radii = std::move(own.radius);
+    if (isolated > 0 && options.RemoveIsolated)
+    {
+      std::erase_if(order, [&](std::uint32_t i) { return own.isolated[i] != 0; });
+      positions = Pick(positions, order);
+      normals = Pick(normals, order);
+      radii = Pick(radii, order);
+    }
+  }
+
+  next(0.4);
+  if (options.Priority)
+  {
+    const auto places = ink::priorityOrder(positions, normals, AreRadii(radii) ? radii : std::vector<float>(),
+      static_cast<std::uint64_t>(options.Seed), progress);
+    if (places.size() != positions.size())
+    {
+      return 0;
+    }
+    order = Pick(order, places);
+    normals = Pick(normals, places);
+    radii = Pick(radii, places);
+  }
   InkReorderPoints(input, order, output);
+  const auto count = static_cast<vtkIdType>(order.size());
   vtkPointData* pointData = output->GetPointData();
   if (estimated)
   {
@@ -144,7 +210,7 @@ void InkPreparePointCloud(
     array->SetNumberOfTuples(count);
     for (vtkIdType i = 0; i < count; ++i)
     {
-      array->SetTuple(i, &normals[order[static_cast<std::size_t>(i)]].x);
+      array->SetTuple(i, &normals[static_cast<std::size_t>(i)].x);
     }
     pointData->SetNormals(array);
   }
@@ -152,10 +218,15 @@ void InkPreparePointCloud(
   {
     pointData->SetNormals(pointData->GetArray(given->GetName()));
   }
-  if (options.Radius && !radius)
+  if (options.Radius && !givenRadius)
   {
-    const double spacing = unit * static_cast<double>(ink::discRadiusFromSpacing(positions));
-    pointData->AddArray(InkMakeConstant("Radius", output->GetPoints()->GetDataType(), count, spacing));
+    const vtkSmartPointer<vtkDataArray> array =
+      InkMakeConstant("Radius", output->GetPoints()->GetDataType(), count, 0.0);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      array->SetComponent(i, 0, unit * static_cast<double>(radii[static_cast<std::size_t>(i)]));
+    }
+    pointData->AddArray(array);
   }
   if (options.Priority)
   {
@@ -165,4 +236,5 @@ void InkPreparePointCloud(
   {
     output->SetVerts(InkMakePolyVertex(count));
   }
+  return static_cast<vtkIdType>(isolated);
 }

@@ -2,6 +2,8 @@
 #ifndef InkPointCloud_h
 #define InkPointCloud_h
 
+#include "vtkType.h"
+
 class vtkAlgorithm;
 class vtkPointSet;
 class vtkPolyData;
@@ -10,7 +12,11 @@ class vtkPolyData;
 struct InkPointCloudOptions
 {
   bool Normals = true; ///< estimate them where there are none
-  bool Radius = true;  ///< from the points' spacing where there is none
+  int NormalNeighbours = 16;
+  const double* Viewpoint = nullptr; ///< where estimated normals point to; null: outwards
+  bool Radius = true;                ///< from the points' spacing where there is none
+  bool UniformRadius = false;        ///< one for all points instead of each its own
+  bool RemoveIsolated = false;       ///< leave out the points of no surface that radii are found not to have
   bool Priority = true;
   bool Vertices = true;
   int Seed = 0;
@@ -18,8 +24,9 @@ struct InkPointCloudOptions
 
 /// Writes the points of `input` with all their point arrays to `output`, in the order of their priority, and
 /// with what is missing. `output` stays empty when the algorithm is asked to stop.
+/// @return how many isolated points there are, see ink::PointRadii; 0 where radii are given or uniform
 /// @throws std::invalid_argument if an array that is needed has the wrong shape
-void InkPreparePointCloud(
+vtkIdType InkPreparePointCloud(
   vtkPointSet* input, const InkPointCloudOptions& options, vtkAlgorithm* algorithm, vtkPolyData* output);
 
 #endif

@@ -55,7 +55,8 @@ public:
 
   ///@{
   /**
-   * Estimate the point array `Radius` from the points' spacing where there is none. Default: on.
+   * Estimate the point array `Radius` where there is none, each from the distances to its neighbours (see
+   * ink::pointRadii); 0 for points that belong to no surface. Default: on.
    */
   vtkSetMacro(EstimateRadius, bool);
   vtkGetMacro(EstimateRadius, bool);

@@ -49,6 +49,7 @@ int vtkInkSurfaceSampler::RequestData(
   vtkPolyData* firstFrame =
     this->GetNumberOfInputConnections(1) > 0 ? vtkPolyData::GetData(inputVector[1]) : nullptr;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->NumberOfIsolatedPoints = 0;
   // A piece, or a time step, of nothing is no error.
   if (!mesh || mesh->GetNumberOfPoints() == 0)
   {
@@ -60,11 +61,15 @@ int vtkInkSurfaceSampler::RequestData(
     {
       InkPointCloudOptions options;
       options.Normals = this->ComputeNormals;
+      options.NormalNeighbours = this->NormalNeighbours;
+      options.Viewpoint = this->OrientTowardsViewpoint ? this->Viewpoint : nullptr;
+      options.UniformRadius = this->UniformRadius;
+      options.RemoveIsolated = this->RemoveIsolated;
       options.Radius = this->ComputeRadius;
       options.Priority = this->ComputePriority;
       options.Vertices = this->GenerateVertices;
       options.Seed = this->Seed;
-      InkPreparePointCloud(mesh, options, this, output);
+      this->NumberOfIsolatedPoints = InkPreparePointCloud(mesh, options, this, output);
     }
     else if (firstFrame)
     {
@@ -166,6 +171,13 @@ void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "ComputePriority: " << this->ComputePriority << "\n"
      << indent << "KeepFaces: " << this->KeepFaces << "\n"
+     << indent << "NormalNeighbours: " << this->NormalNeighbours << "\n"
+     << indent << "OrientTowardsViewpoint: " << this->OrientTowardsViewpoint << "\n"
+     << indent << "Viewpoint: " << this->Viewpoint[0] << " " << this->Viewpoint[1] << " "
+     << this->Viewpoint[2] << "\n"
+     << indent << "UniformRadius: " << this->UniformRadius << "\n"
+     << indent << "RemoveIsolated: " << this->RemoveIsolated << "\n"
+     << indent << "NumberOfIsolatedPoints: " << this->NumberOfIsolatedPoints << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
      << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

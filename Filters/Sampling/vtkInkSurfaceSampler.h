@@ -31,9 +31,10 @@
  * KeepFaces, and the first input a deformed copy of the mesh. The samples then stay in their faces and move
  * with them; `Priority` and other arrays stay what they are, `Radius` grows with the square root of the area.
  *
- * Point clouds: an input of points without faces is not sampled. Its points get a `Radius` from their
- * spacing where they have none, and their `Priority`. Where they have no normals, these are estimated, see
- * vtkInkPointPriority.
+ * Point clouds: an input of points without faces is not sampled. Its points get their `Priority`, and where
+ * they have none, a `Radius`, each by the distances to its neighbours, so that uneven scans have neither
+ * holes nor real holes closed (see ink::pointRadii), and normals, see NormalNeighbours. Points that belong to
+ * no surface are left out, see RemoveIsolated.
  *
  * The same input gives the same output on any number of threads. In parallel each piece is sampled for
  * itself: ghost cells are left out, and NumberOfSamples counts per piece. With WHITE_NOISE, SampleRadius,
@@ -172,6 +173,59 @@ public:
 
   ///@{
   /**
+   * Of point clouds: from how many neighbours, itself included, a normal is estimated. 3 to 64; default: 16.
+   * More smooth noise and rounded edges.
+   */
+  vtkSetClampMacro(NormalNeighbours, int, 3, 64);
+  vtkGetMacro(NormalNeighbours, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of point clouds: whether estimated normals point to the side of Viewpoint, as is right for the points of
+   * one range scan, or all to the same side and outwards on closed surfaces (default: off).
+   */
+  vtkSetMacro(OrientTowardsViewpoint, bool);
+  vtkGetMacro(OrientTowardsViewpoint, bool);
+  vtkBooleanMacro(OrientTowardsViewpoint, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the scanner stood, in world coordinates. Default: the origin.
+   */
+  vtkSetVector3Macro(Viewpoint, double);
+  vtkGetVector3Macro(Viewpoint, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of point clouds: one radius for all points, the median distance to the sixth neighbour, instead of each
+   * point's own; for points that lie evenly. Default: off.
+   */
+  vtkSetMacro(UniformRadius, bool);
+  vtkGetMacro(UniformRadius, bool);
+  vtkBooleanMacro(UniformRadius, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of point clouds: leave out isolated points, those that are far from all others for the distances among
+   * these (see ink::PointRadii). Default: on. Off: they have the radius 0, with which they are not drawn.
+   * UniformRadius and points with a `Radius` of their own have none.
+   */
+  vtkSetMacro(RemoveIsolated, bool);
+  vtkGetMacro(RemoveIsolated, bool);
+  vtkBooleanMacro(RemoveIsolated, bool);
+  ///@}
+
+  /**
+   * How many isolated points the last run found.
+   */
+  vtkIdType GetNumberOfIsolatedPoints() { return this->NumberOfIsolatedPoints; }
+
+  ///@{
+  /**
    * Make one poly-vertex cell over all points, so that any VTK mapper draws them. Default: on.
    */
   vtkSetMacro(GenerateVertices, bool);
@@ -220,6 +274,12 @@ private:
   bool ComputeRadius = true;
   bool ComputePriority = true;
   bool KeepFaces = false;
+  int NormalNeighbours = 16;
+  bool OrientTowardsViewpoint = false;
+  double Viewpoint[3] = { 0.0, 0.0, 0.0 };
+  bool UniformRadius = false;
+  bool RemoveIsolated = true;
+  vtkIdType NumberOfIsolatedPoints = 0;
   bool GenerateVertices = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 };

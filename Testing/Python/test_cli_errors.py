@@ -141,12 +141,6 @@ def test_mesh_whose_faces_name_missing_points(refused, tmp_path):
     assert "points" in refused(1, tmp_path / "m.ply")
 
 
-def test_points_without_normals(refused, tmp_path):
-    points, normals, _ = ink_files.sphere_mesh(6, 8)
-    ink_files.write_ply(tmp_path / "m.ply", (points, normals, np.empty((0, 3), int)))
-    assert "normals" in refused(1, tmp_path / "m.ply", "--samples", 0)
-
-
 @pytest.mark.parametrize("iso", ["-1", "0", "201", "1e30", "nan", "inf", "-inf"])
 def test_iso_out_of_range(refused, volume_file, iso):
     message = refused(2, volume_file, "--iso", "100", "--iso", iso)

@@ -1,0 +1,53 @@
+#include "CloudArguments.h"
+
+#include "InputArguments.h"
+
+#include "vtkInkSurfaceSampler.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ink::cli
+{
+
+void CloudArguments::add(CLI::App* command)
+{
+  constexpr const char* group = "Points without polygons";
+  constexpr double most = std::numeric_limits<double>::max();
+  // The range and the default are the sampler's own.
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  this->All.push_back(
+    command
+      ->add_option("--neighbours", this->sampling.neighbours,
+        "from how many neighbours normals are estimated where there are none; more smooth\n"
+        "noise (" +
+          std::to_string(sampler->GetNormalNeighbours()) + ")")
+      ->type_name("N")
+      ->group(group)
+      ->check(within(sampler->GetNormalNeighboursMinValue(), sampler->GetNormalNeighboursMaxValue())));
+  this->All.push_back(command
+                        ->add_option("--viewpoint", this->viewpoint,
+                          "where the scanner stood: estimated normals point to its side (outwards)")
+                        ->delimiter(',')
+                        ->expected(3)
+                        ->type_name("x,y,z")
+                        ->group(group)
+                        ->check(within(-most, most)));
+}
+
+CloudSampling CloudArguments::options() const
+{
+  CloudSampling options = this->sampling;
+  if (!this->viewpoint.empty())
+  {
+    std::copy(this->viewpoint.begin(), this->viewpoint.end(), options.viewpoint.emplace().begin());
+  }
+  for (const CLI::Option* option : this->All)
+  {
+    options.given = option->count() > 0 ? option->get_name() : options.given;
+  }
+  return options;
+}
+
+} // namespace ink::cli

@@ -1,0 +1,68 @@
+#include "Sampling/PlaneCell.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ink
+{
+
+PlaneCell::PlaneCell(float reach)
+{
+  this->Corners[0] = { { -reach, -reach }, false };
+  this->Corners[1] = { { reach, -reach }, false };
+  this->Corners[2] = { { reach, reach }, false };
+  this->Corners[3] = { { -reach, reach }, false };
+}
+
+void PlaneCell::cut(const glm::vec2& neighbour)
+{
+  const float limit = 0.5f * glm::dot(neighbour, neighbour);
+  std::array<Corner, mostCorners> kept;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    const Corner& here = this->Corners[i];
+    const Corner& next = this->Corners[i + 1 < this->Count ? i + 1 : 0];
+    const float beyond = glm::dot(here.place, neighbour) - limit;
+    const float nextBeyond = glm::dot(next.place, neighbour) - limit;
+    if (beyond <= 0.0f && count < kept.size())
+    {
+      kept[count++] = here;
+    }
+    // A convex cell is left once and entered once.
+    if ((beyond <= 0.0f) != (nextBeyond <= 0.0f) && count < kept.size())
+    {
+      const float part = beyond / (beyond - nextBeyond);
+      kept[count++] = { here.place + part * (next.place - here.place), beyond <= 0.0f || here.cutAfter };
+    }
+  }
+  this->Corners = kept;
+  this->Count = count;
+}
+
+float PlaneCell::extent() const
+{
+  float farthest = 0.0f;
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    farthest = std::max(farthest, glm::dot(this->Corners[i].place, this->Corners[i].place));
+  }
+  return std::sqrt(farthest);
+}
+
+std::size_t PlaneCell::corners(std::span<float, mostCorners> distances) const
+{
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    if (this->Corners[i].cutAfter && this->Corners[i > 0 ? i - 1 : this->Count - 1].cutAfter)
+    {
+      distances[found++] = glm::length(this->Corners[i].place);
+    }
+  }
+  return found;
+}
+
+} // namespace ink
