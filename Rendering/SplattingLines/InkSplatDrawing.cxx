@@ -25,8 +25,7 @@ void Clear(vtkOpenGLState* state, float red, GLbitfield buffers)
 
 } // namespace
 
-bool InkSplatDrawing::Allocate(
-  InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting)
+bool InkSplatDrawing::Allocate(InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting)
 {
   const auto& [width, height] = view.Size;
   const bool fits = this->View && this->View->Size == view.Size && this->Splatting &&
@@ -217,8 +216,8 @@ bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const I
   {
     const Layer& layer = this->Layers[static_cast<std::size_t>(index)];
     const Layer& inked = style.Paper ? this->Layers[static_cast<std::size_t>(this->Present - 1)] : layer;
-    quads.DrawComposite(view, *layer.Surface, *inked.Ink, style.Paper ? paperColor : nullptr, opacity, bias,
-      mapper, actor);
+    quads.DrawComposite(
+      view, *layer.Surface, *inked.Ink, style.Paper ? paperColor : nullptr, opacity, bias, mapper, actor);
   }
   return true;
 }

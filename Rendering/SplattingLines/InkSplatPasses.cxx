@@ -153,7 +153,8 @@ std::array<int, 4> InkSplatPasses::FindExtent(const InkView& view, const InkSpla
     double point[4] = { 0.0, 0.0, 0.0, 1.0 };
     for (int axis = 0; axis < 3; ++axis)
     {
-      point[axis] = corner >> axis & 1 ? this->Bounds[2 * axis + 1] + radius : this->Bounds[2 * axis] - radius;
+      point[axis] =
+        corner >> axis & 1 ? this->Bounds[2 * axis + 1] + radius : this->Bounds[2 * axis] - radius;
     }
     double inView[4];
     double inClip[4];
@@ -281,8 +282,8 @@ void InkSplatPasses::DrawPoints(double fraction)
   if (fraction < 1.0 && this->Ordered)
   {
     this->Order->Bind();
-    glDrawElements(GL_POINTS, static_cast<int>(std::ceil(fraction * this->NumberOfPoints)), GL_UNSIGNED_INT,
-      nullptr);
+    glDrawElements(
+      GL_POINTS, static_cast<int>(std::ceil(fraction * this->NumberOfPoints)), GL_UNSIGNED_INT, nullptr);
     this->Order->Release();
   }
   else

@@ -45,7 +45,7 @@ public:
   bool HasOrder() const { return this->Ordered; }
 
   /// How many texels the narrower radius of a splat must have for it to be summed up in them.
-  static constexpr double FewestTexels = 2.0;
+  static constexpr double FewestTexels = 2.5;
 
   /// The least radius of illumination splats in pixels.
   static double FindMinimumRadius(const InkView& view, const InkSplatting& splatting);
@@ -65,7 +65,8 @@ public:
     Hidden, ///< those behind the layer that the image shows
   };
 
-  /// The depth splats of a layer, into the bound surface (and colours) with its z-buffer, both cleared before.
+  /// The depth splats of a layer, into the bound surface (and colours) with its z-buffer, both cleared
+  /// before.
   /// @param image see Sheet; else null
   void DrawDepth(
     const InkView& view, const InkSplatting& splatting, Sheet sheet, const InkSplatImage* image = nullptr);

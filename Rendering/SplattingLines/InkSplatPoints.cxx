@@ -58,9 +58,9 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
       std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]);
     for (int axis = 0; axis < 3 && visible; ++axis)
     {
-      float* bounds = this->Bounds.data() + 2 * axis;
-      bounds[0] = this->NumberOfVisiblePoints > 0 ? std::min(bounds[0], position[axis]) : position[axis];
-      bounds[1] = this->NumberOfVisiblePoints > 0 ? std::max(bounds[1], position[axis]) : position[axis];
+      float* range = this->Bounds.data() + 2 * axis;
+      range[0] = this->NumberOfVisiblePoints > 0 ? std::min(range[0], position[axis]) : position[axis];
+      range[1] = this->NumberOfVisiblePoints > 0 ? std::max(range[1], position[axis]) : position[axis];
     }
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -106,7 +106,9 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
   InkSplatStyle plain = style;
   plain.ScalarColors = false;
   plain.ToneColors = false;
-  plain.Layers[static_cast<std::size_t>(layer)].Strength = 1.0;
+  InkSplatStyle::Layer& own = plain.Layers[static_cast<std::size_t>(layer)];
+  own.Strength = 1.0;
+  own.Color = { 1.0, 1.0, 1.0 };
   scratch.Bind();
   this->DrawInk(plain, layer, illumination, nullptr, nullptr);
 
@@ -115,12 +117,12 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
   std::vector<unsigned char> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   this->Window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   scratch.BindForReading();
-  glReadPixels(0, 0, width, height, GL_ALPHA, GL_UNSIGNED_BYTE, pixels.data());
+  glReadPixels(0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, pixels.data());
   work.Apply({ pixels, width, height });
   auto coverage = vtkSmartPointer<vtkTextureObject>::New();
   coverage->SetContext(this->Window);
-  coverage->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height), 1,
-    VTK_UNSIGNED_CHAR, pixels.data());
+  coverage->Create2DFromRaw(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(height), 1, VTK_UNSIGNED_CHAR, pixels.data());
   return coverage;
 }
 
@@ -141,8 +143,8 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSpla
   {
     features += "#define INK_COVERAGE\n";
   }
-  vtkOpenGLQuadHelper& quad = this->Find(vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader(),
-    WithFeatures(InkSplatInkFS, features), "");
+  vtkOpenGLQuadHelper& quad = this->Find(
+    vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader(), WithFeatures(InkSplatInkFS, features), "");
   vtkShaderProgram* program = this->Begin(quad);
   if (!program)
   {
@@ -170,9 +172,8 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSpla
   quad.Render();
 }
 
-void InkSplatQuads::DrawComposite(const InkView& view, const InkSplatImage& surface,
-  const InkSplatImage& ink, const double paperColor[3], double opacity, double depthBias,
-  vtkAbstractMapper* mapper, vtkActor* actor)
+void InkSplatQuads::DrawComposite(const InkView& view, const InkSplatImage& surface, const InkSplatImage& ink,
+  const double paperColor[3], double opacity, double depthBias, vtkAbstractMapper* mapper, vtkActor* actor)
 {
   std::string vertexShader = vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader();
   std::string fragmentShader = InkSplatCompositeFS;

@@ -108,7 +108,7 @@ public:
                                                            : nullptr;
   }
   /// Whether anything changed.
-  bool Set(int layer, double LayerStyle::* property, double value, double least, double most)
+  bool Set(int layer, double LayerStyle::*property, double value, double least, double most)
   {
     LayerStyle* style = this->FindLayer(layer);
     if (!style || std::isnan(value))
@@ -118,7 +118,7 @@ public:
     const double before = std::exchange(style->*property, std::clamp(value, least, most));
     return style->*property != before;
   }
-  double Get(int layer, double LayerStyle::* property)
+  double Get(int layer, double LayerStyle::*property)
   {
     const LayerStyle* style = this->FindLayer(layer);
     return style ? style->*property : 0.0;

@@ -261,7 +261,7 @@ public:
   /**
    * Large splats may be summed up for squares of 2 x 2 or 4 x 4 pixels at once, each splat by its size, which
    * makes large Lambda as fast as small ones; this is the side of the largest such squares. 1: each pixel for
-   * itself, exact; 2; or 4 (default). AsPublished and pictures drawn in tiles always have 1.
+   * itself, exact; 2 (default); or 4. AsPublished and pictures drawn in tiles always have 1.
    */
   void SetCoarsestTexel(int pixels);
   vtkGetMacro(CoarsestTexel, int);
@@ -358,7 +358,7 @@ private:
   bool Thinning = false;
   int ColorMode = INK;
   double ToneColor[3] = { 0.8, 0.4, 0.1 };
-  int CoarsestTexel = 4;
+  int CoarsestTexel = 2;
   bool HalfFloats = false;
   double PointFraction = 1.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };

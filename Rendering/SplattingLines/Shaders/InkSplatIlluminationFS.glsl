@@ -23,7 +23,7 @@ vec4 bring(sampler2D coarse, float texel, vec2 pixel, vec2 shown)
 {
   vec2 place = pixel / texel - 0.5;
   ivec2 corner = ivec2(floor(place));
-  vec2 part = place - floor(place);
+  vec2 part = place - vec2(corner);
   ivec2 last = textureSize(coarse, 0) - 1;
   ivec2 lastPixel = textureSize(surface, 0) - 1;
   float bySlope = texel * tolerances.y * (depthToClipW.y - depthToClipW.x * shown.r);

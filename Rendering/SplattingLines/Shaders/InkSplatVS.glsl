@@ -94,6 +94,15 @@ bool shows(vec2 pixel, float depth, float light, float slope, vec2 tolerances)
 }
 #endif
 
+#ifdef INK_COARSE
+// Of a Gaussian less its value at the rim over the disc, up to a factor.
+vec2 sumOver(vec2 falloffs)
+{
+  vec2 rim = exp(-falloffs);
+  return (1.0 - rim) / falloffs - rim;
+}
+#endif
+
 void main()
 {
   // For points that are left out: beyond the target, but within the viewport if that is wider, because
@@ -234,10 +243,10 @@ void main()
   float weight = referenceRadius / radius;
   splatVSOutput = vec4(weight * weight, slope, tolerances);
 #ifdef INK_COARSE
-  // Going from texels to pixels, by linear interpolation, blurs by a variance of a sixth of a texel. That much
-  // narrower are the Gaussians, and as much higher.
-  vec2 left = 1.0 - texel * texel / (6.0 * width * width) * 2.0 * falloff;
-  gaussiansVSOutput = vec4(falloff / left, 1.0 / left);
+  // Going from texels to pixels blurs by a variance of a sixth of a texel's square. By that the Gaussians are
+  // narrower, and higher, so that each splat weighs as much.
+  vec2 left = 1.0 - texel * texel / (3.0 * width * width) * falloff;
+  gaussiansVSOutput = vec4(falloff / left, sumOver(falloff) / sumOver(falloff / left));
 #endif
 #elif defined INK_PEEL
   splatVSOutput = vec3(slope, tolerances);
