@@ -35,21 +35,6 @@ namespace
 // Part of the picture's half width and height that stays free around the drawing.
 constexpr double margin = 0.05;
 
-void setUpMapper(vtkInkSplattingLinesMapper* mapper, const RenderOptions& options)
-{
-  mapper->SetTau(options.tau.value_or(mapper->GetTau()));
-  mapper->SetPhi(options.phi.value_or(mapper->GetPhi()));
-  mapper->SetLambda(options.lambda.value_or(mapper->GetLambda()));
-  mapper->SetSigma(options.sigma.value_or(mapper->GetSigma()));
-  mapper->SetAsPublished(options.asPublished);
-  mapper->SetInkColor(options.inkColor.data());
-  mapper->SetPaperVisibility(options.paperColor.has_value());
-  if (options.paperColor)
-  {
-    mapper->SetPaperColor(options.paperColor->data());
-  }
-}
-
 /// Light that stays with the viewer.
 /// \param azimuth, elevation where it comes from: degrees to the right of the viewer and above
 vtkSmartPointer<vtkLight> makeLight(double azimuth, double elevation)
@@ -80,10 +65,13 @@ Subject makeLines(const Input& input, const RenderOptions& options, Progress& pr
   Subject subject;
   subject.points = surface.points;
   subject.notes = std::move(surface.notes);
-  vtkNew<vtkInkSplattingLinesMapper> mapper;
-  mapper->SetInputData(subject.points);
-  setUpMapper(mapper, options);
-  subject.mapper = mapper;
+  options.lines->SetInputData(subject.points);
+  options.lines->SetPaperVisibility(options.paperColor.has_value());
+  if (options.paperColor)
+  {
+    options.lines->SetPaperColor(options.paperColor->data());
+  }
+  subject.mapper = options.lines;
   subject.background = options.background;
   return subject;
 }

@@ -63,6 +63,18 @@ lines_pictures() {
   series published "$engine --zoom 1.5" "--as-published" ""
   series colors "$engine" "--ink-color white --paper-color black --background black" \
     "--ink-color #993300 --paper-color #ffffcc --background #ffffcc" "--paper-color none"
+  series minimum-radius "$engine" "" "--minimum-radius 6" "--minimum-radius 12"
+  series layers "$engine" "" "--layers 2" "--layers 8 --hidden-strength 0.5"
+  series hidden "$engine --layers 2 --hidden-strength 1" "--hidden-dashes 12" "--hidden-width -2" \
+    "--hidden-color #cc3300"
+  series back-faces "$engine --layers 2" "" "--peel-back-faces"
+  series width "$engine" "--line-width -2" "" "--line-width 5"
+  series thin "$engine" "" "--thin" "--thin --line-width 5"
+  series hardness "$engine --phi 10" "--hardness 0" "--hardness 0.6" "--hardness 1"
+  series speckles "$bonsai --tau 0.995" "" "--speckles 5" "--speckles 20"
+  series tone "$engine --line-width 3" "" "--tone-color #ff6600"
+  series texel "$bonsai --lambda 8" "--coarsest-texel 1" "--coarsest-texel 2" "--coarsest-texel 4"
+  series fraction "$bonsai" "" "--point-fraction 0.3" "--point-fraction 0.05"
   series iso "Data/bonsai.nii.gz --view front --elevation 12" "--iso 25" "--iso 40" "--iso 150"
   series samples "$work/engine.ply --view iso" "--samples 20000" "--samples 100000" "--samples 1000000"
   local noise
