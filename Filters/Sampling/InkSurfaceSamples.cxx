@@ -372,6 +372,18 @@ bool InkAreSamplesOf(vtkPolyData* samples, vtkPolyData* mesh)
     sampled->GetComponent(0, 2) == InkFacesHash(mesh);
 }
 
+void InkRemoveFaces(vtkPolyData* samples)
+{
+  for (const char* name : { FaceIdName, FacePointsName, BarycentricName })
+  {
+    samples->GetPointData()->RemoveArray(name);
+  }
+  for (const char* name : { SampledMeshName, SampledPointsName })
+  {
+    samples->GetFieldData()->RemoveArray(name);
+  }
+}
+
 void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int type, vtkPolyData* output)
 {
   const vtkIdType count = samples->GetNumberOfPoints();

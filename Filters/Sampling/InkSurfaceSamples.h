@@ -62,6 +62,9 @@ double InkFacesHash(vtkPolyData* mesh);
 /// Whether samples that InkSurfaceSamples::AddFaces made are of a mesh with the same faces.
 bool InkAreSamplesOf(vtkPolyData* samples, vtkPolyData* mesh);
 
+/// Takes the arrays away that InkSurfaceSamples::AddFaces adds.
+void InkRemoveFaces(vtkPolyData* samples);
+
 /// Writes samples that InkSurfaceSamples::AddFaces made for one mesh with their arrays to `output`, moved to
 /// where another mesh of the same faces has them. `Radius` grows by how much the surface is stretched around
 /// each sample, see ink::pointStretch.

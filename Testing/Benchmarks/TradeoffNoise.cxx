@@ -182,7 +182,12 @@ double Specks(const Picture& picture)
 
 int main()
 {
-  Tradeoff knob("Noise (vtkInkSurfaceSampler)", "Keep.",
+  Tradeoff knob("Noise (vtkInkSurfaceSampler)",
+    "Take blue noise below 500,000 samples and white noise from there on, as Zhang et al. do: white noise "
+    "then leaves no "
+    "specks, and differs little more than 100,000 blue samples, the default, in a quarter of the time of as "
+    "many blue "
+    "ones. Fewer white samples differ by up to three times as much as as many blue ones.",
     "ink that differs from that of 16 times as many samples (at most 6 million), of all; specks: the share "
     "of ink in "
     "spots of up to 8 pixels",
@@ -201,8 +206,7 @@ int main()
       knob.Add(
         std::to_string(count) + (blue ? " blue" : " white"),
         [&scene, mesh, blue, count, splat] { scene.Draw(Sample(mesh, blue, count), splat); },
-        { { "difference", Difference(picture, reference) }, { "specks", Specks(picture) },
-          { "specks of the many", Specks(reference) } },
+        { { "difference", Difference(picture, reference) }, { "specks", Specks(picture) } },
         blue && count == 100'000 ? Tradeoff::Default : Tradeoff::Choice);
     }
   }
