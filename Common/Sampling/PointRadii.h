@@ -10,7 +10,7 @@
 namespace ink
 {
 
-/// Discs for points that sample surfaces unevenly, as raw scans do (what Zhang et al. 2014, section 7, leave
+/// Discs for points that sample surfaces unevenly, as raw scans do (what Zhang et al. 2014, section 6, leave
 /// open).
 struct PointRadii
 {

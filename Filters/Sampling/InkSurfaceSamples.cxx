@@ -3,9 +3,13 @@
 
 #include "Sampling/BlueNoiseCount.h"
 #include "Sampling/CoverRadius.h"
+#include "Sampling/Hash.h"
+#include "Sampling/SurfaceStretch.h"
 #include "Sampling/WhiteNoise.h"
 
 #include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
@@ -32,6 +36,9 @@ constexpr const char* FaceIdName = "FaceId";
 constexpr const char* FacePointsName = "FacePoints";
 constexpr const char* BarycentricName = "BarycentricCoordinates";
 constexpr const char* SampledMeshName = "SampledMesh";
+constexpr const char* SampledPointsName = "SampledMeshPoints";
+// Of triangles around a sample whose stretch counts, at the most.
+constexpr int MostStretchRounds = 8;
 constexpr std::size_t BlockSize = 1 << 14;
 
 // What a sample takes at the most while it is made, with its share of darts and its place in the order.
@@ -99,6 +106,40 @@ vtkSmartPointer<vtkFloatArray> PlaceNormals(const ink::TriangleMesh& mesh,
   array->SetNumberOfTuples(static_cast<vtkIdType>(samples.size()));
   ink::placeNormals(mesh, normals, samples, std::span<float>(array->GetPointer(0), 3 * samples.size()));
   return array;
+}
+
+/// At each point of the mesh, how much larger discs around have to be than when the samples were made. Empty
+/// if nothing has moved.
+std::vector<float> GetStretch(const InkMeshTriangles& triangles, vtkPolyData* samples, vtkDataArray* radius)
+{
+  vtkDataArray* array = samples->GetFieldData()->GetArray(SampledPointsName);
+  if (!array || array->GetNumberOfComponents() != 3 ||
+    array->GetNumberOfTuples() != static_cast<vtkIdType>(triangles.Points.size()))
+  {
+    throw std::invalid_argument(std::string("the first frame's samples lack the field array ") +
+      SampledPointsName + " with the mesh's " + std::to_string(triangles.Points.size()) +
+      " points; expected samples made with KeepFaces");
+  }
+  std::vector<glm::dvec3> before(triangles.Points.size());
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    array->GetTuple(static_cast<vtkIdType>(i), &before[i].x);
+  }
+  if (before == triangles.Points)
+  {
+    return {};
+  }
+  // As far as the widest disc reaches on triangles of mean size.
+  const double area = triangles.Triangles.empty()
+    ? 0.0
+    : ink::cumulateArea({ before, triangles.Triangles, {}, {} }).area.back();
+  const double side =
+    1.5 * std::sqrt(area / static_cast<double>(std::max<std::size_t>(triangles.Triangles.size(), 1)));
+  double range[2];
+  radius->GetRange(range);
+  const double rounds = side > 0.0 ? range[1] / side : 0.0;
+  return ink::pointStretch(before, triangles.Points, triangles.Triangles,
+    static_cast<int>(std::min(std::ceil(rounds), static_cast<double>(MostStretchRounds))));
 }
 
 double WhiteNoiseCount(double area, double radius)
@@ -264,7 +305,11 @@ void InkSurfaceSamples::AddFaces(vtkPolyData* mesh, vtkPolyData* output) const
   sampled->SetName(SampledMeshName);
   sampled->SetNumberOfComponents(3);
   sampled->InsertNextTuple3(static_cast<double>(mesh->GetNumberOfCells()),
-    static_cast<double>(mesh->GetNumberOfPoints()), this->Areas.area.empty() ? 0.0 : this->Areas.area.back());
+    static_cast<double>(mesh->GetNumberOfPoints()), InkFacesHash(mesh));
+  vtkSmartPointer<vtkDataArray> before = vtk::TakeSmartPointer(mesh->GetPoints()->GetData()->NewInstance());
+  before->DeepCopy(mesh->GetPoints()->GetData());
+  before->SetName(SampledPointsName);
+  output->GetFieldData()->AddArray(before);
   output->GetFieldData()->AddArray(sampled);
 }
 
@@ -297,6 +342,48 @@ vtkDataArray* InkGetDensity(vtkPolyData* mesh, const char* name, int association
   return density;
 }
 
+double InkFacesHash(vtkPolyData* mesh)
+{
+  std::uint64_t all = 0;
+  for (vtkCellArray* faces : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    const auto face = vtk::TakeSmartPointer(faces->NewIterator());
+    for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* points = nullptr;
+      face->GetCurrentCell(size, points);
+      all = ink::hash(all, static_cast<std::uint64_t>(size));
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        all = ink::hash(all, static_cast<std::uint64_t>(points[i]));
+      }
+    }
+  }
+  return static_cast<double>(all >> 11);
+}
+
+bool InkAreSamplesOf(vtkPolyData* samples, vtkPolyData* mesh)
+{
+  vtkDataArray* sampled = samples->GetFieldData()->GetArray(SampledMeshName);
+  return sampled && sampled->GetNumberOfComponents() == 3 && sampled->GetNumberOfTuples() == 1 &&
+    sampled->GetComponent(0, 0) == static_cast<double>(mesh->GetNumberOfCells()) &&
+    sampled->GetComponent(0, 1) == static_cast<double>(mesh->GetNumberOfPoints()) &&
+    sampled->GetComponent(0, 2) == InkFacesHash(mesh);
+}
+
+void InkRemoveFaces(vtkPolyData* samples)
+{
+  for (const char* name : { FaceIdName, FacePointsName, BarycentricName })
+  {
+    samples->GetPointData()->RemoveArray(name);
+  }
+  for (const char* name : { SampledMeshName, SampledPointsName })
+  {
+    samples->GetFieldData()->RemoveArray(name);
+  }
+}
+
 void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int type, vtkPolyData* output)
 {
   const vtkIdType count = samples->GetNumberOfPoints();
@@ -323,8 +410,15 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
       std::to_string(mesh->GetNumberOfPoints()) + " points; expected " + std::to_string(cells) + " and " +
       std::to_string(points) + " as in the mesh that the first frame's samples were made of");
   }
+  if (sampled->GetComponent(0, 2) != InkFacesHash(mesh))
+  {
+    throw std::invalid_argument("its faces join other points than those of the mesh that the first frame's "
+                                "samples were made of; expected the same " +
+      std::to_string(cells) + " cells, deformed");
+  }
   InkMeshTriangles triangles(mesh, normals);
-  const double area = triangles.Triangles.empty() ? 0.0 : ink::cumulateArea(triangles.GetMesh()).area.back();
+  vtkDataArray* radius = samples->GetPointData()->GetArray("Radius");
+  const std::vector<float> stretch = radius ? GetStretch(triangles, samples, radius) : std::vector<float>();
   // Each sample brings its own triangle.
   triangles.Triangles.resize(static_cast<std::size_t>(count));
   std::vector<ink::SurfaceSample> places(static_cast<std::size_t>(count));
@@ -350,16 +444,19 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
   {
     output->GetPointData()->SetNormals(PlaceNormals(triangles.GetMesh(), triangles.Normals, places));
   }
-  vtkDataArray* radius = samples->GetPointData()->GetArray("Radius");
-  const double areaThen = sampled->GetComponent(0, 2);
-  if (radius && areaThen > 0.0 && area != areaThen)
+  if (!stretch.empty())
   {
-    vtkSmartPointer<vtkDataArray> scaled = vtk::TakeSmartPointer(radius->NewInstance());
-    scaled->DeepCopy(radius);
+    vtkSmartPointer<vtkDataArray> grown = vtk::TakeSmartPointer(radius->NewInstance());
+    grown->DeepCopy(radius);
     for (vtkIdType i = 0; i < count; ++i)
     {
-      scaled->SetComponent(i, 0, std::sqrt(area / areaThen) * radius->GetComponent(i, 0));
+      const auto place = static_cast<std::size_t>(i);
+      const auto& [a, b, c] = triangles.Triangles[place];
+      const double b1 = static_cast<double>(places[place].b1);
+      const double b2 = static_cast<double>(places[place].b2);
+      const double here = (1.0 - b1 - b2) * stretch[a] + b1 * stretch[b] + b2 * stretch[c];
+      grown->SetComponent(i, 0, here * radius->GetComponent(i, 0));
     }
-    output->GetPointData()->AddArray(scaled);
+    output->GetPointData()->AddArray(grown);
   }
 }

@@ -39,8 +39,9 @@ public:
   vtkSmartPointer<vtkPoints> MakePoints(int type) const;
   vtkSmartPointer<vtkDataArray> MakeNormals() const;
   vtkSmartPointer<vtkDataArray> MakeRadius(int type) const;
-  /// Adds `FaceId`, `FacePoints`, `BarycentricCoordinates`, and the field array `SampledMesh`, by which
-  /// InkMoveSamples knows the mesh again: how many cells and points it has, and its area.
+  /// Adds `FaceId`, `FacePoints`, `BarycentricCoordinates`, and for InkMoveSamples the field arrays
+  /// `SampledMesh`, by which it knows the mesh again (how many cells and points it has, and InkFacesHash),
+  /// and `SampledMeshPoints`, the mesh's points.
   void AddFaces(vtkPolyData* mesh, vtkPolyData* output) const;
 
 private:
@@ -55,8 +56,18 @@ private:
 /// A density array by its name. @throws std::invalid_argument if it does not fit
 vtkDataArray* InkGetDensity(vtkPolyData* mesh, const char* name, int association);
 
+/// A number below 2^53 that says which points the faces of a mesh join, in which order.
+double InkFacesHash(vtkPolyData* mesh);
+
+/// Whether samples that InkSurfaceSamples::AddFaces made are of a mesh with the same faces.
+bool InkAreSamplesOf(vtkPolyData* samples, vtkPolyData* mesh);
+
+/// Takes the arrays away that InkSurfaceSamples::AddFaces adds.
+void InkRemoveFaces(vtkPolyData* samples);
+
 /// Writes samples that InkSurfaceSamples::AddFaces made for one mesh with their arrays to `output`, moved to
-/// where another mesh of the same faces has them.
+/// where another mesh of the same faces has them. `Radius` grows by how much the surface is stretched around
+/// each sample, see ink::pointStretch.
 /// @throws std::invalid_argument if the samples have no faces or if these do not fit the mesh
 void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int type, vtkPolyData* output);
 

@@ -8,13 +8,16 @@
 #include "InkVTKCompat.h"
 
 #include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -42,22 +45,136 @@ int vtkInkSurfaceSampler::FillInputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
+vtkMTimeType vtkInkSurfaceSampler::GetUpstreamMTime()
+{
+  // Without this filter's own, which does not grow with the input's changes.
+  auto* upstream = this->GetNumberOfInputConnections(0) > 0
+    ? vtkDemandDrivenPipeline::SafeDownCast(this->GetInputExecutive(0, 0))
+    : nullptr;
+  return upstream ? upstream->GetPipelineMTime() : 0;
+}
+
+std::string vtkInkSurfaceSampler::DescribeSampling()
+{
+  // Not the modification time, which grows when the input is set, as a program does that deforms meshes
+  // itself.
+  vtkInformation* density = this->GetInputArrayInformation(0);
+  const char* name = density->Get(vtkDataObject::FIELD_NAME());
+  std::ostringstream all;
+  all << std::hexfloat << this->Method << ' ' << this->Amount << ' ' << this->NumberOfSamples << ' '
+      << this->SampleRadius << ' ' << this->Gap << ' ' << this->Seed << ' ' << this->ComputeNormals << ' '
+      << this->ComputeRadius << ' ' << this->ComputePriority << ' '
+      << density->Get(vtkDataObject::FIELD_ASSOCIATION()) << ' ' << (name ? name : "");
+  return all.str();
+}
+
+bool vtkInkSurfaceSampler::HasFirstSamples(vtkInformation* inputInfo)
+{
+  // Without time steps it is the input's changes that are followed.
+  const bool sameSeries = !inputInfo->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) ||
+    this->SampledUpstream == this->GetUpstreamMTime();
+  return this->FirstSamples && this->SampledAs == this->DescribeSampling() && sameSeries;
+}
+
+int vtkInkSurfaceSampler::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  this->AtFirstStep = this->FollowDeformation && this->GetNumberOfInputConnections(1) == 0 &&
+    input->Has(Pipeline::TIME_STEPS()) && !this->HasFirstSamples(input);
+  if (this->AtFirstStep)
+  {
+    input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[0]);
+  }
+  else if (output->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    input->Set(Pipeline::UPDATE_TIME_STEP(), output->Get(Pipeline::UPDATE_TIME_STEP()));
+  }
+  else
+  {
+    input->Remove(Pipeline::UPDATE_TIME_STEP());
+  }
+  return 1;
+}
+
+void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* inputInfo,
+  vtkInformation* outputInfo, vtkPolyData* mesh, vtkPolyData* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const auto sample = [&]
+  {
+    auto samples = vtkSmartPointer<vtkPolyData>::New();
+    if (mesh->GetNumberOfPoints() > 0)
+    {
+      this->SampleMesh(mesh, samples, true);
+    }
+    return samples;
+  };
+  if (this->AtFirstStep || !this->HasFirstSamples(inputInfo))
+  {
+    this->FirstSamples = nullptr;
+    this->LaterSamples = nullptr;
+    this->FirstSamples = sample();
+    this->SampledAs = this->DescribeSampling();
+    this->SampledUpstream = this->GetUpstreamMTime();
+  }
+  if (this->AtFirstStep)
+  {
+    this->AtFirstStep = false;
+    const double first = inputInfo->Get(Pipeline::TIME_STEPS())[0];
+    if (outputInfo->Has(Pipeline::UPDATE_TIME_STEP()) &&
+      outputInfo->Get(Pipeline::UPDATE_TIME_STEP()) != first)
+    {
+      request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+      return;
+    }
+  }
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (!InkAreSamplesOf(this->FirstSamples, mesh) &&
+    !(this->LaterSamples && InkAreSamplesOf(this->LaterSamples, mesh)))
+  {
+    // Without time steps, what was first is never asked for again.
+    const bool temporal = inputInfo->Has(Pipeline::TIME_STEPS());
+    (temporal ? this->LaterSamples : this->FirstSamples) = sample();
+  }
+  this->MoveSamples(
+    mesh, InkAreSamplesOf(this->FirstSamples, mesh) ? this->FirstSamples : this->LaterSamples, output);
+  if (!this->KeepFaces)
+  {
+    InkRemoveFaces(output);
+  }
+}
+
 int vtkInkSurfaceSampler::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* firstFrame =
     this->GetNumberOfInputConnections(1) > 0 ? vtkPolyData::GetData(inputVector[1]) : nullptr;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfIsolatedPoints = 0;
+  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
+  const bool hasFaces = mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  const bool follows = this->FollowDeformation && !firstFrame && (hasFaces || this->AtFirstStep);
   // A piece, or a time step, of nothing is no error.
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
+  if (!mesh || (mesh->GetNumberOfPoints() == 0 && !follows))
   {
     return 1;
   }
   try
   {
-    if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+    if (follows)
+    {
+      this->FollowMesh(request, inputVector[0]->GetInformationObject(0),
+        outputVector->GetInformationObject(0), mesh, output);
+    }
+    else if (!hasFaces)
     {
       InkPointCloudOptions options;
       options.Normals = this->ComputeNormals;
@@ -77,7 +194,7 @@ int vtkInkSurfaceSampler::RequestData(
     }
     else
     {
-      this->SampleMesh(mesh, output);
+      this->SampleMesh(mesh, output, this->KeepFaces);
     }
   }
   catch (const std::invalid_argument& error)
@@ -93,8 +210,9 @@ int vtkInkSurfaceSampler::RequestData(
   return 1;
 }
 
-void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output)
+void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bool keepFaces)
 {
+  ++this->NumberOfSamplings;
   InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
   const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   // ParaView's panel gives "None".
@@ -137,7 +255,7 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output)
   {
     pointData->AddArray(InkMakePriority(count));
   }
-  if (this->KeepFaces)
+  if (keepFaces)
   {
     samples.AddFaces(mesh, output);
   }
@@ -171,6 +289,8 @@ void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "ComputePriority: " << this->ComputePriority << "\n"
      << indent << "KeepFaces: " << this->KeepFaces << "\n"
+     << indent << "FollowDeformation: " << this->FollowDeformation << "\n"
+     << indent << "NumberOfSamplings: " << this->NumberOfSamplings << "\n"
      << indent << "NormalNeighbours: " << this->NormalNeighbours << "\n"
      << indent << "OrientTowardsViewpoint: " << this->OrientTowardsViewpoint << "\n"
      << indent << "Viewpoint: " << this->Viewpoint[0] << " " << this->Viewpoint[1] << " "

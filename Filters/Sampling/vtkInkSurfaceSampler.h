@@ -27,9 +27,10 @@
  * cells, says how densely to sample relative to elsewhere; 0: not at all. Without a name all is sampled
  * alike, the default.
  *
- * Animation (Zhang et al. 2014, section 6): give the second input the output for the first frame, made with
- * KeepFaces, and the first input a deformed copy of the mesh. The samples then stay in their faces and move
- * with them; `Priority` and other arrays stay what they are, `Radius` grows with the square root of the area.
+ * Animation (Zhang et al. 2014, section 6): with FollowDeformation on, a mesh that changes with time is
+ * sampled once, and its samples stay in their faces and move with them; `Priority` stays what it is, `Radius`
+ * grows by how much the surface is stretched around each sample. Or by hand: give the second input the output
+ * for the first frame, made with KeepFaces, and the first input a deformed copy of the mesh.
  *
  * Point clouds: an input of points without faces is not sampled. Its points get their `Priority`, and where
  * they have none, a `Radius`, each by the distances to its neighbours, so that uneven scans have neither
@@ -43,7 +44,7 @@
  *
  * Errors, each with an empty output: a Radius of 0 or less where it is asked for, faces without area, density
  * that is no array of one component or is 0 everywhere, more samples than memory, the first frame's samples
- * without their faces or of a mesh with another number of faces or points.
+ * without their faces or of a mesh with other faces.
  *
  * @sa vtkInkPointPriority vtkInkIsoSurfaceSampler vtkInkSplattingLinesMapper
  */
@@ -52,6 +53,9 @@
 
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for samples that are kept
+
+#include <string> // for what they depend on
 
 class VTKINKFILTERSSAMPLING_EXPORT vtkInkSurfaceSampler : public vtkPolyDataAlgorithm
 {
@@ -173,6 +177,26 @@ public:
 
   ///@{
   /**
+   * Sample a mesh that changes once, and move the samples with it. Default: off, each update samples anew.
+   * An input with time steps is sampled at the first of them, whichever is asked for first, and whenever
+   * anything else than the time changes. Without time steps, the first mesh is sampled, and the next one
+   * after a change of what samples depend on. Where faces differ from those that were sampled, the mesh is
+   * sampled anew, and these samples are moved as long as faces stay the same; so in a series whose faces
+   * change, they are those of the step that was first asked for. Points without faces, and the second input,
+   * are not concerned.
+   */
+  vtkSetMacro(FollowDeformation, bool);
+  vtkGetMacro(FollowDeformation, bool);
+  vtkBooleanMacro(FollowDeformation, bool);
+  ///@}
+
+  /**
+   * How often a mesh has been sampled, rather than samples moved, since this filter was made.
+   */
+  int GetNumberOfSamplings() { return this->NumberOfSamplings; }
+
+  ///@{
+  /**
    * Of point clouds: from how many neighbours, itself included, a normal is estimated. 3 to 64; default: 16.
    * More smooth noise and rounded edges.
    */
@@ -255,13 +279,19 @@ protected:
   ~vtkInkSurfaceSampler() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkInkSurfaceSampler(const vtkInkSurfaceSampler&) = delete;
   void operator=(const vtkInkSurfaceSampler&) = delete;
 
-  void SampleMesh(vtkPolyData* mesh, vtkPolyData* output);
+  void SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bool keepFaces);
+  void FollowMesh(vtkInformation* request, vtkInformation* inputInfo, vtkInformation* outputInfo,
+    vtkPolyData* mesh, vtkPolyData* output);
+  bool HasFirstSamples(vtkInformation* inputInfo);
+  vtkMTimeType GetUpstreamMTime();
+  std::string DescribeSampling();
   void MoveSamples(vtkPolyData* mesh, vtkPolyData* samples, vtkPolyData* output);
 
   int Method = BLUE_NOISE;
@@ -274,6 +304,14 @@ private:
   bool ComputeRadius = true;
   bool ComputePriority = true;
   bool KeepFaces = false;
+  bool FollowDeformation = false;
+  int NumberOfSamplings = 0;
+  /// Of the first step or mesh, and of the last one with other faces. Null: not sampled yet.
+  vtkSmartPointer<vtkPolyData> FirstSamples;
+  vtkSmartPointer<vtkPolyData> LaterSamples;
+  std::string SampledAs;            ///< DescribeSampling() when FirstSamples were made
+  vtkMTimeType SampledUpstream = 0; ///< GetUpstreamMTime() then
+  bool AtFirstStep = false;         ///< whether the first time step was asked for instead of the wanted one
   int NormalNeighbours = 16;
   bool OrientTowardsViewpoint = false;
   double Viewpoint[3] = { 0.0, 0.0, 0.0 };
