@@ -2,6 +2,7 @@
 
 #include "Errors.h"
 #include "ReadFile.h"
+#include "Series.h"
 #include "Text.h"
 #include "VolumeSlices.h"
 
@@ -116,6 +117,10 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   if (contains(meshSuffixes, suffix))
   {
     return suffix == ".xyz" ? readPoints(file, progress) : readMesh(file, suffix, progress);
+  }
+  if (isSeries(file))
+  {
+    failToRead(file, "it is a series of files, which only 'ink render' takes; expected one file");
   }
   failToRead(file,
     "unknown type '" + suffix + "'; expected one of " + knownSuffixes() +

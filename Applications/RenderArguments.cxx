@@ -1,8 +1,13 @@
 #include "RenderArguments.h"
 
 #include "Errors.h"
+#include "FrameChoice.h"
+#include "Series.h"
+#include "Video.h"
 
 #include "vtkInkSplattingLinesMapper.h"
+
+#include <regex>
 
 namespace ink::cli
 {
@@ -18,7 +23,11 @@ void RenderArguments::add(CLI::App* command)
 {
   this->app = command;
   this->input.addFile(command, "mesh or points");
-  command->add_option("-o,--output", this->output, "the picture to write")->required()->type_name("OUT.png");
+  command
+    ->add_option("-o,--output", this->output,
+      "the picture to write; of several frames out_%04d.png, or a video: .mp4, .webm or .gif")
+    ->required()
+    ->type_name("OUT.png");
   command->add_option("--style", this->style, "way of drawing: splatting-lines or stipple (splatting-lines)")
     ->type_name("NAME")
     ->check(CLI::IsMember({ linesStyle, stippleStyle }));
@@ -69,11 +78,53 @@ void RenderArguments::add(CLI::App* command)
   command->add_flag("--parallel", this->options.parallel, "parallel instead of perspective projection")
     ->group("Camera");
 
+  this->addAnimation(command);
   this->addColors(command);
   this->lines.add(command);
   this->stipple.add(command);
   this->cloud.add(command);
   this->input.addReading(command);
+}
+
+void RenderArguments::addAnimation(CLI::App* command)
+{
+  constexpr const char* group =
+    "Animation: FILE can be a .pvd, a .series, or a pattern as 'step_*.ply' or step_%d.vti";
+  command
+    ->add_option("--frames", this->frames,
+      "N: so many pictures, evenly from the first to the last step of a series, or once around what stands\n"
+      "still; A:B or A:B:S: from step A of a series to step B, from 0 on, every S-th (all steps)")
+    ->type_name("N|A:B:S")
+    ->group(group);
+  command->add_option("--fps", this->framesPerSecond, "pictures a second in a video (25)")
+    ->check(within(0.1, 1000))
+    ->group(group);
+}
+
+std::optional<Animation> RenderArguments::animation() const
+{
+  const std::filesystem::path file = this->input.file;
+  const bool series = isSeries(file);
+  if (!series && this->app->count("--frames") == 0)
+  {
+    return std::nullopt;
+  }
+  Animation animation;
+  animation.framesPerSecond = this->framesPerSecond;
+  if (series && this->style == stippleStyle)
+  {
+    throw UsageError("--style stipple: expected one file, found a series; lines are drawn of series");
+  }
+  if (series)
+  {
+    animation.files = filesOfSeries(file);
+    animation.frames = chooseSteps(this->frames, animation.files.size());
+  }
+  else
+  {
+    animation.frames.resize(turntableFrames(this->frames));
+  }
+  return animation;
 }
 
 void RenderArguments::addColors(CLI::App* command)
@@ -109,14 +160,41 @@ void RenderArguments::refuse(const std::vector<CLI::Option*>& others, const std:
   }
 }
 
+void RenderArguments::checkOutput() const
+{
+  const std::filesystem::path& file = this->options.output;
+  const bool video = Video::isVideo(file);
+  if (!this->options.animation)
+  {
+    if (video)
+    {
+      throw UsageError("-o '" + this->output + "': expected --frames or a series of files for a video");
+    }
+    if (file.extension() != ".png")
+    {
+      throw UsageError("-o '" + this->output + "': expected a name that ends in .png");
+    }
+    return;
+  }
+  static const std::regex numbered(R"([^%]*%(0?[1-9])?d[^%]*\.png)");
+  if (!video && !std::regex_match(file.filename().string(), numbered))
+  {
+    throw UsageError("-o '" + this->output +
+      "': expected a name with a number for several frames, as out_%04d.png, or .mp4, .webm or .gif for a "
+      "video");
+  }
+  if (video && this->options.transparent)
+  {
+    throw UsageError("--transparent: expected pictures, as out_%04d.png, found a video");
+  }
+}
+
 void RenderArguments::run()
 {
   this->options.input = this->input.options();
   this->options.output = this->output;
-  if (this->options.output.extension() != ".png")
-  {
-    throw UsageError("-o '" + this->output + "': expected a name that ends in .png");
-  }
+  this->options.animation = this->animation();
+  this->checkOutput();
   this->options.cloud = this->cloud.options();
   this->options.size = PictureSize::parse(this->size);
   const auto colorOf = [this](const char* option, const std::string& text)

@@ -17,6 +17,8 @@ struct RenderArguments
   std::string output;
   std::string style = "splatting-lines";
   std::string size = "1024x1024";
+  std::string frames;
+  double framesPerSecond = 25;
   std::string inkColor;
   std::string paperColor;
   std::string background;
@@ -30,6 +32,10 @@ struct RenderArguments
 
 private:
   void addColors(CLI::App* command);
+  void addAnimation(CLI::App* command);
+  std::optional<Animation> animation() const;
+  /// \throw UsageError for a name that does not go with the frames
+  void checkOutput() const;
   void refuse(const std::vector<CLI::Option*>& others, const std::string& itsStyle) const;
 };
 

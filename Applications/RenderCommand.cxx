@@ -1,13 +1,13 @@
 #include "RenderCommand.h"
 
+#include "Drawing.h"
 #include "Errors.h"
-#include "FitCamera.h"
 #include "Graphics.h"
 #include "OutputFile.h"
 #include "Picture.h"
 #include "Progress.h"
+#include "RenderFrames.h"
 #include "Surface.h"
-#include "VtkMessages.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -32,9 +32,6 @@ namespace ink::cli
 namespace
 {
 
-// Part of the picture's half width and height that stays free around the drawing.
-constexpr double margin = 0.05;
-
 /// Light that stays with the viewer.
 /// \param azimuth, elevation where it comes from: degrees to the right of the viewer and above
 vtkSmartPointer<vtkLight> makeLight(double azimuth, double elevation)
@@ -48,36 +45,49 @@ vtkSmartPointer<vtkLight> makeLight(double azimuth, double elevation)
   return light;
 }
 
-/// What is drawn, before it has a camera.
-struct Subject
-{
-  vtkSmartPointer<vtkPolyData> points;
-  vtkSmartPointer<vtkMapper> mapper;
-  vtkSmartPointer<vtkLight> light; ///< null: the mapper needs none
-  Color background;
-  std::vector<std::string> notes;
-};
+} // namespace
 
-Subject makeLines(const Input& input, const RenderOptions& options, Progress& progress)
+SubjectMaker::SubjectMaker(const RenderOptions& options, bool follow)
+  : Options(options)
+  , IsoValues(options.isoValues)
+  , Meshes({ .count = options.samples, .priority = false, .cloud = options.cloud }, follow)
 {
-  Surface surface =
-    makeSurface(input, options.isoValues, options.samples, options.cloud, options.input.memory, progress);
+}
+
+Subject SubjectMaker::make(const Input& input, Progress& progress)
+{
+  return this->Options.stipple ? this->makeStippling(input, progress) : this->makeLines(input, progress);
+}
+
+void SubjectMaker::keepIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress)
+{
+  if (this->IsoValues.empty() && input.isVolume())
+  {
+    this->IsoValues = chooseIsoValue(input, notes, progress);
+  }
+}
+
+Subject SubjectMaker::makeLines(const Input& input, Progress& progress)
+{
+  Surface surface = makeSurface(input, this->IsoValues, this->Meshes, this->Options.input.memory, progress);
   Subject subject;
   subject.points = surface.points;
   subject.notes = std::move(surface.notes);
-  options.lines->SetInputData(subject.points);
-  options.lines->SetPaperVisibility(options.paperColor.has_value());
-  if (options.paperColor)
+  vtkInkSplattingLinesMapper* lines = this->Options.lines;
+  lines->SetInputData(subject.points);
+  lines->SetPaperVisibility(this->Options.paperColor.has_value());
+  if (this->Options.paperColor)
   {
-    options.lines->SetPaperColor(options.paperColor->data());
+    lines->SetPaperColor(this->Options.paperColor->data());
   }
-  subject.mapper = options.lines;
-  subject.background = options.background;
+  subject.mapper = lines;
+  subject.background = this->Options.background;
   return subject;
 }
 
-Subject makeStippling(const Input& input, const RenderOptions& options, Progress& progress)
+Subject SubjectMaker::makeStippling(const Input& input, Progress& progress) const
 {
+  const RenderOptions& options = this->Options;
   const StippleStyle& style = *options.stipple;
   const double pixels =
     options.zoom * std::max(options.size.width, options.size.height) * PictureSize::supersampling;
@@ -89,50 +99,6 @@ Subject makeStippling(const Input& input, const RenderOptions& options, Progress
   subject.background = style.paper;
   return subject;
 }
-
-vtkSmartPointer<vtkImageData> draw(const Subject& subject, const RenderOptions& options)
-{
-  const VtkMessages messages;
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(subject.mapper);
-
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  if (subject.light)
-  {
-    renderer->AddLight(subject.light);
-  }
-  vtkNew<vtkRenderWindow> window;
-  window->OffScreenRenderingOn();
-  window->SetMultiSamples(0);
-  window->SetSize(
-    options.size.width * PictureSize::supersampling, options.size.height * PictureSize::supersampling);
-  window->AddRenderer(renderer);
-
-  View view = namedViews().at(options.view);
-  view.rotate(options.azimuth, options.elevation);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double aspect = static_cast<double>(options.size.width) / options.size.height;
-  fitCamera(camera, view, subject.points->GetPoints(), aspect, margin, options.parallel);
-  camera->Zoom(options.zoom);
-  renderer->ResetCameraClippingRange();
-
-  const auto drawOn = [&](Color background)
-  {
-    renderer->SetBackground(background.data());
-    window->Render();
-    return takePicture(window, PictureSize::supersampling);
-  };
-  const auto picture =
-    options.transparent ? findAlpha(drawOn({ 0, 0, 0 }), drawOn({ 1, 1, 1 })) : drawOn(subject.background);
-  if (const std::string problem = messages.error(); !problem.empty())
-  {
-    throw Failure("drawing failed: " + problem);
-  }
-  return picture;
-}
-
-} // namespace
 
 PictureSize PictureSize::parse(const std::string& text)
 {
@@ -153,25 +119,41 @@ PictureSize PictureSize::parse(const std::string& text)
   return size;
 }
 
-void render(const RenderOptions& options)
+Wanted wantedOf(const RenderOptions& options)
 {
-  // What can fail soon should not fail late.
-  const OutputFile output(options.output);
+  return options.stipple        ? Wanted::Values
+    : options.isoValues.empty() ? Wanted::Surface
+                                : Wanted::GivenSurfaces;
+}
+
+void requireGraphics()
+{
   const Graphics graphics = probeGraphics();
   if (!graphics.works)
   {
     throw Failure(graphics.description);
   }
+}
+
+void render(const RenderOptions& options)
+{
+  if (options.animation)
+  {
+    renderFrames(options);
+    return;
+  }
+  // What can fail soon should not fail late.
+  const OutputFile output(options.output);
+  requireGraphics();
 
   Progress progress(options.quiet);
-  const Wanted wanted = options.stipple ? Wanted::Values
-    : options.isoValues.empty()         ? Wanted::Surface
-                                        : Wanted::GivenSurfaces;
-  const Input input = readInput(options.input, progress, wanted);
-  const Subject subject =
-    options.stipple ? makeStippling(input, options, progress) : makeLines(input, options, progress);
+  const Input input = readInput(options.input, progress, wantedOf(options));
+  const Subject subject = SubjectMaker(options).make(input, progress);
   progress.step("drawing");
-  const auto picture = draw(subject, options);
+  Drawing drawing(options);
+  CameraFit fit = drawing.makeFit();
+  fit.add(subject.points->GetPoints(), drawing.view());
+  const auto picture = drawing.draw(subject, fit);
   progress.step("writing " + options.output.filename().string());
   const auto png = encodePng(picture);
   output.write({ png->GetPointer(0), static_cast<std::size_t>(png->GetNumberOfValues()) });

@@ -32,6 +32,15 @@ struct PictureSize
   static PictureSize parse(const std::string& text);
 };
 
+/// More than one picture.
+struct Animation
+{
+  std::vector<std::filesystem::path>
+    files;                         ///< of a series; empty: the viewer goes once around what stands still
+  std::vector<std::size_t> frames; ///< which of the files, or places on the way
+  double framesPerSecond = 25;     ///< of a video
+};
+
 /// What `ink render` was asked for.
 struct RenderOptions
 {
@@ -51,10 +60,14 @@ struct RenderOptions
   std::optional<Color> paperColor{ { 1, 1, 1 } };    ///< none: ink only
   Color background{ 1, 1, 1 };
   bool transparent = false;
+  std::optional<Animation> animation; ///< none: one picture
   bool quiet = false;
 };
 
-/// Draws a picture of a volume or a mesh.
+/// What of an input is needed for what was asked for.
+Wanted wantedOf(const RenderOptions& options);
+
+/// Draws a picture of a volume or a mesh, or those of an animation.
 /// \throw Failure, UsageError
 void render(const RenderOptions& options);
 

@@ -42,7 +42,8 @@ void sample(const SampleOptions& options)
     {
       throw UsageError("--iso: a mesh has no iso-values, only volumes have");
     }
-    points.add(0, sampleMesh(vtkPolyData::SafeDownCast(input.data), options.mesh, notes, progress));
+    MeshSampler sampler(options.mesh);
+    points.add(0, sampler.sample(vtkPolyData::SafeDownCast(input.data), notes, progress));
   }
   progress.step("writing " + options.output.filename().string());
   writePoints(points, format, output);

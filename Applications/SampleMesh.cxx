@@ -5,23 +5,31 @@
 #include "VtkMessages.h"
 
 #include "vtkInkSurfaceSampler.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ink::cli
 {
 
-vtkSmartPointer<vtkPolyData> sampleMesh(
-  vtkPolyData* mesh, const MeshSampling& sampling, std::vector<std::string>& notes, Progress& progress)
+MeshSampler::MeshSampler(MeshSampling sampling, bool follow)
+  : Wanted(std::move(sampling))
+  , Sampler(vtkSmartPointer<vtkInkSurfaceSampler>::New())
 {
+  this->Sampler->SetFollowDeformation(follow);
+}
+
+vtkSmartPointer<vtkPolyData> MeshSampler::sample(
+  vtkPolyData* mesh, std::vector<std::string>& notes, Progress& progress)
+{
+  const MeshSampling& sampling = this->Wanted;
+  vtkInkSurfaceSampler* sampler = this->Sampler;
   const auto points = static_cast<long long>(mesh->GetNumberOfPoints());
   const bool isCloud = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0;
   const long long count =
     sampling.count.value_or(std::clamp(2 * points, MeshSampling::leastCount, MeshSampling::mostCount));
-  vtkNew<vtkInkSurfaceSampler> sampler;
   sampler->SetInputData(mesh);
   sampler->SetNumberOfSamples(count);
   if (sampling.radius)
@@ -54,7 +62,9 @@ vtkSmartPointer<vtkPolyData> sampleMesh(
   {
     throw Failure(problem);
   }
-  vtkSmartPointer<vtkPolyData> samples = sampler->GetOutput();
+  // The sampler's own output is another mesh's when it is asked again.
+  const auto samples = vtkSmartPointer<vtkPolyData>::New();
+  samples->ShallowCopy(sampler->GetOutput());
   if (samples->GetNumberOfPoints() == 0)
   {
     throw Failure("no surface: no point was made on the mesh");

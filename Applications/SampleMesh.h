@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+class vtkInkSurfaceSampler;
 class vtkPolyData;
 
 namespace ink::cli
@@ -31,22 +32,36 @@ struct MeshSampling
   static constexpr long long mostCount = 1'000'000;
 
   /// None: twice as many as the mesh has points, but from leastCount to mostCount.
-  std::optional<long long> count;
-  std::optional<double> radius;  ///< given: says how many, in place of `count`
-  std::optional<bool> blueNoise; ///< none: below whiteFrom samples
+  std::optional<long long> count = {};
+  std::optional<double> radius = {};  ///< given: says how many, in place of `count`
+  std::optional<bool> blueNoise = {}; ///< none: below whiteFrom samples
   int seed = 0;
   int precision = 2;
   bool normals = true;
   bool radiusArray = true;
   bool priority = true;
-  CloudSampling cloud;
+  CloudSampling cloud = {};
 };
 
-/// Samples the surface of a mesh; points without polygons are taken as they are, with normals estimated where
-/// they have none.
-/// \param notes what was chosen and what was not as expected, each a sentence without its dot, is added
-/// \throw Failure if there are no points, UsageError for options that only points without polygons have
-vtkSmartPointer<vtkPolyData> sampleMesh(
-  vtkPolyData* mesh, const MeshSampling& sampling, std::vector<std::string>& notes, Progress& progress);
+/// Makes points of meshes. Those of one mesh after the other with the same faces are the same samples, moved,
+/// if that is asked for.
+class MeshSampler
+{
+public:
+  /// \param follow move the samples of the first mesh
+  explicit MeshSampler(MeshSampling sampling, bool follow = false);
+
+  const MeshSampling& sampling() const { return this->Wanted; }
+
+  /// Samples the surface of a mesh; points without polygons are taken as they are, with normals estimated
+  /// where they have none. \param notes what was chosen and what was not as expected, each a sentence without
+  /// its dot, is added \throw Failure if there are no points, UsageError for options that only points without
+  /// polygons have
+  vtkSmartPointer<vtkPolyData> sample(vtkPolyData* mesh, std::vector<std::string>& notes, Progress& progress);
+
+private:
+  MeshSampling Wanted;
+  vtkSmartPointer<vtkInkSurfaceSampler> Sampler;
+};
 
 } // namespace ink::cli

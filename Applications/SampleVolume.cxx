@@ -197,6 +197,17 @@ void addSurfaceIndex(vtkPolyData* points, int surface)
   points->GetPointData()->AddArray(index);
 }
 
+std::vector<double> chooseIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress)
+{
+  std::vector<double> isoValues;
+  takeSurfaceValue(input, isoValues, notes);
+  if (isoValues.empty() && input.volume)
+  {
+    isoValues.push_back(chooseIsoValue(*input.volume, notes, progress));
+  }
+  return isoValues;
+}
+
 std::vector<std::string> sampleVolume(const Input& input, VolumeSampling sampling, const Memory& memory,
   const PointSink& sink, Progress& progress)
 {

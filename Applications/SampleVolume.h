@@ -52,6 +52,10 @@ constexpr std::uint64_t bytesPerPoint = 48;
 /// Adds the array SurfaceIndex: all points belong to that one.
 void addSurfaceIndex(vtkPolyData* points, int surface);
 
+/// The iso-value that the file is about or that suits the volume, in a list; an empty one if the volume's
+/// values are not at hand. \param notes what was chosen is added. \throw Failure if there is none
+std::vector<double> chooseIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress);
+
 /// Samples a volume whatever holds it: one of the two below, at the surface that the file is about where no
 /// iso-value is given.
 std::vector<std::string> sampleVolume(const Input& input, VolumeSampling sampling, const Memory& memory,

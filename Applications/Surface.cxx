@@ -73,9 +73,10 @@ Surface sampleWhole(
 
 } // namespace
 
-Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
-  std::optional<long long> samples, const CloudSampling& cloud, const Memory& memory, Progress& progress)
+Surface makeSurface(const Input& input, const std::vector<double>& isoValues, MeshSampler& meshes,
+  const Memory& memory, Progress& progress)
 {
+  const CloudSampling& cloud = meshes.sampling().cloud;
   if (input.isVolume())
   {
     if (!cloud.given.empty())
@@ -89,16 +90,13 @@ Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
     throw UsageError("--iso: a mesh has no iso-values, only volumes have");
   }
   auto* mesh = vtkPolyData::SafeDownCast(input.data);
-  if (samples == 0 && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 && cloud.given.empty())
+  if (meshes.sampling().count == 0 && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 &&
+    cloud.given.empty())
   {
     return takeVertices(mesh, progress);
   }
-  MeshSampling sampling;
-  sampling.count = samples;
-  sampling.cloud = cloud;
-  sampling.priority = false;
   Surface surface;
-  surface.points = sampleMesh(mesh, sampling, surface.notes, progress);
+  surface.points = meshes.sample(mesh, surface.notes, progress);
   return surface;
 }
 

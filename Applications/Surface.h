@@ -3,8 +3,6 @@
 #include "Input.h"
 #include "SampleMesh.h"
 
-#include <optional>
-
 class vtkPolyData;
 
 namespace ink::cli
@@ -18,13 +16,13 @@ struct Surface
 };
 
 /// \param isoValues empty: one is chosen.
-/// \param samples on a mesh; none: as many as suit it, 0: its vertices are drawn; points without polygons
-///        are always drawn themselves
-/// \param cloud for points without polygons
+/// \param meshes samples a mesh, or with a count of 0 leaves its vertices to be drawn; points without
+/// polygons are
+///        always drawn themselves
 /// \throw UsageError for options that the input does not have, Failure if there is nothing to draw or
 /// more
 ///        than memory has room for.
-Surface makeSurface(const Input& input, const std::vector<double>& isoValues,
-  std::optional<long long> samples, const CloudSampling& cloud, const Memory& memory, Progress& progress);
+Surface makeSurface(const Input& input, const std::vector<double>& isoValues, MeshSampler& meshes,
+  const Memory& memory, Progress& progress);
 
 } // namespace ink::cli

@@ -5,7 +5,7 @@ set(_ink_minimum_vtk 9.2)
 set(VTKINK_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersCore FiltersSources ImagingCore
-  IOCore IOGeometry IOImage IOLegacy IOPLY IOXML
+  IOCore IOGeometry IOImage IOLegacy IOPLY IOXML nlohmannjson
   RenderingCore RenderingOpenGL2 vtksys)
 if (VTKINK_BUILD_PLUGIN)
   find_package(ParaView 5.11 REQUIRED)

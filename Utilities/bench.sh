@@ -26,9 +26,11 @@ for benchmark in "$INK_BUILD/$INK_BUILD_BINDIR"/Benchmark*; do
 done
 
 # Two frames of each motion; more of them change little.
-if "$INK_PYTHON" -c 'import numpy, vtkink' 2>/dev/null; then
-  echo "bench: stipple_coherence.py ($preset, VTK $INK_BUILD_VTK_VERSION)"
-  on_display "$INK_PYTHON" Testing/Benchmarks/stipple_coherence.py 2
-else
-  echo "bench: left out of $preset: stipple_coherence.py, as $INK_PYTHON has no numpy or no vtkink"
-fi
+for script in stipple_coherence.py lines_coherence.py; do
+  if "$INK_PYTHON" -c 'import numpy, vtkink' 2>/dev/null; then
+    echo "bench: $script ($preset, VTK $INK_BUILD_VTK_VERSION)"
+    on_display "$INK_PYTHON" "Testing/Benchmarks/$script" 2
+  else
+    echo "bench: left out of $preset: $script, as $INK_PYTHON has no numpy or no vtkink"
+  fi
+done

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatDrawing.h"
 
+#include "InkSplatLineWork.h"
 #include "InkSplatPasses.h"
 #include "InkSplatQuads.h"
 
@@ -140,12 +141,12 @@ void InkSplatDrawing::DrawSplats(
       sums.push_back(this->Sums[level].get());
     }
 
-    // What is not covered by discs is never looked at.
-    const std::array<int, 4> extent = passes.FindExtent(view, splatting);
+    const std::array<int, 4> extent = passes.FindExtent(view, splatting, 0);
     state->vtkglDisable(GL_BLEND);
+    layer.Illumination->Bind();
+    Clear(state, 0.0f, GL_COLOR_BUFFER_BIT);
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(extent[0], extent[1], extent[2], extent[3]);
-    layer.Illumination->Bind();
     quads.DrawIllumination(view, *layer.Surface, sums,
       { InkSplatTolerance * passes.GetLargestRadius() * view.Unit, InkSplatTolerance });
     state->vtkglDisable(GL_SCISSOR_TEST);
@@ -160,7 +161,13 @@ void InkSplatDrawing::DrawInk(
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  const std::array<int, 4> extent = passes.FindExtent(view, *this->Splatting);
+  this->Reach = 0;
+  for (int index = 0; index < this->Present; ++index)
+  {
+    this->Reach = std::max(this->Reach, InkSplatLineWork(style, index, view).GetReach());
+  }
+  // What is farther from the discs is never looked at.
+  const std::array<int, 4> extent = passes.FindExtent(view, *this->Splatting, this->Reach);
   state->vtkglScissor(extent[0], extent[1], extent[2], extent[3]);
   for (int index = this->Present - 1; index >= 0; --index)
   {
@@ -216,8 +223,8 @@ bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const I
   {
     const Layer& layer = this->Layers[static_cast<std::size_t>(index)];
     const Layer& inked = style.Paper ? this->Layers[static_cast<std::size_t>(this->Present - 1)] : layer;
-    quads.DrawComposite(
-      view, *layer.Surface, *inked.Ink, style.Paper ? paperColor : nullptr, opacity, bias, mapper, actor);
+    quads.DrawComposite(view, *layer.Surface, *inked.Ink, style.Paper ? paperColor : nullptr, opacity,
+      this->Reach, bias, mapper, actor);
   }
   return true;
 }

@@ -54,6 +54,7 @@ private:
   std::vector<std::unique_ptr<InkSplatImage>> Sums; ///< for each pixel, for 2 x 2, for 4 x 4
   std::vector<Layer> Layers;
   int Present = 0;
+  int Reach = 0; ///< pixels by which ink may go beyond the surface
 
   std::optional<InkView> View;
   std::optional<InkSplatting> Splatting;

@@ -8,6 +8,7 @@
 #include "Lines/ThinLines.h"
 #include "Lines/TraceLines.h"
 
+#include <cmath>
 #include <vector>
 
 namespace
@@ -37,6 +38,11 @@ InkSplatLineWork::InkSplatLineWork(const InkSplatStyle& style, int layer, const 
 bool InkSplatLineWork::IsNeeded() const
 {
   return this->SpeckleLength > 0.0f || this->Thinning || this->Growth != 0.0f || this->DashLength > 0.0f;
+}
+
+int InkSplatLineWork::GetReach() const
+{
+  return this->Growth > 0.0f ? static_cast<int>(std::ceil(this->Growth)) : 0;
 }
 
 void InkSplatLineWork::Apply(const ink::InkImage& image) const

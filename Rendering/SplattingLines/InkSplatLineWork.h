@@ -18,6 +18,9 @@ public:
   /// Whether anything is to be done.
   bool IsNeeded() const;
 
+  /// By how many pixels ink may go beyond the surface.
+  int GetReach() const;
+
   void Apply(const ink::InkImage& image) const;
 
 private:

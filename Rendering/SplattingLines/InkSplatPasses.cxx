@@ -31,8 +31,10 @@ namespace
 {
 
 /// The least radius of depth splats in pixels: it leaves no pixel between discs that are far away or seen
-/// edge-on.
+/// edge-on. By how much surfaces reach beyond their contours shows in the lines: in larger pictures it is a
+/// part of the height, in thousandths.
 constexpr double MinimumDepthRadius = 0.75;
+constexpr double MinimumDepthThousandths = 1.5;
 
 /// The least of illumination splats, in pixels, whatever the viewport's height: Gaussians need some pixels.
 constexpr double MinimumLightRadius = 1.5;
@@ -53,7 +55,7 @@ constexpr int Margin = 4;
 /// sqrt(1 / p) times as far from each other, and as the parts are less even than the whole, somewhat more.
 double Growth(double fraction)
 {
-  return fraction < 1.0 ? 1.2 / std::sqrt(fraction) : 1.0;
+  return fraction < 1.0 ? 1.4 / std::sqrt(fraction) : 1.0;
 }
 
 /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
@@ -66,6 +68,11 @@ double LargestSplat(const InkView& view, double radius, double minimumRadius)
   // viewport.
   const double viewport = std::max(view.Size[0], view.Size[1]);
   return std::min(viewport, 2.0 * 2.0 * pixels);
+}
+
+double FindDepthRadius(const InkView& view)
+{
+  return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * view.Size[1]) * view.TileScale;
 }
 
 std::string WithFeatures(std::string shader, const std::string& features)
@@ -142,7 +149,8 @@ double InkSplatPasses::FindMinimumRadius(const InkView& view, const InkSplatting
     : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * view.Size[1]) * view.TileScale;
 }
 
-std::array<int, 4> InkSplatPasses::FindExtent(const InkView& view, const InkSplatting& splatting) const
+std::array<int, 4> InkSplatPasses::FindExtent(
+  const InkView& view, const InkSplatting& splatting, int around) const
 {
   const std::array<int, 4> all{ 0, 0, view.Size[0], view.Size[1] };
   const double radius = Growth(splatting.PointFraction) * this->LargestRadius;
@@ -185,13 +193,14 @@ std::array<int, 4> InkSplatPasses::FindExtent(const InkView& view, const InkSpla
       high[axis] = std::max(high[axis], pixel);
     }
   }
-  // Discs grow by a pixel at most.
+  // Discs grow on the screen.
+  const double grown = 2.0 + FindDepthRadius(view) + around;
   std::array<int, 4> extent;
   for (int axis = 0; axis < 2; ++axis)
   {
     const double size = view.Size[axis];
-    extent[axis] = static_cast<int>(std::clamp(std::floor(low[axis] - 2.0), 0.0, size));
-    extent[2 + axis] = static_cast<int>(std::clamp(std::ceil(high[axis] + 2.0), 0.0, size)) - extent[axis];
+    extent[axis] = static_cast<int>(std::clamp(std::floor(low[axis] - grown), 0.0, size));
+    extent[2 + axis] = static_cast<int>(std::clamp(std::ceil(high[axis] + grown), 0.0, size)) - extent[axis];
   }
   return extent;
 }
@@ -313,7 +322,7 @@ void InkSplatPasses::DrawDepth(
   {
     features += "#define INK_COLORS\n";
   }
-  const double minimum = splatting.AsPublished ? PublishedMinimumRadius : MinimumDepthRadius;
+  const double minimum = splatting.AsPublished ? PublishedMinimumRadius : FindDepthRadius(view);
   vtkShaderProgram* program = this->Begin(InkSplatDepthFS, features, view,
     { Growth(splatting.PointFraction), minimum, FindMinimumRadius(view, splatting) });
   if (!program)
@@ -373,8 +382,8 @@ void InkSplatPasses::DrawIds(
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  if (vtkShaderProgram* program =
-        this->Begin(InkSplatIdFS, "#define INK_ID\n", view, { 1.0, MinimumDepthRadius, MinimumDepthRadius }))
+  if (vtkShaderProgram* program = this->Begin(
+        InkSplatIdFS, "#define INK_ID\n", view, { 1.0, FindDepthRadius(view), FindDepthRadius(view) }))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);

@@ -50,8 +50,9 @@ public:
   /// The least radius of illumination splats in pixels.
   static double FindMinimumRadius(const InkView& view, const InkSplatting& splatting);
 
-  /// The part of the viewport that the discs may cover: x, y, width, height in pixels.
-  std::array<int, 4> FindExtent(const InkView& view, const InkSplatting& splatting) const;
+  /// The part of the viewport that the discs may cover, and some pixels around: x, y, width, height in
+  /// pixels.
+  std::array<int, 4> FindExtent(const InkView& view, const InkSplatting& splatting, int around) const;
 
   /// The side of the largest squares of pixels that it pays to sum up splats for: 1, 2, ... up to a limit.
   int FindTexel(const InkView& view, double lambda, int limit) const;

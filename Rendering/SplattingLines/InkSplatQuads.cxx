@@ -173,7 +173,8 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSpla
 }
 
 void InkSplatQuads::DrawComposite(const InkView& view, const InkSplatImage& surface, const InkSplatImage& ink,
-  const double paperColor[3], double opacity, double depthBias, vtkAbstractMapper* mapper, vtkActor* actor)
+  const double paperColor[3], double opacity, int reach, double depthBias, vtkAbstractMapper* mapper,
+  vtkActor* actor)
 {
   std::string vertexShader = vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader();
   std::string fragmentShader = InkSplatCompositeFS;
@@ -201,6 +202,7 @@ void InkSplatQuads::DrawComposite(const InkView& view, const InkSplatImage& surf
   const double none[3] = { 0.0, 0.0, 0.0 };
   SetColor(program, "paperColor", paperColor ? paperColor : none);
   program->SetUniformf("opacity", static_cast<float>(opacity));
+  program->SetUniformi("reach", reach);
   program->SetUniformf("depthBias", static_cast<float>(depthBias));
   renderPasses.SetShaderParameters(program, quad.VAO);
   quad.Render();

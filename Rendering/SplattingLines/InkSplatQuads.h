@@ -51,9 +51,11 @@ public:
   /// The drawing into the caller's framebuffer, viewport and blending. The render passes that the actor takes
   /// part in (depth peeling) may change the shader.
   /// @param paperColor null: ink alone
+  /// @param reach pixels by which ink may go beyond the surface
   /// @param depthBias view units that the ink lies in front of the surface
   void DrawComposite(const InkView& view, const InkSplatImage& surface, const InkSplatImage& ink,
-    const double paperColor[3], double opacity, double depthBias, vtkAbstractMapper* mapper, vtkActor* actor);
+    const double paperColor[3], double opacity, int reach, double depthBias, vtkAbstractMapper* mapper,
+    vtkActor* actor);
 
 private:
   vtkOpenGLQuadHelper& Find(

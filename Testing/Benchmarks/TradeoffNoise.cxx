@@ -187,7 +187,7 @@ int main()
     "then leaves no "
     "specks, and differs little more than 100,000 blue samples, the default, in a quarter of the time of as "
     "many blue "
-    "ones. Fewer white samples differ by up to three times as much as as many blue ones.",
+    "ones. Of fewer, white ones differ two to five times as much as blue ones do.",
     "ink that differs from that of 16 times as many samples (at most 6 million), of all; specks: the share "
     "of ink in "
     "spots of up to 8 pixels",

@@ -387,6 +387,25 @@ def test_surface_example_is_short_and_draws(tmp_path):
     assert 0.5 < numpy.mean(grey > 0.95) < 0.999 and 0.0005 < numpy.mean(grey < 0.5) < 0.2
 
 
+def test_animation_example_is_short_and_draws(tmp_path):
+    example = EXAMPLE.with_name("animation.py")
+    assert len(example.read_text().splitlines()) <= 45
+    result = subprocess.run(
+        [sys.executable, str(example), "3"], cwd=tmp_path, capture_output=True, text=True, timeout=300
+    )
+    assert result.returncode == 0 and not result.stderr, result.stderr
+    pictures = []
+    for frame in range(3):
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(tmp_path / f"animation_{frame:02d}.png"))
+        reader.Update()
+        scalars = reader.GetOutput().GetPointData().GetScalars()
+        grey = numpy_support.vtk_to_numpy(scalars)[:, :3].mean(axis=1) / 255
+        assert 0.5 < numpy.mean(grey > 0.95) < 0.999 and 0.002 < numpy.mean(grey < 0.5) < 0.2
+        pictures.append(grey)
+    assert not numpy.array_equal(pictures[0], pictures[1]) and not numpy.array_equal(pictures[1], pictures[2])
+
+
 def test_example_is_short_and_draws(tmp_path):
     assert len(EXAMPLE.read_text().splitlines()) <= 25
     result = subprocess.run(

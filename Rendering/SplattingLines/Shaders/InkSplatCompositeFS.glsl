@@ -11,6 +11,7 @@ uniform float farthest;     // beyond this distance there is no surface
 uniform vec3 paperColor;
 uniform bool paper;
 uniform float opacity;
+uniform int reach;       // pixels by which lines may go beyond the surface
 uniform float depthBias; // view units that the marks lie in front of the surface
 
 //VTK::DepthPeeling::Dec
@@ -21,12 +22,30 @@ void main()
 {
   ivec2 texel = ivec2(texCoord * vec2(textureSize(surface, 0)));
   float depth = texelFetch(surface, texel, 0).r;
-  if (depth > farthest)
+  bool beyond = depth > farthest;
+  if (beyond && reach == 0)
   {
     discard;
   }
   vec4 marks = texelFetch(ink, texel, 0);
-  if (!paper && marks.a * opacity < 0.002) // nothing that eight bits could show
+  if (beyond && marks.a > 0.0)
+  {
+    // The line belongs to the nearest surface around.
+    ivec2 last = textureSize(surface, 0) - 1;
+    for (int y = -reach; y <= reach; ++y)
+    {
+      for (int x = -reach; x <= reach; ++x)
+      {
+        depth = min(depth, texelFetch(surface, clamp(texel + ivec2(x, y), ivec2(0), last), 0).r);
+      }
+    }
+  }
+  if (depth > farthest)
+  {
+    discard;
+  }
+  bool alone = beyond || !paper;
+  if (alone && marks.a * opacity < 0.002) // nothing that eight bits could show
   {
     discard;
   }

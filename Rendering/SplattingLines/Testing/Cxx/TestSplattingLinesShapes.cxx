@@ -61,7 +61,7 @@ void TestSphere(InkTestChecks& check, int coarsestTexel)
       const double distance = camera->GetDistance();
       // The ring under which the eye sees the sphere.
       const double radius = (parallel ? 1.0 : distance / std::sqrt(distance * distance - 1.0)) / 1.25 * 100.0;
-      const double slack = (spacing > 0.06 ? 12.0 : 4.0) + (coarsestTexel > 1 ? 2.0 * coarsestTexel : 0.0);
+      const double slack = (spacing > 0.06 ? 12.0 : 4.0) + 2.0 * coarsestTexel;
       const int gaps = CountGaps(image, 100.0, 100.0, radius - 1.0, 2);
       const int stray = CountStray(image, 100.0, 100.0, radius, slack);
       if (!check(gaps == 0 && stray == 0, "a closed ring and nothing else; spacing ", spacing, ", texels ",

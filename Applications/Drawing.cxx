@@ -1,0 +1,83 @@
+#include "Drawing.h"
+
+#include "Errors.h"
+#include "Picture.h"
+#include "RenderCommand.h"
+#include "VtkMessages.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+namespace ink::cli
+{
+namespace
+{
+
+// Part of the picture's half width and height that stays free around the drawing.
+constexpr double margin = 0.05;
+
+} // namespace
+
+Drawing::Drawing(const RenderOptions& options)
+  : Options(options)
+{
+  this->Renderer->AddActor(this->Actor);
+  this->Window->OffScreenRenderingOn();
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(
+    options.size.width * PictureSize::supersampling, options.size.height * PictureSize::supersampling);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+Drawing::~Drawing() = default;
+
+View Drawing::view(double turned) const
+{
+  View view = namedViews().at(this->Options.view);
+  view.rotate(this->Options.azimuth + turned, this->Options.elevation);
+  return view;
+}
+
+CameraFit Drawing::makeFit(const std::array<double, 3>& pivot) const
+{
+  const double aspect = static_cast<double>(this->Options.size.width) / this->Options.size.height;
+  return { aspect, margin, this->Options.parallel, pivot };
+}
+
+vtkSmartPointer<vtkImageData> Drawing::draw(const Subject& subject, const CameraFit& fit, double turned)
+{
+  const VtkMessages messages;
+  this->Actor->SetMapper(subject.mapper);
+  if (subject.light != this->Light)
+  {
+    this->Renderer->RemoveAllLights();
+    this->Renderer->AddLight(subject.light);
+    this->Light = subject.light;
+  }
+  vtkNew<vtkCamera> camera;
+  fit.apply(camera, this->view(turned));
+  camera->Zoom(this->Options.zoom);
+  this->Renderer->SetActiveCamera(camera);
+  this->Renderer->ResetCameraClippingRange();
+
+  const auto drawOn = [&](Color background)
+  {
+    this->Renderer->SetBackground(background.data());
+    this->Window->Render();
+    return takePicture(this->Window, PictureSize::supersampling);
+  };
+  auto picture = this->Options.transparent ? findAlpha(drawOn({ 0, 0, 0 }), drawOn({ 1, 1, 1 }))
+                                           : drawOn(subject.background);
+  if (const std::string problem = messages.error(); !problem.empty())
+  {
+    throw Failure("drawing failed: " + problem);
+  }
+  return picture;
+}
+
+} // namespace ink::cli

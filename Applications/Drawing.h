@@ -1,0 +1,45 @@
+#pragma once
+
+#include "FitCamera.h"
+#include "Subject.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkActor;
+class vtkImageData;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace ink::cli
+{
+
+/// The window that pictures are drawn in, one after the other.
+class Drawing
+{
+public:
+  /// \param options kept as a reference
+  explicit Drawing(const RenderOptions& options);
+  ~Drawing();
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+
+  /// The view that the options ask for.
+  /// \param turned degrees that the viewer goes further to the right
+  View view(double turned = 0.0) const;
+
+  /// A fit for this window's shape.
+  CameraFit makeFit(const std::array<double, 3>& pivot = { 0, 0, 0 }) const;
+
+  /// \throw Failure if VTK complains
+  vtkSmartPointer<vtkImageData> draw(const Subject& subject, const CameraFit& fit, double turned = 0.0);
+
+private:
+  const RenderOptions& Options;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkLight> Light;
+};
+
+} // namespace ink::cli

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Styles of lines: hardness, width, thinning, speckles, dashes, colours by scalars and by tone, papers.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestPoints.h"
+#include "SplattingLinesScene.h"
+
+#include "Sampling/Hash.h"
+
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Torus()
+{
+  return InkTestPoints::Torus(1.0, 0.4, 0.02);
+}
+
+/// A torus whose normals are so noisy that there are speckles between its lines.
+vtkSmartPointer<vtkPolyData> NoisyTorus()
+{
+  auto points = Torus();
+  vtkDataArray* normals = points->GetPointData()->GetArray("Normals");
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double n[3];
+    normals->GetTuple(i, n);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto id = static_cast<std::uint64_t>(3 * i + axis);
+      n[axis] += 0.5 * (ink::unitDouble(ink::hash(7, id)) - 0.5);
+    }
+    normals->SetTuple(i, n);
+  }
+  return points;
+}
+
+int CountGrays(const InkTestImage& image)
+{
+  int grays = 0;
+  for (int y = 0; y < image.GetHeight(); ++y)
+  {
+    for (int x = 0; x < image.GetWidth(); ++x)
+    {
+      grays += image.Gray(x, y) > 20 && image.Gray(x, y) < 235;
+    }
+  }
+  return grays;
+}
+
+/// Dark pixels that hang together by sides or corners.
+int CountSpots(const InkTestImage& image)
+{
+  std::set<std::pair<int, int>> dark;
+  for (int y = 0; y < image.GetHeight(); ++y)
+  {
+    for (int x = 0; x < image.GetWidth(); ++x)
+    {
+      if (image.IsDark(x, y))
+      {
+        dark.emplace(x, y);
+      }
+    }
+  }
+  int spots = 0;
+  while (!dark.empty())
+  {
+    ++spots;
+    std::vector<std::pair<int, int>> rest{ *dark.begin() };
+    dark.erase(dark.begin());
+    while (!rest.empty())
+    {
+      const auto [x, y] = rest.back();
+      rest.pop_back();
+      for (int i = 0; i < 9; ++i)
+      {
+        const std::pair<int, int> next(x + i % 3 - 1, y + i / 3 - 1);
+        if (dark.erase(next) > 0)
+        {
+          rest.push_back(next);
+        }
+      }
+    }
+  }
+  return spots;
+}
+
+void TestHardness(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Torus());
+  scene.Mapper->SetPhi(40.0);
+  int last = 1 << 30;
+  for (double hardness : { 0.0, 0.5, 0.9, 1.0 })
+  {
+    scene.Mapper->SetHardness(hardness);
+    const int grays = CountGrays(InkTestImage(scene.Window));
+    check(hardness == 1.0 ? grays <= last : grays < last, "fewer grays with hardness ", hardness, ": ", grays,
+      " after ", last);
+    last = grays;
+  }
+  scene.Mapper->SetHardness(0.0);
+  const int soft = InkTestImage(scene.Window).CountDark();
+  scene.Mapper->SetHardness(1.0);
+  const int hard = InkTestImage(scene.Window).CountDark();
+  check(
+    std::abs(hard - soft) < 0.1 * soft, "lines that are hard as wide at half their ink: ", hard, ", ", soft);
+}
+
+void TestWidth(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Torus());
+  double last = -1.0;
+  for (double width : { -20.0, -10.0, -5.0, -2.5, 0.0, 2.5, 5.0, 10.0, 20.0 })
+  {
+    scene.Mapper->SetLineWidth(width);
+    const double ink = InkTestImage(scene.Window).Ink();
+    check(
+      ink > last || (ink == 0.0 && last == 0.0), "more ink with width ", width, ": ", ink, " after ", last);
+    last = ink;
+  }
+  // Twenty thousandths of 200 pixels: two on each side of the line.
+  scene.Mapper->SetLineWidth(0.0);
+  scene.Mapper->SetHardness(1.0);
+  const auto width = [&scene]()
+  {
+    const InkTestImage image(scene.Window);
+    int dark = 0;
+    for (int x = 0; x < 60; ++x)
+    {
+      dark += image.IsDark(x, 100);
+    }
+    return dark;
+  };
+  const int plain = width();
+  scene.Mapper->SetLineWidth(20.0);
+  check(plain > 0 && width() == plain + 4, "four pixels more: ", width(), " after ", plain);
+}
+
+void TestThinning(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Torus());
+  scene.Mapper->SetPhi(500.0);
+  const InkTestImage whole(scene.Window);
+  scene.Mapper->ThinningOn();
+  const InkTestImage thin(scene.Window);
+  check(thin.Ink() < 0.75 * whole.Ink(), "less ink: ", thin.Ink(), " of ", whole.Ink());
+  int blocks = 0;
+  int added = 0;
+  for (int y = 0; y + 1 < 200; ++y)
+  {
+    for (int x = 0; x + 1 < 200; ++x)
+    {
+      blocks +=
+        thin.IsDark(x, y) && thin.IsDark(x + 1, y) && thin.IsDark(x, y + 1) && thin.IsDark(x + 1, y + 1);
+      added += thin.Gray(x, y) < whole.Gray(x, y);
+    }
+  }
+  check(blocks == 0, "no square of 2 x 2 dark pixels in thin lines, found ", blocks);
+  check(added == 0, "no ink where there was none, found ", added);
+}
+
+void TestSpeckles(InkTestChecks& check)
+{
+  SplattingLinesScene scene(NoisyTorus());
+  scene.Mapper->SetLambda(1.2);
+  const InkTestImage noisy(scene.Window);
+  double last = noisy.Ink();
+  for (double length : { 4.0, 8.0, 16.0, 32.0 })
+  {
+    scene.Mapper->SetSpeckleLength(length);
+    const InkTestImage image(scene.Window);
+    check(length > 8.0 ? image.Ink() <= last : image.Ink() < last, "less ink without speckles of ", length,
+      " pixels: ", image.Ink());
+    last = image.Ink();
+  }
+  scene.Mapper->SetSpeckleLength(1000.0);
+  check(InkTestImage(scene.Window).CountDark(250) == 0, "nothing is longer than the picture");
+}
+
+void TestDashes(InkTestChecks& check)
+{
+  SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.02));
+  scene.Mapper->SetPhi(500.0);
+  const double whole = InkTestImage(scene.Window).Ink();
+  scene.Mapper->SetLayerDashLength(0, 40.0); // 8 pixels
+  const InkTestImage dashed(scene.Window);
+  const double share = dashed.Ink() / whole;
+  check(share > 0.4 && share < 0.65, "about half of the ring in dashes: ", share);
+  double radius = 0.0;
+  for (int x = 100; x < 200; ++x)
+  {
+    radius = dashed.CountDark(x, 60, x + 1, 140) > 0 ? x - 100.0 : radius;
+  }
+  const double expected = 2.0 * vtkMath::Pi() * radius / 16.0;
+  const int dashes = CountSpots(dashed);
+  check(
+    std::abs(dashes - expected) < 0.2 * expected, "dashes and gaps of 8 pixels: ", dashes, " of ", expected);
+}
+
+void TestScalars(InkTestChecks& check)
+{
+  auto points = Torus();
+  vtkNew<vtkFloatArray> side;
+  side->SetName("Side");
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    side->InsertNextValue(points->GetPoint(i)[0] > 0.0 ? 1.0f : 0.0f);
+  }
+  points->GetPointData()->SetScalars(side);
+  SplattingLinesScene scene(points);
+  const InkTestImage black(scene.Window);
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(2);
+  table->SetTableValue(0, 1.0, 0.0, 0.0);
+  table->SetTableValue(1, 0.0, 0.0, 1.0);
+  scene.Mapper->SetLookupTable(table);
+  scene.Mapper->SetScalarRange(0.0, 1.0);
+  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "scalars colour nothing unless they are to");
+  scene.Mapper->SetColorMode(vtkInkSplattingLinesMapper::SCALARS);
+  const InkTestImage colored(scene.Window);
+  int wrong = 0;
+  int lines = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      if (black.Gray(x, y) < 20 && std::abs(x - 100) > 4)
+      {
+        ++lines;
+        wrong += colored.Channel(x, y, x < 100 ? 0 : 2) < 230 || colored.Channel(x, y, x < 100 ? 2 : 0) > 20;
+      }
+    }
+  }
+  check(lines > 300 && wrong < lines / 100, "red lines to the left, blue ones to the right; ", wrong, " of ",
+    lines, " are not");
+  scene.Mapper->ScalarVisibilityOff();
+  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "no colours with ScalarVisibility off");
+
+  // Scalars of cells say nothing about points.
+  points->GetPointData()->SetScalars(nullptr);
+  vtkNew<vtkFloatArray> cell;
+  cell->SetName("Cell");
+  cell->InsertNextValue(1.0f);
+  vtkNew<vtkIdList> ids;
+  ids->InsertNextId(0);
+  points->AllocateExact(1, 1);
+  points->InsertNextCell(VTK_VERTEX, ids);
+  points->GetCellData()->SetScalars(cell);
+  points->Modified();
+  scene.Mapper->ScalarVisibilityOn();
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  scene.Window->Render();
+  scene.Window->Render();
+  check(
+    messages->Messages.size() == 1 && messages->Messages[0].find("scalars of points") != std::string::npos,
+    "one message that names what colours come from, found ", messages->Messages.size());
+}
+
+void TestTone(InkTestChecks& check)
+{
+  // A dent's lines lie where the surface faces the viewer, the contour's where it does not.
+  SplattingLinesScene scene(Torus());
+  const InkTestImage black(scene.Window);
+  scene.Mapper->SetColorMode(vtkInkSplattingLinesMapper::TONE);
+  scene.Mapper->SetInkColor(0.0, 0.0, 0.0);
+  scene.Mapper->SetToneColor(1.0, 0.0, 0.0);
+  const InkTestImage toned(scene.Window);
+  int redder = 0;
+  int greener = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      redder += toned.Channel(x, y, 0) > black.Channel(x, y, 0) + 20;
+      greener += std::abs(toned.Channel(x, y, 1) - black.Channel(x, y, 1)) > 1;
+    }
+  }
+  check(redder > 50 && greener == 0, "some red in the lines, and nothing else: ", redder, ", ", greener);
+}
+
+/// The same ink on any paper.
+void TestPapers(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Torus());
+  const InkTestImage onWhite(scene.Window);
+  scene.Mapper->SetInkColor(1.0, 1.0, 1.0);
+  scene.Mapper->SetPaperColor(0.0, 0.0, 0.0);
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  const InkTestImage onBlack(scene.Window);
+  int different = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      different += std::abs(onWhite.Gray(x, y) + onBlack.Gray(x, y) - 255) > 1;
+    }
+  }
+  check(different == 0, "white on black is the negative; ", different, " pixels are not");
+  scene.Mapper->SetInkColor(0.0, 0.0, 0.0);
+  scene.Mapper->PaperVisibilityOff();
+  scene.Renderer->SetBackground(1.0, 1.0, 1.0);
+  check(InkTestImage(scene.Window).CountDifferent(onWhite, 3) == 0,
+    "ink alone on a white background is the same");
+}
+
+/// Only what is asked for: no splat is drawn again for a style, nothing is sent to the GPU.
+void TestUploads(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Torus());
+  scene.Window->Render();
+  const vtkMTimeType time = scene.Mapper->GetUploadTime();
+  scene.Mapper->SetHardness(0.5);
+  scene.Mapper->SetLineWidth(3.0);
+  scene.Mapper->HiddenLayersOn();
+  scene.Mapper->SetColorMode(vtkInkSplattingLinesMapper::TONE);
+  scene.Mapper->SetPointFraction(0.5);
+  scene.Window->Render();
+  check(scene.Mapper->GetUploadTime() == time, "no upload for styles, layers and a part of the points");
+}
+
+} // namespace
+
+int TestSplattingLinesStyle(int, char*[])
+{
+  InkTestChecks check;
+  TestHardness(check);
+  TestWidth(check);
+  TestThinning(check);
+  TestSpeckles(check);
+  TestDashes(check);
+  TestScalars(check);
+  TestTone(check);
+  TestPapers(check);
+  TestUploads(check);
+  return check.Result();
+}
