@@ -6,18 +6,16 @@
 #include "Video.h"
 
 #include "vtkInkSplattingLinesMapper.h"
-#include "vtkNew.h"
 
 #include <regex>
-#include <sstream>
 
 namespace ink::cli
 {
 namespace
 {
 
-constexpr const char* lines = "splatting-lines";
-constexpr const char* stipples = "stipple";
+constexpr const char* linesStyle = "splatting-lines";
+constexpr const char* stippleStyle = "stipple";
 
 } // namespace
 
@@ -32,7 +30,7 @@ void RenderArguments::add(CLI::App* command)
     ->type_name("OUT.png");
   command->add_option("--style", this->style, "way of drawing: splatting-lines or stipple (splatting-lines)")
     ->type_name("NAME")
-    ->check(CLI::IsMember({ lines, stipples }));
+    ->check(CLI::IsMember({ linesStyle, stippleStyle }));
   command
     ->add_option("--iso", this->options.isoValues,
       "value of the surface to draw in a volume; may be given several times. Without it, lines choose one "
@@ -82,37 +80,10 @@ void RenderArguments::add(CLI::App* command)
 
   this->addAnimation(command);
   this->addColors(command);
-  this->addLines(command);
+  this->lines.add(command);
   this->stipple.add(command);
   this->cloud.add(command);
   this->input.addReading(command);
-}
-
-void RenderArguments::addLines(CLI::App* command)
-{
-  // Ranges and defaults are the mapper's own.
-  vtkNew<vtkInkSplattingLinesMapper> mapper;
-  const auto add = [&](const char* name, std::optional<double>& value, const char* effect, double least,
-                     double greatest, double preset)
-  {
-    std::ostringstream description;
-    description << effect << " (" << preset << ")";
-    this->linesAlone.push_back(
-      command->add_option(name, value, description.str())->check(within(least, greatest))->group("Lines"));
-  };
-  add("--tau", this->options.tau, "threshold: more lines with a larger one", mapper->GetTauMinValue(),
-    mapper->GetTauMaxValue(), mapper->GetTau());
-  add("--phi", this->options.phi, "strength: darker lines with a larger one", mapper->GetPhiMinValue(),
-    mapper->GetPhiMaxValue(), mapper->GetPhi());
-  add("--lambda", this->options.lambda, "detail: fewer, broader lines with a larger one",
-    mapper->GetLambdaMinValue(), mapper->GetLambdaMaxValue(), mapper->GetLambda());
-  add("--sigma", this->options.sigma, "width of the narrower Gaussian as part of a splat",
-    mapper->GetSigmaMinValue(), mapper->GetSigmaMaxValue(), mapper->GetSigma());
-  this->linesAlone.push_back(command
-                               ->add_flag("--as-published", this->options.asPublished,
-                                 "splat exactly as in the paper: without what makes contours solid and "
-                                 "lines smooth")
-                               ->group("Lines"));
 }
 
 void RenderArguments::addAnimation(CLI::App* command)
@@ -140,7 +111,7 @@ std::optional<Animation> RenderArguments::animation() const
   }
   Animation animation;
   animation.framesPerSecond = this->framesPerSecond;
-  if (series && this->style == stipples)
+  if (series && this->style == stippleStyle)
   {
     throw UsageError("--style stipple: expected one file, found a series; lines are drawn of series");
   }
@@ -168,7 +139,7 @@ void RenderArguments::addColors(CLI::App* command)
       "Stipples: colour of the page (the preset's); on a page darker than the ink, they show light")
     ->type_name("COLOR")
     ->group(group);
-  this->linesAlone.push_back(
+  this->lines.all.push_back(
     command->add_option("--background", this->background, "lines: colour around the subject (white)")
       ->type_name("COLOR")
       ->group(group));
@@ -231,9 +202,9 @@ void RenderArguments::run()
   const bool noPaper = this->paperColor == "none";
   const std::optional<Color> ink = colorOf("--ink-color", this->inkColor);
   const std::optional<Color> paper = noPaper ? std::nullopt : colorOf("--paper-color", this->paperColor);
-  if (this->style == stipples)
+  if (this->style == stippleStyle)
   {
-    this->refuse(this->linesAlone, lines);
+    this->refuse(this->lines.all, linesStyle);
     if (noPaper)
     {
       throw UsageError(
@@ -248,8 +219,8 @@ void RenderArguments::run()
   }
   else
   {
-    this->refuse(this->stipple.all, stipples);
-    this->options.inkColor = ink.value_or(this->options.inkColor);
+    this->refuse(this->stipple.all, stippleStyle);
+    this->options.lines = this->lines.mapper(ink);
     this->options.paperColor = paper ? paper : this->options.paperColor;
     if (noPaper)
     {

@@ -2,6 +2,7 @@
 
 #include "CloudArguments.h"
 #include "InputArguments.h"
+#include "LinesArguments.h"
 #include "RenderCommand.h"
 #include "StippleArguments.h"
 
@@ -23,14 +24,13 @@ struct RenderArguments
   std::string background;
   CloudArguments cloud;
   StippleArguments stipple;
-  CLI::App* app = nullptr;              ///< knows which options were given
-  std::vector<CLI::Option*> linesAlone; ///< those that only splatting lines have
+  LinesArguments lines;
+  CLI::App* app = nullptr; ///< knows which options were given
 
   void add(CLI::App* command);
   void run();
 
 private:
-  void addLines(CLI::App* command);
   void addColors(CLI::App* command);
   void addAnimation(CLI::App* command);
   std::optional<Animation> animation() const;

@@ -9,17 +9,12 @@
 #include "RenderFrames.h"
 #include "Surface.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkStippleMapper.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -31,21 +26,6 @@ namespace ink::cli
 {
 namespace
 {
-
-void setUpMapper(vtkInkSplattingLinesMapper* mapper, const RenderOptions& options)
-{
-  mapper->SetTau(options.tau.value_or(mapper->GetTau()));
-  mapper->SetPhi(options.phi.value_or(mapper->GetPhi()));
-  mapper->SetLambda(options.lambda.value_or(mapper->GetLambda()));
-  mapper->SetSigma(options.sigma.value_or(mapper->GetSigma()));
-  mapper->SetAsPublished(options.asPublished);
-  mapper->SetInkColor(options.inkColor.data());
-  mapper->SetPaperVisibility(options.paperColor.has_value());
-  if (options.paperColor)
-  {
-    mapper->SetPaperColor(options.paperColor->data());
-  }
-}
 
 /// Light that stays with the viewer.
 /// \param azimuth, elevation where it comes from: degrees to the right of the viewer and above
@@ -66,7 +46,6 @@ SubjectMaker::SubjectMaker(const RenderOptions& options, bool follow)
   : Options(options)
   , IsoValues(options.isoValues)
   , Meshes({ .count = options.samples, .priority = false, .cloud = options.cloud }, follow)
-  , Lines(vtkSmartPointer<vtkInkSplattingLinesMapper>::New())
 {
 }
 
@@ -89,9 +68,13 @@ Subject SubjectMaker::makeLines(const Input& input, Progress& progress)
   Subject subject;
   subject.points = surface.points;
   subject.notes = std::move(surface.notes);
-  this->Lines->SetInputData(subject.points);
-  setUpMapper(this->Lines, this->Options);
-  subject.mapper = this->Lines;
+  this->Options.lines->SetInputData(subject.points);
+  this->Options.lines->SetPaperVisibility(this->Options.paperColor.has_value());
+  if (this->Options.paperColor)
+  {
+    this->Options.lines->SetPaperColor(this->Options.paperColor->data());
+  }
+  subject.mapper = this->Options.lines;
   subject.background = this->Options.background;
   return subject;
 }

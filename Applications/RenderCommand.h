@@ -6,7 +6,11 @@
 #include "StippleStyle.h"
 #include "View.h"
 
+#include "vtkSmartPointer.h"
+
 #include <optional>
+
+class vtkInkSplattingLinesMapper;
 
 namespace ink::cli
 {
@@ -51,15 +55,9 @@ struct RenderOptions
   double zoom = 1;
   bool parallel = false;
   PictureSize size;
-  std::optional<StippleStyle> stipple; ///< none: splatting lines
-  /// Those of vtkInkSplattingLinesMapper; what is not given stays at its default.
-  std::optional<double> tau;
-  std::optional<double> phi;
-  std::optional<double> lambda;
-  std::optional<double> sigma;
-  bool asPublished = false; ///< the paper's splats, without the mapper's additions
-  Color inkColor{ 0, 0, 0 };
-  std::optional<Color> paperColor{ { 1, 1, 1 } }; ///< none: ink only
+  std::optional<StippleStyle> stipple;
+  vtkSmartPointer<vtkInkSplattingLinesMapper> lines; ///< unless there are stipples
+  std::optional<Color> paperColor{ { 1, 1, 1 } };    ///< none: ink only
   Color background{ 1, 1, 1 };
   bool transparent = false;
   std::optional<Animation> animation; ///< none: one picture

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-class vtkInkSplattingLinesMapper;
 class vtkLight;
 class vtkMapper;
 class vtkPolyData;
@@ -29,7 +28,7 @@ struct Subject
   std::vector<std::string> notes;
 };
 
-/// Makes subjects, one or the frames of an animation, with one mapper.
+/// Makes subjects, one or the frames of an animation, with the one mapper of the options.
 class SubjectMaker
 {
 public:
@@ -50,7 +49,6 @@ private:
   const RenderOptions& Options;
   std::vector<double> IsoValues;
   MeshSampler Meshes;
-  vtkSmartPointer<vtkInkSplattingLinesMapper> Lines;
 };
 
 } // namespace ink::cli

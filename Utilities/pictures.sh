@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# Draws the pictures of Documentation/stipple.md with the headless build: pairs, without and with what they show.
+# Draws the pictures of Documentation/stipple.md and Documentation/splatting-lines.md with the headless build, those of
+# one page with its name:  Utilities/pictures.sh [stipple|splatting-lines]
+# Most are pairs, without and with what they show.
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -10,41 +12,81 @@ images="Documentation/images"
 mkdir -p "$work"
 "$INK_PYTHON" Utilities/pictures.py mesh Data/engine.nii.gz 80 "$work/engine.ply"
 
-bonsai="Data/bonsai.nii.gz --view front --elevation 12 --percentile 97"
-engine="Data/engine.nii.gz --view iso"
-block="$work/engine.ply --view iso"
-
-# picture NAME OPTIONS...: one drawing
+# picture NAME OPTIONS...: one drawing, in $style
 picture() {
   local name="$1"
   shift
   # shellcheck disable=SC2086
-  ink render $* --style stipple --size 320x320 --quiet -o "$work/$name.png"
+  ink render $* --style $style --size ${size:-320x320} --quiet -o "$work/$style-$name.png"
 }
 
-# pair NAME COMMON LEFT RIGHT: two drawings beside each other, as Documentation/images/stipple-NAME.png
-pair() {
-  picture "$1-0" $2 $3
-  picture "$1-1" $2 $4
-  "$INK_PYTHON" Utilities/pictures.py join "$images/stipple-$1.png" "$work/$1-0.png" "$work/$1-1.png"
-  echo "$images/stipple-$1.png"
+# series NAME COMMON OPTIONS...: drawings beside each other, as Documentation/images/STYLE-NAME.png
+series() {
+  local name="$1" common="$2" parts=() one
+  shift 2
+  for one in "$@"; do
+    picture "$name-${#parts[@]}" "$common" "$one"
+    parts+=("$work/$style-$name-${#parts[@]}.png")
+  done
+  "$INK_PYTHON" Utilities/pictures.py join "$images/$style-$name.png" "${parts[@]}"
+  echo "$images/$style-$name.png"
 }
 
-plain="--interior 0 --distance 0"
-pair boundary "$bonsai $plain --silhouette off --pixels-per-stipple 12" "--boundary off" "--boundary 0.1,1.5,1"
-pair silhouette "$engine $plain --lighting off --pixels-per-stipple 25" "--silhouette off" "--silhouette 0.3,3,0.3"
-pair resolution "$block --lighting off --distance 0 --pixels-per-stipple 16" "--resolution off" "--resolution -2,1"
-pair lighting "$block --distance 0" "--lighting off" "--lighting 1"
-pair distance "$engine" "--distance 0" "--distance 0.5"
-pair size "$engine" "--distance-ks 1,0 --interior-ks 0.3,0" "--distance-ks 1,1 --interior-ks 0.3,1"
-pair interior "$bonsai" "--interior 0" "--interior 0.4"
-pair color "$block" "" "--color 1"
-pair occluder "$engine" "" "--iso 80"
-pair parts "$engine --zoom 0.6" "--parts probability" "--parts intensity"
-presets=()
-for preset in anatomy bone soft-tissue engineering plate-white-on-black; do
-  picture "preset-$preset" "$engine" --preset $preset
-  presets+=("$work/preset-$preset.png")
-done
-"$INK_PYTHON" Utilities/pictures.py join "$images/stipple-presets.png" "${presets[@]}"
-echo "$images/stipple-presets.png"
+stipple_pictures() {
+  local style=stipple
+  local bonsai="Data/bonsai.nii.gz --view front --elevation 12 --percentile 97"
+  local engine="Data/engine.nii.gz --view iso"
+  local block="$work/engine.ply --view iso"
+  local plain="--interior 0 --distance 0"
+  series boundary "$bonsai $plain --silhouette off --pixels-per-stipple 12" "--boundary off" "--boundary 0.1,1.5,1"
+  series silhouette "$engine $plain --lighting off --pixels-per-stipple 25" "--silhouette off" "--silhouette 0.3,3,0.3"
+  series resolution "$block --lighting off --distance 0 --pixels-per-stipple 16" "--resolution off" "--resolution -2,1"
+  series lighting "$block --distance 0" "--lighting off" "--lighting 1"
+  series distance "$engine" "--distance 0" "--distance 0.5"
+  series size "$engine" "--distance-ks 1,0 --interior-ks 0.3,0" "--distance-ks 1,1 --interior-ks 0.3,1"
+  series interior "$bonsai" "--interior 0" "--interior 0.4"
+  series color "$block" "" "--color 1"
+  series occluder "$engine" "" "--iso 80"
+  series parts "$engine --zoom 0.6" "--parts probability" "--parts intensity"
+  series presets "$engine" "--preset anatomy" "--preset bone" "--preset soft-tissue" "--preset engineering" \
+    "--preset plate-white-on-black"
+}
+
+lines_pictures() {
+  local style=splatting-lines
+  local engine="Data/engine.nii.gz --iso 80 --view iso"
+  local bonsai="Data/bonsai.nii.gz --iso 40 --view front --elevation 12"
+  series tau "$bonsai" "--tau 0.96" "" "--tau 1.01"
+  series phi "$engine" "--phi 10" "--phi 30" ""
+  series lambda "$bonsai --zoom 1.5" "--lambda 1" "" "--lambda 10"
+  series sigma "$engine" "--sigma 0.2" "" "--sigma 1"
+  series published "$engine --zoom 1.5" "--as-published" ""
+  series colors "$engine" "--ink-color white --paper-color black --background black" \
+    "--ink-color #993300 --paper-color #ffffcc --background #ffffcc" "--paper-color none"
+  series minimum-radius "$engine" "" "--minimum-radius 6" "--minimum-radius 12"
+  series layers "$engine" "" "--layers 2" "--layers 8 --hidden-strength 0.5"
+  series hidden "$engine --layers 2 --hidden-strength 1" "--hidden-dashes 12" "--hidden-width -2" \
+    "--hidden-color #cc3300"
+  series back-faces "$engine --layers 2" "" "--peel-back-faces"
+  series width "$engine" "--line-width -2" "" "--line-width 5"
+  series thin "$engine" "" "--thin" "--thin --line-width 5"
+  series hardness "$engine --phi 10" "--hardness 0" "--hardness 0.6" "--hardness 1"
+  series speckles "$bonsai --tau 0.995" "" "--speckles 5" "--speckles 20"
+  series tone "$engine --line-width 3" "" "--tone-color #ff6600"
+  series texel "$bonsai --lambda 8" "--coarsest-texel 1" "--coarsest-texel 2" "--coarsest-texel 4"
+  series fraction "$bonsai" "" "--point-fraction 0.3" "--point-fraction 0.05"
+  series iso "Data/bonsai.nii.gz --view front --elevation 12" "--iso 25" "--iso 40" "--iso 150"
+  series samples "$work/engine.ply --view iso" "--samples 20000" "--samples 100000" "--samples 1000000"
+  local noise
+  for noise in white blue; do
+    ink sample "$work/engine.ply" "$work/$noise.vtp" --count 120000 --noise $noise --quiet
+  done
+  series noise "--view iso" "$work/white.vtp" "$work/blue.vtp"
+}
+
+case "${1:-all}" in
+  stipple) stipple_pictures ;;
+  splatting-lines) lines_pictures ;;
+  all) stipple_pictures && lines_pictures ;;
+  *) echo "pictures: found '$1', expected stipple or splatting-lines" >&2 && exit 2 ;;
+esac

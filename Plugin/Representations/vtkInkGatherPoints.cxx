@@ -2,9 +2,13 @@
 #include "vtkInkGatherPoints.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -15,6 +19,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -86,16 +91,47 @@ vtkSmartPointer<vtkDataArray> Take(vtkDataArray* array, vtkIdList* ids, const ch
   return taken;
 }
 
-vtkSmartPointer<vtkPolyData> TakeLeaf(vtkPointSet* leaf, vtkDataArray* normals, vtkIdList* ids)
+// The array to colour by, one value a point; null if there is none.
+vtkSmartPointer<vtkDataArray> FindColors(vtkPointSet* leaf, const std::string& name, int association)
+{
+  if (association != vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    return leaf->GetPointData()->GetArray(name.c_str());
+  }
+  vtkDataArray* ofCells = leaf->GetCellData()->GetArray(name.c_str());
+  if (!ofCells)
+  {
+    return nullptr;
+  }
+  auto cells = vtkSmartPointer<vtkPointSet>::Take(leaf->NewInstance());
+  cells->CopyStructure(leaf);
+  cells->GetCellData()->AddArray(ofCells);
+  vtkNew<vtkCellDataToPointData> toPoints;
+  toPoints->SetInputData(cells);
+  toPoints->Update();
+  return toPoints->GetOutput()->GetPointData()->GetArray(name.c_str());
+}
+
+vtkSmartPointer<vtkPolyData> TakeLeaf(
+  vtkPointSet* leaf, vtkDataArray* normals, vtkDataArray* colors, vtkIdList* ids)
 {
   auto taken = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetData(Take(leaf->GetPoints()->GetData(), ids, "Points"));
   taken->SetPoints(points);
-  taken->GetPointData()->SetNormals(Take(normals, ids, "Normals"));
-  if (vtkDataArray* radius = FindArray(leaf->GetPointData(), "Radius", 1))
+  vtkPointData* pointData = taken->GetPointData();
+  pointData->SetNormals(Take(normals, ids, "Normals"));
+  for (const char* name : { "Radius", "Priority" })
   {
-    taken->GetPointData()->AddArray(Take(radius, ids, "Radius"));
+    if (vtkDataArray* array = FindArray(leaf->GetPointData(), name, 1))
+    {
+      pointData->AddArray(Take(array, ids, name));
+    }
+  }
+  if (colors)
+  {
+    // Under a name of its own, as it may be one of the above.
+    pointData->SetScalars(Take(colors, ids, "InkColors"));
   }
   return taken;
 }
@@ -103,6 +139,12 @@ vtkSmartPointer<vtkPolyData> TakeLeaf(vtkPointSet* leaf, vtkDataArray* normals, 
 class Gatherer
 {
 public:
+  Gatherer(std::string colorArray, int association)
+    : ColorArray(std::move(colorArray))
+    , Association(association)
+  {
+  }
+
   void Add(vtkDataObject* leaf)
   {
     auto points = vtkPointSet::SafeDownCast(leaf);
@@ -123,7 +165,8 @@ public:
     }
     const auto owned = OwnedPoints(points);
     this->Result.IdsAreInputs &= !owned;
-    this->Last = TakeLeaf(points, normals, owned);
+    const auto colors = FindColors(points, this->ColorArray, this->Association);
+    this->Last = TakeLeaf(points, normals, colors, owned);
     this->Append->AddInputData(this->Last);
     ++this->Leaves;
   }
@@ -150,6 +193,8 @@ private:
     }
   }
 
+  const std::string ColorArray;
+  const int Association;
   vtkNew<vtkAppendPolyData> Append;
   vtkSmartPointer<vtkPolyData> Last = vtkSmartPointer<vtkPolyData>::New();
   int Leaves = 0;
@@ -157,9 +202,9 @@ private:
 
 } // namespace
 
-vtkInkGatheredPoints vtkInkGatherPoints(vtkDataObject* input)
+vtkInkGatheredPoints vtkInkGatherPoints(vtkDataObject* input, const std::string& colorArray, int association)
 {
-  Gatherer gatherer;
+  Gatherer gatherer(colorArray, association);
   if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     gatherer.Result.IdsAreInputs = false;

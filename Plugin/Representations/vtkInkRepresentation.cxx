@@ -2,6 +2,7 @@
 #include "vtkInkRepresentation.h"
 
 #include "vtkActor.h"
+#include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
@@ -25,9 +26,14 @@ constexpr const char* IdsAreInputs = "InkIdsAreInputs";
 
 } // namespace
 
-vtkInkRepresentation::vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces)
+vtkInkRepresentation::vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays)
   : Actor(std::move(actor))
+  , NumberOfArrays(arrays)
 {
+  for (int array = 0; array < arrays; ++array)
+  {
+    this->SetInputArrayToProcess(array, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+  }
   for (int piece = 0; piece < pieces; ++piece)
   {
     this->Pieces.push_back(vtkSmartPointer<vtkPolyData>::New());
@@ -67,9 +73,35 @@ void vtkInkRepresentation::MarkIdsAsInputs()
   }
 }
 
+std::string vtkInkRepresentation::GetArrayName(int array)
+{
+  const char* name = this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
+  return name ? name : "";
+}
+
+int vtkInkRepresentation::GetArrayAssociation(int array)
+{
+  return this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_ASSOCIATION());
+}
+
+std::string vtkInkRepresentation::DescribeArrays()
+{
+  std::string text;
+  for (int array = 0; array < this->NumberOfArrays; ++array)
+  {
+    text += std::to_string(this->GetArrayAssociation(array)) + this->GetArrayName(array) + "\n";
+  }
+  return text;
+}
+
 int vtkInkRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
+  if (request == vtkPVView::REQUEST_UPDATE() && this->Arrays != this->DescribeArrays())
+  {
+    this->Arrays = this->DescribeArrays();
+    this->MarkModified();
+  }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;

@@ -20,6 +20,7 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h" // for the pieces
 
+#include <string> // for arrays' names
 #include <vector> // for the pieces
 
 class vtkActor;
@@ -58,7 +59,9 @@ public:
 protected:
   /// @param actor to which the subclass gives its mapper
   /// @param pieces how many pieces of poly data the subclass draws from
-  vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces);
+  /// @param arrays how many arrays of its input it draws by, with SetInputArrayToProcess; the first is the
+  /// one to colour by. Without one, the name is empty. RequestData is run again when another is chosen.
+  vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays);
   ~vtkInkRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -72,6 +75,11 @@ protected:
   vtkPolyData* GetPiece(int piece);
   /// To be called in RequestData, for a first piece whose points have the ids of the input.
   void MarkIdsAsInputs();
+  ///@{
+  /// What SetInputArrayToProcess was told of an array.
+  std::string GetArrayName(int array);
+  int GetArrayAssociation(int array);
+  ///@}
   /// Hands the pieces of all processes to the mapper, each where it has been delivered, else null.
   virtual void Show(const std::vector<vtkPolyData*>& delivered) = 0;
 
@@ -82,9 +90,12 @@ private:
   void Deliver(vtkInformation* inInfo, vtkInformation* outInfo);
   bool DrawsOnThisProcess();
   void UpdatePickable();
+  std::string DescribeArrays();
 
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   const vtkSmartPointer<vtkActor> Actor;
+  const int NumberOfArrays;
+  std::string Arrays; ///< that the pieces were made with
   bool Pickable = true;
   bool PointIdsAreInputs = false;
 };

@@ -9,14 +9,23 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVView.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
 
 vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation()
-  : vtkInkRepresentation(vtkSmartPointer<vtkActor>::New(), 1)
+  : vtkInkRepresentation(vtkSmartPointer<vtkActor>::New(), 1, 1)
 {
   this->GetActor()->SetMapper(this->Mapper);
+  this->Mapper->UseLookupTableScalarRangeOn();
+  this->SetMapScalars(true);
 }
 
 vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = default;
@@ -24,7 +33,8 @@ vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = defa
 int vtkInkSplattingLinesRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkInkGatheredPoints gathered = vtkInkGatherPoints(vtkDataObject::GetData(inputVector[0], 0));
+  const vtkInkGatheredPoints gathered = vtkInkGatherPoints(
+    vtkDataObject::GetData(inputVector[0], 0), this->GetArrayName(0), this->GetArrayAssociation(0));
   this->GetPiece(0)->ShallowCopy(gathered.Points);
   if (gathered.IdsAreInputs)
   {
@@ -40,6 +50,39 @@ int vtkInkSplattingLinesRepresentation::RequestData(
 void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
 {
   this->Mapper->SetInputDataObject(delivered[0]);
+  this->UpdateColors();
+}
+
+int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_RENDER())
+  {
+    vtkPolyData* points = this->Mapper->GetInput();
+    const double count = points ? static_cast<double>(points->GetNumberOfPoints()) : 0.0;
+    const bool fewer = inInfo->Has(vtkPVRenderView::USE_LOD()) && this->PointsWhileMoving > 0;
+    this->Mapper->SetPointFraction(fewer ? this->PointsWhileMoving / std::max(count, 1.0) : 1.0);
+  }
+  return 1;
+}
+
+void vtkInkSplattingLinesRepresentation::UpdateColors()
+{
+  vtkPolyData* points = this->Mapper->GetInput();
+  const bool byArray = points && points->GetPointData()->GetScalars() && !this->GetArrayName(0).empty();
+  this->Mapper->SetScalarVisibility(byArray);
+  const int otherwise =
+    this->ColorByTone ? vtkInkSplattingLinesMapper::TONE : vtkInkSplattingLinesMapper::INK;
+  this->Mapper->SetColorMode(byArray ? vtkInkSplattingLinesMapper::SCALARS : otherwise);
+  const double* hidden = this->UseHiddenColor ? this->HiddenColor : this->Mapper->GetInkColor();
+  for (int layer = 1; layer < this->Mapper->GetNumberOfLayersMaxValue(); ++layer)
+  {
+    this->Mapper->SetLayerColor(layer, hidden);
+  }
 }
 
 void vtkInkSplattingLinesRepresentation::SetLambda(double lambda)
@@ -75,6 +118,7 @@ void vtkInkSplattingLinesRepresentation::SetRadius(double radius)
 void vtkInkSplattingLinesRepresentation::SetInkColor(double red, double green, double blue)
 {
   this->Mapper->SetInkColor(red, green, blue);
+  this->UpdateColors();
 }
 
 void vtkInkSplattingLinesRepresentation::SetPaperColor(double red, double green, double blue)
@@ -85,4 +129,125 @@ void vtkInkSplattingLinesRepresentation::SetPaperColor(double red, double green,
 void vtkInkSplattingLinesRepresentation::SetPaperVisibility(bool visible)
 {
   this->Mapper->SetPaperVisibility(visible);
+}
+
+void vtkInkSplattingLinesRepresentation::SetMinimumRadius(double radius)
+{
+  this->Mapper->SetMinimumRadius(radius);
+}
+
+void vtkInkSplattingLinesRepresentation::SetHardness(double hardness)
+{
+  this->Mapper->SetHardness(hardness);
+}
+
+void vtkInkSplattingLinesRepresentation::SetSpeckleLength(double length)
+{
+  this->Mapper->SetSpeckleLength(length);
+}
+
+void vtkInkSplattingLinesRepresentation::SetThinning(bool thinning)
+{
+  this->Mapper->SetThinning(thinning);
+}
+
+void vtkInkSplattingLinesRepresentation::SetCoarsestTexel(int pixels)
+{
+  this->Mapper->SetCoarsestTexel(pixels);
+}
+
+void vtkInkSplattingLinesRepresentation::SetHalfFloats(bool halfFloats)
+{
+  this->Mapper->SetHalfFloats(halfFloats);
+}
+
+void vtkInkSplattingLinesRepresentation::SetHiddenLayers(bool hiddenLayers)
+{
+  this->Mapper->SetHiddenLayers(hiddenLayers);
+}
+
+void vtkInkSplattingLinesRepresentation::SetNumberOfLayers(int layers)
+{
+  this->Mapper->SetNumberOfLayers(layers);
+}
+
+void vtkInkSplattingLinesRepresentation::SetPeelBackFaces(bool peel)
+{
+  this->Mapper->SetPeelBackFaces(peel);
+}
+
+void vtkInkSplattingLinesRepresentation::SetLineWidth(double width)
+{
+  this->Mapper->SetLayerLineWidth(0, width);
+}
+
+void vtkInkSplattingLinesRepresentation::SetToneColor(double red, double green, double blue)
+{
+  this->Mapper->SetToneColor(red, green, blue);
+}
+
+void vtkInkSplattingLinesRepresentation::SetColorByTone(bool byTone)
+{
+  this->ColorByTone = byTone;
+  this->UpdateColors();
+}
+
+void vtkInkSplattingLinesRepresentation::SetHiddenStrength(double strength)
+{
+  for (int layer = 1; layer < this->Mapper->GetNumberOfLayersMaxValue(); ++layer)
+  {
+    this->Mapper->SetLayerStrength(layer, strength);
+    strength *= 2.0 / 3.0;
+  }
+}
+
+void vtkInkSplattingLinesRepresentation::SetUseHiddenColor(bool use)
+{
+  this->UseHiddenColor = use;
+  this->UpdateColors();
+}
+
+void vtkInkSplattingLinesRepresentation::SetHiddenColor(double red, double green, double blue)
+{
+  this->HiddenColor[0] = red;
+  this->HiddenColor[1] = green;
+  this->HiddenColor[2] = blue;
+  this->UpdateColors();
+}
+
+void vtkInkSplattingLinesRepresentation::SetHiddenLineWidth(double width)
+{
+  for (int layer = 1; layer < this->Mapper->GetNumberOfLayersMaxValue(); ++layer)
+  {
+    this->Mapper->SetLayerLineWidth(layer, width);
+  }
+}
+
+void vtkInkSplattingLinesRepresentation::SetHiddenDashLength(double length)
+{
+  for (int layer = 1; layer < this->Mapper->GetNumberOfLayersMaxValue(); ++layer)
+  {
+    this->Mapper->SetLayerDashLength(layer, length);
+  }
+}
+
+void vtkInkSplattingLinesRepresentation::SetCullBackFaces(bool cull)
+{
+  this->GetActor()->GetProperty()->SetBackfaceCulling(cull);
+}
+
+void vtkInkSplattingLinesRepresentation::SetPointsWhileMoving(int points)
+{
+  this->PointsWhileMoving = points;
+}
+
+void vtkInkSplattingLinesRepresentation::SetLookupTable(vtkScalarsToColors* table)
+{
+  this->Mapper->SetLookupTable(table);
+}
+
+void vtkInkSplattingLinesRepresentation::SetMapScalars(bool map)
+{
+  // How scalars become colours, which is not what colours the lines.
+  this->Mapper->vtkMapper::SetColorMode(map ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
 }

@@ -8,6 +8,10 @@
  * if there is one. The leaves of a composite dataset are drawn as one set of points, so that lines run across
  * them; ghost points are left out. Points without normals draw nothing and give one warning.
  *
+ * Colours: the array that is chosen for the representation, of points or cells; none: the ink. While ParaView
+ * renders with a lower level of detail, as many points are drawn as PointsWhileMoving says, with larger
+ * radii.
+ *
  * @sa vtkInkSplattingLinesMapper vtkInkIsoSurfaceSampler
  */
 #ifndef vtkInkSplattingLinesRepresentation_h
@@ -18,6 +22,7 @@
 #include "vtkNew.h" // for the mapper
 
 class vtkInkSplattingLinesMapper;
+class vtkScalarsToColors;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkSplattingLinesRepresentation : public vtkInkRepresentation
 {
@@ -38,7 +43,53 @@ public:
   void SetInkColor(double red, double green, double blue);
   void SetPaperColor(double red, double green, double blue);
   void SetPaperVisibility(bool visible);
+  void SetMinimumRadius(double radius);
+  void SetHardness(double hardness);
+  void SetLineWidth(double width);
+  void SetSpeckleLength(double length);
+  void SetThinning(bool thinning);
+  void SetToneColor(double red, double green, double blue);
+  void SetCoarsestTexel(int pixels);
+  void SetHalfFloats(bool halfFloats);
+  void SetHiddenLayers(bool hiddenLayers);
+  void SetNumberOfLayers(int layers);
+  void SetPeelBackFaces(bool peel);
   ///@}
+
+  /// Where no array is chosen: lines go from the ink at contours to ToneColor where the surface faces the
+  /// viewer. Default: off.
+  void SetColorByTone(bool byTone);
+
+  ///@{
+  /**
+   * The lines of hidden layers. The second layer gets HiddenStrength of its ink, each further one two thirds
+   * of that before. HiddenColor holds with UseHiddenColor, else they have the ink's colour. Width and length
+   * of dashes as in vtkInkSplattingLinesMapper. Defaults: those of the mapper's second layer; UseHiddenColor:
+   * off; HiddenColor: a blue (0.2, 0.4, 0.7).
+   */
+  void SetHiddenStrength(double strength);
+  void SetUseHiddenColor(bool use);
+  void SetHiddenColor(double red, double green, double blue);
+  void SetHiddenLineWidth(double width);
+  void SetHiddenDashLength(double length);
+  ///@}
+
+  /// Leave out what faces away from the viewer: right for closed surfaces, and faster. Default: off.
+  void SetCullBackFaces(bool cull);
+
+  /// The most points that are drawn at a lower level of detail; 0: all. Default: 200000.
+  void SetPointsWhileMoving(int points);
+
+  ///@{
+  /**
+   * Colours of scalars; MapScalars off takes bytes, and numbers from 0 to 1, for colours. Default: on.
+   */
+  void SetLookupTable(vtkScalarsToColors* table);
+  void SetMapScalars(bool map);
+  ///@}
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
 protected:
   vtkInkSplattingLinesRepresentation();
@@ -51,7 +102,13 @@ private:
   vtkInkSplattingLinesRepresentation(const vtkInkSplattingLinesRepresentation&) = delete;
   void operator=(const vtkInkSplattingLinesRepresentation&) = delete;
 
+  void UpdateColors();
+
   vtkNew<vtkInkSplattingLinesMapper> Mapper;
+  bool ColorByTone = false;
+  bool UseHiddenColor = false;
+  double HiddenColor[3] = { 0.2, 0.4, 0.7 };
+  int PointsWhileMoving = 200000;
 };
 
 #endif

@@ -18,7 +18,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVView.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -47,19 +46,6 @@ enum Pieces
 /// more.
 constexpr const char* NumberNames[] = { "ElementKind", "ElementSize", "StipplesPerElement", "RoomFactor" };
 
-/// What the array of that index is, as text.
-std::string DescribeArray(vtkInformation* array)
-{
-  const char* name = array->Get(vtkDataObject::FIELD_NAME());
-  return std::to_string(array->Get(vtkDataObject::FIELD_ASSOCIATION())) + (name ? name : "");
-}
-
-std::string NameOf(vtkInformation* array)
-{
-  const char* name = array->Get(vtkDataObject::FIELD_NAME());
-  return name ? name : "";
-}
-
 /// @param room by how much a stipple's room is multiplied
 void WriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
 {
@@ -84,12 +70,10 @@ void WriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
 } // namespace
 
 vtkInkStippleRepresentation::vtkInkStippleRepresentation()
-  : vtkInkRepresentation(vtkSmartPointer<vtkInkStippleActor>::New(), PieceCount)
+  : vtkInkRepresentation(vtkSmartPointer<vtkInkStippleActor>::New(), PieceCount, 2)
   , PixelsPerStipple(this->Mapper->GetPixelsPerStipple())
 {
   this->GetActor()->SetMapper(this->Mapper);
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
-  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   this->Mapper->SetScalarModeToUseCellData();
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
@@ -113,23 +97,6 @@ int vtkInkStippleRepresentation::RequestUpdateExtent(
   return 1;
 }
 
-std::string vtkInkStippleRepresentation::GetArrays()
-{
-  return DescribeArray(this->GetInputArrayInformation(0)) + "\n" +
-    DescribeArray(this->GetInputArrayInformation(1));
-}
-
-int vtkInkStippleRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  if (request == vtkPVView::REQUEST_UPDATE() && this->Arrays != this->GetArrays())
-  {
-    this->Arrays = this->GetArrays();
-    this->MarkModified();
-  }
-  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-}
-
 int vtkInkStippleRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -149,10 +116,9 @@ int vtkInkStippleRepresentation::RequestData(
     }
   }
   wanted.Update = update;
-  vtkInformation* colors = this->GetInputArrayInformation(0);
-  wanted.ColorArray = NameOf(colors);
-  wanted.ColorAssociation = colors->Get(vtkDataObject::FIELD_ASSOCIATION());
-  wanted.Scalars = NameOf(this->GetInputArrayInformation(1));
+  wanted.ColorArray = this->GetArrayName(0);
+  wanted.ColorAssociation = this->GetArrayAssociation(0);
+  wanted.Scalars = this->GetArrayName(1);
   if (this->IsoSurfaceHides)
   {
     wanted.IsoValue = this->IsoValue;
@@ -206,7 +172,7 @@ void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivere
   this->Mapper->SetSurfaceData(
     delivered[Surface] && delivered[Surface]->GetNumberOfCells() > 0 ? delivered[Surface] : nullptr);
   this->Mapper->SetScalarVisibility(
-    this->Drawn->GetCellData()->GetScalars() && !NameOf(this->GetInputArrayInformation(0)).empty());
+    this->Drawn->GetCellData()->GetScalars() && !this->GetArrayName(0).empty());
   const double room = numbers->GetPointData()->GetArray("RoomFactor")->GetComponent(0, 0);
   this->Mapper->SetPixelsPerStipple(this->PixelsPerStipple * room);
 }

@@ -25,8 +25,6 @@
 #include "vtkInkRepresentation.h"
 #include "vtkNew.h" // for the members
 
-#include <string> // for what the stipples were made with
-
 class vtkInkStippleGenerator;
 class vtkInkStippleMapper;
 class vtkScalarsToColors;
@@ -127,9 +125,6 @@ public:
   void SetMapScalars(bool map);
   ///@}
 
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
-
 protected:
   vtkInkStippleRepresentation();
   ~vtkInkStippleRepresentation() override;
@@ -146,13 +141,11 @@ private:
   void ChangeGenerator(const Change& change);
   template <class Value>
   void ChangeValue(Value& value, Value changed);
-  std::string GetArrays();
 
   vtkNew<vtkInkStippleGenerator> Generator;
   bool IsoSurfaceHides = false;
   double IsoValue = 0.0;
   bool SurfaceHides = true;
-  std::string Arrays; ///< that the stipples were made with
 
   vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;

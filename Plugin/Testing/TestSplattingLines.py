@@ -6,6 +6,7 @@ import numpy
 
 from paraview import servermanager
 from rendering import *
+from paraview.vtk.util.numpy_support import vtk_to_numpy
 
 
 def sampled_wavelet():
@@ -70,6 +71,103 @@ class TestSplattingLines(unittest.TestCase):
         self.assertLess(drawn[:, 1].max(), 0.02)
         self.assertGreater(drawn[:, 0].max(), 0.98)
         self.assertGreater(drawn[:, 2].max(), 0.9)
+
+    def test_styles_of_lines(self):
+        display = self.show(sampled_wavelet())
+        plain = ink(picture(self.view))
+        display.AddedLineWidth = 8
+        self.assertGreater(ink(picture(self.view)), 1.2 * plain)
+        display.AddedLineWidth = 0
+        display.Thinning = True
+        self.assertLess(ink(picture(self.view)), 0.8 * plain)
+        display.Thinning = False
+        display.SpeckleLength = 1000
+        self.assertEqual(ink(picture(self.view)), 0)
+        display.SpeckleLength = 0
+        display.CullBackFaces = True
+        self.assertAlmostEqual(ink(picture(self.view)) / plain, 1.0, delta=0.3)
+
+    def test_hidden_lines(self):
+        """A small ball in a large one."""
+        balls = [Sphere(Radius=r, ThetaResolution=100, PhiResolution=100) for r in (0.2, 0.5)]
+        display = self.show(GroupDatasets(Input=balls), HiddenStrength=1.0)
+
+        def inside():
+            return ink(picture(self.view)[70:130, 70:130])
+
+        self.assertEqual(inside(), 0)
+        display.HiddenLayers = True
+        solid = inside()
+        self.assertGreater(solid, 10)
+        display.HiddenDashLength = 25
+        self.assertLess(inside(), 0.9 * solid)
+        display.HiddenDashLength = 0
+        display.HiddenStrength = 0.3
+        self.assertLess(inside(), 0.5 * solid)
+        display.HiddenColor = [1, 0, 0]
+        self.assertGreater(inside(), 0, "the ink's colour still")
+        display.UseHiddenColor = True
+        self.assertAlmostEqual(inside(), 0, delta=0.5)  # red, as white, has all red
+        display.InkColor = [0, 0, 1]
+        display.UseHiddenColor = False
+        pixels = picture(self.view)[70:130, 70:130]
+        self.assertAlmostEqual(pixels[..., 2].min(), 1.0, delta=0.01)
+        self.assertLess(pixels[..., 0].min(), 0.8)
+        display.NumberOfLayers = 1
+        self.assertEqual(inside(), 0)
+
+    def test_colours_of_tone_and_of_arrays(self):
+        display = self.show(sampled_wavelet(), Tau=1.02, ToneColor=[1, 0, 0])
+        pixels = picture(self.view)
+        numpy.testing.assert_allclose(pixels[~is_background(pixels)].ptp(axis=1), 0, atol=0.01)
+        display.ColorByTone = True
+        pixels = picture(self.view)
+        self.assertGreater((pixels[..., 0] - pixels[..., 1])[~is_background(pixels)].max(), 0.3)
+
+        def share_of_colour():
+            pixels = picture(self.view)
+            drawn = pixels[~is_background(pixels)]
+            return (drawn.ptp(axis=1) > 0.1).sum() / (drawn.min(axis=1) < 0.5).sum()
+
+        display.ColorByTone = False
+        self.assertEqual(share_of_colour(), 0)
+        ColorBy(display, ("POINTS", "Normals", "X"))
+        self.assertGreater(share_of_colour(), 0.5)
+        ColorBy(display, None)
+        self.assertEqual(share_of_colour(), 0)
+
+    def test_colours_of_cells(self):
+        sphere = Sphere(ThetaResolution=60, PhiResolution=60)
+        ids = ProcessIdScalars(Input=sphere)
+        cells = PointDatatoCellData(Input=Calculator(Input=ids, ResultArrayName="Height", Function="coordsZ"))
+        cells.PassPointData = True
+        display = self.show(cells, Tau=1.05)
+        ColorBy(display, ("CELLS", "Height"))
+        pixels = picture(self.view)
+        self.assertGreater(pixels[~is_background(pixels)].ptp(axis=1).max(), 0.3)
+
+    def test_while_moving_fewer_points_are_drawn_and_then_all_again(self):
+        display = self.show(sampled_wavelet(), PointsWhileMoving=1000)
+        still = picture(self.view)
+
+        def moving():
+            self.view.SMProxy.InteractiveRender()
+            pixels = vtk.vtkUnsignedCharArray()
+            self.view.SMProxy.GetRenderWindow().GetPixelData(0, 0, 199, 199, 0, pixels, 0)
+            return vtk_to_numpy(pixels).reshape(200, 200, 3) / 255.0
+
+        self.view.LODThreshold = 1000.0
+        numpy.testing.assert_allclose(moving(), still, atol=0.01)
+        self.view.LODThreshold = 0.0
+        fewer = moving()
+        self.assert_drawn(fewer)
+        self.assertGreater(numpy.abs(fewer - still).mean(), 0.01)
+        self.assertLess(numpy.mean(is_background(fewer) != is_background(still)), 0.08)
+        display.PointsWhileMoving = 0
+        numpy.testing.assert_allclose(moving(), still, atol=0.01)
+        display.PointsWhileMoving = 1000
+        moving()
+        numpy.testing.assert_array_equal(picture(self.view), still)
 
     def test_paper_opacity_and_visibility(self):
         display = self.show(sampled_wavelet(), Phi=100)

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatPasses.h"
 
-#include "InkRenderPasses.h"
-#include "InkScopedState.h"
+#include "InkSplatImage.h"
 #include "InkSplatPoints.h"
-#include "InkSplatTargets.h"
 #include "InkView.h"
 
-#include "InkSplatCompositeFS.h"
 #include "InkSplatDepthFS.h"
 #include "InkSplatGS.h"
 #include "InkSplatIdFS.h"
@@ -16,43 +13,48 @@
 
 #include "InkOpenGLCompat.h"
 
-#include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <vector>
 
 namespace
 {
 
-/// The least radii of depth and illumination splats in pixels. The first leaves no pixel between discs that
-/// are far away or seen edge-on; the second also sets how thin a line can be.
+/// The least radius of depth splats in pixels: it leaves no pixel between discs that are far away or seen
+/// edge-on.
 constexpr double MinimumDepthRadius = 0.75;
-constexpr double MinimumLightRadius = 3.0;
+
+/// The least of illumination splats, in pixels, whatever the viewport's height: Gaussians need some pixels.
+constexpr double MinimumLightRadius = 1.5;
 
 /// The same for splats as published, of which the paper says nothing: only so that no disc is degenerate.
 constexpr double PublishedMinimumRadius = 0.01;
 
-/// Splats count as being on the visible surface within this fraction of their point's radius from what the
-/// depth splats show (Zhang et al. 2014, section 3.1, has an offset instead).
-constexpr double Tolerance = 1.5;
-
 /// Discs beyond a contour take part in the illumination near it as long as f_i is greater than this.
 constexpr double MinimumLight = -0.3;
 
-/// The distance of what is not there.
-constexpr float NoSurface = std::numeric_limits<float>::max();
-
 /// sigma_max over sigma_min (Zhang et al. 2014, section 3.2).
 constexpr double WideOverNarrow = 1.6;
+
+/// By how many texels the viewport is wider than the target, so that points can be left out there.
+constexpr int Margin = 4;
+
+/// Discs of a part of the points must cover what all did: those of a part p of evenly spread points are
+/// sqrt(1 / p) times as far from each other, and as the parts are less even than the whole, somewhat more.
+double Growth(double fraction)
+{
+  return fraction < 1.0 ? 1.2 / std::sqrt(fraction) : 1.0;
+}
 
 /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
 /// anywhere beyond the near plane.
@@ -66,17 +68,20 @@ double LargestSplat(const InkView& view, double radius, double minimumRadius)
   return std::min(viewport, 2.0 * 2.0 * pixels);
 }
 
+std::string WithFeatures(std::string shader, const std::string& features)
+{
+  const std::string tag = "//INK::Features";
+  return shader.replace(shader.find(tag), tag.size(), features);
+}
+
 } // namespace
 
-/// A fragment shader's program and its binding to the buffers.
+/// A form of the shaders and its binding to the buffers.
 struct InkSplatPasses::Pass
 {
-  explicit Pass(const char* fragmentShader)
-    : FragmentShader(fragmentShader)
-  {
-  }
-
-  const char* FragmentShader;
+  std::string VertexShader;
+  std::string GeometryShader;
+  std::string FragmentShader;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   int ProgramHandle = 0;
   vtkMTimeType BufferTime = 0;
@@ -84,9 +89,6 @@ struct InkSplatPasses::Pass
 
 InkSplatPasses::InkSplatPasses(vtkOpenGLRenderWindow* window)
   : Window(window)
-  , DepthPass(std::make_unique<Pass>(InkSplatDepthFS))
-  , LightPass(std::make_unique<Pass>(InkSplatLightFS))
-  , IdPass(std::make_unique<Pass>(InkSplatIdFS))
 {
   float range[2] = { 1.0f, 1.0f };
   glGetFloatv(GL_POINT_SIZE_RANGE, range);
@@ -96,22 +98,29 @@ InkSplatPasses::InkSplatPasses(vtkOpenGLRenderWindow* window)
 InkSplatPasses::~InkSplatPasses()
 {
   this->Buffers->ReleaseGraphicsResources(this->Window);
-  for (Pass* pass : { this->DepthPass.get(), this->LightPass.get(), this->IdPass.get() })
+  this->Order->ReleaseGraphicsResources();
+  for (auto& [features, pass] : this->Passes)
   {
     pass->VertexArray->ReleaseGraphicsResources();
   }
 }
 
-void InkSplatPasses::Upload(InkSplatPoints& points)
+void InkSplatPasses::Upload(InkSplatPoints& points, vtkUnsignedCharArray* colors)
 {
   // Appending, unlike caching, does not keep the arrays alive.
   this->Buffers->ClearAllVBOs();
   this->Buffers->AppendDataArray("pointMC", points.GetPositions(), VTK_FLOAT);
   this->Buffers->AppendDataArray("normalRadiusMC", points.GetNormalsAndRadii(), VTK_FLOAT);
+  if (colors)
+  {
+    this->Buffers->AppendDataArray("colorMC", colors, VTK_UNSIGNED_CHAR);
+  }
   this->Buffers->BuildAllVBOs(static_cast<vtkOpenGLVertexBufferObjectCache*>(nullptr));
   this->Buffers->Modified();
   this->NumberOfPoints = static_cast<int>(points.GetPositions()->GetNumberOfTuples());
   this->LargestRadius = points.GetLargestRadius();
+  this->Bounds = points.GetBounds();
+  this->Ordered = false;
 }
 
 vtkMTimeType InkSplatPasses::GetUploadTime() const
@@ -119,160 +128,243 @@ vtkMTimeType InkSplatPasses::GetUploadTime() const
   return this->NumberOfPoints > 0 ? this->Buffers->GetMTime() : 0;
 }
 
+void InkSplatPasses::SetOrder(std::span<const std::uint32_t> order)
+{
+  this->Order->Upload(
+    std::vector<std::uint32_t>(order.begin(), order.end()), vtkOpenGLBufferObject::ElementArrayBuffer);
+  this->Ordered = true;
+}
+
+double InkSplatPasses::FindMinimumRadius(const InkView& view, const InkSplatting& splatting)
+{
+  return splatting.AsPublished
+    ? PublishedMinimumRadius
+    : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * view.Size[1]) * view.TileScale;
+}
+
+std::array<int, 4> InkSplatPasses::FindExtent(const InkView& view, const InkSplatting& splatting) const
+{
+  const std::array<int, 4> all{ 0, 0, view.Size[0], view.Size[1] };
+  const double radius = Growth(splatting.PointFraction) * this->LargestRadius;
+  double low[2] = { HUGE_VAL, HUGE_VAL };
+  double high[2] = { -HUGE_VAL, -HUGE_VAL };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      point[axis] =
+        corner >> axis & 1 ? this->Bounds[2 * axis + 1] + radius : this->Bounds[2 * axis] - radius;
+    }
+    double inView[4];
+    double inClip[4];
+    for (int row = 0; row < 4; ++row)
+    {
+      inView[row] = 0.0;
+      for (int column = 0; column < 4; ++column)
+      {
+        inView[row] += view.MCVC[4 * column + row] * point[column];
+      }
+    }
+    for (int row = 0; row < 4; ++row)
+    {
+      inClip[row] = 0.0;
+      for (int column = 0; column < 4; ++column)
+      {
+        inClip[row] += view.VCDC[4 * column + row] * inView[column];
+      }
+    }
+    if (!(inClip[3] > 0.0))
+    {
+      return all;
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double pixel = 0.5 * (inClip[axis] / inClip[3] + 1.0) * view.Size[axis];
+      low[axis] = std::min(low[axis], pixel);
+      high[axis] = std::max(high[axis], pixel);
+    }
+  }
+  // Discs grow by a pixel at most.
+  std::array<int, 4> extent;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double size = view.Size[axis];
+    extent[axis] = static_cast<int>(std::clamp(std::floor(low[axis] - 2.0), 0.0, size));
+    extent[2 + axis] = static_cast<int>(std::clamp(std::ceil(high[axis] + 2.0), 0.0, size)) - extent[axis];
+  }
+  return extent;
+}
+
+int InkSplatPasses::FindTexel(const InkView& view, double lambda, int limit) const
+{
+  // In the middle of the points, facing the viewer.
+  const double w = view.DepthToClip[2] * view.MCVC[14] + view.DepthToClip[3];
+  const double radius = w > 0.0 ? lambda * this->LargestRadius * view.Unit / (view.Pixel * w) : 0.0;
+  int texel = 1;
+  // Some of the splats are seen from the side.
+  while (2 * texel <= limit && radius >= 1.3 * FewestTexels * 2 * texel)
+  {
+    texel *= 2;
+  }
+  return texel;
+}
+
 vtkShaderProgram* InkSplatPasses::Begin(
-  Pass& pass, const InkView& view, double radiusScale, double minimumRadius)
+  const char* fragmentShader, std::string features, const InkView& view, const Splats& splats)
 {
   const bool sprites =
-    LargestSplat(view, radiusScale * this->LargestRadius, minimumRadius) <= this->LargestSprite;
+    LargestSplat(view, splats.RadiusScale * this->LargestRadius, splats.MinimumRadius) / splats.Texel <=
+    this->LargestSprite;
+  const bool wider = sprites && fragmentShader != InkSplatIdFS;
+  const int margin = wider ? Margin : 0;
+  if (wider)
+  {
+    features += "#define INK_MARGIN " + std::to_string(Margin) + ".0\n";
+  }
+  if (view.NumberOfClippingPlanes > 0)
+  {
+    features += "#define INK_PLANES " + std::to_string(view.NumberOfClippingPlanes) + '\n';
+  }
+  std::unique_ptr<Pass>& pass = this->Passes[(sprites ? "sprites " : "quads ") + features];
+  if (!pass)
+  {
+    pass = std::make_unique<Pass>();
+    pass->VertexShader = WithFeatures(InkSplatVS, features);
+    pass->GeometryShader = sprites ? "" : WithFeatures(InkSplatGS, features);
+    pass->FragmentShader = WithFeatures(fragmentShader, features);
+  }
   vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
-    InkSplatVS, pass.FragmentShader, sprites ? "" : InkSplatGS);
+    pass->VertexShader.c_str(), pass->FragmentShader.c_str(), pass->GeometryShader.c_str());
   if (!program)
   {
     return nullptr;
   }
-  if (pass.ProgramHandle != program->GetHandle() || pass.BufferTime < this->Buffers->GetMTime())
+  if (pass->ProgramHandle != program->GetHandle() || pass->BufferTime < this->Buffers->GetMTime())
   {
     // This deletes the binding: it goes before Bind.
-    pass.VertexArray->ShaderProgramChanged();
-    pass.VertexArray->Bind();
-    this->Buffers->AddAllAttributesToVAO(program, pass.VertexArray);
-    pass.ProgramHandle = program->GetHandle();
-    pass.BufferTime = this->Buffers->GetMTime();
+    pass->VertexArray->ShaderProgramChanged();
+    pass->VertexArray->Bind();
+    this->Buffers->AddAllAttributesToVAO(program, pass->VertexArray);
+    pass->ProgramHandle = program->GetHandle();
+    pass->BufferTime = this->Buffers->GetMTime();
   }
   else
   {
-    pass.VertexArray->Bind();
+    pass->VertexArray->Bind();
   }
+  this->Current = pass.get();
+
   view.SetUniforms(program);
-  program->SetUniformf("radiusScale", static_cast<float>(radiusScale));
-  program->SetUniformf("minimumRadius", static_cast<float>(minimumRadius));
+  const int texel = splats.Texel;
+  const int columns = (view.Size[0] + texel - 1) / texel + margin;
+  const int rows = (view.Size[1] + texel - 1) / texel;
+  if (wider)
+  {
+    this->Window->GetState()->vtkglViewport(0, 0, columns, rows);
+  }
+  const float target[2] = { static_cast<float>(columns * texel), static_cast<float>(rows * texel) };
+  program->SetUniform2f("targetSize", target);
+  program->SetUniformf("texel", static_cast<float>(texel));
+  program->SetUniformf("radiusScale", static_cast<float>(splats.RadiusScale));
+  program->SetUniformf("minimumRadius", static_cast<float>(splats.MinimumRadius));
   program->SetUniformf("minimumLight", 0.0f);
-  program->SetUniformf("tolerance", static_cast<float>(Tolerance));
-  program->SetUniformi("cullHidden", 0);
+  program->SetUniformf("tolerance", static_cast<float>(InkSplatTolerance));
+  program->SetUniformf("slack", static_cast<float>(InkSplatTolerance * splats.Slack));
   return program;
 }
 
-void InkSplatPasses::DrawPoints()
+void InkSplatPasses::DrawPoints(double fraction)
 {
   // vtkOpenGLState does not know this one.
   const bool wasEnabled = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
   glEnable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, 0, this->NumberOfPoints);
+  if (fraction < 1.0 && this->Ordered)
+  {
+    this->Order->Bind();
+    glDrawElements(
+      GL_POINTS, static_cast<int>(std::ceil(fraction * this->NumberOfPoints)), GL_UNSIGNED_INT, nullptr);
+    this->Order->Release();
+  }
+  else
+  {
+    glDrawArrays(GL_POINTS, 0, this->NumberOfPoints);
+  }
   if (!wasEnabled)
   {
     glDisable(GL_PROGRAM_POINT_SIZE);
   }
+  this->Current->VertexArray->Release();
 }
 
-void InkSplatPasses::DrawSplats(const InkView& view, InkSplatTargets& targets, const Splatting& splatting)
+void InkSplatPasses::DrawDepth(
+  const InkView& view, const InkSplatting& splatting, Sheet sheet, const InkSplatImage* image)
 {
-  vtkOpenGLState* state = this->Window->GetState();
-  const InkScopedState scoped(state);
-  state->vtkglViewport(0, 0, view.Size[0], view.Size[1]);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDisable(GL_STENCIL_TEST);
-
-  targets.BindSurface();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglClearColor(NoSurface, 0.0f, 0.0f, 0.0f);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-  if (this->Begin(
-        *this->DepthPass, view, 1.0, splatting.AsPublished ? PublishedMinimumRadius : MinimumDepthRadius))
+  std::string features = "#define INK_DEPTH\n";
+  if (sheet == Sheet::Hidden)
   {
-    this->DrawPoints();
-    this->DepthPass->VertexArray->Release();
+    features += "#define INK_PEEL\n";
   }
-
-  targets.BindLight();
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  const double minimumRadius =
-    splatting.AsPublished ? PublishedMinimumRadius : MinimumLightRadius * view.TileScale;
-  if (vtkShaderProgram* program = this->Begin(*this->LightPass, view, splatting.Lambda, minimumRadius))
+  if (sheet == Sheet::Back)
   {
-    targets.GetSurface()->Activate();
-    program->SetUniformi("surface", targets.GetSurface()->GetTextureUnit());
-    program->SetUniformi("cullHidden", 1);
-    program->SetUniformf("minimumLight", splatting.AsPublished ? 0.0f : static_cast<float>(MinimumLight));
-    const double narrow = splatting.Sigma;
-    const double wide = WideOverNarrow * narrow;
-    const float falloff[2] = { static_cast<float>(0.5 / (narrow * narrow)),
-      static_cast<float>(0.5 / (wide * wide)) };
-    float rim[2] = { 0.0f, 0.0f };
-    if (!splatting.AsPublished)
-    {
-      rim[0] = std::exp(-falloff[0]);
-      rim[1] = std::exp(-falloff[1]);
-    }
-    program->SetUniform2f("falloff", falloff);
-    program->SetUniform2f("rim", rim);
-    this->DrawPoints();
-    this->LightPass->VertexArray->Release();
-    targets.GetSurface()->Deactivate();
+    features += "#define INK_BACK\n";
   }
-}
-
-void InkSplatPasses::DrawComposite(const InkView& view, InkSplatTargets& targets, const Style& style,
-  vtkAbstractMapper* mapper, vtkActor* actor)
-{
-  std::string vertexShader = vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader();
-  std::string fragmentShader = InkSplatCompositeFS;
-  std::string geometryShader;
-  const InkRenderPasses renderPasses(mapper, actor);
-  renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
-
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Composites[fragmentShader];
-  if (!quad)
+  if (splatting.Colors)
   {
-    quad = std::make_unique<vtkOpenGLQuadHelper>(
-      this->Window, vertexShader.c_str(), fragmentShader.c_str(), geometryShader.c_str());
+    features += "#define INK_COLORS\n";
   }
-  vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  const double minimum = splatting.AsPublished ? PublishedMinimumRadius : MinimumDepthRadius;
+  vtkShaderProgram* program = this->Begin(InkSplatDepthFS, features, view,
+    { Growth(splatting.PointFraction), minimum, FindMinimumRadius(view, splatting) });
   if (!program)
   {
     return;
   }
-
-  // Culling, if the actor asks for it, concerns its surface and not this quad.
-  vtkOpenGLState* state = this->Window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
-  targets.GetSurface()->Activate();
-  targets.GetLight()->Activate();
-  program->SetUniformi("surface", targets.GetSurface()->GetTextureUnit());
-  program->SetUniformi("lightSums", targets.GetLight()->GetTextureUnit());
-  program->SetUniformf("farthest", 2.0f * view.DepthRange[1]);
-  program->SetUniform4f("depthToClip", view.DepthToClip.data());
-  program->SetUniformf("tau", static_cast<float>(style.Tau));
-  program->SetUniformf("phi", static_cast<float>(style.Phi));
-  const auto setColor = [program](const char* name, const double* color)
+  const bool backs = sheet == Sheet::Hidden ? splatting.PeelBackFaces : sheet != Sheet::Front;
+  program->SetUniformi("backFaces", view.BackFaces && backs);
+  std::optional<InkSplatImage::Reading> reading;
+  if (image)
   {
-    const float rgb[3] = { static_cast<float>(color[0]), static_cast<float>(color[1]),
-      static_cast<float>(color[2]) };
-    program->SetUniform3f(name, rgb);
-  };
-  setColor("inkColor", style.InkColor);
-  setColor("paperColor", style.PaperColor);
-  program->SetUniformi("paper", style.Paper);
-  program->SetUniformf("opacity", static_cast<float>(style.Opacity));
-  // Ink without paper may lie on a surface that another actor draws, and must not sink into it.
-  const double bias = style.Paper ? 0.0 : Tolerance * this->LargestRadius * view.Unit;
-  program->SetUniformf("depthBias", static_cast<float>(bias));
-  renderPasses.SetShaderParameters(program, quad->VAO);
-  quad->Render();
-  targets.GetLight()->Deactivate();
-  targets.GetSurface()->Deactivate();
+    program->SetUniformi("surface", reading.emplace(*image->GetTexture()).GetUnit());
+    program->SetUniformi("probeCount", 4);
+  }
+  this->DrawPoints(splatting.PointFraction);
+}
+
+void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splatting,
+  const InkSplatImage& surface, bool hidden, int texel, const std::array<double, 2>& widths)
+{
+  const double minimum = FindMinimumRadius(view, splatting);
+  const double scale = std::max(splatting.Lambda, Growth(splatting.PointFraction));
+  const std::string features = texel > 1 ? "#define INK_LIGHT\n#define INK_COARSE\n" : "#define INK_LIGHT\n";
+  vtkShaderProgram* program =
+    this->Begin(InkSplatLightFS, features, view, { scale, minimum, minimum, texel });
+  if (!program)
+  {
+    return;
+  }
+  const InkSplatImage::Reading reading(*surface.GetTexture());
+  program->SetUniformi("surface", reading.GetUnit());
+  program->SetUniformi("backFaces", view.BackFaces && (!hidden || splatting.PeelBackFaces));
+  program->SetUniformf("minimumLight", splatting.AsPublished ? 0.0f : static_cast<float>(MinimumLight));
+  program->SetUniformf("referenceRadius", static_cast<float>(scale * this->LargestRadius));
+  // The paper tests hidden layers once for each splat (section 5.2).
+  program->SetUniformi("probeCount", splatting.AsPublished && hidden ? 0 : 4);
+  const float limits[2] = { static_cast<float>(widths[0]), static_cast<float>(widths[1]) };
+  program->SetUniform2f("widths", limits);
+  const double narrow = splatting.Sigma;
+  const double wide = WideOverNarrow * narrow;
+  const float falloff[2] = { static_cast<float>(0.5 / (narrow * narrow)),
+    static_cast<float>(0.5 / (wide * wide)) };
+  float rim[2] = { 0.0f, 0.0f };
+  if (!splatting.AsPublished)
+  {
+    rim[0] = std::exp(-falloff[0]);
+    rim[1] = std::exp(-falloff[1]);
+  }
+  program->SetUniform2f("falloff", falloff);
+  program->SetUniform2f("rim", rim);
+  this->DrawPoints(splatting.PointFraction);
 }
 
 void InkSplatPasses::DrawIds(
@@ -281,14 +373,14 @@ void InkSplatPasses::DrawIds(
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  if (vtkShaderProgram* program = this->Begin(*this->IdPass, view, 1.0, MinimumDepthRadius))
+  if (vtkShaderProgram* program =
+        this->Begin(InkSplatIdFS, "#define INK_ID\n", view, { 1.0, MinimumDepthRadius, MinimumDepthRadius }))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
     program->SetUniform2f("viewportOrigin", origin);
     program->SetUniform4f("depthToClip", view.DepthToClip.data());
     program->SetUniformi("idShift", idShift);
     program->SetUniform3f("propColor", propColor);
-    this->DrawPoints();
-    this->IdPass->VertexArray->Release();
+    this->DrawPoints(1.0);
   }
 }

@@ -2,23 +2,26 @@
 #ifndef InkSplatPasses_h
 #define InkSplatPasses_h
 
+#include "InkSplatting.h"
+
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 
+class InkSplatImage;
 class InkSplatPoints;
-class InkSplatTargets;
 struct InkView;
-class vtkAbstractMapper;
-class vtkActor;
-class vtkOpenGLQuadHelper;
+class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
-class vtkOpenGLVertexArrayObject;
 class vtkOpenGLVertexBufferObjectGroup;
 class vtkShaderProgram;
+class vtkUnsignedCharArray;
 
 /// The points on the GPU and the draw calls over them, for one window.
 class InkSplatPasses
@@ -31,37 +34,49 @@ public:
 
   vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
 
-  void Upload(InkSplatPoints& points);
+  /// @param colors RGBA, one a point, or null
+  void Upload(InkSplatPoints& points, vtkUnsignedCharArray* colors);
   /// When Upload was last called, on VTK's clock; 0: never.
   vtkMTimeType GetUploadTime() const;
+  double GetLargestRadius() const { return this->LargestRadius; }
 
-  /// What the splats depend on besides the points and the view.
-  struct Splatting
+  /// The points in the order in which they are drawn where not all of them are. Forgotten by Upload.
+  void SetOrder(std::span<const std::uint32_t> order);
+  bool HasOrder() const { return this->Ordered; }
+
+  /// How many texels the narrower radius of a splat must have for it to be summed up in them.
+  static constexpr double FewestTexels = 2.5;
+
+  /// The least radius of illumination splats in pixels.
+  static double FindMinimumRadius(const InkView& view, const InkSplatting& splatting);
+
+  /// The part of the viewport that the discs may cover: x, y, width, height in pixels.
+  std::array<int, 4> FindExtent(const InkView& view, const InkSplatting& splatting) const;
+
+  /// The side of the largest squares of pixels that it pays to sum up splats for: 1, 2, ... up to a limit.
+  int FindTexel(const InkView& view, double lambda, int limit) const;
+
+  /// Which depth splats to draw.
+  enum class Sheet
   {
-    double Lambda;
-    double Sigma;
-    bool AsPublished;
-    bool operator==(const Splatting&) const = default;
+    Whole,  ///< all, or those that face the viewer if only these are seen
+    Front,  ///< those that face the viewer
+    Back,   ///< those that face away and are not hidden by the others, which the image shows
+    Hidden, ///< those behind the layer that the image shows
   };
 
-  /// The depth and the illumination splats of a view, into the targets. The OpenGL state is left as it was.
-  void DrawSplats(const InkView& view, InkSplatTargets& targets, const Splatting& splatting);
+  /// The depth splats of a layer, into the bound surface (and colours) with its z-buffer, both cleared
+  /// before.
+  /// @param image see Sheet; else null
+  void DrawDepth(
+    const InkView& view, const InkSplatting& splatting, Sheet sheet, const InkSplatImage* image = nullptr);
 
-  /// What the composite adds to the splats.
-  struct Style
-  {
-    double Tau;
-    double Phi;
-    const double* InkColor;
-    const double* PaperColor;
-    bool Paper;
-    double Opacity;
-  };
-
-  /// The drawing, from the targets into the caller's framebuffer, viewport and blending. The render passes
-  /// that the actor takes part in (depth peeling) may change the shader.
-  void DrawComposite(const InkView& view, InkSplatTargets& targets, const Style& style,
-    vtkAbstractMapper* mapper, vtkActor* actor);
+  /// The illumination splats of a layer whose narrower radius on the screen is within two limits, added to
+  /// the bound sums.
+  /// @param texel of the sums, in pixels
+  /// @param widths pixels
+  void DrawLight(const InkView& view, const InkSplatting& splatting, const InkSplatImage& surface,
+    bool hidden, int texel, const std::array<double, 2>& widths);
 
   /// The points' discs in the colours that encode 24 bits of their ids, from bit idShift on, or, if idShift
   /// is negative, in propColor; into the caller's framebuffer and viewport, at the given origin.
@@ -69,20 +84,29 @@ public:
 
 private:
   struct Pass;
+  /// How the splats of a pass lie on the screen.
+  struct Splats
+  {
+    double RadiusScale;
+    double MinimumRadius; ///< pixels
+    double Slack;         ///< pixels
+    int Texel = 1;        ///< of the target, in pixels
+  };
 
-  vtkShaderProgram* Begin(Pass& pass, const InkView& view, double radiusScale, double minimumRadius);
-  void DrawPoints();
+  vtkShaderProgram* Begin(
+    const char* fragmentShader, std::string features, const InkView& view, const Splats& splats);
+  void DrawPoints(double fraction);
 
   vtkOpenGLRenderWindow* Window;
   vtkNew<vtkOpenGLVertexBufferObjectGroup> Buffers;
+  vtkNew<vtkOpenGLBufferObject> Order;
+  bool Ordered = false;
   int NumberOfPoints = 0;
   double LargestRadius = 0.0;
+  std::array<float, 6> Bounds{};
   double LargestSprite = 0.0;
-  std::unique_ptr<Pass> DepthPass;
-  std::unique_ptr<Pass> LightPass;
-  std::unique_ptr<Pass> IdPass;
-  /// One for each form that render passes give the fragment shader.
-  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Composites;
+  std::map<std::string, std::unique_ptr<Pass>> Passes; ///< by their features
+  Pass* Current = nullptr;
 };
 
 #endif

@@ -45,6 +45,7 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
   this->NormalsAndRadii->SetNumberOfTuples(count);
   this->NumberOfVisiblePoints = 0;
   this->LargestRadius = 0.0;
+  this->Bounds = {};
   position = this->Positions->GetPointer(0);
   float* normalAndRadius = this->NormalsAndRadii->GetPointer(0);
   for (vtkIdType i = 0; i < count; ++i, position += 3, normalAndRadius += 4)
@@ -55,6 +56,12 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
     const double length = vtkMath::Norm(n);
     const bool visible = length > 0.0 && std::isfinite(length) && r > 0.0f && std::isfinite(r) &&
       std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]);
+    for (int axis = 0; axis < 3 && visible; ++axis)
+    {
+      float* range = this->Bounds.data() + 2 * axis;
+      range[0] = this->NumberOfVisiblePoints > 0 ? std::min(range[0], position[axis]) : position[axis];
+      range[1] = this->NumberOfVisiblePoints > 0 ? std::max(range[1], position[axis]) : position[axis];
+    }
     for (int axis = 0; axis < 3; ++axis)
     {
       normalAndRadius[axis] = visible ? static_cast<float>(n[axis] / length) : 0.0f;

@@ -7,6 +7,8 @@
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 
+#include <array>
+
 class vtkDataArray;
 class vtkPoints;
 
@@ -31,6 +33,9 @@ public:
   /// The largest radius, in the frame's unit.
   double GetLargestRadius() const { return this->LargestRadius; }
 
+  /// The least and the greatest coordinate of the points that can be drawn, along each axis.
+  const std::array<float, 6>& GetBounds() const { return this->Bounds; }
+
   /// One tuple per input point: position (3), and normal and radius (4, radius 0 for what is not drawn).
   vtkFloatArray* GetPositions() { return this->Positions; }
   vtkFloatArray* GetNormalsAndRadii() { return this->NormalsAndRadii; }
@@ -44,6 +49,7 @@ private:
   vtkNew<vtkFloatArray> NormalsAndRadii;
   InkLocalFrame Frame;
   double LargestRadius = 0.0;
+  std::array<float, 6> Bounds{};
   vtkIdType NumberOfVisiblePoints = 0;
 };
 

@@ -2,10 +2,13 @@
 #include "vtkInkSplattingLinesMapper.h"
 
 #include "InkLocalFrame.h"
+#include "InkSplatDrawing.h"
 #include "InkSplatInput.h"
+#include "InkSplatOrder.h"
 #include "InkSplatPasses.h"
 #include "InkSplatPoints.h"
-#include "InkSplatTargets.h"
+#include "InkSplatQuads.h"
+#include "InkSplatStyle.h"
 #include "InkView.h"
 
 #include "InkOpenGLCompat.h"
@@ -24,12 +27,15 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkInkSplattingLinesMapper);
@@ -39,6 +45,7 @@ namespace
 
 constexpr const char* DefaultNormals = "Normals";
 constexpr const char* DefaultRadius = "Radius";
+constexpr const char* Priority = "Priority";
 
 } // namespace
 
@@ -51,19 +58,16 @@ public:
     vtkMTimeType Points;
     vtkMTimeType Normals;
     vtkMTimeType Radii;
+    vtkMTimeType Colors;
     double Radius;
     bool operator==(const Source&) const = default;
   };
 
-  /// The splats of one actor in one renderer, and what they show.
   struct Drawing
   {
     vtkWeakPointer<vtkRenderer> Renderer;
     vtkWeakPointer<vtkActor> Actor;
-    std::unique_ptr<InkSplatTargets> Targets;
-    std::optional<InkView> View;
-    InkSplatPasses::Splatting Splatting;
-    vtkMTimeType UploadTime;
+    InkSplatDrawing Splats;
   };
 
   Drawing& Find(vtkRenderer* renderer, vtkActor* actor)
@@ -87,6 +91,39 @@ public:
   vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
   std::string ReportedError;
   std::unique_ptr<InkSplatPasses> Passes;
+  std::unique_ptr<InkSplatQuads> Quads;
+  struct LayerStyle
+  {
+    std::optional<std::array<double, 3>> Color;
+    double Strength = 1.0;
+    double LineWidth = 0.0;
+    double DashLength = 0.0;
+  };
+  std::array<LayerStyle, InkSplatStyle::MostLayers> Layers;
+
+  /// Null for a layer that there cannot be.
+  LayerStyle* FindLayer(int layer)
+  {
+    return layer >= 0 && layer < InkSplatStyle::MostLayers ? &this->Layers[static_cast<std::size_t>(layer)]
+                                                           : nullptr;
+  }
+  /// Whether anything changed.
+  bool Set(int layer, double LayerStyle::*property, double value, double least, double most)
+  {
+    LayerStyle* style = this->FindLayer(layer);
+    if (!style || std::isnan(value))
+    {
+      return false;
+    }
+    const double before = std::exchange(style->*property, std::clamp(value, least, most));
+    return style->*property != before;
+  }
+  double Get(int layer, double LayerStyle::*property)
+  {
+    const LayerStyle* style = this->FindLayer(layer);
+    return style ? style->*property : 0.0;
+  }
+
   unsigned long WindowObserver = 0;
   std::vector<Drawing> Drawings;
 };
@@ -96,6 +133,12 @@ vtkInkSplattingLinesMapper::vtkInkSplattingLinesMapper()
 {
   this->SetInputArrayToProcess(NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, DefaultNormals);
   this->SetInputArrayToProcess(RADIUS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, DefaultRadius);
+  double strength = 0.35;
+  for (std::size_t layer = 1; layer < this->Internals->Layers.size(); ++layer)
+  {
+    this->Internals->Layers[layer].Strength = strength;
+    strength *= 2.0 / 3.0;
+  }
 }
 
 vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper()
@@ -193,19 +236,22 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     this->ReleaseWindow();
     window->MakeCurrent();
   }
+  vtkUnsignedCharArray* colors = this->FindColors();
   const vtkInternals::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
-    arrays.Radii ? arrays.Radii->GetMTime() : 0, arrays.Radii ? 0.0 : this->Radius };
+    arrays.Radii ? arrays.Radii->GetMTime() : 0, colors ? colors->GetMTime() : 0,
+    arrays.Radii ? 0.0 : this->Radius };
   if (!internals.Passes || internals.PointsSource != source)
   {
     internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius);
     if (!internals.Passes)
     {
       internals.Passes = std::make_unique<InkSplatPasses>(window);
+      internals.Quads = std::make_unique<InkSplatQuads>(window);
       // A window that never knew this mapper's actor does not release it either.
       internals.WindowObserver =
         window->AddObserver(vtkCommand::DeleteEvent, this, &vtkInkSplattingLinesMapper::ReleaseWindow);
     }
-    internals.Passes->Upload(internals.Points);
+    internals.Passes->Upload(internals.Points, colors);
     internals.Points.ReleaseArrays();
     internals.PointsSource = source;
   }
@@ -218,6 +264,39 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     return false;
   }
   return true;
+}
+
+vtkUnsignedCharArray* vtkInkSplattingLinesMapper::FindColors()
+{
+  if (this->ColorMode != SCALARS || !this->ScalarVisibility)
+  {
+    return nullptr;
+  }
+  vtkPolyData* input = this->GetInput();
+  int ofCells = 0;
+  vtkUnsignedCharArray* colors = this->MapScalars(input, 1.0, ofCells);
+  if (colors && (ofCells || colors->GetNumberOfTuples() != input->GetNumberOfPoints()))
+  {
+    std::ostringstream message;
+    message << "Colours come from scalars of points, of which there are " << input->GetNumberOfPoints()
+            << "; found " << colors->GetNumberOfTuples() << " of " << (ofCells ? "cells" : "the data")
+            << ". The lines have the ink's colours.";
+    this->ReportOnce(message.str());
+    return nullptr;
+  }
+  return colors;
+}
+
+void vtkInkSplattingLinesMapper::UpdateOrder()
+{
+  vtkInternals& internals = *this->Internals;
+  if (this->PointFraction < 1.0 && !internals.Passes->HasOrder())
+  {
+    vtkPolyData* input = this->GetInput();
+    vtkDataArray* priorities = input->GetPointData()->GetArray(Priority);
+    internals.Passes->SetOrder(InkFindSplatOrder(static_cast<std::uint32_t>(input->GetNumberOfPoints()),
+      priorities && priorities->GetNumberOfComponents() == 1 ? priorities : nullptr));
+  }
 }
 
 void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
@@ -269,29 +348,42 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   }
   const InkView view(renderer, actor, this, internals.Points.GetFrame(), viewport + 2);
 
-  vtkInternals::Drawing& drawing = internals.Find(renderer, actor);
-  if (!drawing.Targets || (drawing.View && drawing.View->Size != view.Size))
+  this->UpdateOrder();
+  const bool exact = this->AsPublished || view.TileScale > 1;
+  const InkSplatting splatting{ .Lambda = this->Lambda,
+    .Sigma = this->Sigma,
+    .AsPublished = this->AsPublished,
+    .MinimumRadius = this->MinimumRadius,
+    .Layers = this->HiddenLayers ? this->NumberOfLayers : 1,
+    .PeelBackFaces = this->PeelBackFaces,
+    .CoarsestTexel = exact ? 1 : passes.FindTexel(view, this->Lambda, this->CoarsestTexel),
+    .HalfFloats = this->HalfFloats,
+    .PointFraction = this->PointFraction,
+    .Colors = this->FindColors() != nullptr };
+  InkSplatStyle style{ .Tau = this->Tau,
+    .Phi = this->Phi,
+    .Hardness = this->Hardness,
+    .SpeckleLength = this->SpeckleLength,
+    .Thinning = this->Thinning,
+    .ScalarColors = splatting.Colors,
+    .ToneColors = this->ColorMode == TONE,
+    .ToneColor = { this->ToneColor[0], this->ToneColor[1], this->ToneColor[2] },
+    .Layers = {},
+    .Paper = this->PaperVisibility };
+  for (int layer = 0; layer < InkSplatStyle::MostLayers; ++layer)
   {
-    drawing.Targets = std::make_unique<InkSplatTargets>(passes.GetWindow(), viewport + 2);
-    drawing.View.reset();
+    InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
+    this->GetLayerColor(layer, own.Color.data());
+    own.Strength = this->GetLayerStrength(layer);
+    own.LineWidth = this->GetLayerLineWidth(layer);
+    own.DashLength = this->GetLayerDashLength(layer);
   }
-  if (!drawing.Targets->IsComplete())
+  if (!internals.Find(renderer, actor)
+         .Splats.Draw(passes, *internals.Quads, view, splatting, style, this->PaperColor,
+           actor->GetProperty()->GetOpacity(), this, actor))
   {
     this->ReportOnce("This OpenGL cannot draw into 32-bit float images, which splatting lines need.");
-    return;
   }
-  const InkSplatPasses::Splatting splatting{ this->Lambda, this->Sigma, this->AsPublished };
-  if (drawing.View != view || drawing.Splatting != splatting || drawing.UploadTime != passes.GetUploadTime())
-  {
-    passes.DrawSplats(view, *drawing.Targets, splatting);
-    drawing.View = view;
-    drawing.Splatting = splatting;
-    drawing.UploadTime = passes.GetUploadTime();
-  }
-  passes.DrawComposite(view, *drawing.Targets,
-    { this->Tau, this->Phi, this->InkColor, this->PaperColor, this->PaperVisibility,
-      actor->GetProperty()->GetOpacity() },
-    this, actor);
 }
 
 void vtkInkSplattingLinesMapper::DrawIds(
@@ -335,6 +427,7 @@ void vtkInkSplattingLinesMapper::ReleaseWindow()
     window->PushContext();
     internals.Drawings.clear();
     internals.Passes.reset();
+    internals.Quads.reset();
     window->PopContext();
   }
 }
@@ -350,6 +443,21 @@ vtkMTimeType vtkInkSplattingLinesMapper::GetUploadTime()
   return this->Internals->Passes ? this->Internals->Passes->GetUploadTime() : 0;
 }
 
+int vtkInkSplattingLinesMapper::GetNumberOfDrawnLayers(vtkRenderer* renderer, vtkActor* actor)
+{
+  return this->Internals->Find(renderer, actor).Splats.GetNumberOfLayers();
+}
+
+void vtkInkSplattingLinesMapper::SetCoarsestTexel(int pixels)
+{
+  const int texel = pixels >= 4 ? 4 : pixels >= 2 ? 2 : 1;
+  if (this->CoarsestTexel != texel)
+  {
+    this->CoarsestTexel = texel;
+    this->Modified();
+  }
+}
+
 bool vtkInkSplattingLinesMapper::HasOpaqueGeometry()
 {
   return this->PaperVisibility;
@@ -358,6 +466,77 @@ bool vtkInkSplattingLinesMapper::HasOpaqueGeometry()
 bool vtkInkSplattingLinesMapper::HasTranslucentPolygonalGeometry()
 {
   return !this->PaperVisibility;
+}
+
+void vtkInkSplattingLinesMapper::SetLayerColor(int layer, double red, double green, double blue)
+{
+  if (auto* style = this->Internals->FindLayer(layer))
+  {
+    const std::array<double, 3> color{ red, green, blue };
+    if (style->Color != color)
+    {
+      style->Color = color;
+      this->Modified();
+    }
+  }
+}
+
+void vtkInkSplattingLinesMapper::SetLayerColor(int layer, const double color[3])
+{
+  this->SetLayerColor(layer, color[0], color[1], color[2]);
+}
+
+void vtkInkSplattingLinesMapper::GetLayerColor(int layer, double color[3])
+{
+  const auto* style = this->Internals->FindLayer(layer);
+  std::copy_n(style && style->Color ? style->Color->data() : this->InkColor, 3, color);
+}
+
+void vtkInkSplattingLinesMapper::SetLayerStrength(int layer, double strength)
+{
+  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::Strength, strength, 0.0, 1.0))
+  {
+    this->Modified();
+  }
+}
+
+double vtkInkSplattingLinesMapper::GetLayerStrength(int layer)
+{
+  return this->Internals->Get(layer, &vtkInternals::LayerStyle::Strength);
+}
+
+void vtkInkSplattingLinesMapper::SetLayerLineWidth(int layer, double width)
+{
+  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::LineWidth, width, -20.0, 20.0))
+  {
+    this->Modified();
+  }
+}
+
+double vtkInkSplattingLinesMapper::GetLayerLineWidth(int layer)
+{
+  return this->Internals->Get(layer, &vtkInternals::LayerStyle::LineWidth);
+}
+
+void vtkInkSplattingLinesMapper::SetLayerDashLength(int layer, double length)
+{
+  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::DashLength, length, 0.0, 100.0))
+  {
+    this->Modified();
+  }
+}
+
+double vtkInkSplattingLinesMapper::GetLayerDashLength(int layer)
+{
+  return this->Internals->Get(layer, &vtkInternals::LayerStyle::DashLength);
+}
+
+void vtkInkSplattingLinesMapper::SetLineWidth(double width)
+{
+  for (int layer = 0; layer < InkSplatStyle::MostLayers; ++layer)
+  {
+    this->SetLayerLineWidth(layer, width);
+  }
 }
 
 void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -373,5 +552,26 @@ void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "PaperColor: " << this->PaperColor[0] << ' ' << this->PaperColor[1] << ' '
      << this->PaperColor[2] << "\n";
+  os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
+  os << indent << "HiddenLayers: " << (this->HiddenLayers ? "On" : "Off") << "\n";
+  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
+  os << indent << "PeelBackFaces: " << (this->PeelBackFaces ? "On" : "Off") << "\n";
+  for (int layer = 0; layer < InkSplatStyle::MostLayers; ++layer)
+  {
+    double color[3];
+    this->GetLayerColor(layer, color);
+    os << indent << "Layer " << layer << ": color " << color[0] << ' ' << color[1] << ' ' << color[2]
+       << ", strength " << this->GetLayerStrength(layer) << ", line width " << this->GetLayerLineWidth(layer)
+       << ", dash length " << this->GetLayerDashLength(layer) << "\n";
+  }
+  os << indent << "Hardness: " << this->Hardness << "\n";
+  os << indent << "SpeckleLength: " << this->SpeckleLength << "\n";
+  os << indent << "Thinning: " << (this->Thinning ? "On" : "Off") << "\n";
+  os << indent << "ColorMode: " << this->ColorMode << "\n";
+  os << indent << "ToneColor: " << this->ToneColor[0] << ' ' << this->ToneColor[1] << ' '
+     << this->ToneColor[2] << "\n";
+  os << indent << "CoarsestTexel: " << this->CoarsestTexel << "\n";
+  os << indent << "HalfFloats: " << (this->HalfFloats ? "On" : "Off") << "\n";
+  os << indent << "PointFraction: " << this->PointFraction << "\n";
   os << indent << "PaperVisibility: " << (this->PaperVisibility ? "On" : "Off") << "\n";
 }

@@ -43,6 +43,7 @@
 #include <string> // for error messages
 
 class vtkHardwareSelector;
+class vtkUnsignedCharArray;
 
 class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkPolyDataMapper
 {
@@ -115,6 +116,178 @@ public:
 
   ///@{
   /**
+   * The least radius of illumination splats on the picture, in thousandths of the viewport's height (but 1.5
+   * pixels at least): it sets how thin lines can be, so that pictures of all sizes show the same drawing. 0
+   * to 50; default: 3. AsPublished has no such radius.
+   */
+  vtkSetClampMacro(MinimumRadius, double, 0.0, 50.0);
+  vtkGetMacro(MinimumRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Draw also the lines of surfaces behind the first, by depth peeling (Zhang et al. 2014, section 5.2): each
+   * layer has its own depth image and its own lines. They are drawn through the paper, faintly; without
+   * paper, each at its own depth, so that other actors hide them and depth peeling sorts them. Layers take as
+   * much time each. Default: off.
+   */
+  vtkSetMacro(HiddenLayers, bool);
+  vtkGetMacro(HiddenLayers, bool);
+  vtkBooleanMacro(HiddenLayers, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The most layers that are drawn where HiddenLayers is on, the visible one included; fewer where there are
+   * no more. 1 to 8; default: 2.
+   */
+  vtkSetClampMacro(NumberOfLayers, int, 1, 8);
+  vtkGetMacro(NumberOfLayers, int);
+  ///@}
+
+  /// The layers that the drawing of an actor in a renderer had when it was drawn last; 0 if it never was.
+  int GetNumberOfDrawnLayers(vtkRenderer* renderer, vtkActor* actor);
+
+  ///@{
+  /**
+   * Whether a hidden layer may face away from the viewer. Off (default), hidden layers are further closed
+   * surfaces, which face the viewer again; on, also the inner side of a surface's back is one, unless the
+   * actor culls back faces.
+   */
+  vtkSetMacro(PeelBackFaces, bool);
+  vtkGetMacro(PeelBackFaces, bool);
+  vtkBooleanMacro(PeelBackFaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of a layer's lines, RGB in 0..1; layer 0 is the visible one. Until it is set, a layer has
+   * InkColor, the visible one always. Layers beyond 8 are ignored.
+   */
+  void SetLayerColor(int layer, double red, double green, double blue);
+  void SetLayerColor(int layer, const double color[3]);
+  void GetLayerColor(int layer, double color[3]);
+  ///@}
+
+  ///@{
+  /**
+   * How much of its ink a layer gets, 0 to 1. Default: 1 for the visible layer, 0.35 for the next, and for
+   * each further one two thirds of that before.
+   */
+  void SetLayerStrength(int layer, double strength);
+  double GetLayerStrength(int layer);
+  ///@}
+
+  ///@{
+  /**
+   * By how much a layer's lines are wider than the splats make them, in thousandths of the viewport's height;
+   * negative: thinner. -20 to 20; default: 0. Works on the drawing as an image, as SpeckleLength, Thinning
+   * and LayerDashLength do: that takes time where the picture has to be fetched from a GPU.
+   */
+  void SetLayerLineWidth(int layer, double width);
+  double GetLayerLineWidth(int layer);
+  ///@}
+
+  ///@{
+  /**
+   * Length of a layer's dashes and gaps, in thousandths of the viewport's height; 0 (default): solid lines. 0
+   * to 100.
+   */
+  void SetLayerDashLength(int layer, double length);
+  double GetLayerDashLength(int layer);
+  ///@}
+
+  ///@{
+  /**
+   * LayerLineWidth of all layers.
+   */
+  void SetLineWidth(double width);
+  double GetLineWidth() { return this->GetLayerLineWidth(0); }
+  ///@}
+
+  ///@{
+  /**
+   * From soft to hard lines. 0 (default): E as published; 1: ink where it was more than one half, and none
+   * elsewhere.
+   */
+  vtkSetClampMacro(Hardness, double, 0.0, 1.0);
+  vtkGetMacro(Hardness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Spots of ink shorter than this are left out, in pixels; 0 (default): none. 0 to 1000.
+   */
+  vtkSetClampMacro(SpeckleLength, double, 0.0, 1000.0);
+  vtkGetMacro(SpeckleLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Thin lines to one pixel, so that they can be traced; LineWidth makes them wider again, all alike.
+   * Default: off.
+   */
+  vtkSetMacro(Thinning, bool);
+  vtkGetMacro(Thinning, bool);
+  vtkBooleanMacro(Thinning, bool);
+  ///@}
+
+  /// What colours the lines.
+  enum ColorModes
+  {
+    INK = 0,     ///< InkColor and LayerColor
+    SCALARS = 1, ///< point scalars through the lookup table, as other mappers do it; needs ScalarVisibility
+    TONE = 2     ///< from the layer's colour where the surface is seen edge-on to ToneColor where it faces
+  };
+
+  ///@{
+  /**
+   * INK (default), SCALARS or TONE.
+   */
+  vtkSetClampMacro(ColorMode, int, INK, TONE);
+  vtkGetMacro(ColorMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of lines where the surface faces the viewer, with ColorMode TONE; RGB in 0..1. Default: a dark
+   * orange (0.8, 0.4, 0.1).
+   */
+  vtkSetVector3Macro(ToneColor, double);
+  vtkGetVector3Macro(ToneColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Large splats may be summed up for squares of 2 x 2 or 4 x 4 pixels at once, each splat by its size, which
+   * makes large Lambda as fast as small ones; this is the side of the largest such squares. 1: each pixel for
+   * itself, exact; 2 (default); or 4. AsPublished and pictures drawn in tiles always have 1.
+   */
+  void SetCoarsestTexel(int pixels);
+  vtkGetMacro(CoarsestTexel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Sum up splats in 16-bit floats: faster on some GPUs, a tenth as exact. Default: off.
+   */
+  vtkSetMacro(HalfFloats, bool);
+  vtkGetMacro(HalfFloats, bool);
+  vtkBooleanMacro(HalfFloats, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The part of the points that is drawn, for quicker pictures while something moves: those first in the
+   * order of the point array `Priority`, or if there is none in an order by chance, with larger radii, so
+   * that there are no holes. 0.01 to 1; default: 1.
+   */
+  vtkSetClampMacro(PointFraction, double, 0.01, 1.0);
+  vtkGetMacro(PointFraction, double);
+  ///@}
+
+  ///@{
+  /**
    * Colour of the lines, RGB in 0..1. Default: black.
    */
   vtkSetVector3Macro(InkColor, double);
@@ -163,6 +336,8 @@ private:
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
   bool UpdatePoints(vtkRenderer* renderer);
+  vtkUnsignedCharArray* FindColors();
+  void UpdateOrder();
   void Draw(vtkRenderer* renderer, vtkActor* actor);
   void DrawIds(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
   void ReportOnce(const std::string& error);
@@ -174,6 +349,18 @@ private:
   double Sigma = 0.4;
   bool AsPublished = false;
   double Radius = 0.0;
+  double MinimumRadius = 3.0;
+  bool HiddenLayers = false;
+  int NumberOfLayers = 2;
+  bool PeelBackFaces = false;
+  double Hardness = 0.0;
+  double SpeckleLength = 0.0;
+  bool Thinning = false;
+  int ColorMode = INK;
+  double ToneColor[3] = { 0.8, 0.4, 0.1 };
+  int CoarsestTexel = 2;
+  bool HalfFloats = false;
+  double PointFraction = 1.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   bool PaperVisibility = true;

@@ -13,6 +13,8 @@
 //
 //   BenchmarkStippleDrawing [--frames N] [--large] [NAME ...]
 
+#include "DrawingBenchmark.h"
+
 #include "vtkInkStippleActor.h"
 #include "vtkInkStippleControls.h"
 #include "vtkInkStippleGenerator.h"
@@ -22,72 +24,28 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
-#include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVersion.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
-
 namespace
 {
-
-vtkSmartPointer<vtkDataSet> ReadVolume(const char* name)
-{
-  vtkNew<vtkNIFTIImageReader> reader;
-  reader->SetFileName((std::string(INK_DATA_DIR "/") + name).c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-/// Three shells, one in the other, of different densities, with noise.
-vtkSmartPointer<vtkDataSet> MakeVolume(int x, int y, int z)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(x, y, z);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* values = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
-  unsigned int random = 1;
-  vtkIdType n = 0;
-  for (int k = 0; k < z; ++k)
-  {
-    for (int j = 0; j < y; ++j)
-    {
-      for (int i = 0; i < x; ++i, ++n)
-      {
-        const double r = 2.0 * std::hypot((i + 0.5) / x - 0.5, (j + 0.5) / y - 0.5, (k + 0.5) / z - 0.5);
-        const double shells = r < 0.3 ? 220.0 : r < 0.6 ? 120.0 : r < 0.9 ? 60.0 : 0.0;
-        random = random * 1664525u + 1013904223u;
-        values->SetValue(n, static_cast<unsigned char>(shells + (random >> 28)));
-      }
-    }
-  }
-  return image;
-}
 
 vtkSmartPointer<vtkDataSet> MakeMesh(int polygons)
 {
@@ -97,16 +55,6 @@ vtkSmartPointer<vtkDataSet> MakeMesh(int polygons)
   sphere->SetPhiResolution(side);
   sphere->Update();
   return sphere->GetOutput();
-}
-
-double ProcessorTime()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double WallTime()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// Where this VTK has the choice; as a template, so that only then it need be there.
@@ -119,28 +67,16 @@ void BlendStraight(Renderer* renderer)
   }
 }
 
-struct Window
+/// A window with one actor.
+struct Scene : public drawing::Window
 {
   vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Render;
 
-  explicit Window(vtkMapper* mapper)
+  explicit Scene(vtkMapper* mapper)
   {
     this->Actor->SetMapper(mapper);
     this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetBackground(1.0, 1.0, 1.0);
-    this->Render->SetOffScreenRendering(true);
-    this->Render->SetMultiSamples(0);
-    this->Render->SetSize(1024, 768);
-    this->Render->AddRenderer(this->Renderer);
-    this->Renderer->ResetCamera();
-    this->Renderer->GetActiveCamera()->Zoom(1.4);
-  }
-  void Draw()
-  {
-    this->Render->Render();
-    this->Render->WaitForCompletion();
+    this->ResetCamera();
   }
 };
 
@@ -148,7 +84,7 @@ struct Window
 /// diameter of their dots: dots that 8 bits cannot add up are drawn more rarely instead. None where there are
 /// more stipples than vtkInkStippleMapper::FindMarks can look into.
 vtkSmartPointer<vtkPolyData> PlainPoints(
-  vtkInkStippleMapper* mapper, Window& window, vtkPolyData* stipples, double& size)
+  vtkInkStippleMapper* mapper, Scene& window, vtkPolyData* stipples, double& size)
 {
   vtkNew<vtkFloatArray> marks;
   auto points = vtkSmartPointer<vtkPolyData>::New();
@@ -172,19 +108,8 @@ vtkSmartPointer<vtkPolyData> PlainPoints(
   }
   const vtkIdType count = points->GetNumberOfPoints();
   size /= std::max<double>(1.0, static_cast<double>(count));
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(count);
-  std::iota(ids->begin(), ids->end(), 0);
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell(ids);
-  points->SetVerts(vertices);
+  drawing::AddVertices(points);
   return points;
-}
-
-double Median(std::vector<double> times)
-{
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-  return times[times.size() / 2];
 }
 
 void Measure(const std::string& name, vtkDataSet* data, int perElement, int frames)
@@ -192,9 +117,9 @@ void Measure(const std::string& name, vtkDataSet* data, int perElement, int fram
   vtkNew<vtkInkStippleGenerator> generator;
   generator->SetMaximumStipples(perElement);
   generator->SetInputData(data);
-  double start = ProcessorTime();
+  double start = drawing::ProcessorTime();
   generator->Update();
-  const double preprocessing = ProcessorTime() - start;
+  const double preprocessing = drawing::ProcessorTime() - start;
   vtkPolyData* stipples = generator->GetOutput();
   const bool isVolume = vtkImageData::SafeDownCast(data) != nullptr;
 
@@ -209,20 +134,20 @@ void Measure(const std::string& name, vtkDataSet* data, int perElement, int fram
   mapper->LightingOn();
   mapper->DistanceOn();
   mapper->InteriorOn();
-  Window ours(mapper);
+  Scene ours(mapper);
   vtkNew<vtkInkStippleActor> straight;
   straight->SetMapper(mapper);
   straight->VisibilityOff();
   ours.Renderer->AddActor(straight);
-  start = ProcessorTime();
+  start = drawing::ProcessorTime();
   ours.Draw();
-  const double first = ProcessorTime() - start;
+  const double first = drawing::ProcessorTime() - start;
 
   vtkNew<vtkPolyDataMapper> plain;
   double size = 0.0;
   const auto points = PlainPoints(mapper, ours, stipples, size);
   plain->SetInputData(points);
-  Window theirs(plain);
+  Scene theirs(plain);
   theirs.Renderer->GetActiveCamera()->DeepCopy(ours.Renderer->GetActiveCamera());
   BlendStraight(theirs.Renderer.Get());
   vtkProperty* property = theirs.Actor->GetProperty();
@@ -238,40 +163,33 @@ void Measure(const std::string& name, vtkDataSet* data, int perElement, int fram
     Blended,
     Sides
   };
-  std::vector<double> wall[Sides];
-  std::vector<double> processor[Sides];
+  drawing::Frames times[Sides];
   double processed = 0.0;
   for (int frame = 0; frame < frames; ++frame)
   {
     for (const Side side : { Straight, ByPass, Plain, Blended })
     {
-      Window& window = side == Straight || side == ByPass ? ours : theirs;
-      window.Renderer->GetActiveCamera()->Azimuth(side == Straight || side == Plain ? 1.0 : 0.0);
-      window.Renderer->ResetCameraClippingRange();
+      Scene& window = side == Straight || side == ByPass ? ours : theirs;
+      window.Turn(side == Straight || side == Plain ? 1.0 : 0.0);
       ours.Actor->SetVisibility(side == ByPass);
       straight->SetVisibility(side == Straight);
       property->SetPointSize(static_cast<float>(side == Blended ? rimmed : std::max(1.0, size)));
       property->SetOpacity(side == Blended ? 0.5 : 1.0);
-      const double wallStart = WallTime();
-      const double processorStart = ProcessorTime();
-      window.Draw();
-      wall[side].push_back(WallTime() - wallStart);
-      processor[side].push_back(ProcessorTime() - processorStart);
+      times[side].Measure([&] { window.Draw(); });
     }
     processed += static_cast<double>(mapper->GetNumberOfProcessedStipples()) / frames;
   }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
+  const auto processor = [&](Side side) { return drawing::Median(times[side].Processor); };
   const auto ratio = [&](Side side, Side to)
-  { return points->GetNumberOfPoints() > 0 ? Median(processor[side]) / Median(processor[to]) : NAN; };
+  { return points->GetNumberOfPoints() > 0 ? processor(side) / processor(to) : NAN; };
   std::printf("| %s | %s%lld | %.2f | %.2f | %.2f M | %.0f k | %.0f k | %.1f | %.1f | %.1f | %.2f | %.2f | "
               "%.2f | %.0f |\n",
     name.c_str(), isVolume ? "" : "polygons ",
     static_cast<long long>(isVolume ? data->GetNumberOfPoints() : data->GetNumberOfCells()), preprocessing,
     first, 1e-6 * static_cast<double>(stipples->GetNumberOfPoints()), 1e-3 * processed,
-    1e-3 * static_cast<double>(points->GetNumberOfPoints()), size, 1e3 * Median(processor[Straight]),
-    1.0 / Median(wall[Straight]), ratio(Straight, Plain), ratio(Straight, Blended), ratio(ByPass, Plain),
-    static_cast<double>(usage.ru_maxrss) / 1024.0);
+    1e-3 * static_cast<double>(points->GetNumberOfPoints()), size, 1e3 * processor(Straight),
+    1.0 / drawing::Median(times[Straight].Wall), ratio(Straight, Plain), ratio(Straight, Blended),
+    ratio(ByPass, Plain), drawing::PeakMemory());
   std::fflush(stdout);
 }
 
@@ -299,9 +217,10 @@ int main(int argc, char* argv[])
     }
   }
   using Source = std::function<vtkSmartPointer<vtkDataSet>()>;
-  const auto volume = [](int x, int y, int z) { return Source([=] { return MakeVolume(x, y, z); }); };
+  const auto volume = [](int x, int y, int z)
+  { return Source([=] { return drawing::MakeVolume(x, y, z); }); };
   const auto mesh = [](int polygons) { return Source([=] { return MakeMesh(polygons); }); };
-  const auto file = [](const char* name) { return Source([=] { return ReadVolume(name); }); };
+  const auto file = [](const char* name) { return Source([=] { return drawing::ReadVolume(name); }); };
   const struct
   {
     const char* Name;

@@ -151,6 +151,91 @@ def test_other_parameters_change_the_lines(picture, volume_file, option, values)
     assert np.abs(a - b).mean() > 0.5
 
 
+def test_lines_become_wider_and_thinner(picture, volume_file):
+    plain, wide, thin, thin_wide = (
+        255 - picture(volume_file, "--iso", 100, *options).mean()
+        for options in ([], ["--line-width", 8], ["--thin"], ["--thin", "--line-width", 8])
+    )
+    assert thin < 0.7 * plain < plain < 0.9 * wide
+    assert thin < thin_wide < wide
+
+
+def test_hardness_leaves_no_greys(picture, volume_file):
+    def greys(*options):
+        image = picture(volume_file, "--iso", 100, "--phi", 20, *options, size="400x400")
+        return ((image > 20) & (image < 235)).sum()
+
+    # What is left is the edges of lines.
+    assert greys("--hardness", 1) < 0.8 * greys()
+
+
+def test_speckles_go(picture, tmp_path):
+    """A large ball and, beside it, one that is a few pixels wide."""
+    ball = ink_files.blob((48, 48, 48), np.float32)
+    small = np.zeros((48, 48, 16), np.float32)
+    small[22:26, 22:26, 6:10] = 200
+    ink_files.write_vti(tmp_path / "balls.vti", np.concatenate([ball, small], axis=2))
+    columns = [
+        np.flatnonzero((picture(tmp_path / "balls.vti", "--iso", 100, *options)[..., 0] < 160).any(axis=0))
+        for options in ([], ["--speckles", 40])
+    ]
+    assert columns[1].max() < columns[0].max() - 20
+    assert columns[1].min() == columns[0].min()
+
+
+@pytest.fixture
+def nested(tmp_path):
+    """A ball of 200 in one of 100, both with soft edges."""
+    z, y, x = np.mgrid[-1:1:48j, -1:1:48j, -1:1:48j]
+    r = np.sqrt(x * x + y * y + z * z)
+    ink_files.write_vti(tmp_path / "nested.vti", sum(np.clip(1000 * (size - r), 0, 100) for size in (0.9, 0.5)).astype(np.float32))
+    return [tmp_path / "nested.vti", "--iso", 50, "--iso", 150]
+
+
+def test_layers_show_what_is_hidden(picture, nested):
+    def inside(*options):
+        """The ink in the middle of the picture, where the visible ball is paper."""
+        return 255 - picture(*nested, *options)[60:140, 60:140].astype(int)
+
+    none, faint, strong, dashed, colored = (
+        inside(*options)
+        for options in (
+            [],
+            ["--layers", 2],
+            ["--layers", 2, "--hidden-strength", 1],
+            ["--layers", 2, "--hidden-strength", 1, "--hidden-dashes", 20],
+            ["--layers", 2, "--hidden-strength", 1, "--hidden-color", "red,blue"],
+        )
+    )
+    assert none.sum() == 0
+    assert 0 < 2 * faint.sum() < strong.sum()
+    assert 0.25 < dashed.sum() / strong.sum() < 0.85
+    assert colored[..., 0].sum() == 0 < colored[..., 1].sum()
+
+
+def test_hidden_lines_need_layers(ink, nested, tmp_path):
+    result = ink("render", *nested, "--hidden-dashes", 5, "-o", tmp_path / "out.png")
+    assert result.code == 2
+    assert "--hidden-dashes" in result.err and "--layers" in result.err
+
+
+def test_tone_colours_lines_by_how_the_surface_lies(picture, volume_file):
+    plain = picture(volume_file, "--iso", 100, "--tau", 1.01)
+    toned = picture(volume_file, "--iso", 100, "--tau", 1.01, "--tone-color", "red")
+    assert (plain[..., 0] == plain[..., 1]).all()
+    red = toned[..., 0].astype(int) - toned[..., 1]
+    assert red.max() > 60, "some lines lie where the surface faces the viewer"
+    # Its ink is as much as before, seen through red glass.
+    assert np.abs(toned[..., 1].astype(int) - plain[..., 1]).max() < 12
+
+
+def test_speed_costs_little_accuracy(picture, volume_file):
+    exact = picture(volume_file, "--iso", 100, "--coarsest-texel", 1, "--lambda", 6).astype(int)
+    for options, most in (([], 6), (["--half-floats"], 6), (["--point-fraction", 0.7], 20)):
+        quick = picture(volume_file, "--iso", 100, "--lambda", 6, *options)
+        assert 0 < np.abs(quick - exact).mean() < most, options
+
+
 def run_on_terminal(arguments):
     """The exit code of a command and what it writes to a terminal on stderr."""
     try:

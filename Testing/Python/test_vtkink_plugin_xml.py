@@ -16,6 +16,15 @@ ELSEWHERE = {"Value", "NumberOfContours", "ArrayComponent"}
 STIPPLE_ELSEWHERE = {"SurfaceFromInput", "PassScalars", "OutputPointsPrecision"}
 # What only the representation has; TestStipple.py looks at it.
 STIPPLE_OWN = {"SetIsoSurfaceHides", "SetIsoValue", "SetSurfaceHides", "SetMapScalars"}
+# Of splatting lines: what its panel sets for all hidden layers together, or decides by itself.
+LINES_ELSEWHERE = {
+    "LayerColor", "LayerStrength", "LayerLineWidth", "LayerDashLength", "ColorMode", "PointFraction",
+}  # fmt: skip
+# What only the representation has; TestSplattingLines.py looks at it.
+LINES_OWN = {
+    "SetColorByTone", "SetHiddenStrength", "SetUseHiddenColor", "SetHiddenColor", "SetHiddenDashLength",
+    "SetHiddenLineWidth", "SetCullBackFaces", "SetPointsWhileMoving", "SetMapScalars",
+}  # fmt: skip
 # Sliders that offer what is useful; what C++ takes beyond can be typed in.
 NARROWER = {"StippleSize", "PixelsPerStipple"}
 PANELS = {"SplattingLinesPanel.xml.in": "SplattingLines.xml", "StipplePanel.xml.in": "Stipple.xml"}
@@ -92,10 +101,10 @@ def cases():
     for file, make in PROXIES.items():
         proxy, objects = make()
         for element in proxy:
-            # Iso-values have no default and UserTransform's is null in C++.
-            left_out = element.get("name") in ("ContourValues", "UserTransform")
+            # Iso-values have no default and UserTransform's is null in C++; CoarsestTexel has a test of its own.
+            left_out = element.get("name") in ("ContourValues", "UserTransform", "CoarsestTexel")
             command = element.get("command")
-            if element.tag in PROPERTIES and command and not left_out and command not in STIPPLE_OWN:
+            if element.tag in PROPERTIES and command and not left_out and command not in STIPPLE_OWN | LINES_OWN:
                 name = command[len("Set") :]
                 (owner, *_) = [one for one in objects if hasattr(one, f"Get{name}")] or [None]
                 yield pytest.param(element, owner, name, id=f"{file}:{name}")
@@ -154,7 +163,7 @@ def test_ranges_are_equal(element, owner, name):
 def test_no_property_is_forgotten(make):
     proxy, objects = make()
     offered = {element.get("command", "")[len("Set") :] for element in proxy}
-    elsewhere = ELSEWHERE | (STIPPLE_ELSEWHERE if make is stipple else set())
+    elsewhere = ELSEWHERE | {stipple: STIPPLE_ELSEWHERE, splatting_lines: LINES_ELSEWHERE}.get(make, set())
     for algorithm in objects:
         if type(algorithm).__name__.startswith("vtkInk"):
             own = {name[len("Set") :] for name in vars(type(algorithm)) if name.startswith("Set")}
@@ -195,6 +204,31 @@ def test_stipple_has_the_presets_and_sliders_of_the_controls():
             getattr(controls, f"Set{slider}")(beyond)
             assert value(controls, slider) == [float(domain.get(limit))]
         controls.Reset()
+
+
+def test_texels_are_those_of_the_mapper():
+    proxy, (mapper, *_) = splatting_lines()
+    element = next(element for element in proxy if element.get("name") == "CoarsestTexel")
+    assert int(element.get("default_values")) == mapper.GetCoarsestTexel()
+    offered = sorted(int(entry.get("value")) for entry in element.iter("Entry"))
+    taken = set()
+    for pixels in range(-2, 20):
+        mapper.SetCoarsestTexel(pixels)
+        taken.add(mapper.GetCoarsestTexel())
+    assert offered == sorted(taken)
+
+
+def test_hidden_lines_have_the_defaults_and_ranges_of_the_second_layer():
+    proxy, (mapper, *_) = splatting_lines()
+    elements = {element.get("name"): element for element in proxy}
+    for name in ("Strength", "LineWidth", "DashLength"):
+        element = elements[f"Hidden{name}"]
+        get, set_value = getattr(mapper, f"GetLayer{name}"), getattr(mapper, f"SetLayer{name}")
+        assert numbers(element.get("default_values")) == [get(1)]
+        domain = element.find("DoubleRangeDomain")
+        for limit, beyond in (("min", -1e9), ("max", 1e9)):
+            set_value(1, beyond)
+            assert float(domain.get(limit)) == get(1)
 
 
 @pytest.mark.parametrize("panel, file", PANELS.items())

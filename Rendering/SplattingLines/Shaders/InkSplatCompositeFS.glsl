@@ -1,16 +1,13 @@
 //VTK::System::Dec
 
-// The drawing (Zhang et al. 2014, section 3.3): H = I1 - tau I2, E = tanh(phi H), ink where E is negative.
+// The drawing before what other actors have drawn: ink on the paper that the surface is, or ink alone.
 
 in vec2 texCoord;
 
-uniform sampler2D surface;   // from the depth splats
-uniform sampler2D lightSums; // sum w1 f, sum w1, sum w2 f, sum w2
-uniform vec4 depthToClip;    // clip z = x * view z + y, clip w = z * view z + w
-uniform float farthest;      // beyond this distance there is no surface
-uniform float tau;
-uniform float phi;
-uniform vec3 inkColor;
+uniform sampler2D surface;  // of the layer whose depth counts
+uniform sampler2D ink;      // colour times coverage, coverage
+uniform vec4 depthToClip;   // clip z = x * view z + y, clip w = z * view z + w
+uniform float farthest;     // beyond this distance there is no surface
 uniform vec3 paperColor;
 uniform bool paper;
 uniform float opacity;
@@ -28,15 +25,8 @@ void main()
   {
     discard;
   }
-  vec4 sums = texelFetch(lightSums, texel, 0);
-  float difference = 0.0;
-  if (sums.y > 0.0 && sums.w > 0.0)
-  {
-    difference = sums.x / sums.y - tau * sums.z / sums.w;
-  }
-  // tanh overflows on some drivers.
-  float ink = max(0.0, -tanh(clamp(phi * difference, -9.0, 9.0)));
-  if (!paper && ink * opacity < 0.002) // nothing that eight bits could show
+  vec4 marks = texelFetch(ink, texel, 0);
+  if (!paper && marks.a * opacity < 0.002) // nothing that eight bits could show
   {
     discard;
   }
@@ -47,8 +37,8 @@ void main()
 
   //VTK::DepthPeeling::PreColor
 
-  gl_FragData[0] =
-    paper ? vec4(mix(paperColor, inkColor, ink), opacity) : vec4(inkColor, ink * opacity);
+  gl_FragData[0] = paper ? vec4(paperColor * (1.0 - marks.a) + marks.rgb, opacity)
+                         : vec4(marks.rgb / marks.a, marks.a * opacity);
 
   //VTK::DepthPeeling::Impl
 }

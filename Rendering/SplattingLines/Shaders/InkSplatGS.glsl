@@ -1,35 +1,51 @@
 //VTK::System::Dec
 
+//INK::Features
+
 // Quads in place of point sprites, where a splat may be larger than the largest point of this OpenGL.
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 
-uniform vec2 viewportSize;
+uniform vec2 targetSize;
+uniform float texel;
 
-flat in vec2 centerVSOutput[];
 flat in vec4 toDiscVSOutput[];
-flat in vec2 perspectiveVSOutput[];
+flat in vec4 centerVSOutput[];
+flat in vec4 discVSOutput[];
+flat out vec4 toDiscGSOutput;
+flat out vec4 centerGSOutput;
+flat out vec4 discGSOutput;
+#ifdef INK_PLANES
 flat in vec3 positionVSOutput[];
 flat in vec3 axisUVSOutput[];
 flat in vec3 axisVVSOutput[];
-flat in float lightVSOutput[];
-flat in float weightVSOutput[];
-flat in float slopeVSOutput[];
-flat in vec2 toleranceVSOutput[];
-flat in int idVSOutput[];
-
-flat out vec2 centerGSOutput;
-flat out vec4 toDiscGSOutput;
-flat out vec2 perspectiveGSOutput;
 flat out vec3 positionGSOutput;
 flat out vec3 axisUGSOutput;
 flat out vec3 axisVGSOutput;
-flat out float lightGSOutput;
-flat out float weightGSOutput;
-flat out float slopeGSOutput;
-flat out vec2 toleranceGSOutput;
+#endif
+#if defined INK_LIGHT
+flat in vec4 splatVSOutput[];
+flat out vec4 splatGSOutput;
+#ifdef INK_COARSE
+flat in vec4 gaussiansVSOutput[];
+flat out vec4 gaussiansGSOutput;
+#endif
+#elif defined INK_PEEL
+flat in vec3 splatVSOutput[];
+flat out vec3 splatGSOutput;
+#else
+flat in float splatVSOutput[];
+flat out float splatGSOutput;
+#endif
+#ifdef INK_ID
+flat in int idVSOutput[];
 flat out int idGSOutput;
+#endif
+#ifdef INK_COLORS
+flat in vec4 colorVSOutput[];
+flat out vec4 colorGSOutput;
+#endif
 
 void main()
 {
@@ -38,22 +54,29 @@ void main()
   {
     return;
   }
-  vec2 extent = vec2(gl_in[0].gl_PointSize) / viewportSize;
+  vec2 extent = vec2(gl_in[0].gl_PointSize * texel) / targetSize;
   for (int corner = 0; corner < 4; ++corner)
   {
     vec2 side = 2.0 * vec2(float(corner / 2), float(corner % 2)) - 1.0;
     gl_Position = position + vec4(side * extent, 0.0, 0.0);
-    centerGSOutput = centerVSOutput[0];
     toDiscGSOutput = toDiscVSOutput[0];
-    perspectiveGSOutput = perspectiveVSOutput[0];
+    centerGSOutput = centerVSOutput[0];
+    discGSOutput = discVSOutput[0];
+#ifdef INK_PLANES
     positionGSOutput = positionVSOutput[0];
     axisUGSOutput = axisUVSOutput[0];
     axisVGSOutput = axisVVSOutput[0];
-    lightGSOutput = lightVSOutput[0];
-    weightGSOutput = weightVSOutput[0];
-    slopeGSOutput = slopeVSOutput[0];
-    toleranceGSOutput = toleranceVSOutput[0];
+#endif
+    splatGSOutput = splatVSOutput[0];
+#ifdef INK_COARSE
+    gaussiansGSOutput = gaussiansVSOutput[0];
+#endif
+#ifdef INK_ID
     idGSOutput = idVSOutput[0];
+#endif
+#ifdef INK_COLORS
+    colorGSOutput = colorVSOutput[0];
+#endif
     EmitVertex();
   }
   EndPrimitive();

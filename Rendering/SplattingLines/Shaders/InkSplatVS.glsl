@@ -1,5 +1,7 @@
 //VTK::System::Dec
 
+//INK::Features
+
 // Zhang et al. 2014, section 3: one oriented disc per point, drawn as a screen-aligned sprite that bounds
 // the disc's exact projection. The fragment shaders find out where on the disc a pixel lies.
 //
@@ -10,65 +12,131 @@
 
 in vec3 pointMC;        // relative to the data's centre, over the data's size
 in vec4 normalRadiusMC; // unit normal; radius over the data's size, 0 for points that are not drawn
+#ifdef INK_COLORS
+in vec4 colorMC;
+#endif
 
 uniform mat4 MCVCMatrix;
 uniform mat3 normalMatrix;   // inverse transpose of MCVCMatrix
 uniform mat4 VCDCMatrix;
 uniform vec4 eyeVC;          // perspective: (0,0,0,1); parallel: the direction towards the viewer, 0
 uniform vec2 viewportSize;   // pixels
+uniform vec2 targetSize;     // what is drawn into, in the viewport's pixels
+uniform float texel;         // its texels' side in the viewport's pixels
 uniform float unitVC;        // view units per model unit
 uniform float pixelVC;       // view units per pixel where clip w is 1
 uniform float radiusScale;   // lambda for illumination splats, 1 for depth splats
 uniform float minimumRadius; // pixels
+uniform float tolerance;     // of the depth test, as a fraction of the point's radius
+uniform float slack;         // the same by slope, in pixels
 uniform bool backFaces;      // whether discs that face away are drawn
 uniform float minimumLight;  // f_i below which discs on the other side are left out
-uniform float tolerance;     // of the depth test, as a fraction of the point's radius
 
-// Whether to leave out discs that the depth splats hide.
-uniform bool cullHidden;
-uniform sampler2D surface; // see the depth splats' fragment shader
+#if defined INK_LIGHT || defined INK_BACK
+uniform sampler2D surface;     // that the depth splats show, see their fragment shader
+uniform int probeCount;        // where, besides in its centre, a disc is looked at to tell if it is hidden
+#endif
+#ifdef INK_LIGHT
+uniform float referenceRadius; // where the weight is 1
+#ifdef INK_COARSE
+uniform vec2 falloff;          // 1 / (2 sigma^2) of the narrow and of the wide Gaussian
+#endif
+uniform vec2 widths;           // pixels: the least and the greatest narrower radius of the splats to draw
+#endif
 
-flat out vec2 centerVSOutput;    // the disc's centre in pixels
-flat out vec4 toDiscVSOutput;    // 2 x 2 matrix from pixels to disc coordinates, before the division
-flat out vec2 perspectiveVSOutput;
-flat out vec3 positionVSOutput;  // the disc's centre and axes in view coordinates
+// What the fragment shaders need, in few varyings: each costs time for each point.
+flat out vec4 toDiscVSOutput; // 2 x 2 matrix from pixels to disc coordinates, before the division
+flat out vec4 centerVSOutput; // the disc's centre in pixels; w, see above
+#ifdef INK_PLANES
+flat out vec3 positionVSOutput; // the disc's centre and axes in view coordinates
 flat out vec3 axisUVSOutput;
 flat out vec3 axisVVSOutput;
-flat out float lightVSOutput;    // f_i; negative on discs that face away
-flat out float weightVSOutput;   // 1 / r_i^2, up to a factor common to all points
-flat out float slopeVSOutput;    // tangent of the angle between the normal and the viewer
-flat out vec2 toleranceVSOutput; // view units; for no slope, and by slope
+#endif
+flat out vec4 discVSOutput;   // view z of the disc's centre and of its two axes; f_i, negative on discs that face away
+#if defined INK_LIGHT
+flat out vec4 splatVSOutput;  // 1 / r_i^2, up to a factor common to all; slope; tolerances, see below
+#ifdef INK_COARSE
+flat out vec4 gaussiansVSOutput; // falloffs and gains of both
+#endif
+#elif defined INK_PEEL
+flat out vec3 splatVSOutput;  // slope; tolerances
+#elif defined INK_ID
+flat out float splatVSOutput; // tolerance
 flat out int idVSOutput;
+#else
+flat out float splatVSOutput; // slope
+#endif
+#ifdef INK_COLORS
+flat out vec4 colorVSOutput;
+#endif
 
-// Where, besides in its centre, a disc is looked at to tell whether it is hidden.
-const vec2 probes[4] = vec2[](vec2(0.8, 0.0), vec2(0.0, 0.8), vec2(-0.8, 0.0), vec2(0.0, -0.8));
-
-// Beyond this slope the surface counts as seen edge-on.
+// Beyond this slope, the tangent of the angle between normal and viewer, the surface counts as edge-on.
 const float maximumSlope = 10.0;
 
-// Whether the surface that the depth splats show in a pixel is the disc's own.
-bool shows(vec2 pixel, float depth)
+#if defined INK_LIGHT || defined INK_BACK
+const vec2 probes[4] = vec2[](vec2(0.8, 0.0), vec2(0.0, 0.8), vec2(-0.8, 0.0), vec2(0.0, -0.8));
+
+// Whether in a pixel the surface is the disc's own, or with INK_BACK, lies behind it. What is outside the
+// picture cannot be told.
+bool shows(vec2 pixel, float depth, float light, float slope, vec2 tolerances)
 {
-  vec2 shown = texelFetch(surface, ivec2(clamp(pixel, vec2(0.0), viewportSize - 1.0)), 0).rg;
-  return sign(shown.g) * lightVSOutput > minimumLight && abs(shown.r - depth) <=
-    toleranceVSOutput.x + toleranceVSOutput.y * min(abs(shown.g) - 1.0, slopeVSOutput);
+  if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, viewportSize)))
+  {
+    return true;
+  }
+  vec2 shown = texelFetch(surface, ivec2(pixel), 0).rg;
+#ifdef INK_BACK
+  return shown.r >= depth;
+#else
+  return sign(shown.g) * light > minimumLight &&
+    abs(shown.r - depth) <= tolerances.x + tolerances.y * min(abs(shown.g) - 1.0, slope);
+#endif
 }
+#endif
+
+#ifdef INK_COARSE
+// Of a Gaussian less its value at the rim over the disc, up to a factor.
+vec2 sumOver(vec2 falloffs)
+{
+  vec2 rim = exp(-falloffs);
+  return (1.0 - rim) / falloffs - rim;
+}
+#endif
 
 void main()
 {
-  gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside, for points that are left out
+  // For points that are left out: beyond the target, but within the viewport if that is wider, because
+  // software rasterisers take a slow way where anything is clipped.
+#ifdef INK_MARGIN
+  gl_Position = vec4(1.0 - INK_MARGIN * texel / targetSize.x, 0.0, 0.0, 1.0);
+#else
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+#endif
   gl_PointSize = 1.0;
-  centerVSOutput = vec2(0.0);
   toDiscVSOutput = vec4(0.0);
-  perspectiveVSOutput = vec2(0.0);
+  centerVSOutput = vec4(0.0);
+  discVSOutput = vec4(0.0);
+#ifdef INK_PLANES
   positionVSOutput = vec3(0.0);
   axisUVSOutput = vec3(0.0);
   axisVVSOutput = vec3(0.0);
-  lightVSOutput = 0.0;
-  weightVSOutput = 0.0;
-  slopeVSOutput = 0.0;
-  toleranceVSOutput = vec2(0.0);
+#endif
+#if defined INK_LIGHT
+  splatVSOutput = vec4(0.0);
+#ifdef INK_COARSE
+  gaussiansVSOutput = vec4(0.0);
+#endif
+#elif defined INK_PEEL
+  splatVSOutput = vec3(0.0);
+#else
+  splatVSOutput = 0.0;
+#endif
+#ifdef INK_ID
   idVSOutput = gl_VertexID;
+#endif
+#ifdef INK_COLORS
+  colorVSOutput = colorMC;
+#endif
 
   float radius = normalRadiusMC.w * radiusScale;
   if (!(radius > 0.0))
@@ -84,6 +152,12 @@ void main()
   {
     return;
   }
+#ifdef INK_BACK
+  if (light > 0.0)
+  {
+    return;
+  }
+#endif
 
   // Axes of the disc: an orthonormal basis (Duff et al. 2017) scaled to the radius.
   vec3 n = normalRadiusMC.xyz;
@@ -113,6 +187,18 @@ void main()
   mat2 turn = mat2(turnU, handed * vec2(-turnU.y, turnU.x));
   mat2 square = disc * transpose(disc) + mat2(minimumRadius * minimumRadius);
   float area = sqrt(determinant(square));
+#ifdef INK_LIGHT
+  // The ellipse's narrower radius is the root of the square's smaller eigenvalue. Splats seen from the side
+  // count as small: near contours the surface changes within few pixels.
+  float middleWidth = 0.5 * (square[0].x + square[1].y);
+  float spread = sqrt(max(middleWidth * middleWidth - area * area, 0.0));
+  float width = sqrt(max(middleWidth - spread, 0.0));
+  width = width * width < 0.1 * (middleWidth + spread) ? 0.0 : width;
+  if (width < widths.x || width >= widths.y)
+  {
+    return;
+  }
+#endif
   disc = (square + mat2(area)) / sqrt(square[0].x + square[1].y + 2.0 * area) * turn;
 
   // The box around the disc's projection, from the tangents to its conic; the part of it in the viewport.
@@ -135,34 +221,51 @@ void main()
     return;
   }
 
-  lightVSOutput = light;
-  slopeVSOutput = min(sqrt(1.0 - min(light * light, 1.0)) / max(abs(light), 1e-3), maximumSlope);
-  toleranceVSOutput = tolerance * vec2(normalRadiusMC.w * unitVC, minimumRadius * pixelVC * center.w);
+  float slope = min(sqrt(1.0 - min(light * light, 1.0)) / max(abs(light), 1e-3), maximumSlope);
+  // In view units, for no slope and by slope.
+  vec2 tolerances = vec2(tolerance * normalRadiusMC.w * unitVC, slack * pixelVC * center.w);
 
-  if (cullHidden)
+#if defined INK_LIGHT || defined INK_BACK
+  bool visible = shows(centerPixel, -positionVC.z, light, slope, tolerances);
+  for (int i = 0; i < probeCount && !visible; ++i)
   {
-    bool visible = shows(centerPixel, -positionVC.z);
-    for (int i = 0; i < 4 && !visible; ++i)
-    {
-      vec2 probe = probes[i];
-      float depth = -(positionVC.z + axisU.z * probe.x + axisV.z * probe.y);
-      visible = shows(centerPixel + disc * probe / (1.0 + dot(w, probe)), depth);
-    }
-    if (!visible)
-    {
-      return;
-    }
+    vec2 probe = probes[i];
+    float depth = -(positionVC.z + axisU.z * probe.x + axisV.z * probe.y);
+    visible = shows(centerPixel + disc * probe / (1.0 + dot(w, probe)), depth, light, slope, tolerances);
   }
+  if (!visible)
+  {
+    return;
+  }
+#endif
 
-  centerVSOutput = centerPixel;
+#if defined INK_LIGHT
+  float weight = referenceRadius / radius;
+  splatVSOutput = vec4(weight * weight, slope, tolerances);
+#ifdef INK_COARSE
+  // Going from texels to pixels blurs by a variance of a sixth of a texel's square. By that the Gaussians are
+  // narrower, and higher, so that each splat weighs as much.
+  vec2 left = 1.0 - texel * texel / (3.0 * width * width) * falloff;
+  gaussiansVSOutput = vec4(falloff / left, sumOver(falloff) / sumOver(falloff / left));
+#endif
+#elif defined INK_PEEL
+  splatVSOutput = vec3(slope, tolerances);
+#elif defined INK_ID
+  splatVSOutput = tolerances.x;
+#else
+  splatVSOutput = slope;
+#endif
+
+  centerVSOutput = vec4(centerPixel, w);
   toDiscVSOutput = vec4(disc[1].y, -disc[0].y, -disc[1].x, disc[0].x) / determinant(disc);
-  perspectiveVSOutput = w;
+  discVSOutput = vec4(positionVC.z, axisU.z, axisV.z, light);
+#ifdef INK_PLANES
   positionVSOutput = positionVC.xyz;
   axisUVSOutput = axisU;
   axisVVSOutput = axisV;
-  weightVSOutput = 1.0 / (radius * radius);
+#endif
 
-  gl_Position = vec4((low + high) / viewportSize - 1.0, 0.0, 1.0);
+  gl_Position = vec4((low + high) / targetSize - 1.0, 0.0, 1.0);
   // A little more than the box, against rounding.
-  gl_PointSize = max(high.x - low.x, high.y - low.y) + 0.25;
+  gl_PointSize = max(high.x - low.x, high.y - low.y) / texel + 0.25;
 }

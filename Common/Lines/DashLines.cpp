@@ -1,0 +1,148 @@
+#include "Lines/DashLines.h"
+
+#include "Lines/InkRuns.h"
+#include "Parallel/ParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/// A point of a line and how much ink its dash leaves it.
+struct DashPoint
+{
+  glm::ivec2 pixel;
+  float share;
+};
+
+/// How far within a dash (positive) or from the next one (negative) a place along a line is, in pixels.
+float depthInDash(float place, float dash, float period)
+{
+  const float within = place - period * std::floor(place / period);
+  return within <= dash ? std::min(within, dash - within) : std::max(dash - within, within - period);
+}
+
+std::vector<DashPoint> dashPoints(std::span<const TracedLine> lines, float dash, float gap)
+{
+  std::vector<DashPoint> points;
+  for (const TracedLine& line : lines)
+  {
+    const std::vector<float> lengths = lengthsAlong(line);
+    const float length = lengths.empty() ? 0.0f : lengths.back();
+    const bool isClosed = line.size() > 2 && line.front() == line.back();
+    // A gap less than dashes in an open line.
+    const float count = std::max(1.0f, std::round((length + (isClosed ? 0.0f : gap)) / (dash + gap)));
+    const float planned = count * (dash + gap) - (isClosed ? 0.0f : gap);
+    const float scale = length > 0.0f ? length / planned : 1.0f;
+    const bool isWhole = !isClosed && count < 2.0f;
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      const bool isEnd = !isClosed && (i == 0 || i + 1 == line.size());
+      const float depth = depthInDash(lengths[i], scale * dash, scale * (dash + gap));
+      points.push_back({ line[i], isWhole || isEnd ? 1.0f : std::clamp(depth + 0.5f, 0.0f, 1.0f) });
+    }
+  }
+  return points;
+}
+
+/// Which point is nearest to each pixel of ink: spreads from the points through the ink, a ring of pixels at
+/// a time, each pixel taking over the nearest of its neighbours' points.
+std::vector<std::uint32_t> nearestPoints(const InkImage& image, std::span<const DashPoint> points)
+{
+  const auto placeOf = [&](glm::ivec2 p)
+  {
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(image.width) +
+      static_cast<std::size_t>(p.x);
+  };
+  std::vector<std::uint32_t> nearest(image.pixels.size(), none);
+  std::vector<glm::ivec2> ring;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    const glm::ivec2 p = points[i].pixel;
+    if (p.x < 0 || p.y < 0 || p.x >= image.width || p.y >= image.height)
+    {
+      throw std::invalid_argument("a line to be dashed leaves the picture");
+    }
+    std::uint32_t& here = nearest[placeOf(p)];
+    if (here == none)
+    {
+      here = i;
+      ring.push_back(p);
+    }
+    else if (points[i].share > points[here].share) // where lines meet
+    {
+      here = i;
+    }
+  }
+  std::vector<glm::ivec2> next;
+  while (!ring.empty())
+  {
+    next.clear();
+    for (const glm::ivec2 from : ring)
+    {
+      const std::uint32_t point = nearest[placeOf(from)];
+      for (int y = std::max(from.y - 1, 0); y <= std::min(from.y + 1, image.height - 1); ++y)
+      {
+        for (int x = std::max(from.x - 1, 0); x <= std::min(from.x + 1, image.width - 1); ++x)
+        {
+          const glm::ivec2 to(x, y);
+          std::uint32_t& there = nearest[placeOf(to)];
+          if (image.row(y)[x] == 0 || there == point)
+          {
+            continue;
+          }
+          const auto squared = [&](std::uint32_t p)
+          {
+            const glm::ivec2 way = points[p].pixel - to;
+            return way.x * way.x + way.y * way.y;
+          };
+          if (there == none || std::pair(squared(point), point) < std::pair(squared(there), there))
+          {
+            there = point;
+            next.push_back(to);
+          }
+        }
+      }
+    }
+    std::swap(ring, next);
+  }
+  return nearest;
+}
+
+} // namespace
+
+void dashLines(const InkImage& image, std::span<const TracedLine> lines, float dash, float gap)
+{
+  image.check();
+  if (!(dash > 0.0f) || !(gap > 0.0f) || !std::isfinite(dash + gap))
+  {
+    return;
+  }
+  const std::vector<DashPoint> points = dashPoints(lines, dash, gap);
+  const std::vector<std::uint32_t> nearest = nearestPoints(image, points);
+  parallelFor(static_cast<std::size_t>(image.height),
+    [&](std::size_t y)
+    {
+      unsigned char* const row = image.row(static_cast<int>(y));
+      const std::uint32_t* const nearestOfRow = nearest.data() + y * static_cast<std::size_t>(image.width);
+      for (int x = skipEmpty(row, 0, image.width); x < image.width; x = skipEmpty(row, x + 1, image.width))
+      {
+        if (nearestOfRow[x] != none)
+        {
+          row[x] = static_cast<unsigned char>(
+            std::lround(points[nearestOfRow[x]].share * static_cast<float>(row[x])));
+        }
+      }
+    });
+}
+
+} // namespace ink

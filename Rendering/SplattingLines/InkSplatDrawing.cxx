@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkSplatDrawing.h"
+
+#include "InkSplatPasses.h"
+#include "InkSplatQuads.h"
+
+#include "InkOpenGLCompat.h"
+#include "InkScopedState.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+void Clear(vtkOpenGLState* state, float red, GLbitfield buffers)
+{
+  state->vtkglClearColor(red, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(buffers);
+}
+
+} // namespace
+
+bool InkSplatDrawing::Allocate(InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting)
+{
+  const auto& [width, height] = view.Size;
+  const bool fits = this->View && this->View->Size == view.Size && this->Splatting &&
+    this->Splatting->Colors == splatting.Colors && this->Splatting->HalfFloats == splatting.HalfFloats;
+  if (!fits)
+  {
+    this->Layers.clear();
+    this->Sums.clear();
+    this->ZBuffer.reset();
+  }
+  using Format = InkSplatImage::Format;
+  vtkOpenGLRenderWindow* window = passes.GetWindow();
+  const auto make = [&](Format format, InkSplatImage* beside = nullptr, InkSplatImage* depth = nullptr)
+  { return std::make_unique<InkSplatImage>(window, format, width, height, beside, depth); };
+  if (!this->ZBuffer)
+  {
+    this->ZBuffer = make(Format::Depth);
+  }
+  const Format sums = splatting.HalfFloats ? Format::Half4 : Format::Float4;
+  while (!this->Sums.empty() && 1 << (this->Sums.size() - 1) > splatting.CoarsestTexel)
+  {
+    this->Sums.pop_back();
+  }
+  for (int texel = 1 << this->Sums.size(); texel <= splatting.CoarsestTexel; texel *= 2)
+  {
+    this->Sums.push_back(std::make_unique<InkSplatImage>(
+      window, sums, (width + texel - 1) / texel, (height + texel - 1) / texel));
+  }
+  this->Layers.resize(static_cast<std::size_t>(splatting.Layers));
+  bool complete = true;
+  for (Layer& layer : this->Layers)
+  {
+    if (!layer.Surface)
+    {
+      layer.Colors = splatting.Colors ? make(Format::Byte4) : nullptr;
+      layer.Surface = make(Format::Float2, layer.Colors.get(), this->ZBuffer.get());
+      layer.Illumination = make(Format::Float2);
+      layer.Ink = make(Format::Byte4);
+    }
+    complete = complete && layer.Surface->IsComplete() && layer.Illumination->IsComplete();
+  }
+  return complete &&
+    std::all_of(this->Sums.begin(), this->Sums.end(), [](const auto& image) { return image->IsComplete(); });
+}
+
+bool InkSplatDrawing::DrawSurface(
+  InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting, std::size_t index)
+{
+  vtkOpenGLState* state = passes.GetWindow()->GetState();
+  this->Layers[index].Surface->Bind();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
+  Clear(state, InkNoSurface, GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+  using Sheet = InkSplatPasses::Sheet;
+  const Layer& layer = this->Layers[index];
+  if (index == 0)
+  {
+    const bool inTurn = view.BackFaces && !splatting.AsPublished;
+    passes.DrawDepth(view, splatting, inTurn ? Sheet::Front : Sheet::Whole);
+    if (inTurn)
+    {
+      // Most of what faces away is hidden. The illumination is not drawn yet: it holds the copy.
+      layer.Surface->CopyTo(*layer.Illumination);
+      layer.Surface->Bind();
+      passes.DrawDepth(view, splatting, Sheet::Back, layer.Illumination.get());
+    }
+    return true;
+  }
+  // No layer follows an empty one.
+  GLuint query = 0;
+  GLuint pixels = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  passes.DrawDepth(view, splatting, Sheet::Hidden, this->Layers[index - 1].Surface.get());
+  glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &pixels);
+  glDeleteQueries(1, &query);
+  return pixels > 0;
+}
+
+void InkSplatDrawing::DrawSplats(
+  InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view, const InkSplatting& splatting)
+{
+  vtkOpenGLState* state = passes.GetWindow()->GetState();
+  this->Present = 0;
+  for (std::size_t index = 0; index < this->Layers.size(); ++index)
+  {
+    if (!this->DrawSurface(passes, view, splatting, index))
+    {
+      break;
+    }
+    ++this->Present;
+    const Layer& layer = this->Layers[index];
+
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+    std::vector<const InkSplatImage*> sums;
+    for (std::size_t level = 0; level < this->Sums.size(); ++level)
+    {
+      const int texel = 1 << level;
+      this->Sums[level]->Bind();
+      Clear(state, 0.0f, GL_COLOR_BUFFER_BIT);
+      const double least = InkSplatPasses::FewestTexels * texel;
+      const bool last = level + 1 == this->Sums.size();
+      passes.DrawLight(view, splatting, *layer.Surface, index > 0, texel,
+        { level == 0 ? 0.0 : least, last ? HUGE_VAL : 2.0 * least });
+      sums.push_back(this->Sums[level].get());
+    }
+
+    // What is not covered by discs is never looked at.
+    const std::array<int, 4> extent = passes.FindExtent(view, splatting);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(extent[0], extent[1], extent[2], extent[3]);
+    layer.Illumination->Bind();
+    quads.DrawIllumination(view, *layer.Surface, sums,
+      { InkSplatTolerance * passes.GetLargestRadius() * view.Unit, InkSplatTolerance });
+    state->vtkglDisable(GL_SCISSOR_TEST);
+  }
+}
+
+void InkSplatDrawing::DrawInk(
+  InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view, const InkSplatStyle& style)
+{
+  vtkOpenGLState* state = passes.GetWindow()->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const std::array<int, 4> extent = passes.FindExtent(view, *this->Splatting);
+  state->vtkglScissor(extent[0], extent[1], extent[2], extent[3]);
+  for (int index = this->Present - 1; index >= 0; --index)
+  {
+    Layer& layer = this->Layers[static_cast<std::size_t>(index)];
+    state->vtkglDisable(GL_BLEND);
+    const vtkSmartPointer<vtkTextureObject> coverage =
+      quads.WorkOn(style, index, view, *layer.Illumination, *layer.Ink);
+    // With paper, all ink is in one image, nearer ink over that behind it.
+    const bool over = style.Paper && index < this->Present - 1;
+    (style.Paper ? this->Layers[static_cast<std::size_t>(this->Present - 1)] : layer).Ink->Bind();
+    if (over)
+    {
+      state->vtkglEnable(GL_BLEND);
+    }
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    quads.DrawInk(style, index, *layer.Illumination, layer.Colors.get(), coverage);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+  }
+}
+
+bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view,
+  const InkSplatting& splatting, const InkSplatStyle& style, const double paperColor[3], double opacity,
+  vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  const bool splatsChanged =
+    this->View != view || this->Splatting != splatting || this->UploadTime != passes.GetUploadTime();
+  if (splatsChanged || this->Style != style)
+  {
+    vtkOpenGLState* state = passes.GetWindow()->GetState();
+    const InkScopedState scoped(state);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_STENCIL_TEST);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    if (splatsChanged)
+    {
+      if (!this->Allocate(passes, view, splatting))
+      {
+        return false;
+      }
+      this->DrawSplats(passes, quads, view, splatting);
+      this->View = view;
+      this->Splatting = splatting;
+      this->UploadTime = passes.GetUploadTime();
+    }
+    this->DrawInk(passes, quads, view, style);
+    this->Style = style;
+  }
+
+  // Ink without paper may lie on a surface that another actor draws, and must not sink into it.
+  const double bias = style.Paper ? 0.0 : InkSplatTolerance * passes.GetLargestRadius() * view.Unit;
+  for (int index = style.Paper ? 0 : this->Present - 1; index >= 0; --index)
+  {
+    const Layer& layer = this->Layers[static_cast<std::size_t>(index)];
+    const Layer& inked = style.Paper ? this->Layers[static_cast<std::size_t>(this->Present - 1)] : layer;
+    quads.DrawComposite(
+      view, *layer.Surface, *inked.Ink, style.Paper ? paperColor : nullptr, opacity, bias, mapper, actor);
+  }
+  return true;
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkSplatLineWork.h"
+
+#include "InkView.h"
+
+#include "Lines/DashLines.h"
+#include "Lines/GrowLines.h"
+#include "Lines/ThinLines.h"
+#include "Lines/TraceLines.h"
+
+#include <vector>
+
+namespace
+{
+
+/// Ink from which on it makes lines that can be followed, of 255.
+constexpr unsigned char Followed = 51;
+
+/// Ink from which on spots are told from each other: a tenth.
+constexpr unsigned char Seen = 26;
+
+} // namespace
+
+InkSplatLineWork::InkSplatLineWork(const InkSplatStyle& style, int layer, const InkView& view)
+{
+  const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
+  const double thousandth = 1e-3 * view.Size[1] * view.TileScale;
+  this->SpeckleLength = static_cast<float>(style.SpeckleLength * view.TileScale);
+  this->Thinning = style.Thinning;
+  this->Growth = static_cast<float>(0.5 * own.LineWidth * thousandth);
+  this->DashLength = static_cast<float>(own.DashLength * thousandth);
+  // Which borders of a tile are those of the picture is not known.
+  const bool tile = view.TileScale > 1;
+  this->Cut = { tile, tile, tile, tile };
+}
+
+bool InkSplatLineWork::IsNeeded() const
+{
+  return this->SpeckleLength > 0.0f || this->Thinning || this->Growth != 0.0f || this->DashLength > 0.0f;
+}
+
+void InkSplatLineWork::Apply(const ink::InkImage& image) const
+{
+  if (this->SpeckleLength > 0.0f)
+  {
+    ink::removeSpeckles(image, this->SpeckleLength, Seen, this->Cut);
+  }
+  if (this->Thinning)
+  {
+    ink::thinLines(image, Followed);
+  }
+  // Along the lines as they are before they grow together.
+  std::vector<ink::TracedLine> lines;
+  if (this->DashLength > 0.0f)
+  {
+    std::vector<unsigned char> pixels(image.pixels.begin(), image.pixels.end());
+    const ink::InkImage thinned{ pixels, image.width, image.height };
+    ink::thinLines(thinned, Followed);
+    lines = ink::traceLines(thinned);
+  }
+  ink::growLines(image, this->Growth);
+  ink::dashLines(image, lines, this->DashLength, this->DashLength);
+}

@@ -1,0 +1,66 @@
+//VTK::System::Dec
+
+//INK::Features
+
+// The two diffuse shading images I1 and I2 (Zhang et al. 2014, equation 1), from the sums over the splats.
+// With INK_COARSE, large splats were summed up in coarser images; their sums are brought to the pixels from
+// those of the four nearest texels that stand for the same piece of surface.
+
+in vec2 texCoord;
+
+uniform sampler2D surface;
+uniform sampler2D sums; // sum w1 f, sum w1, sum w2 f, sum w2
+#ifdef INK_COARSE
+uniform sampler2D coarseSums[INK_COARSE]; // of texels of 2, 4, ... pixels
+uniform vec2 tolerances;   // of the depth test: view units, and by slope, view units where clip w is 1
+uniform vec2 depthToClipW; // clip w = x * view z + y
+#endif
+
+//VTK::Output::Dec
+
+#ifdef INK_COARSE
+vec4 bring(sampler2D coarse, float texel, vec2 pixel, vec2 shown)
+{
+  vec2 place = pixel / texel - 0.5;
+  ivec2 corner = ivec2(floor(place));
+  vec2 part = place - vec2(corner);
+  ivec2 last = textureSize(coarse, 0) - 1;
+  ivec2 lastPixel = textureSize(surface, 0) - 1;
+  float bySlope = texel * tolerances.y * (depthToClipW.y - depthToClipW.x * shown.r);
+  vec4 sum = vec4(0.0);
+  float total = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 offset = ivec2(i & 1, i >> 1);
+    ivec2 at = clamp(corner + offset, ivec2(0), last);
+    // The pixel whose surface the texel's splats were tested against.
+    vec2 other = texelFetch(surface, min(ivec2(texel * (vec2(at) + 0.5)), lastPixel), 0).rg;
+    float slope = max(abs(shown.g), abs(other.g)) - 1.0;
+    if (shown.g * other.g > 0.0 && abs(other.r - shown.r) <= tolerances.x + bySlope * slope)
+    {
+      vec2 share = mix(1.0 - part, part, vec2(offset));
+      sum += share.x * share.y * texelFetch(coarse, at, 0);
+      total += share.x * share.y;
+    }
+  }
+  return total > 0.0 ? sum / total : sum;
+}
+#endif
+
+void main()
+{
+  vec2 place = texCoord * vec2(textureSize(surface, 0));
+  ivec2 pixel = ivec2(place);
+  vec4 all = texelFetch(sums, pixel, 0);
+#ifdef INK_COARSE
+  vec2 shown = texelFetch(surface, pixel, 0).rg;
+  if (shown.g != 0.0)
+  {
+    all += bring(coarseSums[0], 2.0, place, shown);
+#if INK_COARSE > 1
+    all += bring(coarseSums[1], 4.0, place, shown);
+#endif
+  }
+#endif
+  gl_FragData[0] = all.y > 0.0 && all.w > 0.0 ? vec4(all.x / all.y, all.z / all.w, 0.0, 0.0) : vec4(0.0);
+}

@@ -1,0 +1,51 @@
+//VTK::System::Dec
+
+//INK::Features
+
+// The ink of one layer (Zhang et al. 2014, section 3.3): H = I1 - tau I2, E = tanh(phi H), ink where E is
+// negative; its colour times its coverage, and the coverage. With INK_COVERAGE, the coverage was worked on as
+// an image.
+
+in vec2 texCoord;
+
+uniform sampler2D illumination; // I1, I2
+uniform float tau;
+uniform float phi;
+uniform float hardness; // 0: as published; 1: all ink or none
+uniform vec3 inkColor;
+uniform float strength;
+#ifdef INK_COVERAGE
+uniform sampler2D coverageImage;
+#endif
+#ifdef INK_COLORS
+uniform sampler2D colors; // of the nearest discs
+#endif
+#ifdef INK_TONE
+uniform vec3 toneColor; // where the light falls straight on the surface
+#endif
+
+//VTK::Output::Dec
+
+void main()
+{
+  ivec2 pixel = ivec2(texCoord * vec2(textureSize(illumination, 0)));
+  vec2 shading = texelFetch(illumination, pixel, 0).rg;
+#ifdef INK_COVERAGE
+  float ink = texelFetch(coverageImage, pixel, 0).r;
+#else
+  // tanh overflows on some drivers.
+  float ink = max(0.0, -tanh(clamp(phi * (shading.r - tau * shading.g), -9.0, 9.0)));
+  // Steeper about one half; at the steepest the step is a pixel wide.
+  float ramp = max(1.0 - hardness, min(fwidth(ink), 1.0));
+  ink = hardness > 0.0 ? clamp((ink - 0.5) / ramp + 0.5, 0.0, 1.0) : ink;
+#endif
+  vec3 color = inkColor;
+#ifdef INK_COLORS
+  color = texelFetch(colors, pixel, 0).rgb;
+#endif
+#ifdef INK_TONE
+  color = mix(color, toneColor, clamp(shading.r, 0.0, 1.0));
+#endif
+  ink *= strength;
+  gl_FragData[0] = vec4(color * ink, ink);
+}
