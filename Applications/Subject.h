@@ -28,7 +28,7 @@ struct Subject
   std::vector<std::string> notes;
 };
 
-/// Makes subjects, one or the frames of an animation, with one mapper.
+/// Makes subjects, one or the frames of an animation, with the one mapper of the options.
 class SubjectMaker
 {
 public:

@@ -21,6 +21,16 @@
 #include <stdexcept>
 #include <string>
 
+namespace
+{
+
+bool HasTimeSteps(vtkInformation* info)
+{
+  return info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 0;
+}
+
+} // namespace
+
 vtkStandardNewMacro(vtkInkSurfaceSampler);
 
 vtkInkSurfaceSampler::vtkInkSurfaceSampler()
@@ -71,8 +81,7 @@ std::string vtkInkSurfaceSampler::DescribeSampling()
 bool vtkInkSurfaceSampler::HasFirstSamples(vtkInformation* inputInfo)
 {
   // Without time steps it is the input's changes that are followed.
-  const bool sameSeries = !inputInfo->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) ||
-    this->SampledUpstream == this->GetUpstreamMTime();
+  const bool sameSeries = !HasTimeSteps(inputInfo) || this->SampledUpstream == this->GetUpstreamMTime();
   return this->FirstSamples && this->SampledAs == this->DescribeSampling() && sameSeries;
 }
 
@@ -83,8 +92,12 @@ int vtkInkSurfaceSampler::RequestUpdateExtent(
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   vtkInformation* output = outputVector->GetInformationObject(0);
-  this->AtFirstStep = this->FollowDeformation && this->GetNumberOfInputConnections(1) == 0 &&
-    input->Has(Pipeline::TIME_STEPS()) && !this->HasFirstSamples(input);
+  this->AtFirstStep = false;
+  if (!this->FollowDeformation || this->GetNumberOfInputConnections(1) > 0 || !HasTimeSteps(input))
+  {
+    return 1;
+  }
+  this->AtFirstStep = !this->HasFirstSamples(input);
   if (this->AtFirstStep)
   {
     input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[0]);
@@ -95,6 +108,7 @@ int vtkInkSurfaceSampler::RequestUpdateExtent(
   }
   else
   {
+    // The first step was asked for last; no time in particular is wanted.
     input->Remove(Pipeline::UPDATE_TIME_STEP());
   }
   return 1;
@@ -140,7 +154,7 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
     !(this->LaterSamples && InkAreSamplesOf(this->LaterSamples, mesh)))
   {
     // Without time steps, what was first is never asked for again.
-    const bool temporal = inputInfo->Has(Pipeline::TIME_STEPS());
+    const bool temporal = HasTimeSteps(inputInfo);
     (temporal ? this->LaterSamples : this->FirstSamples) = sample();
   }
   this->MoveSamples(

@@ -54,7 +54,7 @@ def judge(image):
         along = np.linspace(0.93, 1.07, 40) * 0.95 * SIZE / 2
         rows = np.clip((SIZE / 2 - along * np.sin(angle)).astype(int), 0, SIZE - 1)
         columns = np.clip((SIZE / 2 + along * np.cos(angle)).astype(int), 0, SIZE - 1)
-        found += ink[rows, columns].max() > 0.5
+        found += ink[rows, columns].max() > 0.35
     smooth = (out < 0.8) & (to_hole > HOLE_ANGLE + 0.12)
     return found / len(angles), (ink[smooth] > 0.3).mean(), (ink[to_hole < 0.5 * HOLE_ANGLE] > 0.3).mean()
 

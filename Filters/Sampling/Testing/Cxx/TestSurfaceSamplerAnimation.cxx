@@ -84,6 +84,11 @@ int TestSurfaceSamplerAnimation(int, char*[])
     check(std::abs(ratio - std::sqrt(7.0)) < 1e-6, "the radius grows by the stretch, found ", ratio);
 
     Expect(check, MakeSquare(11, 1.0, triangles), samples, triangles ? "242" : "121");
+    // As many cells and points, joined in another way.
+    vtkNew<vtkPolyData> turned;
+    turned->DeepCopy(first);
+    turned->ReverseCell(5);
+    Expect(check, turned, samples, "other points");
     const auto bare = vtkSmartPointer<vtkPolyData>::New();
     bare->SetPoints(samples->GetPoints());
     Expect(check, first, bare, "KeepFaces");
