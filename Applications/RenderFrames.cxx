@@ -1,12 +1,10 @@
 #include "RenderFrames.h"
 
 #include "Drawing.h"
-#include "Errors.h"
 #include "OutputFile.h"
 #include "Picture.h"
 #include "Progress.h"
 #include "RenderCommand.h"
-#include "Text.h"
 #include "Video.h"
 
 #include "vtkImageData.h"
@@ -14,12 +12,12 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <deque>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
