@@ -29,6 +29,11 @@ bool HasTimeSteps(vtkInformation* info)
   return info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 0;
 }
 
+bool HasFaces(vtkPolyData* mesh)
+{
+  return mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+}
+
 } // namespace
 
 vtkStandardNewMacro(vtkInkSurfaceSampler);
@@ -97,7 +102,7 @@ int vtkInkSurfaceSampler::RequestUpdateExtent(
   {
     return 1;
   }
-  this->AtFirstStep = !this->HasFirstSamples(input);
+  this->AtFirstStep = !this->TriedFirstStep && !this->HasFirstSamples(input);
   if (this->AtFirstStep)
   {
     input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[0]);
@@ -118,10 +123,11 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
   vtkInformation* outputInfo, vtkPolyData* mesh, vtkPolyData* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const bool hasFaces = HasFaces(mesh);
   const auto sample = [&]
   {
     auto samples = vtkSmartPointer<vtkPolyData>::New();
-    if (mesh->GetNumberOfPoints() > 0)
+    if (hasFaces)
     {
       this->SampleMesh(mesh, samples, true);
     }
@@ -132,7 +138,9 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
     this->FirstSamples = nullptr;
     this->LaterSamples = nullptr;
     this->FirstSamples = sample();
-    this->SampledAs = this->DescribeSampling();
+    // Sampling may have been aborted.
+    const bool valid = !hasFaces || this->FirstSamples->GetNumberOfPoints() > 0;
+    this->SampledAs = valid ? this->DescribeSampling() : std::string();
     this->SampledUpstream = this->GetUpstreamMTime();
   }
   if (this->AtFirstStep)
@@ -142,11 +150,12 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
     if (outputInfo->Has(Pipeline::UPDATE_TIME_STEP()) &&
       outputInfo->Get(Pipeline::UPDATE_TIME_STEP()) != first)
     {
+      this->TriedFirstStep = true;
       request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
       return;
     }
   }
-  if (mesh->GetNumberOfPoints() == 0)
+  if (!hasFaces)
   {
     return;
   }
@@ -174,8 +183,9 @@ int vtkInkSurfaceSampler::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfIsolatedPoints = 0;
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  const bool hasFaces = mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-  const bool follows = this->FollowDeformation && !firstFrame && (hasFaces || this->AtFirstStep);
+  this->TriedFirstStep = false;
+  const bool follows =
+    mesh && this->FollowDeformation && !firstFrame && (HasFaces(mesh) || this->AtFirstStep);
   // A piece, or a time step, of nothing is no error.
   if (!mesh || (mesh->GetNumberOfPoints() == 0 && !follows))
   {
@@ -188,7 +198,12 @@ int vtkInkSurfaceSampler::RequestData(
       this->FollowMesh(request, inputVector[0]->GetInformationObject(0),
         outputVector->GetInformationObject(0), mesh, output);
     }
-    else if (!hasFaces)
+    if (request->Has(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING()) ||
+      mesh->GetNumberOfPoints() == 0)
+    {
+      return 1;
+    }
+    if (!HasFaces(mesh))
     {
       InkPointCloudOptions options;
       options.Normals = this->ComputeNormals;
@@ -206,7 +221,7 @@ int vtkInkSurfaceSampler::RequestData(
     {
       this->MoveSamples(mesh, firstFrame, output);
     }
-    else
+    else if (!follows)
     {
       this->SampleMesh(mesh, output, this->KeepFaces);
     }

@@ -312,6 +312,7 @@ private:
   std::string SampledAs;            ///< DescribeSampling() when FirstSamples were made
   vtkMTimeType SampledUpstream = 0; ///< GetUpstreamMTime() then
   bool AtFirstStep = false;         ///< whether the first time step was asked for instead of the wanted one
+  bool TriedFirstStep = false;      ///< whether it was asked for just before, with or without success
   int NormalNeighbours = 16;
   bool OrientTowardsViewpoint = false;
   double Viewpoint[3] = { 0.0, 0.0, 0.0 };

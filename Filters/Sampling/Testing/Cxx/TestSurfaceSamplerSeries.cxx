@@ -6,6 +6,7 @@
 
 #include "vtkInkSurfaceSampler.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -25,7 +26,8 @@ public:
   static SquareSeries* New() { VTK_STANDARD_NEW_BODY(SquareSeries); }
   vtkTypeMacro(SquareSeries, vtkPolyDataAlgorithm);
 
-  bool Empty = false; ///< the first step
+  bool Empty = false;    ///< the first step
+  bool Faceless = false; ///< the first step
   int Runs = 0;
 
   static void Place(double time, double u, double v, double p[3])
@@ -63,6 +65,10 @@ protected:
       output->ShallowCopy(MakePatch(
         time < 7.0 ? 8 : 10, 8, false, [time](double u, double v, double p[3]) { Place(time, u, v, p); },
         VTK_DOUBLE));
+    }
+    if (this->Faceless && time == 0.0)
+    {
+      output->SetPolys(nullptr);
     }
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
     return 1;
@@ -160,6 +166,37 @@ void CheckEmptyFirstStep(InkTestChecks& check)
   check(messages->Messages.empty(), "no message");
 }
 
+/// Points at first, then a mesh.
+void CheckFacelessFirstStep(InkTestChecks& check)
+{
+  vtkNew<SquareSeries> series;
+  series->Faceless = true;
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  SetUp(sampler);
+  sampler->SetInputConnection(series->GetOutputPort());
+  check(At(sampler, 0.0)->GetNumberOfPoints() == 81, "the points themselves");
+  check(At(sampler, 3.0)->GetNumberOfPoints() == 800, "samples");
+  check(At(sampler, 0.0)->GetNumberOfPoints() == 81, "the points again");
+  check(
+    At(sampler, 4.0)->GetNumberOfPoints() == 800 && sampler->GetNumberOfSamplings() == 1, "the same samples");
+}
+
+void CheckAbort(InkTestChecks& check)
+{
+  vtkNew<SquareSeries> series;
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  SetUp(sampler);
+  sampler->SetInputConnection(series->GetOutputPort());
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  const unsigned long tag = sampler->AddObserver(vtkCommand::ProgressEvent, abort);
+  At(sampler, 3.0);
+  sampler->RemoveObserver(tag);
+  sampler->SetAbortExecute(0);
+  check(At(sampler, 4.0)->GetNumberOfPoints() == 800, "samples after an abort");
+}
+
 /// A program that deforms its mesh itself.
 void CheckWithoutTime(InkTestChecks& check)
 {
@@ -243,6 +280,8 @@ int TestSurfaceSamplerSeries(int, char*[])
   InkTestChecks check;
   CheckMovement(check);
   CheckEmptyFirstStep(check);
+  CheckFacelessFirstStep(check);
+  CheckAbort(check);
   CheckWithoutTime(check);
   CheckStretch(check);
   return check.Result();
