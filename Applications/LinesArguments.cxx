@@ -171,7 +171,7 @@ vtkSmartPointer<vtkInkSplattingLinesMapper> LinesArguments::mapper(const std::op
   if (!this->toneColor.empty())
   {
     mapper->SetToneColor(parseColor("--tone-color", this->toneColor).data());
-    mapper->SetColorMode(Mapper::TONE);
+    mapper->SetInkColorMode(Mapper::TONE);
   }
   mapper->SetHiddenLayers(this->layers > 1);
   mapper->SetNumberOfLayers(this->layers);

@@ -77,7 +77,7 @@ void vtkInkSplattingLinesRepresentation::UpdateColors()
   this->Mapper->SetScalarVisibility(byArray);
   const int otherwise =
     this->ColorByTone ? vtkInkSplattingLinesMapper::TONE : vtkInkSplattingLinesMapper::INK;
-  this->Mapper->SetColorMode(byArray ? vtkInkSplattingLinesMapper::SCALARS : otherwise);
+  this->Mapper->SetInkColorMode(byArray ? vtkInkSplattingLinesMapper::SCALARS : otherwise);
   const double* hidden = this->UseHiddenColor ? this->HiddenColor : this->Mapper->GetInkColor();
   for (int layer = 1; layer < this->Mapper->GetNumberOfLayersMaxValue(); ++layer)
   {
@@ -249,5 +249,5 @@ void vtkInkSplattingLinesRepresentation::SetLookupTable(vtkScalarsToColors* tabl
 void vtkInkSplattingLinesRepresentation::SetMapScalars(bool map)
 {
   // How scalars become colours, which is not what colours the lines.
-  this->Mapper->vtkMapper::SetColorMode(map ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
+  this->Mapper->SetColorMode(map ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
 }

@@ -268,7 +268,7 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
 
 vtkUnsignedCharArray* vtkInkSplattingLinesMapper::FindColors()
 {
-  if (this->ColorMode != SCALARS || !this->ScalarVisibility)
+  if (this->InkColorMode != SCALARS || !this->ScalarVisibility)
   {
     return nullptr;
   }
@@ -366,7 +366,7 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     .SpeckleLength = this->SpeckleLength,
     .Thinning = this->Thinning,
     .ScalarColors = splatting.Colors,
-    .ToneColors = this->ColorMode == TONE,
+    .ToneColors = this->InkColorMode == TONE,
     .ToneColor = { this->ToneColor[0], this->ToneColor[1], this->ToneColor[2] },
     .Layers = {},
     .Paper = this->PaperVisibility };
@@ -567,7 +567,7 @@ void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Hardness: " << this->Hardness << "\n";
   os << indent << "SpeckleLength: " << this->SpeckleLength << "\n";
   os << indent << "Thinning: " << (this->Thinning ? "On" : "Off") << "\n";
-  os << indent << "ColorMode: " << this->ColorMode << "\n";
+  os << indent << "InkColorMode: " << this->InkColorMode << "\n";
   os << indent << "ToneColor: " << this->ToneColor[0] << ' ' << this->ToneColor[1] << ' '
      << this->ToneColor[2] << "\n";
   os << indent << "CoarsestTexel: " << this->CoarsestTexel << "\n";

@@ -233,7 +233,7 @@ public:
   ///@}
 
   /// What colours the lines.
-  enum ColorModes
+  enum InkColorModes
   {
     INK = 0,     ///< InkColor and LayerColor
     SCALARS = 1, ///< point scalars through the lookup table, as other mappers do it; needs ScalarVisibility
@@ -244,13 +244,13 @@ public:
   /**
    * INK (default), SCALARS or TONE.
    */
-  vtkSetClampMacro(ColorMode, int, INK, TONE);
-  vtkGetMacro(ColorMode, int);
+  vtkSetClampMacro(InkColorMode, int, INK, TONE);
+  vtkGetMacro(InkColorMode, int);
   ///@}
 
   ///@{
   /**
-   * Colour of lines where the surface faces the viewer, with ColorMode TONE; RGB in 0..1. Default: a dark
+   * Colour of lines where the surface faces the viewer, with InkColorMode TONE; RGB in 0..1. Default: a dark
    * orange (0.8, 0.4, 0.1).
    */
   vtkSetVector3Macro(ToneColor, double);
@@ -356,7 +356,7 @@ private:
   double Hardness = 0.0;
   double SpeckleLength = 0.0;
   bool Thinning = false;
-  int ColorMode = INK;
+  int InkColorMode = INK;
   double ToneColor[3] = { 0.8, 0.4, 0.1 };
   int CoarsestTexel = 2;
   bool HalfFloats = false;

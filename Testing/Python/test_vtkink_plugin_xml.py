@@ -18,7 +18,7 @@ STIPPLE_ELSEWHERE = {"SurfaceFromInput", "PassScalars", "OutputPointsPrecision"}
 STIPPLE_OWN = {"SetIsoSurfaceHides", "SetIsoValue", "SetSurfaceHides", "SetMapScalars"}
 # Of splatting lines: what its panel sets for all hidden layers together, or decides by itself.
 LINES_ELSEWHERE = {
-    "LayerColor", "LayerStrength", "LayerLineWidth", "LayerDashLength", "ColorMode", "PointFraction",
+    "LayerColor", "LayerStrength", "LayerLineWidth", "LayerDashLength", "InkColorMode", "PointFraction",
 }  # fmt: skip
 # What only the representation has; TestSplattingLines.py looks at it.
 LINES_OWN = {

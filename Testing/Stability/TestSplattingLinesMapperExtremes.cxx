@@ -56,7 +56,7 @@ void AskForAll(vtkInkSplattingLinesMapper* mapper)
   {
     mapper->SetLayerDashLength(layer, 20.0);
   }
-  mapper->SetColorMode(vtkInkSplattingLinesMapper::TONE);
+  mapper->SetInkColorMode(vtkInkSplattingLinesMapper::TONE);
 }
 
 Points FromTuples(const std::vector<std::array<double, 3>>& places, const std::array<double, 3>& normal)

@@ -228,7 +228,7 @@ void TestScalars(InkTestChecks& check)
   scene.Mapper->SetLookupTable(table);
   scene.Mapper->SetScalarRange(0.0, 1.0);
   check(InkTestImage(scene.Window).CountDifferent(black) == 0, "scalars colour nothing unless they are to");
-  scene.Mapper->SetColorMode(vtkInkSplattingLinesMapper::SCALARS);
+  scene.Mapper->SetInkColorMode(vtkInkSplattingLinesMapper::SCALARS);
   const InkTestImage colored(scene.Window);
   int wrong = 0;
   int lines = 0;
@@ -274,7 +274,7 @@ void TestTone(InkTestChecks& check)
   // A dent's lines lie where the surface faces the viewer, the contour's where it does not.
   SplattingLinesScene scene(Torus());
   const InkTestImage black(scene.Window);
-  scene.Mapper->SetColorMode(vtkInkSplattingLinesMapper::TONE);
+  scene.Mapper->SetInkColorMode(vtkInkSplattingLinesMapper::TONE);
   scene.Mapper->SetInkColor(0.0, 0.0, 0.0);
   scene.Mapper->SetToneColor(1.0, 0.0, 0.0);
   const InkTestImage toned(scene.Window);
@@ -325,7 +325,7 @@ void TestUploads(InkTestChecks& check)
   scene.Mapper->SetHardness(0.5);
   scene.Mapper->SetLineWidth(3.0);
   scene.Mapper->HiddenLayersOn();
-  scene.Mapper->SetColorMode(vtkInkSplattingLinesMapper::TONE);
+  scene.Mapper->SetInkColorMode(vtkInkSplattingLinesMapper::TONE);
   scene.Mapper->SetPointFraction(0.5);
   scene.Window->Render();
   check(scene.Mapper->GetUploadTime() == time, "no upload for styles, layers and a part of the points");
