@@ -39,11 +39,9 @@ bool InkSplatDrawing::Allocate(InkSplatPasses& passes, const InkView& view, cons
   }
   using Format = InkSplatImage::Format;
   vtkOpenGLRenderWindow* window = passes.GetWindow();
-  const auto make = [&](Format format, InkSplatImage* beside = nullptr, InkSplatImage* depth = nullptr)
-  { return std::make_unique<InkSplatImage>(window, format, width, height, beside, depth); };
   if (!this->ZBuffer)
   {
-    this->ZBuffer = make(Format::Depth);
+    this->ZBuffer = std::make_unique<InkSplatImage>(window, Format::Depth, width, height);
   }
   const Format sums = splatting.HalfFloats ? Format::Half4 : Format::Float4;
   while (!this->Sums.empty() && 1 << (this->Sums.size() - 1) > splatting.CoarsestTexel)
@@ -56,20 +54,27 @@ bool InkSplatDrawing::Allocate(InkSplatPasses& passes, const InkView& view, cons
       window, sums, (width + texel - 1) / texel, (height + texel - 1) / texel));
   }
   this->Layers.resize(static_cast<std::size_t>(splatting.Layers));
-  bool complete = true;
-  for (Layer& layer : this->Layers)
+  return std::all_of(
+    this->Sums.begin(), this->Sums.end(), [](const auto& image) { return image->IsComplete(); });
+}
+
+bool InkSplatDrawing::AllocateLayer(
+  InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting, Layer& layer)
+{
+  using Format = InkSplatImage::Format;
+  const auto make = [&](Format format, InkSplatImage* beside = nullptr, InkSplatImage* depth = nullptr)
   {
-    if (!layer.Surface)
-    {
-      layer.Colors = splatting.Colors ? make(Format::Byte4) : nullptr;
-      layer.Surface = make(Format::Float2, layer.Colors.get(), this->ZBuffer.get());
-      layer.Illumination = make(Format::Float2);
-      layer.Ink = make(Format::Byte4);
-    }
-    complete = complete && layer.Surface->IsComplete() && layer.Illumination->IsComplete();
+    return std::make_unique<InkSplatImage>(
+      passes.GetWindow(), format, view.Size[0], view.Size[1], beside, depth);
+  };
+  if (!layer.Surface)
+  {
+    layer.Colors = splatting.Colors ? make(Format::Byte4) : nullptr;
+    layer.Surface = make(Format::Float2, layer.Colors.get(), this->ZBuffer.get());
+    layer.Illumination = make(Format::Float2);
+    layer.Ink = make(Format::Byte4);
   }
-  return complete &&
-    std::all_of(this->Sums.begin(), this->Sums.end(), [](const auto& image) { return image->IsComplete(); });
+  return layer.Surface->IsComplete() && layer.Illumination->IsComplete() && layer.Ink->IsComplete();
 }
 
 bool InkSplatDrawing::DrawSurface(
@@ -82,6 +87,11 @@ bool InkSplatDrawing::DrawSurface(
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDisable(GL_BLEND);
   Clear(state, InkNoSurface, GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+  if (splatting.Colors)
+  {
+    const float none[4] = {};
+    glClearBufferfv(GL_COLOR, 1, none);
+  }
   using Sheet = InkSplatPasses::Sheet;
   const Layer& layer = this->Layers[index];
   if (index == 0)
@@ -97,25 +107,39 @@ bool InkSplatDrawing::DrawSurface(
     }
     return true;
   }
+  const InkSplatImage* before = this->Layers[index - 1].Surface.get();
+  GLint current = 0;
+  glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &current);
+  if (current != 0)
+  {
+    // A render pass counts what is drawn: there cannot be another count.
+    passes.DrawDepth(view, splatting, Sheet::Hidden, before);
+    return true;
+  }
   // No layer follows an empty one.
   GLuint query = 0;
   GLuint pixels = 0;
   glGenQueries(1, &query);
   glBeginQuery(GL_SAMPLES_PASSED, query);
-  passes.DrawDepth(view, splatting, Sheet::Hidden, this->Layers[index - 1].Surface.get());
+  passes.DrawDepth(view, splatting, Sheet::Hidden, before);
   glEndQuery(GL_SAMPLES_PASSED);
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &pixels);
   glDeleteQueries(1, &query);
   return pixels > 0;
 }
 
-void InkSplatDrawing::DrawSplats(
+bool InkSplatDrawing::DrawSplats(
   InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view, const InkSplatting& splatting)
 {
   vtkOpenGLState* state = passes.GetWindow()->GetState();
   this->Present = 0;
   for (std::size_t index = 0; index < this->Layers.size(); ++index)
   {
+    // Only layers that there are need room.
+    if (!this->AllocateLayer(passes, view, splatting, this->Layers[index]))
+    {
+      return false;
+    }
     if (!this->DrawSurface(passes, view, splatting, index))
     {
       break;
@@ -134,7 +158,7 @@ void InkSplatDrawing::DrawSplats(
       const int texel = 1 << level;
       this->Sums[level]->Bind();
       Clear(state, 0.0f, GL_COLOR_BUFFER_BIT);
-      const double least = InkSplatPasses::FewestTexels * texel;
+      const double least = InkSplatPasses::FewestTexels(splatting.Sigma) * texel;
       const bool last = level + 1 == this->Sums.size();
       passes.DrawLight(view, splatting, *layer.Surface, index > 0, texel,
         { level == 0 ? 0.0 : least, last ? HUGE_VAL : 2.0 * least });
@@ -151,6 +175,7 @@ void InkSplatDrawing::DrawSplats(
       { InkSplatTolerance * passes.GetLargestRadius() * view.Unit, InkSplatTolerance });
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
+  return true;
 }
 
 void InkSplatDrawing::DrawInk(
@@ -183,7 +208,7 @@ void InkSplatDrawing::DrawInk(
       state->vtkglEnable(GL_BLEND);
     }
     state->vtkglEnable(GL_SCISSOR_TEST);
-    quads.DrawInk(style, index, *layer.Illumination, layer.Colors.get(), coverage);
+    quads.DrawInk(style, index, *layer.Illumination, layer.Colors.get(), coverage, this->Reach);
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
 }
@@ -204,11 +229,12 @@ bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const I
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (splatsChanged)
     {
-      if (!this->Allocate(passes, view, splatting))
+      const bool allocated = this->Allocate(passes, view, splatting);
+      this->View.reset();
+      if (!allocated || !this->DrawSplats(passes, quads, view, splatting))
       {
         return false;
       }
-      this->DrawSplats(passes, quads, view, splatting);
       this->View = view;
       this->Splatting = splatting;
       this->UploadTime = passes.GetUploadTime();

@@ -44,7 +44,9 @@ private:
   };
 
   bool Allocate(InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting);
-  void DrawSplats(
+  bool AllocateLayer(
+    InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting, Layer& layer);
+  bool DrawSplats(
     InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view, const InkSplatting& splatting);
   bool DrawSurface(
     InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting, std::size_t index);

@@ -6,6 +6,7 @@
 #include "Parallel/ParallelSort.h"
 #include "Sampling/Hash.h"
 
+#include <cmath>
 #include <utility>
 
 std::vector<std::uint32_t> InkFindSplatOrder(std::uint32_t count, vtkDataArray* priorities)
@@ -15,7 +16,7 @@ std::vector<std::uint32_t> InkFindSplatOrder(std::uint32_t count, vtkDataArray* 
   {
     const double priority = priorities ? priorities->GetComponent(i, 0) : ink::unitDouble(ink::hash(i));
     // What is no number comes last.
-    keys[i] = { priority <= 1.0 ? priority : 1.0, i };
+    keys[i] = { std::isnan(priority) ? HUGE_VAL : priority, i };
   }
   ink::parallelSort(keys.begin(), keys.end());
   std::vector<std::uint32_t> order(count);

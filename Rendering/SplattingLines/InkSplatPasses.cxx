@@ -3,6 +3,7 @@
 
 #include "InkSplatImage.h"
 #include "InkSplatPoints.h"
+#include "InkSplatShader.h"
 #include "InkView.h"
 
 #include "InkSplatDepthFS.h"
@@ -55,15 +56,22 @@ constexpr int Margin = 4;
 /// sqrt(1 / p) times as far from each other, and as the parts are less even than the whole, somewhat more.
 double Growth(double fraction)
 {
-  return fraction < 1.0 ? 1.4 / std::sqrt(fraction) : 1.0;
+  return (1.45 - 0.45 * fraction) / std::sqrt(fraction);
 }
 
 /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
 /// anywhere beyond the near plane.
 double LargestSplat(const InkView& view, double radius, double minimumRadius)
 {
+  // An actor's scale may stretch discs.
+  double unit = 0.0;
+  for (int column = 0; column < 3; ++column)
+  {
+    const float* axis = view.MCVC.data() + 4 * column;
+    unit = std::max<double>(unit, std::hypot(axis[0], axis[1], axis[2]));
+  }
   const double nearW = view.DepthToClip[3] - view.DepthToClip[2] * view.DepthRange[0];
-  const double pixels = std::hypot(radius * view.Unit / (view.Pixel * nearW), minimumRadius);
+  const double pixels = std::hypot(radius * unit / (view.Pixel * nearW), minimumRadius);
   // Twice, because perspective stretches splats towards the corners; the vertex shader cuts them to the
   // viewport.
   const double viewport = std::max(view.Size[0], view.Size[1]);
@@ -73,12 +81,6 @@ double LargestSplat(const InkView& view, double radius, double minimumRadius)
 double FindDepthRadius(const InkView& view)
 {
   return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * view.Size[1]) * view.TileScale;
-}
-
-std::string WithFeatures(std::string shader, const std::string& features)
-{
-  const std::string tag = "//INK::Features";
-  return shader.replace(shader.find(tag), tag.size(), features);
 }
 
 } // namespace
@@ -205,14 +207,20 @@ std::array<int, 4> InkSplatPasses::FindExtent(
   return extent;
 }
 
-int InkSplatPasses::FindTexel(const InkView& view, double lambda, int limit) const
+double InkSplatPasses::FewestTexels(double sigma)
+{
+  return std::max(2.5, 1.0 / sigma);
+}
+
+int InkSplatPasses::FindTexel(const InkView& view, const InkSplatting& splatting, int limit) const
 {
   // In the middle of the points, facing the viewer.
   const double w = view.DepthToClip[2] * view.MCVC[14] + view.DepthToClip[3];
-  const double radius = w > 0.0 ? lambda * this->LargestRadius * view.Unit / (view.Pixel * w) : 0.0;
+  const double scale = std::max(splatting.Lambda, Growth(splatting.PointFraction));
+  const double radius = w > 0.0 ? scale * this->LargestRadius * view.Unit / (view.Pixel * w) : 0.0;
   int texel = 1;
   // Some of the splats are seen from the side.
-  while (2 * texel <= limit && radius >= 1.3 * FewestTexels * 2 * texel)
+  while (2 * texel <= limit && radius >= 1.3 * FewestTexels(splatting.Sigma) * 2 * texel)
   {
     texel *= 2;
   }
@@ -239,9 +247,9 @@ vtkShaderProgram* InkSplatPasses::Begin(
   if (!pass)
   {
     pass = std::make_unique<Pass>();
-    pass->VertexShader = WithFeatures(InkSplatVS, features);
-    pass->GeometryShader = sprites ? "" : WithFeatures(InkSplatGS, features);
-    pass->FragmentShader = WithFeatures(fragmentShader, features);
+    pass->VertexShader = InkWithFeatures(InkSplatVS, features);
+    pass->GeometryShader = sprites ? "" : InkWithFeatures(InkSplatGS, features);
+    pass->FragmentShader = InkWithFeatures(fragmentShader, features);
   }
   vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
     pass->VertexShader.c_str(), pass->FragmentShader.c_str(), pass->GeometryShader.c_str());
@@ -356,6 +364,8 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   program->SetUniformi("surface", reading.GetUnit());
   program->SetUniformi("backFaces", view.BackFaces && (!hidden || splatting.PeelBackFaces));
   program->SetUniformf("minimumLight", splatting.AsPublished ? 0.0f : static_cast<float>(MinimumLight));
+  // Sixteen bits hold numbers up to 65504.
+  program->SetUniformf("largestWeight", splatting.HalfFloats ? 256.0f : InkNoSurface);
   program->SetUniformf("referenceRadius", static_cast<float>(scale * this->LargestRadius));
   // The paper tests hidden layers once for each splat (section 5.2).
   program->SetUniformi("probeCount", splatting.AsPublished && hidden ? 0 : 4);

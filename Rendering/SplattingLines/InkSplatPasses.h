@@ -45,7 +45,7 @@ public:
   bool HasOrder() const { return this->Ordered; }
 
   /// How many texels the narrower radius of a splat must have for it to be summed up in them.
-  static constexpr double FewestTexels = 2.5;
+  static double FewestTexels(double sigma);
 
   /// The least radius of illumination splats in pixels.
   static double FindMinimumRadius(const InkView& view, const InkSplatting& splatting);
@@ -55,7 +55,7 @@ public:
   std::array<int, 4> FindExtent(const InkView& view, const InkSplatting& splatting, int around) const;
 
   /// The side of the largest squares of pixels that it pays to sum up splats for: 1, 2, ... up to a limit.
-  int FindTexel(const InkView& view, double lambda, int limit) const;
+  int FindTexel(const InkView& view, const InkSplatting& splatting, int limit) const;
 
   /// Which depth splats to draw.
   enum class Sheet

@@ -4,6 +4,7 @@
 #include "InkRenderPasses.h"
 #include "InkSplatImage.h"
 #include "InkSplatLineWork.h"
+#include "InkSplatShader.h"
 #include "InkView.h"
 
 #include "InkSplatCompositeFS.h"
@@ -27,12 +28,6 @@
 namespace
 {
 
-std::string WithFeatures(std::string shader, const std::string& features)
-{
-  const std::string tag = "//INK::Features";
-  return shader.replace(shader.find(tag), tag.size(), features);
-}
-
 void SetColor(vtkShaderProgram* program, const char* name, const double* color)
 {
   const float rgb[3] = { static_cast<float>(color[0]), static_cast<float>(color[1]),
@@ -52,7 +47,7 @@ InkSplatQuads::~InkSplatQuads() = default;
 vtkOpenGLQuadHelper& InkSplatQuads::Find(
   const std::string& vertexShader, const std::string& fragmentShader, const std::string& geometryShader)
 {
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragmentShader];
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[vertexShader + geometryShader + fragmentShader];
   if (!quad)
   {
     quad = std::make_unique<vtkOpenGLQuadHelper>(
@@ -72,7 +67,7 @@ void InkSplatQuads::DrawIllumination(const InkView& view, const InkSplatImage& s
   const std::size_t coarse = sums.size() - 1;
   const std::string features = coarse > 0 ? "#define INK_COARSE " + std::to_string(coarse) : "";
   vtkOpenGLQuadHelper& quad = this->Find(vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader(),
-    WithFeatures(InkSplatIlluminationFS, features), "");
+    InkWithFeatures(InkSplatIlluminationFS, features), "");
   vtkShaderProgram* program = this->Begin(quad);
   if (!program)
   {
@@ -110,7 +105,7 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
   own.Strength = 1.0;
   own.Color = { 1.0, 1.0, 1.0 };
   scratch.Bind();
-  this->DrawInk(plain, layer, illumination, nullptr, nullptr);
+  this->DrawInk(plain, layer, illumination, nullptr, nullptr, 0);
 
   const int width = scratch.GetWidth();
   const int height = scratch.GetHeight();
@@ -127,7 +122,7 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
 }
 
 void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSplatImage& illumination,
-  const InkSplatImage* colors, vtkTextureObject* coverage)
+  const InkSplatImage* colors, vtkTextureObject* coverage, int reach)
 {
   const bool scalarColors = style.ScalarColors && colors;
   std::string features;
@@ -144,7 +139,7 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSpla
     features += "#define INK_COVERAGE\n";
   }
   vtkOpenGLQuadHelper& quad = this->Find(
-    vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader(), WithFeatures(InkSplatInkFS, features), "");
+    vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader(), InkWithFeatures(InkSplatInkFS, features), "");
   vtkShaderProgram* program = this->Begin(quad);
   if (!program)
   {
@@ -155,6 +150,7 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSpla
   std::optional<InkSplatImage::Reading> readColors;
   if (scalarColors)
   {
+    program->SetUniformi("reach", reach);
     program->SetUniformi("colors", readColors.emplace(*colors->GetTexture()).GetUnit());
   }
   std::optional<InkSplatImage::Reading> readCoverage;

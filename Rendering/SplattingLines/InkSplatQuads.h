@@ -21,7 +21,7 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
 
-/// The passes over whole images, for one window. The first three draw into what is bound.
+/// The passes over whole images, for one window. What is bound is drawn into.
 class InkSplatQuads
 {
 public:
@@ -38,15 +38,16 @@ public:
 
   /// The ink of a layer as an image that speckles were taken from, lines made thin, wide or broken, in one
   /// component; null where the style asks for nothing of the kind.
-  /// @param scratch of the size of the illumination, is drawn into
+  /// @param scratch of the size of the illumination, is bound and drawn into
   vtkSmartPointer<vtkTextureObject> WorkOn(const InkSplatStyle& style, int layer, const InkView& view,
     const InkSplatImage& illumination, InkSplatImage& scratch);
 
   /// The ink of a layer.
   /// @param colors of the nearest points, or null
   /// @param coverage from WorkOn, or null
+  /// @param reach pixels by which ink may go beyond the surface
   void DrawInk(const InkSplatStyle& style, int layer, const InkSplatImage& illumination,
-    const InkSplatImage* colors, vtkTextureObject* coverage);
+    const InkSplatImage* colors, vtkTextureObject* coverage, int reach);
 
   /// The drawing into the caller's framebuffer, viewport and blending. The render passes that the actor takes
   /// part in (depth peeling) may change the shader.
@@ -63,7 +64,7 @@ private:
   vtkShaderProgram* Begin(vtkOpenGLQuadHelper& quad);
 
   vtkOpenGLRenderWindow* Window;
-  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; ///< by their fragment shader
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; ///< by their shaders
 };
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <array>
 
-/// How illumination becomes ink. All lengths on the picture are in thousandths of the viewport's height.
+/// How illumination becomes ink. Lengths on the picture are in thousandths of the viewport's height.
 struct InkSplatStyle
 {
   static constexpr int MostLayers = 8;
@@ -21,7 +21,7 @@ struct InkSplatStyle
   double Tau;
   double Phi;
   double Hardness;
-  double SpeckleLength; ///< pixels; 0: none is removed
+  double SpeckleLength; ///< pixels of the window; 0: none is removed
   bool Thinning;
   bool ScalarColors;
   bool ToneColors;

@@ -2,6 +2,8 @@
 #ifndef InkSplatting_h
 #define InkSplatting_h
 
+#include "vtkType.h"
+
 #include <limits>
 
 /// What the splats depend on besides the points and the view.
@@ -16,7 +18,8 @@ struct InkSplatting
   int CoarsestTexel;    ///< pixels; 1: all splats are summed up for each pixel
   bool HalfFloats;
   double PointFraction;
-  bool Colors; ///< whether points have colours that are wanted
+  vtkMTimeType OrderTime; ///< of the order that a part of the points is drawn in
+  bool Colors;            ///< whether points have colours that are wanted
 
   bool operator==(const InkSplatting&) const = default;
 };

@@ -13,11 +13,13 @@
 
 #include "InkOpenGLCompat.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -27,13 +29,16 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -58,7 +63,7 @@ public:
     vtkMTimeType Points;
     vtkMTimeType Normals;
     vtkMTimeType Radii;
-    vtkMTimeType Colors;
+    std::string Colors;
     double Radius;
     bool operator==(const Source&) const = default;
   };
@@ -87,9 +92,10 @@ public:
   }
 
   InkSplatPoints Points;
+  vtkMTimeType OrderTime = 0;         ///< of the priorities that the order is by; 0: by chance
   std::optional<Source> PointsSource; ///< what Points was read from
-  vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
-  std::string ReportedError;
+  vtkMTimeType ReportedTime = 0;      ///< of the input whose errors were reported
+  std::set<std::string> ReportedErrors;
   std::unique_ptr<InkSplatPasses> Passes;
   std::unique_ptr<InkSplatQuads> Quads;
   struct LayerStyle
@@ -150,10 +156,13 @@ void vtkInkSplattingLinesMapper::ReportOnce(const std::string& error)
 {
   vtkInternals& internals = *this->Internals;
   const vtkMTimeType time = this->GetInput()->GetMTime();
-  if (internals.ReportedTime < time || internals.ReportedError != error)
+  if (internals.ReportedTime < time)
   {
     internals.ReportedTime = time;
-    internals.ReportedError = error;
+    internals.ReportedErrors.clear();
+  }
+  if (internals.ReportedErrors.insert(error).second)
+  {
     vtkErrorMacro(<< error);
   }
 }
@@ -222,6 +231,15 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     return false;
   }
 
+  if (input->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    std::ostringstream message;
+    message << "OpenGL draws up to " << std::numeric_limits<int>::max() << " points; found "
+            << input->GetNumberOfPoints() << '.';
+    this->ReportOnce(message.str());
+    return false;
+  }
+
   vtkPlaneCollection* planes = this->GetClippingPlanes();
   if (planes && planes->GetNumberOfItems() > InkView::MaximumClippingPlanes)
   {
@@ -236,10 +254,8 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     this->ReleaseWindow();
     window->MakeCurrent();
   }
-  vtkUnsignedCharArray* colors = this->FindColors();
   const vtkInternals::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
-    arrays.Radii ? arrays.Radii->GetMTime() : 0, colors ? colors->GetMTime() : 0,
-    arrays.Radii ? 0.0 : this->Radius };
+    arrays.Radii ? arrays.Radii->GetMTime() : 0, this->DescribeColors(), arrays.Radii ? 0.0 : this->Radius };
   if (!internals.Passes || internals.PointsSource != source)
   {
     internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius);
@@ -251,7 +267,7 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
       internals.WindowObserver =
         window->AddObserver(vtkCommand::DeleteEvent, this, &vtkInkSplattingLinesMapper::ReleaseWindow);
     }
-    internals.Passes->Upload(internals.Points, colors);
+    internals.Passes->Upload(internals.Points, this->MapColors());
     internals.Points.ReleaseArrays();
     internals.PointsSource = source;
   }
@@ -266,36 +282,83 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
   return true;
 }
 
-vtkUnsignedCharArray* vtkInkSplattingLinesMapper::FindColors()
+bool vtkInkSplattingLinesMapper::HasColors()
 {
   if (this->InkColorMode != SCALARS || !this->ScalarVisibility)
   {
-    return nullptr;
+    return false;
   }
   vtkPolyData* input = this->GetInput();
   int ofCells = 0;
-  vtkUnsignedCharArray* colors = this->MapScalars(input, 1.0, ofCells);
-  if (colors && (ofCells || colors->GetNumberOfTuples() != input->GetNumberOfPoints()))
+  vtkAbstractArray* scalars = GetAbstractScalars(
+    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells);
+  if (scalars && (ofCells || scalars->GetNumberOfTuples() != input->GetNumberOfPoints()))
   {
     std::ostringstream message;
     message << "Colours come from scalars of points, of which there are " << input->GetNumberOfPoints()
-            << "; found " << colors->GetNumberOfTuples() << " of " << (ofCells ? "cells" : "the data")
+            << "; found " << scalars->GetNumberOfTuples() << " of " << (ofCells ? "cells" : "the data")
             << ". The lines have the ink's colours.";
     this->ReportOnce(message.str());
+    return false;
+  }
+  return scalars != nullptr;
+}
+
+std::string vtkInkSplattingLinesMapper::DescribeColors()
+{
+  if (!this->HasColors())
+  {
+    return "";
+  }
+  int ofCells = 0;
+  vtkAbstractArray* scalars = GetAbstractScalars(
+    this->GetInput(), this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells);
+  // As MapScalars chooses it.
+  auto* array = vtkDataArray::SafeDownCast(scalars);
+  vtkScalarsToColors* table =
+    array && array->GetLookupTable() ? array->GetLookupTable() : this->GetLookupTable();
+  std::ostringstream text;
+  text << scalars->GetMTime() << ' ' << table->GetMTime() << ' ' << this->ColorMode << ' '
+       << this->UseLookupTableScalarRange << ' ' << this->ScalarRange[0] << ' ' << this->ScalarRange[1] << ' '
+       << this->FieldDataTupleId << ' ' << this->ArrayComponent;
+  return text.str();
+}
+
+vtkUnsignedCharArray* vtkInkSplattingLinesMapper::MapColors()
+{
+  if (!this->HasColors())
+  {
     return nullptr;
   }
+  // Points have no texture coordinates.
+  const auto interpolate = std::exchange(this->InterpolateScalarsBeforeMapping, 0);
+  int ofCells = 0;
+  vtkUnsignedCharArray* colors = this->MapScalars(this->GetInput(), 1.0, ofCells);
+  this->InterpolateScalarsBeforeMapping = interpolate;
   return colors;
 }
 
 void vtkInkSplattingLinesMapper::UpdateOrder()
 {
   vtkInternals& internals = *this->Internals;
-  if (this->PointFraction < 1.0 && !internals.Passes->HasOrder())
+  if (this->PointFraction == 1.0)
   {
-    vtkPolyData* input = this->GetInput();
-    vtkDataArray* priorities = input->GetPointData()->GetArray(Priority);
-    internals.Passes->SetOrder(InkFindSplatOrder(static_cast<std::uint32_t>(input->GetNumberOfPoints()),
-      priorities && priorities->GetNumberOfComponents() == 1 ? priorities : nullptr));
+    return;
+  }
+  vtkPolyData* input = this->GetInput();
+  vtkDataArray* priorities = input->GetPointData()->GetArray(Priority);
+  if (priorities &&
+    (priorities->GetNumberOfComponents() != 1 ||
+      priorities->GetNumberOfTuples() != input->GetNumberOfPoints()))
+  {
+    priorities = nullptr;
+  }
+  const vtkMTimeType time = priorities ? priorities->GetMTime() : 0;
+  if (!internals.Passes->HasOrder() || internals.OrderTime != time)
+  {
+    internals.Passes->SetOrder(
+      InkFindSplatOrder(static_cast<std::uint32_t>(input->GetNumberOfPoints()), priorities));
+    internals.OrderTime = time;
   }
 }
 
@@ -350,16 +413,21 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
 
   this->UpdateOrder();
   const bool exact = this->AsPublished || view.TileScale > 1;
-  const InkSplatting splatting{ .Lambda = this->Lambda,
+  InkSplatting splatting{ .Lambda = this->Lambda,
     .Sigma = this->Sigma,
     .AsPublished = this->AsPublished,
     .MinimumRadius = this->MinimumRadius,
     .Layers = this->HiddenLayers ? this->NumberOfLayers : 1,
     .PeelBackFaces = this->PeelBackFaces,
-    .CoarsestTexel = exact ? 1 : passes.FindTexel(view, this->Lambda, this->CoarsestTexel),
+    .CoarsestTexel = 1,
     .HalfFloats = this->HalfFloats,
     .PointFraction = this->PointFraction,
-    .Colors = this->FindColors() != nullptr };
+    .OrderTime = this->PointFraction < 1.0 ? internals.OrderTime : 0,
+    .Colors = this->HasColors() };
+  if (!exact)
+  {
+    splatting.CoarsestTexel = passes.FindTexel(view, splatting, this->CoarsestTexel);
+  }
   InkSplatStyle style{ .Tau = this->Tau,
     .Phi = this->Phi,
     .Hardness = this->Hardness,
@@ -470,9 +538,14 @@ bool vtkInkSplattingLinesMapper::HasTranslucentPolygonalGeometry()
 
 void vtkInkSplattingLinesMapper::SetLayerColor(int layer, double red, double green, double blue)
 {
-  if (auto* style = this->Internals->FindLayer(layer))
+  if (layer == 0)
   {
-    const std::array<double, 3> color{ red, green, blue };
+    this->SetInkColor(red, green, blue);
+  }
+  else if (auto* style = this->Internals->FindLayer(layer))
+  {
+    const std::array<double, 3> color{ std::clamp(red, 0.0, 1.0), std::clamp(green, 0.0, 1.0),
+      std::clamp(blue, 0.0, 1.0) };
     if (style->Color != color)
     {
       style->Color = color;

@@ -9,13 +9,19 @@
  *
  *     H = I1 - Tau I2,   E = tanh(Phi H),   ink = max(0, -E),
  *
- * lines appear. No connectivity is needed, and every parameter but the points themselves can change
- * without anything being uploaded to the GPU again. A view that does not change costs next to nothing.
+ * lines appear. No connectivity is needed. Points are sent to the GPU once, whatever parameters, camera and
+ * style do; a view that does not change costs next to nothing, and Tau, Phi, colours and styles only a last
+ * pass.
  *
  * To the paper's method are added, unless AsPublished is on: splats that are a few pixels wide in all
  * directions (EWA splatting, Zwicker et al. 2001), so that what is far away or seen edge-on has no holes and
  * lines are at least that thick, also in pictures drawn in tiles; Gaussians that go down to zero at the
  * splats' rim, so that lines are smooth; and black beyond contours, in I1 only, so that these are solid.
+ *
+ * Beyond the visible surface, those behind it can be drawn (HiddenLayers, section 5.2); lines can be hard,
+ * wider, thinned, broken, rid of speckles, and coloured by layer, scalars or tone. All lengths on the picture
+ * are relative to its height, so that large and small pictures show the same drawing; SpeckleLength alone is
+ * in the window's pixels.
  *
  * Input: points with normals of any length (the point array `Normals`, or else the active normals, or the
  * array chosen with SetInputArrayToProcess(NORMALS, ...)) and, if there is one, the point array `Radius` in
@@ -161,8 +167,8 @@ public:
 
   ///@{
   /**
-   * Colour of a layer's lines, RGB in 0..1; layer 0 is the visible one. Until it is set, a layer has
-   * InkColor, the visible one always. Layers beyond 8 are ignored.
+   * Colour of a layer's lines, RGB in 0..1; layer 0 is the visible one, and its colour InkColor. Until theirs
+   * is set, the others have InkColor, too. Layers from 8 on are ignored.
    */
   void SetLayerColor(int layer, double red, double green, double blue);
   void SetLayerColor(int layer, const double color[3]);
@@ -279,8 +285,8 @@ public:
   ///@{
   /**
    * The part of the points that is drawn, for quicker pictures while something moves: those first in the
-   * order of the point array `Priority`, or if there is none in an order by chance, with larger radii, so
-   * that there are no holes. 0.01 to 1; default: 1.
+   * order of the point array `Priority`, of any values, or if there is none in an order by chance, with
+   * larger radii, so that there are no holes. 0.01 to 1; default: 1.
    */
   vtkSetClampMacro(PointFraction, double, 0.01, 1.0);
   vtkGetMacro(PointFraction, double);
@@ -313,7 +319,8 @@ public:
 
   /**
    * When the points were last sent to the GPU, as a modification time; 0 before the first time. Only a
-   * change of the points, of the normals and radii or of Radius sends them again.
+   * change of the points, of the normals and radii, of Radius, or of scalars and their colours if these are
+   * shown, sends them again.
    */
   vtkMTimeType GetUploadTime();
 
@@ -336,7 +343,9 @@ private:
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
   bool UpdatePoints(vtkRenderer* renderer);
-  vtkUnsignedCharArray* FindColors();
+  bool HasColors();
+  std::string DescribeColors();
+  vtkUnsignedCharArray* MapColors();
   void UpdateOrder();
   void Draw(vtkRenderer* renderer, vtkActor* actor);
   void DrawIds(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);

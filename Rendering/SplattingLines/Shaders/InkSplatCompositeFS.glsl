@@ -56,8 +56,8 @@ void main()
 
   //VTK::DepthPeeling::PreColor
 
-  gl_FragData[0] = paper ? vec4(paperColor * (1.0 - marks.a) + marks.rgb, opacity)
-                         : vec4(marks.rgb / marks.a, marks.a * opacity);
+  gl_FragData[0] = alone ? vec4(marks.rgb / marks.a, marks.a * opacity)
+                         : vec4(paperColor * (1.0 - marks.a) + marks.rgb, opacity);
 
   //VTK::DepthPeeling::Impl
 }

@@ -18,7 +18,8 @@ uniform float strength;
 uniform sampler2D coverageImage;
 #endif
 #ifdef INK_COLORS
-uniform sampler2D colors; // of the nearest discs
+uniform sampler2D colors; // of the nearest discs; alpha 0 where there are none
+uniform int reach;        // pixels by which lines may go beyond the surface
 #endif
 #ifdef INK_TONE
 uniform vec3 toneColor; // where the light falls straight on the surface
@@ -36,12 +37,31 @@ void main()
   // tanh overflows on some drivers.
   float ink = max(0.0, -tanh(clamp(phi * (shading.r - tau * shading.g), -9.0, 9.0)));
   // Steeper about one half; at the steepest the step is a pixel wide.
-  float ramp = max(1.0 - hardness, min(fwidth(ink), 1.0));
+  float ramp = max(1.0 - hardness, clamp(fwidth(ink), 1e-3, 1.0));
   ink = hardness > 0.0 ? clamp((ink - 0.5) / ramp + 0.5, 0.0, 1.0) : ink;
 #endif
   vec3 color = inkColor;
 #ifdef INK_COLORS
-  color = texelFetch(colors, pixel, 0).rgb;
+  vec4 found = texelFetch(colors, pixel, 0);
+  if (found.a == 0.0 && ink > 0.0)
+  {
+    // The line belongs to the nearest disc around.
+    ivec2 last = textureSize(colors, 0) - 1;
+    int nearest = 2 * reach * reach + 1;
+    for (int y = -reach; y <= reach; ++y)
+    {
+      for (int x = -reach; x <= reach; ++x)
+      {
+        vec4 other = texelFetch(colors, clamp(pixel + ivec2(x, y), ivec2(0), last), 0);
+        if (other.a > 0.0 && x * x + y * y < nearest)
+        {
+          nearest = x * x + y * y;
+          found = other;
+        }
+      }
+    }
+  }
+  color = found.rgb;
 #endif
 #ifdef INK_TONE
   color = mix(color, toneColor, clamp(shading.r, 0.0, 1.0));

@@ -36,7 +36,7 @@ void main()
   }
   // Only discs on the surface that the depth splats show. Near a contour that surface falls away within a
   // pixel: there, what lies as steeply may lie further behind. Seen from behind, f changes its sign.
-  vec2 shown = texelFetch(surface, ivec2(pixel), 0).rg;
+  vec2 shown = texelFetch(surface, min(ivec2(pixel), textureSize(surface, 0) - 1), 0).rg;
   float light = sign(shown.g) * discVSOutput.w;
   float depth = -(discVSOutput.x + dot(disc, discVSOutput.yz));
   float slope = min(abs(shown.g) - 1.0, splatVSOutput.y);

@@ -38,6 +38,7 @@ uniform int probeCount;        // where, besides in its centre, a disc is looked
 #endif
 #ifdef INK_LIGHT
 uniform float referenceRadius; // where the weight is 1
+uniform float largestWeight;
 #ifdef INK_COARSE
 uniform vec2 falloff;          // 1 / (2 sigma^2) of the narrow and of the wide Gaussian
 #endif
@@ -241,7 +242,7 @@ void main()
 
 #if defined INK_LIGHT
   float weight = referenceRadius / radius;
-  splatVSOutput = vec4(weight * weight, slope, tolerances);
+  splatVSOutput = vec4(min(weight * weight, largestWeight), slope, tolerances);
 #ifdef INK_COARSE
   // Going from texels to pixels blurs by a variance of a sixth of a texel's square. By that the Gaussians are
   // narrower, and higher, so that each splat weighs as much.
