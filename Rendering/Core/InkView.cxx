@@ -103,6 +103,20 @@ InkView::InkView(vtkRenderer* renderer, vtkActor* actor, vtkAbstractMapper* mapp
   }
 }
 
+void InkView::Widen(int margin)
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int wider = this->Size[axis] + 2 * margin;
+    for (int column = 0; column < 4; ++column)
+    {
+      this->VCDC[4 * column + axis] *= static_cast<float>(this->Size[axis]) / static_cast<float>(wider);
+    }
+    this->Size[axis] = wider;
+  }
+  this->Margin += margin;
+}
+
 void InkView::SetUniforms(vtkShaderProgram* program) const
 {
   // vtkShaderProgram takes matrices as pointers to values that it does not change.

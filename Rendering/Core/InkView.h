@@ -23,6 +23,10 @@ struct VTKINKRENDERINGCORE_EXPORT InkView
 
   bool operator==(const InkView&) const = default;
 
+  /// Takes in more on each side, as wide as a margin.
+  /// @param margin pixels
+  void Widen(int margin);
+
   /// The uniforms that the shaders share; those that a shader lacks are left out.
   void SetUniforms(vtkShaderProgram* program) const;
 
@@ -34,7 +38,8 @@ struct VTKINKRENDERINGCORE_EXPORT InkView
   std::array<float, 4> Eye;         ///< (0,0,0,1), or with a parallel projection the direction to the viewer
   std::array<float, 2> DepthRange;  ///< distances of the clipping planes from the eye along the view
   std::array<float, 4> DepthToClip; ///< clip z = [0] * view z + [1], clip w = [2] * view z + [3]
-  std::array<int, 2> Size;          ///< pixels
+  std::array<int, 2> Size;          ///< pixels, margins included
+  int Margin = 0;                   ///< pixels on each side that are not shown
   float Unit;                       ///< view units per unit of the points
   float Pixel;                      ///< view units per pixel where clip w is 1
   int TileScale;                    ///< how many times larger the image is that this view is a tile of

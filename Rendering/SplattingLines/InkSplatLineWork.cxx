@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatLineWork.h"
 
-#include "InkView.h"
+#include "InkSplatting.h"
 
 #include "Lines/DashLines.h"
 #include "Lines/GrowLines.h"
 #include "Lines/ThinLines.h"
 #include "Lines/TraceLines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -25,7 +26,7 @@ constexpr unsigned char Seen = 26;
 InkSplatLineWork::InkSplatLineWork(const InkSplatStyle& style, int layer, const InkView& view)
 {
   const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
-  const double thousandth = 1e-3 * view.Size[1] * view.TileScale;
+  const double thousandth = 1e-3 * InkFindHeight(view) * view.TileScale;
   this->SpeckleLength = static_cast<float>(style.SpeckleLength * view.TileScale);
   this->Thinning = style.Thinning;
   this->Growth = static_cast<float>(0.5 * own.LineWidth * thousandth);
@@ -38,6 +39,13 @@ InkSplatLineWork::InkSplatLineWork(const InkSplatStyle& style, int layer, const 
 bool InkSplatLineWork::IsNeeded() const
 {
   return this->SpeckleLength > 0.0f || this->Thinning || this->Growth != 0.0f || this->DashLength > 0.0f;
+}
+
+int InkSplatLineWork::GetMargin() const
+{
+  // Thinning sees a line's half width.
+  const float thinned = this->Thinning || this->DashLength > 0.0f ? 32.0f : 0.0f;
+  return static_cast<int>(std::ceil(std::max({ std::abs(this->Growth), this->SpeckleLength, thinned })));
 }
 
 int InkSplatLineWork::GetReach() const

@@ -21,6 +21,9 @@ public:
   /// By how many pixels ink may go beyond the surface.
   int GetReach() const;
 
+  /// How many pixels beyond a tile count for what is in it.
+  int GetMargin() const;
+
   void Apply(const ink::InkImage& image) const;
 
 private:

@@ -80,7 +80,7 @@ double LargestSplat(const InkView& view, double radius, double minimumRadius)
 
 double FindDepthRadius(const InkView& view)
 {
-  return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * view.Size[1]) * view.TileScale;
+  return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * InkFindHeight(view)) * view.TileScale;
 }
 
 } // namespace
@@ -148,7 +148,7 @@ double InkSplatPasses::FindMinimumRadius(const InkView& view, const InkSplatting
 {
   return splatting.AsPublished
     ? PublishedMinimumRadius
-    : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * view.Size[1]) * view.TileScale;
+    : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * InkFindHeight(view)) * view.TileScale;
 }
 
 std::array<int, 4> InkSplatPasses::FindExtent(

@@ -199,6 +199,7 @@ void InkSplatQuads::DrawComposite(const InkView& view, const InkSplatImage& surf
   SetColor(program, "paperColor", paperColor ? paperColor : none);
   program->SetUniformf("opacity", static_cast<float>(opacity));
   program->SetUniformi("reach", reach);
+  program->SetUniformi("margin", view.Margin);
   program->SetUniformf("depthBias", static_cast<float>(depthBias));
   renderPasses.SetShaderParameters(program, quad.VAO);
   quad.Render();

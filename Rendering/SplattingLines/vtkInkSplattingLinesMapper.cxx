@@ -4,6 +4,7 @@
 #include "InkLocalFrame.h"
 #include "InkSplatDrawing.h"
 #include "InkSplatInput.h"
+#include "InkSplatLineWork.h"
 #include "InkSplatOrder.h"
 #include "InkSplatPasses.h"
 #include "InkSplatPoints.h"
@@ -409,7 +410,7 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  const InkView view(renderer, actor, this, internals.Points.GetFrame(), viewport + 2);
+  InkView view(renderer, actor, this, internals.Points.GetFrame(), viewport + 2);
 
   this->UpdateOrder();
   const bool exact = this->AsPublished || view.TileScale > 1;
@@ -445,6 +446,16 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     own.Strength = this->GetLayerStrength(layer);
     own.LineWidth = this->GetLayerLineWidth(layer);
     own.DashLength = this->GetLayerDashLength(layer);
+  }
+  if (view.TileScale > 1)
+  {
+    // Lines go on in the next tile.
+    int margin = 0;
+    for (int layer = 0; layer < splatting.Layers; ++layer)
+    {
+      margin = std::max(margin, InkSplatLineWork(style, layer, view).GetMargin());
+    }
+    view.Widen(margin);
   }
   if (!internals.Find(renderer, actor)
          .Splats.Draw(passes, *internals.Quads, view, splatting, style, this->PaperColor,

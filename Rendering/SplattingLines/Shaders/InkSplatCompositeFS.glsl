@@ -11,6 +11,7 @@ uniform float farthest;     // beyond this distance there is no surface
 uniform vec3 paperColor;
 uniform bool paper;
 uniform float opacity;
+uniform int margin;      // pixels on each side of the images that are not shown
 uniform int reach;       // pixels by which lines may go beyond the surface
 uniform float depthBias; // view units that the marks lie in front of the surface
 
@@ -20,7 +21,7 @@ uniform float depthBias; // view units that the marks lie in front of the surfac
 
 void main()
 {
-  ivec2 texel = ivec2(texCoord * vec2(textureSize(surface, 0)));
+  ivec2 texel = ivec2(texCoord * vec2(textureSize(surface, 0) - 2 * margin)) + margin;
   float depth = texelFetch(surface, texel, 0).r;
   bool beyond = depth > farthest;
   if (beyond && reach == 0)

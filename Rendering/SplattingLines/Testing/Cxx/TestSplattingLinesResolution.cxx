@@ -96,6 +96,8 @@ void TestTiles(InkTestChecks& check)
       scene->Mapper->SetCoarsestTexel(1);
       scene->Mapper->SetHiddenLayers(styled);
       scene->Mapper->SetHardness(styled ? 0.5 : 0.0);
+      scene->Mapper->SetLineWidth(styled ? 4.0 : 0.0);
+      scene->Mapper->SetThinning(styled);
     }
     const InkTestImage tiles(small.Window, 2);
     const InkTestImage whole(large.Window);
@@ -166,6 +168,57 @@ void TestPriority(InkTestChecks& check)
   check(image.CountDark(150, 60, 165, 140) == 0, "all of the quarter of least priority");
 }
 
+/// Ranks are priorities as well, and changed ones count.
+void TestRanks(InkTestChecks& check)
+{
+  auto points = InkTestPoints::Plane(2.0, 0.05);
+  const vtkIdType count = points->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> priority;
+  priority->SetName("Priority");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    priority->InsertNextValue(static_cast<float>(count - i));
+  }
+  points->GetPointData()->AddArray(priority);
+  SplattingLinesScene scene(points);
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  scene.Mapper->SetPointFraction(0.25);
+  const InkTestImage last(scene.Window);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    priority->SetValue(i, static_cast<float>(i));
+  }
+  priority->Modified();
+  points->Modified();
+  const InkTestImage first(scene.Window);
+  check(first.CountDifferent(last, 20) > 100, "other points with other ranks");
+  // Too few of them are none.
+  priority->SetNumberOfTuples(3);
+  points->Modified();
+  check(InkTestImage(scene.Window).GetWidth() > 0, "a picture without priorities");
+}
+
+/// Narrow Gaussians need more texels.
+void TestSmallSigma(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Shape(), 600, 600);
+  Turn(scene);
+  scene.Mapper->SetLambda(8.0);
+  for (double sigma : { 0.05, 0.1, 0.15, 0.25 })
+  {
+    scene.Mapper->SetSigma(sigma);
+    scene.Mapper->SetCoarsestTexel(1);
+    const InkTestImage exact(scene.Window);
+    for (int texel : { 2, 4 })
+    {
+      scene.Mapper->SetCoarsestTexel(texel);
+      const double difference = Difference(Shrink(exact, 150), Shrink(InkTestImage(scene.Window), 150));
+      check(difference < 0.25, "much the same with sigma ", sigma, " and texels of ", texel, "; ", difference,
+        " of the ink differs");
+    }
+  }
+}
+
 /// Splats summed up for several pixels at once change little.
 void TestCoarsestTexel(InkTestChecks& check)
 {
@@ -217,6 +270,8 @@ int TestSplattingLinesResolution(int, char*[])
   TestTiles(check);
   TestPointFraction(check);
   TestPriority(check);
+  TestRanks(check);
+  TestSmallSigma(check);
   TestCoarsestTexel(check);
   TestHalfFloats(check);
   return check.Result();

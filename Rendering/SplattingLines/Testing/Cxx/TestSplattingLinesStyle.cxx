@@ -245,6 +245,29 @@ void TestScalars(InkTestChecks& check)
   }
   check(lines > 300 && wrong < lines / 100, "red lines to the left, blue ones to the right; ", wrong, " of ",
     lines, " are not");
+  const vtkMTimeType time = scene.Mapper->GetUploadTime();
+  scene.Mapper->SetTau(1.0);
+  scene.Mapper->InterpolateScalarsBeforeMappingOn();
+  scene.Window->Render();
+  check(scene.Mapper->GetUploadTime() == time, "no upload of colours that do not change");
+  scene.Mapper->SetTau(0.99);
+  check(InkTestImage(scene.Window).CountDifferent(colored) == 0, "points have no textures");
+  // Wider lines, which reach beyond the surface, have their surface's colour there, too.
+  scene.Mapper->SetLineWidth(20.0);
+  table->SetTableValue(0, 0.0, 1.0, 0.0);
+  const InkTestImage wide(scene.Window);
+  check(scene.Mapper->GetUploadTime() > time, "an upload of colours that did change");
+  int red = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      red += wide.Channel(x, y, 0) > wide.Channel(x, y, 1) + 20 &&
+        wide.Channel(x, y, 0) > wide.Channel(x, y, 2) + 20;
+    }
+  }
+  check(red == 0, "no colour that the table does not have, found ", red, " pixels");
+  scene.Mapper->SetLineWidth(0.0);
   scene.Mapper->ScalarVisibilityOff();
   check(InkTestImage(scene.Window).CountDifferent(black) == 0, "no colours with ScalarVisibility off");
 
@@ -316,6 +339,26 @@ void TestPapers(InkTestChecks& check)
     "ink alone on a white background is the same");
 }
 
+/// Around lines that are wider than the surface there is no paper.
+void TestNoHalo(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Torus());
+  scene.Renderer->SetBackground(0.5, 0.5, 0.5);
+  scene.Mapper->SetLineWidth(0.0);
+  const InkTestImage plain(scene.Window);
+  scene.Mapper->SetLineWidth(20.0);
+  const InkTestImage wide(scene.Window);
+  int lighter = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      lighter += wide.Gray(x, y) > plain.Gray(x, y) + 2;
+    }
+  }
+  check(lighter == 0, "nothing lighter for wider lines, found ", lighter, " pixels");
+}
+
 /// Only what is asked for: no splat is drawn again for a style, nothing is sent to the GPU.
 void TestUploads(InkTestChecks& check)
 {
@@ -344,6 +387,7 @@ int TestSplattingLinesStyle(int, char*[])
   TestScalars(check);
   TestTone(check);
   TestPapers(check);
+  TestNoHalo(check);
   TestUploads(check);
   return check.Result();
 }
