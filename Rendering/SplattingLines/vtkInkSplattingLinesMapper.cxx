@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkInkSplattingLinesMapper.h"
+#include "vtkInkSplattingLinesMapperInternals.h"
 
 #include "InkLocalFrame.h"
-#include "InkSplatDrawing.h"
 #include "InkSplatInput.h"
 #include "InkSplatLineWork.h"
 #include "InkSplatOrder.h"
-#include "InkSplatPasses.h"
-#include "InkSplatPoints.h"
-#include "InkSplatQuads.h"
-#include "InkSplatStyle.h"
 #include "InkView.h"
 
 #include "InkOpenGLCompat.h"
 
-#include "vtkAbstractArray.h"
-#include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
-#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -29,20 +21,11 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <set>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 vtkStandardNewMacro(vtkInkSplattingLinesMapper);
 
@@ -54,86 +37,6 @@ constexpr const char* DefaultRadius = "Radius";
 constexpr const char* Priority = "Priority";
 
 } // namespace
-
-class vtkInkSplattingLinesMapper::vtkInternals
-{
-public:
-  /// What the points on the GPU were made from; modification times are unique, so no pointers are needed.
-  struct Source
-  {
-    vtkMTimeType Points;
-    vtkMTimeType Normals;
-    vtkMTimeType Radii;
-    std::string Colors;
-    double Radius;
-    bool operator==(const Source&) const = default;
-  };
-
-  struct Drawing
-  {
-    vtkWeakPointer<vtkRenderer> Renderer;
-    vtkWeakPointer<vtkActor> Actor;
-    InkSplatDrawing Splats;
-  };
-
-  Drawing& Find(vtkRenderer* renderer, vtkActor* actor)
-  {
-    std::erase_if(this->Drawings, [](const Drawing& d) { return !d.Renderer || !d.Actor; });
-    for (Drawing& drawing : this->Drawings)
-    {
-      if (drawing.Renderer == renderer && drawing.Actor == actor)
-      {
-        return drawing;
-      }
-    }
-    Drawing& drawing = this->Drawings.emplace_back();
-    drawing.Renderer = renderer;
-    drawing.Actor = actor;
-    return drawing;
-  }
-
-  InkSplatPoints Points;
-  vtkMTimeType OrderTime = 0;         ///< of the priorities that the order is by; 0: by chance
-  std::optional<Source> PointsSource; ///< what Points was read from
-  vtkMTimeType ReportedTime = 0;      ///< of the input whose errors were reported
-  std::set<std::string> ReportedErrors;
-  std::unique_ptr<InkSplatPasses> Passes;
-  std::unique_ptr<InkSplatQuads> Quads;
-  struct LayerStyle
-  {
-    std::optional<std::array<double, 3>> Color;
-    double Strength = 1.0;
-    double LineWidth = 0.0;
-    double DashLength = 0.0;
-  };
-  std::array<LayerStyle, InkSplatStyle::MostLayers> Layers;
-
-  /// Null for a layer that there cannot be.
-  LayerStyle* FindLayer(int layer)
-  {
-    return layer >= 0 && layer < InkSplatStyle::MostLayers ? &this->Layers[static_cast<std::size_t>(layer)]
-                                                           : nullptr;
-  }
-  /// Whether anything changed.
-  bool Set(int layer, double LayerStyle::*property, double value, double least, double most)
-  {
-    LayerStyle* style = this->FindLayer(layer);
-    if (!style || std::isnan(value))
-    {
-      return false;
-    }
-    const double before = std::exchange(style->*property, std::clamp(value, least, most));
-    return style->*property != before;
-  }
-  double Get(int layer, double LayerStyle::*property)
-  {
-    const LayerStyle* style = this->FindLayer(layer);
-    return style ? style->*property : 0.0;
-  }
-
-  unsigned long WindowObserver = 0;
-  std::vector<Drawing> Drawings;
-};
 
 vtkInkSplattingLinesMapper::vtkInkSplattingLinesMapper()
   : Internals(std::make_unique<vtkInternals>())
@@ -281,62 +184,6 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     return false;
   }
   return true;
-}
-
-bool vtkInkSplattingLinesMapper::HasColors()
-{
-  if (this->InkColorMode != SCALARS || !this->ScalarVisibility)
-  {
-    return false;
-  }
-  vtkPolyData* input = this->GetInput();
-  int ofCells = 0;
-  vtkAbstractArray* scalars = GetAbstractScalars(
-    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells);
-  if (scalars && (ofCells || scalars->GetNumberOfTuples() != input->GetNumberOfPoints()))
-  {
-    std::ostringstream message;
-    message << "Colours come from scalars of points, of which there are " << input->GetNumberOfPoints()
-            << "; found " << scalars->GetNumberOfTuples() << " of " << (ofCells ? "cells" : "the data")
-            << ". The lines have the ink's colours.";
-    this->ReportOnce(message.str());
-    return false;
-  }
-  return scalars != nullptr;
-}
-
-std::string vtkInkSplattingLinesMapper::DescribeColors()
-{
-  if (!this->HasColors())
-  {
-    return "";
-  }
-  int ofCells = 0;
-  vtkAbstractArray* scalars = GetAbstractScalars(
-    this->GetInput(), this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells);
-  // As MapScalars chooses it.
-  auto* array = vtkDataArray::SafeDownCast(scalars);
-  vtkScalarsToColors* table =
-    array && array->GetLookupTable() ? array->GetLookupTable() : this->GetLookupTable();
-  std::ostringstream text;
-  text << scalars->GetMTime() << ' ' << table->GetMTime() << ' ' << this->ColorMode << ' '
-       << this->UseLookupTableScalarRange << ' ' << this->ScalarRange[0] << ' ' << this->ScalarRange[1] << ' '
-       << this->FieldDataTupleId << ' ' << this->ArrayComponent;
-  return text.str();
-}
-
-vtkUnsignedCharArray* vtkInkSplattingLinesMapper::MapColors()
-{
-  if (!this->HasColors())
-  {
-    return nullptr;
-  }
-  // Points have no texture coordinates.
-  const auto interpolate = std::exchange(this->InterpolateScalarsBeforeMapping, 0);
-  int ofCells = 0;
-  vtkUnsignedCharArray* colors = this->MapScalars(this->GetInput(), 1.0, ofCells);
-  this->InterpolateScalarsBeforeMapping = interpolate;
-  return colors;
 }
 
 void vtkInkSplattingLinesMapper::UpdateOrder()
@@ -527,16 +374,6 @@ int vtkInkSplattingLinesMapper::GetNumberOfDrawnLayers(vtkRenderer* renderer, vt
   return this->Internals->Find(renderer, actor).Splats.GetNumberOfLayers();
 }
 
-void vtkInkSplattingLinesMapper::SetCoarsestTexel(int pixels)
-{
-  const int texel = pixels >= 4 ? 4 : pixels >= 2 ? 2 : 1;
-  if (this->CoarsestTexel != texel)
-  {
-    this->CoarsestTexel = texel;
-    this->Modified();
-  }
-}
-
 bool vtkInkSplattingLinesMapper::HasOpaqueGeometry()
 {
   return this->PaperVisibility;
@@ -545,117 +382,4 @@ bool vtkInkSplattingLinesMapper::HasOpaqueGeometry()
 bool vtkInkSplattingLinesMapper::HasTranslucentPolygonalGeometry()
 {
   return !this->PaperVisibility;
-}
-
-void vtkInkSplattingLinesMapper::SetLayerColor(int layer, double red, double green, double blue)
-{
-  if (layer == 0)
-  {
-    this->SetInkColor(red, green, blue);
-  }
-  else if (auto* style = this->Internals->FindLayer(layer))
-  {
-    const std::array<double, 3> color{ std::clamp(red, 0.0, 1.0), std::clamp(green, 0.0, 1.0),
-      std::clamp(blue, 0.0, 1.0) };
-    if (style->Color != color)
-    {
-      style->Color = color;
-      this->Modified();
-    }
-  }
-}
-
-void vtkInkSplattingLinesMapper::SetLayerColor(int layer, const double color[3])
-{
-  this->SetLayerColor(layer, color[0], color[1], color[2]);
-}
-
-void vtkInkSplattingLinesMapper::GetLayerColor(int layer, double color[3])
-{
-  const auto* style = this->Internals->FindLayer(layer);
-  std::copy_n(style && style->Color ? style->Color->data() : this->InkColor, 3, color);
-}
-
-void vtkInkSplattingLinesMapper::SetLayerStrength(int layer, double strength)
-{
-  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::Strength, strength, 0.0, 1.0))
-  {
-    this->Modified();
-  }
-}
-
-double vtkInkSplattingLinesMapper::GetLayerStrength(int layer)
-{
-  return this->Internals->Get(layer, &vtkInternals::LayerStyle::Strength);
-}
-
-void vtkInkSplattingLinesMapper::SetLayerLineWidth(int layer, double width)
-{
-  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::LineWidth, width, -20.0, 20.0))
-  {
-    this->Modified();
-  }
-}
-
-double vtkInkSplattingLinesMapper::GetLayerLineWidth(int layer)
-{
-  return this->Internals->Get(layer, &vtkInternals::LayerStyle::LineWidth);
-}
-
-void vtkInkSplattingLinesMapper::SetLayerDashLength(int layer, double length)
-{
-  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::DashLength, length, 0.0, 100.0))
-  {
-    this->Modified();
-  }
-}
-
-double vtkInkSplattingLinesMapper::GetLayerDashLength(int layer)
-{
-  return this->Internals->Get(layer, &vtkInternals::LayerStyle::DashLength);
-}
-
-void vtkInkSplattingLinesMapper::SetLineWidth(double width)
-{
-  for (int layer = 0; layer < InkSplatStyle::MostLayers; ++layer)
-  {
-    this->SetLayerLineWidth(layer, width);
-  }
-}
-
-void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Lambda: " << this->Lambda << "\n";
-  os << indent << "Tau: " << this->Tau << "\n";
-  os << indent << "Phi: " << this->Phi << "\n";
-  os << indent << "Sigma: " << this->Sigma << "\n";
-  os << indent << "AsPublished: " << (this->AsPublished ? "On" : "Off") << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
-     << "\n";
-  os << indent << "PaperColor: " << this->PaperColor[0] << ' ' << this->PaperColor[1] << ' '
-     << this->PaperColor[2] << "\n";
-  os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
-  os << indent << "HiddenLayers: " << (this->HiddenLayers ? "On" : "Off") << "\n";
-  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
-  os << indent << "PeelBackFaces: " << (this->PeelBackFaces ? "On" : "Off") << "\n";
-  for (int layer = 0; layer < InkSplatStyle::MostLayers; ++layer)
-  {
-    double color[3];
-    this->GetLayerColor(layer, color);
-    os << indent << "Layer " << layer << ": color " << color[0] << ' ' << color[1] << ' ' << color[2]
-       << ", strength " << this->GetLayerStrength(layer) << ", line width " << this->GetLayerLineWidth(layer)
-       << ", dash length " << this->GetLayerDashLength(layer) << "\n";
-  }
-  os << indent << "Hardness: " << this->Hardness << "\n";
-  os << indent << "SpeckleLength: " << this->SpeckleLength << "\n";
-  os << indent << "Thinning: " << (this->Thinning ? "On" : "Off") << "\n";
-  os << indent << "InkColorMode: " << this->InkColorMode << "\n";
-  os << indent << "ToneColor: " << this->ToneColor[0] << ' ' << this->ToneColor[1] << ' '
-     << this->ToneColor[2] << "\n";
-  os << indent << "CoarsestTexel: " << this->CoarsestTexel << "\n";
-  os << indent << "HalfFloats: " << (this->HalfFloats ? "On" : "Off") << "\n";
-  os << indent << "PointFraction: " << this->PointFraction << "\n";
-  os << indent << "PaperVisibility: " << (this->PaperVisibility ? "On" : "Off") << "\n";
 }
