@@ -39,7 +39,9 @@ Drawing::~Drawing() = default;
 View Drawing::view(double turned) const
 {
   View view = namedViews().at(this->Options.view);
-  view.rotate(this->Options.azimuth + turned, this->Options.elevation);
+  const View named = view;
+  view.rotate(this->Options.azimuth, this->Options.elevation);
+  view.turnAround(named.up, turned);
   return view;
 }
 

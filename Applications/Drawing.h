@@ -25,7 +25,7 @@ public:
   Drawing& operator=(const Drawing&) = delete;
 
   /// The view that the options ask for.
-  /// \param turned degrees that the viewer goes further to the right
+  /// \param turned degrees that the viewer goes further to the right, around what stands upright
   View view(double turned = 0.0) const;
 
   /// A fit for this window's shape.

@@ -2,6 +2,7 @@
 
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -36,6 +37,22 @@ void View::rotate(double azimuth, double elevation)
   for (int i = 0; i < 3; ++i)
   {
     this->up[i] = -down[i];
+  }
+}
+
+void View::turnAround(const double axis[3], double degrees)
+{
+  const int main = static_cast<int>(
+    std::max_element(axis, axis + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) - axis);
+  const double angle = vtkMath::RadiansFromDegrees(std::copysign(1.0, axis[main]) * degrees);
+  const int first = (main + 1) % 3;
+  const int second = (main + 2) % 3;
+  for (double* vector : { this->direction, this->up })
+  {
+    const double x = vector[first];
+    const double y = vector[second];
+    vector[first] = std::cos(angle) * x - std::sin(angle) * y;
+    vector[second] = std::sin(angle) * x + std::cos(angle) * y;
   }
 }
 

@@ -18,6 +18,10 @@ struct View
   /// \param azimuth degrees to the viewer's right, about the up direction.
   /// \param elevation degrees upwards after that.
   void rotate(double azimuth, double elevation);
+
+  /// Moves the viewer around the axis of the world that is nearest to a direction, which stays as it is in
+  /// the picture: to the right where the direction is up.
+  void turnAround(const double axis[3], double degrees);
 };
 
 /// The named views: front, back, left, right, top, bottom (from that side of the subject) and iso (from its

@@ -81,7 +81,7 @@ class Scene:
         self.mesh.Modified()
         self.window.Render()
         pixels = vtk.vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, self.size - 1, self.size - 1, 0, pixels)
+        self.window.GetPixelData(0, 0, self.size - 1, self.size - 1, 0, pixels, 0)
         ink = 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(self.size, self.size, 3)[:, :, 0] / 255
         places = support.vtk_to_numpy(self.sampler.GetOutput().GetPoints().GetData())
         return ink, places[:, [0, 2]] * self.size / 4.6

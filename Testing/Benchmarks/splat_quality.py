@@ -37,7 +37,7 @@ class Scene:
         """The picture's darkness, 0 to 1, as an array of SIZE x SIZE."""
         self.window.Render()
         pixels = vtk.vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels)
+        self.window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
         numbers = np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)
         return 1 - numbers[:, :, 0] / 255
 

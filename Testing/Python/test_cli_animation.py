@@ -133,6 +133,16 @@ def test_a_turntable_goes_once_around(ink, volume_file, tmp_path):
     assert len({bounds(image)[1] - bounds(image)[0] for image in images}) <= 2, "the camera keeps its distance"
 
 
+def test_a_turntable_leaves_upright_what_is(ink, tmp_path):
+    points, normals, triangles = ink_files.sphere_mesh(24, 36)
+    mesh = tmp_path / "needle.ply"
+    ink_files.write_ply(mesh, ((points * (1, 1, 8)).astype("<f4"), normals, triangles))
+    images = frames_of(ink, mesh, tmp_path, "--view", "iso", "--frames", 4, "--parallel")
+    boxes = np.array([bounds(image) for image in images])
+    assert np.ptp(boxes, axis=0).max() <= 3, boxes
+    assert (boxes[:, 1] - boxes[:, 0] > 3 * (boxes[:, 3] - boxes[:, 2])).all(), boxes
+
+
 def frames_of_volume(ink, volume, out, *arguments):
     result = ink("render", volume, "--iso", 100, "--size", f"{SIZE}x{SIZE}", "-o", out / "t_%d.png", *arguments)
     assert result.code == 0, result

@@ -104,7 +104,7 @@ def test_one_radius_for_all_does_worse():
         window.AddRenderer(renderer)
         window.Render()
         pixels = vtk.vtkUnsignedCharArray()
-        window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels)
+        window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
         image = np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)[::-1]
         inks[uniform] = judge(image)
     assert inks[False][0] > 0.95 and inks[False][1] < 0.0005
