@@ -1,6 +1,10 @@
 #include "Descriptor.h"
 
 #include <cerrno>
+#include <cstdlib>
+#include <string>
+
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace ink::cli
@@ -10,6 +14,22 @@ bool Descriptor::close()
 {
   const int descriptor = std::exchange(this->Number, -1);
   return descriptor < 0 || ::close(descriptor) == 0;
+}
+
+Descriptor openUnnamed(const std::filesystem::path& folder)
+{
+  Descriptor file(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
+  if (file.get() < 0)
+  {
+    // Not every file system can do that.
+    std::string name = (folder / "ink-XXXXXX").string();
+    file = Descriptor(mkostemp(name.data(), O_CLOEXEC));
+    if (file.get() >= 0)
+    {
+      ::unlink(name.c_str());
+    }
+  }
+  return file;
 }
 
 bool writeAll(int descriptor, std::span<const unsigned char> data)

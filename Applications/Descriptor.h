@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <utility>
 
@@ -34,6 +35,9 @@ public:
 private:
   int Number;
 };
+
+/// A file without a name, which is gone when it is closed. Negative if that failed; errno says why.
+Descriptor openUnnamed(const std::filesystem::path& folder);
 
 /// Writes all of data. \return false if that failed; errno says why
 bool writeAll(int descriptor, std::span<const unsigned char> data);

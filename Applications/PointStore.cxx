@@ -16,9 +16,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 namespace ink::cli
 {
 namespace
@@ -41,23 +38,6 @@ std::span<const unsigned char> bytesOf(vtkPolyData* points, std::size_t index, c
 {
   throw Failure("cannot keep points in a temporary file in '" + folder.string() +
     "': " + (error ? std::strerror(error) : "it was cut short"));
-}
-
-/// A file without a name.
-Descriptor makeTemporary(const std::filesystem::path& folder)
-{
-  Descriptor file(open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
-  if (file.get() < 0)
-  {
-    // Not every file system can do that.
-    std::string name = (folder / "ink-points-XXXXXX").string();
-    file = Descriptor(mkostemp(name.data(), O_CLOEXEC));
-    if (file.get() >= 0)
-    {
-      unlink(name.c_str());
-    }
-  }
-  return file;
 }
 
 } // namespace
@@ -114,7 +94,7 @@ void PointStore::writePart(vtkPolyData* points)
 {
   if (this->File.get() < 0)
   {
-    this->File = makeTemporary(this->Folder);
+    this->File = openUnnamed(this->Folder);
   }
   for (std::size_t i = 0; i < this->Arrays.size(); ++i)
   {

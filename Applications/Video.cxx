@@ -57,18 +57,6 @@ std::string findProgram(const std::string& name)
   return {};
 }
 
-/// A file that is gone when it is closed.
-Descriptor openUnnamed(const fs::path& folder)
-{
-  std::string name = (folder / "ink-XXXXXX").string();
-  Descriptor file(mkostemp(name.data(), O_CLOEXEC));
-  if (file.get() >= 0)
-  {
-    unlink(name.c_str());
-  }
-  return file;
-}
-
 } // namespace
 
 bool Video::isVideo(const fs::path& file)

@@ -27,6 +27,9 @@ struct VTKINKRENDERINGCORE_EXPORT InkView
   /// @param margin pixels
   void Widen(int margin);
 
+  /// The height in pixels of what is shown: lengths on the picture are relative to it.
+  int GetShownHeight() const { return this->Size[1] - 2 * this->Margin; }
+
   /// The uniforms that the shaders share; those that a shader lacks are left out.
   void SetUniforms(vtkShaderProgram* program) const;
 

@@ -132,6 +132,7 @@ bool InkSplatDrawing::DrawSplats(
   InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view, const InkSplatting& splatting)
 {
   vtkOpenGLState* state = passes.GetWindow()->GetState();
+  const std::array<int, 4> extent = passes.FindExtent(view, splatting, 0);
   this->Present = 0;
   for (std::size_t index = 0; index < this->Layers.size(); ++index)
   {
@@ -165,7 +166,6 @@ bool InkSplatDrawing::DrawSplats(
       sums.push_back(this->Sums[level].get());
     }
 
-    const std::array<int, 4> extent = passes.FindExtent(view, splatting, 0);
     state->vtkglDisable(GL_BLEND);
     layer.Illumination->Bind();
     Clear(state, 0.0f, GL_COLOR_BUFFER_BIT);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatLineWork.h"
 
-#include "InkSplatting.h"
+#include "InkView.h"
 
 #include "Lines/DashLines.h"
 #include "Lines/GrowLines.h"
@@ -26,7 +26,7 @@ constexpr unsigned char Seen = 26;
 InkSplatLineWork::InkSplatLineWork(const InkSplatStyle& style, int layer, const InkView& view)
 {
   const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
-  const double thousandth = 1e-3 * InkFindHeight(view) * view.TileScale;
+  const double thousandth = 1e-3 * view.GetShownHeight() * view.TileScale;
   this->SpeckleLength = static_cast<float>(style.SpeckleLength * view.TileScale);
   this->Thinning = style.Thinning;
   this->Growth = static_cast<float>(0.5 * own.LineWidth * thousandth);

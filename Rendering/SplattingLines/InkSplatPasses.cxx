@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatPasses.h"
 
+#include "InkShader.h"
 #include "InkSplatImage.h"
 #include "InkSplatPoints.h"
-#include "InkSplatShader.h"
 #include "InkView.h"
 
 #include "InkSplatDepthFS.h"
@@ -80,7 +80,8 @@ double LargestSplat(const InkView& view, double radius, double minimumRadius)
 
 double FindDepthRadius(const InkView& view)
 {
-  return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * InkFindHeight(view)) * view.TileScale;
+  return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * view.GetShownHeight()) *
+    view.TileScale;
 }
 
 } // namespace
@@ -148,7 +149,7 @@ double InkSplatPasses::FindMinimumRadius(const InkView& view, const InkSplatting
 {
   return splatting.AsPublished
     ? PublishedMinimumRadius
-    : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * InkFindHeight(view)) * view.TileScale;
+    : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * view.GetShownHeight()) * view.TileScale;
 }
 
 std::array<int, 4> InkSplatPasses::FindExtent(

@@ -2,9 +2,9 @@
 #include "InkSplatQuads.h"
 
 #include "InkRenderPasses.h"
+#include "InkShader.h"
 #include "InkSplatImage.h"
 #include "InkSplatLineWork.h"
-#include "InkSplatShader.h"
 #include "InkView.h"
 
 #include "InkSplatCompositeFS.h"

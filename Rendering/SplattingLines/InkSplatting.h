@@ -2,8 +2,6 @@
 #ifndef InkSplatting_h
 #define InkSplatting_h
 
-#include "InkView.h"
-
 #include "vtkType.h"
 
 #include <limits>
@@ -25,12 +23,6 @@ struct InkSplatting
 
   bool operator==(const InkSplatting&) const = default;
 };
-
-/// The height in pixels of what is shown of a view: lengths on the picture are relative to it.
-inline int InkFindHeight(const InkView& view)
-{
-  return view.Size[1] - 2 * view.Margin;
-}
 
 /// The distance of what is not there.
 constexpr float InkNoSurface = std::numeric_limits<float>::max();

@@ -271,7 +271,7 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     .HalfFloats = this->HalfFloats,
     .PointFraction = this->PointFraction,
     .OrderTime = this->PointFraction < 1.0 ? internals.OrderTime : 0,
-    .Colors = this->HasColors() };
+    .Colors = this->FindScalars() != nullptr };
   if (!exact)
   {
     splatting.CoarsestTexel = passes.FindTexel(view, splatting, this->CoarsestTexel);

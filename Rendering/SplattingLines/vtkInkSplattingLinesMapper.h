@@ -48,6 +48,7 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for error messages
 
+class vtkAbstractArray;
 class vtkHardwareSelector;
 class vtkUnsignedCharArray;
 
@@ -343,7 +344,7 @@ private:
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
   bool UpdatePoints(vtkRenderer* renderer);
-  bool HasColors();
+  vtkAbstractArray* FindScalars();
   std::string DescribeColors();
   vtkUnsignedCharArray* MapColors();
   void UpdateOrder();

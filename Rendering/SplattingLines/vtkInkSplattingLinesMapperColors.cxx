@@ -12,11 +12,11 @@
 #include <sstream>
 #include <utility>
 
-bool vtkInkSplattingLinesMapper::HasColors()
+vtkAbstractArray* vtkInkSplattingLinesMapper::FindScalars()
 {
   if (this->InkColorMode != SCALARS || !this->ScalarVisibility)
   {
-    return false;
+    return nullptr;
   }
   vtkPolyData* input = this->GetInput();
   int ofCells = 0;
@@ -29,20 +29,18 @@ bool vtkInkSplattingLinesMapper::HasColors()
             << "; found " << scalars->GetNumberOfTuples() << " of " << (ofCells ? "cells" : "the data")
             << ". The lines have the ink's colours.";
     this->ReportOnce(message.str());
-    return false;
+    return nullptr;
   }
-  return scalars != nullptr;
+  return scalars;
 }
 
 std::string vtkInkSplattingLinesMapper::DescribeColors()
 {
-  if (!this->HasColors())
+  vtkAbstractArray* scalars = this->FindScalars();
+  if (!scalars)
   {
     return "";
   }
-  int ofCells = 0;
-  vtkAbstractArray* scalars = GetAbstractScalars(
-    this->GetInput(), this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells);
   // As MapScalars chooses it.
   auto* array = vtkDataArray::SafeDownCast(scalars);
   vtkScalarsToColors* table =
@@ -56,7 +54,7 @@ std::string vtkInkSplattingLinesMapper::DescribeColors()
 
 vtkUnsignedCharArray* vtkInkSplattingLinesMapper::MapColors()
 {
-  if (!this->HasColors())
+  if (!this->FindScalars())
   {
     return nullptr;
   }

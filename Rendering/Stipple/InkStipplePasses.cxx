@@ -5,6 +5,7 @@
 #include "InkPackedStipples.h"
 #include "InkRenderPasses.h"
 #include "InkScopedState.h"
+#include "InkShader.h"
 #include "InkStippleOccluder.h"
 #include "InkStipplePoints.h"
 #include "InkStippleUniforms.h"
@@ -37,17 +38,6 @@ namespace
 /// Dots are at least this many of the steps that blending can make, so that rounding hardly shows; paler ones
 /// are drawn more rarely instead.
 constexpr float LeastSteps = 8.0f;
-
-/// A shader with a tag replaced, which is there once.
-std::string Replace(std::string shader, const std::string& tag, const std::string& text)
-{
-  return shader.replace(shader.find(tag), tag.size(), text);
-}
-
-std::string WithFeatures(const std::string& shader, const std::string& features)
-{
-  return Replace(shader, "//INK::Features", features);
-}
 
 } // namespace
 
@@ -267,13 +257,14 @@ void InkStipplePasses::Draw(
   const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses)
 {
   const std::string features = this->FindFeatures(scene);
-  std::string vertexShader = WithFeatures(InkStippleVS, features);
+  std::string vertexShader = InkWithFeatures(InkStippleVS, features);
   std::string geometryShader;
-  std::string fragmentShader = WithFeatures(InkStippleFS, features);
+  std::string fragmentShader = InkWithFeatures(InkStippleFS, features);
   renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
   // Depth peeling asks for it; without, a fragment's depth can be tested before it is shaded.
   const bool peeled = fragmentShader.find("//VTK::DepthPeeling::PreColor") == std::string::npos;
-  fragmentShader = Replace(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
+  fragmentShader =
+    InkReplaceInShader(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
   Pass& pass = this->FindPass(vertexShader, geometryShader, fragmentShader);
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
@@ -298,7 +289,7 @@ void InkStipplePasses::DrawIds(
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
   const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n";
-  Pass& pass = this->FindPass(WithFeatures(InkStippleVS, features), "", InkStippleIdFS);
+  Pass& pass = this->FindPass(InkWithFeatures(InkStippleVS, features), "", InkStippleIdFS);
   if (vtkShaderProgram* program = this->Begin(pass, scene))
   {
     const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
@@ -346,8 +337,8 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
     state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
     const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n#define INK_RESULTS\n";
-    Pass& pass =
-      this->FindPass(WithFeatures(InkStippleVS, features), "", WithFeatures(InkStippleResultFS, features));
+    Pass& pass = this->FindPass(
+      InkWithFeatures(InkStippleVS, features), "", InkWithFeatures(InkStippleResultFS, features));
     if (vtkShaderProgram* program = this->Begin(pass, scene))
     {
       const float size[2] = { static_cast<float>(width), static_cast<float>(height) };

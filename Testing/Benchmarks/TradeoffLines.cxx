@@ -5,6 +5,8 @@
 #include "BumpySphere.h"
 #include "Tradeoff.h"
 
+#include "PictureDifference.h"
+
 #include "vtkInkSplattingLinesMapper.h"
 
 #include "vtkActor.h"
@@ -86,19 +88,6 @@ private:
   bool Forward = true;
 };
 
-/// The darkness by which pictures differ, of all the darkness there is.
-double Difference(const std::vector<double>& exact, const std::vector<double>& other)
-{
-  double difference = 0.0;
-  double ink = 0.0;
-  for (std::size_t i = 0; i < exact.size(); ++i)
-  {
-    difference += std::abs(exact[i] - other[i]);
-    ink += exact[i];
-  }
-  return difference / ink;
-}
-
 struct Setting
 {
   const char* Name;
@@ -127,7 +116,7 @@ void Measure(Tradeoff& knob, Scene& scene, const std::vector<Setting>& settings,
       set(setting);
       std::string name = "lambda ";
       name += each == std::floor(each) ? std::to_string(static_cast<int>(each)) : "2.5";
-      errors.emplace_back(name, Difference(exact, scene.TakePicture(each)));
+      errors.emplace_back(name, ink::pictureDifference(exact, scene.TakePicture(each)));
     }
     knob.Add(
       setting.Name,

@@ -4,6 +4,8 @@
 
 #include "Tradeoff.h"
 
+#include "PictureDifference.h"
+
 #include "SampledMeshes.h"
 
 #include "vtkInkSplattingLinesMapper.h"
@@ -126,18 +128,6 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-double Difference(const Picture& picture, const Picture& reference)
-{
-  double different = 0.0;
-  double all = 0.0;
-  for (std::size_t i = 0; i < picture.size(); ++i)
-  {
-    different += std::abs(picture[i] - reference[i]);
-    all += reference[i];
-  }
-  return different / all;
-}
-
 /// The share of ink in spots of a few pixels that touch no other ink.
 double Specks(const Picture& picture)
 {
@@ -206,7 +196,7 @@ int main()
       knob.Add(
         std::to_string(count) + (blue ? " blue" : " white"),
         [&scene, mesh, blue, count, splat] { scene.Draw(Sample(mesh, blue, count), splat); },
-        { { "difference", Difference(picture, reference) }, { "specks", Specks(picture) } },
+        { { "difference", ink::pictureDifference(reference, picture) }, { "specks", Specks(picture) } },
         blue && count == 100'000 ? Tradeoff::Default : Tradeoff::Choice);
     }
   }

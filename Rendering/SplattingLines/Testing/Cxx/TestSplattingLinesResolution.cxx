@@ -3,6 +3,7 @@
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
+#include "PictureDifference.h"
 #include "SplattingLinesScene.h"
 
 #include "vtkFloatArray.h"
@@ -37,19 +38,6 @@ std::vector<double> Shrink(const InkTestImage& image, int size)
   return squares;
 }
 
-/// The sum of differences as a share of the first one's ink.
-double Difference(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double difference = 0.0;
-  double ink = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    difference += std::abs(a[i] - b[i]);
-    ink += a[i];
-  }
-  return difference / ink;
-}
-
 vtkSmartPointer<vtkPolyData> Shape()
 {
   return InkTestPoints::Join(
@@ -76,7 +64,7 @@ void TestSizes(InkTestChecks& check)
     {
       first = squares;
     }
-    const double difference = Difference(first, squares);
+    const double difference = ink::pictureDifference(first, squares);
     check(difference < 0.12, "the same drawing with ", size, " pixels as with 512; ", difference,
       " of the ink differs");
   }
@@ -141,7 +129,7 @@ void TestPointFraction(InkTestChecks& check)
     scene.Mapper->SetPointFraction(fraction);
     const InkTestImage part(scene.Window);
     check(countHoles(part) == 0, "no holes with ", fraction, " of the points, found ", countHoles(part));
-    const double difference = Difference(Shrink(all, 100), Shrink(part, 100));
+    const double difference = ink::pictureDifference(Shrink(all, 100), Shrink(part, 100));
     check(
       difference < 0.4, "much the same lines with ", fraction, " of the points; ", difference, " differs");
   }
@@ -212,7 +200,8 @@ void TestSmallSigma(InkTestChecks& check)
     for (int texel : { 2, 4 })
     {
       scene.Mapper->SetCoarsestTexel(texel);
-      const double difference = Difference(Shrink(exact, 150), Shrink(InkTestImage(scene.Window), 150));
+      const double difference =
+        ink::pictureDifference(Shrink(exact, 150), Shrink(InkTestImage(scene.Window), 150));
       check(difference < 0.25, "much the same with sigma ", sigma, " and texels of ", texel, "; ", difference,
         " of the ink differs");
     }
@@ -235,7 +224,8 @@ void TestCoarsestTexel(InkTestChecks& check)
     for (int texel : { 2, 4 })
     {
       scene.Mapper->SetCoarsestTexel(texel);
-      const double difference = Difference(Shrink(exact, 600), Shrink(InkTestImage(scene.Window), 600));
+      const double difference =
+        ink::pictureDifference(Shrink(exact, 600), Shrink(InkTestImage(scene.Window), 600));
       check(difference < 0.08 && difference >= last, "much the same with texels of ", texel, " and lambda ",
         lambda, "; ", difference, " of the ink differs");
       last = difference;
@@ -256,7 +246,7 @@ void TestHalfFloats(InkTestChecks& check)
   const InkTestImage exact(scene.Window);
   scene.Mapper->HalfFloatsOn();
   const InkTestImage half(scene.Window);
-  const double difference = Difference(Shrink(exact, 400), Shrink(half, 400));
+  const double difference = ink::pictureDifference(Shrink(exact, 400), Shrink(half, 400));
   check(difference > 0.0 && difference < 0.1, "much the same from half floats; ", difference,
     " of the ink differs");
 }
