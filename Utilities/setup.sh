@@ -48,7 +48,8 @@ install_debian_packages()
 install_vtk_wheels()
 {
   python="$("$utilities/find-python.sh" || true)"
-  contents="vtk $vtk_release, for ${python:-no Python}"
+  packages="numpy pytest pytest-xdist"
+  contents="vtk $vtk_release${python:+, $packages for $python}"
   [ "$(cat "$vtk_site/installed" 2>/dev/null)" != "$contents" ] || return 0
 
   fresh="$vtk_site.new"
@@ -63,7 +64,7 @@ install_vtk_wheels()
     fail "pip could not fetch VTK $vtk_release"
   if [ -n "$python" ]; then
     "$python" -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
-      --target "$fresh" numpy pytest || fail "pip could not fetch numpy and pytest for $python"
+      --target "$fresh" $packages || fail "pip could not fetch $packages for $python"
   fi
   echo "$contents" >"$fresh/installed"
   rm -rf "$vtk_site"
