@@ -10,8 +10,8 @@ cd "$(dirname "$0")/.."
 . Utilities/env.sh "$preset"
 
 jobs="${INK_JOBS:-2}"
-# The tests share the cores already.
-export LP_NUM_THREADS="${LP_NUM_THREADS:-1}"
+# The tests share the cores already: Mesa draws without threads of its own.
+export LP_NUM_THREADS="${LP_NUM_THREADS:-0}"
 
 on_display()
 {
