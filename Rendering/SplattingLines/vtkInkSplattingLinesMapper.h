@@ -42,15 +42,14 @@
 #ifndef vtkInkSplattingLinesMapper_h
 #define vtkInkSplattingLinesMapper_h
 
+#include "InkSetters.h"
 #include "vtkInkRenderingSplattingLinesModule.h" // for the export macro
 #include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for error messages
 
-class vtkAbstractArray;
 class vtkHardwareSelector;
-class vtkUnsignedCharArray;
 
 class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkPolyDataMapper
 {
@@ -72,7 +71,7 @@ public:
    * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20;
    * default: 2.5.
    */
-  vtkSetClampMacro(Lambda, double, 0.1, 20.0);
+  InkSetClampMacro(Lambda, 0.1, 20.0);
   vtkGetMacro(Lambda, double);
   ///@}
 
@@ -81,7 +80,7 @@ public:
    * tau: a threshold; more lines with a larger one. 0.8 to 1.2; default: 0.99, which keeps
    * noise on flat surfaces below the threshold.
    */
-  vtkSetClampMacro(Tau, double, 0.8, 1.2);
+  InkSetClampMacro(Tau, 0.8, 1.2);
   vtkGetMacro(Tau, double);
   ///@}
 
@@ -89,7 +88,7 @@ public:
   /**
    * phi: the strength of the lines; darker with a larger one. 0 to 500; default: 100.
    */
-  vtkSetClampMacro(Phi, double, 0.0, 500.0);
+  InkSetClampMacro(Phi, 0.0, 500.0);
   vtkGetMacro(Phi, double);
   ///@}
 
@@ -98,7 +97,7 @@ public:
    * sigma_min: the width of the narrower Gaussian as a fraction of the splat radius; the wider one is
    * 1.6 times as wide. 0.05 to 2; default: 0.4.
    */
-  vtkSetClampMacro(Sigma, double, 0.05, 2.0);
+  InkSetClampMacro(Sigma, 0.05, 2.0);
   vtkGetMacro(Sigma, double);
   ///@}
 
@@ -117,7 +116,7 @@ public:
    * The radius of all points in world units when the input has no radius array; 0 (default): estimated
    * from the points' spacing.
    */
-  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  InkSetClampMacro(Radius, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
 
@@ -127,7 +126,7 @@ public:
    * pixels at least): it sets how thin lines can be, so that pictures of all sizes show the same drawing. 0
    * to 50; default: 3. AsPublished has no such radius.
    */
-  vtkSetClampMacro(MinimumRadius, double, 0.0, 50.0);
+  InkSetClampMacro(MinimumRadius, 0.0, 50.0);
   vtkGetMacro(MinimumRadius, double);
   ///@}
 
@@ -217,7 +216,7 @@ public:
    * From soft to hard lines. 0 (default): E as published; 1: ink where it was more than one half, and none
    * elsewhere.
    */
-  vtkSetClampMacro(Hardness, double, 0.0, 1.0);
+  InkSetClampMacro(Hardness, 0.0, 1.0);
   vtkGetMacro(Hardness, double);
   ///@}
 
@@ -225,7 +224,7 @@ public:
   /**
    * Spots of ink shorter than this are left out, in pixels; 0 (default): none. 0 to 1000.
    */
-  vtkSetClampMacro(SpeckleLength, double, 0.0, 1000.0);
+  InkSetClampMacro(SpeckleLength, 0.0, 1000.0);
   vtkGetMacro(SpeckleLength, double);
   ///@}
 
@@ -260,7 +259,7 @@ public:
    * Colour of lines where the surface faces the viewer, with InkColorMode TONE; RGB in 0..1. Default: a dark
    * orange (0.8, 0.4, 0.1).
    */
-  vtkSetVector3Macro(ToneColor, double);
+  InkSetColorMacro(ToneColor);
   vtkGetVector3Macro(ToneColor, double);
   ///@}
 
@@ -289,7 +288,7 @@ public:
    * order of the point array `Priority`, of any values, or if there is none in an order by chance, with
    * larger radii, so that there are no holes. 0.01 to 1; default: 1.
    */
-  vtkSetClampMacro(PointFraction, double, 0.01, 1.0);
+  InkSetClampMacro(PointFraction, 0.01, 1.0);
   vtkGetMacro(PointFraction, double);
   ///@}
 
@@ -297,7 +296,7 @@ public:
   /**
    * Colour of the lines, RGB in 0..1. Default: black.
    */
-  vtkSetVector3Macro(InkColor, double);
+  InkSetColorMacro(InkColor);
   vtkGetVector3Macro(InkColor, double);
   ///@}
 
@@ -305,7 +304,7 @@ public:
   /**
    * Colour of the surface between the lines, RGB in 0..1. Default: white.
    */
-  vtkSetVector3Macro(PaperColor, double);
+  InkSetColorMacro(PaperColor);
   vtkGetVector3Macro(PaperColor, double);
   ///@}
 
@@ -343,15 +342,14 @@ private:
   vtkInkSplattingLinesMapper(const vtkInkSplattingLinesMapper&) = delete;
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
-  bool UpdatePoints(vtkRenderer* renderer);
-  vtkAbstractArray* FindScalars();
-  std::string DescribeColors();
-  vtkUnsignedCharArray* MapColors();
-  void UpdateOrder();
-  void Draw(vtkRenderer* renderer, vtkActor* actor);
-  void DrawIds(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
+  class vtkInternals;
+  class vtkWindowResources;
+  vtkWindowResources* UpdatePoints(vtkRenderer* renderer);
+  void UpdateOrder(vtkWindowResources& resources);
+  void Draw(vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor);
+  void DrawIds(
+    vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
   void ReportOnce(const std::string& error);
-  void ReleaseWindow();
 
   double Lambda = 2.5;
   double Tau = 0.99;
@@ -375,7 +373,6 @@ private:
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   bool PaperVisibility = true;
 
-  class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
 
