@@ -22,6 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,16 +71,22 @@ void vtkInkSplattingLinesMapper::ComputeBounds()
   {
     return;
   }
+  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
   input->GetBounds(this->Bounds);
-  if (std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
+  if (ghosts || std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
   {
-    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds);
+    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds, ghosts);
   }
   double radius = this->Radius;
   vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
   if (radii && radii->GetNumberOfComponents() == 1 && radii->GetNumberOfTuples() > 0)
   {
-    radius = radii->GetFiniteRange()[1];
+    radius = ghosts ? 0.0 : radii->GetFiniteRange()[1];
+    for (vtkIdType i = 0; ghosts && i < radii->GetNumberOfTuples(); ++i)
+    {
+      const double own = radii->GetComponent(i, 0);
+      radius = std::isfinite(own) && !InkIsGhostPoint(ghosts, i) ? std::max(radius, own) : radius;
+    }
   }
   if (radius > 0.0 && vtkMath::AreBoundsInitialized(this->Bounds))
   {
@@ -151,13 +158,14 @@ vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::Upda
   {
     this->ReportOnce(colors.GetProblem());
   }
+  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
   const vtkWindowResources::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
-    arrays.Radii ? arrays.Radii->GetMTime() : 0, colored ? colors.Describe() : "",
-    arrays.Radii ? 0.0 : this->Radius };
+    arrays.Radii ? arrays.Radii->GetMTime() : 0, ghosts ? ghosts->GetMTime() : 0,
+    colored ? colors.Describe() : "", arrays.Radii ? 0.0 : this->Radius };
   vtkWindowResources& resources = internals.Windows.Get(window);
   if (internals.PointsSource != source || resources.PointsSource != source)
   {
-    internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius);
+    internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius, ghosts);
     internals.PointsSource = source;
     resources.Passes.Upload(internals.Points, colored ? colors.Map() : nullptr);
     internals.Points.ReleaseArrays();
@@ -167,7 +175,8 @@ vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::Upda
   {
     std::ostringstream message;
     message << "None of the " << input->GetNumberOfPoints()
-            << " points has a finite position, a normal that is not zero and a positive radius.";
+            << " points has a finite position, a normal that is not zero and a positive radius"
+            << (ghosts ? " and is neither hidden nor a duplicate by vtkGhostType." : ".");
     this->ReportOnce(message.str());
     return nullptr;
   }
@@ -267,7 +276,6 @@ void vtkInkSplattingLinesMapper::Draw(vtkWindowResources& resources, vtkRenderer
     .Hardness = this->Hardness,
     .SpeckleLength = this->SpeckleLength,
     .Thinning = this->Thinning,
-    .ScalarColors = splatting.Colors,
     .ToneColors = this->InkColorMode == TONE,
     .ToneColor = { this->ToneColor[0], this->ToneColor[1], this->ToneColor[2] },
     .Layers = {},
@@ -276,12 +284,16 @@ void vtkInkSplattingLinesMapper::Draw(vtkWindowResources& resources, vtkRenderer
   {
     InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
     this->GetLayerColor(layer, own.Color.data());
+    own.ScalarColors = splatting.Colors && !this->Internals->FindLayer(layer)->Color;
     own.Strength = this->GetLayerStrength(layer);
     own.LineWidth = this->GetLayerLineWidth(layer);
     own.DashLength = this->GetLayerDashLength(layer);
   }
   if (view.TileScale > 1)
   {
+    // A spot is judged alike in all tiles that it reaches into, so none may reach beyond a tile's margin.
+    const int* tile = renderer->GetRenderWindow()->GetActualSize();
+    style.SpeckleLength = std::min(style.SpeckleLength, 0.5 * std::min(tile[0], tile[1]) / view.TileScale);
     // Lines go on in the next tile.
     int margin = 0;
     for (int layer = 0; layer < splatting.Layers; ++layer)

@@ -27,7 +27,8 @@
  * array chosen with SetInputArrayToProcess(NORMALS, ...)) and, if there is one, the point array `Radius` in
  * world units (SetInputArrayToProcess(RADIUS, ...)). Without a Radius array, Radius, or if that is 0 an
  * estimate from the points' spacing, holds for all points. Points that are not finite, whose normal is
- * zero or whose radius is not positive are not drawn. Cells are ignored.
+ * zero or whose radius is not positive are not drawn, nor are those that `vtkGhostType` marks as hidden or
+ * duplicate. Cells are ignored.
  *
  * With PaperVisibility on, the surface is painted in PaperColor under the ink and hides what lies behind
  * it; with it off, only the ink is drawn, over whatever other actors have drawn, and a little (1.5 times
@@ -58,6 +59,10 @@ public:
   vtkTypeMacro(vtkInkSplattingLinesMapper, vtkPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// All parameters of another mapper, the arrays to process and the layers' styles among them, and its
+  /// input.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
   /// Indices for SetInputArrayToProcess.
   enum InputArrays
   {
@@ -68,8 +73,9 @@ public:
   ///@{
   /**
    * lambda: the factor by which illumination splats are larger than the points' radii; it sets the level
-   * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20;
-   * default: 2.5.
+   * of detail (a larger one gives fewer, broader lines). Below 1 splats no longer overlap everywhere, and
+   * lines become fainter and break up; as published, there are none in the end. Depth splats are never
+   * scaled. 0.1 to 20; default: 2.5.
    */
   InkSetClampMacro(Lambda, 0.1, 20.0);
   vtkGetMacro(Lambda, double);
@@ -167,12 +173,15 @@ public:
 
   ///@{
   /**
-   * Colour of a layer's lines, RGB in 0..1; layer 0 is the visible one, and its colour InkColor. Until theirs
-   * is set, the others have InkColor, too. Layers from 8 on are ignored.
+   * Colour of a hidden layer's lines, RGB in 0..1, whatever InkColorMode is: only TONE mixes ToneColor into
+   * it. Until it is set, or after ResetLayerColor, a hidden layer is coloured as the visible one: by
+   * InkColor, or with SCALARS by its own points' scalars. Layer 0 is the visible one, and its colour
+   * InkColor. Layers are 0 to 7; others are refused with a warning.
    */
   void SetLayerColor(int layer, double red, double green, double blue);
   void SetLayerColor(int layer, const double color[3]);
   void GetLayerColor(int layer, double color[3]);
+  void ResetLayerColor(int layer);
   ///@}
 
   ///@{
@@ -205,7 +214,8 @@ public:
 
   ///@{
   /**
-   * LayerLineWidth of all layers.
+   * LayerLineWidth of all layers, in thousandths of the viewport's height; -20 to 20; default: 0. Get gives
+   * that of the visible layer.
    */
   void SetLineWidth(double width);
   double GetLineWidth() { return this->GetLayerLineWidth(0); }
@@ -222,7 +232,10 @@ public:
 
   ///@{
   /**
-   * Spots of ink shorter than this are left out, in pixels; 0 (default): none. 0 to 1000.
+   * Spots of ink shorter than this are left out, in pixels of the window; 0 (default): none. 0 to 1000. In
+   * pictures drawn in tiles, whose spots are this many times the tiles' number longer, at most half the
+   * shorter side of a tile: each tile is drawn with so much around it, and takes at most four times a
+   * window's memory for that.
    */
   InkSetClampMacro(SpeckleLength, 0.0, 1000.0);
   vtkGetMacro(SpeckleLength, double);
@@ -252,6 +265,10 @@ public:
    */
   vtkSetClampMacro(InkColorMode, int, INK, TONE);
   vtkGetMacro(InkColorMode, int);
+  void SetInkColorModeToInk() { this->SetInkColorMode(INK); }
+  void SetInkColorModeToScalars() { this->SetInkColorMode(SCALARS); }
+  void SetInkColorModeToTone() { this->SetInkColorMode(TONE); }
+  const char* GetInkColorModeAsString();
   ///@}
 
   ///@{
@@ -335,7 +352,8 @@ protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
 
-  /// All finite points, whether or not cells use them, with their radii as far as those are given.
+  /// All finite points that `vtkGhostType` does not mark, whether or not cells use them, with their radii as
+  /// far as those are given.
   void ComputeBounds() override;
 
 private:
@@ -350,6 +368,7 @@ private:
   void DrawIds(
     vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
   void ReportOnce(const std::string& error);
+  bool CheckLayer(const char* property, int layer);
 
   double Lambda = 2.5;
   double Tau = 0.99;

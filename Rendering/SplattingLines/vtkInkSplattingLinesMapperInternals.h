@@ -41,6 +41,7 @@ public:
     vtkMTimeType Points;
     vtkMTimeType Normals;
     vtkMTimeType Radii;
+    vtkMTimeType Ghosts;
     std::string Colors;
     double Radius;
     bool operator==(const Source&) const = default;
@@ -106,17 +107,6 @@ public:
   {
     return layer >= 0 && layer < InkSplatStyle::MostLayers ? &this->Layers[static_cast<std::size_t>(layer)]
                                                            : nullptr;
-  }
-  /// Whether anything changed.
-  bool Set(int layer, double LayerStyle::*property, double value, double least, double most)
-  {
-    LayerStyle* style = this->FindLayer(layer);
-    if (!style || std::isnan(value))
-    {
-      return false;
-    }
-    const double before = std::exchange(style->*property, std::clamp(value, least, most));
-    return style->*property != before;
   }
   double Get(int layer, double LayerStyle::*property)
   {
