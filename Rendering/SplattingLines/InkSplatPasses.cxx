@@ -46,6 +46,10 @@ constexpr double PublishedMinimumRadius = 0.01;
 /// Discs beyond a contour take part in the illumination near it as long as f_i is greater than this.
 constexpr double MinimumLight = -0.3;
 
+/// As published, f_i may have any value.
+constexpr double PublishedMinimumLight = -2.0;
+constexpr double PublishedLeastLight = -1.0;
+
 /// sigma_max over sigma_min (Zhang et al. 2014, section 3.2).
 constexpr double WideOverNarrow = 1.6;
 
@@ -57,6 +61,14 @@ constexpr int Margin = 4;
 double Growth(double fraction)
 {
   return (1.45 - 0.45 * fraction) / std::sqrt(fraction);
+}
+
+/// By how much illumination splats are larger than the points' radii. Those of a part of the points are not
+/// larger than all's while they cover the surface as well; otherwise pictures would differ by more than need
+/// be.
+double FindLightScale(const InkSplatting& splatting)
+{
+  return std::max(splatting.Lambda, std::min(splatting.Lambda, 1.0) * Growth(splatting.PointFraction));
 }
 
 /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
@@ -217,7 +229,7 @@ int InkSplatPasses::FindTexel(const InkView& view, const InkSplatting& splatting
 {
   // In the middle of the points, facing the viewer.
   const double w = view.DepthToClip[2] * view.MCVC[14] + view.DepthToClip[3];
-  const double scale = std::max(splatting.Lambda, Growth(splatting.PointFraction));
+  const double scale = FindLightScale(splatting);
   const double radius = w > 0.0 ? scale * this->LargestRadius * view.Unit / (view.Pixel * w) : 0.0;
   int texel = 1;
   // Some of the splats are seen from the side.
@@ -353,10 +365,10 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   const InkSplatImage& surface, bool hidden, int texel, const std::array<double, 2>& widths)
 {
   const double minimum = FindMinimumRadius(view, splatting);
-  const double scale = std::max(splatting.Lambda, Growth(splatting.PointFraction));
+  const double scale = FindLightScale(splatting);
   const std::string features = texel > 1 ? "#define INK_LIGHT\n#define INK_COARSE\n" : "#define INK_LIGHT\n";
-  vtkShaderProgram* program =
-    this->Begin(InkSplatLightFS, features, view, { scale, minimum, minimum, texel });
+  vtkShaderProgram* program = this->Begin(
+    InkSplatLightFS, features, view, { scale, minimum, splatting.AsPublished ? 0.0 : minimum, texel });
   if (!program)
   {
     return;
@@ -364,12 +376,17 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   const InkSplatImage::Reading reading(*surface.GetTexture());
   program->SetUniformi("surface", reading.GetUnit());
   program->SetUniformi("backFaces", view.BackFaces && (!hidden || splatting.PeelBackFaces));
-  program->SetUniformf("minimumLight", splatting.AsPublished ? 0.0f : static_cast<float>(MinimumLight));
+  program->SetUniformf(
+    "minimumLight", static_cast<float>(splatting.AsPublished ? PublishedMinimumLight : MinimumLight));
+  program->SetUniformf("leastLight", static_cast<float>(splatting.AsPublished ? PublishedLeastLight : 0.0));
   // Sixteen bits hold numbers up to 65504.
   program->SetUniformf("largestWeight", splatting.HalfFloats ? 256.0f : InkNoSurface);
   program->SetUniformf("referenceRadius", static_cast<float>(scale * this->LargestRadius));
-  // The paper tests hidden layers once for each splat (section 5.2).
-  program->SetUniformi("probeCount", splatting.AsPublished && hidden ? 0 : 4);
+  // The paper tests each pixel of the visible surface (section 3.3), and of hidden layers each splat, where
+  // its centre is (section 5.2). Otherwise splats that are hidden altogether are left out first, which is
+  // quicker.
+  program->SetUniformi("probeCount", !splatting.AsPublished ? 4 : hidden ? 0 : -1);
+  program->SetUniformi("bySplat", splatting.AsPublished && hidden);
   const float limits[2] = { static_cast<float>(widths[0]), static_cast<float>(widths[1]) };
   program->SetUniform2f("widths", limits);
   const double narrow = splatting.Sigma;
