@@ -29,6 +29,12 @@ float exponent(float value)
   return std::clamp(value, leastExponent, mostExponent);
 }
 
+/// The same of a quotient, also where nothing is divided by.
+float exponentOver(float numerator, float denominator)
+{
+  return denominator > 0.0f ? exponent(numerator / denominator) : mostExponent;
+}
+
 constexpr StipplePreset presets[] = {
   { "anatomy", { 0.5f, 0.5f, 0.5f, 0.15f, 0.15f, 0.0f }, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
   { "bone", { 0.65f, 0.6f, 0.5f, 0.15f, 0.35f, 0.0f }, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
@@ -53,14 +59,14 @@ void StippleSliders::apply(StippleTone& tone) const
   tone.silhouette.on = true;
   tone.silhouette.kss = 1.6f * turned;
   tone.silhouette.kse = exponent(0.5f / sharp);
-  tone.lighting.on = turned > 0.0f;
-  tone.lighting.kle = turned > 0.0f ? exponent(1.0f / (sharp * turned)) : mostExponent;
+  tone.lighting.on = true;
+  tone.lighting.kle = exponentOver(1.0f, sharp * turned);
 
-  tone.distance.on = this->distance > 0.0f;
-  tone.distance.kde = this->distance > 0.0f ? exponent(0.5f / limited(this->distance)) : mostExponent;
+  tone.distance.on = true;
+  tone.distance.kde = exponentOver(0.5f, limited(this->distance));
   tone.distance.size = limited(this->distance);
 
-  tone.interior.on = this->interior > 0.0f;
+  tone.interior.on = true;
   tone.interior.kie = 2.0f * limited(this->interior);
   tone.interior.size = limited(this->interior);
 
