@@ -25,7 +25,7 @@ struct Ink
 Ink draw(const ink::StippleTone& tone)
 {
   const ink::StippleLight headlight{ { 0.0f, 0.0f, 1.0f, 0.0f }, 1.0f };
-  const ink::StippleTone::View view{ 16.0f, 4.0f, 0.5f, true, 4.0f, 5.0f, 1.0f };
+  const ink::StippleTone::View view{ 16.0f, 4.0f, 0.5f, true, 4.0f, 5.0f, 1.0f, 4.0f };
   Ink ink;
   const int count = 3000;
   for (int i = 0; i < count; ++i)

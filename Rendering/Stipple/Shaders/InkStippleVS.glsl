@@ -252,11 +252,12 @@ void main()
     factors *= value * (silhouette.x + silhouette.y * (1.0 - power(slant, silhouette.z)));
   }
   float byDistance = 1.0;
-  if (resolutionOn)
+  if (eyeVC.w != 0.0)
   {
-    byDistance = eyeVC.w == 0.0 ? 1.0 : power(distanceFromEye / nearest, resolution.x);
-    factors *= power(slant, resolution.y);
+    float ratio = max(distanceFromEye / nearest, 1e-4);
+    byDistance = power(ratio, ratio < 1.0 ? -2.0 : (resolutionOn ? resolution.x : 0.0));
   }
+  factors *= resolutionOn ? power(slant, resolution.y) : 1.0;
   if (lightingOn)
   {
     factors *= lightInk ? lit : 1.0 - lit;

@@ -90,9 +90,9 @@ void Compare(
   ink::StippleTone::View view{};
   view.listed = float(field("StipplesPerElement"));
   view.parallel = camera->GetParallelProjection();
-  view.nearest = float(std::max(nearest, camera->GetClippingRange()[0]));
   view.middle = float(0.5 * (nearest + farthest));
   view.halfRange = float(0.5 * (farthest - nearest));
+  view.nearest = ink::Resolution::nearestDistance(view.middle, view.halfRange);
   const int height = scene.Renderer->GetSize()[1];
   const double pixel = view.parallel
     ? 2.0 * camera->GetParallelScale() / height
@@ -103,8 +103,7 @@ void Compare(
       float(field("ElementSize")), float(pixel * (view.parallel ? 1.0 : distance)), tone.pixelsPerStipple);
   };
   view.maximumStipples = maximumAt(view.nearest);
-  view.smallness =
-    tone.smallElements.weight(maximumAt(std::max<double>(view.middle, camera->GetClippingRange()[0])));
+  view.smallness = tone.smallElements.weight(maximumAt(std::max(view.middle, view.halfRange)));
   const double* from = light->GetPosition();
   const glm::dvec3 source(from[0], from[1], from[2]);
   const glm::vec4 towards(Times(toView, glm::dvec4(glm::normalize(source), 0.0)));
@@ -279,6 +278,14 @@ int TestStippleShader(int, char*[])
       {
         s.Renderer->GetActiveCamera()->Dolly(2.5);
         s.Renderer->ResetCameraClippingRange();
+      } },
+    { "a view from just before it",
+      [&](StippleScene& s)
+      {
+        off(s);
+        s.Mapper->GrowingOff();
+        s.Renderer->GetActiveCamera()->SetPosition(0.2, 0.1, 1.3);
+        s.Renderer->GetActiveCamera()->SetClippingRange(0.01, 3.0);
       } },
     { "a far view",
       [](StippleScene& s)
