@@ -101,6 +101,28 @@ TEST(StippleSliders, SharpnessAndInteriorTakeInkAway)
   expectMonotone(&ink::StippleSliders::interior, -1.0, [](const Ink& ink) { return ink.all; });
 }
 
+/// Light ink shows the light: less of it, in a smaller place.
+TEST(StippleSliders, LightInkHasLessInkWithSharperLight)
+{
+  for (const auto slider : { &ink::StippleSliders::sharpness, &ink::StippleSliders::orientation })
+  {
+    double last = 0.0;
+    for (int step = 0; step <= 20; ++step)
+    {
+      ink::StippleTone tone;
+      ink::StipplePreset moved = *ink::findStipplePreset("plate-white-on-black");
+      moved.sliders.*slider = step / 20.0f;
+      moved.apply(tone);
+      // The light alone.
+      tone.boundary.on = tone.silhouette.on = tone.distance.on = tone.interior.on = false;
+      const double now = draw(tone).all;
+      EXPECT_TRUE(step == 0 || now < last) << "step " << step << ", ink " << last << " to " << now;
+      EXPECT_GT(now, 100.0);
+      last = now;
+    }
+  }
+}
+
 TEST(StippleSliders, OrientationTellsTheRimFromTheMiddle)
 {
   expectMonotone(

@@ -60,7 +60,8 @@ void StippleSliders::apply(StippleTone& tone) const
   tone.silhouette.kss = 1.6f * turned;
   tone.silhouette.kse = exponent(0.5f / sharp);
   tone.lighting.on = true;
-  tone.lighting.kle = exponentOver(1.0f, sharp * turned);
+  // Light takes dark ink away and is what light ink shows: less ink with a smaller exponent, or a larger one.
+  tone.lighting.kle = tone.lighting.lightInk ? exponent(sharp * turned) : exponentOver(1.0f, sharp * turned);
 
   tone.distance.on = true;
   tone.distance.kde = exponentOver(0.5f, limited(this->distance));
@@ -75,13 +76,13 @@ void StippleSliders::apply(StippleTone& tone) const
 
 void StipplePreset::apply(StippleTone& tone) const
 {
+  tone.lighting.lightInk = this->lightInk;
   this->sliders.apply(tone);
   tone.pixelsPerStipple = this->pixelsPerStipple;
   tone.diameter = this->diameter;
   tone.appearBySize = this->appearBySize;
   tone.resolution.knz = this->knz;
   tone.valueEffect = this->valueEffect;
-  tone.lighting.lightInk = this->lightInk;
 }
 
 std::span<const StipplePreset> stipplePresets()

@@ -16,8 +16,8 @@ struct StippleSliders
   float gradient = 0.5f;
   /// Sharpness of boundaries, silhouettes and shades: k_ge, k_se, k_le. Less ink, in a smaller place.
   float sharpness = 0.5f;
-  /// How much silhouettes and light count: k_ss, k_le; 0: no more than a highlight. More contrast between the
-  /// middle and the rim.
+  /// How much silhouettes and light count: k_ss, k_le; 0: hardly at all. More contrast between the middle and
+  /// the rim.
   float orientation = 0.5f;
   /// How much nearer parts stand out: k_de and the stipples' size; 0: only what lies at the very ends.
   float distance = 0.5f;
@@ -26,7 +26,8 @@ struct StippleSliders
   /// How far warm and cool colours replace the ink; 0: not at all. The same number of stipples.
   float color = 0.0f;
 
-  /// Sets the k's named above and switches the enhancements on that they belong to; all else stays.
+  /// Sets the k's named above, k_le as the tone's ink wants it, dark or light, and switches the enhancements
+  /// on that they belong to; all else stays.
   void apply(StippleTone& tone) const;
 };
 

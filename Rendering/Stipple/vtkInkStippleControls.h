@@ -61,7 +61,7 @@ public:
   ///@{
   /**
    * How much silhouettes and light count (Kss, Kle): the rim is darker and the middle lighter with a larger
-   * one. 0 (no more than a highlight) to 1; default: the preset's.
+   * one. 0 (hardly at all) to 1; default: the preset's.
    */
   void SetOrientation(double orientation);
   double GetOrientation();
