@@ -87,10 +87,10 @@ ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface, bool twoSid
 class vtkInkStippleMapper::vtkInternals
 {
 public:
-  /// What the stipples on the GPU were made from; modification times are unique, so no pointers are needed.
+  /// What the stipples on the GPU were made from.
   struct Source
   {
-    vtkMTimeType Input;
+    InkStippleInput::Key Input;
     vtkMTimeType Colors;
     int PositionPrecision;
     bool operator==(const Source&) const = default;
@@ -315,7 +315,7 @@ bool vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
     this->ReportOnce("Expected cell scalars, one for each element, to colour stipples by; found others.");
     colors = nullptr;
   }
-  const vtkInternals::Source source{ found.GetTime(), colors ? colors->GetMTime() : 0,
+  const vtkInternals::Source source{ found.GetKey(), colors ? colors->GetMTime() : 0,
     this->PositionPrecision };
   if (!internals.Passes || internals.PointsSource != source)
   {

@@ -303,7 +303,9 @@ public:
   ///@{
   /**
    * How elements that are too small for a pattern keep their grey: INTENSITY (default), which is smooth in
-   * motion, or PROBABILITY, which has black stipples only.
+   * motion, or PROBABILITY, which has black stipples only. An element's random value comes from the cell's
+   * global id where the input has those, else from the place of its first stipple: the same on any number of
+   * processes.
    */
   vtkSetClampMacro(SmallElements, int, INTENSITY, PROBABILITY);
   vtkGetMacro(SmallElements, int);

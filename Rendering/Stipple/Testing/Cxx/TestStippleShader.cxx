@@ -16,6 +16,7 @@
 #include "vtkMatrix4x4.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
@@ -126,6 +127,10 @@ void Compare(
   for (vtkIdType cell = 0; cell < stipples->GetNumberOfCells(); ++cell)
   {
     const vtkIdType length = stipples->GetVerts()->GetCellSize(cell);
+    double place[3];
+    stipples->GetPoint(point, place);
+    const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(place[axis] + 0.0); };
+    const float random = ink::unitFloat(ink::hash(ink::hash(0x5717b1e, bits(0), bits(1)), bits(2)));
     for (int rank = 0; rank < length; ++rank, ++point)
     {
       double p[3];
@@ -135,8 +140,8 @@ void Compare(
       const ink::StippleTone::Element element{ glm::vec3(Times(toView, { p[0], p[1], p[2], 1.0 })),
         glm::vec3(Times(toView, { n[0], n[1], n[2], 0.0 })),
         surface ? 1.0f : float(array("Value")->GetTuple1(cell)),
-        surface ? 1.0f : float(array("GradientMagnitude")->GetTuple1(cell)), float(length),
-        ink::unitFloat(ink::hash(0x5717b1e, static_cast<std::uint64_t>(cell))), glm::vec3(0.1f, 0.2f, 0.3f) };
+        surface ? 1.0f : float(array("GradientMagnitude")->GetTuple1(cell)), float(length), random,
+        glm::vec3(0.1f, 0.2f, 0.3f) };
       const auto mark = tone.mark(view, lights, element, rank);
       const double* shader = found->GetTuple(point);
       visible += mark.opacity > 0.0f;
