@@ -3,6 +3,7 @@
 
 #include "InkLocalFrame.h"
 #include "InkRenderPasses.h"
+#include "InkReportedMessages.h"
 #include "InkStippleInput.h"
 #include "InkStippleOccluder.h"
 #include "InkStipplePasses.h"
@@ -122,8 +123,7 @@ public:
 
   InkStipplePoints Points;
   std::optional<Source> PointsSource; ///< what Points was read from
-  vtkMTimeType ReportedTime = 0;      ///< of the input whose error was reported last
-  std::string ReportedError;
+  InkReportedMessages Reported;
   std::unique_ptr<InkStipplePasses> Passes;
   std::unique_ptr<InkStippleOccluder> Occluder;
   std::vector<Depth> Depths;
@@ -254,12 +254,8 @@ vtkPolyData* vtkInkStippleMapper::FindSurface()
 
 void vtkInkStippleMapper::ReportOnce(const std::string& error)
 {
-  vtkInternals& internals = *this->Internals;
-  const vtkMTimeType time = this->GetInput()->GetMTime();
-  if (internals.ReportedTime < time || internals.ReportedError != error)
+  if (this->Internals->Reported.Add(this->GetInput()->GetMTime(), error))
   {
-    internals.ReportedTime = time;
-    internals.ReportedError = error;
     vtkErrorMacro(<< error);
   }
 }

@@ -9,6 +9,8 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -64,6 +66,35 @@ void TestMessages(InkTestChecks& check)
     check(ink == 0.0, "nothing drawn without ", expected);
     messages->Expect(check, "spoilt", { expected });
   }
+}
+
+/// Two problems at a time: each is said once, whatever the number of pictures, and again for another input.
+void TestTwoMessages(InkTestChecks& check)
+{
+  auto data = Voxels();
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfTuples(data->GetNumberOfPoints());
+  scalars->Fill(1.0);
+  data->GetPointData()->SetScalars(scalars);
+  StippleScene scene(data);
+  scene.Mapper->ScalarVisibilityOn();
+  for (int i = 0; i < 7; ++i)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(0.0, 0.0, -10.0);
+    scene.Mapper->AddClippingPlane(plane);
+  }
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Window->Render();
+  }
+  check(messages->Messages.size() == 2, "two messages in three pictures, found ", messages->Messages.size());
+  data->Modified();
+  scene.Window->Render();
+  check(
+    messages->Messages.size() == 4, "two more for a changed input, found ", messages->Messages.size() - 2);
 }
 
 void TestEmpty(InkTestChecks& check)
@@ -236,6 +267,7 @@ int TestStippleInput(int, char*[])
 {
   InkTestChecks check;
   TestMessages(check);
+  TestTwoMessages(check);
   TestEmpty(check);
   TestPassedOver(check);
   TestLittle(check);
