@@ -82,6 +82,7 @@ StippleTone::Mark StippleTone::mark(
     mark.diameter *= std::sqrt(mark.opacity);
     mark.opacity = 1.0f;
   }
+  mark.opacity *= element.alpha;
   mark.color = this->warmCool.color(element.color, lightCosine(lights, element.position, normal), depth);
   return mark;
 }

@@ -63,6 +63,7 @@ struct StippleTone
     float listLength;        ///< how many stipples the element has
     float random;            ///< in [0, 1)
     glm::vec3 color;         ///< RGB in 0..1
+    float alpha = 1.0f;      ///< of that color
   };
 
   /// A stipple to draw.

@@ -163,7 +163,7 @@ std::vector<InkStipplePoints::Element> InkStipplePoints::ReadElements(
   return elements;
 }
 
-std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedCharArray* colors)
+std::string InkStipplePoints::Read(const InkStippleInput& input)
 {
   this->ReleaseArrays();
   this->Blocks.clear();
@@ -219,16 +219,21 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
     this->AddGroup(input, &elements[first], static_cast<int>(last - first), group);
   }
   this->NumberOfStipples = static_cast<vtkIdType>(this->Vertices.size());
-  if (colors)
-  {
-    for (const Element& element : elements)
-    {
-      std::uint32_t color;
-      std::memcpy(&color, colors->GetPointer(4 * element.Id), sizeof color);
-      this->Colors.push_back(color);
-    }
-  }
+  this->Order.resize(elements.size());
+  std::transform(elements.begin(), elements.end(), this->Order.begin(),
+    [](const Element& element) { return static_cast<std::uint32_t>(element.Id); });
   return left.str();
+}
+
+std::vector<std::uint32_t> InkStipplePoints::OrderColors(vtkUnsignedCharArray* colors) const
+{
+  std::vector<std::uint32_t> ordered(this->Order.size());
+  for (std::size_t i = 0; i < ordered.size(); ++i)
+  {
+    std::memcpy(
+      &ordered[i], colors->GetPointer(4 * static_cast<vtkIdType>(this->Order[i])), sizeof ordered[i]);
+  }
+  return ordered;
 }
 
 void InkStipplePoints::AddGroup(const InkStippleInput& input, const Element* elements, int count, int group)
@@ -347,5 +352,4 @@ void InkStipplePoints::ReleaseArrays()
   this->Shapes = {};
   this->Values = {};
   this->ElementIds = {};
-  this->Colors = {};
 }

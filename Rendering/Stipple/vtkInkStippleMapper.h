@@ -21,7 +21,7 @@
  * of volumes, `GradientMagnitude` and `Value` (0 to 1); field data `ElementSize` (world units), `ElementKind`
  * (0 volume, 1 surface), `StipplesPerElement`. Elements whose normal is zero and what is not finite are not
  * drawn. With ScalarVisibility on (it is off by default), cell scalars colour the elements through the lookup
- * table.
+ * table, whose opacities make stipples paler.
  *
  * A surface (SetSurfaceConnection, SetSurfaceData; or the generator's own input, see SurfaceFromInput) hides
  * the stipples behind it: a mesh its own, or an iso-surface those of a volume, which are see-through
@@ -44,6 +44,8 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for error messages
 
+class InkStippleWindow;
+struct InkStippleInput;
 class vtkFloatArray;
 class vtkHardwareSelector;
 
@@ -425,9 +427,15 @@ public:
 
   /**
    * When the stipples were last sent to the GPU, as a modification time; 0 before the first time. Only a
-   * change of the input, of its colours or of PositionPrecision sends them again.
+   * change of the input or of PositionPrecision sends them again, once to each window.
    */
   vtkMTimeType GetUploadTime();
+
+  /**
+   * The same of their colours by scalars. They are sent again when the scalars, the lookup table or what
+   * VTK's mappers have for colouring by them change, or when the stipples are.
+   */
+  vtkMTimeType GetColorUploadTime();
 
   /**
    * How many stipples the last picture had to look at; those that were left out as blocks are not among them.
@@ -461,12 +469,13 @@ private:
   vtkInkStippleMapper(const vtkInkStippleMapper&) = delete;
   void operator=(const vtkInkStippleMapper&) = delete;
 
-  bool UpdateStipples(vtkRenderer* renderer);
+  /// What the renderer's window has of the input, up to date; null where there is nothing to draw.
+  InkStippleWindow* UpdateStipples(vtkRenderer* renderer);
+  bool UploadStipples(const InkStippleInput& input, InkStippleWindow& window);
   vtkPolyData* FindSurface();
   class vtkPicture;
-  void Draw(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
+  void Draw(InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
   void ReportOnce(const std::string& error);
-  void ReleaseWindow();
 
   bool Boundary = true;
   double Kgc = 0.2;
