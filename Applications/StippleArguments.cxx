@@ -202,7 +202,7 @@ void StippleArguments::addSliders(CLI::App* command)
              "anatomy, bone, soft-tissue, engineering or plate-white-on-black (anatomy)"),
       slidersGroup)
     ->type_name("NAME")
-    ->check(CLI::IsMember(names));
+    ->check(CLI::IsMember(names, CLI::ignore_case));
   const auto slider = [&](const char* name, void (Controls::*set)(double), const char* effect)
   {
     auto& number = this->sliders.emplace_back(Number<Controls>{ {}, set, 1.0 });

@@ -179,5 +179,9 @@ TEST(StippleSliders, PresetsAreFoundByName)
     ASSERT_NE(preset, nullptr) << name;
     EXPECT_EQ(preset->lightInk, std::string(name) == "plate-white-on-black");
   }
-  EXPECT_EQ(ink::findStipplePreset("Anatomy"), nullptr);
+  EXPECT_EQ(ink::findStipplePreset("Anatomy")->name, "anatomy");
+  EXPECT_EQ(ink::findStipplePreset("SoftTissue")->name, "soft-tissue");
+  EXPECT_EQ(ink::findStipplePreset("Plate, White on Black")->name, "plate-white-on-black");
+  EXPECT_EQ(ink::findStipplePreset("plate"), nullptr);
+  EXPECT_EQ(ink::findStipplePreset(""), nullptr);
 }

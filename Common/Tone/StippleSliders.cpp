@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace ink
 {
@@ -33,6 +34,21 @@ float exponent(float value)
 float exponentOver(float numerator, float denominator)
 {
   return denominator > 0.0f ? exponent(numerator / denominator) : mostExponent;
+}
+
+/// Of a name, in lower case.
+std::string lettersOf(std::string_view name)
+{
+  std::string letters;
+  for (const char c : name)
+  {
+    const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (lower >= 'a' && lower <= 'z')
+    {
+      letters += lower;
+    }
+  }
+  return letters;
 }
 
 constexpr StipplePreset presets[] = {
@@ -92,8 +108,9 @@ std::span<const StipplePreset> stipplePresets()
 
 const StipplePreset* findStipplePreset(std::string_view name)
 {
-  const auto* found =
-    std::find_if(std::begin(presets), std::end(presets), [name](const auto& p) { return p.name == name; });
+  const std::string letters = lettersOf(name);
+  const auto* found = std::find_if(
+    std::begin(presets), std::end(presets), [&](const auto& p) { return lettersOf(p.name) == letters; });
   return found == std::end(presets) ? nullptr : found;
 }
 

@@ -53,7 +53,7 @@ struct StipplePreset
 /// anatomy (the first: the default), bone, soft-tissue, engineering, plate-white-on-black.
 std::span<const StipplePreset> stipplePresets();
 
-/// The preset of that name, or null.
+/// The preset of that name, or null; capitals and what separates words do not count.
 const StipplePreset* findStipplePreset(std::string_view name);
 
 } // namespace ink

@@ -6,7 +6,8 @@
  * The higher of two levels of control (Lu et al. 2003, section 6): each slider sets several of the mapper's
  * k's, and a preset sets all sliders and what goes with them. Apply hands the result to a mapper; its k's can
  * be changed one by one after that. Sliders switch no enhancement off, so pictures change little by little
- * all the way; the mapper's own switches do.
+ * all the way; the mapper's own switches do. Positions of sliders are kept within 0..1; what is
+ * no number is refused with an error.
  *
  * @sa vtkInkStippleMapper
  */
@@ -30,10 +31,16 @@ public:
   ///@{
   /**
    * The kind of drawing to start from: anatomy (default), bone, soft-tissue, engineering or
-   * plate-white-on-black. Sets all sliders. An unknown name is an error and changes nothing.
+   * plate-white-on-black. Sets all sliders. Capitals and what separates words do not count ("Soft Tissue");
+   * GetPreset and GetPresetName have the one spelling. An unknown name is an error and changes nothing.
    */
   bool SetPreset(const char* name);
   const char* GetPreset();
+  void SetPresetToAnatomy() { this->SetPreset("anatomy"); }
+  void SetPresetToBone() { this->SetPreset("bone"); }
+  void SetPresetToSoftTissue() { this->SetPreset("soft-tissue"); }
+  void SetPresetToEngineering() { this->SetPreset("engineering"); }
+  void SetPresetToPlateWhiteOnBlack() { this->SetPreset("plate-white-on-black"); }
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index); ///< null out of range
   ///@}

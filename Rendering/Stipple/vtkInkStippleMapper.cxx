@@ -47,9 +47,7 @@ constexpr double VolumeOffset = 1.5;
 
 ink::HlsColor ToHls(const double rgb[3])
 {
-  const glm::dvec3 limited(
-    std::clamp(rgb[0], 0.0, 1.0), std::clamp(rgb[1], 0.0, 1.0), std::clamp(rgb[2], 0.0, 1.0));
-  return ink::hlsFromRgb(glm::vec3(limited));
+  return ink::hlsFromRgb(glm::vec3(rgb[0], rgb[1], rgb[2]));
 }
 
 ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface)
@@ -447,51 +445,4 @@ vtkMTimeType vtkInkStippleMapper::GetColorUploadTime()
 vtkIdType vtkInkStippleMapper::GetNumberOfProcessedStipples()
 {
   return this->Internals->Processed;
-}
-
-void vtkInkStippleMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Boundary: " << (this->Boundary ? "On" : "Off") << "\n";
-  os << indent << "Kgc: " << this->Kgc << "\n";
-  os << indent << "Kgs: " << this->Kgs << "\n";
-  os << indent << "Kge: " << this->Kge << "\n";
-  os << indent << "Silhouette: " << (this->Silhouette ? "On" : "Off") << "\n";
-  os << indent << "Ksc: " << this->Ksc << "\n";
-  os << indent << "Kss: " << this->Kss << "\n";
-  os << indent << "Kse: " << this->Kse << "\n";
-  os << indent << "Resolution: " << (this->Resolution ? "On" : "Off") << "\n";
-  os << indent << "Krc: " << this->Krc << "\n";
-  os << indent << "Knz: " << this->Knz << "\n";
-  os << indent << "Lighting: " << (this->Lighting ? "On" : "Off") << "\n";
-  os << indent << "Kle: " << this->Kle << "\n";
-  os << indent << "FacingAngle: " << this->FacingAngle << "\n";
-  os << indent << "Headlight: " << (this->Headlight ? "On" : "Off") << "\n";
-  os << indent << "LightInk: " << (this->LightInk ? "On" : "Off") << "\n";
-  os << indent << "Distance: " << (this->Distance ? "On" : "Off") << "\n";
-  os << indent << "Kde: " << this->Kde << "\n";
-  os << indent << "DistanceSize: " << this->DistanceSize << "\n";
-  os << indent << "Interior: " << (this->Interior ? "On" : "Off") << "\n";
-  os << indent << "Kie: " << this->Kie << "\n";
-  os << indent << "InteriorSize: " << this->InteriorSize << "\n";
-  os << indent << "ValueEffect: " << this->ValueEffect << "\n";
-  os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
-  os << indent << "StippleSize: " << this->StippleSize << "\n";
-  os << indent << "Growing: " << (this->Growing ? "On" : "Off") << "\n";
-  os << indent << "SmallElements: " << this->SmallElements << "\n";
-  os << indent << "MinimumCoverage: " << this->MinimumCoverage << "\n";
-  os << indent << "Fade: " << this->Fade << "\n";
-  os << indent << "AppearBySize: " << (this->AppearBySize ? "On" : "Off") << "\n";
-  os << indent << "WarmCool: " << this->WarmCool << "\n";
-  os << indent << "ToneWeight: " << this->ToneWeight << "\n";
-  os << indent << "DistanceWeight: " << this->DistanceWeight << "\n";
-  os << indent << "WarmColor: " << this->WarmColor[0] << ' ' << this->WarmColor[1] << ' '
-     << this->WarmColor[2] << "\n";
-  os << indent << "CoolColor: " << this->CoolColor[0] << ' ' << this->CoolColor[1] << ' '
-     << this->CoolColor[2] << "\n";
-  os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
-     << "\n";
-  os << indent << "OccluderOffset: " << this->OccluderOffset << "\n";
-  os << indent << "SurfaceFromInput: " << (this->SurfaceFromInput ? "On" : "Off") << "\n";
-  os << indent << "PositionPrecision: " << this->PositionPrecision << "\n";
 }
