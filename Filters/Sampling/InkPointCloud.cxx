@@ -17,6 +17,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <glm/common.hpp>
 
@@ -61,6 +62,33 @@ std::vector<glm::vec3> GetLocalPositions(vtkPointSet* points, double& unit, glm:
   return positions;
 }
 
+/// The points without those that vtkGhostType marks as hidden or as another piece's; null if it marks none.
+vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPointSet* points)
+{
+  constexpr unsigned char marks = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
+  vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
+  if (!ghosts || ghosts->GetNumberOfTuples() != points->GetNumberOfPoints())
+  {
+    return nullptr;
+  }
+  std::vector<std::uint32_t> own;
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
+  {
+    if ((ghosts->GetValue(i) & marks) == 0)
+    {
+      own.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  if (own.size() == static_cast<std::size_t>(points->GetNumberOfPoints()))
+  {
+    return nullptr;
+  }
+  auto kept = vtkSmartPointer<vtkPolyData>::New();
+  InkReorderPoints(points, own, kept);
+  kept->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  return kept;
+}
+
 vtkDataArray* GetPointArray(vtkPointSet* points, const char* name, int components)
 {
   vtkDataArray* array = points->GetPointData()->GetArray(name);
@@ -103,6 +131,10 @@ vtkIdType InkPreparePointCloud(
   {
     throw std::invalid_argument(
       "there are " + std::to_string(input->GetNumberOfPoints()) + " points; expected fewer than 4294967295");
+  }
+  if (const vtkSmartPointer<vtkPolyData> own = WithoutGhosts(input))
+  {
+    return own->GetNumberOfPoints() > 0 ? InkPreparePointCloud(own, options, algorithm, output) : 0;
   }
   double done = 0.0;
   double share = 0.0;

@@ -23,7 +23,8 @@ struct InkPointCloudOptions
 };
 
 /// Writes the points of `input` with all their point arrays to `output`, in the order of their priority, and
-/// with what is missing. `output` stays empty when the algorithm is asked to stop.
+/// with what is missing. Points that `vtkGhostType` marks as hidden or duplicate are left out. `output` stays
+/// empty when the algorithm is asked to stop.
 /// @return how many isolated points there are, see ink::PointRadii; 0 where radii are given or uniform
 /// @throws std::invalid_argument if an array that is needed has the wrong shape
 vtkIdType InkPreparePointCloud(

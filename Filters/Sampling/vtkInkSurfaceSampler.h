@@ -35,7 +35,7 @@
  * Point clouds: an input of points without faces is not sampled. Its points get their `Priority`, and where
  * they have none, a `Radius`, each by the distances to its neighbours, so that uneven scans have neither
  * holes nor real holes closed (see ink::pointRadii), and normals, see NormalNeighbours. Points that belong to
- * no surface are left out, see RemoveIsolated.
+ * no surface are left out, see RemoveIsolated, and those that `vtkGhostType` marks as hidden or duplicate.
  *
  * The same input gives the same output on any number of threads. In parallel each piece is sampled for
  * itself: ghost cells are left out, and NumberOfSamples counts per piece. With WHITE_NOISE, SampleRadius,

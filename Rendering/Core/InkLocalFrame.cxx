@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkLocalFrame.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
 
-void InkLocalFrame::FindFiniteBounds(vtkPoints* points, double bounds[6])
+bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point)
+{
+  constexpr unsigned char marks = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  return ghosts && point < ghosts->GetNumberOfTuples() && (ghosts->GetValue(point) & marks) != 0;
+}
+
+void InkLocalFrame::FindFiniteBounds(vtkPoints* points, double bounds[6], vtkUnsignedCharArray* ghosts)
 {
   vtkMath::UninitializeBounds(bounds);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     double p[3];
     points->GetPoint(i, p);
-    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && !InkIsGhostPoint(ghosts, i))
     {
       const bool first = !vtkMath::AreBoundsInitialized(bounds);
       for (int axis = 0; axis < 3; ++axis)

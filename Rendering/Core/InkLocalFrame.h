@@ -4,9 +4,16 @@
 
 #include "vtkInkRenderingCoreModule.h" // for the export macro
 
+#include "vtkType.h"
+
 #include <array>
 
 class vtkPoints;
+class vtkUnsignedCharArray;
+
+/// Whether a point is hidden, or a duplicate of one that another piece has.
+/// @param ghosts `vtkGhostType` or null
+VTKINKRENDERINGCORE_EXPORT bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point);
 
 /// The coordinates in which points are sent to the GPU: relative to the data's centre and size, so that in
 /// single precision neither large nor tiny coordinates lose digits.
@@ -20,7 +27,8 @@ struct VTKINKRENDERINGCORE_EXPORT InkLocalFrame
 
   /// The bounds of the finite points; uninitialized bounds if there are none. (vtkPoints' own bounds may
   /// count points that are not finite.)
-  static void FindFiniteBounds(vtkPoints* points, double bounds[6]);
+  /// @param ghosts `vtkGhostType` or null: points that it marks do not count
+  static void FindFiniteBounds(vtkPoints* points, double bounds[6], vtkUnsignedCharArray* ghosts = nullptr);
 
   /// A point of the data in the frame's coordinates.
   void ToLocal(const double point[3], float local[3]) const

@@ -50,7 +50,7 @@ InkSplatImage::InkSplatImage(vtkOpenGLRenderWindow* window, Format format, int w
   {
     this->Framebuffer->AddColorAttachment(1, beside->Texture);
   }
-  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->NumberOfTargets));
+  this->ActivateTargets();
   const char* reason = nullptr;
   this->Complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason);
   state->PopFramebufferBindings();
@@ -65,8 +65,16 @@ InkSplatImage::~InkSplatImage()
 void InkSplatImage::Bind()
 {
   this->Framebuffer->Bind();
-  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->NumberOfTargets));
+  this->ActivateTargets();
   this->Window->GetState()->vtkglViewport(0, 0, this->Width, this->Height);
+}
+
+void InkSplatImage::ActivateTargets()
+{
+  // vtkOpenGLState takes the targets of the framebuffer before for those of this one, and would leave the
+  // second out where that had two.
+  this->Framebuffer->DeactivateDrawBuffers();
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->NumberOfTargets));
 }
 
 void InkSplatImage::BindForReading()

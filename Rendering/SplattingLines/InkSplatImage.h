@@ -60,6 +60,8 @@ public:
   vtkTextureObject* GetTexture() const { return this->Texture; }
 
 private:
+  void ActivateTargets();
+
   vtkOpenGLRenderWindow* Window; // outlives this: released with the window's resources
   int Width;
   int Height;

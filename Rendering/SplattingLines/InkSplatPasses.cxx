@@ -59,6 +59,14 @@ double Growth(double fraction)
   return (1.45 - 0.45 * fraction) / std::sqrt(fraction);
 }
 
+/// By how much illumination splats are larger than the points' radii. Those of a part of the points are not
+/// larger than all's while they cover the surface as well; otherwise pictures would differ by more than need
+/// be.
+double FindLightScale(const InkSplatting& splatting)
+{
+  return std::max(splatting.Lambda, std::min(splatting.Lambda, 1.0) * Growth(splatting.PointFraction));
+}
+
 /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
 /// anywhere beyond the near plane.
 double LargestSplat(const InkView& view, double radius, double minimumRadius)
@@ -217,7 +225,7 @@ int InkSplatPasses::FindTexel(const InkView& view, const InkSplatting& splatting
 {
   // In the middle of the points, facing the viewer.
   const double w = view.DepthToClip[2] * view.MCVC[14] + view.DepthToClip[3];
-  const double scale = std::max(splatting.Lambda, Growth(splatting.PointFraction));
+  const double scale = FindLightScale(splatting);
   const double radius = w > 0.0 ? scale * this->LargestRadius * view.Unit / (view.Pixel * w) : 0.0;
   int texel = 1;
   // Some of the splats are seen from the side.
@@ -353,7 +361,7 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   const InkSplatImage& surface, bool hidden, int texel, const std::array<double, 2>& widths)
 {
   const double minimum = FindMinimumRadius(view, splatting);
-  const double scale = std::max(splatting.Lambda, Growth(splatting.PointFraction));
+  const double scale = FindLightScale(splatting);
   const std::string features = texel > 1 ? "#define INK_LIGHT\n#define INK_COARSE\n" : "#define INK_LIGHT\n";
   vtkShaderProgram* program =
     this->Begin(InkSplatLightFS, features, view, { scale, minimum, minimum, texel });

@@ -8,19 +8,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <vector>
 
 float InkSplatPoints::EstimateRadius() const
 {
-  const auto* positions = reinterpret_cast<const glm::vec3*>(this->Positions->GetPointer(0));
-  const float radius =
-    ink::discRadiusFromSpacing({ positions, static_cast<std::size_t>(this->Positions->GetNumberOfTuples()) });
+  const std::span<const glm::vec3> all(reinterpret_cast<const glm::vec3*>(this->Positions->GetPointer(0)),
+    static_cast<std::size_t>(this->Positions->GetNumberOfTuples()));
+  const auto isFinite = [](const glm::vec3& p)
+  { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
+  // The estimate looks at some of those that it is given.
+  std::vector<glm::vec3> drawn;
+  if (!std::all_of(all.begin(), all.end(), isFinite))
+  {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(drawn), isFinite);
+  }
+  const float radius = ink::discRadiusFromSpacing(drawn.empty() ? all : drawn);
   return radius > 0.0f ? radius : 1.0f;
 }
 
-void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius)
+void InkSplatPoints::Read(
+  vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius, vtkUnsignedCharArray* ghosts)
 {
   double bounds[6];
-  InkLocalFrame::FindFiniteBounds(points, bounds);
+  InkLocalFrame::FindFiniteBounds(points, bounds, ghosts);
   this->Frame = InkLocalFrame::FromBounds(bounds);
 
   const vtkIdType count = points->GetNumberOfPoints();
@@ -32,6 +45,11 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
     double p[3];
     points->GetPoint(i, p);
     this->Frame.ToLocal(p, position);
+    if (InkIsGhostPoint(ghosts, i))
+    {
+      // As points of no place, which take no part in anything.
+      std::fill_n(position, 3, std::numeric_limits<float>::quiet_NaN());
+    }
   }
   this->Positions->Modified();
 

@@ -11,6 +11,7 @@
 
 class vtkDataArray;
 class vtkPoints;
+class vtkUnsignedCharArray;
 
 /// Points, normals and radii in the form that the splat shaders read: single precision, relative to the
 /// data's centre and size, so that neither large nor tiny coordinates lose digits.
@@ -22,8 +23,10 @@ public:
   /// @param radii 1 component, world units, or null; points with a radius that is not positive and finite
   ///   are not drawn
   /// @param radius for all points where radii is null; 0: estimated from the points' spacing
+  /// @param ghosts `vtkGhostType` or null; points that it marks as hidden or duplicate are not drawn
   /// Points whose position is not finite are not drawn.
-  void Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius);
+  void Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius,
+    vtkUnsignedCharArray* ghosts);
 
   /// How many points can be drawn.
   vtkIdType GetNumberOfVisiblePoints() const { return this->NumberOfVisiblePoints; }

@@ -99,9 +99,9 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
     return nullptr;
   }
   InkSplatStyle plain = style;
-  plain.ScalarColors = false;
   plain.ToneColors = false;
   InkSplatStyle::Layer& own = plain.Layers[static_cast<std::size_t>(layer)];
+  own.ScalarColors = false;
   own.Strength = 1.0;
   own.Color = { 1.0, 1.0, 1.0 };
   scratch.Bind();
@@ -124,7 +124,8 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
 void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSplatImage& illumination,
   const InkSplatImage* colors, vtkTextureObject* coverage, int reach)
 {
-  const bool scalarColors = style.ScalarColors && colors;
+  const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
+  const bool scalarColors = own.ScalarColors && colors;
   std::string features;
   if (scalarColors)
   {
@@ -158,7 +159,6 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSpla
   {
     program->SetUniformi("coverageImage", readCoverage.emplace(*coverage).GetUnit());
   }
-  const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
   program->SetUniformf("tau", static_cast<float>(style.Tau));
   program->SetUniformf("phi", static_cast<float>(style.Phi));
   program->SetUniformf("hardness", static_cast<float>(style.Hardness));

@@ -12,6 +12,7 @@ struct InkSplatStyle
   struct Layer
   {
     std::array<double, 3> Color;
+    bool ScalarColors; ///< by the points' scalars instead
     double Strength;
     double LineWidth;
     double DashLength; ///< 0: solid
@@ -23,7 +24,6 @@ struct InkSplatStyle
   double Hardness;
   double SpeckleLength; ///< pixels of the window; 0: none is removed
   bool Thinning;
-  bool ScalarColors;
   bool ToneColors;
   std::array<double, 3> ToneColor;
   std::array<Layer, MostLayers> Layers;

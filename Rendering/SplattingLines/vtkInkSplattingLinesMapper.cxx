@@ -2,6 +2,7 @@
 #include "vtkInkSplattingLinesMapperInternals.h"
 
 #include "InkLocalFrame.h"
+#include "InkScalarColors.h"
 #include "InkSplatInput.h"
 #include "InkSplatLineWork.h"
 #include "InkSplatOrder.h"
@@ -21,6 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,21 +53,11 @@ vtkInkSplattingLinesMapper::vtkInkSplattingLinesMapper()
   }
 }
 
-vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper()
-{
-  this->ReleaseWindow();
-}
+vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper() = default;
 
 void vtkInkSplattingLinesMapper::ReportOnce(const std::string& error)
 {
-  vtkInternals& internals = *this->Internals;
-  const vtkMTimeType time = this->GetInput()->GetMTime();
-  if (internals.ReportedTime < time)
-  {
-    internals.ReportedTime = time;
-    internals.ReportedErrors.clear();
-  }
-  if (internals.ReportedErrors.insert(error).second)
+  if (this->Internals->Reported.Add(this->GetInput()->GetMTime(), error))
   {
     vtkErrorMacro(<< error);
   }
@@ -79,16 +71,22 @@ void vtkInkSplattingLinesMapper::ComputeBounds()
   {
     return;
   }
+  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
   input->GetBounds(this->Bounds);
-  if (std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
+  if (ghosts || std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
   {
-    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds);
+    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds, ghosts);
   }
   double radius = this->Radius;
   vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
   if (radii && radii->GetNumberOfComponents() == 1 && radii->GetNumberOfTuples() > 0)
   {
-    radius = radii->GetFiniteRange()[1];
+    radius = ghosts ? 0.0 : radii->GetFiniteRange()[1];
+    for (vtkIdType i = 0; ghosts && i < radii->GetNumberOfTuples(); ++i)
+    {
+      const double own = radii->GetComponent(i, 0);
+      radius = std::isfinite(own) && !InkIsGhostPoint(ghosts, i) ? std::max(radius, own) : radius;
+    }
   }
   if (radius > 0.0 && vtkMath::AreBoundsInitialized(this->Bounds))
   {
@@ -100,20 +98,21 @@ void vtkInkSplattingLinesMapper::ComputeBounds()
   }
 }
 
-bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
+vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::UpdatePoints(
+  vtkRenderer* renderer)
 {
   vtkInternals& internals = *this->Internals;
   vtkPolyData* input = this->GetInput();
   if (!input || input->GetNumberOfPoints() == 0)
   {
-    return false;
+    return nullptr;
   }
 
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
     this->ReportOnce("Splatting lines need a vtkOpenGLRenderWindow.");
-    return false;
+    return nullptr;
   }
 
   const auto chosenName = [this](int index) -> std::string
@@ -132,7 +131,7 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
   if (!problem.empty())
   {
     this->ReportOnce(problem);
-    return false;
+    return nullptr;
   }
 
   if (input->GetNumberOfPoints() > std::numeric_limits<int>::max())
@@ -141,7 +140,7 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     message << "OpenGL draws up to " << std::numeric_limits<int>::max() << " points; found "
             << input->GetNumberOfPoints() << '.';
     this->ReportOnce(message.str());
-    return false;
+    return nullptr;
   }
 
   vtkPlaneCollection* planes = this->GetClippingPlanes();
@@ -153,42 +152,39 @@ bool vtkInkSplattingLinesMapper::UpdatePoints(vtkRenderer* renderer)
     this->ReportOnce(message.str());
   }
 
-  if (internals.Passes && internals.Passes->GetWindow() != window)
+  const InkScalarColors colors(this, input, InkScalarColors::Of::Points);
+  const bool colored = this->InkColorMode == SCALARS;
+  if (colored && !colors.GetProblem().empty())
   {
-    this->ReleaseWindow();
-    window->MakeCurrent();
+    this->ReportOnce(colors.GetProblem());
   }
-  const vtkInternals::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
-    arrays.Radii ? arrays.Radii->GetMTime() : 0, this->DescribeColors(), arrays.Radii ? 0.0 : this->Radius };
-  if (!internals.Passes || internals.PointsSource != source)
+  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
+  const vtkWindowResources::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
+    arrays.Radii ? arrays.Radii->GetMTime() : 0, ghosts ? ghosts->GetMTime() : 0,
+    colored ? colors.Describe() : "", arrays.Radii ? 0.0 : this->Radius };
+  vtkWindowResources& resources = internals.Windows.Get(window);
+  if (internals.PointsSource != source || resources.PointsSource != source)
   {
-    internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius);
-    if (!internals.Passes)
-    {
-      internals.Passes = std::make_unique<InkSplatPasses>(window);
-      internals.Quads = std::make_unique<InkSplatQuads>(window);
-      // A window that never knew this mapper's actor does not release it either.
-      internals.WindowObserver =
-        window->AddObserver(vtkCommand::DeleteEvent, this, &vtkInkSplattingLinesMapper::ReleaseWindow);
-    }
-    internals.Passes->Upload(internals.Points, this->MapColors());
-    internals.Points.ReleaseArrays();
+    internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius, ghosts);
     internals.PointsSource = source;
+    resources.Passes.Upload(internals.Points, colored ? colors.Map() : nullptr);
+    internals.Points.ReleaseArrays();
+    resources.PointsSource = source;
   }
   if (internals.Points.GetNumberOfVisiblePoints() == 0)
   {
     std::ostringstream message;
     message << "None of the " << input->GetNumberOfPoints()
-            << " points has a finite position, a normal that is not zero and a positive radius.";
+            << " points has a finite position, a normal that is not zero and a positive radius"
+            << (ghosts ? " and is neither hidden nor a duplicate by vtkGhostType." : ".");
     this->ReportOnce(message.str());
-    return false;
+    return nullptr;
   }
-  return true;
+  return &resources;
 }
 
-void vtkInkSplattingLinesMapper::UpdateOrder()
+void vtkInkSplattingLinesMapper::UpdateOrder(vtkWindowResources& resources)
 {
-  vtkInternals& internals = *this->Internals;
   if (this->PointFraction == 1.0)
   {
     return;
@@ -202,11 +198,11 @@ void vtkInkSplattingLinesMapper::UpdateOrder()
     priorities = nullptr;
   }
   const vtkMTimeType time = priorities ? priorities->GetMTime() : 0;
-  if (!internals.Passes->HasOrder() || internals.OrderTime != time)
+  if (!resources.Passes.HasOrder() || resources.OrderTime != time)
   {
-    internals.Passes->SetOrder(
+    resources.Passes.SetOrder(
       InkFindSplatOrder(static_cast<std::uint32_t>(input->GetNumberOfPoints()), priorities));
-    internals.OrderTime = time;
+    resources.OrderTime = time;
   }
 }
 
@@ -228,15 +224,15 @@ void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* ac
       selector->RenderCompositeIndex(1);
     }
   }
-  if (this->UpdatePoints(renderer))
+  if (vtkWindowResources* resources = this->UpdatePoints(renderer))
   {
     if (selector)
     {
-      this->DrawIds(renderer, actor, selector);
+      this->DrawIds(*resources, renderer, actor, selector);
     }
     else
     {
-      this->Draw(renderer, actor);
+      this->Draw(*resources, renderer, actor);
     }
   }
   if (selector)
@@ -246,10 +242,9 @@ void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* ac
   this->UpdateProgress(1.0);
 }
 
-void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
+void vtkInkSplattingLinesMapper::Draw(vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor)
 {
-  vtkInternals& internals = *this->Internals;
-  InkSplatPasses& passes = *internals.Passes;
+  InkSplatPasses& passes = resources.Passes;
   // Not the renderer's own: depth peeling draws into buffers of its own.
   int viewport[4];
   passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
@@ -257,9 +252,9 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  InkView view(renderer, actor, this, internals.Points.GetFrame(), viewport + 2);
+  InkView view(renderer, actor, this, this->Internals->Points.GetFrame(), viewport + 2);
 
-  this->UpdateOrder();
+  this->UpdateOrder(resources);
   const bool exact = this->AsPublished || view.TileScale > 1;
   InkSplatting splatting{ .Lambda = this->Lambda,
     .Sigma = this->Sigma,
@@ -270,8 +265,8 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     .CoarsestTexel = 1,
     .HalfFloats = this->HalfFloats,
     .PointFraction = this->PointFraction,
-    .OrderTime = this->PointFraction < 1.0 ? internals.OrderTime : 0,
-    .Colors = this->FindScalars() != nullptr };
+    .OrderTime = this->PointFraction < 1.0 ? resources.OrderTime : 0,
+    .Colors = !resources.PointsSource->Colors.empty() };
   if (!exact)
   {
     splatting.CoarsestTexel = passes.FindTexel(view, splatting, this->CoarsestTexel);
@@ -281,7 +276,6 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     .Hardness = this->Hardness,
     .SpeckleLength = this->SpeckleLength,
     .Thinning = this->Thinning,
-    .ScalarColors = splatting.Colors,
     .ToneColors = this->InkColorMode == TONE,
     .ToneColor = { this->ToneColor[0], this->ToneColor[1], this->ToneColor[2] },
     .Layers = {},
@@ -290,12 +284,16 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   {
     InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
     this->GetLayerColor(layer, own.Color.data());
+    own.ScalarColors = splatting.Colors && !this->Internals->FindLayer(layer)->Color;
     own.Strength = this->GetLayerStrength(layer);
     own.LineWidth = this->GetLayerLineWidth(layer);
     own.DashLength = this->GetLayerDashLength(layer);
   }
   if (view.TileScale > 1)
   {
+    // A spot is judged alike in all tiles that it reaches into, so none may reach beyond a tile's margin.
+    const int* tile = renderer->GetRenderWindow()->GetActualSize();
+    style.SpeckleLength = std::min(style.SpeckleLength, 0.5 * std::min(tile[0], tile[1]) / view.TileScale);
     // Lines go on in the next tile.
     int margin = 0;
     for (int layer = 0; layer < splatting.Layers; ++layer)
@@ -304,8 +302,8 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     }
     view.Widen(margin);
   }
-  if (!internals.Find(renderer, actor)
-         .Splats.Draw(passes, *internals.Quads, view, splatting, style, this->PaperColor,
+  if (!resources.Get(renderer, actor)
+         .Draw(passes, resources.Quads, view, splatting, style, this->PaperColor,
            actor->GetProperty()->GetOpacity(), this, actor))
   {
     this->ReportOnce("This OpenGL cannot draw into 32-bit float images, which splatting lines need.");
@@ -313,13 +311,12 @@ void vtkInkSplattingLinesMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
 }
 
 void vtkInkSplattingLinesMapper::DrawIds(
-  vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
+  vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
 {
-  vtkInternals& internals = *this->Internals;
-  InkSplatPasses& passes = *internals.Passes;
+  InkSplatPasses& passes = resources.Passes;
   int viewport[4];
   passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const InkView view(renderer, actor, this, internals.Points.GetFrame(), viewport + 2);
+  const InkView view(renderer, actor, this, this->Internals->Points.GetFrame(), viewport + 2);
 
   selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
   int idShift = -1;
@@ -343,35 +340,25 @@ void vtkInkSplattingLinesMapper::DrawIds(
   passes.DrawIds(view, viewport, idShift, color);
 }
 
-void vtkInkSplattingLinesMapper::ReleaseWindow()
-{
-  vtkInternals& internals = *this->Internals;
-  if (internals.Passes)
-  {
-    vtkOpenGLRenderWindow* window = internals.Passes->GetWindow();
-    window->RemoveObserver(internals.WindowObserver);
-    window->PushContext();
-    internals.Drawings.clear();
-    internals.Passes.reset();
-    internals.Quads.reset();
-    window->PopContext();
-  }
-}
-
 void vtkInkSplattingLinesMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->ReleaseWindow();
+  this->Internals->Windows.Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 vtkMTimeType vtkInkSplattingLinesMapper::GetUploadTime()
 {
-  return this->Internals->Passes ? this->Internals->Passes->GetUploadTime() : 0;
+  vtkMTimeType time = 0;
+  this->Internals->Windows.ForEach(
+    [&](const vtkWindowResources& resources) { time = std::max(time, resources.Passes.GetUploadTime()); });
+  return time;
 }
 
 int vtkInkSplattingLinesMapper::GetNumberOfDrawnLayers(vtkRenderer* renderer, vtkActor* actor)
 {
-  return this->Internals->Find(renderer, actor).Splats.GetNumberOfLayers();
+  vtkWindowResources* resources = this->Internals->Windows.Find(renderer->GetRenderWindow());
+  const InkSplatDrawing* drawing = resources ? resources->Find(renderer, actor) : nullptr;
+  return drawing ? drawing->GetNumberOfLayers() : 0;
 }
 
 bool vtkInkSplattingLinesMapper::HasOpaqueGeometry()

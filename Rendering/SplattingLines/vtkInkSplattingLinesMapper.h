@@ -27,7 +27,8 @@
  * array chosen with SetInputArrayToProcess(NORMALS, ...)) and, if there is one, the point array `Radius` in
  * world units (SetInputArrayToProcess(RADIUS, ...)). Without a Radius array, Radius, or if that is 0 an
  * estimate from the points' spacing, holds for all points. Points that are not finite, whose normal is
- * zero or whose radius is not positive are not drawn. Cells are ignored.
+ * zero or whose radius is not positive are not drawn, nor are those that `vtkGhostType` marks as hidden or
+ * duplicate. Cells are ignored.
  *
  * With PaperVisibility on, the surface is painted in PaperColor under the ink and hides what lies behind
  * it; with it off, only the ink is drawn, over whatever other actors have drawn, and a little (1.5 times
@@ -42,15 +43,14 @@
 #ifndef vtkInkSplattingLinesMapper_h
 #define vtkInkSplattingLinesMapper_h
 
+#include "InkSetters.h"
 #include "vtkInkRenderingSplattingLinesModule.h" // for the export macro
 #include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for error messages
 
-class vtkAbstractArray;
 class vtkHardwareSelector;
-class vtkUnsignedCharArray;
 
 class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkPolyDataMapper
 {
@@ -58,6 +58,10 @@ public:
   static vtkInkSplattingLinesMapper* New();
   vtkTypeMacro(vtkInkSplattingLinesMapper, vtkPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// All parameters of another mapper, the arrays to process and the layers' styles among them, and its
+  /// input.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   /// Indices for SetInputArrayToProcess.
   enum InputArrays
@@ -69,10 +73,11 @@ public:
   ///@{
   /**
    * lambda: the factor by which illumination splats are larger than the points' radii; it sets the level
-   * of detail (a larger one gives fewer, broader lines). Depth splats are never scaled. 0.1 to 20;
-   * default: 2.5.
+   * of detail (a larger one gives fewer, broader lines). Below 1 splats no longer overlap everywhere, and
+   * lines become fainter and break up; as published, there are none in the end. Depth splats are never
+   * scaled. 0.1 to 20; default: 2.5.
    */
-  vtkSetClampMacro(Lambda, double, 0.1, 20.0);
+  InkSetClampMacro(Lambda, 0.1, 20.0);
   vtkGetMacro(Lambda, double);
   ///@}
 
@@ -81,7 +86,7 @@ public:
    * tau: a threshold; more lines with a larger one. 0.8 to 1.2; default: 0.99, which keeps
    * noise on flat surfaces below the threshold.
    */
-  vtkSetClampMacro(Tau, double, 0.8, 1.2);
+  InkSetClampMacro(Tau, 0.8, 1.2);
   vtkGetMacro(Tau, double);
   ///@}
 
@@ -89,7 +94,7 @@ public:
   /**
    * phi: the strength of the lines; darker with a larger one. 0 to 500; default: 100.
    */
-  vtkSetClampMacro(Phi, double, 0.0, 500.0);
+  InkSetClampMacro(Phi, 0.0, 500.0);
   vtkGetMacro(Phi, double);
   ///@}
 
@@ -98,7 +103,7 @@ public:
    * sigma_min: the width of the narrower Gaussian as a fraction of the splat radius; the wider one is
    * 1.6 times as wide. 0.05 to 2; default: 0.4.
    */
-  vtkSetClampMacro(Sigma, double, 0.05, 2.0);
+  InkSetClampMacro(Sigma, 0.05, 2.0);
   vtkGetMacro(Sigma, double);
   ///@}
 
@@ -117,7 +122,7 @@ public:
    * The radius of all points in world units when the input has no radius array; 0 (default): estimated
    * from the points' spacing.
    */
-  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  InkSetClampMacro(Radius, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
 
@@ -127,7 +132,7 @@ public:
    * pixels at least): it sets how thin lines can be, so that pictures of all sizes show the same drawing. 0
    * to 50; default: 3. AsPublished has no such radius.
    */
-  vtkSetClampMacro(MinimumRadius, double, 0.0, 50.0);
+  InkSetClampMacro(MinimumRadius, 0.0, 50.0);
   vtkGetMacro(MinimumRadius, double);
   ///@}
 
@@ -168,12 +173,15 @@ public:
 
   ///@{
   /**
-   * Colour of a layer's lines, RGB in 0..1; layer 0 is the visible one, and its colour InkColor. Until theirs
-   * is set, the others have InkColor, too. Layers from 8 on are ignored.
+   * Colour of a hidden layer's lines, RGB in 0..1, whatever InkColorMode is: only TONE mixes ToneColor into
+   * it. Until it is set, or after ResetLayerColor, a hidden layer is coloured as the visible one: by
+   * InkColor, or with SCALARS by its own points' scalars. Layer 0 is the visible one, and its colour
+   * InkColor. Layers are 0 to 7; others are refused with a warning.
    */
   void SetLayerColor(int layer, double red, double green, double blue);
   void SetLayerColor(int layer, const double color[3]);
   void GetLayerColor(int layer, double color[3]);
+  void ResetLayerColor(int layer);
   ///@}
 
   ///@{
@@ -206,7 +214,8 @@ public:
 
   ///@{
   /**
-   * LayerLineWidth of all layers.
+   * LayerLineWidth of all layers, in thousandths of the viewport's height; -20 to 20; default: 0. Get gives
+   * that of the visible layer.
    */
   void SetLineWidth(double width);
   double GetLineWidth() { return this->GetLayerLineWidth(0); }
@@ -217,15 +226,18 @@ public:
    * From soft to hard lines. 0 (default): E as published; 1: ink where it was more than one half, and none
    * elsewhere.
    */
-  vtkSetClampMacro(Hardness, double, 0.0, 1.0);
+  InkSetClampMacro(Hardness, 0.0, 1.0);
   vtkGetMacro(Hardness, double);
   ///@}
 
   ///@{
   /**
-   * Spots of ink shorter than this are left out, in pixels; 0 (default): none. 0 to 1000.
+   * Spots of ink shorter than this are left out, in pixels of the window; 0 (default): none. 0 to 1000. In
+   * pictures drawn in tiles, whose spots are this many times the tiles' number longer, at most half the
+   * shorter side of a tile: each tile is drawn with so much around it, and takes at most four times a
+   * window's memory for that.
    */
-  vtkSetClampMacro(SpeckleLength, double, 0.0, 1000.0);
+  InkSetClampMacro(SpeckleLength, 0.0, 1000.0);
   vtkGetMacro(SpeckleLength, double);
   ///@}
 
@@ -253,6 +265,10 @@ public:
    */
   vtkSetClampMacro(InkColorMode, int, INK, TONE);
   vtkGetMacro(InkColorMode, int);
+  void SetInkColorModeToInk() { this->SetInkColorMode(INK); }
+  void SetInkColorModeToScalars() { this->SetInkColorMode(SCALARS); }
+  void SetInkColorModeToTone() { this->SetInkColorMode(TONE); }
+  const char* GetInkColorModeAsString();
   ///@}
 
   ///@{
@@ -260,7 +276,7 @@ public:
    * Colour of lines where the surface faces the viewer, with InkColorMode TONE; RGB in 0..1. Default: a dark
    * orange (0.8, 0.4, 0.1).
    */
-  vtkSetVector3Macro(ToneColor, double);
+  InkSetColorMacro(ToneColor);
   vtkGetVector3Macro(ToneColor, double);
   ///@}
 
@@ -289,7 +305,7 @@ public:
    * order of the point array `Priority`, of any values, or if there is none in an order by chance, with
    * larger radii, so that there are no holes. 0.01 to 1; default: 1.
    */
-  vtkSetClampMacro(PointFraction, double, 0.01, 1.0);
+  InkSetClampMacro(PointFraction, 0.01, 1.0);
   vtkGetMacro(PointFraction, double);
   ///@}
 
@@ -297,7 +313,7 @@ public:
   /**
    * Colour of the lines, RGB in 0..1. Default: black.
    */
-  vtkSetVector3Macro(InkColor, double);
+  InkSetColorMacro(InkColor);
   vtkGetVector3Macro(InkColor, double);
   ///@}
 
@@ -305,7 +321,7 @@ public:
   /**
    * Colour of the surface between the lines, RGB in 0..1. Default: white.
    */
-  vtkSetVector3Macro(PaperColor, double);
+  InkSetColorMacro(PaperColor);
   vtkGetVector3Macro(PaperColor, double);
   ///@}
 
@@ -336,22 +352,23 @@ protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
 
-  /// All finite points, whether or not cells use them, with their radii as far as those are given.
+  /// All finite points that `vtkGhostType` does not mark, whether or not cells use them, with their radii as
+  /// far as those are given.
   void ComputeBounds() override;
 
 private:
   vtkInkSplattingLinesMapper(const vtkInkSplattingLinesMapper&) = delete;
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
-  bool UpdatePoints(vtkRenderer* renderer);
-  vtkAbstractArray* FindScalars();
-  std::string DescribeColors();
-  vtkUnsignedCharArray* MapColors();
-  void UpdateOrder();
-  void Draw(vtkRenderer* renderer, vtkActor* actor);
-  void DrawIds(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
+  class vtkInternals;
+  class vtkWindowResources;
+  vtkWindowResources* UpdatePoints(vtkRenderer* renderer);
+  void UpdateOrder(vtkWindowResources& resources);
+  void Draw(vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor);
+  void DrawIds(
+    vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
   void ReportOnce(const std::string& error);
-  void ReleaseWindow();
+  bool CheckLayer(const char* property, int layer);
 
   double Lambda = 2.5;
   double Tau = 0.99;
@@ -375,7 +392,6 @@ private:
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   bool PaperVisibility = true;
 
-  class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
 

@@ -12,21 +12,52 @@ void vtkInkSplattingLinesMapper::SetCoarsestTexel(int pixels)
   }
 }
 
+const char* vtkInkSplattingLinesMapper::GetInkColorModeAsString()
+{
+  static const char* const names[] = { "Ink", "Scalars", "Tone" };
+  return names[this->InkColorMode];
+}
+
+bool vtkInkSplattingLinesMapper::CheckLayer(const char* property, int layer)
+{
+  const bool exists = this->Internals->FindLayer(layer) != nullptr;
+  if (!exists)
+  {
+    vtkWarningMacro(<< property << ": expected a layer from 0 to " << InkSplatStyle::MostLayers - 1
+                    << ", found " << layer << '.');
+  }
+  return exists;
+}
+
 void vtkInkSplattingLinesMapper::SetLayerColor(int layer, double red, double green, double blue)
 {
+  if (!this->CheckLayer("LayerColor", layer))
+  {
+    return;
+  }
   if (layer == 0)
   {
     this->SetInkColor(red, green, blue);
+    return;
   }
-  else if (auto* style = this->Internals->FindLayer(layer))
+  auto& own = this->Internals->FindLayer(layer)->Color;
+  std::array<double, 3> color{};
+  this->GetLayerColor(layer, color.data());
+  const bool changed = InkSetColor(this, "LayerColor", color.data(), red, green, blue);
+  const bool refused = std::isnan(red) || std::isnan(green) || std::isnan(blue);
+  if (changed || (!own && !refused))
   {
-    const std::array<double, 3> color{ std::clamp(red, 0.0, 1.0), std::clamp(green, 0.0, 1.0),
-      std::clamp(blue, 0.0, 1.0) };
-    if (style->Color != color)
-    {
-      style->Color = color;
-      this->Modified();
-    }
+    own = color;
+    this->Modified();
+  }
+}
+
+void vtkInkSplattingLinesMapper::ResetLayerColor(int layer)
+{
+  if (this->CheckLayer("LayerColor", layer) && this->Internals->FindLayer(layer)->Color)
+  {
+    this->Internals->FindLayer(layer)->Color.reset();
+    this->Modified();
   }
 }
 
@@ -43,7 +74,8 @@ void vtkInkSplattingLinesMapper::GetLayerColor(int layer, double color[3])
 
 void vtkInkSplattingLinesMapper::SetLayerStrength(int layer, double strength)
 {
-  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::Strength, strength, 0.0, 1.0))
+  if (this->CheckLayer("LayerStrength", layer) &&
+    InkSetClamped(this, "LayerStrength", this->Internals->FindLayer(layer)->Strength, strength, 0.0, 1.0))
   {
     this->Modified();
   }
@@ -56,7 +88,8 @@ double vtkInkSplattingLinesMapper::GetLayerStrength(int layer)
 
 void vtkInkSplattingLinesMapper::SetLayerLineWidth(int layer, double width)
 {
-  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::LineWidth, width, -20.0, 20.0))
+  if (this->CheckLayer("LayerLineWidth", layer) &&
+    InkSetClamped(this, "LayerLineWidth", this->Internals->FindLayer(layer)->LineWidth, width, -20.0, 20.0))
   {
     this->Modified();
   }
@@ -69,7 +102,8 @@ double vtkInkSplattingLinesMapper::GetLayerLineWidth(int layer)
 
 void vtkInkSplattingLinesMapper::SetLayerDashLength(int layer, double length)
 {
-  if (this->Internals->Set(layer, &vtkInternals::LayerStyle::DashLength, length, 0.0, 100.0))
+  if (this->CheckLayer("LayerDashLength", layer) &&
+    InkSetClamped(this, "LayerDashLength", this->Internals->FindLayer(layer)->DashLength, length, 0.0, 100.0))
   {
     this->Modified();
   }
@@ -86,6 +120,43 @@ void vtkInkSplattingLinesMapper::SetLineWidth(double width)
   {
     this->SetLayerLineWidth(layer, width);
   }
+}
+
+void vtkInkSplattingLinesMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  this->Superclass::ShallowCopy(mapper);
+  auto* other = vtkInkSplattingLinesMapper::SafeDownCast(mapper);
+  if (!other || other == this)
+  {
+    return;
+  }
+  for (int array : { NORMALS, RADIUS })
+  {
+    this->SetInputArrayToProcess(array, other->GetInputArrayInformation(array));
+  }
+  this->SetLambda(other->Lambda);
+  this->SetTau(other->Tau);
+  this->SetPhi(other->Phi);
+  this->SetSigma(other->Sigma);
+  this->SetAsPublished(other->AsPublished);
+  this->SetRadius(other->Radius);
+  this->SetMinimumRadius(other->MinimumRadius);
+  this->SetHiddenLayers(other->HiddenLayers);
+  this->SetNumberOfLayers(other->NumberOfLayers);
+  this->SetPeelBackFaces(other->PeelBackFaces);
+  this->SetHardness(other->Hardness);
+  this->SetSpeckleLength(other->SpeckleLength);
+  this->SetThinning(other->Thinning);
+  this->SetInkColorMode(other->InkColorMode);
+  this->SetToneColor(other->ToneColor);
+  this->SetCoarsestTexel(other->CoarsestTexel);
+  this->SetHalfFloats(other->HalfFloats);
+  this->SetPointFraction(other->PointFraction);
+  this->SetInkColor(other->InkColor);
+  this->SetPaperColor(other->PaperColor);
+  this->SetPaperVisibility(other->PaperVisibility);
+  this->Internals->Layers = other->Internals->Layers;
+  this->Modified();
 }
 
 void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -116,7 +187,7 @@ void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Hardness: " << this->Hardness << "\n";
   os << indent << "SpeckleLength: " << this->SpeckleLength << "\n";
   os << indent << "Thinning: " << (this->Thinning ? "On" : "Off") << "\n";
-  os << indent << "InkColorMode: " << this->InkColorMode << "\n";
+  os << indent << "InkColorMode: " << this->GetInkColorModeAsString() << "\n";
   os << indent << "ToneColor: " << this->ToneColor[0] << ' ' << this->ToneColor[1] << ' '
      << this->ToneColor[2] << "\n";
   os << indent << "CoarsestTexel: " << this->CoarsestTexel << "\n";

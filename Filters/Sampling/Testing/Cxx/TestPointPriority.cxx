@@ -12,6 +12,7 @@
 #include "vtkInkPointPriority.h"
 #include "vtkInkSurfaceSampler.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cstdlib>
 
@@ -124,6 +125,49 @@ void TestCloud(InkTestChecks& check)
   }
 }
 
+/// What vtkGhostType marks as hidden or duplicate counts for nothing and is left out.
+template <class Filter>
+void TestGhosts(InkTestChecks& check)
+{
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall(40, 3.0, { 0.0, 0.0, 0.0 }, VTK_DOUBLE));
+  sampler->SetNumberOfSamples(1000);
+  sampler->Update();
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(sampler->GetOutput()->GetPoints());
+  vtkNew<vtkPolyData> marked;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    cloud->GetPoint(i, p);
+    points->InsertNextPoint(p);
+    ghosts->InsertNextValue(0);
+    // Around the ball, and right beside its points.
+    points->InsertNextPoint(5.0 * p[0], 5.0 * p[1], 5.0 * p[2]);
+    ghosts->InsertNextValue(vtkDataSetAttributes::HIDDENPOINT);
+    points->InsertNextPoint(1.01 * p[0], 0.99 * p[1], p[2]);
+    ghosts->InsertNextValue(vtkDataSetAttributes::DUPLICATEPOINT);
+  }
+  marked->SetPoints(points);
+  marked->GetPointData()->AddArray(ghosts);
+  vtkNew<Filter> filter;
+  filter->SetInputData(cloud);
+  filter->Update();
+  vtkNew<Filter> other;
+  other->SetInputData(marked);
+  other->Update();
+  check(filter->GetOutput()->GetNumberOfPoints() == 1000 && AreEqual(filter->GetOutput(), other->GetOutput()),
+    "the same with ghosts as without, ", other->GetOutput()->GetNumberOfPoints(), " points");
+  ghosts->Fill(vtkDataSetAttributes::HIDDENPOINT);
+  marked->Modified();
+  other->Update();
+  check(other->GetOutput()->GetNumberOfPoints() == 0, "nothing of ghosts only");
+}
+
 void TestErrors(InkTestChecks& check)
 {
   vtkNew<vtkPolyData> cloud;
@@ -165,6 +209,8 @@ int TestPointPriority(int, char*[])
   TestIsoSurface(check);
   TestCloud<vtkInkPointPriority>(check);
   TestCloud<vtkInkSurfaceSampler>(check);
+  TestGhosts<vtkInkPointPriority>(check);
+  TestGhosts<vtkInkSurfaceSampler>(check);
   TestErrors(check);
   return check.Result();
 }

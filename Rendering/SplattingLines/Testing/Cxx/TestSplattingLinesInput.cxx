@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <functional>
@@ -194,6 +195,56 @@ void TestPassedOver(InkTestChecks& check)
   }
 }
 
+/// What vtkGhostType marks as hidden or duplicate is not there: not in the picture, the bounds, or the
+/// estimate of the radius; other marks mean nothing.
+void TestGhosts(InkTestChecks& check)
+{
+  for (bool radii : { true, false })
+  {
+    auto good = InkTestPoints::Sphere(1.0, 0.05);
+    auto bad = InkTestPoints::Sphere(5.0, 0.05);
+    auto mixed = InkTestPoints::Join(good, bad);
+    if (radii)
+    {
+      InkTestPoints::SetRadius(good, 0.06);
+      InkTestPoints::SetRadius(mixed, 0.06);
+      mixed->GetPointData()->GetArray("Radius")->SetComponent(mixed->GetNumberOfPoints() - 1, 0, 7.0);
+    }
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; i < mixed->GetNumberOfPoints(); ++i)
+    {
+      constexpr unsigned char marks[2] = { vtkDataSetAttributes::DUPLICATEPOINT,
+        vtkDataSetAttributes::HIDDENPOINT };
+      ghosts->InsertNextValue(i < good->GetNumberOfPoints() ? 16 : marks[i % 2]);
+    }
+    mixed->GetPointData()->AddArray(ghosts);
+    SplattingLinesScene expected(good);
+    SplattingLinesScene scene(mixed);
+    const InkTestImage picture(expected.Window);
+    check(InkTestImage(scene.Window).CountDifferent(picture) == 0, "ghosts are not in the picture",
+      radii ? "" : " and not in the estimate of the radius");
+    double bounds[2][6];
+    expected.Mapper->GetBounds(bounds[0]);
+    scene.Mapper->GetBounds(bounds[1]);
+    check(std::equal(bounds[0], bounds[0] + 6, bounds[1]), "ghosts are not in the bounds");
+    // Shown again, they send the points anew.
+    ghosts->Fill(0);
+    ghosts->Modified();
+    mixed->Modified();
+    scene.Renderer->ResetCamera();
+    check(InkTestImage(scene.Window).CountDifferent(picture) > 100, "they are there when their marks go");
+  }
+  auto points = InkTestPoints::Sphere(1.0, 0.2);
+  vtkNew<vtkUnsignedCharArray> all;
+  all->SetName(vtkDataSetAttributes::GhostArrayName());
+  all->SetNumberOfTuples(points->GetNumberOfPoints());
+  all->Fill(vtkDataSetAttributes::HIDDENPOINT);
+  points->GetPointData()->AddArray(all);
+  SplattingLinesScene none(points);
+  check(InkTestImage(none.Window).Ink() == 0.0, "nothing drawn of ghosts only");
+}
+
 /// Normals of any length and type, and the active normals where there is no array Normals.
 void TestNormals(InkTestChecks& check)
 {
@@ -227,6 +278,7 @@ int TestSplattingLinesInput(int, char*[])
   TestEmpty(check);
   TestSinglePoint(check);
   TestPassedOver(check);
+  TestGhosts(check);
   TestNormals(check);
   return check.Result();
 }

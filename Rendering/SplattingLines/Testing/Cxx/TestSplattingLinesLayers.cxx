@@ -8,7 +8,9 @@
 
 #include "vtkMath.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,18 +165,55 @@ void TestDefaults(InkTestChecks& check)
   {
     check(mapper->GetLayerStrength(layer) < mapper->GetLayerStrength(layer - 1), "fainter and fainter");
   }
-  const vtkMTimeType time = mapper->GetMTime();
-  mapper->SetLayerStrength(8, 0.5);
-  mapper->SetLayerStrength(-1, 0.5);
-  mapper->SetLayerColor(99, 1.0, 0.0, 0.0);
-  mapper->SetLayerLineWidth(1, std::nan(""));
-  check(mapper->GetMTime() == time, "layers that there cannot be and numbers that are none are ignored");
   mapper->SetLayerStrength(3, 7.0);
   check(mapper->GetLayerStrength(3) == 1.0, "strength within its range");
   mapper->SetInkColor(0.5, 0.2, 0.1);
   double color[3];
   mapper->GetLayerColor(5, color);
   check(color[0] == 0.5 && color[2] == 0.1, "the ink's colour for layers without their own");
+}
+
+/// Hidden lines have the colours of their own layer's points, until they are given one.
+void TestScalars(InkTestChecks& check)
+{
+  Spheres spheres;
+  vtkInkSplattingLinesMapper* mapper = spheres.Scene.Mapper;
+  // The outer sphere red, the middle one green, the inner one blue.
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->ShallowCopy(mapper->GetInput());
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double radius = vtkMath::Norm(points->GetPoint(i));
+    const int sphere = radius > 0.8 ? 0 : radius > 0.45 ? 1 : 2;
+    colors->InsertNextTuple3(sphere == 0 ? 255 : 0, sphere == 1 ? 255 : 0, sphere == 2 ? 255 : 0);
+  }
+  points->GetPointData()->SetScalars(colors);
+  mapper->SetInputData(points);
+  mapper->SetInkColorModeToScalars();
+  for (bool paper : { true, false })
+  {
+    mapper->SetPaperVisibility(paper);
+    const InkTestImage image(spheres.Scene.Window);
+    for (int sphere = 0; sphere < 3; ++sphere)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        // Ink of one colour is dark in the others.
+        const double dark = RingIn(image, Radii[sphere], channel);
+        check(channel == sphere ? dark < 0.05 : dark > 0.95, "sphere ", sphere, " in its points' colour; ",
+          dark, " of its ring is dark in channel ", channel);
+      }
+    }
+  }
+  mapper->SetLayerColor(1, 0.0, 0.0, 1.0);
+  const InkTestImage own(spheres.Scene.Window);
+  check(RingIn(own, Radii[1], 1) > 0.95 && RingIn(own, Radii[1], 2) < 0.05, "a layer's own colour");
+  check(RingIn(own, Radii[2], 2) < 0.05 && RingIn(own, Radii[0], 0) < 0.05, "and the others as before");
+  mapper->ResetLayerColor(1);
+  check(RingIn(InkTestImage(spheres.Scene.Window), Radii[1], 1) < 0.05, "its points' colour again");
 }
 
 /// A plane at some depth that covers the left half of the picture.
@@ -253,6 +292,7 @@ int TestSplattingLinesLayers(int, char*[])
   TestRings(check);
   TestMoreLayersMoreInk(check);
   TestDefaults(check);
+  TestScalars(check);
   TestOtherActors(check);
   TestCoplanar(check);
   return check.Result();

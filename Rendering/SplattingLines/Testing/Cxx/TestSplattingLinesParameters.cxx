@@ -39,6 +39,40 @@ void TestMoreInk(InkTestChecks& check, const char* name, Setter set, const std::
   }
 }
 
+/// Lambda counts below 1, too. As published, discs that do not overlap have one value each, and so no ink.
+void TestSmallLambda(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Bumps());
+  for (bool published : { false, true })
+  {
+    scene.Mapper->SetAsPublished(published);
+    const auto draw = [&scene](double lambda)
+    {
+      scene.Mapper->SetLambda(lambda);
+      return InkTestImage(scene.Window);
+    };
+    const InkTestImage one = draw(1.0);
+    const InkTestImage half = draw(0.5);
+    const InkTestImage tenth = draw(0.1);
+    check(one.CountDifferent(half, 20) > 100 && half.CountDifferent(tenth, 20) > 100,
+      "other pictures with lambda 1, 0.5 and 0.1", published ? " as published" : "", ": ",
+      one.CountDifferent(half, 20), ", ", half.CountDifferent(tenth, 20), " pixels");
+    check(!published || tenth.Ink() == 0.0, "no ink where no disc overlaps another: ", tenth.Ink());
+  }
+  // A part of the points covers the surface as far as all do.
+  scene.Mapper->AsPublishedOff();
+  for (double lambda : { 0.5, 0.9, 1.1, 2.5 })
+  {
+    scene.Mapper->SetLambda(lambda);
+    scene.Mapper->SetPointFraction(1.0);
+    const double all = InkTestImage(scene.Window).Ink();
+    scene.Mapper->SetPointFraction(0.5);
+    const double part = InkTestImage(scene.Window).Ink();
+    check(std::abs(part - all) < 0.1 * all, "half of the points have about as much ink with lambda ", lambda,
+      ": ", part, " of ", all);
+  }
+}
+
 /// Larger splats, or wider Gaussians, smooth fine ripples away that smaller ones draw.
 void TestLevelOfDetail(InkTestChecks& check)
 {
@@ -181,6 +215,7 @@ int TestSplattingLinesParameters(int, char*[])
   InkTestChecks check;
   TestMoreInk(check, "tau", &vtkInkSplattingLinesMapper::SetTau, { 0.9, 0.97, 0.99, 1.0, 1.02 });
   TestMoreInk(check, "phi", &vtkInkSplattingLinesMapper::SetPhi, { 1.0, 10.0, 100.0, 500.0 });
+  TestSmallLambda(check);
   TestLevelOfDetail(check);
   TestNoInk(check);
   TestColors(check);

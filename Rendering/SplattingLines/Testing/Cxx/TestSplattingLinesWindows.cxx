@@ -173,6 +173,67 @@ void TestOrderOfDeletion(InkTestChecks& check)
   check(InkTestImage(scene.Window).CountDark() > 100, "a picture after a mapper is gone");
 }
 
+/// One mapper in two windows: sent to each GPU once, the same picture, and each window takes its own with it.
+void TestTwoWindows(InkTestChecks& check)
+{
+  SplattingLinesScene first(Points());
+  const InkTestImage expected(first.Window);
+  {
+    SplattingLinesScene second(Points());
+    second.Actor->SetMapper(first.Mapper);
+    check(InkTestImage(second.Window).CountDifferent(expected) == 0, "the picture in a second window");
+    const vtkMTimeType time = first.Mapper->GetUploadTime();
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      for (SplattingLinesScene* scene : { &first, &second })
+      {
+        scene->Renderer->GetActiveCamera()->Azimuth(10.0);
+        scene->Window->Render();
+      }
+    }
+    check(first.Mapper->GetUploadTime() == time, "no upload for windows by turns");
+    check(InkTestImage(second.Window).CountDifferent(InkTestImage(first.Window)) == 0,
+      "the same picture in both windows");
+    // An older input that comes back is not what the other window drew last.
+    auto shifted = InkTestPoints::Transform(Points(), 3.0, { 5.0, 0.0, 0.0 });
+    first.Mapper->SetInputData(shifted);
+    second.Renderer->ResetCamera();
+    second.Window->Render();
+  }
+  check(first.Mapper->GetUploadTime() > 0, "the first window's points stay when the second is gone");
+  first.Mapper->SetInputData(Points());
+  first.Renderer->GetActiveCamera()->Azimuth(-30.0);
+  check(InkTestImage(first.Window).CountDifferent(expected) == 0, "the first picture again");
+}
+
+/// Asking about layers frees nothing, for which no context is current, and knows a drawing from none.
+void TestDrawnLayers(InkTestChecks& check)
+{
+  SplattingLinesScene scene(Points());
+  vtkNew<vtkRenderer> unseen;
+  {
+    // Its drawing stays until the mapper draws again.
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(scene.Mapper);
+    scene.Renderer->AddActor(actor);
+    scene.Window->Render();
+    actor->SetMapper(nullptr);
+    scene.Renderer->RemoveActor(actor);
+  }
+  SplattingLinesScene other(Points());
+  other.Window->Render();
+  const InkTestImage before(other.Window);
+  check(scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, scene.Actor) == 1, "one layer is drawn");
+  check(scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, other.Actor) == 0, "none of another actor");
+  check(scene.Mapper->GetNumberOfDrawnLayers(unseen, scene.Actor) == 0, "none without a window");
+  // The names of the objects of one context mean others in another: those of the other window are all there.
+  other.Renderer->GetActiveCamera()->Azimuth(10.0);
+  other.Window->Render();
+  other.Renderer->GetActiveCamera()->Azimuth(-10.0);
+  check(InkTestImage(other.Window).CountDifferent(before) == 0, "the other window's drawing is untouched");
+  check(InkTestImage(scene.Window).CountDark() > 100, "a picture after that");
+}
+
 /// Two mappers in one scene, and one mapper for two actors.
 void TestTwoActors(InkTestChecks& check)
 {
@@ -213,5 +274,7 @@ int TestSplattingLinesWindows(int, char*[])
   TestMovedRenderer(check);
   TestOrderOfDeletion(check);
   TestTwoActors(check);
+  TestTwoWindows(check);
+  TestDrawnLayers(check);
   return check.Result();
 }
