@@ -26,7 +26,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,23 +170,8 @@ int vtkInkStippleMapper::FillInputPortInformation(int port, vtkInformation* info
 
 void vtkInkStippleMapper::SetSurfaceData(vtkPolyData* surface)
 {
-  // Another producer of the same would modify the mapper.
-  const bool given = this->GetNumberOfInputConnections(1) > 0 &&
-    vtkTrivialProducer::SafeDownCast(this->GetInputAlgorithm(1, 0));
-  if (given && surface && this->GetInputDataObject(1, 0) == surface)
-  {
-    return;
-  }
-  if (surface)
-  {
-    vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(surface);
-    this->SetInputConnection(1, producer->GetOutputPort());
-  }
-  else
-  {
-    this->SetInputConnection(1, nullptr);
-  }
+  // Changes nothing where it is the same.
+  this->SetInputDataObject(1, surface);
 }
 
 void vtkInkStippleMapper::SetSurfaceConnection(vtkAlgorithmOutput* surface)
