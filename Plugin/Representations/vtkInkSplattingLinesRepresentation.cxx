@@ -78,10 +78,16 @@ void vtkInkSplattingLinesRepresentation::UpdateColors()
   const int otherwise =
     this->ColorByTone ? vtkInkSplattingLinesMapper::TONE : vtkInkSplattingLinesMapper::INK;
   this->Mapper->SetInkColorMode(byArray ? vtkInkSplattingLinesMapper::SCALARS : otherwise);
-  const double* hidden = this->UseHiddenColor ? this->HiddenColor : this->Mapper->GetInkColor();
   for (int layer = 1; layer < this->Mapper->GetNumberOfLayersMaxValue(); ++layer)
   {
-    this->Mapper->SetLayerColor(layer, hidden);
+    if (this->UseHiddenColor)
+    {
+      this->Mapper->SetLayerColor(layer, this->HiddenColor);
+    }
+    else
+    {
+      this->Mapper->ResetLayerColor(layer);
+    }
   }
 }
 

@@ -112,9 +112,14 @@ bool InkSplatDrawing::DrawSurface(
   glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &current);
   if (current != 0)
   {
-    // A render pass counts what is drawn: there cannot be another count.
+    // A render pass counts what is drawn, and OpenGL has one such query at a time.
     passes.DrawDepth(view, splatting, Sheet::Hidden, before);
-    return true;
+    std::vector<float> distances(
+      static_cast<std::size_t>(view.Size[0]) * static_cast<std::size_t>(view.Size[1]));
+    this->Layers[index].Surface->BindForReading();
+    glReadPixels(0, 0, view.Size[0], view.Size[1], GL_RED, GL_FLOAT, distances.data());
+    return std::any_of(
+      distances.begin(), distances.end(), [](float distance) { return distance < InkNoSurface; });
   }
   // No layer follows an empty one.
   GLuint query = 0;

@@ -46,6 +46,10 @@ constexpr double PublishedMinimumRadius = 0.01;
 /// Discs beyond a contour take part in the illumination near it as long as f_i is greater than this.
 constexpr double MinimumLight = -0.3;
 
+/// As published, f_i may have any value.
+constexpr double PublishedMinimumLight = -2.0;
+constexpr double PublishedLeastLight = -1.0;
+
 /// sigma_max over sigma_min (Zhang et al. 2014, section 3.2).
 constexpr double WideOverNarrow = 1.6;
 
@@ -363,8 +367,8 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   const double minimum = FindMinimumRadius(view, splatting);
   const double scale = FindLightScale(splatting);
   const std::string features = texel > 1 ? "#define INK_LIGHT\n#define INK_COARSE\n" : "#define INK_LIGHT\n";
-  vtkShaderProgram* program =
-    this->Begin(InkSplatLightFS, features, view, { scale, minimum, minimum, texel });
+  vtkShaderProgram* program = this->Begin(
+    InkSplatLightFS, features, view, { scale, minimum, splatting.AsPublished ? 0.0 : minimum, texel });
   if (!program)
   {
     return;
@@ -372,12 +376,17 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   const InkSplatImage::Reading reading(*surface.GetTexture());
   program->SetUniformi("surface", reading.GetUnit());
   program->SetUniformi("backFaces", view.BackFaces && (!hidden || splatting.PeelBackFaces));
-  program->SetUniformf("minimumLight", splatting.AsPublished ? 0.0f : static_cast<float>(MinimumLight));
+  program->SetUniformf(
+    "minimumLight", static_cast<float>(splatting.AsPublished ? PublishedMinimumLight : MinimumLight));
+  program->SetUniformf("leastLight", static_cast<float>(splatting.AsPublished ? PublishedLeastLight : 0.0));
   // Sixteen bits hold numbers up to 65504.
   program->SetUniformf("largestWeight", splatting.HalfFloats ? 256.0f : InkNoSurface);
   program->SetUniformf("referenceRadius", static_cast<float>(scale * this->LargestRadius));
-  // The paper tests hidden layers once for each splat (section 5.2).
-  program->SetUniformi("probeCount", splatting.AsPublished && hidden ? 0 : 4);
+  // The paper tests each pixel of the visible surface (section 3.3), and of hidden layers each splat, where
+  // its centre is (section 5.2). Otherwise splats that are hidden altogether are left out first, which is
+  // quicker.
+  program->SetUniformi("probeCount", !splatting.AsPublished ? 4 : hidden ? 0 : -1);
+  program->SetUniformi("bySplat", splatting.AsPublished && hidden);
   const float limits[2] = { static_cast<float>(widths[0]), static_cast<float>(widths[1]) };
   program->SetUniform2f("widths", limits);
   const double narrow = splatting.Sigma;

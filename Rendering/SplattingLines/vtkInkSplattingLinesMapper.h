@@ -109,8 +109,11 @@ public:
 
   ///@{
   /**
-   * Splat exactly as the paper writes it, without the additions that the class description lists. Contours
-   * are then faint and broken where few points lie on them, and lines less smooth. Default: off.
+   * Splat exactly as the paper writes it, without the additions that the class description lists: each pixel
+   * is equations 1 and 2 of the discs whose depth there is that of the depth image, and in hidden layers of
+   * the discs whose centre's is (section 5.2). What the paper leaves open: depths are the same within 1.5
+   * radii, and surfaces seen from behind are lit there. Contours are then faint and broken where few points
+   * lie on them, and lines less smooth. Default: off.
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);

@@ -16,6 +16,8 @@ flat in vec4 gaussiansVSOutput;
 uniform sampler2D surface; // of the layer, from the depth splats
 uniform float texel;       // the side of what is drawn into, in the surface's pixels
 uniform float minimumLight;
+uniform float leastLight; // what f is raised to; below it only the narrow image counts a disc
+uniform bool bySplat;     // whether a disc's own test (see the vertex shader) holds for all of it
 #ifndef INK_COARSE
 uniform vec2 falloff;      // 1 / (2 sigma^2) of the narrow and of the wide Gaussian
 uniform vec2 rim;          // both Gaussians at the disc's rim; 0 to leave them as they are
@@ -37,10 +39,11 @@ void main()
   // Only discs on the surface that the depth splats show. Near a contour that surface falls away within a
   // pixel: there, what lies as steeply may lie further behind. Seen from behind, f changes its sign.
   vec2 shown = texelFetch(surface, min(ivec2(pixel), textureSize(surface, 0) - 1), 0).rg;
-  float light = sign(shown.g) * discVSOutput.w;
+  float light = shown.g < 0.0 ? -discVSOutput.w : discVSOutput.w;
   float depth = -(discVSOutput.x + dot(disc, discVSOutput.yz));
   float slope = min(abs(shown.g) - 1.0, splatVSOutput.y);
-  if (light <= minimumLight || abs(shown.r - depth) > splatVSOutput.z + splatVSOutput.w * slope)
+  bool elsewhere = abs(shown.r - depth) > splatVSOutput.z + splatVSOutput.w * slope;
+  if (light <= minimumLight || (elsewhere && !bySplat))
   {
     discard;
   }
@@ -53,8 +56,9 @@ void main()
   vec2 w = splatVSOutput.x * (exp(-falloff * distance2) - rim);
 #endif
   // Beyond a contour, where f is negative, the surface counts as black, and only in the narrow image. That
-  // makes contours solid lines also where few points lie on them; everything else is as in equation 1.
-  float f = max(light, 0.0);
-  w.y *= step(0.0, light);
+  // makes contours solid lines also where few points lie on them; everything else is as in equation 1. As
+  // published, f may be negative.
+  float f = max(light, leastLight);
+  w.y *= step(leastLight, light);
   gl_FragData[0] = vec4(w.x * f, w.x, w.y * f, w.y);
 }

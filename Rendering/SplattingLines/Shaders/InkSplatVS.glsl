@@ -34,7 +34,8 @@ uniform float minimumLight;  // f_i below which discs on the other side are left
 
 #if defined INK_LIGHT || defined INK_BACK
 uniform sampler2D surface;     // that the depth splats show, see their fragment shader
-uniform int probeCount;        // where, besides in its centre, a disc is looked at to tell if it is hidden
+uniform int probeCount;        // where, besides in its centre, a disc is looked at to tell if it is hidden;
+                               // negative: not at all
 #endif
 #ifdef INK_LIGHT
 uniform float referenceRadius; // where the weight is 1
@@ -227,7 +228,7 @@ void main()
   vec2 tolerances = vec2(tolerance * normalRadiusMC.w * unitVC, slack * pixelVC * center.w);
 
 #if defined INK_LIGHT || defined INK_BACK
-  bool visible = shows(centerPixel, -positionVC.z, light, slope, tolerances);
+  bool visible = probeCount < 0 || shows(centerPixel, -positionVC.z, light, slope, tolerances);
   for (int i = 0; i < probeCount && !visible; ++i)
   {
     vec2 probe = probes[i];

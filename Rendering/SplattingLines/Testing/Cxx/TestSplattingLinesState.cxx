@@ -5,10 +5,20 @@
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
+#include "InkOpenGLCompat.h"
+
+#include "vtkCameraPass.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkDepthPeelingPass.h"
 #include "vtkIdList.h"
+#include "vtkLightsPass.h"
+#include "vtkOpaquePass.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkTranslucentPass.h"
 
 #include <string>
 
@@ -140,6 +150,86 @@ void TestTransparentBackground(InkTestChecks& check)
   }
 }
 
+/// Counts how often something happens.
+class Counter : public vtkCommand
+{
+public:
+  static Counter* New() { return new Counter; }
+  void Execute(vtkObject*, unsigned long, void*) override { ++this->Count; }
+  int Count = 0;
+};
+
+/// How often the mapper is drawn in a picture: once for each peel, and once before.
+int CountPeels(SplattingLinesScene& scene)
+{
+  vtkNew<Counter> counter;
+  const unsigned long tag = scene.Mapper->AddObserver(vtkCommand::StartEvent, counter);
+  scene.Window->Render();
+  scene.Mapper->RemoveObserver(tag);
+  return counter->Count;
+}
+
+int CountGLErrors()
+{
+  int errors = 0;
+  while (glGetError() != GL_NO_ERROR)
+  {
+    ++errors;
+  }
+  return errors;
+}
+
+/// Depth peeling counts the pixels that each peel adds. The splats, which are drawn when the view has
+/// changed, are none of them. OpenGL has one such query at a time; the layers end where there are no more all
+/// the same.
+void TestPeeling(InkTestChecks& check)
+{
+  for (bool dual : { true, false })
+  {
+    auto points = InkTestPoints::Join(InkTestPoints::Sphere(1.0, 0.05), InkTestPoints::Sphere(0.5, 0.05));
+    SplattingLinesScene scene(points);
+    scene.Mapper->PaperVisibilityOff();
+    scene.Mapper->HiddenLayersOn();
+    scene.Mapper->SetNumberOfLayers(5);
+    scene.Window->AlphaBitPlanesOn();
+    Bystanders bystanders;
+    scene.Renderer->AddActor(bystanders.Shards);
+    scene.Renderer->UseDepthPeelingOn();
+    scene.Renderer->SetMaximumNumberOfPeels(100);
+    scene.Renderer->SetOcclusionRatio(0.0);
+    vtkNew<vtkDepthPeelingPass> peeling;
+    if (!dual)
+    {
+      vtkNew<vtkCameraPass> camera;
+      vtkNew<vtkSequencePass> sequence;
+      vtkNew<vtkRenderPassCollection> passes;
+      vtkNew<vtkLightsPass> lights;
+      vtkNew<vtkOpaquePass> opaque;
+      vtkNew<vtkTranslucentPass> translucent;
+      peeling->SetTranslucentPass(translucent);
+      peeling->SetMaximumNumberOfPeels(100);
+      peeling->SetOcclusionRatio(0.0);
+      passes->AddItem(lights);
+      passes->AddItem(opaque);
+      passes->AddItem(peeling);
+      sequence->SetPasses(passes);
+      camera->SetDelegatePass(sequence);
+      scene.Renderer->SetPass(camera);
+    }
+    scene.Window->Render();
+    CountGLErrors();
+    scene.Renderer->GetActiveCamera()->Azimuth(5.0);
+    const int first = CountPeels(scene);
+    const int layers = scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, scene.Actor);
+    const int again = CountPeels(scene);
+    const char* const how = dual ? " with dual depth peeling" : " with depth peeling";
+    check(again > 2 && first == again, "as many peels", how, " for a new view as for the same again: ", first,
+      ", ", again);
+    check(layers == 2, "two layers", how, ", found ", layers);
+    check(CountGLErrors() == 0, "no error of OpenGL", how);
+  }
+}
+
 } // namespace
 
 int TestSplattingLinesState(int, char*[])
@@ -148,5 +238,6 @@ int TestSplattingLinesState(int, char*[])
   TestBystanders(check);
   TestBackgrounds(check);
   TestTransparentBackground(check);
+  TestPeeling(check);
   return check.Result();
 }
