@@ -202,7 +202,7 @@ void StippleArguments::addSliders(CLI::App* command)
              "anatomy, bone, soft-tissue, engineering or plate-white-on-black (anatomy)"),
       slidersGroup)
     ->type_name("NAME")
-    ->check(CLI::IsMember(names));
+    ->check(CLI::IsMember(names, CLI::ignore_case));
   const auto slider = [&](const char* name, void (Controls::*set)(double), const char* effect)
   {
     auto& number = this->sliders.emplace_back(Number<Controls>{ {}, set, 1.0 });
@@ -210,7 +210,7 @@ void StippleArguments::addSliders(CLI::App* command)
   };
   slider("--gradient", &Controls::SetGradient, "more ink on boundaries");
   slider("--sharpness", &Controls::SetSharpness, "less ink, in a smaller place");
-  slider("--orientation", &Controls::SetOrientation, "darker rims, lighter middles; 0: no light");
+  slider("--orientation", &Controls::SetOrientation, "darker rims, lighter middles; 0: hardly any light");
   slider("--distance", &Controls::SetDistance, "nearer parts stand out");
   slider("--interior", &Controls::SetInterior, "weak boundaries are see-through");
   slider("--color", &Controls::SetColor, "warm and cool colours in place of ink");

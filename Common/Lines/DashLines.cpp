@@ -24,11 +24,15 @@ struct DashPoint
   float share;
 };
 
-/// How far within a dash (positive) or from the next one (negative) a place along a line is, in pixels.
-float depthInDash(float place, float dash, float period)
+/// How much of the pixel around a place along a line lies within dashes.
+float coverageByDashes(double place, double dash, double period)
 {
-  const float within = place - period * std::floor(place / period);
-  return within <= dash ? std::min(within, dash - within) : std::max(dash - within, within - period);
+  const auto dashesUpTo = [&](double end)
+  {
+    const double periods = std::floor(end / period);
+    return periods * dash + std::min(end - periods * period, dash);
+  };
+  return static_cast<float>(std::clamp(dashesUpTo(place + 0.5) - dashesUpTo(place - 0.5), 0.0, 1.0));
 }
 
 std::vector<DashPoint> dashPoints(std::span<const TracedLine> lines, float dash, float gap)
@@ -47,8 +51,8 @@ std::vector<DashPoint> dashPoints(std::span<const TracedLine> lines, float dash,
     for (std::size_t i = 0; i < line.size(); ++i)
     {
       const bool isEnd = !isClosed && (i == 0 || i + 1 == line.size());
-      const float depth = depthInDash(lengths[i], scale * dash, scale * (dash + gap));
-      points.push_back({ line[i], isWhole || isEnd ? 1.0f : std::clamp(depth + 0.5f, 0.0f, 1.0f) });
+      points.push_back({ line[i],
+        isWhole || isEnd ? 1.0f : coverageByDashes(lengths[i], scale * dash, scale * (dash + gap)) });
     }
   }
   return points;

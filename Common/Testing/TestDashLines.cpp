@@ -111,6 +111,17 @@ TEST(DashLines, KeepsJunctions)
   EXPECT_LT(inkOf(result), 0.7 * inkOf(cross));
 }
 
+/// Dashes and gaps too short to see leave as much ink as they would.
+TEST(DashLines, MakesAGreyOfShortOnes)
+{
+  const Picture whole = ring(2.5);
+  for (const auto& [dash, gap] : { std::pair(0.1f, 0.1f), { 0.3f, 0.01f }, { 0.02f, 0.08f }, { 0.7f, 0.2f } })
+  {
+    EXPECT_NEAR(inkOf(dashed(whole, dash, gap)) / inkOf(whole), dash / (dash + gap), 0.02)
+      << dash << ' ' << gap;
+  }
+}
+
 TEST(DashLines, AddsNoInkAndIsTheSameOnAnyNumberOfThreads)
 {
   const Picture lines = randomLines(300, 200, 3.0, 2);

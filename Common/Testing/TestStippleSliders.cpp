@@ -25,7 +25,7 @@ struct Ink
 Ink draw(const ink::StippleTone& tone)
 {
   const ink::StippleLight headlight{ { 0.0f, 0.0f, 1.0f, 0.0f }, 1.0f };
-  const ink::StippleTone::View view{ 16.0f, 4.0f, 0.5f, true, 4.0f, 5.0f, 1.0f };
+  const ink::StippleTone::View view{ 16.0f, 4.0f, 0.5f, true, 4.0f, 5.0f, 1.0f, 4.0f };
   Ink ink;
   const int count = 3000;
   for (int i = 0; i < count; ++i)
@@ -101,6 +101,28 @@ TEST(StippleSliders, SharpnessAndInteriorTakeInkAway)
   expectMonotone(&ink::StippleSliders::interior, -1.0, [](const Ink& ink) { return ink.all; });
 }
 
+/// Light ink shows the light: less of it, in a smaller place.
+TEST(StippleSliders, LightInkHasLessInkWithSharperLight)
+{
+  for (const auto slider : { &ink::StippleSliders::sharpness, &ink::StippleSliders::orientation })
+  {
+    double last = 0.0;
+    for (int step = 0; step <= 20; ++step)
+    {
+      ink::StippleTone tone;
+      ink::StipplePreset moved = *ink::findStipplePreset("plate-white-on-black");
+      moved.sliders.*slider = step / 20.0f;
+      moved.apply(tone);
+      // The light alone.
+      tone.boundary.on = tone.silhouette.on = tone.distance.on = tone.interior.on = false;
+      const double now = draw(tone).all;
+      EXPECT_TRUE(step == 0 || now < last) << "step " << step << ", ink " << last << " to " << now;
+      EXPECT_GT(now, 100.0);
+      last = now;
+    }
+  }
+}
+
 TEST(StippleSliders, OrientationTellsTheRimFromTheMiddle)
 {
   expectMonotone(
@@ -157,5 +179,9 @@ TEST(StippleSliders, PresetsAreFoundByName)
     ASSERT_NE(preset, nullptr) << name;
     EXPECT_EQ(preset->lightInk, std::string(name) == "plate-white-on-black");
   }
-  EXPECT_EQ(ink::findStipplePreset("Anatomy"), nullptr);
+  EXPECT_EQ(ink::findStipplePreset("Anatomy")->name, "anatomy");
+  EXPECT_EQ(ink::findStipplePreset("SoftTissue")->name, "soft-tissue");
+  EXPECT_EQ(ink::findStipplePreset("Plate, White on Black")->name, "plate-white-on-black");
+  EXPECT_EQ(ink::findStipplePreset("plate"), nullptr);
+  EXPECT_EQ(ink::findStipplePreset(""), nullptr);
 }

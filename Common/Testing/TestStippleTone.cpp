@@ -12,7 +12,7 @@
 namespace
 {
 
-constexpr ink::StippleTone::View view{ 16.0f, 8.0f, 0.0f, false, 4.0f, 6.0f, 2.0f };
+constexpr ink::StippleTone::View view{ 16.0f, 8.0f, 0.0f, false, 4.0f, 6.0f, 2.0f, 4.0f };
 
 ink::StippleTone::Element element()
 {
@@ -65,8 +65,9 @@ TEST(StippleTone, OneFactorAtATime)
     (tone.*chosen).on = true;
     return tone.mark(view, { &headlight, 1 }, element(), 0).tone / off;
   };
-  EXPECT_NEAR(ratio(&ink::StippleTone::boundary), ink::Boundary().factor(0.7f, 0.4f), 1e-5);
-  EXPECT_NEAR(ratio(&ink::StippleTone::silhouette), ink::Silhouette().factor(0.7f, 0.8f), 1e-5);
+  // Table 1 with the defaults, worked out by hand: 0.7 (0.2 + 0.4), 0.7 (0.3 + 2 (1 - sqrt(0.8))).
+  EXPECT_NEAR(ratio(&ink::StippleTone::boundary), 0.42, 1e-5);
+  EXPECT_NEAR(ratio(&ink::StippleTone::silhouette), 0.357802, 1e-5);
   EXPECT_NEAR(ratio(&ink::StippleTone::resolution), 0.64 * 0.8, 1e-5);
   EXPECT_NEAR(ratio(&ink::StippleTone::lighting), 0.2, 1e-5);
   EXPECT_NEAR(ratio(&ink::StippleTone::distance), 1.5, 1e-5);
@@ -203,7 +204,44 @@ TEST(StippleTone, MostToneIsAnUpperBound)
   EXPECT_GT(near, 10);
   EXPECT_GT(nothing, 0);
   EXPECT_EQ(ink::StippleTone().mostTone(view, 0.0f, 0.8f, 16.0f, 4.0f, 8.0f, {}), 0.0f);
-  EXPECT_TRUE(std::isinf(ink::StippleTone().mostTone(view, 0.9f, 0.8f, 16.0f, -1.0f, 8.0f, {})));
+  // A group around the eye: one of its elements may be as near as none.
+  auto atTheEye = element();
+  atTheEye.position.z = -1e-9f;
+  ink::StippleTone fixed;
+  fixed.growing = false;
+  EXPECT_LE(fixed.mark(view, {}, atTheEye, 0).tone,
+    fixed.mostTone(view, 0.9f, 0.8f, 16.0f, -1.0f, 8.0f, {}) * 1.00001f);
+}
+
+/// The room that an element has is its own projection's where it is nearer than what k_rc is about, whether
+/// the enhancement is on or off; and beyond that follows k_rc.
+TEST(StippleTone, RoomIsTheElementsOwnCloseUp)
+{
+  ink::StippleTone tone = allOff();
+  tone.growing = false;
+  const auto roomAt = [&](float distance)
+  {
+    auto one = element();
+    one.position = { 0.0f, 0.0f, -distance };
+    return tone.mark(view, {}, one, 0).tone;
+  };
+  for (const float krc : { 0.0f, -1.0f, -2.0f, -4.0f })
+  {
+    tone.resolution.on = krc != 0.0f;
+    tone.resolution.krc = krc;
+    tone.resolution.knz = 0.0f;
+    EXPECT_FLOAT_EQ(roomAt(4.0f), 8.0f) << krc;
+    for (const float nearer : { 3.99f, 2.0f, 0.5f, 0.01f })
+    {
+      EXPECT_NEAR(roomAt(nearer) * nearer * nearer / (8.0f * 16.0f), 1.0f, 1e-5f) << krc << ' ' << nearer;
+    }
+    EXPECT_NEAR(roomAt(8.0f) / (8.0f * std::pow(2.0f, krc)), 1.0f, 1e-5f) << krc;
+    EXPECT_TRUE(std::isfinite(roomAt(0.0f)) && std::isfinite(roomAt(-3.0f))) << krc;
+  }
+  // As Table 1 has it from outside; from within it is the object's own size.
+  EXPECT_FLOAT_EQ(ink::Resolution::nearestDistance(6.0f, 2.0f), 4.0f);
+  EXPECT_FLOAT_EQ(ink::Resolution::nearestDistance(2.0f, 2.0f), 2.0f);
+  EXPECT_FLOAT_EQ(ink::Resolution::nearestDistance(-1.0f, 2.0f), 2.0f);
 }
 
 /// VTK's equations for lamps, worked out by hand.
@@ -244,7 +282,7 @@ TEST(StippleTone, SameGreyAtAnyDistance)
       const float voxel = 0.02f;
       ink::StippleTone::View place{};
       place.listed = 32.0f;
-      place.nearest = far - 1.0f;
+      place.nearest = place.closest = far - 1.0f;
       place.middle = far;
       place.halfRange = 1.0f;
       place.maximumStipples = ink::maximumStipples(voxel, pixel * place.nearest, tone.pixelsPerStipple);

@@ -3,14 +3,13 @@
 namespace ink
 {
 
-/// N_max (Lu et al. 2003, section 4.3): how many stipples an element of average size has room for where the
-/// object is nearest to the eye, one for each `pixelsPerStipple` pixels of its largest projection.
+/// N_max (Lu et al. 2003, section 4.3): how many stipples an element of average size has room for at a
+/// distance, one for each `pixelsPerStipple` pixels of its largest projection there.
 /// @param elementSize edge of a voxel, or square root of a polygon's area, in view units; positive
 /// @param pixelSize view units that a pixel covers at that distance; positive
 /// @param pixelsPerStipple 1: as in the paper; about the number of pixels that a stipple covers, divided by
 ///   the darkest grey wanted
-///   Elements wider than a million pixels count as that wide, far beyond any window: with the eye within the
-///   object, those at the near plane may be so wide, and N_max of others follows from theirs.
+///   Elements wider than a million pixels count as that wide, far beyond any window.
 float maximumStipples(float elementSize, float pixelSize, float pixelsPerStipple);
 
 } // namespace ink

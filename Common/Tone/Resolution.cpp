@@ -9,7 +9,19 @@ namespace ink
 
 float Resolution::distanceFactor(float distance, float nearest) const
 {
-  return this->on ? power(distance / nearest, this->krc) : 1.0f;
+  // What is at the eye does not have room without end.
+  constexpr float leastRatio = 1e-4f;
+  const float ratio = std::max(distance / nearest, leastRatio);
+  if (ratio < 1.0f)
+  {
+    return 1.0f / (ratio * ratio);
+  }
+  return this->on ? power(ratio, this->krc) : 1.0f;
+}
+
+float Resolution::nearestDistance(float middle, float halfRange)
+{
+  return std::max(middle - halfRange, halfRange);
 }
 
 float Resolution::slantFactor(float cosine) const

@@ -23,7 +23,8 @@ struct SmallElements
 
   /// How small elements are: 0 from minimumCoverage on up, 1 where only one stipple fits or less. The paper's
   /// weight of the random value, which grows with the object's distance.
-  /// @param maximumStipples N_max at the object's centre
+  /// @param maximumStipples N_max at the object's centre, or where the object's half range lies if that is
+  /// farther
   float weight(float maximumStipples) const;
 
   /// How much of a stipple is drawn, 0 to 1. Summed over the ranks 0, 1, 2 ... (and, with probability,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace ink
 {
@@ -29,6 +30,27 @@ float exponent(float value)
   return std::clamp(value, leastExponent, mostExponent);
 }
 
+/// The same of a quotient, also where nothing is divided by.
+float exponentOver(float numerator, float denominator)
+{
+  return denominator > 0.0f ? exponent(numerator / denominator) : mostExponent;
+}
+
+/// Of a name, in lower case.
+std::string lettersOf(std::string_view name)
+{
+  std::string letters;
+  for (const char c : name)
+  {
+    const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (lower >= 'a' && lower <= 'z')
+    {
+      letters += lower;
+    }
+  }
+  return letters;
+}
+
 constexpr StipplePreset presets[] = {
   { "anatomy", { 0.5f, 0.5f, 0.5f, 0.15f, 0.15f, 0.0f }, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
   { "bone", { 0.65f, 0.6f, 0.5f, 0.15f, 0.35f, 0.0f }, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
@@ -53,14 +75,15 @@ void StippleSliders::apply(StippleTone& tone) const
   tone.silhouette.on = true;
   tone.silhouette.kss = 1.6f * turned;
   tone.silhouette.kse = exponent(0.5f / sharp);
-  tone.lighting.on = turned > 0.0f;
-  tone.lighting.kle = turned > 0.0f ? exponent(1.0f / (sharp * turned)) : mostExponent;
+  tone.lighting.on = true;
+  // Light takes dark ink away and is what light ink shows: less ink with a smaller exponent, or a larger one.
+  tone.lighting.kle = tone.lighting.lightInk ? exponent(sharp * turned) : exponentOver(1.0f, sharp * turned);
 
-  tone.distance.on = this->distance > 0.0f;
-  tone.distance.kde = this->distance > 0.0f ? exponent(0.5f / limited(this->distance)) : mostExponent;
+  tone.distance.on = true;
+  tone.distance.kde = exponentOver(0.5f, limited(this->distance));
   tone.distance.size = limited(this->distance);
 
-  tone.interior.on = this->interior > 0.0f;
+  tone.interior.on = true;
   tone.interior.kie = 2.0f * limited(this->interior);
   tone.interior.size = limited(this->interior);
 
@@ -69,13 +92,13 @@ void StippleSliders::apply(StippleTone& tone) const
 
 void StipplePreset::apply(StippleTone& tone) const
 {
+  tone.lighting.lightInk = this->lightInk;
   this->sliders.apply(tone);
   tone.pixelsPerStipple = this->pixelsPerStipple;
   tone.diameter = this->diameter;
   tone.appearBySize = this->appearBySize;
   tone.resolution.knz = this->knz;
   tone.valueEffect = this->valueEffect;
-  tone.lighting.lightInk = this->lightInk;
 }
 
 std::span<const StipplePreset> stipplePresets()
@@ -85,8 +108,9 @@ std::span<const StipplePreset> stipplePresets()
 
 const StipplePreset* findStipplePreset(std::string_view name)
 {
-  const auto* found =
-    std::find_if(std::begin(presets), std::end(presets), [name](const auto& p) { return p.name == name; });
+  const std::string letters = lettersOf(name);
+  const auto* found = std::find_if(
+    std::begin(presets), std::end(presets), [&](const auto& p) { return lettersOf(p.name) == letters; });
   return found == std::end(presets) ? nullptr : found;
 }
 

@@ -8,24 +8,26 @@
 namespace ink
 {
 
-/// The few controls that set many of the k's at once (Lu et al. 2003, section 6), each 0 to 1.
+/// The few controls that set many of the k's at once (Lu et al. 2003, section 6), each 0 to 1. They switch no
+/// enhancement off: at its ends a slider gives what it gives close to them.
 struct StippleSliders
 {
   /// Emphasis on boundaries: k_gc, k_gs. More ink.
   float gradient = 0.5f;
   /// Sharpness of boundaries, silhouettes and shades: k_ge, k_se, k_le. Less ink, in a smaller place.
   float sharpness = 0.5f;
-  /// How much silhouettes and light count: k_ss, k_le; 0: no light. More contrast between the middle and the
-  /// rim.
+  /// How much silhouettes and light count: k_ss, k_le; 0: hardly at all. More contrast between the middle and
+  /// the rim.
   float orientation = 0.5f;
-  /// How much nearer parts stand out: k_de and the stipples' size; 0: not at all.
+  /// How much nearer parts stand out: k_de and the stipples' size; 0: only what lies at the very ends.
   float distance = 0.5f;
   /// How see-through weak boundaries are: k_ie and the stipples' size; 0: not at all. Less ink.
   float interior = 0.5f;
   /// How far warm and cool colours replace the ink; 0: not at all. The same number of stipples.
   float color = 0.0f;
 
-  /// Sets the k's named above and whether the enhancements that they belong to are on; all else stays.
+  /// Sets the k's named above, k_le as the tone's ink wants it, dark or light, and switches the enhancements
+  /// on that they belong to; all else stays.
   void apply(StippleTone& tone) const;
 };
 
@@ -51,7 +53,7 @@ struct StipplePreset
 /// anatomy (the first: the default), bone, soft-tissue, engineering, plate-white-on-black.
 std::span<const StipplePreset> stipplePresets();
 
-/// The preset of that name, or null.
+/// The preset of that name, or null; capitals and what separates words do not count.
 const StipplePreset* findStipplePreset(std::string_view name);
 
 } // namespace ink

@@ -82,6 +82,7 @@ StippleTone::Mark StippleTone::mark(
     mark.diameter *= std::sqrt(mark.opacity);
     mark.opacity = 1.0f;
   }
+  mark.opacity *= element.alpha;
   mark.color = this->warmCool.color(element.color, lightCosine(lights, element.position, normal), depth);
   return mark;
 }
@@ -112,16 +113,11 @@ float StippleTone::mostTone(const View& view, float largestValue, float largestG
     factors *= this->interior.factor(largestGradient);
   }
   factors *= this->distance.factor((view.middle - nearestDistance) / view.halfRange);
-  float byDistance = 1.0f;
-  if (!view.parallel && this->resolution.on)
-  {
-    const float distanceOfMost = this->resolution.krc <= 0.0f ? nearestDistance : farthestDistance;
-    if (!(distanceOfMost > 0.0f))
-    {
-      return std::numeric_limits<float>::infinity();
-    }
-    byDistance = this->resolution.distanceFactor(distanceOfMost, view.nearest);
-  }
+  // It falls with the distance up to d_0, and on with a k_rc that is not positive.
+  const float byDistance = view.parallel
+    ? 1.0f
+    : std::max(this->resolution.distanceFactor(nearestDistance, view.nearest),
+        this->resolution.distanceFactor(farthestDistance, view.nearest));
   const float room = view.maximumStipples / view.listed * byDistance;
   return longestList * (this->growing ? std::min(room, 1.0f) : room) * factors;
 }
@@ -133,7 +129,9 @@ float StippleTone::largestDiameter(const View& view) const
   {
     // Only with a positive k_rc may there be more room farther away.
     const bool known = view.parallel || !this->resolution.on || this->resolution.krc <= 0.0f;
-    most *= known ? std::sqrt(std::max(view.maximumStipples / view.listed, 1.0f))
+    const float byDistance =
+      view.parallel ? 1.0f : this->resolution.distanceFactor(view.closest, view.nearest);
+    most *= known ? std::sqrt(std::max(view.maximumStipples / view.listed * byDistance, 1.0f))
                   : std::numeric_limits<float>::infinity();
   }
   return most;

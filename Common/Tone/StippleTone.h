@@ -44,12 +44,13 @@ struct StippleTone
   struct View
   {
     float listed;          ///< N_max that the lists were made for, positive
-    float maximumStipples; ///< N_max where the object is nearest
+    float maximumStipples; ///< N_max at the distance `nearest`
     float smallness;       ///< as SmallElements::weight gives it for N_max at the object's centre
     bool parallel;         ///< nothing gets smaller with the distance
-    float nearest;         ///< D_near + d_0, distance along the view, positive
+    float nearest;         ///< D_near + d_0 as Resolution::nearestDistance gives it
     float middle;          ///< of the object's range of distances
     float halfRange;       ///< a, positive
+    float closest;         ///< nothing that is drawn is nearer to the eye
   };
 
   /// An element, or where it is large one of its points, in view coordinates.
@@ -62,6 +63,7 @@ struct StippleTone
     float listLength;        ///< how many stipples the element has
     float random;            ///< in [0, 1)
     glm::vec3 color;         ///< RGB in 0..1
+    float alpha = 1.0f;      ///< of that color
   };
 
   /// A stipple to draw.

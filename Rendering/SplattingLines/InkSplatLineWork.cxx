@@ -21,6 +21,9 @@ constexpr unsigned char Followed = 51;
 /// Ink from which on spots are told from each other: a tenth.
 constexpr unsigned char Seen = 26;
 
+/// From this length on, in thousandths of the height, gaps are as long as dashes.
+constexpr double EvenDashes = 4.0;
+
 } // namespace
 
 InkSplatLineWork::InkSplatLineWork(const InkSplatStyle& style, int layer, const InkView& view)
@@ -31,6 +34,8 @@ InkSplatLineWork::InkSplatLineWork(const InkSplatStyle& style, int layer, const 
   this->Thinning = style.Thinning;
   this->Growth = static_cast<float>(0.5 * own.LineWidth * thousandth);
   this->DashLength = static_cast<float>(own.DashLength * thousandth);
+  // No dashes are the limit of short ones.
+  this->GapLength = this->DashLength * static_cast<float>(std::min(own.DashLength / EvenDashes, 1.0));
   // Which borders of a tile are those of the picture is not known.
   const bool tile = view.TileScale > 1;
   this->Cut = { tile, tile, tile, tile };
@@ -73,5 +78,5 @@ void InkSplatLineWork::Apply(const ink::InkImage& image) const
     lines = ink::traceLines(thinned);
   }
   ink::growLines(image, this->Growth);
-  ink::dashLines(image, lines, this->DashLength, this->DashLength);
+  ink::dashLines(image, lines, this->DashLength, this->GapLength);
 }

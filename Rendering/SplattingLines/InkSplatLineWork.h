@@ -32,6 +32,7 @@ private:
   bool Thinning;
   float Growth;
   float DashLength;
+  float GapLength;
   ink::CutBorders Cut;
 };
 

@@ -208,8 +208,8 @@ public:
 
   ///@{
   /**
-   * Length of a layer's dashes and gaps, in thousandths of the viewport's height; 0 (default): solid lines. 0
-   * to 100.
+   * Length of a layer's dashes and, from 4 on, gaps, in thousandths of the viewport's height; 0 (default):
+   * solid lines, of which shorter gaps are the way to dashed ones. 0 to 100.
    */
   void SetLayerDashLength(int layer, double length);
   double GetLayerDashLength(int layer);

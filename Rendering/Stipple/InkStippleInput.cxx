@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace
@@ -75,10 +76,19 @@ InkStippleInput::InkStippleInput(vtkPolyData* data)
   , Normals(data->GetCellData()->GetArray("Normals"))
   , GradientMagnitudes(data->GetCellData()->GetArray("GradientMagnitude"))
   , Values(data->GetCellData()->GetArray("Value"))
+  , GlobalIds(data->GetCellData()->GetGlobalIds())
   , Surface(FindNumber(data, "ElementKind", this->GradientMagnitudes ? 0.0 : 1.0) != 0.0)
   , ElementSize(FindNumber(data, "ElementSize", 0.0))
   , StipplesPerElement(FindNumber(data, "StipplesPerElement", 0.0))
 {
+  if (!IsCellArray(this->GlobalIds, 1, data->GetNumberOfCells()))
+  {
+    this->GlobalIds = nullptr;
+  }
+  if (!(this->StipplesPerElement > 0.0 && std::isfinite(this->StipplesPerElement)))
+  {
+    this->StipplesPerElement = 0.0;
+  }
 }
 
 std::string InkStippleInput::FindProblem() const
@@ -120,12 +130,14 @@ std::string InkStippleInput::FindProblem() const
   return problem.str();
 }
 
-vtkMTimeType InkStippleInput::GetTime() const
+InkStippleInput::Key InkStippleInput::GetKey() const
 {
-  vtkMTimeType time = std::max(this->Data->GetPoints()->GetMTime(), this->Data->GetVerts()->GetMTime());
-  for (vtkDataArray* array : { this->Normals, this->GradientMagnitudes, this->Values })
-  {
-    time = std::max(time, array ? array->GetMTime() : 0);
-  }
-  return std::max(time, this->Data->GetFieldData()->GetMTime());
+  vtkCellArray* cells = this->Data->GetVerts();
+  vtkObject* const arrays[] = { this->Data->GetPoints()->GetData(), cells, cells->GetConnectivityArray(),
+    cells->GetOffsetsArray(), this->Normals, this->GradientMagnitudes, this->Values, this->GlobalIds };
+  Key key{ {}, this->Surface, this->ElementSize, this->StipplesPerElement };
+  static_assert(std::size(arrays) == std::tuple_size_v<decltype(key.Arrays)>);
+  std::transform(std::begin(arrays), std::end(arrays), key.Arrays.begin(),
+    [](vtkObject* array) { return array ? array->GetMTime() : 0; });
+  return key;
 }

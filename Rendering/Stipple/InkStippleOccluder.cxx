@@ -34,6 +34,48 @@ namespace
 constexpr float OffsetFactor = 2.0f;
 constexpr float OffsetUnits = 4.0f;
 
+/// How wide an image's margin is for dots that reach so far: in steps, as most images are made anew when it
+/// changes, and no wider than seems worth it.
+int FindMargin(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, float reach)
+{
+  constexpr int step = 16;
+  constexpr int most = 256;
+  int largest = 0;
+  window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const int room = std::max((largest - std::max(size[0], size[1])) / 2, 0);
+  const int wanted = step * static_cast<int>(std::ceil(std::min(reach, static_cast<float>(most)) / step));
+  return std::min(wanted, room);
+}
+
+/// A polygon offset, which vtkOpenGLState does not know; the caller's again at its end.
+class PolygonOffset
+{
+public:
+  PolygonOffset(float factor, float units)
+    : Enabled(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE)
+  {
+    glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &this->Factor);
+    glGetFloatv(GL_POLYGON_OFFSET_UNITS, &this->Units);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(factor, units);
+  }
+  ~PolygonOffset()
+  {
+    glPolygonOffset(this->Factor, this->Units);
+    if (!this->Enabled)
+    {
+      glDisable(GL_POLYGON_OFFSET_FILL);
+    }
+  }
+  PolygonOffset(const PolygonOffset&) = delete;
+  void operator=(const PolygonOffset&) = delete;
+
+private:
+  bool Enabled;
+  float Factor = 0.0f;
+  float Units = 0.0f;
+};
+
 } // namespace
 
 InkStippleDepth::InkStippleDepth(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size)
@@ -115,8 +157,10 @@ void InkStippleOccluder::Update(vtkPolyData* surface, const InkLocalFrame& frame
   this->UploadTime = now.GetMTime();
 }
 
-void InkStippleOccluder::Draw(const InkView& view, std::unique_ptr<InkStippleDepth>& depth)
+void InkStippleOccluder::Draw(const InkView& shown, float reach, std::unique_ptr<InkStippleDepth>& depth)
 {
+  InkView view = shown;
+  view.Widen(FindMargin(this->Window, shown.Size, reach));
   if (depth && depth->View == view && depth->UploadTime == this->UploadTime)
   {
     return;
@@ -165,11 +209,7 @@ void InkStippleOccluder::Draw(const InkView& view, std::unique_ptr<InkStippleDep
     this->VertexArray->Bind();
   }
   view.SetUniforms(program);
-  // vtkOpenGLState does not know the offset.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(OffsetFactor, OffsetUnits);
+  const PolygonOffset offset(OffsetFactor, OffsetUnits);
   glDrawArrays(GL_TRIANGLES, 0, this->NumberOfVertices);
-  glPolygonOffset(0.0f, 0.0f);
-  glDisable(GL_POLYGON_OFFSET_FILL);
   this->VertexArray->Release();
 }

@@ -30,7 +30,7 @@ struct InkStippleDepth
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   bool Complete = false;
-  std::optional<InkView> View; ///< that it shows
+  std::optional<InkView> View; ///< that it shows, with margins
   vtkMTimeType UploadTime = 0; ///< of the surface that it shows
 };
 
@@ -48,8 +48,11 @@ public:
   void Update(vtkPolyData* surface, const InkLocalFrame& frame);
   bool IsEmpty() const { return this->NumberOfVertices == 0; }
 
-  /// Brings a depth image up to date; an image of another size or window is made anew.
-  void Draw(const InkView& view, std::unique_ptr<InkStippleDepth>& depth);
+  /// Brings a depth image up to date; an image of another size is made anew. It shows more than the view, on
+  /// each side, so that dots whose centres lie beyond the view's border are hidden by what is there: those of
+  /// a tile are the same in the next one.
+  /// @param reach how many pixels dots reach beyond their centres
+  void Draw(const InkView& view, float reach, std::unique_ptr<InkStippleDepth>& depth);
 
 private:
   vtkOpenGLRenderWindow* Window;

@@ -39,6 +39,14 @@ namespace
 /// are drawn more rarely instead.
 constexpr float LeastSteps = 8.0f;
 
+/// The present on VTK's clock.
+vtkMTimeType FindTime()
+{
+  vtkTimeStamp now;
+  now.Modified();
+  return now.GetMTime();
+}
+
 } // namespace
 
 /// A form of the shaders and its binding to the buffer.
@@ -74,9 +82,7 @@ InkStipplePasses::~InkStipplePasses()
 
 std::string InkStipplePasses::Upload(const InkStipplePoints& points, bool packed)
 {
-  vtkTimeStamp now;
-  now.Modified();
-  this->UploadTime = now.GetMTime();
+  this->UploadTime = FindTime();
   this->Packed = packed;
   if (!packed)
   {
@@ -96,6 +102,15 @@ std::string InkStipplePasses::Upload(const InkStipplePoints& points, bool packed
     this->PackedStep[axis] = stipples.Edges[axis] / static_cast<float>(ink::packedPlaceSteps);
   }
   return this->Textures.Upload(points, stipples.Boxes);
+}
+
+void InkStipplePasses::UploadColors(const std::vector<std::uint32_t>& colors)
+{
+  if (!colors.empty())
+  {
+    this->ColorUploadTime = FindTime();
+  }
+  this->Textures.UploadColors(colors);
 }
 
 std::string InkStipplePasses::FindFeatures(const Scene& scene) const
@@ -207,6 +222,7 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
   {
     scene.Occluder->Texture->Activate();
     program->SetUniformi("occluder", scene.Occluder->Texture->GetTextureUnit());
+    program->SetUniformf("occluderMargin", static_cast<float>(scene.Occluder->View->Margin));
   }
   else
   {
@@ -227,12 +243,18 @@ void InkStipplePasses::End(Pass& pass, const Scene& scene)
   pass.VertexArray->Release();
 }
 
+float InkStipplePasses::FindReach(
+  const InkView& view, const ink::StippleTone& tone, const InkStippleView& toneView) const
+{
+  const float scale = static_cast<float>(view.TileScale);
+  return 0.5f * std::min(tone.largestDiameter(toneView.Tone) * scale, this->LargestPoint) + 1.0f;
+}
+
 InkStippleRuns InkStipplePasses::FindRuns(const Scene& scene) const
 {
-  const float scale = static_cast<float>(scene.View.TileScale);
-  const float largest = std::min(scene.Tone.largestDiameter(scene.ToneView.Tone) * scale, this->LargestPoint);
   InkStippleRuns runs;
-  runs.Find(scene.Points.GetBlocks(), scene.View, scene.Tone, scene.ToneView, 0.5f * largest + 1.0f);
+  runs.Find(scene.Points.GetBlocks(), scene.View, scene.Tone, scene.ToneView,
+    this->FindReach(scene.View, scene.Tone, scene.ToneView));
   return runs;
 }
 

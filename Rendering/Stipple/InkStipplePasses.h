@@ -9,6 +9,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -38,8 +39,11 @@ public:
   /// @param packed whether in 8 bytes a stipple, see InkPackedStipples, instead of 16
   /// @return why that cannot be done, for the user; empty if it can
   std::string Upload(const InkStipplePoints& points, bool packed);
-  /// When Upload was last called, on VTK's clock; 0: never.
+  /// @param colors RGBA of each element, in the order of the points uploaded; empty: all have the ink's color
+  void UploadColors(const std::vector<std::uint32_t>& colors);
+  /// When these were last called, on VTK's clock; 0: never.
   vtkMTimeType GetUploadTime() const { return this->UploadTime; }
+  vtkMTimeType GetColorUploadTime() const { return this->ColorUploadTime; }
 
   /// All that a picture depends on.
   struct Scene
@@ -66,6 +70,9 @@ public:
   /// what is not drawn. Empty if this OpenGL cannot do it.
   std::vector<float> FindResults(const Scene& scene, vtkIdType count);
 
+  /// How many pixels the largest dots of a view reach beyond their centres.
+  float FindReach(const InkView& view, const ink::StippleTone& tone, const InkStippleView& toneView) const;
+
   /// How many stipples the last Draw had to look at.
   vtkIdType GetNumberOfProcessedStipples() const { return this->Processed; }
 
@@ -88,6 +95,7 @@ private:
   bool Packed = false;
   std::array<float, 3> PackedStep{}; ///< of a packed place at scale 1
   vtkMTimeType UploadTime = 0;
+  vtkMTimeType ColorUploadTime = 0;
   vtkIdType Processed = 0;
   float LargestPoint = 1.0f;
   int LastTextureUnit = 0;

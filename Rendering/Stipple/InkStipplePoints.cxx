@@ -18,6 +18,7 @@
 #include <cstring>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 namespace
 {
@@ -87,11 +88,38 @@ std::uint64_t GroupOf(std::uint64_t blockKey)
 
 struct InkStipplePoints::Element
 {
-  std::uint64_t Block; ///< the same for elements that may share one
+  std::uint64_t Block;  ///< the same for elements that may share one
+  std::uint64_t Random; ///< of this element alone
+  std::uint32_t Place;  ///< along a curve through the data's box
+  int Length;
   vtkIdType Id;
   vtkIdType First;
-  int Length;
+
+  /// By what elements are, not by where they stand in the input.
+  bool operator<(const Element& other) const
+  {
+    return std::tie(this->Block, this->Place, this->Random, this->Id) <
+      std::tie(other.Block, other.Place, other.Random, other.Id);
+  }
 };
+
+namespace
+{
+
+/// Random bits of an element: of its global id where the input has those, else of its first stipple's place.
+/// A local id depends on how many processes share the data, and the picture must not.
+std::uint64_t FindRandom(const InkStippleInput& input, vtkIdType id, const double firstStipple[3])
+{
+  if (input.GlobalIds)
+  {
+    return ink::hash(RandomSeed, static_cast<std::uint64_t>(input.GlobalIds->GetComponent(id, 0)));
+  }
+  // Adding zero takes the sign from a negative one.
+  const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(firstStipple[axis] + 0.0); };
+  return ink::hash(ink::hash(RandomSeed, bits(0), bits(1)), bits(2));
+}
+
+} // namespace
 
 std::vector<InkStipplePoints::Element> InkStipplePoints::ReadElements(
   const InkStippleInput& input, vtkIdType longest)
@@ -124,18 +152,18 @@ std::vector<InkStipplePoints::Element> InkStipplePoints::ReadElements(
         input.Surface ? 1.0 : std::clamp(input.GradientMagnitudes->GetComponent(id, 0), 0.0, 1.0);
       const auto steepness =
         static_cast<std::uint64_t>(std::min(gradient * GradientBins, GradientBins - 1.0));
-      const std::uint64_t cube = finite ? MortonCode(local) >> shift : 0;
-      elements.push_back({ BlockKey(cube, DirectionBin(normal), steepness), id, first,
-        static_cast<int>(std::min(length, longest)) });
+      const std::uint64_t place = finite ? MortonCode(local) : 0;
+      elements.push_back(
+        { BlockKey(place >> shift, DirectionBin(normal), steepness), FindRandom(input, id, p),
+          static_cast<std::uint32_t>(place), static_cast<int>(std::min(length, longest)), id, first });
     }
     first += length;
   }
-  std::sort(elements.begin(), elements.end(),
-    [](const Element& a, const Element& b) { return a.Block != b.Block ? a.Block < b.Block : a.Id < b.Id; });
+  std::sort(elements.begin(), elements.end());
   return elements;
 }
 
-std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedCharArray* colors)
+std::string InkStipplePoints::Read(const InkStippleInput& input)
 {
   this->ReleaseArrays();
   this->Blocks.clear();
@@ -150,9 +178,8 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
   this->ElementSize = static_cast<float>(input.ElementSize / this->Frame.Unit);
   vtkCellArray* cells = input.Data->GetVerts();
   const vtkIdType longest = cells->GetMaxCellSize();
-  this->Listed = static_cast<float>(input.StipplesPerElement > 0.0 && std::isfinite(input.StipplesPerElement)
-      ? input.StipplesPerElement
-      : std::max<double>(longest, 1.0));
+  this->Listed = static_cast<float>(
+    input.StipplesPerElement > 0.0 ? input.StipplesPerElement : std::max<double>(longest, 1.0));
 
   // As many bits for the rank as the elements' numbers leave.
   const auto count = static_cast<std::uint64_t>(cells->GetNumberOfCells());
@@ -192,16 +219,21 @@ std::string InkStipplePoints::Read(const InkStippleInput& input, vtkUnsignedChar
     this->AddGroup(input, &elements[first], static_cast<int>(last - first), group);
   }
   this->NumberOfStipples = static_cast<vtkIdType>(this->Vertices.size());
-  if (colors)
-  {
-    for (const Element& element : elements)
-    {
-      std::uint32_t color;
-      std::memcpy(&color, colors->GetPointer(4 * element.Id), sizeof color);
-      this->Colors.push_back(color);
-    }
-  }
+  this->Order.resize(elements.size());
+  std::transform(elements.begin(), elements.end(), this->Order.begin(),
+    [](const Element& element) { return static_cast<std::uint32_t>(element.Id); });
   return left.str();
+}
+
+std::vector<std::uint32_t> InkStipplePoints::OrderColors(vtkUnsignedCharArray* colors) const
+{
+  std::vector<std::uint32_t> ordered(this->Order.size());
+  for (std::size_t i = 0; i < ordered.size(); ++i)
+  {
+    std::memcpy(
+      &ordered[i], colors->GetPointer(4 * static_cast<vtkIdType>(this->Order[i])), sizeof ordered[i]);
+  }
+  return ordered;
 }
 
 void InkStipplePoints::AddGroup(const InkStippleInput& input, const Element* elements, int count, int group)
@@ -270,10 +302,9 @@ InkStippleBlock InkStipplePoints::ReadBlock(const InkStippleInput& input, const 
     this->Shapes.push_back(
       { { static_cast<float>(normal[0]), static_cast<float>(normal[1]), static_cast<float>(normal[2]) },
         gradient });
-    const auto bits = ink::hash(RandomSeed, static_cast<std::uint64_t>(element.Id));
     this->Values.push_back({ value, static_cast<float>(element.Length) });
     this->ElementIds.push_back({ static_cast<std::uint32_t>(element.First),
-      static_cast<std::uint32_t>(ink::unitFloat(bits) * 0x1p24f) });
+      static_cast<std::uint32_t>(ink::unitFloat(element.Random) * 0x1p24f) });
     block.LargestValue = std::max(block.LargestValue, value);
     block.LargestGradient = std::max(block.LargestGradient, gradient);
     longest = std::max(longest, element.Length);
@@ -321,5 +352,4 @@ void InkStipplePoints::ReleaseArrays()
   this->Shapes = {};
   this->Values = {};
   this->ElementIds = {};
-  this->Colors = {};
 }

@@ -44,9 +44,11 @@ public:
 
   /// Reads input without problems. Elements without a finite normal, gradient magnitude or value, or whose
   /// normal is zero, and points whose position is not finite are passed over.
-  /// @param colors RGBA for each element, or null
   /// @return what had to be left out because ids have 32 bits, for the user; empty if nothing
-  std::string Read(const InkStippleInput& input, vtkUnsignedCharArray* colors);
+  std::string Read(const InkStippleInput& input);
+
+  /// RGBA of each element of the input, in the order of the elements here.
+  std::vector<std::uint32_t> OrderColors(vtkUnsignedCharArray* colors) const;
 
   /// Frees what only the GPU needs.
   void ReleaseArrays();
@@ -64,7 +66,6 @@ public:
   const std::vector<Shape>& GetShapes() const { return this->Shapes; }
   const std::vector<Value>& GetValues() const { return this->Values; }
   const std::vector<Ids>& GetIds() const { return this->ElementIds; }
-  const std::vector<std::uint32_t>& GetColors() const { return this->Colors; } ///< empty: none
 
 private:
   struct Element;
@@ -87,7 +88,7 @@ private:
   std::vector<Shape> Shapes;
   std::vector<Value> Values;
   std::vector<Ids> ElementIds;
-  std::vector<std::uint32_t> Colors;
+  std::vector<std::uint32_t> Order; ///< the elements' ids in the input
 };
 
 #endif

@@ -59,8 +59,12 @@ std::string InkStippleTextures::Upload(
   this->Fill(this->Values, points.GetValues(), 2, VTK_FLOAT, GL_RG32F);
   this->Fill(this->Ids, points.GetIds(), 2, VTK_UNSIGNED_INT, GL_RG32UI);
   this->Fill(this->Boxes, boxes, 4, VTK_FLOAT, GL_RGBA32F);
-  this->Fill(this->Colors, points.GetColors(), 4, VTK_UNSIGNED_CHAR, GL_RGBA8);
   return {};
+}
+
+void InkStippleTextures::UploadColors(const std::vector<std::uint32_t>& colors)
+{
+  this->Fill(this->Colors, colors, 4, VTK_UNSIGNED_CHAR, GL_RGBA8);
 }
 
 void InkStippleTextures::Activate(vtkShaderProgram* program)

@@ -6,6 +6,7 @@
 
 #include "vtkNew.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ public:
   /// @return why that cannot be done, for the user; empty if it can
   std::string Upload(const InkStipplePoints& points, const std::vector<ink::PlaceBox>& boxes);
 
+  /// @param colors RGBA of each element, in the points' order; empty: none
+  void UploadColors(const std::vector<std::uint32_t>& colors);
   bool HasColors() const { return this->Colors.Filled; }
 
   void Activate(vtkShaderProgram* program);

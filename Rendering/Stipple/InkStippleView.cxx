@@ -90,8 +90,9 @@ InkStippleView::InkStippleView(vtkRenderer* renderer, const InkView& view, const
   this->Tone.parallel = view.Eye[3] == 0.0f;
   this->Tone.middle = 0.5f * (nearest + farthest);
   this->Tone.halfRange = std::max(0.5f * (farthest - nearest), 1e-6f * view.Unit);
+  this->Tone.nearest = ink::Resolution::nearestDistance(this->Tone.middle, this->Tone.halfRange);
   // What lies before the near plane is not seen.
-  this->Tone.nearest = std::max(nearest, view.DepthRange[0]);
+  this->Tone.closest = std::max(nearest, view.DepthRange[0]);
   this->Tone.listed = points.GetListed();
 
   const float size = points.GetElementSize() * view.Unit;
@@ -102,7 +103,7 @@ InkStippleView::InkStippleView(vtkRenderer* renderer, const InkView& view, const
   };
   this->Tone.maximumStipples = maximumAt(this->Tone.nearest);
   this->Tone.smallness =
-    tone.smallElements.weight(maximumAt(std::max(this->Tone.middle, view.DepthRange[0])));
+    tone.smallElements.weight(maximumAt(std::max(this->Tone.middle, this->Tone.halfRange)));
   this->Lights = headlight ? std::vector<ink::StippleLight>{ { glm::vec4(0.0f, 0.0f, 1.0f, 0.0f), 1.0f } }
                            : FindLights(renderer);
 }

@@ -8,7 +8,8 @@
  * floating point numbers and costs about as much again as the stipples. Dots of one ink look the same in any
  * order. So this actor blends them straight into the picture, after all surfaces, where nothing else in its
  * renderers is translucent, volumes included; else it does what vtkActor does, since what is translucent may
- * lie in front.
+ * lie in front. In a chain of render passes (vtkRenderer::SetPass) it draws where vtkActor does if there is
+ * no pass for volumes, and in any case once.
  *
  * A picture has 8 bits as a rule: dots too pale for them are drawn more rarely instead. Where each grey
  * matters more than the time of a frame, take vtkActor without depth peeling.
@@ -19,7 +20,7 @@
 #include "vtkInkRenderingStippleModule.h" // for the export macro
 #include "vtkOpenGLActor.h"
 
-class vtkRenderer;
+class vtkRenderPass;
 
 class VTKINKRENDERINGSTIPPLE_EXPORT vtkInkStippleActor : public vtkOpenGLActor
 {
@@ -28,6 +29,7 @@ public:
   vtkTypeMacro(vtkInkStippleActor, vtkOpenGLActor);
 
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
 
 protected:
@@ -41,8 +43,10 @@ private:
   /// Whether there is nothing else translucent, and no volume, in any renderer with this actor.
   bool IsAlone();
   bool FindAlone();
+  int Draw(vtkViewport* viewport);
 
   bool Drawing = false;
+  vtkRenderPass* DrawnBy = nullptr; ///< this chain has drawn the actor in this picture; only compared
   bool Asking = false;
 };
 

@@ -5,7 +5,9 @@
  *
  * The higher of two levels of control (Lu et al. 2003, section 6): each slider sets several of the mapper's
  * k's, and a preset sets all sliders and what goes with them. Apply hands the result to a mapper; its k's can
- * be changed one by one after that.
+ * be changed one by one after that. Sliders switch no enhancement off, so pictures change little by little
+ * all the way; the mapper's own switches do. Positions of sliders are kept within 0..1; what is
+ * no number is refused with an error.
  *
  * @sa vtkInkStippleMapper
  */
@@ -29,10 +31,16 @@ public:
   ///@{
   /**
    * The kind of drawing to start from: anatomy (default), bone, soft-tissue, engineering or
-   * plate-white-on-black. Sets all sliders. An unknown name is an error and changes nothing.
+   * plate-white-on-black. Sets all sliders. Capitals and what separates words do not count ("Soft Tissue");
+   * GetPreset and GetPresetName have the one spelling. An unknown name is an error and changes nothing.
    */
   bool SetPreset(const char* name);
   const char* GetPreset();
+  void SetPresetToAnatomy() { this->SetPreset("anatomy"); }
+  void SetPresetToBone() { this->SetPreset("bone"); }
+  void SetPresetToSoftTissue() { this->SetPreset("soft-tissue"); }
+  void SetPresetToEngineering() { this->SetPreset("engineering"); }
+  void SetPresetToPlateWhiteOnBlack() { this->SetPreset("plate-white-on-black"); }
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index); ///< null out of range
   ///@}
@@ -59,8 +67,8 @@ public:
 
   ///@{
   /**
-   * How much silhouettes and light count (Kss, Kle, Lighting): the rim is darker and the middle lighter with
-   * a larger one. 0 to 1; default: the preset's.
+   * How much silhouettes and light count (Kss, Kle): the rim is darker and the middle lighter with a larger
+   * one. 0 (hardly at all) to 1; default: the preset's.
    */
   void SetOrientation(double orientation);
   double GetOrientation();
@@ -68,8 +76,8 @@ public:
 
   ///@{
   /**
-   * How much nearer parts stand out (Kde, DistanceSize, Distance). 0 (not at all) to 1; default: the
-   * preset's.
+   * How much nearer parts stand out (Kde, DistanceSize). 0 (only what lies at the very ends) to 1; default:
+   * the preset's.
    */
   void SetDistance(double distance);
   double GetDistance();
@@ -77,7 +85,7 @@ public:
 
   ///@{
   /**
-   * How see-through weak boundaries are (Kie, InteriorSize, Interior): less ink with a larger one. 0 to 1;
+   * How see-through weak boundaries are (Kie, InteriorSize): less ink with a larger one. 0 (not at all) to 1;
    * default: the preset's.
    */
   void SetInterior(double interior);

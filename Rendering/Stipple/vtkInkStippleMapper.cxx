@@ -4,17 +4,16 @@
 #include "InkLocalFrame.h"
 #include "InkRenderPasses.h"
 #include "InkReportedMessages.h"
-#include "InkStippleInput.h"
-#include "InkStippleOccluder.h"
-#include "InkStipplePasses.h"
+#include "InkScalarColors.h"
 #include "InkStipplePoints.h"
 #include "InkStippleView.h"
+#include "InkStippleWindow.h"
 #include "InkView.h"
+#include "InkWindowResources.h"
 
 #include "InkOpenGLCompat.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
@@ -27,14 +26,12 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkTrivialProducer.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkInkStippleMapper);
@@ -49,17 +46,14 @@ constexpr double VolumeOffset = 1.5;
 
 ink::HlsColor ToHls(const double rgb[3])
 {
-  const glm::dvec3 limited(
-    std::clamp(rgb[0], 0.0, 1.0), std::clamp(rgb[1], 0.0, 1.0), std::clamp(rgb[2], 0.0, 1.0));
-  return ink::hlsFromRgb(glm::vec3(limited));
+  return ink::hlsFromRgb(glm::vec3(rgb[0], rgb[1], rgb[2]));
 }
 
-ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface, bool twoSided)
+ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface)
 {
   const auto number = [](double value) { return static_cast<float>(value); };
   ink::StippleTone tone;
   tone.surface = surface;
-  tone.twoSided = twoSided;
   tone.boundary = { mapper->GetBoundary(), number(mapper->GetKgc()), number(mapper->GetKgs()),
     number(mapper->GetKge()) };
   tone.silhouette = { mapper->GetSilhouette(), number(mapper->GetKsc()), number(mapper->GetKss()),
@@ -88,86 +82,47 @@ ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface, bool twoSid
 class vtkInkStippleMapper::vtkInternals
 {
 public:
-  /// What the stipples on the GPU were made from; modification times are unique, so no pointers are needed.
-  struct Source
-  {
-    vtkMTimeType Input;
-    vtkMTimeType Colors;
-    int PositionPrecision;
-    bool operator==(const Source&) const = default;
-  };
-
-  /// The depth image of one actor in one renderer.
-  struct Depth
-  {
-    vtkWeakPointer<vtkRenderer> Renderer;
-    vtkWeakPointer<vtkActor> Actor;
-    std::unique_ptr<InkStippleDepth> Image;
-  };
-
-  std::unique_ptr<InkStippleDepth>& FindDepth(vtkRenderer* renderer, vtkActor* actor)
-  {
-    std::erase_if(this->Depths, [](const Depth& d) { return !d.Renderer || !d.Actor; });
-    for (Depth& depth : this->Depths)
-    {
-      if (depth.Renderer == renderer && depth.Actor == actor)
-      {
-        return depth.Image;
-      }
-    }
-    Depth& depth = this->Depths.emplace_back();
-    depth.Renderer = renderer;
-    depth.Actor = actor;
-    return depth.Image;
-  }
-
   InkStipplePoints Points;
-  std::optional<Source> PointsSource; ///< what Points was read from
+  std::optional<InkStippleInput::Key> PointsKey; ///< of the input that Points was read from
   InkReportedMessages Reported;
-  std::unique_ptr<InkStipplePasses> Passes;
-  std::unique_ptr<InkStippleOccluder> Occluder;
-  std::vector<Depth> Depths;
-  unsigned long WindowObserver = 0;
+  InkWindowResources<InkStippleWindow> Windows;
+  vtkIdType Processed = 0; ///< stipples that the last picture had to look at
 };
 
 /// All that one picture of an actor depends on, put together.
 class vtkInkStippleMapper::vtkPicture
 {
 public:
-  vtkPicture(vtkInkStippleMapper* mapper, vtkRenderer* renderer, vtkActor* actor, const int size[2])
+  vtkPicture(vtkInkStippleMapper* mapper, InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor,
+    const int size[2])
     : View(renderer, actor, mapper, mapper->Internals->Points.GetFrame(), size)
-    , Occluder(FindOccluder(mapper, renderer, actor, this->View))
-    , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface(),
-        this->Occluder != nullptr && !actor->GetProperty()->GetBackfaceCulling()))
+    , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface()))
     , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
+    , Occluder(this->FindOccluder(mapper, window, renderer, actor))
     , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,
       FindOffset(mapper) * this->View.Unit, mapper->InkColor }
   {
+    this->Tone.twoSided = this->Occluder && !actor->GetProperty()->GetBackfaceCulling();
   }
   vtkPicture(const vtkPicture&) = delete;
   void operator=(const vtkPicture&) = delete;
 
 private:
-  static InkStippleDepth* FindOccluder(
-    vtkInkStippleMapper* mapper, vtkRenderer* renderer, vtkActor* actor, const InkView& view)
+  InkStippleDepth* FindOccluder(
+    vtkInkStippleMapper* mapper, InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor) const
   {
-    vtkInternals& internals = *mapper->Internals;
     vtkPolyData* surface = mapper->FindSurface();
     if (!surface)
     {
       return nullptr;
     }
-    if (!internals.Occluder)
-    {
-      internals.Occluder = std::make_unique<InkStippleOccluder>(internals.Passes->GetWindow());
-    }
-    internals.Occluder->Update(surface, internals.Points.GetFrame());
-    if (internals.Occluder->IsEmpty())
+    window.Occluder.Update(surface, mapper->Internals->Points.GetFrame());
+    if (window.Occluder.IsEmpty())
     {
       return nullptr;
     }
-    std::unique_ptr<InkStippleDepth>& depth = internals.FindDepth(renderer, actor);
-    internals.Occluder->Draw(view, depth);
+    std::unique_ptr<InkStippleDepth>& depth = window.FindDepth(renderer, actor);
+    window.Occluder.Draw(this->View, window.Passes.FindReach(this->View, this->Tone, this->ToneView), depth);
     if (!depth->Complete)
     {
       mapper->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden stipples need.");
@@ -185,9 +140,9 @@ private:
   }
 
   const InkView View;
-  InkStippleDepth* const Occluder;
-  const ink::StippleTone Tone;
+  ink::StippleTone Tone;
   const InkStippleView ToneView;
+  InkStippleDepth* const Occluder;
 
 public:
   const InkStipplePasses::Scene Scene;
@@ -200,10 +155,7 @@ vtkInkStippleMapper::vtkInkStippleMapper()
   this->ScalarVisibility = 0;
 }
 
-vtkInkStippleMapper::~vtkInkStippleMapper()
-{
-  this->ReleaseWindow();
-}
+vtkInkStippleMapper::~vtkInkStippleMapper() = default;
 
 int vtkInkStippleMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -218,16 +170,8 @@ int vtkInkStippleMapper::FillInputPortInformation(int port, vtkInformation* info
 
 void vtkInkStippleMapper::SetSurfaceData(vtkPolyData* surface)
 {
-  if (surface)
-  {
-    vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(surface);
-    this->SetInputConnection(1, producer->GetOutputPort());
-  }
-  else
-  {
-    this->SetInputConnection(1, nullptr);
-  }
+  // Changes nothing where it is the same.
+  this->SetInputDataObject(1, surface);
 }
 
 void vtkInkStippleMapper::SetSurfaceConnection(vtkAlgorithmOutput* surface)
@@ -275,19 +219,19 @@ void vtkInkStippleMapper::ComputeBounds()
   }
 }
 
-bool vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
+InkStippleWindow* vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
 {
   vtkInternals& internals = *this->Internals;
   vtkPolyData* input = this->GetInput();
   if (!input || input->GetNumberOfPoints() == 0)
   {
-    return false;
+    return nullptr;
   }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window)
+  auto* renderWindow = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!renderWindow)
   {
     this->ReportOnce("Stipples need a vtkOpenGLRenderWindow.");
-    return false;
+    return nullptr;
   }
   vtkPlaneCollection* planes = this->GetClippingPlanes();
   if (planes && planes->GetNumberOfItems() > InkView::MaximumClippingPlanes)
@@ -298,53 +242,25 @@ bool vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
     this->ReportOnce(message.str());
   }
 
-  if (internals.Passes && internals.Passes->GetWindow() != window)
-  {
-    this->ReleaseWindow();
-    window->MakeCurrent();
-  }
-  int byCell = 0;
-  vtkUnsignedCharArray* colors = this->ScalarVisibility ? this->MapScalars(input, 1.0, byCell) : nullptr;
+  InkStippleWindow& window = internals.Windows.Get(renderWindow);
   const InkStippleInput found(input);
-  if (colors && (byCell != 1 || colors->GetNumberOfTuples() != input->GetNumberOfCells()))
+  const InkStippleWindow::Source source{ found.GetKey(), this->PositionPrecision };
+  if ((window.Stipples != source || internals.PointsKey != source.Input) &&
+    !this->UploadStipples(found, window))
   {
-    this->ReportOnce("Expected cell scalars, one for each element, to colour stipples by; found others.");
-    colors = nullptr;
+    return nullptr;
   }
-  const vtkInternals::Source source{ found.GetTime(), colors ? colors->GetMTime() : 0,
-    this->PositionPrecision };
-  if (!internals.Passes || internals.PointsSource != source)
+  const InkScalarColors colors(this, input, InkScalarColors::Of::Cells);
+  if (!colors.GetProblem().empty())
   {
-    const std::string problem = found.FindProblem();
-    if (!problem.empty())
-    {
-      this->ReportOnce(problem);
-      return false;
-    }
-    if (!internals.Passes)
-    {
-      internals.Passes = std::make_unique<InkStipplePasses>(window);
-      // A window that never knew this mapper's actor does not release it either.
-      internals.WindowObserver =
-        window->AddObserver(vtkCommand::DeleteEvent, this, &vtkInkStippleMapper::ReleaseWindow);
-    }
-    const std::string left = internals.Points.Read(found, colors);
-    const std::string refused =
-      internals.Passes->Upload(internals.Points, this->PositionPrecision == QUANTIZED);
-    internals.Points.ReleaseArrays();
-    internals.PointsSource = source;
-    for (const std::string& message : { left, refused })
-    {
-      if (!message.empty())
-      {
-        this->ReportOnce(message);
-      }
-    }
-    if (!refused.empty())
-    {
-      internals.PointsSource.reset();
-      return false;
-    }
+    this->ReportOnce(colors.GetProblem());
+  }
+  std::string description = colors.Describe();
+  if (window.Colors != description)
+  {
+    window.Passes.UploadColors(
+      colors.Exist() ? internals.Points.OrderColors(colors.Map()) : std::vector<std::uint32_t>());
+    window.Colors = std::move(description);
   }
   if (internals.Points.GetNumberOfStipples() == 0)
   {
@@ -352,8 +268,38 @@ bool vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
     message << "None of the " << input->GetNumberOfPoints()
             << " stipples has a finite position and an element with a normal that is not zero.";
     this->ReportOnce(message.str());
+    return nullptr;
+  }
+  return &window;
+}
+
+bool vtkInkStippleMapper::UploadStipples(const InkStippleInput& input, InkStippleWindow& window)
+{
+  window.Stipples.reset();
+  window.Colors.reset();
+  const std::string problem = input.FindProblem();
+  if (!problem.empty())
+  {
+    this->ReportOnce(problem);
     return false;
   }
+  InkStipplePoints& points = this->Internals->Points;
+  const std::string left = points.Read(input);
+  this->Internals->PointsKey = input.GetKey();
+  const std::string refused = window.Passes.Upload(points, this->PositionPrecision == QUANTIZED);
+  points.ReleaseArrays();
+  for (const std::string& message : { left, refused })
+  {
+    if (!message.empty())
+    {
+      this->ReportOnce(message);
+    }
+  }
+  if (!refused.empty())
+  {
+    return false;
+  }
+  window.Stipples = { input.GetKey(), this->PositionPrecision };
   return true;
 }
 
@@ -379,9 +325,10 @@ void vtkInkStippleMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       selector->RenderCompositeIndex(1);
     }
   }
-  if (this->UpdateStipples(renderer))
+  if (InkStippleWindow* window = this->UpdateStipples(renderer))
   {
-    this->Draw(renderer, actor, selector);
+    this->Draw(*window, renderer, actor, selector);
+    this->Internals->Processed = window->Passes.GetNumberOfProcessedStipples();
   }
   if (selector)
   {
@@ -390,9 +337,10 @@ void vtkInkStippleMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateProgress(1.0);
 }
 
-void vtkInkStippleMapper::Draw(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
+void vtkInkStippleMapper::Draw(
+  InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
 {
-  InkStipplePasses& passes = *this->Internals->Passes;
+  InkStipplePasses& passes = window.Passes;
   // Not the renderer's own: depth peeling draws into buffers of its own.
   int viewport[4];
   passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
@@ -400,7 +348,7 @@ void vtkInkStippleMapper::Draw(vtkRenderer* renderer, vtkActor* actor, vtkHardwa
   {
     return;
   }
-  const vtkPicture picture(this, renderer, actor, viewport + 2);
+  const vtkPicture picture(this, window, renderer, actor, viewport + 2);
   if (!selector)
   {
     passes.Draw(picture.Scene, viewport, actor->GetProperty()->GetOpacity(), InkRenderPasses(this, actor));
@@ -439,13 +387,14 @@ bool vtkInkStippleMapper::FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkF
   }
   renderer->GetRenderWindow()->MakeCurrent();
   const int* size = renderer->GetSize();
-  if (size[0] <= 0 || size[1] <= 0 || !this->UpdateStipples(renderer))
+  InkStippleWindow* window = size[0] > 0 && size[1] > 0 ? this->UpdateStipples(renderer) : nullptr;
+  if (!window)
   {
     return false;
   }
-  const vtkPicture picture(this, renderer, actor, size);
+  const vtkPicture picture(this, *window, renderer, actor, size);
   const vtkIdType count = this->GetInput()->GetNumberOfPoints();
-  const std::vector<float> results = this->Internals->Passes->FindResults(picture.Scene, count);
+  const std::vector<float> results = window->Passes.FindResults(picture.Scene, count);
   if (results.empty())
   {
     return false;
@@ -455,80 +404,29 @@ bool vtkInkStippleMapper::FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkF
   return true;
 }
 
-void vtkInkStippleMapper::ReleaseWindow()
-{
-  vtkInternals& internals = *this->Internals;
-  if (internals.Passes)
-  {
-    vtkOpenGLRenderWindow* window = internals.Passes->GetWindow();
-    window->RemoveObserver(internals.WindowObserver);
-    window->PushContext();
-    internals.Depths.clear();
-    internals.Occluder.reset();
-    internals.Passes.reset();
-    window->PopContext();
-  }
-}
-
 void vtkInkStippleMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->ReleaseWindow();
+  this->Internals->Windows.Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 vtkMTimeType vtkInkStippleMapper::GetUploadTime()
 {
-  return this->Internals->Passes ? this->Internals->Passes->GetUploadTime() : 0;
+  vtkMTimeType latest = 0;
+  this->Internals->Windows.ForEach(
+    [&](const InkStippleWindow& window) { latest = std::max(latest, window.Passes.GetUploadTime()); });
+  return latest;
+}
+
+vtkMTimeType vtkInkStippleMapper::GetColorUploadTime()
+{
+  vtkMTimeType latest = 0;
+  this->Internals->Windows.ForEach(
+    [&](const InkStippleWindow& window) { latest = std::max(latest, window.Passes.GetColorUploadTime()); });
+  return latest;
 }
 
 vtkIdType vtkInkStippleMapper::GetNumberOfProcessedStipples()
 {
-  return this->Internals->Passes ? this->Internals->Passes->GetNumberOfProcessedStipples() : 0;
-}
-
-void vtkInkStippleMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Boundary: " << (this->Boundary ? "On" : "Off") << "\n";
-  os << indent << "Kgc: " << this->Kgc << "\n";
-  os << indent << "Kgs: " << this->Kgs << "\n";
-  os << indent << "Kge: " << this->Kge << "\n";
-  os << indent << "Silhouette: " << (this->Silhouette ? "On" : "Off") << "\n";
-  os << indent << "Ksc: " << this->Ksc << "\n";
-  os << indent << "Kss: " << this->Kss << "\n";
-  os << indent << "Kse: " << this->Kse << "\n";
-  os << indent << "Resolution: " << (this->Resolution ? "On" : "Off") << "\n";
-  os << indent << "Krc: " << this->Krc << "\n";
-  os << indent << "Knz: " << this->Knz << "\n";
-  os << indent << "Lighting: " << (this->Lighting ? "On" : "Off") << "\n";
-  os << indent << "Kle: " << this->Kle << "\n";
-  os << indent << "FacingAngle: " << this->FacingAngle << "\n";
-  os << indent << "Headlight: " << (this->Headlight ? "On" : "Off") << "\n";
-  os << indent << "LightInk: " << (this->LightInk ? "On" : "Off") << "\n";
-  os << indent << "Distance: " << (this->Distance ? "On" : "Off") << "\n";
-  os << indent << "Kde: " << this->Kde << "\n";
-  os << indent << "DistanceSize: " << this->DistanceSize << "\n";
-  os << indent << "Interior: " << (this->Interior ? "On" : "Off") << "\n";
-  os << indent << "Kie: " << this->Kie << "\n";
-  os << indent << "InteriorSize: " << this->InteriorSize << "\n";
-  os << indent << "ValueEffect: " << this->ValueEffect << "\n";
-  os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
-  os << indent << "StippleSize: " << this->StippleSize << "\n";
-  os << indent << "Growing: " << (this->Growing ? "On" : "Off") << "\n";
-  os << indent << "SmallElements: " << this->SmallElements << "\n";
-  os << indent << "MinimumCoverage: " << this->MinimumCoverage << "\n";
-  os << indent << "Fade: " << this->Fade << "\n";
-  os << indent << "AppearBySize: " << (this->AppearBySize ? "On" : "Off") << "\n";
-  os << indent << "WarmCool: " << this->WarmCool << "\n";
-  os << indent << "ToneWeight: " << this->ToneWeight << "\n";
-  os << indent << "DistanceWeight: " << this->DistanceWeight << "\n";
-  os << indent << "WarmColor: " << this->WarmColor[0] << ' ' << this->WarmColor[1] << ' '
-     << this->WarmColor[2] << "\n";
-  os << indent << "CoolColor: " << this->CoolColor[0] << ' ' << this->CoolColor[1] << ' '
-     << this->CoolColor[2] << "\n";
-  os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
-     << "\n";
-  os << indent << "OccluderOffset: " << this->OccluderOffset << "\n";
-  os << indent << "SurfaceFromInput: " << (this->SurfaceFromInput ? "On" : "Off") << "\n";
-  os << indent << "PositionPrecision: " << this->PositionPrecision << "\n";
+  return this->Internals->Processed;
 }

@@ -21,7 +21,7 @@
  * of volumes, `GradientMagnitude` and `Value` (0 to 1); field data `ElementSize` (world units), `ElementKind`
  * (0 volume, 1 surface), `StipplesPerElement`. Elements whose normal is zero and what is not finite are not
  * drawn. With ScalarVisibility on (it is off by default), cell scalars colour the elements through the lookup
- * table.
+ * table, whose opacities make stipples paler.
  *
  * A surface (SetSurfaceConnection, SetSurfaceData; or the generator's own input, see SurfaceFromInput) hides
  * the stipples behind it: a mesh its own, or an iso-surface those of a volume, which are see-through
@@ -31,19 +31,23 @@
  * Stipples are blended over what lies behind them, in the renderer's translucent pass or with
  * vtkInkStippleActor, which is faster, after it, with the opacity of the actor's property. No stipple is
  * larger than the largest point of the OpenGL in use. Hardware selection finds the actor and the stipples. Up
- * to 6 clipping planes.
+ * to 6 clipping planes. Numbers are kept within their ranges, colours within 0..1; what is no number is
+ * refused with a warning.
  *
  * @sa vtkInkStippleActor vtkInkStippleControls vtkInkSplattingLinesMapper
  */
 #ifndef vtkInkStippleMapper_h
 #define vtkInkStippleMapper_h
 
+#include "InkSetters.h"                   // for the setters
 #include "vtkInkRenderingStippleModule.h" // for the export macro
 #include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for error messages
 
+class InkStippleWindow;
+struct InkStippleInput;
 class vtkFloatArray;
 class vtkHardwareSelector;
 
@@ -53,6 +57,9 @@ public:
   static vtkInkStippleMapper* New();
   vtkTypeMacro(vtkInkStippleMapper, vtkPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// All parameters and both inputs of another mapper, as far as it has them.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   ///@{
   /**
@@ -77,7 +84,7 @@ public:
    * k_gc: what every voxel gets, whatever its gradient; more stipples with a larger one. 0 to 10; default:
    * 0.2.
    */
-  vtkSetClampMacro(Kgc, double, 0.0, 10.0);
+  InkSetClampMacro(Kgc, 0.0, 10.0);
   vtkGetMacro(Kgc, double);
   ///@}
 
@@ -86,7 +93,7 @@ public:
    * k_gs: what the gradient's magnitude adds; more stipples on boundaries with a larger one. 0 to 10;
    * default: 1.
    */
-  vtkSetClampMacro(Kgs, double, 0.0, 10.0);
+  InkSetClampMacro(Kgs, 0.0, 10.0);
   vtkGetMacro(Kgs, double);
   ///@}
 
@@ -94,7 +101,7 @@ public:
   /**
    * k_ge: sharpness; with a larger one only the largest gradients get stipples. 0 to 20; default: 1.
    */
-  vtkSetClampMacro(Kge, double, 0.0, 20.0);
+  InkSetClampMacro(Kge, 0.0, 20.0);
   vtkGetMacro(Kge, double);
   ///@}
 
@@ -111,7 +118,7 @@ public:
   /**
    * k_sc: what every voxel gets, whatever its orientation. 0 to 10; default: 0.3.
    */
-  vtkSetClampMacro(Ksc, double, 0.0, 10.0);
+  InkSetClampMacro(Ksc, 0.0, 10.0);
   vtkGetMacro(Ksc, double);
   ///@}
 
@@ -119,7 +126,7 @@ public:
   /**
    * k_ss: what silhouettes get in addition. 0 to 10; default: 2.
    */
-  vtkSetClampMacro(Kss, double, 0.0, 10.0);
+  InkSetClampMacro(Kss, 0.0, 10.0);
   vtkGetMacro(Kss, double);
   ///@}
 
@@ -127,7 +134,7 @@ public:
   /**
    * k_se: sharpness; silhouettes are thinner with a smaller one. 0.01 to 20; default: 0.5.
    */
-  vtkSetClampMacro(Kse, double, 0.01, 20.0);
+  InkSetClampMacro(Kse, 0.01, 20.0);
   vtkGetMacro(Kse, double);
   ///@}
 
@@ -146,7 +153,7 @@ public:
    * k_rc: exponent of the distance; the pattern is even with -2, denser far away with a larger one. -8 to 0;
    * default: -2.
    */
-  vtkSetClampMacro(Krc, double, -8.0, 0.0);
+  InkSetClampMacro(Krc, -8.0, 0.0);
   vtkGetMacro(Krc, double);
   ///@}
 
@@ -155,7 +162,7 @@ public:
    * k_nz: exponent of the slant; the pattern is even with 1, denser where seen edge-on with a smaller one.
    * 0 to 8; default: 1.
    */
-  vtkSetClampMacro(Knz, double, 0.0, 8.0);
+  InkSetClampMacro(Knz, 0.0, 8.0);
   vtkGetMacro(Knz, double);
   ///@}
 
@@ -173,7 +180,7 @@ public:
   /**
    * k_le: exponent of the light; more is lit with a smaller one. 0.01 to 20; default: 1.
    */
-  vtkSetClampMacro(Kle, double, 0.01, 20.0);
+  InkSetClampMacro(Kle, 0.01, 20.0);
   vtkGetMacro(Kle, double);
   ///@}
 
@@ -182,7 +189,7 @@ public:
    * The largest angle between a voxel's normal and the eye at which lit volumes are drawn, in degrees. 0 to
    * 180 (all); default: 90.
    */
-  vtkSetClampMacro(FacingAngle, double, 0.0, 180.0);
+  InkSetClampMacro(FacingAngle, 0.0, 180.0);
   vtkGetMacro(FacingAngle, double);
   ///@}
 
@@ -218,7 +225,7 @@ public:
   /**
    * k_de: with a larger one only the nearest and the farthest parts differ. 0.01 to 20; default: 1.
    */
-  vtkSetClampMacro(Kde, double, 0.01, 20.0);
+  InkSetClampMacro(Kde, 0.01, 20.0);
   vtkGetMacro(Kde, double);
   ///@}
 
@@ -226,7 +233,7 @@ public:
   /**
    * How far the diameter follows the distance: 0 not at all, 1 as the number does. Default: 0.5.
    */
-  vtkSetClampMacro(DistanceSize, double, 0.0, 1.0);
+  InkSetClampMacro(DistanceSize, 0.0, 1.0);
   vtkGetMacro(DistanceSize, double);
   ///@}
 
@@ -244,7 +251,7 @@ public:
   /**
    * k_ie: more is see-through with a larger one. 0 to 20; default: 1.
    */
-  vtkSetClampMacro(Kie, double, 0.0, 20.0);
+  InkSetClampMacro(Kie, 0.0, 20.0);
   vtkGetMacro(Kie, double);
   ///@}
 
@@ -252,7 +259,7 @@ public:
   /**
    * How far the diameter follows the interior enhancement: 0 not at all, 1 as the number does. Default: 0.5.
    */
-  vtkSetClampMacro(InteriorSize, double, 0.0, 1.0);
+  InkSetClampMacro(InteriorSize, 0.0, 1.0);
   vtkGetMacro(InteriorSize, double);
   ///@}
 
@@ -262,7 +269,7 @@ public:
    * v^ValueEffect. 0 (not at all) to 1 (default: as in Table 1); parts with small values are darker with a
    * smaller one.
    */
-  vtkSetClampMacro(ValueEffect, double, 0.0, 1.0);
+  InkSetClampMacro(ValueEffect, 0.0, 1.0);
   vtkGetMacro(ValueEffect, double);
   ///@}
 
@@ -271,7 +278,7 @@ public:
    * How many pixels of an element's projection make room for one stipple (section 4.3; the paper has 1); the
    * drawing is darker with a smaller one. 0.1 to 1000; default: 4.
    */
-  vtkSetClampMacro(PixelsPerStipple, double, 0.1, 1000.0);
+  InkSetClampMacro(PixelsPerStipple, 0.1, 1000.0);
   vtkGetMacro(PixelsPerStipple, double);
   ///@}
 
@@ -279,7 +286,7 @@ public:
   /**
    * The stipples' diameter in pixels, before distance and interior change it. 0.1 to 100; default: 2.
    */
-  vtkSetClampMacro(StippleSize, double, 0.1, 100.0);
+  InkSetClampMacro(StippleSize, 0.1, 100.0);
   vtkGetMacro(StippleSize, double);
   ///@}
 
@@ -303,10 +310,15 @@ public:
   ///@{
   /**
    * How elements that are too small for a pattern keep their grey: INTENSITY (default), which is smooth in
-   * motion, or PROBABILITY, which has black stipples only.
+   * motion, or PROBABILITY, which has black stipples only. An element's random value comes from the cell's
+   * global id where the input has those, else from the place of its first stipple: the same on any number of
+   * processes.
    */
   vtkSetClampMacro(SmallElements, int, INTENSITY, PROBABILITY);
   vtkGetMacro(SmallElements, int);
+  void SetSmallElementsToIntensity() { this->SetSmallElements(INTENSITY); }
+  void SetSmallElementsToProbability() { this->SetSmallElements(PROBABILITY); }
+  const char* GetSmallElementsAsString();
   ///@}
 
   ///@{
@@ -314,7 +326,7 @@ public:
    * The room for stipples, in stipples, below which elements count as small (section 5.2). 2 to 9;
    * default: 9.
    */
-  vtkSetClampMacro(MinimumCoverage, double, 2.0, 9.0);
+  InkSetClampMacro(MinimumCoverage, 2.0, 9.0);
   vtkGetMacro(MinimumCoverage, double);
   ///@}
 
@@ -323,7 +335,7 @@ public:
    * Over how large a part of a stipple stipples of larger elements appear and vanish: 0 suddenly, 1 evenly.
    * Default: 1.
    */
-  vtkSetClampMacro(Fade, double, 0.0, 1.0);
+  InkSetClampMacro(Fade, 0.0, 1.0);
   vtkGetMacro(Fade, double);
   ///@}
 
@@ -341,7 +353,7 @@ public:
    * How far warm and cool colours replace the stipples' own (section 5.7): 0 not at all, 1 altogether.
    * Default: 0.
    */
-  vtkSetClampMacro(WarmCool, double, 0.0, 1.0);
+  InkSetClampMacro(WarmCool, 0.0, 1.0);
   vtkGetMacro(WarmCool, double);
   ///@}
 
@@ -349,7 +361,7 @@ public:
   /**
    * How much the orientation towards the light decides between warm and cool. 0 to 1; default: 1.
    */
-  vtkSetClampMacro(ToneWeight, double, 0.0, 1.0);
+  InkSetClampMacro(ToneWeight, 0.0, 1.0);
   vtkGetMacro(ToneWeight, double);
   ///@}
 
@@ -357,7 +369,7 @@ public:
   /**
    * How much the distance decides between warm (near) and cool (far). 0 to 1; default: 0.
    */
-  vtkSetClampMacro(DistanceWeight, double, 0.0, 1.0);
+  InkSetClampMacro(DistanceWeight, 0.0, 1.0);
   vtkGetMacro(DistanceWeight, double);
   ///@}
 
@@ -365,7 +377,7 @@ public:
   /**
    * The warm colour, RGB in 0..1, blended with the cool one by hue, lightness and saturation. Default: red.
    */
-  vtkSetVector3Macro(WarmColor, double);
+  InkSetColorMacro(WarmColor);
   vtkGetVector3Macro(WarmColor, double);
   ///@}
 
@@ -373,7 +385,7 @@ public:
   /**
    * The cool colour, RGB in 0..1. Default: blue.
    */
-  vtkSetVector3Macro(CoolColor, double);
+  InkSetColorMacro(CoolColor);
   vtkGetVector3Macro(CoolColor, double);
   ///@}
 
@@ -381,7 +393,7 @@ public:
   /**
    * Colour of the stipples where ScalarVisibility is off, as it is by default; RGB in 0..1. Default: black.
    */
-  vtkSetVector3Macro(InkColor, double);
+  InkSetColorMacro(InkColor);
   vtkGetVector3Macro(InkColor, double);
   ///@}
 
@@ -390,7 +402,7 @@ public:
    * How far in elements' sizes stipples may lie behind the hiding surface and still be seen; -1 (default):
    * a tenth on surfaces, one and a half for volumes. -1 to 100.
    */
-  vtkSetClampMacro(OccluderOffset, double, -1.0, 100.0);
+  InkSetClampMacro(OccluderOffset, -1.0, 100.0);
   vtkGetMacro(OccluderOffset, double);
   ///@}
 
@@ -419,13 +431,22 @@ public:
    */
   vtkSetClampMacro(PositionPrecision, int, FLOAT, QUANTIZED);
   vtkGetMacro(PositionPrecision, int);
+  void SetPositionPrecisionToFloat() { this->SetPositionPrecision(FLOAT); }
+  void SetPositionPrecisionToQuantized() { this->SetPositionPrecision(QUANTIZED); }
+  const char* GetPositionPrecisionAsString();
   ///@}
 
   /**
    * When the stipples were last sent to the GPU, as a modification time; 0 before the first time. Only a
-   * change of the input, of its colours or of PositionPrecision sends them again.
+   * change of the input or of PositionPrecision sends them again, once to each window.
    */
   vtkMTimeType GetUploadTime();
+
+  /**
+   * The same of their colours by scalars. They are sent again when the scalars, the lookup table or what
+   * VTK's mappers have for colouring by them change, or when the stipples are.
+   */
+  vtkMTimeType GetColorUploadTime();
 
   /**
    * How many stipples the last picture had to look at; those that were left out as blocks are not among them.
@@ -459,12 +480,13 @@ private:
   vtkInkStippleMapper(const vtkInkStippleMapper&) = delete;
   void operator=(const vtkInkStippleMapper&) = delete;
 
-  bool UpdateStipples(vtkRenderer* renderer);
+  /// What the renderer's window has of the input, up to date; null where there is nothing to draw.
+  InkStippleWindow* UpdateStipples(vtkRenderer* renderer);
+  bool UploadStipples(const InkStippleInput& input, InkStippleWindow& window);
   vtkPolyData* FindSurface();
   class vtkPicture;
-  void Draw(vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
+  void Draw(InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
   void ReportOnce(const std::string& error);
-  void ReleaseWindow();
 
   bool Boundary = true;
   double Kgc = 0.2;

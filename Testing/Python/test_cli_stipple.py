@@ -66,7 +66,7 @@ def test_same_stipples_on_any_number_of_threads(ink, volume_file, tmp_path):
     assert pictures[0] == pictures[1]
 
 
-@pytest.mark.parametrize("preset", ["anatomy", "bone", "soft-tissue", "engineering"])
+@pytest.mark.parametrize("preset", ["anatomy", "Bone", "soft-tissue", "engineering"])
 def test_presets_draw_on_white(stippled, volume_file, mesh_file, preset):
     for file in (volume_file, mesh_file):
         ink = stippled(file, "--preset", preset)

@@ -36,6 +36,7 @@ uniform vec4 clipPlanesVC[6];
 
 // The surface that hides stipples behind it; see the occluder's shaders.
 uniform sampler2D occluder;
+uniform float occluderMargin; // pixels that it shows on each side of the viewport
 uniform float occluderOffset; // view units towards the eye
 
 // StippleTone::View
@@ -252,11 +253,12 @@ void main()
     factors *= value * (silhouette.x + silhouette.y * (1.0 - power(slant, silhouette.z)));
   }
   float byDistance = 1.0;
-  if (resolutionOn)
+  if (eyeVC.w != 0.0)
   {
-    byDistance = eyeVC.w == 0.0 ? 1.0 : power(distanceFromEye / nearest, resolution.x);
-    factors *= power(slant, resolution.y);
+    float ratio = max(distanceFromEye / nearest, 1e-4);
+    byDistance = power(ratio, ratio < 1.0 ? -2.0 : (resolutionOn ? resolution.x : 0.0));
   }
+  factors *= resolutionOn ? power(slant, resolution.y) : 1.0;
   if (lightingOn)
   {
     factors *= lightInk ? lit : 1.0 - lit;
@@ -278,7 +280,9 @@ void main()
   }
 
 #ifdef INK_COLORS
-  vec3 color = ownColors ? texelFetch(elementColors, element).rgb : inkColor;
+  vec4 own = ownColors ? texelFetch(elementColors, element) : vec4(inkColor, 1.0);
+  opacity *= own.a;
+  vec3 color = own.rgb;
   float weights = warmCool.x + warmCool.y;
   if (warmCool.z > 0.0 && weights > 0.0)
   {
@@ -302,7 +306,8 @@ void main()
     // behind the eye.
     float lift = min(occluderOffset / max(slant, 0.25), max(0.5 * distanceFromEye, 0.0));
     vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
-    float hides = texelFetch(occluder, ivec2(clamp(centerPixel, vec2(0.0), viewportSize - 1.0)), 0).r;
+    vec2 last = viewportSize + 2.0 * occluderMargin - 1.0;
+    float hides = texelFetch(occluder, ivec2(clamp(centerPixel + occluderMargin, vec2(0.0), last)), 0).r;
     opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
   }
 #endif

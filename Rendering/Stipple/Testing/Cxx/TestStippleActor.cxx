@@ -8,14 +8,26 @@
 #include "vtkInkStippleActor.h"
 
 #include "vtkAssembly.h"
+#include "vtkCameraPass.h"
+#include "vtkDualDepthPeelingPass.h"
 #include "vtkHardwareSelector.h"
+#include "vtkLightsPass.h"
+#include "vtkOpaquePass.h"
+#include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkSequencePass.h"
 #include "vtkSphereSource.h"
+#include "vtkTranslucentPass.h"
 #include "vtkVolume.h"
+#include "vtkVolumetricPass.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -150,6 +162,82 @@ void TestSelection(InkTestChecks& check)
   check(expected > 100 && count(scene) == expected, "all ", expected, " selected stipples, ", count(scene));
 }
 
+/// A pass that knows of none of the others: opaque and translucent props.
+class OwnPass : public vtkRenderPass
+{
+public:
+  static OwnPass* New() { return new OwnPass; }
+  vtkTypeMacro(OwnPass, vtkRenderPass);
+  void Render(const vtkRenderState* state) override
+  {
+    this->Opaque->Render(state);
+    this->Translucent->Render(state);
+  }
+
+private:
+  vtkNew<vtkOpaquePass> Opaque;
+  vtkNew<vtkTranslucentPass> Translucent;
+};
+
+/// In every chain of passes that draws vtkActor's stipples, and once where there are passes for both.
+void TestPasses(InkTestChecks& check)
+{
+  Scene usual(false);
+  const InkTestImage expected(usual.Window);
+
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkNew<vtkVolumetricPass> volumetric;
+  vtkNew<vtkOrderIndependentTranslucentPass> anyOrder;
+  anyOrder->SetTranslucentPass(translucent);
+  vtkNew<vtkDualDepthPeelingPass> peeling;
+  peeling->SetTranslucentPass(translucent);
+  peeling->SetMaximumNumberOfPeels(20);
+  vtkNew<vtkDefaultPass> all;
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<OwnPass> own;
+  const std::pair<const char*, std::vector<vtkRenderPass*>> chains[] = {
+    { "opaque, translucent", { lights, opaque, translucent } },
+    { "opaque, translucent in any order", { lights, opaque, anyOrder } },
+    { "opaque, peeled", { lights, opaque, peeling } },
+    { "opaque, translucent, volumes", { lights, opaque, translucent, volumetric } },
+    { "opaque, translucent in any order, volumes", { lights, opaque, anyOrder, volumetric } },
+    { "opaque, volumes", { lights, opaque, volumetric } },
+    { "all", { lights, all } },
+    { "a pass of another library", { lights, own } },
+    { "VTK's steps", {} },
+  };
+  for (const auto& [name, passes] : chains)
+  {
+    Scene scene(true);
+    vtkNew<vtkRenderPassCollection> collection;
+    for (vtkRenderPass* pass : passes)
+    {
+      collection->AddItem(pass);
+    }
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(collection);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(sequence);
+    scene.Renderer->SetPass(passes.empty() ? static_cast<vtkRenderPass*>(steps) : camera);
+    for (int picture = 0; picture < 2; ++picture)
+    {
+      const InkTestImage found(scene.Window);
+      check(found.CountDifferent(expected, 24) < 40 && std::abs(found.Ink() / expected.Ink() - 1.0) < 0.02,
+        "vtkActor's picture in the chain ", name, ": ", found.CountDifferent(expected, 24),
+        " pixels differ, ink ", expected.Ink(), ", found ", found.Ink());
+    }
+    scene.Renderer->SetPass(nullptr);
+    check(InkTestImage(scene.Window).CountDifferent(expected, 24) < 40, "after the chain ", name);
+    for (vtkRenderPass* pass : passes)
+    {
+      pass->ReleaseGraphicsResources(scene.Window);
+    }
+    steps->ReleaseGraphicsResources(scene.Window);
+  }
+}
+
 } // namespace
 
 int TestStippleActor(int, char*[])
@@ -159,5 +247,6 @@ int TestStippleActor(int, char*[])
   TestBehindSurfaces(check);
   TestBesideTranslucent(check);
   TestSelection(check);
+  TestPasses(check);
   return check.Result();
 }

@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
@@ -15,6 +16,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -146,6 +148,105 @@ void TestPassedOver(InkTestChecks& check)
   check(InkTestImage(other.Window).Ink() > 10.0, "ink");
 }
 
+/// An array of another picture takes the place of one, which all the others are younger than.
+void TestExchangedArrays(InkTestChecks& check)
+{
+  auto older = vtkSmartPointer<vtkFloatArray>::New();
+  older->SetName("Value");
+  older->SetNumberOfValues(Voxels()->GetNumberOfCells());
+  older->Fill(0.1);
+  auto data = Voxels();
+  StippleScene scene(data);
+  const double before = InkTestImage(scene.Window).Ink();
+  const vtkMTimeType time = scene.Mapper->GetUploadTime();
+  auto younger = vtkSmartPointer<vtkDataArray>(data->GetCellData()->GetArray("Value"));
+  data->GetCellData()->AddArray(older);
+  const double pale = InkTestImage(scene.Window).Ink();
+  check(
+    scene.Mapper->GetUploadTime() > time && pale < 0.1 * before, "small values, ink ", before, " to ", pale);
+  data->GetCellData()->AddArray(younger);
+  check(InkTestImage(scene.Window).Ink() == before, "the first picture again");
+}
+
+/// The elements of stipples in another order, as another number of processes would have them.
+vtkSmartPointer<vtkPolyData> Reorder(vtkPolyData* data, const std::vector<vtkIdType>& order)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(data->GetPoints()->GetDataType());
+  vtkNew<vtkCellArray> cells;
+  result->GetCellData()->CopyAllOn();
+  result->GetCellData()->CopyAllocate(data->GetCellData());
+  for (const vtkIdType id : order)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    data->GetVerts()->GetCellAtId(id, size, ids);
+    result->GetCellData()->CopyData(data->GetCellData(), id, cells->InsertNextCell(static_cast<int>(size)));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(data->GetPoint(ids[i])));
+    }
+  }
+  result->SetPoints(points);
+  result->SetVerts(cells);
+  result->SetFieldData(data->GetFieldData());
+  return result;
+}
+
+/// Pictures are the same to the last pixel whatever the order of the elements, also where chance decides and
+/// where pale dots are drawn more rarely; global ids, where there are any, are what chance goes by.
+void TestOrder(InkTestChecks& check)
+{
+  auto data = InkTestStipples::SphereVoxels(1.0, 0.08, 6);
+  std::vector<vtkIdType> order;
+  for (vtkIdType part = 0; part < 3; ++part)
+  {
+    for (vtkIdType id = 2 - part; id < data->GetNumberOfCells(); id += 3)
+    {
+      order.push_back(id);
+    }
+  }
+  for (const bool peeled : { false, true })
+  {
+    const auto draw = [&](vtkPolyData* stipples)
+    {
+      StippleScene scene(stipples);
+      scene.Mapper->SetSmallElements(vtkInkStippleMapper::PROBABILITY);
+      scene.Mapper->SetPixelsPerStipple(30.0);
+      // In 8 bits.
+      scene.Renderer->SetUseDepthPeeling(peeled);
+      scene.Mapper->SetWarmCool(1.0);
+      return InkTestImage(scene.Window);
+    };
+    const InkTestImage expected = draw(data);
+    const int different = draw(Reorder(data, order)).CountDifferent(expected);
+    check(expected.Ink() > 100.0 && different == 0, "the same picture in another order",
+      peeled ? ", peeled" : "", ", but for ", different, " pixels");
+
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("Ids");
+    for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
+    {
+      ids->InsertNextValue(id);
+    }
+    auto named = vtkSmartPointer<vtkPolyData>::New();
+    named->ShallowCopy(data);
+    named->GetCellData()->SetGlobalIds(ids);
+    const InkTestImage byIds = draw(named);
+    check(byIds.CountDifferent(expected, 30) > 100, "other stipples by global ids");
+    auto reordered = Reorder(data, order);
+    vtkNew<vtkIdTypeArray> reorderedIds;
+    reorderedIds->SetName("Ids");
+    for (const vtkIdType id : order)
+    {
+      reorderedIds->InsertNextValue(id);
+    }
+    reordered->GetCellData()->SetGlobalIds(reorderedIds);
+    check(draw(reordered).CountDifferent(byIds) == 0, "the same picture in another order by global ids");
+  }
+}
+
 /// A single stipple, and field data that say nothing of kind and number.
 void TestLittle(InkTestChecks& check)
 {
@@ -170,5 +271,7 @@ int TestStippleInput(int, char*[])
   TestEmpty(check);
   TestPassedOver(check);
   TestLittle(check);
+  TestExchangedArrays(check);
+  TestOrder(check);
   return check.Result();
 }

@@ -16,6 +16,7 @@
 #include "vtkMatrix4x4.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
@@ -90,9 +91,9 @@ void Compare(
   ink::StippleTone::View view{};
   view.listed = float(field("StipplesPerElement"));
   view.parallel = camera->GetParallelProjection();
-  view.nearest = float(std::max(nearest, camera->GetClippingRange()[0]));
   view.middle = float(0.5 * (nearest + farthest));
   view.halfRange = float(0.5 * (farthest - nearest));
+  view.nearest = ink::Resolution::nearestDistance(view.middle, view.halfRange);
   const int height = scene.Renderer->GetSize()[1];
   const double pixel = view.parallel
     ? 2.0 * camera->GetParallelScale() / height
@@ -103,8 +104,7 @@ void Compare(
       float(field("ElementSize")), float(pixel * (view.parallel ? 1.0 : distance)), tone.pixelsPerStipple);
   };
   view.maximumStipples = maximumAt(view.nearest);
-  view.smallness =
-    tone.smallElements.weight(maximumAt(std::max<double>(view.middle, camera->GetClippingRange()[0])));
+  view.smallness = tone.smallElements.weight(maximumAt(std::max(view.middle, view.halfRange)));
   const double* from = light->GetPosition();
   const glm::dvec3 source(from[0], from[1], from[2]);
   const glm::vec4 towards(Times(toView, glm::dvec4(glm::normalize(source), 0.0)));
@@ -127,6 +127,10 @@ void Compare(
   for (vtkIdType cell = 0; cell < stipples->GetNumberOfCells(); ++cell)
   {
     const vtkIdType length = stipples->GetVerts()->GetCellSize(cell);
+    double place[3];
+    stipples->GetPoint(point, place);
+    const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(place[axis] + 0.0); };
+    const float random = ink::unitFloat(ink::hash(ink::hash(0x5717b1e, bits(0), bits(1)), bits(2)));
     for (int rank = 0; rank < length; ++rank, ++point)
     {
       double p[3];
@@ -136,8 +140,8 @@ void Compare(
       const ink::StippleTone::Element element{ glm::vec3(Times(toView, { p[0], p[1], p[2], 1.0 })),
         glm::vec3(Times(toView, { n[0], n[1], n[2], 0.0 })),
         surface ? 1.0f : float(array("Value")->GetTuple1(cell)),
-        surface ? 1.0f : float(array("GradientMagnitude")->GetTuple1(cell)), float(length),
-        ink::unitFloat(ink::hash(0x5717b1e, static_cast<std::uint64_t>(cell))), glm::vec3(0.1f, 0.2f, 0.3f) };
+        surface ? 1.0f : float(array("GradientMagnitude")->GetTuple1(cell)), float(length), random,
+        glm::vec3(0.1f, 0.2f, 0.3f) };
       const auto mark = tone.mark(view, lights, element, rank);
       const double* shader = found->GetTuple(point);
       visible += mark.opacity > 0.0f;
@@ -279,6 +283,14 @@ int TestStippleShader(int, char*[])
       {
         s.Renderer->GetActiveCamera()->Dolly(2.5);
         s.Renderer->ResetCameraClippingRange();
+      } },
+    { "a view from just before it",
+      [&](StippleScene& s)
+      {
+        off(s);
+        s.Mapper->GrowingOff();
+        s.Renderer->GetActiveCamera()->SetPosition(0.2, 0.1, 1.3);
+        s.Renderer->GetActiveCamera()->SetClippingRange(0.01, 3.0);
       } },
     { "a far view",
       [](StippleScene& s)

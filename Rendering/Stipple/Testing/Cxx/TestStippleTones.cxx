@@ -192,6 +192,60 @@ void TestControls(InkTestChecks& check)
   }
 }
 
+/// A hundredth of a slider's way is a small step anywhere, at the ends above all, from any preset.
+void TestSlidersAreContinuous(InkTestChecks& check)
+{
+  auto voxels = InkTestStipples::SphereVoxels(1.0, 0.06, 16);
+  StippleScene scene(voxels);
+  scene.Renderer->SetBackground(0.5, 0.5, 0.5);
+  vtkNew<vtkInkStippleControls> controls;
+  const struct
+  {
+    const char* Name;
+    void (vtkInkStippleControls::*Set)(double);
+  } sliders[] = { { "gradient", &vtkInkStippleControls::SetGradient },
+    { "sharpness", &vtkInkStippleControls::SetSharpness },
+    { "orientation", &vtkInkStippleControls::SetOrientation },
+    { "distance", &vtkInkStippleControls::SetDistance }, { "interior", &vtkInkStippleControls::SetInterior },
+    { "color", &vtkInkStippleControls::SetColor } };
+  for (int preset = 0; preset < vtkInkStippleControls::GetNumberOfPresets(); ++preset)
+  {
+    controls->SetPreset(vtkInkStippleControls::GetPresetName(preset));
+    for (const auto& [name, set] : sliders)
+    {
+      controls->Reset();
+      // Black ink and white.
+      const auto draw = [&](double slider)
+      {
+        (controls.Get()->*set)(slider);
+        controls->Apply(scene.Mapper);
+        const InkTestImage image(scene.Window);
+        double ink = 0.0;
+        for (int pixel = 0; pixel < 200 * 200; ++pixel)
+        {
+          ink += std::abs(image.Gray(pixel % 200, pixel / 200) - image.Gray(0, 0)) / 255.0;
+        }
+        return ink;
+      };
+      double most = 0.0;
+      double step = 0.0;
+      double last = 0.0;
+      for (const double slider : { 0.0, 0.01, 0.5, 0.51, 0.99, 1.0 })
+      {
+        const double ink = draw(slider);
+        most = std::max(most, ink);
+        if (slider == 0.01 || slider == 0.51 || slider == 1.0)
+        {
+          step = std::max(step, std::abs(ink - last));
+        }
+        last = ink;
+      }
+      check(most > 100.0 && step < 0.045 * most, controls->GetPreset(), ", ", name,
+        ": small steps of ink, found one of ", step, " of ", most);
+    }
+  }
+}
+
 /// Scalars colour elements only when asked to.
 void TestColors(InkTestChecks& check)
 {
@@ -220,11 +274,9 @@ void TestColors(InkTestChecks& check)
   };
   const InkTestImage plain(scene.Window);
   check(colored(plain, 0, 200, 0) == 0 && colored(plain, 0, 200, 2) == 0, "black stipples");
-  const vtkMTimeType time = scene.Mapper->GetUploadTime();
   scene.Mapper->ScalarVisibilityOn();
   scene.Mapper->SetScalarRange(0.0, 1.0);
   const InkTestImage image(scene.Window);
-  check(scene.Mapper->GetUploadTime() > time, "an upload for colours");
   check(colored(image, 60, 95, 0) > 200 && colored(image, 105, 140, 0) == 0, "red on the left");
   check(colored(image, 105, 140, 2) > 200 && colored(image, 60, 95, 2) == 0, "blue on the right");
 }
@@ -239,6 +291,7 @@ int TestStippleTones(int, char*[])
   TestSameGreyCloseUp(check);
   TestPolarity(check);
   TestControls(check);
+  TestSlidersAreContinuous(check);
   TestColors(check);
   return check.Result();
 }

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stipples hidden by a surface leave OpenGL's state as they found it, and look the same in tiles and under
+// depth peeling.
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestStipples.h"
+#include "StippleScene.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkSphereSource.h"
+
+#include <array>
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> SphereMesh()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(80);
+  sphere->SetPhiResolution(80);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+/// The polygon offset is what another mapper of the scene left.
+void TestPolygonOffset(InkTestChecks& check)
+{
+  StippleScene scene(InkTestStipples::SphereSurface(1.0, 800, 8));
+  scene.Mapper->SetSurfaceData(SphereMesh());
+  scene.Window->Render();
+  for (const bool enabled : { false, true })
+  {
+    // After the mapper's input is up to date, before it draws.
+    vtkNew<vtkCallbackCommand> before;
+    before->SetClientData(const_cast<bool*>(&enabled));
+    before->SetCallback(
+      [](vtkObject*, unsigned long, void* wanted, void*)
+      {
+        *static_cast<const bool*>(wanted) ? glEnable(GL_POLYGON_OFFSET_FILL)
+                                          : glDisable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(1.5f, 7.0f);
+      });
+    std::array<float, 3> found{};
+    vtkNew<vtkCallbackCommand> after;
+    after->SetClientData(found.data());
+    after->SetCallback(
+      [](vtkObject*, unsigned long, void* values, void*)
+      {
+        auto* offset = static_cast<float*>(values);
+        offset[0] = glIsEnabled(GL_POLYGON_OFFSET_FILL) ? 1.0f : 0.0f;
+        glGetFloatv(GL_POLYGON_OFFSET_FACTOR, offset + 1);
+        glGetFloatv(GL_POLYGON_OFFSET_UNITS, offset + 2);
+      });
+    const unsigned long first = scene.Mapper->AddObserver(vtkCommand::EndEvent, before);
+    const unsigned long last = scene.Mapper->AddObserver(vtkCommand::ProgressEvent, after);
+    scene.Renderer->GetActiveCamera()->Azimuth(5.0);
+    scene.Window->Render();
+    check(found == std::array{ enabled ? 1.0f : 0.0f, 1.5f, 7.0f }, "the polygon offset as before, found ",
+      found[0], ' ', found[1], ' ', found[2]);
+    scene.Mapper->RemoveObserver(first);
+    scene.Mapper->RemoveObserver(last);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(0.0f, 0.0f);
+  }
+}
+
+/// A picture in tiles is that of a window as large: dots on a seam are whole, also where a surface hides
+/// others.
+void TestTiles(InkTestChecks& check)
+{
+  const auto stipples = InkTestStipples::SphereSurface(1.0, 800, 8);
+  const auto draw = [&](int size, int tiles)
+  {
+    StippleScene scene(stipples, size, size);
+    scene.Mapper->SetSurfaceData(SphereMesh());
+    scene.Renderer->GetActiveCamera()->Zoom(1.7);
+    const double larger = size / 100.0;
+    scene.Mapper->SetStippleSize(9.0 * larger);
+    scene.Mapper->SetPixelsPerStipple(60.0 * larger * larger);
+    return InkTestImage(scene.Window, tiles);
+  };
+  const InkTestImage whole = draw(400, 1);
+  const InkTestImage tiled = draw(100, 4);
+  const int different = tiled.CountDifferent(whole, 2);
+  check(whole.Ink() > 5000.0 && different == 0, "the same picture in sixteen tiles, but for ", different,
+    " pixels, ink ", whole.Ink());
+}
+
+/// Depth peeling draws several times, into its own buffers and blending by maxima; the surface's image is
+/// drawn among that.
+void TestPeeled(InkTestChecks& check)
+{
+  const auto stipples = InkTestStipples::SphereSurface(1.0, 800, 8);
+  const auto draw = [&](bool peeled)
+  {
+    StippleScene scene(stipples);
+    scene.Mapper->SetSurfaceData(SphereMesh());
+    scene.Renderer->SetUseDepthPeeling(peeled);
+    scene.Renderer->SetMaximumNumberOfPeels(20);
+    scene.Renderer->SetOcclusionRatio(0.0);
+    return InkTestImage(scene.Window);
+  };
+  const InkTestImage usual = draw(false);
+  const int different = draw(true).CountDifferent(usual, 12);
+  check(usual.Ink() > 1000.0 && different == 0, "the same picture peeled, but for ", different, " pixels");
+}
+
+} // namespace
+
+int TestStippleOpenGL(int, char*[])
+{
+  InkTestChecks check;
+  TestPolygonOffset(check);
+  TestTiles(check);
+  TestPeeled(check);
+  return check.Result();
+}
