@@ -10,7 +10,7 @@
  * Volumes: a voxel, the cube of one sample step around a point of the image, gets MaximumStipples stipples
  * when its gradient is steep enough, see SetThresholdMode, and it has values in the ScalarWindow, if there
  * is one. They lie in the voxel between the planes p1 and p2 beside its tangent plane, see SetLayerThickness,
- * and are spread evenly in it and across its neighbours: seen along the surface's normal they are close to a
+ * and are spread evenly in it and across its neighbors: seen along the surface's normal they are close to a
  * Poisson-disc sampling, and so are the first n of all voxels for every n. The gradient is by default that of
  * the 4D linear regression that the paper uses (section 4.1), see vtkInkGradient.
  *
@@ -105,6 +105,7 @@ public:
   vtkGetMacro(ThresholdMode, int);
   void SetThresholdModeToPercentile() { this->SetThresholdMode(PERCENTILE); }
   void SetThresholdModeToMagnitude() { this->SetThresholdMode(MAGNITUDE); }
+  const char* GetThresholdModeAsString();
   ///@}
 
   ///@{
@@ -112,7 +113,9 @@ public:
    * How many percent of the image's voxels have a gradient too small for stipples, to within a hundredth of
    * the gradient. Default: 95; range 0 to 100. Less shows weaker boundaries, and more noise.
    */
-  vtkSetClampMacro(GradientPercentile, double, 0.0, 100.0);
+  void SetGradientPercentile(double value);
+  double GetGradientPercentileMinValue() { return 0.0; }
+  double GetGradientPercentileMaxValue() { return 100.0; }
   vtkGetMacro(GradientPercentile, double);
   ///@}
 
@@ -121,7 +124,9 @@ public:
    * The smallest gradient magnitude with stipples, in value per world unit. Default: 0, all that is not
    * constant; range from 0 on.
    */
-  vtkSetClampMacro(GradientThreshold, double, 0.0, VTK_DOUBLE_MAX);
+  void SetGradientThreshold(double value);
+  double GetGradientThresholdMinValue() { return 0.0; }
+  double GetGradientThresholdMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(GradientThreshold, double);
   ///@}
 
@@ -131,7 +136,9 @@ public:
    * gaps between layers of voxels; range 0 (all on the tangent plane) to 2 (from 1.73 on anywhere in the
    * voxel). Thin layers are sharper seen from the side, but show the voxels there.
    */
-  vtkSetClampMacro(LayerThickness, double, 0.0, 2.0);
+  void SetLayerThickness(double value);
+  double GetLayerThicknessMinValue() { return 0.0; }
+  double GetLayerThicknessMaxValue() { return 2.0; }
   vtkGetMacro(LayerThickness, double);
   ///@}
 
@@ -151,6 +158,7 @@ public:
   vtkGetMacro(GradientMethod, int);
   void SetGradientMethodToCentralDifference() { this->SetGradientMethod(CENTRAL_DIFFERENCE); }
   void SetGradientMethodToRegression() { this->SetGradientMethod(REGRESSION); }
+  const char* GetGradientMethodAsString();
   ///@}
 
   ///@{
@@ -166,9 +174,11 @@ public:
 
   ///@{
   /**
-   * The lowest and the highest value with stipples, in the scalars' unit. Default: 0 and 0.
+   * The lowest and the highest value with stipples, in the scalars' unit. Default: 0 and 0. NaN, and a
+   * highest below the lowest, are refused with a warning.
    */
-  vtkSetVector2Macro(ScalarWindow, double);
+  void SetScalarWindow(double lowest, double highest);
+  void SetScalarWindow(const double window[2]) { this->SetScalarWindow(window[0], window[1]); }
   vtkGetVector2Macro(ScalarWindow, double);
   ///@}
 
@@ -186,9 +196,10 @@ public:
   ///@{
   /**
    * The values at which Value is 0 and 1, in the scalars' unit; what an output's `ScalarRange` says of its
-   * own image. Default: 0 and 1.
+   * own image. Default: 0 and 1. NaN, and the second below the first, are refused with a warning.
    */
-  vtkSetVector2Macro(ReferenceScalarRange, double);
+  void SetReferenceScalarRange(double lowest, double highest);
+  void SetReferenceScalarRange(const double range[2]) { this->SetReferenceScalarRange(range[0], range[1]); }
   vtkGetVector2Macro(ReferenceScalarRange, double);
   ///@}
 
@@ -197,13 +208,15 @@ public:
    * The gradient's magnitude at which GradientMagnitude is 1, in value per world unit; what an output's
    * `GradientMagnitudeRange` says of its own image. Default: 1; range from 0 on.
    */
-  vtkSetClampMacro(ReferenceGradient, double, 0.0, VTK_DOUBLE_MAX);
+  void SetReferenceGradient(double value);
+  double GetReferenceGradientMinValue() { return 0.0; }
+  double GetReferenceGradientMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(ReferenceGradient, double);
   ///@}
 
   ///@{
   /**
-   * Give the elements scalars to be coloured by: the array that SetInputArrayToProcess(1, ...) names, of the
+   * Give the elements scalars to be colored by: the array that SetInputArrayToProcess(1, ...) names, of the
    * image's points or of the mesh's points or cells, or without a name the active point scalars. A polygon
    * takes the mean of its first three points. Default: off.
    */
@@ -230,12 +243,17 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): that of a mesh's points;
-   * for an image single unless it lies so far from the origin that single precision would move points by
-   * more than a thousandth of the smallest spacing.
+   * The type of the stipples' coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
+   * DEFAULT_PRECISION (default), which is that of a mesh's points, and for an image single unless it lies so
+   * far from the origin that single precision would move points by more than a thousandth of the smallest
+   * spacing.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  void SetOutputPointsPrecisionToSingle() { this->SetOutputPointsPrecision(SINGLE_PRECISION); }
+  void SetOutputPointsPrecisionToDouble() { this->SetOutputPointsPrecision(DOUBLE_PRECISION); }
+  void SetOutputPointsPrecisionToDefault() { this->SetOutputPointsPrecision(DEFAULT_PRECISION); }
+  const char* GetOutputPointsPrecisionAsString();
   ///@}
 
   ///@{

@@ -206,7 +206,7 @@ public:
 
   ///@{
   /**
-   * LayerLineWidth of all layers.
+   * LayerLineWidth of all layers. Default: 0.
    */
   void SetLineWidth(double width);
   double GetLineWidth() { return this->GetLayerLineWidth(0); }

@@ -75,12 +75,12 @@ def test_sampler_offers_cheaper_normals():
     sampler = sampler_of(image_of(ball()), 0.0)
     sampler.Update()
     exact = point_array(sampler.GetOutput(), "Normals").copy()
-    sampler.SetNormalsPrecisionToChar()
+    sampler.SetOutputNormalsPrecisionToChar()
     sampler.Update()
     coarse = point_array(sampler.GetOutput(), "Normals")
     assert coarse.dtype == numpy.int8
     assert abs(coarse / 127.0 - exact).max() <= 0.51 / 127.0
-    sampler.SetNormalsPrecisionToFloat()
+    sampler.SetOutputNormalsPrecisionToSingle()
     for method in (sampler.CELL, sampler.GRADIENT, sampler.REGRESSION):
         sampler.SetNormalMethod(method)
         sampler.Update()
@@ -163,7 +163,7 @@ def test_gradient_makes_what_is_asked_for():
     gradient.ComputeGradientOff()
     gradient.ComputeValueOn()
     gradient.ComputeLaplacianOn()
-    gradient.SetOutputPrecision(vtk.vtkAlgorithm.DOUBLE_PRECISION)
+    gradient.SetOutputArraysPrecision(vtk.vtkAlgorithm.DOUBLE_PRECISION)
     gradient.Update()
     data = gradient.GetOutput().GetPointData()
     names = {data.GetArrayName(n) for n in range(data.GetNumberOfArrays())}
