@@ -8,6 +8,7 @@ preset="${1:?usage: Utilities/setup.sh headless|paraview|tradeoff}"
 root="$(cd "$(dirname "$0")/.." && pwd)"
 utilities="$root/Utilities"
 vtk_release="9.7.0.5"
+pyvista_release="0.49.1"
 vtk_site="$root/build/vtk-headless"
 
 fail()
@@ -48,7 +49,7 @@ install_debian_packages()
 install_vtk_wheels()
 {
   python="$("$utilities/find-python.sh" || true)"
-  contents="vtk $vtk_release, for ${python:-no Python}"
+  contents="vtk $vtk_release, pyvista $pyvista_release, for ${python:-no Python}"
   [ "$(cat "$vtk_site/installed" 2>/dev/null)" != "$contents" ] || return 0
 
   fresh="$vtk_site.new"
@@ -62,8 +63,12 @@ install_vtk_wheels()
     "cvista-sdk==$vtk_release" "cvista==$vtk_release" "cvista-rendering==$vtk_release" "cvista-io==$vtk_release" ||
     fail "pip could not fetch VTK $vtk_release"
   if [ -n "$python" ]; then
-    "$python" -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
-      --target "$fresh" numpy pytest || fail "pip could not fetch numpy and pytest for $python"
+    # PyVista is there for its example. It asks for another VTK, and for what only its command line uses.
+    { "$python" -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
+      --target "$fresh" numpy pytest matplotlib pillow pooch scooby typing-extensions certifi &&
+      "$python" -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
+        --target "$fresh" --no-deps "pyvista==$pyvista_release" pyvista-validation; } ||
+      fail "pip could not fetch numpy, pytest and PyVista for $python"
   fi
   echo "$contents" >"$fresh/installed"
   rm -rf "$vtk_site"
