@@ -64,9 +64,9 @@ install_vtk_wheels()
     fail "pip could not fetch VTK $vtk_release"
   if [ -n "$python" ]; then
     # PyVista is there for its example. It asks for another VTK, and for what only its command line uses.
-    { "$python" -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
+    { "$python" -m pip install --quiet --quiet --disable-pip-version-check --root-user-action=ignore \
       --target "$fresh" numpy pytest matplotlib pillow pooch scooby typing-extensions certifi &&
-      "$python" -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
+      "$python" -m pip install --quiet --quiet --disable-pip-version-check --root-user-action=ignore \
         --target "$fresh" --no-deps "pyvista==$pyvista_release" pyvista-validation; } ||
       fail "pip could not fetch numpy, pytest and PyVista for $python"
   fi

@@ -14,6 +14,7 @@
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -272,7 +273,8 @@ vtkMTimeType vtkInkIsoSurfaceSampler::GetMTime()
 
 int vtkInkIsoSurfaceSampler::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // Other data than images, to say what to do with them.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
@@ -307,10 +309,18 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  vtkImageData* image = vtkImageData::GetData(info);
+  vtkDataSet* data = vtkDataSet::GetData(info);
   // A piece that holds nothing is no error.
-  if (!image || image->GetNumberOfPoints() == 0)
+  if (!data || data->GetNumberOfPoints() == 0)
   {
+    return;
+  }
+  auto* image = vtkImageData::SafeDownCast(data);
+  if (!image)
+  {
+    vtkErrorMacro("The input is a " << data->GetClassName()
+                                    << "; expected a vtkImageData. vtkResampleToImage makes one of a grid; "
+                                       "vtkInkSurfaceSampler samples the surfaces of meshes and grids.");
     return;
   }
   const InkExtent whole = InkGetWholeExtent(info, image);

@@ -33,7 +33,8 @@
  * Output arrays that nobody else holds when the filter runs again are filled anew instead of made anew, see
  * ReuseArrays.
  *
- * Errors and warnings, each with an empty output: no such point array, ArrayComponent beyond its components,
+ * Errors and warnings, each with an empty output: data that are no image (vtkResampleToImage makes one of
+ * rectilinear, structured and unstructured grids), no such point array, ArrayComponent beyond its components,
  * an image of fewer than two samples along an axis, a spacing of zero or a direction matrix without inverse.
  *
  * @sa vtkInkSplattingLinesMapper vtkFlyingEdges3D

@@ -145,8 +145,8 @@ void vtkInkStippleGenerator::SetReferenceGradient(double magnitude)
 
 int vtkInkStippleGenerator::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Other data than images and meshes, to say what to do with them.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
@@ -217,6 +217,14 @@ int vtkInkStippleGenerator::RequestData(
     return 1;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (!mesh && !vtkImageData::SafeDownCast(data))
+  {
+    vtkErrorMacro(
+      "The input is a " << data->GetClassName()
+                        << "; expected a vtkImageData or a vtkPolyData. vtkResampleToImage makes an "
+                           "image of a grid, vtkDataSetSurfaceFilter a mesh of its surface.");
+    return 1;
+  }
   const std::string kind = mesh ? "mesh" : "image";
   try
   {

@@ -40,7 +40,8 @@
  * for itself.
  *
  * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
- * gives none, which is no error. Errors, each with an empty output: no such point array, ArrayComponent
+ * gives none, which is no error. Errors, each with an empty output: data that are neither an image nor a mesh
+ * (vtkResampleToImage and vtkDataSetSurfaceFilter make them), no such point array, ArrayComponent
  * beyond its components, a spacing of zero or a direction matrix without inverse, a mesh without polygons or
  * without area, an array to pass that is not there, more stipples than memory.
  *

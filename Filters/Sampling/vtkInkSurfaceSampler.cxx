@@ -7,6 +7,7 @@
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkSetNumber.h"
+#include "InkSurfaceOf.h"
 #include "InkSurfaceSamples.h"
 #include "InkVTKCompat.h"
 
@@ -16,6 +17,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -78,7 +80,7 @@ void vtkInkSurfaceSampler::SetFirstFrameData(vtkPolyData* samples)
 
 int vtkInkSurfaceSampler::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -203,22 +205,26 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
 int vtkInkSurfaceSampler::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   vtkPolyData* firstFrame =
     this->GetNumberOfInputConnections(1) > 0 ? vtkPolyData::GetData(inputVector[1]) : nullptr;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfIsolatedPoints = 0;
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   this->TriedFirstStep = false;
-  const bool follows =
-    mesh && this->FollowDeformation && !firstFrame && (HasFaces(mesh) || this->AtFirstStep);
-  // A piece, or a time step, of nothing is no error.
-  if (!mesh || (mesh->GetNumberOfPoints() == 0 && !follows))
+  if (!input)
   {
     return 1;
   }
   try
   {
+    const vtkSmartPointer<vtkPolyData> mesh = InkSurfaceOf(input);
+    const bool follows = this->FollowDeformation && !firstFrame && (HasFaces(mesh) || this->AtFirstStep);
+    // A piece, or a time step, of nothing is no error.
+    if (mesh->GetNumberOfPoints() == 0 && !follows)
+    {
+      return 1;
+    }
     if (follows)
     {
       this->FollowMesh(request, inputVector[0]->GetInformationObject(0),

@@ -3,7 +3,8 @@
  * @class   vtkInkSurfaceSampler
  * @brief   meshes to points with normals: white or blue noise, in an order that can be cut off anywhere
  *
- * Input: a vtkPolyData. Its polygons and triangle strips are sampled (Zhang et al. 2014, section 4): by area
+ * Input: a vtkPolyData, or another vtkPointSet, of whose cells the surface is taken (vtkUnstructuredGrid,
+ * vtkStructuredGrid). Polygons and triangle strips are sampled (Zhang et al. 2014, section 4): by area
  * alone, each sample for itself (WHITE_NOISE, Osada et al. 2002), or so that no two samples are nearer along
  * the surface than a radius and none fits in between (BLUE_NOISE, a Poisson-disc sampling after Cline et al.
  * 2009). Distances are measured on the mesh, so that both sides of a thin sheet get their samples; see

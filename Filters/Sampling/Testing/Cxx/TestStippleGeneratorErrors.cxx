@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <functional>
 #include <limits>
@@ -108,6 +109,9 @@ int TestStippleGeneratorErrors(int, char*[])
   some->InsertNextPoint(1.0, 0.0, 0.0);
   points->SetPoints(some);
   Expect(check, "no polygons", { "2 points", "polygon" }, points);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(some);
+  Expect(check, "a grid", { "vtkUnstructuredGrid", "vtkResampleToImage", "vtkDataSetSurfaceFilter" }, grid);
   vtkNew<vtkPolyData> nothing;
   Expect(check, "no points", {}, nothing);
   vtkNew<vtkPlaneSource> flat;
