@@ -11,8 +11,8 @@ void InkSetClampedNumber(
 {
   if (std::isnan(value))
   {
-    vtkWarningWithObjectMacro(owner, << name << " stays " << property << ": expected a number from " << least
-                                     << " to " << most << ", found NaN.");
+    vtkWarningWithObjectMacro(owner, << name << ": expected a number from " << least << " to " << most
+                                     << ", found " << value << "; it stays " << property << ".");
     return;
   }
   const double clamped = std::clamp(value, least, most);
@@ -27,9 +27,9 @@ void InkSetRange(vtkObject* owner, const char* name, double (&property)[2], doub
 {
   if (!(lower <= upper))
   {
-    vtkWarningWithObjectMacro(owner, << name << " stays " << property[0] << " to " << property[1]
-                                     << ": expected the lower end and then the upper one, found " << lower
-                                     << " and " << upper << ".");
+    vtkWarningWithObjectMacro(owner, << name << ": expected the lower end and then the upper one, found "
+                                     << lower << " and " << upper << "; it stays " << property[0] << " to "
+                                     << property[1] << ".");
     return;
   }
   if (property[0] != lower || property[1] != upper)
@@ -44,9 +44,9 @@ void InkSetPoint(vtkObject* owner, const char* name, double (&property)[3], doub
 {
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
   {
-    vtkWarningWithObjectMacro(owner, << name << " stays " << property[0] << ", " << property[1] << ", "
-                                     << property[2] << ": expected three finite numbers, found " << x << ", "
-                                     << y << ", " << z << ".");
+    vtkWarningWithObjectMacro(owner, << name << ": expected three finite numbers, found " << x << ", " << y
+                                     << ", " << z << "; it stays " << property[0] << ", " << property[1]
+                                     << ", " << property[2] << ".");
     return;
   }
   if (property[0] != x || property[1] != y || property[2] != z)

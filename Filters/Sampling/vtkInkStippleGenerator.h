@@ -23,7 +23,7 @@
  * priority. Cell data: `Normals` (unit; out of the denser side, or out of the front of the polygon: the mean
  * of its points' normals where the mesh has some); of volumes also `GradientMagnitude` (0 to 1, relative to
  * the magnitude below which 99 of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's
- * range); with PassScalars the scalars for colours, as active scalars and under their own name, or that after
+ * range); with PassScalars the scalars for colors, as active scalars and under their own name, or that after
  * `Input` if it is one of the above. Point data,
  * of surfaces only: `Priority`, of all stipples together. Field data: `ElementKind` (0 volume, 1 surface),
  * `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area), `StipplesPerElement`
@@ -292,7 +292,7 @@ private:
   /// Warns that no voxel of the whole image is stippled.
   void ReportNothing(vtkDataArray* scalars);
   void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
-  /// The array for colours, null when none is wanted; `ofCells` says whose it is.
+  /// The array for colors, null when none is wanted; `ofCells` says whose it is.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);
   bool NeedsWholeImage() const;
   bool ReportProgress(double share);

@@ -231,7 +231,7 @@ public:
 
   ///@{
   /**
-   * Of point clouds: one radius for all points, the median distance to the sixth neighbour, instead of each
+   * Of point clouds: one radius for all points, the median distance to the sixth neighbor, instead of each
    * point's own; for points that lie evenly. Default: off.
    */
   vtkSetMacro(UniformRadius, bool);

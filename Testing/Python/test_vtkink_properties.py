@@ -98,7 +98,7 @@ def test_nan_is_refused_and_said(cls, name):
     default, time = get_value(), filter.GetMTime()
     set_value(math.nan)
     assert get_value() == default and filter.GetMTime() == time
-    assert len(warnings) == 1 and f"{name} stays {default:g}" in warnings[0] and "found NaN" in warnings[0]
+    assert len(warnings) == 1 and f"{name}: expected a number from" in warnings[0] and f"found nan; it stays {default:g}." in warnings[0]
     low, high = (getattr(filter, f"Get{name}{end}Value")() for end in ("Min", "Max"))
     for given, kept in ((-math.inf, low), (math.inf, high), (0.5, 0.5)):
         set_value(given)
@@ -121,7 +121,7 @@ def test_reversed_windows_are_refused_and_said(name, window):
     for arguments in (window, (window,)):
         getattr(generator, f"Set{name}")(*arguments)
         assert getattr(generator, f"Get{name}")() == (-2.0, 5.0)
-    assert len(warnings) == 2 and f"{name} stays -2 to 5" in warnings[0]
+    assert len(warnings) == 2 and f"{name}: expected" in warnings[0] and "it stays -2 to 5." in warnings[0]
     getattr(generator, f"Set{name}")(4.0, 4.0)
     assert getattr(generator, f"Get{name}")() == (4.0, 4.0) and len(warnings) == 2
 
@@ -133,7 +133,7 @@ def test_a_viewpoint_is_finite():
     for wrong in (math.nan, math.inf):
         sampler.SetViewpoint(0, 0, wrong)
         assert sampler.GetViewpoint() == (1, 2, 3)
-    assert len(warnings) == 2 and "Viewpoint stays 1, 2, 3" in warnings[0]
+    assert len(warnings) == 2 and "Viewpoint: expected" in warnings[0] and "it stays 1, 2, 3." in warnings[0]
 
 
 SETTER = re.compile(r"^  (?:virtual )?(?:void|bool) (Set\w+)\(|^  vtkSet\w*Macro\((\w+)", re.MULTILINE)
