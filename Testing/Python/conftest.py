@@ -24,8 +24,12 @@ class Result:
         return lines[0]
 
 
+# For what hangs: runs take less than a tenth of it, also where two share a core.
+TIME_LIMIT = 600
+
+
 def run_ink(*arguments, env=None, **keywords):
-    done = subprocess.run(["ink", *map(str, arguments)], capture_output=True, text=True, timeout=60,
+    done = subprocess.run(["ink", *map(str, arguments)], capture_output=True, text=True, timeout=TIME_LIMIT,
                           env={**os.environ, **(env or {})}, **keywords)
     return Result(done.returncode, done.stdout, done.stderr)
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import ink_files
+from conftest import TIME_LIMIT
 
 OLD = b"an old picture"
 
@@ -252,7 +253,7 @@ def test_interruption_leaves_nothing_behind(volume_file, tmp_path, delay):
     process = subprocess.Popen(["ink", "render", volume_file, "--size", "1500x1500", "-q", "-o", out], stderr=subprocess.PIPE)
     time.sleep(delay)
     process.send_signal(signal.SIGINT)
-    process.communicate(timeout=60)
+    process.communicate(timeout=TIME_LIMIT)
     assert process.returncode in (0, -signal.SIGINT)
     assert os.listdir(tmp_path) == ["out.png"]
     if process.returncode != 0:

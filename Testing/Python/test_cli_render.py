@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import ink_files
+from conftest import TIME_LIMIT
 
 
 def ink_bounds(image):
@@ -254,7 +255,7 @@ def run_on_terminal(arguments):
             break
         text += part
     os.close(leader)
-    return process.wait(timeout=60), text.decode()
+    return process.wait(timeout=TIME_LIMIT), text.decode()
 
 
 def test_progress_on_a_terminal(volume_file, tmp_path):
