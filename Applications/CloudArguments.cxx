@@ -19,13 +19,13 @@ void CloudArguments::add(CLI::App* command)
   vtkNew<vtkInkSurfaceSampler> sampler;
   this->All.push_back(
     command
-      ->add_option("--neighbours", this->sampling.neighbours,
-        "from how many neighbours normals are estimated where there are none; more smooth\n"
+      ->add_option("--neighbors", this->sampling.neighbors,
+        "from how many neighbors normals are estimated where there are none; more smooth\n"
         "noise (" +
-          std::to_string(sampler->GetNormalNeighbours()) + ")")
+          std::to_string(sampler->GetNormalNeighbors()) + ")")
       ->type_name("N")
       ->group(group)
-      ->check(within(sampler->GetNormalNeighboursMinValue(), sampler->GetNormalNeighboursMaxValue())));
+      ->check(within(sampler->GetNormalNeighborsMinValue(), sampler->GetNormalNeighborsMaxValue())));
   this->All.push_back(command
                         ->add_option("--viewpoint", this->viewpoint,
                           "where the scanner stood: estimated normals point to its side (outwards)")

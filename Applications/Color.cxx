@@ -30,7 +30,7 @@ Color parseColor(const std::string& option, const std::string& text)
   }
   else
   {
-    throw UsageError(option + " '" + text + "': expected a colour name as in HTML, #rrggbb or #rgb");
+    throw UsageError(option + " '" + text + "': expected a color name as in HTML, #rrggbb or #rgb");
   }
   return color;
 }

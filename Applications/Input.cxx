@@ -118,6 +118,17 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   {
     return suffix == ".xyz" ? readPoints(file, progress) : readMesh(file, suffix, progress);
   }
+  if (suffix == ".vtr" || suffix == ".vts" || suffix == ".vtu")
+  {
+    const std::string kind = suffix == ".vtr" ? "a rectilinear"
+      : suffix == ".vts"                      ? "a structured"
+                                              : "an unstructured";
+    failToRead(file,
+      "it is a file of " + kind +
+        " grid; expected an image or a mesh: ParaView's filters Resample To Image and Extract Surface make "
+        "them (.vti, "
+        ".vtp), or VTK's vtkResampleToImage and vtkDataSetSurfaceFilter");
+  }
   if (isSeries(file))
   {
     failToRead(file, "it is a series of files, which only 'ink render' takes; expected one file");

@@ -92,7 +92,7 @@ void LinesArguments::add(CLI::App* command)
   this->keep(command->add_flag("--thin", this->thin, "thin all lines to half a pixel, before --line-width"), looksGroup);
   this
     ->keep(command->add_option("--tone-color", this->toneColor,
-             "colour of lines where the surface faces the viewer; towards contours they get the ink's"),
+             "color of lines where the surface faces the viewer; towards contours they get the ink's"),
       looksGroup)
     ->type_name("COLOR");
 
@@ -138,7 +138,7 @@ void LinesArguments::addHidden(CLI::App* command)
     "length of dashes and gaps, in thousandths of the picture's height; 0: solid");
   this
     ->keep(command->add_option("--hidden-color", this->hiddenColors,
-             "colour of the second layer's lines, and of further ones with commas; those left take the last "
+             "color of the second layer's lines, and of further ones with commas; those left take the last "
              "(the ink's)"),
       hiddenGroup)
     ->delimiter(',')

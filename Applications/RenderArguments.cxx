@@ -129,18 +129,18 @@ std::optional<Animation> RenderArguments::animation() const
 
 void RenderArguments::addColors(CLI::App* command)
 {
-  constexpr const char* group = "Colours: names as in HTML, #rrggbb or #rgb";
-  command->add_option("--ink-color", this->inkColor, "colour of the lines (black) or stipples (the preset's)")
+  constexpr const char* group = "Colors: names as in HTML, #rrggbb or #rgb";
+  command->add_option("--ink-color", this->inkColor, "color of the lines (black) or stipples (the preset's)")
     ->type_name("COLOR")
     ->group(group);
   command
     ->add_option("--paper-color", this->paperColor,
-      "lines: colour of the surface between them (white); none: the lines alone are drawn.\n"
-      "Stipples: colour of the page (the preset's); on a page darker than the ink, they show light")
+      "lines: color of the surface between them (white); none: the lines alone are drawn.\n"
+      "Stipples: color of the page (the preset's); on a page darker than the ink, they show light")
     ->type_name("COLOR")
     ->group(group);
   this->lines.all.push_back(
-    command->add_option("--background", this->background, "lines: colour around the subject (white)")
+    command->add_option("--background", this->background, "lines: color around the subject (white)")
       ->type_name("COLOR")
       ->group(group));
   command
@@ -208,7 +208,7 @@ void RenderArguments::run()
     if (noPaper)
     {
       throw UsageError(
-        "--paper-color none: expected the page's colour with --style stipple; --transparent leaves it out");
+        "--paper-color none: expected the page's color with --style stipple; --transparent leaves it out");
     }
     if (!this->options.cloud.given.empty())
     {

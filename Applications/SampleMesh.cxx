@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> MeshSampler::sample(
   {
     throw UsageError(cloud.given + ": expected points without polygons, found a mesh");
   }
-  sampler->SetNormalNeighbours(cloud.neighbours.value_or(sampler->GetNormalNeighbours()));
+  sampler->SetNormalNeighbors(cloud.neighbors.value_or(sampler->GetNormalNeighbors()));
   if (cloud.viewpoint)
   {
     sampler->OrientTowardsViewpointOn();
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkPolyData> MeshSampler::sample(
   {
     const bool estimated = sampling.normals && !mesh->GetPointData()->GetNormals();
     notes.push_back("the file has no polygons; its " + std::to_string(points) +
-      " points are taken as they are" + (estimated ? ", with normals estimated from their neighbours" : ""));
+      " points are taken as they are" + (estimated ? ", with normals estimated from their neighbors" : ""));
     if (const vtkIdType isolated = sampler->GetNumberOfIsolatedPoints(); isolated > 0)
     {
       notes.push_back(std::to_string(isolated) + " points that are far from all others are left out");

@@ -18,7 +18,7 @@ class Progress;
 /// What is done with points without polygons.
 struct CloudSampling
 {
-  std::optional<int> neighbours; ///< for normals; none: the sampler's own number
+  std::optional<int> neighbors; ///< for normals; none: the sampler's own number
   std::optional<std::array<double, 3>> viewpoint;
   std::string given; ///< one of the options that was given, as it is called; empty: none
 };

@@ -44,7 +44,7 @@ constexpr const char* slidersGroup = "Stipples: a preset and what to change abou
 constexpr const char* placesGroup = "Stipples: where there are any";
 constexpr const char* enhancementsGroup = "Stipples: enhancements, each with its k's, or on or off";
 constexpr const char* marksGroup = "Stipples: marks";
-constexpr const char* colorsGroup = "Stipples: colours";
+constexpr const char* colorsGroup = "Stipples: colors";
 constexpr double supersampling = PictureSize::supersampling;
 
 const std::vector<EnhancementKs>& enhancementKs()
@@ -158,7 +158,7 @@ std::vector<Color> parseColorMap(const std::string& text)
     {
       known += name + ", ";
     }
-    throw UsageError("--color-map '" + text + "': expected " + known + "or two or more colours with commas");
+    throw UsageError("--color-map '" + text + "': expected " + known + "or two or more colors with commas");
   }
   std::vector<Color> colors;
   for (const std::string& name : names)
@@ -213,7 +213,7 @@ void StippleArguments::addSliders(CLI::App* command)
   slider("--orientation", &Controls::SetOrientation, "darker rims, lighter middles; 0: hardly any light");
   slider("--distance", &Controls::SetDistance, "nearer parts stand out");
   slider("--interior", &Controls::SetInterior, "weak boundaries are see-through");
-  slider("--color", &Controls::SetColor, "warm and cool colours in place of ink");
+  slider("--color", &Controls::SetColor, "warm and cool colors in place of ink");
   this
     ->keep(command->add_option("--light", this->light,
              "where light comes from: degrees to the viewer's right, degrees above (-30,30)"),
@@ -298,7 +298,7 @@ void StippleArguments::addMarks(CLI::App* command)
     "pixels of an element that make room for a stipple; darker with fewer (the preset's; less with --iso)");
   this->room = this->all.back();
   number("--fade", &Mapper::SetFade, 0.0, 1.0, 1.0,
-    "over how much of a stipple stipples appear; 0: all are whole, 1: pale ones keep the grey exact (1)");
+    "over how much of a stipple stipples appear; 0: all are whole, 1: pale ones keep the gray exact (1)");
   number("--minimum-coverage", &Mapper::SetMinimumCoverage, mapper->GetMinimumCoverageMinValue(),
     mapper->GetMinimumCoverageMaxValue(), 1.0, "elements with room for fewer stipples count as small (9)");
   this
@@ -319,17 +319,17 @@ void StippleArguments::addColors(CLI::App* command)
 {
   this
     ->keep(command->add_option("--color-map", this->colorMap,
-             "colours for scalars: cool-warm, rainbow, viridis, or colours with commas (none: ink)"),
+             "colors for scalars: cool-warm, rainbow, viridis, or colors with commas (none: ink)"),
       colorsGroup)
     ->type_name("MAP");
   this
-    ->keep(command->add_option("--color-by", this->colorBy, "which array to colour by (the active one)"),
+    ->keep(command->add_option("--color-by", this->colorBy, "which array to color by (the active one)"),
       colorsGroup)
     ->type_name("ARRAY")
     ->needs("--color-map");
   this
     ->keep(command->add_option("--color-range", this->colorRange,
-             "values of the first and the last colour (those of the stipples)"),
+             "values of the first and the last color (those of the stipples)"),
       colorsGroup)
     ->delimiter(',')
     ->expected(2)

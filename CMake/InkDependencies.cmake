@@ -4,7 +4,7 @@ set(_ink_minimum_vtk 9.2)
 # Named one by one, so that a VTK's parts that vtkInk does without need not have their own dependencies met.
 set(VTKINK_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  FiltersCore FiltersSources ImagingCore
+  FiltersCore FiltersGeometry FiltersSources ImagingCore
   IOCore IOGeometry IOImage IOLegacy IOPLY IOXML nlohmannjson
   RenderingCore RenderingOpenGL2 vtksys)
 if (VTKINK_BUILD_PLUGIN)

@@ -1,4 +1,13 @@
 include(CMakePackageConfigHelpers)
+# What find_package(vtkInk COMPONENTS ...) knows: the targets' names.
+set(VTKINK_COMPONENTS ${VTKINK_MODULES})
+list(TRANSFORM VTKINK_COMPONENTS REPLACE "^vtkInk::" "")
+list(PREPEND VTKINK_COMPONENTS Common)
+if (VTKINK_ENABLE_OPENVDB)
+  list(INSERT VTKINK_COMPONENTS 1 CommonVDB)
+endif ()
+list(JOIN VTKINK_COMPONENTS " " VTKINK_COMPONENTS)
+
 configure_package_config_file(CMake/vtkInkConfig.cmake.in
   "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfig.cmake"
   INSTALL_DESTINATION "${VTKINK_CMAKE_DESTINATION}")

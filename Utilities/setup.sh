@@ -8,6 +8,7 @@ preset="${1:?usage: Utilities/setup.sh headless|paraview|tradeoff}"
 root="$(cd "$(dirname "$0")/.." && pwd)"
 utilities="$root/Utilities"
 vtk_release="9.7.0.5"
+pyvista_release="0.49.1"
 vtk_site="$root/build/vtk-headless"
 
 fail()
@@ -44,12 +45,20 @@ install_debian_packages()
   rm -f "$log"
 }
 
+# Errors alone are shown: pip warns of each folder that two packages share.
+pip_into_fresh()
+{
+  "$python" -m pip install -qq --disable-pip-version-check --root-user-action=ignore --target "$fresh" "$@"
+}
+
 # The wheels unpack with any pip; the modules in them need Python >= 3.12, which find-python.sh looks for.
 install_vtk_wheels()
 {
   python="$("$utilities/find-python.sh" || true)"
-  packages="numpy pytest pytest-xdist"
-  contents="vtk $vtk_release${python:+, $packages for $python}"
+  # PyVista is there for its example, and what it imports; pip would bring another VTK and more along.
+  packages="numpy pytest pytest-xdist matplotlib pillow pooch scooby typing-extensions certifi"
+  alone="pyvista==$pyvista_release pyvista-validation"
+  contents="vtk $vtk_release${python:+, $packages $alone for $python}"
   [ "$(cat "$vtk_site/installed" 2>/dev/null)" != "$contents" ] || return 0
 
   fresh="$vtk_site.new"
@@ -63,8 +72,8 @@ install_vtk_wheels()
     "cvista-sdk==$vtk_release" "cvista==$vtk_release" "cvista-rendering==$vtk_release" "cvista-io==$vtk_release" ||
     fail "pip could not fetch VTK $vtk_release"
   if [ -n "$python" ]; then
-    "$python" -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
-      --target "$fresh" $packages || fail "pip could not fetch $packages for $python"
+    pip_into_fresh $packages && pip_into_fresh --no-deps $alone ||
+      fail "pip could not fetch $packages $alone for $python"
   fi
   echo "$contents" >"$fresh/installed"
   rm -rf "$vtk_site"

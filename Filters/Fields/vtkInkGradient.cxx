@@ -4,6 +4,10 @@
 #include "Fields/Gradients.h"
 #include "Fields/LaplacianOfGaussian.h"
 #include "InkImageGrid.h"
+#include "InkPrecision.h"
+#include "InkReportException.h"
+#include "InkSetNumber.h"
+#include "InkTrimArray.h"
 #include "InkVTKCompat.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -222,6 +226,36 @@ vtkInkGradient::vtkInkGradient()
 
 vtkInkGradient::~vtkInkGradient() = default;
 
+const char* vtkInkGradient::GetMethodAsString()
+{
+  return this->Method == REGRESSION ? "Regression" : "CentralDifference";
+}
+
+const char* vtkInkGradient::GetNeighborhoodAsString()
+{
+  return this->Neighborhood == NEIGHBORHOOD_3 ? "3" : "5";
+}
+
+const char* vtkInkGradient::GetWeightingAsString()
+{
+  return this->Weighting == UNIFORM ? "Uniform" : "InverseDistance";
+}
+
+const char* vtkInkGradient::GetLaplacianScaleUnitAsString()
+{
+  return this->LaplacianScaleUnit == SAMPLES ? "Samples" : "WorldUnits";
+}
+
+const char* vtkInkGradient::GetOutputArraysPrecisionAsString()
+{
+  return InkNameOfPrecision(this->OutputArraysPrecision);
+}
+
+void vtkInkGradient::SetLaplacianScale(double scale)
+{
+  InkSetClampedNumber(this, "LaplacianScale", this->LaplacianScale, scale, 0.0, VTK_DOUBLE_MAX);
+}
+
 int vtkInkGradient::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -271,7 +305,7 @@ void vtkInkGradient::KeepArrays(vtkImageData* output)
 vtkSmartPointer<vtkDataArray> vtkInkGradient::MakeArray(int which, vtkIdType tuples)
 {
   const char* const names[] = { "Gradient", "GradientMagnitude", "Value", "Laplacian" };
-  const int type = this->OutputPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
+  const int type = this->OutputArraysPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
   vtkSmartPointer<vtkDataArray> array = this->Kept[which];
   this->Kept[which] = nullptr;
   if (!array || array->GetReferenceCount() > 1 || array->GetDataType() != type ||
@@ -282,6 +316,7 @@ vtkSmartPointer<vtkDataArray> vtkInkGradient::MakeArray(int which, vtkIdType tup
   array->SetName(names[which]);
   array->SetNumberOfComponents(which == 0 ? 3 : 1);
   array->SetNumberOfTuples(tuples);
+  InkTrimArray(array);
   array->Modified();
   return array;
 }
@@ -333,7 +368,7 @@ int vtkInkGradient::RequestData(
     const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
     const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
     if (ComputeFromArray(
-          geometry, array, component, hidden, this->OutputPrecision == DOUBLE_PRECISION, request, this))
+          geometry, array, component, hidden, this->OutputArraysPrecision == DOUBLE_PRECISION, request, this))
     {
       CopyPart(image, part, output);
       for (vtkDataArray* result : arrays)
@@ -345,9 +380,9 @@ int vtkInkGradient::RequestData(
       }
     }
   }
-  catch (const std::invalid_argument& error)
+  catch (...)
   {
-    vtkErrorMacro("Gradients of the image cannot be computed: " << error.what() << ".");
+    InkReportException(this, output, "Gradients of the image cannot be computed");
   }
   return 1;
 }
@@ -355,17 +390,15 @@ int vtkInkGradient::RequestData(
 void vtkInkGradient::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << (this->Method == REGRESSION ? "Regression" : "CentralDifference") << "\n";
-  os << indent << "Neighborhood: " << (this->Neighborhood == NEIGHBORHOOD_3 ? "3" : "5") << "\n";
-  os << indent << "Weighting: " << (this->Weighting == UNIFORM ? "Uniform" : "InverseDistance") << "\n";
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
+  os << indent << "Neighborhood: " << this->GetNeighborhoodAsString() << "\n";
+  os << indent << "Weighting: " << this->GetWeightingAsString() << "\n";
   os << indent << "ComputeGradient: " << this->ComputeGradient << "\n";
   os << indent << "ComputeGradientMagnitude: " << this->ComputeGradientMagnitude << "\n";
   os << indent << "ComputeValue: " << this->ComputeValue << "\n";
   os << indent << "ComputeLaplacian: " << this->ComputeLaplacian << "\n";
   os << indent << "LaplacianScale: " << this->LaplacianScale << "\n";
-  os << indent << "LaplacianScaleUnit: " << (this->LaplacianScaleUnit == SAMPLES ? "Samples" : "WorldUnits")
-     << "\n";
+  os << indent << "LaplacianScaleUnit: " << this->GetLaplacianScaleUnitAsString() << "\n";
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
-  os << indent << "OutputPrecision: " << (this->OutputPrecision == SINGLE_PRECISION ? "Single" : "Double")
-     << "\n";
+  os << indent << "OutputArraysPrecision: " << this->GetOutputArraysPrecisionAsString() << "\n";
 }

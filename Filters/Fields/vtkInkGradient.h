@@ -5,7 +5,7 @@
  *
  * For every point of a vtkImageData the filter estimates the gradient of a scalar array: by central
  * differences, or by 4D linear regression (Neumann et al. 2000), which Lu et al. (2003, section 4.1) use
- * against noise: the plane that fits the values of a point and its 26 neighbours best, its slope the gradient
+ * against noise: the plane that fits the values of a point and its 26 neighbors best, its slope the gradient
  * and its height a smoothed value. The Laplacian is that of the image smoothed by a Gaussian.
  *
  * The input array is the one that SetInputArrayToProcess(0, ...) names, the active point scalars by default.
@@ -18,10 +18,10 @@
  * output's type become its largest value.
  *
  * At the image's border, and beside points that are NaN, infinite or hidden, differences are one-sided and
- * regressions fit the neighbours that there are; along an axis with one point derivatives are 0. At points
+ * regressions fit the neighbors that there are; along an axis with one point derivatives are 0. At points
  * that are NaN, infinite or hidden themselves every result is 0: outputs hold no NaN.
  *
- * The filter streams: it takes any UPDATE_EXTENT and asks its input for that extent and the neighbours that
+ * The filter streams: it takes any UPDATE_EXTENT and asks its input for that extent and the neighbors that
  * the results depend on. The results are the same bits for any split of the image and any number of threads
  * (VTK_SMP_MAX_THREADS sets it).
  *
@@ -56,17 +56,18 @@ public:
 
   ///@{
   /**
-   * CENTRAL_DIFFERENCE: half the difference of the two neighbours along each axis, sharp and fast, for data
-   * without noise. REGRESSION (default): the plane that fits all neighbours best, which leaves about a third
+   * CENTRAL_DIFFERENCE: half the difference of the two neighbors along each axis, sharp and fast, for data
+   * without noise. REGRESSION (default): the plane that fits all neighbors best, which leaves about a third
    * of the noise.
    */
   vtkSetClampMacro(Method, int, CENTRAL_DIFFERENCE, REGRESSION);
   vtkGetMacro(Method, int);
   void SetMethodToCentralDifference() { this->SetMethod(CENTRAL_DIFFERENCE); }
   void SetMethodToRegression() { this->SetMethod(REGRESSION); }
+  const char* GetMethodAsString();
   ///@}
 
-  /// The regression's neighbourhood, see SetNeighborhood.
+  /// The regression's neighborhood, see SetNeighborhood.
   enum NeighborhoodType
   {
     NEIGHBORHOOD_3 = 0,
@@ -75,16 +76,17 @@ public:
 
   ///@{
   /**
-   * The neighbours that a regression takes in: NEIGHBORHOOD_3 (default), 3 x 3 x 3 points, or NEIGHBORHOOD_5,
+   * The neighbors that a regression takes in: NEIGHBORHOOD_3 (default), 3 x 3 x 3 points, or NEIGHBORHOOD_5,
    * 5 x 5 x 5, which smooths more and is slower. Central differences do not use it.
    */
   vtkSetClampMacro(Neighborhood, int, NEIGHBORHOOD_3, NEIGHBORHOOD_5);
   vtkGetMacro(Neighborhood, int);
   void SetNeighborhoodTo3() { this->SetNeighborhood(NEIGHBORHOOD_3); }
   void SetNeighborhoodTo5() { this->SetNeighborhood(NEIGHBORHOOD_5); }
+  const char* GetNeighborhoodAsString();
   ///@}
 
-  /// How much a neighbour counts, see SetWeighting.
+  /// How much a neighbor counts, see SetWeighting.
   enum WeightingType
   {
     UNIFORM = 0,
@@ -93,7 +95,7 @@ public:
 
   ///@{
   /**
-   * How much a neighbour counts in a regression. UNIFORM (default): all the same, which leaves the least
+   * How much a neighbor counts in a regression. UNIFORM (default): all the same, which leaves the least
    * noise. INVERSE_DISTANCE: the reciprocal of its distance in world units, which blurs less, above all where
    * the spacing differs from axis to axis. Central differences do not use it.
    */
@@ -101,6 +103,7 @@ public:
   vtkGetMacro(Weighting, int);
   void SetWeightingToUniform() { this->SetWeighting(UNIFORM); }
   void SetWeightingToInverseDistance() { this->SetWeighting(INVERSE_DISTANCE); }
+  const char* GetWeightingAsString();
   ///@}
 
   ///@{
@@ -147,7 +150,9 @@ public:
    * 0 does not smooth; larger shows broader features and is slower. Beyond 16 points along an axis, it counts
    * as 16. Range: 0 upwards. Default: 1.
    */
-  vtkSetClampMacro(LaplacianScale, double, 0.0, VTK_DOUBLE_MAX);
+  void SetLaplacianScale(double value);
+  double GetLaplacianScaleMinValue() { return 0.0; }
+  double GetLaplacianScaleMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(LaplacianScale, double);
   ///@}
 
@@ -167,6 +172,7 @@ public:
   vtkGetMacro(LaplacianScaleUnit, int);
   void SetLaplacianScaleUnitToSamples() { this->SetLaplacianScaleUnit(SAMPLES); }
   void SetLaplacianScaleUnitToWorldUnits() { this->SetLaplacianScaleUnit(WORLD_UNITS); }
+  const char* GetLaplacianScaleUnitAsString();
   ///@}
 
   ///@{
@@ -182,8 +188,11 @@ public:
    * The type of the output arrays: vtkAlgorithm::SINGLE_PRECISION (default), float, or DOUBLE_PRECISION,
    * double, which is also computed in double precision and is about half as fast.
    */
-  vtkSetClampMacro(OutputPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
-  vtkGetMacro(OutputPrecision, int);
+  vtkSetClampMacro(OutputArraysPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
+  vtkGetMacro(OutputArraysPrecision, int);
+  void SetOutputArraysPrecisionToSingle() { this->SetOutputArraysPrecision(SINGLE_PRECISION); }
+  void SetOutputArraysPrecisionToDouble() { this->SetOutputArraysPrecision(DOUBLE_PRECISION); }
+  const char* GetOutputArraysPrecisionAsString();
   ///@}
 
 protected:
@@ -215,7 +224,7 @@ private:
   double LaplacianScale = 1.0;
   int LaplacianScaleUnit = SAMPLES;
   int ArrayComponent = 0;
-  int OutputPrecision = SINGLE_PRECISION;
+  int OutputArraysPrecision = SINGLE_PRECISION;
 };
 
 #endif

@@ -165,7 +165,7 @@ vtkIdType InkPreparePointCloud(
       const glm::dvec3 place(options.Viewpoint[0], options.Viewpoint[1], options.Viewpoint[2]);
       viewpoint = glm::vec3((place - origin) / unit);
     }
-    normals = ink::estimateNormals(positions, options.NormalNeighbours, progress, viewpoint);
+    normals = ink::estimateNormals(positions, options.NormalNeighbors, progress, viewpoint);
     if (normals.size() != positions.size())
     {
       return 0;

@@ -12,7 +12,7 @@ class vtkPolyData;
 struct InkPointCloudOptions
 {
   bool Normals = true; ///< estimate them where there are none
-  int NormalNeighbours = 16;
+  int NormalNeighbors = 16;
   const double* Viewpoint = nullptr; ///< where estimated normals point to; null: outwards
   bool Radius = true;                ///< from the points' spacing where there is none
   bool UniformRadius = false;        ///< one for all points instead of each its own

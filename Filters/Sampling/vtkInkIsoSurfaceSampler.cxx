@@ -2,6 +2,9 @@
 #include "vtkInkIsoSurfaceSampler.h"
 
 #include "InkImageGrid.h"
+#include "InkPrecision.h"
+#include "InkReportException.h"
+#include "InkTrimArray.h"
 #include "InkVTKCompat.h"
 #include "Sampling/BrickRanges.h"
 #include "Sampling/IsoSurfaceSamples.h"
@@ -11,6 +14,7 @@
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -137,6 +141,7 @@ template <class IdArray>
 vtkSmartPointer<vtkCellArray> MakePolyVertex(vtkDataArray* ids, vtkIdType count)
 {
   ids->SetNumberOfTuples(count);
+  InkTrimArray(ids);
   NumberFrom0<IdArray>(ids, count);
   ids->Modified();
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -223,6 +228,34 @@ void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart,
   this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
 }
 
+const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
+{
+  return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
+}
+
+const char* vtkInkIsoSurfaceSampler::GetNormalMethodAsString()
+{
+  constexpr const char* names[] = { "Cell", "Gradient", "CentralDifference", "Regression" };
+  return names[this->NormalMethod];
+}
+
+const char* vtkInkIsoSurfaceSampler::GetOutputNormalsPrecisionAsString()
+{
+  return this->OutputNormalsPrecision == CHAR_PRECISION ? "Char"
+    : this->OutputNormalsPrecision == SHORT_PRECISION   ? "Short"
+                                                        : InkNameOfPrecision(this->OutputNormalsPrecision);
+}
+
+const char* vtkInkIsoSurfaceSampler::GetOutputPointsPrecisionAsString()
+{
+  return InkNameOfPrecision(this->OutputPointsPrecision);
+}
+
+const char* vtkInkIsoSurfaceSampler::GetArithmeticPrecisionAsString()
+{
+  return InkNameOfPrecision(this->ArithmeticPrecision);
+}
+
 vtkIdType vtkInkIsoSurfaceSampler::GetIndexMemory()
 {
   return static_cast<vtkIdType>(this->Internals->Ranges.bytes());
@@ -240,7 +273,8 @@ vtkMTimeType vtkInkIsoSurfaceSampler::GetMTime()
 
 int vtkInkIsoSurfaceSampler::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // Other data than images, to say what to do with them.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
@@ -257,12 +291,37 @@ int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
 int vtkInkIsoSurfaceSampler::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  vtkImageData* image = vtkImageData::GetData(info);
-  // A piece that holds nothing is no error.
-  if (!image || image->GetNumberOfPoints() == 0)
+  try
   {
-    return 1;
+    this->SampleImage(inputVector, outputVector);
+  }
+  catch (...)
+  {
+    // What may be half made is not to be used again.
+    this->Internals->ReleaseArrays();
+    this->ReleaseIndex();
+    InkReportException(this, vtkPolyData::GetData(outputVector), "The image cannot be sampled");
+  }
+  return 1;
+}
+
+void vtkInkIsoSurfaceSampler::SampleImage(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  vtkDataSet* data = vtkDataSet::GetData(info);
+  // A piece that holds nothing is no error.
+  if (!data || data->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  auto* image = vtkImageData::SafeDownCast(data);
+  if (!image)
+  {
+    vtkErrorMacro("The input is a " << data->GetClassName()
+                                    << "; expected a vtkImageData. vtkResampleToImage makes one of a grid; "
+                                       "vtkInkSurfaceSampler samples the surfaces of meshes and grids.");
+    return;
   }
   const InkExtent whole = InkGetWholeExtent(info, image);
   const glm::ivec3 samples = whole.GetDimensions();
@@ -270,14 +329,14 @@ int vtkInkIsoSurfaceSampler::RequestData(
   {
     vtkWarningMacro("The image has " << samples.x << " x " << samples.y << " x " << samples.z
                                      << " samples. An iso-surface needs at least 2 along each axis.");
-    return 1;
+    return;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
   vtkDataArray* scalars = InkChooseScalars(this, image, found, association, this->ArrayComponent);
   if (!scalars)
   {
-    return 1;
+    return;
   }
   vtkInternals& internals = *this->Internals;
   SampleRequest request;
@@ -294,62 +353,53 @@ int vtkInkIsoSurfaceSampler::RequestData(
     vtkWarningMacro("An iso-value is not a number (NaN) and makes no points.");
   }
 
-  double radius = 0.0;
-  try
+  const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
+    (this->OutputPointsPrecision == DEFAULT_PRECISION && InkNeedsDoublePrecision(InkMakeGrid(image, whole)));
+  request.Options.arithmetic = doubles || this->ArithmeticPrecision == DOUBLE_PRECISION
+    ? ink::Arithmetic::Double
+    : ink::Arithmetic::Single;
+  if (internals.Expected == 0)
   {
-    const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
-    const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
-      (this->OutputPointsPrecision == DEFAULT_PRECISION &&
-        InkNeedsDoublePrecision(InkMakeGrid(image, whole)));
-    request.Options.arithmetic = doubles || this->ArithmeticPrecision == DOUBLE_PRECISION
-      ? ink::Arithmetic::Double
-      : ink::Arithmetic::Single;
-    if (internals.Expected == 0)
-    {
-      request.Expected = GuessCount(geometry.dimensions());
-    }
-    radius = ink::isoSurfaceSampleRadius(geometry);
-    internals.RenewPoints(doubles ? VTK_DOUBLE : VTK_FLOAT);
-    constexpr int normalTypes[] = { VTK_FLOAT, VTK_SHORT, VTK_SIGNED_CHAR };
-    vtkInternals::Renew(internals.Normals, normalTypes[this->NormalsPrecision], 3);
-    vtkDataArray* points = internals.Points->GetData();
-    vtkDataArray* normals = this->ComputeNormals ? internals.Normals.Get() : nullptr;
-    const ink::GrowRoom grow = [&](std::size_t count)
-    {
-      InkReserveTuples(points, static_cast<vtkIdType>(count));
-      ink::SampleRoom room;
-      room.points = PointerTo<float, vtkFloatArray>(points);
-      room.doublePoints = PointerTo<double, vtkDoubleArray>(points);
-      if (normals)
-      {
-        InkReserveTuples(normals, static_cast<vtkIdType>(count));
-        room.normals = PointerTo<float, vtkFloatArray>(normals);
-        room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(normals);
-        room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
-      }
-      const vtkIdType size = InkGetCapacity(points);
-      room.capacity =
-        static_cast<std::size_t>((normals ? std::min(size, InkGetCapacity(normals)) : size) / 3);
-      return room;
-    };
-    int component = this->ArrayComponent;
-    const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
-    const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-    const auto progress = [this](double done)
-    {
-      this->UpdateProgress(done);
-      return !InkCheckAbort(this);
-    };
-    if (!SampleArray(geometry, array, component, hidden, request, grow, internals.Counts, progress))
-    {
-      internals.ReleaseArrays();
-      return 1;
-    }
+    request.Expected = GuessCount(geometry.dimensions());
   }
-  catch (const std::invalid_argument& error)
+  const double radius = ink::isoSurfaceSampleRadius(geometry);
+  internals.RenewPoints(doubles ? VTK_DOUBLE : VTK_FLOAT);
+  const int normalType = this->OutputNormalsPrecision == SINGLE_PRECISION ? VTK_FLOAT
+    : this->OutputNormalsPrecision == SHORT_PRECISION                     ? VTK_SHORT
+                                                                          : VTK_SIGNED_CHAR;
+  vtkInternals::Renew(internals.Normals, normalType, 3);
+  vtkDataArray* points = internals.Points->GetData();
+  vtkDataArray* normals = this->ComputeNormals ? internals.Normals.Get() : nullptr;
+  const ink::GrowRoom grow = [&](std::size_t count)
   {
-    vtkErrorMacro("The image cannot be sampled: " << error.what() << ".");
-    return 1;
+    InkReserveTuples(points, static_cast<vtkIdType>(count));
+    ink::SampleRoom room;
+    room.points = PointerTo<float, vtkFloatArray>(points);
+    room.doublePoints = PointerTo<double, vtkDoubleArray>(points);
+    if (normals)
+    {
+      InkReserveTuples(normals, static_cast<vtkIdType>(count));
+      room.normals = PointerTo<float, vtkFloatArray>(normals);
+      room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(normals);
+      room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
+    }
+    const vtkIdType size = InkGetCapacity(points);
+    room.capacity = static_cast<std::size_t>((normals ? std::min(size, InkGetCapacity(normals)) : size) / 3);
+    return room;
+  };
+  int component = this->ArrayComponent;
+  const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
+  const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
+  const auto progress = [this](double done)
+  {
+    this->UpdateProgress(done);
+    return !InkCheckAbort(this);
+  };
+  if (!SampleArray(geometry, array, component, hidden, request, grow, internals.Counts, progress))
+  {
+    internals.ReleaseArrays();
+    return;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->FillOutput(radius, output);
@@ -358,7 +408,6 @@ int vtkInkIsoSurfaceSampler::RequestData(
   {
     this->ReportOutside(scalars);
   }
-  return 1;
 }
 
 void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
@@ -412,6 +461,7 @@ void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
   const auto finish = [count](vtkDataArray* array, const char* name)
   {
     array->SetNumberOfTuples(count);
+    InkTrimArray(array);
     array->SetName(name);
     array->Modified();
   };
@@ -459,13 +509,11 @@ void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
 void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  constexpr const char* methods[] = { "CELL", "GRADIENT", "CENTRAL_DIFFERENCE", "REGRESSION" };
-  constexpr const char* normals[] = { "FLOAT_NORMALS", "SHORT_NORMALS", "CHAR_NORMALS" };
-  os << indent << "CrossingRule: " << (this->CrossingRule == STRICT ? "STRICT" : "HALF_OPEN") << "\n"
-     << indent << "NormalMethod: " << methods[this->NormalMethod] << "\n"
-     << indent << "NormalsPrecision: " << normals[this->NormalsPrecision] << "\n"
+  os << indent << "CrossingRule: " << this->GetCrossingRuleAsString() << "\n"
+     << indent << "NormalMethod: " << this->GetNormalMethodAsString() << "\n"
+     << indent << "OutputNormalsPrecision: " << this->GetOutputNormalsPrecisionAsString() << "\n"
      << indent << "ComputeSurfaceIndex: " << this->ComputeSurfaceIndex << "\n"
-     << indent << "ArithmeticPrecision: " << this->ArithmeticPrecision << "\n"
+     << indent << "ArithmeticPrecision: " << this->GetArithmeticPrecisionAsString() << "\n"
      << indent << "UseIndex: " << this->UseIndex << "\n"
      << indent << "IndexMemory: " << this->GetIndexMemory() << "\n"
      << indent << "ReuseArrays: " << this->ReuseArrays << "\n"
@@ -473,7 +521,7 @@ void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
      << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
-     << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n"
+     << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
      << indent << "ContourValues:\n";
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());
 }

@@ -12,10 +12,10 @@
  * An array that is not contiguous in memory is copied first.
  *
  * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient; see
- * NormalMethod and NormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs of
- * this radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: which of
- * them the point belongs to). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding all
- * points, unless GenerateVertices is off.
+ * NormalMethod and OutputNormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs
+ * of this radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: which
+ * of them the point belongs to). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding
+ * all points, unless GenerateVertices is off.
  *
  * Points come in the order of their cells, iso-value by iso-value, and are the same for any number of
  * threads (VTK_SMP_MAX_THREADS sets it) and for any split of the image into pieces with one level of
@@ -33,7 +33,8 @@
  * Output arrays that nobody else holds when the filter runs again are filled anew instead of made anew, see
  * ReuseArrays.
  *
- * Errors and warnings, each with an empty output: no such point array, ArrayComponent beyond its components,
+ * Errors and warnings, each with an empty output: data that are no image (vtkResampleToImage makes one of
+ * rectilinear, structured and unstructured grids), no such point array, ArrayComponent beyond its components,
  * an image of fewer than two samples along an axis, a spacing of zero or a direction matrix without inverse.
  *
  * @sa vtkInkSplattingLinesMapper vtkFlyingEdges3D
@@ -79,7 +80,7 @@ public:
   ///@{
   /**
    * Which cell edges the surface at f0 intersects. HALF_OPEN (default): those with one end below f0 and
-   * the other at or above it, so that a surface through voxel centres has neither holes nor doubles.
+   * the other at or above it, so that a surface through voxel centers has neither holes nor doubles.
    * STRICT: the rule as Zhang et al. write it, (f1 - f0)(f2 - f0) < 0, and the edge's middle where
    * f1 = f2 = f0; where f0 is a value that voxels have, as in integer data, it
    * leaves holes and finds flat pieces twice.
@@ -88,6 +89,7 @@ public:
   vtkGetMacro(CrossingRule, int);
   void SetCrossingRuleToHalfOpen() { this->SetCrossingRule(HALF_OPEN); }
   void SetCrossingRuleToStrict() { this->SetCrossingRule(STRICT); }
+  const char* GetCrossingRuleAsString();
   ///@}
 
   ///@{
@@ -114,7 +116,7 @@ public:
    * voxels; the fastest, and with facets. GRADIENT: central differences give the corners gradients, which are
    * interpolated. CENTRAL_DIFFERENCE (default): their unit vectors are, as Zhang et al. do it; more exact
    * where a boundary is sharp or voxels are not cubes. REGRESSION: the same with gradients by linear
-   * regression over each corner's 26 neighbours (Neumann et al. 2000, equal weights); smoother where there is
+   * regression over each corner's 26 neighbors (Neumann et al. 2000, equal weights); smoother where there is
    * noise, and rounds off what is smaller than two voxels.
    */
   vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
@@ -123,27 +125,29 @@ public:
   void SetNormalMethodToGradient() { this->SetNormalMethod(GRADIENT); }
   void SetNormalMethodToCentralDifference() { this->SetNormalMethod(CENTRAL_DIFFERENCE); }
   void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
+  const char* GetNormalMethodAsString();
   ///@}
 
-  /// What `Normals` holds, see SetNormalsPrecision.
-  enum NormalsPrecisionType
+  /// Below vtkAlgorithm::SINGLE_PRECISION, see SetOutputNormalsPrecision.
+  enum OutputNormalsPrecisionType
   {
-    FLOAT_NORMALS = 0,
-    SHORT_NORMALS = 1,
-    CHAR_NORMALS = 2
+    CHAR_PRECISION = -2,
+    SHORT_PRECISION = -1
   };
 
   ///@{
   /**
-   * What the array `Normals` holds. FLOAT_NORMALS (default): unit vectors as float, 12 bytes a point.
-   * SHORT_NORMALS: times 32767 and rounded, 6 bytes, off by up to .002 degrees. CHAR_NORMALS: times 127 and
-   * rounded, 3 bytes, off by up to .4 degrees. Mappers that normalise their normals draw them as they are.
+   * What the array `Normals` holds. vtkAlgorithm::SINGLE_PRECISION (default): unit vectors as float, 12 bytes
+   * a point. SHORT_PRECISION: times 32767 and rounded, 6 bytes, off by up to .002 degrees. CHAR_PRECISION:
+   * times 127 and rounded, 3 bytes, off by up to .4 degrees. Mappers that normalize their normals draw them
+   * as they are.
    */
-  vtkSetClampMacro(NormalsPrecision, int, FLOAT_NORMALS, CHAR_NORMALS);
-  vtkGetMacro(NormalsPrecision, int);
-  void SetNormalsPrecisionToFloat() { this->SetNormalsPrecision(FLOAT_NORMALS); }
-  void SetNormalsPrecisionToShort() { this->SetNormalsPrecision(SHORT_NORMALS); }
-  void SetNormalsPrecisionToChar() { this->SetNormalsPrecision(CHAR_NORMALS); }
+  vtkSetClampMacro(OutputNormalsPrecision, int, CHAR_PRECISION, SINGLE_PRECISION);
+  vtkGetMacro(OutputNormalsPrecision, int);
+  void SetOutputNormalsPrecisionToSingle() { this->SetOutputNormalsPrecision(SINGLE_PRECISION); }
+  void SetOutputNormalsPrecisionToShort() { this->SetOutputNormalsPrecision(SHORT_PRECISION); }
+  void SetOutputNormalsPrecisionToChar() { this->SetOutputNormalsPrecision(CHAR_PRECISION); }
+  const char* GetOutputNormalsPrecisionAsString();
   ///@}
 
   ///@{
@@ -184,12 +188,16 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): single unless the
-   * image lies so far from the origin that single precision would move points by more than a
-   * thousandth of the smallest spacing.
+   * The type of the points' coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
+   * DEFAULT_PRECISION (default), which is single unless the image lies so far from the origin that single
+   * precision would move points by more than a thousandth of the smallest spacing.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  void SetOutputPointsPrecisionToSingle() { this->SetOutputPointsPrecision(SINGLE_PRECISION); }
+  void SetOutputPointsPrecisionToDouble() { this->SetOutputPointsPrecision(DOUBLE_PRECISION); }
+  void SetOutputPointsPrecisionToDefault() { this->SetOutputPointsPrecision(DEFAULT_PRECISION); }
+  const char* GetOutputPointsPrecisionAsString();
   ///@}
 
   ///@{
@@ -201,6 +209,9 @@ public:
    */
   vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(ArithmeticPrecision, int);
+  void SetArithmeticPrecisionToSingle() { this->SetArithmeticPrecision(SINGLE_PRECISION); }
+  void SetArithmeticPrecisionToDouble() { this->SetArithmeticPrecision(DOUBLE_PRECISION); }
+  const char* GetArithmeticPrecisionAsString();
   ///@}
 
   ///@{
@@ -248,6 +259,7 @@ private:
 
   class vtkInternals;
 
+  void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
   void FillOutput(double radius, vtkPolyData* output);
   /// Warns where no iso-value lies within the values' range.
   void ReportOutside(vtkDataArray* scalars);
@@ -255,7 +267,7 @@ private:
   vtkNew<vtkContourValues> ContourValues;
   int CrossingRule = HALF_OPEN;
   int NormalMethod = CENTRAL_DIFFERENCE;
-  int NormalsPrecision = FLOAT_NORMALS;
+  int OutputNormalsPrecision = SINGLE_PRECISION;
   int ArithmeticPrecision = SINGLE_PRECISION;
   bool ComputeNormals = true;
   bool ComputeSurfaceIndex = true;

@@ -2,14 +2,13 @@
 #include "vtkInkPointPriority.h"
 
 #include "InkPointCloud.h"
+#include "InkReportException.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkInkPointPriority);
 
@@ -39,9 +38,9 @@ int vtkInkPointPriority::RequestData(
   {
     InkPreparePointCloud(input, options, this, vtkPolyData::GetData(outputVector));
   }
-  catch (const std::invalid_argument& error)
+  catch (...)
   {
-    vtkErrorMacro("The points cannot be ordered: " << error.what() << ".");
+    InkReportException(this, vtkPolyData::GetData(outputVector), "The points cannot be ordered");
   }
   return 1;
 }

@@ -10,7 +10,7 @@
  * points, thins them out evenly, and nothing needs to be computed again when p changes. All point arrays are
  * carried along; cells are not.
  *
- * `Normals` keep points of different sides or sheets from counting as neighbours. Where there are none they
+ * `Normals` keep points of different sides or sheets from counting as neighbors. Where there are none they
  * are estimated from the sixteen nearest points, to the same side all over and outwards on closed surfaces,
  * unless EstimateNormals is off. Where there is a point array `Radius`, points keep their distances in
  * proportion to it.
@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * Estimate the point array `Radius` where there is none, each from the distances to its neighbours (see
+   * Estimate the point array `Radius` where there is none, each from the distances to its neighbors (see
    * ink::pointRadii); 0 for points that belong to no surface. Default: on.
    */
   vtkSetMacro(EstimateRadius, bool);

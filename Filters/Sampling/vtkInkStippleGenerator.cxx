@@ -2,6 +2,9 @@
 #include "vtkInkStippleGenerator.h"
 
 #include "InkImageGrid.h"
+#include "InkPrecision.h"
+#include "InkReportException.h"
+#include "InkSetNumber.h"
 #include "InkSurfaceStipples.h"
 #include "InkVTKCompat.h"
 #include "InkVolumeStipples.h"
@@ -26,7 +29,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -96,10 +98,55 @@ vtkInkStippleGenerator::vtkInkStippleGenerator()
 
 vtkInkStippleGenerator::~vtkInkStippleGenerator() = default;
 
+const char* vtkInkStippleGenerator::GetThresholdModeAsString()
+{
+  return this->ThresholdMode == PERCENTILE ? "Percentile" : "Magnitude";
+}
+
+const char* vtkInkStippleGenerator::GetGradientMethodAsString()
+{
+  return this->GradientMethod == REGRESSION ? "Regression" : "CentralDifference";
+}
+
+const char* vtkInkStippleGenerator::GetOutputPointsPrecisionAsString()
+{
+  return InkNameOfPrecision(this->OutputPointsPrecision);
+}
+
+void vtkInkStippleGenerator::SetGradientPercentile(double percentile)
+{
+  InkSetClampedNumber(this, "GradientPercentile", this->GradientPercentile, percentile, 0.0, 100.0);
+}
+
+void vtkInkStippleGenerator::SetGradientThreshold(double threshold)
+{
+  InkSetClampedNumber(this, "GradientThreshold", this->GradientThreshold, threshold, 0.0, VTK_DOUBLE_MAX);
+}
+
+void vtkInkStippleGenerator::SetLayerThickness(double thickness)
+{
+  InkSetClampedNumber(this, "LayerThickness", this->LayerThickness, thickness, 0.0, 2.0);
+}
+
+void vtkInkStippleGenerator::SetScalarWindow(double lowest, double highest)
+{
+  InkSetRange(this, "ScalarWindow", this->ScalarWindow, lowest, highest);
+}
+
+void vtkInkStippleGenerator::SetReferenceScalarRange(double lowest, double highest)
+{
+  InkSetRange(this, "ReferenceScalarRange", this->ReferenceScalarRange, lowest, highest);
+}
+
+void vtkInkStippleGenerator::SetReferenceGradient(double magnitude)
+{
+  InkSetClampedNumber(this, "ReferenceGradient", this->ReferenceGradient, magnitude, 0.0, VTK_DOUBLE_MAX);
+}
+
 int vtkInkStippleGenerator::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Other data than images and meshes, to say what to do with them.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
@@ -170,6 +217,14 @@ int vtkInkStippleGenerator::RequestData(
     return 1;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (!mesh && !vtkImageData::SafeDownCast(data))
+  {
+    vtkErrorMacro(
+      "The input is a " << data->GetClassName()
+                        << "; expected a vtkImageData or a vtkPolyData. vtkResampleToImage makes an "
+                           "image of a grid, vtkDataSetSurfaceFilter a mesh of its surface.");
+    return 1;
+  }
   const std::string kind = mesh ? "mesh" : "image";
   try
   {
@@ -182,15 +237,9 @@ int vtkInkStippleGenerator::RequestData(
       this->StippleVolume(inputVector, outInfo, output);
     }
   }
-  catch (const std::invalid_argument& error)
+  catch (...)
   {
-    vtkErrorMacro("The " << kind << " cannot be stippled: " << error.what() << ".");
-    output->Initialize();
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("The " << kind << " cannot be stippled: there is not enough memory for its stipples.");
-    output->Initialize();
+    InkReportException(this, output, "The " + kind + " cannot be stippled");
   }
   return 1;
 }
@@ -351,14 +400,11 @@ void vtkInkStippleGenerator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumStipples: " << this->MaximumStipples << "\n"
      << indent << "NumberOfSurfaceStipples: " << this->NumberOfSurfaceStipples << "\n"
-     << indent << "ThresholdMode: " << (this->ThresholdMode == PERCENTILE ? "PERCENTILE" : "MAGNITUDE")
-     << "\n"
+     << indent << "ThresholdMode: " << this->GetThresholdModeAsString() << "\n"
      << indent << "GradientPercentile: " << this->GradientPercentile << "\n"
      << indent << "GradientThreshold: " << this->GradientThreshold << "\n"
      << indent << "LayerThickness: " << this->LayerThickness << "\n"
-     << indent
-     << "GradientMethod: " << (this->GradientMethod == REGRESSION ? "REGRESSION" : "CENTRAL_DIFFERENCE")
-     << "\n"
+     << indent << "GradientMethod: " << this->GetGradientMethodAsString() << "\n"
      << indent << "UseScalarWindow: " << this->UseScalarWindow << "\n"
      << indent << "ScalarWindow: " << this->ScalarWindow[0] << " " << this->ScalarWindow[1] << "\n"
      << indent << "UseReferenceRanges: " << this->UseReferenceRanges << "\n"
@@ -368,5 +414,5 @@ void vtkInkStippleGenerator::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PassScalars: " << this->PassScalars << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
-     << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+     << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n";
 }

@@ -10,7 +10,7 @@
  * Volumes: a voxel, the cube of one sample step around a point of the image, gets MaximumStipples stipples
  * when its gradient is steep enough, see SetThresholdMode, and it has values in the ScalarWindow, if there
  * is one. They lie in the voxel between the planes p1 and p2 beside its tangent plane, see SetLayerThickness,
- * and are spread evenly in it and across its neighbours: seen along the surface's normal they are close to a
+ * and are spread evenly in it and across its neighbors: seen along the surface's normal they are close to a
  * Poisson-disc sampling, and so are the first n of all voxels for every n. The gradient is by default that of
  * the 4D linear regression that the paper uses (section 4.1), see vtkInkGradient.
  *
@@ -23,7 +23,7 @@
  * priority. Cell data: `Normals` (unit; out of the denser side, or out of the front of the polygon: the mean
  * of its points' normals where the mesh has some); of volumes also `GradientMagnitude` (0 to 1, relative to
  * the magnitude below which 99 of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's
- * range); with PassScalars the scalars for colours, as active scalars and under their own name, or that after
+ * range); with PassScalars the scalars for colors, as active scalars and under their own name, or that after
  * `Input` if it is one of the above. Point data,
  * of surfaces only: `Priority`, of all stipples together. Field data: `ElementKind` (0 volume, 1 surface),
  * `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area), `StipplesPerElement`
@@ -40,7 +40,8 @@
  * for itself.
  *
  * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
- * gives none, which is no error. Errors, each with an empty output: no such point array, ArrayComponent
+ * gives none, which is no error. Errors, each with an empty output: data that are neither an image nor a mesh
+ * (vtkResampleToImage and vtkDataSetSurfaceFilter make them), no such point array, ArrayComponent
  * beyond its components, a spacing of zero or a direction matrix without inverse, a mesh without polygons or
  * without area, an array to pass that is not there, more stipples than memory.
  *
@@ -105,6 +106,7 @@ public:
   vtkGetMacro(ThresholdMode, int);
   void SetThresholdModeToPercentile() { this->SetThresholdMode(PERCENTILE); }
   void SetThresholdModeToMagnitude() { this->SetThresholdMode(MAGNITUDE); }
+  const char* GetThresholdModeAsString();
   ///@}
 
   ///@{
@@ -112,7 +114,9 @@ public:
    * How many percent of the image's voxels have a gradient too small for stipples, to within a hundredth of
    * the gradient. Default: 95; range 0 to 100. Less shows weaker boundaries, and more noise.
    */
-  vtkSetClampMacro(GradientPercentile, double, 0.0, 100.0);
+  void SetGradientPercentile(double value);
+  double GetGradientPercentileMinValue() { return 0.0; }
+  double GetGradientPercentileMaxValue() { return 100.0; }
   vtkGetMacro(GradientPercentile, double);
   ///@}
 
@@ -121,7 +125,9 @@ public:
    * The smallest gradient magnitude with stipples, in value per world unit. Default: 0, all that is not
    * constant; range from 0 on.
    */
-  vtkSetClampMacro(GradientThreshold, double, 0.0, VTK_DOUBLE_MAX);
+  void SetGradientThreshold(double value);
+  double GetGradientThresholdMinValue() { return 0.0; }
+  double GetGradientThresholdMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(GradientThreshold, double);
   ///@}
 
@@ -131,7 +137,9 @@ public:
    * gaps between layers of voxels; range 0 (all on the tangent plane) to 2 (from 1.73 on anywhere in the
    * voxel). Thin layers are sharper seen from the side, but show the voxels there.
    */
-  vtkSetClampMacro(LayerThickness, double, 0.0, 2.0);
+  void SetLayerThickness(double value);
+  double GetLayerThicknessMinValue() { return 0.0; }
+  double GetLayerThicknessMaxValue() { return 2.0; }
   vtkGetMacro(LayerThickness, double);
   ///@}
 
@@ -151,6 +159,7 @@ public:
   vtkGetMacro(GradientMethod, int);
   void SetGradientMethodToCentralDifference() { this->SetGradientMethod(CENTRAL_DIFFERENCE); }
   void SetGradientMethodToRegression() { this->SetGradientMethod(REGRESSION); }
+  const char* GetGradientMethodAsString();
   ///@}
 
   ///@{
@@ -166,9 +175,11 @@ public:
 
   ///@{
   /**
-   * The lowest and the highest value with stipples, in the scalars' unit. Default: 0 and 0.
+   * The lowest and the highest value with stipples, in the scalars' unit. Default: 0 and 0. NaN, and a
+   * highest below the lowest, are refused with a warning.
    */
-  vtkSetVector2Macro(ScalarWindow, double);
+  void SetScalarWindow(double lowest, double highest);
+  void SetScalarWindow(const double window[2]) { this->SetScalarWindow(window[0], window[1]); }
   vtkGetVector2Macro(ScalarWindow, double);
   ///@}
 
@@ -186,9 +197,10 @@ public:
   ///@{
   /**
    * The values at which Value is 0 and 1, in the scalars' unit; what an output's `ScalarRange` says of its
-   * own image. Default: 0 and 1.
+   * own image. Default: 0 and 1. NaN, and the second below the first, are refused with a warning.
    */
-  vtkSetVector2Macro(ReferenceScalarRange, double);
+  void SetReferenceScalarRange(double lowest, double highest);
+  void SetReferenceScalarRange(const double range[2]) { this->SetReferenceScalarRange(range[0], range[1]); }
   vtkGetVector2Macro(ReferenceScalarRange, double);
   ///@}
 
@@ -197,13 +209,15 @@ public:
    * The gradient's magnitude at which GradientMagnitude is 1, in value per world unit; what an output's
    * `GradientMagnitudeRange` says of its own image. Default: 1; range from 0 on.
    */
-  vtkSetClampMacro(ReferenceGradient, double, 0.0, VTK_DOUBLE_MAX);
+  void SetReferenceGradient(double value);
+  double GetReferenceGradientMinValue() { return 0.0; }
+  double GetReferenceGradientMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(ReferenceGradient, double);
   ///@}
 
   ///@{
   /**
-   * Give the elements scalars to be coloured by: the array that SetInputArrayToProcess(1, ...) names, of the
+   * Give the elements scalars to be colored by: the array that SetInputArrayToProcess(1, ...) names, of the
    * image's points or of the mesh's points or cells, or without a name the active point scalars. A polygon
    * takes the mean of its first three points. Default: off.
    */
@@ -230,12 +244,17 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): that of a mesh's points;
-   * for an image single unless it lies so far from the origin that single precision would move points by
-   * more than a thousandth of the smallest spacing.
+   * The type of the stipples' coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
+   * DEFAULT_PRECISION (default), which is that of a mesh's points, and for an image single unless it lies so
+   * far from the origin that single precision would move points by more than a thousandth of the smallest
+   * spacing.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  void SetOutputPointsPrecisionToSingle() { this->SetOutputPointsPrecision(SINGLE_PRECISION); }
+  void SetOutputPointsPrecisionToDouble() { this->SetOutputPointsPrecision(DOUBLE_PRECISION); }
+  void SetOutputPointsPrecisionToDefault() { this->SetOutputPointsPrecision(DEFAULT_PRECISION); }
+  const char* GetOutputPointsPrecisionAsString();
   ///@}
 
   ///@{
@@ -273,7 +292,7 @@ private:
   /// Warns that no voxel of the whole image is stippled.
   void ReportNothing(vtkDataArray* scalars);
   void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
-  /// The array for colours, null when none is wanted; `ofCells` says whose it is.
+  /// The array for colors, null when none is wanted; `ofCells` says whose it is.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);
   bool NeedsWholeImage() const;
   bool ReportProgress(double share);

@@ -4,6 +4,10 @@
 #include "InkMeshTriangles.h"
 #include "InkPointCloud.h"
 #include "InkPointOutput.h"
+#include "InkPrecision.h"
+#include "InkReportException.h"
+#include "InkSetNumber.h"
+#include "InkSurfaceOf.h"
 #include "InkSurfaceSamples.h"
 #include "InkVTKCompat.h"
 
@@ -13,12 +17,11 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <new>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 namespace
@@ -45,6 +48,31 @@ vtkInkSurfaceSampler::vtkInkSurfaceSampler()
 
 vtkInkSurfaceSampler::~vtkInkSurfaceSampler() = default;
 
+const char* vtkInkSurfaceSampler::GetMethodAsString()
+{
+  return this->Method == BLUE_NOISE ? "BlueNoise" : "WhiteNoise";
+}
+
+const char* vtkInkSurfaceSampler::GetAmountAsString()
+{
+  return this->Amount == SAMPLE_RADIUS ? "SampleRadius" : "NumberOfSamples";
+}
+
+const char* vtkInkSurfaceSampler::GetOutputPointsPrecisionAsString()
+{
+  return InkNameOfPrecision(this->OutputPointsPrecision);
+}
+
+void vtkInkSurfaceSampler::SetGap(double gap)
+{
+  InkSetClampedNumber(this, "Gap", this->Gap, gap, 0.02, 1.0);
+}
+
+void vtkInkSurfaceSampler::SetViewpoint(double x, double y, double z)
+{
+  InkSetPoint(this, "Viewpoint", this->Viewpoint, x, y, z);
+}
+
 void vtkInkSurfaceSampler::SetFirstFrameData(vtkPolyData* samples)
 {
   this->SetInputData(1, samples);
@@ -52,7 +80,7 @@ void vtkInkSurfaceSampler::SetFirstFrameData(vtkPolyData* samples)
 
 int vtkInkSurfaceSampler::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -177,22 +205,26 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
 int vtkInkSurfaceSampler::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   vtkPolyData* firstFrame =
     this->GetNumberOfInputConnections(1) > 0 ? vtkPolyData::GetData(inputVector[1]) : nullptr;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfIsolatedPoints = 0;
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   this->TriedFirstStep = false;
-  const bool follows =
-    mesh && this->FollowDeformation && !firstFrame && (HasFaces(mesh) || this->AtFirstStep);
-  // A piece, or a time step, of nothing is no error.
-  if (!mesh || (mesh->GetNumberOfPoints() == 0 && !follows))
+  if (!input)
   {
     return 1;
   }
   try
   {
+    const vtkSmartPointer<vtkPolyData> mesh = InkSurfaceOf(input);
+    const bool follows = this->FollowDeformation && !firstFrame && (HasFaces(mesh) || this->AtFirstStep);
+    // A piece, or a time step, of nothing is no error.
+    if (mesh->GetNumberOfPoints() == 0 && !follows)
+    {
+      return 1;
+    }
     if (follows)
     {
       this->FollowMesh(request, inputVector[0]->GetInformationObject(0),
@@ -207,7 +239,7 @@ int vtkInkSurfaceSampler::RequestData(
     {
       InkPointCloudOptions options;
       options.Normals = this->ComputeNormals;
-      options.NormalNeighbours = this->NormalNeighbours;
+      options.NormalNeighbors = this->NormalNeighbors;
       options.Viewpoint = this->OrientTowardsViewpoint ? this->Viewpoint : nullptr;
       options.UniformRadius = this->UniformRadius;
       options.RemoveIsolated = this->RemoveIsolated;
@@ -226,15 +258,9 @@ int vtkInkSurfaceSampler::RequestData(
       this->SampleMesh(mesh, output, this->KeepFaces);
     }
   }
-  catch (const std::invalid_argument& error)
+  catch (...)
   {
-    vtkErrorMacro("The mesh cannot be sampled: " << error.what() << ".");
-    output->Initialize();
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("The mesh cannot be sampled: there is not enough memory for its samples.");
-    output->Initialize();
+    InkReportException(this, output, "The mesh cannot be sampled");
   }
   return 1;
 }
@@ -307,9 +333,8 @@ void vtkInkSurfaceSampler::MoveSamples(vtkPolyData* mesh, vtkPolyData* samples, 
 void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << (this->Method == BLUE_NOISE ? "BLUE_NOISE" : "WHITE_NOISE") << "\n"
-     << indent << "Amount: " << (this->Amount == SAMPLE_RADIUS ? "SAMPLE_RADIUS" : "NUMBER_OF_SAMPLES")
-     << "\n"
+  os << indent << "Method: " << this->GetMethodAsString() << "\n"
+     << indent << "Amount: " << this->GetAmountAsString() << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "SampleRadius: " << this->SampleRadius << "\n"
      << indent << "Gap: " << this->Gap << "\n"
@@ -320,7 +345,7 @@ void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "KeepFaces: " << this->KeepFaces << "\n"
      << indent << "FollowDeformation: " << this->FollowDeformation << "\n"
      << indent << "NumberOfSamplings: " << this->NumberOfSamplings << "\n"
-     << indent << "NormalNeighbours: " << this->NormalNeighbours << "\n"
+     << indent << "NormalNeighbors: " << this->NormalNeighbors << "\n"
      << indent << "OrientTowardsViewpoint: " << this->OrientTowardsViewpoint << "\n"
      << indent << "Viewpoint: " << this->Viewpoint[0] << " " << this->Viewpoint[1] << " "
      << this->Viewpoint[2] << "\n"
@@ -328,5 +353,5 @@ void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RemoveIsolated: " << this->RemoveIsolated << "\n"
      << indent << "NumberOfIsolatedPoints: " << this->NumberOfIsolatedPoints << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
-     << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+     << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n";
 }

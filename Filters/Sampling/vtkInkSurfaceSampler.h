@@ -3,7 +3,8 @@
  * @class   vtkInkSurfaceSampler
  * @brief   meshes to points with normals: white or blue noise, in an order that can be cut off anywhere
  *
- * Input: a vtkPolyData. Its polygons and triangle strips are sampled (Zhang et al. 2014, section 4): by area
+ * Input: a vtkPolyData, or another vtkPointSet, of whose cells the surface is taken (vtkUnstructuredGrid,
+ * vtkStructuredGrid). Polygons and triangle strips are sampled (Zhang et al. 2014, section 4): by area
  * alone, each sample for itself (WHITE_NOISE, Osada et al. 2002), or so that no two samples are nearer along
  * the surface than a radius and none fits in between (BLUE_NOISE, a Poisson-disc sampling after Cline et al.
  * 2009). Distances are measured on the mesh, so that both sides of a thin sheet get their samples; see
@@ -33,8 +34,8 @@
  * for the first frame, made with KeepFaces, and the first input a deformed copy of the mesh.
  *
  * Point clouds: an input of points without faces is not sampled. Its points get their `Priority`, and where
- * they have none, a `Radius`, each by the distances to its neighbours, so that uneven scans have neither
- * holes nor real holes closed (see ink::pointRadii), and normals, see NormalNeighbours. Points that belong to
+ * they have none, a `Radius`, each by the distances to its neighbors, so that uneven scans have neither
+ * holes nor real holes closed (see ink::pointRadii), and normals, see NormalNeighbors. Points that belong to
  * no surface are left out, see RemoveIsolated, and those that `vtkGhostType` marks as hidden or duplicate.
  *
  * The same input gives the same output on any number of threads. In parallel each piece is sampled for
@@ -81,6 +82,7 @@ public:
   vtkGetMacro(Method, int);
   void SetMethodToWhiteNoise() { this->SetMethod(WHITE_NOISE); }
   void SetMethodToBlueNoise() { this->SetMethod(BLUE_NOISE); }
+  const char* GetMethodAsString();
   ///@}
 
   /// What says how many samples are made, see SetAmount.
@@ -98,6 +100,7 @@ public:
   vtkGetMacro(Amount, int);
   void SetAmountToNumberOfSamples() { this->SetAmount(NUMBER_OF_SAMPLES); }
   void SetAmountToSampleRadius() { this->SetAmount(SAMPLE_RADIUS); }
+  const char* GetAmountAsString();
   ///@}
 
   ///@{
@@ -125,7 +128,9 @@ public:
    * must be to leave no holes, and the sooner they are made: at 1, in six to eight tenths of
    * the time.
    */
-  vtkSetClampMacro(Gap, double, 0.02, 1.0);
+  void SetGap(double value);
+  double GetGapMinValue() { return 0.02; }
+  double GetGapMaxValue() { return 1.0; }
   vtkGetMacro(Gap, double);
   ///@}
 
@@ -197,11 +202,11 @@ public:
 
   ///@{
   /**
-   * Of point clouds: from how many neighbours, itself included, a normal is estimated. 3 to 64; default: 16.
+   * Of point clouds: from how many neighbors, itself included, a normal is estimated. 3 to 64; default: 16.
    * More smooth noise and rounded edges.
    */
-  vtkSetClampMacro(NormalNeighbours, int, 3, 64);
-  vtkGetMacro(NormalNeighbours, int);
+  vtkSetClampMacro(NormalNeighbors, int, 3, 64);
+  vtkGetMacro(NormalNeighbors, int);
   ///@}
 
   ///@{
@@ -216,15 +221,17 @@ public:
 
   ///@{
   /**
-   * Where the scanner stood, in world coordinates. Default: the origin.
+   * Where the scanner stood, in world coordinates. Default: the origin. What is not finite is refused with a
+   * warning.
    */
-  vtkSetVector3Macro(Viewpoint, double);
+  void SetViewpoint(double x, double y, double z);
+  void SetViewpoint(const double point[3]) { this->SetViewpoint(point[0], point[1], point[2]); }
   vtkGetVector3Macro(Viewpoint, double);
   ///@}
 
   ///@{
   /**
-   * Of point clouds: one radius for all points, the median distance to the sixth neighbour, instead of each
+   * Of point clouds: one radius for all points, the median distance to the sixth neighbor, instead of each
    * point's own; for points that lie evenly. Default: off.
    */
   vtkSetMacro(UniformRadius, bool);
@@ -259,16 +266,20 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): that of the input's
-   * points.
+   * The type of the points' coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
+   * DEFAULT_PRECISION (default), which is that of the input's points.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  void SetOutputPointsPrecisionToSingle() { this->SetOutputPointsPrecision(SINGLE_PRECISION); }
+  void SetOutputPointsPrecisionToDouble() { this->SetOutputPointsPrecision(DOUBLE_PRECISION); }
+  void SetOutputPointsPrecisionToDefault() { this->SetOutputPointsPrecision(DEFAULT_PRECISION); }
+  const char* GetOutputPointsPrecisionAsString();
   ///@}
 
   ///@{
   /**
-   * The samples of the first frame, which are moved instead of made anew. Optional.
+   * The samples of the first frame, which are moved instead of made anew. Default: none.
    */
   void SetFirstFrameConnection(vtkAlgorithmOutput* samples) { this->SetInputConnection(1, samples); }
   void SetFirstFrameData(vtkPolyData* samples);
@@ -313,7 +324,7 @@ private:
   vtkMTimeType SampledUpstream = 0; ///< GetUpstreamMTime() then
   bool AtFirstStep = false;         ///< whether the first time step was asked for instead of the wanted one
   bool TriedFirstStep = false;      ///< whether it was asked for just before, with or without success
-  int NormalNeighbours = 16;
+  int NormalNeighbors = 16;
   bool OrientTowardsViewpoint = false;
   double Viewpoint[3] = { 0.0, 0.0, 0.0 };
   bool UniformRadius = false;

@@ -2,6 +2,8 @@
 #include "vtkInkVDBIsoSurfaceSampler.h"
 
 #include "InkImageGrid.h"
+#include "InkPrecision.h"
+#include "InkReportException.h"
 #include "InkVDBSource.h"
 #include "InkVTKCompat.h"
 #include "Sampling/IsoSurfaceSamples.h"
@@ -26,7 +28,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <new>
 #include <numeric>
 #include <span>
 #include <string>
@@ -153,6 +154,27 @@ void vtkInkVDBIsoSurfaceSampler::GenerateValues(int numContours, double rangeSta
   this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
 }
 
+const char* vtkInkVDBIsoSurfaceSampler::GetCrossingRuleAsString()
+{
+  return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
+}
+
+const char* vtkInkVDBIsoSurfaceSampler::GetNormalMethodAsString()
+{
+  constexpr const char* names[] = { "Cell", "Gradient", "CentralDifference", "Regression" };
+  return names[this->NormalMethod];
+}
+
+const char* vtkInkVDBIsoSurfaceSampler::GetOutputPointsPrecisionAsString()
+{
+  return InkNameOfPrecision(this->OutputPointsPrecision);
+}
+
+const char* vtkInkVDBIsoSurfaceSampler::GetArithmeticPrecisionAsString()
+{
+  return InkNameOfPrecision(this->ArithmeticPrecision);
+}
+
 vtkMTimeType vtkInkVDBIsoSurfaceSampler::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
@@ -178,6 +200,10 @@ int vtkInkVDBIsoSurfaceSampler::RequestInformation(
   catch (const ink::VdbError& error)
   {
     vtkErrorMacro(<< error.what() << ".");
+  }
+  catch (...)
+  {
+    InkReportException(this, nullptr, "Cannot read \"" + Text(this->FileName) + "\"");
   }
   return 1;
 }
@@ -282,9 +308,9 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
   {
     vtkErrorMacro(<< error.what() << ".");
   }
-  catch (const std::bad_alloc&)
+  catch (...)
   {
-    vtkErrorMacro("Cannot sample \"" << Text(this->FileName) << "\": there is not enough memory.");
+    InkReportException(this, output, "Cannot sample \"" + Text(this->FileName) + "\"");
   }
   return 1;
 }
@@ -332,14 +358,14 @@ void vtkInkVDBIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << Text(this->FileName) << "\n"
      << indent << "GridName: " << Text(this->GridName) << "\n"
      << indent << "InvertLevelSets: " << this->InvertLevelSets << "\n"
-     << indent << "CrossingRule: " << (this->CrossingRule == STRICT ? "STRICT" : "HALF_OPEN") << "\n"
-     << indent << "NormalMethod: " << this->NormalMethod << "\n"
+     << indent << "CrossingRule: " << this->GetCrossingRuleAsString() << "\n"
+     << indent << "NormalMethod: " << this->GetNormalMethodAsString() << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeSurfaceIndex: " << this->ComputeSurfaceIndex << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
-     << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n"
-     << indent << "ArithmeticPrecision: " << this->ArithmeticPrecision << "\n"
+     << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
+     << indent << "ArithmeticPrecision: " << this->GetArithmeticPrecisionAsString() << "\n"
      << indent << "MaximumMemory: " << this->MaximumMemory << "\n"
      << indent << "ContourValues:\n";
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());

@@ -43,7 +43,7 @@ public:
 
   ///@{
   /**
-   * The file to read.
+   * The file to read. Default: none, which is an error.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -99,6 +99,7 @@ public:
   vtkGetMacro(CrossingRule, int);
   void SetCrossingRuleToHalfOpen() { this->SetCrossingRule(HALF_OPEN); }
   void SetCrossingRuleToStrict() { this->SetCrossingRule(STRICT); }
+  const char* GetCrossingRuleAsString();
   ///@}
 
   ///@{
@@ -129,6 +130,7 @@ public:
   void SetNormalMethodToGradient() { this->SetNormalMethod(GRADIENT); }
   void SetNormalMethodToCentralDifference() { this->SetNormalMethod(CENTRAL_DIFFERENCE); }
   void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
+  const char* GetNormalMethodAsString();
   ///@}
 
   ///@{
@@ -167,6 +169,10 @@ public:
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  void SetOutputPointsPrecisionToSingle() { this->SetOutputPointsPrecision(SINGLE_PRECISION); }
+  void SetOutputPointsPrecisionToDouble() { this->SetOutputPointsPrecision(DOUBLE_PRECISION); }
+  void SetOutputPointsPrecisionToDefault() { this->SetOutputPointsPrecision(DEFAULT_PRECISION); }
+  const char* GetOutputPointsPrecisionAsString();
   ///@}
 
   ///@{
@@ -177,6 +183,9 @@ public:
    */
   vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(ArithmeticPrecision, int);
+  void SetArithmeticPrecisionToSingle() { this->SetArithmeticPrecision(SINGLE_PRECISION); }
+  void SetArithmeticPrecisionToDouble() { this->SetArithmeticPrecision(DOUBLE_PRECISION); }
+  const char* GetArithmeticPrecisionAsString();
   ///@}
 
   ///@{

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkVDBReader.h"
 
+#include "InkReportException.h"
 #include "InkVDBSource.h"
 #include "InkVTKCompat.h"
 
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <span>
 
@@ -115,7 +117,7 @@ int vtkInkVDBReader::CanReadFile(const char* fileName)
     InkVDBSource().List(Text(fileName));
     return 1;
   }
-  catch (const ink::VdbError&)
+  catch (const std::exception&)
   {
     return 0;
   }
@@ -227,6 +229,10 @@ int vtkInkVDBReader::RequestInformation(
   {
     vtkErrorMacro(<< error.what() << ".");
   }
+  catch (...)
+  {
+    InkReportException(this, nullptr, "Cannot read \"" + Text(this->FileName) + "\"");
+  }
   return 1;
 }
 
@@ -284,10 +290,9 @@ int vtkInkVDBReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInf
     image->Initialize();
     vtkErrorMacro(<< error.what() << ".");
   }
-  catch (const std::bad_alloc&)
+  catch (...)
   {
-    image->Initialize();
-    vtkErrorMacro("Cannot read \"" << Text(this->FileName) << "\": there is not enough memory.");
+    InkReportException(this, image, "Cannot read \"" + Text(this->FileName) + "\"");
   }
   return 1;
 }

@@ -46,7 +46,7 @@ public:
 
   ///@{
   /**
-   * The file to read.
+   * The file to read. Default: none, which is an error.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);

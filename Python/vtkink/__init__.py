@@ -1,14 +1,17 @@
 """Pen-and-ink illustration of volumes, meshes and point clouds in VTK.
 
 vtkInk's classes work with those of the VTK that they were built with, whatever its Python package is called;
-``vtkink.vtk`` has all of them under one name::
+``vtkink.vtk`` has all of them under one name, and ``vtkink.numpy_support`` turns its arrays into NumPy's and back::
 
-    from vtkink import vtk, vtkInkIsoSurfaceSampler, vtkInkSplattingLinesMapper
+    from vtkink import numpy_support, vtk, vtkInkIsoSurfaceSampler, vtkInkSplattingLinesMapper
+    from vtkink.vtk import vtkActor
 
 ``help()`` of a class says what its properties do, their ranges and defaults.
 """
 
 import importlib
+import sys
+import warnings
 
 from ._build import VERSION as __version__, VTK_PACKAGE, VTK_VERSION
 
@@ -30,9 +33,24 @@ def _check_vtk_version():
         raise ImportError(f"vtkink {__version__} needs VTK {VTK_VERSION}; the package {VTK_PACKAGE} is VTK {found}")
 
 
+def _warn_of_other_vtks():
+    """Objects of two VTKs do not work together, and VTK does not say why it refuses them."""
+    others = {name.rpartition(".")[0] for name in sys.modules if name.endswith(".vtkCommonCore")} - {VTK_PACKAGE, __name__}
+    for other in sorted(others):
+        warnings.warn(
+            f"the VTK of the package {other} is loaded, too: vtkink {__version__} works with VTK {VTK_VERSION} of the "
+            f"package {VTK_PACKAGE}, whose classes refuse the other's objects (TypeError: SetInputData argument 1). "
+            f"Take VTK's classes from vtkink (from vtkink import vtk, numpy_support) instead of {other}; for PyVista "
+            f"set PYVISTA_VTK_BACKEND={VTK_PACKAGE}",
+            RuntimeWarning,
+            stacklevel=3,
+        )
+
+
 # VTK comes first, so that vtkInk uses the libraries that VTK's own package loads, and with it the OpenGL classes
 # that stand behind vtkRenderer and vtkRenderWindow.
 _check_vtk_version()
+_warn_of_other_vtks()
 _vtk_module("vtkRenderingOpenGL2")
 
 from .vtkInkFiltersFields import *
@@ -50,7 +68,7 @@ from .vtkInkRenderingStipple import *
 
 
 def __getattr__(name):
-    # Only on demand: loading all of VTK takes a while.
-    if name == "vtk":
-        return _vtk_module("all")
+    # Only on demand: loading all of VTK takes a while, and NumPy may be missing.
+    if name in ("vtk", "numpy_support"):
+        return importlib.import_module(f"{__name__}.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

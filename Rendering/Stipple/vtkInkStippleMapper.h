@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * The surface that hides stipples behind it: polygons and strips. None: nothing is hidden, but see
+   * The surface that hides stipples behind it: polygons and strips. Default: none, nothing is hidden, but see
    * SurfaceFromInput.
    */
   void SetSurfaceData(vtkPolyData* surface);

@@ -189,7 +189,7 @@ int main(int argc, char* argv[])
         [](vtkInkGradient* filter)
         {
           filter->SetWeightingToUniform();
-          filter->SetOutputPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+          filter->SetOutputArraysPrecision(vtkAlgorithm::DOUBLE_PRECISION);
         });
       ours("3x3x3 uniform, all arrays",
         [](vtkInkGradient* filter)

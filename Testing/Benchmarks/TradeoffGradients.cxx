@@ -66,9 +66,9 @@ int main()
 {
   Tradeoff::PrintHeader();
   Tradeoff knob("Gradient method (vtkInkGradient)",
-    "Keep the regression over 3x3x3 neighbours with equal weights; weigh by inverse distance where the "
-    "spacing is uneven, take 5x5x5 neighbours for data so noisy that features smaller than five samples "
-    "are lost anyway, and central differences only where no neighbour but the nearest may count.",
+    "Keep the regression over 3x3x3 neighbors with equal weights; weigh by inverse distance where the "
+    "spacing is uneven, take 5x5x5 neighbors for data so noisy that features smaller than five samples "
+    "are lost anyway, and central differences only where no neighbor but the nearest may count.",
     "mean angle to the true gradient, degrees", "the gradients of 160x160x160 floats");
   const ink::GridGeometry grid({ 160, 160, 160 }, glm::dvec3(-24.0), glm::dvec3(48.0 / 159.0));
   const Volume<float> volume = Scan(Torus{ 14.0, 6.0 }, grid, 0.05);

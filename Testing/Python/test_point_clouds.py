@@ -61,7 +61,7 @@ def judge(image):
 
 def test_a_scan_is_drawn_as_its_surface(ink, cloud, tmp_path):
     path, points, ball, outliers = cloud
-    result = ink("render", path, "--parallel", "--neighbours", 32, "--size", f"{SIZE}x{SIZE}", "-o", tmp_path / "out.png")
+    result = ink("render", path, "--parallel", "--neighbors", 32, "--size", f"{SIZE}x{SIZE}", "-o", tmp_path / "out.png")
     assert result.code == 0 and "estimated" in result.err, result
     contour, smooth, hole = judge(ink_files.read_png(tmp_path / "out.png"))
     assert contour > 0.95
@@ -83,7 +83,7 @@ def test_one_radius_for_all_does_worse():
         sampler = vtkink.vtkInkSurfaceSampler()
         sampler.SetInputData(data)
         sampler.SetUniformRadius(uniform)
-        sampler.SetNormalNeighbours(32)
+        sampler.SetNormalNeighbors(32)
         mapper = vtkink.vtkInkSplattingLinesMapper()
         mapper.SetInputConnection(sampler.GetOutputPort())
         actor = vtk.vtkActor()
@@ -197,7 +197,7 @@ def test_options_of_points_on_a_mesh_and_a_volume(ink, volume_file, tmp_path):
     points, normals, triangles = ink_files.sphere_mesh(10, 12)
     ink_files.write_ply(tmp_path / "mesh.ply", (points, normals, triangles))
     for file, found in ((tmp_path / "mesh.ply", "mesh"), (volume_file, "volume")):
-        for option in (["--neighbours", 20], ["--viewpoint", "0,0,1"]):
+        for option in (["--neighbors", 20], ["--viewpoint", "0,0,1"]):
             for output in (["render", "-o", tmp_path / "out.png"], ["sample", "-o", tmp_path / "out.vtp"]):
                 result = ink(*output, file, *option)
                 assert result.code == 2 and option[0] in result.error and found in result.error, result

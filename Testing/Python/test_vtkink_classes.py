@@ -1,7 +1,9 @@
 """The classes as a Python programmer meets them: from a numpy array to points to a picture."""
 
-import importlib
+import importlib.util
+import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -10,7 +12,7 @@ import pytest
 
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
-numpy_support = importlib.import_module(f"{vtkink.VTK_PACKAGE}.util.numpy_support")
+numpy_support = vtkink.numpy_support
 
 EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "Python" / "Examples" / "splatting_lines.py"
 RADIUS = 10.0
@@ -75,12 +77,12 @@ def test_sampler_offers_cheaper_normals():
     sampler = sampler_of(image_of(ball()), 0.0)
     sampler.Update()
     exact = point_array(sampler.GetOutput(), "Normals").copy()
-    sampler.SetNormalsPrecisionToChar()
+    sampler.SetOutputNormalsPrecisionToChar()
     sampler.Update()
     coarse = point_array(sampler.GetOutput(), "Normals")
     assert coarse.dtype == numpy.int8
     assert abs(coarse / 127.0 - exact).max() <= 0.51 / 127.0
-    sampler.SetNormalsPrecisionToFloat()
+    sampler.SetOutputNormalsPrecisionToSingle()
     for method in (sampler.CELL, sampler.GRADIENT, sampler.REGRESSION):
         sampler.SetNormalMethod(method)
         sampler.Update()
@@ -163,7 +165,7 @@ def test_gradient_makes_what_is_asked_for():
     gradient.ComputeGradientOff()
     gradient.ComputeValueOn()
     gradient.ComputeLaplacianOn()
-    gradient.SetOutputPrecision(vtk.vtkAlgorithm.DOUBLE_PRECISION)
+    gradient.SetOutputArraysPrecision(vtk.vtkAlgorithm.DOUBLE_PRECISION)
     gradient.Update()
     data = gradient.GetOutput().GetPointData()
     names = {data.GetArrayName(n) for n in range(data.GetNumberOfArrays())}
@@ -418,6 +420,42 @@ def test_example_is_short_and_draws(tmp_path):
     assert reader.GetOutput().GetDimensions() == (800, 800, 1)
     grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
     assert 0.5 < numpy.mean(grey > 0.95) < 0.99 and 0.001 < numpy.mean(grey < 0.5) < 0.2
+
+
+def grey_picture(file, side):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    assert reader.GetOutput().GetDimensions() == (side, side, 1)
+    return numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
+
+
+def test_numpy_example_is_short_and_draws(tmp_path):
+    example = EXAMPLE.with_name("numpy_volume.py")
+    assert len(example.read_text().splitlines()) <= 36
+    result = subprocess.run(
+        [sys.executable, str(example)], cwd=tmp_path, capture_output=True, text=True, timeout=300
+    )
+    assert result.returncode == 0 and not result.stderr, result.stderr
+    points, normals = re.fullmatch(r"(\d+) points, their normals as an array of \((\d+), 3\)\n", result.stdout).groups()
+    assert points == normals and int(points) > 40000
+    grey = grey_picture(tmp_path / "numpy_volume.png", 600)
+    assert 0.8 < numpy.mean(grey > 0.95) < 0.99 and 0.01 < numpy.mean(grey < 0.5) < 0.05
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("pyvista"), reason="PyVista is not installed")
+def test_pyvista_example_is_short_and_draws(tmp_path):
+    example = EXAMPLE.with_name("pyvista_lines.py")
+    assert len(example.read_text().splitlines()) <= 26
+    environment = dict(os.environ, PYVISTA_VTK_BACKEND=vtkink.VTK_PACKAGE)
+    result = subprocess.run(
+        [sys.executable, str(example)], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300
+    )
+    assert result.returncode == 0 and "Warning" not in result.stderr, result.stderr
+    points, arrays = re.fullmatch(r"(\d+) points with (.*)\n", result.stdout).groups()
+    assert int(points) > 60000 and arrays == "Normals, Radius"
+    grey = grey_picture(tmp_path / "pyvista_lines.png", 600)
+    assert 0.8 < numpy.mean(grey > 0.95) < 0.99 and 0.01 < numpy.mean(grey < 0.5) < 0.05
 
 
 def write_nifti(path, values):

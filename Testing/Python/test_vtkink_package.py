@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -28,7 +29,8 @@ def copy_of_package(folder, **build):
     package = folder / "vtkink"
     package.mkdir()
     source = pathlib.Path(vtkink.__file__).parent
-    (package / "__init__.py").write_text((source / "__init__.py").read_text())
+    for name in ("__init__.py", "numpy_support.py", "vtk.py"):
+        (package / name).write_text((source / name).read_text())
     values = {"VERSION": vtkink.__version__, "VTK_PACKAGE": vtkink.VTK_PACKAGE, "VTK_VERSION": vtkink.VTK_VERSION}
     values.update(build)
     (package / "_build.py").write_text("".join(f"{name} = {value!r}\n" for name, value in values.items()))
@@ -73,6 +75,60 @@ def test_the_import_alone_brings_opengl():
 def test_the_import_does_not_load_all_of_vtk():
     result = run("import vtkink, sys; print(vtkink.VTK_PACKAGE + '.all' in sys.modules)")
     assert result.stdout.strip() == "False", result.stderr
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import vtkink.vtk; vtkActor = vtkink.vtk.vtkActor",
+        "from vtkink.vtk import vtkActor; import vtkink.vtk",
+        "from vtkink import vtk; vtkActor = vtk.vtkActor; import vtkink.vtk",
+        "import vtkink; vtkActor = vtkink.vtk.vtkActor; import vtkink.vtk",
+    ],
+)
+def test_vtk_is_a_module_of_the_package(code):
+    result = run(code + "\nprint(vtkActor is vtkink.vtk.vtkActor, vtkActor.__module__.split('.')[0])")
+    assert result.stdout.split() == ["True", vtkink.VTK_PACKAGE], result.stderr
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import vtkink.numpy_support as support",
+        "from vtkink import numpy_support as support",
+        "from vtkink.numpy_support import numpy_to_vtk, vtk_to_numpy; import vtkink.numpy_support as support",
+        "import vtkink; support = vtkink.numpy_support",
+    ],
+)
+def test_numpy_support_is_a_module_of_the_package(code):
+    result = run(code + "\nimport numpy\n"
+                 "print(support.vtk_to_numpy(support.numpy_to_vtk(numpy.arange(3.0))).sum(), support.__name__)")  # fmt: skip
+    assert result.stdout.split() == ["3.0", f"{vtkink.VTK_PACKAGE}.util.numpy_support"], result.stderr
+
+
+def other_vtk(folder):
+    """A package that looks as VTK's own do, under a name that this build's VTK does not have."""
+    name = "vtkmodules" if vtkink.VTK_PACKAGE != "vtkmodules" else "cvista"
+    (folder / name).mkdir()
+    (folder / name / "__init__.py").write_text("")
+    (folder / name / "vtkCommonCore.py").write_text("")
+    return name, [folder, *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))]
+
+
+def test_another_vtk_that_is_loaded_is_named(tmp_path):
+    name, path = other_vtk(tmp_path)
+    result = run(f"import {name}.vtkCommonCore\nimport vtkink", path=path)
+    assert result.returncode == 0, result.stderr
+    assert result.stderr.startswith("<string>:2: RuntimeWarning: ")
+    for part in (f"the VTK of the package {name} is loaded", f"works with VTK {vtkink.VTK_VERSION} of the package {vtkink.VTK_PACKAGE}",
+                 "from vtkink import vtk, numpy_support", f"PYVISTA_VTK_BACKEND={vtkink.VTK_PACKAGE}"):  # fmt: skip
+        assert part in result.stderr
+
+
+def test_another_vtk_that_is_not_loaded_is_not_named(tmp_path):
+    name, path = other_vtk(tmp_path)
+    result = run(f"import {name}\nimport vtkink\nfrom vtkink import vtk", path=path)
+    assert (result.returncode, result.stderr) == (0, "")
 
 
 def test_libraries_are_shared_with_vtk():
@@ -126,3 +182,4 @@ def test_installed_package_works_without_the_build_tree(tmp_path):
     assert result.returncode == 0, result.stderr
     loaded = result.stdout.split()
     assert len(loaded) > 1 and all(name.startswith(str(prefix)) for name in loaded), loaded
+    shutil.rmtree(prefix)  # with VTK it is hundreds of megabytes

@@ -60,7 +60,7 @@ void ForEachMethod(InkTestChecks& check, const std::string& name, vtkImageData* 
     filter->SetNeighborhood(way & 1);
     filter->SetWeighting(way >> 1 & 1);
     filter->SetLaplacianScale(0.7 * (way >> 2));
-    filter->SetOutputPrecision(way & 1);
+    filter->SetOutputArraysPrecision(way & 1);
     filter->ComputeValueOn();
     filter->ComputeLaplacianOn();
     filter->Update();

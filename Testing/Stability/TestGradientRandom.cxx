@@ -46,7 +46,7 @@ void SetUp(vtkInkGradient* filter, InkTestRandom& random, int components)
   filter->SetLaplacianScale(random.Once(4) ? 0.0 : random.Magnitude(-1, 0.7));
   filter->SetLaplacianScaleUnit(random.UpTo(2));
   filter->SetArrayComponent(random.UpTo(components));
-  filter->SetOutputPrecision(random.UpTo(2));
+  filter->SetOutputArraysPrecision(random.UpTo(2));
 }
 
 std::string Describe(vtkInkGradient* filter)
@@ -55,7 +55,7 @@ std::string Describe(vtkInkGradient* filter)
     (filter->GetNeighborhood() == vtkInkGradient::NEIGHBORHOOD_3 ? " 3" : " 5") +
     (filter->GetWeighting() == vtkInkGradient::UNIFORM ? " uniform" : " by distance") + ", scale " +
     std::to_string(filter->GetLaplacianScale()) +
-    (filter->GetOutputPrecision() == vtkAlgorithm::SINGLE_PRECISION ? ", float" : ", double");
+    (filter->GetOutputArraysPrecision() == vtkAlgorithm::SINGLE_PRECISION ? ", float" : ", double");
 }
 
 /// Compares numbers of an output array with references.
@@ -105,7 +105,7 @@ bool CompareGradients(Comparison& compare, vtkInkGradient* filter, const ink::Gr
         filter->GetWeighting() == vtkInkGradient::INVERSE_DISTANCE, sample);
   // Sums are taken in single precision where nothing in and out is wider.
   const bool narrow = (std::is_same_v<T, float> || sizeof(T) <= 2) &&
-    filter->GetOutputPrecision() == vtkAlgorithm::SINGLE_PRECISION;
+    filter->GetOutputArraysPrecision() == vtkAlgorithm::SINGLE_PRECISION;
   const Wide rounding =
     narrow ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
   const Wide share = 8.0L * rounding + 64.0L * std::numeric_limits<double>::epsilon() * reference.condition;
@@ -315,7 +315,7 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   const ink::GridField<T> field(geometry,
     std::span<const T>(values).subspan(static_cast<std::size_t>(filter->GetArrayComponent())),
     static_cast<std::size_t>(components), hidden);
-  Comparison compare(check, name, filter->GetOutputPrecision() == vtkAlgorithm::DOUBLE_PRECISION);
+  Comparison compare(check, name, filter->GetOutputArraysPrecision() == vtkAlgorithm::DOUBLE_PRECISION);
   Wide largest = 0.0L;
   bool right = true;
   for (int k = 0; k < dimensions.z && right; ++k)

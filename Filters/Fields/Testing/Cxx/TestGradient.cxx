@@ -53,7 +53,7 @@ void CheckMethods(InkTestChecks& check)
         filter->SetMethod(method);
         filter->SetNeighborhood(neighborhood);
         filter->SetWeighting(weighting);
-        filter->SetOutputPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+        filter->SetOutputArraysPrecision(vtkAlgorithm::DOUBLE_PRECISION);
         filter->ComputeLaplacianOn();
         filter->ComputeValueOn();
         filter->Update();

@@ -69,7 +69,7 @@ void CheckTypes(InkTestChecks& check)
     {
       vtkNew<vtkInkGradient> filter;
       filter->SetInputData(MakeIndexImage(type));
-      filter->SetOutputPrecision(precision);
+      filter->SetOutputArraysPrecision(precision);
       filter->Update();
       const double error = PlaneError(filter->GetOutput());
       check(error < 1e-5, "the plane's gradient for VTK type ", type, ", off by ", error);

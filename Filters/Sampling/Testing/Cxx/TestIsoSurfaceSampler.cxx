@@ -113,7 +113,7 @@ void CheckProperties(InkTestChecks& check)
   check(sampler->GetArrayComponent() == 0, "a component within range");
   std::ostringstream text;
   sampler->Print(text);
-  check(text.str().find("CrossingRule: STRICT") != std::string::npos, "the properties in print");
+  check(text.str().find("CrossingRule: Strict") != std::string::npos, "the properties in print");
 }
 
 void CheckGeometry(InkTestChecks& check)
@@ -350,12 +350,12 @@ void CheckNormals(InkTestChecks& check)
     }
     return largest;
   };
-  sampler->SetNormalsPrecisionToShort();
+  sampler->SetOutputNormalsPrecisionToShort();
   check(farthest(32767.0) <= 0.51 / 32767.0, "normals of 16 bits");
   check(sampler->GetOutput()->GetPointData()->GetNormals()->GetDataType() == VTK_SHORT, "an array of short");
-  sampler->SetNormalsPrecisionToChar();
+  sampler->SetOutputNormalsPrecisionToChar();
   check(farthest(127.0) <= 0.51 / 127.0, "normals of 8 bits");
-  sampler->SetNormalsPrecisionToFloat();
+  sampler->SetOutputNormalsPrecisionToSingle();
   sampler->SetArithmeticPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   const double single = farthest(1.0);
   check(single > 0.0 && single < 1e-4, "single precision close to double, off by ", single);

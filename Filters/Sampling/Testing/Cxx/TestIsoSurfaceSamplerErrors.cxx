@@ -5,10 +5,14 @@
 #include "SamplerTestImages.h"
 
 #include "vtkCellData.h"
+#include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <functional>
 #include <limits>
@@ -97,5 +101,26 @@ int TestIsoSurfaceSamplerErrors(int, char*[])
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetNumberOfContours(0); });
   Expect(check, "nothing finite", { "None of the image's values is finite" },
     [nan](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(nan); });
+
+  // What has no voxels is refused, and the filters that make some are named.
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(3, 3, 3);
+  vtkNew<vtkUnstructuredGrid> cells;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  cells->SetPoints(points);
+  for (vtkDataSet* data : { static_cast<vtkDataSet*>(grid), static_cast<vtkDataSet*>(cells) })
+  {
+    vtkNew<vtkInkIsoSurfaceSampler> sampler;
+    vtkNew<InkTestMessages> messages;
+    messages->Observe(sampler);
+    messages->Observe(sampler->GetExecutive());
+    sampler->SetValue(0, 1.0);
+    sampler->SetInputDataObject(data);
+    sampler->Update();
+    check(sampler->GetOutput()->GetNumberOfPoints() == 0, data->GetClassName(), ": no points");
+    messages->Expect(check, data->GetClassName(),
+      { data->GetClassName(), "expected a vtkImageData", "vtkResampleToImage", "vtkInkSurfaceSampler" });
+  }
   return check.Result();
 }

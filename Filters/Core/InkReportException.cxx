@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkReportException.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+namespace
+{
+
+std::string ReasonOf(const std::exception_ptr& exception)
+{
+  constexpr const char* memory = "there is not enough memory";
+  try
+  {
+    std::rethrow_exception(exception);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return memory;
+  }
+  catch (const std::length_error&)
+  {
+    // A vector longer than any memory.
+    return memory;
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+  catch (...)
+  {
+    return "it failed for an unknown reason";
+  }
+}
+
+} // namespace
+
+void InkReportException(vtkAlgorithm* filter, vtkDataObject* output, const std::string& failure)
+{
+  const std::string reason = ReasonOf(std::current_exception());
+  // What was made so far goes first: an error message takes memory, too.
+  if (output)
+  {
+    output->Initialize();
+  }
+  vtkErrorWithObjectMacro(filter, << failure << ": " << reason << ".");
+}

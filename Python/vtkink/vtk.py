@@ -1,0 +1,7 @@
+"""All of the VTK that vtkink works with: this module is that VTK's own, ``cvista.all`` or ``vtkmodules.all``."""
+
+import sys
+
+from . import _vtk_module
+
+sys.modules[__name__] = _vtk_module("all")
