@@ -1,5 +1,7 @@
 #include "Fields/GridGeometry.h"
 
+#include "Fields/SampleBox.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
@@ -50,6 +52,25 @@ TEST(GridGeometry, TakesPointsAndDerivativesThere)
       }
       const glm::dvec3 along = g.gradientDirection() * (glm::transpose(map) * c);
       EXPECT_LT(glm::distance(glm::normalize(along), glm::normalize(c)), 1e-12);
+    }
+  }
+}
+
+TEST(SampleBox, IsEmptyWithoutExtentAlongAnyAxis)
+{
+  const glm::ivec3 begin(-3, 2, 5);
+  const ink::SampleBox box{ begin, begin + glm::ivec3(3, 4, 5) };
+  EXPECT_FALSE(box.empty());
+  EXPECT_EQ(box.count(), 60u);
+  EXPECT_EQ((ink::SampleBox{ begin, begin + 1 }).count(), 1u);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int extent : { 0, -2 })
+    {
+      ink::SampleBox none = box;
+      none.end[axis] = begin[axis] + extent;
+      EXPECT_TRUE(none.empty()) << axis << ' ' << extent;
+      EXPECT_EQ(none.count(), 0u) << axis << ' ' << extent;
     }
   }
 }

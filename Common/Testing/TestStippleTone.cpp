@@ -65,9 +65,9 @@ TEST(StippleTone, OneFactorAtATime)
     (tone.*chosen).on = true;
     return tone.mark(view, { &headlight, 1 }, element(), 0).tone / off;
   };
-  // Table 1 with the defaults, worked out by hand: 0.7 (0.2 + 0.4), 0.7 (0.3 + 2 (1 - sqrt(0.8))).
-  EXPECT_NEAR(ratio(&ink::StippleTone::boundary), 0.42, 1e-5);
-  EXPECT_NEAR(ratio(&ink::StippleTone::silhouette), 0.357802, 1e-5);
+  // Table 1 with the defaults.
+  EXPECT_NEAR(ratio(&ink::StippleTone::boundary), 0.7 * (0.2 + 1.0 * 0.4), 1e-5);
+  EXPECT_NEAR(ratio(&ink::StippleTone::silhouette), 0.7 * (0.3 + 2.0 * (1.0 - std::sqrt(0.8))), 1e-5);
   EXPECT_NEAR(ratio(&ink::StippleTone::resolution), 0.64 * 0.8, 1e-5);
   EXPECT_NEAR(ratio(&ink::StippleTone::lighting), 0.2, 1e-5);
   EXPECT_NEAR(ratio(&ink::StippleTone::distance), 1.5, 1e-5);

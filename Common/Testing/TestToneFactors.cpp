@@ -202,6 +202,7 @@ TEST(HlsColor, KnownColours)
   expectRgb({ 1.0f / 3.0f, 0.5f, 1.0f }, { 0.0f, 1.0f, 0.0f });
   expectRgb({ 2.0f / 3.0f, 0.5f, 1.0f }, { 0.0f, 0.0f, 1.0f });
   expectRgb({ 1.0f / 6.0f, 0.25f, 1.0f }, { 0.5f, 0.5f, 0.0f });
+  expectRgb({ 11.0f / 12.0f, 0.5f, 1.0f }, { 1.0f, 0.0f, 0.5f });
   expectRgb({ 0.0f, 0.3f, 0.0f }, { 0.3f, 0.3f, 0.3f });
   expectRgb({ 0.0f, 0.75f, 0.5f }, { 0.875f, 0.625f, 0.625f });
 }
@@ -241,6 +242,27 @@ TEST(WarmCool, FollowsLightAndDepth)
   colours.amount = 1.0f;
   colours.distance = 0.0f;
   EXPECT_EQ(colours.color(own, 1.0f, 1.0f), own);
+}
+
+TEST(WarmCool, WeighsLightAndDepthAndKeepsAPartOfTheOwnColor)
+{
+  ink::WarmCool colours;
+  colours.amount = 0.3f;
+  colours.tone = 2.0f;
+  colours.distance = 1.0f;
+  const glm::vec3 own(0.2f, 0.4f, 0.6f);
+  const auto expect = [&](float lightCosine, float depth, float warmth)
+  {
+    const glm::vec3 found = colours.color(own, lightCosine, depth);
+    const glm::vec3 blended = ink::rgbFromHls(ink::mixHls(colours.cool, colours.warm, warmth));
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(found[i], 0.7f * own[i] + 0.3f * blended[i], 1e-6f) << lightCosine << ' ' << depth;
+    }
+  };
+  expect(0.5f, -0.2f, (2.0f * 0.75f + 0.4f) / 3.0f);
+  expect(-1.0f, 5.0f, 1.0f / 3.0f);
+  expect(1.0f, -5.0f, 2.0f / 3.0f);
 }
 
 /// The sum of a dot's pixels, averaged over where in a pixel its centre lies.

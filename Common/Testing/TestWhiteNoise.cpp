@@ -188,6 +188,75 @@ TEST(WhiteNoise, PassesOverTrianglesOfNoArea)
   EXPECT_TRUE(sample(square(1), 0).empty());
 }
 
+/// A triangle by its name: as many samples as its area takes, rounded, evenly spread, and the same ones in a
+/// piece of the mesh and in another order. In more triangles than one thread takes at a time.
+TEST(WhiteNoise, OfNamedTrianglesDependsOnThemAlone)
+{
+  Mesh mesh = square(100);
+  for (glm::dvec3& point : mesh.points)
+  {
+    point.x *= 0.5 + 0.5 * point.x;
+  }
+  std::vector<std::uint64_t> names(mesh.triangles.size());
+  for (std::size_t t = 0; t < names.size(); ++t)
+  {
+    names[t] = 7 * t + 3;
+  }
+  const double perArea = 100000.0;
+  const auto whole = ink::sampleWhiteNoise(mesh.view(), names, perArea, 5);
+  std::vector<std::vector<ink::SurfaceSample>> inTriangle(names.size());
+  std::uint32_t last = 0;
+  std::vector<int> cells(5 * 5);
+  for (const ink::SurfaceSample& one : whole)
+  {
+    ASSERT_LT(one.triangle, names.size());
+    ASSERT_GE(one.triangle, last);
+    last = one.triangle;
+    inTriangle[last].push_back(one);
+    // An even place's root squared and its way along the edge opposite to the first corner are even, too.
+    const float root = one.b1 + one.b2;
+    const auto bin = [](float even) { return std::min(static_cast<int>(5.0f * even), 4); };
+    ++cells[5 * bin(root * root) + bin(root > 0.0f ? one.b2 / root : 0.0f)];
+  }
+  expectPlausible(chiSquare(cells), 24);
+  double total = 0.0;
+  for (std::size_t t = 0; t < names.size(); ++t)
+  {
+    const double exact = perArea * ink::areaOf(mesh.view(), t);
+    EXPECT_LT(std::abs(static_cast<double>(inTriangle[t].size()) - exact), 1.0) << t;
+    total += exact;
+  }
+  // Rounded independently, by a variance of at most a quarter a triangle.
+  EXPECT_NEAR(whole.size(), total, 3.3 * std::sqrt(0.25 * static_cast<double>(names.size())));
+
+  Mesh piece = mesh;
+  std::vector<std::uint64_t> pieceNames;
+  piece.triangles.clear();
+  for (std::size_t t = names.size(); t-- > 0;)
+  {
+    if (t % 2 == 0)
+    {
+      piece.triangles.push_back(mesh.triangles[t]);
+      pieceNames.push_back(names[t]);
+    }
+  }
+  std::size_t seen = 0;
+  for (ink::SurfaceSample one : ink::sampleWhiteNoise(piece.view(), pieceNames, perArea, 5))
+  {
+    one.triangle = static_cast<std::uint32_t>(names.size() - 2 - 2 * one.triangle);
+    const auto& same = inTriangle[one.triangle];
+    EXPECT_NE(std::find(same.begin(), same.end(), one), same.end());
+    ++seen;
+  }
+  std::size_t expected = 0;
+  for (std::size_t t = 0; t < names.size(); t += 2)
+  {
+    expected += inTriangle[t].size();
+  }
+  EXPECT_EQ(seen, expected);
+  EXPECT_TRUE(ink::sampleWhiteNoise(Mesh().view(), {}, perArea, 5).empty());
+}
+
 TEST(WhiteNoise, DiscsOfItsCoverRadiusLeaveNoHoles)
 {
   // On a torus, which has no border beyond which discs would miss neighbours.
