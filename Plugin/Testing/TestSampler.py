@@ -4,7 +4,7 @@ import pathlib
 import unittest
 
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
-from paraview.simple import *
+from rendering import *
 
 ENGINE = pathlib.Path(__file__).resolve().parents[2] / "Data" / "engine.nii.gz"
 
@@ -74,6 +74,20 @@ class TestSampler(unittest.TestCase):
         self.assertEqual(sampler.GetDataInformation().GetNumberOfCells(), 0)
         filter = sampler.GetClientSideObject()
         self.assertEqual(filter.GetOutput().GetPoints().GetDataType(), 11)
+
+    def test_samples_a_mesh_with_scalars_alike_everywhere(self):
+        heights = Elevation(Input=Sphere(), LowPoint=[0, 0, -0.5], HighPoint=[0, 0, 0.5], ScalarRange=[-1, 1])
+        sampler = InkSurfaceSampler(Input=heights, NumberOfSamples=2000)
+        self.assertEqual(sampler.Density[:], ["POINTS", "None"])
+        sampler.UpdatePipeline()
+        low, high = sampler.GetDataInformation().GetBounds()[4:]
+        self.assertLess(low, -0.45)
+        self.assertGreater(high, 0.45)
+        with Warnings() as warnings:
+            sampler.Density = ["POINTS", "Elevation"]
+            sampler.UpdatePipeline()
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn('of the density "Elevation" there are 25 negative values', warnings[0])
 
     def test_is_offered_for_images_with_point_scalars_only(self):
         image = Wavelet()
