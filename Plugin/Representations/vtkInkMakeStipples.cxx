@@ -32,8 +32,7 @@
 namespace
 {
 
-/// The more a picture of so many pixels, seen from all sides, has room for, the more stipples a mesh gets.
-constexpr double PictureSize = 600.0;
+/// Of a picture, whose room says how many stipples a mesh gets.
 constexpr double PixelsPerStipple = 6.0;
 
 bool AreStipples(vtkPolyData* data)
@@ -312,8 +311,8 @@ void StippleSurfaces(const Leaves& leaves, const vtkInkStippleRequest& request, 
   const ChangedGenerator changed(generator);
   if (generator->GetNumberOfSurfaceStipples() == 0)
   {
-    generator->SetNumberOfSurfaceStipples(std::max(polygons * generator->GetMaximumStipples(),
-      vtkInkStippleGenerator::CountForPicture(mesh, PictureSize, PixelsPerStipple)));
+    generator->SetNumberOfSurfaceStipples(
+      vtkInkStippleGenerator::CountForPicture(mesh, request.PictureSize, PixelsPerStipple));
   }
   generator->SetInputData(mesh);
   TakeColors(mesh, request, true);

@@ -28,6 +28,7 @@ struct vtkInkStippleRequest
   int ColorAssociation = 0;
   std::optional<double> IsoValue; ///< of images: the surface that hides what lies behind it
   bool SurfaceHides = true;       ///< of meshes: whether they hide what lies behind them
+  double PictureSize = 0.0;       ///< of meshes: pixels of the picture whose room says how many stipples
 };
 
 /// Parts of a drawing, which all processes' make whole; those of a mesh are all on the first one.

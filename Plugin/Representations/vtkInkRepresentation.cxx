@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkRepresentation.h"
 
+#include "vtkInkPaper.h"
+
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -28,6 +30,7 @@ constexpr const char* IdsAreInputs = "InkIdsAreInputs";
 
 vtkInkRepresentation::vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays)
   : Actor(std::move(actor))
+  , Paper(std::make_unique<vtkInkPaper>())
   , NumberOfArrays(arrays)
 {
   for (int array = 0; array < arrays; ++array)
@@ -171,6 +174,7 @@ bool vtkInkRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddActor(this->Actor);
+  this->Paper->Attach(renderView->GetRenderer());
   renderView->RegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::AddToView(view);
 }
@@ -183,6 +187,7 @@ bool vtkInkRepresentation::RemoveFromView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->RemoveActor(this->Actor);
+  this->Paper->Detach();
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::RemoveFromView(view);
 }
@@ -190,7 +195,18 @@ bool vtkInkRepresentation::RemoveFromView(vtkView* view)
 void vtkInkRepresentation::SetVisibility(bool visible)
 {
   this->Actor->SetVisibility(visible);
+  this->Paper->SetVisible(visible);
   this->Superclass::SetVisibility(visible);
+}
+
+void vtkInkRepresentation::SetPaper(bool paper)
+{
+  this->Paper->SetFills(paper);
+}
+
+void vtkInkRepresentation::SetPaperColor(double red, double green, double blue)
+{
+  this->Paper->SetColor(red, green, blue);
 }
 
 void vtkInkRepresentation::SetPickable(bool pickable)
@@ -240,6 +256,7 @@ void vtkInkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Points drawn: " << this->Pieces[0]->GetNumberOfPoints() << "\n";
+  os << indent << "Paper: " << this->Paper->GetFills() << "\n";
   os << indent << "Pickable: " << this->Pickable << "\n";
   os << indent << "Mapper:\n";
   this->Actor->GetMapper()->PrintSelf(os, indent.GetNextIndent());

@@ -20,10 +20,12 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h" // for the pieces
 
+#include <memory> // for the paper
 #include <string> // for arrays' names
 #include <vector> // for the pieces
 
 class vtkActor;
+class vtkInkPaper;
 class vtkPolyData;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkRepresentation : public vtkPVDataRepresentation
@@ -47,6 +49,16 @@ public:
   /// Whether points can be picked in the view. Default: on. Points whose ids are not those of the input, as
   /// those put together from several datasets, cannot be.
   void SetPickable(bool pickable);
+
+  ///@{
+  /**
+   * Paper: whether the view behind all that is drawn has the paper's colour in place of its own background,
+   * as long as this is visible; a picture with a transparent background stays transparent. Default: on,
+   * white.
+   */
+  void SetPaper(bool paper);
+  void SetPaperColor(double red, double green, double blue);
+  ///@}
 
   void SetVisibility(bool visible) override;
 
@@ -94,6 +106,7 @@ private:
 
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   const vtkSmartPointer<vtkActor> Actor;
+  const std::unique_ptr<vtkInkPaper> Paper;
   const int NumberOfArrays;
   std::string Arrays; ///< that the pieces were made with
   bool Pickable = true;

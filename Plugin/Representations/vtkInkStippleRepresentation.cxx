@@ -10,6 +10,7 @@
 #include "Tone/StippleSliders.h"
 
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -77,6 +78,8 @@ vtkInkStippleRepresentation::vtkInkStippleRepresentation()
   this->Mapper->SetScalarModeToUseCellData();
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
+  this->SetProgressText("Making stipples");
+  this->Generator->AddObserver(vtkCommand::ProgressEvent, this, &vtkInkStippleRepresentation::ReportProgress);
 }
 
 vtkInkStippleRepresentation::~vtkInkStippleRepresentation() = default;
@@ -124,6 +127,7 @@ int vtkInkStippleRepresentation::RequestData(
     wanted.IsoValue = this->IsoValue;
   }
   wanted.SurfaceHides = this->SurfaceHides;
+  wanted.PictureSize = this->PictureSize;
 
   const vtkInkMadeStipples made = vtkInkMakeStipples(vtkDataObject::GetData(inputVector[0], 0), wanted);
   this->GetPiece(Stipples)->ShallowCopy(made.Stipples);
@@ -177,6 +181,15 @@ void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivere
   this->Mapper->SetPixelsPerStipple(this->PixelsPerStipple * room);
 }
 
+void vtkInkStippleRepresentation::ReportProgress()
+{
+  this->UpdateProgress(this->Generator->GetProgress());
+  if (this->GetAbortExecute())
+  {
+    this->Generator->SetAbortExecute(1);
+  }
+}
+
 template <class Change>
 void vtkInkStippleRepresentation::ChangeGenerator(const Change& change)
 {
@@ -208,6 +221,11 @@ void vtkInkStippleRepresentation::SetNumberOfSurfaceStipples(vtkIdType numberOfS
 {
   this->ChangeGenerator([=](vtkInkStippleGenerator* generator)
     { generator->SetNumberOfSurfaceStipples(numberOfSurfaceStipples); });
+}
+
+void vtkInkStippleRepresentation::SetPictureSize(double pixels)
+{
+  this->ChangeValue(this->PictureSize, std::clamp(pixels, 100.0, 10000.0));
 }
 
 void vtkInkStippleRepresentation::SetThresholdMode(int thresholdMode)
@@ -507,6 +525,7 @@ void vtkInkStippleRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Generator->PrintSelf(os, indent.GetNextIndent());
   os << indent << "IsoSurfaceHides: " << this->IsoSurfaceHides << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "PictureSize: " << this->PictureSize << "\n";
   os << indent << "SurfaceHides: " << this->SurfaceHides << "\n";
   os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
 }

@@ -39,11 +39,12 @@ public:
   ///@{
   /**
    * How stipples are made: see vtkInkStippleGenerator for meaning, range and default. NumberOfSurfaceStipples
-   * 0 stands for as many as a picture of 600 pixels has room for, or MaximumStipples a polygon, whichever are
-   * more.
+   * 0 stands for as many as a picture of PictureSize pixels has room for that shows the whole mesh, two
+   * million at most. PictureSize: 100 to 10000 pixels; default 600.
    */
   void SetMaximumStipples(int maximumStipples);
   void SetNumberOfSurfaceStipples(vtkIdType numberOfSurfaceStipples);
+  void SetPictureSize(double pixels);
   void SetThresholdMode(int thresholdMode);
   void SetGradientPercentile(double gradientPercentile);
   void SetGradientThreshold(double gradientThreshold);
@@ -137,6 +138,7 @@ private:
   vtkInkStippleRepresentation(const vtkInkStippleRepresentation&) = delete;
   void operator=(const vtkInkStippleRepresentation&) = delete;
 
+  void ReportProgress();
   template <class Change>
   void ChangeGenerator(const Change& change);
   template <class Value>
@@ -146,6 +148,7 @@ private:
   bool IsoSurfaceHides = false;
   double IsoValue = 0.0;
   bool SurfaceHides = true;
+  double PictureSize = 600.0;
 
   vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;

@@ -34,7 +34,8 @@ bool vtkSMInkDoubleVectorProperty::IsUnset()
   return this->Superclass::IsValueDefault();
 }
 
-void vtkSMInkDoubleVectorProperty::ReadFrom(const vtkSMMessage* message, int offset, vtkSMProxyLocator* locator)
+void vtkSMInkDoubleVectorProperty::ReadFrom(
+  const vtkSMMessage* message, int offset, vtkSMProxyLocator* locator)
 {
   const vtkSMInkRestoring restoring(this);
   this->Superclass::ReadFrom(message, offset, locator);

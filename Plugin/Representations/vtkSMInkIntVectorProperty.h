@@ -3,8 +3,8 @@
  * @class   vtkSMInkIntVectorProperty
  * @brief   a property that others follow, or that follows others, where a person sets it
  *
- * A vtkSMIntVectorProperty of a vtkSMInkStippleRepresentationProxy. What brings back values that were there before
- * (undo, a state, a copy, the defaults) sets this property only, and none that follows it.
+ * A vtkSMIntVectorProperty of a vtkSMInkStippleRepresentationProxy. What brings back values that were there
+ * before (undo, a state, a copy, the defaults) sets this property only, and none that follows it.
  *
  * @sa vtkSMInkStippleRepresentationProxy
  */

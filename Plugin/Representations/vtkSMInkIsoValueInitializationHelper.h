@@ -3,8 +3,8 @@
  * @class   vtkSMInkIsoValueInitializationHelper
  * @brief   lets a new filter start with the iso-value that suits its input
  *
- * Sets the property ContourValues of a filter of images, whose property SelectInputScalars says which array it
- * looks at, unless it has been set already.
+ * Sets the property ContourValues of a filter of images, whose property SelectInputScalars says which array
+ * it looks at, unless it has been set already.
  *
  * @sa vtkPVInkIsoValueInformation
  */

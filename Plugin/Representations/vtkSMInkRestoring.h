@@ -5,7 +5,8 @@
 #include "vtkSMInkStippleRepresentationProxy.h"
 #include "vtkSMProperty.h"
 
-/// While it lives, changes of the property's proxy bring back what was there before: none makes others follow.
+/// While it lives, changes of the property's proxy bring back what was there before: none makes others
+/// follow.
 class vtkSMInkRestoring
 {
 public:

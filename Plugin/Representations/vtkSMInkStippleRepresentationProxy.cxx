@@ -28,6 +28,7 @@ namespace
 
 constexpr const char* PresetProperty = "StipplePreset";
 constexpr const char* InkProperty = "StippleInkColor";
+constexpr const char* PaperProperty = "StipplePaperColor";
 
 using Controls = vtkInkStippleControls;
 
@@ -175,10 +176,13 @@ bool vtkSMInkStippleRepresentationProxy::IsAsFollowed(const std::string& name)
   }
   vtkNew<vtkInkStippleMapper> mapper;
   this->Controls->Apply(mapper);
-  if (name == InkProperty)
+  if (name == InkProperty || name == PaperProperty)
   {
-    return std::equal(mapper->GetInkColor(), mapper->GetInkColor() + 3,
-      vtkSMPropertyHelper(this, InkProperty).GetArray<double>().begin());
+    double color[3];
+    this->Controls->GetPaperColor(color);
+    const double* expected = name == PaperProperty ? color : mapper->GetInkColor();
+    const std::vector<double> found = vtkSMPropertyHelper(this, name.c_str()).GetArray<double>();
+    return std::equal(found.begin(), found.end(), expected);
   }
   const auto start = std::find_if(std::begin(Starts), std::end(Starts), is);
   if (start != std::end(Starts))
@@ -200,6 +204,9 @@ void vtkSMInkStippleRepresentationProxy::FollowPreset()
   vtkNew<vtkInkStippleMapper> mapper;
   this->Controls->Apply(mapper);
   vtkSMPropertyHelper(this, InkProperty).Set(mapper->GetInkColor(), 3);
+  double paper[3];
+  this->Controls->GetPaperColor(paper);
+  vtkSMPropertyHelper(this, PaperProperty).Set(paper, 3);
   for (const Parameter& parameter : Parameters)
   {
     vtkSMPropertyHelper(this, parameter.Property).Set(parameter.Get(mapper));

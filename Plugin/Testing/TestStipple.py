@@ -27,6 +27,7 @@ class TestStipple(unittest.TestCase):
     def show(self, source, **properties):
         display = Show(source, self.view)
         display.SetRepresentationType("Stipple")
+        display.StipplePaper = False  # TestPaper.py looks at it
         for name, value in properties.items():
             setattr(display, name, value)
         ResetCamera(self.view)

@@ -45,7 +45,8 @@ void Set(vtkSMProxy* display, const char* name, double value)
 vtkSmartPointer<vtkSMProxy> MakeDisplay(vtkSMSessionProxyManager* manager, vtkSMProxy* source)
 {
   vtkNew<vtkSMParaViewPipelineController> controller;
-  auto display = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("representations", "GeometryRepresentation"));
+  auto display =
+    vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("representations", "GeometryRepresentation"));
   controller->PreInitializeProxy(display);
   vtkSMPropertyHelper(display, "Input").Set(source);
   controller->PostInitializeProxy(display);
