@@ -129,6 +129,9 @@ int vtkInkStippleRepresentation::RequestData(
   wanted.SurfaceHides = this->SurfaceHides;
   wanted.PictureSize = this->PictureSize;
 
+  // An earlier run may have been stopped.
+  this->SetAbortExecute(0);
+  this->Generator->SetAbortExecute(0);
   const vtkInkMadeStipples made = vtkInkMakeStipples(vtkDataObject::GetData(inputVector[0], 0), wanted);
   this->GetPiece(Stipples)->ShallowCopy(made.Stipples);
   this->GetPiece(Surface)->ShallowCopy(made.Surface);

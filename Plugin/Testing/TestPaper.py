@@ -23,8 +23,14 @@ class TestPaper(unittest.TestCase):
         for source in GetSources().values():
             Delete(source)
 
+    @classmethod
+    def tearDownClass(cls):
+        for view in GetViews():
+            Delete(view)
+
     def show(self, representation, source=None, view=None):
         display = Show(source or self.sphere, view or self.view)
+        display.NumberOfSurfaceStipples = 1000
         display.SetRepresentationType(representation)
         ResetCamera(view or self.view)
         return display

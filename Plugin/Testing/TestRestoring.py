@@ -46,6 +46,11 @@ class TestRestoring(unittest.TestCase):
         for source in GetSources().values():
             Delete(source)
 
+    @classmethod
+    def tearDownClass(cls):
+        for view in GetViews():
+            Delete(view)
+
     def show(self, **properties):
         display = Show(Wavelet(), self.view)
         display.SetRepresentationType("Stipple")

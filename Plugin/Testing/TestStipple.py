@@ -261,6 +261,40 @@ class TestStipple(unittest.TestCase):
         self.assertGreater(inked[:, :100].sum(), 500)
         self.assertAlmostEqual(inked[:, :100].sum() / inked[:, 100:].sum(), 1.0, delta=0.3)
 
+    def test_the_number_on_a_mesh_follows_the_picture_not_the_polygons(self):
+        def count(resolution, **properties):
+            display = self.show(Sphere(ThetaResolution=resolution, PhiResolution=resolution), **properties)
+            picture(self.view)
+            return self.stipples(display)[0]
+
+        few, many = count(30), count(120)
+        # Of a ball, pi times the square of its diameter in pixels, six of them for each.
+        self.assertAlmostEqual(many / (numpy.pi * 600**2 / 6), 1.0, delta=0.01)
+        self.assertAlmostEqual(few / many, 1.0, delta=0.02)
+        self.assertAlmostEqual(count(120, StipplePictureSize=300) / many, 0.25, delta=0.01)
+
+    def test_progress_is_told_and_the_work_can_be_stopped(self):
+        for source in (Sphere(), Wavelet()):
+            display = self.show(source)
+            algorithm = display.GetClientSideObject().GetActiveRepresentation()
+            told = []
+            tag = algorithm.AddObserver("ProgressEvent", lambda one, event: told.append(one.GetProgress()))
+            display.StippleSeed = 4
+            picture(self.view)
+            self.assertEqual(algorithm.GetProgressText(), "Making stipples")
+            self.assertGreater(len(set(told)), 5)
+            self.assertGreater(self.stipples(display)[0], 0)
+            algorithm.RemoveObserver(tag)
+            tag = algorithm.AddObserver("ProgressEvent", lambda one, event: one.SetAbortExecute(1))
+            display.StippleSeed = 5
+            picture(self.view)
+            self.assertEqual(self.stipples(display)[0], 0)
+            algorithm.RemoveObserver(tag)
+            display.StippleSeed = 6
+            picture(self.view)
+            self.assertGreater(self.stipples(display)[0], 0)
+            Hide(source, self.view)
+
     def test_a_mesh_of_few_polygons_gets_enough_stipples(self):
         display = self.show(Box())
         picture(self.view)
@@ -282,7 +316,9 @@ class TestStipple(unittest.TestCase):
         expected = picture(self.view)
         Hide(wavelet, self.view)
         generator = InkStippleGenerator(Input=wavelet)
-        self.assertEqual(Show(generator, self.view).Representation, "Stipple")
+        display = Show(generator, self.view)
+        self.assertEqual(display.Representation, "Stipple")
+        display.StipplePaper = False
         numpy.testing.assert_array_equal(picture(self.view), expected)
 
     def test_stipples_of_the_filter_are_selected_where_they_are_seen(self):
