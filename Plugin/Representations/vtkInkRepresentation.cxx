@@ -87,22 +87,33 @@ int vtkInkRepresentation::GetArrayAssociation(int array)
   return this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_ASSOCIATION());
 }
 
-std::string vtkInkRepresentation::DescribeArrays()
+bool vtkInkRepresentation::ServesFor(int)
 {
-  std::string text;
+  return false;
+}
+
+bool vtkInkRepresentation::ArraysChanged()
+{
+  std::vector<std::string> chosen;
+  bool changed = this->Arrays.empty();
   for (int array = 0; array < this->NumberOfArrays; ++array)
   {
-    text += std::to_string(this->GetArrayAssociation(array)) + this->GetArrayName(array) + "\n";
+    chosen.push_back(std::to_string(this->GetArrayAssociation(array)) + this->GetArrayName(array));
+    changed =
+      changed || (chosen.back() != this->Arrays[static_cast<std::size_t>(array)] && !this->ServesFor(array));
   }
-  return text;
+  if (changed)
+  {
+    this->Arrays = chosen;
+  }
+  return changed;
 }
 
 int vtkInkRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (request == vtkPVView::REQUEST_UPDATE() && this->Arrays != this->DescribeArrays())
+  if (request == vtkPVView::REQUEST_UPDATE() && this->ArraysChanged())
   {
-    this->Arrays = this->DescribeArrays();
     this->MarkModified();
   }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))

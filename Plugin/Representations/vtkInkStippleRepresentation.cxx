@@ -137,6 +137,8 @@ int vtkInkStippleRepresentation::RequestData(
   this->GetPiece(Surface)->ShallowCopy(made.Surface);
   WriteNumbers(made.Stipples, made.OfImage && this->IsoSurfaceHides ? ink::roomAtHidingSurface : 1.0,
     this->GetPiece(Numbers));
+  this->Colors = made.ColorArray;
+  this->ColorsAssociation = made.ColorAssociation;
   if (made.IdsAreInputs)
   {
     this->MarkIdsAsInputs();
@@ -146,6 +148,13 @@ int vtkInkStippleRepresentation::RequestData(
     vtkWarningMacro(<< "Stipple draws nothing for " << made.Problem);
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+bool vtkInkStippleRepresentation::ServesFor(int array)
+{
+  const std::string name = this->GetArrayName(array);
+  return array == 0 &&
+    (name.empty() || (name == this->Colors && this->GetArrayAssociation(0) == this->ColorsAssociation));
 }
 
 void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivered)

@@ -14,7 +14,8 @@
  * there do not mind those of their neighbours.
  *
  * Colours: the array that is chosen for the representation, of an image's points, or of points or cells of
- * other data; none: the ink.
+ * other data; none: the ink. The active scalars, or the array chosen last, go with the stipples in any case,
+ * so that colouring by them, or not, makes no new ones.
  *
  * @sa vtkInkStippleGenerator vtkInkStippleMapper vtkSMInkStippleRepresentationProxy
  */
@@ -132,6 +133,7 @@ protected:
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool ServesFor(int array) override;
   void Show(const std::vector<vtkPolyData*>& delivered) override;
 
 private:
@@ -149,6 +151,8 @@ private:
   double IsoValue = 0.0;
   bool SurfaceHides = true;
   double PictureSize = 600.0;
+  std::string Colors; ///< the array that the stipples have, to be coloured by; empty: none
+  int ColorsAssociation = 0;
 
   vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;

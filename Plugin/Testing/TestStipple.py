@@ -189,6 +189,21 @@ class TestStipple(unittest.TestCase):
         pixels = picture(self.view)
         self.assertLess(pixels[..., 2].max(), 0.02)
 
+    def test_colouring_on_or_off_makes_no_new_stipples(self):
+        heights = Elevation(Input=Sphere(), LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
+        for source, array in ((Wavelet(), "RTData"), (heights, "Elevation")):
+            display = self.show(source)
+            ColorBy(display, None)
+            plain = picture(self.view)
+            made = self.stipples(display)
+            for _ in range(2):
+                ColorBy(display, ("POINTS", array))
+                self.assertGreater(numpy.abs(picture(self.view) - plain).mean(), 0.001)
+                ColorBy(display, None)
+                numpy.testing.assert_array_equal(picture(self.view), plain)
+            self.assertEqual(self.stipples(display), made)
+            Hide(source, self.view)
+
     def test_colours_meshes_by_arrays_of_points_and_of_cells(self):
         sphere = Sphere(ThetaResolution=32, PhiResolution=32)
         elevation = Elevation(Input=sphere, LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
@@ -342,6 +357,7 @@ class TestStipple(unittest.TestCase):
             picture(self.view)
         self.assertEqual(len(warnings), 1, warnings)
         self.assertIn("No point scalars in the image", warnings[0])
+        self.assertIn("Cell Data to Point Data", warnings[0])
 
     def test_new_data_is_drawn(self):
         wavelet = Wavelet()
