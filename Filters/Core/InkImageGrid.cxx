@@ -113,6 +113,12 @@ std::string ProblemOf(
       problem << (i ? ", \"" : "\"") << (name ? name : "") << "\"";
     }
     problem << (count ? "." : "none.");
+    if (image->GetCellData()->GetNumberOfArrays() > 0)
+    {
+      problem
+        << " Expected point data; vtkCellDataToPointData (in ParaView Cell Data to Point Data) makes it "
+           "of the cell arrays that there are.";
+    }
     return problem.str();
   }
   const char* name = scalars->GetName() ? scalars->GetName() : "(unnamed)";

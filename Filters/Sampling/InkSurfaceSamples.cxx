@@ -342,6 +342,24 @@ vtkDataArray* InkGetDensity(vtkPolyData* mesh, const char* name, int association
   return density;
 }
 
+std::string InkDescribeUnusableDensity(vtkDataArray* density)
+{
+  vtkIdType negative = 0;
+  vtkIdType notNumbers = 0;
+  for (vtkIdType i = 0; i < density->GetNumberOfTuples(); ++i)
+  {
+    const double value = density->GetComponent(i, 0);
+    negative += value < 0.0 ? 1 : 0;
+    notNumbers += std::isnan(value) ? 1 : 0;
+  }
+  std::string text = negative > 0 ? std::to_string(negative) + " negative values" : "";
+  if (notNumbers > 0)
+  {
+    text += (text.empty() ? "" : " and ") + std::to_string(notNumbers) + " that are NaN";
+  }
+  return text;
+}
+
 double InkFacesHash(vtkPolyData* mesh)
 {
   std::uint64_t all = 0;

@@ -8,6 +8,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -55,6 +56,9 @@ private:
 
 /// A density array by its name. @throws std::invalid_argument if it does not fit
 vtkDataArray* InkGetDensity(vtkPolyData* mesh, const char* name, int association);
+
+/// How many values are negative and how many NaN, in words; empty if there are none.
+std::string InkDescribeUnusableDensity(vtkDataArray* density);
 
 /// A number below 2^53 that says which points the faces of a mesh join, in which order.
 double InkFacesHash(vtkPolyData* mesh);

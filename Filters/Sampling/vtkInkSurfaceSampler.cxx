@@ -270,12 +270,13 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bo
   ++this->NumberOfSamplings;
   InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
   const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* density = nullptr;
   // ParaView's panel gives "None".
   if (chosen && *chosen && std::string(chosen) != "None")
   {
     const int association = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
-    triangles.SetDensity(
-      InkGetDensity(mesh, chosen, association), association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
+    density = InkGetDensity(mesh, chosen, association);
+    triangles.SetDensity(density, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
   }
   InkSampleRequest request;
   request.BlueNoise = this->Method == BLUE_NOISE;
@@ -291,6 +292,13 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bo
     return !InkCheckAbort(this);
   };
   const InkSurfaceSamples samples(triangles, request);
+  const std::string unusable = density ? InkDescribeUnusableDensity(density) : "";
+  if (!unusable.empty())
+  {
+    vtkWarningMacro("Of the " << density->GetNumberOfTuples() << " values of the density \"" << chosen
+                              << "\" there are " << unusable
+                              << ". Nothing is sampled there; expected 0 or more.");
+  }
 
   const int type = this->OutputPointsPrecision == DEFAULT_PRECISION ? mesh->GetPoints()->GetDataType()
     : this->OutputPointsPrecision == DOUBLE_PRECISION               ? VTK_DOUBLE

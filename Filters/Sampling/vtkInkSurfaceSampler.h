@@ -25,8 +25,8 @@
  * than one hole in a hundred samplings, about 2.4 sqrt(A / n) for a million samples.
  *
  * Density: an array of one component by SetInputArrayToProcess(0, 0, 0, association, name), of points or
- * cells, says how densely to sample relative to elsewhere; 0: not at all. Without a name all is sampled
- * alike, the default.
+ * cells, says how densely to sample relative to elsewhere; 0: not at all, nor where it is negative or NaN, of
+ * which a warning tells. Without a name all is sampled alike, the default.
  *
  * Animation (Zhang et al. 2014, section 6): with FollowDeformation on, a mesh that changes with time is
  * sampled once, and its samples stay in their faces and move with them; `Priority` stays what it is, `Radius`

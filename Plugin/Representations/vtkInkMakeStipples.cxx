@@ -18,6 +18,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -32,8 +33,7 @@
 namespace
 {
 
-/// The more a picture of so many pixels, seen from all sides, has room for, the more stipples a mesh gets.
-constexpr double PictureSize = 600.0;
+/// Of a picture, whose room says how many stipples a mesh gets.
 constexpr double PixelsPerStipple = 6.0;
 
 bool AreStipples(vtkPolyData* data)
@@ -144,17 +144,40 @@ private:
   double Window[2];
 };
 
-/// Whether the data has the array to colour by, which it then passes on.
-void TakeColors(vtkDataSet* data, const vtkInkStippleRequest& request, bool cells)
+/// Lets the generator pass on the array to colour by, where the data has it.
+void TakeColors(vtkDataSet* data, const vtkInkStippleRequest& request, bool cells, vtkInkMadeStipples& made)
 {
-  const bool ofCells = request.ColorAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataArray* active = data->GetPointData()->GetScalars();
+  const bool chosen = !request.ColorArray.empty();
+  const std::string name = chosen ? request.ColorArray : active && active->GetName() ? active->GetName() : "";
+  const int association = chosen ? request.ColorAssociation : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   vtkDataSetAttributes* attributes =
     ofCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
-  const bool has =
-    !request.ColorArray.empty() && (!ofCells || cells) && attributes->GetArray(request.ColorArray.c_str());
+  const bool has = !name.empty() && (!ofCells || cells) && attributes->GetArray(name.c_str());
   request.Generator->SetPassScalars(has);
-  request.Generator->SetInputArrayToProcess(
-    1, 0, 0, request.ColorAssociation, has ? request.ColorArray.c_str() : "");
+  request.Generator->SetInputArrayToProcess(1, 0, 0, association, has ? name.c_str() : "");
+  if (has)
+  {
+    made.ColorArray = name;
+    made.ColorAssociation = association;
+  }
+}
+
+/// What the first process says that has colours.
+void AgreeOnColors(vtkInkMadeStipples& made, vtkMultiProcessController* controller)
+{
+  const int none = controller->GetNumberOfProcesses();
+  const int own = made.ColorArray.empty() ? none : controller->GetLocalProcessId();
+  int first = none;
+  controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
+  if (first < none)
+  {
+    vtkMultiProcessStream stream;
+    stream << made.ColorArray << made.ColorAssociation;
+    controller->Broadcast(stream, first);
+    stream >> made.ColorArray >> made.ColorAssociation;
+  }
 }
 
 /// All processes' statistics added up.
@@ -237,7 +260,7 @@ void StippleImages(const Leaves& leaves, const vtkInkStippleRequest& request, vt
   for (vtkImageData* image : measured)
   {
     connect(image);
-    TakeColors(image, request, false);
+    TakeColors(image, request, false, made);
     generator->Update(update);
     if (generator->GetOutput()->GetNumberOfPoints() > 0)
     {
@@ -312,11 +335,11 @@ void StippleSurfaces(const Leaves& leaves, const vtkInkStippleRequest& request, 
   const ChangedGenerator changed(generator);
   if (generator->GetNumberOfSurfaceStipples() == 0)
   {
-    generator->SetNumberOfSurfaceStipples(std::max(polygons * generator->GetMaximumStipples(),
-      vtkInkStippleGenerator::CountForPicture(mesh, PictureSize, PixelsPerStipple)));
+    generator->SetNumberOfSurfaceStipples(
+      vtkInkStippleGenerator::CountForPicture(mesh, request.PictureSize, PixelsPerStipple));
   }
   generator->SetInputData(mesh);
-  TakeColors(mesh, request, true);
+  TakeColors(mesh, request, true, made);
   generator->Update();
   made.Stipples->ShallowCopy(generator->GetOutput());
   if (request.SurfaceHides)
@@ -338,6 +361,11 @@ void TakeStipples(const Leaves& leaves, const vtkInkStippleRequest& request, vtk
     const bool colored = request.ColorAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS &&
       cells->HasArray(request.ColorArray.c_str());
     cells->SetActiveScalars(colored ? request.ColorArray.c_str() : nullptr);
+    if (colored)
+    {
+      made.ColorArray = request.ColorArray;
+      made.ColorAssociation = request.ColorAssociation;
+    }
   }
   made.Stipples = Append(parts);
   made.IdsAreInputs = parts.size() == 1 && !leaves.Composite;
@@ -349,7 +377,7 @@ vtkInkMadeStipples vtkInkMakeStipples(vtkDataObject* input, const vtkInkStippleR
 {
   const Leaves leaves(input);
   vtkInkMadeStipples made{ vtkSmartPointer<vtkPolyData>::New(), vtkSmartPointer<vtkPolyData>::New(), false,
-    false, leaves.Problem };
+    false, {}, 0, leaves.Problem };
   const std::array own{ leaves.Images.empty() ? 0 : 1, leaves.Stipples.empty() ? 0 : 1 };
   std::array<int, 2> found;
   request.Controller->AllReduce(own.data(), found.data(), 2, vtkCommunicator::MAX_OP);
@@ -366,6 +394,7 @@ vtkInkMadeStipples vtkInkMakeStipples(vtkDataObject* input, const vtkInkStippleR
   {
     StippleSurfaces(leaves, request, made);
   }
+  AgreeOnColors(made, request.Controller);
   const std::size_t left = leaves.Others.size() + (images ? leaves.Stipples.size() : 0);
   if ((images || stipples) && left > 0 && made.Problem.empty())
   {

@@ -24,10 +24,11 @@ struct vtkInkStippleRequest
   vtkAlgorithmOutput* Port = nullptr; ///< what the input comes from
   vtkInformation* Update = nullptr;   ///< the piece and time of the input
   std::string Scalars;                ///< of images; empty: the active ones
-  std::string ColorArray;             ///< empty: none
+  std::string ColorArray;             ///< empty: the active scalars of points
   int ColorAssociation = 0;
   std::optional<double> IsoValue; ///< of images: the surface that hides what lies behind it
   bool SurfaceHides = true;       ///< of meshes: whether they hide what lies behind them
+  double PictureSize = 0.0;       ///< of meshes: pixels of the picture whose room says how many stipples
 };
 
 /// Parts of a drawing, which all processes' make whole; those of a mesh are all on the first one.
@@ -38,6 +39,11 @@ struct vtkInkMadeStipples
   /// Whether point i is point i of the input, which then consists of stipples already.
   bool IdsAreInputs = false;
   bool OfImage = false;
+  ///@{
+  /// The array that goes with the stipples, on all processes; empty: none.
+  std::string ColorArray;
+  int ColorAssociation = 0;
+  ///@}
   /// What of the input cannot be drawn and what was expected instead; empty if all can.
   std::string Problem;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkRepresentation.h"
 
+#include "vtkInkPaper.h"
+
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -28,6 +30,7 @@ constexpr const char* IdsAreInputs = "InkIdsAreInputs";
 
 vtkInkRepresentation::vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays)
   : Actor(std::move(actor))
+  , Paper(std::make_unique<vtkInkPaper>())
   , NumberOfArrays(arrays)
 {
   for (int array = 0; array < arrays; ++array)
@@ -84,22 +87,33 @@ int vtkInkRepresentation::GetArrayAssociation(int array)
   return this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_ASSOCIATION());
 }
 
-std::string vtkInkRepresentation::DescribeArrays()
+bool vtkInkRepresentation::ServesFor(int)
 {
-  std::string text;
+  return false;
+}
+
+bool vtkInkRepresentation::ArraysChanged()
+{
+  std::vector<std::string> chosen;
+  bool changed = this->Arrays.empty();
   for (int array = 0; array < this->NumberOfArrays; ++array)
   {
-    text += std::to_string(this->GetArrayAssociation(array)) + this->GetArrayName(array) + "\n";
+    chosen.push_back(std::to_string(this->GetArrayAssociation(array)) + this->GetArrayName(array));
+    changed =
+      changed || (chosen.back() != this->Arrays[static_cast<std::size_t>(array)] && !this->ServesFor(array));
   }
-  return text;
+  if (changed)
+  {
+    this->Arrays = chosen;
+  }
+  return changed;
 }
 
 int vtkInkRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (request == vtkPVView::REQUEST_UPDATE() && this->Arrays != this->DescribeArrays())
+  if (request == vtkPVView::REQUEST_UPDATE() && this->ArraysChanged())
   {
-    this->Arrays = this->DescribeArrays();
     this->MarkModified();
   }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
@@ -171,6 +185,7 @@ bool vtkInkRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddActor(this->Actor);
+  this->Paper->Attach(renderView->GetRenderer());
   renderView->RegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::AddToView(view);
 }
@@ -183,6 +198,7 @@ bool vtkInkRepresentation::RemoveFromView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->RemoveActor(this->Actor);
+  this->Paper->Detach();
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::RemoveFromView(view);
 }
@@ -190,7 +206,18 @@ bool vtkInkRepresentation::RemoveFromView(vtkView* view)
 void vtkInkRepresentation::SetVisibility(bool visible)
 {
   this->Actor->SetVisibility(visible);
+  this->Paper->SetVisible(visible);
   this->Superclass::SetVisibility(visible);
+}
+
+void vtkInkRepresentation::SetPaper(bool paper)
+{
+  this->Paper->SetFills(paper);
+}
+
+void vtkInkRepresentation::SetPaperColor(double red, double green, double blue)
+{
+  this->Paper->SetColor(red, green, blue);
 }
 
 void vtkInkRepresentation::SetPickable(bool pickable)
@@ -240,6 +267,7 @@ void vtkInkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Points drawn: " << this->Pieces[0]->GetNumberOfPoints() << "\n";
+  os << indent << "Paper: " << this->Paper->GetFills() << "\n";
   os << indent << "Pickable: " << this->Pickable << "\n";
   os << indent << "Mapper:\n";
   this->Actor->GetMapper()->PrintSelf(os, indent.GetNextIndent());

@@ -20,10 +20,12 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h" // for the pieces
 
+#include <memory> // for the paper
 #include <string> // for arrays' names
 #include <vector> // for the pieces
 
 class vtkActor;
+class vtkInkPaper;
 class vtkPolyData;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkRepresentation : public vtkPVDataRepresentation
@@ -48,6 +50,16 @@ public:
   /// those put together from several datasets, cannot be.
   void SetPickable(bool pickable);
 
+  ///@{
+  /**
+   * Paper: whether the view behind all that is drawn has the paper's colour in place of its own background,
+   * as long as this is visible; a picture with a transparent background stays transparent. Default: on,
+   * white.
+   */
+  void SetPaper(bool paper);
+  void SetPaperColor(double red, double green, double blue);
+  ///@}
+
   void SetVisibility(bool visible) override;
 
   int ProcessViewRequest(
@@ -60,7 +72,8 @@ protected:
   /// @param actor to which the subclass gives its mapper
   /// @param pieces how many pieces of poly data the subclass draws from
   /// @param arrays how many arrays of its input it draws by, with SetInputArrayToProcess; the first is the
-  /// one to colour by. Without one, the name is empty. RequestData is run again when another is chosen.
+  /// one to colour by. Without one, the name is empty. RequestData is run again when one is
+  /// chosen that the pieces do not serve for.
   vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays);
   ~vtkInkRepresentation() override;
 
@@ -80,6 +93,9 @@ protected:
   std::string GetArrayName(int array);
   int GetArrayAssociation(int array);
   ///@}
+  /// Whether the pieces, made for another array, do for the one that is chosen now. The same on all processes
+  /// that have the data. Here: no.
+  virtual bool ServesFor(int array);
   /// Hands the pieces of all processes to the mapper, each where it has been delivered, else null.
   virtual void Show(const std::vector<vtkPolyData*>& delivered) = 0;
 
@@ -90,12 +106,13 @@ private:
   void Deliver(vtkInformation* inInfo, vtkInformation* outInfo);
   bool DrawsOnThisProcess();
   void UpdatePickable();
-  std::string DescribeArrays();
+  bool ArraysChanged();
 
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   const vtkSmartPointer<vtkActor> Actor;
+  const std::unique_ptr<vtkInkPaper> Paper;
   const int NumberOfArrays;
-  std::string Arrays; ///< that the pieces were made with
+  std::vector<std::string> Arrays; ///< that the pieces were made with
   bool Pickable = true;
   bool PointIdsAreInputs = false;
 };

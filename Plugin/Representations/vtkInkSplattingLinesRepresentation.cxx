@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesRepresentation.h"
 
+#include "vtkInkAddNormals.h"
 #include "vtkInkGatherPoints.h"
 #include "vtkInkSplattingLinesMapper.h"
 
@@ -33,8 +34,9 @@ vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = defa
 int vtkInkSplattingLinesRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkInkGatheredPoints gathered = vtkInkGatherPoints(
-    vtkDataObject::GetData(inputVector[0], 0), this->GetArrayName(0), this->GetArrayAssociation(0));
+  const vtkSmartPointer<vtkDataObject> input = vtkInkAddNormals(vtkDataObject::GetData(inputVector[0], 0));
+  const vtkInkGatheredPoints gathered =
+    vtkInkGatherPoints(input, this->GetArrayName(0), this->GetArrayAssociation(0));
   this->GetPiece(0)->ShallowCopy(gathered.Points);
   if (gathered.IdsAreInputs)
   {
@@ -130,6 +132,7 @@ void vtkInkSplattingLinesRepresentation::SetInkColor(double red, double green, d
 void vtkInkSplattingLinesRepresentation::SetPaperColor(double red, double green, double blue)
 {
   this->Mapper->SetPaperColor(red, green, blue);
+  this->Superclass::SetPaperColor(red, green, blue);
 }
 
 void vtkInkSplattingLinesRepresentation::SetPaperVisibility(bool visible)

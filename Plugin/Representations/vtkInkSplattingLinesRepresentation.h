@@ -41,7 +41,6 @@ public:
   void SetAsPublished(bool asPublished);
   void SetRadius(double radius);
   void SetInkColor(double red, double green, double blue);
-  void SetPaperColor(double red, double green, double blue);
   void SetPaperVisibility(bool visible);
   void SetMinimumRadius(double radius);
   void SetHardness(double hardness);
@@ -55,6 +54,9 @@ public:
   void SetNumberOfLayers(int layers);
   void SetPeelBackFaces(bool peel);
   ///@}
+
+  /// The colour of the surface between the lines, and of the paper behind all. Default: white.
+  void SetPaperColor(double red, double green, double blue);
 
   /// Where no array is chosen: lines go from the ink at contours to ToneColor where the surface faces the
   /// viewer. Default: off.

@@ -10,6 +10,7 @@
 #include "Tone/StippleSliders.h"
 
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -77,6 +78,8 @@ vtkInkStippleRepresentation::vtkInkStippleRepresentation()
   this->Mapper->SetScalarModeToUseCellData();
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
+  this->SetProgressText("Making stipples");
+  this->Generator->AddObserver(vtkCommand::ProgressEvent, this, &vtkInkStippleRepresentation::ReportProgress);
 }
 
 vtkInkStippleRepresentation::~vtkInkStippleRepresentation() = default;
@@ -124,12 +127,18 @@ int vtkInkStippleRepresentation::RequestData(
     wanted.IsoValue = this->IsoValue;
   }
   wanted.SurfaceHides = this->SurfaceHides;
+  wanted.PictureSize = this->PictureSize;
 
+  // An earlier run may have been stopped.
+  this->SetAbortExecute(0);
+  this->Generator->SetAbortExecute(0);
   const vtkInkMadeStipples made = vtkInkMakeStipples(vtkDataObject::GetData(inputVector[0], 0), wanted);
   this->GetPiece(Stipples)->ShallowCopy(made.Stipples);
   this->GetPiece(Surface)->ShallowCopy(made.Surface);
   WriteNumbers(made.Stipples, made.OfImage && this->IsoSurfaceHides ? ink::roomAtHidingSurface : 1.0,
     this->GetPiece(Numbers));
+  this->Colors = made.ColorArray;
+  this->ColorsAssociation = made.ColorAssociation;
   if (made.IdsAreInputs)
   {
     this->MarkIdsAsInputs();
@@ -139,6 +148,13 @@ int vtkInkStippleRepresentation::RequestData(
     vtkWarningMacro(<< "Stipple draws nothing for " << made.Problem);
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+bool vtkInkStippleRepresentation::ServesFor(int array)
+{
+  const std::string name = this->GetArrayName(array);
+  return array == 0 &&
+    (name.empty() || (name == this->Colors && this->GetArrayAssociation(0) == this->ColorsAssociation));
 }
 
 void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
@@ -177,6 +193,15 @@ void vtkInkStippleRepresentation::Show(const std::vector<vtkPolyData*>& delivere
   this->Mapper->SetPixelsPerStipple(this->PixelsPerStipple * room);
 }
 
+void vtkInkStippleRepresentation::ReportProgress()
+{
+  this->UpdateProgress(this->Generator->GetProgress());
+  if (this->GetAbortExecute())
+  {
+    this->Generator->SetAbortExecute(1);
+  }
+}
+
 template <class Change>
 void vtkInkStippleRepresentation::ChangeGenerator(const Change& change)
 {
@@ -208,6 +233,11 @@ void vtkInkStippleRepresentation::SetNumberOfSurfaceStipples(vtkIdType numberOfS
 {
   this->ChangeGenerator([=](vtkInkStippleGenerator* generator)
     { generator->SetNumberOfSurfaceStipples(numberOfSurfaceStipples); });
+}
+
+void vtkInkStippleRepresentation::SetPictureSize(double pixels)
+{
+  this->ChangeValue(this->PictureSize, std::clamp(pixels, 100.0, 10000.0));
 }
 
 void vtkInkStippleRepresentation::SetThresholdMode(int thresholdMode)
@@ -507,6 +537,7 @@ void vtkInkStippleRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Generator->PrintSelf(os, indent.GetNextIndent());
   os << indent << "IsoSurfaceHides: " << this->IsoSurfaceHides << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "PictureSize: " << this->PictureSize << "\n";
   os << indent << "SurfaceHides: " << this->SurfaceHides << "\n";
   os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
 }

@@ -14,7 +14,8 @@
  * there do not mind those of their neighbours.
  *
  * Colours: the array that is chosen for the representation, of an image's points, or of points or cells of
- * other data; none: the ink.
+ * other data; none: the ink. The active scalars, or the array chosen last, go with the stipples in any case,
+ * so that colouring by them, or not, makes no new ones.
  *
  * @sa vtkInkStippleGenerator vtkInkStippleMapper vtkSMInkStippleRepresentationProxy
  */
@@ -39,11 +40,12 @@ public:
   ///@{
   /**
    * How stipples are made: see vtkInkStippleGenerator for meaning, range and default. NumberOfSurfaceStipples
-   * 0 stands for as many as a picture of 600 pixels has room for, or MaximumStipples a polygon, whichever are
-   * more.
+   * 0 stands for as many as a picture of PictureSize pixels has room for that shows the whole mesh, two
+   * million at most. PictureSize: 100 to 10000 pixels; default 600.
    */
   void SetMaximumStipples(int maximumStipples);
   void SetNumberOfSurfaceStipples(vtkIdType numberOfSurfaceStipples);
+  void SetPictureSize(double pixels);
   void SetThresholdMode(int thresholdMode);
   void SetGradientPercentile(double gradientPercentile);
   void SetGradientThreshold(double gradientThreshold);
@@ -131,12 +133,14 @@ protected:
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool ServesFor(int array) override;
   void Show(const std::vector<vtkPolyData*>& delivered) override;
 
 private:
   vtkInkStippleRepresentation(const vtkInkStippleRepresentation&) = delete;
   void operator=(const vtkInkStippleRepresentation&) = delete;
 
+  void ReportProgress();
   template <class Change>
   void ChangeGenerator(const Change& change);
   template <class Value>
@@ -146,6 +150,9 @@ private:
   bool IsoSurfaceHides = false;
   double IsoValue = 0.0;
   bool SurfaceHides = true;
+  double PictureSize = 600.0;
+  std::string Colors; ///< the array that the stipples have, to be coloured by; empty: none
+  int ColorsAssociation = 0;
 
   vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;

@@ -3,12 +3,16 @@
 
 #include "vtkInkStippleControls.h"
 #include "vtkInkStippleMapper.h"
+#include "vtkSMInkDoubleVectorProperty.h"
+#include "vtkSMInkIsoValueInitializationHelper.h"
+#include "vtkSMInkRestoring.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMSessionProxyManager.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMInkStippleRepresentationProxy);
 
@@ -24,6 +28,7 @@ namespace
 
 constexpr const char* PresetProperty = "StipplePreset";
 constexpr const char* InkProperty = "StippleInkColor";
+constexpr const char* PaperProperty = "StipplePaperColor";
 
 using Controls = vtkInkStippleControls;
 
@@ -71,35 +76,62 @@ constexpr Parameter Parameters[] = {
   { "StippleSize", [](vtkInkStippleMapper* m) -> double { return m->GetStippleSize(); } },
 };
 
+/// What starts with a value that suits the input when it is switched on.
+struct Start
+{
+  const char* Switch;
+  const char* Property;
+  void (*Set)(vtkSMProxy*, const char* property);
+};
+
+constexpr const char* ArrayProperty = "StippleBy";
+
+constexpr Start Starts[] = {
+  { "UseScalarWindow", "ScalarWindow",
+    [](vtkSMProxy* proxy, const char* property) { proxy->GetProperty(property)->ResetToDomainDefaults(); } },
+  { "IsoSurfaceHides", "StippleIsoValue",
+    [](vtkSMProxy* proxy, const char* property)
+    {
+      if (const auto value = vtkSMInkIsoValueInitializationHelper::Suggest(proxy, ArrayProperty))
+      {
+        vtkSMPropertyHelper(proxy, property).Set(*value);
+      }
+    } },
+};
+
+bool IsOn(vtkSMProxy* proxy, const Start& start)
+{
+  return vtkSMPropertyHelper(proxy, start.Switch).GetAsInt() != 0;
+}
+
+bool IsUnset(vtkSMProxy* proxy, const Start& start)
+{
+  return vtkSMInkDoubleVectorProperty::SafeDownCast(proxy->GetProperty(start.Property))->IsUnset();
+}
+
 } // namespace
 
 vtkSMInkStippleRepresentationProxy::vtkSMInkStippleRepresentationProxy() = default;
 
 vtkSMInkStippleRepresentationProxy::~vtkSMInkStippleRepresentationProxy() = default;
 
-bool vtkSMInkStippleRepresentationProxy::ReadsState()
-{
-  vtkSMSessionProxyManager* manager = this->GetSessionProxyManager();
-  return manager && manager->GetInLoadXMLState();
-}
-
 int vtkSMInkStippleRepresentationProxy::ReadXMLAttributes(
   vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
 {
-  this->Following = true;
-  const int result = this->Superclass::ReadXMLAttributes(manager, element);
-  this->Following = false;
-  return result;
+  // There are not all properties yet.
+  const vtkSMInkRestoring restoring(this);
+  return this->Superclass::ReadXMLAttributes(manager, element);
 }
 
 void vtkSMInkStippleRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
   this->Superclass::SetPropertyModifiedFlag(name, flag);
-  if (!flag || !name || this->Following || this->ReadsState())
+  // Before there is an input the person's own defaults are read.
+  if (!flag || !name || this->Restoring > 0 || vtkSMPropertyHelper(this, "Input").GetNumberOfElements() == 0)
   {
     return;
   }
-  this->Following = true;
+  const vtkSMInkRestoring restoring(this);
   if (std::string(name) == PresetProperty)
   {
     this->FollowPreset();
@@ -111,7 +143,54 @@ void vtkSMInkStippleRepresentationProxy::SetPropertyModifiedFlag(const char* nam
       this->FollowSlider(slider);
     }
   }
-  this->Following = false;
+  for (const Start& start : Starts)
+  {
+    if (std::string(name) == start.Switch && IsOn(this, start) && IsUnset(this, start))
+    {
+      // Ranges are those of an array that has been chosen.
+      if (this->GetProperty(ArrayProperty)->IsValueDefault())
+      {
+        this->GetProperty(ArrayProperty)->ResetToDomainDefaults();
+      }
+      start.Set(this, start.Property);
+    }
+  }
+}
+
+bool vtkSMInkStippleRepresentationProxy::IsAsFollowed(vtkSMProperty* property)
+{
+  auto proxy = vtkSMInkStippleRepresentationProxy::SafeDownCast(property->GetParent());
+  return !proxy || !property->GetXMLName() || proxy->IsAsFollowed(std::string(property->GetXMLName()));
+}
+
+bool vtkSMInkStippleRepresentationProxy::IsAsFollowed(const std::string& name)
+{
+  const auto is = [&](const auto& known) { return name == known.Property; };
+  const auto slider = std::find_if(std::begin(Sliders), std::end(Sliders), is);
+  const double number = vtkSMPropertyHelper(this, name.c_str()).GetAsDouble();
+  this->ReadControls();
+  if (slider != std::end(Sliders))
+  {
+    this->Controls->Reset();
+    return number == (this->Controls.Get()->*slider->Get)();
+  }
+  vtkNew<vtkInkStippleMapper> mapper;
+  this->Controls->Apply(mapper);
+  if (name == InkProperty || name == PaperProperty)
+  {
+    double color[3];
+    this->Controls->GetPaperColor(color);
+    const double* expected = name == PaperProperty ? color : mapper->GetInkColor();
+    const std::vector<double> found = vtkSMPropertyHelper(this, name.c_str()).GetArray<double>();
+    return std::equal(found.begin(), found.end(), expected);
+  }
+  const auto start = std::find_if(std::begin(Starts), std::end(Starts), is);
+  if (start != std::end(Starts))
+  {
+    return !IsOn(this, *start);
+  }
+  const auto parameter = std::find_if(std::begin(Parameters), std::end(Parameters), is);
+  return parameter == std::end(Parameters) || number == parameter->Get(mapper);
 }
 
 void vtkSMInkStippleRepresentationProxy::FollowPreset()
@@ -125,6 +204,9 @@ void vtkSMInkStippleRepresentationProxy::FollowPreset()
   vtkNew<vtkInkStippleMapper> mapper;
   this->Controls->Apply(mapper);
   vtkSMPropertyHelper(this, InkProperty).Set(mapper->GetInkColor(), 3);
+  double paper[3];
+  this->Controls->GetPaperColor(paper);
+  vtkSMPropertyHelper(this, PaperProperty).Set(paper, 3);
   for (const Parameter& parameter : Parameters)
   {
     vtkSMPropertyHelper(this, parameter.Property).Set(parameter.Get(mapper));

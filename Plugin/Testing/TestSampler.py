@@ -4,7 +4,9 @@ import pathlib
 import unittest
 
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
-from paraview.simple import *
+from rendering import *
+
+ENGINE = pathlib.Path(__file__).resolve().parents[2] / "Data" / "engine.nii.gz"
 
 
 class TestSampler(unittest.TestCase):
@@ -22,22 +24,29 @@ class TestSampler(unittest.TestCase):
         hints = InkIsoSurfaceSampler(Input=Wavelet()).GetHints()
         self.assertEqual(hints.FindNestedElementByName("ShowInMenu").GetAttribute("category"), "Ink")
 
-    def test_starts_in_the_middle_of_the_range(self):
+    def test_starts_with_the_iso_value_that_ink_suggests(self):
         wavelet = Wavelet()
         wavelet.UpdatePipeline()
         sampler = InkIsoSurfaceSampler(Input=wavelet)
-        low, high = wavelet.PointData["RTData"].GetRange()
+        low, high = wavelet.PointData["RTData"].GetRange(0)
         self.assertEqual(sampler.SampleBy[:], ["POINTS", "RTData"])
-        self.assertAlmostEqual(sampler.Isosurfaces[0], 0.5 * (low + high), places=3)
+        self.assertTrue(low < sampler.Isosurfaces[0] < high)
         sampler.UpdatePipeline()
         self.assertGreater(sampler.GetDataInformation().GetNumberOfPoints(), 1000)
         self.assertIsNotNone(sampler.PointData["Normals"])
         self.assertIsNotNone(sampler.PointData["Radius"])
+        # As "ink info Data/engine.nii.gz" has it, of a reader that has not been updated.
+        sampler = InkIsoSurfaceSampler(Input=OpenDataFile(str(ENGINE)))
+        self.assertEqual(sampler.Isosurfaces[:], [77.5])
+
+    def test_without_a_boundary_starts_where_paraview_does(self):
+        constant = Calculator(Input=Wavelet(), ResultArrayName="c", Function="3")
+        sampler = InkIsoSurfaceSampler(Input=constant, SampleBy=["POINTS", "c"])
+        self.assertEqual(sampler.Isosurfaces[:], [3.0])
 
     def test_opens_a_compressed_nifti_volume_and_samples_it_unasked(self):
-        engine = pathlib.Path(__file__).resolve().parents[2] / "Data" / "engine.nii.gz"
         # Not updated, so ParaView does not know yet which arrays there are.
-        sampler = InkIsoSurfaceSampler(Input=OpenDataFile(str(engine)))
+        sampler = InkIsoSurfaceSampler(Input=OpenDataFile(str(ENGINE)))
         sampler.Isosurfaces = [80.0]
         sampler.UpdatePipeline()
         self.assertEqual(sampler.GetDataInformation().GetNumberOfPoints(), 293070)
@@ -65,6 +74,20 @@ class TestSampler(unittest.TestCase):
         self.assertEqual(sampler.GetDataInformation().GetNumberOfCells(), 0)
         filter = sampler.GetClientSideObject()
         self.assertEqual(filter.GetOutput().GetPoints().GetDataType(), 11)
+
+    def test_samples_a_mesh_with_scalars_alike_everywhere(self):
+        heights = Elevation(Input=Sphere(), LowPoint=[0, 0, -0.5], HighPoint=[0, 0, 0.5], ScalarRange=[-1, 1])
+        sampler = InkSurfaceSampler(Input=heights, NumberOfSamples=2000)
+        self.assertEqual(sampler.Density[:], ["POINTS", "None"])
+        sampler.UpdatePipeline()
+        low, high = sampler.GetDataInformation().GetBounds()[4:]
+        self.assertLess(low, -0.45)
+        self.assertGreater(high, 0.45)
+        with Warnings() as warnings:
+            sampler.Density = ["POINTS", "Elevation"]
+            sampler.UpdatePipeline()
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn('of the density "Elevation" there are 25 negative values', warnings[0])
 
     def test_is_offered_for_images_with_point_scalars_only(self):
         image = Wavelet()

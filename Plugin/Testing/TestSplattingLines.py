@@ -27,6 +27,7 @@ class TestSplattingLines(unittest.TestCase):
     def show(self, source, **properties):
         display = Show(source, self.view)
         display.SetRepresentationType("Splatting Lines")
+        display.LinesPaper = False  # TestPaper.py looks at it
         for name, value in properties.items():
             setattr(display, name, value)
         ResetCamera(self.view)
@@ -251,18 +252,28 @@ for i in range(ghosts.GetNumberOfTuples()):
         self.assert_drawn(picture(self.view))
         numpy.testing.assert_allclose(self.view.CameraFocalPoint, [0.25, 0, 0], atol=0.01)
 
-    def test_without_normals_nothing_is_drawn_and_one_warning_says_why(self):
-        cone = Cone()
+    def test_points_without_normals_and_polygons_are_not_drawn_and_one_warning_says_why(self):
+        points = PointSource(NumberOfPoints=100)
         with Warnings() as warnings:
-            self.show(cone)
+            self.show(points)
             self.assertTrue(is_background(picture(self.view)).all())
             picture(self.view)
         self.assertEqual(len(warnings), 1, warnings)
         self.assertIn('needs the point array "Normals" of 3 components', warnings[0])
+
+    def test_a_mesh_without_normals_gets_those_of_its_polygons(self):
+        sphere = Sphere(ThetaResolution=60, PhiResolution=60)
+        bare = PassArrays(Input=sphere)
+        pictures = []
         with Warnings() as warnings:
-            self.show(GenerateSurfaceNormals(Input=cone))
-            picture(self.view)
+            for source in (sphere, bare, GroupDatasets(Input=[bare])):
+                self.show(source)
+                pictures.append(picture(self.view))
+                Hide(source, self.view)
         self.assertEqual(warnings, [])
+        self.assert_drawn(pictures[0])
+        for other in pictures[1:]:
+            self.assertLess(numpy.abs(other - pictures[0]).mean(), 0.01)
 
     def test_points_are_selected_where_they_are_seen(self):
         sphere = Sphere(ThetaResolution=60, PhiResolution=60)

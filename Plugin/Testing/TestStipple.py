@@ -27,6 +27,7 @@ class TestStipple(unittest.TestCase):
     def show(self, source, **properties):
         display = Show(source, self.view)
         display.SetRepresentationType("Stipple")
+        display.StipplePaper = False  # TestPaper.py looks at it
         for name, value in properties.items():
             setattr(display, name, value)
         ResetCamera(self.view)
@@ -188,6 +189,21 @@ class TestStipple(unittest.TestCase):
         pixels = picture(self.view)
         self.assertLess(pixels[..., 2].max(), 0.02)
 
+    def test_colouring_on_or_off_makes_no_new_stipples(self):
+        heights = Elevation(Input=Sphere(), LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
+        for source, array in ((Wavelet(), "RTData"), (heights, "Elevation")):
+            display = self.show(source)
+            ColorBy(display, None)
+            plain = picture(self.view)
+            made = self.stipples(display)
+            for _ in range(2):
+                ColorBy(display, ("POINTS", array))
+                self.assertGreater(numpy.abs(picture(self.view) - plain).mean(), 0.001)
+                ColorBy(display, None)
+                numpy.testing.assert_array_equal(picture(self.view), plain)
+            self.assertEqual(self.stipples(display), made)
+            Hide(source, self.view)
+
     def test_colours_meshes_by_arrays_of_points_and_of_cells(self):
         sphere = Sphere(ThetaResolution=32, PhiResolution=32)
         elevation = Elevation(Input=sphere, LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
@@ -260,6 +276,40 @@ class TestStipple(unittest.TestCase):
         self.assertGreater(inked[:, :100].sum(), 500)
         self.assertAlmostEqual(inked[:, :100].sum() / inked[:, 100:].sum(), 1.0, delta=0.3)
 
+    def test_the_number_on_a_mesh_follows_the_picture_not_the_polygons(self):
+        def count(resolution, **properties):
+            display = self.show(Sphere(ThetaResolution=resolution, PhiResolution=resolution), **properties)
+            picture(self.view)
+            return self.stipples(display)[0]
+
+        few, many = count(30), count(120)
+        # Of a ball, pi times the square of its diameter in pixels, six of them for each.
+        self.assertAlmostEqual(many / (numpy.pi * 600**2 / 6), 1.0, delta=0.01)
+        self.assertAlmostEqual(few / many, 1.0, delta=0.02)
+        self.assertAlmostEqual(count(120, StipplePictureSize=300) / many, 0.25, delta=0.01)
+
+    def test_progress_is_told_and_the_work_can_be_stopped(self):
+        for source in (Sphere(), Wavelet()):
+            display = self.show(source)
+            algorithm = display.GetClientSideObject().GetActiveRepresentation()
+            told = []
+            tag = algorithm.AddObserver("ProgressEvent", lambda one, event: told.append(one.GetProgress()))
+            display.StippleSeed = 4
+            picture(self.view)
+            self.assertEqual(algorithm.GetProgressText(), "Making stipples")
+            self.assertGreater(len(set(told)), 5)
+            self.assertGreater(self.stipples(display)[0], 0)
+            algorithm.RemoveObserver(tag)
+            tag = algorithm.AddObserver("ProgressEvent", lambda one, event: one.SetAbortExecute(1))
+            display.StippleSeed = 5
+            picture(self.view)
+            self.assertEqual(self.stipples(display)[0], 0)
+            algorithm.RemoveObserver(tag)
+            display.StippleSeed = 6
+            picture(self.view)
+            self.assertGreater(self.stipples(display)[0], 0)
+            Hide(source, self.view)
+
     def test_a_mesh_of_few_polygons_gets_enough_stipples(self):
         display = self.show(Box())
         picture(self.view)
@@ -281,7 +331,9 @@ class TestStipple(unittest.TestCase):
         expected = picture(self.view)
         Hide(wavelet, self.view)
         generator = InkStippleGenerator(Input=wavelet)
-        self.assertEqual(Show(generator, self.view).Representation, "Stipple")
+        display = Show(generator, self.view)
+        self.assertEqual(display.Representation, "Stipple")
+        display.StipplePaper = False
         numpy.testing.assert_array_equal(picture(self.view), expected)
 
     def test_stipples_of_the_filter_are_selected_where_they_are_seen(self):
@@ -305,6 +357,7 @@ class TestStipple(unittest.TestCase):
             picture(self.view)
         self.assertEqual(len(warnings), 1, warnings)
         self.assertIn("No point scalars in the image", warnings[0])
+        self.assertIn("Cell Data to Point Data", warnings[0])
 
     def test_new_data_is_drawn(self):
         wavelet = Wavelet()

@@ -8,10 +8,41 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 vtkStandardNewMacro(vtkInkStippleControls);
+
+namespace
+{
+
+/// The sliders compute in single precision, whose numbers nobody wants to read: .65 is .649999976158 in it.
+template <class... Format>
+double Rounded(float number, Format... format)
+{
+  std::array<char, 64> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, format...).ptr;
+  double rounded = number;
+  std::from_chars(digits.data(), end, rounded);
+  return rounded;
+}
+
+/// With the fewest digits that tell it from other ones.
+double Shortest(float number)
+{
+  return Rounded(number);
+}
+
+/// With as many digits as are exact after some arithmetic.
+double Exact(float number)
+{
+  return Rounded(number, std::chars_format::general, std::numeric_limits<float>::digits10);
+}
+
+} // namespace
 
 class vtkInkStippleControls::vtkInternals
 {
@@ -88,7 +119,7 @@ void vtkInkStippleControls::SetGradient(double gradient)
 
 double vtkInkStippleControls::GetGradient()
 {
-  return this->Internals->Sliders.gradient;
+  return Shortest(this->Internals->Sliders.gradient);
 }
 
 void vtkInkStippleControls::SetSharpness(double sharpness)
@@ -98,7 +129,7 @@ void vtkInkStippleControls::SetSharpness(double sharpness)
 
 double vtkInkStippleControls::GetSharpness()
 {
-  return this->Internals->Sliders.sharpness;
+  return Shortest(this->Internals->Sliders.sharpness);
 }
 
 void vtkInkStippleControls::SetOrientation(double orientation)
@@ -108,7 +139,7 @@ void vtkInkStippleControls::SetOrientation(double orientation)
 
 double vtkInkStippleControls::GetOrientation()
 {
-  return this->Internals->Sliders.orientation;
+  return Shortest(this->Internals->Sliders.orientation);
 }
 
 void vtkInkStippleControls::SetDistance(double distance)
@@ -118,7 +149,7 @@ void vtkInkStippleControls::SetDistance(double distance)
 
 double vtkInkStippleControls::GetDistance()
 {
-  return this->Internals->Sliders.distance;
+  return Shortest(this->Internals->Sliders.distance);
 }
 
 void vtkInkStippleControls::SetInterior(double interior)
@@ -128,7 +159,7 @@ void vtkInkStippleControls::SetInterior(double interior)
 
 double vtkInkStippleControls::GetInterior()
 {
-  return this->Internals->Sliders.interior;
+  return Shortest(this->Internals->Sliders.interior);
 }
 
 void vtkInkStippleControls::SetColor(double color)
@@ -138,7 +169,7 @@ void vtkInkStippleControls::SetColor(double color)
 
 double vtkInkStippleControls::GetColor()
 {
-  return this->Internals->Sliders.color;
+  return Shortest(this->Internals->Sliders.color);
 }
 
 void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
@@ -147,29 +178,29 @@ void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
   this->Internals->Preset->apply(tone);
   this->Internals->Sliders.apply(tone);
   mapper->SetBoundary(tone.boundary.on);
-  mapper->SetKgc(tone.boundary.kgc);
-  mapper->SetKgs(tone.boundary.kgs);
-  mapper->SetKge(tone.boundary.kge);
+  mapper->SetKgc(Exact(tone.boundary.kgc));
+  mapper->SetKgs(Exact(tone.boundary.kgs));
+  mapper->SetKge(Exact(tone.boundary.kge));
   mapper->SetSilhouette(tone.silhouette.on);
-  mapper->SetKsc(tone.silhouette.ksc);
-  mapper->SetKss(tone.silhouette.kss);
-  mapper->SetKse(tone.silhouette.kse);
+  mapper->SetKsc(Exact(tone.silhouette.ksc));
+  mapper->SetKss(Exact(tone.silhouette.kss));
+  mapper->SetKse(Exact(tone.silhouette.kse));
   mapper->SetResolution(tone.resolution.on);
-  mapper->SetKrc(tone.resolution.krc);
-  mapper->SetKnz(tone.resolution.knz);
+  mapper->SetKrc(Exact(tone.resolution.krc));
+  mapper->SetKnz(Exact(tone.resolution.knz));
   mapper->SetLighting(tone.lighting.on);
-  mapper->SetKle(tone.lighting.kle);
+  mapper->SetKle(Exact(tone.lighting.kle));
   mapper->SetLightInk(tone.lighting.lightInk);
   mapper->SetDistance(tone.distance.on);
-  mapper->SetKde(tone.distance.kde);
-  mapper->SetDistanceSize(tone.distance.size);
+  mapper->SetKde(Exact(tone.distance.kde));
+  mapper->SetDistanceSize(Exact(tone.distance.size));
   mapper->SetInterior(tone.interior.on);
-  mapper->SetKie(tone.interior.kie);
-  mapper->SetInteriorSize(tone.interior.size);
-  mapper->SetWarmCool(tone.warmCool.amount);
-  mapper->SetValueEffect(tone.valueEffect);
-  mapper->SetPixelsPerStipple(tone.pixelsPerStipple);
-  mapper->SetStippleSize(tone.diameter);
+  mapper->SetKie(Exact(tone.interior.kie));
+  mapper->SetInteriorSize(Exact(tone.interior.size));
+  mapper->SetWarmCool(Exact(tone.warmCool.amount));
+  mapper->SetValueEffect(Exact(tone.valueEffect));
+  mapper->SetPixelsPerStipple(Exact(tone.pixelsPerStipple));
+  mapper->SetStippleSize(Exact(tone.diameter));
   mapper->SetAppearBySize(tone.appearBySize);
   const double ink = tone.lighting.lightInk ? 1.0 : 0.0;
   mapper->SetInkColor(ink, ink, ink);

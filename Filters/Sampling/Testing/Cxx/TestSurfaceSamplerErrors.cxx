@@ -123,6 +123,18 @@ int TestSurfaceSamplerErrors(int, char*[])
         AskForDensity(sampler);
       });
   }
+  for (const auto& [unusable, words] :
+    { std::pair{ -3.0, "1 negative" }, std::pair{ nan, "1 that are NaN" } })
+  {
+    Expect(check, "density that is not used", { "density \"Density\"", words, "25 values" }, 200,
+      [value = unusable](vtkInkSurfaceSampler* sampler, vtkPolyData* mesh)
+      {
+        auto density = MakeArray(25, 1, 1.0);
+        density->SetValue(7, static_cast<float>(value));
+        mesh->GetPointData()->AddArray(density);
+        AskForDensity(sampler);
+      });
+  }
 
   Expect(check, "some triangles of no area", {}, 200,
     [](vtkInkSurfaceSampler*, vtkPolyData* mesh)

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVInkIsoValueInformation.h"
+
+#include "Statistics/IsoValue.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkClientServerStream.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSetGet.h"
+
+#include <optional>
+#include <span>
+
+vtkStandardNewMacro(vtkPVInkIsoValueInformation);
+
+namespace
+{
+
+template <typename T>
+std::optional<ink::IsoSuggestion> Suggest(vtkImageData* image, vtkDataArray* values)
+{
+  const int* size = image->GetDimensions();
+  return ink::suggestIsoValue(std::span<const T>(static_cast<const T*>(values->GetVoidPointer(0)),
+                                static_cast<std::size_t>(values->GetNumberOfValues())),
+    { size[0], size[1], size[2] });
+}
+
+std::optional<ink::IsoSuggestion> SuggestOfType(vtkImageData* image, vtkDataArray* values)
+{
+  switch (values->GetDataType())
+  {
+    vtkTemplateMacro(return Suggest<VTK_TT>(image, values));
+    default:
+      return std::nullopt;
+  }
+}
+
+} // namespace
+
+vtkPVInkIsoValueInformation::vtkPVInkIsoValueInformation() = default;
+
+vtkPVInkIsoValueInformation::~vtkPVInkIsoValueInformation() = default;
+
+void vtkPVInkIsoValueInformation::SetPort(int port)
+{
+  this->Port = port;
+}
+
+void vtkPVInkIsoValueInformation::SetArrayName(const std::string& name)
+{
+  this->ArrayName = name;
+}
+
+bool vtkPVInkIsoValueInformation::GetFound() const
+{
+  return this->Voxels > 0.0;
+}
+
+double vtkPVInkIsoValueInformation::GetValue() const
+{
+  return this->Value;
+}
+
+void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)
+{
+  this->Value = 0.0;
+  this->Voxels = 0.0;
+  auto algorithm = vtkAlgorithm::SafeDownCast(object);
+  auto image = vtkImageData::SafeDownCast(algorithm ? algorithm->GetOutputDataObject(this->Port) : nullptr);
+  if (!image || image->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  vtkPointData* data = image->GetPointData();
+  vtkDataArray* values =
+    this->ArrayName.empty() ? data->GetScalars() : data->GetArray(this->ArrayName.c_str());
+  if (!values || values->GetNumberOfComponents() != 1)
+  {
+    return;
+  }
+  if (const auto suggestion = SuggestOfType(image, values))
+  {
+    this->Value = suggestion->value;
+    this->Voxels = static_cast<double>(image->GetNumberOfPoints());
+  }
+}
+
+void vtkPVInkIsoValueInformation::AddInformation(vtkPVInformation* other)
+{
+  auto one = vtkPVInkIsoValueInformation::SafeDownCast(other);
+  if (one && one->Voxels > this->Voxels)
+  {
+    this->Value = one->Value;
+    this->Voxels = one->Voxels;
+  }
+}
+
+void vtkPVInkIsoValueInformation::CopyToStream(vtkClientServerStream* stream)
+{
+  stream->Reset();
+  *stream << vtkClientServerStream::Reply << this->Value << this->Voxels << vtkClientServerStream::End;
+}
+
+void vtkPVInkIsoValueInformation::CopyFromStream(const vtkClientServerStream* stream)
+{
+  if (!stream->GetArgument(0, 0, &this->Value) || !stream->GetArgument(0, 1, &this->Voxels))
+  {
+    vtkErrorMacro("Expected a value and a number of voxels from the server.");
+  }
+}
+
+void vtkPVInkIsoValueInformation::CopyParametersToStream(vtkMultiProcessStream& stream)
+{
+  stream << this->Port << this->ArrayName;
+}
+
+void vtkPVInkIsoValueInformation::CopyParametersFromStream(vtkMultiProcessStream& stream)
+{
+  stream >> this->Port >> this->ArrayName;
+}
+
+void vtkPVInkIsoValueInformation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Port: " << this->Port << "\n"
+     << indent << "ArrayName: " << this->ArrayName << "\n"
+     << indent << "Value: " << this->Value << "\n"
+     << indent << "Voxels: " << this->Voxels << "\n";
+}
