@@ -2,6 +2,7 @@
 #include "InkImageGrid.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -189,6 +190,21 @@ vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& compon
   copy->CopyComponent(0, array, component);
   component = 0;
   return copy;
+}
+
+bool InkKnowsPieces(vtkAlgorithm* filter)
+{
+  vtkAlgorithm* producer = filter;
+  int port = 0;
+  while (producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0)
+  {
+    vtkAlgorithmOutput* connection = producer->GetInputConnection(0, 0);
+    producer = connection->GetProducer();
+    port = connection->GetIndex();
+  }
+  vtkInformation* info = producer->GetOutputInformation(port);
+  return info->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) ||
+    info->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
 }
 
 ink::CellSelection InkSelectCells(vtkInformation* input, vtkInformation* output, vtkImageData* image)

@@ -66,6 +66,11 @@ VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(
 /// `component` becomes the one to read.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component);
 
+/// Whether the source that a filter's first input comes from gives pieces. Where not, a process that asks it
+/// for the whole in place of a piece that is not the first gets what the first process has already, and so do
+/// all others there that read it.
+VTKINKFILTERSCORE_EXPORT bool InkKnowsPieces(vtkAlgorithm* filter);
+
 /// The image's cells that the piece asked for owns, see InkIsOfFirstPiece, and that are neither hidden nor
 /// refined.
 VTKINKFILTERSCORE_EXPORT ink::CellSelection InkSelectCells(

@@ -117,7 +117,8 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   {
     return 1;
   }
-  if (this->NeedsWholeImage())
+  vtkInformation* outInfo = output->GetInformationObject(0);
+  if (this->NeedsWholeImage() && (outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0 || InkKnowsPieces(this)))
   {
     info->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
     info->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
@@ -129,7 +130,7 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   }
   else
   {
-    const int levels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+    const int levels = outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels + GhostLevels);
   }
   return 1;
