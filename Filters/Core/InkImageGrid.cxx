@@ -2,25 +2,22 @@
 #include "InkImageGrid.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <sstream>
 #include <string>
 
@@ -41,10 +38,38 @@ InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image)
   return InkExtent(whole ? whole : image->GetExtent());
 }
 
+namespace
+{
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+/// Whether an image is all of the whole extent, and none of its cells is another piece's.
+bool IsWhole(vtkInformation* input, vtkImageData* image)
+{
+  if (InkExtent(image->GetExtent()) != InkGetWholeExtent(input, image))
+  {
+    return false;
+  }
+  const ink::ElementMarks others = InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+  return std::none_of(
+    others.bytes.begin(), others.bytes.end(), [&](auto bits) { return (bits & others.mask) != 0; });
+}
+
+bool IsFirstPiece(vtkInformation* output)
+{
+  return output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) <= 1 || output->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0;
+}
+
+} // namespace
+
 bool InkIsWholeImage(vtkInformation* input, vtkInformation* output, vtkImageData* image)
 {
-  return InkExtent(image->GetExtent()) == InkGetWholeExtent(input, image) &&
-    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1;
+  return IsFirstPiece(output) && IsWhole(input, image);
+}
+
+bool InkIsOfFirstPiece(vtkInformation* input, vtkInformation* output, vtkImageData* image)
+{
+  return !IsFirstPiece(output) && IsWhole(input, image);
 }
 
 ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent)
@@ -173,35 +198,30 @@ vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& compon
   return copy;
 }
 
-ink::CellSelection InkSelectCells(vtkInformation* info, vtkAlgorithm* producer, vtkImageData* image)
+bool InkKnowsPieces(vtkAlgorithm* filter)
 {
-  using SDDP = vtkStreamingDemandDrivenPipeline;
-  const InkExtent own(image->GetExtent());
+  vtkAlgorithm* producer = filter;
+  int port = 0;
+  while (producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0)
+  {
+    vtkAlgorithmOutput* connection = producer->GetInputConnection(0, 0);
+    producer = connection->GetProducer();
+    port = connection->GetIndex();
+  }
+  vtkInformation* info = producer->GetOutputInformation(port);
+  return info->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) ||
+    info->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
+}
+
+ink::CellSelection InkSelectCells(vtkInformation* input, vtkInformation* output, vtkImageData* image)
+{
   ink::CellSelection cells;
   cells.skipped = InkGetMarks(image->GetCellData(),
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
       vtkDataSetAttributes::REFINEDCELL);
-  // Sources that know pieces split the image themselves. Others, as VTK's reader of MetaImage files, answer
-  // every piece with the whole, and so does a trivial producer, unless it was given a part whose cells are
-  // marked as another's.
-  const int pieces = info->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
-  const bool trivial =
-    vtkTrivialProducer::SafeDownCast(producer) && producer->GetOutputDataObject(0) == image;
-  const bool splits =
-    info->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()) || info->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
-  const bool given = (trivial || !splits) && InkGetWholeExtent(info, image) == own;
-  const std::span<const std::uint8_t> marks = cells.skipped.bytes;
-  const bool isPart = std::any_of(
-    marks.begin(), marks.end(), [](auto mark) { return mark & vtkDataSetAttributes::DUPLICATECELL; });
-  if (pieces > 1 && given && !isPart)
+  if (InkIsOfFirstPiece(input, output, image))
   {
-    vtkNew<vtkExtentTranslator> translator;
-    int extent[6] = { 0, -1, 0, -1, 0, -1 };
-    translator->PieceToExtentThreadSafe(info->Get(SDDP::UPDATE_PIECE_NUMBER()), pieces, 0, image->GetExtent(),
-      extent, vtkExtentTranslator::BLOCK_MODE, 0);
-    const InkExtent piece(extent);
-    cells.begin = piece.First - own.First;
-    cells.end = piece.Last - own.First;
+    cells.end = cells.begin;
   }
   return cells;
 }

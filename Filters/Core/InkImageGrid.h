@@ -29,10 +29,19 @@ struct VTKINKFILTERSCORE_EXPORT InkExtent
 /// The extent of the whole image of which `image` may be a piece; its own where `info` does not say.
 VTKINKFILTERSCORE_EXPORT InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image);
 
-/// Whether nothing but the whole image was asked for at once: if it is without result, so is all that there
-/// is.
+/// Whether an image is all that there is of it: if it is without result, so are all pieces.
 /// @param input, output the filter's pipeline information
 VTKINKFILTERSCORE_EXPORT bool InkIsWholeImage(
+  vtkInformation* input, vtkInformation* output, vtkImageData* image);
+
+/// Whether an image that was given for a piece is the first piece's.
+///
+/// What a producer gives for a piece is that piece, but for cells that it marks as another's. Some producers
+/// do not know of pieces: VTK lets readers of this kind run for the first piece only, so that of several
+/// processes the first one has the whole and the others nothing, and a program that asks for one piece after
+/// the other finds the whole each time. Both times, and also where each process has the whole, all is taken
+/// once if a whole image without marks is the first piece's.
+VTKINKFILTERSCORE_EXPORT bool InkIsOfFirstPiece(
   vtkInformation* input, vtkInformation* output, vtkImageData* image);
 
 /// The image's samples within an extent, which need not be the image's own.
@@ -57,9 +66,14 @@ VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(
 /// `component` becomes the one to read.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component);
 
-/// The image's cells that the piece asked for owns and that are neither hidden nor refined. `info` is the
-/// pipeline information that came with the image from `producer`.
+/// Whether the source that a filter's first input comes from gives pieces. Where not, a process that asks it
+/// for the whole in place of a piece that is not the first gets what the first process has already, and so do
+/// all others there that read it.
+VTKINKFILTERSCORE_EXPORT bool InkKnowsPieces(vtkAlgorithm* filter);
+
+/// The image's cells that the piece asked for owns, see InkIsOfFirstPiece, and that are neither hidden nor
+/// refined.
 VTKINKFILTERSCORE_EXPORT ink::CellSelection InkSelectCells(
-  vtkInformation* info, vtkAlgorithm* producer, vtkImageData* image);
+  vtkInformation* input, vtkInformation* output, vtkImageData* image);
 
 #endif

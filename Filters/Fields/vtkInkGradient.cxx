@@ -11,11 +11,11 @@
 #include "InkVTKCompat.h"
 
 #include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkExtentTranslator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -163,45 +163,70 @@ bool IsPieceAskedFor(vtkInformation* outInfo)
   return outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
 }
 
-/// The piece asked for with so many ghost levels more than asked for, as sources split images.
-InkExtent PieceOf(vtkInformation* outInfo, const InkExtent& whole, int moreLevels)
-{
-  const int all[6] = { whole.First.x, whole.Last.x, whole.First.y, whole.Last.y, whole.First.z,
-    whole.Last.z };
-  int piece[6] = { 0, -1, 0, -1, 0, -1 };
-  vtkNew<vtkExtentTranslator> translator;
-  translator->PieceToExtentThreadSafe(outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()),
-    outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()),
-    outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + moreLevels, const_cast<int*>(all), piece,
-    vtkExtentTranslator::BLOCK_MODE, 0);
-  return InkExtent(piece);
-}
-
-bool Contains(const InkExtent& outer, const InkExtent& inner)
-{
-  return glm::all(glm::lessThanEqual(outer.First, inner.First)) &&
-    glm::all(glm::greaterThanEqual(outer.Last, inner.Last));
-}
-
 int LargestOf(const glm::ivec3& v)
 {
   return std::max({ v.x, v.y, v.z });
 }
 
-/// The part of the image that results are asked for.
-InkExtent PartOf(vtkInkGradient* filter, vtkInformation* inInfo, vtkInformation* outInfo, vtkImageData* image)
+/// The box of an image's cells that are not marked as another piece's, as the points around them.
+InkExtent OwnPart(vtkImageData* image)
 {
-  const InkExtent own(image->GetExtent());
-  const InkExtent whole = InkGetWholeExtent(inInfo, image);
-  if (IsPieceAskedFor(outInfo))
+  InkExtent own(image->GetExtent());
+  const ink::ElementMarks others = InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+  if (others.empty())
   {
-    const InkExtent needed = PieceOf(outInfo, whole, LargestOf(ReachOf(filter, inInfo)));
-    // Otherwise the image came in parts of another shape, as from a simulation: take all of this one.
-    return Contains(own, needed) ? PieceOf(outInfo, whole, 0) : own;
+    return own;
   }
-  InkExtent part(outInfo->Get(SDDP::UPDATE_EXTENT()));
-  part.First = glm::max(part.First, own.First);
-  part.Last = glm::min(part.Last, own.Last);
+  const glm::ivec3 cells = glm::max(own.GetDimensions() - 1, glm::ivec3(1));
+  glm::ivec3 low = cells;
+  glm::ivec3 high(-1);
+  std::size_t cell = 0;
+  for (glm::ivec3 at(0); at.z < cells.z; ++at.z)
+  {
+    for (at.y = 0; at.y < cells.y; ++at.y)
+    {
+      for (at.x = 0; at.x < cells.x; ++at.x, ++cell)
+      {
+        if (!others[cell])
+        {
+          low = glm::min(low, at);
+          high = glm::max(high, at);
+        }
+      }
+    }
+  }
+  own.Last = own.First + high + 1;
+  own.First += low;
+  return own;
+}
+
+/// The part of the image that results are asked for.
+InkExtent PartOf(vtkInformation* inInfo, vtkInformation* outInfo, vtkImageData* image)
+{
+  const InkExtent given(image->GetExtent());
+  InkExtent part = given;
+  if (!IsPieceAskedFor(outInfo))
+  {
+    part = InkExtent(outInfo->Get(SDDP::UPDATE_EXTENT()));
+  }
+  else if (InkIsOfFirstPiece(inInfo, outInfo, image))
+  {
+    part.Last = part.First - 1;
+    return part;
+  }
+  else
+  {
+    part = OwnPart(image);
+    if (glm::any(glm::lessThan(part.Last, part.First)))
+    {
+      return part;
+    }
+    const int levels = outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+    part.First -= levels;
+    part.Last += levels;
+  }
+  part.First = glm::max(part.First, given.First);
+  part.Last = glm::min(part.Last, given.Last);
   return part;
 }
 
@@ -254,13 +279,6 @@ const char* vtkInkGradient::GetOutputArraysPrecisionAsString()
 void vtkInkGradient::SetLaplacianScale(double scale)
 {
   InkSetClampedNumber(this, "LaplacianScale", this->LaplacianScale, scale, 0.0, VTK_DOUBLE_MAX);
-}
-
-int vtkInkGradient::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
-{
-  outputVector->GetInformationObject(0)->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
-  return 1;
 }
 
 int vtkInkGradient::RequestUpdateExtent(
@@ -342,7 +360,7 @@ int vtkInkGradient::RequestData(
   }
 
   const InkExtent own(image->GetExtent());
-  const InkExtent part = PartOf(this, inputVector[0]->GetInformationObject(0), outInfo, image);
+  const InkExtent part = PartOf(inputVector[0]->GetInformationObject(0), outInfo, image);
   GradientRequest request;
   request.Box = { part.First - own.First, part.Last - own.First + 1 };
   if (request.Box.empty())

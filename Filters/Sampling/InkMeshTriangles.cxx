@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkMeshTriangles.h"
 
+#include "Sampling/FaceOrder.h"
 #include "Sampling/Hash.h"
 
 #include "vtkCellArray.h"
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -67,7 +69,7 @@ std::string Counted(vtkIdType count, const char* what)
 
 } // namespace
 
-InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals)
+InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order)
 {
   const vtkIdType pointCount = mesh->GetNumberOfPoints();
   constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max() / 3;
@@ -132,6 +134,10 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals)
       this->FaceIds.push_back(face);
     }
   }
+  if (order == Order::ByPlace)
+  {
+    this->SortByPlace();
+  }
   vtkDataArray* globalIds = mesh->GetCellData()->GetGlobalIds();
   std::uint64_t partOfFace = 0;
   for (std::size_t i = 0; globalIds && i < this->FaceIds.size(); ++i)
@@ -194,6 +200,29 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals)
       this->Normals[i] = sums[i] / length;
     }
   }
+}
+
+void InkMeshTriangles::SortByPlace()
+{
+  std::vector<std::uint32_t> firsts;
+  for (std::size_t i = 0; i < this->FaceIds.size(); ++i)
+  {
+    if (i == 0 || this->FaceIds[i] != this->FaceIds[i - 1])
+    {
+      firsts.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  std::vector<ink::Triangle> triangles;
+  std::vector<vtkIdType> faceIds;
+  triangles.reserve(this->Triangles.size());
+  faceIds.reserve(this->FaceIds.size());
+  for (const std::uint32_t triangle : ink::orderByPlace(this->Points, this->Triangles, firsts))
+  {
+    triangles.push_back(this->Triangles[triangle]);
+    faceIds.push_back(this->FaceIds[triangle]);
+  }
+  this->Triangles = std::move(triangles);
+  this->FaceIds = std::move(faceIds);
 }
 
 void InkMeshTriangles::SetDensity(vtkDataArray* density, bool ofCells)

@@ -434,7 +434,7 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
                                 "samples were made of; expected the same " +
       std::to_string(cells) + " cells, deformed");
   }
-  InkMeshTriangles triangles(mesh, normals);
+  InkMeshTriangles triangles(mesh, normals, InkMeshTriangles::Order::OfMesh);
   vtkDataArray* radius = samples->GetPointData()->GetArray("Radius");
   const std::vector<float> stretch = radius ? GetStretch(triangles, samples, radius) : std::vector<float>();
   // Each sample brings its own triangle.

@@ -29,7 +29,7 @@
 namespace
 {
 
-/// The polygons of a mesh that have an area, in the order of their cells.
+/// The polygons of a mesh that have an area, in the order of the triangles.
 struct Polygons
 {
   std::vector<vtkIdType> Cells;
@@ -90,11 +90,16 @@ struct Lists
   Lists(const struct Polygons& polygons, std::span<const vtkIdType> cellOfSample)
   {
     std::vector<vtkIdType> next(polygons.Cells.size() + 1, 0);
+    const vtkIdType lastCell = *std::max_element(polygons.Cells.begin(), polygons.Cells.end());
+    std::vector<std::size_t> polygonOfCell(static_cast<std::size_t>(lastCell) + 1);
+    for (std::size_t polygon = 0; polygon < polygons.Cells.size(); ++polygon)
+    {
+      polygonOfCell[static_cast<std::size_t>(polygons.Cells[polygon])] = polygon;
+    }
     std::vector<std::size_t> polygonOf(cellOfSample.size());
     for (std::size_t sample = 0; sample < cellOfSample.size(); ++sample)
     {
-      const auto found = std::lower_bound(polygons.Cells.begin(), polygons.Cells.end(), cellOfSample[sample]);
-      polygonOf[sample] = static_cast<std::size_t>(found - polygons.Cells.begin());
+      polygonOf[sample] = polygonOfCell[static_cast<std::size_t>(cellOfSample[sample])];
       ++next[polygonOf[sample] + 1];
     }
     std::partial_sum(next.begin(), next.end(), next.begin());

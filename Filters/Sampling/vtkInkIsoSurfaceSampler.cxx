@@ -345,7 +345,8 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   request.Options.rule =
     this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
   request.Options.method = static_cast<ink::NormalMethod>(this->NormalMethod);
-  request.Cells = InkSelectCells(info, this->GetInputAlgorithm(), image);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  request.Cells = InkSelectCells(info, outInfo, image);
   request.Ranges = this->UseIndex ? internals.RangesFor(scalars, image, this->ArrayComponent) : nullptr;
   request.Expected = std::max(internals.Expected, std::size_t(1024));
   if (std::any_of(request.IsoValues.begin(), request.IsoValues.end(), [](double v) { return std::isnan(v); }))
@@ -404,7 +405,7 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->FillOutput(radius, output);
   // A part of an image may well have no points.
-  if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outputVector->GetInformationObject(0), image))
+  if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image))
   {
     this->ReportOutside(scalars);
   }

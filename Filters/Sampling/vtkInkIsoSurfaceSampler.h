@@ -19,7 +19,8 @@
  *
  * Points come in the order of their cells, iso-value by iso-value, and are the same for any number of
  * threads (VTK_SMP_MAX_THREADS sets it) and for any split of the image into pieces with one level of
- * ghost cells, which are asked for. An image given by SetInputData is taken to be whole for every piece.
+ * ghost cells, which are asked for. A whole image that is given for every piece, as by SetInputData, or for
+ * the first one only, as by readers that know no pieces, is the first piece's.
  * Cells marked as duplicate, hidden or refined, and cells with a corner that is NaN, infinite or hidden, make
  * no points; a NaN or hidden voxel nearby makes the central difference one-sided.
  *

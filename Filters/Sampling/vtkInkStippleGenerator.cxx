@@ -14,7 +14,6 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -41,13 +40,6 @@ vtkStandardNewMacro(vtkInkStippleGenerator);
 namespace
 {
 
-bool HasDuplicates(vtkImageData* image)
-{
-  const ink::ElementMarks marks = InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
-  return std::any_of(
-    marks.bytes.begin(), marks.bytes.end(), [&](auto bits) { return (bits & marks.mask) != 0; });
-}
-
 /// How far beyond its own voxels a piece has to know the image: as far as a voxel's stipples depend on
 /// others' gradients, and these on values.
 const int GhostLevels = ink::stippleReach.x + 1;
@@ -55,32 +47,18 @@ const int GhostLevels = ink::stippleReach.x + 1;
 /// The samples whose voxels the piece asked for owns: those that are the lower corner of a cell of its, and
 /// at the upper end of the whole image the last ones. What a part's marks leave out, InkMakeVolumeStipples
 /// sees to.
-/// @param asWhole whether the whole image was asked for, of which a piece is wanted
-ink::SampleBox OwnSamples(
-  vtkInformation* outInfo, vtkInformation* inInfo, vtkAlgorithm* producer, vtkImageData* image, bool asWhole)
+ink::SampleBox OwnSamples(vtkInformation* input, vtkInformation* output, vtkImageData* image)
 {
+  if (InkIsOfFirstPiece(input, output, image))
+  {
+    return {};
+  }
   const InkExtent all(image->GetExtent());
-  const InkExtent whole = InkGetWholeExtent(inInfo, image);
-  const glm::ivec3 cells = all.GetDimensions() - 1;
-  ink::SampleBox own{ glm::ivec3(0), cells };
-  const int pieces = outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES());
-  if (!asWhole)
-  {
-    const ink::CellSelection selection = InkSelectCells(inInfo, producer, image);
-    own = { selection.begin, glm::min(selection.end, cells) };
-  }
-  else if (pieces > 1 && whole == all && !HasDuplicates(image))
-  {
-    vtkNew<vtkExtentTranslator> translator;
-    int extent[6] = { 0, -1, 0, -1, 0, -1 };
-    translator->PieceToExtentThreadSafe(outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()), pieces, 0,
-      image->GetExtent(), extent, vtkExtentTranslator::BLOCK_MODE, 0);
-    const InkExtent piece(extent);
-    own = { piece.First - all.First, piece.Last - all.First };
-  }
+  const InkExtent whole = InkGetWholeExtent(input, image);
+  ink::SampleBox own{ glm::ivec3(0), all.GetDimensions() };
   for (int axis = 0; axis < 3; ++axis)
   {
-    own.end[axis] += all.First[axis] + own.end[axis] == whole.Last[axis] ? 1 : 0;
+    own.end[axis] -= all.Last[axis] != whole.Last[axis] ? 1 : 0;
   }
   return own;
 }
@@ -186,7 +164,8 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   {
     return 1;
   }
-  if (this->NeedsWholeImage())
+  vtkInformation* outInfo = output->GetInformationObject(0);
+  if (this->NeedsWholeImage() && (outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0 || InkKnowsPieces(this)))
   {
     info->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
     info->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
@@ -198,7 +177,7 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   }
   else
   {
-    const int levels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+    const int levels = outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels + GhostLevels);
   }
   return 1;
@@ -249,6 +228,12 @@ void vtkInkStippleGenerator::StippleVolume(
 {
   vtkInformation* info = input[0]->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
+  const ink::SampleBox own = OwnSamples(info, outInfo, image);
+  if (own.empty())
+  {
+    this->Measured = nullptr;
+    return;
+  }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* found = this->GetInputArrayToProcess(0, input, association);
   vtkDataArray* scalars = InkChooseScalars(this, image, found, association, this->ArrayComponent);
@@ -274,7 +259,7 @@ void vtkInkStippleGenerator::StippleVolume(
   request.GivenRanges = this->UseReferenceRanges;
   std::copy_n(this->ReferenceScalarRange, 2, request.ScalarRange);
   request.SteepestGradient = this->ReferenceGradient;
-  request.Own = OwnSamples(outInfo, info, this->GetInputAlgorithm(), image, this->NeedsWholeImage());
+  request.Own = own;
   request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
     (this->OutputPointsPrecision == DEFAULT_PRECISION &&
       InkNeedsDoublePrecision(InkMakeGrid(image, InkGetWholeExtent(info, image))));

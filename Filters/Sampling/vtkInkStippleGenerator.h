@@ -31,13 +31,13 @@
  * `GradientMagnitudeRange`, which 0 and 1 stand for.
  *
  * The same input gives the same stipples on any number of threads and of pieces. Percentiles and ranges are
- * those of the whole image, so the whole is asked for whatever piece is asked of this filter. With
- * UseReferenceRanges and a GradientThreshold nothing of the whole is needed: then each piece is asked for
- * with five levels of ghost cells, and an image of which no process has the whole, as in a simulation, gives
- * exactly the same stipples if its parts have as many (cells that are another part's being marked as
- * duplicates). So do statistics of all parts, see SetStatistics. Without, such a part has percentiles and
- * ranges of its own. Pieces of a mesh are sampled each
- * for itself.
+ * those of the whole image, so the whole is asked for whatever piece is asked of this filter, and the first
+ * piece has all stipples. With UseReferenceRanges and a GradientThreshold nothing of the whole is needed:
+ * then each piece is asked for with five levels of ghost cells, and an image of which no process has the
+ * whole, as in a simulation, gives exactly the same stipples if its parts have as many (cells that are
+ * another part's being marked as duplicates). So do statistics of all parts, see SetStatistics. Without, such
+ * a part has percentiles and ranges of its own. A whole image that is given for every piece, or for the first
+ * one only, is the first piece's. Pieces of a mesh are sampled each for itself.
  *
  * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
  * gives none, which is no error. Errors, each with an empty output: data that are neither an image nor a mesh

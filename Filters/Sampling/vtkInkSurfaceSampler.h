@@ -38,8 +38,8 @@
  * holes nor real holes closed (see ink::pointRadii), and normals, see NormalNeighbors. Points that belong to
  * no surface are left out, see RemoveIsolated, and those that `vtkGhostType` marks as hidden or duplicate.
  *
- * The same input gives the same output on any number of threads. In parallel each piece is sampled for
- * itself: ghost cells are left out, and NumberOfSamples counts per piece. With WHITE_NOISE, SampleRadius,
+ * The same input gives the same output on any number of threads, and however its points and faces are
+ * numbered. In parallel each piece is sampled for itself: ghost cells are left out, and NumberOfSamples counts per piece. With WHITE_NOISE, SampleRadius,
  * global ids of cells and no density, pieces have the whole's points. Blue-noise samples of two pieces do not
  * know of each other, and may be nearer than the radius where pieces meet; no point is made twice.
  *

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkMakeStipples.h"
 
+#include "vtkInkGatherMesh.h"
 #include "vtkInkStippleGenerator.h"
 
 #include "Sampling/StippledVoxels.h"
@@ -277,8 +278,8 @@ void StippleImages(const Leaves& leaves, const vtkInkStippleRequest& request, vt
   made.OfImage = true;
 }
 
-/// The outer surfaces of this process's data, as one mesh.
-vtkSmartPointer<vtkPolyData> MakeMesh(const std::vector<vtkDataSet*>& leaves)
+/// The outer surfaces of this process's data.
+std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(const std::vector<vtkDataSet*>& leaves)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   for (vtkDataSet* data : leaves)
@@ -293,33 +294,12 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const std::vector<vtkDataSet*>& leaves)
     }
     surfaces.push_back(surface);
   }
-  return Append(surfaces);
-}
-
-/// All processes' meshes as one, for the first process; an empty one for the others.
-vtkSmartPointer<vtkPolyData> Gather(vtkSmartPointer<vtkPolyData> mesh, vtkMultiProcessController* controller)
-{
-  if (controller->GetNumberOfProcesses() == 1)
-  {
-    return mesh;
-  }
-  std::vector<vtkSmartPointer<vtkDataObject>> received;
-  controller->Gather(mesh, received, 0);
-  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
-  for (const auto& one : received)
-  {
-    auto part = vtkPolyData::SafeDownCast(one);
-    if (part && part->GetNumberOfPoints() > 0)
-    {
-      meshes.emplace_back(part);
-    }
-  }
-  return Append(meshes);
+  return surfaces;
 }
 
 void StippleSurfaces(const Leaves& leaves, const vtkInkStippleRequest& request, vtkInkMadeStipples& made)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = Gather(MakeMesh(leaves.Others), request.Controller);
+  const vtkSmartPointer<vtkPolyData> mesh = vtkInkGatherMesh(MakeMeshes(leaves.Others), request.Controller);
   if (mesh->GetNumberOfPoints() == 0)
   {
     return;

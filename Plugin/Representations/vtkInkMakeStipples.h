@@ -52,7 +52,8 @@ struct vtkInkMadeStipples
  * Stipples images, with percentiles and ranges of all processes' images together, so that parts of an image
  * with ghost cells give exactly what the whole does. Where no process has an image, data that is stipples
  * already is drawn as it is. Where there is neither, the outer surfaces of all data of all processes are put
- * together and stippled by the first process. To be called by all processes at once, also without data.
+ * together (see vtkInkGatherMesh) and stippled by the first process, so that they give what the whole does.
+ * To be called by all processes at once, also without data.
  */
 vtkInkMadeStipples vtkInkMakeStipples(vtkDataObject* input, const vtkInkStippleRequest& request);
 

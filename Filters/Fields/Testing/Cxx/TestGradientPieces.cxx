@@ -4,6 +4,7 @@
 
 #include "GradientTestImages.h"
 #include "InkTestChecks.h"
+#include "InkTestPieces.h"
 
 #include "vtkInkGradient.h"
 #include "vtkNew.h"
@@ -112,6 +113,25 @@ int TestGradientPieces(int, char*[])
       }
       check(cells == whole->GetNumberOfCells(), "every cell once in ", pieces, " pieces, found ", cells,
         " of ", whole->GetNumberOfCells());
+    }
+  }
+
+  // A reader that knows no pieces, on several processes: the first one has all.
+  {
+    vtkNew<vtkRTAnalyticSource> all;
+    vtkNew<vtkRTAnalyticSource> source;
+    const auto filter = MakeFilter(all, vtkInkGradient::REGRESSION, vtkInkGradient::NEIGHBORHOOD_3);
+    filter->Update();
+    for (int piece = 0; piece < 2; ++piece)
+    {
+      const auto serial = MakeFilter(source, vtkInkGradient::REGRESSION, vtkInkGradient::NEIGHBORHOOD_3);
+      serial->SetInputConnection(InkTestSerialPipeline(all->GetOutput())->GetOutputPort());
+      serial->UpdatePiece(piece, 2, 1);
+      vtkImageData* part = serial->GetOutput();
+      const vtkIdType expected = piece == 0 ? filter->GetOutput()->GetNumberOfPoints() : 0;
+      check(part->GetNumberOfPoints() == expected, expected, " points of a whole image on process ", piece,
+        ", found ", part->GetNumberOfPoints());
+      check(piece > 0 || CountDifferent(part, filter->GetOutput()) == 0, "the whole's results");
     }
   }
 

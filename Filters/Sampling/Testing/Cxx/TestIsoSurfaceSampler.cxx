@@ -193,7 +193,7 @@ void CheckBlocks(InkTestChecks& check)
   sampler->SetValue(0, 100.0);
   for (const int pieces : { 1, 2 })
   {
-    sampler->UpdatePiece(0, pieces, 0);
+    sampler->UpdatePiece(pieces - 1, pieces, 0);
     auto* output = vtkMultiBlockDataSet::SafeDownCast(sampler->GetOutputDataObject(0));
     if (check(output && output->GetNumberOfBlocks() == 2, "two blocks"))
     {
