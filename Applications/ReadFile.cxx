@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fstream>
 #include <functional>
 
 namespace ink::cli
@@ -78,6 +79,17 @@ std::uint64_t announcedBytes(vtkAlgorithm* reader)
 void failToRead(const std::filesystem::path& file, const std::string& reason)
 {
   throw Failure("cannot read '" + file.string() + "': " + reason);
+}
+
+std::string contentsOf(const std::filesystem::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes(static_cast<std::size_t>(std::filesystem::file_size(file)), '\0');
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+  {
+    failToRead(file, "it was cut short while it was read");
+  }
+  return bytes;
 }
 
 void runReader(

@@ -30,6 +30,9 @@ void runVolumeReader(vtkAlgorithm* reader, const std::filesystem::path& file, co
 /// "cannot read 'file': reason" \throw Failure always.
 [[noreturn]] void failToRead(const std::filesystem::path& file, const std::string& reason);
 
+/// All bytes of a file. \throw Failure
+std::string contentsOf(const std::filesystem::path& file);
+
 /// One of these for each kind of input; all as readInput.
 Input readVolume(
   const std::filesystem::path& file, const std::string& suffix, const Memory& memory, Progress& progress);
