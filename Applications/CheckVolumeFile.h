@@ -7,7 +7,6 @@ namespace ink::cli
 
 /// Check that a file holds as many values as its header promises, where VTK's readers do not.
 /// \throw Failure if it does not.
-void checkNrrd(const std::filesystem::path& file);
 void checkLegacyImage(const std::filesystem::path& file);
 
 } // namespace ink::cli

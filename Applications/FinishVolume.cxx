@@ -78,13 +78,17 @@ Input makeVolumeInput(
 {
   Input input;
   input.format = format;
-  input.components = voxels.components;
-  if (voxels.components > 1)
-  {
-    input.notes.push_back(componentsNote(voxels.components));
-  }
   input.volume = std::make_shared<VolumeSlices>(frame, voxels, memory);
   return input;
+}
+
+void setComponents(Input& input, int components)
+{
+  input.components = components;
+  if (components > 1)
+  {
+    input.notes.push_back(componentsNote(components));
+  }
 }
 
 void rescale(Input& input, double slope, double intercept)

@@ -67,16 +67,18 @@ void orient(vtkDICOMImageReader* reader, vtkImageData* image)
   vtkMath::Cross(row, column, normal);
   const int* dimensions = image->GetDimensions();
   const double* spacing = image->GetSpacing();
-  Orientation orientation;
+  double steps[9];
+  double origin[3];
   for (int i = 0; i < 3; ++i)
   {
-    orientation.direction[0][i] = row[i];
-    orientation.direction[1][i] = -column[i];
-    orientation.direction[2][i] = -normal[i];
-    orientation.origin[i] =
+    steps[i] = row[i];
+    steps[3 + i] = -column[i];
+    steps[6 + i] = -normal[i];
+    origin[i] =
       last[i] + (dimensions[1] - 1) * spacing[1] * column[i] + (dimensions[2] - 1) * spacing[2] * normal[i];
   }
-  orientation.apply(image);
+  constexpr double sign[3] = { 1, 1, 1 };
+  Orientation(steps, origin, sign).apply(image);
 }
 
 } // namespace

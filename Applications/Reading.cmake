@@ -13,6 +13,7 @@ set(_ink_reading_sources
   CheckXmlFile.cxx
   Descriptor.cxx
   FinishVolume.cxx
+  Inflater.cxx
   Memory.cxx
   Orientation.cxx
   PlainVoxels.cxx
@@ -21,6 +22,9 @@ set(_ink_reading_sources
   ReadDicomFolder.cxx
   ReadFile.cxx
   ReadMesh.cxx
+  ReadMetaImage.cxx
+  ReadNifti.cxx
+  ReadNrrd.cxx
   ReadObj.cxx
   ReadPly.cxx
   ReadPoints.cxx
@@ -28,7 +32,9 @@ set(_ink_reading_sources
   ReadStl.cxx
   ReadVolume.cxx
   TextHeader.cxx
+  VolumeHeader.cxx
   VolumeSlices.cxx
+  VoxelBytes.cxx
   VtkMessages.cxx
   Words.cxx)
 list(TRANSFORM _ink_reading_sources PREPEND "${CMAKE_CURRENT_LIST_DIR}/")
@@ -43,7 +49,8 @@ target_link_libraries(InkReading PUBLIC
   VTK::IOLegacy
   VTK::IOXML
   VTK::IOXMLParser
-  VTK::ImagingCore)
+  VTK::ImagingCore
+  VTK::zlib)
 if (INK_EXPAT_DEFERS)
   target_link_libraries(InkReading PRIVATE VTK::expat)
   target_compile_definitions(InkReading PRIVATE INK_EXPAT_DEFERS)
