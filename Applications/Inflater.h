@@ -10,7 +10,8 @@
 namespace ink::cli
 {
 
-/// Reads what a part of a file is when it is inflated: a stream of zlib or gzip, or several one after the other.
+/// Reads what a part of a file is when it is inflated: a stream of zlib or gzip, or several one after the
+/// other.
 class Inflater
 {
 public:

@@ -38,8 +38,8 @@ struct PlainVoxels
   /// Sets the order of bytes in a value.
   void setBigEndian(bool bigEndian);
 
-  /// Check what a header says: that there are dimensions whose product is a number, and also that the files are
-  /// long enough for all voxels. \throw Failure if not
+  /// Check what a header says: that there are dimensions whose product is a number, and also that the files
+  /// are long enough for all voxels. \throw Failure if not
   void checkDimensions(const std::filesystem::path& header) const;
   void check(const std::filesystem::path& header) const;
 };

@@ -78,8 +78,8 @@ std::string takeLine(PlyHeader& header, bool& haveFormat, std::string_view keywo
   auto& properties = header.elements.back().properties;
   const bool isKnown = std::any_of(
     properties.begin(), properties.end(), [&](const auto& other) { return other.name == property.name; });
-  const bool isCount =
-    first != "list" || (property.countType && property.countType->vtkType != VTK_FLOAT && property.countType->size < 8);
+  const bool isCount = first != "list" ||
+    (property.countType && property.countType->vtkType != VTK_FLOAT && property.countType->size < 8);
   if (!type || !isCount || isKnown || property.name.empty())
   {
     return "a property with a type as float or list uchar int, and a new name";

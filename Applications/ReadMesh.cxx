@@ -21,8 +21,9 @@ namespace
 
 vtkSmartPointer<vtkPolyData> readVtp(const fs::path& file, Progress& progress)
 {
-  checkXml(file);
+  const double mostValues = checkXml(file);
   vtkNew<PromptXmlReader<vtkXMLPolyDataReader>> reader;
+  reader->SetMostValues(mostValues);
   reader->SetFileName(file.c_str());
   runReader(reader, file, progress);
   return reader->GetOutput();

@@ -63,8 +63,9 @@ public:
 
   [[noreturn]] void fail(const char* name, const std::string& expected) const
   {
-    failToRead(
-      this->File, std::string("its header says ") + name + " '" + shortened(this->field(name)) + "'; expected " + expected);
+    failToRead(this->File,
+      std::string("its header says ") + name + " '" + shortened(this->field(name)) + "'; expected " +
+        expected);
   }
 
   /// A whole number from least on.

@@ -59,7 +59,8 @@ public:
       return bytes.size() >= place + magic.size() &&
         std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(place));
     };
-    this->IsSecond = is(magicOfSecond, std::string_view("n+2\0\r\n\032\n", 8)) && bytes.size() >= sizeOfSecond;
+    this->IsSecond =
+      is(magicOfSecond, std::string_view("n+2\0\r\n\032\n", 8)) && bytes.size() >= sizeOfSecond;
     if (!this->IsSecond && !is(magicOfFirst, std::string_view("n+1\0", 4)))
     {
       failToRead(file, "it is not a NIfTI volume: it has neither 'n+1' at byte 344 nor 'n+2' at byte 4");
@@ -96,7 +97,8 @@ public:
   int datatype() const { return this->at<std::int16_t>(this->places().datatype); }
   double voxelOffset() const
   {
-    return this->IsSecond ? static_cast<double>(this->at<std::int64_t>(second.voxOffset)) : this->real(first.voxOffset);
+    return this->IsSecond ? static_cast<double>(this->at<std::int64_t>(second.voxOffset))
+                          : this->real(first.voxOffset);
   }
 
 private:
@@ -123,11 +125,11 @@ struct NiftiType
   int type;
   int components;
 };
-constexpr std::array<NiftiType, 14> types{ { { 2, VTK_UNSIGNED_CHAR, 1 }, { 4, VTK_SHORT, 1 }, { 8, VTK_INT, 1 },
-  { 16, VTK_FLOAT, 1 }, { 32, VTK_FLOAT, 2 }, { 64, VTK_DOUBLE, 1 }, { 128, VTK_UNSIGNED_CHAR, 3 },
-  { 256, VTK_SIGNED_CHAR, 1 }, { 512, VTK_UNSIGNED_SHORT, 1 }, { 768, VTK_UNSIGNED_INT, 1 },
-  { 1024, VTK_LONG_LONG, 1 }, { 1280, VTK_UNSIGNED_LONG_LONG, 1 }, { 1792, VTK_DOUBLE, 2 },
-  { 2304, VTK_UNSIGNED_CHAR, 4 } } };
+constexpr std::array<NiftiType, 14> types{ { { 2, VTK_UNSIGNED_CHAR, 1 }, { 4, VTK_SHORT, 1 },
+  { 8, VTK_INT, 1 }, { 16, VTK_FLOAT, 1 }, { 32, VTK_FLOAT, 2 }, { 64, VTK_DOUBLE, 1 },
+  { 128, VTK_UNSIGNED_CHAR, 3 }, { 256, VTK_SIGNED_CHAR, 1 }, { 512, VTK_UNSIGNED_SHORT, 1 },
+  { 768, VTK_UNSIGNED_INT, 1 }, { 1024, VTK_LONG_LONG, 1 }, { 1280, VTK_UNSIGNED_LONG_LONG, 1 },
+  { 1792, VTK_DOUBLE, 2 }, { 2304, VTK_UNSIGNED_CHAR, 4 } } };
 
 bool isGzip(const fs::path& file)
 {
@@ -262,8 +264,9 @@ VolumeHeader readNiftiHeader(const fs::path& file)
     (compressed ? static_cast<double>(Inflater::mostPerByte) : 1.0);
   if (found < promised)
   {
-    failToRead(
-      file, "it has " + text(found) + " bytes, but its header promises " + text(promised) + " with all its volumes");
+    failToRead(file,
+      "it has " + text(found) + " bytes, but its header promises " + text(promised) +
+        " with all its volumes");
   }
 
   constexpr std::int64_t mostComponents = 1 << 20;

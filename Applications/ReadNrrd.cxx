@@ -73,8 +73,9 @@ public:
 
   [[noreturn]] void fail(const char* name, const std::string& expected) const
   {
-    failToRead(
-      this->File, std::string("its header says ") + name + " '" + shortened(this->field(name)) + "'; expected " + expected);
+    failToRead(this->File,
+      std::string("its header says ") + name + " '" + shortened(this->field(name)) + "'; expected " +
+        expected);
   }
 
   /// Three or four sizes.
@@ -101,7 +102,8 @@ public:
     return sizes;
   }
 
-  /// The index of the one axis of four that is not of space: the first, for components, where nothing says so.
+  /// The index of the one axis of four that is not of space: the first, for components, where nothing says
+  /// so.
   std::size_t otherAxis() const
   {
     for (const auto& [name, mark] : { std::pair("space directions", "none"), std::pair("spacings", "nan") })
@@ -226,7 +228,8 @@ VolumeHeader readNrrdHeader(const fs::path& file)
   {
     voxels.setBigEndian(endian == "big");
   }
-  for (const auto& [name, otherName] : { std::pair("byte skip", "byteskip"), std::pair("line skip", "lineskip") })
+  for (const auto& [name, otherName] :
+    { std::pair("byte skip", "byteskip"), std::pair("line skip", "lineskip") })
   {
     const auto skip = numbersIn(nrrd.field(name, otherName));
     if (!skip.empty() && skip[0] != 0.0)

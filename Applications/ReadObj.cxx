@@ -179,7 +179,8 @@ private:
     }
   }
 
-  /// From 1 on, or backwards from the last before this line as -1. That there is such a one is seen at the end.
+  /// From 1 on, or backwards from the last before this line as -1. That there is such a one is seen at the
+  /// end.
   std::int64_t indexIn(std::string_view word, std::size_t count) const
   {
     std::int64_t index = 0;
@@ -264,7 +265,8 @@ private:
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       normals->SetTuple(static_cast<vtkIdType>(i),
-        points[i].normal == noNormal ? none.data() : &this->Normals[3 * static_cast<std::size_t>(points[i].normal)]);
+        points[i].normal == noNormal ? none.data()
+                                     : &this->Normals[3 * static_cast<std::size_t>(points[i].normal)]);
     }
     mesh->GetPointData()->SetNormals(normals);
   }

@@ -255,8 +255,7 @@ public:
   }
 
 private:
-  static std::vector<std::size_t> findAll(
-    const PlyElement& element, std::initializer_list<const char*> names)
+  static std::vector<std::size_t> findAll(const PlyElement& element, std::initializer_list<const char*> names)
   {
     std::vector<std::size_t> all;
     for (const char* name : names)
@@ -334,7 +333,8 @@ void addPolygon(
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> readPly(const fs::path& file, std::vector<std::string>& notes, Progress& progress)
+vtkSmartPointer<vtkPolyData> readPly(
+  const fs::path& file, std::vector<std::string>& notes, Progress& progress)
 {
   const std::string bytes = contentsOf(file);
   std::string_view rest = bytes;

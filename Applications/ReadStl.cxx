@@ -191,8 +191,8 @@ public:
   [[noreturn]] void fail(std::string_view word, const std::string& expected)
   {
     failToRead(this->File,
-      (word.empty() ? std::string("the file ends") : "it says '" + shortened(word) + "'") + " where '" + expected +
-        "' was expected");
+      (word.empty() ? std::string("the file ends") : "it says '" + shortened(word) + "'") + " where '" +
+        expected + "' was expected");
   }
 
 private:

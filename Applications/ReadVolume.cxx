@@ -1,6 +1,5 @@
 #include "ReadFile.h"
 
-#include "CheckVolumeFile.h"
 #include "CheckXmlFile.h"
 #include "FinishVolume.h"
 #include "VolumeHeader.h"
@@ -8,8 +7,6 @@
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkStructuredPoints.h"
-#include "vtkStructuredPointsReader.h"
 #include "vtkXMLImageDataReader.h"
 
 namespace fs = std::filesystem;
@@ -19,33 +16,18 @@ namespace ink::cli
 namespace
 {
 
-void requireFormat(bool isOne, const fs::path& file, const char* format)
-{
-  if (!isOne)
-  {
-    failToRead(file, std::string("it is not a ") + format);
-  }
-}
-
 Input readXmlImage(const fs::path& file, const Memory& memory, Progress& progress)
 {
   constexpr const char* format = "VTK XML image (.vti)";
+  const double mostValues = checkXml(file);
   vtkNew<PromptXmlReader<vtkXMLImageDataReader>> reader;
-  requireFormat(reader->CanReadFile(file.c_str()) != 0, file, format);
-  checkXml(file);
+  reader->SetMostValues(mostValues);
+  if (reader->CanReadFile(file.c_str()) == 0)
+  {
+    failToRead(file, std::string("it is not a ") + format);
+  }
   reader->SetFileName(file.c_str());
   runVolumeReader(reader, file, memory, progress);
-  return makeVolumeInput(reader->GetOutput(), file, format);
-}
-
-Input readLegacyImage(const fs::path& file, const Memory& memory, Progress& progress)
-{
-  constexpr const char* format = "legacy VTK file of structured points";
-  vtkNew<vtkStructuredPointsReader> reader;
-  reader->SetFileName(file.c_str());
-  requireFormat(reader->IsFileStructuredPoints() != 0, file, format);
-  checkLegacyImage(file);
-  runVolumeReader(reader, file, memory, progress, true);
   return makeVolumeInput(reader->GetOutput(), file, format);
 }
 
@@ -65,7 +47,11 @@ Input readVolume(const fs::path& file, const std::string& suffix, const Memory& 
   {
     return readVoxels(file, readMetaImageHeader(file), "MetaImage volume", memory, progress);
   }
-  return suffix == ".vti" ? readXmlImage(file, memory, progress) : readLegacyImage(file, memory, progress);
+  if (suffix == ".vtk")
+  {
+    return readVoxels(file, readLegacyHeader(file), "legacy VTK file of structured points", memory, progress);
+  }
+  return readXmlImage(file, memory, progress);
 }
 
 } // namespace ink::cli

@@ -9,9 +9,9 @@ check_cxx_source_compiles("
 unset(CMAKE_REQUIRED_LIBRARIES)
 
 set(_ink_reading_sources
-  CheckVolumeFile.cxx
   CheckXmlFile.cxx
   Descriptor.cxx
+  DicomFile.cxx
   FinishVolume.cxx
   Inflater.cxx
   Memory.cxx
@@ -21,6 +21,7 @@ set(_ink_reading_sources
   Progress.cxx
   ReadDicomFolder.cxx
   ReadFile.cxx
+  ReadLegacy.cxx
   ReadMesh.cxx
   ReadMetaImage.cxx
   ReadNifti.cxx
@@ -45,8 +46,6 @@ target_link_libraries(InkReading PUBLIC
   VTK::CommonDataModel
   VTK::CommonExecutionModel
   VTK::CommonMath
-  VTK::IOImage
-  VTK::IOLegacy
   VTK::IOXML
   VTK::IOXMLParser
   VTK::ImagingCore

@@ -41,7 +41,8 @@ std::vector<std::string> listedNames(const fs::path& header, std::size_t most)
       names.push_back(trimmed(line));
     }
     found = found ||
-      (list != std::string::npos && list > 0 && line.find_first_not_of(" \t", line.find_first_of(":=") + 1) == list);
+      (list != std::string::npos && list > 0 &&
+        line.find_first_not_of(" \t", line.find_first_of(":=") + 1) == list);
   }
   return names;
 }
@@ -94,8 +95,8 @@ TextFields readTextHeader(
   }
   if (size)
   {
-    *size = stream ? static_cast<std::streamoff>(stream.tellg())
-                   : static_cast<std::streamoff>(fs::file_size(file));
+    *size =
+      stream ? static_cast<std::streamoff>(stream.tellg()) : static_cast<std::streamoff>(fs::file_size(file));
   }
   return fields;
 }
@@ -131,8 +132,8 @@ std::vector<fs::path> detachedFiles(const fs::path& header, const std::string& d
   if (names.size() > most || most % names.size() != 0)
   {
     failToRead(header,
-      "its header names " + std::to_string(names.size()) + (names.size() > most ? " or more" : "") + " files for " +
-        std::to_string(slices) + " slices; expected as many in each");
+      "its header names " + std::to_string(names.size()) + (names.size() > most ? " or more" : "") +
+        " files for " + std::to_string(slices) + " slices; expected as many in each");
   }
   std::vector<fs::path> files;
   for (const std::string& name : names)

@@ -26,12 +26,14 @@ struct VolumeHeader
   std::vector<std::string> notes; ///< as Input::notes
 };
 
-/// The headers of formats whose voxels need no reader of VTK. VTK's readers of these formats fall over headers
-/// that do not say what they expect: see Documentation/files.md.
-/// \throw Failure if it is no such file, or its header promises more than there is.
+/// The headers of formats whose voxels need no reader of VTK. VTK's readers of these formats fall over
+/// headers that do not say what they expect: see Documentation/files.md. \throw Failure if it is no such
+/// file, or its header promises more than there is.
 VolumeHeader readNiftiHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
+/// Of structured points in a legacy VTK file.
+VolumeHeader readLegacyHeader(const std::filesystem::path& file);
 
 /// Reads the volume that a header speaks of; if it is large and stored plain, its voxels stay in the file.
 /// \throw Failure

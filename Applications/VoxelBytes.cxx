@@ -45,8 +45,8 @@ public:
         this->openPart(part);
       }
       const std::uint64_t within = position % this->PartBytes;
-      const auto some =
-        bytes.first(static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), this->PartBytes - within)));
+      const auto some = bytes.first(
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), this->PartBytes - within)));
       if (readAt(this->File.get(), this->Voxels.offset + within, some) != some.size())
       {
         failToRead(
@@ -87,7 +87,8 @@ public:
     std::array<unsigned char, 1 << 12> skipped;
     while (this->Position < position)
     {
-      const auto some = static_cast<std::size_t>(std::min<std::uint64_t>(skipped.size(), position - this->Position));
+      const auto some =
+        static_cast<std::size_t>(std::min<std::uint64_t>(skipped.size(), position - this->Position));
       this->next(std::span(skipped).first(some));
       this->Position += some;
     }
@@ -165,7 +166,8 @@ public:
     : File(voxels.files.front())
     , Type(voxels.type)
     , Contents(contentsOf(this->File))
-    , Text(std::string_view(this->Contents).substr(std::min<std::size_t>(voxels.offset, this->Contents.size())))
+    , Text(
+        std::string_view(this->Contents).substr(std::min<std::size_t>(voxels.offset, this->Contents.size())))
   {
   }
 

@@ -57,7 +57,11 @@ std::optional<double> numberIn(std::string_view word)
 std::string shortened(std::string_view line)
 {
   constexpr std::size_t most = 40;
-  return line.size() <= most ? std::string(line) : std::string(line.substr(0, most)) + "...";
+  std::string text(line.substr(0, most));
+  // A file that is not text may say anything.
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return line.size() <= most ? text : text + "...";
 }
 
 } // namespace ink::cli

@@ -16,7 +16,7 @@ std::string_view nextWord(std::string_view& text);
 /// The number that all of word is, with a dot whatever the locale; nan and inf are numbers as well.
 std::optional<double> numberIn(std::string_view word);
 
-/// The beginning of a line, for a message.
+/// The beginning of a line, for a message; what cannot be printed everywhere becomes a question mark.
 std::string shortened(std::string_view line);
 
 } // namespace ink::cli

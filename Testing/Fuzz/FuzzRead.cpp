@@ -34,8 +34,8 @@
 #include <unistd.h>
 
 // There with the address sanitizer.
-extern "C" int __attribute__((weak))
-__sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, std::size_t), void (*)(const volatile void*));
+extern "C" int __attribute__((weak)) __sanitizer_install_malloc_and_free_hooks(
+  void (*)(const volatile void*, std::size_t), void (*)(const volatile void*));
 extern "C" std::size_t __attribute__((weak)) __sanitizer_get_allocated_size(const volatile void*);
 
 namespace
@@ -263,7 +263,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (most > static_cast<std::int64_t>(fixedMemory + memoryPerByte * size))
   {
-    fall("a file of " + std::to_string(size) + " bytes took " + std::to_string(most) + " bytes of memory; " + refused);
+    fall("a file of " + std::to_string(size) + " bytes took " + std::to_string(most) + " bytes of memory; " +
+      refused);
   }
   if (std::getenv("INK_FUZZ_VERBOSE"))
   {
