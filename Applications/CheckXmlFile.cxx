@@ -166,6 +166,10 @@ private:
     {
       this->checkArray(element);
     }
+    else if (name == "InformationKey" && this->number(element, "length", 0.0) > this->Size)
+    {
+      this->fail(element, "a list of length " + attribute(element, "length"));
+    }
     for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
     {
       this->checkElement(element->GetNestedElement(i));
@@ -229,6 +233,13 @@ private:
       this->fail(array, text(tuples) + " tuples of " + text(components) + " numbers");
     }
     const std::string format = attribute(array, "format");
+    if ((!format.empty() && format != "ascii" && format != "binary" && format != "appended") ||
+      (format == "appended") == attribute(array, "offset").empty())
+    {
+      failToRead(this->File,
+        "its element DataArray says format '" + shortened(format) + "' and offset '" +
+          shortened(attribute(array, "offset")) + "'; expected ascii, binary, or appended with an offset");
+    }
     if (format == "appended")
     {
       const double offset = this->number(array, "offset", 0.0);

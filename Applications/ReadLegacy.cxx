@@ -140,13 +140,14 @@ private:
       this->fail(encoding, "ASCII or BINARY");
     }
     this->IsText = encoding == "ascii";
-    const std::string set =
-      this->word("DATASET STRUCTURED_POINTS") + " " + this->word("DATASET STRUCTURED_POINTS");
-    if (set != "dataset structured_points")
+    for (const char* expected : { "dataset", "structured_points" })
     {
-      failToRead(this->File,
-        "it is not a legacy VTK file of structured points: it says '" + shortened(set) +
-          "'; expected DATASET STRUCTURED_POINTS");
+      if (const std::string word = this->word(expected); word != expected)
+      {
+        failToRead(this->File,
+          "it is not a legacy VTK file of structured points: it says '" + shortened(word) +
+            "'; expected DATASET STRUCTURED_POINTS");
+      }
     }
   }
 
