@@ -55,8 +55,9 @@ pictures: setup-headless build-headless ## Draw the pictures of stipple.md and s
 sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behaviour sanitizers
 	@Utilities/test.sh asan
 
-fuzz: ## Fuzz what reads OpenVDB files for SECONDS (60); needs clang
-	@Utilities/fuzz.sh $(or $(SECONDS),60)
+fuzz: setup-headless ## Fuzz what ink reads, each FORMAT (all, or as ply) for SECONDS (60)
+	@Utilities/setup.sh fuzz
+	@Utilities/fuzz.sh $(or $(SECONDS),60) $(FORMAT)
 
 format: ## Format the C++ files (clang-format)
 	@git ls-files '*.h' '*.cxx' '*.cpp' | xargs clang-format -i

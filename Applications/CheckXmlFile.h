@@ -1,17 +1,14 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <string>
 
 namespace ink::cli
 {
 
-/// Checks that a VTK XML file has its end: VTK's readers take what they find of appended data.
-/// \throw Failure if it does not.
-void checkXml(const std::filesystem::path& file);
-
-/// The last bytes of a file, at most size of them.
-std::string fileTail(const std::filesystem::path& file, std::size_t size);
+/// Checks what VTK's readers of VTK XML files believe: that the file has its end, and that it is long enough
+/// for the points, cells and values that its elements promise and for the blocks in which those are stored.
+/// \return how many values an array of it can have at most
+/// \throw Failure if not
+double checkXml(const std::filesystem::path& file);
 
 } // namespace ink::cli

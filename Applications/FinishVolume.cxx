@@ -11,6 +11,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ink::cli
 {
 namespace
@@ -78,13 +81,17 @@ Input makeVolumeInput(
 {
   Input input;
   input.format = format;
-  input.components = voxels.components;
-  if (voxels.components > 1)
-  {
-    input.notes.push_back(componentsNote(voxels.components));
-  }
   input.volume = std::make_shared<VolumeSlices>(frame, voxels, memory);
   return input;
+}
+
+void setComponents(Input& input, int components)
+{
+  input.components = components;
+  if (components > 1)
+  {
+    input.notes.push_back(componentsNote(components));
+  }
 }
 
 void rescale(Input& input, double slope, double intercept)
@@ -98,7 +105,26 @@ void rescale(Input& input, double slope, double intercept)
   // The filter adds before it multiplies.
   filter->SetShift(intercept / slope);
   filter->SetScale(slope);
-  filter->SetOutputScalarTypeToFloat();
+  // Whole numbers stay what they are where they have room.
+  auto* image = vtkImageData::SafeDownCast(input.data);
+  const double bounds[2] = { image->GetScalarTypeMin() * slope + intercept,
+    image->GetScalarTypeMax() * slope + intercept };
+  const bool whole = slope == 1.0 && intercept == std::floor(intercept) &&
+    image->GetScalarType() != VTK_FLOAT && image->GetScalarType() != VTK_DOUBLE;
+  const auto fits = [&bounds](double least, double greatest)
+  { return std::min(bounds[0], bounds[1]) >= least && std::max(bounds[0], bounds[1]) <= greatest; };
+  if (whole && fits(VTK_SHORT_MIN, VTK_SHORT_MAX))
+  {
+    filter->SetOutputScalarTypeToShort();
+  }
+  else if (whole && fits(VTK_INT_MIN, VTK_INT_MAX))
+  {
+    filter->SetOutputScalarTypeToInt();
+  }
+  else
+  {
+    filter->SetOutputScalarTypeToFloat();
+  }
   filter->Update();
   input.data = filter->GetOutput();
   input.notes.push_back("its stored values are rescaled: " + text(slope) + " v + " + text(intercept));

@@ -18,6 +18,9 @@ Input makeVolumeInput(vtkImageData* image, const std::filesystem::path& file, co
 Input makeVolumeInput(
   vtkImageData* frame, const PlainVoxels& voxels, const std::string& format, const Memory& memory);
 
+/// Says how many components the file's voxels have, where makeVolumeInput got but the first.
+void setComponents(Input& input, int components);
+
 /// Applies the factor and offset by which a file says its stored values are to be understood.
 void rescale(Input& input, double slope, double intercept);
 

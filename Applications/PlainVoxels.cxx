@@ -1,85 +1,22 @@
 #include "PlainVoxels.h"
 
+#include "Inflater.h"
 #include "ReadFile.h"
-#include "TextHeader.h"
+#include "Text.h"
 
 #include "vtkByteSwap.h"
 #include "vtkDataArray.h"
-#include "vtkMetaImageReader.h"
-#include "vtkNrrdReader.h"
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
+#include <cmath>
 #include <cstring>
-#include <map>
 #include <utility>
-#include <vector>
-
-#include <fcntl.h>
 
 namespace fs = std::filesystem;
 
 namespace ink::cli
 {
-namespace
-{
-
-using Fields = std::map<std::string, std::string>;
-
-std::string fieldOf(const Fields& fields, const char* name, const char* otherName = "")
-{
-  for (const char* key : { name, otherName })
-  {
-    if (const auto found = fields.find(key); found != fields.end())
-    {
-      return found->second;
-    }
-  }
-  return "";
-}
-
-/// As MetaImage writes it: True or 1.
-bool isTrue(const std::string& text)
-{
-  return !text.empty() && (text[0] == 'T' || text[0] == 't' || text[0] == '1');
-}
-
-/// What the reader found in the header.
-PlainVoxels fromReader(vtkImageReader2* reader)
-{
-  PlainVoxels voxels;
-  const int* extent = reader->GetDataExtent();
-  for (int i = 0; i < 3; ++i)
-  {
-    voxels.dimensions[i] = extent[2 * i + 1] - extent[2 * i] + 1;
-  }
-  voxels.type = reader->GetDataScalarType();
-  voxels.components = reader->GetNumberOfScalarComponents();
-  return voxels;
-}
-
-/// One file beside the header, if the name is that of one.
-std::optional<fs::path> besides(const fs::path& header, const std::string& name)
-{
-  const fs::path data = header.parent_path() / name;
-  std::error_code error;
-  return !name.empty() && fs::is_regular_file(data, error) ? std::optional(data) : std::nullopt;
-}
-
-void requireSize(const fs::path& file, const PlainVoxels& voxels)
-{
-  const std::uint64_t size = fs::file_size(voxels.file);
-  const std::uint64_t found = size - std::min(size, voxels.offset);
-  if (found < voxels.fileBytes())
-  {
-    failToRead(file,
-      "it has " + std::to_string(found) + " bytes of data, but its header promises " +
-        std::to_string(voxels.fileBytes()));
-  }
-}
-
-} // namespace
 
 std::uint64_t PlainVoxels::valueSize() const
 {
@@ -97,89 +34,65 @@ std::uint64_t PlainVoxels::fileBytes() const
     static_cast<std::uint64_t>(this->components);
 }
 
-std::optional<PlainVoxels> findNrrdVoxels(const fs::path& file, vtkNrrdReader* reader)
+void PlainVoxels::setBigEndian(bool bigEndian)
 {
-  std::streamoff headerSize = 0;
-  const Fields fields = readTextHeader(file, ':', "", &headerSize);
-  if (fieldOf(fields, "encoding") != "raw")
-  {
-    return std::nullopt;
-  }
-  PlainVoxels voxels = fromReader(reader);
-  voxels.swapped = voxels.valueSize() > 1 && reader->GetSwapBytes();
-  voxels.flipped = !reader->GetFileLowerLeft();
-  const std::string detached = fieldOf(fields, "data file", "datafile");
-  voxels.file = file;
-  voxels.offset = static_cast<std::uint64_t>(headerSize);
-  if (!detached.empty())
-  {
-    const auto data = besides(file, detached);
-    if (!data)
-    {
-      return std::nullopt;
-    }
-    voxels.file = *data;
-    voxels.offset = 0;
-  }
-  requireSize(file, voxels);
-  return voxels;
+  this->swapped = this->valueSize() > 1 && bigEndian != (std::endian::native == std::endian::big);
 }
 
-std::optional<PlainVoxels> findMetaImageVoxels(const fs::path& file, vtkMetaImageReader* reader)
+void PlainVoxels::checkDimensions(const fs::path& header) const
 {
-  std::streamoff headerSize = 0;
-  const Fields fields = readTextHeader(file, '=', "ElementDataFile", &headerSize);
-  const std::string type = fieldOf(fields, "ElementType");
-  // What MET_LONG is depends on who wrote it.
-  if (!isTrue(fieldOf(fields, "BinaryData")) || isTrue(fieldOf(fields, "CompressedData")) ||
-    type == "MET_LONG" || type == "MET_ULONG")
+  // In double first, in which nothing overflows.
+  double bytes = static_cast<double>(this->valueSize()) * this->components;
+  for (const int dimension : this->dimensions)
   {
-    return std::nullopt;
+    bytes *= std::max(dimension, 0);
   }
-  PlainVoxels voxels = fromReader(reader);
-  const bool bigEndian = isTrue(fieldOf(fields, "ElementByteOrderMSB", "BinaryDataByteOrderMSB"));
-  voxels.swapped = voxels.valueSize() > 1 && bigEndian != (std::endian::native == std::endian::big);
-  const std::string name = fieldOf(fields, "ElementDataFile");
-  const bool local = name == "LOCAL" || name == "Local" || name == "local";
-  voxels.file = file;
-  voxels.offset = static_cast<std::uint64_t>(headerSize);
-  if (!local)
+  constexpr double mostBytes = 1LL << 60;
+  if (!(bytes > 0.0 && bytes < mostBytes))
   {
-    const auto data = besides(file, name);
-    if (!data)
+    failToRead(header,
+      "its header says dimensions " + dimensionsText(this->dimensions) + " and " +
+        std::to_string(this->components) + " components; expected 1 or more that a file can hold");
+  }
+}
+
+void PlainVoxels::check(const fs::path& header) const
+{
+  this->checkDimensions(header);
+  for (const fs::path& file : this->files)
+  {
+    const std::uint64_t size = fs::file_size(file);
+    const std::uint64_t found = size - std::min(size, this->offset);
+    std::uint64_t needed = this->fileBytes() / this->files.size();
+    std::uint64_t most = found;
+    if (this->encoding == VoxelEncoding::Compressed)
     {
-      return std::nullopt;
+      needed += this->skipped;
+      most = found * Inflater::mostPerByte;
     }
-    voxels.file = *data;
-    voxels.offset = 0;
+    else if (this->encoding == VoxelEncoding::Text)
+    {
+      // A digit and a space.
+      needed /= this->valueSize();
+      most = (found + 1) / 2;
+    }
+    if (most < needed)
+    {
+      failToRead(header,
+        "it has " + std::to_string(found) + " bytes of " +
+          (this->encoding == VoxelEncoding::Compressed
+              ? "compressed data"
+              : (this->encoding == VoxelEncoding::Text ? "text" : "data")) +
+          ", but its header promises " + std::to_string(needed) +
+          (this->encoding == VoxelEncoding::Text ? " values" : ""));
+    }
   }
-  // Of the data file; -1: the voxels are its end.
-  if (const auto header = numbersIn(fieldOf(fields, "HeaderSize")); !header.empty() && header[0] != 0)
-  {
-    const std::uint64_t size = fs::file_size(voxels.file);
-    voxels.offset =
-      header[0] > 0 ? static_cast<std::uint64_t>(header[0]) : size - std::min(size, voxels.fileBytes());
-  }
-  requireSize(file, voxels);
-  return voxels;
 }
 
 PlainVoxelReader::PlainVoxelReader(PlainVoxels voxels)
   : Voxels(std::move(voxels))
-  , File(open(this->Voxels.file.c_str(), O_RDONLY | O_CLOEXEC))
+  , Bytes(VoxelBytes::open(this->Voxels))
 {
-  if (this->File.get() < 0)
-  {
-    failToRead(this->Voxels.file, std::strerror(errno));
-  }
-}
-
-void PlainVoxelReader::readBytes(std::uint64_t position, std::span<unsigned char> bytes)
-{
-  if (readAt(this->File.get(), position, bytes) != bytes.size())
-  {
-    failToRead(this->Voxels.file, errno ? std::strerror(errno) : "it was cut short while it was read");
-  }
 }
 
 void PlainVoxelReader::read(int first, std::span<unsigned char> values)
@@ -187,44 +100,28 @@ void PlainVoxelReader::read(int first, std::span<unsigned char> values)
   const std::uint64_t valueSize = this->Voxels.valueSize();
   const std::uint64_t sliceSize = this->Voxels.sliceValues() * valueSize;
   const auto components = static_cast<std::uint64_t>(this->Voxels.components);
-  std::uint64_t position = this->Voxels.offset + static_cast<std::uint64_t>(first) * sliceSize * components;
+  std::uint64_t position = static_cast<std::uint64_t>(first) * sliceSize * components;
   if (components == 1)
   {
-    this->readBytes(position, values);
+    this->Bytes->read(position, values);
   }
   else
   {
-    // A slice at a time: only one component of it is kept.
-    std::vector<unsigned char> all(sliceSize * components);
-    for (std::size_t begin = 0; begin < values.size(); begin += sliceSize, position += all.size())
+    // A row at a time: only one component of it is kept.
+    const std::uint64_t rowSize = static_cast<std::uint64_t>(this->Voxels.dimensions[0]) * valueSize;
+    std::vector<unsigned char> all(rowSize * components);
+    for (std::size_t begin = 0; begin < values.size(); begin += rowSize, position += all.size())
     {
-      this->readBytes(position, all);
-      for (std::uint64_t n = 0; n < this->Voxels.sliceValues(); ++n)
+      this->Bytes->read(position, all);
+      for (std::uint64_t n = 0; n < static_cast<std::uint64_t>(this->Voxels.dimensions[0]); ++n)
       {
         std::memcpy(&values[begin + n * valueSize], &all[n * components * valueSize], valueSize);
       }
     }
   }
-  for (std::size_t begin = 0; begin < values.size(); begin += sliceSize)
-  {
-    this->finishSlice(&values[begin]);
-  }
-}
-
-void PlainVoxelReader::finishSlice(unsigned char* slice) const
-{
   if (this->Voxels.swapped)
   {
-    vtkByteSwap::SwapVoidRange(slice, this->Voxels.sliceValues(), this->Voxels.valueSize());
-  }
-  if (this->Voxels.flipped)
-  {
-    const std::uint64_t row =
-      static_cast<std::uint64_t>(this->Voxels.dimensions[0]) * this->Voxels.valueSize();
-    for (int top = 0, bottom = this->Voxels.dimensions[1] - 1; top < bottom; ++top, --bottom)
-    {
-      std::swap_ranges(slice + top * row, slice + (top + 1) * row, slice + bottom * row);
-    }
+    vtkByteSwap::SwapVoidRange(values.data(), values.size() / valueSize, valueSize);
   }
 }
 

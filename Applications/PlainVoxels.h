@@ -1,42 +1,50 @@
 #pragma once
 
-#include "Descriptor.h"
+#include "VoxelBytes.h"
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <span>
-
-class vtkMetaImageReader;
-class vtkNrrdReader;
+#include <vector>
 
 namespace ink::cli
 {
 
-/// Voxels that lie in a file much as they would in memory: x fastest, not compressed. So a part of them can
-/// be read without the rest.
+enum class VoxelEncoding
+{
+  Plain,      ///< as in memory: a part can be read without the rest
+  Compressed, ///< zlib or gzip
+  Text
+};
+
+/// Voxels that lie in a file, or several, one after the other, x fastest.
 struct PlainVoxels
 {
-  std::filesystem::path file;
-  std::uint64_t offset = 0; ///< bytes before the first voxel
+  std::vector<std::filesystem::path> files; ///< one, or several with as many slices each, uncompressed
+  std::uint64_t offset = 0;                 ///< bytes before the voxels in each file
+  VoxelEncoding encoding = VoxelEncoding::Plain;
+  std::uint64_t skipped = 0; ///< bytes that compressed data has before the voxels
   int dimensions[3] = { 0, 0, 0 };
   int type = 0; ///< as VTK_UNSIGNED_CHAR
   int components = 1;
   bool swapped = false; ///< the bytes of a value are in the other order than this machine's
-  bool flipped = false; ///< the rows of a slice come from the last to the first
 
   std::uint64_t valueSize() const;
   std::uint64_t sliceValues() const;
-  /// All of it.
+  /// All of it, uncompressed.
   std::uint64_t fileBytes() const;
+
+  /// Sets the order of bytes in a value.
+  void setBigEndian(bool bigEndian);
+
+  /// Check what a header says: that there are dimensions whose product is a number, and also that the files
+  /// are long enough for all voxels. \throw Failure if not
+  void checkDimensions(const std::filesystem::path& header) const;
+  void check(const std::filesystem::path& header) const;
 };
 
-/// Where the voxels of a NRRD or MetaImage volume lie; nothing if they are compressed, text, or in several
-/// files. \param reader has read the header \throw Failure if the file is too short
-std::optional<PlainVoxels> findNrrdVoxels(const std::filesystem::path& file, vtkNrrdReader* reader);
-std::optional<PlainVoxels> findMetaImageVoxels(const std::filesystem::path& file, vtkMetaImageReader* reader);
-
-/// Reads slices of plain voxels.
+/// Reads slices of voxels; only forwards, unless they are stored plain.
 class PlainVoxelReader
 {
 public:
@@ -50,11 +58,8 @@ public:
   void read(int first, std::span<unsigned char> values);
 
 private:
-  void readBytes(std::uint64_t position, std::span<unsigned char> bytes);
-  void finishSlice(unsigned char* slice) const;
-
   PlainVoxels Voxels;
-  Descriptor File;
+  std::unique_ptr<VoxelBytes> Bytes;
 };
 
 } // namespace ink::cli

@@ -1,19 +1,21 @@
 #include "ReadFile.h"
 
+#include "Descriptor.h"
+#include "DicomFile.h"
 #include "FinishVolume.h"
 #include "Orientation.h"
+#include "PlainVoxels.h"
+#include "Progress.h"
+#include "VolumeHeader.h"
 
-#include "vtkDICOMImageReader.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <iterator>
+#include <cmath>
+#include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -23,90 +25,163 @@ namespace ink::cli
 namespace
 {
 
-/// Files with DICOM's mark, which stands after 128 bytes of anything.
-std::vector<fs::path> dicomFiles(const fs::path& folder)
+/// The series with most pictures; of several, the first by its name.
+std::vector<DicomFile> readSeries(const fs::path& folder, std::vector<std::string>& notes)
 {
-  std::vector<fs::path> files;
+  std::map<std::string, std::vector<DicomFile>> all;
+  bool found = false;
   for (const auto& entry : fs::directory_iterator(folder))
   {
-    std::array<char, 132> start{};
-    if (entry.is_regular_file() &&
-      std::ifstream(entry.path(), std::ios::binary).read(start.data(), start.size()) &&
-      std::string_view(start.data() + 128, 4) == "DICM")
+    std::optional<DicomFile> file =
+      entry.is_regular_file() ? DicomFile::read(entry.path()) : std::optional<DicomFile>();
+    found = found || file;
+    if (file && file->pixelBytes > 0)
     {
-      files.push_back(entry.path());
+      const std::string series = file->series;
+      all[series].push_back(std::move(*file));
     }
   }
-  return files;
+  if (all.empty())
+  {
+    failToRead(folder, found ? "its DICOM files hold no pixels" : "it is a directory without DICOM files");
+  }
+  const auto largest = std::max_element(
+    all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+  if (all.size() > 1)
+  {
+    notes.push_back("it holds " + std::to_string(all.size()) + " series; the one of " +
+      std::to_string(largest->second.size()) + " slices is used");
+  }
+  return std::move(largest->second);
 }
 
-/// VTK does not notice if a file ends within its pixels. They are the last element as a rule, with the tag
-/// (7FE0,0010), and their length stands before them.
-void checkPixels(const fs::path& file, std::size_t pixelBytes)
+/// Plain pixels, as many as the file has to have.
+void check(const DicomFile& file)
 {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-  constexpr std::string_view tag("\xE0\x7F\x10\x00", 4);
-  const std::size_t position = bytes.rfind(tag, bytes.size() - std::min(bytes.size(), pixelBytes));
-  // After the tag come 4 or 8 bytes: the length, in newer files after the type of the values.
-  if (position == std::string::npos || bytes.size() - position < tag.size() + 4 + pixelBytes)
+  // All other syntaxes but three are compressed.
+  constexpr std::string_view plain = "1.2.840.10008.1.2";
+  const std::string& syntax = file.transferSyntax;
+  if (!syntax.empty() && syntax != plain && syntax != std::string(plain) + ".1" &&
+    syntax != std::string(plain) + ".2")
   {
-    failToRead(file, "the file ends before its " + std::to_string(pixelBytes) + " bytes of pixels do");
+    failToRead(file.path, "its pixels are compressed (transfer syntax " + syntax + "); expected plain ones");
+  }
+  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames != 1)
+  {
+    failToRead(file.path,
+      "it says " + std::to_string(file.rows) + " rows, " + std::to_string(file.columns) + " columns, " +
+        std::to_string(file.components) + " components and " + std::to_string(file.frames) +
+        " frames; expected 1 or more, and one frame");
+  }
+  if (file.bits != 8 && file.bits != 16 && file.bits != 32)
+  {
+    failToRead(file.path, "its pixels have " + std::to_string(file.bits) + " bits; expected 8, 16 or 32");
+  }
+  const std::uint64_t size = fs::file_size(file.path);
+  const std::uint64_t needed = static_cast<std::uint64_t>(file.rows) *
+    static_cast<std::uint64_t>(file.columns) * static_cast<std::uint64_t>(file.components) *
+    static_cast<std::uint64_t>(file.bits / 8);
+  if (size - std::min(size, file.pixelOffset) < needed || file.pixelBytes < needed)
+  {
+    failToRead(file.path, "the file ends before its " + std::to_string(needed) + " bytes of pixels do");
   }
 }
 
-/// VTK turns the rows of DICOM's images upside down, and its slices come from the end of the series, the
-/// position of which it knows.
-void orient(vtkDICOMImageReader* reader, vtkImageData* image)
+int typeOf(const DicomFile& file)
 {
-  const float* cosines = reader->GetImageOrientationPatient();
-  const float* last = reader->GetImagePositionPatient();
-  const double row[3] = { cosines[0], cosines[1], cosines[2] };
-  const double column[3] = { cosines[3], cosines[4], cosines[5] };
+  switch (file.bits)
+  {
+    case 8:
+      return file.isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
+    case 16:
+      return file.isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
+    default:
+      return file.isSigned ? VTK_INT : VTK_UNSIGNED_INT;
+  }
+}
+
+/// Where a slice lies along what is at right angles to the slices, else its number.
+void sortSlices(std::vector<DicomFile>& files)
+{
   double normal[3];
-  vtkMath::Cross(row, column, normal);
-  const int* dimensions = image->GetDimensions();
-  const double* spacing = image->GetSpacing();
-  Orientation orientation;
-  for (int i = 0; i < 3; ++i)
+  vtkMath::Cross(files.front().row, files.front().column, normal);
+  const bool placed =
+    std::all_of(files.begin(), files.end(), [](const DicomFile& file) { return file.hasPosition; });
+  for (DicomFile& file : files)
   {
-    orientation.direction[0][i] = row[i];
-    orientation.direction[1][i] = -column[i];
-    orientation.direction[2][i] = -normal[i];
-    orientation.origin[i] =
-      last[i] + (dimensions[1] - 1) * spacing[1] * column[i] + (dimensions[2] - 1) * spacing[2] * normal[i];
+    file.number = placed ? vtkMath::Dot(file.position, normal) : file.number;
   }
-  orientation.apply(image);
+  std::sort(files.begin(), files.end(),
+    [](const DicomFile& a, const DicomFile& b)
+    { return a.number != b.number ? a.number < b.number : a.path < b.path; });
 }
 
 } // namespace
 
 Input readDicomFolder(const fs::path& folder, const Memory& memory, Progress& progress)
 {
-  const std::vector<fs::path> files = dicomFiles(folder);
-  if (files.empty())
+  progress.step("reading " + folder.filename().string());
+  std::vector<std::string> notes;
+  std::vector<DicomFile> files = readSeries(folder, notes);
+  sortSlices(files);
+  const DicomFile& first = files.front();
+  for (const DicomFile& file : files)
   {
-    failToRead(folder, "it is a directory without DICOM files");
+    check(file);
+    if (file.rows != first.rows || file.columns != first.columns || file.components != first.components ||
+      typeOf(file) != typeOf(first) || file.slope != first.slope || file.intercept != first.intercept)
+    {
+      failToRead(file.path,
+        "its picture has another size, type or scale than that in '" + first.path.string() +
+          "'; expected slices of one volume");
+    }
   }
 
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(folder.c_str());
-  runVolumeReader(reader, folder, memory, progress);
-  // The reader takes compressed pixels for plain ones.
-  const char* syntax = reader->GetTransferSyntaxUID();
-  const std::string syntaxName = syntax ? syntax : "";
-  if (syntaxName.starts_with("1.2.840.10008.1.2.4") || syntaxName.starts_with("1.2.840.10008.1.2.5"))
+  PlainVoxels voxels;
+  voxels.dimensions[0] = first.columns;
+  voxels.dimensions[1] = first.rows;
+  voxels.dimensions[2] = 1;
+  voxels.type = typeOf(first);
+  voxels.components = first.separatePlanes ? 1 : first.components;
+  voxels.setBigEndian(first.bigEndian);
+  const std::uint64_t sliceBytes = voxels.sliceValues() * voxels.valueSize();
+  if (sliceBytes * files.size() > memory.limit)
   {
-    failToRead(folder, "its pixels are compressed (transfer syntax " + syntaxName + "); expected plain ones");
+    failToRead(folder,
+      "its voxels take " + memoryText(sliceBytes * files.size()) +
+        ": expected --memory of at least that, found " + memoryText(memory.limit));
   }
-  const auto pixelBytes = static_cast<std::size_t>(reader->GetWidth()) * reader->GetHeight() *
-    reader->GetNumberOfComponents() * reader->GetBitsAllocated() / 8;
-  for (const fs::path& file : files)
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(first.columns, first.rows, static_cast<int>(files.size()));
+  image->AllocateScalars(voxels.type, 1);
+  auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < files.size(); ++i)
   {
-    checkPixels(file, pixelBytes);
+    progress.part(static_cast<double>(i) / static_cast<double>(files.size()), 1.0);
+    voxels.files = { files[i].path };
+    voxels.offset = files[i].pixelOffset;
+    PlainVoxelReader(voxels).read(0, { values + i * sliceBytes, sliceBytes });
   }
-  Input input = makeVolumeInput(reader->GetOutput(), folder, "DICOM series");
-  orient(reader, vtkImageData::SafeDownCast(input.data));
+
+  double steps[9];
+  double normal[3];
+  vtkMath::Cross(first.row, first.column, normal);
+  std::copy_n(first.row, 3, steps);
+  std::copy_n(first.column, 3, steps + 3);
+  std::copy_n(normal, 3, steps + 6);
+  const double distance = files.size() > 1 && first.hasPosition
+    ? (files.back().number - first.number) / static_cast<double>(files.size() - 1)
+    : first.thickness;
+  image->SetSpacing(spacingOf(first.spacing[0]), spacingOf(first.spacing[1]), spacingOf(distance));
+  constexpr double sign[3] = { 1, 1, 1 };
+  if (!Orientation(steps, first.position, sign).apply(image))
+  {
+    notes.emplace_back("its axes are not at right angles; they are taken as the world's");
+  }
+  Input input = makeVolumeInput(image, folder, "DICOM series");
+  setComponents(input, first.components);
+  input.notes.insert(input.notes.end(), notes.begin(), notes.end());
+  rescale(input, first.slope, first.intercept);
   return input;
 }
 

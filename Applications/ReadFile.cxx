@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fstream>
 #include <functional>
 
 namespace ink::cli
@@ -20,8 +21,7 @@ namespace
 {
 
 /// Lets a reader do a part of its work. \throw Failure if it complains
-void run(vtkAlgorithm* reader, const std::filesystem::path& file, bool warningsCount,
-  const std::function<void()>& part)
+void run(vtkAlgorithm* reader, const std::filesystem::path& file, const std::function<void()>& part)
 {
   const VtkMessages messages;
   try
@@ -34,10 +34,6 @@ void run(vtkAlgorithm* reader, const std::filesystem::path& file, bool warningsC
     failToRead(file, exception.what());
   }
   std::string problem = messages.error();
-  if (problem.empty() && warningsCount)
-  {
-    problem = messages.warning();
-  }
   if (problem.empty() && reader->GetErrorCode() != 0)
   {
     problem = "VTK error " + std::to_string(reader->GetErrorCode());
@@ -80,32 +76,41 @@ void failToRead(const std::filesystem::path& file, const std::string& reason)
   throw Failure("cannot read '" + file.string() + "': " + reason);
 }
 
-void runReader(
-  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount)
+std::string contentsOf(const std::filesystem::path& file)
 {
-  progress.step("reading " + file.filename().string(), reader);
-  run(reader, file, warningsCount, [reader] { reader->Update(); });
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes(static_cast<std::size_t>(std::filesystem::file_size(file)), '\0');
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+  {
+    failToRead(file, "it was cut short while it was read");
+  }
+  return bytes;
 }
 
-std::uint64_t readHeader(
-  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount)
+void runReader(vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress)
+{
+  progress.step("reading " + file.filename().string(), reader);
+  run(reader, file, [reader] { reader->Update(); });
+}
+
+std::uint64_t readHeader(vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress)
 {
   progress.step("reading " + file.filename().string());
-  run(reader, file, warningsCount, [reader] { reader->UpdateInformation(); });
+  run(reader, file, [reader] { reader->UpdateInformation(); });
   return announcedBytes(reader);
 }
 
-void runVolumeReader(vtkAlgorithm* reader, const std::filesystem::path& file, const Memory& memory,
-  Progress& progress, bool warningsCount)
+void runVolumeReader(
+  vtkAlgorithm* reader, const std::filesystem::path& file, const Memory& memory, Progress& progress)
 {
-  const std::uint64_t bytes = readHeader(reader, file, progress, warningsCount);
+  const std::uint64_t bytes = readHeader(reader, file, progress);
   if (bytes > memory.limit)
   {
     failToRead(file,
       "its voxels take " + memoryText(bytes) + ": expected --memory of at least that, found " +
         memoryText(memory.limit) + " (uncompressed NRRD, MetaImage and raw files need not fit)");
   }
-  runReader(reader, file, progress, warningsCount);
+  runReader(reader, file, progress);
 }
 
 } // namespace ink::cli

@@ -13,22 +13,23 @@ namespace ink::cli
 /// \throw Failure with what VTK said, if it said anything. Warnings count if they are asked to: the readers
 /// of
 ///        legacy files only warn about missing data.
-void runReader(
-  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount = false);
+void runReader(vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress);
 
 /// Lets a reader of volumes read the header of its file alone, and checks what that left behind.
 /// \return the bytes that the volume has in memory; 0 if that is not known yet
 /// \throw Failure as runReader
-std::uint64_t readHeader(
-  vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress, bool warningsCount = false);
+std::uint64_t readHeader(vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress);
 
 /// Both for a volume that is read whole or not at all.
 /// \throw Failure also if the volume is larger than memory
-void runVolumeReader(vtkAlgorithm* reader, const std::filesystem::path& file, const Memory& memory,
-  Progress& progress, bool warningsCount = false);
+void runVolumeReader(
+  vtkAlgorithm* reader, const std::filesystem::path& file, const Memory& memory, Progress& progress);
 
 /// "cannot read 'file': reason" \throw Failure always.
 [[noreturn]] void failToRead(const std::filesystem::path& file, const std::string& reason);
+
+/// All bytes of a file. \throw Failure
+std::string contentsOf(const std::filesystem::path& file);
 
 /// One of these for each kind of input; all as readInput.
 Input readVolume(

@@ -1,17 +1,15 @@
 #include "ReadFile.h"
 
-#include "CheckMeshFile.h"
 #include "CheckXmlFile.h"
+#include "MeshFiles.h"
+#include "Progress.h"
 #include "Text.h"
 #include "XmlReaders.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
 #include "vtkPolyData.h"
-#include "vtkSTLReader.h"
 #include "vtkXMLPolyDataReader.h"
 
 namespace fs = std::filesystem;
@@ -21,10 +19,11 @@ namespace ink::cli
 namespace
 {
 
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> read(const fs::path& file, Progress& progress)
+vtkSmartPointer<vtkPolyData> readVtp(const fs::path& file, Progress& progress)
 {
-  vtkNew<Reader> reader;
+  const double mostValues = checkXml(file);
+  vtkNew<PromptXmlReader<vtkXMLPolyDataReader>> reader;
+  reader->SetMostValues(mostValues);
   reader->SetFileName(file.c_str());
   runReader(reader, file, progress);
   return reader->GetOutput();
@@ -54,29 +53,26 @@ void checkCells(vtkPolyData* mesh, const fs::path& file)
 
 Input readMesh(const fs::path& file, const std::string& suffix, Progress& progress)
 {
+  progress.step("reading " + file.filename().string());
   Input input;
   if (suffix == ".ply")
   {
-    checkPly(file);
-    input.data = read<vtkPLYReader>(file, progress);
+    input.data = readPly(file, input.notes, progress);
     input.format = "PLY mesh";
   }
   else if (suffix == ".stl")
   {
-    checkStl(file);
-    input.data = read<vtkSTLReader>(file, progress);
+    input.data = readStl(file, input.notes, progress);
     input.format = "STL mesh";
   }
   else if (suffix == ".obj")
   {
-    checkObj(file);
-    input.data = read<vtkOBJReader>(file, progress);
+    input.data = readObj(file, input.notes, progress);
     input.format = "OBJ mesh";
   }
   else
   {
-    checkXml(file);
-    input.data = read<PromptXmlReader<vtkXMLPolyDataReader>>(file, progress);
+    input.data = readVtp(file, progress);
     input.format = "VTK XML mesh (.vtp)";
   }
   auto* mesh = vtkPolyData::SafeDownCast(input.data);

@@ -1,6 +1,7 @@
 #include "ReadFile.h"
 
 #include "Progress.h"
+#include "Words.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -9,12 +10,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -43,22 +42,14 @@ bool numbersOf(std::string_view line, std::vector<double>& numbers)
     }
     line.remove_prefix(begin);
     const std::string_view word = line.substr(0, line.find_first_of(separators));
-    double number = 0.0;
-    const char* first = word.data() + (word.front() == '+' ? 1 : 0);
-    const auto [end, error] = std::from_chars(first, word.data() + word.size(), number);
-    if (error == std::errc::invalid_argument || end != word.data() + word.size())
+    const std::optional<double> number = numberIn(word);
+    if (!number)
     {
       return false;
     }
-    numbers.push_back(number);
+    numbers.push_back(*number);
     line.remove_prefix(word.size());
   }
-}
-
-std::string shortened(const std::string& line)
-{
-  constexpr std::size_t most = 40;
-  return line.size() <= most ? line : line.substr(0, most) + "...";
 }
 
 /// Other columns than normals' are colours or intensities, whose length is hardly ever 1.

@@ -11,7 +11,6 @@
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <map>
 #include <regex>
@@ -81,10 +80,10 @@ Input readRawVolume(
   }
 
   PlainVoxels voxels;
-  voxels.file = file;
+  voxels.files = { file };
   std::copy(layout.dimensions, layout.dimensions + 3, voxels.dimensions);
   voxels.type = layout.type;
-  voxels.swapped = voxels.valueSize() > 1 && layout.bigEndian != (std::endian::native == std::endian::big);
+  voxels.setBigEndian(layout.bigEndian);
   vtkNew<vtkImageData> image;
   image->SetDimensions(layout.dimensions);
   image->SetSpacing(layout.spacing);

@@ -45,7 +45,7 @@ VolumeSlices::VolumeSlices(vtkImageData* frame, const PlainVoxels& voxels, const
   const int fewest = std::min(fewestAtOnce, this->Dimensions[2]);
   if (room < static_cast<std::uint64_t>(fewest))
   {
-    failToRead(voxels.file,
+    failToRead(voxels.files.front(),
       "its slices have " + memoryText(this->sliceBytes()) + " each, and " + std::to_string(fewest) +
         " are needed at a time: expected --memory " +
         memoryText(Memory::limitFor(static_cast<std::uint64_t>(fewest) * needed, 4)) + " or more, found " +

@@ -35,11 +35,10 @@ public:
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
   void DisplayErrorText(const char* message) override { keepFirst(this->Error, message); }
-  void DisplayWarningText(const char* message) override { keepFirst(this->Warning, message); }
-  void DisplayGenericWarningText(const char* message) override { keepFirst(this->Warning, message); }
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
 
   std::string Error;
-  std::string Warning;
 
 protected:
   CatchingWindow() = default;
@@ -82,11 +81,6 @@ std::string VtkMessages::error() const
 {
   return this->Messages->Window->Error.empty() ? cleaned(this->Messages->Stream.str())
                                                : this->Messages->Window->Error;
-}
-
-std::string VtkMessages::warning() const
-{
-  return this->Messages->Window->Warning;
 }
 
 } // namespace ink::cli

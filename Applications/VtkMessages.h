@@ -24,9 +24,6 @@ public:
   /// The first error, on one line and without VTK's source positions and addresses; empty if there was none.
   std::string error() const;
 
-  /// The first warning, likewise.
-  std::string warning() const;
-
 private:
   struct Caught;
   std::unique_ptr<Caught> Messages;

@@ -1,29 +1,45 @@
 #!/usr/bin/env bash
-# Fuzzes what reads OpenVDB files for some seconds:  Utilities/fuzz.sh [SECONDS]    (INK_JOBS: how many at once)
-# Needs clang with libFuzzer (Debian's clang). What it finds lies in build/fuzz/found and, once mended, belongs into
-# Testing/Fuzz/Corpus, which every `make test` runs.
+# Fuzzes what `ink` reads files with, each format for some seconds:  Utilities/fuzz.sh [SECONDS [FORMAT...]]
+# (INK_JOBS: how many compilers at once.) FORMAT is a folder of Testing/Fuzz/Corpus: ply, nii, vdb, ... What it finds
+# lies in build/fuzz/found/FORMAT and, once mended, belongs into that folder, which every `make test` reads.
 set -euo pipefail
 
 seconds="${1:-60}"
+shift || true
 root="$(cd "$(dirname "$0")/.." && pwd)"
 tree="$root/build/fuzz"
-if ! command -v clang++ >/dev/null; then
-  echo "fuzz: there is no clang++ (Debian: apt-get install clang)" >&2
-  exit 1
-fi
+corpus="$root/Testing/Fuzz/Corpus"
+[ $# -gt 0 ] || set -- $(ls "$corpus")
+for format in "$@"; do
+  if [ ! -d "$corpus/$format" ]; then
+    echo "fuzz: unknown format '$format'; expected one of $(ls "$corpus" | tr '\n' ' ')" >&2
+    exit 1
+  fi
+done
 
 mkdir -p "$tree"
-# Of the project only Common is needed, so that no VTK has to be built with it.
-cmake -S "$root/Testing/Fuzz/Standalone" -B "$tree" -G Ninja -DCMAKE_CXX_COMPILER=clang++ \
-  -DCMAKE_BUILD_TYPE=RelWithDebInfo >"$tree.log" 2>&1 || { cat "$tree.log" >&2; exit 1; }
+# Only the parts of the project that read: the rest need not be built with it.
+cmake -S "$root/Testing/Fuzz/Standalone" -B "$tree" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo "-DVTK_DIR=$root/build/vtk-headless/cvista_sdk/cmake" >"$tree.log" 2>&1 ||
+  { cat "$tree.log" >&2; exit 1; }
 cmake --build "$tree" --parallel "${INK_JOBS:-2}" >>"$tree.log" 2>&1 || { tail -40 "$tree.log" >&2; exit 1; }
 
-mkdir -p "$tree/corpus" "$tree/found"
-# One thread each: a fuzzer's runs have to be repeatable.
-export VTK_SMP_MAX_THREADS=1
-export LLVM_PROFILE_FILE=/dev/null
-"$tree/FuzzVdb" -max_total_time="$seconds" -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=10 \
-  -max_len=65536 -print_final_stats=1 -artifact_prefix="$tree/found/" \
-  "$tree/corpus" "$root/Testing/Fuzz/Corpus" 2>"$tree/fuzz.log" || status=$?
-grep -E "^stat::|SUMMARY|cov:.*(DONE|pulse|RELOAD)|DONE" "$tree/fuzz.log" | tail -12
-exit "${status:-0}"
+# One thread each: a fuzzer's runs have to be repeatable. VTK's libraries leak where they give up.
+export VTK_SMP_MAX_THREADS=1 LLVM_PROFILE_FILE=/dev/null
+status=0
+for format in "$@"; do
+  mkdir -p "$tree/corpus/$format" "$tree/found/$format"
+  if [ "$format" = vdb ]; then
+    target=FuzzVdb
+    limits="-timeout=10 -malloc_limit_mb=1024 -max_len=65536"
+  else
+    target=FuzzRead
+    limits="-timeout=5 -malloc_limit_mb=512 -max_len=4096 -detect_leaks=0"
+  fi
+  echo "fuzz: $format"
+  INK_FUZZ_FORMAT="$format" "$tree/$target" $limits -max_total_time="$seconds" -rss_limit_mb=2048 \
+    -print_final_stats=1 -artifact_prefix="$tree/found/$format/" \
+    "$tree/corpus/$format" "$corpus/$format" >"$tree/$format.log" 2>&1 || status=1
+  grep -aE "^stat::number_of_executed_units|^FuzzRead:|SUMMARY|runtime error" "$tree/$format.log" || true
+done
+exit "$status"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs what a build preset, or `make tradeoff`, needs:  Utilities/setup.sh headless|paraview|tradeoff
+# Installs what a build preset, `make tradeoff` or `make fuzz` needs:  Utilities/setup.sh headless|paraview|tradeoff|fuzz
 # From Debian the lists in Utilities/packages/; for the headless preset VTK itself, from PyPI, into
 # build/vtk-headless. Needs root or sudo only if a Debian package is missing; says nothing if none is.
 set -euo pipefail
 
-preset="${1:?usage: Utilities/setup.sh headless|paraview|tradeoff}"
+preset="${1:?usage: Utilities/setup.sh headless|paraview|tradeoff|fuzz}"
 root="$(cd "$(dirname "$0")/.." && pwd)"
 utilities="$root/Utilities"
 vtk_release="9.7.0.5"
@@ -91,7 +91,10 @@ case "$preset" in
   tradeoff)
     install_debian_packages "$utilities/packages/tradeoff.txt"
     ;;
+  fuzz)
+    install_debian_packages "$utilities/packages/fuzz.txt"
+    ;;
   *)
-    fail "unknown preset '$preset'; expected headless, paraview or tradeoff"
+    fail "unknown preset '$preset'; expected headless, paraview, tradeoff or fuzz"
     ;;
 esac

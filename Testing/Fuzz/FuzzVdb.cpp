@@ -1,6 +1,6 @@
 // What reads .vdb files, given any bytes: lists the grids, reads each that can be read, samples it and copies
 // a part of it. Nothing but a VdbError may come out. `make fuzz` runs it with libFuzzer, and the ordinary
-// test FuzzCorpus runs it over the files in Corpus/: seeds, and all that ever made it fall.
+// test FuzzCorpus.vdb runs it over the files in Corpus/vdb: seeds, and all that ever made it fall.
 
 #include "Vdb/VdbSamples.h"
 

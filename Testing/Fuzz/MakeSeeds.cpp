@@ -1,4 +1,4 @@
-// Writes small .vdb files of all kinds into a folder, for the fuzzer to start from: Corpus/seed-*.vdb.
+// Writes small .vdb files of all kinds into a folder, for the fuzzer to start from: Corpus/vdb/seed-*.vdb.
 
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>

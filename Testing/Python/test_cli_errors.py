@@ -130,9 +130,71 @@ def test_missing_data_files(refused, tmp_path):
     assert "w.raw" in refused(1, tmp_path / "w.nhdr")
 
 
-def test_encodings_that_vtk_reads_wrongly(refused, tmp_path):
-    ink_files.write_nrrd(tmp_path / "v.nrrd", ink_files.blob(), "ascii")
-    assert "'ascii'; expected raw or gzip" in refused(1, tmp_path / "v.nrrd")
+def test_encodings_that_are_none(refused, tmp_path):
+    ink_files.write_nrrd(tmp_path / "v.nrrd", ink_files.blob(), "bzip2")
+    assert "'bzip2'; expected raw, gzip or ascii" in refused(1, tmp_path / "v.nrrd")
+
+
+# What made VTK's readers crash or hang, or say something before ink did, each with what the one line has to name.
+TRIANGLE_PLY = ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+NRRD_WITH_DIRECTIONS = ("NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n"
+                        "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\n\n12345678")
+QUAD_OBJ = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n"
+META = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 2 2 2\nElementType = MET_UCHAR\n"
+        "ElementDataFile = LOCAL\n12345678")
+POINTS_VTP = ('<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData><Piece NumberOfPoints="3" '
+              'NumberOfVerts="1" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0"><Points><DataArray type="Float32" '
+              'NumberOfComponents="3" format="ascii">0 0 0 1 0 0 1 1 0</DataArray></Points><Verts><DataArray type="Int64" '
+              'Name="connectivity" format="ascii">0 1 2</DataArray><DataArray type="Int64" Name="offsets" format="ascii">3'
+              '</DataArray></Verts></Piece></PolyData></VTKFile>\n')
+LEGACY = ("# vtk DataFile Version 3.0\ntest\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nPOINT_DATA 8\n"
+          "SCALARS a float 1\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\n")
+
+
+@pytest.mark.parametrize("name, whole", [("m.ply", TRIANGLE_PLY), ("v.nrrd", NRRD_WITH_DIRECTIONS), ("m.obj", QUAD_OBJ),
+                                         ("v.mha", META), ("m.vtp", POINTS_VTP), ("v.vtk", LEGACY)])
+def test_files_that_are_broken_below_can_be_read(ink, tmp_path, name, whole):
+    (tmp_path / name).write_text(whole)
+    result = ink("info", tmp_path / name)
+    assert result.code == 0, result
+
+
+@pytest.mark.parametrize("name, whole, part, change, expected", [
+    # Crashes.
+    ("m.ply", TRIANGLE_PLY, "vertex_indices", "vertex_indicex", "'vertex_indices'"),
+    ("m.ply", TRIANGLE_PLY, "vertex_indices", "v", "'vertex_indices'"),
+    ("m.ply", TRIANGLE_PLY, "list uchar int vertex_indices", "int vertex_indices", "'vertex_indices'"),
+    ("m.ply", TRIANGLE_PLY, "element vertex 3", "elemenu vertex 3", "elemenu vertex 3"),
+    ("m.ply", TRIANGLE_PLY, "element vertex 3", "elementvertex 3", "elementvertex 3"),
+    ("m.ply", TRIANGLE_PLY, "element vertex 3", "element vertex", "'element vertex'"),
+    ("m.ply", TRIANGLE_PLY, "element vertex 3", "element 3", "'element 3'"),
+    ("m.ply", TRIANGLE_PLY, "element vertex 3", "\n", "'property float x'"),
+    ("m.ply", TRIANGLE_PLY, "element vertex 3\nproperty float x", "property float x\nelement vertex 3", "'property float x'"),
+    ("m.ply", TRIANGLE_PLY, "property float z", "property float", "'property float'"),
+    ("m.obj", QUAD_OBJ, "vn 0 0 1\n", "", "normal"),
+    ("v.mha", META, "NDims = 3", "NDims = 0", "NDims"),
+    # Hangs.
+    ("v.nrrd", NRRD_WITH_DIRECTIONS, "(1,0,0) (0,1,0) (0,0,1)", "(1,0,0) (0,1,0) (0,", "space directions"),
+    ("v.nrrd", NRRD_WITH_DIRECTIONS, "(1,0,0) (0,1,0) (0,0,1)", "(1,0,0) (0,", "space directions"),
+    ("v.nrrd", NRRD_WITH_DIRECTIONS, "(1,0,0) (0,1,0) (0,0,1)", "(1,", "space directions"),
+    ("v.nrrd", NRRD_WITH_DIRECTIONS, "(1,0,0) (0,1,0) (0,0,1)", "(1,0,0) (0,1,0) (0,0,)", "space directions"),
+    # Memory for numbers of points that are not there.
+    ("m.vtp", POINTS_VTP, ">3</DataArray></Verts>", ">3000000000</DataArray></Verts>", "3e+09 points"),
+    ("m.vtp", POINTS_VTP, 'NumberOfPoints="3"', 'NumberOfPoints="3000000000"', "points"),
+    # The library's messages before ours.
+    ("v.vtk", LEGACY, "ASCII", "ASCIJ", "'ascij'"),
+    ("v.vtk", LEGACY, "DATASET", "DATASEU", "'dataseu'"),
+])
+@pytest.mark.parametrize("command", ["info", "render", "sample"])
+def test_broken_files_are_refused_in_one_line(ink, tmp_path, command, name, whole, part, change, expected):
+    path = tmp_path / name
+    assert part in whole
+    path.write_text(whole.replace(part, change, 1))
+    result = ink(command, path, *{"info": [], "render": ["-o", tmp_path / "out.png"], "sample": [tmp_path / "out.vtp"]}[command])
+    assert result.code == 1, result
+    assert expected in result.error
+    assert os.listdir(tmp_path) == [name]
 
 
 def test_cell_values_alone(refused, tmp_path):

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""Writes small files of every format that `ink` reads but OpenVDB, for the fuzzer to start from:
+Corpus/FORMAT/seed-*. Needs numpy:  make_seeds.py [FOLDER]"""
+
+import gzip
+import sys
+import tempfile
+import zlib
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Python"))
+import ink_files  # noqa: E402
+
+VOLUME = ink_files.blob((4, 3, 4))
+MESH = ink_files.sphere_mesh(3, 3)
+AFFINE = np.array([[-1, 0, 0, 0], [0, -2, 0, 0], [0, 0, 1, 5]])
+
+
+def dicom(path):
+    with tempfile.TemporaryDirectory() as folder:
+        ink_files.write_dicom(Path(folder) / "series", VOLUME[:1])
+        path.write_bytes((Path(folder) / "series" / "slice000.dcm").read_bytes())
+
+
+def ply(path, header, data):
+    path.write_bytes(f"ply\n{header}end_header\n".encode() + data)
+
+
+def point_ply(path):
+    """As `ink sample` writes them, with doubles."""
+    table = np.zeros(3, [(name, "<f8") for name in "xyz"] + [(name, "<f4") for name in ("nx", "ny", "nz", "Radius")])
+    table["x"] = [0, 1, 2]
+    table["nz"] = 1
+    properties = "".join(f"property double {n}\n" for n in "xyz")
+    properties += "".join(f"property float {n}\n" for n in ("nx", "ny", "nz", "Radius"))
+    ply(path, f"format binary_little_endian 1.0\ncomment points\nelement vertex 3\n{properties}", table.tobytes())
+
+
+def rich_ply(path):
+    """Colors, lists of another name, elements besides vertices and faces, quadrilaterals."""
+    ply(path,
+        "format ascii 1.0\nobj_info made by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
+        "property list uchar uint vertex_index\nproperty uchar intensity\nelement edge 1\nproperty int vertex1\n"
+        "property int vertex2\n",
+        b"0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0.5 9 9 9\n4 0 1 2 3 7\n3 2 1 0 8\n0 1\n")
+
+
+def rich_obj(path):
+    path.write_text("# comment\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0 1\nv 1 1 0 .5 .5 .5\nv 0 1 1e-1\nvt 0 0\nvt 1 1\n"
+                    "vn 0 0 1\nvn 0 1 0\ng part\nusemtl red\ns 1\nf 1/1/1 2/2/1 3/1/1 4/2/2\nf -4//-2 -3//-1 -1//-1\nl 1 2\np 3\n")
+
+
+def obj_with_normals(path):
+    points, normals, triangles = MESH
+    path.write_text("".join("v %g %g %g\n" % tuple(p) for p in points) + "".join("vn %g %g %g\n" % tuple(n) for n in normals)
+                    + "".join("f %d//%d %d//%d %d//%d\n" % tuple(np.repeat(t + 1, 2)) for t in triangles))
+
+
+def raw(path, layout, dtype):
+    path.write_bytes(layout.encode() + b"\n" + VOLUME.astype(dtype).tobytes())
+
+
+def compressed_vti(path):
+    data = VOLUME.tobytes()
+    packed = zlib.compress(data)
+    block = np.array([1, len(data), len(data), len(packed)], "<u4").tobytes() + packed
+    head = ('<?xml version="1.0"?>\n<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian" '
+            'compressor="vtkZLibDataCompressor">\n<ImageData WholeExtent="0 3 0 2 0 3" Origin="0 0 0" Spacing="1 1 1">'
+            '<Piece Extent="0 3 0 2 0 3">\n<PointData Scalars="a"><DataArray type="UInt8" Name="a" format="appended" '
+            'offset="0"/></PointData>\n</Piece></ImageData>\n<AppendedData encoding="raw">\n_')
+    path.write_bytes(head.encode() + block + b"\n</AppendedData>\n</VTKFile>\n")
+
+
+def vertex_vtp(path):
+    path.write_text('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
+                    'header_type="UInt64">\n<PolyData><Piece NumberOfPoints="3" NumberOfVerts="1" NumberOfLines="1" '
+                    'NumberOfStrips="1" NumberOfPolys="0">\n<Points><DataArray type="Float64" NumberOfComponents="3" '
+                    'format="ascii">0 0 0 1 0 0 1 1 0</DataArray></Points>\n<PointData><DataArray type="Float32" Name="Radius" '
+                    'format="ascii">1 1 1</DataArray></PointData>\n'
+                    + "".join(f'<{kind}><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>'
+                              f'<DataArray type="Int64" Name="offsets" format="ascii">3</DataArray></{kind}>\n'
+                              for kind in ("Verts", "Lines", "Strips"))
+                    + "</Piece></PolyData></VTKFile>\n")
+
+
+def field_vtk(path):
+    path.write_text("# vtk DataFile Version 2.0\ntest\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nASPECT_RATIO 1 1 1\n"
+                    "ORIGIN 0 0 0\nCELL_DATA 1\nSCALARS c float\nLOOKUP_TABLE t\n1\nLOOKUP_TABLE t 1\n0 0 0 1\n"
+                    "POINT_DATA 8\nVECTORS v float\n" + "1 2 3\n" * 8 + "FIELD FieldData 1\na 1 8 short\n1 2 3 4 5 6 7 8\n")
+
+
+SEEDS = {
+    "ply/ascii": lambda p: ink_files.write_ply(p, MESH, "ascii", normals=True),
+    "ply/little": lambda p: ink_files.write_ply(p, MESH),
+    "ply/big": lambda p: ink_files.write_ply(p, MESH, "binary_big_endian"),
+    "ply/points": point_ply,
+    "ply/rich": rich_ply,
+    "obj/plain": lambda p: ink_files.write_obj(p, MESH),
+    "obj/normals": obj_with_normals,
+    "obj/rich": rich_obj,
+    "stl/binary": lambda p: ink_files.write_stl(p, MESH),
+    "stl/ascii": lambda p: ink_files.write_stl(p, MESH, ascii=True),
+    "vtp/ascii": lambda p: ink_files.write_vtp(p, MESH, "ascii"),
+    "vtp/binary": lambda p: ink_files.write_vtp(p, MESH, "binary"),
+    "vtp/appended": lambda p: ink_files.write_vtp(p, MESH),
+    "vtp/vertices": vertex_vtp,
+    "xyz/plain": lambda p: p.write_text("# x y z\n0 0 0\n1,2,3\n+1e3 -.5 2\n"),
+    "xyz/normals": lambda p: p.write_text("0 0 0 0 0 1\n1 2 3 0 1 0\n"),
+    "nii/plain": lambda p: ink_files.write_nifti(p, VOLUME, AFFINE),
+    "nii/times": lambda p: ink_files.write_nifti(p, VOLUME.astype("int16"), times=2, slope=2, intercept=1),
+    "nii.gz/plain": lambda p: p.write_bytes(gzip.compress(nifti_bytes(), mtime=0)),
+    "nrrd/raw": lambda p: ink_files.write_nrrd(p, VOLUME),
+    "nrrd/gzip": lambda p: ink_files.write_nrrd(p, VOLUME, "gzip"),
+    "nrrd/vectors": lambda p: p.write_bytes(
+        b"NRRD0005\n# comment\ntype: unsigned short\ndimension: 4\nsizes: 2 2 2 2\nspacings: nan 1 1 2\nkey:=value\n"
+        b"encoding: raw\nendian: big\n\n" + bytes(range(32))),
+    "nhdr/raw": lambda p: p.write_text("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n"
+                                       "space: RAS\nspace directions: (1,0,0) (0,0,1) (0,1,0)\ndata file: a.raw\n"),
+    "mha/plain": lambda p: ink_files.write_metaimage(p, VOLUME),
+    "mha/compressed": lambda p: ink_files.write_metaimage(p, VOLUME, compressed=True),
+    "mhd/separate": lambda p: p.write_text("ObjectType = Image\nNDims = 3\nBinaryData = True\nElementSpacing = 1 1 2\n"
+                                           "DimSize = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = a.raw\n"),
+    "vti/ascii": lambda p: ink_files.write_vti(p, VOLUME, "ascii"),
+    "vti/binary": lambda p: ink_files.write_vti(p, VOLUME, "binary"),
+    "vti/appended": lambda p: ink_files.write_vti(p, VOLUME),
+    "vti/compressed": compressed_vti,
+    "vtk/binary": lambda p: ink_files.write_legacy(p, VOLUME),
+    "vtk/ascii": lambda p: ink_files.write_legacy(p, VOLUME, ascii=True),
+    "vtk/fields": field_vtk,
+    "dicom/slice": dicom,
+    "raw/bytes": lambda p: raw(p, "4x3x4:uint8", "u1"),
+    "raw/doubles": lambda p: raw(p, "4x3x4:float64", "<f8"),
+}
+
+
+def nifti_bytes():
+    with tempfile.TemporaryDirectory() as folder:
+        ink_files.write_nifti(Path(folder) / "a.nii", VOLUME, AFFINE)
+        return (Path(folder) / "a.nii").read_bytes()
+
+
+if __name__ == "__main__":
+    corpus = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent / "Corpus"
+    for name, write in SEEDS.items():
+        kind, seed = name.split("/")
+        (corpus / kind).mkdir(parents=True, exist_ok=True)
+        write(corpus / kind / f"seed-{seed}.{kind}")
