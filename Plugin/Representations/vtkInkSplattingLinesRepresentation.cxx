@@ -6,6 +6,7 @@
 #include "vtkInkSplattingLinesMapper.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,8 +19,31 @@
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
+#include <limits>
 
 vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
+
+namespace
+{
+
+/// One cell of all points: exporters write cells, which the mapper ignores.
+vtkSmartPointer<vtkCellArray> MakeVertex(vtkIdType count)
+{
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  if (count > 0 && count <= std::numeric_limits<int>::max())
+  {
+    vertices->Use32BitStorage();
+    vertices->AllocateExact(1, count);
+    vertices->InsertNextCell(static_cast<int>(count));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      vertices->InsertCellPoint(i);
+    }
+  }
+  return vertices;
+}
+
+} // namespace
 
 vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation()
   : vtkInkRepresentation(vtkSmartPointer<vtkActor>::New(), 1, 1)
@@ -51,7 +75,14 @@ int vtkInkSplattingLinesRepresentation::RequestData(
 
 void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
 {
-  this->Mapper->SetInputDataObject(delivered[0]);
+  vtkPolyData* points = delivered[0];
+  if (points && this->DrawnTime != points->GetMTime())
+  {
+    this->Drawn->ShallowCopy(points);
+    this->Drawn->SetVerts(MakeVertex(points->GetNumberOfPoints()));
+    this->DrawnTime = points->GetMTime();
+  }
+  this->Mapper->SetInputDataObject(points ? this->Drawn.Get() : nullptr);
   this->UpdateColors();
 }
 

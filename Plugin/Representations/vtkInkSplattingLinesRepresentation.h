@@ -107,6 +107,8 @@ private:
   void UpdateColors();
 
   vtkNew<vtkInkSplattingLinesMapper> Mapper;
+  vtkNew<vtkPolyData> Drawn;  ///< the mapper's input
+  vtkMTimeType DrawnTime = 0; ///< of the points that Drawn was made from
   bool ColorByTone = false;
   bool UseHiddenColor = false;
   double HiddenColor[3] = { 0.2, 0.4, 0.7 };

@@ -1,5 +1,9 @@
 """The representation Splatting Lines: what it draws of which data, and what its properties change."""
 
+import json
+import pathlib
+import re
+import tempfile
 import unittest
 
 import numpy
@@ -274,6 +278,53 @@ for i in range(ghosts.GetNumberOfTuples()):
         self.assert_drawn(pictures[0])
         for other in pictures[1:]:
             self.assertLess(numpy.abs(other - pictures[0]).mean(), 0.01)
+
+    def test_hidden_lines_have_the_arrays_colours_unless_they_have_their_own(self):
+        inner, outer = Sphere(Radius=0.3, ThetaResolution=100, PhiResolution=100), Sphere(
+            Radius=0.5, ThetaResolution=100, PhiResolution=100
+        )
+        both = MergeBlocks(Input=GroupDatasets(Input=[inner, outer]))
+        radius = Calculator(Input=both, ResultArrayName="Distance", Function="mag(coords)")
+        display = self.show(radius, HiddenLayers=True, NumberOfLayers=2, HiddenStrength=1, PaperColor=[1, 1, 1])
+        ColorBy(display, ("POINTS", "Distance"))
+        table = GetColorTransferFunction("Distance")
+        table.RGBPoints = [0.3, 1, 0, 0, 0.4, 1, 0, 0, 0.41, 0, 0, 1, 0.5, 0, 0, 1]
+
+        def middle():
+            # Away from the outer sphere's contour, what is not paper is the inner one's.
+            pixels = picture(self.view)[62:138, 62:138].reshape(-1, 3)
+            return pixels[pixels.min(axis=1) < 0.2]
+
+        lines = middle()
+        self.assertGreater(len(lines), 50)
+        self.assertGreater(lines[:, 0].min(), 0.9)
+        display.UseHiddenColor, display.HiddenColor = True, [0, 0, 1]
+        lines = middle()
+        self.assertGreater(lines[:, 2].min(), 0.9)
+        self.assertLess(lines[:, 0].min(), 0.2)
+
+    def test_exported_scenes_have_the_points(self):
+        sampler = sampled_wavelet()
+        self.show(sampler)
+        Render(self.view)
+        count = sampler.GetDataInformation().GetNumberOfPoints()
+        with tempfile.TemporaryDirectory() as folder:
+
+            def exported(name):
+                path = pathlib.Path(folder) / name
+                ExportView(str(path), view=self.view)
+                return path.read_text()
+
+            points = re.findall(r'<Coordinate[^>]*point="([^"]*)"', exported("scene.x3d"))
+            self.assertEqual(sum(len(one.replace(",", " ").split()) for one in points), 3 * count)
+            scene = json.loads(exported("scene.gltf"))
+            positions = [
+                scene["accessors"][primitive["attributes"]["POSITION"]]["count"]
+                for mesh in scene["meshes"]
+                for primitive in mesh["primitives"]
+            ]
+            self.assertEqual(positions, [count])
+            self.assertGreater(len(exported("scene.vrml").splitlines()), count)
 
     def test_points_are_selected_where_they_are_seen(self):
         sphere = Sphere(ThetaResolution=60, PhiResolution=60)

@@ -2,15 +2,17 @@
 #ifndef InkWindowResources_h
 #define InkWindowResources_h
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLResourceFreeCallback.h"
 
 #include <memory>
 #include <vector>
 
 /// What a mapper keeps on the GPU, apart for each window that it is drawn in: made when it is first drawn
-/// there, and destroyed, while the window's context is current, when the window releases its graphics
-/// resources, whether or not the window still knows the mapper, or with this.
+/// there, and destroyed, with the window's context current, when the window is deleted, which may no longer
+/// know the mapper, when the mapper is told to release it, or with this.
 /// @tparam Resources are made from a vtkOpenGLRenderWindow*
 template <class Resources>
 class InkWindowResources
@@ -70,19 +72,31 @@ private:
     explicit Holder(vtkOpenGLRenderWindow* window)
       : Window(window)
       , Own(std::make_unique<Resources>(window))
-      , Callback(this, &Holder::Free)
     {
-      this->Callback.RegisterGraphicsResources(window);
+      this->Observer->SetClientData(this);
+      this->Observer->SetCallback(
+        [](vtkObject*, unsigned long, void* holder, void*) { static_cast<Holder*>(holder)->Free(); });
+      this->Tag = window->AddObserver(vtkCommand::DeleteEvent, this->Observer);
     }
-    ~Holder() { this->Callback.Release(); }
+    ~Holder() { this->Free(); }
     Holder(const Holder&) = delete;
     void operator=(const Holder&) = delete;
-    /// By the callback, which has made the window's context current.
-    void Free(vtkWindow*) { this->Own.reset(); }
 
-    vtkWindow* Window; ///< only compared
+    void Free()
+    {
+      if (this->Own)
+      {
+        this->Window->RemoveObserver(this->Tag);
+        this->Window->PushContext();
+        this->Own.reset();
+        this->Window->PopContext();
+      }
+    }
+
+    vtkOpenGLRenderWindow* Window; ///< there as long as Own is
     std::unique_ptr<Resources> Own;
-    vtkOpenGLResourceFreeCallback<Holder> Callback;
+    vtkNew<vtkCallbackCommand> Observer;
+    unsigned long Tag = 0;
   };
 
   std::vector<std::unique_ptr<Holder>> Holders;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkInkSplattingLinesMapper at the ends of what it accepts: data, cameras, windows and all parameters. Where
-// the picture is known, it is checked; everywhere there must be no message, and the same picture twice.
+// vtkInkSplattingLinesMapper at the ends of what it accepts: data, cameras, windows and all parameters. There
+// must be no message, the same picture once more with everything made anew, and the picture that is known:
+// equal to another one, or with as much ink as was found right when the picture was looked at.
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
@@ -18,7 +19,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace
@@ -33,13 +37,19 @@ double Draw(InkTestChecks& check, const std::string& name, Scene& scene)
   vtkNew<InkTestMessages> messages;
   messages->Observe(scene.Mapper);
   const InkTestImage first(scene.Window);
-  scene.Mapper->Modified();
-  scene.Renderer->GetActiveCamera()->Modified();
+  scene.Mapper->ReleaseGraphicsResources(scene.Window);
   const InkTestImage second(scene.Window);
   check(second.CountDifferent(first) == 0, name, ": the same picture twice");
   check(messages->Messages.empty(), name, ": no message, found ",
     messages->Messages.empty() ? "" : messages->Messages[0]);
   return first.Ink();
+}
+
+/// @param part by how much the ink may differ
+void CheckInk(InkTestChecks& check, const std::string& name, double ink, double expected, double part = 0.1)
+{
+  check(
+    std::abs(ink - expected) <= part * expected + 0.5, name, ": ", expected, " pixels of ink, found ", ink);
 }
 
 /// Everything that can be asked for at once.
@@ -77,36 +87,69 @@ Points FromTuples(const std::vector<std::array<double, 3>>& places, const std::a
   return data;
 }
 
-/// Sets of points that are hardly surfaces.
+/// Sets of points that are hardly surfaces: discs without lines; and surfaces of extreme places and sizes,
+/// which look like any.
 void TestPoints(InkTestChecks& check)
 {
   const double tiny = 1e-150;
   const std::array<double, 3> up{ 0.0, 0.0, 1.0 };
-  const std::vector<std::pair<std::string, Points>> cases{
-    { "one point", FromTuples({ { 1.0, 2.0, 3.0 } }, up) },
-    { "two points", FromTuples({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, up) },
-    { "a hundred points in one place",
-      FromTuples(std::vector<std::array<double, 3>>(100, { 5.0, 5.0, 5.0 }), up) },
-    { "points in a row", FromTuples({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }, up) },
-    { "points edge-on", FromTuples({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { 1.0, 0.0, 0.0 }) },
-    { "normals of 1e-150",
-      FromTuples({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { 0.0, 0.0, tiny }) },
-    { "normals of 1e30", FromTuples({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { 0.0, 0.0, 1e30 }) },
-    { "spacing 1e-9", InkTestPoints::Transform(InkTestPoints::Sphere(1.0, 0.1), 1e-9, {}) },
-    { "spacing 1e9", InkTestPoints::Transform(InkTestPoints::Sphere(1.0, 0.1), 1e9, {}) },
-    { "origin at 1e7", InkTestPoints::Transform(InkTestPoints::Sphere(1.0, 0.1), 1.0, { 1e7, -1e7, 1e7 }) },
+  const auto triangle = [](const std::array<double, 3>& normal) {
+    return FromTuples({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, normal);
   };
-  for (const auto& [name, points] : cases)
+  struct Case
+  {
+    std::string Name;
+    Points Data;
+    int Paper; ///< pixels
+  };
+  const std::vector<Case> discs{
+    { "one point", FromTuples({ { 1.0, 2.0, 3.0 } }, up), 156 },
+    { "two points", FromTuples({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, up), 248 },
+    { "a hundred points in one place",
+      FromTuples(std::vector<std::array<double, 3>>(100, { 5.0, 5.0, 5.0 }), up), 156 },
+    { "points in a row", FromTuples({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }, up), 252 },
+    { "points edge-on", triangle({ 1.0, 0.0, 0.0 }), 35 },
+    { "normals of 1e-150", triangle({ 0.0, 0.0, tiny }), 269 },
+    { "normals of 1e30", triangle({ 0.0, 0.0, 1e30 }), 269 },
+  };
+  for (const auto& [name, data, expected] : discs)
   {
     for (bool all : { false, true })
     {
-      Scene scene(points, 100, 100);
+      Scene scene(data, 100, 100);
+      scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+      scene.Renderer->GetActiveCamera()->Zoom(0.2);
       if (all)
       {
         AskForAll(scene.Mapper);
       }
-      const double ink = Draw(check, name + (all ? ", all asked for" : ""), scene);
-      check(std::isfinite(ink), name, ": a picture");
+      const double darkness = Draw(check, name + (all ? ", all asked for" : ""), scene);
+      CheckInk(check, name + ": paper", 10000.0 - darkness, expected, 0.02);
+    }
+  }
+
+  for (bool all : { false, true })
+  {
+    const auto ask = [all](Scene& scene)
+    {
+      if (all)
+      {
+        AskForAll(scene.Mapper);
+      }
+    };
+    Scene usual(InkTestPoints::Sphere(1.0, 0.1), 100, 100);
+    ask(usual);
+    const InkTestImage picture(usual.Window);
+    CheckInk(check, "a sphere", picture.Ink(), all ? 113.2 : 472.0);
+    for (const auto& [name, scale, place] :
+      { std::tuple("spacing 1e-9", 1e-9, 0.0), { "spacing 1e9", 1e9, 0.0 }, { "origin at 1e7", 1.0, 1e7 } })
+    {
+      Scene scene(
+        InkTestPoints::Transform(InkTestPoints::Sphere(1.0, 0.1), scale, { place, -place, place }), 100, 100);
+      ask(scene);
+      Draw(check, name, scene);
+      const int different = InkTestImage(scene.Window).CountDifferent(picture, 8);
+      check(different <= 2, name, ": the usual sphere but for ", different, " pixels");
     }
   }
 }
@@ -164,12 +207,15 @@ void TestRadii(InkTestChecks& check)
   }
   Scene scene(points, 120, 120);
   const double ink = Draw(check, "radii of 1 to 3", scene);
-  check(ink > 100.0, "a contour with uneven radii: ", ink);
-  for (double radius : { 1e-9, 1e-3, 10.0, 1e6 })
+  CheckInk(check, "a contour with uneven radii", ink, 379.0);
+  // Points without an extent, and discs so large that the nearest ones end before the camera.
+  for (const auto& [radius, expected] :
+    { std::pair(1e-9, 243.3), { 1e-3, 243.2 }, { 10.0, 14397.0 }, { 1e6, 14400.0 } })
   {
     InkTestPoints::SetRadius(points, radius);
     scene.Mapper->SetInputData(points);
-    Draw(check, "radius " + std::to_string(radius), scene);
+    const std::string name = "radius " + std::to_string(radius);
+    CheckInk(check, name, Draw(check, name, scene), expected);
   }
 }
 
@@ -180,30 +226,49 @@ void TestParameters(InkTestChecks& check)
   {
     const char* Name;
     std::function<void(vtkInkSplattingLinesMapper*, double)> Set;
-    std::vector<double> Values;
+    struct End
+    {
+      double Value;
+      double Ink;      ///< with the others as they are
+      double InkOfAll; ///< with everything asked for
+    };
+    std::vector<End> Ends;
   };
   using Mapper = vtkInkSplattingLinesMapper;
   const std::vector<Case> cases{
-    { "lambda", [](Mapper* m, double v) { m->SetLambda(v); }, { 0.1, 20.0 } },
-    { "tau", [](Mapper* m, double v) { m->SetTau(v); }, { 0.8, 1.2 } },
-    { "phi", [](Mapper* m, double v) { m->SetPhi(v); }, { 0.0, 500.0 } },
-    { "sigma", [](Mapper* m, double v) { m->SetSigma(v); }, { 0.05, 2.0 } },
-    { "minimum radius", [](Mapper* m, double v) { m->SetMinimumRadius(v); }, { 0.0, 50.0 } },
-    { "layers", [](Mapper* m, double v) { m->SetNumberOfLayers(static_cast<int>(v)); }, { 1.0, 8.0 } },
-    { "hardness", [](Mapper* m, double v) { m->SetHardness(v); }, { 0.0, 1.0 } },
-    { "speckle length", [](Mapper* m, double v) { m->SetSpeckleLength(v); }, { 0.0, 1000.0 } },
-    { "line width", [](Mapper* m, double v) { m->SetLineWidth(v); }, { -20.0, 20.0 } },
-    { "dash length", [](Mapper* m, double v) { m->SetLayerDashLength(0, v); }, { 1e-6, 100.0 } },
-    { "coarsest texel", [](Mapper* m, double v) { m->SetCoarsestTexel(static_cast<int>(v)); }, { 1.0, 4.0 } },
-    { "half floats", [](Mapper* m, double v) { m->SetHalfFloats(v > 0.0); }, { 0.0, 1.0 } },
-    { "point fraction", [](Mapper* m, double v) { m->SetPointFraction(v); }, { 0.01, 1.0 } },
-    { "as published", [](Mapper* m, double v) { m->SetAsPublished(v > 0.0); }, { 0.0, 1.0 } },
-    { "paper", [](Mapper* m, double v) { m->SetPaperVisibility(v > 0.0); }, { 0.0, 1.0 } },
+    { "lambda", [](Mapper* m, double v) { m->SetLambda(v); },
+      { { 0.1, 387.2, 158.5 }, { 20.0, 641.5, 93.0 } } },
+    { "tau", [](Mapper* m, double v) { m->SetTau(v); }, { { 0.8, 283.5, 145.5 }, { 1.2, 1557.0, 45.0 } } },
+    { "phi", [](Mapper* m, double v) { m->SetPhi(v); }, { { 0.0, 0.0, 0.0 }, { 500.0, 354.3, 156.6 } } },
+    { "sigma", [](Mapper* m, double v) { m->SetSigma(v); },
+      { { 0.05, 323.2, 155.3 }, { 2.0, 308.8, 157.4 } } },
+    { "minimum radius", [](Mapper* m, double v) { m->SetMinimumRadius(v); },
+      { { 0.0, 332.6, 153.1 }, { 50.0, 523.5, 152.5 } } },
+    { "layers", [](Mapper* m, double v) { m->SetNumberOfLayers(static_cast<int>(v)); },
+      { { 1.0, 332.6, 120.7 }, { 8.0, 332.6, 153.1 } } },
+    { "hardness", [](Mapper* m, double v) { m->SetHardness(v); },
+      { { 0.0, 332.6, 152.6 }, { 1.0, 332.7, 153.1 } } },
+    { "speckle length", [](Mapper* m, double v) { m->SetSpeckleLength(v); },
+      { { 0.0, 332.6, 158.2 }, { 1000.0, 0.0, 0.0 } } },
+    { "line width", [](Mapper* m, double v) { m->SetLineWidth(v); },
+      { { -20.0, 116.0, 40.3 }, { 20.0, 643.0, 288.3 } } },
+    { "dash length", [](Mapper* m, double v) { m->SetLayerDashLength(0, v); },
+      { { 1e-6, 166.9, 154.6 }, { 100.0, 165.7, 154.1 } } },
+    { "coarsest texel", [](Mapper* m, double v) { m->SetCoarsestTexel(static_cast<int>(v)); },
+      { { 1.0, 332.6, 153.1 }, { 4.0, 332.6, 153.1 } } },
+    { "half floats", [](Mapper* m, double v) { m->SetHalfFloats(v > 0.0); },
+      { { 0.0, 332.6, 153.1 }, { 1.0, 334.2, 152.8 } } },
+    { "point fraction", [](Mapper* m, double v) { m->SetPointFraction(v); },
+      { { 0.01, 355.4, 187.2 }, { 1.0, 332.6, 153.1 } } },
+    { "as published", [](Mapper* m, double v) { m->SetAsPublished(v > 0.0); },
+      { { 0.0, 332.6, 153.1 }, { 1.0, 246.6, 117.6 } } },
+    { "paper", [](Mapper* m, double v) { m->SetPaperVisibility(v > 0.0); },
+      { { 0.0, 332.6, 153.3 }, { 1.0, 332.6, 153.1 } } },
   };
   auto points = InkTestPoints::Join(InkTestPoints::Torus(1.0, 0.4, 0.05), InkTestPoints::Sphere(0.3, 0.05));
   for (const Case& one : cases)
   {
-    for (double value : one.Values)
+    for (const auto& [value, inkOfOne, inkOfAll] : one.Ends)
     {
       for (bool all : { false, true })
       {
@@ -215,19 +280,27 @@ void TestParameters(InkTestChecks& check)
         one.Set(scene.Mapper, value);
         const std::string name =
           one.Name + (' ' + std::to_string(value)) + (all ? ", all else asked for" : "");
-        Draw(check, name, scene);
+        CheckInk(check, name, Draw(check, name, scene), all ? inkOfAll : inkOfOne);
       }
     }
   }
 }
 
-/// Cameras within the object, on it, far away and looking elsewhere; parallel and perspective.
+/// Cameras within the object, on it, far away and looking elsewhere; parallel and perspective. With parallel
+/// rays the distance does not count, but where the camera cuts the object.
 void TestViews(InkTestChecks& check)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.05);
-  for (bool parallel : { false, true })
+  struct View
   {
-    for (double distance : { 0.0, 0.5, 0.999, 1.001, 3.0, 1e3, 1e7 })
+    double Distance;
+    double Perspective; ///< its ink; from within, a sphere is even
+    double Parallel;
+  };
+  for (const View& view : { View{ 0.0, 0.0, 102.4 }, { 0.5, 0.0, 131.3 }, { 0.999, 0.0, 131.3 },
+         { 1.001, 0.0, 131.3 }, { 3.0, 32.2, 131.3 }, { 1e3, 0.0, 131.3 }, { 1e7, 0.0, 94.6 } })
+  {
+    for (bool parallel : { false, true })
     {
       for (bool away : { false, true })
       {
@@ -235,11 +308,16 @@ void TestViews(InkTestChecks& check)
         AskForAll(scene.Mapper);
         vtkCamera* camera = scene.Renderer->GetActiveCamera();
         camera->SetParallelProjection(parallel);
-        camera->SetPosition(0.0, 0.0, distance);
-        camera->SetFocalPoint(0.0, 0.0, away ? 2.0 * distance + 1.0 : -1.0);
+        camera->SetPosition(0.0, 0.0, view.Distance);
+        camera->SetFocalPoint(0.0, 0.0, away ? 2.0 * view.Distance + 1.0 : -1.0);
         scene.Renderer->ResetCameraClippingRange();
-        const double ink = Draw(check, "a camera at " + std::to_string(distance), scene);
-        check(!away || distance < 3.0 || ink == 0.0, "nothing where the camera looks away from it");
+        const std::string name = std::string(parallel ? "a parallel" : "a perspective") + " camera at " +
+          std::to_string(view.Distance) + (away ? " that looks away" : "");
+        const bool beside = away && view.Distance > 0.0;
+        CheckInk(check, name, Draw(check, name, scene),
+          beside       ? 0.0
+            : parallel ? view.Parallel
+                       : view.Perspective);
       }
     }
   }
@@ -249,17 +327,26 @@ void TestViews(InkTestChecks& check)
 void TestWindows(InkTestChecks& check)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.05);
-  for (const auto& [width, height] :
-    { std::pair(1, 1), { 1, 200 }, { 200, 1 }, { 3, 2 }, { 33, 257 }, { 900, 20 } })
+  struct Shape
+  {
+    int Width;
+    int Height;
+    double Ink;
+    double InkOfAll;
+  };
+  for (const Shape& shape : { Shape{ 1, 1, 0.0, 0.0 }, { 1, 200, 0.0, 0.0 }, { 200, 1, 0.0, 0.0 },
+         { 3, 2, 4.0, 0.0 }, { 33, 257, 83.3, 69.7 }, { 900, 20, 43.5, 20.4 } })
   {
     for (bool all : { false, true })
     {
-      Scene scene(points, width, height);
+      Scene scene(points, shape.Width, shape.Height);
       if (all)
       {
         AskForAll(scene.Mapper);
       }
-      Draw(check, std::to_string(width) + " x " + std::to_string(height) + " pixels", scene);
+      const std::string name = std::to_string(shape.Width) + " x " + std::to_string(shape.Height) +
+        " pixels" + (all ? ", all asked for" : "");
+      CheckInk(check, name, Draw(check, name, scene), all ? shape.InkOfAll : shape.Ink);
     }
   }
 }
@@ -267,19 +354,26 @@ void TestWindows(InkTestChecks& check)
 /// Flattened, mirrored and sheared actors.
 void TestMatrices(InkTestChecks& check)
 {
-  for (const std::array<double, 3>& scale :
-    { std::array{ 1.0, 1.0, 1e-3 }, { 1.0, 1000.0, 1.0 }, { -1.0, 1.0, 1.0 }, { 1e-6, 1e-6, 1e-6 } })
+  struct Stretch
+  {
+    std::array<double, 3> Scale;
+    double Ink;
+  };
+  for (const auto& [scale, expected] : { Stretch{ { 1.0, 1.0, 1e-3 }, 9.7 }, { { 1.0, 1000.0, 1.0 }, 176.0 },
+         { { -1.0, 1.0, 1.0 }, 217.0 }, { { 1e-6, 1e-6, 1e-6 }, 217.0 } })
   {
     Scene scene(InkTestPoints::Sphere(1.0, 0.05), 90, 90);
     scene.Actor->SetScale(scale[0], scale[1], scale[2]);
     scene.Renderer->ResetCamera();
-    Draw(check, "scale " + std::to_string(scale[2]), scene);
+    std::ostringstream name;
+    name << "scale " << scale[0] << ' ' << scale[1] << ' ' << scale[2];
+    CheckInk(check, name.str(), Draw(check, name.str(), scene), expected);
   }
   Scene mirrored(InkTestPoints::Sphere(1.0, 0.02), 120, 120);
   const double ink = Draw(check, "a sphere", mirrored);
   mirrored.Actor->SetScale(-1.0, 1.0, 1.0);
   const double other = Draw(check, "its mirror image", mirrored);
-  check(std::abs(ink - other) < 0.05 * ink, "a mirrored sphere has the same lines: ", other, " of ", ink);
+  CheckInk(check, "a mirrored sphere has the same lines", other, ink, 0.001);
 }
 
 } // namespace
