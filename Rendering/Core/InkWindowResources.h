@@ -2,11 +2,48 @@
 #ifndef InkWindowResources_h
 #define InkWindowResources_h
 
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLResourceFreeCallback.h"
+#include "vtkTextureObject.h"
 
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
+
+/// Hears when a window releases its graphics resources. VTK's callback for that is in a header that not all
+/// of its packages install; a texture object, here one without a texture, has one.
+class InkReleaseNotice : public vtkTextureObject
+{
+public:
+  static InkReleaseNotice* New() { return new InkReleaseNotice; }
+  vtkTypeMacro(InkReleaseNotice, vtkTextureObject);
+
+  /// @param onRelease is called once, with the window's context current
+  void Set(vtkOpenGLRenderWindow* window, std::function<void()> onRelease)
+  {
+    this->OnRelease = std::move(onRelease);
+    this->SetContext(window);
+  }
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    if (const auto onRelease = std::exchange(this->OnRelease, nullptr))
+    {
+      onRelease();
+    }
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
+
+protected:
+  InkReleaseNotice() = default;
+  ~InkReleaseNotice() override = default;
+
+private:
+  InkReleaseNotice(const InkReleaseNotice&) = delete;
+  void operator=(const InkReleaseNotice&) = delete;
+
+  std::function<void()> OnRelease;
+};
 
 /// What a mapper keeps on the GPU, apart for each window that it is drawn in: made when it is first drawn
 /// there, and destroyed, while the window's context is current, when the window releases its graphics
@@ -70,19 +107,17 @@ private:
     explicit Holder(vtkOpenGLRenderWindow* window)
       : Window(window)
       , Own(std::make_unique<Resources>(window))
-      , Callback(this, &Holder::Free)
     {
-      this->Callback.RegisterGraphicsResources(window);
+      this->Notice->Set(window, [this] { this->Own.reset(); });
     }
-    ~Holder() { this->Callback.Release(); }
+    /// With the window's context current, if there still is one.
+    ~Holder() { this->Notice->SetContext(nullptr); }
     Holder(const Holder&) = delete;
     void operator=(const Holder&) = delete;
-    /// By the callback, which has made the window's context current.
-    void Free(vtkWindow*) { this->Own.reset(); }
 
     vtkWindow* Window; ///< only compared
     std::unique_ptr<Resources> Own;
-    vtkOpenGLResourceFreeCallback<Holder> Callback;
+    vtkNew<InkReleaseNotice> Notice;
   };
 
   std::vector<std::unique_ptr<Holder>> Holders;
