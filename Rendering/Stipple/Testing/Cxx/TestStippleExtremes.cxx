@@ -12,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkSphereSource.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -68,22 +69,43 @@ void TestSliders(InkTestChecks& check)
 /// From inside the object to a hundredth of a pixel.
 void TestDistances(InkTestChecks& check)
 {
-  for (auto data :
-    { InkTestStipples::SphereVoxels(1.0, 0.1, 8), InkTestStipples::SphereSurface(1.0, 500, 8) })
+  // The ink found when the pictures were looked at. What the eye is in or right before is all lit or turned
+  // away.
+  constexpr std::array distances{ 0.0, 0.5, 1.0, 1.001, 1.05, 2.0, 1e2, 1e3, 1e5, 1e7 };
+  using Inks = std::array<double, distances.size()>;
+  const struct
+  {
+    vtkSmartPointer<vtkPolyData> Stipples;
+    std::array<Inks, 2> Ink; ///< in perspective and parallel
+  } cases[] = {
+    { InkTestStipples::SphereVoxels(1.0, 0.1, 8),
+      { Inks{ 0, 0, 0, 0, 0, 758, 11.7, 0.141, 0, 0 },
+        { 0, 0, 7661, 7663, 7173, 1989, 0.894, 0.016, 0, 0 } } },
+    { InkTestStipples::SphereSurface(1.0, 500, 8),
+      { Inks{ 0, 0, 0, 0, 38920, 8467, 22.5, 0.282, 0, 0 },
+        { 0, 0, 16139, 16111, 14752, 4052, 1.835, 0.016, 0, 0 } } },
+  };
+  for (const auto& [data, inks] : cases)
   {
     StippleScene scene(data);
     vtkCamera* camera = scene.Renderer->GetActiveCamera();
     for (int parallel : { 0, 1 })
     {
       camera->SetParallelProjection(parallel);
-      for (double distance : { 0.0, 0.5, 1.0, 1.001, 1.05, 2.0, 1e2, 1e3, 1e5, 1e7 })
+      for (std::size_t i = 0; i < distances.size(); ++i)
       {
+        const double distance = distances[i];
+        const double expected = inks[parallel][i];
         camera->SetPosition(0.0, 0.0, distance);
         camera->SetFocalPoint(0.0, 0.0, distance - 1.0);
         camera->SetParallelScale(std::max(1e-3, distance));
         scene.Renderer->ResetCameraClippingRange();
         CheckMarks(check, scene, "distance " + std::to_string(distance));
-        check(InkTestImage(scene.Window).Ink() < 200.0 * 200.0, "a picture at distance ", distance);
+        const double ink = InkTestImage(scene.Window).Ink();
+        // A few pixels' brightness has few steps.
+        check(std::abs(ink - expected) <= 0.2 * expected + (expected > 0.0 ? 3.0 / 255.0 : 0.0),
+          parallel ? "parallel" : "perspective", " at distance ", distance, ": ink of ", expected, ", found ",
+          ink);
       }
     }
   }
