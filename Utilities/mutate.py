@@ -225,7 +225,7 @@ def result_of(mutant, tests, original, jobs):
         return "equivalent"
     for test in tests:
         passed, said = test.run()
-        if "failed to compile" in said.lower():  # a shader
+        if re.search(r"vtkShaderProgram.*\berror\b", said):
             return "no program"
         if not passed:
             return "killed"
