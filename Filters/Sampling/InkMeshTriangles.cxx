@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkMeshTriangles.h"
 
+#include "InkAllocate.h"
 #include "Sampling/Hash.h"
 
 #include "vtkCellArray.h"
@@ -47,7 +48,7 @@ vtkSmartPointer<vtkPolyData> CutIntoTriangles(vtkPolyData* mesh)
   copy->SetStrips(mesh->GetStrips());
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(FaceIdName);
-  ids->SetNumberOfValues(copy->GetNumberOfCells());
+  InkSetNumberOfTuples(ids, copy->GetNumberOfCells());
   auto values = vtk::DataArrayValueRange<1>(ids.Get());
   vtkIdType next = 0;
   std::generate(values.begin(), values.end(), [&] { return next++; });
