@@ -3,6 +3,7 @@
 
 #include "Fields/Gradients.h"
 #include "Fields/LaplacianOfGaussian.h"
+#include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
@@ -333,7 +334,7 @@ vtkSmartPointer<vtkDataArray> vtkInkGradient::MakeArray(int which, vtkIdType tup
   }
   array->SetName(names[which]);
   array->SetNumberOfComponents(which == 0 ? 3 : 1);
-  array->SetNumberOfTuples(tuples);
+  InkSetNumberOfTuples(array, tuples);
   InkTrimArray(array);
   array->Modified();
   return array;

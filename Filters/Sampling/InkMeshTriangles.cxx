@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkMeshTriangles.h"
 
+#include "InkAllocate.h"
+
 #include "Sampling/FaceOrder.h"
 #include "Sampling/Hash.h"
 
@@ -49,7 +51,7 @@ vtkSmartPointer<vtkPolyData> CutIntoTriangles(vtkPolyData* mesh)
   copy->SetStrips(mesh->GetStrips());
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(FaceIdName);
-  ids->SetNumberOfValues(copy->GetNumberOfCells());
+  InkSetNumberOfTuples(ids, copy->GetNumberOfCells());
   auto values = vtk::DataArrayValueRange<1>(ids.Get());
   vtkIdType next = 0;
   std::generate(values.begin(), values.end(), [&] { return next++; });

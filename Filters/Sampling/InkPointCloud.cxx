@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkPointCloud.h"
 
+#include "InkAllocate.h"
 #include "InkPointOutput.h"
 #include "InkVTKCompat.h"
 #include "Sampling/PointNormals.h"
@@ -239,7 +240,7 @@ vtkIdType InkPreparePointCloud(
     vtkNew<vtkFloatArray> array;
     array->SetName("Normals");
     array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(count);
+    InkSetNumberOfTuples(array, count);
     for (vtkIdType i = 0; i < count; ++i)
     {
       array->SetTuple(i, &normals[static_cast<std::size_t>(i)].x);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkPointOutput.h"
 
+#include "InkAllocate.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -29,7 +31,7 @@ vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count)
   offsets->SetValue(0, 0);
   offsets->SetValue(1, count);
   vtkNew<vtkTypeInt64Array> points;
-  points->SetNumberOfValues(count);
+  InkSetNumberOfTuples(points, count);
   std::iota(points->GetPointer(0), points->GetPointer(0) + count, vtkTypeInt64(0));
   cells->SetData(offsets, points);
   return cells;
@@ -39,7 +41,7 @@ vtkSmartPointer<vtkDataArray> InkMakePriority(vtkIdType count)
 {
   auto priority = vtkSmartPointer<vtkFloatArray>::New();
   priority->SetName("Priority");
-  priority->SetNumberOfValues(count);
+  InkSetNumberOfTuples(priority, count);
   const float most = std::nextafter(1.0f, 0.0f);
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -53,7 +55,7 @@ vtkSmartPointer<vtkDataArray> InkMakeConstant(const char* name, int type, vtkIdT
 {
   vtkSmartPointer<vtkDataArray> array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   array->SetName(name);
-  array->SetNumberOfTuples(count);
+  InkSetNumberOfTuples(array, count);
   array->Fill(value);
   return array;
 }
@@ -69,7 +71,7 @@ void InkReorderPoints(vtkPointSet* input, std::span<const std::uint32_t> order, 
   std::iota(to->GetPointer(0), to->GetPointer(0) + count, vtkIdType(0));
   vtkNew<vtkPoints> points;
   points->SetDataType(input->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(count);
+  InkSetNumberOfPoints(points, count);
   input->GetPoints()->GetData()->GetTuples(from, points->GetData());
   output->SetPoints(points);
   output->GetPointData()->CopyAllOn();

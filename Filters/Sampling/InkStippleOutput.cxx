@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleOutput.h"
 
+#include "InkAllocate.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -27,11 +29,11 @@ vtkSmartPointer<vtkCellArray> MakePolyVertices(std::span<const vtkIdType> begins
 {
   using Id = typename IdArray::ValueType;
   vtkNew<IdArray> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(begins.size()));
+  InkSetNumberOfTuples(offsets, static_cast<vtkIdType>(begins.size()));
   std::transform(
     begins.begin(), begins.end(), offsets->GetPointer(0), [](vtkIdType id) { return static_cast<Id>(id); });
   vtkNew<IdArray> points;
-  points->SetNumberOfValues(begins.back());
+  InkSetNumberOfTuples(points, begins.back());
   std::iota(points->GetPointer(0), points->GetPointer(0) + begins.back(), Id(0));
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(offsets, points);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSurfaceSamples.h"
 
+#include "InkAllocate.h"
 #include "Sampling/BlueNoiseCount.h"
 #include "Sampling/CoverRadius.h"
 #include "Sampling/Hash.h"
@@ -85,7 +86,7 @@ vtkSmartPointer<vtkPoints> PlacePoints(
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(type == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(samples.size()));
+  InkSetNumberOfPoints(points, static_cast<vtkIdType>(samples.size()));
   if (auto* floats = vtkFloatArray::SafeDownCast(points->GetData()))
   {
     PlacePoints(mesh, samples, floats->GetPointer(0));
@@ -103,7 +104,7 @@ vtkSmartPointer<vtkFloatArray> PlaceNormals(const ink::TriangleMesh& mesh,
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName("Normals");
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(samples.size()));
+  InkSetNumberOfTuples(array, static_cast<vtkIdType>(samples.size()));
   ink::placeNormals(mesh, normals, samples, std::span<float>(array->GetPointer(0), 3 * samples.size()));
   return array;
 }
@@ -249,7 +250,7 @@ vtkSmartPointer<vtkDataArray> InkSurfaceSamples::MakeRadius(int type) const
   {
     using Real = typename std::remove_pointer_t<decltype(radii)>::ValueType;
     radii->SetName("Radius");
-    radii->SetNumberOfValues(static_cast<vtkIdType>(this->Samples.size()));
+    InkSetNumberOfTuples(radii, static_cast<vtkIdType>(this->Samples.size()));
     const ink::LocalRadius local(mesh, this->Areas, this->Cover);
     Real* values = radii->GetPointer(0);
     ForEach(this->Samples.size(),
@@ -275,15 +276,15 @@ void InkSurfaceSamples::AddFaces(vtkPolyData* mesh, vtkPolyData* output) const
   const auto count = static_cast<vtkIdType>(this->Samples.size());
   vtkNew<vtkIdTypeArray> faces;
   faces->SetName(FaceIdName);
-  faces->SetNumberOfValues(count);
+  InkSetNumberOfTuples(faces, count);
   vtkNew<vtkIdTypeArray> points;
   points->SetName(FacePointsName);
   points->SetNumberOfComponents(3);
-  points->SetNumberOfTuples(count);
+  InkSetNumberOfTuples(points, count);
   vtkNew<vtkFloatArray> weights;
   weights->SetName(BarycentricName);
   weights->SetNumberOfComponents(3);
-  weights->SetNumberOfTuples(count);
+  InkSetNumberOfTuples(weights, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const ink::SurfaceSample& sample = this->Samples[static_cast<std::size_t>(i)];

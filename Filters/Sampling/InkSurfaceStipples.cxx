@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSurfaceStipples.h"
 
+#include "InkAllocate.h"
 #include "InkMeshTriangles.h"
 #include "InkPointOutput.h"
 #include "InkStippleOutput.h"
@@ -129,7 +130,7 @@ vtkSmartPointer<vtkDataArray> Reorder(vtkDataArray* array, const std::vector<vtk
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
   result->SetName(array->GetName());
   result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(ids->GetNumberOfIds());
+  InkSetNumberOfTuples(result, ids->GetNumberOfIds());
   array->GetTuples(ids, result);
   return result;
 }
@@ -142,7 +143,7 @@ vtkSmartPointer<vtkDataArray> ColorsOf(const InkMeshTriangles& triangles, const 
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
   result->SetName(colors->GetName());
   result->SetNumberOfComponents(colors->GetNumberOfComponents());
-  result->SetNumberOfTuples(static_cast<vtkIdType>(lists.Polygons.size()));
+  InkSetNumberOfTuples(result, static_cast<vtkIdType>(lists.Polygons.size()));
   for (std::size_t e = 0; e < lists.Polygons.size(); ++e)
   {
     const std::size_t polygon = lists.Polygons[e];
@@ -199,7 +200,7 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(lists.Polygons.size()));
+  InkSetNumberOfTuples(normals, static_cast<vtkIdType>(lists.Polygons.size()));
   for (std::size_t e = 0; e < lists.Polygons.size(); ++e)
   {
     normals->SetTuple(static_cast<vtkIdType>(e), &polygons.Normals[lists.Polygons[e]].x);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkVolumeStipples.h"
 
+#include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkStippleOutput.h"
 #include "Sampling/StippledVoxels.h"
@@ -182,7 +183,7 @@ vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, std::
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  InkSetNumberOfTuples(array, static_cast<vtkIdType>(count));
   return array;
 }
 
@@ -233,7 +234,7 @@ void AddColors(
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
   passed->SetName(colors->GetName());
   passed->SetNumberOfComponents(colors->GetNumberOfComponents());
-  passed->SetNumberOfTuples(ids->GetNumberOfIds());
+  InkSetNumberOfTuples(passed, ids->GetNumberOfIds());
   colors->GetTuples(ids, passed);
   InkAddColors(output, passed);
 }
@@ -274,7 +275,7 @@ void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& r
 
   vtkNew<vtkPoints> points;
   points->SetDataType(request.Doubles ? VTK_DOUBLE : VTK_FLOAT);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  InkSetNumberOfPoints(points, static_cast<vtkIdType>(count));
   if (auto* floats = vtkFloatArray::SafeDownCast(points->GetData()))
   {
     WritePoints(geometry, elements, stipples, perVoxel, floats->GetPointer(0));

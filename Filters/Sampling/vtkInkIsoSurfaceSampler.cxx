@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkIsoSurfaceSampler.h"
 
+#include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
@@ -140,7 +141,7 @@ vtkSmartPointer<vtkDataArray> MakeOffsets(vtkIdType count)
 template <class IdArray>
 vtkSmartPointer<vtkCellArray> MakePolyVertex(vtkDataArray* ids, vtkIdType count)
 {
-  ids->SetNumberOfTuples(count);
+  InkSetNumberOfTuples(ids, count);
   InkTrimArray(ids);
   NumberFrom0<IdArray>(ids, count);
   ids->Modified();
@@ -374,13 +375,13 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   vtkDataArray* normals = this->ComputeNormals ? internals.Normals.Get() : nullptr;
   const ink::GrowRoom grow = [&](std::size_t count)
   {
-    InkReserveTuples(points, static_cast<vtkIdType>(count));
+    InkReserve(points, static_cast<vtkIdType>(count));
     ink::SampleRoom room;
     room.points = PointerTo<float, vtkFloatArray>(points);
     room.doublePoints = PointerTo<double, vtkDoubleArray>(points);
     if (normals)
     {
-      InkReserveTuples(normals, static_cast<vtkIdType>(count));
+      InkReserve(normals, static_cast<vtkIdType>(count));
       room.normals = PointerTo<float, vtkFloatArray>(normals);
       room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(normals);
       room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
@@ -461,7 +462,7 @@ void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
   const vtkIdType count = static_cast<vtkIdType>(total);
   const auto finish = [count](vtkDataArray* array, const char* name)
   {
-    array->SetNumberOfTuples(count);
+    InkSetNumberOfTuples(array, count);
     InkTrimArray(array);
     array->SetName(name);
     array->Modified();

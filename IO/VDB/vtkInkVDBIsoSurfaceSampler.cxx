@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkVDBIsoSurfaceSampler.h"
 
+#include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
@@ -78,7 +79,7 @@ bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, const ink::Sample
   Array* points, vtkFloatArray* normals, const NextStep& nextStep)
 {
   using Real = typename Array::ValueType;
-  points->SetNumberOfTuples(static_cast<vtkIdType>(surfaces.Count));
+  InkSetNumberOfTuples(points, static_cast<vtkIdType>(surfaces.Count));
   Real* point = points->GetPointer(0);
   float* normal = normals ? normals->GetPointer(0) : nullptr;
   for (std::size_t i = 0; i < surfaces.Cells.size(); ++i)
@@ -99,7 +100,7 @@ vtkSmartPointer<vtkIntArray> IndexOf(const Surfaces& surfaces)
 {
   vtkNew<vtkIntArray> index;
   index->SetName("SurfaceIndex");
-  index->SetNumberOfValues(static_cast<vtkIdType>(surfaces.Count));
+  InkSetNumberOfTuples(index, static_cast<vtkIdType>(surfaces.Count));
   int* next = index->GetPointer(0);
   for (std::size_t i = 0; i < surfaces.Cells.size(); ++i)
   {
@@ -282,7 +283,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     points->SetDataType(doubles ? VTK_DOUBLE : VTK_FLOAT);
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(this->ComputeNormals ? static_cast<vtkIdType>(surfaces.Count) : 0);
+    InkSetNumberOfTuples(normals, this->ComputeNormals ? static_cast<vtkIdType>(surfaces.Count) : 0);
     vtkFloatArray* wanted = this->ComputeNormals ? normals.Get() : nullptr;
     const bool whole = doubles ? Place(grid, surfaces, options, negate,
                                    vtkDoubleArray::SafeDownCast(points->GetData()), wanted, nextStep)
@@ -330,7 +331,7 @@ void vtkInkVDBIsoSurfaceSampler::FillOutput(
     vtkSmartPointer<vtkDataArray> radii =
       vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(points->GetDataType()));
     radii->SetName("Radius");
-    radii->SetNumberOfTuples(count);
+    InkSetNumberOfTuples(radii, count);
     radii->Fill(radius);
     output->GetPointData()->AddArray(radii);
   }
@@ -344,7 +345,7 @@ void vtkInkVDBIsoSurfaceSampler::FillOutput(
     offsets->InsertNextValue(0);
     offsets->InsertNextValue(count);
     vtkNew<vtkIdTypeArray> ids;
-    ids->SetNumberOfValues(count);
+    InkSetNumberOfTuples(ids, count);
     std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType(0));
     vtkNew<vtkCellArray> cells;
     cells->SetData(offsets, ids);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkVDBReader.h"
 
+#include "InkAllocate.h"
 #include "InkReportException.h"
 #include "InkVDBSource.h"
 #include "InkVTKCompat.h"
@@ -79,7 +80,7 @@ bool Fill(const ink::VdbGrid& grid, vtkImageData* image, bool negate, vtkAlgorit
   using Real = typename Array::ValueType;
   vtkNew<Array> array;
   array->SetName(grid.info().name.c_str());
-  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  InkSetNumberOfTuples(array, image->GetNumberOfPoints());
   const std::span<Real> values(array->GetPointer(0), static_cast<std::size_t>(image->GetNumberOfPoints()));
   const auto progress = [=](double fraction)
   {

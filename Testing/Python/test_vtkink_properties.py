@@ -136,7 +136,7 @@ def test_a_viewpoint_is_finite():
     assert len(warnings) == 2 and "Viewpoint: expected" in warnings[0] and "it stays 1, 2, 3." in warnings[0]
 
 
-SETTER = re.compile(r"^  (?:virtual )?(?:void|bool) (Set\w+)\(|^  vtkSet\w*Macro\((\w+)", re.MULTILINE)
+SETTER = re.compile(r"^  (?:virtual )?(?:void|bool) (Set\w+)\(|^  (?:vtk|Ink)Set\w*Macro\((\w+)", re.MULTILINE)
 COMMENT = re.compile(r"^   \*(?!/)(.*)$|^  ///(?!@)(.*)$", re.MULTILINE)
 BRITISH = re.compile(r"colour|grey|neighbour|normalis|centre|behaviour|quantis|visualis|optimis|analys[ei]|favour", re.I)
 

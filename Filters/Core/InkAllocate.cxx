@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkAllocate.h"
+
+#include "InkVTKCompat.h"
+
+#include "vtkDataArray.h"
+#include "vtkPoints.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace
+{
+
+/// Whether there is memory for what an array takes when it grows to so many tuples: VTK adds what it had.
+void Require(vtkAbstractArray* array, vtkIdType tuples)
+{
+  const vtkIdType values = tuples * array->GetNumberOfComponents();
+  const vtkIdType capacity = InkGetCapacity(array);
+  if (values <= capacity)
+  {
+    return;
+  }
+  void* memory = std::malloc(
+    static_cast<std::size_t>(values + capacity) * static_cast<std::size_t>(array->GetDataTypeSize()));
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  std::free(memory);
+}
+
+} // namespace
+
+void InkReserve(vtkAbstractArray* array, vtkIdType tuples)
+{
+  Require(array, tuples);
+  InkReserveTuples(array, tuples);
+}
+
+void InkSetNumberOfTuples(vtkAbstractArray* array, vtkIdType tuples)
+{
+  Require(array, tuples);
+  array->SetNumberOfTuples(tuples);
+}
+
+void InkSetNumberOfPoints(vtkPoints* points, vtkIdType count)
+{
+  Require(points->GetData(), count);
+  points->SetNumberOfPoints(count);
+}
