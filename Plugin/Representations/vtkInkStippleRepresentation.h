@@ -25,6 +25,9 @@
 #include "vtkInkRepresentation.h"
 #include "vtkNew.h" // for the members
 
+#include <memory> // for the members
+
+class vtkInkEarlyFXAA;
 class vtkInkStippleGenerator;
 class vtkInkStippleMapper;
 class vtkScalarsToColors;
@@ -56,6 +59,8 @@ public:
   void SetScalarWindow(double lowest, double highest);
   void SetReferenceScalarRange(double lowest, double highest);
   ///@}
+
+  void SetVisibility(bool visible) override;
 
   /// The point array of images whose gradients are stippled, with vtkAlgorithm::SetInputArrayToProcess's
   /// parameters, of which the last two count. An empty name stands for the active scalars. Default: these.
@@ -132,6 +137,8 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Show(const std::vector<vtkPolyData*>& delivered) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
   vtkInkStippleRepresentation(const vtkInkStippleRepresentation&) = delete;
@@ -149,6 +156,7 @@ private:
 
   vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;
+  const std::unique_ptr<vtkInkEarlyFXAA> FXAA;
   /// What is drawn: the delivered stipples with the numbers that belong to them.
   vtkNew<vtkPolyData> Drawn;
   vtkMTimeType DrawnTime = 0; ///< when what it was put together from was last changed
