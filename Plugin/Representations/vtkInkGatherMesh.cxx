@@ -119,8 +119,8 @@ vtkSmartPointer<vtkCellArray> Renumber(vtkCellArray* cells, const std::vector<vt
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> vtkInkGatherMesh(
-  const std::vector<vtkSmartPointer<vtkPolyData>>& parts, vtkMultiProcessController* controller)
+vtkSmartPointer<vtkPolyData> vtkInkGatherMesh(const std::vector<vtkSmartPointer<vtkPolyData>>& parts,
+  vtkInkCommonPoints common, vtkMultiProcessController* controller)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> own = TakeOwn(parts);
   if (controller->GetNumberOfProcesses() > 1)
@@ -142,8 +142,11 @@ vtkSmartPointer<vtkPolyData> vtkInkGatherMesh(
     return vtkSmartPointer<vtkPolyData>::New();
   }
   const vtkSmartPointer<vtkPolyData> mesh = own.size() == 1 ? own.front() : Append(own);
-  const std::vector<vtkIdType> firsts = FindFirsts(mesh);
-  mesh->SetPolys(Renumber(mesh->GetPolys(), firsts));
-  mesh->SetStrips(Renumber(mesh->GetStrips(), firsts));
+  if (common == vtkInkCommonPoints::All || mesh->GetPointData()->GetNormals())
+  {
+    const std::vector<vtkIdType> firsts = FindFirsts(mesh);
+    mesh->SetPolys(Renumber(mesh->GetPolys(), firsts));
+    mesh->SetStrips(Renumber(mesh->GetStrips(), firsts));
+  }
   return mesh;
 }

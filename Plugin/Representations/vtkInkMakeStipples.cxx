@@ -299,7 +299,8 @@ std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(const std::vector<vtkDataSe
 
 void StippleSurfaces(const Leaves& leaves, const vtkInkStippleRequest& request, vtkInkMadeStipples& made)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = vtkInkGatherMesh(MakeMeshes(leaves.Others), request.Controller);
+  const vtkSmartPointer<vtkPolyData> mesh =
+    vtkInkGatherMesh(MakeMeshes(leaves.Others), vtkInkCommonPoints::All, request.Controller);
   if (mesh->GetNumberOfPoints() == 0)
   {
     return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleRepresentation.h"
 
+#include "vtkInkEarlyFXAA.h"
 #include "vtkInkMakeStipples.h"
 #include "vtkInkStippleActor.h"
 #include "vtkInkStippleGenerator.h"
@@ -19,6 +20,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -73,7 +75,9 @@ void WriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
 vtkInkStippleRepresentation::vtkInkStippleRepresentation()
   : vtkInkRepresentation(vtkSmartPointer<vtkInkStippleActor>::New(), PieceCount, 2)
   , PixelsPerStipple(this->Mapper->GetPixelsPerStipple())
+  , FXAA(std::make_unique<vtkInkEarlyFXAA>())
 {
+  this->FXAA->SetActive(this->GetVisibility());
   this->GetActor()->SetMapper(this->Mapper);
   this->Mapper->SetScalarModeToUseCellData();
   this->Mapper->UseLookupTableScalarRangeOn();
@@ -83,6 +87,27 @@ vtkInkStippleRepresentation::vtkInkStippleRepresentation()
 }
 
 vtkInkStippleRepresentation::~vtkInkStippleRepresentation() = default;
+
+bool vtkInkStippleRepresentation::AddToView(vtkView* view)
+{
+  if (auto renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    this->FXAA->Attach(renderView->GetRenderer());
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkInkStippleRepresentation::RemoveFromView(vtkView* view)
+{
+  this->FXAA->Detach();
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkInkStippleRepresentation::SetVisibility(bool visible)
+{
+  this->FXAA->SetActive(visible);
+  this->Superclass::SetVisibility(visible);
+}
 
 int vtkInkStippleRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)

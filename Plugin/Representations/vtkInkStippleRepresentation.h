@@ -26,6 +26,9 @@
 #include "vtkInkRepresentation.h"
 #include "vtkNew.h" // for the members
 
+#include <memory> // for the members
+
+class vtkInkEarlyFXAA;
 class vtkInkStippleGenerator;
 class vtkInkStippleMapper;
 class vtkScalarsToColors;
@@ -58,6 +61,8 @@ public:
   void SetScalarWindow(double lowest, double highest);
   void SetReferenceScalarRange(double lowest, double highest);
   ///@}
+
+  void SetVisibility(bool visible) override;
 
   /// The point array of images whose gradients are stippled, with vtkAlgorithm::SetInputArrayToProcess's
   /// parameters, of which the last two count. An empty name stands for the active scalars. Default: these.
@@ -135,6 +140,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool ServesFor(int array) override;
   void Show(const std::vector<vtkPolyData*>& delivered) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
   vtkInkStippleRepresentation(const vtkInkStippleRepresentation&) = delete;
@@ -156,6 +163,7 @@ private:
 
   vtkNew<vtkInkStippleMapper> Mapper;
   double PixelsPerStipple;
+  const std::unique_ptr<vtkInkEarlyFXAA> FXAA;
   /// What is drawn: the delivered stipples with the numbers that belong to them.
   vtkNew<vtkPolyData> Drawn;
   vtkMTimeType DrawnTime = 0; ///< when what it was put together from was last changed

@@ -1,40 +1,92 @@
-"""Draws pictures into a folder, for TestParallel.py to compare:  pvbatch drawings.py FOLDER"""
+"""Draws pictures of every way that data comes in parts, for TestParallel.py to compare, and saves its points:
+
+pvbatch drawings.py INPUT_FOLDER OUTPUT_FOLDER"""
 
 import sys
 
 from rendering import *
 
-wavelet = Wavelet()
+INPUT, OUTPUT = sys.argv[1:3]
+
+
+def save_points(name, proxy):
+    """All points of all processes, sorted, with what belongs to them."""
+    proxy.UpdatePipeline()
+    data = servermanager.Fetch(proxy)
+    if data.IsA("vtkCompositeDataSet"):
+        append = vtk.vtkAppendPolyData()
+        leaves = data.NewIterator()
+        while not leaves.IsDoneWithTraversal():
+            append.AddInputData(leaves.GetCurrentDataObject())
+            leaves.GoToNextItem()
+        append.Update()
+        data = append.GetOutput()
+    columns = [vtk_to_numpy(data.GetPoints().GetData())]
+    for array in ("Normals", "Radius", "Priority"):
+        if data.GetPointData().HasArray(array):
+            columns.append(vtk_to_numpy(data.GetPointData().GetArray(array)).reshape(len(columns[0]), -1))
+    rows = numpy.hstack(columns)
+    numpy.save(f"{OUTPUT}/{name}.npy", rows[numpy.lexsort(rows.T)])
+
+
+def draw(name, source, style, **properties):
+    display = Show(source, view)
+    display.SetRepresentationType(style)
+    display.ColorArrayName = ["POINTS", ""]
+    for key, value in properties.items():
+        setattr(display, key, value)
+    ResetCamera(view)
+    SaveScreenshot(f"{OUTPUT}/{name}.png", view)
+    Hide(source, view)
+
+
+wavelet = Wavelet(WholeExtent=[-16, 14, -13, 15, -12, 14])
 wavelet.UpdatePipeline()
-view = green_view()
-display = Show(InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[130.0]), view)
-display.SetRepresentationType("Splatting Lines")
-display.Phi = 100
-# A neighbour that each process has a part of, half in front of the drawing.
+view = green_view(120)
+
+# Beside a neighbour that each process has a part of, half in front of the drawing.
 ball = Sphere(Radius=4, Center=[5, 0, 8], ThetaResolution=32, PhiResolution=32)
 Show(ball, view)
-ResetCamera(view)
-SaveScreenshot(sys.argv[1] + "/paper.png", view)
-
+draw("paper", InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[150.0]), "Splatting Lines", Phi=100)
 Hide(ball, view)
-display.PaperVisibility = False
-SaveScreenshot(sys.argv[1] + "/lines.png", view)
 
-# Each process makes the stipples of a part of the image, by the percentile and the ranges of the whole.
-for source in GetSources().values():
-    Hide(source, view)
-display = Show(wavelet, view)
-display.SetRepresentationType("Stipple")
-display.GradientPercentile = 70
-ResetCamera(view)
-SaveScreenshot(sys.argv[1] + "/stipples.png", view)
-display.StippleIsoValue = 150.0
-display.IsoSurfaceHides = True
-SaveScreenshot(sys.argv[1] + "/solid.png", view)
-Hide(wavelet, view)
+volumes = {name: OpenDataFile(f"{INPUT}/volume.{name}") for name in ("nii", "vtk", "vti", "pvti", "mhd")}
+volumes["raw"] = ImageReader(
+    FileNames=[f"{INPUT}/volume.raw"],
+    DataScalarType="float",
+    DataByteOrder="LittleEndian",
+    DataExtent=[0, 30, 0, 28, 0, 26],
+)
+volumes["wavelet"] = wavelet
+for name, volume in volumes.items():
+    volume.UpdatePipeline()
+    # A new filter's array is at first one of the active source's.
+    SetActiveSource(volume)
+    save_points(f"{name}-sampler", InkIsoSurfaceSampler(Input=volume, Isosurfaces=[150.0]))
+    SetActiveSource(volume)
+    save_points(f"{name}-generator", InkStippleGenerator(Input=volume, GradientPercentile=90))
 
-# A mesh of which each process has a part.
-mesh = Show(ball, view)
-mesh.SetRepresentationType("Stipple")
-ResetCamera(view)
-SaveScreenshot(sys.argv[1] + "/mesh.png", view)
+# One that splits itself, one that is on the first process alone, and one of files of parts.
+for name in ("wavelet", "nii", "pvti"):
+    volume = volumes[name]
+    SetActiveSource(volume)
+    sampler = InkIsoSurfaceSampler(Input=InkGradient(Input=volume), Isosurfaces=[150.0])
+    save_points(f"{name}-gradient", sampler)
+    draw(f"{name}-lines", sampler, "Splatting Lines", Phi=100, PaperVisibility=False)
+    draw(f"{name}-stipples", volume, "Stipple", GradientPercentile=70)
+draw("solid-stipples", wavelet, "Stipple", GradientPercentile=70, StippleIsoValue=150.0, IsoSurfaceHides=True)
+
+meshes = {name: OpenDataFile(f"{INPUT}/mesh.{name}") for name in ("vtk", "ply", "vtp", "pvtp")}
+meshes["sphere"] = ball
+meshes["contour"] = Contour(Input=wavelet, Isosurfaces=[150.0])
+meshes["contour-of-file"] = Contour(Input=volumes["nii"], Isosurfaces=[150.0])
+meshes["blocks"] = GroupDatasets(Input=[meshes["vtk"], meshes["ply"]])
+for name, mesh in meshes.items():
+    mesh.UpdatePipeline()
+    SetActiveSource(mesh)
+    save_points(f"{name}-samples", InkSurfaceSampler(Input=mesh, NumberOfSamples=2000))
+for name in ("sphere", "contour"):
+    SetActiveSource(meshes[name])
+    save_points(f"{name}-generator", InkStippleGenerator(Input=meshes[name], NumberOfSurfaceStipples=2000))
+for name in ("ply", "pvtp", "sphere", "contour", "contour-of-file"):
+    draw(f"{name}-stipples", meshes[name], "Stipple", NumberOfSurfaceStipples=5000)
