@@ -145,12 +145,7 @@ Input readDicomFolder(const fs::path& folder, const Memory& memory, Progress& pr
   voxels.components = first.separatePlanes ? 1 : first.components;
   voxels.setBigEndian(first.bigEndian);
   const std::uint64_t sliceBytes = voxels.sliceValues() * voxels.valueSize();
-  if (sliceBytes * files.size() > memory.limit)
-  {
-    failToRead(folder,
-      "its voxels take " + memoryText(sliceBytes * files.size()) +
-        ": expected --memory of at least that, found " + memoryText(memory.limit));
-  }
+  requireMemory(folder, sliceBytes * files.size(), memory);
   vtkNew<vtkImageData> image;
   image->SetDimensions(first.columns, first.rows, static_cast<int>(files.size()));
   image->AllocateScalars(voxels.type, 1);

@@ -76,6 +76,17 @@ void failToRead(const std::filesystem::path& file, const std::string& reason)
   throw Failure("cannot read '" + file.string() + "': " + reason);
 }
 
+void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const Memory& memory)
+{
+  if (bytes > memory.limit)
+  {
+    failToRead(file,
+      "its voxels take " + memoryText(bytes) + ": expected --memory of at least that, found " +
+        memoryText(memory.limit) +
+        " (uncompressed NIfTI, NRRD, MetaImage, legacy VTK and raw files need not fit)");
+  }
+}
+
 std::string contentsOf(const std::filesystem::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -104,12 +115,7 @@ void runVolumeReader(
   vtkAlgorithm* reader, const std::filesystem::path& file, const Memory& memory, Progress& progress)
 {
   const std::uint64_t bytes = readHeader(reader, file, progress);
-  if (bytes > memory.limit)
-  {
-    failToRead(file,
-      "its voxels take " + memoryText(bytes) + ": expected --memory of at least that, found " +
-        memoryText(memory.limit) + " (uncompressed NRRD, MetaImage and raw files need not fit)");
-  }
+  requireMemory(file, bytes, memory);
   runReader(reader, file, progress);
 }
 

@@ -28,6 +28,9 @@ void runVolumeReader(
 /// "cannot read 'file': reason" \throw Failure always.
 [[noreturn]] void failToRead(const std::filesystem::path& file, const std::string& reason);
 
+/// \throw Failure if voxels of so many bytes, which are read whole, are more than memory has room for.
+void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const Memory& memory);
+
 /// All bytes of a file. \throw Failure
 std::string contentsOf(const std::filesystem::path& file);
 

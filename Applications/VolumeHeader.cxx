@@ -58,12 +58,7 @@ Input readVoxels(const std::filesystem::path& file, const VolumeHeader& header, 
   }
   else
   {
-    if (bytes > memory.limit)
-    {
-      failToRead(file,
-        "its voxels take " + memoryText(bytes) + ": expected --memory of at least that, found " +
-          memoryText(memory.limit) + " (uncompressed NIfTI, NRRD, MetaImage and raw files need not fit)");
-    }
+    requireMemory(file, bytes, memory);
     image->AllocateScalars(voxels.type, 1);
     readInto(image, voxels, progress);
     input = makeVolumeInput(image, file, format);

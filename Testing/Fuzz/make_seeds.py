@@ -18,9 +18,9 @@ MESH = ink_files.sphere_mesh(3, 3)
 AFFINE = np.array([[-1, 0, 0, 0], [0, -2, 0, 0], [0, 0, 1, 5]])
 
 
-def dicom(path):
+def dicom(path, implicit=False):
     with tempfile.TemporaryDirectory() as folder:
-        ink_files.write_dicom(Path(folder) / "series", VOLUME[:1])
+        ink_files.write_dicom(Path(folder) / "series", VOLUME[:1], implicit=implicit, scale=(2, -1) if implicit else None)
         path.write_bytes((Path(folder) / "series" / "slice000.dcm").read_bytes())
 
 
@@ -111,6 +111,7 @@ SEEDS = {
     "xyz/normals": lambda p: p.write_text("0 0 0 0 0 1\n1 2 3 0 1 0\n"),
     "nii/plain": lambda p: ink_files.write_nifti(p, VOLUME, AFFINE),
     "nii/times": lambda p: ink_files.write_nifti(p, VOLUME.astype("int16"), times=2, slope=2, intercept=1),
+    "nii/second": lambda p: ink_files.write_nifti2(p, VOLUME.astype("int16"), AFFINE),
     "nii.gz/plain": lambda p: p.write_bytes(gzip.compress(nifti_bytes(), mtime=0)),
     "nrrd/raw": lambda p: ink_files.write_nrrd(p, VOLUME),
     "nrrd/gzip": lambda p: ink_files.write_nrrd(p, VOLUME, "gzip"),
@@ -131,6 +132,7 @@ SEEDS = {
     "vtk/ascii": lambda p: ink_files.write_legacy(p, VOLUME, ascii=True),
     "vtk/fields": field_vtk,
     "dicom/slice": dicom,
+    "dicom/implicit": lambda p: dicom(p, implicit=True),
     "raw/bytes": lambda p: raw(p, "4x3x4:uint8", "u1"),
     "raw/doubles": lambda p: raw(p, "4x3x4:float64", "<f8"),
 }

@@ -62,7 +62,20 @@ def write_nifti(path, volume, affine=None, slope=1.0, intercept=0.0, times=1, sp
         struct.pack_into("<12f", header, 280, *np.ravel(affine))
     header[344:348] = b"n+1\0"
     data = bytes(header) + b"\0\0\0\0" + volume.tobytes() * times
-    path.write_bytes(gzip.compress(data) if path.suffix == ".gz" else data)
+    path.write_bytes(gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
+
+
+def write_nifti2(path, volume, affine):
+    """Version 2 of the format, big endian."""
+    header = bytearray(544)
+    nz, ny, nx = volume.shape
+    struct.pack_into(">i8sh", header, 0, 540, b"n+2\0\r\n\x1a\n", NIFTI_TYPES[volume.dtype.name])
+    struct.pack_into(">8q", header, 16, 3, nx, ny, nz, 1, 1, 1, 1)
+    struct.pack_into(">8d", header, 104, *[1.0] * 8)
+    struct.pack_into(">q2d", header, 168, 544, 1, 0)
+    struct.pack_into(">2i", header, 344, 0, 1)
+    struct.pack_into(">12d", header, 400, *np.ravel(affine))
+    path.write_bytes(bytes(header) + volume.byteswap().tobytes())
 
 
 def write_nrrd(path, volume, encoding="raw", space="left-posterior-superior", directions="(1,0,0) (0,1,0) (0,0,1)",
@@ -75,7 +88,7 @@ def write_nrrd(path, volume, encoding="raw", space="left-posterior-superior", di
     if encoding == "raw":
         data = volume.tobytes()
     elif encoding == "gzip":
-        data = gzip.compress(volume.tobytes())
+        data = gzip.compress(volume.tobytes(), mtime=0)
     else:
         data = " ".join(str(v) for v in volume.ravel()).encode()
     if path.suffix == ".nhdr":
@@ -149,40 +162,51 @@ def write_legacy(path, volume, ascii=False):
     path.write_bytes(header.encode() + data + b"\n")
 
 
-def dicom_element(group, element, vr, value):
+def dicom_element(group, element, vr, value, implicit=False):
     if isinstance(value, str):
         value = value.encode() + (b" " if vr != "UI" else b"\0") * (len(value) % 2)
+    if implicit:
+        return struct.pack("<HHI", group, element, len(value)) + value
     long = vr in ("OB", "OW")
     length = struct.pack("<2xI", len(value)) if long else struct.pack("<H", len(value))
     return struct.pack("<HH", group, element) + vr.encode() + length + value
 
 
 def write_dicom(folder, volume, orientation=(1, 0, 0, 0, 1, 0), origin=(0, 0, 0), step=(0, 0, 1), spacing=1.0,
-                reverse_names=False):
-    """One file a slice, 16 bits, explicit little endian. orientation: of rows and columns; step: between slices."""
-    folder.mkdir()
+                reverse_names=False, implicit=False, scale=None, first=0):
+    """One file a slice, 16 bits, little endian. orientation: of rows and columns; step: between slices; implicit:
+    without the types of elements, and with a sequence; scale: slope and intercept; first: number of the first file."""
+    folder.mkdir(exist_ok=True)
+    element = lambda *arguments: dicom_element(*arguments, implicit)
     decimal = lambda values: "\\".join(f"{v:g}" for v in values)
     for z, image in enumerate(volume):
         position = [o + s * z for o, s in zip(origin, step)]
         uid = f"1.2.3.{z + 1}"
         meta = dicom_element(2, 0x0001, "OB", b"\0\1") + dicom_element(2, 0x0002, "UI", "1.2.840.10008.5.1.4.1.1.2")
-        meta += dicom_element(2, 0x0003, "UI", uid) + dicom_element(2, 0x0010, "UI", "1.2.840.10008.1.2.1")
-        body = dicom_element(8, 0x0016, "UI", "1.2.840.10008.5.1.4.1.1.2") + dicom_element(8, 0x0018, "UI", uid)
-        body += dicom_element(8, 0x0060, "CS", "CT")
-        body += dicom_element(0x18, 0x0050, "DS", f"{spacing:g}")
-        body += dicom_element(0x20, 0x000D, "UI", "1.2.9") + dicom_element(0x20, 0x000E, "UI", "1.2.8")
-        body += dicom_element(0x20, 0x0013, "IS", str(z + 1))
-        body += dicom_element(0x20, 0x0032, "DS", decimal(position)) + dicom_element(0x20, 0x0037, "DS", decimal(orientation))
-        body += dicom_element(0x28, 0x0002, "US", struct.pack("<H", 1))
-        body += dicom_element(0x28, 0x0004, "CS", "MONOCHROME2")
-        body += dicom_element(0x28, 0x0010, "US", struct.pack("<H", image.shape[0]))
-        body += dicom_element(0x28, 0x0011, "US", struct.pack("<H", image.shape[1]))
-        body += dicom_element(0x28, 0x0030, "DS", "1\\1")
-        body += dicom_element(0x28, 0x0100, "US", struct.pack("<H", 16)) + dicom_element(0x28, 0x0101, "US", struct.pack("<H", 16))
-        body += dicom_element(0x28, 0x0102, "US", struct.pack("<H", 15)) + dicom_element(0x28, 0x0103, "US", struct.pack("<H", 0))
-        body += dicom_element(0x7FE0, 0x0010, "OW", image.astype("<u2").tobytes())
+        meta += dicom_element(2, 0x0003, "UI", uid) + dicom_element(2, 0x0010, "UI", "1.2.840.10008.1.2" if implicit else "1.2.840.10008.1.2.1")
+        body = element(8, 0x0016, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x0018, "UI", uid)
+        body += element(8, 0x0060, "CS", "CT")
+        if implicit:
+            # A sequence and an item in it without a length, and in that a number of rows that is not the picture's.
+            item = element(0x28, 0x0010, "US", struct.pack("<H", 7))
+            body += struct.pack("<HHI", 8, 0x1140, 0xFFFFFFFF) + struct.pack("<HHI", 0xFFFE, 0xE000, 0xFFFFFFFF) + item
+            body += struct.pack("<HHI", 0xFFFE, 0xE00D, 0) + struct.pack("<HHI", 0xFFFE, 0xE0DD, 0)
+        body += element(0x18, 0x0050, "DS", f"{spacing:g}")
+        body += element(0x20, 0x000D, "UI", "1.2.9") + element(0x20, 0x000E, "UI", "1.2.8")
+        body += element(0x20, 0x0013, "IS", str(z + 1))
+        body += element(0x20, 0x0032, "DS", decimal(position)) + element(0x20, 0x0037, "DS", decimal(orientation))
+        body += element(0x28, 0x0002, "US", struct.pack("<H", 1))
+        body += element(0x28, 0x0004, "CS", "MONOCHROME2")
+        body += element(0x28, 0x0010, "US", struct.pack("<H", image.shape[0]))
+        body += element(0x28, 0x0011, "US", struct.pack("<H", image.shape[1]))
+        body += element(0x28, 0x0030, "DS", "1\\1")
+        body += element(0x28, 0x0100, "US", struct.pack("<H", 16)) + element(0x28, 0x0101, "US", struct.pack("<H", 16))
+        body += element(0x28, 0x0102, "US", struct.pack("<H", 15)) + element(0x28, 0x0103, "US", struct.pack("<H", 0))
+        if scale:
+            body += element(0x28, 0x1052, "DS", f"{scale[1]:g}") + element(0x28, 0x1053, "DS", f"{scale[0]:g}")
+        body += element(0x7FE0, 0x0010, "OW", image.astype("<u2").tobytes())
         meta = dicom_element(2, 0x0000, "UL", struct.pack("<I", len(meta))) + meta
-        number = len(volume) - z if reverse_names else z
+        number = first + (len(volume) - z if reverse_names else z)
         (folder / f"slice{number:03}.dcm").write_bytes(b"\0" * 128 + b"DICM" + meta + body)
 
 

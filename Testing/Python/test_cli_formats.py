@@ -1,5 +1,8 @@
 """Every format shows the same object from the same side."""
 
+import re
+import struct
+
 import numpy as np
 import pytest
 
@@ -20,6 +23,37 @@ def turned_nrrd(path):
     ink_files.write_nrrd(path, BLOB.transpose(1, 0, 2), directions="(1,0,0) (0,0,1) (0,1,0)")
 
 
+def nifti_by_quaternion(path, volume, qfac):
+    """A half turn around z, which is what AFFINE says, and slices that go up, or down from 31."""
+    ink_files.write_nifti(path, volume)
+    data = bytearray(path.read_bytes())
+    struct.pack_into("<f", data, 76, qfac)
+    struct.pack_into("<2h", data, 252, 1, 0)
+    struct.pack_into("<6f", data, 256, 0, 0, 1, 0, 0, 0 if qfac > 0 else 31)
+    path.write_bytes(data)
+
+
+def numbered_slices(path, name):
+    for i, image in enumerate(BLOB):
+        (path.parent / name.format(i)).write_bytes(image.tobytes())
+    return [name.format(i) for i in range(len(BLOB))]
+
+
+def numbered_nrrd(path):
+    numbered_slices(path, "slice{:03}.raw")
+    path.write_text("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 32 32 32\nencoding: raw\ndata file: slice%03d.raw 0 31 1\n")
+
+
+def listed_metaimage(path):
+    path.write_text("ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 32 32 32\nElementType = MET_UCHAR\n"
+                    "ElementDataFile = LIST\n" + "\n".join(numbered_slices(path, "z{}.raw")) + "\n")
+
+
+def text_metaimage(path):
+    path.write_text("ObjectType = Image\nNDims = 3\nBinaryData = False\nDimSize = 32 32 32\nElementType = MET_FLOAT\n"
+                    "ElementDataFile = LOCAL\n" + " ".join(map(str, BLOB.ravel())) + "\n")
+
+
 VOLUMES = {
     "plain.nii": lambda p: ink_files.write_nifti(p, BLOB),
     "oriented.nii.gz": lambda p: ink_files.write_nifti(p, BLOB, AFFINE),
@@ -27,6 +61,14 @@ VOLUMES = {
     "raw.nrrd": lambda p: ink_files.write_nrrd(p, BLOB),
     "gzip.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, "gzip"),
     "ras.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, space="RAS", directions="(-1,0,0) (0,-1,0) (0,0,1)"),
+    "las.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, space="LAS", directions="(1,0,0) (0,-1,0) (0,0,1)"),
+    "text.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, "ascii"),
+    "numbered.nhdr": numbered_nrrd,
+    "listed.mhd": listed_metaimage,
+    "text.mha": text_metaimage,
+    "second.nii": lambda p: ink_files.write_nifti2(p, BLOB, AFFINE),
+    "quaternion.nii": lambda p: nifti_by_quaternion(p, BLOB, 1),
+    "quaternion-down.nii": lambda p: nifti_by_quaternion(p, BLOB[::-1], -1),
     "turned.nrrd": turned_nrrd,
     "detached.nhdr": lambda p: ink_files.write_nrrd(p, BLOB),
     "plain.mha": lambda p: ink_files.write_metaimage(p, BLOB),
@@ -42,6 +84,8 @@ VOLUMES = {
     "downwards": lambda p: ink_files.write_dicom(p, BLOB[::-1], origin=(0, 0, 31), step=(0, 0, -1)),
     "coronal": lambda p: ink_files.write_dicom(p, BLOB[::-1].transpose(1, 0, 2), orientation=(1, 0, 0, 0, 0, -1),
                                                origin=(0, 0, 31), step=(0, 1, 0), reverse_names=True),
+    "implicit": lambda p: ink_files.write_dicom(p, BLOB, implicit=True),
+    "scaled": lambda p: ink_files.write_dicom(p, BLOB.astype(int) + 1000, scale=(1, -1000)),
     "UPPER.VTI": lambda p: ink_files.write_vti(p, BLOB),
 }
 
@@ -129,10 +173,52 @@ def test_every_mesh_format_gives_the_same_picture(name, tmp_path, picture):
 
 
 WHOLE = {**VOLUMES, **MESHES}
+SEVERAL_FILES = ("numbered.nhdr", "listed.mhd")
+
+
+@pytest.mark.parametrize("name, data", [("numbered.nhdr", "slice030.raw"), ("listed.mhd", "z30.raw")])
+def test_a_slice_that_is_cut_off_or_not_there_is_refused(name, data, tmp_path, ink):
+    WHOLE[name](tmp_path / name)
+    (tmp_path / data).write_bytes(bytes(1000))
+    assert "1000 bytes of data" in ink("info", tmp_path / name).error
+    (tmp_path / data).unlink()
+    assert data in ink("info", tmp_path / name).error
+
+
+def test_slices_of_another_size_are_refused(tmp_path, ink):
+    ink_files.write_dicom(tmp_path / "series", BLOB)
+    ink_files.write_dicom(tmp_path / "series", BLOB[:, :40, :16], origin=(0, 0, 40), first=100)
+    result = ink("info", tmp_path / "series")
+    assert result.code == 1
+    assert "another size" in result.error
+
+
+def test_ply_keeps_what_its_points_have(tmp_path, ink):
+    """Coordinates in double, as those of surveys need it, and arrays that are not x, y, z and a normal."""
+    rows = np.zeros(3, [(n, "<f8") for n in ("x", "y", "z")] + [(n, "<f4") for n in ("nx", "ny", "nz", "Radius")])
+    rows["x"] = [4500000.125, 4500000.25, 4500001.0]
+    rows["y"] = [0, 1, 2]
+    rows["nz"] = 1
+    rows["Radius"] = 0.5
+    header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+    header += "".join(f"property {'double' if len(n) == 1 else 'float'} {n}\n" for n in rows.dtype.names) + "end_header\n"
+    (tmp_path / "survey.ply").write_bytes(header.encode() + rows.tobytes())
+    assert "Radius: float, 1 components" in ink("info", tmp_path / "survey.ply").out
+    result = ink("sample", tmp_path / "survey.ply", tmp_path / "out.csv")
+    assert result.code == 0, result
+    assert sorted(ink_files.read_points(tmp_path / "out.csv")["x"]) == sorted(rows["x"])
+
+
+def test_obj_corners_with_normals_of_their_own_become_points(tmp_path, ink):
+    """Two faces share an edge, where each has its normal: four vertices, two of them twice."""
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 1\nvt 0 0\nvn 0 0 1\nvn 0 1 0\n"
+                                    "f 1/1/1 2/1/1 3/1/1\nf -4//-1 -3//-1 -1//-1\n")
+    out = ink("info", tmp_path / "m.obj").out
+    assert re.search(r"^points +6$", out, re.M) and re.search(r"^cells +2$", out, re.M) and "Normals: float, 3" in out
 
 
 @pytest.mark.parametrize("share", [0.02, 0.5, 0.97])
-@pytest.mark.parametrize("name", [name for name in WHOLE if name not in ("axial", "downwards", "coronal")])
+@pytest.mark.parametrize("name", [name for name in WHOLE if "." in name and name not in SEVERAL_FILES])
 def test_truncated_files_are_refused(name, share, tmp_path, ink):
     path = tmp_path / name
     WHOLE[name](path)

@@ -80,7 +80,6 @@ def write_parts(path, volume, format, order="<", skipped=0):
         sizes, directions = f"{nx} {ny} {nz}", "(1,0,0) (0,2,0) (0,0,3)"
         if components > 1:
             sizes, directions = f"{components} {sizes}", "none " + directions
-        # VTK understands four sizes only if they come before the space.
         lines = ["NRRD0004", f"type: {kind}", f"dimension: {3 + (components > 1)}", f"sizes: {sizes}", f"space: {space}",
                  f"space directions: {directions}", f"endian: {'big' if order == '>' else 'little'}", "encoding: raw",
                  "space origin: (5,6,7)"]
@@ -102,6 +101,12 @@ def test_metaimage_and_nrrd(same, tmp_path, name, format, dtype, arguments):
     columns = same(tmp_path / name, "--iso", 70, "--iso", 40)
     assert len(columns["x"]) > 60000
     assert set(columns["SurfaceIndex"]) == {0, 1}
+
+
+@pytest.mark.parametrize("name, write", [("v.nii", ink_files.write_nifti), ("v.vtk", ink_files.write_legacy)])
+def test_nifti_and_legacy_vtk(same, tmp_path, name, write):
+    write(tmp_path / name, waves(SHAPES[2], np.int16))
+    assert len(same(tmp_path / name, "--iso", 70)["x"]) > 30000
 
 
 @pytest.mark.parametrize("name, format", [("v.mha", "metaimage"), ("v.nrrd", "nrrd")])
@@ -307,7 +312,7 @@ def test_more_points_than_can_be_drawn(refused, tmp_path):
 
 @pytest.mark.parametrize("name, write", [
     ("v.nrrd", lambda p, v: ink_files.write_nrrd(p, v, "gzip")), ("v.mha", lambda p, v: ink_files.write_metaimage(p, v, compressed=True)),
-    ("v.vti", ink_files.write_vti), ("v.vtk", ink_files.write_legacy), ("v.nii.gz", ink_files.write_nifti)])
+    ("v.vti", ink_files.write_vti), ("v.nii.gz", ink_files.write_nifti)])
 def test_files_that_can_only_be_read_whole(refused, ink, tmp_path, name, write):
     write(tmp_path / name, np.zeros((130, 1024, 1024), np.uint8))
     message = refused(1, "sample", tmp_path / name, tmp_path / "out.vtp", "--memory", LITTLE)
