@@ -89,6 +89,10 @@ void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& d
 int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
+  // Ambient occlusion is worked out of what the opaque pass draws, the surfaces' normals and positions: lines
+  // are none of it, and come after it.
+  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
+  this->GetActor()->SetForceTranslucent(view && view->GetUseSSAO());
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;

@@ -333,7 +333,8 @@ void vtkInkStippleRepresentation::SetReferenceScalarRange(double lowest, double 
 void vtkInkStippleRepresentation::SelectStippleArray(int, int, int, int association, const char* name)
 {
   // Array 0 is the one to colour by.
-  this->SetInputArrayToProcess(1, 0, 0, association, name);
+  const bool active = !name || std::string(name) == "Active Scalars";
+  this->SetInputArrayToProcess(1, 0, 0, association, active ? "" : name);
 }
 
 void vtkInkStippleRepresentation::SetIsoSurfaceHides(bool hides)

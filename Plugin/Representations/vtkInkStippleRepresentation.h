@@ -65,7 +65,8 @@ public:
   void SetVisibility(bool visible) override;
 
   /// The point array of images whose gradients are stippled, with vtkAlgorithm::SetInputArrayToProcess's
-  /// parameters, of which the last two count. An empty name stands for the active scalars. Default: these.
+  /// parameters, of which the last two count. An empty name, and "Active Scalars", stands for these.
+  /// Default: these.
   void SelectStippleArray(int, int, int, int association, const char* name);
 
   ///@{

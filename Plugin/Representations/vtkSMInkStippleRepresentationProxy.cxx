@@ -7,8 +7,13 @@
 #include "vtkSMInkIsoValueInitializationHelper.h"
 #include "vtkSMInkRestoring.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
 
 #include <algorithm>
 #include <string>
@@ -104,6 +109,26 @@ bool IsOn(vtkSMProxy* proxy, const Start& start)
   return vtkSMPropertyHelper(proxy, start.Switch).GetAsInt() != 0;
 }
 
+/// Ranges are those of an array with a name: that of the active scalars, if none is chosen.
+void ChooseArray(vtkSMProxy* proxy)
+{
+  const vtkSMPropertyHelper inputs(proxy, "Input");
+  auto input = vtkSMSourceProxy::SafeDownCast(inputs.GetAsProxy());
+  if (!input || !proxy->GetProperty(ArrayProperty)->IsValueDefault())
+  {
+    return;
+  }
+  input->UpdatePipeline();
+  const vtkPVArrayInformation* scalars = input->GetDataInformation(inputs.GetOutputPort())
+                                           ->GetPointDataInformation()
+                                           ->GetAttributeInformation(vtkDataSetAttributes::SCALARS);
+  if (scalars && scalars->GetName())
+  {
+    constexpr unsigned int name = 4;
+    vtkSMPropertyHelper(proxy, ArrayProperty).Set(name, scalars->GetName());
+  }
+}
+
 bool IsUnset(vtkSMProxy* proxy, const Start& start)
 {
   return vtkSMInkDoubleVectorProperty::SafeDownCast(proxy->GetProperty(start.Property))->IsUnset();
@@ -147,11 +172,7 @@ void vtkSMInkStippleRepresentationProxy::SetPropertyModifiedFlag(const char* nam
   {
     if (std::string(name) == start.Switch && IsOn(this, start) && IsUnset(this, start))
     {
-      // Ranges are those of an array that has been chosen.
-      if (this->GetProperty(ArrayProperty)->IsValueDefault())
-      {
-        this->GetProperty(ArrayProperty)->ResetToDomainDefaults();
-      }
+      ChooseArray(this);
       start.Set(this, start.Property);
     }
   }

@@ -192,6 +192,21 @@ class TestSplattingLines(unittest.TestCase):
         display.Visibility = 1
         numpy.testing.assert_array_equal(picture(self.view), whole)
 
+    def test_ambient_occlusion_leaves_lines_as_they_are(self):
+        self.show(sampled_wavelet())
+        ball = Sphere(Radius=4, Center=[5, 0, 14], ThetaResolution=32, PhiResolution=32)
+        Show(ball, self.view)
+        plain = picture(self.view)
+        Hide(ball, self.view)
+        alone = is_background(picture(self.view))
+        lines = ~alone & (numpy.abs(picture(self.view) - plain).max(axis=-1) == 0)
+        self.assertGreater(lines.mean(), 0.1)
+        Show(ball, self.view)
+        self.view.UseAmbientOcclusion = True
+        shaded = picture(self.view)
+        numpy.testing.assert_allclose(shaded[lines], plain[lines], atol=0.01)
+        self.assertGreater(numpy.abs(shaded - plain).max(), 0.01, "of the ball")
+
     def test_other_representations_take_over_and_give_back(self):
         display = self.show(sampled_wavelet())
         drawing = picture(self.view)
