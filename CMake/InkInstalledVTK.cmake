@@ -6,17 +6,16 @@
 set(VTKINK_INSTALL_VTK "" CACHE PATH "A folder with VTK and its package files to install with vtkInk; empty: none")
 
 # VTK::vtksys, unlike VTK's modules, is a library of its own in every VTK.
-get_target_property(_ink_vtk_configurations VTK::vtksys IMPORTED_CONFIGURATIONS)
-list(GET _ink_vtk_configurations 0 _ink_vtk_configuration)
-get_target_property(_ink_vtk_libraries VTK::vtksys "IMPORTED_LOCATION_${_ink_vtk_configuration}")
-get_filename_component(_ink_vtk_libraries "${_ink_vtk_libraries}" DIRECTORY)
-
 if (NOT VTKINK_INSTALL_VTK)
-  set(_ink_vtk_rpath "${_ink_vtk_libraries}")
+  set(_ink_vtk_rpath "$<TARGET_FILE_DIR:VTK::vtksys>")
   set(_ink_installed_vtk_dir "${VTK_DIR}")
   return ()
 endif ()
 
+get_target_property(_ink_vtk_configurations VTK::vtksys IMPORTED_CONFIGURATIONS)
+list(GET _ink_vtk_configurations 0 _ink_vtk_configuration)
+get_target_property(_ink_vtk_libraries VTK::vtksys "IMPORTED_LOCATION_${_ink_vtk_configuration}")
+get_filename_component(_ink_vtk_libraries "${_ink_vtk_libraries}" DIRECTORY)
 file(REAL_PATH "${VTKINK_INSTALL_VTK}" _ink_vtk_folder)
 get_filename_component(_ink_vtk_name "${_ink_vtk_folder}" NAME)
 set(_ink_vtk_destination "${CMAKE_INSTALL_LIBDIR}/vtkInk/${_ink_vtk_name}")

