@@ -96,7 +96,7 @@ class TestStipple(unittest.TestCase):
         display = self.show_wavelet(Kgc=4.0, StippleSize=5.0, PixelsPerStipple=9.0)
         kse = display.Kse
         display.StippleOrientation = 0.0
-        self.assertFalse(display.LightingEnhancement)
+        self.assertEqual((display.LightingEnhancement, display.Kle), (1, 20.0))
         self.assertEqual(display.Kss, 0.0)
         self.assertEqual((display.Kgc, display.StippleSize, display.PixelsPerStipple, display.Kse), (4.0, 5.0, 9.0, kse))
         display.StippleSharpness = 1.0

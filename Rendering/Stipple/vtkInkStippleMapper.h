@@ -323,8 +323,8 @@ public:
 
   ///@{
   /**
-   * The room for stipples, in stipples, below which elements count as small (section 5.2). 2 to 9;
-   * default: 9.
+   * The room for stipples, in stipples, below which elements count as small (section 5.2); it matters with
+   * PROBABILITY, or where Fade is less than 1. 2 to 9; default: 9.
    */
   InkSetClampMacro(MinimumCoverage, 2.0, 9.0);
   vtkGetMacro(MinimumCoverage, double);
