@@ -89,6 +89,18 @@ class TestSampler(unittest.TestCase):
         self.assertEqual(len(warnings), 1, warnings)
         self.assertIn('of the density "Elevation" there are 25 negative values', warnings[0])
 
+    def test_each_filter_hides_its_input(self):
+        image, mesh = Wavelet(), Sphere()
+        for one in (
+            InkIsoSurfaceSampler(Input=image),
+            InkStippleGenerator(Input=image),
+            InkSurfaceSampler(Input=mesh),
+            InkPointPriority(Input=mesh),
+        ):
+            visibility = one.GetHints().FindNestedElementByName("Visibility")
+            # 2 hides only what would cover the output, and not an image's outline.
+            self.assertEqual(visibility.GetAttribute("replace_input"), "1")
+
     def test_is_offered_for_images_with_point_scalars_only(self):
         image = Wavelet()
         cells = PointDatatoCellData(Input=image)
