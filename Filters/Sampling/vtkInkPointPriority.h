@@ -19,8 +19,8 @@
  * for themselves: those below a priority are spread evenly in each, and as densely in one as in another when
  * the points are.
  *
- * Points at one place, and points that are not finite, come last. Those that `vtkGhostType` marks as hidden or
- * duplicate are left out.
+ * Points at one place, and points that are not finite, come last. Those that `vtkGhostType` marks as hidden
+ * or duplicate are left out.
  *
  * @sa vtkInkIsoSurfaceSampler vtkInkSurfaceSampler
  */

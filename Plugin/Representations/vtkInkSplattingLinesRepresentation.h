@@ -65,9 +65,9 @@ public:
   ///@{
   /**
    * The lines of hidden layers. The second layer gets HiddenStrength of its ink, each further one two thirds
-   * of that before. HiddenColor holds with UseHiddenColor, else they have the ink's colour. Width and length
-   * of dashes as in vtkInkSplattingLinesMapper. Defaults: those of the mapper's second layer; UseHiddenColor:
-   * off; HiddenColor: a blue (0.2, 0.4, 0.7).
+   * of that before. HiddenColor holds with UseHiddenColor, else they have the ink's colour or the array's.
+   * Width and length of dashes as in vtkInkSplattingLinesMapper. Defaults: those of the mapper's second
+   * layer; UseHiddenColor: off; HiddenColor: a blue (0.2, 0.4, 0.7).
    */
   void SetHiddenStrength(double strength);
   void SetUseHiddenColor(bool use);

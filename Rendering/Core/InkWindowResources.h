@@ -2,17 +2,52 @@
 #ifndef InkWindowResources_h
 #define InkWindowResources_h
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureObject.h"
 
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
+/// Hears when a window releases its graphics resources. VTK's callback for that is in a header that not all
+/// of its packages install; a texture object, here one without a texture, has one.
+class InkReleaseNotice : public vtkTextureObject
+{
+public:
+  static InkReleaseNotice* New() { return new InkReleaseNotice; }
+  vtkTypeMacro(InkReleaseNotice, vtkTextureObject);
+
+  /// @param onRelease is called once, with the window's context current
+  void Set(vtkOpenGLRenderWindow* window, std::function<void()> onRelease)
+  {
+    this->OnRelease = std::move(onRelease);
+    this->SetContext(window);
+  }
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    if (const auto onRelease = std::exchange(this->OnRelease, nullptr))
+    {
+      onRelease();
+    }
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
+
+protected:
+  InkReleaseNotice() = default;
+  ~InkReleaseNotice() override = default;
+
+private:
+  InkReleaseNotice(const InkReleaseNotice&) = delete;
+  void operator=(const InkReleaseNotice&) = delete;
+
+  std::function<void()> OnRelease;
+};
+
 /// What a mapper keeps on the GPU, apart for each window that it is drawn in: made when it is first drawn
-/// there, and destroyed, with the window's context current, when the window is deleted, which may no longer
-/// know the mapper, when the mapper is told to release it, or with this.
+/// there, and destroyed, while the window's context is current, when the window releases its graphics
+/// resources, whether or not the window still knows the mapper, or with this.
 /// @tparam Resources are made from a vtkOpenGLRenderWindow*
 template <class Resources>
 class InkWindowResources
@@ -73,30 +108,16 @@ private:
       : Window(window)
       , Own(std::make_unique<Resources>(window))
     {
-      this->Observer->SetClientData(this);
-      this->Observer->SetCallback(
-        [](vtkObject*, unsigned long, void* holder, void*) { static_cast<Holder*>(holder)->Free(); });
-      this->Tag = window->AddObserver(vtkCommand::DeleteEvent, this->Observer);
+      this->Notice->Set(window, [this] { this->Own.reset(); });
     }
-    ~Holder() { this->Free(); }
+    /// With the window's context current, if there still is one.
+    ~Holder() { this->Notice->SetContext(nullptr); }
     Holder(const Holder&) = delete;
     void operator=(const Holder&) = delete;
 
-    void Free()
-    {
-      if (this->Own)
-      {
-        this->Window->RemoveObserver(this->Tag);
-        this->Window->PushContext();
-        this->Own.reset();
-        this->Window->PopContext();
-      }
-    }
-
-    vtkOpenGLRenderWindow* Window; ///< there as long as Own is
+    vtkWindow* Window; ///< only compared
     std::unique_ptr<Resources> Own;
-    vtkNew<vtkCallbackCommand> Observer;
-    unsigned long Tag = 0;
+    vtkNew<InkReleaseNotice> Notice;
   };
 
   std::vector<std::unique_ptr<Holder>> Holders;

@@ -338,7 +338,8 @@ public:
   ///@}
 
   /**
-   * When the points were last sent to the GPU, as a modification time; 0 before the first time. Only a
+   * When the points were last sent to the GPU, for any window, as a modification time; 0 before the first
+   * time. Each window that the mapper is drawn in has them once. Only a
    * change of the points, of the normals and radii, of Radius, or of scalars and their colours if these are
    * shown, sends them again.
    */
