@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatImage.h"
 
+#include "InkDrawBuffers.h"
+
 #include "InkOpenGLCompat.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -50,7 +52,7 @@ InkSplatImage::InkSplatImage(vtkOpenGLRenderWindow* window, Format format, int w
   {
     this->Framebuffer->AddColorAttachment(1, beside->Texture);
   }
-  this->ActivateTargets();
+  InkActivateDrawBuffers(this->Framebuffer, this->NumberOfTargets);
   const char* reason = nullptr;
   this->Complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason);
   state->PopFramebufferBindings();
@@ -65,16 +67,8 @@ InkSplatImage::~InkSplatImage()
 void InkSplatImage::Bind()
 {
   this->Framebuffer->Bind();
-  this->ActivateTargets();
+  InkActivateDrawBuffers(this->Framebuffer, this->NumberOfTargets);
   this->Window->GetState()->vtkglViewport(0, 0, this->Width, this->Height);
-}
-
-void InkSplatImage::ActivateTargets()
-{
-  // vtkOpenGLState takes the targets of the framebuffer before for those of this one, and would leave the
-  // second out where that had two.
-  this->Framebuffer->DeactivateDrawBuffers();
-  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->NumberOfTargets));
 }
 
 void InkSplatImage::BindForReading()

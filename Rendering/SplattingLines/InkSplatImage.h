@@ -60,8 +60,6 @@ public:
   vtkTextureObject* GetTexture() const { return this->Texture; }
 
 private:
-  void ActivateTargets();
-
   vtkOpenGLRenderWindow* Window; // outlives this: released with the window's resources
   int Width;
   int Height;

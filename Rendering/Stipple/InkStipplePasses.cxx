@@ -2,6 +2,7 @@
 #include "InkStipplePasses.h"
 
 #include "InkBlendStep.h"
+#include "InkDrawBuffers.h"
 #include "InkPackedStipples.h"
 #include "InkRenderPasses.h"
 #include "InkScopedState.h"
@@ -345,7 +346,7 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
     images[i]->Allocate2D(width, static_cast<unsigned int>(height), 4, VTK_FLOAT);
     framebuffer->AddColorAttachment(i, images[i]);
   }
-  framebuffer->ActivateDrawBuffers(2);
+  InkActivateDrawBuffers(framebuffer, 2);
   const char* reason = nullptr;
   std::vector<float> results;
   if (vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason))
