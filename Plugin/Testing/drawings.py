@@ -2,6 +2,7 @@
 
 pvbatch drawings.py INPUT_FOLDER OUTPUT_FOLDER"""
 
+import pathlib
 import sys
 
 from rendering import *
@@ -58,6 +59,10 @@ volumes["raw"] = ImageReader(
     DataExtent=[0, 30, 0, 28, 0, 26],
 )
 volumes["wavelet"] = wavelet
+vdb = pathlib.Path(f"{INPUT}/volume.vdb")
+if vdb.exists():
+    volumes["vdb"] = InkOpenVDBReader(FileName=str(vdb))
+    save_points("vdb-straight", InkOpenVDBIsoSurfaceSampler(FileName=str(vdb), Isosurfaces=[150.0]))
 for name, volume in volumes.items():
     volume.UpdatePipeline()
     # A new filter's array is at first one of the active source's.
