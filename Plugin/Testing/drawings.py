@@ -51,6 +51,14 @@ Show(ball, view)
 draw("paper", InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[150.0]), "Splatting Lines", Phi=100)
 Hide(ball, view)
 
+# Nothing at all, of which ParaView finds no order: several processes would abort.
+SetActiveSource(wavelet)
+nothing = InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[1e6])
+for style in ("Splatting Lines", "Stipple"):
+    Show(nothing, view).SetRepresentationType(style)
+    Render(view)
+Hide(nothing, view)
+
 volumes = {name: OpenDataFile(f"{INPUT}/volume.{name}") for name in ("nii", "vtk", "vti", "pvti", "mhd")}
 volumes["raw"] = ImageReader(
     FileNames=[f"{INPUT}/volume.raw"],
