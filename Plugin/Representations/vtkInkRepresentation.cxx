@@ -4,6 +4,7 @@
 #include "vtkInkPaper.h"
 
 #include "vtkActor.h"
+#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -25,6 +26,16 @@ namespace
 
 /// The field array that points carry whose ids are those of the input.
 constexpr const char* IdsAreInputs = "InkIdsAreInputs";
+
+/// Whether there are points on any process, of several. To be called by all of them at once.
+bool HasPoints(vtkDataObject* piece)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const vtkIdType own = piece->GetNumberOfElements(vtkDataObject::POINT);
+  vtkIdType most = own;
+  controller->AllReduce(&own, &most, 1, vtkCommunicator::MAX_OP);
+  return most > 0;
+}
 
 } // namespace
 
@@ -155,7 +166,9 @@ void vtkInkRepresentation::Deliver(vtkInformation* inInfo, vtkInformation* outIn
     inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   const bool blended = this->Actor->HasTranslucentPolygonalGeometry() ||
     this->Actor->GetMapper()->HasTranslucentPolygonalGeometry();
-  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), blended ? 1 : 0);
+  // ParaView's processes abort where they have to put nothing into an order.
+  const bool ordered = HasPoints(vtkPVView::GetPiece(inInfo, this)) && blended;
+  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), ordered ? 1 : 0);
   // What the view holds for the current time; the first piece may be of another while it plays from its
   // cache.
   double bounds[6];

@@ -1,7 +1,8 @@
 """The same points and pictures on one process and on several, here and on a server:
 
-python3 TestParallel.py MPIEXEC PVBATCH PVSERVER PVPYTHON
+python3 TestParallel.py MPIEXEC PVBATCH PVSERVER PVPYTHON [INK]
 
+With the program ink also of OpenVDB files, which it writes.
 Not with pvpython, which is an MPI process itself: mpiexec refuses to be started by one."""
 
 import pathlib
@@ -24,6 +25,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 HERE = pathlib.Path(__file__).resolve().parent
 MPIEXEC, PVBATCH, PVSERVER, PVPYTHON = sys.argv[1:5]
+INK = sys.argv[5] if len(sys.argv) > 5 else None
 
 
 def write_files(folder):
@@ -55,6 +57,9 @@ def write_files(folder):
         writer.Write()
     volume.UpdateWholeExtent()
     vtk_to_numpy(volume.GetOutput().GetPointData().GetScalars()).astype("<f4").tofile(folder / "volume.raw")
+    if INK:
+        vdb = [INK, "convert", str(folder / "volume.nii"), str(folder / "volume.vdb"), "--around", "150"]
+        subprocess.run(vdb, check=True)
 
 
 def read(file):
@@ -104,7 +109,7 @@ class TestParallel(unittest.TestCase):
         with tempfile.TemporaryDirectory() as inputs:
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
-            self.assertEqual(len(expected_points), 2 * 7 + 3 + 8 + 2)
+            self.assertEqual(len(expected_points), 2 * 7 + 3 + 8 + 2 + (3 if INK else 0))
             self.assertEqual(len(expected_pictures), 1 + 3 * 2 + 1 + 5)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)

@@ -2,6 +2,7 @@
 
 pvbatch drawings.py INPUT_FOLDER OUTPUT_FOLDER"""
 
+import pathlib
 import sys
 
 from rendering import *
@@ -50,6 +51,14 @@ Show(ball, view)
 draw("paper", InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[150.0]), "Splatting Lines", Phi=100)
 Hide(ball, view)
 
+# Nothing at all, of which ParaView finds no order: several processes would abort.
+SetActiveSource(wavelet)
+nothing = InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[1e6])
+for style in ("Splatting Lines", "Stipple"):
+    Show(nothing, view).SetRepresentationType(style)
+    Render(view)
+Hide(nothing, view)
+
 volumes = {name: OpenDataFile(f"{INPUT}/volume.{name}") for name in ("nii", "vtk", "vti", "pvti", "mhd")}
 volumes["raw"] = ImageReader(
     FileNames=[f"{INPUT}/volume.raw"],
@@ -58,6 +67,10 @@ volumes["raw"] = ImageReader(
     DataExtent=[0, 30, 0, 28, 0, 26],
 )
 volumes["wavelet"] = wavelet
+vdb = pathlib.Path(f"{INPUT}/volume.vdb")
+if vdb.exists():
+    volumes["vdb"] = InkOpenVDBReader(FileName=str(vdb))
+    save_points("vdb-straight", InkOpenVDBIsoSurfaceSampler(FileName=str(vdb), Isosurfaces=[150.0]))
 for name, volume in volumes.items():
     volume.UpdatePipeline()
     # A new filter's array is at first one of the active source's.
