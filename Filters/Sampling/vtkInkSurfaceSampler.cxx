@@ -24,6 +24,9 @@
 namespace
 {
 
+// From so many samples on AUTOMATIC makes white noise.
+constexpr vtkIdType WhiteNoiseFrom = 500'000;
+
 bool HasTimeSteps(vtkInformation* info)
 {
   return info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 0;
@@ -252,8 +255,12 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bo
       InkGetDensity(mesh, chosen, association), association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
   }
   InkSampleRequest request;
-  request.BlueNoise = this->Method == BLUE_NOISE;
   request.ByRadius = this->Amount == SAMPLE_RADIUS;
+  const bool many = !request.ByRadius && this->NumberOfSamples >= WhiteNoiseFrom;
+  const int method = this->Method != AUTOMATIC ? this->Method : many ? WHITE_NOISE : BLUE_NOISE;
+  request.Noise = method == WHITE_NOISE ? InkNoise::White
+    : method == BLUE_NOISE              ? InkNoise::Blue
+                                        : InkNoise::Progressive;
   request.Count = static_cast<std::size_t>(this->NumberOfSamples);
   request.Radius = this->SampleRadius;
   request.Gap = this->Gap;
@@ -307,7 +314,8 @@ void vtkInkSurfaceSampler::MoveSamples(vtkPolyData* mesh, vtkPolyData* samples, 
 void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << (this->Method == BLUE_NOISE ? "BLUE_NOISE" : "WHITE_NOISE") << "\n"
+  constexpr const char* methods[] = { "WHITE_NOISE", "BLUE_NOISE", "PROGRESSIVE_BLUE_NOISE", "AUTOMATIC" };
+  os << indent << "Method: " << methods[this->Method] << "\n"
      << indent << "Amount: " << (this->Amount == SAMPLE_RADIUS ? "SAMPLE_RADIUS" : "NUMBER_OF_SAMPLES")
      << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
