@@ -34,11 +34,13 @@ double progressiveCount(double candidates);
 /// radius.
 ///
 /// Samples are several times as fast as those of sampleBlueNoiseCount, and less even: gaps are as wide as no
-/// candidate fell into. Sides and sheets of a surface are told apart by their normals, see areApart: unlike there,
-/// sheets that face the same way and lie nearer to each other than samples share their samples.
+/// candidate fell into. Sides and sheets of a surface are told apart by their normals, see areApart: unlike
+/// there, sheets that face the same way and lie nearer to each other than samples share their samples.
 /// @param mesh without a density
 /// @param areas those of cumulateArea(mesh)
-/// @param normals unit, one a point of the mesh; or none, for those of the triangles
+/// @param normals one a point of the mesh, that say which sides of triangles are alike; or none: then the
+/// order
+///   of their corners does
 /// @param candidates brought between leastCandidates and mostCandidates
 /// @param seed together with places on the mesh all that the choice depends on
 /// @return `count` samples, the most important first; fewer where they are so crowded that single precision

@@ -157,19 +157,12 @@ SurfacePieces::Frame SurfacePieces::frame(std::size_t piece) const
   const auto& [a, b, c] = this->Mesh.triangles[this->Order[piece]];
   const glm::vec3 side1 = this->Points[b] - this->Points[a];
   const glm::vec3 side2 = this->Points[c] - this->Points[a];
-  Frame frame{ this->Points[a], side1, side2, glm::vec3(0.0f) };
-  if (!this->Normals.empty())
-  {
-    frame.normal = this->Normals[a] + this->Normals[b] + this->Normals[c];
-  }
-  float length = glm::length(frame.normal);
-  // Normals of opposite sides cancel out. False for NaN.
-  if (!(length > 0.1f && length < 4.0f))
-  {
-    frame.normal = glm::cross(side1, side2);
-    length = glm::length(frame.normal);
-  }
-  frame.normal = length > 0.0f ? frame.normal / length : glm::vec3(0.0f);
+  Frame frame{ this->Points[a], side1, side2, glm::cross(side1, side2) };
+  const float length = glm::length(frame.normal);
+  // False for NaN.
+  const bool turned = !this->Normals.empty() &&
+    glm::dot(frame.normal, this->Normals[a] + this->Normals[b] + this->Normals[c]) < 0.0f;
+  frame.normal = length > 0.0f ? frame.normal / (turned ? -length : length) : glm::vec3(0.0f);
   if (!this->Cut.empty() && this->Cut[piece] != whole)
   {
     const Corners& corners = this->CutCorners[this->Cut[piece]];

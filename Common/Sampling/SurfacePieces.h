@@ -21,7 +21,9 @@ class SurfacePieces
 public:
   /// @param mesh without a density; triangles without area are left out
   /// @param points the mesh's points, from the middle of its box: this is the frame of all that follows
-  /// @param normals unit, one a point of the mesh, or none: then the triangles' own count
+  /// @param normals one a point of the mesh, that say which sides of the triangles are alike; or none: then
+  /// the
+  ///   order of their corners does
   /// @param longest what no edge of a piece is longer than
   SurfacePieces(const TriangleMesh& mesh, std::span<const glm::vec3> points,
     std::span<const glm::vec3> normals, float longest);
@@ -37,7 +39,7 @@ public:
     glm::vec3 origin;
     glm::vec3 along1; // to the other corners
     glm::vec3 along2;
-    glm::vec3 normal; // unit
+    glm::vec3 normal; // the plane's, unit; 0 without one
   };
   Frame frame(std::size_t piece) const;
   /// A place in a piece, origin + b1 along1 + b2 along2, as one in its triangle.
