@@ -37,8 +37,7 @@ vtkSmartPointer<vtkPolyData> MeshSampler::sample(
     sampler->SetAmountToSampleRadius();
     sampler->SetSampleRadius(*sampling.radius);
   }
-  const bool blue = sampling.blueNoise.value_or(sampling.radius || count < MeshSampling::whiteFrom);
-  sampler->SetMethod(blue ? vtkInkSurfaceSampler::BLUE_NOISE : vtkInkSurfaceSampler::WHITE_NOISE);
+  sampler->SetMethod(sampling.method.value_or(vtkInkSurfaceSampler::AUTOMATIC));
   sampler->SetSeed(sampling.seed);
   sampler->SetOutputPointsPrecision(sampling.precision);
   sampler->SetComputeNormals(sampling.normals);

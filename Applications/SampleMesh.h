@@ -26,15 +26,13 @@ struct CloudSampling
 /// How a mesh becomes points. What vtkInkSurfaceSampler has numbers for is given as these.
 struct MeshSampling
 {
-  /// More are hard to tell apart by their noise, says Zhang et al. 2014, section 6.
-  static constexpr long long whiteFrom = 500'000;
   static constexpr long long leastCount = 200'000;
   static constexpr long long mostCount = 1'000'000;
 
   /// None: twice as many as the mesh has points, but from leastCount to mostCount.
   std::optional<long long> count = {};
-  std::optional<double> radius = {};  ///< given: says how many, in place of `count`
-  std::optional<bool> blueNoise = {}; ///< none: below whiteFrom samples
+  std::optional<double> radius = {}; ///< given: says how many, in place of `count`
+  std::optional<int> method = {};    ///< none: the sampler's own choice
   int seed = 0;
   int precision = 2;
   bool normals = true;

@@ -3,6 +3,7 @@
 #include "Sampling/BlueNoiseBins.h"
 #include "Sampling/BlueNoiseGaps.h"
 #include "Sampling/Hash.h"
+#include "Sampling/ScaledPoints.h"
 #include "Sampling/WhiteNoise.h"
 
 #include <glm/common.hpp>
@@ -111,43 +112,6 @@ private:
   glm::ivec3 LastBlock{ std::numeric_limits<int>::max() };
   std::uint32_t LastName = 0;
 };
-
-/// The mesh's points with the least radius as the unit and the mesh's middle as the origin.
-std::vector<glm::vec3> scalePoints(const TriangleMesh& mesh, const CumulativeArea& areas, double unit)
-{
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-low);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    if (areas.area[t + 1] > areas.area[t])
-    {
-      for (const std::uint32_t point : mesh.triangles[t])
-      {
-        low = glm::min(low, mesh.points[point]);
-        high = glm::max(high, mesh.points[point]);
-      }
-    }
-  }
-  const glm::dvec3 size = (high - low) / unit;
-  const double widest = std::max({ size.x, size.y, size.z });
-  if (!(widest < 0x1p24))
-  {
-    throw std::invalid_argument("the mesh is " + std::to_string(widest) +
-      " radii wide; expected fewer than 16777216, so a larger radius or fewer samples");
-  }
-  const glm::dvec3 middle = 0.5 * (low + high);
-  std::vector<glm::vec3> points(mesh.points.size());
-  constexpr std::size_t blockSize = 1 << 14;
-  parallelFor((points.size() + blockSize - 1) / blockSize,
-    [&](std::size_t block)
-    {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, points.size()); ++i)
-      {
-        points[i] = (mesh.points[i] - middle) / unit;
-      }
-    });
-  return points;
-}
 
 /// A step that leads through 0 to count - 1 in long leaps: near the golden section, and without a common
 /// divisor.
@@ -264,7 +228,7 @@ public:
     : Radii(mesh, areas, radius)
     , Seed(seed)
     , BlockSize(radiiPerBlock * static_cast<float>(this->Radii.most() / this->Radii.least()))
-    , Points(scalePoints(mesh, areas, this->Radii.least()))
+    , Points(scalePoints(mesh, areas, this->Radii.least()).points)
     , Sorted(mesh, this->Points, this->BlockSize)
     , Mesh(this->Sorted.view())
     , Areas(cumulateArea(this->Mesh))

@@ -13,6 +13,12 @@ double blueNoiseCover(double radius, double gap);
 /// the most crowded first.
 double blueNoiseCover(double area, double count, double gap);
 
+/// For `count` samples of sampleProgressively: their radius, and as far again as no candidate may have
+/// fallen. Candidates are independent, so that a gap of an area has none with a probability that falls
+/// exponentially with it, as the holes of whiteNoiseCover; how the area grows with the gap is measured, so
+/// that again one in a hundred samplings has a hole.
+double progressiveCover(double area, double count, double candidates);
+
 /// For `count` independent samples, evenly on an area. Discs that cover x times the area between them leave
 /// holes, n x exp(-x) in the mean (Hall 1988, section 3.2); x is chosen so that this is one in a hundred.
 double whiteNoiseCover(double area, double count);

@@ -2,6 +2,8 @@
 
 #include "Parallel/ParallelSort.h"
 #include "Sampling/Hash.h"
+#include "Sampling/MortonOrder.h"
+#include "Sampling/SurfaceSides.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -26,13 +28,6 @@ constexpr std::size_t blockSize = 1 << 12;
 // So many points of a block are looked at one after the other before the rest is looked at in parallel.
 constexpr std::size_t fewInABlock = 64;
 constexpr std::uint16_t isChosen = 0xffff;
-// The cosine between normals of different sides of a surface.
-constexpr float otherSide = -0.25f;
-// The cosine between normals of sheets that lie above each other, at least, and the squared cosine between
-// them and the way from one to the other.
-constexpr float sameSide = 0.7f;
-constexpr float straightUp = 0.64f;
-
 struct Point
 {
   glm::vec3 position;
@@ -40,17 +35,12 @@ struct Point
   float radius;     // at most 1
 };
 
-/// Whether two points near in space are not near on the surface.
+/// See areApart in SurfaceSides.h.
 bool areApart(const Point& a, const Point& b, const glm::vec3& offset, float squaredDistance)
 {
-  const float likeness = glm::dot(a.normal, b.normal);
-  if (likeness < otherSide)
-  {
-    return true;
-  }
   const float up = glm::dot(a.normal, offset);
   const float otherUp = glm::dot(b.normal, offset);
-  return likeness > sameSide && std::min(up * up, otherUp * otherUp) > straightUp * squaredDistance;
+  return ink::areApart(glm::dot(a.normal, b.normal), up * up, otherUp * otherUp, squaredDistance);
 }
 
 bool isFinite(const glm::vec3& point)
@@ -58,45 +48,10 @@ bool isFinite(const glm::vec3& point)
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-/// The bits of a number of 21 bits, two apart.
-std::uint64_t spread(std::uint64_t bits)
-{
-  bits = (bits | bits << 32) & 0x001f00000000ffffu;
-  bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-  return (bits | bits << 2) & 0x1249249249249249u;
-}
-
-/// The inverse of spread.
-std::uint32_t gather(std::uint64_t bits)
-{
-  bits &= 0x1249249249249249u;
-  bits = (bits | bits >> 2) & 0x10c30c30c30c30c3u;
-  bits = (bits | bits >> 4) & 0x100f00f00f00f00fu;
-  bits = (bits | bits >> 8) & 0x001f0000ff0000ffu;
-  bits = (bits | bits >> 16) & 0x001f00000000ffffu;
-  return static_cast<std::uint32_t>(bits | bits >> 32);
-}
-
-/// A place in the order of Morton (1966), in which what is near in space is mostly near in memory: a number
-/// of which each three bits less name a cell twice as wide.
-constexpr int placeBits = 21;
-
+/// Where a point is in the order of Morton.
 std::uint64_t placeOf(const glm::vec3& position) // from 0 to 1
 {
-  const glm::uvec3 steps(position * static_cast<float>(1 << (placeBits - 1)));
-  return spread(steps.x) | spread(steps.y) << 1 | spread(steps.z) << 2;
-}
-
-std::uint64_t placeOf(const glm::uvec3& cell)
-{
-  return spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
-}
-
-glm::uvec3 cellAt(std::uint64_t place)
-{
-  return { gather(place), gather(place >> 1), gather(place >> 2) };
+  return mortonOf(glm::uvec3(position * static_cast<float>(1 << (mortonBits - 1))));
 }
 
 constexpr std::uint32_t none = ~0u;
@@ -154,7 +109,7 @@ private:
 template <class IsChosen>
 void ChosenPoints::setOctave(int octave, std::span<const std::uint32_t> chosen, const IsChosen& isDone)
 {
-  this->Shift = 3 * (placeBits - octave);
+  this->Shift = 3 * (mortonBits - octave);
   this->Width = std::ldexp(2.0f, -octave);
   this->Cells.clear();
   std::vector<bool> wanted;
@@ -202,14 +157,14 @@ void ChosenPoints::findNeighbours(const std::vector<bool>& wanted)
     {
       for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, this->Cells.size()); ++i)
       {
-        const glm::uvec3 cell = cellAt(this->Cells[i]);
+        const glm::uvec3 cell = mortonCell(this->Cells[i]);
         const std::size_t before = found[block].size();
         for (std::uint8_t direction = 0; wanted[i] && direction < 27; ++direction)
         {
           // Below 0 becomes more than there is.
           const glm::uvec3 other = (cell + glm::uvec3(direction % 3, direction / 3 % 3, direction / 9) - 1u) &
-            ((1u << placeBits) - 1u);
-          if (const std::uint32_t name = table[slotOf(placeOf(other))]; name != none)
+            ((1u << mortonBits) - 1u);
+          if (const std::uint32_t name = table[slotOf(mortonOf(other))]; name != none)
           {
             found[block].emplace_back(name, direction);
           }
@@ -237,7 +192,7 @@ float ChosenPoints::distance(std::uint32_t index, float width) const
   const Point& point = this->Points[index];
   const float reach = width * point.radius;
   const std::uint32_t cell = this->CellOf[index];
-  const glm::vec3 low = glm::vec3(cellAt(this->Cells[cell])) * this->Width;
+  const glm::vec3 low = glm::vec3(mortonCell(this->Cells[cell])) * this->Width;
   const auto within = [&](int axis)
   {
     return (point.position[axis] - reach < low[axis] ? 1u : 0u) | 2u |

@@ -143,6 +143,86 @@ Differences singleAgainstDouble(const ink::GridField<T>& field, double isoValue,
   return largest;
 }
 
+/// Bits and ranges of rows of every length against one sample after the other, with the bytes before and
+/// after the rows out of reach of both.
+template <class T>
+void expectRowsOfAnyLength(const ink::TypedKernels<T>& kernels)
+{
+  constexpr int brick = ink::BrickLength<T>;
+  std::mt19937 random(3);
+  for (int length = 1; length <= 200; ++length)
+  {
+    for (int rows = 1; rows <= ink::BrickWidth; ++rows)
+    {
+      std::vector<T> samples(static_cast<std::size_t>(length) * rows);
+      for (T& sample : samples)
+      {
+        sample = static_cast<T>(random() % 101);
+      }
+      const bool broken = std::is_floating_point_v<T> && length % 7 == 0;
+      if (broken)
+      {
+        samples[samples.size() - 1] = std::numeric_limits<T>::quiet_NaN();
+      }
+      const T lowest = static_cast<T>(length % 3 == 0 ? 0 : 97);
+      const std::ptrdiff_t reach = (length + 63) / 64 + 1;
+      const int bricks = (length + brick - 1) / brick;
+      const ink::SampleRows<T> block{ samples.data(), length, rows, length, 0 };
+      std::vector<std::uint64_t> expected(static_cast<std::size_t>(reach) * rows);
+      int flags = broken ? ink::MaybeMissing : 0;
+      std::vector<T> lows(bricks, std::numeric_limits<T>::max());
+      std::vector<T> highs(bricks, std::numeric_limits<T>::lowest());
+      for (int r = 0; r < rows; ++r)
+      {
+        for (int i = 0; i < length; ++i)
+        {
+          const T sample = samples[static_cast<std::size_t>(r) * length + i];
+          expected[r * reach + i / 64] |= std::uint64_t(sample >= lowest) << i % 64;
+          flags |= sample >= lowest ? ink::SomeSet : ink::SomeClear;
+          lows[i / brick] = std::min(lows[i / brick], sample);
+          highs[i / brick] = std::max(highs[i / brick], sample);
+        }
+      }
+      std::vector<std::uint64_t> words(expected.size());
+      EXPECT_EQ(kernels.classify(block, lowest, words.data(), reach), flags) << length;
+      EXPECT_EQ(words, expected) << length << " samples, " << rows << " rows";
+      std::vector<T> low(bricks);
+      std::vector<T> high(bricks);
+      std::fill(words.begin(), words.end(), 0);
+      EXPECT_EQ(
+        kernels.classifyAndMeasure(block, lowest, words.data(), reach, low.data(), high.data()), flags);
+      EXPECT_EQ(words, expected) << length << " samples, " << rows << " rows";
+      for (int b = 0; b < bricks; ++b)
+      {
+        const bool unknown = broken && b == bricks - 1;
+        EXPECT_TRUE(unknown ? low[b] != low[b] : low[b] == lows[b]) << length << ", brick " << b;
+        EXPECT_TRUE(unknown ? high[b] != high[b] : high[b] == highs[b]) << length << ", brick " << b;
+      }
+      // All bricks mixed, as far as anyone knows.
+      const std::vector<std::uint8_t> states(bricks, 2);
+      std::fill(words.begin(), words.end(), 0);
+      EXPECT_EQ(kernels.classifyMixed(block, lowest, states.data(), words.data(), reach), flags);
+      EXPECT_EQ(words, expected) << length << " samples, " << rows << " rows";
+    }
+  }
+}
+
+TEST(SamplingKernels, TakeRowsOfAnyLength)
+{
+  for (const char* name : { "baseline", "avx2", "avx512" })
+  {
+    if (const ink::SamplingKernels* kernels = ink::samplingKernelsOf(name))
+    {
+      SCOPED_TRACE(name);
+      expectRowsOfAnyLength(kernels->u8);
+      expectRowsOfAnyLength(kernels->i16);
+      expectRowsOfAnyLength(kernels->i32);
+      expectRowsOfAnyLength(kernels->f32);
+      expectRowsOfAnyLength(kernels->f64);
+    }
+  }
+}
+
 TEST(SamplingKernels, AreAsGoodInSinglePrecision)
 {
   const Sphere sphere{ glm::dvec3(32.1, 31.7, 32.4), 25.0 };

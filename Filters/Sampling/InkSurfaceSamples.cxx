@@ -5,6 +5,7 @@
 #include "Sampling/BlueNoiseCount.h"
 #include "Sampling/CoverRadius.h"
 #include "Sampling/Hash.h"
+#include "Sampling/ProgressiveBlueNoise.h"
 #include "Sampling/SurfaceStretch.h"
 #include "Sampling/WhiteNoise.h"
 
@@ -45,6 +46,7 @@ constexpr std::size_t BlockSize = 1 << 14;
 // What a sample takes at the most while it is made, with its share of darts and its place in the order.
 constexpr double BytesWhite = 100.0;
 constexpr double BytesBlue = 600.0;
+constexpr double BytesProgressive = 200.0;
 
 std::string Text(double value)
 {
@@ -143,11 +145,6 @@ std::vector<float> GetStretch(const InkMeshTriangles& triangles, vtkPolyData* sa
     static_cast<int>(std::min(std::ceil(rounds), static_cast<double>(MostStretchRounds))));
 }
 
-double WhiteNoiseCount(double area, double radius)
-{
-  return std::ceil(ink::saturatedCount * area / (radius * radius));
-}
-
 } // namespace
 
 InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const InkSampleRequest& request)
@@ -174,12 +171,25 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
   {
     throw std::invalid_argument("the density is nowhere above 0 on a face with an area");
   }
-  const double count =
-    request.ByRadius ? WhiteNoiseCount(area, request.Radius) : static_cast<double>(request.Count);
-  this->CheckMemory(count, request.BlueNoise);
+  // Progressive samples have one radius at a time.
+  const InkNoise noise =
+    request.Noise == InkNoise::Progressive && mesh.hasDensity() ? InkNoise::Blue : request.Noise;
+  const bool progressive = noise == InkNoise::Progressive;
+  const double fitting = progressive ? ink::progressiveCount(ink::defaultCandidates) : ink::saturatedCount;
+  const double count = request.ByRadius ? std::ceil(fitting * area / (request.Radius * request.Radius))
+                                        : static_cast<double>(request.Count);
+  this->CheckMemory(count, noise);
 
   const auto seed = static_cast<std::uint64_t>(request.Seed);
-  if (request.BlueNoise && !request.ByRadius)
+  if (progressive)
+  {
+    this->Samples = ink::sampleProgressively(mesh, this->Areas, triangles.Normals,
+      static_cast<std::size_t>(count), ink::defaultCandidates, seed, request.Progress);
+    this->Cover =
+      ink::progressiveCover(area, static_cast<double>(this->Samples.size()), ink::defaultCandidates);
+    return;
+  }
+  if (noise == InkNoise::Blue && !request.ByRadius)
   {
     this->Samples = ink::sampleBlueNoiseCount(
       mesh, this->Areas, triangles.Normals, request.Count, request.Gap, seed, request.Progress)
@@ -193,7 +203,7 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
     { return !request.Progress || request.Progress(begin + done * (end - begin)); };
   };
   const double half = request.Priority ? 0.5 : 1.0;
-  if (request.BlueNoise)
+  if (noise == InkNoise::Blue)
   {
     this->Samples =
       ink::sampleBlueNoise(mesh, this->Areas, request.Radius, request.Gap, seed, upTo(0.0, half)).samples;
@@ -218,17 +228,19 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
   }
 }
 
-void InkSurfaceSamples::CheckMemory(double count, bool blueNoise) const
+void InkSurfaceSamples::CheckMemory(double count, InkNoise noise) const
 {
+  const double bytes = noise == InkNoise::White ? BytesWhite
+    : noise == InkNoise::Blue                   ? BytesBlue
+                                                : BytesProgressive;
   vtksys::SystemInformation system;
   const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
-  const double needed = count * (blueNoise ? BytesBlue : BytesWhite);
+  const double needed = count * bytes;
   constexpr double most = std::numeric_limits<std::uint32_t>::max() / 8;
   if (needed > available || count > most)
   {
     throw std::invalid_argument(Text(count) + " samples would take " + Text(needed / 0x1p30) +
-      " GiB of memory; expected no more than " +
-      Text(std::floor(std::min(available / (blueNoise ? BytesBlue : BytesWhite), most))) +
+      " GiB of memory; expected no more than " + Text(std::floor(std::min(available / bytes, most))) +
       " samples on this machine");
   }
 }

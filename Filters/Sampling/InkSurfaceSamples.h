@@ -15,10 +15,18 @@ class vtkDataArray;
 class vtkPoints;
 class vtkPolyData;
 
+/// How samples are spread, see vtkInkSurfaceSampler::MethodType.
+enum class InkNoise
+{
+  White,
+  Blue,
+  Progressive
+};
+
 /// What vtkInkSurfaceSampler is asked for.
 struct InkSampleRequest
 {
-  bool BlueNoise = true;
+  InkNoise Noise = InkNoise::Blue;
   bool ByRadius = false; ///< Radius counts, not Count
   std::size_t Count = 0;
   double Radius = 0.0;
@@ -46,7 +54,7 @@ public:
   void AddFaces(vtkPolyData* mesh, vtkPolyData* output) const;
 
 private:
-  void CheckMemory(double count, bool blueNoise) const;
+  void CheckMemory(double count, InkNoise noise) const;
 
   const InkMeshTriangles& Triangles;
   ink::CumulativeArea Areas;

@@ -174,6 +174,7 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
   const Polygons polygons(triangles, smooth);
 
   InkSampleRequest sampling;
+  sampling.Noise = InkNoise::Progressive;
   sampling.Count = request.Count > 0
     ? static_cast<std::size_t>(request.Count)
     : std::max<std::size_t>(polygons.Cells.size(), 1) * static_cast<std::size_t>(request.PerPolygon);

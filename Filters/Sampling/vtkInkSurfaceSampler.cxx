@@ -27,6 +27,9 @@
 namespace
 {
 
+// From so many samples on AUTOMATIC makes white noise.
+constexpr vtkIdType WhiteNoiseFrom = 500'000;
+
 bool HasTimeSteps(vtkInformation* info)
 {
   return info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 0;
@@ -50,7 +53,17 @@ vtkInkSurfaceSampler::~vtkInkSurfaceSampler() = default;
 
 const char* vtkInkSurfaceSampler::GetMethodAsString()
 {
-  return this->Method == BLUE_NOISE ? "BlueNoise" : "WhiteNoise";
+  switch (this->Method)
+  {
+    case WHITE_NOISE:
+      return "WhiteNoise";
+    case BLUE_NOISE:
+      return "BlueNoise";
+    case PROGRESSIVE_BLUE_NOISE:
+      return "ProgressiveBlueNoise";
+    default:
+      return "Automatic";
+  }
 }
 
 const char* vtkInkSurfaceSampler::GetAmountAsString()
@@ -279,8 +292,12 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bo
     triangles.SetDensity(density, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
   }
   InkSampleRequest request;
-  request.BlueNoise = this->Method == BLUE_NOISE;
   request.ByRadius = this->Amount == SAMPLE_RADIUS;
+  const bool many = !request.ByRadius && this->NumberOfSamples >= WhiteNoiseFrom;
+  const int method = this->Method != AUTOMATIC ? this->Method : many ? WHITE_NOISE : BLUE_NOISE;
+  request.Noise = method == WHITE_NOISE ? InkNoise::White
+    : method == BLUE_NOISE              ? InkNoise::Blue
+                                        : InkNoise::Progressive;
   request.Count = static_cast<std::size_t>(this->NumberOfSamples);
   request.Radius = this->SampleRadius;
   request.Gap = this->Gap;

@@ -73,7 +73,7 @@ Splats SamplesOf(const std::string& file, int count)
   vtkNew<vtkInkSurfaceSampler> sampler;
   sampler->SetInputConnection(reader->GetOutputPort());
   sampler->SetNumberOfSamples(count);
-  count < 500000 ? sampler->SetMethodToBlueNoise() : sampler->SetMethodToWhiteNoise(); // as the paper does
+  sampler->SetMethodToAutomatic(); // as the paper does
   sampler->Update();
   Splats splats{ sampler->GetOutput(), 0.0 };
   vtkDataArray* radii = splats.Points->GetPointData()->GetArray("Radius");

@@ -5,6 +5,8 @@
 
 #include "SampledMeshes.h"
 #include "Sampling/BlueNoise.h"
+#include "Sampling/BlueNoiseCount.h"
+#include "Sampling/ProgressiveBlueNoise.h"
 #include "Sampling/WhiteNoise.h"
 
 #include <cmath>
@@ -102,6 +104,43 @@ void MeasureDensity()
   knob.Print(3);
 }
 
+/// Samples in order of priority. Of the progressive ones the filter makes those of eight candidates.
+void MeasureMethod()
+{
+  constexpr std::size_t count = 100000;
+  Tradeoff knob("Method (vtkInkSurfaceSampler)",
+    "Take progressive blue noise for stipples, for millions of samples, and where the first samples are "
+    "drawn "
+    "more often than all of them; blue noise where all are drawn and every hole counts.",
+    "farthest place from a sample, of the square root of the area, with all of 100,000 samples and with the "
+    "first quarter",
+    "100,000 samples of the torus, in order of priority");
+  const Mesh& mesh = AllScenes[0].second;
+  const auto areas = ink::cumulateArea(mesh.view());
+  const auto add = [&](const std::string& name, const auto& sample, Tradeoff::Role role)
+  {
+    const std::vector<ink::SurfaceSample> samples = sample();
+    knob.Add(
+      name, [=] { sample(); },
+      { { "all", Hole(mesh, samples) },
+        { "a quarter", Hole(mesh, { samples.begin(), samples.begin() + count / 4 }) } },
+      role);
+  };
+  add(
+    "blue noise",
+    [=, &mesh]
+    { return ink::sampleBlueNoiseCount(mesh.view(), areas, {}, count, ink::defaultGap, 1).samples; },
+    Tradeoff::Default);
+  for (const double candidates : { 2.0, 4.0, 8.0, 16.0, 32.0 })
+  {
+    add(
+      "progressive, " + std::to_string(static_cast<int>(candidates)) + " candidates",
+      [=, &mesh] { return ink::sampleProgressively(mesh.view(), areas, {}, count, candidates, 1); },
+      Tradeoff::Choice);
+  }
+  knob.Print(3);
+}
+
 } // namespace
 
 int main()
@@ -109,5 +148,6 @@ int main()
   Tradeoff::PrintHeader();
   MeasureGap();
   MeasureDensity();
+  MeasureMethod();
   return 0;
 }

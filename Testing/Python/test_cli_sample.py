@@ -217,8 +217,8 @@ def least_distance(points):
     return np.sqrt(squared.min())
 
 
-@pytest.mark.parametrize("noise", ["white", "blue"])
-def test_a_mesh_is_sampled(sampled, mesh_file, noise):
+@pytest.mark.parametrize("noise, least, most", [("white", 0, 0.3), ("blue", 0.7, 1), ("progressive", 0.6, 0.7)])
+def test_a_mesh_is_sampled(sampled, mesh_file, noise, least, most):
     columns = sampled(mesh_file, "--count", 900, "--noise", noise)
     points = coordinates_of(columns)
     normals = np.stack([columns["n" + name] for name in "xyz"], axis=1)
@@ -228,7 +228,7 @@ def test_a_mesh_is_sampled(sampled, mesh_file, noise):
     assert (np.diff(columns["Priority"]) > 0).all() and columns["Priority"][0] == 0 and columns["Priority"][-1] < 1
     hexagonal = np.sqrt(2 * 4 * np.pi / (np.sqrt(3) * 900))
     ratio = least_distance(points) / hexagonal
-    assert ratio > 0.7 if noise == "blue" else ratio < 0.3
+    assert least <= ratio < most
 
 
 def test_a_mesh_by_radius(sampled, mesh_file):

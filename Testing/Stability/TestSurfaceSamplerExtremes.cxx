@@ -64,7 +64,8 @@ Faces Square(int cells, double side, Place corner)
 void Expect(
   InkTestChecks& check, const std::string& name, vtkPolyData* mesh, vtkIdType count, bool message = false)
 {
-  for (const int method : { vtkInkSurfaceSampler::WHITE_NOISE, vtkInkSurfaceSampler::BLUE_NOISE })
+  for (const int method : { vtkInkSurfaceSampler::WHITE_NOISE, vtkInkSurfaceSampler::BLUE_NOISE,
+         vtkInkSurfaceSampler::PROGRESSIVE_BLUE_NOISE })
   {
     vtkNew<vtkInkSurfaceSampler> sampler;
     vtkNew<InkTestMessages> messages;

@@ -43,15 +43,48 @@ struct BrickRange
   Block<T> high;
 };
 
+/// The last brick of rows that end before it does: read from a row's last BrickLength samples, the first of
+/// which are another brick's and count as copies of the last one, which change no range.
+template <class T>
+struct RowEnd
+{
+  int others;
+
+  INK_INLINE Block<T> load(const T* from, int i) const
+  {
+    typedef std::uint64_t Bits __attribute__((vector_size(BlockBytes)));
+    // For each byte of a brick, whether it is the brick's own, seen from any byte on.
+    constexpr int most = BrickLength<T> * static_cast<int>(sizeof(T));
+    struct Masks
+    {
+      std::uint8_t bytes[2 * most] = {};
+      constexpr Masks()
+      {
+        for (int n = most; n < 2 * most; ++n)
+        {
+          this->bytes[n] = 0xff;
+        }
+      }
+    };
+    static constexpr Masks masks;
+    Bits own;
+    __builtin_memcpy(&own, masks.bytes + most + (i - this->others) * static_cast<int>(sizeof(T)), sizeof own);
+    const Block<T> last = Block<T>{} + from[BrickLength<T> - 1];
+    return reinterpret_cast<Block<T>>(
+      (reinterpret_cast<Bits>(loadBlock(from + i)) & own) | (reinterpret_cast<Bits>(last) & ~own));
+  }
+};
+
 /// The bits of a brick's samples in one row. A sum stays NaN or infinite once a sample was.
+/// @param end null for a whole brick
 template <class T, bool measure>
 INK_INLINE std::uint64_t classifyBrick(
-  const T* from, const Block<T>& lowest, Block<T>& sum, BrickRange<T>& range)
+  const T* from, const Block<T>& lowest, Block<T>& sum, BrickRange<T>& range, const RowEnd<T>* end = nullptr)
 {
   std::uint64_t bits = 0;
   for (int i = 0; i < BrickLength<T>; i += BlockLanes<T>)
   {
-    const Block<T> v = loadBlock(from + i);
+    const Block<T> v = end ? end->load(from, i) : loadBlock(from + i);
     bits |= bitsOf<sizeof(T)>(v >= lowest) << i;
     if constexpr (IsFloating<T>)
     {
@@ -63,7 +96,7 @@ INK_INLINE std::uint64_t classifyBrick(
       range.high = v > range.high ? v : range.high;
     }
   }
-  return bits;
+  return end ? bits >> end->others : bits;
 }
 
 template <class T>
@@ -121,7 +154,38 @@ INK_INLINE T extremeOf(const Block<T>& block)
 #endif
 }
 
-/// One word's samples in the rows of a block. All bricks are there to be read, but only `samples` count.
+/// One brick's samples in the rows of a block.
+template <class T, bool measure, int rows>
+INK_INLINE bool classifyBrickRows(const T* from, std::ptrdiff_t stride, const Block<T>& bound, int firstBit,
+  std::uint64_t* bits, T* low, T* high, const RowEnd<T>* end = nullptr)
+{
+  Block<T> sum = {};
+  BrickRange<T> range;
+  if constexpr (measure)
+  {
+    range.low = range.high = end ? Block<T>{} + from[BrickLength<T> - 1] : loadBlock(from);
+  }
+  for (int r = 0; r < rows; ++r)
+  {
+    // A machine that sees four streams of one line each fetches none of them ahead: the next block's turn.
+    __builtin_prefetch(from + (r + rows) * stride);
+    bits[r] |= classifyBrick<T, measure>(from + r * stride, bound, sum, range, end) << firstBit;
+  }
+  const bool bad = maybeMissing<T>(sum);
+  if constexpr (measure)
+  {
+    *low = extremeOf<T, false>(range.low);
+    *high = extremeOf<T, true>(range.high);
+    if constexpr (IsFloating<T>)
+    {
+      *low = bad ? T(__builtin_nan("")) : *low;
+      *high = bad ? T(__builtin_nan("")) : *high;
+    }
+  }
+  return bad;
+}
+
+/// One word's samples in the rows of a block. Rows have at least a brick's samples up to this word's last.
 template <class T, bool measure, int rows>
 INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int samples, T lowest,
   std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
@@ -129,33 +193,18 @@ INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int samples, 
   const Block<T> bound = Block<T>{} + lowest;
   std::uint64_t bits[rows] = {};
   bool missing = false;
-  for (int b = 0; b * BrickLength<T> < samples; ++b)
+  int done = 0;
+  for (int b = 0; done + BrickLength<T> <= samples; ++b, done += BrickLength<T>)
   {
-    const T* from = first + b * BrickLength<T>;
-    Block<T> sum = {};
-    BrickRange<T> range;
-    if constexpr (measure)
-    {
-      range.low = range.high = loadBlock(from);
-    }
-    for (int r = 0; r < rows; ++r)
-    {
-      // A machine that sees four streams of one line each fetches none of them ahead: the next block's turn.
-      __builtin_prefetch(from + (r + rows) * stride);
-      bits[r] |= classifyBrick<T, measure>(from + r * stride, bound, sum, range) << (b * BrickLength<T>);
-    }
-    const bool bad = maybeMissing<T>(sum);
-    missing |= bad;
-    if constexpr (measure)
-    {
-      low[b] = extremeOf<T, false>(range.low);
-      high[b] = extremeOf<T, true>(range.high);
-      if constexpr (IsFloating<T>)
-      {
-        low[b] = bad ? T(__builtin_nan("")) : low[b];
-        high[b] = bad ? T(__builtin_nan("")) : high[b];
-      }
-    }
+    missing |=
+      classifyBrickRows<T, measure, rows>(first + done, stride, bound, done, bits, low + b, high + b);
+  }
+  if (done < samples)
+  {
+    const RowEnd<T> end = { BrickLength<T> - (samples - done) };
+    const int b = done / BrickLength<T>;
+    missing |= classifyBrickRows<T, measure, rows>(
+      first + done - end.others, stride, bound, done, bits, low + b, high + b, &end);
   }
   const std::uint64_t there = ~std::uint64_t(0) >> (WordBits - samples);
   std::uint64_t set = 0;
@@ -183,21 +232,33 @@ INK_INLINE int classifySome(
       rows.first + w * WordBits, rows.stride, WordBits, lowest, words + w, reach, low + b, high + b);
   }
   const int rest = rows.samples - whole * WordBits;
-  if (rest > 0)
+  const int b = whole * bricksPerWord;
+  if (rest > 0 && rows.samples >= BrickLength<T>)
   {
-    // The last sample, repeated, changes no range.
-    T padded[count][WordBits];
+    found |= classifyWord<T, measure, count>(
+      rows.first + whole * WordBits, rows.stride, rest, lowest, words + whole, reach, low + b, high + b);
+  }
+  else if (rest > 0)
+  {
+    // The last sample, repeated, changes no range. The rows after them are only prefetched.
+    T padded[2 * count][BrickLength<T>];
     for (int r = 0; r < count; ++r)
     {
-      const T* from = rows.first + r * rows.stride + whole * WordBits;
-      for (int i = 0; i < WordBits; ++i)
+      const T* from = rows.first + r * rows.stride;
+      for (int i = 0; i < BrickLength<T>; ++i)
       {
         padded[r][i] = from[i < rest ? i : rest - 1];
       }
     }
-    const int b = whole * bricksPerWord;
     found |= classifyWord<T, measure, count>(
-      padded[0], WordBits, rest, lowest, words + whole, reach, low + b, high + b);
+      padded[0], BrickLength<T>, BrickLength<T>, lowest, words, reach, low, high);
+    const std::uint64_t there = ~std::uint64_t(0) >> (WordBits - rest);
+    found &= MaybeMissing;
+    for (int r = 0; r < count; ++r)
+    {
+      words[r * reach] &= there;
+      found |= (words[r * reach] != 0 ? SomeSet : 0) | (words[r * reach] != there ? SomeClear : 0);
+    }
   }
   return found;
 }
@@ -240,20 +301,29 @@ INK_INLINE bool addBrick(
   const int count = rows.samples - first;
   Block<T> sum = {};
   BrickRange<T> none;
+  const RowEnd<T> end = { BrickLength<T> - count };
   for (int r = 0; r < rows.rows; ++r)
   {
     const T* from = rows.first + r * rows.stride + first;
-    T padded[BrickLength<T>];
-    if (count < BrickLength<T>)
+    std::uint64_t bits = 0;
+    if (count >= BrickLength<T>)
     {
+      bits = classifyBrick<T, false>(from, bound, sum, none);
+    }
+    else if (first >= end.others)
+    {
+      bits = classifyBrick<T, false>(from - end.others, bound, sum, none, &end);
+    }
+    else
+    {
+      T padded[BrickLength<T>];
       for (int i = 0; i < BrickLength<T>; ++i)
       {
         padded[i] = from[i < count ? i : count - 1];
       }
-      from = padded;
+      bits = classifyBrick<T, false>(padded, bound, sum, none);
     }
-    words[r * reach + first / WordBits] |= classifyBrick<T, false>(from, bound, sum, none)
-      << first % WordBits;
+    words[r * reach + first / WordBits] |= bits << first % WordBits;
   }
   return maybeMissing<T>(sum);
 }

@@ -49,6 +49,14 @@ void TestIsoSurface(InkTestChecks& check)
   {
     return;
   }
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const auto kibibytes =
+      static_cast<unsigned long>(array->GetNumberOfValues() * array->GetDataTypeSize() / 1024);
+    check(array->GetActualMemorySize() <= kibibytes + 1, array->GetName(),
+      " has memory for its values only: ", array->GetActualMemorySize(), " KiB");
+  }
   std::vector<bool> seen(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {

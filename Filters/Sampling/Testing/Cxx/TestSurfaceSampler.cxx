@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace
@@ -36,7 +37,8 @@ vtkSmartPointer<vtkPolyData> Sample(
 void TestArrays(InkTestChecks& check)
 {
   const auto ball = MakeBall(40, 2.0);
-  for (const int method : { vtkInkSurfaceSampler::WHITE_NOISE, vtkInkSurfaceSampler::BLUE_NOISE })
+  for (const int method : { vtkInkSurfaceSampler::WHITE_NOISE, vtkInkSurfaceSampler::BLUE_NOISE,
+         vtkInkSurfaceSampler::PROGRESSIVE_BLUE_NOISE })
   {
     const auto points = Sample(ball, 3000,
       [&](vtkInkSurfaceSampler* sampler)
@@ -47,6 +49,14 @@ void TestArrays(InkTestChecks& check)
     check(points->GetNumberOfPoints() == 3000, "3000 points, found ", points->GetNumberOfPoints());
     check(points->GetNumberOfVerts() == 1 && points->GetCellType(0) == VTK_POLY_VERTEX, "one poly-vertex");
     check(IsFinite(points), "finite numbers");
+    for (int i = 0; i < points->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = points->GetPointData()->GetArray(i);
+      const auto kibibytes =
+        static_cast<unsigned long>(array->GetNumberOfValues() * array->GetDataTypeSize() / 1024);
+      check(array->GetActualMemorySize() <= kibibytes + 1, array->GetName(),
+        " has memory for its values only: ", array->GetActualMemorySize(), " KiB");
+    }
     vtkPointData* data = points->GetPointData();
     vtkDataArray* normals = data->GetNormals();
     vtkDataArray* radius = data->GetArray("Radius");
@@ -131,13 +141,69 @@ void TestRadius(InkTestChecks& check)
 /// Prefixes of the output are blue noise.
 void TestPriority(InkTestChecks& check)
 {
-  const auto points = Sample(MakeSquare(20), 6000);
-  for (const double share : { 0.05, 0.25, 0.5, 1.0 })
+  for (const auto& [method, least] : { std::pair(vtkInkSurfaceSampler::BLUE_NOISE, 0.53),
+         std::pair(vtkInkSurfaceSampler::PROGRESSIVE_BLUE_NOISE, 0.62) })
   {
-    const auto count = static_cast<vtkIdType>(share * 6000);
-    const double ratio = LeastDistance(points, count) / HexagonalDistance(1.0, count);
-    check(ratio > 0.53, "distance of the first ", count, " points against a hexagonal lattice's: ", ratio);
+    const auto points =
+      Sample(MakeSquare(20), 6000, [&](vtkInkSurfaceSampler* sampler) { sampler->SetMethod(method); });
+    for (const double share : { 0.05, 0.25, 0.5, 1.0 })
+    {
+      const auto count = static_cast<vtkIdType>(share * 6000);
+      const double ratio = LeastDistance(points, count) / HexagonalDistance(1.0, count);
+      check(ratio > least, "method ", method, ": distance of the first ", count,
+        " points against a hexagonal lattice's: ", ratio);
+    }
   }
+}
+
+/// Blue noise below half a million samples and of a radius, from there on white noise.
+void TestAutomatic(InkTestChecks& check)
+{
+  const auto square = MakeSquare(4);
+  const auto sample = [&](int method, vtkIdType count)
+  {
+    return Sample(square, count,
+      [&](vtkInkSurfaceSampler* sampler)
+      {
+        sampler->SetMethod(method);
+        sampler->ComputePriorityOff();
+        sampler->SetSampleRadius(0.05);
+        sampler->SetAmount(
+          count == 0 ? vtkInkSurfaceSampler::SAMPLE_RADIUS : vtkInkSurfaceSampler::NUMBER_OF_SAMPLES);
+      });
+  };
+  const std::pair<vtkIdType, int> expected[] = { { 0, vtkInkSurfaceSampler::BLUE_NOISE },
+    { 2000, vtkInkSurfaceSampler::BLUE_NOISE }, { 500'000, vtkInkSurfaceSampler::WHITE_NOISE } };
+  for (const auto& [count, method] : expected)
+  {
+    const auto points = sample(vtkInkSurfaceSampler::AUTOMATIC, count);
+    const auto same = sample(method, count);
+    const vtkIdType found = points->GetNumberOfPoints();
+    bool equal = found > 0 && found == same->GetNumberOfPoints();
+    for (vtkIdType i = 0; equal && i < found; i += 97)
+    {
+      double a[3];
+      double b[3];
+      points->GetPoint(i, a);
+      same->GetPoint(i, b);
+      equal = a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+    }
+    check(equal, found, " points as by method ", method);
+  }
+}
+
+/// As many as a radius has, about as far from each other.
+void TestProgressiveRadius(InkTestChecks& check)
+{
+  const auto points = Sample(MakeSquare(10), 1,
+    [](vtkInkSurfaceSampler* sampler)
+    {
+      sampler->SetMethodToProgressiveBlueNoise();
+      sampler->SetAmountToSampleRadius();
+      sampler->SetSampleRadius(0.02);
+    });
+  const double ratio = LeastDistance(points, points->GetNumberOfPoints()) / 0.02;
+  check(ratio > 0.93 && ratio < 1.07, "the radius within one step, found ", ratio, " of it");
 }
 
 /// Triangles, quads, polygons and strips of the same square; with vertices and lines before them.
@@ -352,6 +418,8 @@ int TestSurfaceSampler(int, char*[])
   TestArrays(check);
   TestRadius(check);
   TestPriority(check);
+  TestAutomatic(check);
+  TestProgressiveRadius(check);
   TestFaces(check);
   TestDensity(check);
   TestGhosts(check);
