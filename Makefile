@@ -30,7 +30,7 @@ build-headless: ## Build with VTK 9.7
 build-paraview: ## Build with ParaView 5.11's VTK, the plugin included
 	@Utilities/build.sh paraview
 
-build-asan: ## Build with the address and undefined-behaviour sanitizers
+build-asan: ## Build with the address and undefined-behavior sanitizers
 	@Utilities/build.sh asan
 
 build-tsan: ## Build with the thread sanitizer
@@ -52,7 +52,7 @@ tradeoff: setup-headless build-headless ## Measure error against time, write Doc
 pictures: setup-headless build-headless ## Draw the pictures of stipple.md and splatting-lines.md
 	@Utilities/pictures.sh
 
-sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behaviour sanitizers
+sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behavior sanitizers
 	@Utilities/test.sh asan
 
 fuzz: setup-headless ## Fuzz what ink reads, each FORMAT (all, or as ply) for SECONDS (60)

@@ -9,7 +9,7 @@ namespace ink::cli
 /// Red, green and blue, 0 to 1.
 using Color = std::array<double, 3>;
 
-/// A colour from its name in HTML ("black", "navy") or "#rrggbb" or "#rgb".
+/// A color from its name in HTML ("black", "navy") or "#rrggbb" or "#rgb".
 /// \param option that the text was given to, for messages.
 /// \throw UsageError
 Color parseColor(const std::string& option, const std::string& text);

@@ -15,7 +15,7 @@ namespace ink::cli
 /// were added with it looks from: it turns about a pivot at a fixed distance.
 ///
 /// With a perspective camera the points themselves are fitted into the four sides of the view, not their
-/// bounding sphere: each side asks for one distance, and opposite sides share the centre.
+/// bounding sphere: each side asks for one distance, and opposite sides share the center.
 class CameraFit
 {
 public:

@@ -12,7 +12,7 @@ struct Orientation
   double direction[3][3]; ///< direction[i] is the unit vector along which voxel index i grows
   double origin[3];       ///< of the first voxel
 
-  /// From the vectors between neighbouring voxels, those of each index one after the other, and the place of
+  /// From the vectors between neighboring voxels, those of each index one after the other, and the place of
   /// the first, both as in the file. \param sign turns the file's axes to DICOM's.
   Orientation(const double steps[9], const double firstVoxel[3], const double sign[3]);
 

@@ -13,7 +13,7 @@ namespace ink::cli
 /// factor rendered ones, which smooths edges and lines alike.
 vtkSmartPointer<vtkImageData> takePicture(vtkRenderWindow* window, int factor);
 
-/// A picture with alpha as PNG has it, not multiplied into the colours, from the same scene before black and
+/// A picture with alpha as PNG has it, not multiplied into the colors, from the same scene before black and
 /// before white: where both are equal, the scene hides the background. What alpha VTK itself leaves behind
 /// depends on how it blends, and that on its version.
 vtkSmartPointer<vtkImageData> findAlpha(vtkImageData* onBlack, vtkImageData* onWhite);

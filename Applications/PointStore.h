@@ -32,7 +32,7 @@ public:
     bool operator==(const Array&) const = default;
   };
 
-  /// Up to blockSize neighbouring points.
+  /// Up to blockSize neighboring points.
   struct Block
   {
     std::size_t count;

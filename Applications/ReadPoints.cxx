@@ -52,7 +52,7 @@ bool numbersOf(std::string_view line, std::vector<double>& numbers)
   }
 }
 
-/// Other columns than normals' are colours or intensities, whose length is hardly ever 1.
+/// Other columns than normals' are colors or intensities, whose length is hardly ever 1.
 bool canBeNormal(const double* vector)
 {
   const double length = std::hypot(vector[0], vector[1], vector[2]);

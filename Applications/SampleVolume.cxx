@@ -134,7 +134,7 @@ private:
     return parts;
   }
 
-  /// The slices that some layers need, with their neighbours, whose cells are marked as not ours.
+  /// The slices that some layers need, with their neighbors, whose cells are marked as not ours.
   vtkSmartPointer<vtkImageData> imageOf(const Layers& layers)
   {
     const int first = std::max(layers.begin - 1, 0);

@@ -114,7 +114,7 @@ void takeColors(vtkPolyData* stipples, const StippleStyle& style)
   style.mapper->SetLookupTable(colors);
   style.mapper->UseLookupTableScalarRangeOn();
   style.mapper->ScalarVisibilityOn();
-  // Bytes, too: VTK takes them for colours otherwise.
+  // Bytes, too: VTK takes them for colors otherwise.
   style.mapper->SetColorModeToMapScalars();
 }
 

@@ -19,7 +19,7 @@ namespace ink::cli
 
 class Progress;
 
-/// Scalars shown as colours.
+/// Scalars shown as colors.
 struct ScalarColors
 {
   std::vector<Color> colors;                  ///< evenly spread over the range, at least two

@@ -69,7 +69,7 @@ std::size_t VolumeSlices::sliceBytes() const
 
 void VolumeSlices::load(int first, int end)
 {
-  // Neighbouring parts of a volume share slices.
+  // Neighboring parts of a volume share slices.
   int kept = 0;
   if (first >= this->LoadedFirst && first < this->LoadedEnd)
   {

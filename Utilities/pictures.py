@@ -13,7 +13,7 @@ import numpy as np
 from vtkink import VTK_PACKAGE, vtk
 
 GAP = 8
-GREYS = 16
+GRAYS = 16
 SHADES = 6  # of red, green and blue each
 
 
@@ -41,17 +41,17 @@ def chunk(kind, data):
 
 
 def encode(image):
-    """A PNG file with a palette: some greys, or a cube of colours where there are any."""
+    """A PNG file with a palette: some grays, or a cube of colors where there are any."""
     height, width, _ = image.shape
-    colourful = np.ptp(image.astype(int), axis=2).max() > 8
-    if colourful:
+    colorful = np.ptp(image.astype(int), axis=2).max() > 8
+    if colorful:
         shades = (image.astype(int) * (SHADES - 1) + 127) // 255
         indices = (shades[..., 0] * SHADES + shades[..., 1]) * SHADES + shades[..., 2]
         palette = [[c * 255 // (SHADES - 1) for c in divmod_twice(i)] for i in range(SHADES**3)]
         bits, rows = 8, indices.astype(np.uint8)
     else:
-        indices = (image[..., 0].astype(int) * (GREYS - 1) + 127) // 255
-        palette = [[i * 255 // (GREYS - 1)] * 3 for i in range(GREYS)]
+        indices = (image[..., 0].astype(int) * (GRAYS - 1) + 127) // 255
+        palette = [[i * 255 // (GRAYS - 1)] * 3 for i in range(GRAYS)]
         pairs = np.pad(indices, ((0, 0), (0, width % 2)))
         bits, rows = 4, (pairs[:, 0::2] * 16 + pairs[:, 1::2]).astype(np.uint8)
     data = b"".join(b"\0" + row.tobytes() for row in rows)

@@ -22,7 +22,7 @@ public:
   BorderKernels(const GridGeometry& geometry, int radius, RegressionWeighting weighting)
     : Radius(radius)
     , Dimensions(geometry.dimensions())
-    , Offsets(neighbourhood(radius))
+    , Offsets(neighborhood(radius))
     , Weights(regressionWeights(geometry, radius, weighting))
   {
     this->Places = glm::min(this->Dimensions, glm::ivec3(2 * this->Radius + 1));
@@ -42,7 +42,7 @@ public:
   const std::vector<glm::ivec3>& offsets() const { return this->Offsets; }
   const std::vector<double>& weights() const { return this->Weights; }
 
-  /// The kernel of a sample all of whose neighbours on the grid are there.
+  /// The kernel of a sample all of whose neighbors on the grid are there.
   const RegressionKernel& operator[](const glm::ivec3& sample) const
   {
     return this->Kernels[this->index(sample)];
@@ -88,9 +88,9 @@ private:
     std::vector<std::uint8_t> used;
     for (const glm::ivec3& offset : this->Offsets)
     {
-      const glm::ivec3 neighbour = place + offset;
-      used.push_back(glm::all(glm::greaterThanEqual(neighbour, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(neighbour, this->Places)));
+      const glm::ivec3 neighbor = place + offset;
+      used.push_back(glm::all(glm::greaterThanEqual(neighbor, glm::ivec3(0))) &&
+        glm::all(glm::lessThan(neighbor, this->Places)));
     }
     return RegressionKernel(this->Offsets, this->Weights, used);
   }

@@ -142,7 +142,7 @@ private:
   void chooseRowKernel()
   {
     this->Mirrored = this->Options.weighting == RegressionWeighting::InverseDistance;
-    // Inside the grid, the kernel of a neighbourhood that is complete.
+    // Inside the grid, the kernel of a neighborhood that is complete.
     const RegressionKernel kernel(this->Kernels->offsets(), this->Kernels->weights());
     const std::vector<glm::ivec3>& offsets = this->Kernels->offsets();
     const std::vector<double>& weights = this->Kernels->weights();
@@ -198,7 +198,7 @@ private:
 
   void estimateRow(const RowCache& cache, int j, int k) const
   {
-    // Samples so near to an end of the row that neighbours along it are missing are left to the slow way.
+    // Samples so near to an end of the row that neighbors along it are missing are left to the slow way.
     const int from = std::max(this->Box.begin.x, this->Reach);
     const int to = std::max(from, std::min(this->Box.end.x, this->Dimensions.x - this->Reach));
     RowsAround<Work> rows{};
@@ -335,7 +335,7 @@ private:
     }
   }
 
-  /// One sample, in double precision. `mayMiss`: some neighbours on the grid may be missing.
+  /// One sample, in double precision. `mayMiss`: some neighbors on the grid may be missing.
   void estimateSample(const glm::ivec3& sample, bool mayMiss) const
   {
     glm::dvec3 gradient(0.0);
@@ -387,14 +387,14 @@ private:
     bool large = false;
     for (std::size_t n = 0; n < offsets.size(); ++n)
     {
-      const glm::ivec3 neighbour = sample + offsets[n];
-      const bool onGrid = glm::all(glm::greaterThanEqual(neighbour, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(neighbour, this->Dimensions));
-      used[n] = onGrid && (!mayMiss || this->Field.has(neighbour));
+      const glm::ivec3 neighbor = sample + offsets[n];
+      const bool onGrid = glm::all(glm::greaterThanEqual(neighbor, glm::ivec3(0))) &&
+        glm::all(glm::lessThan(neighbor, this->Dimensions));
+      used[n] = onGrid && (!mayMiss || this->Field.has(neighbor));
       all = all && used[n] == onGrid;
       if constexpr (std::is_same_v<T, double>)
       {
-        large = large || (used[n] && std::abs(this->Field.at(neighbour)) > 1e300);
+        large = large || (used[n] && std::abs(this->Field.at(neighbor)) > 1e300);
       }
     }
     // Differences from the sample itself are exact where large integers as doubles are not. Of doubles so
@@ -487,7 +487,7 @@ bool estimateGradients(const GridField<T>& field, const SampleBox& box, const Gr
 {
   if (options.method == GradientMethod::Regression && options.radius != 1 && options.radius != 2)
   {
-    throw std::invalid_argument("the radius of a regression's neighbourhood must be 1 or 2");
+    throw std::invalid_argument("the radius of a regression's neighborhood must be 1 or 2");
   }
   requireSize(arrays.gradient.size(), 3 * box.count());
   requireSize(arrays.magnitude.size(), box.count());

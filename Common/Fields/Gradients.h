@@ -13,9 +13,9 @@ namespace ink
 /// How a grid's samples become gradients.
 enum class GradientMethod
 {
-  /// Half the difference of the two neighbours along each axis: exact for quadratics inside the grid.
+  /// Half the difference of the two neighbors along each axis: exact for quadratics inside the grid.
   CentralDifference,
-  /// The plane that fits a sample and its neighbours best: 4D linear regression, Neumann et al. (2000), as
+  /// The plane that fits a sample and its neighbors best: 4D linear regression, Neumann et al. (2000), as
   /// Lu et al. (2003), section 4.1, use it. Exact for planes; inside the grid the gradient is exact for
   /// quadratics, too. Noise is averaged away.
   Regression
@@ -24,7 +24,7 @@ enum class GradientMethod
 struct GradientOptions
 {
   GradientMethod method = GradientMethod::Regression;
-  /// Of a regression's neighbourhood, in samples: 1 for 3 x 3 x 3, 2 for 5 x 5 x 5.
+  /// Of a regression's neighborhood, in samples: 1 for 3 x 3 x 3, 2 for 5 x 5 x 5.
   int radius = 1;
   RegressionWeighting weighting = RegressionWeighting::Uniform;
 };
@@ -47,7 +47,7 @@ struct GradientArrays
 /// Estimates the gradients of the samples in a box; samples of the grid around it are used, too.
 ///
 /// Beside the grid's border, and beside missing samples (hidden, NaN or infinite), differences are one-sided
-/// and a regression fits the neighbours that there are; along a direction in which there are none the
+/// and a regression fits the neighbors that there are; along a direction in which there are none the
 /// derivative is 0. At a missing sample everything is 0. Results that are too large for Real become its
 /// largest value.
 ///

@@ -92,7 +92,7 @@ double GridField<T>::slopeAt(const glm::ivec3& sample, int axis) const
 template <class T>
 double GridField<T>::bendAt(const glm::ivec3& sample, int axis) const
 {
-  // Centred where both neighbours are there, otherwise moved one sample inwards.
+  // Centered where both neighbors are there, otherwise moved one sample inwards.
   for (const int shift : { 0, 1, -1 })
   {
     const glm::ivec3 middle = sample + step(axis, shift);

@@ -7,7 +7,7 @@ namespace ink
 {
 
 /// The loops behind ink::laplacianOfGaussian, over one row at a time, in plain steps that compilers turn into
-/// vector instructions. Kernels are those of samples all of whose neighbours are there: mirrored, so that
+/// vector instructions. Kernels are those of samples all of whose neighbors are there: mirrored, so that
 /// only one side is given. All work on differences from the row in the middle, so that derivatives of equal
 /// rows are exactly 0 and their mean is exactly the row.
 
@@ -19,7 +19,7 @@ struct RowPairs
   std::vector<const double*> after;
 };
 
-/// One side of a mirrored kernel, from the nearest neighbour on.
+/// One side of a mirrored kernel, from the nearest neighbor on.
 using HalfKernel = std::vector<double>;
 
 /// value = the mean with the weights `smooth`; curve = the second derivative.

@@ -14,7 +14,7 @@ namespace ink
 namespace
 {
 
-/// A direction whose share of the neighbours' spread is smaller than this is not determined.
+/// A direction whose share of the neighbors' spread is smaller than this is not determined.
 constexpr double rankTolerance = 1e-9;
 
 /// The inverse of a symmetric matrix on the directions that it determines, 0 on the others. The matrix is
@@ -62,7 +62,7 @@ glm::dmat3 pseudoInverse(const glm::dmat3& symmetric)
 
 } // namespace
 
-std::vector<glm::ivec3> neighbourhood(int radius)
+std::vector<glm::ivec3> neighborhood(int radius)
 {
   std::vector<glm::ivec3> offsets;
   for (int c = -radius; c <= radius; ++c)
@@ -80,7 +80,7 @@ std::vector<glm::ivec3> neighbourhood(int radius)
 
 std::vector<double> regressionWeights(const GridGeometry& geometry, int radius, RegressionWeighting weighting)
 {
-  const std::vector<glm::ivec3> offsets = neighbourhood(radius);
+  const std::vector<glm::ivec3> offsets = neighborhood(radius);
   std::vector<double> weights(offsets.size(), 1.0);
   if (weighting == RegressionWeighting::InverseDistance)
   {

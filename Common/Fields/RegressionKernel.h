@@ -11,28 +11,28 @@
 namespace ink
 {
 
-/// How much a neighbour counts in the regression.
+/// How much a neighbor counts in the regression.
 enum class RegressionWeighting
 {
-  /// Every neighbour the same: the least noise.
+  /// Every neighbor the same: the least noise.
   Uniform,
-  /// The reciprocal of the neighbour's distance in world units, the centre as much as the nearest neighbour.
+  /// The reciprocal of the neighbor's distance in world units, the center as much as the nearest neighbor.
   InverseDistance
 };
 
-/// The neighbours of a sample within `radius` steps along each axis, itself included: offsets with x running
+/// The neighbors of a sample within `radius` steps along each axis, itself included: offsets with x running
 /// fastest, from (-radius, -radius, -radius).
-std::vector<glm::ivec3> neighbourhood(int radius);
+std::vector<glm::ivec3> neighborhood(int radius);
 
-/// The weight of each neighbour, in the order of neighbourhood(radius), the nearest one's 1. Neumann et al.
+/// The weight of each neighbor, in the order of neighborhood(radius), the nearest one's 1. Neumann et al.
 /// (2000) ask for weights that fall with the distance and leave the function open; implementations take the
 /// reciprocal Euclidean distance.
 std::vector<double> regressionWeights(
   const GridGeometry& geometry, int radius, RegressionWeighting weighting);
 
 /// The plane value + gradient . offset that fits the samples at some offsets best, in the sense of weighted
-/// least squares: the 4D linear regression of Neumann et al. (2000), with their sums written for neighbours
-/// that need not lie around the centre evenly. With the samples f and the weights w:
+/// least squares: the 4D linear regression of Neumann et al. (2000), with their sums written for neighbors
+/// that need not lie around the center evenly. With the samples f and the weights w:
 ///   gradient = inverse * sum w (offset - mean) f    per sample step
 ///   value    = sum w f / total - gradient . mean
 /// Along directions that the offsets do not determine, as across a single slice, the gradient is 0.
@@ -45,7 +45,7 @@ struct PlaneFit
   /// Of sum w (offset - mean)(offset - mean)^T.
   glm::dmat3 inverse = glm::dmat3(0.0);
 
-  /// \param offsets, weights one each for every neighbour
+  /// \param offsets, weights one each for every neighbor
   /// \param used which of them there are, not 0 for those; all when empty
   PlaneFit(std::span<const glm::ivec3> offsets, std::span<const double> weights,
     std::span<const std::uint8_t> used = {});

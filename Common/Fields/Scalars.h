@@ -21,7 +21,7 @@
 namespace ink
 {
 
-/// a - b as a double. 64-bit integers are subtracted before they are rounded, so that neighbouring values
+/// a - b as a double. 64-bit integers are subtracted before they are rounded, so that neighboring values
 /// near the ends of their range stay apart.
 template <class T>
 double difference(T a, T b)

@@ -59,7 +59,7 @@ std::vector<DashPoint> dashPoints(std::span<const TracedLine> lines, float dash,
 }
 
 /// Which point is nearest to each pixel of ink: spreads from the points through the ink, a ring of pixels at
-/// a time, each pixel taking over the nearest of its neighbours' points.
+/// a time, each pixel taking over the nearest of its neighbors' points.
 std::vector<std::uint32_t> nearestPoints(const InkImage& image, std::span<const DashPoint> points)
 {
   const auto placeOf = [&](glm::ivec2 p)

@@ -47,8 +47,8 @@ struct Stamp
   }
 };
 
-/// Whether a neighbour with as much ink lies on every way out of a pixel. Then what the pixel adds to any
-/// other, the neighbour nearer to that one adds, too.
+/// Whether a neighbor with as much ink lies on every way out of a pixel. Then what the pixel adds to any
+/// other, the neighbor nearer to that one adds, too.
 bool isInside(const InkImage& image, int x, int y)
 {
   const unsigned char value = image.row(y)[x];

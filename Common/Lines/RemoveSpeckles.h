@@ -16,7 +16,7 @@ struct CutBorders
 
 /// Erases what is too short for a line: spots of ink whose extent is less than `shortest` pixels. A spot are
 /// the pixels of at least `threshold` (1 to 255) that hang together by sides or corners; its extent is one
-/// more than the diagonal of the box around the centres of its pixels, so that one pixel has 1 and a straight
+/// more than the diagonal of the box around the centers of its pixels, so that one pixel has 1 and a straight
 /// row of n has n. Spots at a cut border stay, as their extent is not known.
 ///
 /// Ink that is fainter than the threshold, like the soft rim of a line, stays with a spot that it touches and

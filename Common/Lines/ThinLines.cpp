@@ -18,18 +18,18 @@ namespace
 constexpr std::size_t pixelsPerTask = 4096;
 constexpr int rowsPerTask = 64;
 
-/// The neighbours of a pixel in a circle, as bits: right, upper right, above, ..., lower right.
+/// The neighbors of a pixel in a circle, as bits: right, upper right, above, ..., lower right.
 constexpr unsigned right = 1;
 constexpr unsigned above = 4;
 constexpr unsigned left = 16;
 constexpr unsigned below = 64;
 constexpr std::array<unsigned, 4> sides = { above, below, left, right };
 
-/// Whether a pixel with these neighbours can go: it has more than one, so it ends no line; and what it
+/// Whether a pixel with these neighbors can go: it has more than one, so it ends no line; and what it
 /// touches hangs together without it, while it touches the empty side in one place only.
-constexpr bool canGo(unsigned neighbours)
+constexpr bool canGo(unsigned neighbors)
 {
-  if (std::popcount(neighbours) < 2)
+  if (std::popcount(neighbors) < 2)
   {
     return false;
   }
@@ -37,9 +37,9 @@ constexpr bool canGo(unsigned neighbours)
   int pieces = 0;
   for (unsigned side = 0; side < 8; side += 2)
   {
-    const bool here = neighbours >> side & 1;
-    const bool corner = neighbours >> (side + 1) & 1;
-    const bool next = neighbours >> (side + 2) % 8 & 1;
+    const bool here = neighbors >> side & 1;
+    const bool corner = neighbors >> (side + 1) & 1;
+    const bool next = neighbors >> (side + 2) % 8 & 1;
     pieces += !here && (corner || next) ? 1 : 0;
   }
   return pieces == 1;
@@ -48,9 +48,9 @@ constexpr bool canGo(unsigned neighbours)
 constexpr std::array<bool, 256> makeCanGo()
 {
   std::array<bool, 256> table = {};
-  for (unsigned neighbours = 0; neighbours < 256; ++neighbours)
+  for (unsigned neighbors = 0; neighbors < 256; ++neighbors)
   {
-    table[neighbours] = canGo(neighbours);
+    table[neighbors] = canGo(neighbors);
   }
   return table;
 }
@@ -76,7 +76,7 @@ private:
     return static_cast<std::size_t>(y + 1) * this->Stride + static_cast<std::size_t>(x + 1);
   }
 
-  unsigned neighboursOf(std::size_t place) const
+  unsigned neighborsOf(std::size_t place) const
   {
     const unsigned char* const p = this->Flags.data() + place;
     const auto stride = static_cast<std::ptrdiff_t>(this->Stride);
@@ -124,7 +124,7 @@ Ink::Ink(const InkImage& image, unsigned char threshold)
   forRows(
     [&](std::size_t task, unsigned char, std::size_t place)
     {
-      if ((this->Flags[place] & inky) && this->neighboursOf(place) != 255)
+      if ((this->Flags[place] & inky) && this->neighborsOf(place) != 255)
       {
         this->Found[task].push_back(place);
       }
@@ -150,8 +150,8 @@ void Ink::takeFrom(unsigned side)
         const std::size_t place = this->Layer[i];
         if (this->Flags[place] & inky)
         {
-          const unsigned neighbours = this->neighboursOf(place);
-          if (!(neighbours & side) && canGoOf[neighbours])
+          const unsigned neighbors = this->neighborsOf(place);
+          if (!(neighbors & side) && canGoOf[neighbors])
           {
             found.push_back(place);
           }

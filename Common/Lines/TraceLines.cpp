@@ -13,7 +13,7 @@ namespace ink
 namespace
 {
 
-/// The eight neighbours in a circle; the opposite of direction d is (d + 4) % 8.
+/// The eight neighbors in a circle; the opposite of direction d is (d + 4) % 8.
 constexpr std::array<glm::ivec2, 8> steps = { glm::ivec2(1, 0), glm::ivec2(1, 1), glm::ivec2(0, 1),
   glm::ivec2(-1, 1), glm::ivec2(-1, 0), glm::ivec2(-1, -1), glm::ivec2(0, -1), glm::ivec2(1, -1) };
 

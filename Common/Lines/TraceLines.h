@@ -9,7 +9,7 @@
 namespace ink
 {
 
-/// Pixels from one to the next, as columns and rows; neighbours touch by sides or corners. A closed line
+/// Pixels from one to the next, as columns and rows; neighbors touch by sides or corners. A closed line
 /// begins and ends with the same pixel; a lone pixel is a line of one.
 using TracedLine = std::vector<glm::ivec2>;
 

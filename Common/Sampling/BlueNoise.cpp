@@ -28,9 +28,9 @@ namespace
 {
 
 // Darts for each sample that is expected, twice. Gaps are then found faster than by more darts; but blocks
-// are not filled before their neighbours have any samples: these would stand along the blocks' sides.
+// are not filled before their neighbors have any samples: these would stand along the blocks' sides.
 constexpr double dartsPerRound = 0.5;
-// A block's side in the largest radii. Discs of blocks of one colour must not meet in one bin: each reaches
+// A block's side in the largest radii. Discs of blocks of one color must not meet in one bin: each reaches
 // out by a radius, and by the width of a bin at either end.
 constexpr float radiiPerBlock = 16.0f;
 // The radius at a place of little density is at most this many times the least.
@@ -82,7 +82,7 @@ public:
 
   std::uint32_t at(const glm::ivec3& block)
   {
-    // Neighbouring triangles and darts mostly lie in one block.
+    // Neighboring triangles and darts mostly lie in one block.
     if (block == this->LastBlock)
     {
       return this->LastName;
@@ -250,7 +250,7 @@ private:
   {
     return this->Table.at(glm::ivec3(glm::floor(position / this->BlockSize)));
   }
-  /// Calls body(thing, make) for what is in each block, block after block of a colour in parallel; make(dart)
+  /// Calls body(thing, make) for what is in each block, block after block of a color in parallel; make(dart)
   /// makes a sample.
   template <class Thing, class Body>
   bool inBlocks(const BlockLists<Thing>& lists, const Body& body, const Progress& progress);
@@ -289,18 +289,18 @@ float Sampling::radiusAt(const SurfaceSample& sample) const
 template <class Thing, class Body>
 bool Sampling::inBlocks(const BlockLists<Thing>& lists, const Body& body, const Progress& progress)
 {
-  std::vector<std::uint32_t> ofColour[8];
+  std::vector<std::uint32_t> ofColor[8];
   const std::span<const glm::ivec3> blocks = this->Table.blocks();
   for (std::uint32_t block = 0; block < blocks.size(); ++block)
   {
     const glm::ivec3 parity = blocks[block] & 1;
     if (!lists.of(block).empty())
     {
-      ofColour[parity.x + 2 * parity.y + 4 * parity.z].push_back(block);
+      ofColor[parity.x + 2 * parity.y + 4 * parity.z].push_back(block);
     }
   }
   double done = 0.0;
-  for (const std::vector<std::uint32_t>& names : ofColour)
+  for (const std::vector<std::uint32_t>& names : ofColor)
   {
     const double share = static_cast<double>(names.size()) / static_cast<double>(blocks.size());
     std::vector<std::vector<SurfaceSample>> made(names.size());
@@ -380,7 +380,7 @@ bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress
     lists,
     [&](std::span<const BlueNoiseDart> darts, const auto& make)
     {
-      // Neighbours in the list are neighbours on the mesh: they are tried far from each other.
+      // Neighbors in the list are neighbors on the mesh: they are tried far from each other.
       const std::size_t stride = strideThrough(darts.size());
       for (std::size_t i = 0, place = 0; i < darts.size(); ++i, place = (place + stride) % darts.size())
       {

@@ -23,7 +23,7 @@ struct BlueNoise
 /// limit of random sequential adsorption (Feder 1980), as a number of samples: this times area / radius^2.
 inline constexpr double saturatedCount = 0.547 * 4.0 / 3.14159265358979;
 
-/// The distance between neighbours when `count` points stand in a hexagonal lattice, which no arrangement in
+/// The distance between neighbors when `count` points stand in a hexagonal lattice, which no arrangement in
 /// the plane exceeds: sqrt(2 area / (sqrt(3) count)).
 double hexagonalDistance(double area, double count);
 
@@ -56,7 +56,7 @@ inline constexpr double largestGap = 1.0;
 /// evenly by area times density, then one into every gap that is left. Gaps are found by halving triangles
 /// until each part lies in a sample's disc or is small (after Cline et al. 2009, section 3).
 ///
-/// Space is cut into blocks of 16 of the largest radii. Blocks of one of eight colours do not touch and are
+/// Space is cut into blocks of 16 of the largest radii. Blocks of one of eight colors do not touch and are
 /// filled in parallel, so that the samples do not depend on the number of threads.
 ///
 /// With a density the radius is that of LocalRadius, and two samples keep the smaller of their radii apart.

@@ -38,8 +38,8 @@ glm::dvec3 centralDifference(const CellStencil& cell, int corner)
   {
     const int n = (corner >> Across[axis][0] & 1) | (corner >> Across[axis][1] & 1) << 1;
     const bool upper = corner >> axis & 1;
-    gradient[axis] = cell.values[upper ? neighbourAfter(axis, n) : highCorner(axis, n)] -
-      cell.values[upper ? lowCorner(axis, n) : neighbourBefore(axis, n)];
+    gradient[axis] = cell.values[upper ? neighborAfter(axis, n) : highCorner(axis, n)] -
+      cell.values[upper ? lowCorner(axis, n) : neighborBefore(axis, n)];
   }
   return gradient;
 }
@@ -109,25 +109,25 @@ int highCorner(int axis, int n)
   return lowCorner(axis, n) | 1 << axis;
 }
 
-int neighbourBefore(int axis, int n)
+int neighborBefore(int axis, int n)
 {
   return Corners + 4 * axis + n;
 }
 
-int neighbourAfter(int axis, int n)
+int neighborAfter(int axis, int n)
 {
   return Corners + Edges + 4 * axis + n;
 }
 
 void CellStencil::extrapolateBefore(int axis, int n)
 {
-  this->values[neighbourBefore(axis, n)] =
+  this->values[neighborBefore(axis, n)] =
     2.0 * this->values[lowCorner(axis, n)] - this->values[highCorner(axis, n)];
 }
 
 void CellStencil::extrapolateAfter(int axis, int n)
 {
-  this->values[neighbourAfter(axis, n)] =
+  this->values[neighborAfter(axis, n)] =
     2.0 * this->values[highCorner(axis, n)] - this->values[lowCorner(axis, n)];
 }
 

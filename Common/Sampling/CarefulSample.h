@@ -16,7 +16,7 @@ struct CellStencil
 {
   double values[StencilSize];
 
-  /// Extrapolates the neighbour before or after an edge from the edge that it continues, which makes the
+  /// Extrapolates the neighbor before or after an edge from the edge that it continues, which makes the
   /// central difference there one-sided.
   void extrapolateBefore(int axis, int n);
   void extrapolateAfter(int axis, int n);
@@ -24,11 +24,11 @@ struct CellStencil
   void normalize();
 };
 
-/// The corners at the ends of edge n along an axis, and where its neighbours stand in a stencil.
+/// The corners at the ends of edge n along an axis, and where its neighbors stand in a stencil.
 int lowCorner(int axis, int n);
 int highCorner(int axis, int n);
-int neighbourBefore(int axis, int n);
-int neighbourAfter(int axis, int n);
+int neighborBefore(int axis, int n);
+int neighborAfter(int axis, int n);
 
 /// The mean of the surface's intersections with the cell's edges, in the unit cell.
 glm::dvec3 meanCrossing(const CellStencil& cell, CrossingRule rule);

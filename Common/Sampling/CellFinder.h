@@ -24,7 +24,7 @@
 namespace ink
 {
 
-/// Layers of cells that are a unit of parallel work: each classifies one layer of samples that its neighbour
+/// Layers of cells that are a unit of parallel work: each classifies one layer of samples that its neighbor
 /// classifies too. A multiple of a brick's.
 constexpr int SlabLayers = 16;
 

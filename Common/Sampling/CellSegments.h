@@ -27,7 +27,7 @@ struct SegmentBatch : SegmentList
 class SegmentTerms
 {
 public:
-  /// \param steps distances in memory between neighbouring samples along x, y and z
+  /// \param steps distances in memory between neighboring samples along x, y and z
   SegmentTerms(const glm::ivec3& samples, const std::ptrdiff_t (&steps)[3]);
 
 private:

@@ -47,7 +47,7 @@ struct CellRun
 /// The cells that an iso-surface crosses, in the order of the grid.
 struct CrossedCells
 {
-  /// Neighbouring layers of cells, a unit of parallel work.
+  /// Neighboring layers of cells, a unit of parallel work.
   struct Slab
   {
     std::vector<CellRun> runs;

@@ -11,7 +11,7 @@ namespace ink
 {
 
 /// The finite ones of some points, each place once: many points at one place would leave no room for others
-/// among a point's nearest neighbours.
+/// among a point's nearest neighbors.
 struct DistinctPoints
 {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();

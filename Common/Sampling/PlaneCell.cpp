@@ -16,17 +16,17 @@ PlaneCell::PlaneCell(float reach)
   this->Corners[3] = { { -reach, reach }, false };
 }
 
-void PlaneCell::cut(const glm::vec2& neighbour)
+void PlaneCell::cut(const glm::vec2& neighbor)
 {
-  const float limit = 0.5f * glm::dot(neighbour, neighbour);
+  const float limit = 0.5f * glm::dot(neighbor, neighbor);
   std::array<Corner, mostCorners> kept;
   std::size_t count = 0;
   for (std::size_t i = 0; i < this->Count; ++i)
   {
     const Corner& here = this->Corners[i];
     const Corner& next = this->Corners[i + 1 < this->Count ? i + 1 : 0];
-    const float beyond = glm::dot(here.place, neighbour) - limit;
-    const float nextBeyond = glm::dot(next.place, neighbour) - limit;
+    const float beyond = glm::dot(here.place, neighbor) - limit;
+    const float nextBeyond = glm::dot(next.place, neighbor) - limit;
     if (beyond <= 0.0f && count < kept.size())
     {
       kept[count++] = here;

@@ -19,7 +19,7 @@ namespace
 {
 
 constexpr std::size_t blockSize = 1 << 10;
-// How many of a point's neighbours the graph joins it with: more neighbours smooth normals, but hardly change
+// How many of a point's neighbors the graph joins it with: more neighbors smooth normals, but hardly change
 // the tree.
 constexpr std::size_t mostEdges = 16;
 
@@ -141,13 +141,13 @@ void orient(std::span<const glm::vec3> points, std::vector<Edge>& edges, std::ve
 
 } // namespace
 
-std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int neighbours,
+std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int neighbors,
   const Progress& progress, const std::optional<glm::vec3>& viewpoint)
 {
   const DistinctPoints distinct(points);
   const std::span<const glm::vec3> places(distinct.places);
   const NearestPoints tree(places);
-  const auto count = static_cast<std::size_t>(std::clamp(neighbours, 3, NearestPoints::most));
+  const auto count = static_cast<std::size_t>(std::clamp(neighbors, 3, NearestPoints::most));
   const std::size_t found = std::min(count, places.size());
   const std::size_t joined = viewpoint ? 0 : std::min(found, mostEdges);
   std::vector<glm::vec3> normals(places.size());

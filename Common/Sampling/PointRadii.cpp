@@ -22,18 +22,18 @@ namespace
 {
 
 constexpr std::size_t blockSize = 1 << 10;
-constexpr std::size_t mostNeighbours = PlaneCell::mostNeighbours;
-constexpr std::size_t smoothed = 12; // neighbours that radii are made alike with
-constexpr std::size_t spacingAt = 8; // which neighbour's distance says how densely points lie
+constexpr std::size_t mostNeighbors = PlaneCell::mostNeighbors;
+constexpr std::size_t smoothed = 12; // neighbors that radii are made alike with
+constexpr std::size_t spacingAt = 8; // which neighbor's distance says how densely points lie
 constexpr std::size_t onALine = 6;   // whose distance is the radius where there is no cell
-// Times as far from its neighbours as the densest of these are from theirs: when it stands out of their
+// Times as far from its neighbors as the densest of these are from theirs: when it stands out of their
 // plane, and in any case.
 constexpr float isolatedAbove = 3.0f;
 constexpr float isolatedAnyway = 8.0f;
-constexpr std::size_t densest = 3;    // of the neighbours
-constexpr float outOfPlane = 0.3f;    // of the distance to the neighbours
+constexpr std::size_t densest = 3;    // of the neighbors
+constexpr float outOfPlane = 0.3f;    // of the distance to the neighbors
 constexpr float isolatedCloud = 6.0f; // times the median distance of all points
-constexpr float thickCloud = 0.25f;   // of the distance to the neighbours: how far these are from their plane
+constexpr float thickCloud = 0.25f;   // of the distance to the neighbors: how far these are from their plane
 constexpr float holeFrom = 3.0f;      // times as far as corners of cells are in the median
 constexpr float ownMedianCounts = 4.0f;
 constexpr float overlap = 1.25f;
@@ -46,16 +46,16 @@ float median(std::span<float> values)
   return *middle;
 }
 
-/// Places with their neighbours, and what is found out about them step by step. Each step writes to its own
+/// Places with their neighbors, and what is found out about them step by step. Each step writes to its own
 /// place.
-struct Neighbourhoods
+struct Neighborhoods
 {
   const std::vector<glm::vec3>& places;
   std::vector<glm::vec3> normals;
   bool oneSided; // whether normals tell the sides of a surface apart
   NearestPoints tree;
-  std::size_t count;                // of neighbours of each
-  std::vector<std::uint32_t> found; // all neighbours, nearest first
+  std::size_t count;                // of neighbors of each
+  std::vector<std::uint32_t> found; // all neighbors, nearest first
   std::vector<float> spacing;
   std::vector<char> isolated;
   std::vector<float> middle;   // median distance of the cell's corners; infinite without any
@@ -63,12 +63,12 @@ struct Neighbourhoods
   std::vector<float> cover;
   std::vector<float> wide; // the widest cover around
 
-  Neighbourhoods(const std::vector<glm::vec3>& thePlaces, std::vector<glm::vec3> theNormals)
+  Neighborhoods(const std::vector<glm::vec3>& thePlaces, std::vector<glm::vec3> theNormals)
     : places(thePlaces)
     , normals(std::move(theNormals))
     , oneSided(!this->normals.empty())
     , tree(places)
-    , count(std::min(mostNeighbours, places.size() - 1))
+    , count(std::min(mostNeighbors, places.size() - 1))
     , found(count * places.size())
     , spacing(places.size())
     , isolated(places.size())
@@ -86,9 +86,9 @@ struct Neighbourhoods
     return { &this->found[i * this->count], this->count };
   }
 
-  void findNeighbours(std::size_t i)
+  void findNeighbors(std::size_t i)
   {
-    std::array<std::uint32_t, mostNeighbours + 1> nearest;
+    std::array<std::uint32_t, mostNeighbors + 1> nearest;
     const std::span<std::uint32_t> wanted(nearest.data(), this->count + 1);
     this->tree.find(this->places[i], wanted);
     // Itself is the nearest, but for others whose distance rounds to none.
@@ -102,7 +102,7 @@ struct Neighbourhoods
   void findIsolated(std::size_t i, float usualSpacing)
   {
     const auto all = this->near(i);
-    std::array<float, mostNeighbours> spacings;
+    std::array<float, mostNeighbors> spacings;
     std::transform(
       all.begin(), all.end(), spacings.begin(), [&](std::uint32_t n) { return this->spacing[n]; });
     const std::size_t rank = std::min(densest, this->count) - 1;
@@ -185,7 +185,7 @@ struct Neighbourhoods
 
   void coverCell(std::size_t i)
   {
-    std::array<float, mostNeighbours + 1> middles;
+    std::array<float, mostNeighbors + 1> middles;
     std::size_t measured = 0;
     const auto add = [&](std::size_t place)
     {
@@ -222,7 +222,7 @@ struct Neighbourhoods
     }
   }
 
-  /// Calls body(other) for the place itself and for its nearest neighbours.
+  /// Calls body(other) for the place itself and for its nearest neighbors.
   template <class Body>
   void forNearest(std::size_t i, const Body& body) const
   {
@@ -299,9 +299,9 @@ PointRadii pointRadii(
     place = glm::vec3((glm::dvec3(place) - glm::dvec3(low)) / unit);
   }
 
-  Neighbourhoods all(distinct.places, normalsOf(distinct, normals));
+  Neighborhoods all(distinct.places, normalsOf(distinct, normals));
   std::vector<float> radius(distinct.places.size());
-  // Finding the neighbours takes about half of the time, the cells most of the rest.
+  // Finding the neighbors takes about half of the time, the cells most of the rest.
   double done = 0.0;
   const auto run = [&](double share, const auto& step)
   {
@@ -342,7 +342,7 @@ PointRadii pointRadii(
     all.isolated = std::move(more);
     return true;
   };
-  if (!run(0.5, [&](std::size_t i) { all.findNeighbours(i); }) || !findIsolated() ||
+  if (!run(0.5, [&](std::size_t i) { all.findNeighbors(i); }) || !findIsolated() ||
     !run(0.3, unlessIsolated([&](std::size_t i) { all.measureCell(i); })) ||
     !run(0.05, unlessIsolated([&](std::size_t i) { all.coverCell(i); })) ||
     !run(0.02, unlessIsolated([&](std::size_t i) { all.widen(i); })) ||

@@ -19,14 +19,14 @@ namespace
 {
 
 constexpr std::size_t maximumQueries = 64;
-constexpr std::size_t neighbours = 6;
+constexpr std::size_t neighbors = 6;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// The distance from one point to the sixth nearest place of others, or to the farthest of fewer; infinite
 /// without any.
-float distanceToNeighbours(std::span<const glm::vec3> points, std::size_t query)
+float distanceToNeighbors(std::span<const glm::vec3> points, std::size_t query)
 {
-  std::array<float, neighbours> nearest;
+  std::array<float, neighbors> nearest;
   nearest.fill(infinity);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -56,7 +56,7 @@ float discRadiusFromSpacing(std::span<const glm::vec3> points)
     [&]
     {
       tbb::parallel_for(std::size_t(0), queries,
-        [&](std::size_t i) { distances[i] = distanceToNeighbours(points, i * points.size() / queries); });
+        [&](std::size_t i) { distances[i] = distanceToNeighbors(points, i * points.size() / queries); });
     });
   std::erase(distances, infinity);
   if (distances.empty())

@@ -84,13 +84,13 @@ public:
     head = point;
   }
 
-  /// The block of four cells along each axis that a point is in, the lowest bits saying its colour: blocks of
-  /// one colour are far enough apart for points to be added at the same time.
+  /// The block of four cells along each axis that a point is in, the lowest bits saying its color: blocks of
+  /// one color are far enough apart for points to be added at the same time.
   std::uint64_t blockOf(std::uint32_t point) const { return this->Places[point] >> this->Shift >> 6; }
-  static constexpr std::uint64_t colours = 8;
+  static constexpr std::uint64_t colors = 8;
 
 private:
-  void findNeighbours(const std::vector<bool>& wanted);
+  void findNeighbors(const std::vector<bool>& wanted);
 
   std::span<const Point> Points;
   std::span<const std::uint64_t> Places;
@@ -102,7 +102,7 @@ private:
   std::vector<std::uint32_t> Next;   // and of each point another
   // Those of the 27 cells around each that there are, and which of the 27 they are.
   std::vector<std::uint32_t> Begin;
-  std::vector<std::uint32_t> Neighbours;
+  std::vector<std::uint32_t> Neighbors;
   std::vector<std::uint8_t> Directions;
 };
 
@@ -124,7 +124,7 @@ void ChosenPoints::setOctave(int octave, std::span<const std::uint32_t> chosen, 
     wanted.back() = wanted.back() || !isDone(i);
     this->CellOf[i] = static_cast<std::uint32_t>(this->Cells.size() - 1);
   }
-  this->findNeighbours(wanted);
+  this->findNeighbors(wanted);
   this->Heads.assign(this->Cells.size(), none);
   for (const std::uint32_t point : chosen)
   {
@@ -132,7 +132,7 @@ void ChosenPoints::setOctave(int octave, std::span<const std::uint32_t> chosen, 
   }
 }
 
-void ChosenPoints::findNeighbours(const std::vector<bool>& wanted)
+void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
 {
   const std::size_t mask = std::bit_ceil(2 * this->Cells.size() + 1) - 1;
   std::vector<std::uint32_t> table(mask + 1, none);
@@ -173,7 +173,7 @@ void ChosenPoints::findNeighbours(const std::vector<bool>& wanted)
       }
     });
   std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
-  this->Neighbours.resize(this->Begin.back());
+  this->Neighbors.resize(this->Begin.back());
   this->Directions.resize(this->Begin.back());
   parallelFor(blocks,
     [&](std::size_t block)
@@ -181,7 +181,7 @@ void ChosenPoints::findNeighbours(const std::vector<bool>& wanted)
       std::size_t place = this->Begin[block * blockSize];
       for (const auto& [name, direction] : found[block])
       {
-        this->Neighbours[place] = name;
+        this->Neighbors[place] = name;
         this->Directions[place++] = direction;
       }
     });
@@ -207,7 +207,7 @@ float ChosenPoints::distance(std::uint32_t index, float width) const
     {
       continue;
     }
-    for (std::uint32_t i = this->Heads[this->Neighbours[n]]; i != none; i = this->Next[i])
+    for (std::uint32_t i = this->Heads[this->Neighbors[n]]; i != none; i = this->Next[i])
     {
       const Point& other = this->Points[i];
       const glm::vec3 offset = other.position - point.position;
@@ -223,7 +223,7 @@ float ChosenPoints::distance(std::uint32_t index, float width) const
   return least < width ? least : std::numeric_limits<float>::infinity();
 }
 
-/// The points to be ordered, neighbours near each other in memory.
+/// The points to be ordered, neighbors near each other in memory.
 struct SortedPoints
 {
   std::vector<Point> points;
@@ -414,18 +414,18 @@ void Chooser::choose(int level)
 void Chooser::chooseAmong(
   std::span<const std::uint32_t> candidates, int level, std::vector<std::uint32_t>& chosen)
 {
-  std::vector<std::vector<std::uint32_t>> ofColour[ChosenPoints::colours];
+  std::vector<std::vector<std::uint32_t>> ofColor[ChosenPoints::colors];
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     const std::uint64_t block = this->Chosen.blockOf(candidates[i]);
-    auto& blocks = ofColour[block % ChosenPoints::colours];
+    auto& blocks = ofColor[block % ChosenPoints::colors];
     if (i == 0 || this->Chosen.blockOf(candidates[i - 1]) != block)
     {
       blocks.emplace_back();
     }
     blocks.back().push_back(candidates[i]);
   }
-  for (auto& blocks : ofColour)
+  for (auto& blocks : ofColor)
   {
     parallelFor(blocks.size(),
       [&](std::size_t b)

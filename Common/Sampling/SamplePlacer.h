@@ -187,7 +187,7 @@ private:
     return careful;
   }
 
-  /// By vectors of neighbouring samples. Rows beyond the grid's border are replaced by those at it.
+  /// By vectors of neighboring samples. Rows beyond the grid's border are replaced by those at it.
   void loadQuickly(SegmentBatch& cells, Workspace& work) const
   {
     using K = KernelScalar<T>;
@@ -209,7 +209,7 @@ private:
     }
   }
 
-  /// The distances to neighbours of each cell of a batch, some of which are at the border. Returns a bit for
+  /// The distances to neighbors of each cell of a batch, some of which are at the border. Returns a bit for
   /// each cell whose rows would begin before or end beyond the array; in its place comes something that can
   /// be read.
   std::uint64_t findDistances(SegmentBatch& cells, Workspace& work) const
@@ -310,7 +310,7 @@ private:
     }
   }
 
-  /// Neighbours beyond the grid's border, from the edge that they continue: the central difference becomes
+  /// Neighbors beyond the grid's border, from the edge that they continue: the central difference becomes
   /// one-sided.
   void extrapolate(const SegmentBatch& cells, CellBatch<Work>& batch) const
   {
@@ -330,7 +330,7 @@ private:
     }
   }
 
-  /// Whether a neighbour of the cell is marked as hidden.
+  /// Whether a neighbor of the cell is marked as hidden.
   bool hasHidden(const glm::ivec3& cell) const
   {
     bool found = false;
@@ -342,7 +342,7 @@ private:
     return found;
   }
 
-  /// In double, with missing neighbours extrapolated.
+  /// In double, with missing neighbors extrapolated.
   void placeCarefully(const glm::ivec3& cell, int lane, bool normals, CellBatch<Work>& batch) const
   {
     CellStencil stencil = {};
@@ -371,9 +371,9 @@ private:
         glm::ivec3 sample = cell + glm::ivec3(low & 1, low >> 1 & 1, low >> 2);
         sample[axis] -= 1;
         const auto take = [&](int place) { stencil.values[place] = this->Relative(this->Field.at(sample)); };
-        this->Field.has(sample) ? take(neighbourBefore(axis, n)) : stencil.extrapolateBefore(axis, n);
+        this->Field.has(sample) ? take(neighborBefore(axis, n)) : stencil.extrapolateBefore(axis, n);
         sample[axis] += 3;
-        this->Field.has(sample) ? take(neighbourAfter(axis, n)) : stencil.extrapolateAfter(axis, n);
+        this->Field.has(sample) ? take(neighborAfter(axis, n)) : stencil.extrapolateAfter(axis, n);
       }
     }
     stencil.normalize();

@@ -57,8 +57,8 @@ StencilShape::StencilShape(NormalMethod method)
     {
       const int low = lowCorner(axis, n);
       const int high = highCorner(axis, n);
-      this->continuations[axis][0].push_back({ neighbourBefore(axis, n), low, high });
-      this->continuations[axis][1].push_back({ neighbourAfter(axis, n), high, low });
+      this->continuations[axis][0].push_back({ neighborBefore(axis, n), low, high });
+      this->continuations[axis][1].push_back({ neighborAfter(axis, n), high, low });
     }
   }
 }

@@ -15,7 +15,7 @@
 namespace ink
 {
 
-/// What a volume's stipples are chosen and normalised by (Lu et al. 2003, sections 4.1 and 4.2).
+/// What a volume's stipples are chosen and normalized by (Lu et al. 2003, sections 4.1 and 4.2).
 struct VolumeStatistics
 {
   /// The lengths of the world gradients at all samples that are not missing.

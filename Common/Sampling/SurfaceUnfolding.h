@@ -91,7 +91,7 @@ public:
   };
 
   /// @param points the mesh's points, in any unit and frame
-  /// @param triangles best in an order in which neighbours are near each other
+  /// @param triangles best in an order in which neighbors are near each other
   ///
   /// Edges are joined by their points' indices, and where that leaves the mesh open, by equal positions.
   SurfaceUnfolding(std::span<const glm::vec3> points, std::span<const Triangle> triangles);

@@ -121,7 +121,7 @@ private:
     std::size_t end = 0;
   };
 
-  /// Which neighbours of a class's voxels are filled before them.
+  /// Which neighbors of a class's voxels are filled before them.
   void findEarlier(int parity)
   {
     for (int n = 0; n < 27; ++n)
@@ -158,15 +158,15 @@ private:
       const int x = this->Voxels.x[voxel];
       if (((this->Geometry.first().x + x) & 1) == parity)
       {
-        this->findNeighbours(x, rows);
+        this->findNeighbors(x, rows);
         this->fillVoxel(voxel, { x, y, z });
       }
     }
   }
 
-  void findNeighbours(int x, std::array<Row, 9>& rows)
+  void findNeighbors(int x, std::array<Row, 9>& rows)
   {
-    this->Voxel.neighbours = 0;
+    this->Voxel.neighbors = 0;
     for (int n = 0; n < 9; ++n)
     {
       Row& row = rows[n];
@@ -179,11 +179,11 @@ private:
         const int dx = this->Voxels.x[at] - x;
         if (this->Earlier[3 * n + dx + 1])
         {
-          const int neighbour = this->Voxel.neighbours++;
-          this->Voxel.neighbour[neighbour] = &this->Stipples[at * this->Count].x;
-          this->Voxel.offset[neighbour][0] = static_cast<float>(dx);
-          this->Voxel.offset[neighbour][1] = static_cast<float>(n % 3 - 1);
-          this->Voxel.offset[neighbour][2] = static_cast<float>(n / 3 - 1);
+          const int neighbor = this->Voxel.neighbors++;
+          this->Voxel.neighbor[neighbor] = &this->Stipples[at * this->Count].x;
+          this->Voxel.offset[neighbor][0] = static_cast<float>(dx);
+          this->Voxel.offset[neighbor][1] = static_cast<float>(n % 3 - 1);
+          this->Voxel.offset[neighbor][2] = static_cast<float>(n / 3 - 1);
         }
       }
     }
@@ -241,7 +241,7 @@ std::vector<glm::vec3> placeVolumeStipples(const GridGeometry& geometry, const S
   {
     return stipples;
   }
-  // The classes of even layers come first. Layers of the same parity are not each other's neighbours.
+  // The classes of even layers come first. Layers of the same parity are not each other's neighbors.
   for (const int parity : { 0, 1 })
   {
     std::vector<int> layers;

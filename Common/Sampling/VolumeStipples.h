@@ -39,7 +39,7 @@ inline constexpr int maximumStipplesPerVoxel = 64;
 ///
 /// Each stipple is the best of some candidates: the one whose nearest other stipple is farthest (Mitchell
 /// 1991, section 4), measured by the spacing that stipples have when both are drawn. Voxels are filled in
-/// eight classes by the parities of their global indices, each class minding its neighbours in the ones
+/// eight classes by the parities of their global indices, each class minding its neighbors in the ones
 /// before; in Gray code order, which keeps the chains of dependence short (stippleReach). So the stipples
 /// depend on the seed, global indices and the surroundings only, not on threads or pieces.
 ///

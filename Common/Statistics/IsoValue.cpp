@@ -21,7 +21,7 @@ namespace
 constexpr std::int64_t fewestEdges = 200;
 // A maximum counts if the sharpness falls by this fraction on both sides of it.
 constexpr double prominence = 0.05;
-// The share of a surface's edges that may belong to voxels with at most one neighbour inside; above it is
+// The share of a surface's edges that may belong to voxels with at most one neighbor inside; above it is
 // noise.
 constexpr double largestSpeckShare = 0.05;
 // A disc that touches the sides of its square covers 78.5 % of it: the border of a round field of view.

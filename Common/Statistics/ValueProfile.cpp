@@ -111,7 +111,7 @@ std::optional<ValueBins> chooseBins(const Slices<T>& slices)
     }
   }
 
-  // Integers get one bin each, centred on them, where that is not too many. Halves: the full range of a
+  // Integers get one bin each, centered on them, where that is not too many. Halves: the full range of a
   // double does not fit in a double.
   const double halfRange = greatest / 2 - least / 2;
   if (std::is_integral_v<T> && halfRange < (maximumBins - 1) / 2.0)
@@ -173,17 +173,17 @@ void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint
       }
       ++profile.voxels[bin];
 
-      // The highest and second highest neighbour decide where this voxel is a speck.
+      // The highest and second highest neighbor decide where this voxel is a speck.
       int highest = -1;
       int second = -1;
-      int neighbours = 0;
+      int neighbors = 0;
       const auto look = [&](std::uint16_t other)
       {
         if (other == noBin)
         {
           return;
         }
-        ++neighbours;
+        ++neighbors;
         if (other > highest)
         {
           second = highest;
@@ -221,8 +221,8 @@ void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint
       {
         look(previous[i]);
       }
-      // Voxels at the border have fewer neighbours and would look like specks.
-      if (neighbours == 6 && second < bin)
+      // Voxels at the border have fewer neighbors and would look like specks.
+      if (neighbors == 6 && second < bin)
       {
         profile.speckEdges[std::max(second, 0)] += 5;
         profile.speckEdges[bin] -= 5;
@@ -237,7 +237,7 @@ ValueProfile countValues(const Slices<T>& slices, const ValueBins& bins)
   const std::array<int, 3> dimensions = slices.dimensions;
   const std::size_t sliceSize = slices.sliceSize();
   tbb::combinable<ValueProfile> partial([&bins] { return ValueProfile(bins); });
-  // Each slice with its neighbours.
+  // Each slice with its neighbors.
   const int own = slices.atOnce - 2;
   for (int begin = 0; begin < dimensions[2]; begin += own)
   {

@@ -28,14 +28,14 @@ struct ValueProfile
 {
   explicit ValueProfile(const ValueBins& b);
   void add(const ValueProfile& other);
-  /// From differences between neighbouring thresholds to the thresholds' own sums.
+  /// From differences between neighboring thresholds to the thresholds' own sums.
   void accumulate();
 
   ValueBins bins;
   std::vector<std::int64_t> voxels; ///< in each bin
   std::vector<std::int64_t> edges;  ///< that cross the threshold
   std::vector<std::int64_t> steps;  ///< of those edges, in bins, summed
-  /// Of those edges, at voxels with at most one neighbour above the threshold.
+  /// Of those edges, at voxels with at most one neighbor above the threshold.
   std::vector<std::int64_t> speckEdges;
 };
 
@@ -44,7 +44,7 @@ struct ValueProfile
 /// time.
 ///
 /// \tparam T any of the scalar types of VTK
-/// \param read called for neighbouring slices, each at least twice, from the first on
+/// \param read called for neighboring slices, each at least twice, from the first on
 /// \param slicesAtOnce the most that may be asked of read in a call, at least 3
 /// \return nothing if there are fewer than two different finite values
 /// \throw std::invalid_argument if slicesAtOnce is too small or read gives fewer or more voxels than asked

@@ -33,7 +33,7 @@ inline bool crosses(long double f1, long double f2, long double f0, CrossingRule
   return (f1 < f0 && f2 > f0) || (f1 > f0 && f2 < f0) || (f1 == f0 && f2 == f0);
 }
 
-/// The central difference along an axis, per sample; one-sided where a neighbour is missing.
+/// The central difference along an axis, per sample; one-sided where a neighbor is missing.
 template <class T>
 long double slope(const GridField<T>& field, const glm::ivec3& sample, int axis)
 {

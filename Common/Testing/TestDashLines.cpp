@@ -112,7 +112,7 @@ TEST(DashLines, KeepsJunctions)
 }
 
 /// Dashes and gaps too short to see leave as much ink as they would.
-TEST(DashLines, MakesAGreyOfShortOnes)
+TEST(DashLines, MakesAGrayOfShortOnes)
 {
   const Picture whole = ring(2.5);
   for (const auto& [dash, gap] : { std::pair(0.1f, 0.1f), { 0.3f, 0.01f }, { 0.02f, 0.08f }, { 0.7f, 0.2f } })

@@ -185,14 +185,14 @@ TEST(Gradients, OfMarschnerAndLobbConverge)
         });
       errors.push_back(std::sqrt(sum / box.count()));
     }
-    // Second order, once the wave is resolved; a wider neighbourhood needs more samples for that.
+    // Second order, once the wave is resolved; a wider neighborhood needs more samples for that.
     const bool narrow = gradientReach(options) == 1;
     EXPECT_LT(errors[1], (narrow ? 0.5 : 0.85) * errors[0]);
     EXPECT_LT(errors[2], (narrow ? 0.35 : 0.4) * errors[1]);
   }
 }
 
-TEST(Gradients, FitTheNeighboursThatThereAre)
+TEST(Gradients, FitTheNeighborsThatThereAre)
 {
   const ink::GridGeometry g({ 12, 11, 10 }, { 0, 0, 0 }, { 1.0, 0.5, 2.0 }, turned);
   const Plane plane{ { 0, 0, 0 }, { 0.5, -1.0, 2.0 } };
@@ -223,7 +223,7 @@ TEST(Gradients, FitTheNeighboursThatThereAre)
   }
 }
 
-TEST(Gradients, AreZeroAlongDirectionsWithoutNeighbours)
+TEST(Gradients, AreZeroAlongDirectionsWithoutNeighbors)
 {
   const Plane plane{ { 0, 0, 0 }, { 0.5, -1.0, 2.0 } };
   for (const glm::ivec3& n : { glm::ivec3(5, 6, 1), glm::ivec3(1, 6, 5), glm::ivec3(7, 1, 1),
@@ -366,7 +366,7 @@ TEST(Gradients, OfABoxAreThoseOfTheWhole)
           ASSERT_EQ(part.value(s), whole.value(s));
         });
     }
-    // The same samples as a grid of their own, with the neighbours that they need: what a piece has.
+    // The same samples as a grid of their own, with the neighbors that they need: what a piece has.
     const glm::ivec3 first(4, 6, 3);
     Volume<float> piece(
       ink::GridGeometry({ 25, 50, 14 }, { 0, 0, 0 }, volume.geometry.spacing(), turned, first));

@@ -48,7 +48,7 @@ Errors errorsOf(const Samples<Real>& samples, const Shape& shape)
 }
 
 /// A grid of n^3 samples around the origin.
-GridGeometry centred(int n, const glm::dvec3& spacing, const glm::dmat3& direction = glm::dmat3(1.0),
+GridGeometry centered(int n, const glm::dvec3& spacing, const glm::dmat3& direction = glm::dmat3(1.0),
   const glm::dvec3& center = glm::dvec3(0.0))
 {
   return GridGeometry({ n, n, n }, center - direction * (spacing * (0.5 * (n - 1))), spacing, direction);
@@ -63,7 +63,7 @@ TEST(IsoSurfaceSamples, LieOnASphere)
     const Sphere sphere{ { 0.1, -0.2, 0.3 }, radius };
     const int n = 2 * static_cast<int>(radius) + 6;
     const auto volume =
-      Volume<double>::from(centred(n, glm::dvec3(1.0)), [&](auto p) { return sphere.value(p); });
+      Volume<double>::from(centered(n, glm::dvec3(1.0)), [&](auto p) { return sphere.value(p); });
     const auto samples = sampleIsoSurface(volume.field(), 0.0);
     const Errors errors = errorsOf(samples, sphere);
     EXPECT_LT(errors.distance, 0.5 / radius) << radius;
@@ -79,7 +79,7 @@ TEST(IsoSurfaceSamples, LieOnATorus)
 {
   const Torus torus{ 14.0, 6.0 };
   const auto volume =
-    Volume<float>::from(centred(44, glm::dvec3(1.0)), [&](auto p) { return torus.value(p); });
+    Volume<float>::from(centered(44, glm::dvec3(1.0)), [&](auto p) { return torus.value(p); });
   const Errors errors = errorsOf(sampleIsoSurface(volume.field(), 0.0), torus);
   EXPECT_LT(errors.distance, 0.5 / torus.minor);
   EXPECT_LT(errors.angle, 0.5 / (torus.minor * torus.minor));
@@ -97,7 +97,7 @@ TEST(IsoSurfaceSamples, LieOnAPlaneExactly)
       {
         const Plane plane{ glm::dvec3(0.123) * glm::abs(spacing), normal };
         const auto volume =
-          Volume<double>::from(centred(9, spacing, direction), [&](auto p) { return plane.value(p); });
+          Volume<double>::from(centered(9, spacing, direction), [&](auto p) { return plane.value(p); });
         const auto samples = sampleIsoSurface(volume.field(), 0.0);
         ASSERT_GT(samples.size(), 0u);
         const Errors errors = errorsOf(samples, plane);
@@ -129,7 +129,7 @@ TEST(IsoSurfaceSamples, HoldFarFromTheOrigin)
 {
   const Sphere sphere{ glm::dvec3(1e7), 10.0 };
   const auto volume = Volume<double>::from(
-    centred(26, glm::dvec3(1.0), glm::dmat3(1.0), sphere.center), [&](auto p) { return sphere.value(p); });
+    centered(26, glm::dvec3(1.0), glm::dmat3(1.0), sphere.center), [&](auto p) { return sphere.value(p); });
   EXPECT_LT(errorsOf(sampleIsoSurface(volume.field(), 0.0), sphere).distance, 0.05);
 }
 
@@ -142,7 +142,7 @@ void expectSphereInType()
   const double high = static_cast<double>(std::numeric_limits<T>::max());
   const double middle = 0.5 * low + 0.5 * high;
   const double steepness = (0.5 * high - 0.5 * low) / 12.0;
-  const auto volume = Volume<T>::from(centred(22, glm::dvec3(1.0)),
+  const auto volume = Volume<T>::from(centered(22, glm::dvec3(1.0)),
     [&](auto p) { return middle + steepness * std::clamp(sphere.value(p), -11.0, 11.0); });
   const Errors errors = errorsOf(sampleIsoSurface(volume.field(), middle), sphere);
   const double rounding = std::is_integral_v<T> ? 1.0 / steepness : 0.0;
@@ -160,7 +160,7 @@ TEST(IsoSurfaceSamples, HoldForEveryType){
 #undef EXPECT_FOR
 }
 
-TEST(IsoSurfaceSamples, TellNeighbouringLargeIntegersApart)
+TEST(IsoSurfaceSamples, TellNeighboringLargeIntegersApart)
 {
   // 2^62 and its successors are one double.
   const long long base = 1LL << 62;
@@ -345,7 +345,7 @@ TEST(IsoSurfaceSamples, AreTheSameOnAnyNumberOfThreads)
 {
   const Torus torus{ 30.0, 12.0 };
   const auto volume =
-    Volume<short>::from(centred(90, glm::dvec3(1.0)), [&](auto p) { return 100 * torus.value(p); });
+    Volume<short>::from(centered(90, glm::dvec3(1.0)), [&](auto p) { return 100 * torus.value(p); });
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   const auto one = sampleIsoSurface<float>(volume.field(), 3.0);
   EXPECT_GT(one.size(), 10000u);

@@ -28,7 +28,7 @@ double noise(std::uint64_t index)
   return static_cast<double>((index ^ (index >> 31U)) >> 11U) * 0x1p-52 - 1.0;
 }
 
-/// A volume of the value f(distance to the centre, voxel index).
+/// A volume of the value f(distance to the center, voxel index).
 template <typename T>
 std::vector<T> volume(const std::function<double(double, std::size_t)>& f)
 {

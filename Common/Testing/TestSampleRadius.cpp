@@ -56,7 +56,7 @@ TEST(SampleRadius, CoversPlanes)
       ASSERT_GT(samples.size(), 0u);
       for (int i = 0; i < 200; ++i)
       {
-        // Well inside, where no neighbouring cell is cut off by the border.
+        // Well inside, where no neighboring cell is cut off by the border.
         glm::dvec3 p = 0.25 * n * spacing * glm::dvec3(unit(), unit(), unit());
         p -= plane.distance(p) * plane.normal;
         const glm::dvec3 inside = glm::abs(p) / (spacing * (0.5 * n - 2.0));

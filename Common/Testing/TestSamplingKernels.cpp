@@ -228,7 +228,7 @@ TEST(SamplingKernels, AreAsGoodInSinglePrecision)
   const Sphere sphere{ glm::dvec3(32.1, 31.7, 32.4), 25.0 };
   const Torus torus{ 20.0, 8.0 };
   const GridGeometry grid({ 64, 64, 64 });
-  const GridGeometry centred({ 64, 64, 64 }, glm::dvec3(-31.5));
+  const GridGeometry centered({ 64, 64, 64 }, glm::dvec3(-31.5));
   for (const NormalMethod method : Methods)
   {
     SCOPED_TRACE(static_cast<int>(method));
@@ -246,7 +246,7 @@ TEST(SamplingKernels, AreAsGoodInSinglePrecision)
       method));
     expectClose(
       singleAgainstDouble(Volume<unsigned char>::from(
-                            centred, [&](auto p) { return std::clamp(100 + 9 * torus.value(p), 0.0, 255.0); })
+                            centered, [&](auto p) { return std::clamp(100 + 9 * torus.value(p), 0.0, 255.0); })
                             .field(),
         100.7, method));
   }

@@ -11,7 +11,7 @@ namespace
 {
 
 /// Ink on parts of a voxel sphere: all of it, its rim, its middle, its near half, its far half; and how
-/// colourful.
+/// colorful.
 struct Ink
 {
   double all = 0.0;
@@ -135,16 +135,16 @@ TEST(StippleSliders, DistanceTellsNearFromFar)
     [](const Ink& ink) { return ink.nearHalf / (ink.nearHalf + ink.farHalf); });
 }
 
-TEST(StippleSliders, ColorColours)
+TEST(StippleSliders, ColorColors)
 {
   expectMonotone(&ink::StippleSliders::color, 1.0, [](const Ink& ink) { return ink.chroma; });
-  ink::StippleTone grey;
-  ink::StippleTone coloured;
+  ink::StippleTone gray;
+  ink::StippleTone colored;
   ink::StippleSliders sliders;
-  sliders.apply(grey);
+  sliders.apply(gray);
   sliders.color = 1.0f;
-  sliders.apply(coloured);
-  EXPECT_EQ(draw(grey).all, draw(coloured).all);
+  sliders.apply(colored);
+  EXPECT_EQ(draw(gray).all, draw(colored).all);
 }
 
 /// What is out of range counts as the end of the range.

@@ -266,7 +266,7 @@ TEST(StippleTone, LampsFadeWithDistanceAndTowardsTheRim)
 
 /// A sphere of voxels: its ink over its projected area is the same over ten octaves of distance; by random
 /// values over four, at which a few hundred stipples are left.
-TEST(StippleTone, SameGreyAtAnyDistance)
+TEST(StippleTone, SameGrayAtAnyDistance)
 {
   for (auto way : { ink::SmallElements::Way::intensity, ink::SmallElements::Way::probability })
   {
@@ -312,9 +312,9 @@ TEST(StippleTone, SameGreyAtAnyDistance)
       }
       // The visible cap of the unit sphere is a little smaller than half, close by.
       const double pixels = 1.0 / (pixel * pixel) / (far * far - 1.0);
-      const double grey = ink / pixels;
-      first = octave == 0 ? grey : first;
-      EXPECT_NEAR(grey / first, 1.0, 0.05) << "way " << int(way) << ", distance " << far;
+      const double gray = ink / pixels;
+      first = octave == 0 ? gray : first;
+      EXPECT_NEAR(gray / first, 1.0, 0.05) << "way " << int(way) << ", distance " << far;
     }
   }
 }

@@ -16,23 +16,23 @@ Picture thinned(Picture picture, unsigned char threshold = 1)
   return picture;
 }
 
-/// The largest number of neighbours, by sides or corners, of any pixel with ink: 2 in a line without
+/// The largest number of neighbors, by sides or corners, of any pixel with ink: 2 in a line without
 /// branches.
-int mostNeighbours(const Picture& picture)
+int mostNeighbors(const Picture& picture)
 {
   int most = 0;
   for (int y = 0; y < picture.height; ++y)
   {
     for (int x = 0; x < picture.width; ++x)
     {
-      int neighbours = picture.at(x, y) != 0 ? -1 : -10;
+      int neighbors = picture.at(x, y) != 0 ? -1 : -10;
       for (int i = 0; i < 9; ++i)
       {
         const int nx = x - 1 + i % 3;
         const int ny = y - 1 + i / 3;
-        neighbours += picture.isIn(nx, ny) && picture.at(nx, ny) != 0 ? 1 : 0;
+        neighbors += picture.isIn(nx, ny) && picture.at(nx, ny) != 0 ? 1 : 0;
       }
-      most = std::max(most, neighbours);
+      most = std::max(most, neighbors);
     }
   }
   return most;
@@ -59,7 +59,7 @@ TEST(ThinLines, LeavesOfThickLinesTheMiddle)
         });
       const Picture thin = thinned(line);
       SCOPED_TRACE(::testing::PrintToString(degrees) + " degrees, width " + ::testing::PrintToString(width));
-      EXPECT_EQ(mostNeighbours(thin), 2); // one line, without branches or staircases
+      EXPECT_EQ(mostNeighbors(thin), 2); // one line, without branches or staircases
       EXPECT_EQ(countSpots(thin), 1);
       double furthest = 0.0;
       double longest = 0.0;
@@ -89,7 +89,7 @@ TEST(ThinLines, LeavesOfARingARing)
   const Picture thin = thinned(ring);
   EXPECT_EQ(countSpots(thin), 1);
   EXPECT_EQ(countHoles(thin), 1);
-  EXPECT_EQ(mostNeighbours(thin), 2);
+  EXPECT_EQ(mostNeighbors(thin), 2);
   for (int y = 0; y < 101; ++y)
   {
     for (int x = 0; x < 101; ++x)

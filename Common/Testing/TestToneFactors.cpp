@@ -184,7 +184,7 @@ TEST(SmallElements, PartsAreMonotone)
   }
 }
 
-TEST(HlsColor, KnownColours)
+TEST(HlsColor, KnownColors)
 {
   const auto expectRgb = [](const ink::HlsColor& hls, const glm::vec3& rgb)
   {
@@ -221,8 +221,8 @@ TEST(HlsColor, BlendsTheShorterWayAround)
 
 TEST(WarmCool, FollowsLightAndDepth)
 {
-  ink::WarmCool colours;
-  colours.amount = 1.0f;
+  ink::WarmCool colors;
+  colors.amount = 1.0f;
   const auto expect = [](const glm::vec3& found, const ink::HlsColor& expected)
   {
     const glm::vec3 rgb = ink::rgbFromHls(expected);
@@ -231,30 +231,30 @@ TEST(WarmCool, FollowsLightAndDepth)
     EXPECT_NEAR(found.b, rgb.b, 1e-5f);
   };
   const glm::vec3 own(0.2f, 0.4f, 0.6f);
-  expect(colours.color(own, 1.0f, -1.0f), colours.warm);
-  expect(colours.color(own, -1.0f, 1.0f), colours.cool);
-  colours.tone = 0.0f;
-  colours.distance = 1.0f;
-  expect(colours.color(own, -1.0f, 1.0f), colours.warm);
-  expect(colours.color(own, 1.0f, -1.0f), colours.cool);
-  colours.amount = 0.0f;
-  EXPECT_EQ(colours.color(own, 1.0f, 1.0f), own);
-  colours.amount = 1.0f;
-  colours.distance = 0.0f;
-  EXPECT_EQ(colours.color(own, 1.0f, 1.0f), own);
+  expect(colors.color(own, 1.0f, -1.0f), colors.warm);
+  expect(colors.color(own, -1.0f, 1.0f), colors.cool);
+  colors.tone = 0.0f;
+  colors.distance = 1.0f;
+  expect(colors.color(own, -1.0f, 1.0f), colors.warm);
+  expect(colors.color(own, 1.0f, -1.0f), colors.cool);
+  colors.amount = 0.0f;
+  EXPECT_EQ(colors.color(own, 1.0f, 1.0f), own);
+  colors.amount = 1.0f;
+  colors.distance = 0.0f;
+  EXPECT_EQ(colors.color(own, 1.0f, 1.0f), own);
 }
 
 TEST(WarmCool, WeighsLightAndDepthAndKeepsAPartOfTheOwnColor)
 {
-  ink::WarmCool colours;
-  colours.amount = 0.3f;
-  colours.tone = 2.0f;
-  colours.distance = 1.0f;
+  ink::WarmCool colors;
+  colors.amount = 0.3f;
+  colors.tone = 2.0f;
+  colors.distance = 1.0f;
   const glm::vec3 own(0.2f, 0.4f, 0.6f);
   const auto expect = [&](float lightCosine, float depth, float warmth)
   {
-    const glm::vec3 found = colours.color(own, lightCosine, depth);
-    const glm::vec3 blended = ink::rgbFromHls(ink::mixHls(colours.cool, colours.warm, warmth));
+    const glm::vec3 found = colors.color(own, lightCosine, depth);
+    const glm::vec3 blended = ink::rgbFromHls(ink::mixHls(colors.cool, colors.warm, warmth));
     for (int i = 0; i < 3; ++i)
     {
       EXPECT_NEAR(found[i], 0.7f * own[i] + 0.3f * blended[i], 1e-6f) << lightCosine << ' ' << depth;
@@ -265,7 +265,7 @@ TEST(WarmCool, WeighsLightAndDepthAndKeepsAPartOfTheOwnColor)
   expect(1.0f, -5.0f, 2.0f / 3.0f);
 }
 
-/// The sum of a dot's pixels, averaged over where in a pixel its centre lies.
+/// The sum of a dot's pixels, averaged over where in a pixel its center lies.
 TEST(DotCoverage, AreaIsExactOnAverage)
 {
   for (float diameter : { 0.1f, 0.5f, 1.0f, 1.3f, 2.0f, 3.7f, 9.0f })

@@ -85,7 +85,7 @@ TEST(WhiteNoise, IsEvenInsideOneTriangle)
 }
 
 /// Independent: the number of samples in a region is as variable as Poisson's distribution, and the nearest
-/// neighbour is at 1 / (2 sqrt(density)) in the mean.
+/// neighbor is at 1 / (2 sqrt(density)) in the mean.
 TEST(WhiteNoise, IsIndependent)
 {
   const Mesh mesh = square(1);
@@ -259,7 +259,7 @@ TEST(WhiteNoise, OfNamedTrianglesDependsOnThemAlone)
 
 TEST(WhiteNoise, DiscsOfItsCoverRadiusLeaveNoHoles)
 {
-  // On a torus, which has no border beyond which discs would miss neighbours.
+  // On a torus, which has no border beyond which discs would miss neighbors.
   const Mesh mesh = torus(1.0, 0.4, 200, 100);
   const auto areas = ink::cumulateArea(mesh.view());
   const auto probes = positionsOf(mesh.view(), sample(mesh, 20000, 99));

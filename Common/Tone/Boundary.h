@@ -13,8 +13,8 @@ struct Boundary
   float kge = 1.0f; ///< sharpness: with a larger one, only the largest gradients count
 
   /// T_b = v (k_gc + k_gs |grad V|^k_ge).
-  /// @param value v, normalised to 0..1
-  /// @param gradientMagnitude normalised to 0..1
+  /// @param value v, normalized to 0..1
+  /// @param gradientMagnitude normalized to 0..1
   float factor(float value, float gradientMagnitude) const;
 };
 

@@ -18,7 +18,7 @@ struct DotShape
 DotShape dotShape(float diameter);
 
 /// How much of a pixel the dot covers.
-/// @param distance between the pixel's and the dot's centres in pixels
+/// @param distance between the pixel's and the dot's centers in pixels
 float dotCoverage(const DotShape& dot, float distance);
 
 /// For targets of few bits, which cannot add up very pale dots: of dots paler than `least`, as many as have

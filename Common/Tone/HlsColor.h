@@ -5,19 +5,19 @@
 namespace ink
 {
 
-/// A colour as hue, lightness and saturation (Foley et al. 1990), each in 0..1; red has hue 0, green 1/3.
+/// A color as hue, lightness and saturation (Foley et al. 1990), each in 0..1; red has hue 0, green 1/3.
 struct HlsColor
 {
   float hue;
   float lightness;
-  float saturation; ///< 0: grey, whatever the hue
+  float saturation; ///< 0: gray, whatever the hue
 };
 
 /// @param rgb in 0..1
 HlsColor hlsFromRgb(const glm::vec3& rgb);
 glm::vec3 rgbFromHls(const HlsColor& hls);
 
-/// The colour a part `t` of the way from one to the other, hues the shorter way around the circle; a grey
+/// The color a part `t` of the way from one to the other, hues the shorter way around the circle; a gray
 /// takes the other's hue.
 HlsColor mixHls(const HlsColor& from, const HlsColor& to, float t);
 

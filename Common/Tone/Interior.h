@@ -12,7 +12,7 @@ struct Interior
   float size = 0.5f; ///< 0: stipples keep their diameter; 1: it changes as their number does
 
   /// T_i = |grad V|^k_ie.
-  /// @param gradientMagnitude normalised to 0..1
+  /// @param gradientMagnitude normalized to 0..1
   float factor(float gradientMagnitude) const;
 
   /// What the diameter is multiplied by: 1 + size (T_i - 1).

@@ -8,7 +8,7 @@ namespace ink
 /// @param elementSize edge of a voxel, or square root of a polygon's area, in view units; positive
 /// @param pixelSize view units that a pixel covers at that distance; positive
 /// @param pixelsPerStipple 1: as in the paper; about the number of pixels that a stipple covers, divided by
-///   the darkest grey wanted
+///   the darkest gray wanted
 ///   Elements wider than a million pixels count as that wide, far beyond any window.
 float maximumStipples(float elementSize, float pixelSize, float pixelsPerStipple);
 

@@ -13,7 +13,7 @@ struct Silhouette
   float kse = 0.5f; ///< sharpness: with a smaller one, silhouettes are thinner
 
   /// T_s = v (k_sc + k_ss (1 - |grad V . E|^k_se)), grad V and E of unit length.
-  /// @param value v, normalised to 0..1
+  /// @param value v, normalized to 0..1
   /// @param cosine of the angle between gradient and eye; its sign does not matter
   float factor(float value, float cosine) const;
 };

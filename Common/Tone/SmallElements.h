@@ -4,7 +4,7 @@ namespace ink
 {
 
 /// What becomes of fractions of stipples, above all where elements are too small for a pattern (Lu et al.
-/// 2003, section 5.2): the same grey at any size, in either of the paper's two ways.
+/// 2003, section 5.2): the same gray at any size, in either of the paper's two ways.
 struct SmallElements
 {
   enum class Way
@@ -23,7 +23,7 @@ struct SmallElements
 
   /// How small elements are: 0 from minimumCoverage on up, 1 where only one stipple fits or less. The paper's
   /// weight of the random value, which grows with the object's distance.
-  /// @param maximumStipples N_max at the object's centre, or where the object's half range lies if that is
+  /// @param maximumStipples N_max at the object's center, or where the object's half range lies if that is
   /// farther
   float weight(float maximumStipples) const;
 

@@ -23,7 +23,7 @@ struct StippleSliders
   float distance = 0.5f;
   /// How see-through weak boundaries are: k_ie and the stipples' size; 0: not at all. Less ink.
   float interior = 0.5f;
-  /// How far warm and cool colours replace the ink; 0: not at all. The same number of stipples.
+  /// How far warm and cool colors replace the ink; 0: not at all. The same number of stipples.
   float color = 0.0f;
 
   /// Sets the k's named above, k_le as the tone's ink wants it, dark or light, and switches the enhancements

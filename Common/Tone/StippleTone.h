@@ -12,7 +12,7 @@
 namespace ink
 {
 
-/// All that decides how many of an element's stipples are drawn, how large and in which colour (Lu et al.
+/// All that decides how many of an element's stipples are drawn, how large and in which color (Lu et al.
 /// 2003, sections 4.3 and 5). The reference for vtkInkStippleMapper's vertex shader, which computes the same.
 struct StippleTone
 {
@@ -34,10 +34,10 @@ struct StippleTone
   float pixelsPerStipple = 4.0f; ///< see maximumStipples
   float diameter = 2.0f;         ///< pixels
   /// Where an element's list is too short for the room it has on the screen, whether stipples grow, so that
-  /// the grey stays as it is.
+  /// the gray stays as it is.
   bool growing = true;
   /// Whether a part of a stipple is a smaller stipple of full intensity instead of a paler one; the same
-  /// grey.
+  /// gray.
   bool appearBySize = false;
 
   /// What depends on the camera and the object as a whole.
@@ -45,7 +45,7 @@ struct StippleTone
   {
     float listed;          ///< N_max that the lists were made for, positive
     float maximumStipples; ///< N_max at the distance `nearest`
-    float smallness;       ///< as SmallElements::weight gives it for N_max at the object's centre
+    float smallness;       ///< as SmallElements::weight gives it for N_max at the object's center
     bool parallel;         ///< nothing gets smaller with the distance
     float nearest;         ///< D_near + d_0 as Resolution::nearestDistance gives it
     float middle;          ///< of the object's range of distances

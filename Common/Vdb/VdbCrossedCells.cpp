@@ -171,11 +171,11 @@ private:
     for (int n = 1; n < 8; ++n)
     {
       const glm::ivec3 step(n & 1, n >> 1 & 1, n >> 2);
-      const glm::ivec3 neighbour = first - leafSize * step;
-      if (!lookup.probeConstLeaf(toCoord(neighbour)) &&
-        !this->borderIs(this->isAbove(lookup.getValue(toCoord(neighbour))), leaf, step))
+      const glm::ivec3 neighbor = first - leafSize * step;
+      if (!lookup.probeConstLeaf(toCoord(neighbor)) &&
+        !this->borderIs(this->isAbove(lookup.getValue(toCoord(neighbor))), leaf, step))
       {
-        this->add(neighbour, blocks);
+        this->add(neighbor, blocks);
       }
     }
   }

@@ -27,7 +27,7 @@ vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> beg
 /// Adds a field array of numbers.
 void InkAddField(vtkPolyData* output, const char* name, std::span<const double> values);
 
-/// Adds the elements' colours as active scalars, as "Input..." where the stipples have an array of that name.
+/// Adds the elements' colors as active scalars, as "Input..." where the stipples have an array of that name.
 void InkAddColors(vtkPolyData* output, vtkDataArray* colors);
 
 /// @param bytes that a stipple takes while it is made

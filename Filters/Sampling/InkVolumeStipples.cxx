@@ -41,13 +41,13 @@ namespace
 /// so that a few metal parts or single wrong voxels do not make all others 0.
 constexpr double ReferenceShare = 0.99;
 
-/// The voxels that get stipples, where they are and how they are normalised.
+/// The voxels that get stipples, where they are and how they are normalized.
 struct Elements
 {
   double Lowest = 0.0; ///< the values that Value is relative to
   double Highest = 0.0;
   ink::StippledVoxels Voxels;
-  /// Of the voxels, those that the output holds: the others are only neighbours.
+  /// Of the voxels, those that the output holds: the others are only neighbors.
   std::vector<std::size_t> Own;
   std::vector<glm::ivec3> Samples; ///< of those, in the grid
   double SteepestGradient = 0.0;   ///< that GradientMagnitude is relative to

@@ -91,7 +91,7 @@ vtkSmartPointer<vtkDataArray> Take(vtkDataArray* array, vtkIdList* ids, const ch
   return taken;
 }
 
-// The array to colour by, one value a point; null if there is none.
+// The array to color by, one value a point; null if there is none.
 vtkSmartPointer<vtkDataArray> FindColors(vtkPointSet* leaf, const std::string& name, int association)
 {
   if (association != vtkDataObject::FIELD_ASSOCIATION_CELLS)

@@ -145,7 +145,7 @@ private:
   double Window[2];
 };
 
-/// Lets the generator pass on the array to colour by, where the data has it.
+/// Lets the generator pass on the array to color by, where the data has it.
 void TakeColors(vtkDataSet* data, const vtkInkStippleRequest& request, bool cells, vtkInkMadeStipples& made)
 {
   vtkDataArray* active = data->GetPointData()->GetScalars();
@@ -165,7 +165,7 @@ void TakeColors(vtkDataSet* data, const vtkInkStippleRequest& request, bool cell
   }
 }
 
-/// What the first process says that has colours.
+/// What the first process says that has colors.
 void AgreeOnColors(vtkInkMadeStipples& made, vtkMultiProcessController* controller)
 {
   const int none = controller->GetNumberOfProcesses();

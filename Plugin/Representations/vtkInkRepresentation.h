@@ -7,7 +7,7 @@
  * class owns the actor, brings the pieces to where they are drawn, and has the actor's properties.
  *
  * On several processes every one gets all pieces whole: a mark near the border of a process's part needs its
- * neighbours on the other side. All draw the same marks, of which compositing by depth keeps one. With
+ * neighbors on the other side. All draw the same marks, of which compositing by depth keeps one. With
  * translucent marks in the view images are blended instead: then the root process draws alone, and the marks
  * are not hidden by what only other processes hold.
  *
@@ -52,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Paper: whether the view behind all that is drawn has the paper's colour in place of its own background,
+   * Paper: whether the view behind all that is drawn has the paper's color in place of its own background,
    * as long as this is visible; a picture with a transparent background stays transparent. Default: on,
    * white.
    */
@@ -72,7 +72,7 @@ protected:
   /// @param actor to which the subclass gives its mapper
   /// @param pieces how many pieces of poly data the subclass draws from
   /// @param arrays how many arrays of its input it draws by, with SetInputArrayToProcess; the first is the
-  /// one to colour by. Without one, the name is empty. RequestData is run again when one is
+  /// one to color by. Without one, the name is empty. RequestData is run again when one is
   /// chosen that the pieces do not serve for.
   vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays);
   ~vtkInkRepresentation() override;

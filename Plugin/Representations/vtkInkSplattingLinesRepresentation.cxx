@@ -292,6 +292,6 @@ void vtkInkSplattingLinesRepresentation::SetLookupTable(vtkScalarsToColors* tabl
 
 void vtkInkSplattingLinesRepresentation::SetMapScalars(bool map)
 {
-  // How scalars become colours, which is not what colours the lines.
+  // How scalars become colors, which is not what colors the lines.
   this->Mapper->SetColorMode(map ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
 }

@@ -8,7 +8,7 @@
  * if there is one. The leaves of a composite dataset are drawn as one set of points, so that lines run across
  * them; ghost points are left out. Points without normals draw nothing and give one warning.
  *
- * Colours: the array that is chosen for the representation, of points or cells; none: the ink. While ParaView
+ * Colors: the array that is chosen for the representation, of points or cells; none: the ink. While ParaView
  * renders with a lower level of detail, as many points are drawn as PointsWhileMoving says, with larger
  * radii.
  *
@@ -55,7 +55,7 @@ public:
   void SetPeelBackFaces(bool peel);
   ///@}
 
-  /// The colour of the surface between the lines, and of the paper behind all. Default: white.
+  /// The color of the surface between the lines, and of the paper behind all. Default: white.
   void SetPaperColor(double red, double green, double blue);
 
   /// Where no array is chosen: lines go from the ink at contours to ToneColor where the surface faces the
@@ -65,7 +65,7 @@ public:
   ///@{
   /**
    * The lines of hidden layers. The second layer gets HiddenStrength of its ink, each further one two thirds
-   * of that before. HiddenColor holds with UseHiddenColor, else they have the ink's colour or the array's.
+   * of that before. HiddenColor holds with UseHiddenColor, else they have the ink's color or the array's.
    * Width and length of dashes as in vtkInkSplattingLinesMapper. Defaults: those of the mapper's second
    * layer; UseHiddenColor: off; HiddenColor: a blue (0.2, 0.4, 0.7).
    */
@@ -84,7 +84,7 @@ public:
 
   ///@{
   /**
-   * Colours of scalars; MapScalars off takes bytes, and numbers from 0 to 1, for colours. Default: on.
+   * Colors of scalars; MapScalars off takes bytes, and numbers from 0 to 1, for colors. Default: on.
    */
   void SetLookupTable(vtkScalarsToColors* table);
   void SetMapScalars(bool map);

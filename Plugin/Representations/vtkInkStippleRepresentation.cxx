@@ -332,7 +332,7 @@ void vtkInkStippleRepresentation::SetReferenceScalarRange(double lowest, double 
 
 void vtkInkStippleRepresentation::SelectStippleArray(int, int, int, int association, const char* name)
 {
-  // Array 0 is the one to colour by.
+  // Array 0 is the one to color by.
   const bool active = !name || std::string(name) == "Active Scalars";
   this->SetInputArrayToProcess(1, 0, 0, association, active ? "" : name);
 }

@@ -11,11 +11,11 @@
  * On several processes percentiles and ranges are those of the whole image, of which each process stipples
  * its part, so that the picture is that of one process. Meshes are put together and stippled by the first
  * process. Five levels of ghost cells are asked for; images in composite datasets have none, and stipples
- * there do not mind those of their neighbours.
+ * there do not mind those of their neighbors.
  *
- * Colours: the array that is chosen for the representation, of an image's points, or of points or cells of
+ * Colors: the array that is chosen for the representation, of an image's points, or of points or cells of
  * other data; none: the ink. The active scalars, or the array chosen last, go with the stipples in any case,
- * so that colouring by them, or not, makes no new ones.
+ * so that coloring by them, or not, makes no new ones.
  *
  * @sa vtkInkStippleGenerator vtkInkStippleMapper vtkSMInkStippleRepresentationProxy
  */
@@ -127,7 +127,7 @@ public:
 
   ///@{
   /**
-   * Colours of scalars; MapScalars off takes bytes, and numbers from 0 to 1, for colours. Default: on.
+   * Colors of scalars; MapScalars off takes bytes, and numbers from 0 to 1, for colors. Default: on.
    */
   void SetLookupTable(vtkScalarsToColors* table);
   void SetMapScalars(bool map);
@@ -159,7 +159,7 @@ private:
   double IsoValue = 0.0;
   bool SurfaceHides = true;
   double PictureSize = 600.0;
-  std::string Colors; ///< the array that the stipples have, to be coloured by; empty: none
+  std::string Colors; ///< the array that the stipples have, to be colored by; empty: none
   int ColorsAssociation = 0;
 
   vtkNew<vtkInkStippleMapper> Mapper;

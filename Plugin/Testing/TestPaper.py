@@ -55,7 +55,7 @@ class TestPaper(unittest.TestCase):
         Delete(display)
         self.assertEqual(self.corner(), BACKGROUND)
 
-    def test_has_a_colour_and_can_be_switched_off(self):
+    def test_has_a_color_and_can_be_switched_off(self):
         display = self.show("Splatting Lines")
         display.PaperColor = RED
         self.assertEqual(self.corner(), RED)

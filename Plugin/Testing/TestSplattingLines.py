@@ -69,7 +69,7 @@ class TestSplattingLines(unittest.TestCase):
         self.assertLess(by_phi[0], 1.0)
         self.assertGreater(numpy.abs(fine - broad).mean(), 0.005)
 
-    def test_colours(self):
+    def test_colors(self):
         self.show(sampled_wavelet(), Phi=500, InkColor=[0, 0, 1], PaperColor=[1, 0, 0])
         pixels = picture(self.view)
         drawn = pixels[~is_background(pixels)]
@@ -110,7 +110,7 @@ class TestSplattingLines(unittest.TestCase):
         display.HiddenStrength = 0.3
         self.assertLess(inside(), 0.5 * solid)
         display.HiddenColor = [1, 0, 0]
-        self.assertGreater(inside(), 0, "the ink's colour still")
+        self.assertGreater(inside(), 0, "the ink's color still")
         display.UseHiddenColor = True
         self.assertAlmostEqual(inside(), 0, delta=0.5)  # red, as white, has all red
         display.InkColor = [0, 0, 1]
@@ -121,7 +121,7 @@ class TestSplattingLines(unittest.TestCase):
         display.NumberOfLayers = 1
         self.assertEqual(inside(), 0)
 
-    def test_colours_of_tone_and_of_arrays(self):
+    def test_colors_of_tone_and_of_arrays(self):
         display = self.show(sampled_wavelet(), Tau=1.02, ToneColor=[1, 0, 0])
         pixels = picture(self.view)
         numpy.testing.assert_allclose(pixels[~is_background(pixels)].ptp(axis=1), 0, atol=0.01)
@@ -129,19 +129,19 @@ class TestSplattingLines(unittest.TestCase):
         pixels = picture(self.view)
         self.assertGreater((pixels[..., 0] - pixels[..., 1])[~is_background(pixels)].max(), 0.3)
 
-        def share_of_colour():
+        def share_of_color():
             pixels = picture(self.view)
             drawn = pixels[~is_background(pixels)]
             return (drawn.ptp(axis=1) > 0.1).sum() / (drawn.min(axis=1) < 0.5).sum()
 
         display.ColorByTone = False
-        self.assertEqual(share_of_colour(), 0)
+        self.assertEqual(share_of_color(), 0)
         ColorBy(display, ("POINTS", "Normals", "X"))
-        self.assertGreater(share_of_colour(), 0.5)
+        self.assertGreater(share_of_color(), 0.5)
         ColorBy(display, None)
-        self.assertEqual(share_of_colour(), 0)
+        self.assertEqual(share_of_color(), 0)
 
-    def test_colours_of_cells(self):
+    def test_colors_of_cells(self):
         sphere = Sphere(ThetaResolution=60, PhiResolution=60)
         ids = ProcessIdScalars(Input=sphere)
         cells = PointDatatoCellData(Input=Calculator(Input=ids, ResultArrayName="Height", Function="coordsZ"))
@@ -294,7 +294,7 @@ for i in range(ghosts.GetNumberOfTuples()):
         for other in pictures[1:]:
             self.assertLess(numpy.abs(other - pictures[0]).mean(), 0.01)
 
-    def test_hidden_lines_have_the_arrays_colours_unless_they_have_their_own(self):
+    def test_hidden_lines_have_the_arrays_colors_unless_they_have_their_own(self):
         inner, outer = Sphere(Radius=0.3, ThetaResolution=100, PhiResolution=100), Sphere(
             Radius=0.5, ThetaResolution=100, PhiResolution=100
         )

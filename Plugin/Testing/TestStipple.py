@@ -169,7 +169,7 @@ class TestStipple(unittest.TestCase):
         self.assertEqual(self.stipples(display)[0], made[0])
         self.assertGreater(self.stipples(display)[1], made[1])
 
-    def test_colours_by_an_array_through_the_lookup_table(self):
+    def test_colors_by_an_array_through_the_lookup_table(self):
         wavelet = Wavelet()
         display = self.show(wavelet, GradientPercentile=60, BoundaryEnhancement=False, LightingEnhancement=False)
         ColorBy(display, ("POINTS", "RTData"))
@@ -189,7 +189,7 @@ class TestStipple(unittest.TestCase):
         pixels = picture(self.view)
         self.assertLess(pixels[..., 2].max(), 0.02)
 
-    def test_colouring_on_or_off_makes_no_new_stipples(self):
+    def test_coloring_on_or_off_makes_no_new_stipples(self):
         heights = Elevation(Input=Sphere(), LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
         for source, array in ((Wavelet(), "RTData"), (heights, "Elevation")):
             display = self.show(source)
@@ -204,7 +204,7 @@ class TestStipple(unittest.TestCase):
             self.assertEqual(self.stipples(display), made)
             Hide(source, self.view)
 
-    def test_colours_meshes_by_arrays_of_points_and_of_cells(self):
+    def test_colors_meshes_by_arrays_of_points_and_of_cells(self):
         sphere = Sphere(ThetaResolution=32, PhiResolution=32)
         elevation = Elevation(Input=sphere, LowPoint=[0, -0.5, 0], HighPoint=[0, 0.5, 0])
         both = PointDatatoCellData(Input=elevation, PassPointData=True)
@@ -220,7 +220,7 @@ class TestStipple(unittest.TestCase):
             self.assertLess(pixels[20:60, :, 2].max(), 0.4)
             self.assertGreater(pixels[140:180, :, 2].max(), 0.6)
 
-    def test_colours_by_an_array_that_has_the_name_of_one_of_the_stipples(self):
+    def test_colors_by_an_array_that_has_the_name_of_one_of_the_stipples(self):
         wavelet = Wavelet()
         value = Calculator(Input=wavelet, ResultArrayName="Value", Function="RTData")
         display = self.show(value, GradientPercentile=60, StippleBy=["POINTS", "RTData"])
@@ -315,7 +315,7 @@ class TestStipple(unittest.TestCase):
         picture(self.view)
         self.assertGreater(self.stipples(display)[0], 100000)
 
-    def test_images_of_composite_data_are_normalised_together(self):
+    def test_images_of_composite_data_are_normalized_together(self):
         whole = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
         display = self.show(GroupDatasets(Input=[whole]), GradientPercentile=60)
         of_group = picture(self.view)

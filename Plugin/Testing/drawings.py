@@ -45,7 +45,7 @@ wavelet = Wavelet(WholeExtent=[-16, 14, -13, 15, -12, 14])
 wavelet.UpdatePipeline()
 view = green_view(120)
 
-# Beside a neighbour that each process has a part of, half in front of the drawing.
+# Beside a neighbor that each process has a part of, half in front of the drawing.
 ball = Sphere(Radius=4, Center=[5, 0, 8], ThetaResolution=32, PhiResolution=32)
 Show(ball, view)
 draw("paper", InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[150.0]), "Splatting Lines", Phi=100)

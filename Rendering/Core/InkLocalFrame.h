@@ -15,7 +15,7 @@ class vtkUnsignedCharArray;
 /// @param ghosts `vtkGhostType` or null
 VTKINKRENDERINGCORE_EXPORT bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point);
 
-/// The coordinates in which points are sent to the GPU: relative to the data's centre and size, so that in
+/// The coordinates in which points are sent to the GPU: relative to the data's center and size, so that in
 /// single precision neither large nor tiny coordinates lose digits.
 struct VTKINKRENDERINGCORE_EXPORT InkLocalFrame
 {

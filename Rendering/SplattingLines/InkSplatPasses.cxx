@@ -383,7 +383,7 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   program->SetUniformf("largestWeight", splatting.HalfFloats ? 256.0f : InkNoSurface);
   program->SetUniformf("referenceRadius", static_cast<float>(scale * this->LargestRadius));
   // The paper tests each pixel of the visible surface (section 3.3), and of hidden layers each splat, where
-  // its centre is (section 5.2). Otherwise splats that are hidden altogether are left out first, which is
+  // its center is (section 5.2). Otherwise splats that are hidden altogether are left out first, which is
   // quicker.
   program->SetUniformi("probeCount", !splatting.AsPublished ? 4 : hidden ? 0 : -1);
   program->SetUniformi("bySplat", splatting.AsPublished && hidden);

@@ -66,7 +66,7 @@ public:
     Hidden, ///< those behind the layer that the image shows
   };
 
-  /// The depth splats of a layer, into the bound surface (and colours) with its z-buffer, both cleared
+  /// The depth splats of a layer, into the bound surface (and colors) with its z-buffer, both cleared
   /// before.
   /// @param image see Sheet; else null
   void DrawDepth(
@@ -79,7 +79,7 @@ public:
   void DrawLight(const InkView& view, const InkSplatting& splatting, const InkSplatImage& surface,
     bool hidden, int texel, const std::array<double, 2>& widths);
 
-  /// The points' discs in the colours that encode 24 bits of their ids, from bit idShift on, or, if idShift
+  /// The points' discs in the colors that encode 24 bits of their ids, from bit idShift on, or, if idShift
   /// is negative, in propColor; into the caller's framebuffer and viewport, at the given origin.
   void DrawIds(const InkView& view, const int viewportOrigin[2], int idShift, const float propColor[3]);
 

@@ -14,7 +14,7 @@ class vtkPoints;
 class vtkUnsignedCharArray;
 
 /// Points, normals and radii in the form that the splat shaders read: single precision, relative to the
-/// data's centre and size, so that neither large nor tiny coordinates lose digits.
+/// data's center and size, so that neither large nor tiny coordinates lose digits.
 class InkSplatPoints
 {
 public:

@@ -19,7 +19,7 @@ struct InkSplatting
   bool HalfFloats;
   double PointFraction;
   vtkMTimeType OrderTime; ///< of the order that a part of the points is drawn in
-  bool Colors;            ///< whether points have colours that are wanted
+  bool Colors;            ///< whether points have colors that are wanted
 
   bool operator==(const InkSplatting&) const = default;
 };

@@ -10,7 +10,7 @@
  *     H = I1 - Tau I2,   E = tanh(Phi H),   ink = max(0, -E),
  *
  * lines appear. No connectivity is needed. Points are sent to the GPU once, whatever parameters, camera and
- * style do; a view that does not change costs next to nothing, and Tau, Phi, colours and styles only a last
+ * style do; a view that does not change costs next to nothing, and Tau, Phi, colors and styles only a last
  * pass.
  *
  * To the paper's method are added, unless AsPublished is on: splats that are a few pixels wide in all
@@ -19,7 +19,7 @@
  * splats' rim, so that lines are smooth; and black beyond contours, in I1 only, so that these are solid.
  *
  * Beyond the visible surface, those behind it can be drawn (HiddenLayers, section 5.2); lines can be hard,
- * wider, thinned, broken, rid of speckles, and coloured by layer, scalars or tone. All lengths on the picture
+ * wider, thinned, broken, rid of speckles, and colored by layer, scalars or tone. All lengths on the picture
  * are relative to its height, so that large and small pictures show the same drawing; SpeckleLength alone is
  * in the window's pixels.
  *
@@ -111,7 +111,7 @@ public:
   /**
    * Splat exactly as the paper writes it, without the additions that the class description lists: each pixel
    * is equations 1 and 2 of the discs whose depth there is that of the depth image, and in hidden layers of
-   * the discs whose centre's is (section 5.2). What the paper leaves open: depths are the same within 1.5
+   * the discs whose center's is (section 5.2). What the paper leaves open: depths are the same within 1.5
    * radii, and surfaces seen from behind are lit there. Contours are then faint and broken where few points
    * lie on them, and lines less smooth. Default: off.
    */
@@ -176,9 +176,9 @@ public:
 
   ///@{
   /**
-   * Colour of a hidden layer's lines, RGB in 0..1, whatever InkColorMode is: only TONE mixes ToneColor into
-   * it. Until it is set, or after ResetLayerColor, a hidden layer is coloured as the visible one: by
-   * InkColor, or with SCALARS by its own points' scalars. Layer 0 is the visible one, and its colour
+   * Color of a hidden layer's lines, RGB in 0..1, whatever InkColorMode is: only TONE mixes ToneColor into
+   * it. Until it is set, or after ResetLayerColor, a hidden layer is colored as the visible one: by
+   * InkColor, or with SCALARS by its own points' scalars. Layer 0 is the visible one, and its color
    * InkColor. Layers are 0 to 7; others are refused with a warning.
    */
   void SetLayerColor(int layer, double red, double green, double blue);
@@ -254,12 +254,12 @@ public:
   vtkBooleanMacro(Thinning, bool);
   ///@}
 
-  /// What colours the lines.
+  /// What colors the lines.
   enum InkColorModes
   {
     INK = 0,     ///< InkColor and LayerColor
     SCALARS = 1, ///< point scalars through the lookup table, as other mappers do it; needs ScalarVisibility
-    TONE = 2     ///< from the layer's colour where the surface is seen edge-on to ToneColor where it faces
+    TONE = 2     ///< from the layer's color where the surface is seen edge-on to ToneColor where it faces
   };
 
   ///@{
@@ -276,7 +276,7 @@ public:
 
   ///@{
   /**
-   * Colour of lines where the surface faces the viewer, with InkColorMode TONE; RGB in 0..1. Default: a dark
+   * Color of lines where the surface faces the viewer, with InkColorMode TONE; RGB in 0..1. Default: a dark
    * orange (0.8, 0.4, 0.1).
    */
   InkSetColorMacro(ToneColor);
@@ -314,7 +314,7 @@ public:
 
   ///@{
   /**
-   * Colour of the lines, RGB in 0..1. Default: black.
+   * Color of the lines, RGB in 0..1. Default: black.
    */
   InkSetColorMacro(InkColor);
   vtkGetVector3Macro(InkColor, double);
@@ -322,7 +322,7 @@ public:
 
   ///@{
   /**
-   * Colour of the surface between the lines, RGB in 0..1. Default: white.
+   * Color of the surface between the lines, RGB in 0..1. Default: white.
    */
   InkSetColorMacro(PaperColor);
   vtkGetVector3Macro(PaperColor, double);
@@ -340,7 +340,7 @@ public:
   /**
    * When the points were last sent to the GPU, for any window, as a modification time; 0 before the first
    * time. Each window that the mapper is drawn in has them once. Only a
-   * change of the points, of the normals and radii, of Radius, or of scalars and their colours if these are
+   * change of the points, of the normals and radii, of Radius, or of scalars and their colors if these are
    * shown, sends them again.
    */
   vtkMTimeType GetUploadTime();

@@ -38,7 +38,7 @@ struct InkStippleRuns
 
   /// Leaves out blocks beyond the edges of the view and, of the others, the stipples that no element of the
   /// block will draw (see StippleTone::mostTone): those that face away, are in full light, ...
-  /// @param margin how far in pixels stipples reach beyond their centres
+  /// @param margin how far in pixels stipples reach beyond their centers
   void Find(const std::vector<InkStippleBlock>& blocks, const InkView& view, const ink::StippleTone& tone,
     const InkStippleView& toneView, float margin);
 

@@ -49,9 +49,9 @@ public:
   bool IsEmpty() const { return this->NumberOfVertices == 0; }
 
   /// Brings a depth image up to date; an image of another size is made anew. It shows more than the view, on
-  /// each side, so that dots whose centres lie beyond the view's border are hidden by what is there: those of
+  /// each side, so that dots whose centers lie beyond the view's border are hidden by what is there: those of
   /// a tile are the same in the next one.
-  /// @param reach how many pixels dots reach beyond their centres
+  /// @param reach how many pixels dots reach beyond their centers
   void Draw(const InkView& view, float reach, std::unique_ptr<InkStippleDepth>& depth);
 
 private:

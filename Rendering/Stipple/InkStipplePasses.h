@@ -62,7 +62,7 @@ public:
   void Draw(
     const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses);
 
-  /// The stipples in the colours that encode 24 bits of their ids, from bit idShift on, or, if idShift is
+  /// The stipples in the colors that encode 24 bits of their ids, from bit idShift on, or, if idShift is
   /// negative, in propColor.
   void DrawIds(const Scene& scene, const int viewportOrigin[2], int idShift, const float propColor[3]);
 
@@ -70,7 +70,7 @@ public:
   /// what is not drawn. Empty if this OpenGL cannot do it.
   std::vector<float> FindResults(const Scene& scene, vtkIdType count);
 
-  /// How many pixels the largest dots of a view reach beyond their centres.
+  /// How many pixels the largest dots of a view reach beyond their centers.
   float FindReach(const InkView& view, const ink::StippleTone& tone, const InkStippleView& toneView) const;
 
   /// How many stipples the last Draw had to look at.

@@ -11,7 +11,7 @@
  * lie in front. In a chain of render passes (vtkRenderer::SetPass) it draws where vtkActor does if there is
  * no pass for volumes, and in any case once.
  *
- * A picture has 8 bits as a rule: dots too pale for them are drawn more rarely instead. Where each grey
+ * A picture has 8 bits as a rule: dots too pale for them are drawn more rarely instead. Where each gray
  * matters more than the time of a frame, take vtkActor without depth peeling.
  */
 #ifndef vtkInkStippleActor_h

@@ -94,19 +94,19 @@ public:
 
   ///@{
   /**
-   * How far warm and cool colours replace the ink (WarmCool). 0 to 1; default: the preset's.
+   * How far warm and cool colors replace the ink (WarmCool). 0 to 1; default: the preset's.
    */
   void SetColor(double color);
   double GetColor();
   ///@}
 
   /**
-   * Hands the sliders' k's, and the preset's size and room of stipples, AppearBySize, ink colour and
+   * Hands the sliders' k's, and the preset's size and room of stipples, AppearBySize, ink color and
    * LightInk, to a mapper.
    */
   void Apply(vtkInkStippleMapper* mapper);
 
-  /// The colour of the paper that goes with the preset, for the renderer's background: white or black.
+  /// The color of the paper that goes with the preset, for the renderer's background: white or black.
   void GetPaperColor(double rgb[3]);
 
 protected:

@@ -20,7 +20,7 @@
  * Input: one VTK_POLY_VERTEX cell for each element, all points in their order; cell data `Normals` (3) and,
  * of volumes, `GradientMagnitude` and `Value` (0 to 1); field data `ElementSize` (world units), `ElementKind`
  * (0 volume, 1 surface), `StipplesPerElement`. Elements whose normal is zero and what is not finite are not
- * drawn. With ScalarVisibility on (it is off by default), cell scalars colour the elements through the lookup
+ * drawn. With ScalarVisibility on (it is off by default), cell scalars color the elements through the lookup
  * table, whose opacities make stipples paler.
  *
  * A surface (SetSurfaceConnection, SetSurfaceData; or the generator's own input, see SurfaceFromInput) hides
@@ -31,7 +31,7 @@
  * Stipples are blended over what lies behind them, in the renderer's translucent pass or with
  * vtkInkStippleActor, which is faster, after it, with the opacity of the actor's property. No stipple is
  * larger than the largest point of the OpenGL in use. Hardware selection finds the actor and the stipples. Up
- * to 6 clipping planes. Numbers are kept within their ranges, colours within 0..1; what is no number is
+ * to 6 clipping planes. Numbers are kept within their ranges, colors within 0..1; what is no number is
  * refused with a warning.
  *
  * @sa vtkInkStippleActor vtkInkStippleControls vtkInkSplattingLinesMapper
@@ -292,7 +292,7 @@ public:
 
   ///@{
   /**
-   * Whether stipples grow where an element has fewer than it has room for, close up, so that the grey stays.
+   * Whether stipples grow where an element has fewer than it has room for, close up, so that the gray stays.
    * Default: on.
    */
   vtkSetMacro(Growing, bool);
@@ -309,7 +309,7 @@ public:
 
   ///@{
   /**
-   * How elements that are too small for a pattern keep their grey: INTENSITY (default), which is smooth in
+   * How elements that are too small for a pattern keep their gray: INTENSITY (default), which is smooth in
    * motion, or PROBABILITY, which has black stipples only. An element's random value comes from the cell's
    * global id where the input has those, else from the place of its first stipple: the same on any number of
    * processes.
@@ -350,7 +350,7 @@ public:
 
   ///@{
   /**
-   * How far warm and cool colours replace the stipples' own (section 5.7): 0 not at all, 1 altogether.
+   * How far warm and cool colors replace the stipples' own (section 5.7): 0 not at all, 1 altogether.
    * Default: 0.
    */
   InkSetClampMacro(WarmCool, 0.0, 1.0);
@@ -375,7 +375,7 @@ public:
 
   ///@{
   /**
-   * The warm colour, RGB in 0..1, blended with the cool one by hue, lightness and saturation. Default: red.
+   * The warm color, RGB in 0..1, blended with the cool one by hue, lightness and saturation. Default: red.
    */
   InkSetColorMacro(WarmColor);
   vtkGetVector3Macro(WarmColor, double);
@@ -383,7 +383,7 @@ public:
 
   ///@{
   /**
-   * The cool colour, RGB in 0..1. Default: blue.
+   * The cool color, RGB in 0..1. Default: blue.
    */
   InkSetColorMacro(CoolColor);
   vtkGetVector3Macro(CoolColor, double);
@@ -391,7 +391,7 @@ public:
 
   ///@{
   /**
-   * Colour of the stipples where ScalarVisibility is off, as it is by default; RGB in 0..1. Default: black.
+   * Color of the stipples where ScalarVisibility is off, as it is by default; RGB in 0..1. Default: black.
    */
   InkSetColorMacro(InkColor);
   vtkGetVector3Macro(InkColor, double);
@@ -443,8 +443,8 @@ public:
   vtkMTimeType GetUploadTime();
 
   /**
-   * The same of their colours by scalars. They are sent again when the scalars, the lookup table or what
-   * VTK's mappers have for colouring by them change, or when the stipples are.
+   * The same of their colors by scalars. They are sent again when the scalars, the lookup table or what
+   * VTK's mappers have for coloring by them change, or when the stipples are.
    */
   vtkMTimeType GetColorUploadTime();
 

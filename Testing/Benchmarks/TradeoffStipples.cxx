@@ -112,7 +112,7 @@ private:
 using Place = std::function<glm::vec3(const glm::vec3& place, const glm::vec3& low, const glm::vec3& high)>;
 
 /// How far, in voxels, the farthest stipple is from where the generator put it.
-/// @param keep what is kept of a place relative to the data's centre and size, as the mapper sees it, and of
+/// @param keep what is kept of a place relative to the data's center and size, as the mapper sees it, and of
 ///   the box of its element's stipples
 double FindPlaceError(vtkPolyData* stipples, const Place& keep)
 {

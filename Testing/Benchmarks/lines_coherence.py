@@ -6,7 +6,7 @@ Samples that move with the mesh (vtkInkSurfaceSampler's FollowDeformation) again
 of blue and of white noise. Of each pair of frames:
 
 - shimmer: of all ink, the share that comes or goes beyond a pixel's shift (as in splat_quality.py): each picture is compared with
-  the other one's neighbourhood of a pixel, so that lines may move by that much;
+  the other one's neighborhood of a pixel, so that lines may move by that much;
 - specks: of all ink, the share that comes or goes beyond a pixel's shift and is in no line: two pixels or more away from the ink
   of a drawing of many more samples, which shows the true lines;
 - travel: how far the samples move on the screen at the most, in pixels (made anew: not the same samples).
@@ -88,7 +88,7 @@ class Scene:
 
 
 def widened(ink, pixels=1):
-    """The darkest of each pixel's neighbourhood."""
+    """The darkest of each pixel's neighborhood."""
     shifts = [(y, x) for y in range(-pixels, pixels + 1) for x in range(-pixels, pixels + 1)]
     return np.max([np.roll(ink, shift, (0, 1)) for shift in shifts], axis=0)
 

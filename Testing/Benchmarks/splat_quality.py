@@ -110,7 +110,7 @@ def specks(ink, largest=8):
 
 
 def shimmer(scene, before):
-    """Compares each picture with the other's neighbourhood of a pixel, so that lines may move by that much."""
+    """Compares each picture with the other's neighborhood of a pixel, so that lines may move by that much."""
     scene.camera.Azimuth(0.1)
     after = scene.ink()
     shifts = [(dy, dx) for dy in (-1, 0, 1) for dx in (-1, 0, 1)]

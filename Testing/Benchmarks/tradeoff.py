@@ -75,7 +75,7 @@ def draw(knob, settings, default):
         (line,) = axes.plot([times[i] for i in order], [errors[i] for i in order], "o-", ms=4, lw=0.8, label=scene)
         knee = list(settings).index(default)
         axes.plot(times[knee], errors[knee], "o", ms=11, mfc="none", mec=line.get_color(), mew=1.5)
-    # The settings' names stand above the plot, tilted, so that near neighbours do not cover each other.
+    # The settings' names stand above the plot, tilted, so that near neighbors do not cover each other.
     for name, rows in settings.items():
         time = rows[0]["ms"] / base
         axes.axvline(time, color="black", lw=0.3, zorder=0)

@@ -232,7 +232,7 @@ def test_absurd_size(refused, volume_file, size):
 @pytest.mark.parametrize("option, value", [
     ("--tau", "0"), ("--tau", "nan"), ("--phi", "-1"), ("--phi", "x"), ("--lambda", "0"), ("--sigma", "1e9"),
     ("--zoom", "0"), ("--zoom", "inf"), ("--azimuth", "nan"), ("--elevation", "1000"), ("--view", "behind"), ("--style", "oil"),
-    ("--iso", "dense"), ("--ink-color", "#12"), ("--paper-color", "no colour"), ("--background", "")])
+    ("--iso", "dense"), ("--ink-color", "#12"), ("--paper-color", "no color"), ("--background", "")])
 def test_values_that_options_do_not_take(refused, volume_file, option, value):
     assert option in refused(2, volume_file, option, value)
 

@@ -59,7 +59,7 @@ def test_time_series_use_the_first_step(ink, tmp_path):
     assert "3 time steps; the first is used" in fields["note"]
 
 
-def test_colours_use_the_first_component(ink, tmp_path):
+def test_colors_use_the_first_component(ink, tmp_path):
     blob = ink_files.blob()
     ink_files.write_vti(tmp_path / "v.vti", np.stack([blob, blob // 2, blob // 4], axis=3))
     fields = info(ink, tmp_path / "v.vti")

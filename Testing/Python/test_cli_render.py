@@ -113,7 +113,7 @@ def test_several_iso_values(picture, tmp_path):
     assert (one != both).any() and (other != both).any()
 
 
-def test_colours(picture, volume_file):
+def test_colors(picture, volume_file):
     image = picture(volume_file, "--iso", 100, "--ink-color", "#f00", "--paper-color", "#00ff00", "--background", "blue")
     pixels = set(map(tuple, image.reshape(-1, 3)))
     assert tuple(image[0, 0]) == (0, 0, 255)
@@ -161,13 +161,13 @@ def test_lines_become_wider_and_thinner(picture, volume_file):
     assert thin < thin_wide < wide
 
 
-def test_hardness_leaves_no_greys(picture, volume_file):
-    def greys(*options):
+def test_hardness_leaves_no_grays(picture, volume_file):
+    def grays(*options):
         image = picture(volume_file, "--iso", 100, "--phi", 20, *options, size="400x400")
         return ((image > 20) & (image < 235)).sum()
 
     # What is left is the edges of lines.
-    assert greys("--hardness", 1) < 0.8 * greys()
+    assert grays("--hardness", 1) < 0.8 * grays()
 
 
 def test_speckles_go(picture, tmp_path):
@@ -220,7 +220,7 @@ def test_hidden_lines_need_layers(ink, nested, tmp_path):
     assert "--hidden-dashes" in result.err and "--layers" in result.err
 
 
-def test_tone_colours_lines_by_how_the_surface_lies(picture, volume_file):
+def test_tone_colors_lines_by_how_the_surface_lies(picture, volume_file):
     plain = picture(volume_file, "--iso", 100, "--tau", 1.01)
     toned = picture(volume_file, "--iso", 100, "--tau", 1.01, "--tone-color", "red")
     assert (plain[..., 0] == plain[..., 1]).all()

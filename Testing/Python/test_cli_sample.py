@@ -170,7 +170,7 @@ def refused(ink, tmp_path):
 def test_bad_arguments(refused, volume_file):
     assert "--iso 1000: expected a value above 0 and up to" in refused(2, volume_file, "--iso", 1000)
     assert "--iso" in refused(2, volume_file, "--iso", "nan")
-    assert "--arrays" in refused(2, volume_file, "--arrays", "Colour")
+    assert "--arrays" in refused(2, volume_file, "--arrays", "Color")
     assert "--arrays" in refused(2, volume_file, "--arrays", "none,Radius")
     assert "--precision" in refused(2, volume_file, "--precision", "half")
     assert "--rule" in refused(2, volume_file, "--rule", "loose")

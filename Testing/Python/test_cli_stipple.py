@@ -44,7 +44,7 @@ def mesh_file(tmp_path_factory):
     return path
 
 
-def colourfulness(image):
+def colorfulness(image):
     image = image[..., :3].astype(int)
     return (image.max(axis=2) - image.min(axis=2)).mean()
 
@@ -77,7 +77,7 @@ def test_white_on_black(stippled, volume_file):
     assert 0.01 < stippled(volume_file, "--preset", "plate-white-on-black", paper=0).mean() < 0.5
 
 
-def test_colours_decide_what_stipples_show(stippled, picture, volume_file):
+def test_colors_decide_what_stipples_show(stippled, picture, volume_file):
     """On paper darker than the ink they are where the light falls: from the front, in the middle."""
     middle = (slice(80, 110), slice(70, 100))
     light = ["--light", "0,0", "--iso", 100, "--silhouette", "off"]
@@ -147,21 +147,21 @@ def test_samples_and_tessellation(stippled, tmp_path):
 
 def test_warm_and_cool(picture, volume_file):
     style = ["--style", "stipple"]
-    assert colourfulness(picture(volume_file, *style)) == 0
-    assert colourfulness(picture(volume_file, *style, "--color", 1)) > 2
+    assert colorfulness(picture(volume_file, *style)) == 0
+    assert colorfulness(picture(volume_file, *style, "--color", 1)) > 2
     green = picture(volume_file, *style, "--color", 1, "--warm-color", "green", "--cool-color", "green",
                     "--distance-weight", 1).astype(int)
     assert (green[..., 1] >= green[..., 0]).all() and (green[..., 1] > green[..., 0] + 50).any()
 
 
-def test_scalar_colours(picture, volume_file):
+def test_scalar_colors(picture, volume_file):
     style = ["--style", "stipple"]
     image = picture(volume_file, *style, "--color-map", "red,blue", "--color-range", "0,200").astype(int)
     assert (image[..., 0] > image[..., 2] + 30).any() and (image[..., 2] > image[..., 0] + 30).any()
     blue = picture(volume_file, *style, "--color-map", "red,blue", "--color-range", "-10,0.5").astype(int)
     assert (blue[..., 2] >= blue[..., 0]).all()
     for name in ("viridis", "cool-warm", "rainbow"):
-        assert colourfulness(picture(volume_file, *style, "--color-map", name)) > 1
+        assert colorfulness(picture(volume_file, *style, "--color-map", name)) > 1
     named = picture(volume_file, *style, "--color-map", "red,blue", "--color-range", "0,200", "--color-by", "density")
     assert (named == image).all()
 

@@ -30,7 +30,7 @@ def image_of(values):
 
 
 def ball(size=32):
-    """RADIUS - distance to the centre: denser inside, 0 on the sphere."""
+    """RADIUS - distance to the center: denser inside, 0 on the sphere."""
     axis = numpy.arange(size) - 0.5 * (size - 1)
     z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
     return RADIUS - numpy.sqrt(x * x + y * y + z * z)
@@ -282,7 +282,7 @@ def test_no_phi_is_no_ink(bumpy_points):
     assert ink(picture) < 1e-3 * picture.shape[0] * picture.shape[1]
 
 
-def test_colours_are_those_asked_for(bumpy_points):
+def test_colors_are_those_asked_for(bumpy_points):
     picture, _ = drawing(bumpy_points, Phi=1000.0, InkColor=(0, 0, 1), PaperColor=(1, 0, 0))
     drawn = picture[~background(picture)]
     assert numpy.all(drawn[:, 1] < 0.02)
@@ -385,8 +385,8 @@ def test_surface_example_is_short_and_draws(tmp_path):
     reader = vtk.vtkPNGReader()
     reader.SetFileName(str(tmp_path / "surface_samples.png"))
     reader.Update()
-    grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
-    assert 0.5 < numpy.mean(grey > 0.95) < 0.999 and 0.0005 < numpy.mean(grey < 0.5) < 0.2
+    gray = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
+    assert 0.5 < numpy.mean(gray > 0.95) < 0.999 and 0.0005 < numpy.mean(gray < 0.5) < 0.2
 
 
 def test_animation_example_is_short_and_draws(tmp_path):
@@ -402,9 +402,9 @@ def test_animation_example_is_short_and_draws(tmp_path):
         reader.SetFileName(str(tmp_path / f"animation_{frame:02d}.png"))
         reader.Update()
         scalars = reader.GetOutput().GetPointData().GetScalars()
-        grey = numpy_support.vtk_to_numpy(scalars)[:, :3].mean(axis=1) / 255
-        assert 0.5 < numpy.mean(grey > 0.95) < 0.999 and 0.002 < numpy.mean(grey < 0.5) < 0.2
-        pictures.append(grey)
+        gray = numpy_support.vtk_to_numpy(scalars)[:, :3].mean(axis=1) / 255
+        assert 0.5 < numpy.mean(gray > 0.95) < 0.999 and 0.002 < numpy.mean(gray < 0.5) < 0.2
+        pictures.append(gray)
     assert not numpy.array_equal(pictures[0], pictures[1]) and not numpy.array_equal(pictures[1], pictures[2])
 
 
@@ -418,11 +418,11 @@ def test_example_is_short_and_draws(tmp_path):
     reader.SetFileName(str(tmp_path / "splatting_lines.png"))
     reader.Update()
     assert reader.GetOutput().GetDimensions() == (800, 800, 1)
-    grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
-    assert 0.5 < numpy.mean(grey > 0.95) < 0.99 and 0.001 < numpy.mean(grey < 0.5) < 0.2
+    gray = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
+    assert 0.5 < numpy.mean(gray > 0.95) < 0.99 and 0.001 < numpy.mean(gray < 0.5) < 0.2
 
 
-def grey_picture(file, side):
+def gray_picture(file, side):
     reader = vtk.vtkPNGReader()
     reader.SetFileName(str(file))
     reader.Update()
@@ -439,8 +439,8 @@ def test_numpy_example_is_short_and_draws(tmp_path):
     assert result.returncode == 0 and not result.stderr, result.stderr
     points, normals = re.fullmatch(r"(\d+) points, their normals as an array of \((\d+), 3\)\n", result.stdout).groups()
     assert points == normals and int(points) > 40000
-    grey = grey_picture(tmp_path / "numpy_volume.png", 600)
-    assert 0.8 < numpy.mean(grey > 0.95) < 0.99 and 0.01 < numpy.mean(grey < 0.5) < 0.05
+    gray = gray_picture(tmp_path / "numpy_volume.png", 600)
+    assert 0.8 < numpy.mean(gray > 0.95) < 0.99 and 0.01 < numpy.mean(gray < 0.5) < 0.05
 
 
 @pytest.mark.skipif(not importlib.util.find_spec("pyvista"), reason="PyVista is not installed")
@@ -454,8 +454,8 @@ def test_pyvista_example_is_short_and_draws(tmp_path):
     assert result.returncode == 0 and "Warning" not in result.stderr, result.stderr
     points, arrays = re.fullmatch(r"(\d+) points with (.*)\n", result.stdout).groups()
     assert int(points) > 60000 and arrays == "Normals, Radius"
-    grey = grey_picture(tmp_path / "pyvista_lines.png", 600)
-    assert 0.8 < numpy.mean(grey > 0.95) < 0.99 and 0.01 < numpy.mean(grey < 0.5) < 0.05
+    gray = gray_picture(tmp_path / "pyvista_lines.png", 600)
+    assert 0.8 < numpy.mean(gray > 0.95) < 0.99 and 0.01 < numpy.mean(gray < 0.5) < 0.05
 
 
 def write_nifti(path, values):
@@ -481,9 +481,9 @@ def test_stipple_example_is_short_and_draws(tmp_path, preset):
     reader.SetFileName(str(tmp_path / "stipple.png"))
     reader.Update()
     assert reader.GetOutput().GetDimensions() == (800, 800, 1)
-    grey = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
+    gray = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].mean(axis=1) / 255
     paper = float(preset == "anatomy")
-    assert 0.4 < numpy.mean(abs(grey - paper) < 0.05) < 0.99 and 0.005 < numpy.mean(abs(grey - paper) > 0.5) < 0.4
+    assert 0.4 < numpy.mean(abs(gray - paper) < 0.05) < 0.99 and 0.005 < numpy.mean(abs(gray - paper) > 0.5) < 0.4
 
 
 def stippled_square(elements=10, per_element=8):

@@ -239,7 +239,7 @@ def test_panels_show_every_property_once(panel, file):
     shown = [element.get("name") for element in extension.findall(".//PropertyGroup/Property")]
     assert len(shown) == len(set(shown))
     proxy = next(iter(proxy_of(file, "ProxyGroup")))
-    # The colouring is the host's.
+    # The coloring is the host's.
     shared = {"Input", "ColorArrayName", "LookupTable", "MapScalars"}
     own = {element.get("name") for element in proxy if element.tag.endswith("Property")}
     assert set(shown) == own - shared

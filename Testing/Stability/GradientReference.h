@@ -88,9 +88,9 @@ ReferenceGradient referenceCentralDifference(const GridField<T>& field, const gl
     glm::ivec3 ends[2] = { sample, sample };
     for (const int side : { 0, 1 })
     {
-      glm::ivec3 neighbour = sample;
-      neighbour[axis] += 2 * side - 1;
-      ends[side] = field.has(neighbour) ? neighbour : sample;
+      glm::ivec3 neighbor = sample;
+      neighbor[axis] += 2 * side - 1;
+      ends[side] = field.has(neighbor) ? neighbor : sample;
     }
     const int steps = ends[1][axis] - ends[0][axis];
     const Wide before = static_cast<Wide>(field.at(ends[0]));
@@ -110,13 +110,13 @@ ReferenceGradient referenceRegression(
   {
     return result;
   }
-  struct Neighbour
+  struct Neighbor
   {
     WideVector offset;
     Wide weight;
     Wide value;
   };
-  std::vector<Neighbour> neighbours;
+  std::vector<Neighbor> neighbors;
   WideMatrix step(field.geometry().direction());
   Wide nearest = 0.0L;
   for (const bool weigh : { false, true })
@@ -136,7 +136,7 @@ ReferenceGradient referenceRegression(
           else if (field.has(sample + glm::ivec3(a, b, c)))
           {
             const Wide weight = inverseDistance ? nearest / std::max(nearest, distance) : 1.0L;
-            neighbours.push_back(
+            neighbors.push_back(
               { offset, weight, static_cast<Wide>(field.at(sample + glm::ivec3(a, b, c))) });
           }
         }
@@ -147,18 +147,18 @@ ReferenceGradient referenceRegression(
   // Weighted least squares around the mean.
   Wide total = 0.0L;
   WideVector mean(0.0L);
-  for (const Neighbour& n : neighbours)
+  for (const Neighbor& n : neighbors)
   {
     total += n.weight;
     mean += n.weight * n.offset;
   }
   mean /= total;
   WideMatrix spread(0.0L);
-  for (const Neighbour& n : neighbours)
+  for (const Neighbor& n : neighbors)
   {
     spread += n.weight * glm::outerProduct(n.offset - mean, n.offset - mean);
   }
-  // On a scale on which all axes that have neighbours are alike, directions without any are left out.
+  // On a scale on which all axes that have neighbors are alike, directions without any are left out.
   WideVector scale(0.0L);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -182,12 +182,12 @@ ReferenceGradient referenceRegression(
     }
   }
   Wide largest = 0.0L;
-  for (const Neighbour& n : neighbours)
+  for (const Neighbor& n : neighbors)
   {
     largest = std::max(largest, std::abs(n.value));
   }
   result.valueTerms = largest;
-  for (const Neighbour& n : neighbours)
+  for (const Neighbor& n : neighbors)
   {
     const WideVector coefficient = n.weight * scale * (inverse * (scale * (n.offset - mean)));
     result.gradient += coefficient * n.value;

@@ -79,7 +79,7 @@ vtkSmartPointer<vtkImageData> MakeLayers(
   return image;
 }
 
-/// A type, values of slices of which neighbours cross the iso-value in one layer, and where between them.
+/// A type, values of slices of which neighbors cross the iso-value in one layer, and where between them.
 struct Ramp
 {
   const char* Name;

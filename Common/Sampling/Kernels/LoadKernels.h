@@ -2,7 +2,7 @@
 
 #if defined(__x86_64__)
 
-/// Four neighbouring samples, or two pairs of them, as floats.
+/// Four neighboring samples, or two pairs of them, as floats.
 struct FloatLoader
 {
   using Row = __m128;

@@ -24,7 +24,7 @@ enum class NormalMethod
   Gradient,
   /// The trilinear interpolation of the unit vectors along these gradients (Zhang et al. 2014, section 5.1).
   CentralDifference,
-  /// As CentralDifference, with gradients by linear regression over each corner's 26 neighbours with equal
+  /// As CentralDifference, with gradients by linear regression over each corner's 26 neighbors with equal
   /// weights (Neumann et al. 2000, as Lu et al. 2003, section 4.1, use it).
   Regression
 };
@@ -35,7 +35,7 @@ constexpr int BatchSize = 64;
 constexpr int BatchStride = BatchSize + 16;
 
 /// The samples that a cell's point and normal depend on: its 8 corners, corner c being on the upper side
-/// along axis a where bit a of c is set, and the two outer neighbours of each of its 12 edges, along that
+/// along axis a where bit a of c is set, and the two outer neighbors of each of its 12 edges, along that
 /// edge. Edge n of the four that run along an axis is on the upper side of the first axis across where bit 0
 /// of n is set, and of the second where bit 1 is.
 constexpr int Corners = 8;
@@ -122,7 +122,7 @@ struct SegmentList
   std::int32_t count; ///< cells
 };
 
-/// The samples around some cells: a cell's first corner is at data[offsets[n]], and its neighbours lie at
+/// The samples around some cells: a cell's first corner is at data[offsets[n]], and its neighbors lie at
 /// these distances from it.
 template <class T>
 struct StencilSource
@@ -132,7 +132,7 @@ struct StencilSource
   std::ptrdiff_t y;
   std::ptrdiff_t z;
   /// Distances to the samples before and after the cell, for each cell; null: -y, 2 y, -z, 2 z. They stay
-  /// inside the grid where the neighbour does not.
+  /// inside the grid where the neighbor does not.
   const std::ptrdiff_t* border[4];
   const CellSegment* segments;
   int segmentCount;

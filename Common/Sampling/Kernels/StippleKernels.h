@@ -159,7 +159,7 @@ struct Crowd
 };
 
 /// All of the numbers to [-1/2, 1/2].
-INK_INLINE Eight centred(const EightBits& bits)
+INK_INLINE Eight centered(const EightBits& bits)
 {
   return __builtin_convertvector(reinterpret_cast<EightInts>(bits), Eight) * 0x1p-32f;
 }
@@ -200,7 +200,7 @@ INK_INLINE void loadVectors(const float* from, int count, Eight vectors[3])
   }
 }
 
-INK_INLINE void mindNeighbours(const VoxelFill& voxel, Crowd& near)
+INK_INLINE void mindNeighbors(const VoxelFill& voxel, Crowd& near)
 {
   const Eight first = { 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f };
   for (int rank = 0; rank < voxel.count; rank += EightLanes)
@@ -209,11 +209,11 @@ INK_INLINE void mindNeighbours(const VoxelFill& voxel, Crowd& near)
     const Eight numbers = first + static_cast<float>(rank);
     const int left = voxel.count - rank;
     const unsigned valid = left >= EightLanes ? 0xffu : (1u << left) - 1u;
-    for (int n = 0; n < voxel.neighbours; ++n)
+    for (int n = 0; n < voxel.neighbors; ++n)
     {
       const float* const offset = voxel.offset[n];
       Eight step[3] = {};
-      loadVectors(voxel.neighbour[n] + 3 * rank, left, step);
+      loadVectors(voxel.neighbor[n] + 3 * rank, left, step);
       for (int axis = 0; axis < 3; ++axis)
       {
         step[axis] = offset[axis] + step[axis];
@@ -232,7 +232,7 @@ INK_INLINE void fillAlong(const VoxelFill& voxel)
   constexpr int axisA = (solved + 1) % 3;
   constexpr int axisB = (solved + 2) % 3;
   Crowd near{ voxel.nearX, voxel.nearY, voxel.nearNumber };
-  mindNeighbours(voxel, near);
+  mindNeighbors(voxel, near);
 
   // The additive recurrence with the powers of 1 / 1.2207440846, which fills the cube evenly from the first
   // point on (Roberts 2018). Whole numbers do not round.
@@ -257,10 +257,10 @@ INK_INLINE void fillAlong(const VoxelFill& voxel)
     for (int tries = 0; tries < 4 && widest < 0.0f; ++tries)
     {
       Eight place[3];
-      place[axisA] = centred(next[0]);
-      place[axisB] = centred(next[1]);
+      place[axisA] = centered(next[0]);
+      place[axisB] = centered(next[1]);
       place[solved] =
-        voxel.height * centred(next[2]) - voxel.slope[0] * place[axisA] - voxel.slope[1] * place[axisB];
+        voxel.height * centered(next[2]) - voxel.slope[0] * place[axisA] - voxel.slope[1] * place[axisB];
       for (int i = 0; i < 3; ++i)
       {
         next[i] += static_cast<std::uint32_t>(EightLanes) * step[i];

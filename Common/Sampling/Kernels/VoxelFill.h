@@ -11,16 +11,16 @@ struct VoxelFill
 {
   /// Rows of numbers by rank are readable and writable up to a multiple of this.
   static constexpr int Lanes = 8;
-  static constexpr int MostNeighbours = 26;
+  static constexpr int MostNeighbors = 26;
   static constexpr int MostStipples = 64;
 
   /// The stipples to place.
   int count;
-  /// The stipples of the neighbours that are filled already: x, y, z of each in turn, from its own sample;
+  /// The stipples of the neighbors that are filled already: x, y, z of each in turn, from its own sample;
   /// readable for `count` stipples. Where that sample lies from here.
-  int neighbours;
-  const float* neighbour[MostNeighbours];
-  float offset[MostNeighbours][3];
+  int neighbors;
+  const float* neighbor[MostNeighbors];
+  float offset[MostNeighbors][3];
 
   /// Take sample steps to two axes on the tangent plane, in units of the voxel's size.
   float planeX[3];

@@ -5,7 +5,7 @@
 in vec2 texCoord;
 
 uniform sampler2D surface;  // of the layer whose depth counts
-uniform sampler2D ink;      // colour times coverage, coverage
+uniform sampler2D ink;      // color times coverage, coverage
 uniform vec4 depthToClip;   // clip z = x * view z + y, clip w = z * view z + w
 uniform float farthest;     // beyond this distance there is no surface
 uniform vec3 paperColor;

@@ -2,7 +2,7 @@
 
 //INK::Features
 
-// Hardware selection: the nearest disc in the colour that the selector asks for.
+// Hardware selection: the nearest disc in the color that the selector asks for.
 
 flat in vec4 toDiscVSOutput;
 flat in vec4 centerVSOutput;

@@ -3,7 +3,7 @@
 //INK::Features
 
 // The ink of one layer (Zhang et al. 2014, section 3.3): H = I1 - tau I2, E = tanh(phi H), ink where E is
-// negative; its colour times its coverage, and the coverage. With INK_COVERAGE, the coverage was worked on as
+// negative; its color times its coverage, and the coverage. With INK_COVERAGE, the coverage was worked on as
 // an image.
 
 in vec2 texCoord;

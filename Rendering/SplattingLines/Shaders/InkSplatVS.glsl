@@ -6,11 +6,11 @@
 // the disc's exact projection. The fragment shaders find out where on the disc a pixel lies.
 //
 // Disc coordinates are (u, v), with u^2 + v^2 <= 1 on the disc. In clip space the disc's point (u, v) is
-// center + u clipU + v clipV. Over center.w, and relative to the centre's pixel, it lies at p (in pixels) with
+// center + u clipU + v clipV. Over center.w, and relative to the center's pixel, it lies at p (in pixels) with
 //   p (1 + dot(w, (u, v))) = disc (u, v),
 // which inverts to a 2 x 2 matrix and one division. This holds for any camera.
 
-in vec3 pointMC;        // relative to the data's centre, over the data's size
+in vec3 pointMC;        // relative to the data's center, over the data's size
 in vec4 normalRadiusMC; // unit normal; radius over the data's size, 0 for points that are not drawn
 #ifdef INK_COLORS
 in vec4 colorMC;
@@ -34,7 +34,7 @@ uniform float minimumLight;  // f_i below which discs on the other side are left
 
 #if defined INK_LIGHT || defined INK_BACK
 uniform sampler2D surface;     // that the depth splats show, see their fragment shader
-uniform int probeCount;        // where, besides in its centre, a disc is looked at to tell if it is hidden;
+uniform int probeCount;        // where, besides in its center, a disc is looked at to tell if it is hidden;
                                // negative: not at all
 #endif
 #ifdef INK_LIGHT
@@ -48,13 +48,13 @@ uniform vec2 widths;           // pixels: the least and the greatest narrower ra
 
 // What the fragment shaders need, in few varyings: each costs time for each point.
 flat out vec4 toDiscVSOutput; // 2 x 2 matrix from pixels to disc coordinates, before the division
-flat out vec4 centerVSOutput; // the disc's centre in pixels; w, see above
+flat out vec4 centerVSOutput; // the disc's center in pixels; w, see above
 #ifdef INK_PLANES
-flat out vec3 positionVSOutput; // the disc's centre and axes in view coordinates
+flat out vec3 positionVSOutput; // the disc's center and axes in view coordinates
 flat out vec3 axisUVSOutput;
 flat out vec3 axisVVSOutput;
 #endif
-flat out vec4 discVSOutput;   // view z of the disc's centre and of its two axes; f_i, negative on discs that face away
+flat out vec4 discVSOutput;   // view z of the disc's center and of its two axes; f_i, negative on discs that face away
 #if defined INK_LIGHT
 flat out vec4 splatVSOutput;  // 1 / r_i^2, up to a factor common to all; slope; tolerances, see below
 #ifdef INK_COARSE
@@ -204,7 +204,7 @@ void main()
   disc = (square + mat2(area)) / sqrt(square[0].x + square[1].y + 2.0 * area) * turn;
 
   // The box around the disc's projection, from the tangents to its conic; the part of it in the viewport.
-  // Cutting it to the viewport keeps splats whose centre lies outside.
+  // Cutting it to the viewport keeps splats whose center lies outside.
   vec2 centerPixel = (0.5 * centerNDC + 0.5) * viewportSize;
   vec2 low = vec2(0.0);
   vec2 high = viewportSize;

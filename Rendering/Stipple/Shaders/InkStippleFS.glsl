@@ -3,7 +3,7 @@
 
 // A round dot with a soft rim of one pixel.
 
-flat in vec4 dotVSOutput; // centre and radius in pixels, intensity
+flat in vec4 dotVSOutput; // center and radius in pixels, intensity
 #ifdef INK_COLORS
 flat in vec3 colorVSOutput;
 #endif
@@ -20,7 +20,7 @@ void main()
 {
   float distance = length(gl_FragCoord.xy - viewportOrigin - dotVSOutput.xy);
   float coverage = dotVSOutput.w * actorOpacity * clamp(dotVSOutput.z + 0.5 - distance, 0.0, 1.0);
-  // However pale: many pale stipples make a grey.
+  // However pale: many pale stipples make a gray.
   if (coverage <= 0.0)
   {
     discard;

@@ -1,8 +1,8 @@
 //VTK::System::Dec
 
-// Hardware selection: the dots in the colours that the selector asks for.
+// Hardware selection: the dots in the colors that the selector asks for.
 
-flat in vec4 dotVSOutput; // centre and radius in pixels
+flat in vec4 dotVSOutput; // center and radius in pixels
 flat in int idVSOutput;
 
 uniform vec2 viewportOrigin; // pixels

@@ -2,7 +2,7 @@
 //INK::Features
 
 // Lu et al. 2003, sections 4.3 and 5: how many of its element's stipples are drawn, and so whether this one is,
-// how large and in which colour. Common/Tone has the same in C++, function by function, and says more.
+// how large and in which color. Common/Tone has the same in C++, function by function, and says more.
 //
 // Software rasterisers compute what a condition leaves out, too, and take long over loops of unknown length. So what
 // most pictures do without is compiled only where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED, INK_PROBABILITY,
@@ -82,7 +82,7 @@ uniform float leastIntensity; // of dots; the framebuffer cannot add up paler on
 // Where INK_RESULTS writes what each stipple comes to instead of drawing it: the size of an image, pixels.
 uniform vec2 resultSize;
 
-flat out vec4 dotVSOutput;   // centre and radius in pixels, intensity
+flat out vec4 dotVSOutput;   // center and radius in pixels, intensity
 #ifdef INK_COLORS
 flat out vec3 colorVSOutput;
 #endif
@@ -163,7 +163,7 @@ void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint ele
   }
   dotVSOutput = vec4(centerPixel, radius, intensity);
 
-  // The part of the dot's box in the viewport: dots whose centre lies outside are drawn, too.
+  // The part of the dot's box in the viewport: dots whose center lies outside are drawn, too.
   vec2 low = max(centerPixel - radius - 0.5, vec2(0.0));
   vec2 high = min(centerPixel + radius + 0.5, viewportSize);
   if (low.x >= high.x || low.y >= high.y)

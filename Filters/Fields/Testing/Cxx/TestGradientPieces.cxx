@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parts of an image, asked for by extent or by piece, get the same bits as the whole, and the input is asked
-// for no more than a part and its neighbours.
+// for no more than a part and its neighbors.
 
 #include "GradientTestImages.h"
 #include "InkTestChecks.h"
@@ -96,7 +96,7 @@ int TestGradientPieces(int, char*[])
       // Four times the Gaussian's deviation, up.
       const int* input = source2->GetOutput()->GetExtent();
       check(input[4] == std::max(-13, extent[4] - 3) && input[5] == std::min(14, extent[5] + 3),
-        "no more than the neighbours from the input, found slices ", input[4], " to ", input[5]);
+        "no more than the neighbors from the input, found slices ", input[4], " to ", input[5]);
     }
     // Another filter, because the pipeline does not take an extent and then a piece.
     vtkNew<vtkRTAnalyticSource> source3;

@@ -110,7 +110,7 @@ inline double LeastDistance(vtkPolyData* points, vtkIdType count)
   return least;
 }
 
-/// The distance between neighbours in a hexagonal lattice of as many points.
+/// The distance between neighbors in a hexagonal lattice of as many points.
 inline double HexagonalDistance(double area, vtkIdType count)
 {
   return std::sqrt(2.0 * area / (std::sqrt(3.0) * static_cast<double>(count)));

@@ -148,7 +148,7 @@ int TestStippleGenerator(int, char*[])
   check(share > 0.045 && share < 0.055, "a twentieth of the voxels, found ", share);
   CheckContract(check, Stipple(ball, [](auto* g) { g->SetMaximumStipples(3); }), 3);
 
-  // The lists of fewer stipples are the beginnings of longer ones' in voxels that mind no neighbour;
+  // The lists of fewer stipples are the beginnings of longer ones' in voxels that mind no neighbor;
   // elsewhere the longer lists leave room. Everywhere, another seed gives others.
   check(PointsOf(Stipple(ball)) == PointsOf(plain), "the same stipples once more");
   check(PointsOf(Stipple(ball, [](auto* g) { g->SetSeed(1); })) != PointsOf(plain), "others by another seed");

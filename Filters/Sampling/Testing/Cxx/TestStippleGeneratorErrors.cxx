@@ -67,7 +67,7 @@ int TestStippleGeneratorErrors(int, char*[])
     { g->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
   ExpectOfImage(check, "no such component", { "Density", "ArrayComponent is 1" }, as,
     [](vtkInkStippleGenerator* g) { g->SetArrayComponent(1); });
-  ExpectOfImage(check, "no such colours", { "\"Pressure\"", "to pass on" }, as,
+  ExpectOfImage(check, "no such colors", { "\"Pressure\"", "to pass on" }, as,
     [](vtkInkStippleGenerator* g)
     {
       g->PassScalarsOn();
@@ -125,7 +125,7 @@ int TestStippleGeneratorErrors(int, char*[])
   Expect(check, "no area", { "no area" }, line);
   Expect(check, "too many", { "GiB", "expected no more" }, flat->GetOutput(),
     [](vtkInkStippleGenerator* g) { g->SetNumberOfSurfaceStipples(1000000000000); });
-  Expect(check, "no colours", { "active scalars" }, flat->GetOutput(),
+  Expect(check, "no colors", { "active scalars" }, flat->GetOutput(),
     [](vtkInkStippleGenerator* g) { g->PassScalarsOn(); });
   return check.Result();
 }

@@ -30,7 +30,7 @@ Coord RandomPlace(InkTestRandom& random, int size)
   return Coord(random.UpTo(size), random.UpTo(size), random.UpTo(size));
 }
 
-/// Values of few levels, so that neighbours are often equal, and what a half float holds exactly.
+/// Values of few levels, so that neighbors are often equal, and what a half float holds exactly.
 double RandomValue(InkTestRandom& random)
 {
   return random.UpTo(9) / 4.0 - 1.0;

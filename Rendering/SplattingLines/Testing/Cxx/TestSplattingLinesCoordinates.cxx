@@ -149,7 +149,7 @@ void TestClippingPlanes(InkTestChecks& check)
   check(InkTestImage(scene.Window).Gray(50, 50) == 255, "no clipping planes");
 }
 
-/// Splats that are larger than any point sprite, and splats whose centres lie outside the window.
+/// Splats that are larger than any point sprite, and splats whose centers lie outside the window.
 void TestCloseUp(InkTestChecks& check)
 {
   vtkNew<vtkPoints> points;
@@ -188,7 +188,7 @@ void TestCloseUp(InkTestChecks& check)
         }
       }
       check(
-        wrong == 0, "a whole disc in ", size, " pixels, centre at ", -aside, ": ", wrong, " pixels wrong");
+        wrong == 0, "a whole disc in ", size, " pixels, center at ", -aside, ": ", wrong, " pixels wrong");
     }
   }
 }

@@ -17,7 +17,7 @@
 namespace
 {
 
-/// A flat square of a colour, facing the viewer at some z.
+/// A flat square of a color, facing the viewer at some z.
 class Square
 {
 public:
@@ -83,7 +83,7 @@ void TestPaper(InkTestChecks& check)
       scene.Renderer->ResetCameraClippingRange();
       const InkTestImage image(scene.Window);
       const std::string where = " with a square at z " + std::to_string(z);
-      // The sphere is nearer than the plane z = 0.8 within 0.6 of its centre, 48 pixels.
+      // The sphere is nearer than the plane z = 0.8 within 0.6 of its center, 48 pixels.
       check(IsRed(image, 100, 100) == (z > 1.0), "the sphere's front", where);
       check(image.Gray(100, 100) == 255 || z > 1.0, "paper in front of the square", where);
       check(IsRed(image, 100, 100 + 55) == (z > 0.0), "the sphere's side", where);

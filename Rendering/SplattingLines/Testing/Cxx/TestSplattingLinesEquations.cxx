@@ -109,7 +109,7 @@ std::optional<double> TraceInk(
 {
   struct Hit
   {
-    double Distance2; ///< on the disc's plane, from its centre
+    double Distance2; ///< on the disc's plane, from its center
     double Depth;
     double Radius;
     double Light;
@@ -213,7 +213,7 @@ void TestCurved(InkTestChecks& check)
         ink += traced.value_or(0.0);
       }
     }
-    // Rims that pass through pixels' centres, and depths that differ by just the tolerance.
+    // Rims that pass through pixels' centers, and depths that differ by just the tolerance.
     check(wrong <= 4, "curved surfaces within 2 of 255 at lambda ", p.Lambda, "; ", wrong, " pixels are not");
   }
 }
@@ -254,7 +254,7 @@ void TestPlane(InkTestChecks& check)
         const double ink = std::max(0.0, -std::tanh(p.Phi * difference));
         const int expected = static_cast<int>(std::lround(255.0 * (1.0 - ink)));
         const int error = std::abs(image.Gray(i, j) - expected);
-        // A rim that passes through a pixel's centre may go either way: a jump of the truncated Gaussian.
+        // A rim that passes through a pixel's center may go either way: a jump of the truncated Gaussian.
         wrong += error > 2;
         worst = std::max(worst, error);
         darkest = std::min(darkest, expected);

@@ -97,7 +97,7 @@ int CountStray(const InkTestImage& image)
   return stray;
 }
 
-/// As many layers as there are, and each one's ring in its colour.
+/// As many layers as there are, and each one's ring in its color.
 void TestRings(InkTestChecks& check)
 {
   Spheres spheres;
@@ -170,10 +170,10 @@ void TestDefaults(InkTestChecks& check)
   mapper->SetInkColor(0.5, 0.2, 0.1);
   double color[3];
   mapper->GetLayerColor(5, color);
-  check(color[0] == 0.5 && color[2] == 0.1, "the ink's colour for layers without their own");
+  check(color[0] == 0.5 && color[2] == 0.1, "the ink's color for layers without their own");
 }
 
-/// Hidden lines have the colours of their own layer's points, until they are given one.
+/// Hidden lines have the colors of their own layer's points, until they are given one.
 void TestScalars(InkTestChecks& check)
 {
   Spheres spheres;
@@ -201,19 +201,19 @@ void TestScalars(InkTestChecks& check)
     {
       for (int channel = 0; channel < 3; ++channel)
       {
-        // Ink of one colour is dark in the others.
+        // Ink of one color is dark in the others.
         const double dark = RingIn(image, Radii[sphere], channel);
-        check(channel == sphere ? dark < 0.05 : dark > 0.95, "sphere ", sphere, " in its points' colour; ",
+        check(channel == sphere ? dark < 0.05 : dark > 0.95, "sphere ", sphere, " in its points' color; ",
           dark, " of its ring is dark in channel ", channel);
       }
     }
   }
   mapper->SetLayerColor(1, 0.0, 0.0, 1.0);
   const InkTestImage own(spheres.Scene.Window);
-  check(RingIn(own, Radii[1], 1) > 0.95 && RingIn(own, Radii[1], 2) < 0.05, "a layer's own colour");
+  check(RingIn(own, Radii[1], 1) > 0.95 && RingIn(own, Radii[1], 2) < 0.05, "a layer's own color");
   check(RingIn(own, Radii[2], 2) < 0.05 && RingIn(own, Radii[0], 0) < 0.05, "and the others as before");
   mapper->ResetLayerColor(1);
-  check(RingIn(InkTestImage(spheres.Scene.Window), Radii[1], 1) < 0.05, "its points' colour again");
+  check(RingIn(InkTestImage(spheres.Scene.Window), Radii[1], 1) < 0.05, "its points' color again");
 }
 
 /// A plane at some depth that covers the left half of the picture.

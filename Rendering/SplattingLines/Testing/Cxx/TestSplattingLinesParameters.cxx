@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lambda, tau, phi, sigma and the colours do, and that none of them sends the points to the GPU again.
+// What lambda, tau, phi, sigma and the colors do, and that none of them sends the points to the GPU again.
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
@@ -124,8 +124,8 @@ void TestColors(InkTestChecks& check)
       paper += image.Channel(x, y, 0) < 5 && image.Channel(x, y, 2) > 250;
     }
   }
-  check(ink > 100, "ink in its colour, ", ink, " pixels");
-  check(paper > 5000, "paper in its colour, ", paper, " pixels");
+  check(ink > 100, "ink in its color, ", ink, " pixels");
+  check(paper > 5000, "paper in its color, ", paper, " pixels");
 }
 
 void TestUploads(InkTestChecks& check)

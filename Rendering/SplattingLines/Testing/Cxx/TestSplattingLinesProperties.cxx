@@ -101,12 +101,12 @@ void TestShallowCopy(InkTestChecks& check)
   check(std::string(copy->GetInputArrayInformation(Mapper::NORMALS)->Get(vtkDataObject::FIELD_NAME())) ==
       "Direction",
     "the same arrays");
-  // A layer without a colour of its own stays without.
+  // A layer without a color of its own stays without.
   copy->ShallowCopy(fresh);
   copy->SetInkColor(1.0, 0.0, 0.0);
   double color[3];
   copy->GetLayerColor(3, color);
-  check(color[0] == 1.0, "the ink's colour for layers without their own after a copy");
+  check(color[0] == 1.0, "the ink's color for layers without their own after a copy");
 }
 
 void TestEnumerations(InkTestChecks& check)
@@ -185,13 +185,13 @@ void TestColors(InkTestChecks& check)
   { return std::equal(expected.begin(), expected.end(), found); };
   check(is(mapper->GetInkColor(), { 0.0, 0.5, 1.0 }) && is(mapper->GetPaperColor(), { 1.0, 1.0, 0.0 }) &&
       is(mapper->GetToneColor(), { 0.0, 1.0, 0.25 }) && is(layer, { 1.0, 0.0, 0.5 }),
-    "colours within 0 to 1");
+    "colors within 0 to 1");
   const vtkMTimeType time = mapper->GetMTime();
   mapper->SetInkColor(0.0, 0.5, 3.0);
-  check(mapper->GetMTime() == time, "the same colour is no change");
+  check(mapper->GetMTime() == time, "the same color is no change");
   mapper->ResetLayerColor(1);
   mapper->GetLayerColor(1, layer);
-  check(is(layer, { 0.0, 0.5, 1.0 }) && mapper->GetMTime() > time, "the ink's colour again");
+  check(is(layer, { 0.0, 0.5, 1.0 }) && mapper->GetMTime() > time, "the ink's color again");
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Styles of lines: hardness, width, thinning, speckles, dashes, colours by scalars and by tone, papers.
+// Styles of lines: hardness, width, thinning, speckles, dashes, colors by scalars and by tone, papers.
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
@@ -227,7 +227,7 @@ void TestScalars(InkTestChecks& check)
   table->SetTableValue(1, 0.0, 0.0, 1.0);
   scene.Mapper->SetLookupTable(table);
   scene.Mapper->SetScalarRange(0.0, 1.0);
-  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "scalars colour nothing unless they are to");
+  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "scalars color nothing unless they are to");
   scene.Mapper->SetInkColorMode(vtkInkSplattingLinesMapper::SCALARS);
   const InkTestImage colored(scene.Window);
   int wrong = 0;
@@ -249,14 +249,14 @@ void TestScalars(InkTestChecks& check)
   scene.Mapper->SetTau(1.0);
   scene.Mapper->InterpolateScalarsBeforeMappingOn();
   scene.Window->Render();
-  check(scene.Mapper->GetUploadTime() == time, "no upload of colours that do not change");
+  check(scene.Mapper->GetUploadTime() == time, "no upload of colors that do not change");
   scene.Mapper->SetTau(0.99);
   check(InkTestImage(scene.Window).CountDifferent(colored) == 0, "points have no textures");
-  // Wider lines, which reach beyond the surface, have their surface's colour there, too.
+  // Wider lines, which reach beyond the surface, have their surface's color there, too.
   scene.Mapper->SetLineWidth(20.0);
   table->SetTableValue(0, 0.0, 1.0, 0.0);
   const InkTestImage wide(scene.Window);
-  check(scene.Mapper->GetUploadTime() > time, "an upload of colours that did change");
+  check(scene.Mapper->GetUploadTime() > time, "an upload of colors that did change");
   int red = 0;
   for (int y = 0; y < 200; ++y)
   {
@@ -266,10 +266,10 @@ void TestScalars(InkTestChecks& check)
         wide.Channel(x, y, 0) > wide.Channel(x, y, 2) + 20;
     }
   }
-  check(red == 0, "no colour that the table does not have, found ", red, " pixels");
+  check(red == 0, "no color that the table does not have, found ", red, " pixels");
   scene.Mapper->SetLineWidth(0.0);
   scene.Mapper->ScalarVisibilityOff();
-  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "no colours with ScalarVisibility off");
+  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "no colors with ScalarVisibility off");
 
   // Scalars of cells say nothing about points.
   points->GetPointData()->SetScalars(nullptr);
@@ -289,7 +289,7 @@ void TestScalars(InkTestChecks& check)
   scene.Window->Render();
   check(
     messages->Messages.size() == 1 && messages->Messages[0].find("scalars of points") != std::string::npos,
-    "one message that names what colours come from, found ", messages->Messages.size());
+    "one message that names what colors come from, found ", messages->Messages.size());
 }
 
 void TestTone(InkTestChecks& check)

@@ -19,7 +19,7 @@
 namespace
 {
 
-/// All that the shader gives is finite, opacities and colours within [0, 1].
+/// All that the shader gives is finite, opacities and colors within [0, 1].
 void CheckMarks(InkTestChecks& check, StippleScene& scene, const std::string& what)
 {
   vtkNew<InkTestMessages> messages;
@@ -130,7 +130,7 @@ double FindTone(StippleScene& scene, double radius)
   return ink / (vtkMath::Pi() * radius * radius);
 }
 
-/// The grey of a sphere stays what it is until the sphere is a pixel, also under depth peeling, whose 8 bits
+/// The gray of a sphere stays what it is until the sphere is a pixel, also under depth peeling, whose 8 bits
 /// cannot add up as pale stipples as there are then.
 void TestTinySphere(InkTestChecks& check)
 {
@@ -169,7 +169,7 @@ void TestTinySphere(InkTestChecks& check)
       {
         const double tone = FindTone(scene, radius);
         const double tolerance = peeled ? stepped : added;
-        check(std::abs(tone / expected - 1.0) < tolerance, "grey ", expected, " of a sphere of ", radius,
+        check(std::abs(tone / expected - 1.0) < tolerance, "gray ", expected, " of a sphere of ", radius,
           " pixels' radius", peeled ? ", peeled" : "", preset ? ", anatomy" : "", ", found ", tone);
       }
     }

@@ -1,4 +1,4 @@
-// The shader and the reference in Common/Tone, on the same stipples: number, opacity, diameter and colour.
+// The shader and the reference in Common/Tone, on the same stipples: number, opacity, diameter and color.
 #include "InkTestChecks.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
@@ -169,7 +169,7 @@ void Compare(
     }
   }
   check(visible > 50, "stipples to see of ", what, ": ", visible);
-  const char* parts[4] = { "T", "opacity", "diameter", "colour" };
+  const char* parts[4] = { "T", "opacity", "diameter", "color" };
   for (int i = 0; i < 4; ++i)
   {
     check(worst[i] < (i == 2 ? 5e-3 : 1e-3), parts[i], " of ", what, " within ", worst[i], ", of ", visible,

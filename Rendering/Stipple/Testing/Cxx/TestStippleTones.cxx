@@ -1,4 +1,4 @@
-// What is on the picture: the area of dots, the grey over distance, the sliders' ink, colours.
+// What is on the picture: the area of dots, the gray over distance, the sliders' ink, colors.
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestStipples.h"
@@ -51,8 +51,8 @@ double SphereTone(StippleScene& scene, double distance)
   return InkTestImage(scene.Window).Ink() / (vtkMath::Pi() * pixels * pixels);
 }
 
-/// The same grey over four octaves of distance, from voxels of several pixels to several voxels in a pixel.
-void TestSameGrey(InkTestChecks& check)
+/// The same gray over four octaves of distance, from voxels of several pixels to several voxels in a pixel.
+void TestSameGray(InkTestChecks& check)
 {
   auto voxels = InkTestStipples::SphereVoxels(1.0, 0.04, 12);
   for (int way : { vtkInkStippleMapper::INTENSITY, vtkInkStippleMapper::PROBABILITY })
@@ -84,13 +84,13 @@ void TestSameGrey(InkTestChecks& check)
     }
     // By random values, there are but some hundred stipples in the smallest picture.
     const double tolerance = way == vtkInkStippleMapper::INTENSITY ? 1.10 : 1.25;
-    check(least > 0.02 && most / least < tolerance, "the same grey at all distances, way ", way, ": ", least,
+    check(least > 0.02 && most / least < tolerance, "the same gray at all distances, way ", way, ": ", least,
       " to ", most);
   }
 }
 
 /// Close up, where the lists run out, too: until a few elements fill the window.
-void TestSameGreyCloseUp(InkTestChecks& check)
+void TestSameGrayCloseUp(InkTestChecks& check)
 {
   auto plane = InkTestStipples::PlaneSurface(2.0, 40, 16);
   StippleScene scene(plane, 300, 300);
@@ -102,7 +102,7 @@ void TestSameGreyCloseUp(InkTestChecks& check)
   {
     scene.Renderer->GetActiveCamera()->SetParallelScale(scale * 0.98);
     const double found = InkTestImage(scene.Window).Ink() / (300.0 * 300.0);
-    check(std::abs(found / expected - 1.0) < (scale < 0.1 ? 0.12 : 0.06), "grey ", expected, " at scale ",
+    check(std::abs(found / expected - 1.0) < (scale < 0.1 ? 0.12 : 0.06), "gray ", expected, " at scale ",
       scale, ", found ", found);
   }
 }
@@ -246,7 +246,7 @@ void TestSlidersAreContinuous(InkTestChecks& check)
   }
 }
 
-/// Scalars colour elements only when asked to.
+/// Scalars color elements only when asked to.
 void TestColors(InkTestChecks& check)
 {
   auto plane = InkTestStipples::PlaneSurface(2.0, 10, 16);
@@ -287,8 +287,8 @@ int TestStippleTones(int, char*[])
 {
   InkTestChecks check;
   TestDotArea(check);
-  TestSameGrey(check);
-  TestSameGreyCloseUp(check);
+  TestSameGray(check);
+  TestSameGrayCloseUp(check);
   TestPolarity(check);
   TestControls(check);
   TestSlidersAreContinuous(check);
