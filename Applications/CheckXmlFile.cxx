@@ -288,7 +288,7 @@ private:
       compressed = std::accumulate(sizes.begin() + numbers, sizes.end(), 0.0);
     }
     if (blocks * static_cast<double>(this->HeaderSize) > left || compressed > left ||
-      std::max(blocks, 1.0) * header[1] > this->Most || header[2] > this->Most)
+      std::max(blocks, 1.0) * header[1] > this->Most || header[2] > (blocks > 0.0 ? header[1] : 0.0))
     {
       this->fail(array,
         text(blocks) + " compressed blocks of " + text(compressed) + " bytes, of " + text(header[1]) +
