@@ -10,6 +10,7 @@
 #include "vtkXMLDataElement.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -129,13 +130,15 @@ private:
     return *number;
   }
 
-  /// The points of an extent.
-  double pointsOf(vtkXMLDataElement* element, const char* name) const
+  /// First and last point along x, y and z.
+  using Extent = std::array<double, 6>;
+
+  Extent extentOf(vtkXMLDataElement* element, const char* name) const
   {
     const std::string value = attribute(element, name);
     std::string_view words = value;
-    double points = 1.0;
-    for (int i = 0; i < 3; ++i)
+    Extent extent{};
+    for (std::size_t i = 0; i < extent.size(); i += 2)
     {
       const std::optional<double> first = numberIn(nextWord(words));
       const std::optional<double> last = numberIn(nextWord(words));
@@ -146,9 +149,25 @@ private:
           std::string("its element ") + element->GetName() + " says " + name + " '" + shortened(value) +
             "'; expected an extent as '0 9 0 9 0 9'");
       }
-      points *= *last - *first + 1.0;
+      extent[i] = *first;
+      extent[i + 1] = *last;
     }
-    return points;
+    return extent;
+  }
+
+  /// VTK would look for the rows beyond the image after the last block of values.
+  void checkPieceExtent(vtkXMLDataElement* piece) const
+  {
+    const Extent extent = this->extentOf(piece, "Extent");
+    for (std::size_t i = 0; i < extent.size(); i += 2)
+    {
+      if (extent[i] < this->Whole[i] || extent[i + 1] > this->Whole[i + 1])
+      {
+        failToRead(this->File,
+          "its element Piece says Extent '" + shortened(attribute(piece, "Extent")) +
+            "', which reaches beyond the image's WholeExtent");
+      }
+    }
   }
 
   void checkElement(vtkXMLDataElement* element)
@@ -156,7 +175,12 @@ private:
     const std::string name = element->GetName() ? element->GetName() : "";
     if (name == "ImageData")
     {
-      this->ImagePoints = this->pointsOf(element, "WholeExtent");
+      this->Whole = this->extentOf(element, "WholeExtent");
+      this->ImagePoints = 1.0;
+      for (std::size_t i = 0; i < this->Whole.size(); i += 2)
+      {
+        this->ImagePoints *= this->Whole[i + 1] - this->Whole[i] + 1.0;
+      }
     }
     else if (name == "Piece")
     {
@@ -197,7 +221,7 @@ private:
     if (this->ImagePoints > 0.0)
     {
       // The values of all pieces are one array.
-      this->pointsOf(piece, "Extent");
+      this->checkPieceExtent(piece);
       cells = points;
     }
     else
@@ -330,6 +354,7 @@ private:
   std::ifstream Stream;
   double Size;
   double Most = 0.0;
+  Extent Whole{};
   double ImagePoints = 0.0;
   std::size_t HeaderSize = 4;
   bool IsCompressed = false;

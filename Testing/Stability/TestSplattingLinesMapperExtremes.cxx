@@ -253,7 +253,7 @@ void TestParameters(InkTestChecks& check)
     { "line width", [](Mapper* m, double v) { m->SetLineWidth(v); },
       { { -20.0, 116.0, 40.3 }, { 20.0, 643.0, 288.3 } } },
     { "dash length", [](Mapper* m, double v) { m->SetLayerDashLength(0, v); },
-      { { 1e-6, 166.9, 154.6 }, { 100.0, 165.7, 154.1 } } },
+      { { 1e-6, 332.6, 268.6 }, { 100.0, 165.7, 154.1 } } },
     { "coarsest texel", [](Mapper* m, double v) { m->SetCoarsestTexel(static_cast<int>(v)); },
       { { 1.0, 332.6, 153.1 }, { 4.0, 332.6, 153.1 } } },
     { "half floats", [](Mapper* m, double v) { m->SetHalfFloats(v > 0.0); },

@@ -733,7 +733,7 @@ void TestSliders(InkTestChecks& check)
   controls->SetGradient(0.3);
   controls->SetGradient(NaN);
   messages->Expect(check, "a slider that is not a number", { "from 0 to 1, found nan" });
-  check(controls->GetGradient() == static_cast<double>(0.3f), "the slider where it was, found ",
+  check(controls->GetGradient() == 0.3, "the slider where it was, found ",
     controls->GetGradient());
   controls->SetGradient(Infinity);
   controls->SetSharpness(-Infinity);
