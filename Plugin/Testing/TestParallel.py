@@ -110,7 +110,7 @@ class TestParallel(unittest.TestCase):
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
             self.assertEqual(len(expected_points), 2 * 7 + 3 + 8 + 2 + (3 if INK else 0))
-            self.assertEqual(len(expected_pictures), 1 + 3 * 2 + 1 + 5)
+            self.assertEqual(len(expected_pictures), 1 + 3 * 2 + 1 + 5 + 2)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)
             for name, picture in expected_pictures.items():

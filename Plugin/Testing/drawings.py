@@ -103,3 +103,8 @@ for name in ("sphere", "contour"):
     save_points(f"{name}-generator", InkStippleGenerator(Input=meshes[name], NumberOfSurfaceStipples=2000))
 for name in ("ply", "pvtp", "sphere", "contour", "contour-of-file"):
     draw(f"{name}-stipples", meshes[name], "Stipple", NumberOfSurfaceStipples=5000)
+
+# Which stipples are drawn by chance goes by what elements are, wherever they are.
+for name, source in (("volume", wavelet), ("mesh", meshes["sphere"])):
+    draw(f"{name}-chance-stipples", source, "Stipple", GradientPercentile=70, NumberOfSurfaceStipples=5000,
+        SmallElements="Whole Ones by Chance")
