@@ -82,13 +82,12 @@ private:
 
   void readElement(DicomFile& found)
   {
-    std::string start = this->bytes(4);
+    const std::string start = this->bytes(4);
     const bool isMeta = this->integer(std::string_view(start).substr(0, 2)) == 2;
     if (!isMeta && !this->PastMeta)
     {
       this->PastMeta = true;
       this->setSyntax(found);
-      start = start.substr(0, 4);
     }
     const std::uint32_t key = tag(this->integer(std::string_view(start).substr(0, 2)),
       this->integer(std::string_view(start).substr(2, 2)));
@@ -179,7 +178,7 @@ private:
   void setSyntax(const DicomFile& found)
   {
     this->Explicit = found.transferSyntax != "1.2.840.10008.1.2";
-    // The element's tag was read the other way, but the little-endian one is not used again.
+    // Big endian holds from this element's tag on, which is taken after this.
     this->BigEndian = found.transferSyntax == "1.2.840.10008.1.2.2";
     if (found.transferSyntax == "1.2.840.10008.1.2.1.99")
     {

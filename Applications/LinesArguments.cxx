@@ -89,7 +89,8 @@ void LinesArguments::add(CLI::App* command)
     "what is added to the lines' width, in thousandths of the picture's height");
   look("--speckles", &Mapper::GetSpeckleLength, &Mapper::SetSpeckleLength,
     "leave out spots of ink shorter than so many pixels", PictureSize::supersampling);
-  this->keep(command->add_flag("--thin", this->thin, "thin all lines to half a pixel, before --line-width"), looksGroup);
+  this->keep(command->add_flag("--thin", this->thin, "thin all lines to half a pixel, before --line-width"),
+    looksGroup);
   this
     ->keep(command->add_option("--tone-color", this->toneColor,
              "color of lines where the surface faces the viewer; towards contours they get the ink's"),

@@ -102,23 +102,36 @@ public:
     return sizes;
   }
 
+  /// Of each axis; NaN for one that is not of space.
+  std::vector<double> spacings() const
+  {
+    const std::string words = this->field("spacings");
+    std::string_view rest = words;
+    std::vector<double> spacings;
+    for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest))
+    {
+      spacings.push_back(numberIn(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    return spacings;
+  }
+
   /// The index of the one axis of four that is not of space: the first, for components, where nothing says
   /// so.
   std::size_t otherAxis() const
   {
-    for (const auto& [name, mark] : { std::pair("space directions", "none"), std::pair("spacings", "nan") })
+    const std::string directions = this->field("space directions");
+    const std::vector<double> spacings = this->spacings();
+    std::string_view rest = directions;
+    for (std::size_t axis = 0; axis < 4; ++axis)
     {
-      const std::string words = this->field(name);
-      std::string_view rest = words;
-      for (std::size_t axis = 0; axis < 4; ++axis)
+      if (nextWord(rest) == "none")
       {
-        if (nextWord(rest) == mark)
-        {
-          return axis;
-        }
+        return axis;
       }
     }
-    return 0;
+    const auto none =
+      std::find_if(spacings.begin(), spacings.end(), [](double spacing) { return std::isnan(spacing); });
+    return none == spacings.end() ? 0 : static_cast<std::size_t>(none - spacings.begin());
   }
 
 private:
@@ -129,7 +142,7 @@ private:
 
 void place(const NrrdHeader& nrrd, std::size_t otherAxis, std::size_t axes, VolumeHeader& header)
 {
-  std::vector<double> spacings = numbersIn(nrrd.field("spacings"));
+  std::vector<double> spacings = nrrd.spacings();
   if (axes == 4 && spacings.size() == axes)
   {
     spacings.erase(spacings.begin() + static_cast<std::ptrdiff_t>(otherAxis));

@@ -39,13 +39,11 @@ double progressiveCount(double candidates);
 /// @param mesh without a density
 /// @param areas those of cumulateArea(mesh)
 /// @param normals one a point of the mesh, that say which sides of triangles are alike; or none: then the
-/// order
-///   of their corners does
+///   order of their corners does
 /// @param candidates brought between leastCandidates and mostCandidates
 /// @param seed together with places on the mesh all that the choice depends on
 /// @return `count` samples, the most important first; fewer where they are so crowded that single precision
-/// does
-///   not tell them apart; none when stopped, or when nothing of the mesh has an area
+///   does not tell them apart; none when stopped, or when nothing of the mesh has an area
 /// @throw std::invalid_argument if the mesh is more than 2^24 distances between samples wide
 std::vector<SurfaceSample> sampleProgressively(const TriangleMesh& mesh, const CumulativeArea& areas,
   std::span<const glm::vec3> normals, std::size_t count, double candidates, std::uint64_t seed,

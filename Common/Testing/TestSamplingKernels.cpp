@@ -245,8 +245,8 @@ TEST(SamplingKernels, AreAsGoodInSinglePrecision)
       Volume<short>::from(grid, [&](auto p) { return 30000 + 100 * sphere.value(p); }).field(), 30000.3,
       method));
     expectClose(
-      singleAgainstDouble(Volume<unsigned char>::from(
-                            centered, [&](auto p) { return std::clamp(100 + 9 * torus.value(p), 0.0, 255.0); })
+      singleAgainstDouble(Volume<unsigned char>::from(centered,
+                            [&](auto p) { return std::clamp(100 + 9 * torus.value(p), 0.0, 255.0); })
                             .field(),
         100.7, method));
   }

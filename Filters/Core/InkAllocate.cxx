@@ -6,7 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 
-#include <cstdlib>
+#include <cstddef>
 #include <new>
 
 namespace
@@ -21,13 +21,9 @@ void Require(vtkAbstractArray* array, vtkIdType tuples)
   {
     return;
   }
-  void* memory = std::malloc(
-    static_cast<std::size_t>(values + capacity) * static_cast<std::size_t>(array->GetDataTypeSize()));
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  std::free(memory);
+  // Not malloc and free, which compilers leave out where only null is asked for (Clang, GCC from 15 on).
+  ::operator delete(::operator new(
+    static_cast<std::size_t>(values + capacity) * static_cast<std::size_t>(array->GetDataTypeSize())));
 }
 
 } // namespace

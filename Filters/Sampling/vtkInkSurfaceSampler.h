@@ -39,9 +39,10 @@
  * no surface are left out, see RemoveIsolated, and those that `vtkGhostType` marks as hidden or duplicate.
  *
  * The same input gives the same output on any number of threads, and however its points and faces are
- * numbered. In parallel each piece is sampled for itself: ghost cells are left out, and NumberOfSamples counts per piece. With WHITE_NOISE, SampleRadius,
- * global ids of cells and no density, pieces have the whole's points. Blue-noise samples of two pieces do not
- * know of each other, and may be nearer than the radius where pieces meet; no point is made twice.
+ * numbered. In parallel each piece is sampled for itself: ghost cells are left out, and NumberOfSamples
+ * counts per piece. With WHITE_NOISE, SampleRadius, global ids of cells and no density, pieces have the
+ * whole's points. Blue-noise samples of two pieces do not know of each other, and may be nearer than the
+ * radius where pieces meet; no point is made twice.
  *
  * Errors, each with an empty output: a Radius of 0 or less where it is asked for, faces without area, density
  * that is no array of one component or is 0 everywhere, more samples than memory, the first frame's samples

@@ -3,6 +3,7 @@
 #define InkWindowResources_h
 
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
@@ -16,7 +17,7 @@
 class InkReleaseNotice : public vtkTextureObject
 {
 public:
-  static InkReleaseNotice* New() { return new InkReleaseNotice; }
+  static InkReleaseNotice* New() { VTK_STANDARD_NEW_BODY(InkReleaseNotice); }
   vtkTypeMacro(InkReleaseNotice, vtkTextureObject);
 
   /// @param onRelease is called once, with the window's context current

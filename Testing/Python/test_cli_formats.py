@@ -123,6 +123,16 @@ def test_axes_that_are_not_at_right_angles_are_said(tmp_path, ink):
     assert "right angles" in result.out + result.err
 
 
+@pytest.mark.parametrize("sizes, spacings", [("4 4 4", "0.5 1 2"), ("1 4 4 4", "NaN 0.5 1 2"), ("4 4 4 1", "0.5 1 2 nan")])
+def test_spacings_of_nrrd(sizes, spacings, tmp_path, ink):
+    """An axis that is not of space has none."""
+    header = f"NRRD0004\ntype: uchar\ndimension: {len(sizes.split())}\nsizes: {sizes}\nencoding: raw\nspacings: {spacings}\n\n"
+    (tmp_path / "spaced.nrrd").write_bytes(header.encode() + bytes(range(64)))
+    result = ink("info", tmp_path / "spaced.nrrd")
+    assert result.code == 0, result
+    assert "0.5 1 2" in result.out
+
+
 def test_an_orientation_is_told_apart(tmp_path, picture, reference):
     """The limit above is tight enough to tell a mirrored volume from the right one."""
     ink_files.write_vti(tmp_path / "mirrored.vti", np.ascontiguousarray(BLOB[:, ::-1]))

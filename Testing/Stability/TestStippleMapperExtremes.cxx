@@ -733,8 +733,7 @@ void TestSliders(InkTestChecks& check)
   controls->SetGradient(0.3);
   controls->SetGradient(NaN);
   messages->Expect(check, "a slider that is not a number", { "from 0 to 1, found nan" });
-  check(controls->GetGradient() == 0.3, "the slider where it was, found ",
-    controls->GetGradient());
+  check(controls->GetGradient() == 0.3, "the slider where it was, found ", controls->GetGradient());
   controls->SetGradient(Infinity);
   controls->SetSharpness(-Infinity);
   check(controls->GetGradient() == 1.0 && controls->GetSharpness() == 0.0, "sliders at their ends");
