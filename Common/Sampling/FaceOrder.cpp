@@ -36,7 +36,7 @@ struct Face
 
 } // namespace
 
-std::vector<std::uint32_t> orderByPlace(std::span<const glm::dvec3> points,
+std::vector<std::uint32_t> orderByPosition(std::span<const glm::dvec3> points,
   std::span<const Triangle> triangles, std::span<const std::uint32_t> firsts)
 {
   std::vector<Face> faces;

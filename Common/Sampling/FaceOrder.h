@@ -14,7 +14,7 @@ namespace ink
 /// after it came in pieces.
 /// @param firsts the first triangle of each face. Those of a face stand side by side, and stay so, in order.
 /// @return indices of triangles. Faces with the same corners come in the order they have.
-std::vector<std::uint32_t> orderByPlace(std::span<const glm::dvec3> points,
+std::vector<std::uint32_t> orderByPosition(std::span<const glm::dvec3> points,
   std::span<const Triangle> triangles, std::span<const std::uint32_t> firsts);
 
 } // namespace ink

@@ -136,9 +136,9 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
       this->FaceIds.push_back(face);
     }
   }
-  if (order == Order::ByPlace)
+  if (order == Order::ByPosition)
   {
-    this->SortByPlace();
+    this->SortByPosition();
   }
   vtkDataArray* globalIds = mesh->GetCellData()->GetGlobalIds();
   std::uint64_t partOfFace = 0;
@@ -204,7 +204,7 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
   }
 }
 
-void InkMeshTriangles::SortByPlace()
+void InkMeshTriangles::SortByPosition()
 {
   std::vector<std::uint32_t> firsts;
   for (std::size_t i = 0; i < this->FaceIds.size(); ++i)
@@ -218,7 +218,7 @@ void InkMeshTriangles::SortByPlace()
   std::vector<vtkIdType> faceIds;
   triangles.reserve(this->Triangles.size());
   faceIds.reserve(this->FaceIds.size());
-  for (const std::uint32_t triangle : ink::orderByPlace(this->Points, this->Triangles, firsts))
+  for (const std::uint32_t triangle : ink::orderByPosition(this->Points, this->Triangles, firsts))
   {
     triangles.push_back(this->Triangles[triangle]);
     faceIds.push_back(this->FaceIds[triangle]);

@@ -15,7 +15,7 @@ class vtkPolyData;
 
 /// What ink::TriangleMesh looks at, taken from a vtkPolyData: triangles as they are, other polygons and
 /// strips cut into triangles by vtkTriangleFilter. Vertices and lines, and cells that are ghosts or hidden,
-/// are left out. They come in an order by where they are (ink::orderByPlace), so that what is made of them
+/// are left out. They come in an order by where they are (ink::orderByPosition), so that what is made of them
 /// does not depend on how the mesh is numbered or was cut into pieces.
 struct InkMeshTriangles
 {
@@ -31,14 +31,14 @@ struct InkMeshTriangles
 
   enum class Order
   {
-    ByPlace,
+    ByPosition,
     OfMesh ///< for what depends on no order
   };
 
   /// @param wantNormals the point normals, or where there are none the mean over the faces around each point
   /// @throws std::invalid_argument for a face with a point that does not exist, or for more of anything than
   /// 32 bits number
-  InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order = Order::ByPlace);
+  InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order = Order::ByPosition);
 
   /// Takes an array of one value a point or a cell as relative density.
   void SetDensity(vtkDataArray* density, bool ofCells);
@@ -46,7 +46,7 @@ struct InkMeshTriangles
   ink::TriangleMesh GetMesh() const;
 
 private:
-  void SortByPlace();
+  void SortByPosition();
 };
 
 #endif

@@ -6,7 +6,7 @@
  * The parts of a mesh that lies on several processes are put together on the first, which needs memory for
  * the whole and makes all samples, while the others wait. Points that parts have in common become one where
  * the mesh has normals; without, an edge may be meant to be sharp. Composite data is done leaf by leaf, each
- * by the process that has it.
+ * by the process that has it, and so are grids, which have a surface only after Extract Surface.
  *
  * @sa vtkInkSurfaceSampler
  */
