@@ -7,6 +7,7 @@
 #include "vtkClientServerStream.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -14,6 +15,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 vtkStandardNewMacro(vtkPVInkIsoValueInformation);
 
@@ -63,6 +65,23 @@ bool vtkPVInkIsoValueInformation::GetFound() const
 double vtkPVInkIsoValueInformation::GetValue() const
 {
   return this->Value;
+}
+
+void vtkPVInkIsoValueInformation::Share(vtkMultiProcessController* controller)
+{
+  const double own[2] = { this->Voxels, this->Value };
+  std::vector<double> all(2 * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(own, all.data(), 2);
+  // The first of the largest, on each process.
+  this->Voxels = 0.0;
+  for (std::size_t i = 0; i < all.size(); i += 2)
+  {
+    if (all[i] > this->Voxels)
+    {
+      this->Voxels = all[i];
+      this->Value = all[i + 1];
+    }
+  }
 }
 
 void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)

@@ -14,6 +14,8 @@
 
 #include <string> // for the array's name
 
+class vtkMultiProcessController;
+
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkPVInkIsoValueInformation : public vtkPVInformation
 {
 public:
@@ -34,6 +36,10 @@ public:
   bool GetFound() const;
   /// The suggestion where there is one, else 0.
   double GetValue() const;
+
+  /// Makes what each process found that of all of them, for symmetric batches: ParaView lets each of their
+  /// processes know only its own. All have to call it.
+  void Share(vtkMultiProcessController* controller);
 
   void CopyFromObject(vtkObject* algorithm) override;
   void AddInformation(vtkPVInformation* other) override;

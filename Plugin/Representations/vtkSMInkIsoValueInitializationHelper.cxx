@@ -3,8 +3,10 @@
 
 #include "vtkPVInkIsoValueInformation.h"
 
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkProcessModule.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -56,5 +58,9 @@ std::optional<double> vtkSMInkIsoValueInitializationHelper::Suggest(
     information->SetArrayName(array.GetAsString(name));
   }
   input->GatherInformation(information);
+  if (vtkProcessModule::GetSymmetricMPIMode())
+  {
+    information->Share(vtkMultiProcessController::GetGlobalController());
+  }
   return information->GetFound() ? std::optional<double>(information->GetValue()) : std::nullopt;
 }

@@ -6,6 +6,7 @@ With the program ink also of OpenVDB files, which it writes.
 Not with pvpython, which is an MPI process itself: mpiexec refuses to be started by one."""
 
 import pathlib
+import re
 import socket
 import subprocess
 import sys
@@ -126,27 +127,47 @@ class TestParallel(unittest.TestCase):
                     with self.subTest(name, processes=processes):
                         self.compare(name, found_pictures[name], picture)
 
+    def test_symmetric_processes_start_with_one_iso_value(self):
+        with tempfile.TemporaryDirectory() as inputs:
+            write_files(pathlib.Path(inputs))
+            command = on_processes(2, PVBATCH, "--sym", HERE / "symmetric_iso_values.py", inputs)
+            result = subprocess.run(command, capture_output=True, text=True, timeout=800)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            for name in ("nii", "pvti"):
+                found = re.findall(rf"{name}: \[([^]]+)\]", result.stdout)
+                self.assertEqual(len(found), 2, result.stdout + result.stderr)
+                self.assertEqual(len(set(found)), 1, found)
+
     def test_server_draws_as_client(self):
         for processes in (1, 2):
             with tempfile.TemporaryDirectory() as folder:
                 port = free_port()
                 server = subprocess.Popen(
                     on_processes(processes, PVSERVER, f"--server-port={port}"),
-                    stdout=subprocess.DEVNULL,
+                    stdout=subprocess.PIPE,
                     stderr=subprocess.DEVNULL,
+                    text=True,
                 )
                 try:
+                    # A client that comes too early complains.
+                    self.assertTrue(any("Accepting connection" in line for line in server.stdout))
                     self.run_quietly([PVPYTHON, str(HERE / "remote_drawings.py"), str(port), folder])
-                    server.wait(timeout=60)
+                    server.wait(timeout=600)
                 finally:
                     server.terminate()
                     server.wait()
+                    server.stdout.close()
                 for name in ("lines", "stipples"):
                     with self.subTest(name, processes=processes):
                         here, there = (read(f"{folder}/{place}-{name}.png") for place in ("here", "server"))
                         self.assertGreater(numpy.mean(numpy.all(here < 128, axis=-1)), 0.01)
-                        # What one process has drawn is not put together from parts.
-                        self.compare(name if processes > 1 else "", there, here)
+                        if name == "stipples" and processes == 1:
+                            # Sent with its background, a dot's rim may be rounded once more.
+                            difference = numpy.abs(there - here).max(axis=-1)
+                            self.assertLessEqual(difference.max(), 1)
+                            self.assertLessEqual(numpy.count_nonzero(difference), 2)
+                        else:
+                            self.compare(name, there, here)
 
 
 if __name__ == "__main__":
