@@ -162,7 +162,7 @@ class TestParallel(unittest.TestCase):
                         here, there = (read(f"{folder}/{place}-{name}.png") for place in ("here", "server"))
                         self.assertGreater(numpy.mean(numpy.all(here < 128, axis=-1)), 0.01)
                         if name == "stipples" and processes == 1:
-                            # Sent with its background, a dot's rim may be rounded once more.
+                            # The client lays what it is sent over the paper: a dot's rim may be rounded once more.
                             difference = numpy.abs(there - here).max(axis=-1)
                             self.assertLessEqual(difference.max(), 1)
                             self.assertLessEqual(numpy.count_nonzero(difference), 2)

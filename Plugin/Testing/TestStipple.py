@@ -39,6 +39,20 @@ class TestStipple(unittest.TestCase):
     def show_sphere(self, **properties):
         return self.show(Sphere(ThetaResolution=32, PhiResolution=32), NumberOfSurfaceStipples=20000, **properties)
 
+    def test_settings_of_surfaces_light_are_not_shown(self):
+        """The plugin has ParaView's group of them again, with decorators that hide it."""
+        for source in (Sphere(), Wavelet()):
+            display = Show(source, self.view).SMProxy
+            groups = [display.GetPropertyGroup(i) for i in range(display.GetNumberOfPropertyGroups())]
+            names = [
+                {group.GetProperty(i).GetXMLName() for i in range(group.GetNumberOfProperties())}
+                for group in groups
+                if group.GetXMLLabel() == "Lighting"
+            ]
+            self.assertEqual(len(names), 2)
+            self.assertEqual(names[0] - names[1], {"InteractiveSelectionColor"}, "which is never shown")
+            self.assertEqual(names[1] - names[0], set())
+
     def ink(self):
         return ink(picture(self.view))
 
