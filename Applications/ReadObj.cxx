@@ -310,11 +310,25 @@ private:
   Cells Points;
 };
 
+/// A line that ends with a backslash goes on in the next.
+void joinLines(std::string& text)
+{
+  for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1))
+  {
+    const std::size_t end = text.compare(at + 1, 1, "\r") == 0 ? at + 2 : at + 1;
+    if (end < text.size() && text[end] == '\n')
+    {
+      text.replace(at, end + 1 - at, end + 1 - at, ' ');
+    }
+  }
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> readObj(const fs::path& file, std::vector<std::string>&, Progress& progress)
 {
-  const std::string bytes = contentsOf(file);
+  std::string bytes = contentsOf(file);
+  joinLines(bytes);
   ObjText text(file);
   text.read(bytes, progress);
   return text.mesh();

@@ -219,6 +219,14 @@ def test_ply_keeps_what_its_points_have(tmp_path, ink):
     assert sorted(ink_files.read_points(tmp_path / "out.csv")["x"]) == sorted(rows["x"])
 
 
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_obj_lines_go_on_after_a_backslash(tmp_path, ink, end):
+    lines = ["v 0 0 0", "v 1 0 \\", "0", "v 1 1 0", "f 1 2 \\", "  3", "# the end \\"]
+    (tmp_path / "m.obj").write_bytes(end.join(lines).encode())
+    out = ink("info", tmp_path / "m.obj").out
+    assert re.search(r"points +3\b", out) and re.search(r"cells +1\b", out), out
+
+
 def test_obj_corners_with_normals_of_their_own_become_points(tmp_path, ink):
     """Two faces share an edge, where each has its normal: four vertices, two of them twice."""
     (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 1\nvt 0 0\nvn 0 0 1\nvn 0 1 0\n"
