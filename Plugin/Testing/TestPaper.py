@@ -13,20 +13,10 @@ from rendering import *
 WHITE, BLACK, RED = (1, 1, 1), (0, 0, 0), (1, 0, 0)
 
 
-class TestPaper(unittest.TestCase):
+class TestPaper(TestInOneView):
     def setUp(self):
-        # One for all tests: a new window would compile all shaders again.
-        self.view = GetActiveView() or green_view()
+        super().setUp()
         self.sphere = Sphere(ThetaResolution=32, PhiResolution=32)
-
-    def tearDown(self):
-        for source in GetSources().values():
-            Delete(source)
-
-    @classmethod
-    def tearDownClass(cls):
-        for view in GetViews():
-            Delete(view)
 
     def show(self, representation, source=None, view=None):
         display = Show(source or self.sphere, view or self.view)

@@ -38,19 +38,7 @@ def assignments(script):
     return dict(re.findall(r"^\w+Display\.((?:Stipple|K..\b|\w*Enhancement|\w*ScalarWindow)\w*) = (.*)$", script, re.M))
 
 
-class TestRestoring(unittest.TestCase):
-    def setUp(self):
-        self.view = GetActiveView() or green_view()
-
-    def tearDown(self):
-        for source in GetSources().values():
-            Delete(source)
-
-    @classmethod
-    def tearDownClass(cls):
-        for view in GetViews():
-            Delete(view)
-
+class TestRestoring(TestInOneView):
     def show(self, **properties):
         display = Show(Wavelet(), self.view)
         display.SetRepresentationType("Stipple")

@@ -10,20 +10,7 @@ from paraview import servermanager, smstate
 from rendering import *
 
 
-class TestStipple(unittest.TestCase):
-    def setUp(self):
-        # One for many tests: a new window would compile all shaders again.
-        self.view = GetActiveView() or green_view()
-
-    def tearDown(self):
-        for source in GetSources().values():
-            Delete(source)
-
-    @classmethod
-    def tearDownClass(cls):
-        for view in GetViews():
-            Delete(view)
-
+class TestStipple(TestInOneView):
     def show(self, source, **properties):
         display = Show(source, self.view)
         display.SetRepresentationType("Stipple")

@@ -1,5 +1,7 @@
 """What the tests of representations share: a view, and pictures of it as numpy arrays."""
 
+import unittest
+
 import numpy
 
 from paraview import vtk
@@ -18,6 +20,22 @@ def green_view(size=200):
     view.OrientationAxesVisibility = False
     view.UseFXAA = False
     return view
+
+
+class TestInOneView(unittest.TestCase):
+    """Tests that share a view, since a new window would compile all shaders again; each has sources of its own."""
+
+    def setUp(self):
+        self.view = GetActiveView() or green_view()
+
+    def tearDown(self):
+        for source in GetSources().values():
+            Delete(source)
+
+    @classmethod
+    def tearDownClass(cls):
+        for view in GetViews():
+            Delete(view)
 
 
 def picture(view):

@@ -99,6 +99,14 @@ double Illumination(const std::vector<Splat>& splats, double x, double y, double
 struct Parameters
 {
   double Lambda, Tau, Phi, Sigma;
+
+  void Give(vtkInkSplattingLinesMapper* mapper) const
+  {
+    mapper->SetLambda(this->Lambda);
+    mapper->SetTau(this->Tau);
+    mapper->SetPhi(this->Phi);
+    mapper->SetSigma(this->Sigma);
+  }
 };
 
 /// Sections 3.1 to 3.3 for the line of sight in a direction from an eye: depth splats, then illumination
@@ -191,10 +199,7 @@ void TestCurved(InkTestChecks& check)
   for (const Parameters& p : { Parameters{ 0.6, 1.0, 40.0, 0.4 }, Parameters{ 1.0, 0.99, 40.0, 0.4 },
          Parameters{ 2.5, 0.99, 100.0, 0.4 }, Parameters{ 4.0, 1.0, 40.0, 0.3 } })
   {
-    scene.Mapper->SetLambda(p.Lambda);
-    scene.Mapper->SetTau(p.Tau);
-    scene.Mapper->SetPhi(p.Phi);
-    scene.Mapper->SetSigma(p.Sigma);
+    p.Give(scene.Mapper);
     const InkTestImage image(scene.Window);
     int wrong = 0;
     double ink = 0.0;
@@ -234,10 +239,7 @@ void TestPlane(InkTestChecks& check)
          Parameters{ 1.8, 1.0, 200.0, 0.6 }, Parameters{ 0.8, 1.05, 40.0, 0.4 },
          Parameters{ 0.4, 1.05, 40.0, 0.4 }, Parameters{ 3.0, 1.0, 200.0, 0.4 } })
   {
-    scene.Mapper->SetLambda(p.Lambda);
-    scene.Mapper->SetTau(p.Tau);
-    scene.Mapper->SetPhi(p.Phi);
-    scene.Mapper->SetSigma(p.Sigma);
+    p.Give(scene.Mapper);
     const InkTestImage image(scene.Window);
     int wrong = 0;
     int worst = 0;
