@@ -1,3 +1,4 @@
+#include "PowerSpectrum.h"
 #include "SampledMeshes.h"
 #include "Sampling/BlueNoise.h"
 #include "Sampling/BlueNoiseCount.h"
@@ -120,50 +121,16 @@ TEST(BlueNoise, IsSaturatedOnCurvedSurfaces)
   }
 }
 
-/// Radially averaged power of samples on a square, at whole numbers of waves along each side: 1 for
-/// independent samples. Blue noise has little below the wave length of its distance, and no direction that
-/// stands out.
 TEST(BlueNoise, HasLittlePowerAtLowFrequencies)
 {
   const Mesh mesh = square(30);
-  const auto spectrum = [](const std::vector<glm::dvec3>& points, double from, double to)
-  {
-    const double mean = std::sqrt(static_cast<double>(points.size()));
-    double sum = 0.0;
-    double most = 0.0;
-    int count = 0;
-    const int last = static_cast<int>(to * mean);
-    for (int y = 0; y <= last; ++y)
-    {
-      for (int x = y > 0 ? -last : 1; x <= last; ++x)
-      {
-        const double frequency = std::hypot(x, y) / mean;
-        if (frequency >= from && frequency < to)
-        {
-          double real = 0.0;
-          double imaginary = 0.0;
-          for (const glm::dvec3& p : points)
-          {
-            const double angle = 2.0 * std::numbers::pi * (x * p.x + y * p.y);
-            real += std::cos(angle);
-            imaginary += std::sin(angle);
-          }
-          const double power = (real * real + imaginary * imaginary) / static_cast<double>(points.size());
-          sum += power;
-          most = std::max(most, power);
-          ++count;
-        }
-      }
-    }
-    return std::pair(sum / count, most);
-  };
   const auto blue = positionsOf(mesh.view(), sample(mesh, 0.035).samples);
   const auto white = probes(mesh, blue.size());
-  EXPECT_GT(spectrum(white, 0.0, 0.5).first, 0.7);
-  EXPECT_LT(spectrum(blue, 0.0, 0.5).first, 0.15);
-  EXPECT_GT(spectrum(blue, 0.9, 1.2).first, 1.3);
+  EXPECT_GT(ink::bandPower(white, 0.0, 0.5).mean, 0.7);
+  EXPECT_LT(ink::bandPower(blue, 0.0, 0.5).mean, 0.15);
+  EXPECT_GT(ink::bandPower(blue, 0.9, 1.2).mean, 1.3);
   // A lattice would have some hundred times the mean in a few directions.
-  EXPECT_LT(spectrum(blue, 0.9, 1.2).second, 20.0);
+  EXPECT_LT(ink::bandPower(blue, 0.9, 1.2).most, 20.0);
 }
 
 TEST(BlueNoise, IsEvenOnASphere)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PowerSpectrum.h"
 #include "SampledMeshes.h"
 #include "Sampling/BlueNoise.h"
 #include "Sampling/CoverRadius.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 namespace
@@ -47,37 +47,6 @@ std::size_t part(double share, const std::vector<glm::dvec3>& all)
   return static_cast<std::size_t>(share * static_cast<double>(all.size()));
 }
 
-/// The mean power of the first samples on a square, at whole numbers of waves along each side: 1 for
-/// independent samples.
-double power(const std::vector<glm::dvec3>& all, std::size_t count, double from, double to)
-{
-  const double mean = std::sqrt(static_cast<double>(count));
-  const int last = static_cast<int>(to * mean);
-  double sum = 0.0;
-  int frequencies = 0;
-  for (int y = 0; y <= last; ++y)
-  {
-    for (int x = y > 0 ? -last : 1; x <= last; ++x)
-    {
-      const double frequency = std::hypot(x, y) / mean;
-      if (frequency >= from && frequency < to)
-      {
-        double real = 0.0;
-        double imaginary = 0.0;
-        for (std::size_t i = 0; i < count; ++i)
-        {
-          const double angle = 2.0 * std::numbers::pi * (x * all[i].x + y * all[i].y);
-          real += std::cos(angle);
-          imaginary += std::sin(angle);
-        }
-        sum += (real * real + imaginary * imaginary) / static_cast<double>(count);
-        ++frequencies;
-      }
-    }
-  }
-  return sum / frequencies;
-}
-
 } // namespace
 
 /// On two triangles that are cut into many pieces, and on many small ones.
@@ -105,8 +74,8 @@ TEST(ProgressiveBlueNoise, HasLittlePowerAtLowFrequencies)
   const auto all = points(square(30), 2400);
   for (const std::size_t count : { std::size_t(600), all.size() })
   {
-    EXPECT_LT(power(all, count, 0.0, 0.5), 0.19) << count;
-    EXPECT_GT(power(all, count, 0.9, 1.2), 1.2) << count;
+    EXPECT_LT(ink::bandPower({ all.data(), count }, 0.0, 0.5).mean, 0.19) << count;
+    EXPECT_GT(ink::bandPower({ all.data(), count }, 0.9, 1.2).mean, 1.2) << count;
   }
 }
 
