@@ -1,17 +1,21 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # vtkInk's two commands are `make demo` and `make test`; `make help` lists the rest.
 # The work is done by the scripts in Utilities/, this file only says what follows what.
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help demo test setup setup-headless setup-paraview build build-headless build-paraview build-asan \
-  build-tsan test-headless test-paraview bench tradeoff pictures sanitize fuzz format install clean
+.PHONY: help demo test setup setup-headless setup-paraview setup-aarch64 build build-ink build-headless \
+  build-paraview build-asan build-tsan build-aarch64 test-headless test-paraview test-aarch64 bench tradeoff pictures \
+  sanitize fuzz format tidy install clean
 
 help: ## List the targets
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
 
-demo: setup-headless build-headless ## Set up, build, and draw a CT scan of an engine to pictures
+demo: setup-headless build-ink ## Set up, build, and draw a CT scan of an engine to pictures
 	@Utilities/demo.sh
 
+# What setup has installed has to be there.
+test: export CI := true
 test: setup build test-headless test-paraview ## Set up, build both VTK builds, run every test
 
 setup: setup-headless setup-paraview ## Install what both builds need (Debian packages, VTK from PyPI)
@@ -23,6 +27,9 @@ setup-headless: ## Install what the build with VTK 9.7 needs
 
 setup-paraview: ## Install what the build with ParaView needs
 	@Utilities/setup.sh paraview
+
+build-ink: ## Build with VTK 9.7 no more than the command-line program
+	@Utilities/build.sh headless --target ink
 
 build-headless: ## Build with VTK 9.7
 	@Utilities/build.sh headless
@@ -36,11 +43,20 @@ build-asan: ## Build with the address and undefined-behavior sanitizers
 build-tsan: ## Build with the thread sanitizer
 	@Utilities/build.sh tsan
 
+setup-aarch64: ## Install what Common's build for 64-bit ARM needs
+	@Utilities/setup.sh aarch64
+
+build-aarch64: ## Build Common and its tests for 64-bit ARM
+	@Utilities/build.sh aarch64
+
 test-headless: ## Run the tests of the headless build
 	@Utilities/test.sh headless
 
 test-paraview: ## Run the tests of the ParaView build
 	@Utilities/test.sh paraview
+
+test-aarch64: setup-aarch64 build-aarch64 ## Run Common's tests as programs of 64-bit ARM, under QEMU
+	@ctest --preset aarch64 --parallel "$$(Utilities/jobs.sh)"
 
 bench: setup-headless build-headless ## Measure vtkInk against VTK's own, and how calm stipples are
 	@Utilities/bench.sh
@@ -62,8 +78,12 @@ fuzz: setup-headless ## Fuzz what ink reads, each FORMAT (all, or as ply) for SE
 format: ## Format the C++ files (clang-format)
 	@git ls-files '*.h' '*.cxx' '*.cpp' | xargs clang-format -i
 
+tidy: setup-headless build-ink ## Check the sources of the libraries, or FILES (clang-tidy)
+	@Utilities/setup.sh tidy
+	@Utilities/tidy.sh $(FILES)
+
 install: build-headless ## Install the headless build into PREFIX (default build/install/headless)
 	@cmake --install build/headless $(if $(PREFIX),--prefix "$(PREFIX)")
 
-clean: ## Remove the build trees (the fetched VTK stays)
-	@rm -rf build/headless build/paraview build/asan build/tsan build/fuzz build/demo build/install build/*.log
+clean: ## Remove the build trees (what setup fetched stays)
+	@rm -rf build/headless build/paraview build/asan build/tsan build/aarch64 build/fuzz build/tidy build/demo build/install build/*.log

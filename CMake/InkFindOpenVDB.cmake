@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds OpenVDB: the target OpenVDB::openvdb. OpenVDB installs a module for find_package, but in a folder of its own.
 find_path(OpenVDB_MODULE_DIR FindOpenVDB.cmake
   PATH_SUFFIXES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 include(CMakePackageConfigHelpers)
 # What find_package(vtkInk COMPONENTS ...) knows: the targets' names.
 set(VTKINK_COMPONENTS ${VTKINK_MODULES})

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Where installed libraries and programs find VTK, and what an installed package file says of it.
 #   _ink_vtk_rpath          folders for the runtime search path
 #   _ink_installed_vtk_dir  VTK_DIR's default in vtkInkConfig.cmake

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # VTK 9.7 writes $<COMPILE_ONLY:...>, which CMake knows from 3.27 on, into the link interface of a few of
 # its targets. Older CMakes need it taken out; what it names are headers of other packages (X11).
 if (CMAKE_VERSION VERSION_LESS 3.27)

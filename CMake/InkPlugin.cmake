@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The ParaView plugin vtkInk, from Plugin/. It is laid out as ParaView's own plugins are, in the build tree
 # and where it is installed: VTKINK_PLUGIN_DESTINATION holds vtkInk/vtkInk.so and belongs on PV_PLUGIN_PATH.
 paraview_plugin_scan(

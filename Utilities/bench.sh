@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the benchmarks of a build:  Utilities/bench.sh [headless|paraview] [benchmarks' arguments]
 # Each compares vtkInk with its peers in one process; read ratios, not lone times.
 set -euo pipefail

@@ -1,13 +1,23 @@
 #!/usr/bin/env bash
-# Configures and builds one preset:  Utilities/build.sh headless|paraview|asan|tsan [more CMake arguments]
+# SPDX-License-Identifier: BSD-3-Clause
+# Configures a preset and builds all of it, or some targets only:
+#   Utilities/build.sh headless|paraview|asan|tsan|aarch64 [--target NAME]... [more CMake arguments]
+# What is left is built by the next call without --target, in the same tree. Utilities/jobs.sh says how many compilers
+# run at once.
 set -euo pipefail
 
-preset="${1:?usage: Utilities/build.sh headless|paraview|asan|tsan [CMake arguments]}"
+preset="${1:?usage: Utilities/build.sh headless|paraview|asan|tsan|aarch64 [--target NAME]... [CMake arguments]}"
 shift
 root="$(cd "$(dirname "$0")/.." && pwd)"
 cd "$root"
 
-if [ "$preset" != paraview ]; then
+targets=()
+while [ "${1:-}" = --target ]; do
+  targets+=("${2:?build.sh: --target needs a name}")
+  shift 2
+done
+
+if [ "$preset" != paraview ] && [ "$preset" != aarch64 ]; then
   if python="$(Utilities/find-python.sh)"; then
     set -- "-DPython3_EXECUTABLE=$python" "$@"
   else
@@ -18,9 +28,13 @@ fi
 
 log="build/$preset.log"
 mkdir -p build
+echo "build: configuring $preset (what CMake says goes to $log)"
 if ! cmake --preset "$preset" "$@" >"$log" 2>&1; then
   cat "$log" >&2
   exit 1
 fi
-# More than two compilers at once need more memory than a small machine has.
-cmake --build --preset "$preset" --parallel "${INK_JOBS:-2}"
+jobs="$(Utilities/jobs.sh)"
+echo "build: building ${targets[*]:-all} of $preset, $jobs at once"
+# Ninja's own lines, with what part is done and after how many seconds.
+export NINJA_STATUS="${NINJA_STATUS:-[%f of %t, %e s] }"
+cmake --build --preset "$preset" --parallel "$jobs" ${targets[@]+--target "${targets[@]}"}

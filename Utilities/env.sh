@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes a build tree usable in this shell:  . Utilities/env.sh paraview   (or headless, asan, tsan)
 # Afterwards `ink`, `$INK_PYTHON -c 'import vtkink'` and ParaView's plugin manager find what that tree holds.
 # For bash and zsh. Sourcing it again, here or in another clone, replaces what it did before.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Prints the path of a Python >= 3.12 with headers, or nothing and exits 1.
 # INK_HEADLESS_PYTHON names one directly. A python3.12 on PATH may be a version manager's shim that refuses
 # to run, so each candidate is tried.

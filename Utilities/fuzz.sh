@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Fuzzes what `ink` reads files with, each format for some seconds:  Utilities/fuzz.sh [SECONDS [FORMAT...]]
-# (INK_JOBS: how many compilers at once.) FORMAT is a folder of Testing/Fuzz/Corpus: ply, nii, vdb, ... What it finds
+# FORMAT is a folder of Testing/Fuzz/Corpus: ply, nii, vdb, ... What it finds
 # lies in build/fuzz/found/FORMAT and, once mended, belongs into that folder, which every `make test` reads.
 set -euo pipefail
 
@@ -22,7 +23,7 @@ mkdir -p "$tree"
 cmake -S "$root/Testing/Fuzz/Standalone" -B "$tree" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
   -DCMAKE_BUILD_TYPE=RelWithDebInfo "-DVTK_DIR=$root/build/vtk-headless/cvista_sdk/cmake" >"$tree.log" 2>&1 ||
   { cat "$tree.log" >&2; exit 1; }
-cmake --build "$tree" --parallel "${INK_JOBS:-2}" >>"$tree.log" 2>&1 || { tail -40 "$tree.log" >&2; exit 1; }
+cmake --build "$tree" --parallel "$("$root/Utilities/jobs.sh")" >>"$tree.log" 2>&1 || { tail -40 "$tree.log" >&2; exit 1; }
 
 # One thread each: a fuzzer's runs have to be repeatable. VTK's libraries leak where they give up.
 export VTK_SMP_MAX_THREADS=1 LLVM_PROFILE_FILE=/dev/null

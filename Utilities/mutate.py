@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Which mistakes would the tests not notice?  Breaks sources in many small ways and runs the tests that cover them.
 
     Utilities/mutate.py Common/Tone Common/Fields --limit 40      # 40 mutants of each folder, drawn at random
@@ -192,7 +193,7 @@ class Coverage:
                 if testing in self.tests:
                     return self.tests[testing]
                 lists = testing / "CMakeLists.txt"
-                if lists.exists() and (found := re.findall(r"ink_add_(gtest|vtk_tests)\((\w+)\s+SOURCES\s+([^A-Z]*(?:Test\w+\.c\w+\s+)+)",
+                if lists.exists() and (found := re.findall(r"ink_add_(gtest|vtk_tests)\((\w+)\s+(?:OPENGL\s+)?SOURCES\s+((?:[\w/]+\.c\w+\s+)+)",
                                                            lists.read_text())):
                     self.tests[testing] = [Test(program, testing / source, kind == "gtest")
                                            for kind, program, sources in found for source in sources.split()]

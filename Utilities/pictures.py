@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What Utilities/pictures.sh needs beside ink: a mesh, and pictures beside each other in few bytes.
 
     pictures.py mesh VOLUME.nii.gz ISO_VALUE OUT.ply

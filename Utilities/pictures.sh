@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Draws the pictures of Documentation/stipple.md and Documentation/splatting-lines.md with the headless build, those of
 # one page with its name:  Utilities/pictures.sh [stipple|splatting-lines]
 # Most are pairs, without and with what they show.
@@ -50,6 +51,8 @@ stipple_pictures() {
   series parts "$engine --zoom 0.6" "--parts probability" "--parts intensity"
   series presets "$engine" "--preset anatomy" "--preset bone" "--preset soft-tissue" "--preset engineering" \
     "--preset plate-white-on-black"
+  series published "$engine --max-stipples projected" "--preset anatomy" "--preset as-published" \
+    "--preset as-published --stipple-size 2"
 }
 
 lines_pictures() {
@@ -73,7 +76,7 @@ lines_pictures() {
   series hardness "$engine --phi 10" "--hardness 0" "--hardness 0.6" "--hardness 1"
   series speckles "$bonsai --tau 0.995" "" "--speckles 5" "--speckles 20"
   series tone "$engine --line-width 3" "" "--tone-color #ff6600"
-  series texel "$bonsai --lambda 8" "--coarsest-texel 1" "--coarsest-texel 2" "--coarsest-texel 4"
+  series texel "$bonsai --lambda 8" "--maximum-downsampling 1" "--maximum-downsampling 2" "--maximum-downsampling 4"
   series fraction "$bonsai" "" "--point-fraction 0.3" "--point-fraction 0.05"
   series iso "Data/bonsai.nii.gz --view front --elevation 12" "--iso 25" "--iso 40" "--iso 150"
   series samples "$work/engine.ply --view iso" "--samples 20000" "--samples 100000" "--samples 1000000"

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# Installs what a build preset, `make tradeoff` or `make fuzz` needs:  Utilities/setup.sh headless|paraview|tradeoff|fuzz
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs what a build preset, `make tradeoff`, `make fuzz` or `make tidy` needs:
+#   Utilities/setup.sh headless|paraview|aarch64|tradeoff|fuzz|tidy
 # From Debian the lists in Utilities/packages/; for the headless preset VTK itself, from PyPI, into
-# build/vtk-headless. Needs root or sudo only if a Debian package is missing; says nothing if none is.
+# build/vtk-headless. Needs root or sudo only if a Debian package is missing; says nothing if none is. Where another
+# program is installing packages, waits for it.
 set -euo pipefail
 
-preset="${1:?usage: Utilities/setup.sh headless|paraview|tradeoff|fuzz}"
+preset="${1:?usage: Utilities/setup.sh headless|paraview|aarch64|tradeoff|fuzz|tidy}"
 root="$(cd "$(dirname "$0")/.." && pwd)"
 utilities="$root/Utilities"
 vtk_release="9.7.0.5"
@@ -15,6 +18,39 @@ fail()
 {
   echo "setup: error: $*" >&2
   exit 1
+}
+
+# Runs apt-get as root, its output in $log. apt has an option that waits for dpkg's lock, but none for its own two.
+apt_get()
+{
+  local tries
+  for tries in $(seq 200); do
+    # shellcheck disable=SC2086
+    ! $as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get "$@" >"$log" 2>&1 || return 0
+    grep -q "Could not get lock" "$log" || return 1
+    [ "$tries" != 1 ] || echo "setup: waiting for another program that installs packages ($(grep -om1 'held by .*' "$log"))"
+    sleep 3
+  done
+  return 1
+}
+
+# Says how far apt-get is, from the log that it writes: at each fifth of that many packages.
+show_progress()
+{
+  local packages="$1" ready said=0
+  while sleep 1 && kill -0 $$ 2>/dev/null; do
+    ready="$(grep -c '^Setting up ' "$log" 2>/dev/null || true)"
+    if [ "$((${ready:-0} * 5 / packages))" -gt "$said" ]; then
+      said="$((ready * 5 / packages))"
+      echo "setup: $ready of $packages packages installed"
+    fi
+  done
+}
+
+could_not_install()
+{
+  tail -n 20 "$log" >&2
+  fail "apt-get could not install:$missing (its whole output: $log)"
 }
 
 install_debian_packages()
@@ -34,14 +70,23 @@ install_debian_packages()
     command -v sudo >/dev/null || fail "root or sudo is needed to install:$missing"
     as_root="sudo"
   fi
-  echo "setup: installing$missing"
   log="$(mktemp)"
-  if ! { $as_root apt-get update &&
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1
-  then
-    tail -n 20 "$log" >&2
-    fail "apt-get could not install:$missing (its whole output: $log)"
-  fi
+  echo "setup: updating Debian's lists of packages"
+  apt_get update || could_not_install
+  # shellcheck disable=SC2086
+  LC_ALL=C apt-get install -y --no-install-recommends --print-uris $missing >"$log" 2>&1 || could_not_install
+  packages="$(grep -c "^'" "$log" || true)"
+  megabytes="$(awk '/^\x27/ { bytes += $3 } END { printf "%d", bytes / 1e6 }' "$log")"
+  echo "setup: installing Debian's$missing ($packages packages with what they need, $megabytes MB to fetch)"
+  : >"$log"
+  show_progress "$((packages > 0 ? packages : 1))" &
+  progress=$!
+  installed=yes
+  # shellcheck disable=SC2086
+  apt_get install -y --no-install-recommends $missing || installed=no
+  kill "$progress"
+  wait "$progress" 2>/dev/null || true
+  [ "$installed" = yes ] || could_not_install
   rm -f "$log"
 }
 
@@ -64,14 +109,15 @@ install_vtk_wheels()
   fresh="$vtk_site.new"
   rm -rf "$fresh"
   mkdir -p "$fresh"
-  echo "setup: fetching VTK $vtk_release into build/vtk-headless"
-  /usr/bin/python3 -m pip install --quiet --disable-pip-version-check --root-user-action=ignore \
+  echo "setup: fetching VTK $vtk_release from PyPI into build/vtk-headless"
+  /usr/bin/python3 -m pip install --disable-pip-version-check --root-user-action=ignore \
     --no-deps --no-compile --ignore-requires-python --target "$fresh" \
     --only-binary=:all: --implementation cp --python-version 3.12 --abi abi3 --abi none \
     --platform "manylinux_2_28_$(uname -m)" \
     "cvista-sdk==$vtk_release" "cvista==$vtk_release" "cvista-rendering==$vtk_release" "cvista-io==$vtk_release" ||
     fail "pip could not fetch VTK $vtk_release"
   if [ -n "$python" ]; then
+    echo "setup: fetching what its tests need for $python"
     pip_into_fresh $packages && pip_into_fresh --no-deps $alone ||
       fail "pip could not fetch $packages $alone for $python"
   fi
@@ -88,13 +134,20 @@ case "$preset" in
   paraview)
     install_debian_packages "$utilities/packages/build.txt" "$utilities/packages/paraview.txt"
     ;;
+  aarch64)
+    install_debian_packages "$utilities/packages/aarch64.txt"
+    "$utilities/arm64-libraries.sh"
+    ;;
   tradeoff)
     install_debian_packages "$utilities/packages/tradeoff.txt"
     ;;
   fuzz)
     install_debian_packages "$utilities/packages/fuzz.txt"
     ;;
+  tidy)
+    install_debian_packages "$utilities/packages/tidy.txt"
+    ;;
   *)
-    fail "unknown preset '$preset'; expected headless, paraview, tradeoff or fuzz"
+    fail "unknown preset '$preset'; expected headless, paraview, aarch64, tradeoff, fuzz or tidy"
     ;;
 esac

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Measures error against time where a setting trades one for the other, with the headless build, and writes
 # Documentation/accuracy-and-speed.md with its plots.
 set -euo pipefail

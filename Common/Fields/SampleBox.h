@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,7 +8,7 @@
 namespace ink
 {
 
-/// The samples `begin` to `end`, `end` left out, of a grid: a part that something is computed for.
+/// A box of a grid's samples, from `begin` up to but excluding `end`.
 struct SampleBox
 {
   glm::ivec3 begin = glm::ivec3(0);
@@ -19,7 +20,7 @@ struct SampleBox
     const glm::ivec3 n = this->size();
     return n.x <= 0 || n.y <= 0 || n.z <= 0;
   }
-  /// As a grid's size it never overflows: 0 where the box is empty.
+  /// The number of samples; 0 if the box is empty. Boxes lie in grids, whose size does not overflow.
   std::size_t count() const
   {
     const glm::ivec3 n = this->size();

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/IsoValue.h"
 
-#include "Fields/Scalars.h"
+#include "Fields/ScalarDifference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,19 @@ namespace ink
 namespace
 {
 
-// A surface crossed by fewer edges says nothing about sharpness.
+// With fewer intersected edges the sharpness of a surface is not significant.
 constexpr std::int64_t fewestEdges = 200;
 // A maximum counts if the sharpness falls by this fraction on both sides of it.
 constexpr double prominence = 0.05;
-// The share of a surface's edges that may belong to voxels with at most one neighbor inside; above it is
-// noise.
+// The maximum fraction of a surface's edges at voxels with at most one neighbor inside; above it, the surface
+// is noise.
 constexpr double largestSpeckShare = 0.05;
 // A disc that touches the sides of its square covers 78.5 % of it: the border of a round field of view.
 constexpr double largestInsideShare = 0.75;
 
 /// The mean step along the edges that cross each threshold. Infinite for noise and the border of the field of
 /// view, so that nothing beside them is a maximum; zero for thresholds that hardly any edge crosses.
-std::vector<double> sharpness(const ValueProfile& profile)
+std::vector<double> sharpness(const IsoStatistics& profile)
 {
   const std::int64_t all = std::accumulate(profile.voxels.begin(), profile.voxels.end(), std::int64_t{ 0 });
   std::vector<double> result(profile.edges.size(), 0.0);
@@ -50,7 +51,7 @@ std::vector<double> sharpness(const ValueProfile& profile)
   return result;
 }
 
-/// The middle of the lowest prominent maximum, as a position between bins.
+/// The center of the lowest prominent maximum, as a position between bins.
 std::optional<double> lowestMaximum(const std::vector<double>& values)
 {
   constexpr double keep = 1.0 - prominence;
@@ -127,7 +128,7 @@ template <typename T>
 std::optional<IsoSuggestion> suggestIsoValue(
   const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce)
 {
-  const std::optional<ValueProfile> profile = makeValueProfile(read, dimensions, slicesAtOnce);
+  const std::optional<IsoStatistics> profile = makeIsoStatistics(read, dimensions, slicesAtOnce);
   if (!profile)
   {
     return std::nullopt;

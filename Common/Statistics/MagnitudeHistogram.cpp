@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/MagnitudeHistogram.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace ink
 namespace
 {
 
-// Floats that are not negative are ordered as their bits are: the upper half, exponent and seven bits of the
+// Nonnegative floats have the order of their bits: the upper half, the exponent and seven bits of the
 // mantissa, is the bin.
 constexpr int binShift = 16;
 

@@ -1,6 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Fields/Gradients.h"
+#include "Fields/Derivatives/Gradients.h"
+
+#include "Fields/Grid/GridField.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

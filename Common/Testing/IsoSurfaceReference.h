@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Fields/GridField.h"
-#include "Sampling/CrossedCells.h"
+#include "Fields/Grid/GridField.h"
+#include "IsoSurface/ActiveCells.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -19,7 +20,7 @@ namespace ink::testing
 
 /// The mean distance to the nearest other point, in units of what it would be if the points were thrown on
 /// the surface independently, 1 / (2 sqrt(density)): 1 for white noise, 2.15 for a hexagonal lattice.
-/// \param measured how many of the points count, the first ones; the others are only neighbors
+/// @param measured how many of the points count, the first ones; the others are only neighbors
 inline double meanNearestDistance(const std::vector<glm::dvec3>& points, double density, std::size_t measured)
 {
   const double cell = 2.0 / std::sqrt(density);

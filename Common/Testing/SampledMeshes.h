@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Sampling/TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <glm/geometric.hpp>
 
@@ -115,7 +116,7 @@ inline double leastDistance(std::span<const glm::dvec3> points, std::size_t coun
   return std::sqrt(least);
 }
 
-/// Slow and obvious: the largest distance from one of the places to the nearest of the first `count` points.
+/// Brute force: the largest distance from one of the positions to the nearest of the first `count` points.
 inline double largestGap(
   std::span<const glm::dvec3> places, std::span<const glm::dvec3> points, std::size_t count)
 {

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Fields/GridField.h"
-#include "Sampling/CrossedCells.h"
-#include "Sampling/IsoSurfaceSamples.h"
+#include "Fields/Grid/GridField.h"
+#include "IsoSurface/ActiveCells.h"
+#include "IsoSurface/IsoSurfaceSamples.h"
 
 #include <glm/vec3.hpp>
 
@@ -75,7 +76,7 @@ template <class Real = double, class T>
 Samples<Real> sampleIsoSurface(const GridField<T>& field, double isoValue, const SampleOptions& options,
   const CellSelection& selection = {})
 {
-  const CrossedCells cells = findCrossedCells(field, isoValue, options.rule, selection);
+  const ActiveCells cells = findActiveCells(field, isoValue, options.rule, selection);
   Samples<Real> samples;
   samples.coordinates.resize(3 * cells.count);
   samples.components.resize(3 * cells.count);

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "SampledVolume.h"
 
-#include "Vdb/VdbSamples.h"
-#include "Vdb/VdbWrite.h"
+#include "Fields/Vdb/VdbWrite.h"
+#include "IsoSurface/Vdb/VdbSamples.h"
 
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
@@ -59,7 +60,7 @@ template <class Real = double>
 Samples<Real> sampleIsoSurface(
   const VdbGrid& grid, double isoValue, const SampleOptions& options = {}, bool negate = false)
 {
-  const VdbCrossedCells cells = findCrossedCells(grid, isoValue, options.rule, negate);
+  const VdbActiveCells cells = findActiveCells(grid, isoValue, options.rule, negate);
   Samples<Real> samples;
   samples.coordinates.resize(3 * cells.count);
   samples.components.resize(3 * cells.count);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <cstdint>
@@ -5,26 +6,26 @@
 namespace ink
 {
 
-/// A round dot with a soft rim of one pixel, and its area right also where it is smaller than a pixel.
+/// A round dot with an antialiased rim of one pixel, whose area is correct even below a pixel.
 struct DotShape
 {
-  float radius;    ///< where the rim is half covered, in pixels
-  float intensity; ///< of a pixel that is covered all over
+  float radius;    ///< to half coverage at the rim, in pixels
+  float intensity; ///< of a fully covered pixel
 };
 
-/// The soft dot whose pixels add up to the area of a sharp one, on the average over its places within a
+/// The antialiased dot whose pixels add up to the area of a sharp one, averaged over its positions within a
 /// pixel.
 /// @param diameter in pixels, not negative
 DotShape dotShape(float diameter);
 
-/// How much of a pixel the dot covers.
+/// The dot's coverage of a pixel.
 /// @param distance between the pixel's and the dot's centers in pixels
 float dotCoverage(const DotShape& dot, float distance);
 
-/// For targets of few bits, which cannot add up very pale dots: of dots paler than `least`, as many as have
-/// the same ink together get that intensity, and the others none. Other dots stay as they are.
-/// @param index of the dot's element, of whose stipples at most one is pale; of any row of elements that
-///   follow each other, evenly spread ones are kept
+/// For render targets of few bits, where very pale dots would be rounded away: of dots paler than `least`, a
+/// subset with the same total ink gets that intensity, and the others none. Other dots are unchanged.
+/// @param index of the dot's element, which has at most one pale stipple; the subset is even in every range
+///   of consecutive indices
 float thinnedIntensity(float intensity, float least, std::uint32_t index);
 
 } // namespace ink

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,8 +18,7 @@ struct HlsColor
 HlsColor hlsFromRgb(const glm::vec3& rgb);
 glm::vec3 rgbFromHls(const HlsColor& hls);
 
-/// The color a part `t` of the way from one to the other, hues the shorter way around the circle; a gray
-/// takes the other's hue.
+/// Interpolates linearly between two colors, hues along the shorter arc; a gray takes the other's hue.
 HlsColor mixHls(const HlsColor& from, const HlsColor& to, float t);
 
 } // namespace ink

@@ -12,7 +12,7 @@
 namespace
 {
 
-/// Whether there is memory for what an array takes when it grows to so many tuples: VTK adds what it had.
+/// Whether there is memory to grow an array to that many tuples: VTK adds its previous size.
 void Require(vtkAbstractArray* array, vtkIdType tuples)
 {
   const vtkIdType values = tuples * array->GetNumberOfComponents();
@@ -21,7 +21,8 @@ void Require(vtkAbstractArray* array, vtkIdType tuples)
   {
     return;
   }
-  // Not malloc and free, which compilers leave out where only null is asked for (Clang, GCC from 15 on).
+  // Not malloc and free, which compilers elide if the result is only compared with null (Clang, GCC from 15
+  // on).
   ::operator delete(::operator new(
     static_cast<std::size_t>(values + capacity) * static_cast<std::size_t>(array->GetDataTypeSize())));
 }

@@ -8,16 +8,17 @@
 class vtkAbstractArray;
 class vtkPoints;
 
-// Memory for VTK's arrays, or std::bad_alloc where there is none. Their own methods end the program then
-// where VTK was built without NDEBUG, as Debian's ParaView is; so it is asked for beforehand.
+// Allocate memory of VTK arrays, or throw std::bad_alloc. VTK's own methods abort the program when allocation
+// fails in builds without NDEBUG, such as Debian's ParaView; so these functions try the allocation
+// beforehand.
 
-/// Room for so many tuples, or more; keeps what is in the array.
+/// Reserves memory for at least that many tuples; keeps the array's values.
 VTKINKFILTERSCORE_EXPORT void InkReserve(vtkAbstractArray* array, vtkIdType tuples);
 
-/// So many tuples.
+/// Sets the number of tuples.
 VTKINKFILTERSCORE_EXPORT void InkSetNumberOfTuples(vtkAbstractArray* array, vtkIdType tuples);
 
-/// So many points.
+/// Sets the number of points.
 VTKINKFILTERSCORE_EXPORT void InkSetNumberOfPoints(vtkPoints* points, vtkIdType count);
 
 #endif

@@ -43,7 +43,7 @@ namespace
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
-/// Whether an image is all of the whole extent, and none of its cells is another piece's.
+/// Whether an image covers the whole extent, and none of its cells belongs to another piece.
 bool IsWhole(vtkInformation* input, vtkImageData* image)
 {
   if (InkExtent(image->GetExtent()) != InkGetWholeExtent(input, image))
@@ -120,8 +120,8 @@ ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bi
 namespace
 {
 
-/// Why an image's scalars cannot be used, empty when they can. `scalars` is the array that was found for the
-/// name `chosen`, null for none, and `association` what it belongs to.
+/// Why an image's scalars cannot be used; empty if they can. `scalars` is the array found for the name
+/// `chosen`, or null, and `association` its field association.
 std::string ProblemOf(
   vtkImageData* image, const char* chosen, vtkDataArray* scalars, int association, int component)
 {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A vtkImageData as the grids, marks and arrays that vtkInk's Common works on.
+// SPDX-License-Identifier: BSD-3-Clause Converts a vtkImageData to the grids, masks and arrays of vtkInk's
+// Common.
 #ifndef InkImageGrid_h
 #define InkImageGrid_h
 
-#include "Fields/GridField.h"
-#include "Sampling/CrossedCells.h"
+#include "Fields/Grid/ElementMarks.h"
+#include "Fields/Grid/GridGeometry.h"
+#include "IsoSurface/ActiveCells.h"
 
 #include "vtkInkFiltersCoreModule.h" // for the export macro
 #include "vtkSmartPointer.h"
@@ -15,7 +17,7 @@ class vtkDataSetAttributes;
 class vtkImageData;
 class vtkInformation;
 
-/// The box of an extent as VTK writes it: the first and last sample along each axis.
+/// A VTK extent: the first and last sample along each axis.
 struct VTKINKFILTERSCORE_EXPORT InkExtent
 {
   glm::ivec3 First;
@@ -26,53 +28,51 @@ struct VTKINKFILTERSCORE_EXPORT InkExtent
   bool operator==(const InkExtent&) const = default;
 };
 
-/// The extent of the whole image of which `image` may be a piece; its own where `info` does not say.
+/// The whole extent of the image that `image` may be a piece of; its own extent if `info` has none.
 VTKINKFILTERSCORE_EXPORT InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image);
 
-/// Whether an image is all that there is of it: if it is without result, so are all pieces.
+/// Whether `image` is the whole image rather than a piece: if it gives no result, no piece does.
 /// @param input, output the filter's pipeline information
 VTKINKFILTERSCORE_EXPORT bool InkIsWholeImage(
   vtkInformation* input, vtkInformation* output, vtkImageData* image);
 
-/// Whether an image that was given for a piece is the first piece's.
+/// Whether an image that arrived for another piece belongs to the first one, which then processes all of it.
 ///
-/// What a producer gives for a piece is that piece, but for cells that it marks as another's. Some producers
-/// do not know of pieces: VTK lets readers of this kind run for the first piece only, so that of several
-/// processes the first one has the whole and the others nothing, and a program that asks for one piece after
-/// the other finds the whole each time. Both times, and also where each process has the whole, all is taken
-/// once if a whole image without marks is the first piece's.
+/// A producer delivers the requested piece, in which it may mark cells of other pieces. Some producers do not
+/// support pieces: VTK executes such readers for the first piece only, so that in parallel the first process
+/// has the whole image and the others nothing, while a program that requests one piece after the other
+/// receives the whole each time. In both cases, and where each process has the whole, everything is processed
+/// exactly once if a whole image without marks belongs to the first piece.
 VTKINKFILTERSCORE_EXPORT bool InkIsOfFirstPiece(
   vtkInformation* input, vtkInformation* output, vtkImageData* image);
 
 /// The image's samples within an extent, which need not be the image's own.
-/// \throws std::invalid_argument when the image has a spacing of zero or a direction matrix without inverse
+/// @throws std::invalid_argument when the image has a spacing of zero or a singular direction matrix
 VTKINKFILTERSCORE_EXPORT ink::GridGeometry InkMakeGrid(vtkImageData* image, const InkExtent& extent);
 
-/// Whether points on the grid, rounded to float, move by more than a thousandth of the smallest spacing.
+/// Whether rounding points on the grid to float moves them by more than a thousandth of the smallest spacing.
 VTKINKFILTERSCORE_EXPORT bool InkNeedsDoublePrecision(const ink::GridGeometry& grid);
 
-/// The ghost array of an image's points or cells as marks with any of the given bits; nothing is marked where
-/// there is no such array.
+/// The points or cells of an image whose ghost array has any of the given bits; none without such an array.
 VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bits);
 
-/// The array of an image that a filter works on: `found`, what GetInputArrayToProcess(0, ...) returned with
-/// its `association`, or where an empty name was given, as ParaView does where no array was chosen, the
-/// active point scalars. Null where there is none, it is not point data or has no such component: then the
-/// filter has reported one error that names what was found and what was expected.
+/// The array of an image that a filter works on: `found`, the result of GetInputArrayToProcess(0, ...) with
+/// its `association`, or if an empty name was given, as ParaView does when no array is chosen, the active
+/// point scalars. Null if there is none, it is not point data or has no such component; the filter has then
+/// reported one error that names what was found and what was expected.
 VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(
   vtkAlgorithm* filter, vtkImageData* image, vtkDataArray* found, int association, int component);
 
-/// The array itself where its components lie side by side in memory, otherwise a copy of the given component;
-/// `component` becomes the one to read.
+/// The array itself if it is contiguous in memory, otherwise a copy of the given component; sets `component`
+/// to the one to read.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component);
 
-/// Whether the source that a filter's first input comes from gives pieces. Where not, a process that asks it
-/// for the whole in place of a piece that is not the first gets what the first process has already, and so do
-/// all others there that read it.
+/// Whether the source of a filter's first input supports pieces. If it does not, a process that requests the
+/// whole instead of its piece gets a copy of what the first process has already, and so do all other
+/// consumers of the source there.
 VTKINKFILTERSCORE_EXPORT bool InkKnowsPieces(vtkAlgorithm* filter);
 
-/// The image's cells that the piece asked for owns, see InkIsOfFirstPiece, and that are neither hidden nor
-/// refined.
+/// The cells that the requested piece owns, see InkIsOfFirstPiece, and that are neither hidden nor refined.
 VTKINKFILTERSCORE_EXPORT ink::CellSelection InkSelectCells(
   vtkInformation* input, vtkInformation* output, vtkImageData* image);
 

@@ -4,7 +4,7 @@
 
 #include "vtkInkFiltersCoreModule.h" // for the export macro
 
-/// What vtkAlgorithm's constants for precision are called: "Single", "Double" or "Default".
+/// The name of one of vtkAlgorithm's precision constants: "Single", "Double" or "Default".
 VTKINKFILTERSCORE_EXPORT const char* InkNameOfPrecision(int precision);
 
 #endif

@@ -24,7 +24,7 @@ std::string ReasonOf(const std::exception_ptr& exception)
   }
   catch (const std::length_error&)
   {
-    // A vector longer than any memory.
+    // A vector longer than its maximum size.
     return memory;
   }
   catch (const std::exception& error)
@@ -42,7 +42,7 @@ std::string ReasonOf(const std::exception_ptr& exception)
 void InkReportException(vtkAlgorithm* filter, vtkDataObject* output, const std::string& failure)
 {
   const std::string reason = ReasonOf(std::current_exception());
-  // What was made so far goes first: an error message takes memory, too.
+  // The partial output is released first: an error message needs memory, too.
   if (output)
   {
     output->Initialize();

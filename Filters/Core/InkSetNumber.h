@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Setters of numbers that vtkSetClampMacro and vtkSetVector2Macro would let NaN into.
+// SPDX-License-Identifier: BSD-3-Clause Setters that refuse NaN, which vtkSetClampMacro and
+// vtkSetVector2Macro let through.
 #ifndef InkSetNumber_h
 #define InkSetNumber_h
 
@@ -7,7 +8,7 @@
 
 class vtkObject;
 
-/// Clamps the value and sets the property to it. NaN is refused with one warning; the property stays.
+/// Sets the property to the clamped value. NaN is refused with one warning; the property keeps its value.
 VTKINKFILTERSCORE_EXPORT void InkSetClampedNumber(
   vtkObject* owner, const char* name, double& property, double value, double least, double most);
 

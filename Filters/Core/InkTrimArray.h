@@ -6,10 +6,9 @@
 
 class vtkDataArray;
 
-/// Gives memory back that an array was promised and does not need, down to an eighth more than it holds, when
-/// it has a quarter more or beyond: GetActualMemorySize counts what was promised. The eighth is for the next
-/// run of a filter that fills the array again. Nothing is copied where the system can cut memory in place, as
-/// glibc does.
+/// Shrinks an array whose capacity exceeds its size by more than a quarter to a capacity of an eighth more,
+/// since GetActualMemorySize counts the capacity. The eighth is for the next run of a filter that refills the
+/// array. Nothing is copied where the allocator can shrink in place, as glibc's can.
 VTKINKFILTERSCORE_EXPORT void InkTrimArray(vtkDataArray* array);
 
 #endif

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkGradient.h"
 
-#include "Fields/Gradients.h"
-#include "Fields/LaplacianOfGaussian.h"
+#include "Fields/Derivatives/Gradients.h"
+#include "Fields/Derivatives/LaplacianOfGaussian.h"
+#include "Fields/Grid/GridField.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
@@ -42,7 +43,7 @@ namespace
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
-/// What one run computes, and where to.
+/// The parameters and outputs of one run.
 struct GradientRequest
 {
   ink::SampleBox Box;
@@ -91,7 +92,7 @@ bool Compute(const ink::GridField<T>& field, const GradientRequest& request, vtk
       field, request.Box, request.Deviation, ValuesOf<Real>(request.Laplacian), progress);
 }
 
-/// The same for an array whose type is not known; `array` is contiguous.
+/// Dispatches on the type of `array`, which is contiguous.
 bool ComputeFromArray(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
   const ink::ElementMarks& hidden, bool doubles, const GradientRequest& request, vtkAlgorithm* algorithm)
 {
@@ -131,8 +132,7 @@ glm::dvec3 DeviationOf(vtkInkGradient* filter, const ink::GridGeometry& geometry
                                                                : ink::ScaleUnit::World);
 }
 
-/// How far beyond a point, in points along each axis, its results depend on others. `info` describes the
-/// image.
+/// The radius of the results' support, in points along each axis. `info` describes the image.
 glm::ivec3 ReachOf(vtkInkGradient* filter, vtkInformation* info)
 {
   glm::ivec3 reach(0);
@@ -152,13 +152,13 @@ glm::ivec3 ReachOf(vtkInkGradient* filter, vtkInformation* info)
     }
     catch (const std::invalid_argument&)
     {
-      // RequestData will say so.
+      // RequestData reports it.
     }
   }
   return reach;
 }
 
-/// Whether a piece is asked for; the extent asked for does not count then.
+/// Whether a piece is requested; the requested extent is then ignored.
 bool IsPieceAskedFor(vtkInformation* outInfo)
 {
   return outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
@@ -169,7 +169,7 @@ int LargestOf(const glm::ivec3& v)
   return std::max({ v.x, v.y, v.z });
 }
 
-/// The box of an image's cells that are not marked as another piece's, as the points around them.
+/// The bounding box of the cells not marked as another piece's, as a box of points.
 InkExtent OwnPart(vtkImageData* image)
 {
   InkExtent own(image->GetExtent());
@@ -201,7 +201,7 @@ InkExtent OwnPart(vtkImageData* image)
   return own;
 }
 
-/// The part of the image that results are asked for.
+/// The part of the image for which results are requested.
 InkExtent PartOf(vtkInformation* inInfo, vtkInformation* outInfo, vtkImageData* image)
 {
   const InkExtent given(image->GetExtent());
@@ -231,7 +231,7 @@ InkExtent PartOf(vtkInformation* inInfo, vtkInformation* outInfo, vtkImageData* 
   return part;
 }
 
-/// A part of an image, all arrays cut to it; the image itself when it is all of it.
+/// A part of an image with its arrays cropped; the image itself if the part is the whole.
 void CopyPart(vtkImageData* image, const InkExtent& part, vtkImageData* output)
 {
   output->ShallowCopy(image);
@@ -301,7 +301,7 @@ int vtkInkGradient::RequestUpdateExtent(
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    // An empty extent asks for nothing.
+    // An empty extent requests nothing.
     if (extent[2 * axis] <= extent[2 * axis + 1])
     {
       extent[2 * axis] = std::max(extent[2 * axis] - reach[axis], whole[2 * axis]);
@@ -347,7 +347,7 @@ int vtkInkGradient::RequestData(
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outInfo);
   output->Initialize();
-  // A piece that holds nothing is no error.
+  // An empty piece is not an error.
   if (!image || image->GetNumberOfPoints() == 0)
   {
     return 1;

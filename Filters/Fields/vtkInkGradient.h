@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkGradient
- * @brief   image data to gradients, smoothed values and Laplacians at its points
+ * @brief gradients, smoothed values and Laplacians at the points of an image
  *
  * For every point of a vtkImageData the filter estimates the gradient of a scalar array: by central
  * differences, or by 4D linear regression (Neumann et al. 2000), which Lu et al. (2003, section 4.1) use
- * against noise: the plane that fits the values of a point and its 26 neighbors best, its slope the gradient
- * and its height a smoothed value. The Laplacian is that of the image smoothed by a Gaussian.
+ * against noise: a hyperplane is fitted to the values of a point and its 26 neighbors by least squares; its
+ * slope is the gradient and its height a smoothed value. The Laplacian is that of the image smoothed by a
+ * Gaussian (LoG).
  *
- * The input array is the one that SetInputArrayToProcess(0, ...) names, the active point scalars by default.
- * An array that is not contiguous in memory is copied first.
+ * The input array is set with SetInputArrayToProcess(0, ...); by default it is the active point scalars. An
+ * array that is not contiguous in memory is copied first.
  *
- * Output: the input image with all its arrays and, as asked for, the point arrays `Gradient` (three
+ * Output: the input image with all its arrays and, as requested, the point arrays `Gradient` (three
  * components: value per world unit, spacing and direction matrix accounted for), `GradientMagnitude`,
- * `Laplacian` (value per world unit squared) and `Value` (smoothed). Arrays of these names in the input are
- * replaced. What is not asked for is neither computed nor allocated. Results that are too large for the
- * output's type become its largest value.
+ * `Laplacian` (value per world unit squared) and `Value` (smoothed). Input arrays of these names are
+ * replaced. Arrays that are not requested are neither computed nor allocated. Results too large for the
+ * output's type are clamped to its largest value.
  *
- * At the image's border, and beside points that are NaN, infinite or hidden, differences are one-sided and
- * regressions fit the neighbors that there are; along an axis with one point derivatives are 0. At points
- * that are NaN, infinite or hidden themselves every result is 0: outputs hold no NaN.
+ * At the image's border, and next to points that are NaN, infinite or hidden, differences are one-sided and
+ * regressions use the neighbors that exist; along an axis with a single point, derivatives are 0. At points
+ * that are themselves NaN, infinite or hidden every result is 0, so outputs never hold NaN.
  *
- * The filter streams: it takes any UPDATE_EXTENT and asks its input for that extent and the neighbors that
- * the results depend on. The results are the same bits for any split of the image and any number of threads
- * (VTK_SMP_MAX_THREADS sets it).
+ * The filter streams: it accepts any UPDATE_EXTENT and requests that extent plus the neighbors that the
+ * results depend on. Results are bitwise identical for any partition of the image and any number of threads
+ * (set by VTK_SMP_MAX_THREADS).
  *
- * Errors, each with an empty output: no such point array, ArrayComponent beyond its components, a spacing
- * of zero or a direction matrix without inverse.
+ * Errors, each with an empty output: no such point array, ArrayComponent beyond its components, a spacing of
+ * zero or a singular direction matrix.
  *
  * @sa vtkInkIsoSurfaceSampler vtkImageGradient vtkGradientFilter
  */
@@ -56,9 +57,9 @@ public:
 
   ///@{
   /**
-   * CENTRAL_DIFFERENCE: half the difference of the two neighbors along each axis, sharp and fast, for data
-   * without noise. REGRESSION (default): the plane that fits all neighbors best, which leaves about a third
-   * of the noise.
+   * CENTRAL_DIFFERENCE: half the difference of the two neighbors along each axis; sharp and fast, for
+   * noise-free data. REGRESSION (default): the least-squares hyperplane through all neighbors, which leaves
+   * about a third of the noise.
    */
   vtkSetClampMacro(Method, int, CENTRAL_DIFFERENCE, REGRESSION);
   vtkGetMacro(Method, int);
@@ -76,8 +77,8 @@ public:
 
   ///@{
   /**
-   * The neighbors that a regression takes in: NEIGHBORHOOD_3 (default), 3 x 3 x 3 points, or NEIGHBORHOOD_5,
-   * 5 x 5 x 5, which smooths more and is slower. Central differences do not use it.
+   * The neighborhood of a regression: NEIGHBORHOOD_3 (default), 3 x 3 x 3 points, or NEIGHBORHOOD_5, 5 x 5 x
+   * 5, which smooths more and is slower. Central differences do not use it.
    */
   vtkSetClampMacro(Neighborhood, int, NEIGHBORHOOD_3, NEIGHBORHOOD_5);
   vtkGetMacro(Neighborhood, int);
@@ -86,7 +87,7 @@ public:
   const char* GetNeighborhoodAsString();
   ///@}
 
-  /// How much a neighbor counts, see SetWeighting.
+  /// The weights of neighbors, see SetWeighting.
   enum WeightingType
   {
     UNIFORM = 0,
@@ -95,9 +96,9 @@ public:
 
   ///@{
   /**
-   * How much a neighbor counts in a regression. UNIFORM (default): all the same, which leaves the least
-   * noise. INVERSE_DISTANCE: the reciprocal of its distance in world units, which blurs less, above all where
-   * the spacing differs from axis to axis. Central differences do not use it.
+   * The weights of neighbors in a regression. UNIFORM (default): equal weights, which leave the least noise.
+   * INVERSE_DISTANCE: the reciprocal of its distance in world units, which blurs less, especially where the
+   * spacing is anisotropic. Central differences do not use it.
    */
   vtkSetClampMacro(Weighting, int, UNIFORM, INVERSE_DISTANCE);
   vtkGetMacro(Weighting, int);
@@ -126,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Compute the point array `Value`, the regression's smoothed value; with central differences it is the
-   * input's. Default: off.
+   * Compute the point array `Value`, the regression's smoothed value; with central differences it equals the
+   * input. Default: off.
    */
   vtkSetMacro(ComputeValue, bool);
   vtkGetMacro(ComputeValue, bool);
@@ -136,8 +137,8 @@ public:
 
   ///@{
   /**
-   * Compute the point array `Laplacian`, of the image smoothed by a Gaussian. Default: off. Here, unlike in
-   * gradients, 64-bit integers beyond 2^53 count as the nearest doubles, off by up to 2^-53 of themselves.
+   * Compute the point array `Laplacian`, of the image smoothed by a Gaussian. Default: off. Unlike for
+   * gradients, 64-bit integers beyond 2^53 are rounded to double, a relative error of up to 2^-53.
    */
   vtkSetMacro(ComputeLaplacian, bool);
   vtkGetMacro(ComputeLaplacian, bool);
@@ -147,16 +148,16 @@ public:
   ///@{
   /**
    * The standard deviation of the Gaussian that smooths before the Laplacian is taken, in LaplacianScaleUnit.
-   * 0 does not smooth; larger shows broader features and is slower. Beyond 16 points along an axis, it counts
-   * as 16. Range: 0 upwards. Default: 1.
+   * 0 does not smooth; larger values show broader features and are slower. Clamped to 16 points along each
+   * axis. Range: 0 upwards. Default: 1.
    */
-  void SetLaplacianScale(double value);
+  void SetLaplacianScale(double scale);
   double GetLaplacianScaleMinValue() { return 0.0; }
   double GetLaplacianScaleMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(LaplacianScale, double);
   ///@}
 
-  /// What the Gaussian's scale is measured in, see SetLaplacianScaleUnit.
+  /// The unit of the Gaussian's scale, see SetLaplacianScaleUnit.
   enum ScaleUnitType
   {
     SAMPLES = 0,
@@ -165,8 +166,8 @@ public:
 
   ///@{
   /**
-   * The unit of LaplacianScale. SAMPLES (default): points, as many along each axis whatever the spacing.
-   * WORLD_UNITS: as far along each axis, whatever the spacing.
+   * The unit of LaplacianScale. SAMPLES (default): points, the same number along each axis whatever the
+   * spacing. WORLD_UNITS: the same distance along each axis, whatever the spacing.
    */
   vtkSetClampMacro(LaplacianScaleUnit, int, SAMPLES, WORLD_UNITS);
   vtkGetMacro(LaplacianScaleUnit, int);
@@ -186,7 +187,7 @@ public:
   ///@{
   /**
    * The type of the output arrays: vtkAlgorithm::SINGLE_PRECISION (default), float, or DOUBLE_PRECISION,
-   * double, which is also computed in double precision and is about half as fast.
+   * double, which also computes in double precision and is about half as fast.
    */
   vtkSetClampMacro(OutputArraysPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(OutputArraysPrecision, int);
@@ -206,10 +207,10 @@ private:
   vtkInkGradient(const vtkInkGradient&) = delete;
   void operator=(const vtkInkGradient&) = delete;
 
-  /// Remembers the output's arrays, so that the next run can write into those that no one else holds by then:
-  /// memory that was used before is much faster than fresh memory.
+  /// Keeps references to the output's arrays, so that the next run can reuse those that nobody else
+  /// references by then: writing to memory that is already mapped is much faster.
   void KeepArrays(vtkImageData* output);
-  /// An array of the output, one that was kept where possible.
+  /// An array for the output, reusing a kept one where possible.
   vtkSmartPointer<vtkDataArray> MakeArray(int which, vtkIdType tuples);
 
   vtkSmartPointer<vtkDataArray> Kept[4];

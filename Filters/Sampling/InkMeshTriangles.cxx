@@ -3,8 +3,8 @@
 
 #include "InkAllocate.h"
 
-#include "Sampling/FaceOrder.h"
-#include "Sampling/Hash.h"
+#include "Core/Hash.h"
+#include "Mesh/FaceOrder.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -150,8 +150,8 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
   }
   if (this->Triangles.empty())
   {
-    // Some VTKs cut faces without an area into no triangles at all. A mesh of nothing but ghosts is another
-    // piece's.
+    // Some VTK versions triangulate degenerate faces into no triangles. A mesh of only ghost cells belongs to
+    // another piece.
     const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
     for (vtkIdType face = first; face < mesh->GetNumberOfCells(); ++face)
     {

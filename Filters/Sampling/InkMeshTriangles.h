@@ -2,7 +2,7 @@
 #ifndef InkMeshTriangles_h
 #define InkMeshTriangles_h
 
-#include "Sampling/TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include "vtkType.h"
 
@@ -13,34 +13,35 @@
 class vtkDataArray;
 class vtkPolyData;
 
-/// What ink::TriangleMesh looks at, taken from a vtkPolyData: triangles as they are, other polygons and
-/// strips cut into triangles by vtkTriangleFilter. Vertices and lines, and cells that are ghosts or hidden,
-/// are left out. They come in an order by where they are (ink::orderByPosition), so that what is made of them
-/// does not depend on how the mesh is numbered or was cut into pieces.
+/// The arrays that an ink::TriangleMesh views, made from a vtkPolyData: triangles as they are, other polygons
+/// and strips triangulated by vtkTriangleFilter. Vertices, lines, ghost cells and hidden cells are left out.
+/// Triangles are sorted by position (ink::orderByPosition), so that results do not depend on the numbering of
+/// the mesh or its partition into pieces.
 struct InkMeshTriangles
 {
   std::vector<glm::dvec3> Points;
   std::vector<ink::Triangle> Triangles;
   std::vector<vtkIdType> FaceIds; ///< the cell of each triangle
-  /// Of each triangle, the same in whatever piece of a mesh it is: from the cell's global id. Empty where
-  /// there are no global ids.
+  /// An id per triangle that does not depend on the piece it is in: from the cell's global id. Empty without
+  /// global ids.
   std::vector<std::uint64_t> Names;
-  std::vector<glm::vec3> Normals; ///< unit, one a point
+  std::vector<glm::vec3> Normals; ///< unit, one per point
   std::vector<float> PointDensity;
-  std::vector<float> FaceDensity; ///< one a triangle
+  std::vector<float> FaceDensity; ///< one per triangle
 
   enum class Order
   {
     ByPosition,
-    OfMesh ///< for what depends on no order
+    OfMesh ///< for results that do not depend on the order
   };
 
-  /// @param wantNormals the point normals, or where there are none the mean over the faces around each point
-  /// @throws std::invalid_argument for a face with a point that does not exist, or for more of anything than
-  /// 32 bits number
+  /// @param wantNormals fills Normals: the point normals, or if there are none the mean over the faces around
+  ///   each point
+  /// @throws std::invalid_argument for a face with a point that does not exist, or for more points or
+  ///   triangles than 32-bit ids allow
   InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order = Order::ByPosition);
 
-  /// Takes an array of one value a point or a cell as relative density.
+  /// Uses an array of one value per point or cell as relative density.
   void SetDensity(vtkDataArray* density, bool ofCells);
 
   ink::TriangleMesh GetMesh() const;

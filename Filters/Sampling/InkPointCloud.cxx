@@ -4,10 +4,10 @@
 #include "InkAllocate.h"
 #include "InkPointOutput.h"
 #include "InkVTKCompat.h"
-#include "Sampling/PointNormals.h"
-#include "Sampling/PointRadii.h"
-#include "Sampling/PointSpacing.h"
-#include "Sampling/PriorityOrder.h"
+#include "PointSampling/PointCloud/PointNormals.h"
+#include "PointSampling/PointCloud/PointRadii.h"
+#include "PointSampling/PointCloud/PointSpacing.h"
+#include "PointSampling/ProgressiveOrder.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -36,8 +36,8 @@
 namespace
 {
 
-/// The positions from the middle of their bounds, so that single precision does for them, in units of the
-/// largest extent.
+/// The positions relative to the center of their bounds, in units of the largest extent, so that single
+/// precision suffices.
 std::vector<glm::vec3> GetLocalPositions(vtkPointSet* points, double& unit, glm::dvec3& origin)
 {
   const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
@@ -63,7 +63,7 @@ std::vector<glm::vec3> GetLocalPositions(vtkPointSet* points, double& unit, glm:
   return positions;
 }
 
-/// The points without those that vtkGhostType marks as hidden or as another piece's; null if it marks none.
+/// The points without those that vtkGhostType marks as hidden or duplicate; null if it marks none.
 vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPointSet* points)
 {
   constexpr unsigned char marks = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
@@ -222,8 +222,8 @@ vtkIdType InkPreparePointCloud(
   next(0.4);
   if (options.Priority)
   {
-    const auto places = ink::priorityOrder(positions, normals, AreRadii(radii) ? radii : std::vector<float>(),
-      static_cast<std::uint64_t>(options.Seed), progress);
+    const auto places = ink::progressiveOrder(positions, normals,
+      AreRadii(radii) ? radii : std::vector<float>(), static_cast<std::uint64_t>(options.Seed), progress);
     if (places.size() != positions.size())
     {
       return 0;

@@ -16,7 +16,7 @@ class vtkPolyData;
 /// One VTK_POLY_VERTEX cell over points 0 ... count - 1.
 vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count);
 
-/// The array `Priority` of points that stand in their order: i / count, just below 1 at the most.
+/// The array `Priority` of points in progressive order: i / count, always below 1.
 vtkSmartPointer<vtkDataArray> InkMakePriority(vtkIdType count);
 
 /// An array with one value for all points.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleOutput.h"
 
+#include "Core/ParallelFor.h"
 #include "InkAllocate.h"
 
 #include "vtkCellArray.h"

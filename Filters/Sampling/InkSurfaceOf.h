@@ -7,9 +7,9 @@
 class vtkPointSet;
 class vtkPolyData;
 
-/// The faces of points with cells: a vtkPolyData as it is, of other data sets the surface, with the arrays of
-/// its points and cells but without global ids of cells, as one cell may have several faces. Without cells,
-/// the points.
+/// The faces of a point set: a vtkPolyData is returned as it is, of other data sets the boundary surface,
+/// with its point and cell arrays but without global cell ids, as one cell may have several faces. Without
+/// cells, the points.
 vtkSmartPointer<vtkPolyData> InkSurfaceOf(vtkPointSet* input);
 
 #endif

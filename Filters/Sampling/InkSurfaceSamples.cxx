@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSurfaceSamples.h"
 
+#include "Core/Hash.h"
+#include "Core/ParallelFor.h"
 #include "InkAllocate.h"
-#include "Sampling/BlueNoiseCount.h"
-#include "Sampling/CoverRadius.h"
-#include "Sampling/Hash.h"
-#include "Sampling/ProgressiveBlueNoise.h"
-#include "Sampling/SurfaceStretch.h"
-#include "Sampling/WhiteNoise.h"
-
+#include "Mesh/SurfaceStretch.h"
+#include "PointSampling/CoveringRadius.h"
+#include "PointSampling/PoissonDiskCount.h"
+#include "PointSampling/ProgressiveBlueNoise.h"
+#include "PointSampling/WhiteNoise.h"
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -43,7 +43,7 @@ constexpr const char* SampledPointsName = "SampledMeshPoints";
 constexpr int MostStretchRounds = 8;
 constexpr std::size_t BlockSize = 1 << 14;
 
-// What a sample takes at the most while it is made, with its share of darts and its place in the order.
+// The maximum memory per sample during generation, including its share of darts and its entry in the order.
 constexpr double BytesWhite = 100.0;
 constexpr double BytesBlue = 600.0;
 constexpr double BytesProgressive = 200.0;
@@ -111,8 +111,8 @@ vtkSmartPointer<vtkFloatArray> PlaceNormals(const ink::TriangleMesh& mesh,
   return array;
 }
 
-/// At each point of the mesh, how much larger discs around have to be than when the samples were made. Empty
-/// if nothing has moved.
+/// For each point of the mesh, the factor by which discs around it must grow since the samples were made.
+/// Empty if nothing has moved.
 std::vector<float> GetStretch(const InkMeshTriangles& triangles, vtkPolyData* samples, vtkDataArray* radius)
 {
   vtkDataArray* array = samples->GetFieldData()->GetArray(SampledPointsName);
@@ -132,7 +132,7 @@ std::vector<float> GetStretch(const InkMeshTriangles& triangles, vtkPolyData* sa
   {
     return {};
   }
-  // As far as the widest disc reaches on triangles of mean size.
+  // The number of rings that the widest disc reaches on triangles of mean size.
   const double area = triangles.Triangles.empty()
     ? 0.0
     : ink::cumulateArea({ before, triangles.Triangles, {}, {} }).area.back();
@@ -155,7 +155,7 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
     throw std::invalid_argument("SampleRadius is " + Text(request.Radius) + "; expected a length above 0");
   }
   const ink::TriangleMesh mesh = triangles.GetMesh();
-  // A mesh of nothing but ghosts is another piece's.
+  // A mesh of only ghost cells belongs to another piece.
   if (mesh.triangles.empty())
   {
     return;
@@ -191,10 +191,11 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
   }
   if (noise == InkNoise::Blue && !request.ByRadius)
   {
-    this->Samples = ink::sampleBlueNoiseCount(
-      mesh, this->Areas, triangles.Normals, request.Count, request.Gap, seed, request.Progress)
+    this->Samples = ink::samplePoissonDiskCount(
+      mesh, this->Areas, triangles.Normals, request.Count, request.CoverageSlack, seed, request.Progress)
                       .samples;
-    this->Cover = ink::blueNoiseCover(area, static_cast<double>(this->Samples.size()), request.Gap);
+    this->Cover =
+      ink::poissonDiskCover(area, static_cast<double>(this->Samples.size()), request.CoverageSlack);
     return;
   }
   const auto upTo = [&](double begin, double end)
@@ -206,8 +207,9 @@ InkSurfaceSamples::InkSurfaceSamples(const InkMeshTriangles& triangles, const In
   if (noise == InkNoise::Blue)
   {
     this->Samples =
-      ink::sampleBlueNoise(mesh, this->Areas, request.Radius, request.Gap, seed, upTo(0.0, half)).samples;
-    this->Cover = ink::blueNoiseCover(request.Radius, request.Gap);
+      ink::samplePoissonDisk(mesh, this->Areas, request.Radius, request.CoverageSlack, seed, upTo(0.0, half))
+        .samples;
+    this->Cover = ink::poissonDiskCover(request.Radius, request.CoverageSlack);
   }
   else if (request.ByRadius && !triangles.Names.empty() && !mesh.hasDensity())
   {
@@ -236,7 +238,8 @@ void InkSurfaceSamples::CheckMemory(double count, InkNoise noise) const
   vtksys::SystemInformation system;
   const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
   const double needed = count * bytes;
-  constexpr double most = std::numeric_limits<std::uint32_t>::max() / 8;
+  constexpr std::uint32_t limit = std::numeric_limits<std::uint32_t>::max() / 8;
+  constexpr double most = limit;
   if (needed > available || count > most)
   {
     throw std::invalid_argument(Text(count) + " samples would take " + Text(needed / 0x1p30) +
@@ -306,7 +309,7 @@ void InkSurfaceSamples::AddFaces(vtkPolyData* mesh, vtkPolyData* output) const
     {
       points->SetTypedComponent(i, corner, corners[static_cast<std::size_t>(corner)]);
     }
-    // Rounding may lead the sum of the others past 1.
+    // Rounding may make the sum of the others exceed 1.
     weights->SetTypedComponent(i, 0, std::max(1.0f - sample.b1 - sample.b2, 0.0f));
     weights->SetTypedComponent(i, 1, sample.b1);
     weights->SetTypedComponent(i, 2, sample.b2);
@@ -450,7 +453,7 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
   InkMeshTriangles triangles(mesh, normals, InkMeshTriangles::Order::OfMesh);
   vtkDataArray* radius = samples->GetPointData()->GetArray("Radius");
   const std::vector<float> stretch = radius ? GetStretch(triangles, samples, radius) : std::vector<float>();
-  // Each sample brings its own triangle.
+  // Each sample has its own triangle.
   triangles.Triangles.resize(static_cast<std::size_t>(count));
   std::vector<ink::SurfaceSample> places(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)

@@ -30,15 +30,15 @@
 namespace
 {
 
-/// The polygons of a mesh that have an area, in the order of the triangles.
+/// The nondegenerate polygons of a mesh, in the order of the triangles.
 struct Polygons
 {
   std::vector<vtkIdType> Cells;
-  std::vector<std::size_t> Triangles; ///< the first of each one's triangles
+  std::vector<std::size_t> Triangles; ///< each polygon's first triangle
   std::vector<glm::dvec3> Normals;    ///< unit, out of the front
   double Area = 0.0;
 
-  /// @param smooth whether a polygon's normal is the mean of those of its points, or that of its plane
+  /// @param smooth whether a polygon's normal is the mean of its point normals instead of that of its plane
   Polygons(const InkMeshTriangles& triangles, bool smooth)
   {
     const ink::TriangleMesh mesh = triangles.GetMesh();
@@ -75,18 +75,18 @@ struct Polygons
 private:
   static glm::dvec3 Unit(const glm::dvec3& vector)
   {
-    // Relative to its largest component, because the square of an area may overflow or vanish.
+    // Relative to its largest component, because the square of an area may overflow or underflow.
     const double largest = std::max({ std::abs(vector.x), std::abs(vector.y), std::abs(vector.z) });
     return largest > 0.0 ? glm::normalize(vector / largest) : glm::dvec3(0.0, 0.0, 1.0);
   }
 };
 
-/// The samples in the order of their polygons, those of a polygon in the order they had.
+/// The samples sorted by polygon, stably.
 struct Lists
 {
   std::vector<vtkIdType> Samples;
-  std::vector<vtkIdType> Begins;     ///< of each list that is not empty; one more at the end
-  std::vector<std::size_t> Polygons; ///< whose list it is
+  std::vector<vtkIdType> Begins;     ///< of each nonempty list; one more at the end
+  std::vector<std::size_t> Polygons; ///< the polygon of each list
 
   Lists(const struct Polygons& polygons, std::span<const vtkIdType> cellOfSample)
   {
@@ -135,7 +135,7 @@ vtkSmartPointer<vtkDataArray> Reorder(vtkDataArray* array, const std::vector<vtk
   return result;
 }
 
-/// A polygon's tuple, or the mean of those of its first triangle's points.
+/// A polygon's tuple, or the mean over the points of its first triangle.
 vtkSmartPointer<vtkDataArray> ColorsOf(const InkMeshTriangles& triangles, const Polygons& polygons,
   const Lists& lists, vtkDataArray* colors, bool ofCells)
 {
@@ -164,7 +164,7 @@ vtkSmartPointer<vtkDataArray> ColorsOf(const InkMeshTriangles& triangles, const 
 void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& request, vtkPolyData* output)
 {
   const InkMeshTriangles triangles(mesh, true);
-  // A piece of nothing but ghosts.
+  // A piece of only ghost cells.
   if (triangles.Triangles.empty())
   {
     return;

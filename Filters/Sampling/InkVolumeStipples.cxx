@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkVolumeStipples.h"
 
+#include "Fields/Grid/GridField.h"
+#include "Fields/Grid/PieceOwnership.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkStippleOutput.h"
-#include "Sampling/StippledVoxels.h"
+#include "Stippling/StippledVoxels.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
@@ -37,27 +39,27 @@
 namespace
 {
 
-/// GradientMagnitude is 1 from here on: brighter than all but the steepest hundredth of the stippled voxels,
-/// so that a few metal parts or single wrong voxels do not make all others 0.
+/// The percentile of the stippled voxels' magnitudes at which GradientMagnitude is 1, so that a few metal
+/// parts or outlier voxels do not make all others nearly 0.
 constexpr double ReferenceShare = 0.99;
 
-/// The voxels that get stipples, where they are and how they are normalized.
+/// The stippled voxels, their positions and normalization.
 struct Elements
 {
-  double Lowest = 0.0; ///< the values that Value is relative to
+  double Lowest = 0.0; ///< the range that Value is relative to
   double Highest = 0.0;
-  ink::StippledVoxels Voxels;
-  /// Of the voxels, those that the output holds: the others are only neighbors.
+  ink::stipple::StippledVoxels Voxels;
+  /// The indices of the voxels in the output: the others are only neighbors.
   std::vector<std::size_t> Own;
   std::vector<glm::ivec3> Samples; ///< of those, in the grid
-  double SteepestGradient = 0.0;   ///< that GradientMagnitude is relative to
+  double SteepestGradient = 0.0;   ///< the magnitude that GradientMagnitude is relative to
 };
 
-/// \returns false when stopped
+/// @return false when stopped
 template <class T>
 bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest& request, Elements& elements)
 {
-  ink::VolumeStatistics statistics;
+  ink::stipple::VolumeStatistics statistics;
   if (request.Statistics)
   {
     statistics = *request.Statistics;
@@ -65,13 +67,13 @@ bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest&
   else if (request.ByPercentile || !request.GivenRanges)
   {
     const ink::SampleBox whole{ glm::ivec3(0), field.geometry().dimensions() };
-    if (!ink::measureVolume(field, { whole.end, whole }, request.Gradient, statistics,
+    if (!ink::stipple::measureVolume(field, { whole.end, whole }, request.Gradient, statistics,
           InkPartOfProgress(request.Progress, 0.0, 0.15)))
     {
       return false;
     }
   }
-  ink::VoxelCriteria criteria;
+  ink::stipple::VoxelCriteria criteria;
   criteria.threshold = request.ByPercentile
     ? statistics.magnitudes.quantile(0.01 * request.Percentile)
     : static_cast<float>(std::min<double>(request.Threshold, std::numeric_limits<float>::max()));
@@ -96,14 +98,14 @@ bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest&
   }
 
   ink::SampleBox box;
-  box.begin = glm::max(request.Own.begin - ink::stippleReach, glm::ivec3(0));
-  box.end = glm::min(request.Own.end + ink::stippleReach, field.geometry().dimensions());
-  return ink::findStippledVoxels(
+  box.begin = glm::max(request.Own.begin - ink::stipple::stippleReach, glm::ivec3(0));
+  box.end = glm::min(request.Own.end + ink::stipple::stippleReach, field.geometry().dimensions());
+  return ink::stipple::findStippledVoxels(
     field, box, request.Gradient, criteria, elements.Voxels, InkPartOfProgress(request.Progress, 0.15, 0.35));
 }
 
 /// Calls `use` with the image's scalars as a field.
-/// @throws std::invalid_argument with what is wrong with the image
+/// @throws std::invalid_argument that says what is wrong with the image
 template <class Use>
 bool WithField(vtkImageData* image, const InkVolumeStippleRequest& request, const Use& use)
 {
@@ -126,18 +128,17 @@ bool WithField(vtkImageData* image, const InkVolumeStippleRequest& request, cons
   throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
 }
 
-/// The samples whose voxels belong to the piece: those that go with its cells that are not marked as another
-/// piece's.
-ink::OwnSamples FindOwnSamples(vtkImageData* image, const InkVolumeStippleRequest& request)
+/// The samples whose voxels belong to the piece: those of its cells that are not marked as another piece's.
+ink::PieceOwnership FindOwnSamples(vtkImageData* image, const InkVolumeStippleRequest& request)
 {
   return { InkExtent(image->GetExtent()).GetDimensions(), request.Own,
     InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL) };
 }
 
-/// Of the voxels found, those that belong to the piece.
-void SelectOwn(const ink::OwnSamples& own, Elements& elements)
+/// The indices of the found voxels that belong to the piece.
+void SelectOwn(const ink::PieceOwnership& own, Elements& elements)
 {
-  const ink::StippledVoxels& voxels = elements.Voxels;
+  const ink::stipple::StippledVoxels& voxels = elements.Voxels;
   const ink::SampleBox& box = voxels.box;
   const auto& [begin, end] = own.box();
   for (int z = begin.z; z < end.z; ++z)
@@ -187,7 +188,7 @@ vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, std::
   return array;
 }
 
-/// Where a value lies between two others, without overflow.
+/// The relative position of a value between two others, without overflow.
 float ShareOf(double value, double lowest, double highest)
 {
   const double range = 0.5 * highest - 0.5 * lowest;
@@ -242,11 +243,11 @@ void AddColors(
 } // namespace
 
 bool InkMeasureVolume(
-  vtkImageData* image, const InkVolumeStippleRequest& request, ink::VolumeStatistics& statistics)
+  vtkImageData* image, const InkVolumeStippleRequest& request, ink::stipple::VolumeStatistics& statistics)
 {
   const auto measure = [&](const auto& field)
   {
-    return ink::measureVolume(
+    return ink::stipple::measureVolume(
       field, FindOwnSamples(image, request), request.Gradient, statistics, request.Progress);
   };
   return WithField(image, request, measure);
@@ -266,7 +267,7 @@ void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& r
   const std::size_t count = elements.Own.size() * perVoxel;
   const double placed = static_cast<double>(elements.Voxels.size() * perVoxel);
   InkCheckStippleMemory(placed, sizeof(glm::vec3) + (request.Doubles ? 24.0 : 12.0) + 8.0);
-  const std::vector<glm::vec3> stipples = ink::placeVolumeStipples(
+  const std::vector<glm::vec3> stipples = ink::stipple::placeVolumeStipples(
     geometry, elements.Voxels, request.Stipples, InkPartOfProgress(request.Progress, 0.35, 0.95));
   if (stipples.empty() && elements.Voxels.size() > 0)
   {
@@ -289,7 +290,7 @@ void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& r
   std::vector<vtkIdType> begins(elements.Own.size() + 1);
   for (std::size_t e = 0; e < begins.size(); ++e)
   {
-    begins[e] = static_cast<vtkIdType>(e * perVoxel);
+    begins[e] = static_cast<vtkIdType>(e) * static_cast<vtkIdType>(perVoxel);
   }
   output->SetVerts(InkMakePolyVertices(begins));
   AddCellArrays(elements, output);

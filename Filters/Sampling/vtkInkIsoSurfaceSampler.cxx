@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkIsoSurfaceSampler.h"
 
+#include "Fields/Grid/GridField.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
-#include "Sampling/BrickRanges.h"
-#include "Sampling/IsoSurfaceSamples.h"
+#include "IsoSurface/IsoSurfaceSamples.h"
+#include "IsoSurface/MinMaxBricks.h"
+#include "IsoSurface/ProjectSamples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
@@ -50,12 +52,12 @@
 
 vtkStandardNewMacro(vtkInkIsoSurfaceSampler);
 
-/// What is kept from one run to the next.
+/// The state kept from one run to the next.
 class vtkInkIsoSurfaceSampler::vtkInternals
 {
 public:
-  /// The ranges of bricks of values, and whose they are.
-  ink::BrickRanges Ranges;
+  /// The ranges of bricks, and the array that they belong to.
+  ink::MinMaxBricks Ranges;
   vtkWeakPointer<vtkDataArray> RangesOf;
   vtkMTimeType RangesTime = 0;
   int RangesComponent = 0;
@@ -66,7 +68,7 @@ public:
   vtkSmartPointer<vtkDataArray> Radii;
   vtkSmartPointer<vtkDataArray> SurfaceIndex;
   vtkSmartPointer<vtkDataArray> Vertices;
-  /// Samples of each iso-value in the last run.
+  /// The number of samples per iso-value in the last run.
   std::vector<std::size_t> Counts;
   std::size_t Expected = 0;
 
@@ -76,7 +78,7 @@ public:
     this->Normals = this->Radii = this->SurfaceIndex = this->Vertices = nullptr;
   }
 
-  /// The array that is there where nobody else holds it and it has the type, else a new one.
+  /// The kept array if nobody else references it and it has the right type, otherwise a new one.
   static void Renew(vtkSmartPointer<vtkDataArray>& array, int type, int components)
   {
     if (!array || array->GetReferenceCount() > 1 || array->GetDataType() != type ||
@@ -95,8 +97,8 @@ public:
       this->Points->SetDataType(type);
     }
   }
-  /// Ranges that are not those of these values go.
-  ink::BrickRanges* RangesFor(vtkDataArray* array, vtkImageData* image, int component)
+  /// Drops ranges of other values.
+  ink::MinMaxBricks* RangesFor(vtkDataArray* array, vtkImageData* image, int component)
   {
     const vtkMTimeType time = std::max(array->GetMTime(), image->GetMTime());
     if (this->RangesOf != array || this->RangesTime != time || this->RangesComponent != component)
@@ -137,7 +139,7 @@ vtkSmartPointer<vtkDataArray> MakeOffsets(vtkIdType count)
   return offsets;
 }
 
-/// One VTK_POLY_VERTEX cell over points 0 ... count - 1, whose numbers come into `ids`.
+/// One VTK_POLY_VERTEX cell over points 0 ... count - 1, with the connectivity array `ids`.
 template <class IdArray>
 vtkSmartPointer<vtkCellArray> MakePolyVertex(vtkDataArray* ids, vtkIdType count)
 {
@@ -156,34 +158,58 @@ struct SampleRequest
   std::span<const double> IsoValues;
   ink::SampleOptions Options;
   ink::CellSelection Cells;
-  ink::BrickRanges* Ranges;
+  ink::MinMaxBricks* Ranges;
   std::size_t Expected;
 };
 
-/// Samples an array whose type is not known; `array` is contiguous. Returns false when aborted.
-bool SampleArray(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
-  const ink::ElementMarks& hidden, const SampleRequest& request, const ink::GrowRoom& grow,
-  std::vector<std::size_t>& counts, const ink::Progress& progress)
+/// Calls work(field) with the field of an array whose type is not known; `array` is contiguous.
+template <class Work>
+bool WithField(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
+  const ink::ElementMarks& hidden, const Work& work)
 {
-  const auto sample = [&](auto* values)
+  const auto withValues = [&](auto* values)
   {
     using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
     const std::span<const T> all(
       values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
-    const ink::GridField<T> field(geometry, all.subspan(static_cast<std::size_t>(component)),
-      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden);
-    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells, request.Ranges,
-      grow, request.Expected, counts, progress);
+    return work(ink::GridField<T>(geometry, all.subspan(static_cast<std::size_t>(component)),
+      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden));
   };
   switch (array->GetDataType())
   {
-    vtkTemplateMacro(return sample(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
+    vtkTemplateMacro(return withValues(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
   }
   throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
 }
 
-/// What to make room for before anything is known: some times the area of the image's largest faces, in
-/// points. Memory that is not written to costs nothing but addresses.
+/// Moves the samples of each iso-value, which come one after the other. Returns false when aborted.
+template <class T>
+bool Project(const ink::GridField<T>& field, const SampleRequest& request, int steps,
+  const ink::SampleRoom& room, const std::vector<std::size_t>& counts, const ink::Progress& progress)
+{
+  const double total =
+    std::max(1.0, static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t(0))));
+  std::size_t before = 0;
+  for (std::size_t n = 0; n < counts.size(); ++n)
+  {
+    const auto part = [&](double done)
+    { return progress((static_cast<double>(before) + done * static_cast<double>(counts[n])) / total); };
+    const auto project = [&](auto* points)
+    {
+      return ink::projectSamples(field, field.geometry(), request.IsoValues[n], steps,
+        std::span(points + 3 * before, 3 * counts[n]), part);
+    };
+    if (!(room.doublePoints ? project(room.doublePoints) : project(room.points)))
+    {
+      return false;
+    }
+    before += counts[n];
+  }
+  return true;
+}
+
+/// The number of samples to allocate before any is known: a multiple of the image's largest cross-section.
+/// Memory that is never written to costs only address space.
 std::size_t GuessCount(const glm::ivec3& samples)
 {
   const auto area = [&](int a, int b) { return static_cast<std::size_t>(samples[a]) * samples[b]; };
@@ -196,7 +222,7 @@ std::size_t GuessCount(const glm::ivec3& samples)
 vtkInkIsoSurfaceSampler::vtkInkIsoSurfaceSampler()
   : Internals(std::make_unique<vtkInternals>())
 {
-  // It holds one value at first.
+  // vtkContourValues initially holds one value.
   this->ContourValues->SetNumberOfContours(0);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
@@ -236,7 +262,7 @@ const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
 
 const char* vtkInkIsoSurfaceSampler::GetNormalMethodAsString()
 {
-  constexpr const char* names[] = { "Cell", "Gradient", "CentralDifference", "Regression" };
+  constexpr const char* names[] = { "Cell", "InterpolatedGradient", "InterpolatedNormal", "Regression" };
   return names[this->NormalMethod];
 }
 
@@ -274,7 +300,7 @@ vtkMTimeType vtkInkIsoSurfaceSampler::GetMTime()
 
 int vtkInkIsoSurfaceSampler::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data than images, to say what to do with them.
+  // Accepts other data than images, to explain what to do with them.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
@@ -282,10 +308,12 @@ int vtkInkIsoSurfaceSampler::FillInputPortInformation(int, vtkInformation* info)
 int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  // A normal beside a piece's border takes a value from across it.
+  // A normal at a piece's border depends on values across it, and the gradient at a point that has moved by
+  // up to a cell on those beyond.
   using SDDP = vtkStreamingDemandDrivenPipeline;
-  const int ghostLevels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  input[0]->GetInformationObject(0)->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels + 1);
+  const int ghostLevels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) +
+    (this->ProjectionSteps > 0 ? 2 : 1);
+  input[0]->GetInformationObject(0)->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels);
   return 1;
 }
 
@@ -298,7 +326,7 @@ int vtkInkIsoSurfaceSampler::RequestData(
   }
   catch (...)
   {
-    // What may be half made is not to be used again.
+    // Partially filled ranges must not be reused.
     this->Internals->ReleaseArrays();
     this->ReleaseIndex();
     InkReportException(this, vtkPolyData::GetData(outputVector), "The image cannot be sampled");
@@ -311,7 +339,7 @@ void vtkInkIsoSurfaceSampler::SampleImage(
 {
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
   vtkDataSet* data = vtkDataSet::GetData(info);
-  // A piece that holds nothing is no error.
+  // An empty piece is not an error.
   if (!data || data->GetNumberOfPoints() == 0)
   {
     return;
@@ -393,19 +421,30 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   int component = this->ArrayComponent;
   const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-  const auto progress = [this](double done)
+  const double share = this->ProjectionSteps > 0 ? 0.5 : 1.0;
+  const auto progressFrom = [this, share](double begin)
   {
-    this->UpdateProgress(done);
-    return !InkCheckAbort(this);
+    return [this, share, begin](double done)
+    {
+      this->UpdateProgress(begin + share * done);
+      return !InkCheckAbort(this);
+    };
   };
-  if (!SampleArray(geometry, array, component, hidden, request, grow, internals.Counts, progress))
+  const auto sample = [&](const auto& field)
+  {
+    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells, request.Ranges,
+             grow, request.Expected, internals.Counts, progressFrom(0.0)) &&
+      (this->ProjectionSteps == 0 ||
+        Project(field, request, this->ProjectionSteps, grow(0), internals.Counts, progressFrom(share)));
+  };
+  if (!WithField(geometry, array, component, hidden, sample))
   {
     internals.ReleaseArrays();
     return;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->FillOutput(radius, output);
-  // A part of an image may well have no points.
+  // A part of an image may legitimately have no points.
   if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image))
   {
     this->ReportOutside(scalars);
@@ -426,7 +465,7 @@ void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
   for (int i = 0; i < count; ++i)
   {
     const double value = this->GetValue(i);
-    // NaN has its own warning.
+    // NaN has a warning of its own.
     if ((value > range[0] && value <= range[1]) || std::isnan(value))
     {
       return;
@@ -478,7 +517,7 @@ void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
   }
   if (this->ComputeRadius)
   {
-    // As precise as the points: a radius too small for float comes with points too fine for it.
+    // The precision of the points: where float is too coarse for the points, it may be for the radius, too.
     vtkInternals::Renew(internals.Radii, internals.Points->GetDataType(), 1);
     finish(internals.Radii, "Radius");
     internals.Radii->Fill(radius);
@@ -524,6 +563,7 @@ void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
      << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
      << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
+     << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"
      << indent << "ContourValues:\n";
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());
 }

@@ -1,42 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkIsoSurfaceSampler
- * @brief   image data to points on its iso-surfaces, one in each cell that a surface crosses
+ * @brief points on the iso-surfaces of an image, one in each active cell
  *
- * For every cell of a vtkImageData that an iso-surface crosses, one point is placed at the mean of the
- * surface's intersections with the cell's edges, with the surface's normal there (Zhang et al. 2014,
- * section 5.1). The points suit vtkInkSplattingLinesMapper and any other point renderer; no triangles
- * are made on the way.
+ * In every active cell of a vtkImageData, that is every cell that an iso-surface intersects, one point is
+ * placed at the mean of the surface's intersections with the cell's edges, with the surface normal there
+ * (Zhang et al. 2014, section 5.1). The points suit vtkInkSplattingLinesMapper and any other point renderer;
+ * no triangle mesh is extracted.
  *
- * The input array is the one that SetInputArrayToProcess(0, ...) names, the active point scalars by default.
- * An array that is not contiguous in memory is copied first.
+ * The input array is set with SetInputArrayToProcess(0, ...); by default it is the active point scalars. An
+ * array that is not contiguous in memory is copied first.
  *
- * Output point data: `Normals` (unit, out of the denser side, that is along the negative gradient; see
- * NormalMethod and OutputNormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs
- * of this radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: which
- * of them the point belongs to). The output has no cells but one vertex cell of type VTK_POLY_VERTEX holding
- * all points, unless GenerateVertices is off.
+ * Output point data: `Normals` (unit, along the negative gradient, away from larger values; see NormalMethod
+ * and OutputNormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs of this
+ * radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: the index of
+ * the point's iso-value). The output's only cell is a vertex cell of type VTK_POLY_VERTEX holding all points,
+ * unless GenerateVertices is off.
  *
- * Points come in the order of their cells, iso-value by iso-value, and are the same for any number of
- * threads (VTK_SMP_MAX_THREADS sets it) and for any split of the image into pieces with one level of
- * ghost cells, which are asked for. A whole image that is given for every piece, as by SetInputData, or for
- * the first one only, as by readers that know no pieces, is the first piece's.
- * Cells marked as duplicate, hidden or refined, and cells with a corner that is NaN, infinite or hidden, make
- * no points; a NaN or hidden voxel nearby makes the central difference one-sided.
+ * Points are sorted by iso-value, then by cell, and are the same for any number of threads (set by
+ * VTK_SMP_MAX_THREADS) and for any partition of the image into pieces with one level of ghost cells, or two
+ * with ProjectionSteps, which the filter requests. If the whole image arrives for every piece, as with
+ * SetInputData, or only for the first one, as from readers without piece support, the first piece processes
+ * all of it. Cells marked as duplicate, hidden or refined, and cells with a corner that is NaN, infinite or
+ * hidden, yield no points; a NaN or hidden voxel nearby makes the central difference one-sided.
  *
- * All iso-values are sampled in one pass over the image. On the way the least and largest value of each brick
- * of 32 x 4 x 4 voxels (16 x 4 x 4 for types of four bytes and more) is kept, at most 1/128 of the image's
- * memory. As long as the input stays the same, later runs for other iso-values read only bricks that the
+ * All iso-values are sampled in one pass over the image, which also records the minimum and maximum of each
+ * brick of 32 x 4 x 4 voxels (16 x 4 x 4 for types of four bytes and more), at most 1/128 of the image's
+ * memory. As long as the input is unmodified, later runs for other iso-values read only the bricks that the
  * surface enters, see UseIndex. The inner loops are compiled for several instruction sets (SSE2, AVX2,
- * AVX-512), give the same bits in each, and are chosen at run time; the environment variable
- * VTKINK_INSTRUCTION_SET (baseline, avx2, avx512) names another one.
+ * AVX-512), give bitwise identical results in each, and are chosen at run time; the environment variable
+ * VTKINK_INSTRUCTION_SET (baseline, avx2, avx512) overrides the choice.
  *
- * Output arrays that nobody else holds when the filter runs again are filled anew instead of made anew, see
- * ReuseArrays.
+ * Output arrays that nobody else references when the filter runs again are reused, see ReuseArrays.
  *
- * Errors and warnings, each with an empty output: data that are no image (vtkResampleToImage makes one of
+ * Errors and warnings, each with an empty output: an input that is not an image (vtkResampleToImage converts
  * rectilinear, structured and unstructured grids), no such point array, ArrayComponent beyond its components,
- * an image of fewer than two samples along an axis, a spacing of zero or a direction matrix without inverse.
+ * an image of fewer than two samples along an axis, a spacing of zero or a singular direction matrix.
  *
  * @sa vtkInkSplattingLinesMapper vtkFlyingEdges3D
  */
@@ -62,7 +61,7 @@ public:
 
   ///@{
   /**
-   * The iso-values, as in vtkContourFilter. None by default, which gives no points.
+   * The iso-values, as in vtkContourFilter. Default: none, which yields no points.
    */
   void SetValue(int i, double value);
   double GetValue(int i);
@@ -71,7 +70,7 @@ public:
   void GenerateValues(int numContours, double rangeStart, double rangeEnd);
   ///@}
 
-  /// Which edges count as crossed, see SetCrossingRule.
+  /// Which cell edges the surface intersects, see SetCrossingRule.
   enum CrossingRuleType
   {
     HALF_OPEN = 0,
@@ -80,11 +79,10 @@ public:
 
   ///@{
   /**
-   * Which cell edges the surface at f0 intersects. HALF_OPEN (default): those with one end below f0 and
-   * the other at or above it, so that a surface through voxel centers has neither holes nor doubles.
-   * STRICT: the rule as Zhang et al. write it, (f1 - f0)(f2 - f0) < 0, and the edge's middle where
-   * f1 = f2 = f0; where f0 is a value that voxels have, as in integer data, it
-   * leaves holes and finds flat pieces twice.
+   * Which cell edges the surface at f0 intersects. HALF_OPEN (default): those with one end below f0 and the
+   * other at or above it, so that a surface through voxel centers has neither holes nor duplicates. STRICT:
+   * the rule as printed in Zhang et al., (f1 - f0)(f2 - f0) < 0, and the edge's midpoint where f1 = f2 = f0;
+   * where voxels have exactly the value f0, as in integer data, it leaves holes and finds flat regions twice.
    */
   vtkSetClampMacro(CrossingRule, int, HALF_OPEN, STRICT);
   vtkGetMacro(CrossingRule, int);
@@ -102,34 +100,34 @@ public:
   vtkBooleanMacro(ComputeNormals, bool);
   ///@}
 
-  /// How normals are found, see SetNormalMethod.
+  /// How normals are estimated, see SetNormalMethod.
   enum NormalMethodType
   {
     CELL = 0,
-    GRADIENT = 1,
-    CENTRAL_DIFFERENCE = 2,
+    INTERPOLATED_GRADIENT = 1,
+    INTERPOLATED_NORMAL = 2,
     REGRESSION = 3
   };
 
   ///@{
   /**
-   * How normals are found. CELL: from the gradient of the trilinear interpolation of the cell's own eight
-   * voxels; the fastest, and with facets. GRADIENT: central differences give the corners gradients, which are
-   * interpolated. CENTRAL_DIFFERENCE (default): their unit vectors are, as Zhang et al. do it; more exact
-   * where a boundary is sharp or voxels are not cubes. REGRESSION: the same with gradients by linear
-   * regression over each corner's 26 neighbors (Neumann et al. 2000, equal weights); smoother where there is
-   * noise, and rounds off what is smaller than two voxels.
+   * How normals are estimated. CELL: the gradient of the trilinear interpolant of the cell's own eight
+   * voxels; the fastest, but faceted. INTERPOLATED_GRADIENT: gradients by central differences at the corners
+   * are interpolated, then normalized. INTERPOLATED_NORMAL (default): the same gradients are normalized
+   * first, then interpolated, as Zhang et al. do; more accurate at sharp boundaries and for anisotropic
+   * voxels. REGRESSION: the same with gradients by linear regression over each corner's 26 neighbors (Neumann
+   * et al. 2000, equal weights); smoother for noisy data, but rounds off features smaller than two voxels.
    */
   vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
   vtkGetMacro(NormalMethod, int);
   void SetNormalMethodToCell() { this->SetNormalMethod(CELL); }
-  void SetNormalMethodToGradient() { this->SetNormalMethod(GRADIENT); }
-  void SetNormalMethodToCentralDifference() { this->SetNormalMethod(CENTRAL_DIFFERENCE); }
+  void SetNormalMethodToInterpolatedGradient() { this->SetNormalMethod(INTERPOLATED_GRADIENT); }
+  void SetNormalMethodToInterpolatedNormal() { this->SetNormalMethod(INTERPOLATED_NORMAL); }
   void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
   const char* GetNormalMethodAsString();
   ///@}
 
-  /// Below vtkAlgorithm::SINGLE_PRECISION, see SetOutputNormalsPrecision.
+  /// Precisions below vtkAlgorithm::SINGLE_PRECISION, see SetOutputNormalsPrecision.
   enum OutputNormalsPrecisionType
   {
     CHAR_PRECISION = -2,
@@ -138,10 +136,10 @@ public:
 
   ///@{
   /**
-   * What the array `Normals` holds. vtkAlgorithm::SINGLE_PRECISION (default): unit vectors as float, 12 bytes
-   * a point. SHORT_PRECISION: times 32767 and rounded, 6 bytes, off by up to .002 degrees. CHAR_PRECISION:
-   * times 127 and rounded, 3 bytes, off by up to .4 degrees. Mappers that normalize their normals draw them
-   * as they are.
+   * The type of the array `Normals`. vtkAlgorithm::SINGLE_PRECISION (default): unit vectors as float, 12
+   * bytes per point. SHORT_PRECISION: scaled by 32767 and rounded, 6 bytes, an error of up to .002 degrees.
+   * CHAR_PRECISION: scaled by 127 and rounded, 3 bytes, an error of up to .4 degrees. Mappers that normalize
+   * their normals draw the quantized ones without conversion.
    */
   vtkSetClampMacro(OutputNormalsPrecision, int, CHAR_PRECISION, SINGLE_PRECISION);
   vtkGetMacro(OutputNormalsPrecision, int);
@@ -153,8 +151,8 @@ public:
 
   ///@{
   /**
-   * Compute the point array `SurfaceIndex`: the number of the iso-value that a point belongs to. Default: on.
-   * It is only made when there are several iso-values; with one it would say nothing.
+   * Compute the point array `SurfaceIndex`: the index of the iso-value that a point belongs to. Default: on.
+   * It is omitted when there is only one iso-value.
    */
   vtkSetMacro(ComputeSurfaceIndex, bool);
   vtkGetMacro(ComputeSurfaceIndex, bool);
@@ -189,9 +187,9 @@ public:
 
   ///@{
   /**
-   * The type of the points' coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
-   * DEFAULT_PRECISION (default), which is single unless the image lies so far from the origin that single
-   * precision would move points by more than a thousandth of the smallest spacing.
+   * The type of the point coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION
+   * (default), which is single unless the image lies so far from the origin that single precision would move
+   * points by more than a thousandth of the smallest spacing.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -203,10 +201,23 @@ public:
 
   ///@{
   /**
-   * What points and normals are computed in: vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION.
-   * Single is meant for voxels of 8 and 16 bits and float; points and normals differ from double's by about
-   * 1e-6 of a voxel and 1e-5 radians. Other types, and points in double, are always computed in double. Which
-   * voxels are inside is exact in both.
+   * How many steps at most move each point onto the iso-surface of the trilinear interpolation, 0 to 8.
+   * Default: 0, the points of Zhang et al. 2014: the mean of a cell's intersections lies off the surface by
+   * some hundredths of the spacing. Each step (Newton's, along the central-difference gradient) leaves about
+   * a tenth of the distance, more where boundaries are sharp; a point within 1e-4 of the smallest spacing is
+   * moved no further, one that would have to leave its cell by more than a cell's width not at all. Normals
+   * stay those at the point's old position. Takes a second level of ghost cells.
+   */
+  vtkSetClampMacro(ProjectionSteps, int, 0, 8);
+  vtkGetMacro(ProjectionSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * The precision in which points and normals are computed: vtkAlgorithm::SINGLE_PRECISION (default) or
+   * DOUBLE_PRECISION. Single precision applies to voxels of 8 and 16 bits and float; its points and normals
+   * differ from those in double by about 1e-6 of a voxel and 1e-5 radians. Other types, and points in double,
+   * are always computed in double. Classifying voxels as inside or outside is exact in both.
    */
   vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(ArithmeticPrecision, int);
@@ -217,33 +228,33 @@ public:
 
   ///@{
   /**
-   * Keep the least and largest value of each brick of voxels from the first run on, so that runs for other
-   * iso-values take time by the size of the surface instead of the image. Default: on. They are made anew
-   * when the input array or the image is modified, and only for images sampled as a whole. The points are the
-   * same.
+   * Keep the minimum and maximum of each brick of voxels from the first run on, so that the time for other
+   * iso-values depends on the size of the surface instead of the image. Default: on. The index is rebuilt
+   * when the input array or the image is modified, and exists only for images sampled as a whole. The points
+   * do not depend on it.
    */
   vtkSetMacro(UseIndex, bool);
   vtkGetMacro(UseIndex, bool);
   vtkBooleanMacro(UseIndex, bool);
   ///@}
 
-  /// The memory that the index takes, in bytes; 0 while there is none.
+  /// The memory of the index in bytes; 0 without an index.
   vtkIdType GetIndexMemory();
-  /// Gives the index's memory back. The next run makes it again, unless UseIndex is off.
+  /// Frees the index. The next run rebuilds it, unless UseIndex is off.
   void ReleaseIndex();
 
   ///@{
   /**
-   * Fill the last run's output arrays anew when nobody else holds them any more, instead of making new ones,
-   * whose pages the system has to clear first. Default: on. Off: the filter keeps none of its output's
-   * memory.
+   * Reuse the last run's output arrays when nobody else references them any more, instead of allocating new
+   * ones, whose pages the system has to clear first. Default: on. Off: the filter holds no reference to its
+   * output's memory.
    */
   vtkSetMacro(ReuseArrays, bool);
   vtkGetMacro(ReuseArrays, bool);
   vtkBooleanMacro(ReuseArrays, bool);
   ///@}
 
-  /// The iso-values count.
+  /// Includes the iso-values.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -262,12 +273,12 @@ private:
 
   void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
   void FillOutput(double radius, vtkPolyData* output);
-  /// Warns where no iso-value lies within the values' range.
+  /// Warns if no iso-value lies within the range of the values.
   void ReportOutside(vtkDataArray* scalars);
 
   vtkNew<vtkContourValues> ContourValues;
   int CrossingRule = HALF_OPEN;
-  int NormalMethod = CENTRAL_DIFFERENCE;
+  int NormalMethod = INTERPOLATED_NORMAL;
   int OutputNormalsPrecision = SINGLE_PRECISION;
   int ArithmeticPrecision = SINGLE_PRECISION;
   bool ComputeNormals = true;
@@ -276,6 +287,7 @@ private:
   bool GenerateVertices = true;
   int ArrayComponent = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  int ProjectionSteps = 0;
   bool UseIndex = true;
   bool ReuseArrays = true;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkPointPriority
- * @brief   orders points so that every beginning of the list is spread evenly
+ * @brief sorts points into progressive order, in which every prefix is evenly distributed
  *
- * Takes any points, with normals or without: iso-surface samples of vtkInkIsoSurfaceSampler, scans, vertices
- * of a mesh. Gives them back in an order in which the first k of them are for every k a blue noise,
- * as far as the points allow (see ink::priorityOrder), with the point array `Priority`: a float from 0 to
- * below 1, i / n for the i-th point of n. So drawing the points of a priority below p, or the first p n
- * points, thins them out evenly, and nothing needs to be computed again when p changes. All point arrays are
- * carried along; cells are not.
+ * Takes any points, with or without normals: iso-surface samples of vtkInkIsoSurfaceSampler, scans, vertices
+ * of a mesh. Sorts them so that for every k the first k points have a blue-noise distribution, as far as the
+ * points allow (see ink::progressiveOrder), and adds the point array `Priority`: a float in [0, 1), i / n for
+ * the i-th point of n. Drawing only the points with a priority below p, or the first p n points, thins them
+ * out evenly, and nothing is recomputed when p changes. All point arrays are passed on; cells are not.
  *
- * `Normals` keep points of different sides or sheets from counting as neighbors. Where there are none they
- * are estimated from the sixteen nearest points, to the same side all over and outwards on closed surfaces,
- * unless EstimateNormals is off. Where there is a point array `Radius`, points keep their distances in
- * proportion to it.
+ * `Normals` keep points of different sides or sheets from counting as neighbors. Where missing, they are
+ * estimated from the sixteen nearest points, consistently oriented and outwards on closed surfaces, unless
+ * EstimateNormals is off. With a point array `Radius`, distances between points are kept in proportion to it.
  *
- * The same input gives the same output on any number of threads. In parallel each piece's points are ordered
- * for themselves: those below a priority are spread evenly in each, and as densely in one as in another when
- * the points are.
+ * The same input gives the same output for any number of threads. In parallel each piece is sorted by itself:
+ * the points below a priority are evenly distributed in each piece, and equally dense in all pieces if the
+ * points are.
  *
- * Points at one place, and points that are not finite, come last. Those that `vtkGhostType` marks as hidden
- * or duplicate are left out.
+ * Coincident points, and points that are not finite, come last. Points that `vtkGhostType` marks as hidden or
+ * duplicate are removed.
  *
  * @sa vtkInkIsoSurfaceSampler vtkInkSurfaceSampler
  */
@@ -39,7 +37,7 @@ public:
 
   ///@{
   /**
-   * Another seed gives another order, just as good. Default: 0.
+   * The random seed: each gives a different order of the same quality. Default: 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -47,7 +45,7 @@ public:
 
   ///@{
   /**
-   * Estimate the point array `Normals` where there is none. Default: on.
+   * Estimate the point array `Normals` if the input has none. Default: on.
    */
   vtkSetMacro(EstimateNormals, bool);
   vtkGetMacro(EstimateNormals, bool);
@@ -56,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Estimate the point array `Radius` where there is none, each from the distances to its neighbors (see
-   * ink::pointRadii); 0 for points that belong to no surface. Default: on.
+   * Estimate the point array `Radius` if the input has none, from each point's distances to its neighbors
+   * (see ink::pointRadii); 0 for isolated points. Default: on.
    */
   vtkSetMacro(EstimateRadius, bool);
   vtkGetMacro(EstimateRadius, bool);

@@ -2,12 +2,12 @@
 #include "vtkInkStippleGenerator.h"
 
 #include "InkImageGrid.h"
-#include "InkPrecision.h"
 #include "InkReportException.h"
-#include "InkSetNumber.h"
 #include "InkSurfaceStipples.h"
 #include "InkVTKCompat.h"
 #include "InkVolumeStipples.h"
+
+#include "Tone/Stipple/ProjectedSize.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -25,6 +25,9 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTriangleFilter.h"
 
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,14 +43,14 @@ vtkStandardNewMacro(vtkInkStippleGenerator);
 namespace
 {
 
-/// How far beyond its own voxels a piece has to know the image: as far as a voxel's stipples depend on
-/// others' gradients, and these on values.
-const int GhostLevels = ink::stippleReach.x + 1;
+/// The ghost levels that a piece needs: the neighborhood of gradients that a voxel's stipples depend on, plus
+/// the support of these gradients.
+const int GhostLevels = ink::stipple::stippleReach.x + 1;
 
-/// The samples whose voxels the piece asked for owns: those that are the lower corner of a cell of its, and
-/// at the upper end of the whole image the last ones. What a part's marks leave out, InkMakeVolumeStipples
-/// sees to.
-ink::SampleBox OwnSamples(vtkInformation* input, vtkInformation* output, vtkImageData* image)
+/// The samples whose voxels the requested piece owns: the lower corners of its cells, and at the upper end of
+/// the whole image the last ones, too. InkMakeVolumeStipples excludes those that the part marks as another
+/// piece's.
+ink::SampleBox OwnedSamples(vtkInformation* input, vtkInformation* output, vtkImageData* image)
 {
   if (InkIsOfFirstPiece(input, output, image))
   {
@@ -63,6 +66,16 @@ ink::SampleBox OwnSamples(vtkInformation* input, vtkInformation* output, vtkImag
   return own;
 }
 
+/// N_max of a whole image's voxels in a picture in which its longest side has that many pixels.
+int ProjectedListLength(const ink::GridGeometry& whole, double pixels)
+{
+  const glm::dvec3 sides = glm::abs(glm::dvec3(whole.dimensions()) * whole.spacing());
+  const double longest = std::max({ sides.x, sides.y, sides.z });
+  const double edge = std::cbrt(std::abs(glm::determinant(whole.stepToWorld())));
+  return ink::stipple::projectedListLength(static_cast<float>(edge / longest), static_cast<float>(1.0 / pixels),
+    ink::stipple::maximumStipplesPerVoxel);
+}
+
 } // namespace
 
 vtkInkStippleGenerator::vtkInkStippleGenerator()
@@ -76,54 +89,9 @@ vtkInkStippleGenerator::vtkInkStippleGenerator()
 
 vtkInkStippleGenerator::~vtkInkStippleGenerator() = default;
 
-const char* vtkInkStippleGenerator::GetThresholdModeAsString()
-{
-  return this->ThresholdMode == PERCENTILE ? "Percentile" : "Magnitude";
-}
-
-const char* vtkInkStippleGenerator::GetGradientMethodAsString()
-{
-  return this->GradientMethod == REGRESSION ? "Regression" : "CentralDifference";
-}
-
-const char* vtkInkStippleGenerator::GetOutputPointsPrecisionAsString()
-{
-  return InkNameOfPrecision(this->OutputPointsPrecision);
-}
-
-void vtkInkStippleGenerator::SetGradientPercentile(double percentile)
-{
-  InkSetClampedNumber(this, "GradientPercentile", this->GradientPercentile, percentile, 0.0, 100.0);
-}
-
-void vtkInkStippleGenerator::SetGradientThreshold(double threshold)
-{
-  InkSetClampedNumber(this, "GradientThreshold", this->GradientThreshold, threshold, 0.0, VTK_DOUBLE_MAX);
-}
-
-void vtkInkStippleGenerator::SetLayerThickness(double thickness)
-{
-  InkSetClampedNumber(this, "LayerThickness", this->LayerThickness, thickness, 0.0, 2.0);
-}
-
-void vtkInkStippleGenerator::SetScalarWindow(double lowest, double highest)
-{
-  InkSetRange(this, "ScalarWindow", this->ScalarWindow, lowest, highest);
-}
-
-void vtkInkStippleGenerator::SetReferenceScalarRange(double lowest, double highest)
-{
-  InkSetRange(this, "ReferenceScalarRange", this->ReferenceScalarRange, lowest, highest);
-}
-
-void vtkInkStippleGenerator::SetReferenceGradient(double magnitude)
-{
-  InkSetClampedNumber(this, "ReferenceGradient", this->ReferenceGradient, magnitude, 0.0, VTK_DOUBLE_MAX);
-}
-
 int vtkInkStippleGenerator::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data than images and meshes, to say what to do with them.
+  // Accepts other data than images and meshes, to explain what to do with them.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
@@ -135,19 +103,19 @@ bool vtkInkStippleGenerator::NeedsWholeImage() const
   return measures && !this->Statistics && !this->Measured;
 }
 
-bool vtkInkStippleGenerator::Measure(vtkInformation* request, ink::VolumeStatistics& statistics)
+bool vtkInkStippleGenerator::Measure(vtkInformation* request, ink::stipple::VolumeStatistics& statistics)
 {
   this->Measured = &statistics;
   this->Modified();
   this->Update(request);
   const bool done = !this->Measured;
   this->Measured = nullptr;
-  // The output holds no stipples now.
+  // The output has no stipples now.
   this->Modified();
   return done;
 }
 
-void vtkInkStippleGenerator::SetStatistics(std::shared_ptr<const ink::VolumeStatistics> statistics)
+void vtkInkStippleGenerator::SetStatistics(std::shared_ptr<const ink::stipple::VolumeStatistics> statistics)
 {
   if (statistics != this->Statistics)
   {
@@ -189,7 +157,7 @@ int vtkInkStippleGenerator::RequestData(
   vtkDataSet* data = vtkDataSet::GetData(inputVector[0]);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outInfo);
-  // A piece that holds nothing is no error.
+  // An empty piece is not an error.
   if (!data || data->GetNumberOfPoints() == 0)
   {
     this->Measured = nullptr;
@@ -228,7 +196,7 @@ void vtkInkStippleGenerator::StippleVolume(
 {
   vtkInformation* info = input[0]->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
-  const ink::SampleBox own = OwnSamples(info, outInfo, image);
+  const ink::SampleBox own = OwnedSamples(info, outInfo, image);
   if (own.empty())
   {
     this->Measured = nullptr;
@@ -248,12 +216,18 @@ void vtkInkStippleGenerator::StippleVolume(
   request.Gradient.method = this->GradientMethod == CENTRAL_DIFFERENCE
     ? ink::GradientMethod::CentralDifference
     : ink::GradientMethod::Regression;
+  request.Gradient.weighting = this->GradientWeighting == INVERSE_DISTANCE
+    ? ink::RegressionWeighting::InverseDistance
+    : ink::RegressionWeighting::Uniform;
   request.ByPercentile = this->ThresholdMode == PERCENTILE;
   request.Percentile = this->GradientPercentile;
   request.Threshold = this->GradientThreshold;
   request.Window[0] = this->UseScalarWindow ? this->ScalarWindow[0] : -infinity;
   request.Window[1] = this->UseScalarWindow ? this->ScalarWindow[1] : infinity;
-  request.Stipples.perVoxel = this->MaximumStipples;
+  const ink::GridGeometry whole = InkMakeGrid(image, InkGetWholeExtent(info, image));
+  request.Stipples.perVoxel = this->MaximumStipplesMode == PROJECTED
+    ? ProjectedListLength(whole, this->PictureSize)
+    : this->MaximumStipples;
   request.Stipples.thickness = this->LayerThickness;
   request.Stipples.seed = static_cast<std::uint64_t>(this->Seed);
   request.GivenRanges = this->UseReferenceRanges;
@@ -261,8 +235,7 @@ void vtkInkStippleGenerator::StippleVolume(
   request.SteepestGradient = this->ReferenceGradient;
   request.Own = own;
   request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
-    (this->OutputPointsPrecision == DEFAULT_PRECISION &&
-      InkNeedsDoublePrecision(InkMakeGrid(image, InkGetWholeExtent(info, image))));
+    (this->OutputPointsPrecision == DEFAULT_PRECISION && InkNeedsDoublePrecision(whole));
   bool ofCells = false;
   request.Colors = this->GetColors(image, input, ofCells);
   if (ofCells)
@@ -280,7 +253,7 @@ void vtkInkStippleGenerator::StippleVolume(
     return;
   }
   InkMakeVolumeStipples(image, request, output);
-  // A part of an image may well have none.
+  // A part of an image may legitimately have none.
   if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image) && !InkCheckAbort(this))
   {
     this->ReportNothing(scalars);
@@ -318,7 +291,9 @@ void vtkInkStippleGenerator::StippleSurface(
       std::to_string(mesh->GetNumberOfCells()) + " cells, none of them a polygon; expected polygons");
   }
   InkSurfaceStippleRequest request;
-  request.Count = this->NumberOfSurfaceStipples;
+  request.Count = this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
+    ? CountForPicture(mesh, this->PictureSize, 1.0)
+    : this->NumberOfSurfaceStipples;
   request.PerPolygon = this->MaximumStipples;
   request.Seed = this->Seed;
   request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
@@ -378,26 +353,4 @@ bool vtkInkStippleGenerator::ReportProgress(double share)
 {
   this->UpdateProgress(share);
   return !InkCheckAbort(this);
-}
-
-void vtkInkStippleGenerator::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumStipples: " << this->MaximumStipples << "\n"
-     << indent << "NumberOfSurfaceStipples: " << this->NumberOfSurfaceStipples << "\n"
-     << indent << "ThresholdMode: " << this->GetThresholdModeAsString() << "\n"
-     << indent << "GradientPercentile: " << this->GradientPercentile << "\n"
-     << indent << "GradientThreshold: " << this->GradientThreshold << "\n"
-     << indent << "LayerThickness: " << this->LayerThickness << "\n"
-     << indent << "GradientMethod: " << this->GetGradientMethodAsString() << "\n"
-     << indent << "UseScalarWindow: " << this->UseScalarWindow << "\n"
-     << indent << "ScalarWindow: " << this->ScalarWindow[0] << " " << this->ScalarWindow[1] << "\n"
-     << indent << "UseReferenceRanges: " << this->UseReferenceRanges << "\n"
-     << indent << "ReferenceScalarRange: " << this->ReferenceScalarRange[0] << " "
-     << this->ReferenceScalarRange[1] << "\n"
-     << indent << "ReferenceGradient: " << this->ReferenceGradient << "\n"
-     << indent << "PassScalars: " << this->PassScalars << "\n"
-     << indent << "Seed: " << this->Seed << "\n"
-     << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
-     << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n";
 }

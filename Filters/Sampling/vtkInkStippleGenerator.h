@@ -1,49 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkStippleGenerator
- * @brief   volumes and meshes to lists of stipples, each in order of priority
+ * @brief stipple lists of volumes and meshes, each in order of priority
  *
  * The preprocessing of Lu et al. (2003, section 4): every element of the data, a voxel of a vtkImageData or a
- * polygon of a vtkPolyData, gets a list of stipples once. Whatever depends on the camera, vtkInkStippleMapper
- * does by drawing the beginnings of these lists.
+ * polygon of a vtkPolyData, gets a list of stipples once. Everything that depends on the camera is done by
+ * vtkInkStippleMapper, which draws a prefix of each list.
  *
- * Volumes: a voxel, the cube of one sample step around a point of the image, gets MaximumStipples stipples
- * when its gradient is steep enough, see SetThresholdMode, and it has values in the ScalarWindow, if there
- * is one. They lie in the voxel between the planes p1 and p2 beside its tangent plane, see SetLayerThickness,
- * and are spread evenly in it and across its neighbors: seen along the surface's normal they are close to a
- * Poisson-disc sampling, and so are the first n of all voxels for every n. The gradient is by default that of
- * the 4D linear regression that the paper uses (section 4.1), see vtkInkGradient.
+ * Volumes: a voxel, the cube of one sample step around a point of the image, gets MaximumStipples stipples,
+ * or as many as its projection has pixels, see SetMaximumStipplesMode, if its gradient magnitude reaches the
+ * threshold, see SetThresholdMode, and it has values in the ScalarWindow, if there is one. They lie in the
+ * voxel between the planes p1 and p2 on both sides of its tangent plane, see SetLayerThickness, and are
+ * evenly distributed within the voxel and across its neighbors: seen along the surface normal they are close
+ * to a Poisson-disk sampling, and so are the first n stipples of all voxels for every n. By default the
+ * gradient is estimated by the paper's 4D linear regression (section 4.1), see vtkInkGradient.
  *
- * Surfaces: the whole mesh is sampled as by vtkInkSurfaceSampler, as blue noise in order of priority, and
- * each polygon gets those of the samples that lie in it. So their number follows the area, and their pattern
- * does not depend on how the surface is cut into polygons.
+ * Surfaces: the whole mesh is sampled as by vtkInkSurfaceSampler, with blue noise in order of priority, and
+ * each polygon gets the samples that lie in it. So their number follows the area, and their pattern does not
+ * depend on the tessellation.
  *
- * Output: the points are the stipples, element by element; one VTK_POLY_VERTEX cell (which
- * VTK calls VTK_VERTEX where it holds one point) for each element that has any holds its list, in order of
- * priority. Cell data: `Normals` (unit; out of the denser side, or out of the front of the polygon: the mean
- * of its points' normals where the mesh has some); of volumes also `GradientMagnitude` (0 to 1, relative to
- * the magnitude below which 99 of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's
- * range); with PassScalars the scalars for colors, as active scalars and under their own name, or that after
- * `Input` if it is one of the above. Point data,
- * of surfaces only: `Priority`, of all stipples together. Field data: `ElementKind` (0 volume, 1 surface),
- * `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area), `StipplesPerElement`
- * (MaximumStipples; for surfaces the mean over all polygons), of volumes also `ScalarRange` and
- * `GradientMagnitudeRange`, which 0 and 1 stand for.
+ * Output: the points are the stipples, element by element; for each element with stipples one VTK_POLY_VERTEX
+ * cell (which VTK reports as VTK_VERTEX where it holds one point) with its list, in order of priority. Cell
+ * data: `Normals` (unit; along the negative gradient, or the polygon's: the mean of its point normals where
+ * the mesh has some); of volumes also `GradientMagnitude` (0 to 1, relative to the magnitude below which 99
+ * of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's range); with PassScalars the
+ * scalars for colors, as active scalars and under their own name, prefixed with `Input` if it is one of the
+ * above. Point data, of surfaces only: `Priority`, among all stipples. Field data: `ElementKind` (0 volume, 1
+ * surface), `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area),
+ * `StipplesPerElement` (N_max; for surfaces the mean over all polygons), of volumes also `ScalarRange` and
+ * `GradientMagnitudeRange`, the values that 0 and 1 stand for.
  *
- * The same input gives the same stipples on any number of threads and of pieces. Percentiles and ranges are
- * those of the whole image, so the whole is asked for whatever piece is asked of this filter, and the first
- * piece has all stipples. With UseReferenceRanges and a GradientThreshold nothing of the whole is needed:
- * then each piece is asked for with five levels of ghost cells, and an image of which no process has the
- * whole, as in a simulation, gives exactly the same stipples if its parts have as many (cells that are
- * another part's being marked as duplicates). So do statistics of all parts, see SetStatistics. Without, such
- * a part has percentiles and ranges of its own. A whole image that is given for every piece, or for the first
- * one only, is the first piece's. Pieces of a mesh are sampled each for itself.
+ * The same input gives the same stipples for any number of threads and pieces. Percentiles and ranges are
+ * those of the whole image, so the filter requests the whole image for any piece, and the first piece has all
+ * stipples. With UseReferenceRanges and a GradientThreshold no global statistics are needed: each piece is
+ * requested with five levels of ghost cells, and a distributed image that no process holds as a whole, as in
+ * a simulation, gives exactly the same stipples if its parts have five ghost levels (cells of other parts
+ * being marked as duplicates). The same holds for given statistics of all parts, see SetStatistics. Otherwise
+ * each part has percentiles and ranges of its own. If the whole image arrives for every piece, or only for
+ * the first one, the first piece processes all of it. Pieces of a mesh are sampled independently.
  *
- * Hidden points, NaN and infinite values get no stipples. An image without any gradient that is steep enough
- * gives none, which is no error. Errors, each with an empty output: data that are neither an image nor a mesh
- * (vtkResampleToImage and vtkDataSetSurfaceFilter make them), no such point array, ArrayComponent
- * beyond its components, a spacing of zero or a direction matrix without inverse, a mesh without polygons or
- * without area, an array to pass that is not there, more stipples than memory.
+ * Hidden points, NaN and infinite values get no stipples. An image in which no gradient reaches the threshold
+ * gives none, which is not an error. Errors, each with an empty output: an input that is neither an image nor
+ * a mesh (vtkResampleToImage and vtkDataSetSurfaceFilter make them), no such point array, ArrayComponent
+ * beyond its components, a spacing of zero or a singular direction matrix, a mesh without polygons or without
+ * area, a missing array to pass, more stipples than memory.
  *
  * @sa vtkInkStippleMapper vtkInkGradient vtkInkSurfaceSampler
  */
@@ -57,7 +57,10 @@
 
 namespace ink
 {
+namespace stipple // nested, as the wrapper of VTK wants it
+{
 struct VolumeStatistics;
+}
 }
 
 class vtkDataArray;
@@ -71,10 +74,44 @@ public:
   vtkTypeMacro(vtkInkStippleGenerator, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// What sets the length of stipple lists, see SetMaximumStipplesMode.
+  enum MaximumStipplesModeType
+  {
+    FIXED = 0,
+    PROJECTED = 1
+  };
+
   ///@{
   /**
-   * N_max: the stipples in a voxel's list, and on average in a polygon's. Default: 8; range 1 to 64. More
-   * let the mapper go nearer before the lists are used up, and take memory in proportion.
+   * What sets N_max, the number of stipples in a voxel's list and on average in a polygon's. FIXED (default):
+   * MaximumStipples, whatever the picture; in close-ups the mapper enlarges stipples. PROJECTED: as many as
+   * an element's largest projection has pixels (section 4.3) in a picture of PictureSize: 1 to 64 for a
+   * voxel, 20,000 to 2,000,000 for a whole mesh, distributed by area; NumberOfSurfaceStipples takes
+   * precedence.
+   */
+  vtkSetClampMacro(MaximumStipplesMode, int, FIXED, PROJECTED);
+  vtkGetMacro(MaximumStipplesMode, int);
+  void SetMaximumStipplesModeToFixed() { this->SetMaximumStipplesMode(FIXED); }
+  void SetMaximumStipplesModeToProjected() { this->SetMaximumStipplesMode(PROJECTED); }
+  const char* GetMaximumStipplesModeAsString();
+  ///@}
+
+  ///@{
+  /**
+   * With PROJECTED: the length in pixels of the longest side of the data's bounds in the picture. Default:
+   * 600; range 100 to 100,000. Larger values make longer lists, for larger pictures and close-ups; time and
+   * memory grow quadratically.
+   */
+  void SetPictureSize(double pixels);
+  double GetPictureSizeMinValue() { return 100.0; }
+  double GetPictureSizeMaxValue() { return 100000.0; }
+  vtkGetMacro(PictureSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * With FIXED: the number of stipples in a voxel's list, and on average in a polygon's. Default: 8; range 1
+   * to 64. More let the camera come closer before the lists are exhausted; memory is proportional.
    */
   vtkSetClampMacro(MaximumStipples, int, 1, 64);
   vtkGetMacro(MaximumStipples, int);
@@ -82,14 +119,15 @@ public:
 
   ///@{
   /**
-   * Surfaces: the number of all stipples. 0, the default: MaximumStipples for each polygon, so that it
-   * does depend on the number of polygons. With a number given, the pattern depends on the surface alone.
+   * Surfaces: the total number of stipples. 0, the default: with FIXED, MaximumStipples per polygon, so that
+   * it does depend on the tessellation; with PROJECTED, set by the surface's area. With a number given, or
+   * PROJECTED, the pattern depends on the surface alone.
    */
   vtkSetClampMacro(NumberOfSurfaceStipples, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfSurfaceStipples, vtkIdType);
   ///@}
 
-  /// What a gradient is compared with, see SetThresholdMode.
+  /// What gradient magnitudes are compared with, see SetThresholdMode.
   enum ThresholdModeType
   {
     PERCENTILE = 0,
@@ -98,9 +136,9 @@ public:
 
   ///@{
   /**
-   * Which voxels are stippled. PERCENTILE (default): those with a gradient as steep as that of the upper part
-   * of all voxels, see SetGradientPercentile. MAGNITUDE: those with at least GradientThreshold. A gradient of
-   * 0 never passes.
+   * Which voxels are stippled. PERCENTILE (default): those whose gradient magnitude reaches a percentile of
+   * all voxels, see SetGradientPercentile. MAGNITUDE: those where it is at least GradientThreshold. A
+   * gradient of 0 never passes.
    */
   vtkSetClampMacro(ThresholdMode, int, PERCENTILE, MAGNITUDE);
   vtkGetMacro(ThresholdMode, int);
@@ -111,10 +149,11 @@ public:
 
   ///@{
   /**
-   * How many percent of the image's voxels have a gradient too small for stipples, to within a hundredth of
-   * the gradient. Default: 95; range 0 to 100. Less shows weaker boundaries, and more noise.
+   * The percentage of the image's voxels whose gradient is too small for stipples; the resulting threshold is
+   * exact to a hundredth of itself. Default: 95; range 0 to 100. Lower values show weaker boundaries, and
+   * more noise.
    */
-  void SetGradientPercentile(double value);
+  void SetGradientPercentile(double percentile);
   double GetGradientPercentileMinValue() { return 0.0; }
   double GetGradientPercentileMaxValue() { return 100.0; }
   vtkGetMacro(GradientPercentile, double);
@@ -122,10 +161,10 @@ public:
 
   ///@{
   /**
-   * The smallest gradient magnitude with stipples, in value per world unit. Default: 0, all that is not
-   * constant; range from 0 on.
+   * The smallest gradient magnitude with stipples, in value per world unit. Default: 0, which stipples
+   * everything that is not constant; range 0 upwards.
    */
-  void SetGradientThreshold(double value);
+  void SetGradientThreshold(double threshold);
   double GetGradientThresholdMinValue() { return 0.0; }
   double GetGradientThresholdMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(GradientThreshold, double);
@@ -133,11 +172,11 @@ public:
 
   ///@{
   /**
-   * The distance between the planes p1 and p2 in voxel edges. Default: 1, which fills flat surfaces without
-   * gaps between layers of voxels; range 0 (all on the tangent plane) to 2 (from 1.73 on anywhere in the
-   * voxel). Thin layers are sharper seen from the side, but show the voxels there.
+   * The distance between the planes p1 and p2 in voxel edges. Default: 1, which covers flat surfaces without
+   * voids between layers of voxels; range 0 (all stipples on the tangent plane) to 2 (from 1.73 on anywhere
+   * in the voxel). Thin layers are sharper in profile, but show the voxel grid there.
    */
-  void SetLayerThickness(double value);
+  void SetLayerThickness(double thickness);
   double GetLayerThicknessMinValue() { return 0.0; }
   double GetLayerThicknessMaxValue() { return 2.0; }
   vtkGetMacro(LayerThickness, double);
@@ -152,8 +191,8 @@ public:
 
   ///@{
   /**
-   * CENTRAL_DIFFERENCE: sharper, for data without noise. REGRESSION (default): 4D linear regression over 3 x
-   * 3 x 3 points, which also smooths the value.
+   * CENTRAL_DIFFERENCE: sharper, for noise-free data. REGRESSION (default): 4D linear regression over 3 x 3 x
+   * 3 points, which also smooths the value.
    */
   vtkSetClampMacro(GradientMethod, int, CENTRAL_DIFFERENCE, REGRESSION);
   vtkGetMacro(GradientMethod, int);
@@ -162,11 +201,31 @@ public:
   const char* GetGradientMethodAsString();
   ///@}
 
+  /// The weights of neighbors in the regression, see SetGradientWeighting.
+  enum GradientWeightingType
+  {
+    UNIFORM = 0,
+    INVERSE_DISTANCE = 1
+  };
+
   ///@{
   /**
-   * Volumes: stipple only voxels with values in ScalarWindow, by the value, smoothed by the regression, and
-   * the gradient in their middle: a material, or a band around an iso-value, also one of no width. Default:
-   * off.
+   * UNIFORM (default): equal weights, which leave the least noise. INVERSE_DISTANCE: weights that fall with
+   * the distance, as the regression's authors require, which blur less; see vtkInkGradient::SetWeighting.
+   * Central differences do not use it.
+   */
+  vtkSetClampMacro(GradientWeighting, int, UNIFORM, INVERSE_DISTANCE);
+  vtkGetMacro(GradientWeighting, int);
+  void SetGradientWeightingToUniform() { this->SetGradientWeighting(UNIFORM); }
+  void SetGradientWeightingToInverseDistance() { this->SetGradientWeighting(INVERSE_DISTANCE); }
+  const char* GetGradientWeightingAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Volumes: stipple only voxels that contain values in ScalarWindow, according to the value (smoothed by the
+   * regression) and the gradient at their center: a material, or a band around an iso-value, which may have
+   * no width. Default: off.
    */
   vtkSetMacro(UseScalarWindow, bool);
   vtkGetMacro(UseScalarWindow, bool);
@@ -176,7 +235,7 @@ public:
   ///@{
   /**
    * The lowest and the highest value with stipples, in the scalars' unit. Default: 0 and 0. NaN, and a
-   * highest below the lowest, are refused with a warning.
+   * highest value below the lowest, are refused with a warning.
    */
   void SetScalarWindow(double lowest, double highest);
   void SetScalarWindow(const double window[2]) { this->SetScalarWindow(window[0], window[1]); }
@@ -186,8 +245,8 @@ public:
   ///@{
   /**
    * Volumes: whether Value and GradientMagnitude are relative to ReferenceScalarRange and ReferenceGradient
-   * instead of the image's own ranges, so that several images, as those of a time series or the parts of a
-   * distributed one, look alike. Default: off.
+   * instead of the image's own ranges, so that several images, such as the steps of a time series or the
+   * parts of a distributed image, look alike. Default: off.
    */
   vtkSetMacro(UseReferenceRanges, bool);
   vtkGetMacro(UseReferenceRanges, bool);
@@ -196,8 +255,8 @@ public:
 
   ///@{
   /**
-   * The values at which Value is 0 and 1, in the scalars' unit; what an output's `ScalarRange` says of its
-   * own image. Default: 0 and 1. NaN, and the second below the first, are refused with a warning.
+   * The scalars at which Value is 0 and 1; `ScalarRange` of an output has those of its own image. Default: 0
+   * and 1. NaN, and a second value below the first, are refused with a warning.
    */
   void SetReferenceScalarRange(double lowest, double highest);
   void SetReferenceScalarRange(const double range[2]) { this->SetReferenceScalarRange(range[0], range[1]); }
@@ -206,10 +265,10 @@ public:
 
   ///@{
   /**
-   * The gradient's magnitude at which GradientMagnitude is 1, in value per world unit; what an output's
-   * `GradientMagnitudeRange` says of its own image. Default: 1; range from 0 on.
+   * The gradient magnitude at which GradientMagnitude is 1, in value per world unit; `GradientMagnitudeRange`
+   * of an output has that of its own image. Default: 1; range 0 upwards.
    */
-  void SetReferenceGradient(double value);
+  void SetReferenceGradient(double magnitude);
   double GetReferenceGradientMinValue() { return 0.0; }
   double GetReferenceGradientMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(ReferenceGradient, double);
@@ -217,9 +276,9 @@ public:
 
   ///@{
   /**
-   * Give the elements scalars to be colored by: the array that SetInputArrayToProcess(1, ...) names, of the
-   * image's points or of the mesh's points or cells, or without a name the active point scalars. A polygon
-   * takes the mean of its first three points. Default: off.
+   * Pass scalars to color the elements by: the array set with SetInputArrayToProcess(1, ...), of the image's
+   * points or of the mesh's points or cells, or without a name the active point scalars. A polygon gets the
+   * mean of its first three points. Default: off.
    */
   vtkSetMacro(PassScalars, bool);
   vtkGetMacro(PassScalars, bool);
@@ -228,7 +287,7 @@ public:
 
   ///@{
   /**
-   * Another seed gives other stipples, just as good. Default: 0.
+   * The random seed: each gives different stipples of the same quality. Default: 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -236,7 +295,7 @@ public:
 
   ///@{
   /**
-   * Volumes: the component of the input scalars that counts. Default: 0.
+   * Volumes: the component of the input scalars that is used. Default: 0.
    */
   vtkSetClampMacro(ArrayComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -245,8 +304,8 @@ public:
   ///@{
   /**
    * The type of the stipples' coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
-   * DEFAULT_PRECISION (default), which is that of a mesh's points, and for an image single unless it lies so
-   * far from the origin that single precision would move points by more than a thousandth of the smallest
+   * DEFAULT_PRECISION (default): for a mesh that of its points, for an image single unless it lies so far
+   * from the origin that single precision would move points by more than a thousandth of the smallest
    * spacing.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
@@ -259,19 +318,19 @@ public:
 
   ///@{
   /**
-   * For an image of which several processes hold parts, and for several images that are drawn together:
-   * percentiles and ranges of them all, so that nothing of the whole image is asked for. Measure adds what
-   * this input's own voxels are like, with the input brought up to date as `request` says (as
-   * vtkAlgorithm::Update takes it); it returns false, after one error, where they cannot be measured. Null
-   * (default): those of the input.
+   * Global statistics, for an image distributed over several processes and for several images that are drawn
+   * together: percentiles and ranges of all of them, so that the filter need not request the whole image.
+   * Measure adds those of this input's own voxels, after updating the input with `request` (as
+   * vtkAlgorithm::Update does); it returns false, after one error, where they cannot be measured. Null
+   * statistics (default): those of the input.
    */
-  bool Measure(vtkInformation* request, ink::VolumeStatistics& statistics);
-  void SetStatistics(std::shared_ptr<const ink::VolumeStatistics> statistics);
+  bool Measure(vtkInformation* request, ink::stipple::VolumeStatistics& statistics);
+  void SetStatistics(std::shared_ptr<const ink::stipple::VolumeStatistics> statistics);
   ///@}
 
   /**
-   * How many stipples a mesh needs so that a picture of it has room for no more, its far side included.
-   * `pixels` is what the longest side of its bounds measures in the picture; a stipple takes
+   * The number of stipples with which a picture of a mesh, its far side included, has room for no more.
+   * `pixels` is the length of the longest side of its bounds in the picture; a stipple covers
    * `pixelsPerStipple`. Between 20,000 and 2,000,000; 0 without polygons.
    */
   static vtkIdType CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple);
@@ -289,14 +348,16 @@ private:
   void operator=(const vtkInkStippleGenerator&) = delete;
 
   void StippleVolume(vtkInformationVector** input, vtkInformation* outInfo, vtkPolyData* output);
-  /// Warns that no voxel of the whole image is stippled.
+  /// Warns that no voxel of the image is stippled.
   void ReportNothing(vtkDataArray* scalars);
   void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
-  /// The array for colors, null when none is wanted; `ofCells` says whose it is.
+  /// The array for colors, null if none is wanted; sets `ofCells` to whether it is cell data.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);
   bool NeedsWholeImage() const;
   bool ReportProgress(double share);
 
+  int MaximumStipplesMode = FIXED;
+  double PictureSize = 600.0;
   int MaximumStipples = 8;
   vtkIdType NumberOfSurfaceStipples = 0;
   int ThresholdMode = PERCENTILE;
@@ -304,6 +365,7 @@ private:
   double GradientThreshold = 0.0;
   double LayerThickness = 1.0;
   int GradientMethod = REGRESSION;
+  int GradientWeighting = UNIFORM;
   bool UseScalarWindow = false;
   double ScalarWindow[2] = { 0.0, 0.0 };
   bool UseReferenceRanges = false;
@@ -313,8 +375,8 @@ private:
   int Seed = 0;
   int ArrayComponent = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
-  std::shared_ptr<const ink::VolumeStatistics> Statistics;
-  ink::VolumeStatistics* Measured = nullptr; ///< to be filled in place of making stipples; null: done
+  std::shared_ptr<const ink::stipple::VolumeStatistics> Statistics;
+  ink::stipple::VolumeStatistics* Measured = nullptr; ///< to be filled instead of making stipples; null: done
 };
 
 #endif

@@ -27,7 +27,7 @@
 namespace
 {
 
-// From so many samples on AUTOMATIC makes white noise.
+// The number of samples from which AUTOMATIC uses white noise.
 constexpr vtkIdType WhiteNoiseFrom = 500'000;
 
 bool HasTimeSteps(vtkInformation* info)
@@ -76,9 +76,9 @@ const char* vtkInkSurfaceSampler::GetOutputPointsPrecisionAsString()
   return InkNameOfPrecision(this->OutputPointsPrecision);
 }
 
-void vtkInkSurfaceSampler::SetGap(double gap)
+void vtkInkSurfaceSampler::SetCoverageSlack(double slack)
 {
-  InkSetClampedNumber(this, "Gap", this->Gap, gap, 0.02, 1.0);
+  InkSetClampedNumber(this, "CoverageSlack", this->CoverageSlack, slack, 0.02, 1.0);
 }
 
 void vtkInkSurfaceSampler::SetViewpoint(double x, double y, double z)
@@ -112,21 +112,21 @@ vtkMTimeType vtkInkSurfaceSampler::GetUpstreamMTime()
 
 std::string vtkInkSurfaceSampler::DescribeSampling()
 {
-  // Not the modification time, which grows when the input is set, as a program does that deforms meshes
-  // itself.
+  // Not the modification time, which also grows when the input is set, as in programs that deform meshes
+  // themselves.
   vtkInformation* density = this->GetInputArrayInformation(0);
   const char* name = density->Get(vtkDataObject::FIELD_NAME());
   std::ostringstream all;
   all << std::hexfloat << this->Method << ' ' << this->Amount << ' ' << this->NumberOfSamples << ' '
-      << this->SampleRadius << ' ' << this->Gap << ' ' << this->Seed << ' ' << this->ComputeNormals << ' '
-      << this->ComputeRadius << ' ' << this->ComputePriority << ' '
+      << this->SampleRadius << ' ' << this->CoverageSlack << ' ' << this->Seed << ' ' << this->ComputeNormals
+      << ' ' << this->ComputeRadius << ' ' << this->ComputePriority << ' '
       << density->Get(vtkDataObject::FIELD_ASSOCIATION()) << ' ' << (name ? name : "");
   return all.str();
 }
 
 bool vtkInkSurfaceSampler::HasFirstSamples(vtkInformation* inputInfo)
 {
-  // Without time steps it is the input's changes that are followed.
+  // Without time steps, changes of the input are followed.
   const bool sameSeries = !HasTimeSteps(inputInfo) || this->SampledUpstream == this->GetUpstreamMTime();
   return this->FirstSamples && this->SampledAs == this->DescribeSampling() && sameSeries;
 }
@@ -154,7 +154,7 @@ int vtkInkSurfaceSampler::RequestUpdateExtent(
   }
   else
   {
-    // The first step was asked for last; no time in particular is wanted.
+    // The first step was requested last; no particular time is requested now.
     input->Remove(Pipeline::UPDATE_TIME_STEP());
   }
   return 1;
@@ -203,7 +203,7 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
   if (!InkAreSamplesOf(this->FirstSamples, mesh) &&
     !(this->LaterSamples && InkAreSamplesOf(this->LaterSamples, mesh)))
   {
-    // Without time steps, what was first is never asked for again.
+    // Without time steps, the first mesh is never requested again.
     const bool temporal = HasTimeSteps(inputInfo);
     (temporal ? this->LaterSamples : this->FirstSamples) = sample();
   }
@@ -233,7 +233,7 @@ int vtkInkSurfaceSampler::RequestData(
   {
     const vtkSmartPointer<vtkPolyData> mesh = InkSurfaceOf(input);
     const bool follows = this->FollowDeformation && !firstFrame && (HasFaces(mesh) || this->AtFirstStep);
-    // A piece, or a time step, of nothing is no error.
+    // An empty piece or time step is not an error.
     if (mesh->GetNumberOfPoints() == 0 && !follows)
     {
       return 1;
@@ -300,7 +300,7 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bo
                                         : InkNoise::Progressive;
   request.Count = static_cast<std::size_t>(this->NumberOfSamples);
   request.Radius = this->SampleRadius;
-  request.Gap = this->Gap;
+  request.CoverageSlack = this->CoverageSlack;
   request.Priority = this->ComputePriority;
   request.Seed = this->Seed;
   request.Progress = [this](double done)
@@ -362,7 +362,7 @@ void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Amount: " << this->GetAmountAsString() << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "SampleRadius: " << this->SampleRadius << "\n"
-     << indent << "Gap: " << this->Gap << "\n"
+     << indent << "CoverageSlack: " << this->CoverageSlack << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"

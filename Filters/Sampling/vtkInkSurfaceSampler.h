@@ -1,52 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkSurfaceSampler
- * @brief   meshes to points with normals: white or blue noise, in an order that can be cut off anywhere
+ * @brief samples meshes: white-noise or blue-noise points with normals, in progressive order
  *
- * Input: a vtkPolyData, or another vtkPointSet, of whose cells the surface is taken (vtkUnstructuredGrid,
- * vtkStructuredGrid). Polygons and triangle strips are sampled (Zhang et al. 2014, section 4): by area
- * alone, each sample for itself (WHITE_NOISE, Osada et al. 2002), or so that no two samples are nearer along
- * the surface than a radius and none fits in between (BLUE_NOISE, a Poisson-disc sampling after Cline et al.
- * 2009). Distances are measured on the mesh, so that both sides of a thin sheet get their samples; see
- * ink::SurfaceUnfolding. Triangles without area are passed over; edges of many triangles, borders,
- * inconsistent orientation and unconnected triangles are taken as they are.
+ * Input: a vtkPolyData, or the boundary surface of another vtkPointSet (vtkUnstructuredGrid,
+ * vtkStructuredGrid). Polygons and triangle strips are sampled (Zhang et al. 2014, section 4): independently
+ * and uniformly by area (WHITE_NOISE, Osada et al. 2002), or so that no two samples are closer along the
+ * surface than a radius and no further sample fits (BLUE_NOISE, maximal Poisson-disk sampling after Cline et
+ * al. 2009). Distances are geodesic, so that both sides of a thin sheet get their samples; see
+ * ink::GeodesicUnfolding. Degenerate triangles are skipped; non-manifold edges, boundaries, inconsistent
+ * orientation and unconnected triangles are allowed.
  *
- * Output point data: `Normals` (unit; barycentric in the mesh's point normals, or where it has none in the
- * mean normals of the faces around each point), `Radius` (discs of this radius leave no holes), `Priority`,
- * and on request `FaceId`, `FacePoints` and `BarycentricCoordinates`. The output's one cell is a vertex cell
- * of type VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
+ * Output point data: `Normals` (unit; interpolated from the mesh's point normals, or where it has none from
+ * the mean normals of the faces around each point), `Radius` (discs of this radius leave no holes),
+ * `Priority`, and on request `FaceId`, `FacePoints` and `BarycentricCoordinates`. The output's only cell is a
+ * vertex cell of type VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
  *
- * Points come in the order of `Priority`, which runs evenly from 0 to below 1: the points of a priority below
- * p are for every p spread evenly themselves. ComputePriority off leaves points in the order in which they
- * were made, and is faster.
+ * Points are sorted by `Priority`, which is uniform in [0, 1): for every p, the points with a priority below
+ * p are evenly distributed themselves. With ComputePriority off, points stay in the order of generation,
+ * which is faster.
  *
- * `Radius`: the paper's A / n has the unit of an area. Here it is a length: for blue noise the distance up to
- * which no place is free of samples, about 1.1 sqrt(A / n); for white noise as large as it must be for less
- * than one hole in a hundred samplings, about 2.4 sqrt(A / n) for a million samples.
+ * `Radius`: the paper's A / n has the unit of an area. Here it is a length: for blue noise the covering
+ * radius, about 1.1 sqrt(A / n), within which every position has a sample; for white noise the radius that
+ * leaves less than one hole in a hundred samplings, about 2.4 sqrt(A / n) for a million samples.
  *
- * Density: an array of one component by SetInputArrayToProcess(0, 0, 0, association, name), of points or
- * cells, says how densely to sample relative to elsewhere; 0: not at all, nor where it is negative or NaN, of
- * which a warning tells. Without a name all is sampled alike, the default.
+ * Density: a point or cell array with one component, set with SetInputArrayToProcess(0, 0, 0, association,
+ * name), is the relative sampling density. Where it is 0 there are no samples, nor where it is negative or
+ * NaN, which is a warning. Without a name (default) the density is uniform.
  *
  * Animation (Zhang et al. 2014, section 6): with FollowDeformation on, a mesh that changes with time is
- * sampled once, and its samples stay in their faces and move with them; `Priority` stays what it is, `Radius`
- * grows by how much the surface is stretched around each sample. Or by hand: give the second input the output
- * for the first frame, made with KeepFaces, and the first input a deformed copy of the mesh.
+ * sampled once, and its samples keep their barycentric coordinates and move with their faces; `Priority` does
+ * not change, `Radius` grows with the stretch of the surface around each sample. To do this by hand, connect
+ * the first frame's output, made with KeepFaces, to the second input and a deformed copy of the mesh to the
+ * first.
  *
- * Point clouds: an input of points without faces is not sampled. Its points get their `Priority`, and where
- * they have none, a `Radius`, each by the distances to its neighbors, so that uneven scans have neither
- * holes nor real holes closed (see ink::pointRadii), and normals, see NormalNeighbors. Points that belong to
- * no surface are left out, see RemoveIsolated, and those that `vtkGhostType` marks as hidden or duplicate.
+ * Point clouds: an input of points without faces is not sampled. Its points get a `Priority` and, where
+ * missing, a `Radius` from the distances to their neighbors, so that uneven scans are covered without closing
+ * real holes (see ink::pointRadii), and normals, see NormalNeighbors. Isolated points are removed, see
+ * RemoveIsolated, as are points that `vtkGhostType` marks as hidden or duplicate.
  *
- * The same input gives the same output on any number of threads, and however its points and faces are
- * numbered. In parallel each piece is sampled for itself: ghost cells are left out, and NumberOfSamples
- * counts per piece. With WHITE_NOISE, SampleRadius, global ids of cells and no density, pieces have the
- * whole's points. Blue-noise samples of two pieces do not know of each other, and may be nearer than the
- * radius where pieces meet; no point is made twice.
+ * The same input gives the same output for any number of threads and any numbering of its points and faces.
+ * In parallel each piece is sampled by itself: ghost cells are ignored, and NumberOfSamples is per piece.
+ * With WHITE_NOISE, SampleRadius, global cell ids and no density, the pieces together have the points of the
+ * whole. Blue-noise samples of different pieces are independent and may be closer than the radius where
+ * pieces meet; no point is duplicated.
  *
- * Errors, each with an empty output: a Radius of 0 or less where it is asked for, faces without area, density
- * that is no array of one component or is 0 everywhere, more samples than memory, the first frame's samples
- * without their faces or of a mesh with other faces.
+ * Errors, each with an empty output: a SampleRadius of 0 or less when the amount is set by it, a mesh without
+ * area, a density that does not have one component or is 0 everywhere, more samples than memory, first-frame
+ * samples made without KeepFaces or of a mesh with other faces.
  *
  * @sa vtkInkPointPriority vtkInkIsoSurfaceSampler vtkInkSplattingLinesMapper
  */
@@ -66,7 +67,7 @@ public:
   vtkTypeMacro(vtkInkSurfaceSampler, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How samples are spread, see SetMethod.
+  /// How samples are distributed, see SetMethod.
   enum MethodType
   {
     WHITE_NOISE = 0,
@@ -77,12 +78,12 @@ public:
 
   ///@{
   /**
-   * WHITE_NOISE: independent samples; some lie close together, and gaps stay. BLUE_NOISE: samples
-   * keep a distance and leave no gaps. PROGRESSIVE_BLUE_NOISE: samples keep an eighth less of a distance and
-   * leave wider gaps, but are made several times as fast, in the order of their priorities, the first of
-   * which are the more even ones; with a density it is BLUE_NOISE. AUTOMATIC (default): BLUE_NOISE below
-   * half a million samples and for a SampleRadius, else WHITE_NOISE, as Zhang et al. do (2014, section 6),
-   * for from there on the difference is hard to see in a drawing.
+   * WHITE_NOISE: independent samples, with clusters and voids. BLUE_NOISE: Poisson-disk samples, with a
+   * minimum distance and no voids. PROGRESSIVE_BLUE_NOISE: a minimum distance smaller by an eighth and larger
+   * voids, but several times as fast; samples are generated in progressive order, and early subsets are more
+   * even; with a density it falls back to BLUE_NOISE. AUTOMATIC (default): BLUE_NOISE below half a million
+   * samples and for a SampleRadius, else WHITE_NOISE, as in Zhang et al. (2014, section 6), since the
+   * difference is then hard to see in a drawing.
    */
   vtkSetClampMacro(Method, int, WHITE_NOISE, AUTOMATIC);
   vtkGetMacro(Method, int);
@@ -93,7 +94,7 @@ public:
   const char* GetMethodAsString();
   ///@}
 
-  /// What says how many samples are made, see SetAmount.
+  /// What sets the number of samples, see SetAmount.
   enum AmountType
   {
     NUMBER_OF_SAMPLES = 0,
@@ -102,7 +103,7 @@ public:
 
   ///@{
   /**
-   * Whether NumberOfSamples (default) or SampleRadius says how many samples there are.
+   * Whether NumberOfSamples (default) or SampleRadius sets the number of samples.
    */
   vtkSetClampMacro(Amount, int, NUMBER_OF_SAMPLES, SAMPLE_RADIUS);
   vtkGetMacro(Amount, int);
@@ -113,7 +114,7 @@ public:
 
   ///@{
   /**
-   * How many samples are made, exactly. Default: 100000; at least 1. More show finer detail.
+   * The exact number of samples. Default: 100000; at least 1. More samples show finer detail.
    */
   vtkSetClampMacro(NumberOfSamples, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(NumberOfSamples, vtkIdType);
@@ -121,10 +122,9 @@ public:
 
   ///@{
   /**
-   * The least distance between samples along the surface, in world units. With WHITE_NOISE, as many samples
-   * are made as a blue noise of this radius has; with PROGRESSIVE_BLUE_NOISE, as many as keep about this
-   * distance. Above 0; default: 0, which is an error where the radius
-   * counts.
+   * The minimum distance between samples along the surface, in world units. WHITE_NOISE makes as many samples
+   * as BLUE_NOISE of this radius has; PROGRESSIVE_BLUE_NOISE as many as keep about this distance. Above 0;
+   * default: 0, which is an error when the amount is SAMPLE_RADIUS.
    */
   vtkSetMacro(SampleRadius, double);
   vtkGetMacro(SampleRadius, double);
@@ -132,20 +132,19 @@ public:
 
   ///@{
   /**
-   * How far beyond the radius, as a part of it, a place may be from all samples before BLUE_NOISE puts one
-   * there: 0.02 to 1; default: 0.06. The larger, the fewer samples a radius has, the wider their `Radius`
-   * must be to leave no holes, and the sooner they are made: at 1, in six to eight tenths of
-   * the time.
+   * The coverage slack of BLUE_NOISE: every position has a sample within (1 + slack) times the sample radius.
+   * 0.02 to 1; default: 0.06. Larger values give fewer samples with a larger `Radius`, and are faster: 1
+   * takes six to eight tenths of the time.
    */
-  void SetGap(double value);
-  double GetGapMinValue() { return 0.02; }
-  double GetGapMaxValue() { return 1.0; }
-  vtkGetMacro(Gap, double);
+  void SetCoverageSlack(double slack);
+  double GetCoverageSlackMinValue() { return 0.02; }
+  double GetCoverageSlackMaxValue() { return 1.0; }
+  vtkGetMacro(CoverageSlack, double);
   ///@}
 
   ///@{
   /**
-   * Another seed gives other samples, just as good. Default: 0.
+   * The random seed: each gives a different sampling of the same quality. Default: 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -171,7 +170,7 @@ public:
 
   ///@{
   /**
-   * Order the points and make the point array `Priority`. Default: on.
+   * Sort the points into progressive order and make the point array `Priority`. Default: on.
    */
   vtkSetMacro(ComputePriority, bool);
   vtkGetMacro(ComputePriority, bool);
@@ -180,9 +179,9 @@ public:
 
   ///@{
   /**
-   * Make the point arrays `FaceId` (the cell a sample lies in), `FacePoints` (the three points of the
-   * triangle, a part of that cell) and `BarycentricCoordinates` (their weights), with which another run
-   * moves the samples. Default: off.
+   * Make the point arrays `FaceId` (the cell that contains the sample), `FacePoints` (the three points of the
+   * triangle of that cell) and `BarycentricCoordinates` (their weights), from which another run can move the
+   * samples. Default: off.
    */
   vtkSetMacro(KeepFaces, bool);
   vtkGetMacro(KeepFaces, bool);
@@ -191,13 +190,13 @@ public:
 
   ///@{
   /**
-   * Sample a mesh that changes once, and move the samples with it. Default: off, each update samples anew.
-   * An input with time steps is sampled at the first of them, whichever is asked for first, and whenever
-   * anything else than the time changes. Without time steps, the first mesh is sampled, and the next one
-   * after a change of what samples depend on. Where faces differ from those that were sampled, the mesh is
-   * sampled anew, and these samples are moved as long as faces stay the same; so in a series whose faces
-   * change, they are those of the step that was first asked for. Points without faces, and the second input,
-   * are not concerned.
+   * Sample a deforming mesh once, and move the samples with it. Default: off, each update resamples. An input
+   * with time steps is sampled at the first of them, whichever step is requested first, and resampled when
+   * anything but the time changes. Without time steps, the first mesh is sampled, and the next one after a
+   * change of any parameter of the sampling. A mesh whose faces differ from the sampled ones is resampled,
+   * and these samples are moved as long as the faces stay the same; so in a series with changing
+   * connectivity, samples depend on the step that was requested first. Point clouds and the second input are
+   * not affected.
    */
   vtkSetMacro(FollowDeformation, bool);
   vtkGetMacro(FollowDeformation, bool);
@@ -205,14 +204,14 @@ public:
   ///@}
 
   /**
-   * How often a mesh has been sampled, rather than samples moved, since this filter was made.
+   * The number of times that this filter has sampled a mesh rather than moved existing samples.
    */
   int GetNumberOfSamplings() { return this->NumberOfSamplings; }
 
   ///@{
   /**
-   * Of point clouds: from how many neighbors, itself included, a normal is estimated. 3 to 64; default: 16.
-   * More smooth noise and rounded edges.
+   * Point clouds: the number of neighbors, including the point itself, that a normal is estimated from. 3 to
+   * 64; default: 16. More neighbors smooth noise, but round off edges.
    */
   vtkSetClampMacro(NormalNeighbors, int, 3, 64);
   vtkGetMacro(NormalNeighbors, int);
@@ -220,8 +219,8 @@ public:
 
   ///@{
   /**
-   * Of point clouds: whether estimated normals point to the side of Viewpoint, as is right for the points of
-   * one range scan, or all to the same side and outwards on closed surfaces (default: off).
+   * Point clouds: orient estimated normals towards Viewpoint, as suits a single range scan, instead of
+   * consistently and outwards on closed surfaces. Default: off.
    */
   vtkSetMacro(OrientTowardsViewpoint, bool);
   vtkGetMacro(OrientTowardsViewpoint, bool);
@@ -230,8 +229,8 @@ public:
 
   ///@{
   /**
-   * Where the scanner stood, in world coordinates. Default: the origin. What is not finite is refused with a
-   * warning.
+   * The position of the scanner, in world coordinates. Default: the origin. Coordinates that are not finite
+   * are refused with a warning.
    */
   void SetViewpoint(double x, double y, double z);
   void SetViewpoint(const double point[3]) { this->SetViewpoint(point[0], point[1], point[2]); }
@@ -240,8 +239,8 @@ public:
 
   ///@{
   /**
-   * Of point clouds: one radius for all points, the median distance to the sixth neighbor, instead of each
-   * point's own; for points that lie evenly. Default: off.
+   * Point clouds: use one radius for all points, the median distance to the sixth neighbor, instead of one
+   * per point; for evenly spaced points. Default: off.
    */
   vtkSetMacro(UniformRadius, bool);
   vtkGetMacro(UniformRadius, bool);
@@ -250,9 +249,9 @@ public:
 
   ///@{
   /**
-   * Of point clouds: leave out isolated points, those that are far from all others for the distances among
-   * these (see ink::PointRadii). Default: on. Off: they have the radius 0, with which they are not drawn.
-   * UniformRadius and points with a `Radius` of their own have none.
+   * Point clouds: remove isolated points, those much farther from all others than these are from each other
+   * (see ink::PointRadii). Default: on. Off: they have radius 0 and are not drawn. Without effect with
+   * UniformRadius or an input array `Radius`.
    */
   vtkSetMacro(RemoveIsolated, bool);
   vtkGetMacro(RemoveIsolated, bool);
@@ -260,7 +259,7 @@ public:
   ///@}
 
   /**
-   * How many isolated points the last run found.
+   * The number of isolated points found in the last run.
    */
   vtkIdType GetNumberOfIsolatedPoints() { return this->NumberOfIsolatedPoints; }
 
@@ -275,8 +274,8 @@ public:
 
   ///@{
   /**
-   * The type of the points' coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
-   * DEFAULT_PRECISION (default), which is that of the input's points.
+   * The type of the point coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION
+   * (default), that of the input's points.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -288,7 +287,7 @@ public:
 
   ///@{
   /**
-   * The samples of the first frame, which are moved instead of made anew. Default: none.
+   * The samples of the first frame, which are moved instead of resampling. Default: none.
    */
   void SetFirstFrameConnection(vtkAlgorithmOutput* samples) { this->SetInputConnection(1, samples); }
   void SetFirstFrameData(vtkPolyData* samples);
@@ -318,7 +317,7 @@ private:
   int Amount = NUMBER_OF_SAMPLES;
   vtkIdType NumberOfSamples = 100000;
   double SampleRadius = 0.0;
-  double Gap = 0.06;
+  double CoverageSlack = 0.06;
   int Seed = 0;
   bool ComputeNormals = true;
   bool ComputeRadius = true;
@@ -326,13 +325,13 @@ private:
   bool KeepFaces = false;
   bool FollowDeformation = false;
   int NumberOfSamplings = 0;
-  /// Of the first step or mesh, and of the last one with other faces. Null: not sampled yet.
+  /// Samples of the first step or mesh, and of the last one with different faces. Null: not sampled yet.
   vtkSmartPointer<vtkPolyData> FirstSamples;
   vtkSmartPointer<vtkPolyData> LaterSamples;
   std::string SampledAs;            ///< DescribeSampling() when FirstSamples were made
   vtkMTimeType SampledUpstream = 0; ///< GetUpstreamMTime() then
-  bool AtFirstStep = false;         ///< whether the first time step was asked for instead of the wanted one
-  bool TriedFirstStep = false;      ///< whether it was asked for just before, with or without success
+  bool AtFirstStep = false;         ///< whether the first time step was requested instead of the current one
+  bool TriedFirstStep = false;      ///< whether it was requested just before, with or without success
   int NormalNeighbors = 16;
   bool OrientTowardsViewpoint = false;
   double Viewpoint[3] = { 0.0, 0.0, 0.0 };

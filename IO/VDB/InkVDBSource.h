@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the readers of .vdb files share: a file's list of grids and the grid that was read last.
+// SPDX-License-Identifier: BSD-3-Clause Shared by the readers of .vdb files: a file's list of grids and the
+// grid that was read last.
 #ifndef InkVDBSource_h
 #define InkVDBSource_h
 
-#include "Vdb/VdbGrid.h"
+#include "Fields/Vdb/VdbGrid.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +12,7 @@
 #include <optional>
 #include <string>
 
-/// Keeps what it read until the file or the choice changes.
+/// Caches its results until the file or the selected grid changes.
 class InkVDBSource
 {
 public:
@@ -19,11 +20,11 @@ public:
   /// @throws ink::VdbError with the file's name in its message
   const ink::VdbFile& List(const std::string& fileName);
 
-  /// The list that was read last, empty if that failed.
+  /// The last list; empty if reading it failed.
   const ink::VdbFile& Listed() const { return this->File; }
 
   /// The grid of that name, or the first that can be read.
-  /// @param mebibytes that it may take in memory; 0: any
+  /// @param mebibytes the memory limit; 0: none
   /// @throws ink::VdbError with the file's name in its message
   const ink::VdbGrid& Read(const std::string& fileName, const std::string& gridName, int mebibytes);
 
@@ -37,7 +38,7 @@ private:
   std::optional<ink::VdbGrid> Grid;
 };
 
-/// Bytes as people read them: "12.3 MiB".
+/// Formats a number of bytes: "12.3 MiB".
 std::string InkMebibytes(double bytes);
 
 #endif

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkVDBIsoSurfaceSampler.h"
 
+#include "Fields/Vdb/VdbField.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkVDBSource.h"
 #include "InkVTKCompat.h"
-#include "Sampling/IsoSurfaceSamples.h"
-#include "Vdb/VdbSamples.h"
+#include "IsoSurface/IsoSurfaceSamples.h"
+#include "IsoSurface/ProjectSamples.h"
+#include "IsoSurface/Vdb/VdbSamples.h"
 
 #include "vtkCellArray.h"
 #include "vtkContourValues.h"
@@ -45,7 +47,7 @@ std::string Text(const char* characters)
 }
 
 /// A piece's share of the blocks.
-ink::VdbCrossedCells ShareOf(ink::VdbCrossedCells cells, int piece, int pieces)
+ink::VdbActiveCells ShareOf(ink::VdbActiveCells cells, int piece, int pieces)
 {
   const auto at = [&](int n)
   {
@@ -53,9 +55,9 @@ ink::VdbCrossedCells ShareOf(ink::VdbCrossedCells cells, int piece, int pieces)
       static_cast<std::ptrdiff_t>(
         cells.blocks.size() * static_cast<std::size_t>(n) / static_cast<std::size_t>(pieces));
   };
-  ink::VdbCrossedCells share;
+  ink::VdbActiveCells share;
   share.blocks.assign(at(piece), at(piece + 1));
-  for (ink::VdbCrossedCells::Block& block : share.blocks)
+  for (ink::VdbActiveCells::Block& block : share.blocks)
   {
     block.before = share.count;
     for (const std::uint64_t layer : block.cells)
@@ -66,27 +68,38 @@ ink::VdbCrossedCells ShareOf(ink::VdbCrossedCells cells, int piece, int pieces)
   return share;
 }
 
-/// The crossed cells of several surfaces, and where their samples go.
+/// The active cells of several surfaces, and the output positions of their samples.
 struct Surfaces
 {
   std::vector<double> IsoValues;
-  std::vector<ink::VdbCrossedCells> Cells;
+  std::vector<ink::VdbActiveCells> Cells;
   std::size_t Count = 0;
 };
 
 template <class Array, class NextStep>
 bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, const ink::SampleOptions& options, bool negate,
-  Array* points, vtkFloatArray* normals, const NextStep& nextStep)
+  int projectionSteps, Array* points, vtkFloatArray* normals, const NextStep& nextStep)
 {
   using Real = typename Array::ValueType;
   InkSetNumberOfTuples(points, static_cast<vtkIdType>(surfaces.Count));
   Real* point = points->GetPointer(0);
   float* normal = normals ? normals->GetPointer(0) : nullptr;
+  // As in the dense copy, inactive voxels have their values.
+  const ink::VdbField field(grid, ink::VdbField::Inactive::Background);
+  const ink::GridGeometry geometry = grid.geometry(grid.activeBox());
   for (std::size_t i = 0; i < surfaces.Cells.size(); ++i)
   {
     const std::size_t size = 3 * surfaces.Cells[i].count;
     if (!ink::placeIsoSurfaceSamples(grid, surfaces.IsoValues[i], options, negate, surfaces.Cells[i],
           std::span<Real>(point, size), std::span<float>(normal, normal ? size : 0), nextStep()))
+    {
+      return false;
+    }
+    // Of -f the surface is at minus the iso-value, and the steps to it are the same.
+    const double isoValue = negate ? -surfaces.IsoValues[i] : surfaces.IsoValues[i];
+    if (projectionSteps > 0 &&
+      !ink::projectSamples(
+        field, geometry, isoValue, projectionSteps, std::span<Real>(point, size), nextStep()))
     {
       return false;
     }
@@ -115,7 +128,7 @@ vtkInkVDBIsoSurfaceSampler::vtkInkVDBIsoSurfaceSampler()
   : Source(std::make_unique<InkVDBSource>())
 {
   this->SetNumberOfInputPorts(0);
-  // It holds one value at first.
+  // vtkContourValues initially holds one value.
   this->ContourValues->SetNumberOfContours(0);
 }
 
@@ -162,7 +175,7 @@ const char* vtkInkVDBIsoSurfaceSampler::GetCrossingRuleAsString()
 
 const char* vtkInkVDBIsoSurfaceSampler::GetNormalMethodAsString()
 {
-  constexpr const char* names[] = { "Cell", "Gradient", "CentralDifference", "Regression" };
+  constexpr const char* names[] = { "Cell", "InterpolatedGradient", "InterpolatedNormal", "Regression" };
   return names[this->NormalMethod];
 }
 
@@ -240,9 +253,10 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     {
       vtkWarningMacro("An iso-value is not a number (NaN) and makes no points.");
     }
-    // One step to find an iso-value's cells and one to place its samples.
+    // One step to find an iso-value's cells, one to place its samples and one to project them.
     double step = 0.0;
-    const double steps = 2.0 * std::max<double>(1.0, static_cast<double>(surfaces.IsoValues.size()));
+    const double steps = (this->ProjectionSteps > 0 ? 3.0 : 2.0) *
+      std::max<double>(1.0, static_cast<double>(surfaces.IsoValues.size()));
     const auto nextStep = [&]() -> ink::Progress
     {
       return [this, before = step++, steps](double fraction)
@@ -258,13 +272,13 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     for (const double isoValue : surfaces.IsoValues)
     {
       surfaces.Cells.push_back(ShareOf(
-        ink::findCrossedCells(grid, isoValue, options.rule, negate, nextStep(), allowed), piece, pieces));
+        ink::findActiveCells(grid, isoValue, options.rule, negate, nextStep(), allowed), piece, pieces));
       if (InkCheckAbort(this))
       {
         return 1;
       }
       surfaces.Count += surfaces.Cells.back().count;
-      // Points and normals, and with each a radius, an index and a vertex at most.
+      // Per sample a point, a normal and at most a radius, an index and a vertex.
       constexpr std::uint64_t bytesPerPoint = 48;
       if (surfaces.Count > allowed / bytesPerPoint)
       {
@@ -285,9 +299,9 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     normals->SetNumberOfComponents(3);
     InkSetNumberOfTuples(normals, this->ComputeNormals ? static_cast<vtkIdType>(surfaces.Count) : 0);
     vtkFloatArray* wanted = this->ComputeNormals ? normals.Get() : nullptr;
-    const bool whole = doubles ? Place(grid, surfaces, options, negate,
+    const bool whole = doubles ? Place(grid, surfaces, options, negate, this->ProjectionSteps,
                                    vtkDoubleArray::SafeDownCast(points->GetData()), wanted, nextStep)
-                               : Place(grid, surfaces, options, negate,
+                               : Place(grid, surfaces, options, negate, this->ProjectionSteps,
                                    vtkFloatArray::SafeDownCast(points->GetData()), wanted, nextStep);
     if (!whole)
     {
@@ -366,6 +380,7 @@ void vtkInkVDBIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
      << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
+     << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"
      << indent << "ArithmeticPrecision: " << this->GetArithmeticPrecisionAsString() << "\n"
      << indent << "MaximumMemory: " << this->MaximumMemory << "\n"
      << indent << "ContourValues:\n";

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkVDBIsoSurfaceSampler
- * @brief   a grid of an OpenVDB file to points on its iso-surfaces, without making an image of it
+ * @brief points on the iso-surfaces of an OpenVDB grid, without converting it to an image
  *
- * Does what vtkInkVDBReader and vtkInkIsoSurfaceSampler do one after the other, and makes the same points
- * with the same normals to the bit (those of an image with Padding 2 or more), but from the tree itself: only
- * the leaves and the borders of tiles are looked at, so that time and memory go with the surface, not with
- * the box around it. A class of its own, as a pipeline's source says beforehand what type of data it makes.
+ * Combines vtkInkVDBReader and vtkInkIsoSurfaceSampler, with bitwise equal points and normals (for an image
+ * with Padding 2 or more, 3 with ProjectionSteps), but works on the tree itself: only leaves and the borders
+ * of tiles are read, so that time and memory scale with the surface, not with its bounding box. A class of
+ * its own, since the output type of a VTK source is fixed before execution.
  *
- * Points come iso-value by iso-value and, within one, block by block of 8 x 8 x 8 cells, by z, then y, then x
- * of the block's first cell; within a block cell by cell in the same order. They are the same for any number
- * of threads. A piece has a share of the blocks; all pieces together have exactly the whole's points.
+ * Points are sorted by iso-value, then by block of 8 x 8 x 8 cells, by z, then y, then x of the block's first
+ * cell; within a block by cell in the same order. They are the same for any number of threads. Each piece has
+ * a share of the blocks; all pieces together have exactly the points of the whole.
  *
- * Grids that can be read, their names, the sign of level sets and what is an error are as in vtkInkVDBReader;
- * point arrays and iso-values as in vtkInkIsoSurfaceSampler. The grid that was read is kept for the next
- * iso-value.
+ * Readable grids, their names, the sign of level sets and errors are as in vtkInkVDBReader; point arrays and
+ * iso-values as in vtkInkIsoSurfaceSampler. The grid is cached for the next iso-value.
  *
  * @sa vtkInkVDBReader vtkInkIsoSurfaceSampler
  */
@@ -51,7 +50,7 @@ public:
 
   ///@{
   /**
-   * The name of the grid to sample. Default: none, which takes the first grid that can be read.
+   * The name of the grid to sample. Default: none, which selects the first readable grid.
    */
   vtkSetStringMacro(GridName);
   vtkGetStringMacro(GridName);
@@ -77,14 +76,14 @@ public:
   ///@{
   /**
    * Multiply the values of level sets by -1, so that their inside is the denser side and normals point
-   * outwards. Iso-values are those after it. Default: on.
+   * outwards. Iso-values refer to the result. Default: on.
    */
   vtkSetMacro(InvertLevelSets, bool);
   vtkGetMacro(InvertLevelSets, bool);
   vtkBooleanMacro(InvertLevelSets, bool);
   ///@}
 
-  /// Which edges count as crossed, see SetCrossingRule.
+  /// Which cell edges the surface intersects, see SetCrossingRule.
   enum CrossingRuleType
   {
     HALF_OPEN = 0,
@@ -111,31 +110,31 @@ public:
   vtkBooleanMacro(ComputeNormals, bool);
   ///@}
 
-  /// How normals are found, see SetNormalMethod.
+  /// How normals are estimated, see SetNormalMethod.
   enum NormalMethodType
   {
     CELL = 0,
-    GRADIENT = 1,
-    CENTRAL_DIFFERENCE = 2,
+    INTERPOLATED_GRADIENT = 1,
+    INTERPOLATED_NORMAL = 2,
     REGRESSION = 3
   };
 
   ///@{
   /**
-   * How normals are found, as in vtkInkIsoSurfaceSampler. Default: CENTRAL_DIFFERENCE.
+   * How normals are estimated, as in vtkInkIsoSurfaceSampler. Default: INTERPOLATED_NORMAL.
    */
   vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
   vtkGetMacro(NormalMethod, int);
   void SetNormalMethodToCell() { this->SetNormalMethod(CELL); }
-  void SetNormalMethodToGradient() { this->SetNormalMethod(GRADIENT); }
-  void SetNormalMethodToCentralDifference() { this->SetNormalMethod(CENTRAL_DIFFERENCE); }
+  void SetNormalMethodToInterpolatedGradient() { this->SetNormalMethod(INTERPOLATED_GRADIENT); }
+  void SetNormalMethodToInterpolatedNormal() { this->SetNormalMethod(INTERPOLATED_NORMAL); }
   void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
   const char* GetNormalMethodAsString();
   ///@}
 
   ///@{
   /**
-   * With several iso-values, compute the point array `SurfaceIndex`: the number of the iso-value that a point
+   * With several iso-values, compute the point array `SurfaceIndex`: the index of the iso-value that a point
    * belongs to. Default: on.
    */
   vtkSetMacro(ComputeSurfaceIndex, bool);
@@ -163,9 +162,9 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (default): single unless the grid's
-   * active voxels lie so far from the origin that single precision would move points by more than a
-   * thousandth of the smallest spacing.
+   * The type of the point coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION
+   * (default), which is single unless the grid's active voxels lie so far from the origin that single
+   * precision would move points by more than a thousandth of the smallest spacing.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -177,7 +176,16 @@ public:
 
   ///@{
   /**
-   * What points and normals of a grid of floats are computed in, as in vtkInkIsoSurfaceSampler:
+   * How many steps at most move each point onto the iso-surface of the trilinear interpolation, as in
+   * vtkInkIsoSurfaceSampler, 0 to 8. Default: 0, which moves none.
+   */
+  vtkSetClampMacro(ProjectionSteps, int, 0, 8);
+  vtkGetMacro(ProjectionSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * The precision in which points and normals of a float grid are computed, as in vtkInkIsoSurfaceSampler:
    * vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION. Grids of doubles, and points in double
    * precision, are always computed in double.
    */
@@ -190,14 +198,14 @@ public:
 
   ///@{
   /**
-   * The most memory in MiB that the grid and the points of its surfaces may take, 0 for any. More is an error
-   * that says how much it would be. 0 to 16777216 (16 TiB). Default: 4096.
+   * The memory limit in MiB for the grid and the points of its surfaces; 0: none. Exceeding it is an error
+   * that names the memory needed. 0 to 16777216 (16 TiB). Default: 4096.
    */
   vtkSetClampMacro(MaximumMemory, int, 0, 16777216);
   vtkGetMacro(MaximumMemory, int);
   ///@}
 
-  /// The iso-values count.
+  /// Includes the iso-values.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -211,7 +219,7 @@ private:
   vtkInkVDBIsoSurfaceSampler(const vtkInkVDBIsoSurfaceSampler&) = delete;
   void operator=(const vtkInkVDBIsoSurfaceSampler&) = delete;
 
-  /// `normals` and `surfaceIndex` may be null: none.
+  /// `normals` and `surfaceIndex` may be null.
   void FillOutput(
     vtkPoints* points, vtkFloatArray* normals, vtkIntArray* surfaceIndex, double radius, vtkPolyData* output);
 
@@ -220,15 +228,16 @@ private:
   vtkNew<vtkContourValues> ContourValues;
   bool InvertLevelSets = true;
   int CrossingRule = HALF_OPEN;
-  int NormalMethod = CENTRAL_DIFFERENCE;
+  int NormalMethod = INTERPOLATED_NORMAL;
   bool ComputeNormals = true;
   bool ComputeSurfaceIndex = true;
   bool ComputeRadius = true;
   bool GenerateVertices = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  int ProjectionSteps = 0;
   int ArithmeticPrecision = SINGLE_PRECISION;
   int MaximumMemory = 4096;
-  /// Whether the list of grids could not be read, which then was said.
+  /// Whether reading the list of grids failed, which has been reported.
   bool Failed = false;
   std::unique_ptr<InkVDBSource> Source;
   vtkNew<vtkStringArray> Names;

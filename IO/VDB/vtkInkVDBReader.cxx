@@ -43,7 +43,7 @@ std::string Text(const char* characters)
   return characters ? characters : "";
 }
 
-/// The grid of that index, or one that is empty.
+/// The grid with that index, or an empty one.
 const ink::VdbGridInfo& GridAt(const InkVDBSource& source, int index)
 {
   static const ink::VdbGridInfo none;
@@ -57,7 +57,7 @@ int ClampedToInt(double value)
   return static_cast<int>(std::clamp<double>(value, VTK_INT_MIN, VTK_INT_MAX));
 }
 
-/// The box with a border; nothing around nothing.
+/// The box with padding; an empty box stays empty.
 ink::VoxelBox Padded(const ink::VoxelBox& box, int border)
 {
   ink::VoxelBox padded = box;
@@ -253,7 +253,7 @@ int vtkInkVDBReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInf
   {
     const std::string file = Text(this->FileName);
     const std::string wanted = Text(this->GridName);
-    // The image first, which its dimensions tell without reading anything.
+    // The image first, whose size is known from its dimensions without reading anything.
     const ink::VdbGridInfo& listed = this->Source->List(file).find(wanted);
     const glm::dvec3 size = box.size();
     const double imageBytes = size.x * size.y * size.z * (listed.isDouble ? sizeof(double) : sizeof(float));

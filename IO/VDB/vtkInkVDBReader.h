@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkVDBReader
- * @brief   a grid of an OpenVDB file as image data
+ * @brief reads a grid of an OpenVDB file as image data
  *
  * Reads one grid of floats, doubles or half floats of a .vdb file (OpenVDB 2 to 12) into a vtkImageData of
  * type float or double, whose one point array has the grid's name. Origin, spacing and direction matrix are
- * those of the grid's transform, also where it mirrors or shears; sample (i, j, k) is voxel (i, j, k), so
- * that the extent need not begin at 0. The image is the grid's active box and a few voxels of its background
- * around it (Padding), or, for a grid that `ink convert` wrote, the whole box of the volume that it was made
- * from.
+ * those of the grid's transform, even if it mirrors or shears; sample (i, j, k) is voxel (i, j, k), so that
+ * the extent need not begin at 0. The image covers the bounding box of the active voxels and a few voxels of
+ * background around it (Padding), or, for a grid written by `ink convert`, the whole extent of the original
+ * volume.
  *
- * Level sets are negative inside, while vtkInk takes larger values for denser ones and lets normals point
- * out of the denser side. So the values of grids of the class "level set" are multiplied by -1, unless
- * InvertLevelSets is off: iso-value 0 then is the surface, with normals out of it, and positive values lie
- * within.
+ * Level sets are negative inside, while vtkInk treats larger values as denser, with normals pointing out of
+ * the denser side. So the values of grids of class "level set" are multiplied by -1, unless InvertLevelSets
+ * is off: iso-value 0 is then the surface, with outward normals, and positive values are inside.
  *
- * Which grids there are is known after UpdateInformation(), which does not read voxels (but those of a grid
- * whose file does not say where its active voxels are). Parts of the image (update extents) are made without
- * the rest.
+ * The list of grids is available after UpdateInformation(), which does not read voxels (except for a grid
+ * whose file does not have the bounding box of its active voxels). Parts of the image (update extents) are
+ * made without the rest.
  *
- * Errors, each with an empty output: no such file, none of OpenVDB's, one that is damaged or ends too soon,
- * no such grid, a grid of other values (integers, vectors, booleans, points), a transform that is not linear
- * (frustum), and one that needs more memory than MaximumMemory. An empty grid is a warning.
+ * Errors, each with an empty output: no such file, not an OpenVDB file, a corrupt or truncated file, no such
+ * grid, a grid of an unsupported type (integers, vectors, booleans, points), a nonlinear transform (frustum),
+ * and a grid that needs more memory than MaximumMemory. An empty grid is a warning.
  *
  * @sa vtkInkVDBIsoSurfaceSampler
  */
@@ -53,14 +52,14 @@ public:
   ///@}
 
   /**
-   * Whether a file is one of OpenVDB's whose list of grids can be read.
+   * Whether a file is an OpenVDB file whose list of grids can be read.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   ///@{
   /**
-   * The name of the grid to read. Of two grids of one name the file's second is "name[1]". Default: none,
-   * which takes the first grid that can be read.
+   * The name of the grid to read. Of two grids of the same name the second is "name[1]". Default: none, which
+   * selects the first readable grid.
    */
   vtkSetStringMacro(GridName);
   vtkGetStringMacro(GridName);
@@ -68,10 +67,10 @@ public:
 
   ///@{
   /**
-   * The grids in the file, after UpdateInformation(). Types are "float", "double", "half" and, for grids that
-   * cannot be read, others, as "vec3s"; classes are "level set", "fog volume", "staggered" and "unknown".
-   * Dimensions are those of the active voxels' box, 0 where the file does not say them. Empty, or 0, for an
-   * index that does not exist.
+   * The grids in the file, after UpdateInformation(). Types are "float", "double", "half" and, for unreadable
+   * grids, others such as "vec3s"; classes are "level set", "fog volume", "staggered" and "unknown".
+   * Dimensions are those of the active voxels' bounding box, 0 if the file does not have it. Empty, or 0, for
+   * an index out of range.
    */
   int GetNumberOfGrids();
   const char* GetNameOfGrid(int index);
@@ -97,8 +96,8 @@ public:
 
   ///@{
   /**
-   * How many voxels of background the image has around the active ones, 0 to 64. With the default, 2,
-   * iso-surfaces are closed and have the normals that they have in the grid.
+   * The number of background voxels around the active ones, 0 to 64. With the default, 2, iso-surfaces are
+   * closed and have the same normals as in the grid.
    */
   vtkSetClampMacro(Padding, int, 0, 64);
   vtkGetMacro(Padding, int);
@@ -106,8 +105,8 @@ public:
 
   ///@{
   /**
-   * The most memory in MiB that the grid and the image may take together, 0 for any. More is an error that
-   * says how much it would be, 0 to 16777216 (16 TiB). Default: 4096.
+   * The memory limit in MiB for the grid and the image together; 0: none. Exceeding it is an error that names
+   * the memory needed. 0 to 16777216 (16 TiB). Default: 4096.
    */
   vtkSetClampMacro(MaximumMemory, int, 0, 16777216);
   vtkGetMacro(MaximumMemory, int);
@@ -129,7 +128,7 @@ private:
   bool InvertLevelSets = true;
   int Padding = 2;
   int MaximumMemory = 4096;
-  /// Whether the information could not be read, which then was said.
+  /// Whether reading the information failed, which has been reported.
   bool Failed = false;
   std::unique_ptr<InkVDBSource> Source;
   vtkSmartPointer<vtkStringArray> Names;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkGatherMesh.h"
 
-#include "Parallel/ParallelSort.h"
+#include "Core/ParallelSort.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"

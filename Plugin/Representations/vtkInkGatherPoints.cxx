@@ -49,7 +49,7 @@ std::string NoNormals(vtkPointSet* leaf)
     message << (i ? ", " : "") << '"' << (name ? name : "") << "\" of "
             << pointData->GetAbstractArray(i)->GetNumberOfComponents();
   }
-  message << (arrays ? "." : "no point array.");
+  message << (arrays ? "" : "no point array");
   return message.str();
 }
 
@@ -150,7 +150,7 @@ public:
     auto points = vtkPointSet::SafeDownCast(leaf);
     if (!points)
     {
-      this->Report(std::string("a ") + leaf->GetClassName() + ". It needs points, in any vtkPointSet.");
+      this->Report(std::string("a ") + leaf->GetClassName() + ". It needs points, in any vtkPointSet");
       return;
     }
     if (points->GetNumberOfPoints() == 0)

@@ -2,8 +2,22 @@
 #include "vtkInkPaper.h"
 
 #include "vtkCommand.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkSMViewProxy.h"
+
+namespace
+{
+
+bool IsOnlyServer()
+{
+  vtkProcessModule* module = vtkProcessModule::GetProcessModule();
+  const int type = vtkProcessModule::GetProcessType();
+  return (type == vtkProcessModule::PROCESS_SERVER || type == vtkProcessModule::PROCESS_RENDER_SERVER) &&
+    module->GetNumberOfLocalPartitions() == 1;
+}
+
+} // namespace
 
 vtkInkPaper::~vtkInkPaper()
 {
@@ -19,6 +33,7 @@ void vtkInkPaper::Attach(vtkRenderer* renderer)
   static float last = -1e6f;
   last += 1.0f;
   this->Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, this, &vtkInkPaper::Lay, 1.0f);
+  this->Observers[2] = renderer->AddObserver(vtkCommand::StartEvent, this, &vtkInkPaper::LayOnServer, -1.0f);
   this->Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, this, &vtkInkPaper::TakeAway, last);
 }
 
@@ -67,11 +82,22 @@ void vtkInkPaper::Lay(vtkObject*, unsigned long, void*)
   }
   this->Laid = true;
   renderer->GetBackground(this->Background);
+  this->Alpha = renderer->GetBackgroundAlpha();
   this->Gradient = renderer->GetGradientBackground();
   this->Textured = renderer->GetTexturedBackground();
   renderer->SetBackground(this->Color);
   renderer->SetGradientBackground(false);
   renderer->SetTexturedBackground(false);
+}
+
+void vtkInkPaper::LayOnServer(vtkObject*, unsigned long, void*)
+{
+  // Pictures of several processes are put together of what they draw on nothing.
+  if (this->Laid && IsOnlyServer())
+  {
+    this->Renderer->SetBackground(this->Color);
+    this->Renderer->SetBackgroundAlpha(1.0);
+  }
 }
 
 void vtkInkPaper::TakeAway(vtkObject*, unsigned long, void*)
@@ -80,6 +106,7 @@ void vtkInkPaper::TakeAway(vtkObject*, unsigned long, void*)
   {
     this->Laid = false;
     this->Renderer->SetBackground(this->Background);
+    this->Renderer->SetBackgroundAlpha(this->Alpha);
     this->Renderer->SetGradientBackground(this->Gradient);
     this->Renderer->SetTexturedBackground(this->Textured);
   }

@@ -9,7 +9,9 @@ class vtkRenderer;
 
 /// A plain background of a renderer in place of its own, while it draws: between pictures the renderer has
 /// the background that it was given. Of several papers in a renderer the last attached is seen. No paper is
-/// laid while points are picked, nor for a picture on a transparent background.
+/// laid while points are picked, nor for a picture on a transparent background. A server of one process draws
+/// it itself, so that its pictures of 8 bits are not rounded once more where the client lays them over its
+/// paper.
 class vtkInkPaper
 {
 public:
@@ -31,10 +33,11 @@ public:
 
 private:
   void Lay(vtkObject*, unsigned long, void*);
+  void LayOnServer(vtkObject*, unsigned long, void*);
   void TakeAway(vtkObject*, unsigned long, void*);
 
   vtkWeakPointer<vtkRenderer> Renderer;
-  unsigned long Observers[2] = { 0, 0 };
+  unsigned long Observers[3] = { 0, 0, 0 };
   bool Visible = true;
   bool Fills = true;
   double Color[3] = { 1.0, 1.0, 1.0 };
@@ -43,6 +46,7 @@ private:
   ///@{
   /// The renderer's own, while the paper is laid.
   double Background[3] = { 0.0, 0.0, 0.0 };
+  double Alpha = 0.0;
   bool Gradient = false;
   bool Textured = false;
   ///@}

@@ -2,12 +2,15 @@
 #include "vtkInkRepresentation.h"
 
 #include "vtkInkPaper.h"
+#include "vtkInkProcesses.h"
 
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
@@ -16,6 +19,9 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSMViewProxy.h"
+#include "vtkScalarsToColors.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -39,16 +45,16 @@ bool HasPoints(vtkDataObject* piece)
 
 } // namespace
 
-vtkInkRepresentation::vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays)
-  : Actor(std::move(actor))
+vtkInkRepresentation::vtkInkRepresentation(vtkSmartPointer<vtkInkStyle> style)
+  : Style(std::move(style))
   , Paper(std::make_unique<vtkInkPaper>())
-  , NumberOfArrays(arrays)
 {
-  for (int array = 0; array < arrays; ++array)
-  {
-    this->SetInputArrayToProcess(array, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
-  }
-  for (int piece = 0; piece < pieces; ++piece)
+  // Parameters of the mapper change while the marks stay.
+  this->Style->InteractiveOn();
+  this->Style->SetProcesses(std::make_shared<vtkInkProcesses>());
+  this->Style->AddObserver(vtkCommand::ProgressEvent, this, &vtkInkRepresentation::ReportProgress);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+  for (int piece = 0; piece < this->Style->GetNumberOfPieces(); ++piece)
   {
     this->Pieces.push_back(vtkSmartPointer<vtkPolyData>::New());
   }
@@ -65,9 +71,60 @@ int vtkInkRepresentation::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-vtkActor* vtkInkRepresentation::GetActor()
+int vtkInkRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return this->Actor;
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkNew<vtkInformation> part;
+  vtkInkStyle::Input input{ vtkDataObject::GetData(inputVector[0], 0), nullptr, part };
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    input.Port = this->GetInputConnection(0, 0);
+    vtkInformation* info = inputVector[0]->GetInformationObject(0);
+    part->CopyEntry(info, SDDP::UPDATE_PIECE_NUMBER());
+    part->CopyEntry(info, SDDP::UPDATE_NUMBER_OF_PIECES());
+    if (info->Has(SDDP::UPDATE_TIME_STEP()))
+    {
+      part->Set(SDDP::UPDATE_TIME_STEP(), info->Get(SDDP::UPDATE_TIME_STEP()));
+    }
+  }
+  // An earlier run may have been stopped.
+  this->SetAbortExecute(0);
+  const std::string problem = this->MakeMarks(input);
+  if (!problem.empty())
+  {
+    vtkWarningMacro(<< problem << '.');
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+std::string vtkInkRepresentation::MakeMarks(const vtkInkStyle::Input& input)
+{
+  std::string problem = this->Style->MakeMarks(input);
+  for (int piece = 0; piece < this->Style->GetNumberOfPieces(); ++piece)
+  {
+    this->GetPiece(piece)->ShallowCopy(this->Style->GetPiece(piece));
+  }
+  return problem;
+}
+
+void vtkInkRepresentation::ReportProgress()
+{
+  this->UpdateProgress(this->Style->GetProgress());
+  if (this->GetAbortExecute())
+  {
+    this->Style->AbortMake();
+  }
+}
+
+void vtkInkRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
+{
+  this->Style->ShowPieces(delivered);
+  vtkMapper* mapper = this->Style->GetMapper();
+  int ofCells = 0;
+  const bool colored = delivered[0] && !this->GetColorArray().empty() &&
+    vtkAbstractMapper::GetScalars(delivered[0], mapper->GetScalarMode(), 0, 0, nullptr, ofCells);
+  this->Style->SetColorByScalars(colored);
 }
 
 vtkPolyData* vtkInkRepresentation::GetPiece(int piece)
@@ -87,35 +144,30 @@ void vtkInkRepresentation::MarkIdsAsInputs()
   }
 }
 
-std::string vtkInkRepresentation::GetArrayName(int array)
+std::string vtkInkRepresentation::GetColorArray()
 {
-  const char* name = this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   return name ? name : "";
 }
 
-int vtkInkRepresentation::GetArrayAssociation(int array)
+int vtkInkRepresentation::GetColorAssociation()
 {
-  return this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_ASSOCIATION());
+  return this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
 }
 
-bool vtkInkRepresentation::ServesFor(int)
+bool vtkInkRepresentation::ServesFor(const std::string&, int)
 {
   return false;
 }
 
-bool vtkInkRepresentation::ArraysChanged()
+bool vtkInkRepresentation::ColorArrayChanged()
 {
-  std::vector<std::string> chosen;
-  bool changed = this->Arrays.empty();
-  for (int array = 0; array < this->NumberOfArrays; ++array)
-  {
-    chosen.push_back(std::to_string(this->GetArrayAssociation(array)) + this->GetArrayName(array));
-    changed =
-      changed || (chosen.back() != this->Arrays[static_cast<std::size_t>(array)] && !this->ServesFor(array));
-  }
+  const std::string chosen = std::to_string(this->GetColorAssociation()) + this->GetColorArray();
+  const bool changed = this->ColoredBy.empty() ||
+    (chosen != this->ColoredBy && !this->ServesFor(this->GetColorArray(), this->GetColorAssociation()));
   if (changed)
   {
-    this->Arrays = chosen;
+    this->ColoredBy = chosen;
   }
   return changed;
 }
@@ -123,7 +175,7 @@ bool vtkInkRepresentation::ArraysChanged()
 int vtkInkRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (request == vtkPVView::REQUEST_UPDATE() && this->ArraysChanged())
+  if (request == vtkPVView::REQUEST_UPDATE() && this->ColorArrayChanged())
   {
     this->MarkModified();
   }
@@ -145,7 +197,7 @@ int vtkInkRepresentation::ProcessViewRequest(
     this->Show(delivered);
     this->PointIdsAreInputs = delivered[0] && delivered[0]->GetFieldData()->HasArray(IdsAreInputs);
     this->UpdatePickable();
-    this->Actor->SetVisibility(this->DrawsOnThisProcess());
+    this->Style->GetActor()->SetVisibility(this->DrawsOnThisProcess());
   }
   return 1;
 }
@@ -164,8 +216,8 @@ void vtkInkRepresentation::Deliver(vtkInformation* inInfo, vtkInformation* outIn
   }
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-  const bool blended = this->Actor->HasTranslucentPolygonalGeometry() ||
-    this->Actor->GetMapper()->HasTranslucentPolygonalGeometry();
+  const bool blended = this->Style->GetActor()->HasTranslucentPolygonalGeometry() ||
+    this->Style->GetMapper()->HasTranslucentPolygonalGeometry();
   // ParaView's processes abort where they have to put nothing into an order.
   const bool ordered = HasPoints(vtkPVView::GetPiece(inInfo, this)) && blended;
   outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), ordered ? 1 : 0);
@@ -174,7 +226,7 @@ void vtkInkRepresentation::Deliver(vtkInformation* inInfo, vtkInformation* outIn
   double bounds[6];
   vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this))->GetBounds(bounds);
   vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
+  this->Style->GetActor()->GetMatrix(matrix);
   vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
 }
 
@@ -197,9 +249,9 @@ bool vtkInkRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  renderView->GetRenderer()->AddActor(this->Actor);
+  renderView->GetRenderer()->AddActor(this->Style->GetActor());
   this->Paper->Attach(renderView->GetRenderer());
-  renderView->RegisterPropForHardwareSelection(this, this->Actor);
+  renderView->RegisterPropForHardwareSelection(this, this->Style->GetActor());
   return this->Superclass::AddToView(view);
 }
 
@@ -210,15 +262,15 @@ bool vtkInkRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
-  renderView->GetRenderer()->RemoveActor(this->Actor);
+  renderView->GetRenderer()->RemoveActor(this->Style->GetActor());
   this->Paper->Detach();
-  renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
+  renderView->UnRegisterPropForHardwareSelection(this, this->Style->GetActor());
   return this->Superclass::RemoveFromView(view);
 }
 
 void vtkInkRepresentation::SetVisibility(bool visible)
 {
-  this->Actor->SetVisibility(visible);
+  this->Style->GetActor()->SetVisibility(visible);
   this->Paper->SetVisible(visible);
   this->Superclass::SetVisibility(visible);
 }
@@ -228,9 +280,40 @@ void vtkInkRepresentation::SetPaper(bool paper)
   this->Paper->SetFills(paper);
 }
 
-void vtkInkRepresentation::SetPaperColor(double red, double green, double blue)
+void vtkInkRepresentation::SetParameter(const char* name, double value)
 {
-  this->Paper->SetColor(red, green, blue);
+  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameter(name, value); });
+}
+
+void vtkInkRepresentation::SetParameter(const char* name, double first, double second)
+{
+  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameter(name, first, second); });
+}
+
+void vtkInkRepresentation::SetParameter(const char* name, double first, double second, double third)
+{
+  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameter(name, first, second, third); });
+  if (std::string(name) == "PaperColor")
+  {
+    this->Paper->SetColor(first, second, third);
+  }
+}
+
+void vtkInkRepresentation::SetLookupTable(vtkScalarsToColors* table)
+{
+  this->Style->GetMapper()->SetLookupTable(table);
+}
+
+void vtkInkRepresentation::SetMapScalars(bool map)
+{
+  // How scalars become colors, which is not what colors the marks.
+  this->Style->GetMapper()->SetColorMode(map ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
+}
+
+void vtkInkRepresentation::SetTransparentBackground(bool transparent)
+{
+  // ParaView's own knows it on the client only.
+  vtkSMViewProxy::SetTransparentBackground(transparent);
 }
 
 void vtkInkRepresentation::SetPickable(bool pickable)
@@ -241,39 +324,39 @@ void vtkInkRepresentation::SetPickable(bool pickable)
 
 void vtkInkRepresentation::UpdatePickable()
 {
-  this->Actor->SetPickable(this->Pickable && this->PointIdsAreInputs);
+  this->Style->GetActor()->SetPickable(this->Pickable && this->PointIdsAreInputs);
 }
 
 void vtkInkRepresentation::SetOpacity(double opacity)
 {
-  this->Actor->GetProperty()->SetOpacity(opacity);
+  this->Style->GetActor()->GetProperty()->SetOpacity(opacity);
 }
 
 void vtkInkRepresentation::SetPosition(double x, double y, double z)
 {
-  this->Actor->SetPosition(x, y, z);
+  this->Style->GetActor()->SetPosition(x, y, z);
 }
 
 void vtkInkRepresentation::SetScale(double x, double y, double z)
 {
-  this->Actor->SetScale(x, y, z);
+  this->Style->GetActor()->SetScale(x, y, z);
 }
 
 void vtkInkRepresentation::SetOrientation(double x, double y, double z)
 {
-  this->Actor->SetOrientation(x, y, z);
+  this->Style->GetActor()->SetOrientation(x, y, z);
 }
 
 void vtkInkRepresentation::SetOrigin(double x, double y, double z)
 {
-  this->Actor->SetOrigin(x, y, z);
+  this->Style->GetActor()->SetOrigin(x, y, z);
 }
 
 void vtkInkRepresentation::SetUserTransform(const double matrix[16])
 {
   vtkNew<vtkTransform> transform;
   transform->SetMatrix(matrix);
-  this->Actor->SetUserTransform(transform);
+  this->Style->GetActor()->SetUserTransform(transform);
 }
 
 void vtkInkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -282,6 +365,6 @@ void vtkInkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Points drawn: " << this->Pieces[0]->GetNumberOfPoints() << "\n";
   os << indent << "Paper: " << this->Paper->GetFills() << "\n";
   os << indent << "Pickable: " << this->Pickable << "\n";
-  os << indent << "Mapper:\n";
-  this->Actor->GetMapper()->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Style:\n";
+  this->Style->PrintSelf(os, indent.GetNextIndent());
 }

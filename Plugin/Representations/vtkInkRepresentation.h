@@ -3,8 +3,9 @@
  * @class   vtkInkRepresentation
  * @brief   what vtkInk's styles have in common as representations in ParaView's render views
  *
- * A subclass makes pieces of poly data from its input in RequestData, and shows them with a mapper; this
- * class owns the actor, brings the pieces to where they are drawn, and has the actor's properties.
+ * A vtkInkStyle makes pieces of poly data from the input and draws them with its actor; this class brings the
+ * pieces to where they are drawn, sets the style's parameters by their names, and has the actor's properties.
+ * A subclass names the style, and does what of its data or of ParaView's views is its own.
  *
  * On several processes every one gets all pieces whole: a mark near the border of a process's part needs its
  * neighbors on the other side. All draw the same marks, of which compositing by depth keeps one. With
@@ -17,6 +18,7 @@
 #define vtkInkRepresentation_h
 
 #include "vtkInkPluginRepresentationsModule.h" // for the export macro
+#include "vtkInkStyle.h"                       // for its input
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h" // for the pieces
 
@@ -24,15 +26,25 @@
 #include <string> // for arrays' names
 #include <vector> // for the pieces
 
-class vtkActor;
 class vtkInkPaper;
 class vtkPolyData;
+class vtkScalarsToColors;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkRepresentation : public vtkPVDataRepresentation
 {
 public:
   vtkTypeMacro(vtkInkRepresentation, vtkPVDataRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Sets a parameter of the style to its numbers; see vtkInkStyle. Marks are made again where they depend on
+   * it. PaperColor is the color of the paper behind all, too.
+   */
+  void SetParameter(const char* name, double value);
+  void SetParameter(const char* name, double first, double second);
+  void SetParameter(const char* name, double first, double second, double third);
+  ///@}
 
   ///@{
   /**
@@ -52,13 +64,18 @@ public:
 
   ///@{
   /**
-   * Paper: whether the view behind all that is drawn has the paper's color in place of its own background,
-   * as long as this is visible; a picture with a transparent background stays transparent. Default: on,
-   * white.
+   * Colors of scalars; MapScalars off takes bytes, and numbers from 0 to 1, for colors. Default: on.
    */
-  void SetPaper(bool paper);
-  void SetPaperColor(double red, double green, double blue);
+  void SetLookupTable(vtkScalarsToColors* table);
+  void SetMapScalars(bool map);
   ///@}
+
+  /// Paper: whether the view behind all that is drawn has the paper's color in place of its own background,
+  /// as long as this is visible; a picture with a transparent background stays transparent. Default: on.
+  void SetPaper(bool paper);
+
+  /// Whether this process draws for a picture on a transparent background.
+  void SetTransparentBackground(bool transparent);
 
   void SetVisibility(bool visible) override;
 
@@ -69,35 +86,47 @@ public:
   vtkDataObject* GetRenderedDataObject(int port) override;
 
 protected:
-  /// @param actor to which the subclass gives its mapper
-  /// @param pieces how many pieces of poly data the subclass draws from
-  /// @param arrays how many arrays of its input it draws by, with SetInputArrayToProcess; the first is the
-  /// one to color by. Without one, the name is empty. RequestData is run again when one is
-  /// chosen that the pieces do not serve for.
-  vtkInkRepresentation(vtkSmartPointer<vtkActor> actor, int pieces, int arrays);
+  explicit vtkInkRepresentation(vtkSmartPointer<vtkInkStyle> style);
   ~vtkInkRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
-  vtkActor* GetActor();
-  /// Those of this process, never null; RequestData changes what they hold. The first has the points that
-  /// are drawn.
+  /// Makes the pieces of this process, on all processes at once. Here: as the style does. @return what is
+  /// wrong with the data, said once; empty if nothing is
+  virtual std::string MakeMarks(const vtkInkStyle::Input& input);
+  /// Hands the pieces of all processes, each where it has been delivered, else null, to the style. Here: as
+  /// they are.
+  virtual void Show(const std::vector<vtkPolyData*>& delivered);
+  /// Whether the pieces, made with another array to color by, do for this one, none if the name is empty. The
+  /// same on all processes that have the data. Here: no; MakeMarks is run again.
+  virtual bool ServesFor(const std::string& name, int association);
+
+  /// Those of this process, never null; MakeMarks changes what they hold. The first has the points that are
+  /// drawn.
   vtkPolyData* GetPiece(int piece);
-  /// To be called in RequestData, for a first piece whose points have the ids of the input.
+  /// To be called in MakeMarks, for a first piece whose points have the ids of the input.
   void MarkIdsAsInputs();
   ///@{
-  /// What SetInputArrayToProcess was told of an array.
-  std::string GetArrayName(int array);
-  int GetArrayAssociation(int array);
+  /// The array to color by, as SetInputArrayToProcess was told; an empty name: none.
+  std::string GetColorArray();
+  int GetColorAssociation();
   ///@}
-  /// Whether the pieces, made for another array, do for the one that is chosen now. The same on all processes
-  /// that have the data. Here: no.
-  virtual bool ServesFor(int array);
-  /// Hands the pieces of all processes to the mapper, each where it has been delivered, else null.
-  virtual void Show(const std::vector<vtkPolyData*>& delivered) = 0;
+
+  /// Calls a function that changes the style; marks are made again where they depend on what it changes.
+  template <class Change>
+  void ChangeStyle(const Change& change)
+  {
+    const vtkMTimeType before = this->Style->GetMTime();
+    change(this->Style.Get());
+    if (this->Style->GetMTime() > before)
+    {
+      this->MarkModified();
+    }
+  }
 
 private:
   vtkInkRepresentation(const vtkInkRepresentation&) = delete;
@@ -106,13 +135,13 @@ private:
   void Deliver(vtkInformation* inInfo, vtkInformation* outInfo);
   bool DrawsOnThisProcess();
   void UpdatePickable();
-  bool ArraysChanged();
+  bool ColorArrayChanged();
+  void ReportProgress();
 
+  const vtkSmartPointer<vtkInkStyle> Style;
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
-  const vtkSmartPointer<vtkActor> Actor;
   const std::unique_ptr<vtkInkPaper> Paper;
-  const int NumberOfArrays;
-  std::vector<std::string> Arrays; ///< that the pieces were made with
+  std::string ColoredBy; ///< what the pieces were made with; empty before there are any
   bool Pickable = true;
   bool PointIdsAreInputs = false;
 };

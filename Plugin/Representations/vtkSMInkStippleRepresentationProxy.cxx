@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMInkStippleRepresentationProxy.h"
 
-#include "vtkInkStippleControls.h"
-#include "vtkInkStippleMapper.h"
+#include "InkParameter.h"
+#include "vtkInkStippleStyle.h"
 #include "vtkSMInkDoubleVectorProperty.h"
+#include "vtkSMInkIntVectorProperty.h"
 #include "vtkSMInkIsoValueInitializationHelper.h"
 #include "vtkSMInkRestoring.h"
 
@@ -13,73 +14,25 @@
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 #include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkSMInkStippleRepresentationProxy);
 
-struct vtkSMInkStippleSlider
-{
-  const char* Property;
-  double (vtkInkStippleControls::*Get)();
-  void (vtkInkStippleControls::*Set)(double);
-};
-
 namespace
 {
 
+constexpr const char* Prefix = "Stipple";
 constexpr const char* PresetProperty = "StipplePreset";
-constexpr const char* InkProperty = "StippleInkColor";
-constexpr const char* PaperProperty = "StipplePaperColor";
-
-using Controls = vtkInkStippleControls;
-
-constexpr vtkSMInkStippleSlider Sliders[] = {
-  { "StippleGradient", &Controls::GetGradient, &Controls::SetGradient },
-  { "StippleSharpness", &Controls::GetSharpness, &Controls::SetSharpness },
-  { "StippleOrientation", &Controls::GetOrientation, &Controls::SetOrientation },
-  { "StippleDistance", &Controls::GetDistance, &Controls::SetDistance },
-  { "StippleInterior", &Controls::GetInterior, &Controls::SetInterior },
-  { "StippleColor", &Controls::GetColor, &Controls::SetColor },
-};
-
-/// What vtkInkStippleControls::Apply sets.
-struct Parameter
-{
-  const char* Property;
-  double (*Get)(vtkInkStippleMapper*);
-};
-
-constexpr Parameter Parameters[] = {
-  { "BoundaryEnhancement", [](vtkInkStippleMapper* m) -> double { return m->GetBoundary(); } },
-  { "Kgc", [](vtkInkStippleMapper* m) -> double { return m->GetKgc(); } },
-  { "Kgs", [](vtkInkStippleMapper* m) -> double { return m->GetKgs(); } },
-  { "Kge", [](vtkInkStippleMapper* m) -> double { return m->GetKge(); } },
-  { "SilhouetteEnhancement", [](vtkInkStippleMapper* m) -> double { return m->GetSilhouette(); } },
-  { "Ksc", [](vtkInkStippleMapper* m) -> double { return m->GetKsc(); } },
-  { "Kss", [](vtkInkStippleMapper* m) -> double { return m->GetKss(); } },
-  { "Kse", [](vtkInkStippleMapper* m) -> double { return m->GetKse(); } },
-  { "ResolutionEnhancement", [](vtkInkStippleMapper* m) -> double { return m->GetResolution(); } },
-  { "Krc", [](vtkInkStippleMapper* m) -> double { return m->GetKrc(); } },
-  { "Knz", [](vtkInkStippleMapper* m) -> double { return m->GetKnz(); } },
-  { "LightingEnhancement", [](vtkInkStippleMapper* m) -> double { return m->GetLighting(); } },
-  { "Kle", [](vtkInkStippleMapper* m) -> double { return m->GetKle(); } },
-  { "LightInk", [](vtkInkStippleMapper* m) -> double { return m->GetLightInk(); } },
-  { "DistanceEnhancement", [](vtkInkStippleMapper* m) -> double { return m->GetDistance(); } },
-  { "Kde", [](vtkInkStippleMapper* m) -> double { return m->GetKde(); } },
-  { "DistanceSize", [](vtkInkStippleMapper* m) -> double { return m->GetDistanceSize(); } },
-  { "InteriorEnhancement", [](vtkInkStippleMapper* m) -> double { return m->GetInterior(); } },
-  { "Kie", [](vtkInkStippleMapper* m) -> double { return m->GetKie(); } },
-  { "InteriorSize", [](vtkInkStippleMapper* m) -> double { return m->GetInteriorSize(); } },
-  { "ValueEffect", [](vtkInkStippleMapper* m) -> double { return m->GetValueEffect(); } },
-  { "AppearBySize", [](vtkInkStippleMapper* m) -> double { return m->GetAppearBySize(); } },
-  { "WarmCool", [](vtkInkStippleMapper* m) -> double { return m->GetWarmCool(); } },
-  { "PixelsPerStipple", [](vtkInkStippleMapper* m) -> double { return m->GetPixelsPerStipple(); } },
-  { "StippleSize", [](vtkInkStippleMapper* m) -> double { return m->GetStippleSize(); } },
-};
+constexpr const char* Sliders[] = { "StippleGradient", "StippleSharpness", "StippleOrientation",
+  "StippleDistance", "StippleInterior", "StippleColor" };
 
 /// What starts with a value that suits the input when it is switched on.
 struct Start
@@ -129,6 +82,41 @@ void ChooseArray(vtkSMProxy* proxy)
   }
 }
 
+/// The parameter that a property sets, whose name it has, or has after a prefix; null for others.
+const InkParameter* ParameterOf(vtkInkStyle* style, const std::string& property)
+{
+  const InkParameterTable& table = style->GetParameterTable();
+  const InkParameter* parameter = table.Find(property);
+  return parameter || property.rfind(Prefix, 0) != 0 ? parameter
+                                                     : table.Find(property.substr(std::strlen(Prefix)));
+}
+
+/// ParaView's properties of integers take no array of doubles.
+void Set(vtkSMProxy* proxy, const std::string& property, const std::vector<double>& numbers)
+{
+  vtkSMPropertyHelper helper(proxy, property.c_str());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    helper.Set(static_cast<unsigned int>(i), numbers[i]);
+  }
+}
+
+std::vector<double> Get(vtkSMProxy* proxy, const std::string& property)
+{
+  const vtkSMPropertyHelper helper(proxy, property.c_str());
+  std::vector<double> numbers;
+  for (unsigned int i = 0; i < helper.GetNumberOfElements(); ++i)
+  {
+    numbers.push_back(helper.GetAsDouble(i));
+  }
+  return numbers;
+}
+
+std::vector<double> ValueOf(vtkInkStyle* style, const std::string& property)
+{
+  return ParameterOf(style, property)->Get(style).Numbers;
+}
+
 bool IsUnset(vtkSMProxy* proxy, const Start& start)
 {
   return vtkSMInkDoubleVectorProperty::SafeDownCast(proxy->GetProperty(start.Property))->IsUnset();
@@ -161,12 +149,9 @@ void vtkSMInkStippleRepresentationProxy::SetPropertyModifiedFlag(const char* nam
   {
     this->FollowPreset();
   }
-  for (const vtkSMInkStippleSlider& slider : Sliders)
+  else if (std::find(std::begin(Sliders), std::end(Sliders), std::string(name)) != std::end(Sliders))
   {
-    if (std::string(name) == slider.Property)
-    {
-      this->FollowSlider(slider);
-    }
+    this->FollowSlider(name);
   }
   for (const Start& start : Starts)
   {
@@ -186,84 +171,92 @@ bool vtkSMInkStippleRepresentationProxy::IsAsFollowed(vtkSMProperty* property)
 
 bool vtkSMInkStippleRepresentationProxy::IsAsFollowed(const std::string& name)
 {
-  const auto is = [&](const auto& known) { return name == known.Property; };
-  const auto slider = std::find_if(std::begin(Sliders), std::end(Sliders), is);
-  const double number = vtkSMPropertyHelper(this, name.c_str()).GetAsDouble();
-  this->ReadControls();
-  if (slider != std::end(Sliders))
-  {
-    this->Controls->Reset();
-    return number == (this->Controls.Get()->*slider->Get)();
-  }
-  vtkNew<vtkInkStippleMapper> mapper;
-  this->Controls->Apply(mapper);
-  if (name == InkProperty || name == PaperProperty)
-  {
-    double color[3];
-    this->Controls->GetPaperColor(color);
-    const double* expected = name == PaperProperty ? color : mapper->GetInkColor();
-    const std::vector<double> found = vtkSMPropertyHelper(this, name.c_str()).GetArray<double>();
-    return std::equal(found.begin(), found.end(), expected);
-  }
-  const auto start = std::find_if(std::begin(Starts), std::end(Starts), is);
+  const auto start = std::find_if(
+    std::begin(Starts), std::end(Starts), [&](const Start& one) { return name == one.Property; });
   if (start != std::end(Starts))
   {
     return !IsOn(this, *start);
   }
-  const auto parameter = std::find_if(std::begin(Parameters), std::end(Parameters), is);
-  return parameter == std::end(Parameters) || number == parameter->Get(mapper);
+  const std::vector<std::string> followers = this->GetFollowers();
+  if (std::find(followers.begin(), followers.end(), name) == followers.end())
+  {
+    return true;
+  }
+  this->SetControls(std::find(std::begin(Sliders), std::end(Sliders), name) == std::end(Sliders));
+  return Get(this, name) == ValueOf(this->Style, name);
 }
 
 void vtkSMInkStippleRepresentationProxy::FollowPreset()
 {
-  this->ReadControls();
-  this->Controls->Reset();
-  for (const vtkSMInkStippleSlider& slider : Sliders)
+  this->SetControls(false);
+  for (const std::string& name : this->GetFollowers())
   {
-    vtkSMPropertyHelper(this, slider.Property).Set((this->Controls.Get()->*slider.Get)());
-  }
-  vtkNew<vtkInkStippleMapper> mapper;
-  this->Controls->Apply(mapper);
-  vtkSMPropertyHelper(this, InkProperty).Set(mapper->GetInkColor(), 3);
-  double paper[3];
-  this->Controls->GetPaperColor(paper);
-  vtkSMPropertyHelper(this, PaperProperty).Set(paper, 3);
-  for (const Parameter& parameter : Parameters)
-  {
-    vtkSMPropertyHelper(this, parameter.Property).Set(parameter.Get(mapper));
+    Set(this, name, ValueOf(this->Style, name));
   }
 }
 
-void vtkSMInkStippleRepresentationProxy::FollowSlider(const vtkSMInkStippleSlider& slider)
+void vtkSMInkStippleRepresentationProxy::FollowSlider(const std::string& slider)
 {
-  this->ReadControls();
-  const auto apply = [&](double position, vtkInkStippleMapper* mapper)
+  this->SetControls(true);
+  const std::vector<std::string> followers = this->GetFollowers();
+  std::vector<const InkParameter*> parameters;
+  for (const std::string& name : followers)
   {
-    (this->Controls.Get()->*slider.Set)(position);
-    this->Controls->Apply(mapper);
-  };
-  const double position = (this->Controls.Get()->*slider.Get)();
-  vtkNew<vtkInkStippleMapper> low;
-  vtkNew<vtkInkStippleMapper> high;
-  vtkNew<vtkInkStippleMapper> here;
-  apply(0.0, low);
-  apply(1.0, high);
-  apply(position, here);
-  // Only what the slider stands for: what was chosen for the others stays.
-  for (const Parameter& parameter : Parameters)
+    parameters.push_back(ParameterOf(this->Style, name));
+  }
+  const auto valuesAt = [&](double position)
   {
-    if (parameter.Get(low) != parameter.Get(high))
+    ParameterOf(this->Style, slider)->Set(this->Style, { { position }, {} });
+    std::vector<std::vector<double>> values;
+    for (const InkParameter* parameter : parameters)
     {
-      vtkSMPropertyHelper(this, parameter.Property).Set(parameter.Get(here));
+      values.push_back(parameter->Get(this->Style).Numbers);
+    }
+    return values;
+  };
+  const auto low = valuesAt(0.0);
+  const auto high = valuesAt(1.0);
+  const auto here = valuesAt(vtkSMPropertyHelper(this, slider.c_str()).GetAsDouble());
+  for (std::size_t i = 0; i < followers.size(); ++i)
+  {
+    // Only what the slider stands for: what was chosen for the others stays.
+    if (followers[i] != slider && low[i] != high[i])
+    {
+      Set(this, followers[i], here[i]);
     }
   }
 }
 
-void vtkSMInkStippleRepresentationProxy::ReadControls()
+void vtkSMInkStippleRepresentationProxy::SetControls(bool sliders)
 {
-  this->Controls->SetPreset(Controls::GetPresetName(vtkSMPropertyHelper(this, PresetProperty).GetAsInt()));
-  for (const vtkSMInkStippleSlider& slider : Sliders)
+  const auto set = [&](const char* property)
   {
-    (this->Controls.Get()->*slider.Set)(vtkSMPropertyHelper(this, slider.Property).GetAsDouble());
+    const double number = vtkSMPropertyHelper(this, property).GetAsDouble();
+    ParameterOf(this->Style, property)->Set(this->Style, { { number }, {} });
+  };
+  set(PresetProperty);
+  if (sliders)
+  {
+    std::for_each(std::begin(Sliders), std::end(Sliders), set);
   }
+}
+
+std::vector<std::string> vtkSMInkStippleRepresentationProxy::GetFollowers()
+{
+  std::vector<std::string> names;
+  const auto properties = vtkSmartPointer<vtkSMPropertyIterator>::Take(this->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    vtkSMProperty* property = properties->GetProperty();
+    const std::string name = properties->GetKey();
+    const bool starts = std::any_of(std::begin(Starts), std::end(Starts),
+      [&](const Start& start) { return name == start.Property || name == start.Switch; });
+    const bool tracked = vtkSMInkIntVectorProperty::SafeDownCast(property) ||
+      vtkSMInkDoubleVectorProperty::SafeDownCast(property);
+    if (tracked && !starts && name != PresetProperty)
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
 }

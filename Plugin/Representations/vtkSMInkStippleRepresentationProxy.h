@@ -5,31 +5,33 @@
  *
  * A change of the property StipplePreset sets the six sliders StippleGradient to StippleColor, and what else
  * the preset has; a change of a slider sets the mapper's properties that it stands for, as
- * vtkInkStippleControls has it. These can be changed one by one after that. So it is where a person or a
+ * vtkInkStippleStyle has it. These can be changed one by one after that. So it is where a person or a
  * script sets them; where values are brought back (undo, a state, a copy, a person's defaults), every
- * property keeps what is brought back. The properties that take part are vtkSMInkIntVectorProperty and
- * vtkSMInkDoubleVectorProperty, which tell the one from the other.
+ * property keeps what is brought back. The properties that take part, `tracked` in the style's table of
+ * parameters, are vtkSMInkIntVectorProperty and vtkSMInkDoubleVectorProperty, which tell the one from the
+ * other.
  *
- * @sa vtkInkStippleControls vtkInkStippleRepresentation vtkSMInkDoubleVectorProperty
+ * @sa vtkInkStippleStyle vtkInkStippleRepresentation vtkSMInkDoubleVectorProperty
  */
 #ifndef vtkSMInkStippleRepresentationProxy_h
 #define vtkSMInkStippleRepresentationProxy_h
 
 #include "vtkInkPluginRepresentationsModule.h" // for the export macro
-#include "vtkNew.h"                            // for the members
-#include "vtkSMRepresentationProxy.h"
+#include "vtkNew.h"                            // for the style
+#include "vtkSMInkRepresentationProxy.h"
 
 #include <string> // for properties' names
+#include <vector> // for properties' names
 
-class vtkInkStippleControls;
+class vtkInkStippleStyle;
 class vtkSMProperty;
-struct vtkSMInkStippleSlider;
 
-class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkSMInkStippleRepresentationProxy : public vtkSMRepresentationProxy
+class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkSMInkStippleRepresentationProxy
+  : public vtkSMInkRepresentationProxy
 {
 public:
   static vtkSMInkStippleRepresentationProxy* New();
-  vtkTypeMacro(vtkSMInkStippleRepresentationProxy, vtkSMRepresentationProxy);
+  vtkTypeMacro(vtkSMInkStippleRepresentationProxy, vtkSMInkRepresentationProxy);
 
   /// Whether a property of such a proxy has the value that the preset and the sliders give it. Those that
   /// follow neither always have.
@@ -49,12 +51,15 @@ private:
   friend class vtkSMInkRestoring;
 
   bool IsAsFollowed(const std::string& name);
-  void ReadControls();
   void FollowPreset();
-  void FollowSlider(const vtkSMInkStippleSlider& slider);
+  void FollowSlider(const std::string& slider);
+  /// Sets the style's preset as it is chosen here, and the sliders, or leaves these as the preset has them.
+  void SetControls(bool sliders);
+  /// The properties that a preset sets.
+  std::vector<std::string> GetFollowers();
 
-  vtkNew<vtkInkStippleControls> Controls;
-  int Restoring = 0; ///< above 0: changes are brought back, or this object's own
+  const vtkNew<vtkInkStippleStyle> Style; ///< draws nothing; says what presets and sliders set
+  int Restoring = 0;                      ///< above 0: changes are brought back, or this object's own
 };
 
 #endif

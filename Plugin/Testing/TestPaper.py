@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The paper: a plain background of views with vtkInk's representations, and of no others."""
 
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What brings values back (own defaults, states, traces) brings back exactly these; TestUndo.cxx has the others."""
 
 import os
@@ -12,7 +13,7 @@ from paraview.modules import vtkRemotingServerManager as manager
 from rendering import *
 
 # By hand after the preset: one that has the default's value again and not Bone's, and others.
-BY_HAND = {"StipplePreset": "Bone", "Kgc": 0.35, "Kss": 0.7, "StippleInterior": 0.9, "StippleInkColor": [0, 0, 1]}
+BY_HAND = {"StipplePreset": "Bone", "BoundaryBase": 0.35, "SilhouetteGain": 0.7, "StippleInterior": 0.9, "StippleInkColor": [0, 0, 1]}
 
 # A scene without vtkInk's representations, all that ParaView would trace or save of it.
 PLAIN_SCENE = """
@@ -35,7 +36,7 @@ def values(display):
 
 def assignments(script):
     """Of the drawing's own properties, by name."""
-    return dict(re.findall(r"^\w+Display\.((?:Stipple|K..\b|\w*Enhancement|\w*ScalarWindow)\w*) = (.*)$", script, re.M))
+    return dict(re.findall(r"^\w+Display\.((?:Stipple\w*|\w+(?:Base|Gain|Exponent|Enhancement)|\w*ScalarWindow\w*)) = (.*)$", script, re.M))
 
 
 class TestRestoring(TestInOneView):
@@ -74,8 +75,8 @@ class TestRestoring(TestInOneView):
         display.StipplePreset = "Bone"
         display.StipplePreset = "Anatomy"
         self.assertEqual(assignments(smstate.get_state()), {})
-        display.Kgc = 0.65
-        self.assertEqual(assignments(smstate.get_state()), {"Kgc": "0.65"})
+        display.BoundaryBase = 0.65
+        self.assertEqual(assignments(smstate.get_state()), {"BoundaryBase": "0.65"})
 
     def test_a_trace_has_numbers_as_they_are_meant(self):
         display = self.show()

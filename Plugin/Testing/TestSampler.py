@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The sampler as ParaView offers it: where it can be applied, and what it starts with."""
 
 import pathlib

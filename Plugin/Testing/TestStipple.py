@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The representation Stipple: what it draws of which data, what its properties change, and what they leave."""
 
 import pathlib
@@ -94,18 +95,18 @@ class TestStipple(TestInOneView):
         self.assertEqual(self.stipples(display), made)
 
     def test_a_slider_sets_what_it_stands_for_and_nothing_else(self):
-        display = self.show_wavelet(Kgc=4.0, StippleSize=5.0, PixelsPerStipple=9.0)
-        kse = display.Kse
+        display = self.show_wavelet(BoundaryBase=4.0, StippleSize=5.0, PixelsPerStipple=9.0)
+        kse = display.SilhouetteExponent
         display.StippleOrientation = 0.0
-        self.assertEqual((display.LightingEnhancement, display.Kle), (1, 20.0))
-        self.assertEqual(display.Kss, 0.0)
-        self.assertEqual((display.Kgc, display.StippleSize, display.PixelsPerStipple, display.Kse), (4.0, 5.0, 9.0, kse))
+        self.assertEqual((display.LightingEnhancement, display.LightingExponent), (1, 20.0))
+        self.assertEqual(display.SilhouetteGain, 0.0)
+        self.assertEqual((display.BoundaryBase, display.StippleSize, display.PixelsPerStipple, display.SilhouetteExponent), (4.0, 5.0, 9.0, kse))
         display.StippleSharpness = 1.0
-        self.assertLess(display.Kse, kse)
-        display.Kse = 3.0
+        self.assertLess(display.SilhouetteExponent, kse)
+        display.SilhouetteExponent = 3.0
         display.StippleGradient = 0.2
-        self.assertEqual(display.Kse, 3.0)
-        self.assertNotEqual(display.Kgc, 4.0)
+        self.assertEqual(display.SilhouetteExponent, 3.0)
+        self.assertNotEqual(display.BoundaryBase, 4.0)
 
     def test_each_enhancement_is_switched(self):
         display = self.show_wavelet()
@@ -141,9 +142,13 @@ class TestStipple(TestInOneView):
         for i, one in enumerate(pictures):
             for other in pictures[:i]:
                 self.assertGreater(numpy.abs(one - other).mean(), 0.001)
+        self.assertEqual((display.StipplePreset, display.ValueEffect, display.PixelsPerStipple), ("As Published", 1.0, 1.0))
+        display.StipplePreset = "Plate, White on Black"
         self.assertEqual(list(display.StippleInkColor), [1.0, 1.0, 1.0])
-        self.assertGreater(pictures[-1].min(axis=-1).max(), 0.9)
+        self.assertEqual((display.LightInk, display.FadeBySize), (1, 1))
+        self.assertGreater(picture(self.view).min(axis=-1).max(), 0.9)
         display.StipplePreset = "Anatomy"
+        self.assertEqual(display.LightInk, 0)
         numpy.testing.assert_array_equal(picture(self.view), pictures[0])
 
     def test_where_there_are_stipples_follows_the_generators_properties(self):
@@ -288,6 +293,30 @@ class TestStipple(TestInOneView):
         self.assertAlmostEqual(many / (numpy.pi * 600**2 / 6), 1.0, delta=0.01)
         self.assertAlmostEqual(few / many, 1.0, delta=0.02)
         self.assertAlmostEqual(count(120, StipplePictureSize=300) / many, 0.25, delta=0.01)
+        self.assertAlmostEqual(count(120, MaximumStipplesMode="Projected") / many, 6.0, delta=0.01)
+
+    def test_the_number_in_a_voxel_can_follow_the_picture(self):
+        whole = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+        per_voxel = lambda display: display.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
+        for source in (whole, GroupDatasets(Input=[whole])):
+            display = self.show(source, GradientPercentile=60)
+            picture(self.view)
+            voxels = per_voxel(display).GetNumberOfCells()
+            self.assertEqual(self.stipples(display)[0], 8 * voxels)
+            display.MaximumStipplesMode = "Projected"
+            # 21 voxels along a side.
+            for size, number in ((100, 23), (60 * 21 / 10, 36), (600, 64)):
+                display.StipplePictureSize = size
+                picture(self.view)
+                self.assertEqual(self.stipples(display)[0], number * voxels)
+            Hide(source, self.view)
+        # Beside one that is three times as far across in all, each measures a third.
+        far = Wavelet(WholeExtent=[32, 52, -10, 10, -10, 10])
+        display = self.show(GroupDatasets(Input=[whole, far]), GradientPercentile=60)
+        display.MaximumStipplesMode = "Projected"
+        display.StipplePictureSize = 300
+        picture(self.view)
+        self.assertEqual(self.stipples(display)[0], round((300 / 63) ** 2) * per_voxel(display).GetNumberOfCells())
 
     def test_progress_is_told_and_the_work_can_be_stopped(self):
         for source in (Sphere(), Wavelet()):
@@ -386,7 +415,7 @@ class TestStipple(TestInOneView):
         self.assertIn("without polygons. It needs an image, a mesh, or stipples", warnings[0])
 
     def assert_restored(self, save, load):
-        changed = {"StipplePreset": "Engineering", "StippleInterior": 0.9, "Kss": 0.7, "StippleInkColor": [0, 0, 1]}
+        changed = {"StipplePreset": "Engineering", "StippleInterior": 0.9, "SilhouetteGain": 0.7, "StippleInkColor": [0, 0, 1]}
         display = self.show_wavelet(**changed)
         names = [name for name in display.ListProperties() if name.startswith(("Stipple", "K", "Gradient"))]
         expected = {name: str(getattr(display, name)) for name in names}

@@ -23,7 +23,8 @@
 namespace
 {
 
-constexpr std::array Names{ "StipplePreset", "StippleGradient", "StippleInterior", "Kgc", "Kss", "Kie" };
+constexpr std::array Names{ "StipplePreset", "StippleGradient", "StippleInterior", "BoundaryBase",
+  "SilhouetteGain", "InteriorExponent" };
 using Values = std::array<double, Names.size()>;
 
 Values ValuesOf(vtkSMProxy* display)
@@ -74,10 +75,11 @@ bool Test()
   builder->SetUndoStack(stack);
   vtkSMProxyManager::GetProxyManager()->SetUndoStackBuilder(builder);
   vtkSmartPointer<vtkSMProxy> display = MakeDisplay(manager, source);
-  const double before = vtkSMPropertyHelper(display, "Kss").GetAsDouble();
+  const double before = vtkSMPropertyHelper(display, "SilhouetteGain").GetAsDouble();
   Set(display, "StipplePreset", 3);
-  bool right = Check(vtkSMPropertyHelper(display, "Kss").GetAsDouble() != before, "a preset sets the others");
-  Set(display, "Kgc", 0.35);
+  bool right =
+    Check(vtkSMPropertyHelper(display, "SilhouetteGain").GetAsDouble() != before, "a preset sets the others");
+  Set(display, "BoundaryBase", 0.35);
   Set(display, "StippleInterior", 0.9);
   const Values byHand = ValuesOf(display);
 
@@ -95,7 +97,7 @@ bool Test()
   stack->Clear();
 
   vtkSmartPointer<vtkSMProxy> other = MakeDisplay(manager, source);
-  Set(display, "Kss", vtkSMPropertyHelper(other, "Kss").GetAsDouble());
+  Set(display, "SilhouetteGain", vtkSMPropertyHelper(other, "SilhouetteGain").GetAsDouble());
   vtkNew<vtkSMProxyClipboard> clipboard;
   right &= Check(clipboard->Copy(display) && clipboard->Paste(other), "copy and paste");
   right &= Check(ValuesOf(other) == ValuesOf(display), "paste sets what was copied");

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """OpenVDB files as ParaView opens them: as an image and straight as points."""
 
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws pictures of every way that data comes in parts, for TestParallel.py to compare, and saves its points:
 
 pvbatch drawings.py INPUT_FOLDER OUTPUT_FOLDER"""
@@ -87,6 +88,12 @@ for name in ("wavelet", "nii", "pvti"):
     save_points(f"{name}-gradient", sampler)
     draw(f"{name}-lines", sampler, "Splatting Lines", Phi=100, PaperVisibility=False)
     draw(f"{name}-stipples", volume, "Stipple", GradientPercentile=70)
+# As many in a voxel as it has pixels in a picture of the whole: 31 of them along the longest side.
+projected = {"MaximumStipplesMode": "Projected", "GradientPercentile": 90}
+for name in ("wavelet", "nii", "pvti"):
+    SetActiveSource(volumes[name])
+    save_points(f"{name}-projected", InkStippleGenerator(Input=volumes[name], PictureSize=125, **projected))
+draw("projected-stipples", wavelet, "Stipple", StipplePictureSize=125, **projected)
 draw("solid-stipples", wavelet, "Stipple", GradientPercentile=70, StippleIsoValue=150.0, IsoSurfaceHides=True)
 
 meshes = {name: OpenDataFile(f"{INPUT}/mesh.{name}") for name in ("vtk", "ply", "vtp", "pvtp")}

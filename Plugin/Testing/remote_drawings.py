@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws what a server holds, on the server and here, for TestParallel.py to compare:
 
 pvpython remote_drawings.py PORT OUTPUT_FOLDER"""
@@ -16,10 +17,19 @@ view = green_view(120)
 view.UseFXAA = True
 wavelet = Wavelet(WholeExtent=[-16, 14, -13, 15, -12, 14])
 sampler = InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[150.0])
-for name, source, style in (("lines", sampler, "Splatting Lines"), ("stipples", wavelet, "Stipple")):
-    Show(source, view).SetRepresentationType(style)
+COLORS = {"StippleInkColor": [0.8, 0.1, 0.3], "StipplePaperColor": [0.9, 0.8, 0.3]}
+for name, source, style, properties in (
+    ("transparent", wavelet, "Stipple", {}),
+    ("lines", sampler, "Splatting Lines", {}),
+    ("stipples", wavelet, "Stipple", {}),
+    ("colored-stipples", wavelet, "Stipple", COLORS),
+):
+    display = Show(source, view)
+    display.SetRepresentationType(style)
+    for key, value in properties.items():
+        setattr(display, key, value)
     ResetCamera(view)
     for place, megabytes in (("here", 1e9), ("server", 0)):
         view.RemoteRenderThreshold = megabytes
-        SaveScreenshot(f"{OUTPUT}/{place}-{name}.png", view)
+        SaveScreenshot(f"{OUTPUT}/{place}-{name}.png", view, TransparentBackground=name == "transparent")
     Hide(source, view)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of representations share: a view, and pictures of it as numpy arrays."""
 
 import unittest

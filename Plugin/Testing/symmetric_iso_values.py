@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Prints the iso-values that a sampler starts with, on each process of its own, for TestParallel.py:
 
 pvbatch --sym symmetric_iso_values.py INPUT_FOLDER"""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws a gourd that is twisted and bent to animation_00.png, animation_01.png, ...:  animation.py [FRAMES]"""
 import math
 import sys

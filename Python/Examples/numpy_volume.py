@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws a NumPy array as a volume to numpy_volume.png"""
 import numpy
 from vtkink import numpy_support, vtk, vtkInkIsoSurfaceSampler, vtkInkSplattingLinesMapper

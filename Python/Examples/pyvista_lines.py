@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws a volume in a PyVista plotter to pyvista_lines.png, beside a mesh of PyVista's:  pyvista_lines.py"""
 import numpy
 import pyvista  # takes VTK from the package cvista where that is installed, as vtkink does

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws a volume to splatting_lines.png:  splatting_lines.py [VOLUME.nii.gz [ISO_VALUE]]"""
 import sys
 from vtkink import vtk, vtkInkIsoSurfaceSampler, vtkInkSplattingLinesMapper

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws a volume to stipple.png:  stipple.py [VOLUME.nii.gz [PRESET]]"""
 import sys
 from vtkink import vtk, vtkInkStippleActor, vtkInkStippleControls, vtkInkStippleGenerator, vtkInkStippleMapper

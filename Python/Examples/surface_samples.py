@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws a mesh to surface_samples.png from blue-noise samples:  surface_samples.py MESH.ply [SAMPLES]"""
 import sys
 from vtkink import vtk, vtkInkSplattingLinesMapper, vtkInkSurfaceSampler

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pen-and-ink illustration of volumes, meshes and point clouds in VTK.
 
 vtkInk's classes work with those of the VTK that they were built with, whatever its Python package is called;
@@ -5,6 +6,11 @@ vtkInk's classes work with those of the VTK that they were built with, whatever 
 
     from vtkink import numpy_support, vtk, vtkInkIsoSurfaceSampler, vtkInkSplattingLinesMapper
     from vtkink.vtk import vtkActor
+
+``draw`` draws a file, a data object or an array in one call, ``styles`` lists the styles and their parameters, and
+``read`` reads a file as ``ink`` does::
+
+    vtkink.draw("engine.nii.gz", style="stipple", preset="bone", sharpness=0.7, output="engine.png")
 
 ``help()`` of a class says what its properties do, their ranges and defaults.
 """
@@ -55,6 +61,8 @@ _vtk_module("vtkRenderingOpenGL2")
 
 from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
+from .vtkInkIOMesh import *
+from .vtkInkIOVolume import *
 
 try:
     from .vtkInkIOVDB import *
@@ -65,6 +73,11 @@ except ModuleNotFoundError as error:
 
 from .vtkInkRenderingSplattingLines import *
 from .vtkInkRenderingStipple import *
+from .vtkInkStyles import *
+
+
+from .drawing import draw, styles
+from .reading import read
 
 
 def __getattr__(name):

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """VTK's arrays as NumPy's and back: ``util.numpy_support`` of the VTK that vtkink works with."""
 
 import sys

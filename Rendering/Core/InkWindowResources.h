@@ -49,7 +49,6 @@ private:
 /// What a mapper keeps on the GPU, apart for each window that it is drawn in: made when it is first drawn
 /// there, and destroyed, while the window's context is current, when the window releases its graphics
 /// resources, whether or not the window still knows the mapper, or with this.
-/// @tparam Resources are made from a vtkOpenGLRenderWindow*
 template <class Resources>
 class InkWindowResources
 {
@@ -59,14 +58,16 @@ public:
   void operator=(const InkWindowResources&) = delete;
 
   /// Those of a window whose context is current.
-  Resources& Get(vtkOpenGLRenderWindow* window)
+  /// @param make them from a window, as a std::unique_ptr
+  template <class Make>
+  Resources& Get(vtkOpenGLRenderWindow* window, const Make& make)
   {
     if (Resources* found = this->Find(window))
     {
       return *found;
     }
     std::erase_if(this->Holders, [](const auto& holder) { return !holder->Own; });
-    return *this->Holders.emplace_back(std::make_unique<Holder>(window))->Own;
+    return *this->Holders.emplace_back(std::make_unique<Holder>(window, make(window)))->Own;
   }
 
   /// Those of a window, or null.
@@ -105,9 +106,9 @@ public:
 private:
   struct Holder
   {
-    explicit Holder(vtkOpenGLRenderWindow* window)
+    Holder(vtkOpenGLRenderWindow* window, std::unique_ptr<Resources> own)
       : Window(window)
-      , Own(std::make_unique<Resources>(window))
+      , Own(std::move(own))
     {
       this->Notice->Set(window, [this] { this->Own.reset(); });
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatDrawing.h"
 
-#include "InkSplatLineWork.h"
+#include "InkLinePostProcess.h"
 #include "InkSplatPasses.h"
 #include "InkSplatQuads.h"
 
@@ -26,7 +26,8 @@ void Clear(vtkOpenGLState* state, float red, GLbitfield buffers)
 
 } // namespace
 
-bool InkSplatDrawing::Allocate(InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting)
+bool InkSplatDrawing::Allocate(
+  InkSplatPasses& passes, const InkViewUniforms& view, const InkSplatSettings& splatting)
 {
   const auto& [width, height] = view.Size;
   const bool fits = this->View && this->View->Size == view.Size && this->Splatting &&
@@ -37,20 +38,20 @@ bool InkSplatDrawing::Allocate(InkSplatPasses& passes, const InkView& view, cons
     this->Sums.clear();
     this->ZBuffer.reset();
   }
-  using Format = InkSplatImage::Format;
+  using Format = InkRenderTarget::Format;
   vtkOpenGLRenderWindow* window = passes.GetWindow();
   if (!this->ZBuffer)
   {
-    this->ZBuffer = std::make_unique<InkSplatImage>(window, Format::Depth, width, height);
+    this->ZBuffer = std::make_unique<InkRenderTarget>(window, Format::Depth, width, height);
   }
   const Format sums = splatting.HalfFloats ? Format::Half4 : Format::Float4;
-  while (!this->Sums.empty() && 1 << (this->Sums.size() - 1) > splatting.CoarsestTexel)
+  while (!this->Sums.empty() && 1 << (this->Sums.size() - 1) > splatting.MaximumDownsampling)
   {
     this->Sums.pop_back();
   }
-  for (int texel = 1 << this->Sums.size(); texel <= splatting.CoarsestTexel; texel *= 2)
+  for (int texel = 1 << this->Sums.size(); texel <= splatting.MaximumDownsampling; texel *= 2)
   {
-    this->Sums.push_back(std::make_unique<InkSplatImage>(
+    this->Sums.push_back(std::make_unique<InkRenderTarget>(
       window, sums, (width + texel - 1) / texel, (height + texel - 1) / texel));
   }
   this->Layers.resize(static_cast<std::size_t>(splatting.Layers));
@@ -59,12 +60,12 @@ bool InkSplatDrawing::Allocate(InkSplatPasses& passes, const InkView& view, cons
 }
 
 bool InkSplatDrawing::AllocateLayer(
-  InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting, Layer& layer)
+  InkSplatPasses& passes, const InkViewUniforms& view, const InkSplatSettings& splatting, Layer& layer)
 {
-  using Format = InkSplatImage::Format;
-  const auto make = [&](Format format, InkSplatImage* beside = nullptr, InkSplatImage* depth = nullptr)
+  using Format = InkRenderTarget::Format;
+  const auto make = [&](Format format, InkRenderTarget* beside = nullptr, InkRenderTarget* depth = nullptr)
   {
-    return std::make_unique<InkSplatImage>(
+    return std::make_unique<InkRenderTarget>(
       passes.GetWindow(), format, view.Size[0], view.Size[1], beside, depth);
   };
   if (!layer.Surface)
@@ -78,7 +79,7 @@ bool InkSplatDrawing::AllocateLayer(
 }
 
 bool InkSplatDrawing::DrawSurface(
-  InkSplatPasses& passes, const InkView& view, const InkSplatting& splatting, std::size_t index)
+  InkSplatPasses& passes, const InkViewUniforms& view, const InkSplatSettings& splatting, std::size_t index)
 {
   vtkOpenGLState* state = passes.GetWindow()->GetState();
   this->Layers[index].Surface->Bind();
@@ -107,7 +108,7 @@ bool InkSplatDrawing::DrawSurface(
     }
     return true;
   }
-  const InkSplatImage* before = this->Layers[index - 1].Surface.get();
+  const InkRenderTarget* before = this->Layers[index - 1].Surface.get();
   GLint current = 0;
   glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &current);
   if (current != 0)
@@ -133,8 +134,8 @@ bool InkSplatDrawing::DrawSurface(
   return pixels > 0;
 }
 
-bool InkSplatDrawing::DrawSplats(
-  InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view, const InkSplatting& splatting)
+bool InkSplatDrawing::DrawSplats(InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view,
+  const InkSplatSettings& splatting)
 {
   vtkOpenGLState* state = passes.GetWindow()->GetState();
   const std::array<int, 4> extent = passes.FindExtent(view, splatting, 0);
@@ -158,7 +159,7 @@ bool InkSplatDrawing::DrawSplats(
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendEquation(GL_FUNC_ADD);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
-    std::vector<const InkSplatImage*> sums;
+    std::vector<const InkRenderTarget*> sums;
     for (std::size_t level = 0; level < this->Sums.size(); ++level)
     {
       const int texel = 1 << level;
@@ -184,7 +185,7 @@ bool InkSplatDrawing::DrawSplats(
 }
 
 void InkSplatDrawing::DrawInk(
-  InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view, const InkSplatStyle& style)
+  InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view, const InkSplatStyle& style)
 {
   vtkOpenGLState* state = passes.GetWindow()->GetState();
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -194,7 +195,7 @@ void InkSplatDrawing::DrawInk(
   this->Reach = 0;
   for (int index = 0; index < this->Present; ++index)
   {
-    this->Reach = std::max(this->Reach, InkSplatLineWork(style, index, view).GetReach());
+    this->Reach = std::max(this->Reach, InkLinePostProcess(style, index, view).GetReach());
   }
   // What is farther from the discs is never looked at.
   const std::array<int, 4> extent = passes.FindExtent(view, *this->Splatting, this->Reach);
@@ -218,8 +219,8 @@ void InkSplatDrawing::DrawInk(
   }
 }
 
-bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const InkView& view,
-  const InkSplatting& splatting, const InkSplatStyle& style, const double paperColor[3], double opacity,
+bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view,
+  const InkSplatSettings& splatting, const InkSplatStyle& style, const double paperColor[3], double opacity,
   vtkAbstractMapper* mapper, vtkActor* actor)
 {
   const bool splatsChanged =

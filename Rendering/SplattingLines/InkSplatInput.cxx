@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatInput.h"
 
+#include "InkArrayList.h"
+
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -13,22 +15,6 @@ namespace
 std::string Quote(const char* name)
 {
   return std::string("\"") + (name ? name : "") + '"';
-}
-
-/// "Normals" (3), "Value" (1), ...
-std::string ListArrays(vtkPointData* data)
-{
-  std::ostringstream list;
-  const char* separator = "";
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    if (vtkDataArray* array = data->GetArray(i))
-    {
-      list << separator << Quote(array->GetName()) << " (" << array->GetNumberOfComponents() << ')';
-      separator = ", ";
-    }
-  }
-  return *separator ? list.str() : "none";
 }
 
 /// What is wrong with an array of some components, one tuple for each point.
@@ -65,7 +51,7 @@ std::string InkSplatInput::FindProblem(vtkPointData* found) const
   }
   if (!problem.empty())
   {
-    problem += " Point arrays (components) in the input: " + ListArrays(found) + '.';
+    problem += " Point arrays (components) in the input: " + InkListArrays(found) + '.';
   }
   return problem;
 }

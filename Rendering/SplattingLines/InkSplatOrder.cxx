@@ -3,8 +3,8 @@
 
 #include "vtkDataArray.h"
 
-#include "Parallel/ParallelSort.h"
-#include "Sampling/Hash.h"
+#include "Core/Hash.h"
+#include "Core/ParallelSort.h"
 
 #include <cmath>
 #include <utility>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatPasses.h"
 
+#include "InkFrame.h"
+#include "InkPointSize.h"
+#include "InkRenderTarget.h"
 #include "InkShader.h"
-#include "InkSplatImage.h"
 #include "InkSplatPoints.h"
-#include "InkView.h"
+#include "InkViewUniforms.h"
 
 #include "InkSplatDepthFS.h"
 #include "InkSplatGS.h"
@@ -16,7 +18,6 @@
 
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
@@ -66,14 +67,14 @@ double Growth(double fraction)
 /// By how much illumination splats are larger than the points' radii. Those of a part of the points are not
 /// larger than all's while they cover the surface as well; otherwise pictures would differ by more than need
 /// be.
-double FindLightScale(const InkSplatting& splatting)
+double FindLightScale(const InkSplatSettings& splatting)
 {
   return std::max(splatting.Lambda, std::min(splatting.Lambda, 1.0) * Growth(splatting.PointFraction));
 }
 
 /// How large in pixels a splat of some radius (in the points' unit), grown by another (in pixels), may be
 /// anywhere beyond the near plane.
-double LargestSplat(const InkView& view, double radius, double minimumRadius)
+double LargestSplat(const InkViewUniforms& view, double radius, double minimumRadius)
 {
   // An actor's scale may stretch discs.
   double unit = 0.0;
@@ -90,7 +91,7 @@ double LargestSplat(const InkView& view, double radius, double minimumRadius)
   return std::min(viewport, 2.0 * 2.0 * pixels);
 }
 
-double FindDepthRadius(const InkView& view)
+double FindDepthRadius(const InkViewUniforms& view)
 {
   return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * view.GetShownHeight()) *
     view.TileScale;
@@ -98,33 +99,16 @@ double FindDepthRadius(const InkView& view)
 
 } // namespace
 
-/// A form of the shaders and its binding to the buffers.
-struct InkSplatPasses::Pass
-{
-  std::string VertexShader;
-  std::string GeometryShader;
-  std::string FragmentShader;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  int ProgramHandle = 0;
-  vtkMTimeType BufferTime = 0;
-};
-
 InkSplatPasses::InkSplatPasses(vtkOpenGLRenderWindow* window)
   : Window(window)
 {
-  float range[2] = { 1.0f, 1.0f };
-  glGetFloatv(GL_POINT_SIZE_RANGE, range);
-  this->LargestSprite = range[1];
+  this->LargestSprite = InkFindLargestPoint();
 }
 
 InkSplatPasses::~InkSplatPasses()
 {
   this->Buffers->ReleaseGraphicsResources(this->Window);
   this->Order->ReleaseGraphicsResources();
-  for (auto& [features, pass] : this->Passes)
-  {
-    pass->VertexArray->ReleaseGraphicsResources();
-  }
 }
 
 void InkSplatPasses::Upload(InkSplatPoints& points, vtkUnsignedCharArray* colors)
@@ -157,7 +141,7 @@ void InkSplatPasses::SetOrder(std::span<const std::uint32_t> order)
   this->Ordered = true;
 }
 
-double InkSplatPasses::FindMinimumRadius(const InkView& view, const InkSplatting& splatting)
+double InkSplatPasses::FindMinimumRadius(const InkViewUniforms& view, const InkSplatSettings& splatting)
 {
   return splatting.AsPublished
     ? PublishedMinimumRadius
@@ -165,7 +149,7 @@ double InkSplatPasses::FindMinimumRadius(const InkView& view, const InkSplatting
 }
 
 std::array<int, 4> InkSplatPasses::FindExtent(
-  const InkView& view, const InkSplatting& splatting, int around) const
+  const InkViewUniforms& view, const InkSplatSettings& splatting, int around) const
 {
   const std::array<int, 4> all{ 0, 0, view.Size[0], view.Size[1] };
   const double radius = Growth(splatting.PointFraction) * this->LargestRadius;
@@ -225,7 +209,7 @@ double InkSplatPasses::FewestTexels(double sigma)
   return std::max(2.5, 1.0 / sigma);
 }
 
-int InkSplatPasses::FindTexel(const InkView& view, const InkSplatting& splatting, int limit) const
+int InkSplatPasses::FindTexel(const InkViewUniforms& view, const InkSplatSettings& splatting, int limit) const
 {
   // In the middle of the points, facing the viewer.
   const double w = view.DepthToClip[2] * view.MCVC[14] + view.DepthToClip[3];
@@ -241,7 +225,7 @@ int InkSplatPasses::FindTexel(const InkView& view, const InkSplatting& splatting
 }
 
 vtkShaderProgram* InkSplatPasses::Begin(
-  const char* fragmentShader, std::string features, const InkView& view, const Splats& splats)
+  const char* fragmentShader, std::string features, const InkViewUniforms& view, const Splats& splats)
 {
   const bool sprites =
     LargestSplat(view, splats.RadiusScale * this->LargestRadius, splats.MinimumRadius) / splats.Texel <=
@@ -250,40 +234,19 @@ vtkShaderProgram* InkSplatPasses::Begin(
   const int margin = wider ? Margin : 0;
   if (wider)
   {
-    features += "#define INK_MARGIN " + std::to_string(Margin) + ".0\n";
+    features += InkDefine("INK_MARGIN " + std::to_string(Margin) + ".0");
   }
-  if (view.NumberOfClippingPlanes > 0)
-  {
-    features += "#define INK_PLANES " + std::to_string(view.NumberOfClippingPlanes) + '\n';
-  }
-  std::unique_ptr<Pass>& pass = this->Passes[(sprites ? "sprites " : "quads ") + features];
-  if (!pass)
-  {
-    pass = std::make_unique<Pass>();
-    pass->VertexShader = InkWithFeatures(InkSplatVS, features);
-    pass->GeometryShader = sprites ? "" : InkWithFeatures(InkSplatGS, features);
-    pass->FragmentShader = InkWithFeatures(fragmentShader, features);
-  }
-  vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
-    pass->VertexShader.c_str(), pass->FragmentShader.c_str(), pass->GeometryShader.c_str());
+  features += view.FindFeatures();
+  InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkSplatVS, features),
+    sprites ? "" : InkWithFeatures(InkSplatGS, features), InkWithFeatures(fragmentShader, features));
+  vtkShaderProgram* program = pass.Begin(this->Window, this->Buffers->GetMTime(),
+    [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
+    { this->Buffers->AddAllAttributesToVAO(made, vertexArray); });
   if (!program)
   {
     return nullptr;
   }
-  if (pass->ProgramHandle != program->GetHandle() || pass->BufferTime < this->Buffers->GetMTime())
-  {
-    // This deletes the binding: it goes before Bind.
-    pass->VertexArray->ShaderProgramChanged();
-    pass->VertexArray->Bind();
-    this->Buffers->AddAllAttributesToVAO(program, pass->VertexArray);
-    pass->ProgramHandle = program->GetHandle();
-    pass->BufferTime = this->Buffers->GetMTime();
-  }
-  else
-  {
-    pass->VertexArray->Bind();
-  }
-  this->Current = pass.get();
+  this->Current = &pass;
 
   view.SetUniforms(program);
   const int texel = splats.Texel;
@@ -299,16 +262,20 @@ vtkShaderProgram* InkSplatPasses::Begin(
   program->SetUniformf("radiusScale", static_cast<float>(splats.RadiusScale));
   program->SetUniformf("minimumRadius", static_cast<float>(splats.MinimumRadius));
   program->SetUniformf("minimumLight", 0.0f);
+  const double rim = std::min(
+    InkSplatTolerance, InkSplatMiddleTolerance + InkSplatToleranceGrowth * std::pow(splats.RadiusScale, 2));
+  const float nearness[2] = { static_cast<float>(InkSplatMiddleTolerance / InkSplatTolerance),
+    static_cast<float>(rim / InkSplatTolerance) };
+  const float everywhere[2] = { 1.0f, 1.0f };
   program->SetUniformf("tolerance", static_cast<float>(InkSplatTolerance));
-  program->SetUniformf("slack", static_cast<float>(InkSplatTolerance * splats.Slack));
+  program->SetUniform2f("nearness", splats.Uniform ? everywhere : nearness);
+  program->SetUniformf("slack", static_cast<float>(splats.Slack));
   return program;
 }
 
 void InkSplatPasses::DrawPoints(double fraction)
 {
-  // vtkOpenGLState does not know this one.
-  const bool wasEnabled = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
-  glEnable(GL_PROGRAM_POINT_SIZE);
+  const InkPointSizeByShader pointSize;
   if (fraction < 1.0 && this->Ordered)
   {
     this->Order->Bind();
@@ -320,39 +287,38 @@ void InkSplatPasses::DrawPoints(double fraction)
   {
     glDrawArrays(GL_POINTS, 0, this->NumberOfPoints);
   }
-  if (!wasEnabled)
-  {
-    glDisable(GL_PROGRAM_POINT_SIZE);
-  }
-  this->Current->VertexArray->Release();
+  this->Current->End();
 }
 
 void InkSplatPasses::DrawDepth(
-  const InkView& view, const InkSplatting& splatting, Sheet sheet, const InkSplatImage* image)
+  const InkViewUniforms& view, const InkSplatSettings& splatting, Sheet sheet, const InkRenderTarget* image)
 {
-  std::string features = "#define INK_DEPTH\n";
+  std::string features = InkDefine("INK_DEPTH");
   if (sheet == Sheet::Hidden)
   {
-    features += "#define INK_PEEL\n";
+    features += InkDefine("INK_PEEL");
   }
   if (sheet == Sheet::Back)
   {
-    features += "#define INK_BACK\n";
+    features += InkDefine("INK_BACK");
   }
   if (splatting.Colors)
   {
-    features += "#define INK_COLORS\n";
+    features += InkDefine("INK_COLORS");
   }
-  const double minimum = splatting.AsPublished ? PublishedMinimumRadius : FindDepthRadius(view);
-  vtkShaderProgram* program = this->Begin(InkSplatDepthFS, features, view,
-    { Growth(splatting.PointFraction), minimum, FindMinimumRadius(view, splatting) });
+  const bool published = splatting.AsPublished;
+  const double minimum = published ? PublishedMinimumRadius : FindDepthRadius(view);
+  // Two discs of one sheet reach beyond it by that much each.
+  const double slack = published ? InkSplatTolerance * minimum : 2.0 * minimum;
+  vtkShaderProgram* program = this->Begin(
+    InkSplatDepthFS, features, view, { Growth(splatting.PointFraction), minimum, slack, published });
   if (!program)
   {
     return;
   }
   const bool backs = sheet == Sheet::Hidden ? splatting.PeelBackFaces : sheet != Sheet::Front;
   program->SetUniformi("backFaces", view.BackFaces && backs);
-  std::optional<InkSplatImage::Reading> reading;
+  std::optional<InkRenderTarget::Reading> reading;
   if (image)
   {
     program->SetUniformi("surface", reading.emplace(*image->GetTexture()).GetUnit());
@@ -361,19 +327,20 @@ void InkSplatPasses::DrawDepth(
   this->DrawPoints(splatting.PointFraction);
 }
 
-void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splatting,
-  const InkSplatImage& surface, bool hidden, int texel, const std::array<double, 2>& widths)
+void InkSplatPasses::DrawLight(const InkViewUniforms& view, const InkSplatSettings& splatting,
+  const InkRenderTarget& surface, bool hidden, int texel, const std::array<double, 2>& widths)
 {
   const double minimum = FindMinimumRadius(view, splatting);
   const double scale = FindLightScale(splatting);
-  const std::string features = texel > 1 ? "#define INK_LIGHT\n#define INK_COARSE\n" : "#define INK_LIGHT\n";
-  vtkShaderProgram* program = this->Begin(
-    InkSplatLightFS, features, view, { scale, minimum, splatting.AsPublished ? 0.0 : minimum, texel });
+  const std::string features = InkDefine("INK_LIGHT") + (texel > 1 ? InkDefine("INK_COARSE") : "");
+  vtkShaderProgram* program = this->Begin(InkSplatLightFS, features, view,
+    { scale, minimum, splatting.AsPublished ? 0.0 : InkSplatTolerance * minimum, splatting.AsPublished,
+      texel });
   if (!program)
   {
     return;
   }
-  const InkSplatImage::Reading reading(*surface.GetTexture());
+  const InkRenderTarget::Reading reading(*surface.GetTexture());
   program->SetUniformi("surface", reading.GetUnit());
   program->SetUniformi("backFaces", view.BackFaces && (!hidden || splatting.PeelBackFaces));
   program->SetUniformf(
@@ -404,20 +371,13 @@ void InkSplatPasses::DrawLight(const InkView& view, const InkSplatting& splattin
   this->DrawPoints(splatting.PointFraction);
 }
 
-void InkSplatPasses::DrawIds(
-  const InkView& view, const int viewportOrigin[2], int idShift, const float propColor[3])
+void InkSplatPasses::DrawIds(const InkViewUniforms& view, const InkFrame& frame)
 {
-  vtkOpenGLState* state = this->Window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
-  if (vtkShaderProgram* program = this->Begin(
-        InkSplatIdFS, "#define INK_ID\n", view, { 1.0, FindDepthRadius(view), FindDepthRadius(view) }))
+  if (vtkShaderProgram* program =
+        this->Begin(InkSplatIdFS, InkDefine("INK_ID"), view, { 1.0, FindDepthRadius(view), 0.0 }))
   {
-    const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
-    program->SetUniform2f("viewportOrigin", origin);
-    program->SetUniform4f("depthToClip", view.DepthToClip.data());
-    program->SetUniformi("idShift", idShift);
-    program->SetUniform3f("propColor", propColor);
+    frame.SetOrigin(program);
+    frame.Ids->SetUniforms(program);
     this->DrawPoints(1.0);
   }
 }

@@ -2,21 +2,21 @@
 #ifndef InkSplatPasses_h
 #define InkSplatPasses_h
 
-#include "InkSplatting.h"
+#include "InkShaderPass.h"
+#include "InkSplatSettings.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <span>
 #include <string>
 
-class InkSplatImage;
+class InkRenderTarget;
 class InkSplatPoints;
-struct InkView;
+struct InkFrame;
+struct InkViewUniforms;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectGroup;
@@ -48,14 +48,15 @@ public:
   static double FewestTexels(double sigma);
 
   /// The least radius of illumination splats in pixels.
-  static double FindMinimumRadius(const InkView& view, const InkSplatting& splatting);
+  static double FindMinimumRadius(const InkViewUniforms& view, const InkSplatSettings& splatting);
 
   /// The part of the viewport that the discs may cover, and some pixels around: x, y, width, height in
   /// pixels.
-  std::array<int, 4> FindExtent(const InkView& view, const InkSplatting& splatting, int around) const;
+  std::array<int, 4> FindExtent(
+    const InkViewUniforms& view, const InkSplatSettings& splatting, int around) const;
 
   /// The side of the largest squares of pixels that it pays to sum up splats for: 1, 2, ... up to a limit.
-  int FindTexel(const InkView& view, const InkSplatting& splatting, int limit) const;
+  int FindTexel(const InkViewUniforms& view, const InkSplatSettings& splatting, int limit) const;
 
   /// Which depth splats to draw.
   enum class Sheet
@@ -69,33 +70,32 @@ public:
   /// The depth splats of a layer, into the bound surface (and colors) with its z-buffer, both cleared
   /// before.
   /// @param image see Sheet; else null
-  void DrawDepth(
-    const InkView& view, const InkSplatting& splatting, Sheet sheet, const InkSplatImage* image = nullptr);
+  void DrawDepth(const InkViewUniforms& view, const InkSplatSettings& splatting, Sheet sheet,
+    const InkRenderTarget* image = nullptr);
 
   /// The illumination splats of a layer whose narrower radius on the screen is within two limits, added to
   /// the bound sums.
   /// @param texel of the sums, in pixels
   /// @param widths pixels
-  void DrawLight(const InkView& view, const InkSplatting& splatting, const InkSplatImage& surface,
-    bool hidden, int texel, const std::array<double, 2>& widths);
+  void DrawLight(const InkViewUniforms& view, const InkSplatSettings& splatting,
+    const InkRenderTarget& surface, bool hidden, int texel, const std::array<double, 2>& widths);
 
-  /// The points' discs in the colors that encode 24 bits of their ids, from bit idShift on, or, if idShift
-  /// is negative, in propColor; into the caller's framebuffer and viewport, at the given origin.
-  void DrawIds(const InkView& view, const int viewportOrigin[2], int idShift, const float propColor[3]);
+  /// The points' discs in the frame's colors of ids.
+  void DrawIds(const InkViewUniforms& view, const InkFrame& frame);
 
 private:
-  struct Pass;
   /// How the splats of a pass lie on the screen.
   struct Splats
   {
     double RadiusScale;
     double MinimumRadius; ///< pixels
-    double Slack;         ///< pixels
+    double Slack;         ///< of the depth test by slope, in pixels
+    bool Uniform = true;  ///< whether the depth test's tolerance is the same for all of a disc
     int Texel = 1;        ///< of the target, in pixels
   };
 
   vtkShaderProgram* Begin(
-    const char* fragmentShader, std::string features, const InkView& view, const Splats& splats);
+    const char* fragmentShader, std::string features, const InkViewUniforms& view, const Splats& splats);
   void DrawPoints(double fraction);
 
   vtkOpenGLRenderWindow* Window;
@@ -106,8 +106,8 @@ private:
   double LargestRadius = 0.0;
   std::array<float, 6> Bounds{};
   double LargestSprite = 0.0;
-  std::map<std::string, std::unique_ptr<Pass>> Passes; ///< by their features
-  Pass* Current = nullptr;
+  InkShaderPasses Passes;
+  InkShaderPass* Current = nullptr;
 };
 
 #endif

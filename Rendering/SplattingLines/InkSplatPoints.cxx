@@ -4,7 +4,7 @@
 #include "vtkMath.h"
 #include "vtkPoints.h"
 
-#include "Sampling/PointSpacing.h"
+#include "PointSampling/PointCloud/PointSpacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,8 @@ void InkSplatPoints::Read(
   vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius, vtkUnsignedCharArray* ghosts)
 {
   double bounds[6];
-  InkLocalFrame::FindFiniteBounds(points, bounds, ghosts);
-  this->Frame = InkLocalFrame::FromBounds(bounds);
+  InkShiftScale::FindFiniteBounds(points, bounds, ghosts);
+  this->Frame = InkShiftScale::FromBounds(bounds);
 
   const vtkIdType count = points->GetNumberOfPoints();
   this->Positions->SetNumberOfComponents(3);

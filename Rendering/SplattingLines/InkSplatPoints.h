@@ -2,7 +2,7 @@
 #ifndef InkSplatPoints_h
 #define InkSplatPoints_h
 
-#include "InkLocalFrame.h"
+#include "InkShiftScale.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -32,7 +32,7 @@ public:
   vtkIdType GetNumberOfVisiblePoints() const { return this->NumberOfVisiblePoints; }
 
   /// The shaders' coordinates.
-  const InkLocalFrame& GetFrame() const { return this->Frame; }
+  const InkShiftScale& GetFrame() const { return this->Frame; }
   /// The largest radius, in the frame's unit.
   double GetLargestRadius() const { return this->LargestRadius; }
 
@@ -50,7 +50,7 @@ private:
 
   vtkNew<vtkFloatArray> Positions;
   vtkNew<vtkFloatArray> NormalsAndRadii;
-  InkLocalFrame Frame;
+  InkShiftScale Frame;
   double LargestRadius = 0.0;
   std::array<float, 6> Bounds{};
   vtkIdType NumberOfVisiblePoints = 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatQuads.h"
 
+#include "InkLinePostProcess.h"
 #include "InkRenderPasses.h"
+#include "InkRenderTarget.h"
 #include "InkShader.h"
-#include "InkSplatImage.h"
-#include "InkSplatLineWork.h"
-#include "InkView.h"
+#include "InkViewUniforms.h"
 
 #include "InkSplatCompositeFS.h"
 #include "InkSplatIlluminationFS.h"
@@ -13,10 +13,7 @@
 
 #include "InkOpenGLCompat.h"
 
-#include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -25,57 +22,24 @@
 #include <optional>
 #include <vector>
 
-namespace
-{
-
-void SetColor(vtkShaderProgram* program, const char* name, const double* color)
-{
-  const float rgb[3] = { static_cast<float>(color[0]), static_cast<float>(color[1]),
-    static_cast<float>(color[2]) };
-  program->SetUniform3f(name, rgb);
-}
-
-} // namespace
-
 InkSplatQuads::InkSplatQuads(vtkOpenGLRenderWindow* window)
-  : Window(window)
+  : Passes(window)
 {
 }
 
-InkSplatQuads::~InkSplatQuads() = default;
-
-vtkOpenGLQuadHelper& InkSplatQuads::Find(
-  const std::string& vertexShader, const std::string& fragmentShader, const std::string& geometryShader)
-{
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[vertexShader + geometryShader + fragmentShader];
-  if (!quad)
-  {
-    quad = std::make_unique<vtkOpenGLQuadHelper>(
-      this->Window, vertexShader.c_str(), fragmentShader.c_str(), geometryShader.c_str());
-  }
-  return *quad;
-}
-
-vtkShaderProgram* InkSplatQuads::Begin(vtkOpenGLQuadHelper& quad)
-{
-  return this->Window->GetShaderCache()->ReadyShaderProgram(quad.Program);
-}
-
-void InkSplatQuads::DrawIllumination(const InkView& view, const InkSplatImage& surface,
-  const std::vector<const InkSplatImage*>& sums, const std::array<double, 2>& tolerances)
+void InkSplatQuads::DrawIllumination(const InkViewUniforms& view, const InkRenderTarget& surface,
+  const std::vector<const InkRenderTarget*>& sums, const std::array<double, 2>& tolerances)
 {
   const std::size_t coarse = sums.size() - 1;
-  const std::string features = coarse > 0 ? "#define INK_COARSE " + std::to_string(coarse) : "";
-  vtkOpenGLQuadHelper& quad = this->Find(vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader(),
-    InkWithFeatures(InkSplatIlluminationFS, features), "");
-  vtkShaderProgram* program = this->Begin(quad);
+  const std::string features = coarse > 0 ? InkDefine("INK_COARSE", coarse) : "";
+  vtkShaderProgram* program = this->Passes.Begin(InkWithFeatures(InkSplatIlluminationFS, features));
   if (!program)
   {
     return;
   }
-  const InkSplatImage::Reading readSurface(*surface.GetTexture());
+  const InkRenderTarget::Reading readSurface(*surface.GetTexture());
   program->SetUniformi("surface", readSurface.GetUnit());
-  std::list<InkSplatImage::Reading> readSums;
+  std::list<InkRenderTarget::Reading> readSums;
   for (std::size_t level = 0; level < sums.size(); ++level)
   {
     const std::string name = level == 0 ? "sums" : "coarseSums[" + std::to_string(level - 1) + "]";
@@ -85,15 +49,14 @@ void InkSplatQuads::DrawIllumination(const InkView& view, const InkSplatImage& s
   const float limits[2] = { static_cast<float>(tolerances[0]),
     static_cast<float>(tolerances[1] * view.Pixel) };
   program->SetUniform2f("tolerances", limits);
-  const float clipW[2] = { view.DepthToClip[2], view.DepthToClip[3] };
-  program->SetUniform2f("depthToClipW", clipW);
-  quad.Render();
+  view.SetUniforms(program);
+  this->Passes.Draw();
 }
 
 vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& style, int layer,
-  const InkView& view, const InkSplatImage& illumination, InkSplatImage& scratch)
+  const InkViewUniforms& view, const InkRenderTarget& illumination, InkRenderTarget& scratch)
 {
-  const InkSplatLineWork work(style, layer, view);
+  const InkLinePostProcess work(style, layer, view);
   if (!work.IsNeeded())
   {
     return nullptr;
@@ -110,51 +73,49 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
   const int width = scratch.GetWidth();
   const int height = scratch.GetHeight();
   std::vector<unsigned char> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  this->Window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  this->Passes.GetWindow()->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   scratch.BindForReading();
   glReadPixels(0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, pixels.data());
   work.Apply({ pixels, width, height });
   auto coverage = vtkSmartPointer<vtkTextureObject>::New();
-  coverage->SetContext(this->Window);
+  coverage->SetContext(this->Passes.GetWindow());
   coverage->Create2DFromRaw(
     static_cast<unsigned int>(width), static_cast<unsigned int>(height), 1, VTK_UNSIGNED_CHAR, pixels.data());
   return coverage;
 }
 
-void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSplatImage& illumination,
-  const InkSplatImage* colors, vtkTextureObject* coverage, int reach)
+void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkRenderTarget& illumination,
+  const InkRenderTarget* colors, vtkTextureObject* coverage, int reach)
 {
   const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
   const bool scalarColors = own.ScalarColors && colors;
   std::string features;
   if (scalarColors)
   {
-    features += "#define INK_COLORS\n";
+    features += InkDefine("INK_COLORS");
   }
   if (style.ToneColors)
   {
-    features += "#define INK_TONE\n";
+    features += InkDefine("INK_TONE");
   }
   if (coverage)
   {
-    features += "#define INK_COVERAGE\n";
+    features += InkDefine("INK_COVERAGE");
   }
-  vtkOpenGLQuadHelper& quad = this->Find(
-    vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader(), InkWithFeatures(InkSplatInkFS, features), "");
-  vtkShaderProgram* program = this->Begin(quad);
+  vtkShaderProgram* program = this->Passes.Begin(InkWithFeatures(InkSplatInkFS, features));
   if (!program)
   {
     return;
   }
-  const InkSplatImage::Reading read(*illumination.GetTexture());
+  const InkRenderTarget::Reading read(*illumination.GetTexture());
   program->SetUniformi("illumination", read.GetUnit());
-  std::optional<InkSplatImage::Reading> readColors;
+  std::optional<InkRenderTarget::Reading> readColors;
   if (scalarColors)
   {
     program->SetUniformi("reach", reach);
     program->SetUniformi("colors", readColors.emplace(*colors->GetTexture()).GetUnit());
   }
-  std::optional<InkSplatImage::Reading> readCoverage;
+  std::optional<InkRenderTarget::Reading> readCoverage;
   if (coverage)
   {
     program->SetUniformi("coverageImage", readCoverage.emplace(*coverage).GetUnit());
@@ -163,44 +124,33 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkSpla
   program->SetUniformf("phi", static_cast<float>(style.Phi));
   program->SetUniformf("hardness", static_cast<float>(style.Hardness));
   program->SetUniformf("strength", static_cast<float>(own.Strength));
-  SetColor(program, "inkColor", own.Color.data());
-  SetColor(program, "toneColor", style.ToneColor.data());
-  quad.Render();
+  InkSetColorUniform(program, "inkColor", own.Color.data());
+  InkSetColorUniform(program, "toneColor", style.ToneColor.data());
+  this->Passes.Draw();
 }
 
-void InkSplatQuads::DrawComposite(const InkView& view, const InkSplatImage& surface, const InkSplatImage& ink,
-  const double paperColor[3], double opacity, int reach, double depthBias, vtkAbstractMapper* mapper,
-  vtkActor* actor)
+void InkSplatQuads::DrawComposite(const InkViewUniforms& view, const InkRenderTarget& surface,
+  const InkRenderTarget& ink, const double paperColor[3], double opacity, int reach, double depthBias,
+  vtkAbstractMapper* mapper, vtkActor* actor)
 {
-  std::string vertexShader = vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader();
-  std::string fragmentShader = InkSplatCompositeFS;
-  std::string geometryShader;
   const InkRenderPasses renderPasses(mapper, actor);
-  renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
-  vtkOpenGLQuadHelper& quad = this->Find(vertexShader, fragmentShader, geometryShader);
-  vtkShaderProgram* program = this->Begin(quad);
+  vtkShaderProgram* program = this->Passes.Begin(InkSplatCompositeFS, &renderPasses);
   if (!program)
   {
     return;
   }
-
-  // Culling, if the actor asks for it, concerns its surface and not this quad.
-  vtkOpenGLState* state = this->Window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
-  const InkSplatImage::Reading readSurface(*surface.GetTexture());
-  const InkSplatImage::Reading readInk(*ink.GetTexture());
+  const InkRenderTarget::Reading readSurface(*surface.GetTexture());
+  const InkRenderTarget::Reading readInk(*ink.GetTexture());
   program->SetUniformi("surface", readSurface.GetUnit());
   program->SetUniformi("ink", readInk.GetUnit());
   program->SetUniformf("farthest", 2.0f * view.DepthRange[1]);
-  program->SetUniform4f("depthToClip", view.DepthToClip.data());
+  view.SetUniforms(program);
   program->SetUniformi("paper", paperColor != nullptr);
   const double none[3] = { 0.0, 0.0, 0.0 };
-  SetColor(program, "paperColor", paperColor ? paperColor : none);
+  InkSetColorUniform(program, "paperColor", paperColor ? paperColor : none);
   program->SetUniformf("opacity", static_cast<float>(opacity));
   program->SetUniformi("reach", reach);
   program->SetUniformi("margin", view.Margin);
   program->SetUniformf("depthBias", static_cast<float>(depthBias));
-  renderPasses.SetShaderParameters(program, quad.VAO);
-  quad.Render();
+  this->Passes.Draw();
 }

@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesMapperInternals.h"
 
-#include "InkLocalFrame.h"
+#include "InkFrame.h"
+#include "InkLinePostProcess.h"
 #include "InkScalarColors.h"
+#include "InkShiftScale.h"
 #include "InkSplatInput.h"
-#include "InkSplatLineWork.h"
 #include "InkSplatOrder.h"
-#include "InkView.h"
+#include "InkViewUniforms.h"
 
-#include "InkOpenGLCompat.h"
-
-#include "vtkCommand.h"
+#include "vtkActor.h"
 #include "vtkDataArray.h"
-#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -55,27 +52,14 @@ vtkInkSplattingLinesMapper::vtkInkSplattingLinesMapper()
 
 vtkInkSplattingLinesMapper::~vtkInkSplattingLinesMapper() = default;
 
-void vtkInkSplattingLinesMapper::ReportOnce(const std::string& error)
-{
-  if (this->Internals->Reported.Add(this->GetInput()->GetMTime(), error))
-  {
-    vtkErrorMacro(<< error);
-  }
-}
-
 void vtkInkSplattingLinesMapper::ComputeBounds()
 {
   vtkPolyData* input = this->GetInput();
-  vtkMath::UninitializeBounds(this->Bounds);
-  if (!input || input->GetNumberOfPoints() == 0)
+  vtkUnsignedCharArray* ghosts = input ? input->GetPointGhostArray() : nullptr;
+  this->ComputePointBounds(ghosts);
+  if (!vtkMath::AreBoundsInitialized(this->Bounds))
   {
     return;
-  }
-  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
-  input->GetBounds(this->Bounds);
-  if (ghosts || std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
-  {
-    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds, ghosts);
   }
   double radius = this->Radius;
   vtkDataArray* radii = this->GetInputArrayToProcess(RADIUS, input);
@@ -88,7 +72,7 @@ void vtkInkSplattingLinesMapper::ComputeBounds()
       radius = std::isfinite(own) && !InkIsGhostPoint(ghosts, i) ? std::max(radius, own) : radius;
     }
   }
-  if (radius > 0.0 && vtkMath::AreBoundsInitialized(this->Bounds))
+  if (radius > 0.0)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -98,23 +82,16 @@ void vtkInkSplattingLinesMapper::ComputeBounds()
   }
 }
 
-vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::UpdatePoints(
-  vtkRenderer* renderer)
+std::unique_ptr<InkMarks> vtkInkSplattingLinesMapper::MakeMarks(vtkOpenGLRenderWindow* window)
 {
+  return std::make_unique<vtkMarks>(window);
+}
+
+bool vtkInkSplattingLinesMapper::UpdateMarks(InkMarks& own)
+{
+  auto& marks = static_cast<vtkMarks&>(own);
   vtkInternals& internals = *this->Internals;
   vtkPolyData* input = this->GetInput();
-  if (!input || input->GetNumberOfPoints() == 0)
-  {
-    return nullptr;
-  }
-
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window)
-  {
-    this->ReportOnce("Splatting lines need a vtkOpenGLRenderWindow.");
-    return nullptr;
-  }
-
   const auto chosenName = [this](int index) -> std::string
   {
     vtkInformation* info = this->GetInputArrayInformation(index);
@@ -131,7 +108,7 @@ vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::Upda
   if (!problem.empty())
   {
     this->ReportOnce(problem);
-    return nullptr;
+    return false;
   }
 
   if (input->GetNumberOfPoints() > std::numeric_limits<int>::max())
@@ -140,16 +117,7 @@ vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::Upda
     message << "OpenGL draws up to " << std::numeric_limits<int>::max() << " points; found "
             << input->GetNumberOfPoints() << '.';
     this->ReportOnce(message.str());
-    return nullptr;
-  }
-
-  vtkPlaneCollection* planes = this->GetClippingPlanes();
-  if (planes && planes->GetNumberOfItems() > InkView::MaximumClippingPlanes)
-  {
-    std::ostringstream message;
-    message << "Only the first " << InkView::MaximumClippingPlanes << " of the " << planes->GetNumberOfItems()
-            << " clipping planes are used.";
-    this->ReportOnce(message.str());
+    return false;
   }
 
   const InkScalarColors colors(this, input, InkScalarColors::Of::Points);
@@ -159,17 +127,16 @@ vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::Upda
     this->ReportOnce(colors.GetProblem());
   }
   vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
-  const vtkWindowResources::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
+  const vtkMarks::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
     arrays.Radii ? arrays.Radii->GetMTime() : 0, ghosts ? ghosts->GetMTime() : 0,
     colored ? colors.Describe() : "", arrays.Radii ? 0.0 : this->Radius };
-  vtkWindowResources& resources = internals.Windows.Get(window);
-  if (internals.PointsSource != source || resources.PointsSource != source)
+  if (internals.PointsSource != source || marks.PointsSource != source)
   {
     internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius, ghosts);
     internals.PointsSource = source;
-    resources.Passes.Upload(internals.Points, colored ? colors.Map() : nullptr);
+    marks.Passes.Upload(internals.Points, colored ? colors.Map() : nullptr);
     internals.Points.ReleaseArrays();
-    resources.PointsSource = source;
+    marks.PointsSource = source;
   }
   if (internals.Points.GetNumberOfVisiblePoints() == 0)
   {
@@ -178,12 +145,12 @@ vtkInkSplattingLinesMapper::vtkWindowResources* vtkInkSplattingLinesMapper::Upda
             << " points has a finite position, a normal that is not zero and a positive radius"
             << (ghosts ? " and is neither hidden nor a duplicate by vtkGhostType." : ".");
     this->ReportOnce(message.str());
-    return nullptr;
+    return false;
   }
-  return &resources;
+  return true;
 }
 
-void vtkInkSplattingLinesMapper::UpdateOrder(vtkWindowResources& resources)
+void vtkInkSplattingLinesMapper::UpdateOrder(vtkMarks& marks)
 {
   if (this->PointFraction == 1.0)
   {
@@ -198,78 +165,47 @@ void vtkInkSplattingLinesMapper::UpdateOrder(vtkWindowResources& resources)
     priorities = nullptr;
   }
   const vtkMTimeType time = priorities ? priorities->GetMTime() : 0;
-  if (!resources.Passes.HasOrder() || resources.OrderTime != time)
+  if (!marks.Passes.HasOrder() || marks.OrderTime != time)
   {
-    resources.Passes.SetOrder(
+    marks.Passes.SetOrder(
       InkFindSplatOrder(static_cast<std::uint32_t>(input->GetNumberOfPoints()), priorities));
-    resources.OrderTime = time;
+    marks.OrderTime = time;
   }
 }
 
-void vtkInkSplattingLinesMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+void vtkInkSplattingLinesMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
 {
-  this->InvokeEvent(vtkCommand::StartEvent);
-  if (!this->Static)
+  auto& marks = static_cast<vtkMarks&>(own);
+  const InkViewUniforms view(
+    frame.Renderer, frame.Actor, this, this->Internals->Points.GetFrame(), frame.GetSize());
+  if (frame.Ids)
   {
-    this->GetInputAlgorithm()->Update();
+    marks.Passes.DrawIds(view, frame);
   }
-  this->InvokeEvent(vtkCommand::EndEvent);
-
-  vtkHardwareSelector* selector = renderer->GetSelector();
-  if (selector)
+  else
   {
-    selector->BeginRenderProp();
-    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
-    {
-      selector->RenderCompositeIndex(1);
-    }
+    this->DrawLines(marks, view, frame);
   }
-  if (vtkWindowResources* resources = this->UpdatePoints(renderer))
-  {
-    if (selector)
-    {
-      this->DrawIds(*resources, renderer, actor, selector);
-    }
-    else
-    {
-      this->Draw(*resources, renderer, actor);
-    }
-  }
-  if (selector)
-  {
-    selector->EndRenderProp();
-  }
-  this->UpdateProgress(1.0);
 }
 
-void vtkInkSplattingLinesMapper::Draw(vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor)
+void vtkInkSplattingLinesMapper::DrawLines(vtkMarks& marks, InkViewUniforms view, const InkFrame& frame)
 {
-  InkSplatPasses& passes = resources.Passes;
-  // Not the renderer's own: depth peeling draws into buffers of its own.
-  int viewport[4];
-  passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  if (viewport[2] <= 0 || viewport[3] <= 0)
-  {
-    return;
-  }
-  InkView view(renderer, actor, this, this->Internals->Points.GetFrame(), viewport + 2);
-
-  this->UpdateOrder(resources);
+  this->UpdateOrder(marks);
   const bool exact = this->AsPublished || view.TileScale > 1;
-  InkSplatting splatting{ .Lambda = this->Lambda,
+  InkSplatSettings splatting{ .Lambda = this->Lambda,
     .Sigma = this->Sigma,
     .AsPublished = this->AsPublished,
     .MinimumRadius = this->MinimumRadius,
     .Layers = this->HiddenLayers ? this->NumberOfLayers : 1,
     .PeelBackFaces = this->PeelBackFaces,
-    .CoarsestTexel = 1,
+    .MaximumDownsampling = 1,
     .HalfFloats = this->HalfFloats,
     .PointFraction = this->PointFraction,
-    .OrderTime = this->PointFraction < 1.0 ? resources.OrderTime : 0,
-    .Colors = !resources.PointsSource->Colors.empty() };
+    .OrderTime = this->PointFraction < 1.0 ? marks.OrderTime : 0,
+    .Colors = !marks.PointsSource->Colors.empty() };
   if (!exact)
   {
-    splatting.CoarsestTexel = passes.FindTexel(view, splatting, this->CoarsestTexel);
+    splatting.MaximumDownsampling = marks.Passes.FindTexel(view, splatting, this->MaximumDownsampling);
   }
   InkSplatStyle style{ .Tau = this->Tau,
     .Phi = this->Phi,
@@ -292,72 +228,28 @@ void vtkInkSplattingLinesMapper::Draw(vtkWindowResources& resources, vtkRenderer
   if (view.TileScale > 1)
   {
     // A spot is judged alike in all tiles that it reaches into, so none may reach beyond a tile's margin.
-    const int* tile = renderer->GetRenderWindow()->GetActualSize();
+    const int* tile = frame.Renderer->GetRenderWindow()->GetActualSize();
     style.SpeckleLength = std::min(style.SpeckleLength, 0.5 * std::min(tile[0], tile[1]) / view.TileScale);
     // Lines go on in the next tile.
     int margin = 0;
     for (int layer = 0; layer < splatting.Layers; ++layer)
     {
-      margin = std::max(margin, InkSplatLineWork(style, layer, view).GetMargin());
+      margin = std::max(margin, InkLinePostProcess(style, layer, view).GetMargin());
     }
     view.Widen(margin);
   }
-  if (!resources.Get(renderer, actor)
-         .Draw(passes, resources.Quads, view, splatting, style, this->PaperColor,
-           actor->GetProperty()->GetOpacity(), this, actor))
+  if (!marks.Drawings.Get(frame.Renderer, frame.Actor)
+         .Draw(marks.Passes, marks.Quads, view, splatting, style, this->PaperColor,
+           frame.Actor->GetProperty()->GetOpacity(), this, frame.Actor))
   {
     this->ReportOnce("This OpenGL cannot draw into 32-bit float images, which splatting lines need.");
   }
 }
 
-void vtkInkSplattingLinesMapper::DrawIds(
-  vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
-{
-  InkSplatPasses& passes = resources.Passes;
-  int viewport[4];
-  passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const InkView view(renderer, actor, this, this->Internals->Points.GetFrame(), viewport + 2);
-
-  selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
-  int idShift = -1;
-  const float noCell[3] = { 0.0f, 0.0f, 0.0f };
-  const float* color = selector->GetPropColorValue();
-  switch (selector->GetCurrentPass())
-  {
-    case vtkHardwareSelector::POINT_ID_LOW24:
-      idShift = 0;
-      break;
-    case vtkHardwareSelector::POINT_ID_HIGH24:
-      idShift = 24;
-      break;
-    case vtkHardwareSelector::CELL_ID_LOW24:
-    case vtkHardwareSelector::CELL_ID_HIGH24:
-      color = noCell;
-      break;
-    default:
-      break;
-  }
-  passes.DrawIds(view, viewport, idShift, color);
-}
-
-void vtkInkSplattingLinesMapper::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Internals->Windows.Release(window);
-  this->Superclass::ReleaseGraphicsResources(window);
-}
-
-vtkMTimeType vtkInkSplattingLinesMapper::GetUploadTime()
-{
-  vtkMTimeType time = 0;
-  this->Internals->Windows.ForEach(
-    [&](const vtkWindowResources& resources) { time = std::max(time, resources.Passes.GetUploadTime()); });
-  return time;
-}
-
 int vtkInkSplattingLinesMapper::GetNumberOfDrawnLayers(vtkRenderer* renderer, vtkActor* actor)
 {
-  vtkWindowResources* resources = this->Internals->Windows.Find(renderer->GetRenderWindow());
-  const InkSplatDrawing* drawing = resources ? resources->Find(renderer, actor) : nullptr;
+  auto* marks = static_cast<vtkMarks*>(this->GetMarks(renderer->GetRenderWindow()));
+  const InkSplatDrawing* drawing = marks ? marks->Drawings.Find(renderer, actor) : nullptr;
   return drawing ? drawing->GetNumberOfLayers() : 0;
 }
 

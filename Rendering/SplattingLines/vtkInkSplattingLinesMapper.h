@@ -44,19 +44,18 @@
 #define vtkInkSplattingLinesMapper_h
 
 #include "InkSetters.h"
+#include "vtkInkMapper.h"
 #include "vtkInkRenderingSplattingLinesModule.h" // for the export macro
-#include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
-#include <string> // for error messages
 
-class vtkHardwareSelector;
+struct InkViewUniforms;
 
-class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkPolyDataMapper
+class VTKINKRENDERINGSPLATTINGLINES_EXPORT vtkInkSplattingLinesMapper : public vtkInkMapper
 {
 public:
   static vtkInkSplattingLinesMapper* New();
-  vtkTypeMacro(vtkInkSplattingLinesMapper, vtkPolyDataMapper);
+  vtkTypeMacro(vtkInkSplattingLinesMapper, vtkInkMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// All parameters of another mapper, the arrays to process and the layers' styles among them, and its
@@ -289,8 +288,8 @@ public:
    * makes large Lambda as fast as small ones; this is the side of the largest such squares. 1: each pixel for
    * itself, exact; 2 (default); or 4. AsPublished and pictures drawn in tiles always have 1.
    */
-  void SetCoarsestTexel(int pixels);
-  vtkGetMacro(CoarsestTexel, int);
+  void SetMaximumDownsampling(int pixels);
+  vtkGetMacro(MaximumDownsampling, int);
   ///@}
 
   ///@{
@@ -337,17 +336,6 @@ public:
   vtkBooleanMacro(PaperVisibility, bool);
   ///@}
 
-  /**
-   * When the points were last sent to the GPU, for any window, as a modification time; 0 before the first
-   * time. Each window that the mapper is drawn in has them once. Only a
-   * change of the points, of the normals and radii, of Radius, or of scalars and their colors if these are
-   * shown, sends them again.
-   */
-  vtkMTimeType GetUploadTime();
-
-  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  bool GetSupportsSelection() override { return true; }
   /// Lines without paper are blended over what lies behind them.
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
@@ -355,6 +343,10 @@ public:
 protected:
   vtkInkSplattingLinesMapper();
   ~vtkInkSplattingLinesMapper() override;
+
+  std::unique_ptr<InkMarks> MakeMarks(vtkOpenGLRenderWindow* window) override;
+  bool UpdateMarks(InkMarks& own) override;
+  void DrawMarks(InkMarks& own, const InkFrame& frame) override;
 
   /// All finite points that `vtkGhostType` does not mark, whether or not cells use them, with their radii as
   /// far as those are given.
@@ -365,13 +357,9 @@ private:
   void operator=(const vtkInkSplattingLinesMapper&) = delete;
 
   class vtkInternals;
-  class vtkWindowResources;
-  vtkWindowResources* UpdatePoints(vtkRenderer* renderer);
-  void UpdateOrder(vtkWindowResources& resources);
-  void Draw(vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor);
-  void DrawIds(
-    vtkWindowResources& resources, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
-  void ReportOnce(const std::string& error);
+  class vtkMarks;
+  void UpdateOrder(vtkMarks& marks);
+  void DrawLines(vtkMarks& marks, InkViewUniforms view, const InkFrame& frame);
   bool CheckLayer(const char* property, int layer);
 
   double Lambda = 2.5;
@@ -389,7 +377,7 @@ private:
   bool Thinning = false;
   int InkColorMode = INK;
   double ToneColor[3] = { 0.8, 0.4, 0.1 };
-  int CoarsestTexel = 2;
+  int MaximumDownsampling = 2;
   bool HalfFloats = false;
   double PointFraction = 1.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };

@@ -4,32 +4,23 @@
 
 #include "vtkInkSplattingLinesMapper.h"
 
-#include "InkReportedMessages.h"
+#include "InkActorResources.h"
+#include "InkMarks.h"
 #include "InkSplatDrawing.h"
 #include "InkSplatPasses.h"
 #include "InkSplatPoints.h"
 #include "InkSplatQuads.h"
 #include "InkSplatStyle.h"
-#include "InkWindowResources.h"
 
-#include "vtkActor.h"
-#include "vtkRenderer.h"
-#include "vtkWeakPointer.h"
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-/// What the mapper keeps on the GPU for one window.
-class vtkInkSplattingLinesMapper::vtkWindowResources
+/// The points on the GPU, for one window, and the drawings of them.
+class vtkInkSplattingLinesMapper::vtkMarks : public InkMarks
 {
 public:
-  explicit vtkWindowResources(vtkOpenGLRenderWindow* window)
+  explicit vtkMarks(vtkOpenGLRenderWindow* window)
     : Passes(window)
     , Quads(window)
   {
@@ -47,42 +38,13 @@ public:
     bool operator==(const Source&) const = default;
   };
 
-  /// The drawing of an actor in a renderer, null if there is none.
-  InkSplatDrawing* Find(vtkRenderer* renderer, vtkActor* actor)
-  {
-    const auto found = std::find_if(this->Drawings.begin(), this->Drawings.end(),
-      [&](const Drawing& d) { return d.Renderer == renderer && d.Actor == actor; });
-    return found == this->Drawings.end() ? nullptr : &found->Splats;
-  }
-
-  /// The same, made if there is none; those of actors and renderers that are gone go, for which the window's
-  /// context must be current.
-  InkSplatDrawing& Get(vtkRenderer* renderer, vtkActor* actor)
-  {
-    std::erase_if(this->Drawings, [](const Drawing& d) { return !d.Renderer || !d.Actor; });
-    if (InkSplatDrawing* found = this->Find(renderer, actor))
-    {
-      return *found;
-    }
-    Drawing& drawing = this->Drawings.emplace_back();
-    drawing.Renderer = renderer;
-    drawing.Actor = actor;
-    return drawing.Splats;
-  }
+  vtkMTimeType GetUploadTime() const override { return this->Passes.GetUploadTime(); }
 
   InkSplatPasses Passes;
   InkSplatQuads Quads;
   std::optional<Source> PointsSource; ///< what the points on the GPU were made from
   vtkMTimeType OrderTime = 0;         ///< of the priorities that the order is by; 0: by chance
-
-private:
-  struct Drawing
-  {
-    vtkWeakPointer<vtkRenderer> Renderer;
-    vtkWeakPointer<vtkActor> Actor;
-    InkSplatDrawing Splats;
-  };
-  std::vector<Drawing> Drawings;
+  InkActorResources<InkSplatDrawing> Drawings;
 };
 
 /// What the mapper keeps.
@@ -90,9 +52,7 @@ class vtkInkSplattingLinesMapper::vtkInternals
 {
 public:
   InkSplatPoints Points;
-  std::optional<vtkWindowResources::Source> PointsSource; ///< what Points was read from
-  InkReportedMessages Reported;
-  InkWindowResources<vtkWindowResources> Windows;
+  std::optional<vtkMarks::Source> PointsSource; ///< what Points was read from
   struct LayerStyle
   {
     std::optional<std::array<double, 3>> Color;

@@ -2,12 +2,12 @@
 // Properties that are more than one number, and what is printed of all.
 #include "vtkInkSplattingLinesMapperInternals.h"
 
-void vtkInkSplattingLinesMapper::SetCoarsestTexel(int pixels)
+void vtkInkSplattingLinesMapper::SetMaximumDownsampling(int pixels)
 {
   const int texel = pixels >= 4 ? 4 : pixels >= 2 ? 2 : 1;
-  if (this->CoarsestTexel != texel)
+  if (this->MaximumDownsampling != texel)
   {
-    this->CoarsestTexel = texel;
+    this->MaximumDownsampling = texel;
     this->Modified();
   }
 }
@@ -149,7 +149,7 @@ void vtkInkSplattingLinesMapper::ShallowCopy(vtkAbstractMapper* mapper)
   this->SetThinning(other->Thinning);
   this->SetInkColorMode(other->InkColorMode);
   this->SetToneColor(other->ToneColor);
-  this->SetCoarsestTexel(other->CoarsestTexel);
+  this->SetMaximumDownsampling(other->MaximumDownsampling);
   this->SetHalfFloats(other->HalfFloats);
   this->SetPointFraction(other->PointFraction);
   this->SetInkColor(other->InkColor);
@@ -190,7 +190,7 @@ void vtkInkSplattingLinesMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InkColorMode: " << this->GetInkColorModeAsString() << "\n";
   os << indent << "ToneColor: " << this->ToneColor[0] << ' ' << this->ToneColor[1] << ' '
      << this->ToneColor[2] << "\n";
-  os << indent << "CoarsestTexel: " << this->CoarsestTexel << "\n";
+  os << indent << "MaximumDownsampling: " << this->MaximumDownsampling << "\n";
   os << indent << "HalfFloats: " << (this->HalfFloats ? "On" : "Off") << "\n";
   os << indent << "PointFraction: " << this->PointFraction << "\n";
   os << indent << "PaperVisibility: " << (this->PaperVisibility ? "On" : "Off") << "\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleBlocks.h"
 
-#include "InkView.h"
+#include "InkViewUniforms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,8 @@ struct Angle
 class BlockView
 {
 public:
-  BlockView(const InkView& view, const ink::StippleTone& tone, const InkStippleView& toneView, float margin)
+  BlockView(const InkViewUniforms& view, const ink::stipple::StippleTone& tone,
+    const InkStippleView& toneView, float margin)
     : ToView(glm::make_mat4(view.MCVC.data()))
     , Normal(glm::make_mat3(view.Normal.data()))
     , Tone(tone)
@@ -111,10 +112,10 @@ private:
     return { (angle + spread).Cosine - Slack, (angle - spread).Cosine + Slack };
   }
 
-  ink::StippleTone::Directions FindDirections(
+  ink::stipple::StippleTone::Directions FindDirections(
     const InkStippleBlock& block, const glm::vec3& middle, float radius) const
   {
-    ink::StippleTone::Directions directions;
+    ink::stipple::StippleTone::Directions directions;
     if (!this->KeepsAngles || !(block.LeastCosine > -1.0f))
     {
       return directions;
@@ -147,11 +148,12 @@ private:
     return directions;
   }
 
-  void FindLight(const glm::vec3& axis, const Angle& spread, ink::StippleTone::Directions& directions) const
+  void FindLight(
+    const glm::vec3& axis, const Angle& spread, ink::stipple::StippleTone::Directions& directions) const
   {
     float least = 0.0f;
     float most = 0.0f;
-    for (const ink::StippleLight& light : this->ToneView.Lights)
+    for (const ink::stipple::StippleLight& light : this->ToneView.Lights)
     {
       if (light.isLamp())
       {
@@ -161,8 +163,9 @@ private:
       const Cosines cosines = Between(axis, glm::vec3(light.position), spread);
       const auto lit = [&](float cosine)
       {
-        return cosine > 0.0f ? light.intensity * std::pow(std::min(cosine, 1.0f), this->Tone.lighting.kle)
-                             : 0.0f;
+        return cosine > 0.0f
+          ? light.intensity * std::pow(std::min(cosine, 1.0f), this->Tone.lighting.exponent)
+          : 0.0f;
       };
       least += lit(cosines.Least);
       most += lit(cosines.Most);
@@ -173,7 +176,7 @@ private:
 
   glm::mat4 ToView;
   glm::mat3 Normal;
-  const ink::StippleTone& Tone;
+  const ink::stipple::StippleTone& Tone;
   const InkStippleView& ToneView;
   bool Parallel;
   bool KeepsAngles;
@@ -184,8 +187,8 @@ private:
 
 } // namespace
 
-void InkStippleRuns::Find(const std::vector<InkStippleBlock>& blocks, const InkView& view,
-  const ink::StippleTone& tone, const InkStippleView& toneView, float margin)
+void InkStippleRuns::Find(const std::vector<InkStippleBlock>& blocks, const InkViewUniforms& view,
+  const ink::stipple::StippleTone& tone, const InkStippleView& toneView, float margin)
 {
   this->Firsts.clear();
   this->Counts.clear();
@@ -199,8 +202,9 @@ void InkStippleRuns::Find(const std::vector<InkStippleBlock>& blocks, const InkV
     {
       // The last stipple drawn has a rank below T, by random values, too; a little for rounding.
       const double tonesRanks = std::ceil(1.001 * seen.MostTone(blocks[last]));
-      ranks.push_back(static_cast<std::size_t>(
-        std::min<double>(tonesRanks, static_cast<double>(blocks[last].Runs.size()))));
+      const std::size_t all = blocks[last].Runs.size();
+      // All where the tone is not a number, as that of positions which single precision does not hold.
+      ranks.push_back(tonesRanks < static_cast<double>(all) ? static_cast<std::size_t>(tonesRanks) : all);
       most = std::max(most, ranks.back());
     }
     for (std::size_t rank = 0; rank < most; ++rank)

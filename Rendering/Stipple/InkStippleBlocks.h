@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-struct InkView;
+struct InkViewUniforms;
 
 /// Elements that lie close together and are alike. On the GPU the stipples of a sequence of blocks, a group,
 /// stand one after the other: the first of each element, then the second of each, and so on, so that one run
@@ -39,8 +39,8 @@ struct InkStippleRuns
   /// Leaves out blocks beyond the edges of the view and, of the others, the stipples that no element of the
   /// block will draw (see StippleTone::mostTone): those that face away, are in full light, ...
   /// @param margin how far in pixels stipples reach beyond their centers
-  void Find(const std::vector<InkStippleBlock>& blocks, const InkView& view, const ink::StippleTone& tone,
-    const InkStippleView& toneView, float margin);
+  void Find(const std::vector<InkStippleBlock>& blocks, const InkViewUniforms& view,
+    const ink::stipple::StippleTone& tone, const InkStippleView& toneView, float margin);
 
   /// All stipples.
   void Fill(int numberOfStipples);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleInput.h"
 
+#include "InkArrayList.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -20,23 +22,6 @@ double FindNumber(vtkPolyData* data, const char* name, double missing)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : missing;
-}
-
-/// "Normals" (3), "Value" (1), ...
-std::string ListArrays(vtkFieldData* data)
-{
-  std::ostringstream list;
-  const char* separator = "";
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    if (vtkDataArray* array = data->GetArray(i))
-    {
-      list << separator << '"' << (array->GetName() ? array->GetName() : "") << "\" ("
-           << array->GetNumberOfComponents() << ')';
-      separator = ", ";
-    }
-  }
-  return *separator ? list.str() : "none";
 }
 
 bool IsCellArray(vtkDataArray* array, int components, vtkIdType cells)
@@ -111,8 +96,8 @@ std::string InkStippleInput::FindProblem() const
     {
       problem << "No cell array \"" << name << "\" with " << components
               << (components == 1 ? " component" : " components") << " for " << elements
-              << " elements. Cell arrays (components) in the input: " << ListArrays(this->Data->GetCellData())
-              << '.';
+              << " elements. Cell arrays (components) in the input: "
+              << InkListArrays(this->Data->GetCellData()) << '.';
     }
   };
   require(this->Normals, "Normals", 3);
@@ -125,7 +110,8 @@ std::string InkStippleInput::FindProblem() const
   {
     problem << "The field array \"ElementSize\" should hold the elements' size in world units, found "
             << this->ElementSize
-            << ". Field arrays (components) in the input: " << ListArrays(this->Data->GetFieldData()) << '.';
+            << ". Field arrays (components) in the input: " << InkListArrays(this->Data->GetFieldData())
+            << '.';
   }
   return problem.str();
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleOccluder.h"
 
-#include "InkLocalFrame.h"
 #include "InkScopedState.h"
+#include "InkShader.h"
+#include "InkShiftScale.h"
 
 #include "InkStippleOccluderFS.h"
 #include "InkStippleOccluderVS.h"
@@ -11,14 +12,11 @@
 
 #include "vtkCellArray.h"
 #include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 #include "vtkTimeStamp.h"
 #include "vtkTriangleFilter.h"
 
@@ -78,28 +76,6 @@ private:
 
 } // namespace
 
-InkStippleDepth::InkStippleDepth(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size)
-  : Window(window)
-{
-  this->Texture->SetContext(window);
-  this->Texture->AllocateDepth(size[0], size[1], vtkTextureObject::Float32);
-  vtkOpenGLState* state = window->GetState();
-  state->PushFramebufferBindings();
-  this->Framebuffer->SetContext(window);
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddDepthAttachment(this->Texture);
-  this->Framebuffer->DeactivateDrawBuffers();
-  const char* reason = nullptr;
-  this->Complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason);
-  state->PopFramebufferBindings();
-}
-
-InkStippleDepth::~InkStippleDepth()
-{
-  this->Framebuffer->ReleaseGraphicsResources(this->Window);
-  this->Texture->ReleaseGraphicsResources(this->Window);
-}
-
 InkStippleOccluder::InkStippleOccluder(vtkOpenGLRenderWindow* window)
   : Window(window)
 {
@@ -107,11 +83,10 @@ InkStippleOccluder::InkStippleOccluder(vtkOpenGLRenderWindow* window)
 
 InkStippleOccluder::~InkStippleOccluder()
 {
-  this->VertexArray->ReleaseGraphicsResources();
   this->Buffer->ReleaseGraphicsResources();
 }
 
-void InkStippleOccluder::Update(vtkPolyData* surface, const InkLocalFrame& frame)
+void InkStippleOccluder::Update(vtkPolyData* surface, const InkShiftScale& frame)
 {
   const std::array<double, 4> place{ frame.Center[0], frame.Center[1], frame.Center[2], frame.Unit };
   if (this->UploadTime > 0 && this->SurfaceTime == surface->GetMTime() && this->Frame == place)
@@ -157,9 +132,10 @@ void InkStippleOccluder::Update(vtkPolyData* surface, const InkLocalFrame& frame
   this->UploadTime = now.GetMTime();
 }
 
-void InkStippleOccluder::Draw(const InkView& shown, float reach, std::unique_ptr<InkStippleDepth>& depth)
+void InkStippleOccluder::Draw(
+  const InkViewUniforms& shown, float reach, std::unique_ptr<InkStippleDepth>& depth)
 {
-  InkView view = shown;
+  InkViewUniforms view = shown;
   view.Widen(FindMargin(this->Window, shown.Size, reach));
   if (depth && depth->View == view && depth->UploadTime == this->UploadTime)
   {
@@ -171,15 +147,14 @@ void InkStippleOccluder::Draw(const InkView& shown, float reach, std::unique_ptr
   }
   depth->View = view;
   depth->UploadTime = this->UploadTime;
-  if (!depth->Complete)
+  if (!depth->Image.IsComplete())
   {
     return;
   }
 
   vtkOpenGLState* state = this->Window->GetState();
   const InkScopedState scoped(state);
-  depth->Framebuffer->Bind();
-  state->vtkglViewport(0, 0, view.Size[0], view.Size[1]);
+  depth->Image.Bind();
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_STENCIL_TEST);
@@ -189,27 +164,20 @@ void InkStippleOccluder::Draw(const InkView& shown, float reach, std::unique_ptr
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
-  vtkShaderProgram* program =
-    this->Window->GetShaderCache()->ReadyShaderProgram(InkStippleOccluderVS, InkStippleOccluderFS, "");
+  InkShaderPass& pass =
+    this->Passes.Find(InkWithFeatures(InkStippleOccluderVS, view.FindFeatures()), "", InkStippleOccluderFS);
+  vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,
+    [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
+    {
+      vertexArray->AddAttributeArray(
+        made, this->Buffer, "pointMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+    });
   if (!program)
   {
     return;
   }
-  if (this->ProgramHandle != program->GetHandle())
-  {
-    // This deletes the binding: it goes before Bind.
-    this->VertexArray->ShaderProgramChanged();
-    this->VertexArray->Bind();
-    this->VertexArray->AddAttributeArray(
-      program, this->Buffer, "pointMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
-    this->ProgramHandle = program->GetHandle();
-  }
-  else
-  {
-    this->VertexArray->Bind();
-  }
   view.SetUniforms(program);
   const PolygonOffset offset(OffsetFactor, OffsetUnits);
   glDrawArrays(GL_TRIANGLES, 0, this->NumberOfVertices);
-  this->VertexArray->Release();
+  pass.End();
 }

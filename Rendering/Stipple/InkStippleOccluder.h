@@ -2,7 +2,9 @@
 #ifndef InkStippleOccluder_h
 #define InkStippleOccluder_h
 
-#include "InkView.h"
+#include "InkRenderTarget.h"
+#include "InkShaderPass.h"
+#include "InkViewUniforms.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
@@ -10,28 +12,22 @@
 #include <memory>
 #include <optional>
 
-struct InkLocalFrame;
+struct InkShiftScale;
 class vtkOpenGLBufferObject;
-class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
-class vtkOpenGLVertexArrayObject;
 class vtkPolyData;
-class vtkTextureObject;
 
 /// The depth image of a view of the surface that hides stipples.
 struct InkStippleDepth
 {
-  InkStippleDepth(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size);
-  ~InkStippleDepth();
-  InkStippleDepth(const InkStippleDepth&) = delete;
-  void operator=(const InkStippleDepth&) = delete;
+  InkStippleDepth(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size)
+    : Image(window, InkRenderTarget::Format::Depth, size[0], size[1])
+  {
+  }
 
-  vtkOpenGLRenderWindow* Window;
-  vtkNew<vtkTextureObject> Texture;
-  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  bool Complete = false;
-  std::optional<InkView> View; ///< that it shows, with margins
-  vtkMTimeType UploadTime = 0; ///< of the surface that it shows
+  InkRenderTarget Image;
+  std::optional<InkViewUniforms> View; ///< that it shows, with margins
+  vtkMTimeType UploadTime = 0;         ///< of the surface that it shows
 };
 
 /// A surface on the GPU that hides stipples behind it (Lu et al. 2003, section 3): it is only ever drawn into
@@ -45,20 +41,20 @@ public:
   void operator=(const InkStippleOccluder&) = delete;
 
   /// Takes a surface's polygons and strips. Does nothing when they are those that it has.
-  void Update(vtkPolyData* surface, const InkLocalFrame& frame);
+  void Update(vtkPolyData* surface, const InkShiftScale& frame);
   bool IsEmpty() const { return this->NumberOfVertices == 0; }
 
   /// Brings a depth image up to date; an image of another size is made anew. It shows more than the view, on
   /// each side, so that dots whose centers lie beyond the view's border are hidden by what is there: those of
   /// a tile are the same in the next one.
+  /// @param shown the view
   /// @param reach how many pixels dots reach beyond their centers
-  void Draw(const InkView& view, float reach, std::unique_ptr<InkStippleDepth>& depth);
+  void Draw(const InkViewUniforms& shown, float reach, std::unique_ptr<InkStippleDepth>& depth);
 
 private:
   vtkOpenGLRenderWindow* Window;
   vtkNew<vtkOpenGLBufferObject> Buffer;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  int ProgramHandle = 0;
+  InkShaderPasses Passes;
   int NumberOfVertices = 0;
   vtkMTimeType SurfaceTime = 0;
   std::array<double, 4> Frame{};

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStipplePasses.h"
 
-#include "InkBlendStep.h"
-#include "InkDrawBuffers.h"
-#include "InkPackedStipples.h"
+#include "InkBlendQuantum.h"
+#include "InkFrame.h"
+#include "InkLights.h"
+#include "InkPointSize.h"
+#include "InkQuantizedStipples.h"
 #include "InkRenderPasses.h"
+#include "InkRenderTarget.h"
 #include "InkScopedState.h"
 #include "InkShader.h"
 #include "InkStippleOccluder.h"
 #include "InkStipplePoints.h"
 #include "InkStippleUniforms.h"
 #include "InkStippleView.h"
-#include "InkView.h"
+#include "InkViewUniforms.h"
 
 #include "InkStippleFS.h"
 #include "InkStippleIdFS.h"
@@ -21,9 +24,7 @@
 #include "InkOpenGLCompat.h"
 
 #include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
@@ -50,23 +51,11 @@ vtkMTimeType FindTime()
 
 } // namespace
 
-/// A form of the shaders and its binding to the buffer.
-struct InkStipplePasses::Pass
-{
-  std::string VertexShader;
-  std::string GeometryShader;
-  std::string FragmentShader;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  int ProgramHandle = 0;
-};
-
 InkStipplePasses::InkStipplePasses(vtkOpenGLRenderWindow* window)
   : Window(window)
   , Textures(window)
 {
-  float range[2] = { 1.0f, 1.0f };
-  glGetFloatv(GL_POINT_SIZE_RANGE, range);
-  this->LargestPoint = range[1];
+  this->LargestPoint = InkFindLargestPoint();
   int units = 1;
   glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
   this->LastTextureUnit = units - 1;
@@ -74,10 +63,6 @@ InkStipplePasses::InkStipplePasses(vtkOpenGLRenderWindow* window)
 
 InkStipplePasses::~InkStipplePasses()
 {
-  for (auto& [shaders, pass] : this->Passes)
-  {
-    pass->VertexArray->ReleaseGraphicsResources();
-  }
   this->Buffer->ReleaseGraphicsResources();
 }
 
@@ -93,14 +78,14 @@ std::string InkStipplePasses::Upload(const InkStipplePoints& points, bool packed
     }
     return this->Textures.Upload(points, {});
   }
-  const InkPackedStipples stipples(points);
+  const InkQuantizedStipples stipples(points);
   if (!stipples.Vertices.empty())
   {
     this->Buffer->Upload(stipples.Vertices, vtkOpenGLBufferObject::ArrayBuffer);
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->PackedStep[axis] = stipples.Edges[axis] / static_cast<float>(ink::packedPlaceSteps);
+    this->PackedStep[axis] = stipples.Edges[axis] / static_cast<float>(ink::stipple::quantizationSteps);
   }
   return this->Textures.Upload(points, stipples.Boxes);
 }
@@ -116,52 +101,27 @@ void InkStipplePasses::UploadColors(const std::vector<std::uint32_t>& colors)
 
 std::string InkStipplePasses::FindFeatures(const Scene& scene) const
 {
-  const std::vector<ink::StippleLight>& lights = scene.ToneView.Lights;
-  const auto lamps = std::count_if(
-    lights.begin(), lights.end(), [](const ink::StippleLight& light) { return light.isLamp(); });
-  const auto define = [](const char* name, std::size_t number)
-  { return std::string("#define ") + name + ' ' + std::to_string(number) + '\n'; };
-  std::string features = define("INK_LIGHTS", lights.size());
-  features += define("INK_SUNS", lights.size() - lamps);
-  features += define("INK_PLANES", scene.View.NumberOfClippingPlanes);
-  if (lamps > 0)
+  std::string features = InkFindLightFeatures(scene.ToneView.Lights) + scene.View.FindFeatures();
+  if (scene.Tone.smallElements.way == ink::stipple::SmallElements::Way::probability)
   {
-    features += "#define INK_LAMPS\n";
-  }
-  if (scene.Tone.smallElements.way == ink::SmallElements::Way::probability)
-  {
-    features += "#define INK_PROBABILITY\n";
+    features += InkDefine("INK_PROBABILITY");
   }
   if (this->Textures.HasColors() || scene.Tone.warmCool.amount > 0.0f)
   {
-    features += "#define INK_COLORS\n";
+    features += InkDefine("INK_COLORS");
   }
   if (scene.Occluder)
   {
-    features += "#define INK_OCCLUDED\n";
+    features += InkDefine("INK_OCCLUDED");
   }
   if (this->Packed)
   {
-    features += "#define INK_PACKED\n";
+    features += InkDefine("INK_PACKED");
   }
   return features;
 }
 
-InkStipplePasses::Pass& InkStipplePasses::FindPass(
-  const std::string& vertexShader, const std::string& geometryShader, const std::string& fragmentShader)
-{
-  std::unique_ptr<Pass>& pass = this->Passes[vertexShader + geometryShader + fragmentShader];
-  if (!pass)
-  {
-    pass = std::make_unique<Pass>();
-    pass->VertexShader = vertexShader;
-    pass->GeometryShader = geometryShader;
-    pass->FragmentShader = fragmentShader;
-  }
-  return *pass;
-}
-
-void InkStipplePasses::BindAttributes(Pass& pass, vtkShaderProgram* program)
+void InkStipplePasses::BindAttributes(vtkShaderProgram* program, vtkOpenGLVertexArrayObject* vertexArray)
 {
   // vtkOpenGLVertexArrayObject would turn integers into floats.
   const auto bindInteger = [&](const char* name, std::size_t offset, std::size_t stride)
@@ -175,38 +135,27 @@ void InkStipplePasses::BindAttributes(Pass& pass, vtkShaderProgram* program)
   };
   if (this->Packed)
   {
-    using Vertex = InkPackedStipples::Vertex;
-    bindInteger("packedPlace", offsetof(Vertex, Place), sizeof(Vertex));
+    using Vertex = InkQuantizedStipples::Vertex;
+    bindInteger("quantizedPosition", offsetof(Vertex, Place), sizeof(Vertex));
     bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
   }
   else
   {
     using Vertex = InkStipplePoints::Vertex;
-    pass.VertexArray->AddAttributeArray(
+    vertexArray->AddAttributeArray(
       program, this->Buffer, "pointMC", offsetof(Vertex, Position), sizeof(Vertex), VTK_FLOAT, 3, false);
     bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
   }
 }
 
-vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
+vtkShaderProgram* InkStipplePasses::Begin(InkShaderPass& pass, const Scene& scene)
 {
-  vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
-    pass.VertexShader.c_str(), pass.FragmentShader.c_str(), pass.GeometryShader.c_str());
+  vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,
+    [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
+    { this->BindAttributes(made, vertexArray); });
   if (!program)
   {
     return nullptr;
-  }
-  if (pass.ProgramHandle != program->GetHandle())
-  {
-    // This deletes the binding: it goes before Bind.
-    pass.VertexArray->ShaderProgramChanged();
-    pass.VertexArray->Bind();
-    this->BindAttributes(pass, program);
-    pass.ProgramHandle = program->GetHandle();
-  }
-  else
-  {
-    pass.VertexArray->Bind();
   }
   const auto scale = static_cast<float>(scene.View.TileScale);
   scene.View.SetUniforms(program);
@@ -214,15 +163,14 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
   this->Textures.Activate(program);
   program->SetUniformi("rankBits", scene.Points.GetRankBits());
   program->SetUniform3f("packedStep", this->PackedStep.data());
-  const float color[3] = { static_cast<float>(scene.InkColor[0]), static_cast<float>(scene.InkColor[1]),
-    static_cast<float>(scene.InkColor[2]) };
-  program->SetUniform3f("inkColor", color);
+  InkSetColorUniform(program, "inkColor", scene.InkColor);
   program->SetUniformf("largestPoint", this->LargestPoint);
   program->SetUniformf("occluderOffset", scene.OccluderOffset);
   if (scene.Occluder)
   {
-    scene.Occluder->Texture->Activate();
-    program->SetUniformi("occluder", scene.Occluder->Texture->GetTextureUnit());
+    vtkTextureObject* texture = scene.Occluder->Image.GetTexture();
+    texture->Activate();
+    program->SetUniformi("occluder", texture->GetTextureUnit());
     program->SetUniformf("occluderMargin", static_cast<float>(scene.Occluder->View->Margin));
   }
   else
@@ -234,18 +182,18 @@ vtkShaderProgram* InkStipplePasses::Begin(Pass& pass, const Scene& scene)
   return program;
 }
 
-void InkStipplePasses::End(Pass& pass, const Scene& scene)
+void InkStipplePasses::End(InkShaderPass& pass, const Scene& scene)
 {
   if (scene.Occluder)
   {
-    scene.Occluder->Texture->Deactivate();
+    scene.Occluder->Image.GetTexture()->Deactivate();
   }
   this->Textures.Deactivate();
-  pass.VertexArray->Release();
+  pass.End();
 }
 
 float InkStipplePasses::FindReach(
-  const InkView& view, const ink::StippleTone& tone, const InkStippleView& toneView) const
+  const InkViewUniforms& view, const ink::stipple::StippleTone& tone, const InkStippleView& toneView) const
 {
   const float scale = static_cast<float>(view.TileScale);
   return 0.5f * std::min(tone.largestDiameter(toneView.Tone) * scale, this->LargestPoint) + 1.0f;
@@ -266,18 +214,12 @@ void InkStipplePasses::DrawRuns(const InkStippleRuns& runs)
   {
     return;
   }
-  // vtkOpenGLState does not know this one.
-  const bool wasEnabled = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
-  glEnable(GL_PROGRAM_POINT_SIZE);
+  const InkPointSizeByShader pointSize;
   glMultiDrawArrays(GL_POINTS, runs.Firsts.data(), runs.Counts.data(), static_cast<int>(runs.Firsts.size()));
-  if (!wasEnabled)
-  {
-    glDisable(GL_PROGRAM_POINT_SIZE);
-  }
 }
 
 void InkStipplePasses::Draw(
-  const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses)
+  const Scene& scene, const InkFrame& frame, double opacity, const InkRenderPasses& renderPasses)
 {
   const std::string features = this->FindFeatures(scene);
   std::string vertexShader = InkWithFeatures(InkStippleVS, features);
@@ -288,37 +230,27 @@ void InkStipplePasses::Draw(
   const bool peeled = fragmentShader.find("//VTK::DepthPeeling::PreColor") == std::string::npos;
   fragmentShader =
     InkReplaceInShader(fragmentShader, "//INK::Depth", peeled ? "gl_FragDepth = gl_FragCoord.z;" : "");
-  Pass& pass = this->FindPass(vertexShader, geometryShader, fragmentShader);
-  vtkOpenGLState* state = this->Window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
+  InkShaderPass& pass = this->Passes.Find(vertexShader, geometryShader, fragmentShader);
   if (vtkShaderProgram* program = this->Begin(pass, scene))
   {
-    const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
-    program->SetUniform2f("viewportOrigin", origin);
+    frame.SetOrigin(program);
     program->SetUniformf("actorOpacity", static_cast<float>(opacity));
     const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
     program->SetUniformf("leastIntensity", std::min(least, 1.0f));
-    renderPasses.SetShaderParameters(program, pass.VertexArray);
+    renderPasses.SetShaderParameters(program, pass.GetVertexArray());
     this->DrawRuns(this->FindRuns(scene));
     this->End(pass, scene);
   }
 }
 
-void InkStipplePasses::DrawIds(
-  const Scene& scene, const int viewportOrigin[2], int idShift, const float propColor[3])
+void InkStipplePasses::DrawIds(const Scene& scene, const InkFrame& frame)
 {
-  vtkOpenGLState* state = this->Window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
-  const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n";
-  Pass& pass = this->FindPass(InkWithFeatures(InkStippleVS, features), "", InkStippleIdFS);
+  const std::string features = this->FindFeatures(scene) + InkDefine("INK_IDS");
+  InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkStippleVS, features), "", InkStippleIdFS);
   if (vtkShaderProgram* program = this->Begin(pass, scene))
   {
-    const float origin[2] = { static_cast<float>(viewportOrigin[0]), static_cast<float>(viewportOrigin[1]) };
-    program->SetUniform2f("viewportOrigin", origin);
-    program->SetUniformi("idShift", idShift);
-    program->SetUniform3f("propColor", propColor);
+    frame.SetOrigin(program);
+    frame.Ids->SetUniforms(program);
     this->DrawRuns(this->FindRuns(scene));
     this->End(pass, scene);
   }
@@ -326,7 +258,7 @@ void InkStipplePasses::DrawIds(
 
 std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType count)
 {
-  constexpr vtkIdType width = 2048;
+  constexpr int width = 2048;
   const vtkIdType height = (count + width - 1) / width;
   int largest = 0;
   vtkOpenGLState* state = this->Window->GetState();
@@ -336,22 +268,13 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
     return {};
   }
   const InkScopedState scoped(state);
-  vtkNew<vtkTextureObject> images[2];
-  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
-  framebuffer->SetContext(this->Window);
-  framebuffer->Bind();
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    images[i]->SetContext(this->Window);
-    images[i]->Allocate2D(width, static_cast<unsigned int>(height), 4, VTK_FLOAT);
-    framebuffer->AddColorAttachment(i, images[i]);
-  }
-  InkActivateDrawBuffers(framebuffer, 2);
-  const char* reason = nullptr;
+  using Format = InkRenderTarget::Format;
+  InkRenderTarget colors(this->Window, Format::Float4, width, static_cast<int>(height));
+  InkRenderTarget tones(this->Window, Format::Float4, width, static_cast<int>(height), &colors);
   std::vector<float> results;
-  if (vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason))
+  if (colors.IsComplete() && tones.IsComplete())
   {
-    state->vtkglViewport(0, 0, static_cast<int>(width), static_cast<int>(height));
+    tones.Bind();
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDisable(GL_BLEND);
@@ -359,8 +282,8 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    const std::string features = this->FindFeatures(scene) + "#define INK_IDS\n#define INK_RESULTS\n";
-    Pass& pass = this->FindPass(
+    const std::string features = this->FindFeatures(scene) + InkDefine("INK_IDS") + InkDefine("INK_RESULTS");
+    InkShaderPass& pass = this->Passes.Find(
       InkWithFeatures(InkStippleVS, features), "", InkWithFeatures(InkStippleResultFS, features));
     if (vtkShaderProgram* program = this->Begin(pass, scene))
     {
@@ -372,22 +295,18 @@ std::vector<float> InkStipplePasses::FindResults(const Scene& scene, vtkIdType c
       this->End(pass, scene);
       results.resize(6 * static_cast<std::size_t>(count));
       std::vector<float> pixels(4 * static_cast<std::size_t>(width * height));
-      for (unsigned int i = 0; i < 2; ++i)
+      std::size_t first = 0;
+      for (InkRenderTarget* image : { &tones, &colors })
       {
-        framebuffer->ActivateReadBuffer(i);
-        glReadPixels(
-          0, 0, static_cast<int>(width), static_cast<int>(height), GL_RGBA, GL_FLOAT, pixels.data());
+        image->BindForReading();
+        glReadPixels(0, 0, width, static_cast<int>(height), GL_RGBA, GL_FLOAT, pixels.data());
         for (std::size_t point = 0; point < static_cast<std::size_t>(count); ++point)
         {
-          std::copy_n(&pixels[4 * point], 3, &results[6 * point + 3 * i]);
+          std::copy_n(&pixels[4 * point], 3, &results[6 * point + first]);
         }
+        first += 3;
       }
     }
-  }
-  framebuffer->ReleaseGraphicsResources(this->Window);
-  for (auto& image : images)
-  {
-    image->ReleaseGraphicsResources(this->Window);
   }
   return results;
 }

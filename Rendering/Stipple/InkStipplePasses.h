@@ -2,6 +2,7 @@
 #ifndef InkStipplePasses_h
 #define InkStipplePasses_h
 
+#include "InkShaderPass.h"
 #include "InkStippleBlocks.h"
 #include "InkStippleTextures.h"
 
@@ -10,16 +11,15 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 class InkRenderPasses;
+struct InkFrame;
 class InkStipplePoints;
 struct InkStippleDepth;
 struct InkStippleView;
-struct InkView;
+struct InkViewUniforms;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
@@ -36,7 +36,7 @@ public:
 
   vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
 
-  /// @param packed whether in 8 bytes a stipple, see InkPackedStipples, instead of 16
+  /// @param packed whether in 8 bytes a stipple, see InkQuantizedStipples, instead of 16
   /// @return why that cannot be done, for the user; empty if it can
   std::string Upload(const InkStipplePoints& points, bool packed);
   /// @param colors RGBA of each element, in the order of the points uploaded; empty: all have the ink's color
@@ -48,46 +48,40 @@ public:
   /// All that a picture depends on.
   struct Scene
   {
-    const InkView& View;
+    const InkViewUniforms& View;
     const InkStipplePoints& Points;
-    const ink::StippleTone& Tone;
+    const ink::stipple::StippleTone& Tone;
     const InkStippleView& ToneView;
     InkStippleDepth* Occluder; ///< null: nothing hides stipples
     float OccluderOffset;      ///< view units
     const double* InkColor;
   };
 
-  /// The stipples into the caller's framebuffer, viewport and blending; the viewport's origin is given. The
-  /// render passes that the actor takes part in may change the shader.
-  void Draw(
-    const Scene& scene, const int viewportOrigin[2], double opacity, const InkRenderPasses& renderPasses);
+  /// The stipples. The render passes that the actor takes part in may change the shader.
+  void Draw(const Scene& scene, const InkFrame& frame, double opacity, const InkRenderPasses& renderPasses);
 
-  /// The stipples in the colors that encode 24 bits of their ids, from bit idShift on, or, if idShift is
-  /// negative, in propColor.
-  void DrawIds(const Scene& scene, const int viewportOrigin[2], int idShift, const float propColor[3]);
+  /// The stipples in the frame's colors of ids.
+  void DrawIds(const Scene& scene, const InkFrame& frame);
 
   /// What each of `count` points of the input comes to: T, opacity, diameter, red, green, blue; opacity 0 for
   /// what is not drawn. Empty if this OpenGL cannot do it.
   std::vector<float> FindResults(const Scene& scene, vtkIdType count);
 
   /// How many pixels the largest dots of a view reach beyond their centers.
-  float FindReach(const InkView& view, const ink::StippleTone& tone, const InkStippleView& toneView) const;
+  float FindReach(
+    const InkViewUniforms& view, const ink::stipple::StippleTone& tone, const InkStippleView& toneView) const;
 
   /// How many stipples the last Draw had to look at.
   vtkIdType GetNumberOfProcessedStipples() const { return this->Processed; }
 
 private:
-  struct Pass;
-
   /// Definitions for what of the shaders the scene needs.
   std::string FindFeatures(const Scene& scene) const;
-  Pass& FindPass(
-    const std::string& vertexShader, const std::string& geometryShader, const std::string& fragmentShader);
-  void BindAttributes(Pass& pass, vtkShaderProgram* program);
-  vtkShaderProgram* Begin(Pass& pass, const Scene& scene);
+  void BindAttributes(vtkShaderProgram* program, vtkOpenGLVertexArrayObject* vertexArray);
+  vtkShaderProgram* Begin(InkShaderPass& pass, const Scene& scene);
   InkStippleRuns FindRuns(const Scene& scene) const;
   void DrawRuns(const InkStippleRuns& runs);
-  void End(Pass& pass, const Scene& scene);
+  void End(InkShaderPass& pass, const Scene& scene);
 
   vtkOpenGLRenderWindow* Window;
   vtkNew<vtkOpenGLBufferObject> Buffer;
@@ -99,8 +93,7 @@ private:
   vtkIdType Processed = 0;
   float LargestPoint = 1.0f;
   int LastTextureUnit = 0;
-  /// One for each form that scenes and render passes give the shaders.
-  std::map<std::string, std::unique_ptr<Pass>> Passes;
+  InkShaderPasses Passes;
 };
 
 #endif

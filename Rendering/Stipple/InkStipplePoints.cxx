@@ -3,7 +3,7 @@
 
 #include "InkStippleInput.h"
 
-#include "Sampling/Hash.h"
+#include "Core/Hash.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -168,8 +168,8 @@ std::string InkStipplePoints::Read(const InkStippleInput& input)
   this->ReleaseArrays();
   this->Blocks.clear();
   double bounds[6];
-  InkLocalFrame::FindFiniteBounds(input.Data->GetPoints(), bounds);
-  this->Frame = InkLocalFrame::FromBounds(bounds);
+  InkShiftScale::FindFiniteBounds(input.Data->GetPoints(), bounds);
+  this->Frame = InkShiftScale::FromBounds(bounds);
   for (int i = 0; i < 6 && vtkMath::AreBoundsInitialized(bounds); ++i)
   {
     this->LocalBounds[i] = (bounds[i] - this->Frame.Center[i / 2]) / this->Frame.Unit;

@@ -2,7 +2,7 @@
 #ifndef InkStipplePoints_h
 #define InkStipplePoints_h
 
-#include "InkLocalFrame.h"
+#include "InkShiftScale.h"
 #include "InkStippleBlocks.h"
 
 #include "vtkType.h"
@@ -53,7 +53,7 @@ public:
   /// Frees what only the GPU needs.
   void ReleaseArrays();
 
-  const InkLocalFrame& GetFrame() const { return this->Frame; }
+  const InkShiftScale& GetFrame() const { return this->Frame; }
   const std::array<double, 6>& GetLocalBounds() const { return this->LocalBounds; }
   bool IsSurface() const { return this->Surface; }
   float GetElementSize() const { return this->ElementSize; } ///< in the frame's unit
@@ -76,7 +76,7 @@ private:
   void AddStipple(
     const InkStippleInput& input, vtkIdType point, std::uint32_t element, int rank, InkStippleBlock& block);
 
-  InkLocalFrame Frame;
+  InkShiftScale Frame;
   std::array<double, 6> LocalBounds{};
   bool Surface = false;
   float ElementSize = 0.0f;

@@ -44,7 +44,7 @@ void InkStippleTextures::Fill(
 }
 
 std::string InkStippleTextures::Upload(
-  const InkStipplePoints& points, const std::vector<ink::PlaceBox>& boxes)
+  const InkStipplePoints& points, const std::vector<ink::stipple::QuantizationBox>& boxes)
 {
   int most = 0;
   this->Window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);

@@ -2,7 +2,7 @@
 #ifndef InkStippleTextures_h
 #define InkStippleTextures_h
 
-#include "Sampling/PackedPlace.h"
+#include "Stippling/QuantizedPosition.h"
 
 #include "vtkNew.h"
 
@@ -27,7 +27,7 @@ public:
 
   /// @param boxes of the elements, for packed stipples; empty for others
   /// @return why that cannot be done, for the user; empty if it can
-  std::string Upload(const InkStipplePoints& points, const std::vector<ink::PlaceBox>& boxes);
+  std::string Upload(const InkStipplePoints& points, const std::vector<ink::stipple::QuantizationBox>& boxes);
 
   /// @param colors RGBA of each element, in the points' order; empty: none
   void UploadColors(const std::vector<std::uint32_t>& colors);

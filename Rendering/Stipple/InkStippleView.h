@@ -2,26 +2,23 @@
 #ifndef InkStippleView_h
 #define InkStippleView_h
 
-#include "Tone/StippleTone.h"
+#include "Tone/Stipple/StippleTone.h"
 
 #include <vector>
 
 class InkStipplePoints;
-struct InkView;
+struct InkViewUniforms;
 class vtkRenderer;
 
 /// What the tone depends on besides the stipples and the k's: the object's place before the camera, lights.
 struct InkStippleView
 {
-  /// No more lights than this are used: the first of the renderer's that are on.
-  static constexpr std::size_t MostLights = 8;
-
   /// @param headlight whether a light at the camera stands in for the renderer's lights
-  InkStippleView(vtkRenderer* renderer, const InkView& view, const InkStipplePoints& points,
-    const ink::StippleTone& tone, bool headlight);
+  InkStippleView(vtkRenderer* renderer, const InkViewUniforms& view, const InkStipplePoints& points,
+    const ink::stipple::StippleTone& tone, bool headlight);
 
-  ink::StippleTone::View Tone;
-  std::vector<ink::StippleLight> Lights;
+  ink::stipple::StippleTone::View Tone;
+  std::vector<ink::stipple::StippleLight> Lights;
 };
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "vtkInkStippleMapper.h"
 
-#include "Tone/StippleSliders.h"
+#include "Tone/Stipple/StippleSliders.h"
 
 #include "vtkObjectFactory.h"
 
@@ -47,7 +47,7 @@ double Exact(float number)
 class vtkInkStippleControls::vtkInternals
 {
 public:
-  void Set(vtkInkStippleControls* self, float ink::StippleSliders::*slider, double value)
+  void Set(vtkInkStippleControls* self, float ink::stipple::StippleSliders::*slider, double value)
   {
     if (std::isnan(value))
     {
@@ -62,8 +62,8 @@ public:
     }
   }
 
-  const ink::StipplePreset* Preset = &ink::stipplePresets().front();
-  ink::StippleSliders Sliders = this->Preset->sliders;
+  const ink::stipple::StipplePreset* Preset = &ink::stipple::stipplePresets().front();
+  ink::stipple::StippleSliders Sliders = this->Preset->sliders;
 };
 
 vtkInkStippleControls::vtkInkStippleControls()
@@ -75,11 +75,11 @@ vtkInkStippleControls::~vtkInkStippleControls() = default;
 
 bool vtkInkStippleControls::SetPreset(const char* name)
 {
-  const ink::StipplePreset* preset = ink::findStipplePreset(name ? name : "");
+  const ink::stipple::StipplePreset* preset = ink::stipple::findStipplePreset(name ? name : "");
   if (!preset)
   {
     std::ostringstream names;
-    for (const ink::StipplePreset& known : ink::stipplePresets())
+    for (const ink::stipple::StipplePreset& known : ink::stipple::stipplePresets())
     {
       names << (names.tellp() > 0 ? ", " : "") << known.name;
     }
@@ -98,12 +98,13 @@ const char* vtkInkStippleControls::GetPreset()
 
 int vtkInkStippleControls::GetNumberOfPresets()
 {
-  return static_cast<int>(ink::stipplePresets().size());
+  return static_cast<int>(ink::stipple::stipplePresets().size());
 }
 
 const char* vtkInkStippleControls::GetPresetName(int index)
 {
-  return index >= 0 && index < GetNumberOfPresets() ? ink::stipplePresets()[index].name.data() : nullptr;
+  return index >= 0 && index < GetNumberOfPresets() ? ink::stipple::stipplePresets()[index].name.data()
+                                                    : nullptr;
 }
 
 void vtkInkStippleControls::Reset()
@@ -114,7 +115,7 @@ void vtkInkStippleControls::Reset()
 
 void vtkInkStippleControls::SetGradient(double gradient)
 {
-  this->Internals->Set(this, &ink::StippleSliders::gradient, gradient);
+  this->Internals->Set(this, &ink::stipple::StippleSliders::gradient, gradient);
 }
 
 double vtkInkStippleControls::GetGradient()
@@ -124,7 +125,7 @@ double vtkInkStippleControls::GetGradient()
 
 void vtkInkStippleControls::SetSharpness(double sharpness)
 {
-  this->Internals->Set(this, &ink::StippleSliders::sharpness, sharpness);
+  this->Internals->Set(this, &ink::stipple::StippleSliders::sharpness, sharpness);
 }
 
 double vtkInkStippleControls::GetSharpness()
@@ -134,7 +135,7 @@ double vtkInkStippleControls::GetSharpness()
 
 void vtkInkStippleControls::SetOrientation(double orientation)
 {
-  this->Internals->Set(this, &ink::StippleSliders::orientation, orientation);
+  this->Internals->Set(this, &ink::stipple::StippleSliders::orientation, orientation);
 }
 
 double vtkInkStippleControls::GetOrientation()
@@ -144,7 +145,7 @@ double vtkInkStippleControls::GetOrientation()
 
 void vtkInkStippleControls::SetDistance(double distance)
 {
-  this->Internals->Set(this, &ink::StippleSliders::distance, distance);
+  this->Internals->Set(this, &ink::stipple::StippleSliders::distance, distance);
 }
 
 double vtkInkStippleControls::GetDistance()
@@ -154,7 +155,7 @@ double vtkInkStippleControls::GetDistance()
 
 void vtkInkStippleControls::SetInterior(double interior)
 {
-  this->Internals->Set(this, &ink::StippleSliders::interior, interior);
+  this->Internals->Set(this, &ink::stipple::StippleSliders::interior, interior);
 }
 
 double vtkInkStippleControls::GetInterior()
@@ -164,7 +165,7 @@ double vtkInkStippleControls::GetInterior()
 
 void vtkInkStippleControls::SetColor(double color)
 {
-  this->Internals->Set(this, &ink::StippleSliders::color, color);
+  this->Internals->Set(this, &ink::stipple::StippleSliders::color, color);
 }
 
 double vtkInkStippleControls::GetColor()
@@ -174,34 +175,34 @@ double vtkInkStippleControls::GetColor()
 
 void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
 {
-  ink::StippleTone tone;
+  ink::stipple::StippleTone tone;
   this->Internals->Preset->apply(tone);
   this->Internals->Sliders.apply(tone);
   mapper->SetBoundary(tone.boundary.on);
-  mapper->SetKgc(Exact(tone.boundary.kgc));
-  mapper->SetKgs(Exact(tone.boundary.kgs));
-  mapper->SetKge(Exact(tone.boundary.kge));
+  mapper->SetBoundaryBase(Exact(tone.boundary.base));
+  mapper->SetBoundaryGain(Exact(tone.boundary.gain));
+  mapper->SetBoundaryExponent(Exact(tone.boundary.exponent));
   mapper->SetSilhouette(tone.silhouette.on);
-  mapper->SetKsc(Exact(tone.silhouette.ksc));
-  mapper->SetKss(Exact(tone.silhouette.kss));
-  mapper->SetKse(Exact(tone.silhouette.kse));
+  mapper->SetSilhouetteBase(Exact(tone.silhouette.base));
+  mapper->SetSilhouetteGain(Exact(tone.silhouette.gain));
+  mapper->SetSilhouetteExponent(Exact(tone.silhouette.exponent));
   mapper->SetResolution(tone.resolution.on);
-  mapper->SetKrc(Exact(tone.resolution.krc));
-  mapper->SetKnz(Exact(tone.resolution.knz));
+  mapper->SetResolutionExponent(Exact(tone.resolution.exponent));
+  mapper->SetSlantExponent(Exact(tone.resolution.slantExponent));
   mapper->SetLighting(tone.lighting.on);
-  mapper->SetKle(Exact(tone.lighting.kle));
+  mapper->SetLightingExponent(Exact(tone.lighting.exponent));
   mapper->SetLightInk(tone.lighting.lightInk);
   mapper->SetDistance(tone.distance.on);
-  mapper->SetKde(Exact(tone.distance.kde));
+  mapper->SetDistanceExponent(Exact(tone.distance.exponent));
   mapper->SetDistanceSize(Exact(tone.distance.size));
   mapper->SetInterior(tone.interior.on);
-  mapper->SetKie(Exact(tone.interior.kie));
+  mapper->SetInteriorExponent(Exact(tone.interior.exponent));
   mapper->SetInteriorSize(Exact(tone.interior.size));
   mapper->SetWarmCool(Exact(tone.warmCool.amount));
   mapper->SetValueEffect(Exact(tone.valueEffect));
   mapper->SetPixelsPerStipple(Exact(tone.pixelsPerStipple));
   mapper->SetStippleSize(Exact(tone.diameter));
-  mapper->SetAppearBySize(tone.appearBySize);
+  mapper->SetFadeBySize(tone.fadeBySize);
   const double ink = tone.lighting.lightInk ? 1.0 : 0.0;
   mapper->SetInkColor(ink, ink, ink);
 }

@@ -30,8 +30,9 @@ public:
 
   ///@{
   /**
-   * The kind of drawing to start from: anatomy (default), bone, soft-tissue, engineering or
-   * plate-white-on-black. Sets all sliders. Capitals and what separates words do not count ("Soft Tissue");
+   * The kind of drawing to start from: anatomy (default), bone, soft-tissue, engineering,
+   * plate-white-on-black or as-published (T is Table 1's product to the letter: ValueEffect is 1, and
+   * PixelsPerStipple 1). Sets all sliders. Capitals and what separates words do not count ("Soft Tissue");
    * GetPreset and GetPresetName have the one spelling. An unknown name is an error and changes nothing.
    */
   bool SetPreset(const char* name);
@@ -41,6 +42,7 @@ public:
   void SetPresetToSoftTissue() { this->SetPreset("soft-tissue"); }
   void SetPresetToEngineering() { this->SetPreset("engineering"); }
   void SetPresetToPlateWhiteOnBlack() { this->SetPreset("plate-white-on-black"); }
+  void SetPresetToAsPublished() { this->SetPreset("as-published"); }
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index); ///< null out of range
   ///@}
@@ -50,7 +52,8 @@ public:
 
   ///@{
   /**
-   * Emphasis on boundaries (Kgc, Kgs): more ink with a larger one. 0 to 1; default: the preset's.
+   * Emphasis on boundaries (BoundaryBase, BoundaryGain): more ink with a larger one. 0 to 1; default: the
+   * preset's.
    */
   void SetGradient(double gradient);
   double GetGradient();
@@ -58,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Sharpness of boundaries, silhouettes and shades (Kge, Kse, Kle): less ink, in a smaller place, with a
-   * larger one. 0 to 1; default: the preset's.
+   * Sharpness of boundaries, silhouettes and shades (BoundaryExponent, SilhouetteExponent, LightingExponent):
+   * less ink, in a smaller place, with a larger one. 0 to 1; default: the preset's.
    */
   void SetSharpness(double sharpness);
   double GetSharpness();
@@ -67,8 +70,8 @@ public:
 
   ///@{
   /**
-   * How much silhouettes and light count (Kss, Kle): the rim is darker and the middle lighter with a larger
-   * one. 0 (hardly at all) to 1; default: the preset's.
+   * How much silhouettes and light count (SilhouetteGain, LightingExponent): the rim is darker and the middle
+   * lighter with a larger one. 0 (hardly at all) to 1; default: the preset's.
    */
   void SetOrientation(double orientation);
   double GetOrientation();
@@ -76,8 +79,8 @@ public:
 
   ///@{
   /**
-   * How much nearer parts stand out (Kde, DistanceSize). 0 (only what lies at the very ends) to 1; default:
-   * the preset's.
+   * How much nearer parts stand out (DistanceExponent, DistanceSize). 0 (only what lies at the very ends) to
+   * 1; default: the preset's.
    */
   void SetDistance(double distance);
   double GetDistance();
@@ -85,8 +88,8 @@ public:
 
   ///@{
   /**
-   * How see-through weak boundaries are (Kie, InteriorSize): less ink with a larger one. 0 (not at all) to 1;
-   * default: the preset's.
+   * How see-through weak boundaries are (InteriorExponent, InteriorSize): less ink with a larger one. 0 (not
+   * at all) to 1; default: the preset's.
    */
   void SetInterior(double interior);
   double GetInterior();
@@ -101,7 +104,7 @@ public:
   ///@}
 
   /**
-   * Hands the sliders' k's, and the preset's size and room of stipples, AppearBySize, ink color and
+   * Hands the sliders' k's, and the preset's size and room of stipples, FadeBySize, ink color and
    * LightInk, to a mapper.
    */
   void Apply(vtkInkStippleMapper* mapper);

@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleMapper.h"
 
-#include "InkLocalFrame.h"
+#include "InkFrame.h"
 #include "InkRenderPasses.h"
-#include "InkReportedMessages.h"
 #include "InkScalarColors.h"
+#include "InkStippleMarks.h"
 #include "InkStipplePoints.h"
 #include "InkStippleView.h"
-#include "InkStippleWindow.h"
-#include "InkView.h"
-#include "InkWindowResources.h"
-
-#include "InkOpenGLCompat.h"
+#include "InkViewUniforms.h"
 
 #include "vtkActor.h"
-#include "vtkCommand.h"
 #include "vtkFloatArray.h"
-#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -49,31 +41,34 @@ ink::HlsColor ToHls(const double rgb[3])
   return ink::hlsFromRgb(glm::vec3(rgb[0], rgb[1], rgb[2]));
 }
 
-ink::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface)
+ink::stipple::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface)
 {
   const auto number = [](double value) { return static_cast<float>(value); };
-  ink::StippleTone tone;
+  ink::stipple::StippleTone tone;
   tone.surface = surface;
-  tone.boundary = { mapper->GetBoundary(), number(mapper->GetKgc()), number(mapper->GetKgs()),
-    number(mapper->GetKge()) };
-  tone.silhouette = { mapper->GetSilhouette(), number(mapper->GetKsc()), number(mapper->GetKss()),
-    number(mapper->GetKse()) };
-  tone.resolution = { mapper->GetResolution(), number(mapper->GetKrc()), number(mapper->GetKnz()) };
-  tone.lighting = { mapper->GetLighting(), number(mapper->GetKle()),
+  tone.boundary = { mapper->GetBoundary(), number(mapper->GetBoundaryBase()),
+    number(mapper->GetBoundaryGain()), number(mapper->GetBoundaryExponent()) };
+  tone.silhouette = { mapper->GetSilhouette(), number(mapper->GetSilhouetteBase()),
+    number(mapper->GetSilhouetteGain()), number(mapper->GetSilhouetteExponent()) };
+  tone.resolution = { mapper->GetResolution(), number(mapper->GetResolutionExponent()),
+    number(mapper->GetSlantExponent()) };
+  tone.lighting = { mapper->GetLighting(), number(mapper->GetLightingExponent()),
     number(std::cos(vtkMath::RadiansFromDegrees(mapper->GetFacingAngle()))), mapper->GetLightInk() };
-  tone.distance = { mapper->GetDistance(), number(mapper->GetKde()), number(mapper->GetDistanceSize()) };
-  tone.interior = { mapper->GetInterior(), number(mapper->GetKie()), number(mapper->GetInteriorSize()) };
+  tone.distance = { mapper->GetDistance(), number(mapper->GetDistanceExponent()),
+    number(mapper->GetDistanceSize()) };
+  tone.interior = { mapper->GetInterior(), number(mapper->GetInteriorExponent()),
+    number(mapper->GetInteriorSize()) };
   tone.smallElements = { mapper->GetSmallElements() == vtkInkStippleMapper::PROBABILITY
-      ? ink::SmallElements::Way::probability
-      : ink::SmallElements::Way::intensity,
+      ? ink::stipple::SmallElements::Way::probability
+      : ink::stipple::SmallElements::Way::intensity,
     number(mapper->GetMinimumCoverage()), number(mapper->GetFade()) };
   tone.warmCool = { ToHls(mapper->GetWarmColor()), ToHls(mapper->GetCoolColor()),
     number(mapper->GetToneWeight()), number(mapper->GetDistanceWeight()), number(mapper->GetWarmCool()) };
   tone.valueEffect = number(mapper->GetValueEffect());
   tone.pixelsPerStipple = number(mapper->GetPixelsPerStipple());
   tone.diameter = number(mapper->GetStippleSize());
-  tone.growing = mapper->GetGrowing();
-  tone.appearBySize = mapper->GetAppearBySize();
+  tone.growWithZoom = mapper->GetGrowWithZoom();
+  tone.fadeBySize = mapper->GetFadeBySize();
   return tone;
 }
 
@@ -84,21 +79,19 @@ class vtkInkStippleMapper::vtkInternals
 public:
   InkStipplePoints Points;
   std::optional<InkStippleInput::Key> PointsKey; ///< of the input that Points was read from
-  InkReportedMessages Reported;
-  InkWindowResources<InkStippleWindow> Windows;
-  vtkIdType Processed = 0; ///< stipples that the last picture had to look at
+  vtkIdType Processed = 0;                       ///< stipples that the last picture had to look at
 };
 
 /// All that one picture of an actor depends on, put together.
 class vtkInkStippleMapper::vtkPicture
 {
 public:
-  vtkPicture(vtkInkStippleMapper* mapper, InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor,
+  vtkPicture(vtkInkStippleMapper* mapper, InkStippleMarks& marks, vtkRenderer* renderer, vtkActor* actor,
     const int size[2])
     : View(renderer, actor, mapper, mapper->Internals->Points.GetFrame(), size)
     , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface()))
     , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
-    , Occluder(this->FindOccluder(mapper, window, renderer, actor))
+    , Occluder(this->FindOccluder(mapper, marks, renderer, actor))
     , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,
       FindOffset(mapper) * this->View.Unit, mapper->InkColor }
   {
@@ -109,21 +102,21 @@ public:
 
 private:
   InkStippleDepth* FindOccluder(
-    vtkInkStippleMapper* mapper, InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor) const
+    vtkInkStippleMapper* mapper, InkStippleMarks& marks, vtkRenderer* renderer, vtkActor* actor) const
   {
     vtkPolyData* surface = mapper->FindSurface();
     if (!surface)
     {
       return nullptr;
     }
-    window.Occluder.Update(surface, mapper->Internals->Points.GetFrame());
-    if (window.Occluder.IsEmpty())
+    marks.Occluder.Update(surface, mapper->Internals->Points.GetFrame());
+    if (marks.Occluder.IsEmpty())
     {
       return nullptr;
     }
-    std::unique_ptr<InkStippleDepth>& depth = window.FindDepth(renderer, actor);
-    window.Occluder.Draw(this->View, window.Passes.FindReach(this->View, this->Tone, this->ToneView), depth);
-    if (!depth->Complete)
+    std::unique_ptr<InkStippleDepth>& depth = marks.Depths.Get(renderer, actor);
+    marks.Occluder.Draw(this->View, marks.Passes.FindReach(this->View, this->Tone, this->ToneView), depth);
+    if (!depth->Image.IsComplete())
     {
       mapper->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden stipples need.");
       return nullptr;
@@ -139,8 +132,8 @@ private:
       points.GetElementSize();
   }
 
-  const InkView View;
-  ink::StippleTone Tone;
+  const InkViewUniforms View;
+  ink::stipple::StippleTone Tone;
   const InkStippleView ToneView;
   InkStippleDepth* const Occluder;
 
@@ -196,59 +189,22 @@ vtkPolyData* vtkInkStippleMapper::FindSurface()
   return nullptr;
 }
 
-void vtkInkStippleMapper::ReportOnce(const std::string& error)
+std::unique_ptr<InkMarks> vtkInkStippleMapper::MakeMarks(vtkOpenGLRenderWindow* window)
 {
-  if (this->Internals->Reported.Add(this->GetInput()->GetMTime(), error))
-  {
-    vtkErrorMacro(<< error);
-  }
+  return std::make_unique<InkStippleMarks>(window);
 }
 
-void vtkInkStippleMapper::ComputeBounds()
+bool vtkInkStippleMapper::UpdateMarks(InkMarks& own)
 {
-  vtkPolyData* input = this->GetInput();
-  vtkMath::UninitializeBounds(this->Bounds);
-  if (!input || input->GetNumberOfPoints() == 0)
-  {
-    return;
-  }
-  input->GetBounds(this->Bounds);
-  if (std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
-  {
-    InkLocalFrame::FindFiniteBounds(input->GetPoints(), this->Bounds);
-  }
-}
-
-InkStippleWindow* vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
-{
+  auto& marks = static_cast<InkStippleMarks&>(own);
   vtkInternals& internals = *this->Internals;
   vtkPolyData* input = this->GetInput();
-  if (!input || input->GetNumberOfPoints() == 0)
-  {
-    return nullptr;
-  }
-  auto* renderWindow = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!renderWindow)
-  {
-    this->ReportOnce("Stipples need a vtkOpenGLRenderWindow.");
-    return nullptr;
-  }
-  vtkPlaneCollection* planes = this->GetClippingPlanes();
-  if (planes && planes->GetNumberOfItems() > InkView::MaximumClippingPlanes)
-  {
-    std::ostringstream message;
-    message << "Only the first " << InkView::MaximumClippingPlanes << " of the " << planes->GetNumberOfItems()
-            << " clipping planes are used.";
-    this->ReportOnce(message.str());
-  }
-
-  InkStippleWindow& window = internals.Windows.Get(renderWindow);
   const InkStippleInput found(input);
-  const InkStippleWindow::Source source{ found.GetKey(), this->PositionPrecision };
-  if ((window.Stipples != source || internals.PointsKey != source.Input) &&
-    !this->UploadStipples(found, window))
+  const InkStippleMarks::Source source{ found.GetKey(), this->PositionPrecision };
+  if ((marks.Stipples != source || internals.PointsKey != source.Input) &&
+    !this->UploadStipples(found, marks))
   {
-    return nullptr;
+    return false;
   }
   const InkScalarColors colors(this, input, InkScalarColors::Of::Cells);
   if (!colors.GetProblem().empty())
@@ -256,11 +212,11 @@ InkStippleWindow* vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
     this->ReportOnce(colors.GetProblem());
   }
   std::string description = colors.Describe();
-  if (window.Colors != description)
+  if (marks.Colors != description)
   {
-    window.Passes.UploadColors(
+    marks.Passes.UploadColors(
       colors.Exist() ? internals.Points.OrderColors(colors.Map()) : std::vector<std::uint32_t>());
-    window.Colors = std::move(description);
+    marks.Colors = std::move(description);
   }
   if (internals.Points.GetNumberOfStipples() == 0)
   {
@@ -268,15 +224,15 @@ InkStippleWindow* vtkInkStippleMapper::UpdateStipples(vtkRenderer* renderer)
     message << "None of the " << input->GetNumberOfPoints()
             << " stipples has a finite position and an element with a normal that is not zero.";
     this->ReportOnce(message.str());
-    return nullptr;
+    return false;
   }
-  return &window;
+  return true;
 }
 
-bool vtkInkStippleMapper::UploadStipples(const InkStippleInput& input, InkStippleWindow& window)
+bool vtkInkStippleMapper::UploadStipples(const InkStippleInput& input, InkStippleMarks& marks)
 {
-  window.Stipples.reset();
-  window.Colors.reset();
+  marks.Stipples.reset();
+  marks.Colors.reset();
   const std::string problem = input.FindProblem();
   if (!problem.empty())
   {
@@ -286,7 +242,7 @@ bool vtkInkStippleMapper::UploadStipples(const InkStippleInput& input, InkStippl
   InkStipplePoints& points = this->Internals->Points;
   const std::string left = points.Read(input);
   this->Internals->PointsKey = input.GetKey();
-  const std::string refused = window.Passes.Upload(points, this->PositionPrecision == QUANTIZED);
+  const std::string refused = marks.Passes.Upload(points, this->PositionPrecision == QUANTIZED);
   points.ReleaseArrays();
   for (const std::string& message : { left, refused })
   {
@@ -299,85 +255,27 @@ bool vtkInkStippleMapper::UploadStipples(const InkStippleInput& input, InkStippl
   {
     return false;
   }
-  window.Stipples = { input.GetKey(), this->PositionPrecision };
+  marks.Stipples = { input.GetKey(), this->PositionPrecision };
   return true;
 }
 
-void vtkInkStippleMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+void vtkInkStippleMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
 {
-  this->InvokeEvent(vtkCommand::StartEvent);
-  if (!this->Static)
+  auto& marks = static_cast<InkStippleMarks&>(own);
+  const vtkPicture picture(this, marks, frame.Renderer, frame.Actor, frame.GetSize());
+  if (frame.Ids)
   {
-    this->GetInputAlgorithm()->Update();
-    if (this->GetNumberOfInputConnections(1) > 0)
-    {
-      this->GetInputAlgorithm(1, 0)->Update();
-    }
+    marks.Passes.DrawIds(picture.Scene, frame);
   }
-  this->InvokeEvent(vtkCommand::EndEvent);
-
-  vtkHardwareSelector* selector = renderer->GetSelector();
-  if (selector)
+  else
   {
-    selector->BeginRenderProp();
-    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
-    {
-      selector->RenderCompositeIndex(1);
-    }
+    marks.Passes.Draw(
+      picture.Scene, frame, frame.Actor->GetProperty()->GetOpacity(), InkRenderPasses(this, frame.Actor));
   }
-  if (InkStippleWindow* window = this->UpdateStipples(renderer))
-  {
-    this->Draw(*window, renderer, actor, selector);
-    this->Internals->Processed = window->Passes.GetNumberOfProcessedStipples();
-  }
-  if (selector)
-  {
-    selector->EndRenderProp();
-  }
-  this->UpdateProgress(1.0);
+  this->Internals->Processed = marks.Passes.GetNumberOfProcessedStipples();
 }
 
-void vtkInkStippleMapper::Draw(
-  InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector)
-{
-  InkStipplePasses& passes = window.Passes;
-  // Not the renderer's own: depth peeling draws into buffers of its own.
-  int viewport[4];
-  passes.GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  if (viewport[2] <= 0 || viewport[3] <= 0)
-  {
-    return;
-  }
-  const vtkPicture picture(this, window, renderer, actor, viewport + 2);
-  if (!selector)
-  {
-    passes.Draw(picture.Scene, viewport, actor->GetProperty()->GetOpacity(), InkRenderPasses(this, actor));
-    return;
-  }
-
-  selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
-  int idShift = -1;
-  const float noCell[3] = { 0.0f, 0.0f, 0.0f };
-  const float* color = selector->GetPropColorValue();
-  switch (selector->GetCurrentPass())
-  {
-    case vtkHardwareSelector::POINT_ID_LOW24:
-      idShift = 0;
-      break;
-    case vtkHardwareSelector::POINT_ID_HIGH24:
-      idShift = 24;
-      break;
-    case vtkHardwareSelector::CELL_ID_LOW24:
-    case vtkHardwareSelector::CELL_ID_HIGH24:
-      color = noCell;
-      break;
-    default:
-      break;
-  }
-  passes.DrawIds(picture.Scene, viewport, idShift, color);
-}
-
-bool vtkInkStippleMapper::FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* marks)
+bool vtkInkStippleMapper::EvaluateMarks(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* marks)
 {
   marks->Initialize();
   marks->SetNumberOfComponents(6);
@@ -387,14 +285,15 @@ bool vtkInkStippleMapper::FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkF
   }
   renderer->GetRenderWindow()->MakeCurrent();
   const int* size = renderer->GetSize();
-  InkStippleWindow* window = size[0] > 0 && size[1] > 0 ? this->UpdateStipples(renderer) : nullptr;
-  if (!window)
+  InkMarks* own = size[0] > 0 && size[1] > 0 ? this->FindMarksToDraw(renderer) : nullptr;
+  if (!own)
   {
     return false;
   }
-  const vtkPicture picture(this, *window, renderer, actor, size);
+  auto& stipples = static_cast<InkStippleMarks&>(*own);
+  const vtkPicture picture(this, stipples, renderer, actor, size);
   const vtkIdType count = this->GetInput()->GetNumberOfPoints();
-  const std::vector<float> results = window->Passes.FindResults(picture.Scene, count);
+  const std::vector<float> results = stipples.Passes.FindResults(picture.Scene, count);
   if (results.empty())
   {
     return false;
@@ -404,25 +303,11 @@ bool vtkInkStippleMapper::FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkF
   return true;
 }
 
-void vtkInkStippleMapper::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Internals->Windows.Release(window);
-  this->Superclass::ReleaseGraphicsResources(window);
-}
-
-vtkMTimeType vtkInkStippleMapper::GetUploadTime()
-{
-  vtkMTimeType latest = 0;
-  this->Internals->Windows.ForEach(
-    [&](const InkStippleWindow& window) { latest = std::max(latest, window.Passes.GetUploadTime()); });
-  return latest;
-}
-
 vtkMTimeType vtkInkStippleMapper::GetColorUploadTime()
 {
   vtkMTimeType latest = 0;
-  this->Internals->Windows.ForEach(
-    [&](const InkStippleWindow& window) { latest = std::max(latest, window.Passes.GetColorUploadTime()); });
+  this->ForEachMarks([&](const InkMarks& marks)
+    { latest = std::max(latest, static_cast<const InkStippleMarks&>(marks).Passes.GetColorUploadTime()); });
   return latest;
 }
 

@@ -40,22 +40,20 @@
 #define vtkInkStippleMapper_h
 
 #include "InkSetters.h"                   // for the setters
+#include "vtkInkMapper.h"                 // for the base
 #include "vtkInkRenderingStippleModule.h" // for the export macro
-#include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
-#include <string> // for error messages
 
-class InkStippleWindow;
+class InkStippleMarks;
 struct InkStippleInput;
 class vtkFloatArray;
-class vtkHardwareSelector;
 
-class VTKINKRENDERINGSTIPPLE_EXPORT vtkInkStippleMapper : public vtkPolyDataMapper
+class VTKINKRENDERINGSTIPPLE_EXPORT vtkInkStippleMapper : public vtkInkMapper
 {
 public:
   static vtkInkStippleMapper* New();
-  vtkTypeMacro(vtkInkStippleMapper, vtkPolyDataMapper);
+  vtkTypeMacro(vtkInkStippleMapper, vtkInkMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// All parameters and both inputs of another mapper, as far as it has them.
@@ -84,8 +82,8 @@ public:
    * k_gc: what every voxel gets, whatever its gradient; more stipples with a larger one. 0 to 10; default:
    * 0.2.
    */
-  InkSetClampMacro(Kgc, 0.0, 10.0);
-  vtkGetMacro(Kgc, double);
+  InkSetClampMacro(BoundaryBase, 0.0, 10.0);
+  vtkGetMacro(BoundaryBase, double);
   ///@}
 
   ///@{
@@ -93,16 +91,16 @@ public:
    * k_gs: what the gradient's magnitude adds; more stipples on boundaries with a larger one. 0 to 10;
    * default: 1.
    */
-  InkSetClampMacro(Kgs, 0.0, 10.0);
-  vtkGetMacro(Kgs, double);
+  InkSetClampMacro(BoundaryGain, 0.0, 10.0);
+  vtkGetMacro(BoundaryGain, double);
   ///@}
 
   ///@{
   /**
    * k_ge: sharpness; with a larger one only the largest gradients get stipples. 0 to 20; default: 1.
    */
-  InkSetClampMacro(Kge, 0.0, 20.0);
-  vtkGetMacro(Kge, double);
+  InkSetClampMacro(BoundaryExponent, 0.0, 20.0);
+  vtkGetMacro(BoundaryExponent, double);
   ///@}
 
   ///@{
@@ -118,24 +116,24 @@ public:
   /**
    * k_sc: what every voxel gets, whatever its orientation. 0 to 10; default: 0.3.
    */
-  InkSetClampMacro(Ksc, 0.0, 10.0);
-  vtkGetMacro(Ksc, double);
+  InkSetClampMacro(SilhouetteBase, 0.0, 10.0);
+  vtkGetMacro(SilhouetteBase, double);
   ///@}
 
   ///@{
   /**
    * k_ss: what silhouettes get in addition. 0 to 10; default: 2.
    */
-  InkSetClampMacro(Kss, 0.0, 10.0);
-  vtkGetMacro(Kss, double);
+  InkSetClampMacro(SilhouetteGain, 0.0, 10.0);
+  vtkGetMacro(SilhouetteGain, double);
   ///@}
 
   ///@{
   /**
    * k_se: sharpness; silhouettes are thinner with a smaller one. 0.01 to 20; default: 0.5.
    */
-  InkSetClampMacro(Kse, 0.01, 20.0);
-  vtkGetMacro(Kse, double);
+  InkSetClampMacro(SilhouetteExponent, 0.01, 20.0);
+  vtkGetMacro(SilhouetteExponent, double);
   ///@}
 
   ///@{
@@ -153,8 +151,8 @@ public:
    * k_rc: exponent of the distance; the pattern is even with -2, denser far away with a larger one. -8 to 0;
    * default: -2.
    */
-  InkSetClampMacro(Krc, -8.0, 0.0);
-  vtkGetMacro(Krc, double);
+  InkSetClampMacro(ResolutionExponent, -8.0, 0.0);
+  vtkGetMacro(ResolutionExponent, double);
   ///@}
 
   ///@{
@@ -162,8 +160,8 @@ public:
    * k_nz: exponent of the slant; the pattern is even with 1, denser where seen edge-on with a smaller one.
    * 0 to 8; default: 1.
    */
-  InkSetClampMacro(Knz, 0.0, 8.0);
-  vtkGetMacro(Knz, double);
+  InkSetClampMacro(SlantExponent, 0.0, 8.0);
+  vtkGetMacro(SlantExponent, double);
   ///@}
 
   ///@{
@@ -180,8 +178,8 @@ public:
   /**
    * k_le: exponent of the light; more is lit with a smaller one. 0.01 to 20; default: 1.
    */
-  InkSetClampMacro(Kle, 0.01, 20.0);
-  vtkGetMacro(Kle, double);
+  InkSetClampMacro(LightingExponent, 0.01, 20.0);
+  vtkGetMacro(LightingExponent, double);
   ///@}
 
   ///@{
@@ -225,8 +223,8 @@ public:
   /**
    * k_de: with a larger one only the nearest and the farthest parts differ. 0.01 to 20; default: 1.
    */
-  InkSetClampMacro(Kde, 0.01, 20.0);
-  vtkGetMacro(Kde, double);
+  InkSetClampMacro(DistanceExponent, 0.01, 20.0);
+  vtkGetMacro(DistanceExponent, double);
   ///@}
 
   ///@{
@@ -251,8 +249,8 @@ public:
   /**
    * k_ie: more is see-through with a larger one. 0 to 20; default: 1.
    */
-  InkSetClampMacro(Kie, 0.0, 20.0);
-  vtkGetMacro(Kie, double);
+  InkSetClampMacro(InteriorExponent, 0.0, 20.0);
+  vtkGetMacro(InteriorExponent, double);
   ///@}
 
   ///@{
@@ -295,9 +293,9 @@ public:
    * Whether stipples grow where an element has fewer than it has room for, close up, so that the gray stays.
    * Default: on.
    */
-  vtkSetMacro(Growing, bool);
-  vtkGetMacro(Growing, bool);
-  vtkBooleanMacro(Growing, bool);
+  vtkSetMacro(GrowWithZoom, bool);
+  vtkGetMacro(GrowWithZoom, bool);
+  vtkBooleanMacro(GrowWithZoom, bool);
   ///@}
 
   /// What becomes of parts of stipples (section 5.2).
@@ -323,8 +321,9 @@ public:
 
   ///@{
   /**
-   * The room for stipples, in stipples, below which elements count as small (section 5.2); it matters with
-   * PROBABILITY, or where Fade is less than 1. 2 to 9; default: 9.
+   * The room for stipples, in stipples, below which elements count as small (section 5.2). With INTENSITY and
+   * a Fade of 1, the defaults, parts of stipples are pale ones in elements of any size, and it changes
+   * nothing; it matters with PROBABILITY, or where Fade is less than 1. 2 to 9; default: 9.
    */
   InkSetClampMacro(MinimumCoverage, 2.0, 9.0);
   vtkGetMacro(MinimumCoverage, double);
@@ -343,9 +342,9 @@ public:
   /**
    * Whether stipples that appear or vanish are small instead of pale. Default: off.
    */
-  vtkSetMacro(AppearBySize, bool);
-  vtkGetMacro(AppearBySize, bool);
-  vtkBooleanMacro(AppearBySize, bool);
+  vtkSetMacro(FadeBySize, bool);
+  vtkGetMacro(FadeBySize, bool);
+  vtkBooleanMacro(FadeBySize, bool);
   ///@}
 
   ///@{
@@ -437,14 +436,8 @@ public:
   ///@}
 
   /**
-   * When the stipples were last sent to the GPU, as a modification time; 0 before the first time. Only a
-   * change of the input or of PositionPrecision sends them again, once to each window.
-   */
-  vtkMTimeType GetUploadTime();
-
-  /**
-   * The same of their colors by scalars. They are sent again when the scalars, the lookup table or what
-   * VTK's mappers have for coloring by them change, or when the stipples are.
+   * GetUploadTime of the elements' colors by scalars. They are sent again when the scalars, the lookup table
+   * or what VTK's mappers have for coloring by them change, or when the stipples are.
    */
   vtkMTimeType GetColorUploadTime();
 
@@ -459,11 +452,8 @@ public:
    * drawn. False and empty where there is nothing to draw or this OpenGL cannot do it. The window must have
    * been rendered.
    */
-  bool FindMarks(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* marks);
+  bool EvaluateMarks(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* marks);
 
-  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  bool GetSupportsSelection() override { return true; }
   /// Soft dots are blended over what lies behind them.
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
@@ -473,51 +463,48 @@ protected:
   ~vtkInkStippleMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  /// All finite points.
-  void ComputeBounds() override;
+  std::unique_ptr<InkMarks> MakeMarks(vtkOpenGLRenderWindow* window) override;
+  bool UpdateMarks(InkMarks& own) override;
+  void DrawMarks(InkMarks& own, const InkFrame& frame) override;
 
 private:
   vtkInkStippleMapper(const vtkInkStippleMapper&) = delete;
   void operator=(const vtkInkStippleMapper&) = delete;
 
-  /// What the renderer's window has of the input, up to date; null where there is nothing to draw.
-  InkStippleWindow* UpdateStipples(vtkRenderer* renderer);
-  bool UploadStipples(const InkStippleInput& input, InkStippleWindow& window);
+  bool UploadStipples(const InkStippleInput& input, InkStippleMarks& marks);
   vtkPolyData* FindSurface();
   class vtkPicture;
-  void Draw(InkStippleWindow& window, vtkRenderer* renderer, vtkActor* actor, vtkHardwareSelector* selector);
-  void ReportOnce(const std::string& error);
 
   bool Boundary = true;
-  double Kgc = 0.2;
-  double Kgs = 1.0;
-  double Kge = 1.0;
+  double BoundaryBase = 0.2;
+  double BoundaryGain = 1.0;
+  double BoundaryExponent = 1.0;
   bool Silhouette = true;
-  double Ksc = 0.3;
-  double Kss = 2.0;
-  double Kse = 0.5;
+  double SilhouetteBase = 0.3;
+  double SilhouetteGain = 2.0;
+  double SilhouetteExponent = 0.5;
   bool Resolution = true;
-  double Krc = -2.0;
-  double Knz = 1.0;
+  double ResolutionExponent = -2.0;
+  double SlantExponent = 1.0;
   bool Lighting = true;
-  double Kle = 1.0;
+  double LightingExponent = 1.0;
   double FacingAngle = 90.0;
   bool Headlight = false;
   bool LightInk = false;
   bool Distance = true;
-  double Kde = 1.0;
+  double DistanceExponent = 1.0;
   double DistanceSize = 0.5;
   bool Interior = true;
-  double Kie = 1.0;
+  double InteriorExponent = 1.0;
   double InteriorSize = 0.5;
   double ValueEffect = 1.0;
   double PixelsPerStipple = 4.0;
   double StippleSize = 2.0;
-  bool Growing = true;
+  bool GrowWithZoom = true;
   int SmallElements = INTENSITY;
   double MinimumCoverage = 9.0;
   double Fade = 1.0;
-  bool AppearBySize = false;
+  bool FadeBySize = false;
   double WarmCool = 0.0;
   double ToneWeight = 1.0;
   double DistanceWeight = 0.0;

@@ -20,7 +20,7 @@
 // Rows are best whose samples fill words of 64: bonsai-250, -302 and -500 have others, bonsai and bonsai-512
 // these.
 
-#include "Sampling/Kernels/SamplingKernels.h"
+#include "Simd/SamplingKernels.h"
 
 #include "vtkInkIsoSurfaceSampler.h"
 
@@ -193,7 +193,7 @@ void Run(const Scene& scene, vtkImageData* image, int threads, const Options& op
     const double next = Time(sampler, wall);
     sampler->SetNormalMethodToCell();
     const double ofCells = Time(sampler, wall);
-    sampler->SetNormalMethodToCentralDifference();
+    sampler->SetNormalMethodToInterpolatedNormal();
     if (n >= 0)
     {
       peer.push_back(ofPeer);

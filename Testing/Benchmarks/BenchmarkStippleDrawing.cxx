@@ -82,7 +82,7 @@ struct Scene : public drawing::Window
 
 /// As many of the stipples as the mapper draws now straight into the picture, as plain points, and the mean
 /// diameter of their dots: dots that 8 bits cannot add up are drawn more rarely instead. None where there are
-/// more stipples than vtkInkStippleMapper::FindMarks can look into.
+/// more stipples than vtkInkStippleMapper::EvaluateMarks can look into.
 vtkSmartPointer<vtkPolyData> PlainPoints(
   vtkInkStippleMapper* mapper, Scene& window, vtkPolyData* stipples, double& size)
 {
@@ -90,7 +90,7 @@ vtkSmartPointer<vtkPolyData> PlainPoints(
   auto points = vtkSmartPointer<vtkPolyData>::New();
   points->SetPoints(vtkNew<vtkPoints>());
   size = 0.0;
-  if (!mapper->FindMarks(window.Renderer, window.Actor, marks))
+  if (!mapper->EvaluateMarks(window.Renderer, window.Actor, marks))
   {
     return points;
   }

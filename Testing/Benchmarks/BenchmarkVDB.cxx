@@ -4,8 +4,9 @@
 //   BenchmarkVDB [SIZE]     a sphere in SIZE^3 voxels (512)
 // Prints the processor time of each step, the least of several runs, and the memory that the data takes.
 
-#include "Vdb/VdbSamples.h"
-#include "Vdb/VdbWrite.h"
+#include "Fields/Grid/GridField.h"
+#include "Fields/Vdb/VdbWrite.h"
+#include "IsoSurface/Vdb/VdbSamples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,11 +82,11 @@ int main(int argc, char* argv[])
   const ink::VdbFile list = ink::VdbFile::list(in);
   const ink::VdbGrid grid = ink::VdbGrid::read(in, list, list.find(""));
 
-  ink::CrossedCells denseCells;
-  ink::VdbCrossedCells sparseCells;
+  ink::ActiveCells denseCells;
+  ink::VdbActiveCells sparseCells;
   const ink::CrossingRule rule = ink::CrossingRule::HalfOpen;
-  const double findDense = timeOf([&] { denseCells = ink::findCrossedCells(volume, 0.0, rule); });
-  const double findSparse = timeOf([&] { sparseCells = ink::findCrossedCells(grid, 0.0, rule, false); });
+  const double findDense = timeOf([&] { denseCells = ink::findActiveCells(volume, 0.0, rule); });
+  const double findSparse = timeOf([&] { sparseCells = ink::findActiveCells(grid, 0.0, rule, false); });
   std::vector<float> points(3 * sparseCells.count);
   std::vector<float> normals(3 * sparseCells.count);
   const auto spans = [&] { return std::span<float>(points); };

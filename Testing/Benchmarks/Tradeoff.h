@@ -29,10 +29,10 @@ public:
     Default
   };
 
-  /// \param name      of the knob, as the documentation calls it
-  /// \param advice    one sentence: which setting for whom
-  /// \param errorUnit what the errors are, and in which unit
-  /// \param work      what is timed, on which data
+  /// @param name      of the knob, as the documentation calls it
+  /// @param advice    one sentence: which setting for whom
+  /// @param errorUnit what the errors are, and in which unit
+  /// @param work      what is timed, on which data
   Tradeoff(std::string name, std::string advice, std::string errorUnit, std::string work)
     : Name(std::move(name))
     , Advice(std::move(advice))

@@ -3,6 +3,8 @@
 
 #include "Tradeoff.h"
 
+#include "Fields/Grid/GridField.h"
+
 #include "AnalyticFields.h"
 #include "EstimatedGradients.h"
 #include "HashNoise.h"

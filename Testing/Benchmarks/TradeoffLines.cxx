@@ -101,7 +101,7 @@ void Measure(Tradeoff& knob, Scene& scene, const std::vector<Setting>& settings,
 {
   const auto set = [&scene](const Setting& setting)
   {
-    scene.GetMapper()->SetCoarsestTexel(1);
+    scene.GetMapper()->SetMaximumDownsampling(1);
     scene.GetMapper()->SetHalfFloats(false);
     scene.GetMapper()->SetPointFraction(1.0);
     setting.Set(scene.GetMapper());
@@ -146,13 +146,13 @@ int main()
     "to be quick. 16 bits gain time on some graphics cards only.",
     picture, work + "8");
   Measure(sums, scene,
-    { { "each pixel", [](Mapper* mapper) { mapper->SetCoarsestTexel(1); }, Tradeoff::Choice },
-      { "2 x 2 pixels", [](Mapper* mapper) { mapper->SetCoarsestTexel(2); }, Tradeoff::Default },
-      { "4 x 4 pixels", [](Mapper* mapper) { mapper->SetCoarsestTexel(4); }, Tradeoff::Choice },
+    { { "each pixel", [](Mapper* mapper) { mapper->SetMaximumDownsampling(1); }, Tradeoff::Choice },
+      { "2 x 2 pixels", [](Mapper* mapper) { mapper->SetMaximumDownsampling(2); }, Tradeoff::Default },
+      { "4 x 4 pixels", [](Mapper* mapper) { mapper->SetMaximumDownsampling(4); }, Tradeoff::Choice },
       { "2 x 2 pixels, 16 bits",
         [](Mapper* mapper)
         {
-          mapper->SetCoarsestTexel(2);
+          mapper->SetMaximumDownsampling(2);
           mapper->SetHalfFloats(true);
         },
         Tradeoff::Choice } },

@@ -3,11 +3,11 @@
 
 #include "Tradeoff.h"
 
+#include "PointSampling/PoissonDisk.h"
+#include "PointSampling/PoissonDiskCount.h"
+#include "PointSampling/ProgressiveBlueNoise.h"
+#include "PointSampling/WhiteNoise.h"
 #include "SampledMeshes.h"
-#include "Sampling/BlueNoise.h"
-#include "Sampling/BlueNoiseCount.h"
-#include "Sampling/ProgressiveBlueNoise.h"
-#include "Sampling/WhiteNoise.h"
 
 #include <cmath>
 #include <string>
@@ -40,7 +40,7 @@ const auto AllScenes = Scenes();
 std::vector<ink::SurfaceSample> Sample(const Mesh& mesh, bool blue, double radius, double gap)
 {
   const auto areas = ink::cumulateArea(mesh.view());
-  return blue ? ink::sampleBlueNoise(mesh.view(), areas, radius, gap, 1).samples
+  return blue ? ink::samplePoissonDisk(mesh.view(), areas, radius, gap, 1).samples
               : ink::sampleWhiteNoise(
                   mesh.view(), areas, static_cast<std::size_t>(ink::saturatedCount / (radius * radius)), 1);
 }
@@ -57,7 +57,7 @@ double Hole(const Mesh& mesh, const std::vector<ink::SurfaceSample>& samples)
 void MeasureGap()
 {
   const double radius = 0.01;
-  Tradeoff knob("Gap (vtkInkSurfaceSampler)",
+  Tradeoff knob("CoverageSlack (vtkInkSurfaceSampler)",
     "Keep 0.06: wider gaps save up to a fifth of the time, the widest two fifths; they are for those who "
     "want fewer samples of the same least distance.",
     "farthest place from a sample, of the radius",
@@ -73,7 +73,7 @@ void MeasureGap()
     std::string title = std::to_string(gap);
     knob.Add(
       title.substr(0, 4), [=] { Sample(AllScenes[0].second, true, radius, gap); }, errors,
-      gap == ink::defaultGap ? Tradeoff::Default : Tradeoff::Choice);
+      gap == ink::defaultCoverageSlack ? Tradeoff::Default : Tradeoff::Choice);
   }
   knob.Print(3);
 }
@@ -93,11 +93,11 @@ void MeasureDensity()
       Tradeoff::Errors errors;
       for (const auto& [name, mesh] : AllScenes)
       {
-        errors.emplace_back(name, Hole(mesh, Sample(mesh, blue, radius, ink::defaultGap)));
+        errors.emplace_back(name, Hole(mesh, Sample(mesh, blue, radius, ink::defaultCoverageSlack)));
       }
       knob.Add(
         std::to_string(count) + (blue ? " blue" : " white"),
-        [=] { Sample(AllScenes[0].second, blue, radius, ink::defaultGap); }, errors,
+        [=] { Sample(AllScenes[0].second, blue, radius, ink::defaultCoverageSlack); }, errors,
         blue && count == 100000 ? Tradeoff::Default : Tradeoff::Choice);
     }
   }
@@ -128,8 +128,9 @@ void MeasureMethod()
   };
   add(
     "blue noise",
-    [=, &mesh]
-    { return ink::sampleBlueNoiseCount(mesh.view(), areas, {}, count, ink::defaultGap, 1).samples; },
+    [=, &mesh] {
+      return ink::samplePoissonDiskCount(mesh.view(), areas, {}, count, ink::defaultCoverageSlack, 1).samples;
+    },
     Tradeoff::Default);
   for (const double candidates : { 2.0, 4.0, 8.0, 16.0, 32.0 })
   {

@@ -8,7 +8,7 @@
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
-#include "Sampling/PackedPlace.h"
+#include "Stippling/QuantizedPosition.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -176,8 +176,8 @@ int main()
   const Place exact = [](const glm::vec3& place, const glm::vec3&, const glm::vec3&) { return place; };
   const Place packed = [&](const glm::vec3& place, const glm::vec3& low, const glm::vec3& high)
   {
-    const ink::PlaceBox box = ink::fitPlaceBox(low, high, edges);
-    return ink::unpackPlace(ink::packPlace(place, box, edges), box, edges);
+    const ink::stipple::QuantizationBox box = ink::stipple::fitQuantizationBox(low, high, edges);
+    return ink::stipple::dequantizePosition(ink::stipple::quantizePosition(place, box, edges), box, edges);
   };
 
   Tradeoff knob("Precision of places (vtkInkStippleMapper)",

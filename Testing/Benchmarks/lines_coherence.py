@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How calm lines are on a mesh that deforms (Zhang et al. 2014, section 6): a furrowed tube that twists and bends.
 
     . Utilities/env.sh headless && $INK_PYTHON Testing/Benchmarks/lines_coherence.py [FRAMES [SAMPLES]]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How good the lines are, of the mapper's splats and of the splats as published (Zhang et al. 2014):
 
 - contour: of all directions around a sphere's contour, the share where a line is at least half as dark as ink;

@@ -1,9 +1,10 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How calm stipples are in motion (Lu et al. 2003, sections 5.2 and 8): the engine, preset anatomy, rotated by a degree a frame
 and zoomed by 2 % a frame, seen whole and close up.
 
     . Utilities/env.sh headless && $INK_PYTHON Testing/Benchmarks/stipple_coherence.py
 
-Of each pair of frames, of the stipples in the window in both, all of them measured on what the shader decides for each stipple (FindMarks):
+Of each pair of frames, of the stipples in the window in both, all of them measured on what the shader decides for each stipple (EvaluateMarks):
 
 - come or go: of the stipples drawn in either frame, the share that only one of them has;
 - pop: the share of them whose ink changes by half a stipple or more;
@@ -47,7 +48,7 @@ class Scene:
         self.mapper.SetInputConnection(generator.GetOutputPort())
         self.mapper.HeadlightOn()
         vtkInkStippleControls().Apply(self.mapper)
-        self.mapper.SetAppearBySize(False)
+        self.mapper.SetFadeBySize(False)
         self.actor = vtk.vtkActor()
         self.actor.SetMapper(self.mapper)
         self.renderer = vtk.vtkRenderer()
@@ -75,7 +76,7 @@ class Scene:
     def ink(self):
         """Of each stipple, in whole ones of the drawing's size; 0: not drawn. Also its area in pixels."""
         marks = vtk.vtkFloatArray()
-        if not self.mapper.FindMarks(self.renderer, self.actor, marks):
+        if not self.mapper.EvaluateMarks(self.renderer, self.actor, marks):
             sys.exit("this OpenGL cannot tell what becomes of the stipples")
         _, opacity, diameter = to_numpy(marks)[:, :3].T.copy()
         return opacity, np.pi / 4 * diameter**2

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """vtkInkSurfaceSampler against vtkPoissonDiskSampler: processor time in one process, interleaved, and how good the samples are.
 
     . Utilities/env.sh paraview && $INK_PYTHON Testing/Benchmarks/surface_sampling.py [MESH.ply ...]
@@ -75,7 +76,7 @@ def main():
         for count in (10000, 50000):
             radius = math.sqrt(0.69 * area / count)
             runs = [
-                (f"vtkInk, Gap {gap}", ink_sampler(mesh, Amount=1, SampleRadius=radius, Gap=gap, ComputePriority=0))
+                (f"vtkInk, CoverageSlack {gap}", ink_sampler(mesh, Amount=1, SampleRadius=radius, CoverageSlack=gap, ComputePriority=0))
                 for gap in (0.06, 0.3)
             ]
             if hasattr(vtk, "vtkPoissonDiskSampler"):

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs the Tradeoff programs of a build and writes what they measure into the documentation.
 
     tradeoff.py PROGRAM...        writes Documentation/accuracy-and-speed.md and its plots

@@ -1,18 +1,19 @@
-// What `ink` reads files with, given any bytes as a file of one format, which INK_FUZZ_FORMAT names by its
-// suffix: nothing but a Failure may come out, no message, and what was read is sound and took no more memory
-// than its file explains. `make fuzz` runs it with libFuzzer, and the ordinary tests FuzzCorpus.* run it over
-// the files in Corpus/.
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkInk's readers of volumes and meshes, given any bytes as a file of one format, which INK_FUZZ_FORMAT
+// names by its suffix: nothing but one error of the reader may come out, no other message, and what was read
+// is sound and took no more memory than its file explains. `make fuzz` runs it with libFuzzer, and the
+// ordinary tests FuzzCorpus.* run it over the files in Corpus/.
 
-#include "Errors.h"
-#include "Input.h"
-#include "Progress.h"
-#include "ReadFile.h"
-#include "VolumeSlices.h"
+#include "InkTestChecks.h"
+#include "VtkMessages.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkInkMeshReader.h"
+#include "vtkInkVolumeReader.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -20,14 +21,17 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -41,7 +45,6 @@ extern "C" std::size_t __attribute__((weak)) __sanitizer_get_allocated_size(cons
 namespace
 {
 
-using namespace ink::cli;
 namespace fs = std::filesystem;
 
 // What reading may take: ten times the file, and what VTK's readers need whatever they read.
@@ -124,32 +127,6 @@ struct Place
   Place& operator=(const Place&) = delete;
 };
 
-Input read(const Place& place, const std::string& layout)
-{
-  Progress progress(true);
-  const Memory memory;
-  if (place.format == "raw")
-  {
-    return readRawVolume(place.file, RawLayout::parse(layout), memory, progress);
-  }
-  if (place.format == "dicom")
-  {
-    return readDicomFolder(place.file.parent_path(), memory, progress);
-  }
-  if (place.format == "xyz")
-  {
-    return readPoints(place.file, progress);
-  }
-  for (const char* mesh : { "ply", "obj", "stl", "vtp" })
-  {
-    if (place.format == mesh)
-    {
-      return readMesh(place.file, "." + place.format, progress);
-    }
-  }
-  return readVolume(place.file, "." + place.format, memory, progress);
-}
-
 void useMesh(vtkPolyData* mesh)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();
@@ -184,19 +161,122 @@ void useMesh(vtkPolyData* mesh)
 
 void useVolume(vtkImageData* image)
 {
-  VolumeSlices volume(image);
-  double sum = 0.0;
-  vtkDataArray* scalars = volume.get(0, volume.dimensions()[2])->GetPointData()->GetScalars();
-  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints() || scalars->GetNumberOfComponents() != 1)
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfTuples() != image->GetNumberOfPoints() ||
+    scalars->GetNumberOfComponents() != 1)
   {
     fall("not one value a voxel");
   }
+  double sum = 0.0;
   for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
   {
     sum += scalars->GetComponent(i, 0);
   }
   volatile double used = sum;
   static_cast<void>(used);
+}
+
+/// What a reader answers. @return its error, empty if it read the file
+std::string run(vtkAlgorithm* reader, const std::function<void()>& part)
+{
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(reader);
+  messages->Observe(reader->GetExecutive());
+  part();
+  reader->RemoveObserver(messages);
+  reader->GetExecutive()->RemoveObserver(messages);
+  if (messages->Messages.empty())
+  {
+    return "";
+  }
+  const std::string error = ink::plainMessage(messages->Messages.front());
+  if (messages->Messages.size() > 1 || !error.starts_with("cannot read '"))
+  {
+    fall("more than one error, or one that names no file: " + messages->Messages.back());
+  }
+  if (reader->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT) != 0)
+  {
+    fall("an error, but points: " + error);
+  }
+  return error;
+}
+
+/// The last slice, and of that half of the rows, once more.
+void usePart(vtkInkVolumeReader* reader)
+{
+  vtkNew<vtkImageData> whole;
+  whole->ShallowCopy(reader->GetOutput());
+  int part[6];
+  whole->GetExtent(part);
+  part[0] += (part[1] - part[0]) / 2;
+  part[4] = part[5];
+  if (!run(reader, [&] { reader->vtkAlgorithm::UpdateExtent(part); }).empty())
+  {
+    fall("a part that cannot be read of a whole that can");
+  }
+  for (int y = part[2]; y <= part[3]; ++y)
+  {
+    for (int x = part[0]; x <= part[1]; ++x)
+    {
+      const double values[2] = { whole->GetScalarComponentAsDouble(x, y, part[4], 0),
+        reader->GetOutput()->GetScalarComponentAsDouble(x, y, part[4], 0) };
+      if (values[0] != values[1] && (values[0] == values[0] || values[1] == values[1]))
+      {
+        fall("a part of other values than the whole's");
+      }
+    }
+  }
+}
+
+/// The layout of a raw volume from its first line, as 4x4x4:uint8. @return whether it is one
+bool setLayout(vtkInkVolumeReader* reader, const std::string& layout)
+{
+  static const std::map<std::string, int> types{ { "int8", VTK_SIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
+    { "int16", VTK_SHORT }, { "uint16", VTK_UNSIGNED_SHORT }, { "int32", VTK_INT },
+    { "uint32", VTK_UNSIGNED_INT }, { "int64", VTK_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
+    { "float32", VTK_FLOAT }, { "float64", VTK_DOUBLE } };
+  int size[3];
+  char type[8] = "";
+  if (std::sscanf(layout.c_str(), "%dx%dx%d:%7s", &size[0], &size[1], &size[2], type) != 4 ||
+    !types.contains(type))
+  {
+    return false;
+  }
+  reader->RawOn();
+  reader->SetRawDimensions(size);
+  reader->SetRawScalarType(types.at(type));
+  return true;
+}
+
+/// Reads the file and looks at all of it. @return why it was refused, empty if it was not
+std::string read(const Place& place, const std::string& layout)
+{
+  std::istringstream meshes(vtkInkMeshReader::GetFileExtensions());
+  const std::istream_iterator<std::string> none;
+  if (std::find(std::istream_iterator<std::string>(meshes), none, "." + place.format) != none)
+  {
+    vtkNew<vtkInkMeshReader> reader;
+    reader->SetFileName(place.file.c_str());
+    const std::string refused = run(reader, [&] { reader->Update(); });
+    if (refused.empty())
+    {
+      useMesh(reader->GetOutput());
+    }
+    return refused;
+  }
+  vtkNew<vtkInkVolumeReader> reader;
+  reader->SetFileName((place.format == "dicom" ? place.file.parent_path() : place.file).c_str());
+  if (place.format == "raw" && !setLayout(reader, layout))
+  {
+    return "no layout";
+  }
+  const std::string refused = run(reader, [&] { reader->Update(); });
+  if (refused.empty())
+  {
+    useVolume(reader->GetOutput());
+    usePart(reader);
+  }
+  return refused;
 }
 
 } // namespace
@@ -217,7 +297,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     .write(reinterpret_cast<const char*>(begin), static_cast<std::streamsize>(data + size - begin));
   if (begin == data + size)
   {
-    // readInput refuses these before it looks for a reader.
+    // Refused before anything is looked at.
     return 0;
   }
 
@@ -230,27 +310,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::streambuf* const streamBuffer = std::cerr.rdbuf(stream.rdbuf());
   const std::int64_t before = allocated;
   mostAllocated = before;
-  std::string refused;
-  try
-  {
-    const Input input = read(place, layout);
-    if (auto* mesh = vtkPolyData::SafeDownCast(input.data))
-    {
-      useMesh(mesh);
-    }
-    else
-    {
-      useVolume(vtkImageData::SafeDownCast(input.data));
-    }
-  }
-  catch (const Failure& failure)
-  {
-    refused = failure.what();
-  }
-  catch (const UsageError& error)
-  {
-    refused = error.what();
-  }
+  const std::string refused = read(place, layout);
   const std::int64_t most = mostAllocated - before;
   std::cerr.rdbuf(streamBuffer);
   std::fclose(stderr);

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What reads .vdb files, given any bytes: lists the grids, reads each that can be read, samples it and copies
 // a part of it. Nothing but a VdbError may come out. `make fuzz` runs it with libFuzzer, and the ordinary
 // test FuzzCorpus.vdb runs it over the files in Corpus/vdb: seeds, and all that ever made it fall.
 
-#include "Vdb/VdbSamples.h"
+#include "IsoSurface/Vdb/VdbSamples.h"
 
 #include <cmath>
 #include <cstdint>
@@ -24,7 +25,7 @@ void useGrid(const ink::VdbGrid& grid)
   const double iso = 0.5 * grid.background() + 0.25;
   for (const ink::CrossingRule rule : { ink::CrossingRule::HalfOpen, ink::CrossingRule::Strict })
   {
-    const ink::VdbCrossedCells cells = ink::findCrossedCells(grid, iso, rule, false, {}, surfaceMemory);
+    const ink::VdbActiveCells cells = ink::findActiveCells(grid, iso, rule, false, {}, surfaceMemory);
     // What more of them would say takes long.
     if (cells.count > 20'000)
     {

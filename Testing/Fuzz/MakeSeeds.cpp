@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes small .vdb files of all kinds into a folder, for the fuzzer to start from: Corpus/vdb/seed-*.vdb.
 
 #include <openvdb/io/Stream.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How libFuzzer changes .vdb files.
 //
 // Most bytes of a small file are masks of inner nodes, nearly all zero, where a change only asks for nodes

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs the fuzz target once over each file of some folders, without libFuzzer: any compiler will do.
 
 #include <cstdint>

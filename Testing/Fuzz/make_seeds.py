@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes small files of every format that `ink` reads but OpenVDB, for the fuzzer to start from:
 Corpus/FORMAT/seed-*. Needs numpy:  make_seeds.py [FOLDER]"""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the build tree, moves what was installed, then configures, builds and runs the outside project against it.
 #   cmake -DSOURCE_TREE=... -DBUILD_TREE=... -DVTK_FOLDER=... -DSOURCE=... -DWORK=... -DGENERATOR=... -DCXX_FLAGS=...
 #         -P run.cmake

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes a small OpenVDB file and samples it with an installed vtkInk; fails if no points come out.
-#include <Vdb/VdbWrite.h>
+#include <Fields/Grid/GridField.h>
+#include <Fields/Vdb/VdbWrite.h>
 #include <vtkInkVDBIsoSurfaceSampler.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>

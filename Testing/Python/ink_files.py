@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes small volumes and meshes in every format that `ink` reads, and reads the PNG files that it writes.
 
 Only numpy and the standard library, so that no reader is tested against its own writer.

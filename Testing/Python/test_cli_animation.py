@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """`ink render` of several frames: series of files, turntables, pictures and videos."""
 
 import json

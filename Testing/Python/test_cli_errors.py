@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Bad input: one line on stderr, the promised exit code, and the output file as it was."""
 
 import os
@@ -213,10 +214,16 @@ def test_mesh_whose_faces_name_missing_points(refused, tmp_path):
     assert "points" in refused(1, tmp_path / "m.ply")
 
 
-@pytest.mark.parametrize("iso", ["-1", "0", "201", "1e30", "nan", "inf", "-inf"])
+@pytest.mark.parametrize("iso", ["-1", "0", "201", "1e30"])
 def test_iso_out_of_range(refused, volume_file, iso):
     message = refused(2, volume_file, "--iso", "100", "--iso", iso)
     assert "--iso" in message and " 0 " in message
+
+
+@pytest.mark.parametrize("iso", ["nan", "inf", "-inf"])
+def test_iso_that_is_no_number(refused, volume_file, iso):
+    message = refused(2, volume_file, "--iso", "100", "--iso", iso)
+    assert "--iso" in message and "number" in message and iso in message
 
 
 def test_iso_of_a_mesh(refused, tmp_path):

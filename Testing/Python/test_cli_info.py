@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """`ink info` says what is in a file, and `ink --version` and `--help` what is in ink."""
 
 import re

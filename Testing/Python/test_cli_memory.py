@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Volumes larger than `--memory`: read a few slices at a time, with the same result as in one piece."""
 
 import os

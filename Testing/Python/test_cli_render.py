@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `ink render` draws, and what it says while it does."""
 
 import os
@@ -231,7 +232,7 @@ def test_tone_colors_lines_by_how_the_surface_lies(picture, volume_file):
 
 
 def test_speed_costs_little_accuracy(picture, volume_file):
-    exact = picture(volume_file, "--iso", 100, "--coarsest-texel", 1, "--lambda", 6).astype(int)
+    exact = picture(volume_file, "--iso", 100, "--maximum-downsampling", 1, "--lambda", 6).astype(int)
     for options, most in (([], 6), (["--half-floats"], 6), (["--point-fraction", 0.7], 20)):
         quick = picture(volume_file, "--iso", 100, "--lambda", 6, *options)
         assert 0 < np.abs(quick - exact).mean() < most, options

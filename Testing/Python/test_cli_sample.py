@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """`ink sample`: points on the surface of a volume, in files that others read."""
 
 import os

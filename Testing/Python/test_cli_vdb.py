@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """`ink convert`, and .vdb files wherever `ink` reads volumes."""
 
 import struct

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Links in the documentation lead to files."""
 
 import pathlib

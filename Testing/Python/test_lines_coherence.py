@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Lines on a mesh that deforms: samples that move with it come and go less than samples that are made anew."""
 
 import importlib.util

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Utilities/mutate.py: which mutants it makes, and that a sample is the same whenever it is drawn."""
 
 import importlib.util
@@ -38,7 +39,7 @@ def test_samples_are_seeded():
     assert [name.startswith("Common/Tone/") for name in names] == 5 * [True, False]
     assert [mutant.name for _, mutant in mutate.sample(names[:1], [], None, 1)] == names[:1]
     assert not any("StippleTone.cpp" in mutant.name
-                   for _, mutant in mutate.sample(["Common/Tone"], ["Common/Tone/StippleTone.cpp"], None, 1))
+                   for _, mutant in mutate.sample(["Common/Tone"], ["Common/Tone/Stipple/StippleTone.cpp"], None, 1))
 
 
 def test_coverage_follows_includes():
@@ -47,7 +48,7 @@ def test_coverage_follows_includes():
     tests = coverage.tests_of("Common/Tone/Power.cpp")
     assert tests[0].path.name == "TestToneFactors.cpp" and {test.program for test in tests} == {"CommonTests"}
     assert "TestStippleTone.cpp" in {test.path.name for test in tests}
-    assert "TestThinLines.cpp" not in {test.path.name for test in tests}
-    assert {test.program for test in coverage.tests_of("Common/Fields/VdbField.cpp")} == {"CommonVDBTests"}
+    assert "TestThin.cpp" not in {test.path.name for test in tests}
+    assert {test.program for test in coverage.tests_of("Common/Fields/Vdb/VdbField.cpp")} == {"CommonVDBTests"}
     shader = coverage.tests_of("Rendering/Stipple/Shaders/InkStippleVS.glsl")
     assert shader and {test.program for test in shader} == {"StippleTests"}

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Raw scans: points of uneven density without normals, with noise, outliers, copies and a hole, are drawn as surfaces."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The stipple mapper and its controls as a programmer meets them: copies, names, numbers out of range."""
 
 import math
@@ -116,7 +117,7 @@ def test_presets_have_one_spelling_and_are_found_by_any():
     controls = vtkink.vtkInkStippleControls()
     messages = messages_of(controls)
     names = [controls.GetPresetName(i) for i in range(controls.GetNumberOfPresets())]
-    assert names == ["anatomy", "bone", "soft-tissue", "engineering", "plate-white-on-black"]
+    assert names == ["anatomy", "bone", "soft-tissue", "engineering", "plate-white-on-black", "as-published"]
     for name in names:
         getattr(controls, "SetPresetTo" + name.title().replace("-", ""))()
         assert controls.GetPreset() == name
@@ -124,12 +125,31 @@ def test_presets_have_one_spelling_and_are_found_by_any():
         "ANATOMY": "anatomy",
         "Soft Tissue": "soft-tissue",
         "Plate, White on Black": "plate-white-on-black",
+        "As Published": "as-published",
         "PlateWhiteOnBlack": "plate-white-on-black",
     }.items():
         assert controls.SetPreset(text) and controls.GetPreset() == name
     assert not messages
     assert not controls.SetPreset("oil") and controls.GetPreset() == "plate-white-on-black"
     assert len(messages) == 1 and all(name in messages[0] for name in names)
+
+
+def test_the_preset_as_published_leaves_nothing_of_others():
+    """All sliders in the middle and every k of Table 1 with them, whatever the mapper had before."""
+    controls, mapper = vtkink.vtkInkStippleControls(), vtkink.vtkInkStippleMapper()
+    for name in ("BoundaryBase", "BoundaryGain", "BoundaryExponent", "SilhouetteBase", "SilhouetteGain", "SilhouetteExponent", "ResolutionExponent", "SlantExponent", "LightingExponent", "DistanceExponent", "InteriorExponent", "ValueEffect",
+                 "PixelsPerStipple", "WarmCool", "DistanceSize", "InteriorSize"):  # fmt: skip
+        change(mapper, name)
+    for name in ("Boundary", "Silhouette", "Resolution", "Lighting", "Distance", "Interior"):
+        getattr(mapper, f"{name}Off")()
+    controls.SetPresetToAsPublished()
+    controls.Apply(mapper)
+    sliders = [getattr(controls, f"Get{name}")() for name in ("Gradient", "Sharpness", "Orientation", "Distance", "Interior")]
+    assert sliders == [0.5] * 5 and controls.GetColor() == 0
+    expected = dict(BoundaryBase=0.35, BoundaryGain=0.65, BoundaryExponent=0.8, SilhouetteBase=0.3, SilhouetteGain=1.6, SilhouetteExponent=0.5, ResolutionExponent=-2, SlantExponent=1, LightingExponent=1, DistanceExponent=1, InteriorExponent=1,
+                    ValueEffect=1, PixelsPerStipple=1, WarmCool=0, DistanceSize=0.5, InteriorSize=0.5,
+                    Boundary=True, Silhouette=True, Resolution=True, Lighting=True, Distance=True, Interior=True)  # fmt: skip
+    assert {name: getattr(mapper, f"Get{name}")() for name in expected} == expected
 
 
 def test_actor_copies_are_of_the_same_kind():

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Stipples on pictures: where they are, that they never move, and what each slider does to the ink."""
 
 import importlib
@@ -71,7 +72,7 @@ class Scene:
     def marks(self):
         """T, opacity, diameter, red, green, blue of each stipple in the present view."""
         found = vtk.vtkFloatArray()
-        assert self.mapper.FindMarks(self.renderer, self.actor, found)
+        assert self.mapper.EvaluateMarks(self.renderer, self.actor, found)
         return numpy_support.vtk_to_numpy(found).copy()
 
     def positions(self):
@@ -104,6 +105,24 @@ def plain(scene):
     return scene
 
 
+def test_minimum_coverage_matters_with_probability_or_less_fade(plain):
+    def change_by_coverage(way, fade):
+        plain.mapper.SetSmallElements(way)
+        plain.mapper.SetFade(fade)
+        marks = []
+        for coverage in (2, 9):
+            plain.mapper.SetMinimumCoverage(coverage)
+            plain.window.Render()
+            marks.append(plain.marks()[:, 1])
+        plain.mapper.SetFade(1)
+        return np.abs(marks[1] - marks[0]).mean()
+
+    plain.mapper.SetPixelsPerStipple(2)  # room for 3 stipples in a voxel
+    assert change_by_coverage(plain.mapper.INTENSITY, 1) == 0
+    assert change_by_coverage(plain.mapper.INTENSITY, 0.2) > 0.01
+    assert change_by_coverage(plain.mapper.PROBABILITY, 1) > 0.01
+
+
 VIEWS = [(0, 1), (1, 1), (40, 1), (41, 3), (200, 8)]
 
 
@@ -120,7 +139,7 @@ def test_ink_is_where_the_generator_put_stipples_and_nowhere_else(plain, azimuth
     plain.mapper.SetSmallElements(way)
     plain.mapper.SetPixelsPerStipple(30)  # few enough to see one by one
     plain.mapper.SetStippleSize(4)
-    plain.mapper.SetAppearBySize(False)
+    plain.mapper.SetFadeBySize(False)
     ink, marks, places = plain.ink(), plain.marks(), plain.places()
     drawn = marks[:, 1] > 0
     allowed = np.zeros((SIZE, SIZE), bool)
@@ -142,14 +161,14 @@ def test_what_is_drawn_is_a_beginning_of_each_list(plain, way, fade):
     """So a smaller T draws a part of what a larger one draws, and stipples come and go one after the other."""
     plain.mapper.SetSmallElements(way)
     plain.mapper.SetFade(fade)
-    plain.mapper.SetAppearBySize(False)
+    plain.mapper.SetFadeBySize(False)
     length = plain.generator.GetMaximumStipples()
     for azimuth, zoom in VIEWS:
         look(plain, azimuth, zoom)
         lighter = None
         for k in (0.1, 0.4, 2):
-            plain.mapper.SetKgc(k)
-            plain.mapper.SetKgs(2 * k)
+            plain.mapper.SetBoundaryBase(k)
+            plain.mapper.SetBoundaryGain(2 * k)
             opacity = plain.marks()[:, 1].reshape(-1, length)
             assert (np.diff(opacity, axis=1) <= 1e-6).all(), "no stipple before the one with priority"
             assert lighter is None or (opacity >= lighter - 1e-6).all(), "darker means more of the same"
@@ -167,7 +186,7 @@ def test_stipples_do_not_move(plain):
             plain.apply()
             plain.mapper.SetPixelsPerStipple(60)
             plain.mapper.SetStippleSize(size)
-            plain.mapper.SetAppearBySize(False)
+            plain.mapper.SetFadeBySize(False)
             ink, marks, places = plain.ink(), plain.marks(), plain.places()
             drawn = places[marks[:, 1] > 0]
             inside = ((places > reach + 1) & (places < SIZE - reach - 1)).all(axis=1)
@@ -188,7 +207,7 @@ def test_stipples_do_not_move(plain):
 def turning(scene, fade, frames=6):
     """The greatest and the mean change of a stipple's ink from one frame to the next, in whole stipples."""
     scene.mapper.SetFade(fade)
-    scene.mapper.SetAppearBySize(False)
+    scene.mapper.SetFadeBySize(False)
     opacities = []
     for _ in range(frames):
         scene.camera.Azimuth(0.25)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The package vtkink: what it brings with it, and what it says when VTK is not as it should be."""
 
 import importlib.util

@@ -1,13 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What ParaView's panels offer is what the C++ classes take: the same properties, ranges and defaults."""
 
 import pathlib
+import sys
 import xml.etree.ElementTree
 
 import pytest
 
 vtkink = pytest.importorskip("vtkink")
 
-SERVER_MANAGER = pathlib.Path(__file__).resolve().parents[2] / "Plugin" / "ServerManager"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SERVER_MANAGER = ROOT / "Plugin" / "ServerManager"
+sys.path.insert(0, str(ROOT / "Styles" / "Core"))
+import generate_parameters  # noqa: E402
+
 INTEGERS = ("IntVectorProperty", "InkIntVectorProperty")
 PROPERTIES = (*INTEGERS, "DoubleVectorProperty", "InkDoubleVectorProperty")
 # Of the classes' own properties, those that the panels reach in another way or not at all: iso-values have
@@ -15,26 +21,30 @@ PROPERTIES = (*INTEGERS, "DoubleVectorProperty", "InkDoubleVectorProperty")
 ELSEWHERE = {"Value", "NumberOfContours", "ArrayComponent"}
 # What "Stipple" decides by itself, or has under another name.
 STIPPLE_ELSEWHERE = {"SurfaceFromInput", "PassScalars", "OutputPointsPrecision"}
-# What only the representation has; TestStipple.py looks at it.
-STIPPLE_OWN = {
-    "SetIsoSurfaceHides", "SetIsoValue", "SetSurfaceHides", "SetMapScalars", "SetPaper", "SetPaperColor", "SetPictureSize",
-}  # fmt: skip
+# What only the representations have; TestStipple.py and TestSplattingLines.py look at it.
+OWN = {"SetMapScalars", "SetPaper", "SetPointsWhileMoving"}
 # Of splatting lines: what its panel sets for all hidden layers together, or decides by itself.
 LINES_ELSEWHERE = {
     "LayerColor", "LayerStrength", "LayerLineWidth", "LayerDashLength", "InkColorMode", "PointFraction",
 }  # fmt: skip
-# What only the representation has; TestSplattingLines.py looks at it.
-LINES_OWN = {
-    "SetColorByTone", "SetHiddenStrength", "SetUseHiddenColor", "SetHiddenColor", "SetHiddenDashLength",
-    "SetHiddenLineWidth", "SetCullBackFaces", "SetPointsWhileMoving", "SetMapScalars", "SetPaper",
-}  # fmt: skip
 # Sliders that offer what is useful; what C++ takes beyond can be typed in.
 NARROWER = {"StippleSize", "PixelsPerStipple"}
-PANELS = {"SplattingLinesPanel.xml.in": "SplattingLines.xml", "StipplePanel.xml.in": "Stipple.xml"}
+STYLES = {"SplattingLines": "vtkInkSplattingLinesStyle", "Stipple": "vtkInkStippleStyle"}
+
+
+def table_of(style):
+    return generate_parameters.read(ROOT / "Styles" / style / "parameters.json")
 
 
 def proxy_of(file, kind):
-    return xml.etree.ElementTree.parse(SERVER_MANAGER / file).getroot().find(f".//{kind}")
+    path = SERVER_MANAGER / file
+    if path.exists():
+        text = path.read_text()
+    else:
+        # As CMake makes it.
+        style = path.stem.removesuffix("Panel")
+        text = generate_parameters.xml(table_of(style), (SERVER_MANAGER / f"{file}.in").read_text())
+    return xml.etree.ElementTree.fromstring(text).find(f".//{kind}")
 
 
 def representation_of(file, kind):
@@ -62,17 +72,14 @@ def point_priority():
 
 
 def splatting_lines():
-    actor = vtkink.vtk.vtkActor()
-    objects = [vtkink.vtkInkSplattingLinesMapper(), actor, actor.GetProperty()]
-    return representation_of("SplattingLines.xml", "RepresentationProxy"), objects
+    style = vtkink.vtkInkSplattingLinesStyle()
+    objects = [style.GetLinesMapper(), style.GetActor(), style.GetActor().GetProperty(), style]
+    return representation_of("SplattingLines.xml", "InkRepresentationProxy"), objects
 
 
 def stipple():
-    """As the first preset has it, which the representation starts with."""
-    mapper = vtkink.vtkInkStippleMapper()
-    vtkink.vtkInkStippleControls().Apply(mapper)
-    actor = vtkink.vtk.vtkActor()
-    objects = [mapper, vtkink.vtkInkStippleGenerator(), actor, actor.GetProperty()]
+    style = vtkink.vtkInkStippleStyle()
+    objects = [style.GetStippleMapper(), style.GetGenerator(), style.GetActor(), style.GetActor().GetProperty(), style]
     return representation_of("Stipple.xml", "InkStippleRepresentationProxy"), objects
 
 
@@ -100,16 +107,32 @@ if hasattr(vtkink, "vtkInkVDBReader"):
     )
 
 
+def method_of(element, rows):
+    """What a property calls, with the parameter's own method in place of SetParameter."""
+    command = element.get("command", "")
+    return f"Set{rows[element.get('initial_string')]['method']}" if command == "SetParameter" else command
+
+
+def rows_of(file):
+    style = file.removesuffix(".xml")
+    return table_of(style)["rows"] if style in STYLES else {}
+
+
 def cases():
     for file, make in PROXIES.items():
         proxy, objects = make()
+        rows = rows_of(file)
         for element in proxy:
-            # Iso-values have no default and UserTransform's is null in C++; CoarsestTexel has a test of its own.
-            left_out = element.get("name") in ("ContourValues", "UserTransform", "CoarsestTexel")
-            command = element.get("command")
-            if element.tag in PROPERTIES and command and not left_out and command not in STIPPLE_OWN | LINES_OWN:
+            # Iso-values have no default and UserTransform's is null in C++; MaximumDownsampling has a test of its own.
+            left_out = element.get("name") in ("ContourValues", "StippleIsoValue", "UserTransform", "MaximumDownsampling")
+            command = method_of(element, rows)
+            if element.tag in PROPERTIES and command and not left_out and command not in OWN:
                 name = command[len("Set") :]
                 (owner, *_) = [one for one in objects if hasattr(one, f"Get{name}")] or [None]
+                row = rows.get(element.get("initial_string"))
+                if row:
+                    style = next(one for one in objects if isinstance(one, vtkink.vtkInkStyle))
+                    owner = getattr(style, row["object"])() if row["object"] else style
                 yield pytest.param(element, owner, name, id=f"{file}:{name}")
 
 
@@ -118,6 +141,8 @@ def numbers(text):
 
 
 def value(owner, name):
+    if name == "HiddenColor":  # of any number of layers
+        return [float(number) for number in owner.GetParameterAsString(name).split(",")]
     got = getattr(owner, f"Get{name}")()
     return [float(number) for number in (got if isinstance(got, tuple) else (got,))]
 
@@ -161,22 +186,58 @@ def test_ranges_are_equal(element, owner, name):
     set_value(int(default) if integer else default)
 
 
-@pytest.mark.parametrize("make", PROXIES.values(), ids=PROXIES.keys())
-def test_no_property_is_forgotten(make):
+class Errors(list):
+    def __init__(self, owner):
+        owner.AddObserver("ErrorEvent", lambda *_: self.append(owner))
+
+
+@pytest.mark.parametrize("file", STYLES)
+def test_parameters_offer_what_their_style_takes(file):
+    style = getattr(vtkink, STYLES[file])()
+    errors = Errors(style)
+    names = [style.GetParameterName(i) for i in range(style.GetNumberOfParameters())]
+    proxy, _ = PROXIES[f"{file}.xml"]()
+    elements = [element for element in proxy if element.get("command") == "SetParameter"]
+    assert len(elements) > 25
+    for element in elements:
+        name = element.get("initial_string")
+        count = int(element.get("number_of_elements"))
+        before = style.GetParameterAsString(name)
+        limits = [0.0, 1.0]
+        if style.GetParameterType(names.index(name)) not in ("color", "colors"):
+            style.GetParameterRange(names.index(name), limits)
+        domain = next((one for kind in ("Double", "Int") for one in element.iter(f"{kind}RangeDomain")), None)
+        for end, limit, outwards in (("min", limits[0], -1), ("max", limits[1], 1)):
+            offered = domain.get(end) if domain is not None else None
+            if offered is None:
+                # Wider than ParaView's integers, or none.
+                assert abs(limit) > 2e9 or any(child.tag in ("EnumerationDomain", "BooleanDomain") for child in element), name
+                continue
+            if name in NARROWER:
+                assert len(numbers(offered)) == count and outwards * limit >= outwards * numbers(offered)[0]
+            else:
+                assert numbers(offered) == [limit] * count, name
+            assert not style.SetParameter(name, *[limit + outwards] * count)
+            assert style.GetParameterAsString(name) == before and len(errors) == 1, name
+            errors.clear()
+
+
+@pytest.mark.parametrize("file, make", PROXIES.items(), ids=PROXIES.keys())
+def test_no_property_is_forgotten(file, make):
     proxy, objects = make()
-    offered = {element.get("command", "")[len("Set") :] for element in proxy}
+    offered = {method_of(element, rows_of(file))[len("Set") :] for element in proxy}
     elsewhere = ELSEWHERE | {stipple: STIPPLE_ELSEWHERE, splatting_lines: LINES_ELSEWHERE}.get(make, set())
     for algorithm in objects:
-        if type(algorithm).__name__.startswith("vtkInk"):
+        if type(algorithm).__name__.startswith("vtkInk") and not isinstance(algorithm, vtkink.vtkInkStyle):
             own = {name[len("Set") :] for name in vars(type(algorithm)) if name.startswith("Set")}
             own = {name for name in own if hasattr(algorithm, f"Get{name}")}
             assert own - offered <= elsewhere
 
 
-@pytest.mark.parametrize("file", sorted(SERVER_MANAGER.glob("*.xml")), ids=lambda file: file.name)
+@pytest.mark.parametrize("file", sorted({path.name.removesuffix(".in") for path in SERVER_MANAGER.glob("*.xml*")} - {"LightingPanel.xml"}))
 def test_every_property_gets_a_widget(file):
     """ParaView 5.11 leaves properties of this type out of its panels."""
-    assert xml.etree.ElementTree.parse(file).find(".//IdTypeVectorProperty") is None
+    assert proxy_of(file, "ProxyGroup").find(".//IdTypeVectorProperty") is None
 
 
 def test_every_property_is_documented():
@@ -210,13 +271,13 @@ def test_stipple_has_the_presets_and_sliders_of_the_controls():
 
 def test_texels_are_those_of_the_mapper():
     proxy, (mapper, *_) = splatting_lines()
-    element = next(element for element in proxy if element.get("name") == "CoarsestTexel")
-    assert int(element.get("default_values")) == mapper.GetCoarsestTexel()
+    element = next(element for element in proxy if element.get("name") == "MaximumDownsampling")
+    assert int(element.get("default_values")) == mapper.GetMaximumDownsampling()
     offered = sorted(int(entry.get("value")) for entry in element.iter("Entry"))
     taken = set()
     for pixels in range(-2, 20):
-        mapper.SetCoarsestTexel(pixels)
-        taken.add(mapper.GetCoarsestTexel())
+        mapper.SetMaximumDownsampling(pixels)
+        taken.add(mapper.GetMaximumDownsampling())
     assert offered == sorted(taken)
 
 
@@ -233,16 +294,14 @@ def test_hidden_lines_have_the_defaults_and_ranges_of_the_second_layer():
             assert float(domain.get(limit)) == get(1)
 
 
-@pytest.mark.parametrize("panel, file", PANELS.items())
-def test_panels_show_every_property_once(panel, file):
-    extension = proxy_of(panel, "Extension")
+@pytest.mark.parametrize("style", STYLES)
+def test_panels_show_every_property_once(style):
+    extension = proxy_of(f"{style}Panel.xml", "Extension")
     shown = [element.get("name") for element in extension.findall(".//PropertyGroup/Property")]
     assert len(shown) == len(set(shown))
-    proxy = next(iter(proxy_of(file, "ProxyGroup")))
-    # The coloring is the host's.
-    shared = {"Input", "ColorArrayName", "LookupTable", "MapScalars"}
+    proxy = next(iter(proxy_of(f"{style}.xml", "ProxyGroup")))
     own = {element.get("name") for element in proxy if element.tag.endswith("Property")}
-    assert set(shown) == own - shared
+    assert set(shown) == own - {"Input"}
 
 
 def test_properties_that_decide_what_is_shown_exist():

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The filters' properties as VTK's programmers know them: enumerations, numbers that are none, documentation."""
 
 import math
@@ -75,8 +76,9 @@ NUMBERS = [
     ("vtkInkStippleGenerator", "GradientPercentile"),
     ("vtkInkStippleGenerator", "GradientThreshold"),
     ("vtkInkStippleGenerator", "LayerThickness"),
+    ("vtkInkStippleGenerator", "PictureSize"),
     ("vtkInkStippleGenerator", "ReferenceGradient"),
-    ("vtkInkSurfaceSampler", "Gap"),
+    ("vtkInkSurfaceSampler", "CoverageSlack"),
 ]
 
 
@@ -100,7 +102,7 @@ def test_nan_is_refused_and_said(cls, name):
     assert get_value() == default and filter.GetMTime() == time
     assert len(warnings) == 1 and f"{name}: expected a number from" in warnings[0] and f"found nan; it stays {default:g}." in warnings[0]
     low, high = (getattr(filter, f"Get{name}{end}Value")() for end in ("Min", "Max"))
-    for given, kept in ((-math.inf, low), (math.inf, high), (0.5, 0.5)):
+    for given, kept in ((-math.inf, low), (math.inf, high), (0.5, max(0.5, low))):
         set_value(given)
         assert get_value() == kept
     assert len(warnings) == 1

@@ -4,7 +4,7 @@
 #ifndef GradientReference_h
 #define GradientReference_h
 
-#include "Fields/GridField.h"
+#include "Fields/Grid/GridField.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -206,7 +206,7 @@ template <class T>
 class ReferenceLaplacian
 {
 public:
-  /// \param deviation of the Gaussian along each axis, in samples
+  /// @param deviation of the Gaussian along each axis, in samples
   ReferenceLaplacian(const GridField<T>& field, const glm::dvec3& deviation)
     : Field(field)
     , Deviation(deviation)

@@ -6,6 +6,8 @@
 #include "InkTestChecks.h"
 #include "RandomImages.h"
 
+#include "Fields/Grid/GridField.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"

@@ -6,6 +6,8 @@
 #include "RandomImages.h"
 #include "StabilityChecks.h"
 
+#include "Fields/Grid/GridField.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -183,7 +185,7 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   run.Rule = random.UpTo(2);
   run.Precision = random.UpTo(3);
   run.Component = random.UpTo(components);
-  run.NormalMethod = random.Once(3) ? random.UpTo(4) : vtkInkIsoSurfaceSampler::CENTRAL_DIFFERENCE;
+  run.NormalMethod = random.Once(3) ? random.UpTo(4) : vtkInkIsoSurfaceSampler::INTERPOLATED_NORMAL;
   for (int i = 1 + random.UpTo(3); i > 0; --i)
   {
     // Often exactly a value, or half way to another, or any.
@@ -255,7 +257,7 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
     for (const auto& sample : expected)
     {
       if (!CheckPoint(check, name, output, n, sample, geometry) ||
-        (run.NormalMethod == vtkInkIsoSurfaceSampler::CENTRAL_DIFFERENCE &&
+        (run.NormalMethod == vtkInkIsoSurfaceSampler::INTERPOLATED_NORMAL &&
           !CheckNormal(check, name, output, n, sample)) ||
         (indices &&
           !check(indices->GetComponent(n, 0) == surface, name, ": SurfaceIndex ", surface, " of point ", n)))
@@ -273,17 +275,29 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   }
 
   // In pieces: exactly the same points.
-  const std::vector<double> whole = Numbers(output);
-  const int pieces = 2 + random.UpTo(4);
-  std::vector<double> all;
-  for (int piece = 0; piece < pieces; ++piece)
+  const auto expectPieces = [&](const std::vector<double>& whole, const char* what)
   {
-    sampler->UpdatePiece(piece, pieces, random.UpTo(2));
-    const auto part = Numbers(sampler->GetOutput());
-    all.insert(all.end(), part.begin(), part.end());
+    const int pieces = 2 + random.UpTo(4);
+    std::vector<double> all;
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      sampler->UpdatePiece(piece, pieces, random.UpTo(2));
+      const auto part = Numbers(sampler->GetOutput());
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    check(SortedSamples(all) == SortedSamples(whole), run.Name, what, ": ", whole.size() / 6, " points in ",
+      pieces, " pieces, found ", all.size() / 6, " or others");
+  };
+  const std::vector<double> whole = Numbers(output);
+  expectPieces(whole, "");
+  sampler->SetProjectionSteps(1 + random.UpTo(8));
+  sampler->UpdatePiece(0, 1, 0);
+  const std::vector<double> projected = Numbers(output);
+  if (CheckValidPoints(check, run.Name + ", projected", output) &&
+    check(projected.size() == whole.size(), run.Name, ": as many points projected"))
+  {
+    expectPieces(projected, ", projected");
   }
-  check(SortedSamples(all) == SortedSamples(whole), run.Name, ": ", whole.size() / 6, " points in ", pieces,
-    " pieces, found ", all.size() / 6, " or others");
 }
 
 void CheckSeed(InkTestChecks& check, unsigned seed)

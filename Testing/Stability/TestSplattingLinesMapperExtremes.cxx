@@ -8,7 +8,7 @@
 #include "InkTestScene.h"
 #include "vtkInkSplattingLinesMapper.h"
 
-#include "Sampling/Hash.h"
+#include "Core/Hash.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -237,7 +237,7 @@ void TestParameters(InkTestChecks& check)
   using Mapper = vtkInkSplattingLinesMapper;
   const std::vector<Case> cases{
     { "lambda", [](Mapper* m, double v) { m->SetLambda(v); },
-      { { 0.1, 387.2, 158.5 }, { 20.0, 641.5, 93.0 } } },
+      { { 0.1, 310.9, 158.5 }, { 20.0, 641.5, 106.5 } } },
     { "tau", [](Mapper* m, double v) { m->SetTau(v); }, { { 0.8, 283.5, 145.5 }, { 1.2, 1557.0, 45.0 } } },
     { "phi", [](Mapper* m, double v) { m->SetPhi(v); }, { { 0.0, 0.0, 0.0 }, { 500.0, 354.3, 156.6 } } },
     { "sigma", [](Mapper* m, double v) { m->SetSigma(v); },
@@ -254,7 +254,7 @@ void TestParameters(InkTestChecks& check)
       { { -20.0, 116.0, 40.3 }, { 20.0, 643.0, 288.3 } } },
     { "dash length", [](Mapper* m, double v) { m->SetLayerDashLength(0, v); },
       { { 1e-6, 332.6, 268.6 }, { 100.0, 165.7, 154.1 } } },
-    { "coarsest texel", [](Mapper* m, double v) { m->SetCoarsestTexel(static_cast<int>(v)); },
+    { "coarsest texel", [](Mapper* m, double v) { m->SetMaximumDownsampling(static_cast<int>(v)); },
       { { 1.0, 332.6, 153.1 }, { 4.0, 332.6, 153.1 } } },
     { "half floats", [](Mapper* m, double v) { m->SetHalfFloats(v > 0.0); },
       { { 0.0, 332.6, 153.1 }, { 1.0, 334.2, 152.8 } } },

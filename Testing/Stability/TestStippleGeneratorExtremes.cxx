@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -176,6 +177,22 @@ void TestShapes(InkTestChecks& check)
     check(stipples->GetNumberOfCells() > (voxels - 2) / 2 || voxels == 1, name, ": stipples, found ",
       stipples->GetNumberOfCells(), " elements");
     check(stipples->GetNumberOfPoints() == 64 * stipples->GetNumberOfCells(), name, ": 64 an element");
+    // As many as the picture has pixels for a voxel, whatever its size in the world.
+    for (const double spacing : { 1e-9, 1.0, 1e9 })
+    {
+      image->SetSpacing(spacing, spacing, spacing);
+      const auto projected = Stipple(check, name, image,
+        [](auto* g)
+        {
+          g->SetMaximumStipplesModeToProjected();
+          g->SetPictureSize(450.0);
+        });
+      const double pixels = 450.0 / *std::max_element(n.begin(), n.end());
+      const double expected = std::min(std::round(pixels * pixels), 64.0);
+      check(static_cast<double>(projected->GetNumberOfPoints()) ==
+          expected * static_cast<double>(projected->GetNumberOfCells()),
+        name, ", spacing ", spacing, ": ", expected, " an element");
+    }
   }
 }
 
@@ -195,6 +212,10 @@ void TestMeshes(InkTestChecks& check)
     const auto stipples = Stipple(check, name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(300); });
     check(stipples->GetNumberOfPoints() == 300 && stipples->GetNumberOfCells() == 4, name,
       ": stipples in the four polygons with an area, found ", stipples->GetNumberOfCells());
+    const auto projected =
+      Stipple(check, name, mesh, [](auto* g) { g->SetMaximumStipplesModeToProjected(); });
+    check(projected->GetNumberOfPoints() == vtkInkStippleGenerator::CountForPicture(mesh, 600.0, 1.0), name,
+      ": a stipple a pixel, found ", projected->GetNumberOfPoints());
     const auto one = Stipple(check, name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(1); });
     check(one->GetNumberOfPoints() == 1 && one->GetNumberOfCells() == 1, name, ": a single stipple");
   }

@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // The drawing before what other actors have drawn: ink on the paper that the surface is, or ink alone.
+
+#include "InkViewUniforms.glsl"
 
 in vec2 texCoord;
 
 uniform sampler2D surface;  // of the layer whose depth counts
 uniform sampler2D ink;      // color times coverage, coverage
-uniform vec4 depthToClip;   // clip z = x * view z + y, clip w = z * view z + w
 uniform float farthest;     // beyond this distance there is no surface
 uniform vec3 paperColor;
 uniform bool paper;
@@ -52,7 +54,7 @@ void main()
   }
 
   // Half way to the viewer at most: close up, the marks must not end up behind the viewer.
-  vec2 clip = depthToClip.xz * (min(depthBias, 0.5 * depth) - depth) + depthToClip.yw;
+  vec2 clip = clipDepth(min(depthBias, 0.5 * depth) - depth);
   gl_FragDepth = clamp(0.5 * clip.x / clip.y + 0.5, 0.0, 1.0);
 
   //VTK::DepthPeeling::PreColor

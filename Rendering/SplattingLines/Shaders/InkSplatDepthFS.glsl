@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 //INK::Features
@@ -6,18 +7,13 @@
 // eye along the view, and 1 + its slope against the viewer, negative where it faces away. With INK_PEEL, of
 // the nearest disc behind the layer before (section 5.2).
 
-flat in vec4 toDiscVSOutput;
-flat in vec4 centerVSOutput;
-flat in vec4 discVSOutput;
-#ifdef INK_PLANES
-flat in vec3 positionVSOutput;
-flat in vec3 axisUVSOutput;
-flat in vec3 axisVVSOutput;
-uniform vec4 clipPlanesVC[INK_PLANES];
-#endif
+#include "InkSplatDisc.glsl"
+#include "InkViewUniforms.glsl"
+
 #ifdef INK_PEEL
 flat in vec3 splatVSOutput;
 uniform sampler2D surface; // of the layer before
+uniform vec2 nearness;     // the part of the depth test's tolerance that holds in the middle and at the rim
 #else
 flat in float splatVSOutput;
 #endif
@@ -25,30 +21,16 @@ flat in float splatVSOutput;
 flat in vec4 colorVSOutput;
 #endif
 
-uniform vec2 depthRange; // view units
-
 //VTK::Output::Dec
 
 void main()
 {
-  vec2 flatDisc = mat2(toDiscVSOutput.xy, toDiscVSOutput.zw) * (gl_FragCoord.xy - centerVSOutput.xy);
-  float perspective = 1.0 - dot(centerVSOutput.zw, flatDisc);
-  vec2 disc = flatDisc / perspective;
-  if (perspective <= 0.0 || dot(disc, disc) > 1.0)
+  vec2 disc;
+  if (!findOnDisc(gl_FragCoord.xy, disc) || isClipped(disc))
   {
     discard;
   }
-#ifdef INK_PLANES
-  vec3 position = positionVSOutput + disc.x * axisUVSOutput + disc.y * axisVVSOutput;
-  for (int i = 0; i < INK_PLANES; ++i)
-  {
-    if (dot(clipPlanesVC[i], vec4(position, 1.0)) < 0.0)
-    {
-      discard;
-    }
-  }
-#endif
-  float distance = -(discVSOutput.x + dot(disc, discVSOutput.yz));
+  float distance = -depthOnDisc(disc);
   float depth = (distance - depthRange.x) / (depthRange.y - depthRange.x);
   if (depth < 0.0 || depth >= 1.0)
   {
@@ -58,18 +40,20 @@ void main()
   // Discs of one sheet overlap: what lies behind the layer before by no more than the illumination splats'
   // depth test lets through belongs to it. Nothing lies behind the background.
   vec2 before = texelFetch(surface, ivec2(gl_FragCoord.xy), 0).rg;
-  if (distance <= before.r + splatVSOutput.y + splatVSOutput.z * max(abs(before.g) - 1.0, splatVSOutput.x))
+  float slope = max(abs(before.g) - 1.0, splatVSOutput.x);
+  float part = min(mix(nearness.x, nearness.y, dot(disc, disc)) * length(vec2(1.0, slope)), 1.0);
+  if (distance <= before.r + splatVSOutput.y * part + splatVSOutput.z * slope)
   {
     discard;
   }
 #endif
   gl_FragDepth = depth;
-  float slope = splatVSOutput
+  float ownSlope = splatVSOutput
 #ifdef INK_PEEL
-                  .x
+                     .x
 #endif
     ;
-  gl_FragData[0] = vec4(distance, discVSOutput.w < 0.0 ? -1.0 - slope : 1.0 + slope, 0.0, 0.0);
+  gl_FragData[0] = vec4(distance, discVSOutput.w < 0.0 ? -1.0 - ownSlope : 1.0 + ownSlope, 0.0, 0.0);
 #ifdef INK_COLORS
   gl_FragData[1] = colorVSOutput;
 #endif

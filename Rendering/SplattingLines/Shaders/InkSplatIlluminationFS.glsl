@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 //INK::Features
@@ -6,14 +7,15 @@
 // With INK_COARSE, large splats were summed up in coarser images; their sums are brought to the pixels from
 // those of the four nearest texels that stand for the same piece of surface.
 
+#include "InkViewUniforms.glsl"
+
 in vec2 texCoord;
 
 uniform sampler2D surface;
 uniform sampler2D sums; // sum w1 f, sum w1, sum w2 f, sum w2
 #ifdef INK_COARSE
 uniform sampler2D coarseSums[INK_COARSE]; // of texels of 2, 4, ... pixels
-uniform vec2 tolerances;   // of the depth test: view units, and by slope, view units where clip w is 1
-uniform vec2 depthToClipW; // clip w = x * view z + y
+uniform vec2 tolerances; // of the depth test: view units, and by slope, view units where clip w is 1
 #endif
 
 //VTK::Output::Dec
@@ -26,7 +28,7 @@ vec4 bring(sampler2D coarse, float texel, vec2 pixel, vec2 shown)
   vec2 part = place - vec2(corner);
   ivec2 last = textureSize(coarse, 0) - 1;
   ivec2 lastPixel = textureSize(surface, 0) - 1;
-  float bySlope = texel * tolerances.y * (depthToClipW.y - depthToClipW.x * shown.r);
+  float bySlope = texel * tolerances.y * clipDepth(-shown.r).y;
   vec4 sum = vec4(0.0);
   float total = 0.0;
   for (int i = 0; i < 4; ++i)

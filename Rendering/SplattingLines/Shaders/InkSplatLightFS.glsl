@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 //INK::Features
@@ -5,9 +6,7 @@
 // Illumination splatting (Zhang et al. 2014, section 3.2, equations 1 and 2), both images at once: the sums
 // of w f and of w over the discs on the visible surface, for the narrow and for the wide Gaussian.
 
-flat in vec4 toDiscVSOutput;
-flat in vec4 centerVSOutput;
-flat in vec4 discVSOutput;
+#include "InkSplatDisc.glsl"
 flat in vec4 splatVSOutput;
 #ifdef INK_COARSE
 flat in vec4 gaussiansVSOutput;
@@ -15,6 +14,7 @@ flat in vec4 gaussiansVSOutput;
 
 uniform sampler2D surface; // of the layer, from the depth splats
 uniform float texel;       // the side of what is drawn into, in the surface's pixels
+uniform vec2 nearness;   // the part of the depth test's tolerance that holds in the middle and at the rim
 uniform float minimumLight;
 uniform float leastLight; // what f is raised to; below it only the narrow image counts a disc
 uniform bool bySplat;     // whether a disc's own test (see the vertex shader) holds for all of it
@@ -28,21 +28,21 @@ uniform vec2 rim;          // both Gaussians at the disc's rim; 0 to leave them 
 void main()
 {
   vec2 pixel = texel * gl_FragCoord.xy;
-  vec2 flatDisc = mat2(toDiscVSOutput.xy, toDiscVSOutput.zw) * (pixel - centerVSOutput.xy);
-  float perspective = 1.0 - dot(centerVSOutput.zw, flatDisc);
-  vec2 disc = flatDisc / perspective;
-  float distance2 = dot(disc, disc);
-  if (perspective <= 0.0 || distance2 > 1.0)
+  vec2 disc;
+  if (!findOnDisc(pixel, disc))
   {
     discard;
   }
+  float distance2 = dot(disc, disc);
   // Only discs on the surface that the depth splats show. Near a contour that surface falls away within a
   // pixel: there, what lies as steeply may lie further behind. Seen from behind, f changes its sign.
   vec2 shown = texelFetch(surface, min(ivec2(pixel), textureSize(surface, 0) - 1), 0).rg;
   float light = shown.g < 0.0 ? -discVSOutput.w : discVSOutput.w;
-  float depth = -(discVSOutput.x + dot(disc, discVSOutput.yz));
+  float depth = -depthOnDisc(disc);
   float slope = min(abs(shown.g) - 1.0, splatVSOutput.y);
-  bool elsewhere = abs(shown.r - depth) > splatVSOutput.z + splatVSOutput.w * slope;
+  float part = min(mix(nearness.x, nearness.y, distance2) * length(vec2(1.0, slope)), 1.0);
+  float tolerance = splatVSOutput.z * part + splatVSOutput.w * slope;
+  bool elsewhere = abs(shown.r - depth) > tolerance;
   if (light <= minimumLight || (elsewhere && !bySplat))
   {
     discard;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 //INK::Features
@@ -16,24 +17,19 @@ in vec4 normalRadiusMC; // unit normal; radius over the data's size, 0 for point
 in vec4 colorMC;
 #endif
 
-uniform mat4 MCVCMatrix;
-uniform mat3 normalMatrix;   // inverse transpose of MCVCMatrix
-uniform mat4 VCDCMatrix;
-uniform vec4 eyeVC;          // perspective: (0,0,0,1); parallel: the direction towards the viewer, 0
-uniform vec2 viewportSize;   // pixels
+#include "InkViewUniforms.glsl"
+
 uniform vec2 targetSize;     // what is drawn into, in the viewport's pixels
 uniform float texel;         // its texels' side in the viewport's pixels
-uniform float unitVC;        // view units per model unit
-uniform float pixelVC;       // view units per pixel where clip w is 1
 uniform float radiusScale;   // lambda for illumination splats, 1 for depth splats
 uniform float minimumRadius; // pixels
 uniform float tolerance;     // of the depth test, as a fraction of the point's radius
 uniform float slack;         // the same by slope, in pixels
-uniform bool backFaces;      // whether discs that face away are drawn
 uniform float minimumLight;  // f_i below which discs on the other side are left out
 
 #if defined INK_LIGHT || defined INK_BACK
 uniform sampler2D surface;     // that the depth splats show, see their fragment shader
+uniform vec2 nearness;         // the part of the tolerance that holds in a disc's middle and at its rim
 uniform int probeCount;        // where, besides in its center, a disc is looked at to tell if it is hidden;
                                // negative: not at all
 #endif
@@ -90,8 +86,9 @@ bool shows(vec2 pixel, float depth, float light, float slope, vec2 tolerances)
 #ifdef INK_BACK
   return shown.r >= depth;
 #else
+  float both = min(abs(shown.g) - 1.0, slope);
   return sign(shown.g) * light > minimumLight &&
-    abs(shown.r - depth) <= tolerances.x + tolerances.y * min(abs(shown.g) - 1.0, slope);
+    abs(shown.r - depth) <= tolerances.x * min(nearness.x * length(vec2(1.0, both)), 1.0) + tolerances.y * both;
 #endif
 }
 #endif

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // Hardware selection: the dots in the colors that the selector asks for.
+
+#include "InkIds.glsl"
 
 flat in vec4 dotVSOutput; // center and radius in pixels
 flat in int idVSOutput;
 
 uniform vec2 viewportOrigin; // pixels
-uniform int idShift;         // the first of the point id's 24 bits to show; negative: show propColor
-uniform vec3 propColor;
 
 //VTK::Output::Dec
 
@@ -17,7 +18,5 @@ void main()
   {
     discard;
   }
-  int id = idShift >= 24 ? idVSOutput >> 24 : idVSOutput;
-  vec3 idColor = vec3(float(id & 255), float((id >> 8) & 255), float((id >> 16) & 255)) / 255.0;
-  gl_FragData[0] = vec4(idShift < 0 ? propColor : idColor, 1.0);
+  gl_FragData[0] = idColor(idVSOutput);
 }

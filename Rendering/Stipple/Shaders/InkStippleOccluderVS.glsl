@@ -1,23 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
+//INK::Features
 
 // The surface that hides stipples: only its depth counts.
 
-in vec3 pointMC;
+#include "InkClipping.glsl"
+#include "InkViewUniforms.glsl"
 
-uniform mat4 MCVCMatrix;
-uniform mat4 VCDCMatrix;
-uniform int clipPlaneCount;
-uniform vec4 clipPlanesVC[6];
+in vec3 pointMC;
 
 out float keptVSOutput; // negative: cut off by a clipping plane
 
 void main()
 {
   vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
-  keptVSOutput = 1.0;
-  for (int i = 0; i < clipPlaneCount; ++i)
-  {
-    keptVSOutput = min(keptVSOutput, dot(clipPlanesVC[i], position));
-  }
+  keptVSOutput = clipDistance(position);
   gl_Position = VCDCMatrix * position;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 //INK::Features
 
@@ -5,12 +6,16 @@
 // how large and in which color. Common/Tone has the same in C++, function by function, and says more.
 //
 // Software rasterisers compute what a condition leaves out, too, and take long over loops of unknown length. So what
-// most pictures do without is compiled only where it is needed: INK_LAMPS, INK_COLORS, INK_OCCLUDED, INK_PROBABILITY,
-// INK_IDS, INK_RESULTS, INK_PACKED (places are as Common/Sampling/PackedPlace has them); and INK_LIGHTS, INK_SUNS and
-// INK_PLANES are numbers.
+// most pictures do without is compiled only where it is needed: INK_COLORS, INK_OCCLUDED, INK_PROBABILITY, INK_IDS,
+// INK_RESULTS, INK_PACKED (places are as Common/Stippling/QuantizedPosition has them).
+
+#include "InkClipping.glsl"
+#include "InkHash.glsl"
+#include "InkLighting.glsl"
+#include "InkViewUniforms.glsl"
 
 #ifdef INK_PACKED
-in uint packedPlace; // in the element's box, ten bits an axis
+in uint quantizedPosition; // in the element's box, ten bits an axis
 uniform samplerBuffer elementBoxes; // lower corner in the local frame, scale
 uniform vec3 packedStep;            // at scale 1
 #else
@@ -26,13 +31,7 @@ uniform samplerBuffer elementColors;
 uniform bool ownColors;               // whether there are elementColors
 uniform vec3 inkColor;
 
-uniform mat4 MCVCMatrix;
-uniform mat3 normalMatrix;
-uniform mat4 VCDCMatrix;
-uniform vec4 eyeVC;         // perspective: (0,0,0,1); parallel: (0,0,1,0)
-uniform vec2 viewportSize;  // pixels
 uniform float largestPoint; // pixels
-uniform vec4 clipPlanesVC[6];
 
 // The surface that hides stipples behind it; see the occluder's shaders.
 uniform sampler2D occluder;
@@ -65,17 +64,12 @@ uniform vec2 distanceK;           // k_de, size
 uniform vec2 interior;            // k_ie, size
 uniform float fade;
 uniform float valueEffect;
-uniform bool growing;
-uniform bool appearBySize;
+uniform bool growWithZoom;
+uniform bool fadeBySize;
 uniform float diameter;           // pixels
 uniform vec3 warm;                // hue, lightness, saturation
 uniform vec3 cool;
 uniform vec3 warmCool;            // weights of tone and distance, amount
-
-uniform vec4 lightPositions[8];   // the first INK_SUNS of the INK_LIGHTS have parallel rays
-uniform float lightIntensities[8];
-uniform vec4 lampDirections[8];   // and the cosine of the cone's half angle, -1: no cone
-uniform vec4 lampFading[8];       // attenuation; the cone's exponent
 
 uniform float leastIntensity; // of dots; the framebuffer cannot add up paler ones
 
@@ -89,15 +83,10 @@ flat out vec3 colorVSOutput;
 flat out vec3 toneVSOutput;  // T, opacity, diameter
 flat out int idVSOutput;
 
-float power(float base, float exponent)
-{
-  return base > 0.0 ? pow(base, exponent) : (base == 0.0 && exponent == 0.0 ? 1.0 : 0.0);
-}
-
 float thinnedIntensity(float intensity, uint index)
 {
-  float random = float((index * 2654435769u) >> 8u) / 16777216.0;
-  return intensity >= leastIntensity ? intensity : (intensity > leastIntensity * random ? leastIntensity : 0.0);
+  return intensity >= leastIntensity ? intensity
+                                     : (intensity > leastIntensity * randomOf(index) ? leastIntensity : 0.0);
 }
 
 float distanceFactor(float depth)
@@ -196,7 +185,7 @@ void main()
 
 #ifdef INK_PACKED
   vec4 box = texelFetch(elementBoxes, element);
-  vec3 pointMC = box.xyz + box.w * packedStep * vec3(packedPlace & 1023u, packedPlace >> 10u & 1023u, packedPlace >> 20u);
+  vec3 pointMC = box.xyz + box.w * packedStep * vec3(quantizedPosition & 1023u, quantizedPosition >> 10u & 1023u, quantizedPosition >> 20u);
 #endif
   vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
   vec3 normal = normalize(normalMatrix * shape.xyz);
@@ -217,29 +206,8 @@ void main()
     drawn = !lightingOn || cosine >= lighting.y;
   }
 
-  float lit = 0.0;
-  float lightCosine = -1.0;
-  for (int i = 0; i < INK_LIGHTS; ++i)
-  {
-    vec3 towards = lightPositions[i].xyz - lightPositions[i].w * position.xyz;
-    float reach = length(towards);
-    float c = reach > 0.0 ? dot(normal, towards) / reach : 1.0;
-    lightCosine = max(lightCosine, min(c, 1.0));
-    float intensity = lightIntensities[i];
-#ifdef INK_LAMPS
-    if (i >= INK_SUNS)
-    {
-      vec4 fading = lampFading[i];
-      float loss = fading.x + reach * fading.y + reach * reach * fading.z;
-      intensity = loss > 0.0 ? intensity / loss : 0.0;
-      vec4 cone = lampDirections[i];
-      float inCone = reach > 0.0 ? -dot(towards, cone.xyz) / reach : 1.0;
-      intensity *= cone.w <= -1.0 ? 1.0 : inCone >= cone.w ? power(min(inCone, 1.0), fading.w) : 0.0;
-    }
-#endif
-    lit += c > 0.0 ? intensity * power(min(c, 1.0), lighting.x) : 0.0;
-  }
-  lit = min(lit, 1.0);
+  float lightCosine;
+  float lit = lightOn(position.xyz, normal, lighting.x, lightCosine);
 
   // Table 1, in the paper's order.
   float slant = min(abs(cosine), 1.0);
@@ -269,11 +237,11 @@ void main()
   factors *= interiorT;
 
   float room = maximumStipples / listed * byDistance;
-  float tone = listLength * (growing ? min(room, 1.0) : room) * factors;
+  float tone = listLength * (growWithZoom ? min(room, 1.0) : room) * factors;
   float opacity = drawn && float(rank) < listLength ? part(tone, float(rank), random) : 0.0;
   float size = diameter * (1.0 + distanceK.y * (distanceT - 1.0)) * (1.0 + interior.y * (interiorT - 1.0));
-  size *= growing ? sqrt(max(room, 1.0)) : 1.0;
-  if (appearBySize && opacity > 0.0)
+  size *= growWithZoom ? sqrt(max(room, 1.0)) : 1.0;
+  if (fadeBySize && opacity > 0.0)
   {
     size *= sqrt(opacity);
     opacity = 1.0;
@@ -293,10 +261,7 @@ void main()
   colorVSOutput = color;
 #endif
 
-  for (int i = 0; i < INK_PLANES; ++i)
-  {
-    opacity = dot(clipPlanesVC[i], position) < 0.0 ? 0.0 : opacity;
-  }
+  opacity = clipDistance(position) < 0.0 ? 0.0 : opacity;
   vec4 center = VCDCMatrix * position;
   vec2 centerPixel = (0.5 * center.xy / center.w + 0.5) * viewportSize;
 #ifdef INK_OCCLUDED

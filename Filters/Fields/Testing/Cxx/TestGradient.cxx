@@ -2,10 +2,11 @@
 // Gradients, magnitudes, smoothed values and Laplacians against analytic fields, for every method.
 
 #include "GradientTestImages.h"
-#include "InkTestChecks.h"
 
 #include "vtkInkGradient.h"
 #include "vtkNew.h"
+
+#include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
@@ -37,7 +38,9 @@ bool IsInside(vtkImageData* image, vtkIdType n, int margin)
   return true;
 }
 
-void CheckMethods(InkTestChecks& check)
+} // namespace
+
+TEST(Gradient, MethodsAreExactForAQuadratic)
 {
   const auto image = MakeImage(VTK_DOUBLE, Extent, Quadratic);
   for (int method = vtkInkGradient::CENTRAL_DIFFERENCE; method <= vtkInkGradient::REGRESSION; ++method)
@@ -83,21 +86,20 @@ void CheckMethods(InkTestChecks& check)
           magnitudeError = std::max(magnitudeError,
             std::abs(data->GetArray("GradientMagnitude")->GetComponent(n, 0) - std::hypot(g[0], g[1], g[2])));
         }
-        check(gradientError < 1e-10, "a quadratic's gradient, off by ", gradientError, " with ", name.str());
-        check(magnitudeError < 1e-12, "the gradient's length, off by ", magnitudeError, " with ", name.str());
-        check(
-          laplacianError < 1e-7, "a quadratic's Laplacian, off by ", laplacianError, " with ", name.str());
+        EXPECT_LT(gradientError, 1e-10) << "a quadratic's gradient with " << name.str();
+        EXPECT_LT(magnitudeError, 1e-12) << "the gradient's length with " << name.str();
+        EXPECT_LT(laplacianError, 1e-7) << "a quadratic's Laplacian with " << name.str();
         if (method == vtkInkGradient::CENTRAL_DIFFERENCE)
         {
-          check(LargestDifference(data->GetArray("Value"), data->GetArray("Density")) == 0.0,
-            "with central differences the value is the input's");
+          EXPECT_EQ(LargestDifference(data->GetArray("Value"), data->GetArray("Density")), 0.0)
+            << "with central differences the value is the input's";
         }
       }
     }
   }
 }
 
-void CheckScale(InkTestChecks& check)
+TEST(Gradient, LaplacianOfASmoothedWave)
 {
   // The Laplacian of sin(k x) smoothed by a Gaussian of deviation s: -k^2 exp(-k^2 s^2 / 2) sin(k x).
   const double k = 0.5;
@@ -128,21 +130,11 @@ void CheckScale(InkTestChecks& check)
             factor * std::sin(k * p[2])));
       }
     }
-    check(error < 0.01 * std::abs(factor), "the Laplacian of a smoothed wave in unit ", unit, ", off by ",
-      error, " of ", factor);
-    check(!filter->GetOutput()->GetPointData()->HasArray("Gradient") &&
-        !filter->GetOutput()->GetPointData()->HasArray("GradientMagnitude") &&
-        !filter->GetOutput()->GetPointData()->HasArray("Value"),
-      "only the array that was asked for");
+    EXPECT_LT(error, 0.01 * std::abs(factor))
+      << "the Laplacian of a smoothed wave in unit " << unit << ", of " << factor;
+    for (const char* name : { "Gradient", "GradientMagnitude", "Value" })
+    {
+      EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray(name)) << name << " was not asked for";
+    }
   }
-}
-
-} // namespace
-
-int TestGradient(int, char*[])
-{
-  InkTestChecks check;
-  CheckMethods(check);
-  CheckScale(check);
-  return check.Result();
 }

@@ -5,13 +5,15 @@
 #include "vtkInkGradient.h"
 #include "vtkNew.h"
 
-int TestGradientAbort(int, char*[])
+#include <gtest/gtest.h>
+
+TEST(GradientAbort, ReportsProgressAndCanBeAborted)
 {
-  InkTestChecks check;
   vtkNew<vtkInkGradient> filter;
   filter->SetInputData(
     MakeImage(VTK_FLOAT, { 0, 30, 0, 30, 0, 300 }, [](double x, double y, double z) { return x * y + z; }));
   filter->ComputeLaplacianOn();
+  InkTestChecks check;
   InkTestProgressAndAbort(check, filter.Get());
-  return check.Result();
+  EXPECT_EQ(check.Failed(), 0);
 }

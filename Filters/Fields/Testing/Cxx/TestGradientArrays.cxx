@@ -3,7 +3,6 @@
 // are not contiguous, hidden points, what is passed on, and memory that is used again.
 
 #include "GradientTestImages.h"
-#include "InkTestChecks.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -12,6 +11,8 @@
 #include "vtkNew.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 #include <limits>
 
@@ -59,7 +60,9 @@ double PlaneError(vtkImageData* image)
   return error;
 }
 
-void CheckTypes(InkTestChecks& check)
+} // namespace
+
+TEST(GradientArrays, TakesEveryScalarType)
 {
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
          VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
@@ -72,15 +75,15 @@ void CheckTypes(InkTestChecks& check)
       filter->SetOutputArraysPrecision(precision);
       filter->Update();
       const double error = PlaneError(filter->GetOutput());
-      check(error < 1e-5, "the plane's gradient for VTK type ", type, ", off by ", error);
+      EXPECT_LT(error, 1e-5) << "the plane's gradient for VTK type " << type;
       const int found = filter->GetOutput()->GetPointData()->GetArray("Gradient")->GetDataType();
-      check(found == (precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE),
-        "the output type asked for, found ", found);
+      EXPECT_EQ(found, precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE)
+        << "the output type asked for";
     }
   }
 }
 
-void CheckChoice(InkTestChecks& check)
+TEST(GradientArrays, TakesTheChosenComponent)
 {
   // An array that is not the active one, its second component, laid out component by component.
   auto image = MakeIndexImage(VTK_UNSIGNED_CHAR);
@@ -100,10 +103,10 @@ void CheckChoice(InkTestChecks& check)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Apart");
   filter->SetArrayComponent(1);
   filter->Update();
-  check(PlaneError(filter->GetOutput()) < 1e-5, "the gradient of the chosen component");
+  EXPECT_LT(PlaneError(filter->GetOutput()), 1e-5) << "the gradient of the chosen component";
 }
 
-void CheckPassing(InkTestChecks& check)
+TEST(GradientArrays, PassesTheInputsArraysOn)
 {
   auto image = MakeIndexImage(VTK_FLOAT);
   vtkNew<vtkIntArray> cells;
@@ -118,18 +121,19 @@ void CheckPassing(InkTestChecks& check)
   filter->SetInputData(image);
   filter->Update();
   vtkImageData* output = filter->GetOutput();
-  check(output->GetPointData()->GetScalars() == image->GetPointData()->GetScalars(),
-    "the input's scalars, not copied");
-  check(output->GetCellData()->GetArray("OfCells") == cells, "the input's cell data");
-  check(output->GetFieldData()->GetAbstractArray("OfAll") == fields, "the input's field data");
-  check(output->GetPointData()->GetNumberOfArrays() == 3, "Density, Gradient and GradientMagnitude");
+  EXPECT_EQ(output->GetPointData()->GetScalars(), image->GetPointData()->GetScalars())
+    << "the input's scalars, not copied";
+  EXPECT_EQ(output->GetCellData()->GetArray("OfCells"), cells) << "the input's cell data";
+  EXPECT_EQ(output->GetFieldData()->GetAbstractArray("OfAll"), fields) << "the input's field data";
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 3) << "Density, Gradient and GradientMagnitude";
   filter->ComputeGradientOff();
   filter->ComputeGradientMagnitudeOff();
   filter->Update();
-  check(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 1, "nothing where nothing is asked for");
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 1)
+    << "nothing where nothing is asked for";
 }
 
-void CheckHidden(InkTestChecks& check)
+TEST(GradientArrays, MissingPointsHaveNoGradient)
 {
   auto image = MakeIndexImage(VTK_FLOAT);
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
@@ -148,14 +152,14 @@ void CheckHidden(InkTestChecks& check)
   {
     for (const char* name : { "Gradient", "GradientMagnitude", "Value", "Laplacian" })
     {
-      check(data->GetArray(name)->GetComponent(n, 0) == 0.0, name, " is 0 at a missing point");
+      EXPECT_EQ(data->GetArray(name)->GetComponent(n, 0), 0.0) << name << " is 0 at a missing point";
       data->GetArray("Gradient")->SetTuple3(n, 2.0, -1.0, 3.0);
     }
   }
-  check(PlaneError(filter->GetOutput()) < 1e-4, "beside them the plane's gradient");
+  EXPECT_LT(PlaneError(filter->GetOutput()), 1e-4) << "beside them the plane's gradient";
 }
 
-void CheckMemory(InkTestChecks& check)
+TEST(GradientArrays, ReusesOnlyMemoryThatNobodyHolds)
 {
   auto image = MakeIndexImage(VTK_FLOAT);
   vtkNew<vtkInkGradient> filter;
@@ -164,8 +168,8 @@ void CheckMemory(InkTestChecks& check)
   vtkDataArray* first = filter->GetOutput()->GetPointData()->GetArray("Gradient");
   filter->SetWeightingToInverseDistance();
   filter->Update();
-  check(filter->GetOutput()->GetPointData()->GetArray("Gradient") == first,
-    "memory that no one else holds is used again");
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("Gradient"), first)
+    << "memory that no one else holds is used again";
   vtkSmartPointer<vtkDataArray> held = filter->GetOutput()->GetPointData()->GetArray("Gradient");
   vtkNew<vtkFloatArray> copy;
   copy->DeepCopy(held);
@@ -173,20 +177,7 @@ void CheckMemory(InkTestChecks& check)
   image->Modified();
   filter->Modified();
   filter->Update();
-  check(filter->GetOutput()->GetPointData()->GetArray("Gradient") != held,
-    "memory that someone holds is left alone");
-  check(LargestDifference(held, copy) == 0.0, "and not written to");
-}
-
-} // namespace
-
-int TestGradientArrays(int, char*[])
-{
-  InkTestChecks check;
-  CheckTypes(check);
-  CheckChoice(check);
-  CheckPassing(check);
-  CheckHidden(check);
-  CheckMemory(check);
-  return check.Result();
+  EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("Gradient"), held)
+    << "memory that someone holds is left alone";
+  EXPECT_EQ(LargestDifference(held, copy), 0.0) << "and not written to";
 }

@@ -11,6 +11,8 @@
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <limits>
 
@@ -18,7 +20,7 @@ namespace
 {
 
 /// Runs on an image after `change`; expects the words in one message, or no message for none.
-void Expect(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
+void Expect(const std::string& name, const std::vector<std::string>& words,
   const std::function<void(vtkInkGradient*, vtkImageData*)>& change)
 {
   auto image =
@@ -31,24 +33,29 @@ void Expect(InkTestChecks& check, const std::string& name, const std::vector<std
   change(filter, image);
   filter->SetInputData(image);
   filter->Update();
-  check(filter->GetOutput()->GetNumberOfPoints() == 0 &&
-      filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0,
-    name, ": an empty output");
+  EXPECT_TRUE(filter->GetOutput()->GetNumberOfPoints() == 0 &&
+    filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0)
+    << name << ": an empty output";
+  InkTestChecks check;
   messages->Expect(check, name, words);
+  EXPECT_EQ(check.Failed(), 0) << name;
 }
 
 } // namespace
 
-int TestGradientErrors(int, char*[])
+TEST(GradientErrors, NoImageIsNoError)
 {
-  InkTestChecks check;
-  Expect(check, "no image", {}, [](vtkInkGradient*, vtkImageData* image) { image->Initialize(); });
-  Expect(check, "no scalars", { "No point scalars", "none" },
+  Expect("no image", {}, [](vtkInkGradient*, vtkImageData* image) { image->Initialize(); });
+}
+
+TEST(GradientErrors, ArraysThatCannotBeUsed)
+{
+  Expect("no scalars", { "No point scalars", "none" },
     [](vtkInkGradient*, vtkImageData* image) { image->GetPointData()->Initialize(); });
-  Expect(check, "no such array", { "\"Pressure\"", "\"Density\"" },
+  Expect("no such array", { "\"Pressure\"", "\"Density\"" },
     [](vtkInkGradient* filter, vtkImageData*)
     { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
-  Expect(check, "cell data", { "OfCells", "336", "504" },
+  Expect("cell data", { "OfCells", "336", "504" },
     [](vtkInkGradient* filter, vtkImageData* image)
     {
       vtkNew<vtkFloatArray> cells;
@@ -58,7 +65,7 @@ int TestGradientErrors(int, char*[])
       image->GetCellData()->AddArray(cells);
       filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells");
     });
-  Expect(check, "words", { "Words" },
+  Expect("words", { "Words" },
     [](vtkInkGradient* filter, vtkImageData* image)
     {
       vtkNew<vtkStringArray> words;
@@ -67,16 +74,19 @@ int TestGradientErrors(int, char*[])
       image->GetPointData()->AddArray(words);
       filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Words");
     });
-  Expect(check, "short array", { "Density", "10 values", "504" },
+  Expect("short array", { "Density", "10 values", "504" },
     [](vtkInkGradient*, vtkImageData* image) { image->GetPointData()->GetScalars()->SetNumberOfTuples(10); });
-  Expect(check, "no such component", { "Density", "ArrayComponent is 1", "1 components" },
+  Expect("no such component", { "Density", "ArrayComponent is 1", "1 components" },
     [](vtkInkGradient* filter, vtkImageData*) { filter->SetArrayComponent(1); });
-  Expect(check, "no spacing", { "spacing" },
+}
+
+TEST(GradientErrors, GeometryThatIsSingular)
+{
+  Expect("no spacing", { "spacing" },
     [](vtkInkGradient*, vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
-  Expect(check, "NaN in the spacing", { "spacing" },
+  Expect("NaN in the spacing", { "spacing" },
     [](vtkInkGradient*, vtkImageData* image)
     { image->SetSpacing(1.0, std::numeric_limits<double>::quiet_NaN(), 1.0); });
-  Expect(check, "flat direction matrix", { "direction matrix" },
+  Expect("flat direction matrix", { "direction matrix" },
     [](vtkInkGradient*, vtkImageData* image) { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
-  return check.Result();
 }

@@ -3,13 +3,14 @@
 // for no more than a part and its neighbors.
 
 #include "GradientTestImages.h"
-#include "InkTestChecks.h"
 #include "InkTestPieces.h"
 
 #include "vtkInkGradient.h"
 #include "vtkNew.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkTrivialProducer.h"
+
+#include <gtest/gtest.h>
 
 #include <cstdlib>
 
@@ -67,9 +68,8 @@ vtkIdType CountDifferent(vtkImageData* part, vtkImageData* whole)
 
 } // namespace
 
-int TestGradientPieces(int, char*[])
+TEST(GradientPieces, PartsGetTheBitsOfTheWhole)
 {
-  InkTestChecks check;
   for (int method = 0; method < 3; ++method)
   {
     const int neighborhood = method == 2 ? vtkInkGradient::NEIGHBORHOOD_5 : vtkInkGradient::NEIGHBORHOOD_3;
@@ -79,7 +79,7 @@ int TestGradientPieces(int, char*[])
     filter->Update();
     vtkNew<vtkImageData> whole;
     whole->ShallowCopy(filter->GetOutput());
-    check(whole->GetNumberOfPoints() == 38 * 32 * 28, "the whole image");
+    EXPECT_EQ(whole->GetNumberOfPoints(), 38 * 32 * 28) << "the whole image";
 
     vtkNew<vtkRTAnalyticSource> source2;
     const auto parts = MakeFilter(source2, kind, neighborhood);
@@ -88,15 +88,15 @@ int TestGradientPieces(int, char*[])
     {
       parts->UpdateExtent(extent.data());
       vtkImageData* part = parts->GetOutput();
-      check(std::equal(extent.begin(), extent.end(), part->GetExtent()), "the extent asked for, found ",
-        part->GetExtent()[0], " ", part->GetExtent()[1], " ", part->GetExtent()[2], " ",
-        part->GetExtent()[3]);
-      check(CountDifferent(part, whole) == 0, "the whole's results in part ", extent[0], " ", extent[4],
-        " with method ", method);
+      EXPECT_TRUE(std::equal(extent.begin(), extent.end(), part->GetExtent()))
+        << "the extent asked for, found " << part->GetExtent()[0] << " " << part->GetExtent()[1] << " "
+        << part->GetExtent()[2] << " " << part->GetExtent()[3];
+      EXPECT_EQ(CountDifferent(part, whole), 0)
+        << "the whole's results in part " << extent[0] << " " << extent[4] << " with method " << method;
       // Four times the Gaussian's deviation, up.
       const int* input = source2->GetOutput()->GetExtent();
-      check(input[4] == std::max(-13, extent[4] - 3) && input[5] == std::min(14, extent[5] + 3),
-        "no more than the neighbors from the input, found slices ", input[4], " to ", input[5]);
+      EXPECT_TRUE(input[4] == std::max(-13, extent[4] - 3) && input[5] == std::min(14, extent[5] + 3))
+        << "no more than the neighbors from the input, found slices " << input[4] << " to " << input[5];
     }
     // Another filter, because the pipeline does not take an extent and then a piece.
     vtkNew<vtkRTAnalyticSource> source3;
@@ -107,66 +107,70 @@ int TestGradientPieces(int, char*[])
       for (int piece = 0; piece < pieces; ++piece)
       {
         byPiece->UpdatePiece(piece, pieces, 0);
-        check(CountDifferent(byPiece->GetOutput(), whole) == 0, "the whole's results in piece ", piece,
-          " of ", pieces);
+        EXPECT_EQ(CountDifferent(byPiece->GetOutput(), whole), 0)
+          << "the whole's results in piece " << piece << " of " << pieces;
         cells += byPiece->GetOutput()->GetNumberOfCells();
       }
-      check(cells == whole->GetNumberOfCells(), "every cell once in ", pieces, " pieces, found ", cells,
-        " of ", whole->GetNumberOfCells());
+      EXPECT_EQ(cells, whole->GetNumberOfCells()) << "every cell once in " << pieces << " pieces, found "
+                                                  << cells << " of " << whole->GetNumberOfCells();
     }
   }
+}
 
-  // A reader that knows no pieces, on several processes: the first one has all.
+/// A reader that knows no pieces, on several processes: the first one has all.
+TEST(GradientPieces, ReadersWithoutPiecesGiveAllToTheFirstProcess)
+{
+  vtkNew<vtkRTAnalyticSource> all;
+  vtkNew<vtkRTAnalyticSource> source;
+  const auto filter = MakeFilter(all, vtkInkGradient::REGRESSION, vtkInkGradient::NEIGHBORHOOD_3);
+  filter->Update();
+  for (int piece = 0; piece < 2; ++piece)
   {
-    vtkNew<vtkRTAnalyticSource> all;
-    vtkNew<vtkRTAnalyticSource> source;
-    const auto filter = MakeFilter(all, vtkInkGradient::REGRESSION, vtkInkGradient::NEIGHBORHOOD_3);
-    filter->Update();
-    for (int piece = 0; piece < 2; ++piece)
-    {
-      const auto serial = MakeFilter(source, vtkInkGradient::REGRESSION, vtkInkGradient::NEIGHBORHOOD_3);
-      serial->SetInputConnection(InkTestSerialPipeline(all->GetOutput())->GetOutputPort());
-      serial->UpdatePiece(piece, 2, 1);
-      vtkImageData* part = serial->GetOutput();
-      const vtkIdType expected = piece == 0 ? filter->GetOutput()->GetNumberOfPoints() : 0;
-      check(part->GetNumberOfPoints() == expected, expected, " points of a whole image on process ", piece,
-        ", found ", part->GetNumberOfPoints());
-      check(piece > 0 || CountDifferent(part, filter->GetOutput()) == 0, "the whole's results");
-    }
+    const auto serial = MakeFilter(source, vtkInkGradient::REGRESSION, vtkInkGradient::NEIGHBORHOOD_3);
+    serial->SetInputConnection(InkTestSerialPipeline(all->GetOutput())->GetOutputPort());
+    serial->UpdatePiece(piece, 2, 1);
+    vtkImageData* part = serial->GetOutput();
+    const vtkIdType expected = piece == 0 ? filter->GetOutput()->GetNumberOfPoints() : 0;
+    EXPECT_EQ(part->GetNumberOfPoints(), expected)
+      << expected << " points of a whole image on process " << piece;
+    EXPECT_TRUE(piece > 0 || CountDifferent(part, filter->GetOutput()) == 0) << "the whole's results";
   }
+}
 
-  // An image that came in parts of its own making keeps them.
-  {
-    vtkNew<vtkRTAnalyticSource> all;
-    all->SetWholeExtent(0, 20, 0, 20, 0, 20);
-    vtkNew<vtkImageData> piece;
-    all->Update();
-    piece->DeepCopy(all->GetOutput());
-    const int own[6] = { 0, 20, 0, 20, 0, 3 };
-    piece->Crop(own);
-    vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(piece);
-    int wholeExtent[6] = { 0, 20, 0, 20, 0, 20 };
-    producer->SetWholeExtent(wholeExtent);
-    vtkNew<vtkInkGradient> ofPart;
-    ofPart->SetInputConnection(producer->GetOutputPort());
-    ofPart->UpdatePiece(1, 2, 0);
-    check(ofPart->GetOutput()->GetNumberOfPoints() == 21 * 21 * 4, "all of the part, found ",
-      ofPart->GetOutput()->GetNumberOfPoints());
-  }
+TEST(GradientPieces, ImagesThatCameInPartsKeepThem)
+{
+  vtkNew<vtkRTAnalyticSource> all;
+  all->SetWholeExtent(0, 20, 0, 20, 0, 20);
+  vtkNew<vtkImageData> piece;
+  all->Update();
+  piece->DeepCopy(all->GetOutput());
+  const int own[6] = { 0, 20, 0, 20, 0, 3 };
+  piece->Crop(own);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(piece);
+  int wholeExtent[6] = { 0, 20, 0, 20, 0, 20 };
+  producer->SetWholeExtent(wholeExtent);
+  vtkNew<vtkInkGradient> ofPart;
+  ofPart->SetInputConnection(producer->GetOutputPort());
+  ofPart->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(ofPart->GetOutput()->GetNumberOfPoints(), 21 * 21 * 4) << "all of the part";
+}
 
-  // An image that is simply there is cut to the part, its cell data too.
+TEST(GradientPieces, ImagesInMemoryAreCutToThePart)
+{
   auto image =
     MakeImage(VTK_FLOAT, { 0, 9, 0, 8, 0, 7 }, [](double x, double y, double z) { return x * y + z; });
   vtkNew<vtkInkGradient> filter;
   filter->SetInputData(image);
   const int extent[6] = { 2, 5, 0, 8, 3, 3 };
   filter->UpdateExtent(extent);
-  check(filter->GetOutput()->GetNumberOfPoints() == 4 * 9, "36 points, found ",
-    filter->GetOutput()->GetNumberOfPoints());
-  check(filter->GetOutput()->GetPointData()->GetScalars()->GetNumberOfTuples() == 36, "36 values passed on");
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 4 * 9) << "36 points";
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetScalars()->GetNumberOfTuples(), 36)
+    << "36 values passed on";
+}
 
-  // One thread and two.
+TEST(GradientPieces, AreTheSameOnOneThreadAndOnTwo)
+{
   vtkNew<vtkRTAnalyticSource> source;
   const auto any = MakeFilter(source, vtkInkGradient::REGRESSION, vtkInkGradient::NEIGHBORHOOD_3);
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
@@ -176,6 +180,6 @@ int TestGradientPieces(int, char*[])
   setenv("VTK_SMP_MAX_THREADS", "2", 1);
   any->Modified();
   any->Update();
-  check(CountDifferent(any->GetOutput(), one) == 0, "the same on one thread and on two");
-  return check.Result();
+  unsetenv("VTK_SMP_MAX_THREADS");
+  EXPECT_EQ(CountDifferent(any->GetOutput(), one), 0) << "values that differ";
 }

@@ -9,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -47,6 +48,20 @@ inline std::vector<Sample> SamplesOf(vtkPolyData* data)
     normals->GetTuple(static_cast<vtkIdType>(n), samples[n].data() + 3);
   }
   return samples;
+}
+
+/// Those of all pieces of a filter's output, sorted.
+inline std::vector<Sample> SamplesOfPieces(vtkPolyDataAlgorithm* filter, int pieces)
+{
+  std::vector<Sample> all;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    filter->UpdatePiece(piece, pieces, 0);
+    const auto samples = SamplesOf(filter->GetOutput());
+    all.insert(all.end(), samples.begin(), samples.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the filter makes of a ball, and what each of its properties changes.
 
-#include "InkTestChecks.h"
 #include "SamplerTestImages.h"
 
 #include "vtkCellArray.h"
@@ -12,6 +11,8 @@
 #include "vtkMatrix3x3.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+
+#include <gtest/gtest.h>
 
 #include <sstream>
 
@@ -26,7 +27,18 @@ vtkSmartPointer<vtkImageData> MakeBall()
     [](double x, double y, double z) { return BallDensity(x, y, z, Radius); });
 }
 
-void CheckBall(InkTestChecks& check)
+class Counter : public vtkCommand
+{
+public:
+  static Counter* New() { return new Counter; }
+  void Execute(vtkObject*, unsigned long, void*) override { ++this->Runs; }
+
+  int Runs = 0;
+};
+
+} // namespace
+
+TEST(IsoSurfaceSampler, SamplesABall)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputData(MakeBall());
@@ -34,20 +46,17 @@ void CheckBall(InkTestChecks& check)
   sampler->Update();
   vtkPolyData* output = sampler->GetOutput();
   const vtkIdType count = output->GetNumberOfPoints();
-  check(count > 1000 && count < 2000, "about one and a half points for each unit of area, found ", count);
-  check(output->GetPoints()->GetDataType() == VTK_FLOAT, "single precision");
-  check(output->GetPointData()->GetNumberOfArrays() == 2, "two point arrays, found ",
-    output->GetPointData()->GetNumberOfArrays());
+  EXPECT_TRUE(count > 1000 && count < 2000)
+    << "about one and a half points for each unit of area, found " << count;
+  EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_FLOAT) << "single precision";
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 2) << "two point arrays";
   auto* normals = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("Normals"));
   vtkDataArray* radii = output->GetPointData()->GetArray("Radius");
-  if (!check(normals && radii, "the point arrays Normals and Radius"))
-  {
-    return;
-  }
-  check(output->GetPointData()->GetNormals() == normals, "Normals to be the active normals");
-  check(output->GetNumberOfCells() == 1 && output->GetCellType(0) == VTK_POLY_VERTEX &&
-      output->GetVerts()->GetNumberOfConnectivityIds() == count,
-    "one poly-vertex cell with all points");
+  ASSERT_TRUE(normals && radii) << "the point arrays Normals and Radius";
+  EXPECT_EQ(output->GetPointData()->GetNormals(), normals) << "Normals to be the active normals";
+  EXPECT_TRUE(output->GetNumberOfCells() == 1 && output->GetCellType(0) == VTK_POLY_VERTEX &&
+    output->GetVerts()->GetNumberOfConnectivityIds() == count)
+    << "one poly-vertex cell with all points";
   double worstDistance = 0.0;
   double worstAngle = 0.0;
   for (vtkIdType n = 0; n < count; ++n)
@@ -61,62 +70,81 @@ void CheckBall(InkTestChecks& check)
     const double cosine = (normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]) / length;
     worstDistance = std::max(worstDistance, std::abs(length - Radius));
     worstAngle = std::max(worstAngle, std::acos(std::min(cosine, 1.0)));
-    check(std::abs(radii->GetTuple1(n) - 0.5 * std::sqrt(3.0)) < 1e-6, "half a cell's diagonal as radius");
+    EXPECT_LT(std::abs(radii->GetTuple1(n) - 0.5 * std::sqrt(3.0)), 1e-6)
+      << "half a cell's diagonal as radius";
   }
-  check(worstDistance < 0.5 / Radius, "points on the sphere, off by ", worstDistance);
-  check(worstAngle < 0.5 / (Radius * Radius), "normals across the sphere, off by ", worstAngle);
+  EXPECT_LT(worstDistance, 0.5 / Radius) << "points on the sphere";
+  EXPECT_LT(worstAngle, 0.5 / (Radius * Radius)) << "normals across the sphere";
 }
 
-void CheckProperties(InkTestChecks& check)
+TEST(IsoSurfaceSampler, MakesNothingWithoutAnIsoValue)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputData(MakeBall());
   sampler->Update();
   vtkPolyData* output = sampler->GetOutput();
-  check(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0, "nothing without an iso-value");
-  check(output->GetPointData()->GetNormals() != nullptr, "the arrays all the same");
+  EXPECT_TRUE(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0)
+    << "nothing without an iso-value";
+  EXPECT_NE(output->GetPointData()->GetNormals(), nullptr) << "the arrays all the same";
+}
 
+TEST(IsoSurfaceSampler, SeveralIsoValuesComeOneAfterTheOther)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall());
+  vtkPolyData* output = sampler->GetOutput();
   sampler->SetValue(0, 100.0);
   sampler->Update();
   const auto outer = SamplesOf(output);
   sampler->SetValue(0, 140.0);
   sampler->Update();
   const auto inner = SamplesOf(output);
-  check(!inner.empty() && inner.size() < outer.size(), "fewer points on the smaller ball");
+  EXPECT_TRUE(!inner.empty() && inner.size() < outer.size()) << "fewer points on the smaller ball";
   sampler->SetValue(0, 100.0);
   sampler->SetValue(1, 140.0);
   sampler->Update();
   auto expected = outer;
   expected.insert(expected.end(), inner.begin(), inner.end());
-  check(SamplesOf(output) == expected, "the points of two iso-values one after the other");
-  check(sampler->GetNumberOfContours() == 2 && sampler->GetValue(1) == 140.0, "two iso-values");
+  EXPECT_EQ(SamplesOf(output), expected) << "the points of two iso-values one after the other";
+  EXPECT_TRUE(sampler->GetNumberOfContours() == 2 && sampler->GetValue(1) == 140.0) << "two iso-values";
   sampler->GenerateValues(3, 90.0, 110.0);
-  check(sampler->GetNumberOfContours() == 3 && sampler->GetValue(1) == 100.0, "three iso-values");
+  EXPECT_TRUE(sampler->GetNumberOfContours() == 3 && sampler->GetValue(1) == 100.0) << "three iso-values";
+}
 
-  sampler->SetNumberOfContours(1);
+TEST(IsoSurfaceSampler, MakesNothingThatIsSwitchedOff)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(MakeBall());
   sampler->SetValue(0, 100.0);
+  sampler->Update();
+  vtkPolyData* output = sampler->GetOutput();
+  const vtkIdType count = output->GetNumberOfPoints();
   sampler->ComputeNormalsOff();
   sampler->ComputeRadiusOff();
   sampler->GenerateVerticesOff();
   sampler->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sampler->Update();
-  check(output->GetPointData()->GetNumberOfArrays() == 0 && output->GetNumberOfCells() == 0,
-    "nothing that is switched off");
-  check(output->GetPoints()->GetDataType() == VTK_DOUBLE, "double precision");
-  check(static_cast<std::size_t>(output->GetNumberOfPoints()) == outer.size(), "the same number of points");
-
-  sampler->SetCrossingRuleToStrict();
-  check(sampler->GetCrossingRule() == vtkInkIsoSurfaceSampler::STRICT, "the strict rule");
-  sampler->SetCrossingRule(7);
-  check(sampler->GetCrossingRule() == vtkInkIsoSurfaceSampler::STRICT, "a crossing rule within range");
-  sampler->SetArrayComponent(-3);
-  check(sampler->GetArrayComponent() == 0, "a component within range");
-  std::ostringstream text;
-  sampler->Print(text);
-  check(text.str().find("CrossingRule: Strict") != std::string::npos, "the properties in print");
+  EXPECT_TRUE(output->GetPointData()->GetNumberOfArrays() == 0 && output->GetNumberOfCells() == 0)
+    << "nothing that is switched off";
+  EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE) << "double precision";
+  EXPECT_EQ(output->GetNumberOfPoints(), count) << "the same number of points";
 }
 
-void CheckGeometry(InkTestChecks& check)
+TEST(IsoSurfaceSampler, PropertiesStayWithinRange)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetCrossingRuleToStrict();
+  EXPECT_EQ(sampler->GetCrossingRule(), vtkInkIsoSurfaceSampler::STRICT) << "the strict rule";
+  sampler->SetCrossingRule(7);
+  EXPECT_EQ(sampler->GetCrossingRule(), vtkInkIsoSurfaceSampler::STRICT) << "a crossing rule within range";
+  sampler->SetArrayComponent(-3);
+  EXPECT_EQ(sampler->GetArrayComponent(), 0) << "a component within range";
+  std::ostringstream text;
+  sampler->Print(text);
+  EXPECT_NE(text.str().find("CrossingRule: Strict"), std::string::npos) << "the properties in print";
+}
+
+TEST(IsoSurfaceSampler, FollowsOriginSpacingAndDirection)
 {
   // The plane x = 4.5 of the image, which is turned, mirrored and stretched into the world.
   auto image = MakeImage(VTK_UNSIGNED_CHAR, { 2, 9, 0, 7, 0, 7 }, [](double x, double, double) { return x; });
@@ -130,21 +158,21 @@ void CheckGeometry(InkTestChecks& check)
   sampler->SetValue(0, 4.5);
   sampler->Update();
   const auto samples = SamplesOf(sampler->GetOutput());
-  check(samples.size() == 49, "one point for each of 7 x 7 cells, found ", samples.size());
+  ASSERT_EQ(samples.size(), 49u) << "one point for each of 7 x 7 cells";
   // Index (4.5, j + .5, k + .5); the values grow along i, that is along -y.
-  check(!samples.empty() && samples[0] == Sample{ 10.5, 11.0, 30.25, 0.0, 1.0, 0.0 },
-    "the first point and its normal in the world");
+  EXPECT_EQ(samples[0], (Sample{ 10.5, 11.0, 30.25, 0.0, 1.0, 0.0 }))
+    << "the first point and its normal in the world";
   double bounds[6];
   sampler->GetOutput()->GetBounds(bounds);
-  check(bounds[0] == 10.5 && bounds[1] == 16.5 && bounds[2] == 11.0 && bounds[3] == 11.0 &&
-      bounds[4] == 30.25 && bounds[5] == 33.25,
-    "the plane in the world");
+  EXPECT_TRUE(bounds[0] == 10.5 && bounds[1] == 16.5 && bounds[2] == 11.0 && bounds[3] == 11.0 &&
+    bounds[4] == 30.25 && bounds[5] == 33.25)
+    << "the plane in the world";
   const double radius = sampler->GetOutput()->GetPointData()->GetArray("Radius")->GetTuple1(0);
-  check(std::abs(radius - 0.5 * std::sqrt(4.0 + 1.0 + 0.25)) < 1e-6, "half a cell's diagonal as radius");
+  EXPECT_LT(std::abs(radius - 0.5 * std::sqrt(4.0 + 1.0 + 0.25)), 1e-6) << "half a cell's diagonal as radius";
 }
 
 /// Single precision where it is enough, double where it is not.
-void CheckPrecision(InkTestChecks& check)
+TEST(IsoSurfaceSampler, IsSinglePrecisionWhereThatIsEnough)
 {
   struct Case
   {
@@ -164,26 +192,26 @@ void CheckPrecision(InkTestChecks& check)
     sampler->SetValue(0, 3.25);
     sampler->Update();
     vtkPolyData* output = sampler->GetOutput();
-    if (!check(output->GetNumberOfPoints() == 49, "49 points at spacing ", c.Spacing))
-    {
-      continue;
-    }
-    check(output->GetPoints()->GetDataType() == c.Type, "the other precision at origin ", c.Origin,
-      ", spacing ", c.Spacing);
+    ASSERT_EQ(output->GetNumberOfPoints(), 49) << "49 points at spacing " << c.Spacing;
+    EXPECT_EQ(output->GetPoints()->GetDataType(), c.Type)
+      << "the other precision at origin " << c.Origin << ", spacing " << c.Spacing;
     double p[3];
     output->GetPoint(48, p);
-    check(std::abs((p[0] - c.Origin) / c.Spacing - 3.25) < 1e-2 && std::abs(p[1] / c.Spacing - 6.5) < 1e-5,
-      "points on the plane at origin ", c.Origin, ", spacing ", c.Spacing);
+    EXPECT_TRUE(
+      std::abs((p[0] - c.Origin) / c.Spacing - 3.25) < 1e-2 && std::abs(p[1] / c.Spacing - 6.5) < 1e-5)
+      << "points on the plane at origin " << c.Origin << ", spacing " << c.Spacing;
     const double radius = output->GetPointData()->GetArray("Radius")->GetTuple1(0);
-    check(std::abs(radius / c.Spacing - 0.5 * std::sqrt(3.0)) < 1e-6, "the radius at spacing ", c.Spacing);
+    EXPECT_LT(std::abs(radius / c.Spacing - 0.5 * std::sqrt(3.0)), 1e-6)
+      << "the radius at spacing " << c.Spacing;
     double normal[3];
     output->GetPointData()->GetNormals()->GetTuple(0, normal);
-    check(normal[0] == -1.0 && normal[1] == 0.0 && normal[2] == 0.0, "the normal at spacing ", c.Spacing);
+    EXPECT_TRUE(normal[0] == -1.0 && normal[1] == 0.0 && normal[2] == 0.0)
+      << "the normal at spacing " << c.Spacing;
   }
 }
 
 /// Blocks go through one by one.
-void CheckBlocks(InkTestChecks& check)
+TEST(IsoSurfaceSampler, TakesBlocksOneByOne)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, MakeBall());
@@ -195,26 +223,15 @@ void CheckBlocks(InkTestChecks& check)
   {
     sampler->UpdatePiece(pieces - 1, pieces, 0);
     auto* output = vtkMultiBlockDataSet::SafeDownCast(sampler->GetOutputDataObject(0));
-    if (check(output && output->GetNumberOfBlocks() == 2, "two blocks"))
-    {
-      auto* first = vtkPolyData::SafeDownCast(output->GetBlock(0));
-      auto* second = vtkPolyData::SafeDownCast(output->GetBlock(1));
-      check(first && second && first->GetNumberOfPoints() > 1000 && SamplesOf(first) == SamplesOf(second),
-        "the whole ball in both blocks of ", pieces, " pieces");
-    }
+    ASSERT_TRUE(output && output->GetNumberOfBlocks() == 2) << "two blocks";
+    auto* first = vtkPolyData::SafeDownCast(output->GetBlock(0));
+    auto* second = vtkPolyData::SafeDownCast(output->GetBlock(1));
+    EXPECT_TRUE(first && second && first->GetNumberOfPoints() > 1000 && SamplesOf(first) == SamplesOf(second))
+      << "the whole ball in both blocks of " << pieces << " pieces";
   }
 }
 
-class Counter : public vtkCommand
-{
-public:
-  static Counter* New() { return new Counter; }
-  void Execute(vtkObject*, unsigned long, void*) override { ++this->Runs; }
-
-  int Runs = 0;
-};
-
-void CheckCaching(InkTestChecks& check)
+TEST(IsoSurfaceSampler, RunsOnlyAfterChanges)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   vtkNew<Counter> counter;
@@ -224,45 +241,47 @@ void CheckCaching(InkTestChecks& check)
   sampler->SetValue(0, 100.0);
   sampler->Update();
   sampler->Update();
-  check(runs == 1, "one run for two updates, found ", runs);
+  EXPECT_EQ(runs, 1) << "one run for two updates";
   sampler->SetValue(0, 100.0);
   sampler->SetCrossingRule(sampler->GetCrossingRule());
   sampler->Update();
-  check(runs == 1, "no run for values that stay the same, found ", runs);
+  EXPECT_EQ(runs, 1) << "no run for values that stay the same";
   const vtkMTimeType before = sampler->GetMTime();
   sampler->SetValue(0, 90.0);
-  check(sampler->GetMTime() > before, "a later time for another iso-value");
+  EXPECT_GT(sampler->GetMTime(), before) << "a later time for another iso-value";
   sampler->Update();
-  check(runs == 2, "a run for another iso-value, found ", runs);
+  EXPECT_EQ(runs, 2) << "a run for another iso-value";
 }
 
 /// Several surfaces are told apart, and come as they do one by one.
-void CheckSurfaceIndex(InkTestChecks& check)
+TEST(IsoSurfaceSampler, SurfaceIndexTellsSurfacesApart)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputData(MakeBall());
   sampler->SetValue(0, 100.0);
   sampler->Update();
   const vtkIdType first = sampler->GetOutput()->GetNumberOfPoints();
-  check(!sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"), "no SurfaceIndex for one iso-value");
+  EXPECT_FALSE(sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"))
+    << "no SurfaceIndex for one iso-value";
   sampler->SetValue(1, 500.0);
   sampler->SetValue(2, 140.0);
   sampler->Update();
   auto* index = vtkIntArray::SafeDownCast(sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"));
   const vtkIdType count = sampler->GetOutput()->GetNumberOfPoints();
-  if (check(index && index->GetNumberOfTuples() == count && count > first, "a SurfaceIndex for each point"))
-  {
-    check(index->GetValue(0) == 0 && index->GetValue(first - 1) == 0 && index->GetValue(first) == 2 &&
-        index->GetValue(count - 1) == 2,
-      "the numbers of the iso-values that have points");
-  }
+  ASSERT_TRUE(index && index->GetNumberOfTuples() == count && count > first)
+    << "a SurfaceIndex for each point";
+  EXPECT_TRUE(index->GetValue(0) == 0 && index->GetValue(first - 1) == 0 && index->GetValue(first) == 2 &&
+    index->GetValue(count - 1) == 2)
+    << "the numbers of the iso-values that have points";
+
   sampler->ComputeSurfaceIndexOff();
   sampler->Update();
-  check(!sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"), "no SurfaceIndex where it is off");
+  EXPECT_FALSE(sampler->GetOutput()->GetPointData()->GetArray("SurfaceIndex"))
+    << "no SurfaceIndex where it is off";
 }
 
 /// The index changes nothing but time, follows its input and can be given back.
-void CheckIndex(InkTestChecks& check)
+TEST(IsoSurfaceSampler, IndexChangesNothingButTime)
 {
   auto image = MakeBall();
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
@@ -277,16 +296,17 @@ void CheckIndex(InkTestChecks& check)
       one->Update();
     }
     const auto samples = SamplesOf(sampler->GetOutput());
-    check(!samples.empty() && samples == SamplesOf(without->GetOutput()), "the same points ", when);
+    EXPECT_TRUE(!samples.empty() && samples == SamplesOf(without->GetOutput())) << "the same points " << when;
   };
-  check(sampler->GetIndexMemory() == 0, "no index before the first run");
+  EXPECT_EQ(sampler->GetIndexMemory(), 0) << "no index before the first run";
   same(100.0, "in the first run");
   const vtkIdType memory = sampler->GetIndexMemory();
-  check(memory > 0 && memory < 0.02 * 1024 * image->GetActualMemorySize(), "a small index, found ", memory);
+  EXPECT_TRUE(memory > 0 && memory < 0.02 * 1024 * image->GetActualMemorySize())
+    << "a small index, found " << memory;
   same(120.0, "with the index");
-  check(without->GetIndexMemory() == 0, "no index where it is off");
+  EXPECT_EQ(without->GetIndexMemory(), 0) << "no index where it is off";
   sampler->ReleaseIndex();
-  check(sampler->GetIndexMemory() == 0, "no index after its release");
+  EXPECT_EQ(sampler->GetIndexMemory(), 0) << "no index after its release";
   same(110.0, "after the release");
 
   auto* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
@@ -302,7 +322,7 @@ void CheckIndex(InkTestChecks& check)
 }
 
 /// Arrays are filled again only when nobody else has them.
-void CheckReuse(InkTestChecks& check)
+TEST(IsoSurfaceSampler, ReusesOnlyArraysThatNobodyHolds)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputData(MakeBall());
@@ -312,24 +332,24 @@ void CheckReuse(InkTestChecks& check)
   const vtkMTimeType time = before->GetMTime();
   sampler->SetValue(0, 110.0);
   sampler->Update();
-  check(sampler->GetOutput()->GetPointData()->GetNormals() == before && before->GetMTime() > time,
-    "the same array, modified");
+  EXPECT_TRUE(sampler->GetOutput()->GetPointData()->GetNormals() == before && before->GetMTime() > time)
+    << "the same array, modified";
   vtkNew<vtkPolyData> held;
   held->ShallowCopy(sampler->GetOutput());
   const auto samples = SamplesOf(held);
   sampler->SetValue(0, 90.0);
   sampler->Update();
-  check(SamplesOf(held) == samples, "a held output that stays as it is");
-  check(sampler->GetOutput()->GetNumberOfPoints() > held->GetNumberOfPoints(), "the next one beside it");
+  EXPECT_EQ(SamplesOf(held), samples) << "a held output that stays as it is";
+  EXPECT_GT(sampler->GetOutput()->GetNumberOfPoints(), held->GetNumberOfPoints()) << "the next one beside it";
   sampler->ReuseArraysOff();
   sampler->Update();
   vtkSmartPointer<vtkDataArray> normals = sampler->GetOutput()->GetPointData()->GetNormals();
-  check(
-    normals->GetReferenceCount() == 2, "no hold on the arrays of the output, but for the output's and ours");
+  EXPECT_EQ(normals->GetReferenceCount(), 2)
+    << "no hold on the arrays of the output, but for the output's and ours";
 }
 
 /// Cheaper normals are close to the default's.
-void CheckNormals(InkTestChecks& check)
+TEST(IsoSurfaceSampler, CheaperNormalsAreClose)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputData(MakeBall());
@@ -351,38 +371,22 @@ void CheckNormals(InkTestChecks& check)
     return largest;
   };
   sampler->SetOutputNormalsPrecisionToShort();
-  check(farthest(32767.0) <= 0.51 / 32767.0, "normals of 16 bits");
-  check(sampler->GetOutput()->GetPointData()->GetNormals()->GetDataType() == VTK_SHORT, "an array of short");
+  EXPECT_LE(farthest(32767.0), 0.51 / 32767.0) << "normals of 16 bits";
+  EXPECT_EQ(sampler->GetOutput()->GetPointData()->GetNormals()->GetDataType(), VTK_SHORT)
+    << "an array of short";
   sampler->SetOutputNormalsPrecisionToChar();
-  check(farthest(127.0) <= 0.51 / 127.0, "normals of 8 bits");
+  EXPECT_LE(farthest(127.0), 0.51 / 127.0) << "normals of 8 bits";
   sampler->SetOutputNormalsPrecisionToSingle();
   sampler->SetArithmeticPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   const double single = farthest(1.0);
-  check(single > 0.0 && single < 1e-4, "single precision close to double, off by ", single);
+  EXPECT_TRUE(single > 0.0 && single < 1e-4) << "single precision close to double, off by " << single;
   sampler->SetArithmeticPrecision(vtkAlgorithm::SINGLE_PRECISION);
-  for (const int method :
-    { vtkInkIsoSurfaceSampler::CELL, vtkInkIsoSurfaceSampler::GRADIENT, vtkInkIsoSurfaceSampler::REGRESSION })
+  for (const int method : { vtkInkIsoSurfaceSampler::CELL, vtkInkIsoSurfaceSampler::INTERPOLATED_GRADIENT,
+         vtkInkIsoSurfaceSampler::REGRESSION })
   {
     sampler->SetNormalMethod(method);
     const double change = farthest(1.0);
-    check(change > 1e-6 && change < 0.1, "other normals by method ", method, ", off by ", change);
+    EXPECT_TRUE(change > 1e-6 && change < 0.1)
+      << "other normals by method " << method << ", off by " << change;
   }
-}
-
-} // namespace
-
-int TestIsoSurfaceSampler(int, char*[])
-{
-  InkTestChecks check;
-  CheckBall(check);
-  CheckProperties(check);
-  CheckGeometry(check);
-  CheckPrecision(check);
-  CheckBlocks(check);
-  CheckCaching(check);
-  CheckSurfaceIndex(check);
-  CheckIndex(check);
-  CheckReuse(check);
-  CheckNormals(check);
-  return check.Result();
 }

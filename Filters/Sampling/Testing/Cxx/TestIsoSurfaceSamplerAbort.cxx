@@ -5,14 +5,16 @@
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkNew.h"
 
-int TestIsoSurfaceSamplerAbort(int, char*[])
+#include <gtest/gtest.h>
+
+TEST(IsoSurfaceSamplerAbort, ReportsProgressAndCanBeAborted)
 {
-  InkTestChecks check;
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputData(MakeImage(VTK_FLOAT, { -40, 40, -40, 40, -100, 100 },
     [](double x, double y, double z) { return BallDensity(x, y, z, 35.0); }));
   sampler->SetValue(0, 100.0);
   sampler->SetValue(1, 200.0);
+  InkTestChecks check;
   InkTestProgressAndAbort(check, sampler.Get());
-  return check.Result();
+  EXPECT_EQ(check.Failed(), 0);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every kind of array that can hold the scalars gives the same points.
 
-#include "InkTestChecks.h"
 #include "SamplerTestImages.h"
 
 #include "vtkBitArray.h"
@@ -9,6 +8,8 @@
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkNew.h"
 #include "vtkSOADataArrayTemplate.h"
+
+#include <gtest/gtest.h>
 #if __has_include("vtkAffineArray.h")
 #  include "vtkAffineArray.h"
 #endif
@@ -46,33 +47,35 @@ vtkSmartPointer<vtkImageData> With(vtkImageData* image, vtkDataArray* scalars)
 
 } // namespace
 
-int TestIsoSurfaceSamplerArrays(int, char*[])
+TEST(IsoSurfaceSamplerArrays, TakesEveryScalarType)
 {
-  InkTestChecks check;
   const auto image = MakeImage(VTK_DOUBLE, Extent, Hills);
-  vtkDataArray* heights = image->GetPointData()->GetScalars();
-  const vtkIdType count = image->GetNumberOfPoints();
   const auto expected = SampleImage(image, 40.0);
-  check(expected.size() > 100, "some points, found ", expected.size());
+  EXPECT_GT(expected.size(), 100u) << "some points";
 
   for (const int type :
     { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT,
       VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT })
   {
-    check(SampleImage(MakeImage(type, Extent, Hills), 40.0) == expected, "the same points from type ", type);
+    EXPECT_EQ(SampleImage(MakeImage(type, Extent, Hills), 40.0), expected)
+      << "the same points from type " << type;
   }
+}
 
-  // In single precision the types that it holds exactly agree to the last bit, and with the others closely.
+/// The types that single precision holds exactly agree to the last bit, and with the others closely.
+TEST(IsoSurfaceSamplerArrays, SinglePrecisionIsTheSameWhereItHoldsTheType)
+{
+  const auto expected = SampleImage(MakeImage(VTK_DOUBLE, Extent, Hills), 40.0);
   const auto single = [&](int type)
   { return SampleImage(MakeImage(type, Extent, Hills), 40.0, 0, vtkAlgorithm::SINGLE_PRECISION); };
   const auto ofFloat = single(VTK_FLOAT);
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT })
   {
-    check(single(type) == ofFloat, "the same points in single precision from type ", type);
+    EXPECT_EQ(single(type), ofFloat) << "the same points in single precision from type " << type;
   }
   for (const int type : { VTK_INT, VTK_UNSIGNED_LONG_LONG, VTK_DOUBLE })
   {
-    check(single(type) == expected, "the same points in double from type ", type);
+    EXPECT_EQ(single(type), expected) << "the same points in double from type " << type;
   }
   double farthest = ofFloat.size() == expected.size() ? 0.0 : 1e30;
   for (std::size_t n = 0; n < std::min(ofFloat.size(), expected.size()); ++n)
@@ -82,24 +85,44 @@ int TestIsoSurfaceSamplerArrays(int, char*[])
       farthest = std::max(farthest, std::abs(ofFloat[n][i] - expected[n][i]));
     }
   }
-  check(farthest > 0.0 && farthest < 5e-5, "nearly the same points in single precision, off by ", farthest);
+  EXPECT_TRUE(farthest > 0.0 && farthest < 5e-5)
+    << "nearly the same points in single precision, off by " << farthest;
+}
 
+TEST(IsoSurfaceSamplerArrays, TakesOneOfSeveralComponents)
+{
+  const auto image = MakeImage(VTK_DOUBLE, Extent, Hills);
+  vtkDataArray* heights = image->GetPointData()->GetScalars();
+  const vtkIdType count = image->GetNumberOfPoints();
+  const auto expected = SampleImage(image, 40.0);
+  const auto ofFloat =
+    SampleImage(MakeImage(VTK_FLOAT, Extent, Hills), 40.0, 0, vtkAlgorithm::SINGLE_PRECISION);
   vtkNew<vtkFloatArray> interleaved;
   interleaved->SetNumberOfComponents(3);
   interleaved->SetNumberOfTuples(count);
   interleaved->Fill(0.0);
   interleaved->CopyComponent(1, heights, 0);
-  check(SampleImage(With(image, interleaved), 40.0, 1) == expected,
-    "the same points from one of three components");
+  EXPECT_EQ(SampleImage(With(image, interleaved), 40.0, 1), expected)
+    << "the same points from one of three components";
 
   vtkNew<vtkSOADataArrayTemplate<float>> apart;
   apart->DeepCopy(interleaved);
-  check(SampleImage(With(image, interleaved), 40.0, 1, vtkAlgorithm::SINGLE_PRECISION) == ofFloat,
-    "the same points in single precision from one of three components");
-  check(SampleImage(With(image, apart), 40.0, 1) == expected, "the same points from components kept apart");
+  EXPECT_EQ(SampleImage(With(image, interleaved), 40.0, 1, vtkAlgorithm::SINGLE_PRECISION), ofFloat)
+    << "the same points in single precision from one of three components";
+  EXPECT_EQ(SampleImage(With(image, apart), 40.0, 1), expected)
+    << "the same points from components kept apart";
+}
 
-  // The active scalars are not the only choice.
-  const auto both = With(image, interleaved);
+TEST(IsoSurfaceSamplerArrays, TakesAnArrayByItsName)
+{
+  const auto image = MakeImage(VTK_DOUBLE, Extent, Hills);
+  const vtkSmartPointer<vtkDataArray> heights = image->GetPointData()->GetScalars();
+  const vtkIdType count = image->GetNumberOfPoints();
+  const auto expected = SampleImage(image, 40.0);
+  vtkNew<vtkFloatArray> zero;
+  zero->SetNumberOfTuples(count);
+  zero->Fill(0.0);
+  const auto both = With(image, zero);
   heights->SetName("Heights");
   both->GetPointData()->AddArray(heights);
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
@@ -108,8 +131,15 @@ int TestIsoSurfaceSamplerArrays(int, char*[])
   sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Heights");
   sampler->SetValue(0, 40.0);
   sampler->Update();
-  check(SamplesOf(sampler->GetOutput()) == expected, "the same points from an array by its name");
+  EXPECT_EQ(SamplesOf(sampler->GetOutput()), expected) << "the same points from an array by its name";
+}
 
+TEST(IsoSurfaceSamplerArrays, TakesBits)
+{
+  const auto image = MakeImage(VTK_DOUBLE, Extent, Hills);
+  vtkDataArray* heights = image->GetPointData()->GetScalars();
+  const vtkIdType count = image->GetNumberOfPoints();
+  const auto expected = SampleImage(image, 40.0);
   vtkNew<vtkBitArray> bits;
   bits->SetNumberOfTuples(count);
   vtkNew<vtkFloatArray> zeroOrOne;
@@ -121,18 +151,22 @@ int TestIsoSurfaceSamplerArrays(int, char*[])
     zeroOrOne->SetValue(n, static_cast<float>(bit));
   }
   const auto ofBits = SampleImage(With(image, bits), 0.5);
-  check(ofBits.size() == expected.size() && ofBits == SampleImage(With(image, zeroOrOne), 0.5),
-    "the same points from bits");
+  EXPECT_TRUE(ofBits.size() == expected.size() && ofBits == SampleImage(With(image, zeroOrOne), 0.5))
+    << "the same points from bits";
+}
 
 #if __has_include("vtkAffineArray.h")
+TEST(IsoSurfaceSamplerArrays, TakesImplicitArrays)
+{
+  const auto image = MakeImage(VTK_DOUBLE, Extent, Hills);
+  const vtkIdType count = image->GetNumberOfPoints();
   vtkNew<vtkAffineArray<float>> implicit;
   implicit->SetNumberOfTuples(count);
   implicit->ConstructBackend(0.5f, 3.0f);
   vtkNew<vtkFloatArray> explicitly;
   explicitly->DeepCopy(implicit);
   const auto ofImplicit = SampleImage(With(image, implicit), 200.0);
-  check(!ofImplicit.empty() && ofImplicit == SampleImage(With(image, explicitly), 200.0),
-    "the same points from an array that is a function");
-#endif
-  return check.Result();
+  EXPECT_TRUE(!ofImplicit.empty() && ofImplicit == SampleImage(With(image, explicitly), 200.0))
+    << "the same points from an array that is a function";
 }
+#endif

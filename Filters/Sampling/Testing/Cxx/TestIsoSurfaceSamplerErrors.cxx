@@ -14,6 +14,8 @@
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <limits>
 
@@ -21,7 +23,7 @@ namespace
 {
 
 /// Samples a ball after `change`; expects the words in one message, or no message for none.
-void Expect(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
+void Expect(const std::string& name, const std::vector<std::string>& words,
   const std::function<void(vtkInkIsoSurfaceSampler*, vtkImageData*)>& change)
 {
   auto image = MakeImage(VTK_FLOAT, { -9, 9, -9, 9, -9, 9 },
@@ -33,24 +35,23 @@ void Expect(InkTestChecks& check, const std::string& name, const std::vector<std
   change(sampler, image);
   sampler->SetInputData(image);
   sampler->Update();
-  check(sampler->GetOutput()->GetNumberOfPoints() == 0, name, ": no points");
+  EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), 0) << name << ": no points";
+  InkTestChecks check;
   messages->Expect(check, name, words);
+  EXPECT_EQ(check.Failed(), 0) << name;
 }
 
 } // namespace
 
-int TestIsoSurfaceSamplerErrors(int, char*[])
+TEST(IsoSurfaceSamplerErrors, ArraysThatCannotBeUsed)
 {
-  InkTestChecks check;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-
-  Expect(check, "no image", {}, [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->Initialize(); });
-  Expect(check, "no scalars", { "No point scalars", "none" },
+  Expect("no image", {}, [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->Initialize(); });
+  Expect("no scalars", { "No point scalars", "none" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->GetPointData()->Initialize(); });
-  Expect(check, "no such array", { "\"Pressure\"", "\"Density\"" },
+  Expect("no such array", { "\"Pressure\"", "\"Density\"" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*)
     { sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
-  Expect(check, "cell data", { "OfCells", "5832", "6859" },
+  Expect("cell data", { "OfCells", "5832", "6859" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData* image)
     {
       vtkNew<vtkFloatArray> cells;
@@ -60,7 +61,7 @@ int TestIsoSurfaceSamplerErrors(int, char*[])
       image->GetCellData()->AddArray(cells);
       sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells");
     });
-  Expect(check, "words", { "Words" },
+  Expect("words", { "Words" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData* image)
     {
       vtkNew<vtkStringArray> words;
@@ -69,40 +70,53 @@ int TestIsoSurfaceSamplerErrors(int, char*[])
       image->GetPointData()->AddArray(words);
       sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Words");
     });
-  Expect(check, "short array", { "Density", "10 values", "6859" },
+  Expect("short array", { "Density", "10 values", "6859" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
     { image->GetPointData()->GetScalars()->SetNumberOfTuples(10); });
-  Expect(check, "no such component", { "Density", "ArrayComponent is 1", "1 components" },
+  Expect("no such component", { "Density", "ArrayComponent is 1", "1 components" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetArrayComponent(1); });
-  Expect(check, "one slice", { "19 x 19 x 1", "at least 2" },
+}
+
+TEST(IsoSurfaceSamplerErrors, GeometryWithoutCells)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Expect("one slice", { "19 x 19 x 1", "at least 2" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
     {
       image->SetExtent(-9, 9, -9, 9, 0, 0);
       image->AllocateScalars(VTK_FLOAT, 1);
     });
-  Expect(check, "one voxel", { "1 x 1 x 1" },
+  Expect("one voxel", { "1 x 1 x 1" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
     {
       image->SetExtent(0, 0, 0, 0, 0, 0);
       image->AllocateScalars(VTK_FLOAT, 1);
     });
-  Expect(check, "no spacing", { "spacing" },
+  Expect("no spacing", { "spacing" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
-  Expect(check, "NaN in the spacing", { "spacing" },
+  Expect("NaN in the spacing", { "spacing" },
     [nan](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->SetSpacing(1.0, nan, 1.0); });
-  Expect(check, "flat direction matrix", { "direction matrix" },
+  Expect("flat direction matrix", { "direction matrix" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
     { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
-  Expect(check, "NaN as iso-value", { "NaN" },
-    [nan](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, nan); });
-  Expect(check, "iso-value out of range", { "1e+09", "Expected a value above" },
-    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, 1e9); });
-  Expect(check, "no iso-value", { "No iso-value is set" },
-    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetNumberOfContours(0); });
-  Expect(check, "nothing finite", { "None of the image's values is finite" },
-    [nan](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(nan); });
+}
 
-  // What has no voxels is refused, and the filters that make some are named.
+TEST(IsoSurfaceSamplerErrors, IsoValuesWithoutSurface)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Expect("NaN as iso-value", { "NaN" },
+    [nan](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, nan); });
+  Expect("iso-value out of range", { "1e+09", "Expected a value above" },
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetValue(0, 1e9); });
+  Expect("no iso-value", { "No iso-value is set" },
+    [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetNumberOfContours(0); });
+  Expect("nothing finite", { "None of the image's values is finite" },
+    [nan](vtkInkIsoSurfaceSampler*, vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(nan); });
+}
+
+/// It is refused, and the filters that make voxels are named.
+TEST(IsoSurfaceSamplerErrors, DataWithoutVoxels)
+{
   vtkNew<vtkRectilinearGrid> grid;
   grid->SetDimensions(3, 3, 3);
   vtkNew<vtkUnstructuredGrid> cells;
@@ -118,9 +132,10 @@ int TestIsoSurfaceSamplerErrors(int, char*[])
     sampler->SetValue(0, 1.0);
     sampler->SetInputDataObject(data);
     sampler->Update();
-    check(sampler->GetOutput()->GetNumberOfPoints() == 0, data->GetClassName(), ": no points");
+    EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), 0) << data->GetClassName() << ": no points";
+    InkTestChecks check;
     messages->Expect(check, data->GetClassName(),
       { data->GetClassName(), "expected a vtkImageData", "vtkResampleToImage", "vtkInkSurfaceSampler" });
+    EXPECT_EQ(check.Failed(), 0) << data->GetClassName();
   }
-  return check.Result();
 }

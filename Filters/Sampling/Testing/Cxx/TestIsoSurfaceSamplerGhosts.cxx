@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells marked as duplicate, refined or hidden and points marked as hidden make no samples.
 
-#include "InkTestChecks.h"
 #include "SamplerTestImages.h"
 
 #include "vtkCellData.h"
@@ -10,6 +9,8 @@
 #include "vtkNew.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 namespace
 {
@@ -39,20 +40,20 @@ void Mark(vtkDataSetAttributes* attributes, vtkIdType count, vtkIdType element, 
   attributes->AddArray(marks);
 }
 
+struct Case
+{
+  unsigned char Mark;
+  std::size_t Points;
+};
+using Attributes = vtkDataSetAttributes;
+
 } // namespace
 
-int TestIsoSurfaceSamplerGhosts(int, char*[])
+TEST(IsoSurfaceSamplerGhosts, MarkedCellsMakeNone)
 {
-  InkTestChecks check;
   const auto whole = SampleImage(MakePlane());
-  check(whole.size() == 36, "36 points, found ", whole.size());
+  EXPECT_EQ(whole.size(), 36u) << "36 points";
 
-  struct Case
-  {
-    unsigned char Mark;
-    std::size_t Points;
-  };
-  using Attributes = vtkDataSetAttributes;
   for (const Case& c : { Case{ Attributes::DUPLICATECELL, 35 }, Case{ Attributes::HIDDENCELL, 35 },
          Case{ Attributes::REFINEDCELL, 35 }, Case{ Attributes::EXTERIORCELL, 36 } })
   {
@@ -60,29 +61,33 @@ int TestIsoSurfaceSamplerGhosts(int, char*[])
     int cell[3] = { 3, 4, 2 };
     Mark(image->GetCellData(), image->GetNumberOfCells(), image->ComputeCellId(cell), c.Mark);
     const auto samples = SampleImage(image);
-    check(samples.size() == c.Points, c.Points, " points with a cell marked ", int(c.Mark), ", found ",
-      samples.size());
+    EXPECT_EQ(samples.size(), c.Points) << c.Points << " points with a cell marked " << int(c.Mark);
     for (const Sample& sample : samples)
     {
-      check(
-        c.Points == 36 || sample[0] != 3.5 || sample[1] != 4.5, "no point in the cell marked ", int(c.Mark));
+      EXPECT_TRUE(c.Points == 36 || sample[0] != 3.5 || sample[1] != 4.5)
+        << "no point in the cell marked " << int(c.Mark);
     }
   }
+}
+
+TEST(IsoSurfaceSamplerGhosts, CellsOfMarkedPointsMakeNone)
+{
   for (const Case& c : { Case{ Attributes::HIDDENPOINT, 32 }, Case{ Attributes::DUPLICATEPOINT, 36 } })
   {
     auto image = MakePlane();
     int point[3] = { 3, 4, 2 };
     Mark(image->GetPointData(), image->GetNumberOfPoints(), image->ComputePointId(point), c.Mark);
     const auto samples = SampleImage(image);
-    check(samples.size() == c.Points, c.Points, " points with a point marked ", int(c.Mark), ", found ",
-      samples.size());
+    EXPECT_EQ(samples.size(), c.Points) << c.Points << " points with a point marked " << int(c.Mark);
   }
+}
 
+TEST(IsoSurfaceSamplerGhosts, BlankedCellsAndPointsMakeNone)
+{
   vtkNew<vtkUniformGrid> grid;
   grid->ShallowCopy(MakePlane());
   grid->BlankCell(3, 4, 2);
-  check(SampleImage(grid).size() == 35, "35 points with a blanked cell");
+  EXPECT_EQ(SampleImage(grid).size(), 35u) << "35 points with a blanked cell";
   grid->BlankPoint(0, 0, 3);
-  check(SampleImage(grid).size() == 34, "34 points with a blanked corner too");
-  return check.Result();
+  EXPECT_EQ(SampleImage(grid).size(), 34u) << "34 points with a blanked corner too";
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pieces of an image give, together, exactly the points of the whole: each once, with the same normal.
 
-#include "InkTestChecks.h"
 #include "InkTestPieces.h"
 #include "SamplerTestImages.h"
 
@@ -11,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkTrivialProducer.h"
+
+#include <gtest/gtest.h>
 
 namespace
 {
@@ -41,11 +42,20 @@ std::vector<Sample> SamplePieces(
   return all;
 }
 
+/// All of an image's samples, sorted.
+std::vector<Sample> SampleWhole(vtkImageData* image)
+{
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetValue(0, IsoValue);
+  sampler->SetInputData(image);
+  std::vector<std::size_t> sizes;
+  return SamplePieces(sampler, 1, 0, sizes);
+}
+
 } // namespace
 
-int TestIsoSurfaceSamplerPieces(int, char*[])
+TEST(IsoSurfaceSamplerPieces, OfASourceAndOfAnImageAreTheWhole)
 {
-  InkTestChecks check;
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetValue(0, IsoValue);
   const auto source = MakeSource();
@@ -53,8 +63,8 @@ int TestIsoSurfaceSamplerPieces(int, char*[])
   sampler->Update();
   auto whole = SamplesOf(sampler->GetOutput());
   std::sort(whole.begin(), whole.end());
-  check(whole.size() > 2000, "many points, found ", whole.size());
-  check(std::adjacent_find(whole.begin(), whole.end()) == whole.end(), "no point twice");
+  EXPECT_GT(whole.size(), 2000u) << "many points";
+  EXPECT_EQ(std::adjacent_find(whole.begin(), whole.end()), whole.end()) << "no point twice";
 
   const auto source2 = MakeSource();
   source2->Update();
@@ -67,17 +77,23 @@ int TestIsoSurfaceSamplerPieces(int, char*[])
     for (const int ghostLevels : { 0, 1 })
     {
       const auto samples = SamplePieces(sampler, pieces, ghostLevels, sizes);
-      check(samples == whole, "the whole from ", pieces, " pieces of a source with ", ghostLevels,
-        " ghost levels: ", whole.size(), " points, found ", samples.size());
-      check(*std::max_element(sizes.begin(), sizes.end()) < whole.size() || pieces == 1,
-        "points in more than one piece");
+      EXPECT_EQ(samples, whole) << "the whole from " << pieces << " pieces of a source with " << ghostLevels
+                                << " ghost levels: " << whole.size() << " points, found " << samples.size();
+      EXPECT_TRUE(*std::max_element(sizes.begin(), sizes.end()) < whole.size() || pieces == 1)
+        << "points in more than one piece";
     }
     const auto ofWhole = SamplePieces(ofData, pieces, 0, sizes);
-    check(ofWhole == whole, "the whole from ", pieces, " pieces of an image: ", whole.size(),
-      " points, found ", ofWhole.size());
+    EXPECT_EQ(ofWhole, whole) << "the whole from " << pieces << " pieces of an image: " << whole.size()
+                              << " points, found " << ofWhole.size();
   }
+}
 
-  // A reader that knows no pieces, on several processes, and in one that asks for pieces in any order.
+/// Of a reader that knows no pieces.
+TEST(IsoSurfaceSamplerPieces, OfSeveralProcessesAreTheWhole)
+{
+  const auto source = MakeSource();
+  source->Update();
+  const auto whole = SampleWhole(source->GetOutput());
   for (const int pieces : { 2, 4 })
   {
     std::vector<Sample> ofProcesses;
@@ -85,19 +101,29 @@ int TestIsoSurfaceSamplerPieces(int, char*[])
     {
       vtkNew<vtkInkIsoSurfaceSampler> one;
       one->SetValue(0, IsoValue);
-      one->SetInputConnection(InkTestSerialPipeline(source2->GetOutput())->GetOutputPort());
+      one->SetInputConnection(InkTestSerialPipeline(source->GetOutput())->GetOutputPort());
       one->UpdatePiece(piece, pieces, 0);
       const auto samples = SamplesOf(one->GetOutput());
       ofProcesses.insert(ofProcesses.end(), samples.begin(), samples.end());
     }
     std::sort(ofProcesses.begin(), ofProcesses.end());
-    check(ofProcesses == whole, "the whole from ", pieces, " processes: ", whole.size(), " points, found ",
-      ofProcesses.size());
+    EXPECT_EQ(ofProcesses, whole) << "the whole from " << pieces << " processes: " << whole.size()
+                                  << " points, found " << ofProcesses.size();
+  }
+}
 
+/// In one process that asks a reader that knows no pieces for them in any order.
+TEST(IsoSurfaceSamplerPieces, FromTheLastToTheFirstAreTheWhole)
+{
+  const auto source = MakeSource();
+  source->Update();
+  const auto whole = SampleWhole(source->GetOutput());
+  for (const int pieces : { 2, 4 })
+  {
     std::vector<Sample> ofOne;
     vtkNew<vtkInkIsoSurfaceSampler> one;
     one->SetValue(0, IsoValue);
-    one->SetInputConnection(InkTestSerialPipeline(source2->GetOutput())->GetOutputPort());
+    one->SetInputConnection(InkTestSerialPipeline(source->GetOutput())->GetOutputPort());
     for (int piece = pieces - 1; piece >= 0; --piece)
     {
       one->UpdatePiece(piece, pieces, 0);
@@ -105,17 +131,23 @@ int TestIsoSurfaceSamplerPieces(int, char*[])
       ofOne.insert(ofOne.end(), samples.begin(), samples.end());
     }
     std::sort(ofOne.begin(), ofOne.end());
-    check(ofOne == whole, "the whole from ", pieces, " pieces, the last first: ", whole.size(),
-      " points, found ", ofOne.size());
+    EXPECT_EQ(ofOne, whole) << "the whole from " << pieces << " pieces, the last first: " << whole.size()
+                            << " points, found " << ofOne.size();
   }
+}
 
-  // As a simulation hands them over: each process its own part with ghost cells, told of the whole extent.
+/// As a simulation hands them over: each process its own part with ghost cells, told of the whole extent.
+TEST(IsoSurfaceSamplerPieces, OfPartsWithGhostCellsAreTheWhole)
+{
+  const auto source = MakeSource();
+  source->Update();
+  const auto whole = SampleWhole(source->GetOutput());
   const int pieces = 4;
   std::vector<Sample> together;
   for (int piece = 0; piece < pieces; ++piece)
   {
     int wholeExtent[6];
-    source2->GetOutput()->GetExtent(wholeExtent);
+    source->GetOutput()->GetExtent(wholeExtent);
     vtkNew<vtkExtentTranslator> translator;
     int own[6];
     int grown[6];
@@ -124,7 +156,7 @@ int TestIsoSurfaceSamplerPieces(int, char*[])
     translator->PieceToExtentThreadSafe(
       piece, pieces, 1, wholeExtent, grown, vtkExtentTranslator::BLOCK_MODE, 0);
     vtkNew<vtkImageData> part;
-    part->DeepCopy(source2->GetOutput());
+    part->DeepCopy(source->GetOutput());
     part->Crop(grown);
     part->GenerateGhostArray(own);
     vtkNew<vtkTrivialProducer> producer;
@@ -138,7 +170,6 @@ int TestIsoSurfaceSamplerPieces(int, char*[])
     together.insert(together.end(), samples.begin(), samples.end());
   }
   std::sort(together.begin(), together.end());
-  check(together == whole, "the whole from parts with ghost cells: ", whole.size(), " points, found ",
-    together.size());
-  return check.Result();
+  EXPECT_EQ(together, whole) << "the whole from parts with ghost cells: " << whole.size() << " points, found "
+                             << together.size();
 }

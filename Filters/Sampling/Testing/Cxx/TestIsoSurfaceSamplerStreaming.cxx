@@ -2,7 +2,6 @@
 // In a pipeline that asks for pieces, the sampler asks its source for no more than it needs of each, and the
 // pieces are the whole, from whatever VTK reads images with.
 
-#include "InkTestChecks.h"
 #include "SamplerTestImages.h"
 
 #include "vtkDataArray.h"
@@ -22,6 +21,8 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -33,6 +34,8 @@ namespace
 
 const std::array<int, 6> Whole{ 3, 42, -5, 30, 0, 59 };
 const double IsoValue = 100.0;
+const vtkIdType NumberOfValues = 40 * 36 * 60;
+const int Pieces = 12;
 
 double Density(double x, double y, double z)
 {
@@ -91,90 +94,109 @@ vtkSmartPointer<vtkInkIsoSurfaceSampler> MakeSampler(vtkAlgorithm* source)
 }
 
 /// Pieces of what a source gives are the whole, no point twice.
-void CheckPieces(
-  InkTestChecks& check, const char* name, vtkAlgorithm* source, const std::vector<Sample>& whole)
+void CheckPieces(const char* name, vtkAlgorithm* source, const std::vector<Sample>& whole)
 {
   const auto sampler = MakeSampler(source);
   for (const int pieces : { 1, 2, 5 })
   {
-    std::vector<Sample> all;
-    for (int piece = 0; piece < pieces; ++piece)
-    {
-      sampler->UpdatePiece(piece, pieces, 0);
-      const auto samples = SamplesOf(sampler->GetOutput());
-      all.insert(all.end(), samples.begin(), samples.end());
-    }
-    std::sort(all.begin(), all.end());
-    check(
-      all == whole, name, ": ", pieces, " pieces with ", whole.size(), " points in all, found ", all.size());
+    const std::vector<Sample> all = SamplesOfPieces(sampler, pieces);
+    EXPECT_EQ(all, whole) << name << ": " << pieces << " pieces with " << whole.size()
+                          << " points in all, found " << all.size();
   }
 }
 
+/// All samples of the source, sorted.
+std::vector<Sample> SampleWhole()
+{
+  vtkNew<CountingSource> source;
+  const auto sampler = MakeSampler(source);
+  sampler->Update();
+  return Sorted(sampler->GetOutput());
+}
+
+/// A folder for files, which goes with the test.
+class IsoSurfaceSamplerStreaming : public testing::Test
+{
+protected:
+  IsoSurfaceSamplerStreaming() { std::filesystem::create_directories(this->Folder); }
+  ~IsoSurfaceSamplerStreaming() override { std::filesystem::remove_all(this->Folder); }
+
+  std::string Path(const char* name) const { return (this->Folder / name).string(); }
+
+private:
+  const std::filesystem::path Folder =
+    std::filesystem::temp_directory_path() / ("ink-streaming-" + std::to_string(getpid()));
+};
+
 } // namespace
 
-int TestIsoSurfaceSamplerStreaming(int, char*[])
+TEST_F(IsoSurfaceSamplerStreaming, TakesTheWholeInOneRun)
 {
-  InkTestChecks check;
   vtkNew<CountingSource> all;
   const auto ofAll = MakeSampler(all);
   ofAll->Update();
   const auto whole = Sorted(ofAll->GetOutput());
-  const vtkIdType samples = 40 * 36 * 60;
-  check(whole.size() > 1000, "many points, found ", whole.size());
-  check(all->Runs == 1 && all->All == samples, "one run over ", samples, " samples, found ", all->Runs,
-    " over ", all->All);
+  EXPECT_GT(whole.size(), 1000u) << "many points";
+  EXPECT_TRUE(all->Runs == 1 && all->All == NumberOfValues)
+    << "one run over " << NumberOfValues << " samples, found " << all->Runs << " over " << all->All;
+}
 
-  // A consumer that asks for pieces, one after the other.
-  const int pieces = 12;
+TEST_F(IsoSurfaceSamplerStreaming, AsksForNoMoreThanEachPieceNeeds)
+{
+  const auto whole = SampleWhole();
   vtkNew<CountingSource> source;
-  CheckPieces(check, "a source", source, whole);
+  CheckPieces("a source", source, whole);
   source->Largest = source->All = source->Runs = 0;
   const auto sampler = MakeSampler(source);
-  for (int piece = 0; piece < pieces; ++piece)
+  for (int piece = 0; piece < Pieces; ++piece)
   {
-    sampler->UpdatePiece(piece, pieces, 0);
+    sampler->UpdatePiece(piece, Pieces, 0);
   }
-  check(source->Runs == pieces, pieces, " runs of the source, found ", source->Runs);
-  check(source->Largest < 2 * samples / pieces, "pieces of at most ", 2 * samples / pieces,
-    " samples asked for, found ", source->Largest);
-  check(
-    source->All < 2 * samples, "less than ", 2 * samples, " samples asked for in all, found ", source->All);
+  EXPECT_EQ(source->Runs, Pieces) << Pieces << " runs of the source";
+  EXPECT_LT(source->Largest, 2 * NumberOfValues / Pieces)
+    << "pieces of at most " << 2 * NumberOfValues / Pieces << " samples asked for";
+  EXPECT_LT(source->All, 2 * NumberOfValues)
+    << "less than " << 2 * NumberOfValues << " samples asked for in all";
+}
 
-  const std::filesystem::path folder =
-    std::filesystem::temp_directory_path() / ("ink-streaming-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  const auto path = [&folder](const char* name) { return (folder / name).string(); };
-
-  // A writer that streams pieces.
+TEST_F(IsoSurfaceSamplerStreaming, WritersStreamPieces)
+{
+  const auto whole = SampleWhole();
   vtkNew<CountingSource> written;
   const auto ofWritten = MakeSampler(written);
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(ofWritten->GetOutputPort());
-  writer->SetFileName(path("points.vtp").c_str());
-  writer->SetNumberOfPieces(pieces);
+  writer->SetFileName(Path("points.vtp").c_str());
+  writer->SetNumberOfPieces(Pieces);
   writer->Write();
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(path("points.vtp").c_str());
+  reader->SetFileName(Path("points.vtp").c_str());
   reader->Update();
-  check(Sorted(reader->GetOutput()) == whole, "the whole through vtkXMLPolyDataWriter, found ",
-    reader->GetOutput()->GetNumberOfPoints(), " points");
-  check(
-    written->Largest < samples / pieces * 2, "the writer asked for pieces, of at most ", written->Largest);
+  EXPECT_EQ(Sorted(reader->GetOutput()), whole) << "the whole through vtkXMLPolyDataWriter, found "
+                                                << reader->GetOutput()->GetNumberOfPoints() << " points";
+  EXPECT_LT(written->Largest, NumberOfValues / Pieces * 2)
+    << "the writer asked for pieces, of at most " << written->Largest;
+}
 
-  // VTK's own readers: some read parts, some only the whole.
-  auto image = MakeImage(VTK_FLOAT, Whole, Density);
+TEST_F(IsoSurfaceSamplerStreaming, PiecesOfXMLFilesAreTheWhole)
+{
+  const auto whole = SampleWhole();
+  const auto image = MakeImage(VTK_FLOAT, Whole, Density);
   {
     vtkNew<vtkXMLImageDataWriter> xml;
     xml->SetInputData(image);
-    xml->SetFileName(path("v.vti").c_str());
+    xml->SetFileName(Path("v.vti").c_str());
     xml->Write();
   }
   vtkNew<vtkXMLImageDataReader> xml;
-  xml->SetFileName(path("v.vti").c_str());
-  CheckPieces(check, "vtkXMLImageDataReader", xml, whole);
+  xml->SetFileName(Path("v.vti").c_str());
+  CheckPieces("vtkXMLImageDataReader", xml, whole);
+}
 
+TEST_F(IsoSurfaceSamplerStreaming, PiecesOfRawFilesAreTheWhole)
+{
   const std::array<int, 6> fromZero{ 0, 39, 0, 35, 0, 59 };
-  image =
+  const auto image =
     MakeImage(VTK_FLOAT, fromZero, [](double x, double y, double z) { return Density(x + 3, y - 5, z); });
   vtkNew<vtkInkIsoSurfaceSampler> ofImage;
   ofImage->SetInputData(image);
@@ -183,29 +205,26 @@ int TestIsoSurfaceSamplerStreaming(int, char*[])
   const auto wholeFromZero = Sorted(ofImage->GetOutput());
   const auto* bytes = static_cast<const char*>(image->GetScalarPointer());
   const auto size = static_cast<std::streamsize>(image->GetNumberOfPoints() * sizeof(float));
-  std::ofstream(path("v.raw"), std::ios::binary).write(bytes, size);
+  std::ofstream(Path("v.raw"), std::ios::binary).write(bytes, size);
   {
-    std::ofstream header(path("v.mhd"));
+    std::ofstream header(Path("v.mhd"));
     header << "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 40 36 60\n"
               "ElementType = MET_FLOAT\nElementDataFile = v.raw\n";
-    std::ofstream nrrd(path("v.nhdr"));
+    std::ofstream nrrd(Path("v.nhdr"));
     nrrd << "NRRD0004\ntype: float\ndimension: 3\nsizes: 40 36 60\nendian: little\nencoding: raw\n"
             "data file: v.raw\n\n";
   }
   vtkNew<vtkImageReader2> raw;
-  raw->SetFileName(path("v.raw").c_str());
+  raw->SetFileName(Path("v.raw").c_str());
   raw->SetFileDimensionality(3);
   raw->SetDataExtent(const_cast<int*>(fromZero.data()));
   raw->SetDataScalarTypeToFloat();
   raw->FileLowerLeftOn();
-  CheckPieces(check, "vtkImageReader2", raw, wholeFromZero);
+  CheckPieces("vtkImageReader2", raw, wholeFromZero);
   vtkNew<vtkMetaImageReader> meta;
-  meta->SetFileName(path("v.mhd").c_str());
-  CheckPieces(check, "vtkMetaImageReader", meta, wholeFromZero);
+  meta->SetFileName(Path("v.mhd").c_str());
+  CheckPieces("vtkMetaImageReader", meta, wholeFromZero);
   vtkNew<vtkNrrdReader> nrrd;
-  nrrd->SetFileName(path("v.nhdr").c_str());
-  CheckPieces(check, "vtkNrrdReader", nrrd, wholeFromZero);
-
-  std::filesystem::remove_all(folder);
-  return check.Result();
+  nrrd->SetFileName(Path("v.nhdr").c_str());
+  CheckPieces("vtkNrrdReader", nrrd, wholeFromZero);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is made of a mesh does not depend on how its points and faces are numbered.
 
-#include "InkTestChecks.h"
 #include "SamplerTestMeshes.h"
 
 #include "vtkCellData.h"
@@ -9,6 +8,8 @@
 #include "vtkIdList.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkSurfaceSampler.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -89,9 +90,8 @@ bool AreEqual(vtkDataArray* a, vtkDataArray* b)
 
 } // namespace
 
-int TestMeshOrder(int, char*[])
+TEST(MeshOrder, DoesNotChangeTheSamples)
 {
-  InkTestChecks check;
   for (const bool triangles : { false, true })
   {
     const auto mesh = MakeSheet(triangles);
@@ -108,12 +108,13 @@ int TestMeshOrder(int, char*[])
       }
       vtkPolyData* a = samplers[0]->GetOutput();
       vtkPolyData* b = samplers[1]->GetOutput();
-      check(a->GetNumberOfPoints() == 3000 && AreEqual(a->GetPoints()->GetData(), b->GetPoints()->GetData()),
-        "the same samples by method ", method);
+      EXPECT_TRUE(
+        a->GetNumberOfPoints() == 3000 && AreEqual(a->GetPoints()->GetData(), b->GetPoints()->GetData()))
+        << "the same samples by method " << method;
       for (const char* name : { "Normals", "Radius", "Priority" })
       {
-        check(AreEqual(a->GetPointData()->GetArray(name), b->GetPointData()->GetArray(name)), "the same ",
-          name, " by method ", method);
+        EXPECT_TRUE(AreEqual(a->GetPointData()->GetArray(name), b->GetPointData()->GetArray(name)))
+          << "the same " << name << " by method " << method;
       }
     }
     std::array<vtkNew<vtkInkStippleGenerator>, 2> generators;
@@ -126,16 +127,15 @@ int TestMeshOrder(int, char*[])
     }
     vtkPolyData* a = generators[0]->GetOutput();
     vtkPolyData* b = generators[1]->GetOutput();
-    check(a->GetNumberOfPoints() == 8 * mesh->GetNumberOfCells() &&
-        AreEqual(a->GetPoints()->GetData(), b->GetPoints()->GetData()),
-      "the same stipples");
-    check(AreEqual(a->GetPointData()->GetArray("Priority"), b->GetPointData()->GetArray("Priority")),
-      "the same Priority");
-    check(a->GetNumberOfCells() == b->GetNumberOfCells() &&
-        AreEqual(a->GetCellData()->GetNormals(), b->GetCellData()->GetNormals()),
-      "the same elements");
-    check(AreEqual(a->GetCellData()->GetScalars(), b->GetCellData()->GetScalars()),
-      "each element with its own polygon's value");
+    EXPECT_TRUE(a->GetNumberOfPoints() == 8 * mesh->GetNumberOfCells() &&
+      AreEqual(a->GetPoints()->GetData(), b->GetPoints()->GetData()))
+      << "the same stipples";
+    EXPECT_TRUE(AreEqual(a->GetPointData()->GetArray("Priority"), b->GetPointData()->GetArray("Priority")))
+      << "the same Priority";
+    EXPECT_TRUE(a->GetNumberOfCells() == b->GetNumberOfCells() &&
+      AreEqual(a->GetCellData()->GetNormals(), b->GetCellData()->GetNormals()))
+      << "the same elements";
+    EXPECT_TRUE(AreEqual(a->GetCellData()->GetScalars(), b->GetCellData()->GetScalars()))
+      << "each element with its own polygon's value";
   }
-  return check.Result();
 }

@@ -10,6 +10,8 @@
 
 #include "vtkIntArray.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 
 namespace
@@ -45,7 +47,9 @@ vtkSmartPointer<vtkPolyData> MakeUnevenCloud(bool outlier)
   return cloud;
 }
 
-void CheckRadii(InkTestChecks& check)
+} // namespace
+
+TEST(PointClouds, RadiiFollowTheSpacing)
 {
   for (const bool remove : { true, false })
   {
@@ -56,28 +60,29 @@ void CheckRadii(InkTestChecks& check)
     sampler->Update();
     vtkPolyData* output = sampler->GetOutput();
     const vtkIdType count = output->GetNumberOfPoints();
-    check(sampler->GetNumberOfIsolatedPoints() == 1, "one isolated point");
-    check(count == cloud->GetNumberOfPoints() - (remove ? 1 : 0), "left out if wanted: ", count);
+    EXPECT_EQ(sampler->GetNumberOfIsolatedPoints(), 1) << "one isolated point";
+    EXPECT_EQ(count, cloud->GetNumberOfPoints() - (remove ? 1 : 0)) << "left out if wanted";
     vtkDataArray* radius = output->GetPointData()->GetArray("Radius");
     vtkDataArray* ids = output->GetPointData()->GetArray("Id");
-    check(output->GetPointData()->GetArray("Priority") && output->GetPointData()->GetNormals(), "all arrays");
+    EXPECT_TRUE(output->GetPointData()->GetArray("Priority") && output->GetPointData()->GetNormals())
+      << "all arrays";
     for (vtkIdType i = 0; i < count; ++i)
     {
       const double x = ids->GetComponent(i, 0);
       const double r = radius->GetComponent(i, 0);
       double p[3];
       output->GetPoint(i, p);
-      check(x < 0 || p[0] == 1e6 + 0.5 * x, "arrays stay with their points");
+      EXPECT_TRUE(x < 0 || p[0] == 1e6 + 0.5 * x) << "arrays stay with their points";
       const double expected = 1.25 * std::sqrt(0.5) * (x <= 20 ? 0.5 : 2.0);
       const bool known = x >= 0 && (x < 16 || x > 26);
-      check(
-        !known || std::abs(r - expected) < 0.02 * expected, "radius ", r, " at ", x, ", expected ", expected);
-      check(x >= 0 || r == 0.0, "isolated: radius 0");
+      EXPECT_TRUE(!known || std::abs(r - expected) < 0.02 * expected)
+        << "radius " << r << " at " << x << ", expected " << expected;
+      EXPECT_TRUE(x >= 0 || r == 0.0) << "isolated: radius 0";
     }
   }
 }
 
-void CheckUniform(InkTestChecks& check)
+TEST(PointClouds, HaveOneRadiusWhereAskedTo)
 {
   vtkNew<vtkInkSurfaceSampler> sampler;
   sampler->SetInputData(MakeUnevenCloud(true));
@@ -86,11 +91,11 @@ void CheckUniform(InkTestChecks& check)
   vtkDataArray* radius = sampler->GetOutput()->GetPointData()->GetArray("Radius");
   double range[2];
   radius->GetRange(range);
-  check(range[0] > 0.0 && range[0] == range[1], "one radius");
-  check(sampler->GetNumberOfIsolatedPoints() == 0, "no isolated points");
+  EXPECT_TRUE(range[0] > 0.0 && range[0] == range[1]) << "one radius";
+  EXPECT_EQ(sampler->GetNumberOfIsolatedPoints(), 0) << "no isolated points";
 }
 
-void CheckViewpoint(InkTestChecks& check)
+TEST(PointClouds, NormalsPointTowardsTheViewpoint)
 {
   for (const double side : { 1.0, -1.0 })
   {
@@ -101,20 +106,21 @@ void CheckViewpoint(InkTestChecks& check)
     sampler->Update();
     double range[2];
     sampler->GetOutput()->GetPointData()->GetNormals()->GetRange(range, 2);
-    check(std::abs(range[0] - side) < 1e-5 && std::abs(range[1] - side) < 1e-5, "normals towards ", side);
+    EXPECT_TRUE(std::abs(range[0] - side) < 1e-5 && std::abs(range[1] - side) < 1e-5)
+      << "normals towards " << side;
   }
 }
 
-void CheckPriorityKeepsAll(InkTestChecks& check)
+TEST(PointClouds, PriorityKeepsIsolatedPoints)
 {
   vtkNew<vtkInkPointPriority> filter;
   const auto cloud = MakeUnevenCloud(true);
   filter->SetInputData(cloud);
   filter->Update();
-  check(filter->GetOutput()->GetNumberOfPoints() == cloud->GetNumberOfPoints(), "all points stay");
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), cloud->GetNumberOfPoints()) << "all points stay";
 }
 
-void CheckExtremes(InkTestChecks& check)
+TEST(PointClouds, OfFewOrExtremePointsStayWhole)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::vector<std::array<double, 3>>> clouds = { { { 1, 2, 3 } },
@@ -137,25 +143,12 @@ void CheckExtremes(InkTestChecks& check)
     sampler->SetInputData(cloud);
     sampler->Update();
     vtkPolyData* output = sampler->GetOutput();
-    check(messages->Messages.empty(), "no message");
-    check(output->GetNumberOfPoints() == static_cast<vtkIdType>(places.size()), "all of few points stay");
+    EXPECT_TRUE(messages->Messages.empty()) << "no message";
+    EXPECT_EQ(output->GetNumberOfPoints(), static_cast<vtkIdType>(places.size())) << "all of few points stay";
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
       const double radius = output->GetPointData()->GetArray("Radius")->GetComponent(i, 0);
-      check(radius >= 0.0 && std::isfinite(radius), "radius ", radius);
+      EXPECT_TRUE(radius >= 0.0 && std::isfinite(radius)) << "radius " << radius;
     }
   }
-}
-
-} // namespace
-
-int TestPointClouds(int, char*[])
-{
-  InkTestChecks check;
-  CheckRadii(check);
-  CheckUniform(check);
-  CheckViewpoint(check);
-  CheckPriorityKeepsAll(check);
-  CheckExtremes(check);
-  return check.Result();
 }

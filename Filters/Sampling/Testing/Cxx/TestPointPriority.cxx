@@ -14,12 +14,23 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 
 namespace
 {
 
-void TestIsoSurface(InkTestChecks& check)
+template <class Filter>
+class PointFilters : public testing::Test
+{
+};
+using Filters = testing::Types<vtkInkPointPriority, vtkInkSurfaceSampler>;
+TYPED_TEST_SUITE(PointFilters, Filters);
+
+} // namespace
+
+TEST(PointPriority, IsBlueNoiseOnAnIsoSurface)
 {
   auto image = MakeImage(VTK_FLOAT, { -20, 20, -20, 20, -20, 20 },
     [](double x, double y, double z) { return BallDensity(x, y, z, 15.0); });
@@ -43,19 +54,16 @@ void TestIsoSurface(InkTestChecks& check)
   order->Update();
   vtkPolyData* output = order->GetOutput();
   vtkPointData* data = output->GetPointData();
-  if (!check(count > 1000 && output->GetNumberOfPoints() == count && data->GetNormals() &&
-          data->GetArray("Radius") && data->GetArray("Priority") && data->GetArray("Id"),
-        "all points with all arrays"))
-  {
-    return;
-  }
+  ASSERT_TRUE(count > 1000 && output->GetNumberOfPoints() == count && data->GetNormals() &&
+    data->GetArray("Radius") && data->GetArray("Priority") && data->GetArray("Id"))
+    << "all points with all arrays";
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = data->GetArray(i);
     const auto kibibytes =
       static_cast<unsigned long>(array->GetNumberOfValues() * array->GetDataTypeSize() / 1024);
-    check(array->GetActualMemorySize() <= kibibytes + 1, array->GetName(),
-      " has memory for its values only: ", array->GetActualMemorySize(), " KiB");
+    EXPECT_LE(array->GetActualMemorySize(), kibibytes + 1)
+      << array->GetName() << " has memory for its values only: " << array->GetActualMemorySize() << " KiB";
   }
   std::vector<bool> seen(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
@@ -70,25 +78,22 @@ void TestIsoSurface(InkTestChecks& check)
     numbered->GetPoint(id, b);
     data->GetNormals()->GetTuple(i, m);
     numbered->GetPointData()->GetNormals()->GetTuple(id, n);
-    if (!check(std::equal(a, a + 3, b) && std::equal(m, m + 3, n), "point ", i, " with its own normal"))
-    {
-      return;
-    }
+    ASSERT_TRUE(std::equal(a, a + 3, b) && std::equal(m, m + 3, n))
+      << "point " << i << " with its own normal";
   }
-  check(std::find(seen.begin(), seen.end(), false) == seen.end(), "each point once");
+  EXPECT_EQ(std::find(seen.begin(), seen.end(), false), seen.end()) << "each point once";
   const double area = 4.0 * std::acos(-1.0) * 15.0 * 15.0;
   for (const double share : { 0.05, 0.25 })
   {
     const auto some = static_cast<vtkIdType>(share * static_cast<double>(count));
     const double ratio = LeastDistance(output, some) / HexagonalDistance(area, some);
-    check(ratio > 0.5, "the first ", some, " are blue noise: ", ratio, ", before ",
-      LeastDistance(numbered, some) / HexagonalDistance(area, some));
+    EXPECT_GT(ratio, 0.5) << "the first " << some << " are blue noise: " << ratio << ", before "
+                          << LeastDistance(numbered, some) / HexagonalDistance(area, some);
   }
 }
 
 /// Points without normals get them, by either filter.
-template <class Filter>
-void TestCloud(InkTestChecks& check)
+TYPED_TEST(PointFilters, OrientsPointsWithoutNormals)
 {
   vtkNew<vtkInkSurfaceSampler> sampler;
   sampler->SetInputData(MakeBall(40, 3.0, { 1e7, -1e7, 5.0 }, VTK_DOUBLE));
@@ -100,25 +105,22 @@ void TestCloud(InkTestChecks& check)
   for (int i = 0; i < 2; ++i)
   {
     setenv("VTK_SMP_MAX_THREADS", i == 0 ? "1" : "2", 1);
-    vtkNew<Filter> filter;
+    vtkNew<TypeParam> filter;
     filter->SetInputData(cloud);
     filter->Update();
     outputs[i] = filter->GetOutput();
   }
   unsetenv("VTK_SMP_MAX_THREADS");
-  check(AreEqual(outputs[0], outputs[1]), "the same on one and two threads");
+  EXPECT_TRUE(AreEqual(outputs[0], outputs[1])) << "the same on one and two threads";
   vtkPolyData* output = outputs[0];
   vtkDataArray* normals = output->GetPointData()->GetNormals();
   vtkDataArray* radius = output->GetPointData()->GetArray("Radius");
-  if (!check(output->GetNumberOfPoints() == 2500 && normals && radius &&
-          output->GetPointData()->GetArray("Priority"),
-        "points with normals, radius and priority"))
-  {
-    return;
-  }
+  ASSERT_TRUE(
+    output->GetNumberOfPoints() == 2500 && normals && radius && output->GetPointData()->GetArray("Priority"))
+    << "points with normals, radius and priority";
   const double spacing = std::sqrt(4.0 * std::acos(-1.0) * 9.0 / 2500.0);
-  check(radius->GetComponent(0, 0) > 0.8 * spacing && radius->GetComponent(0, 0) < 2.0 * spacing,
-    "a radius like the spacing ", spacing, ", found ", radius->GetComponent(0, 0));
+  EXPECT_TRUE(radius->GetComponent(0, 0) > 0.8 * spacing && radius->GetComponent(0, 0) < 2.0 * spacing)
+    << "a radius like the spacing " << spacing << ", found " << radius->GetComponent(0, 0);
   for (vtkIdType i = 0; i < 2500; ++i)
   {
     double p[3];
@@ -126,16 +128,12 @@ void TestCloud(InkTestChecks& check)
     output->GetPoint(i, p);
     normals->GetTuple(i, n);
     const double out = ((p[0] - 1e7) * n[0] + (p[1] + 1e7) * n[1] + (p[2] - 5.0) * n[2]) / 3.0;
-    if (!check(out > 0.98, "normal ", i, " outwards: ", out))
-    {
-      return;
-    }
+    ASSERT_GT(out, 0.98) << "normal " << i << " outwards";
   }
 }
 
 /// What vtkGhostType marks as hidden or duplicate counts for nothing and is left out.
-template <class Filter>
-void TestGhosts(InkTestChecks& check)
+TYPED_TEST(PointFilters, LeavesGhostsOut)
 {
   vtkNew<vtkInkSurfaceSampler> sampler;
   sampler->SetInputData(MakeBall(40, 3.0, { 0.0, 0.0, 0.0 }, VTK_DOUBLE));
@@ -162,21 +160,22 @@ void TestGhosts(InkTestChecks& check)
   }
   marked->SetPoints(points);
   marked->GetPointData()->AddArray(ghosts);
-  vtkNew<Filter> filter;
+  vtkNew<TypeParam> filter;
   filter->SetInputData(cloud);
   filter->Update();
-  vtkNew<Filter> other;
+  vtkNew<TypeParam> other;
   other->SetInputData(marked);
   other->Update();
-  check(filter->GetOutput()->GetNumberOfPoints() == 1000 && AreEqual(filter->GetOutput(), other->GetOutput()),
-    "the same with ghosts as without, ", other->GetOutput()->GetNumberOfPoints(), " points");
+  EXPECT_TRUE(
+    filter->GetOutput()->GetNumberOfPoints() == 1000 && AreEqual(filter->GetOutput(), other->GetOutput()))
+    << "the same with ghosts as without, " << other->GetOutput()->GetNumberOfPoints() << " points";
   ghosts->Fill(vtkDataSetAttributes::HIDDENPOINT);
   marked->Modified();
   other->Update();
-  check(other->GetOutput()->GetNumberOfPoints() == 0, "nothing of ghosts only");
+  EXPECT_EQ(other->GetOutput()->GetNumberOfPoints(), 0) << "nothing of ghosts only";
 }
 
-void TestErrors(InkTestChecks& check)
+TEST(PointPriority, PutsWhatIsNotFiniteLastAndRefusesBadRadii)
 {
   vtkNew<vtkPolyData> cloud;
   vtkNew<vtkPoints> points;
@@ -189,9 +188,9 @@ void TestErrors(InkTestChecks& check)
   messages->Observe(order);
   order->SetInputData(cloud);
   order->Update();
-  check(order->GetOutput()->GetNumberOfPoints() == 3 && std::isnan(order->GetOutput()->GetPoint(2)[0]) &&
-      messages->Messages.empty(),
-    "what is not finite comes last");
+  EXPECT_TRUE(order->GetOutput()->GetNumberOfPoints() == 3 &&
+    std::isnan(order->GetOutput()->GetPoint(2)[0]) && messages->Messages.empty())
+    << "what is not finite comes last";
   vtkNew<vtkFloatArray> radius;
   radius->SetName("Radius");
   radius->SetNumberOfComponents(2);
@@ -200,25 +199,12 @@ void TestErrors(InkTestChecks& check)
   cloud->GetPointData()->AddArray(radius);
   order->Modified();
   order->Update();
-  check(order->GetOutput()->GetNumberOfPoints() == 0 && messages->Messages.size() == 1 &&
-      messages->Messages[0].find("Radius has 3 values of 2 components") != std::string::npos,
-    "one message on a radius of two components");
+  EXPECT_TRUE(order->GetOutput()->GetNumberOfPoints() == 0 && messages->Messages.size() == 1 &&
+    messages->Messages[0].find("Radius has 3 values of 2 components") != std::string::npos)
+    << "one message on a radius of two components";
   vtkNew<vtkPolyData> nothing;
   order->SetInputData(nothing);
   order->Update();
-  check(order->GetOutput()->GetNumberOfPoints() == 0 && messages->Messages.size() == 1, "nothing of nothing");
-}
-
-} // namespace
-
-int TestPointPriority(int, char*[])
-{
-  InkTestChecks check;
-  TestIsoSurface(check);
-  TestCloud<vtkInkPointPriority>(check);
-  TestCloud<vtkInkSurfaceSampler>(check);
-  TestGhosts<vtkInkPointPriority>(check);
-  TestGhosts<vtkInkSurfaceSampler>(check);
-  TestErrors(check);
-  return check.Result();
+  EXPECT_TRUE(order->GetOutput()->GetNumberOfPoints() == 0 && messages->Messages.size() == 1)
+    << "nothing of nothing";
 }

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stipples of a ball: which voxels have them, what their arrays say, and what each property changes.
 
-#include "InkTestChecks.h"
 #include "SamplerTestImages.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkInkGradient.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+
+#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <functional>
@@ -65,12 +67,12 @@ std::vector<std::array<double, 3>> PointsOf(vtkPolyData* data)
 
 /// One poly-vertex for each element, which hold all points in their order, and one tuple for each in each
 /// array.
-void CheckContract(InkTestChecks& check, vtkPolyData* data, int perVoxel)
+void CheckContract(vtkPolyData* data, int perVoxel)
 {
   const vtkIdType elements = data->GetNumberOfCells();
-  check(elements > 1000 && data->GetNumberOfVerts() == elements, "many elements, found ", elements);
-  check(data->GetNumberOfPoints() == elements * perVoxel, perVoxel, " stipples an element, found ",
-    data->GetNumberOfPoints(), " of ", elements);
+  EXPECT_TRUE(elements > 1000 && data->GetNumberOfVerts() == elements) << "many elements, found " << elements;
+  EXPECT_EQ(data->GetNumberOfPoints(), elements * perVoxel)
+    << perVoxel << " stipples an element, found " << data->GetNumberOfPoints() << " of " << elements;
   vtkIdType next = 0;
   for (vtkIdType e = 0; e < elements; ++e)
   {
@@ -82,28 +84,26 @@ void CheckContract(InkTestChecks& check, vtkPolyData* data, int perVoxel)
     {
       ordered = ordered && ids[i] == next++;
     }
-    if (!check(ordered, "element ", e, " to hold the next ", perVoxel, " points"))
-    {
-      return;
-    }
+    ASSERT_TRUE(ordered) << "element " << e << " to hold the next " << perVoxel << " points";
   }
   vtkCellData* cells = data->GetCellData();
-  check(cells->GetNormals() && cells->GetNormals()->GetName() == std::string("Normals"), "normals");
+  EXPECT_TRUE(cells->GetNormals() && cells->GetNormals()->GetName() == std::string("Normals")) << "normals";
   for (const char* name : { "Normals", "GradientMagnitude", "Value" })
   {
-    check(cells->GetArray(name) && cells->GetArray(name)->GetNumberOfTuples() == elements, "a ", name,
-      " for each element");
+    EXPECT_TRUE(cells->GetArray(name) && cells->GetArray(name)->GetNumberOfTuples() == elements)
+      << "a " << name << " for each element";
   }
-  check(Field(data, "ElementKind") == 0.0, "volume elements");
-  check(Field(data, "ElementSize") == 1.0, "elements of size 1, found ", Field(data, "ElementSize"));
-  check(Field(data, "StipplesPerElement") == perVoxel, "StipplesPerElement of ", perVoxel);
-  check(Field(data, "ScalarRange", 0) == 0.0 && Field(data, "ScalarRange", 1) == 100.0, "the scalar range");
+  EXPECT_EQ(Field(data, "ElementKind"), 0.0) << "volume elements";
+  EXPECT_EQ(Field(data, "ElementSize"), 1.0) << "elements of size 1";
+  EXPECT_EQ(Field(data, "StipplesPerElement"), perVoxel) << "StipplesPerElement of " << perVoxel;
+  EXPECT_TRUE(Field(data, "ScalarRange", 0) == 0.0 && Field(data, "ScalarRange", 1) == 100.0)
+    << "the scalar range";
   const double steepest = Field(data, "GradientMagnitudeRange", 1);
-  check(Field(data, "GradientMagnitudeRange", 0) == 0.0 && steepest > 30.0 && steepest <= 60.0,
-    "the steepest gradient to be about 50, found ", steepest);
+  EXPECT_TRUE(Field(data, "GradientMagnitudeRange", 0) == 0.0 && steepest > 30.0 && steepest <= 60.0)
+    << "the steepest gradient to be about 50, found " << steepest;
 }
 
-void CheckBall(InkTestChecks& check, vtkPolyData* data)
+void CheckBall(vtkPolyData* data)
 {
   double outmost = 0.0;
   double inmost = 1e9;
@@ -112,8 +112,8 @@ void CheckBall(InkTestChecks& check, vtkPolyData* data)
     outmost = std::max(outmost, Distance(data, n));
     inmost = std::min(inmost, Distance(data, n));
   }
-  check(inmost > Radius - 3.5 && outmost < Radius + 3.5, "stipples at the ball's surface, found distances ",
-    inmost, " to ", outmost);
+  EXPECT_TRUE(inmost > Radius - 3.5 && outmost < Radius + 3.5)
+    << "stipples at the ball's surface, found distances " << inmost << " to " << outmost;
   double leastCosine = 1.0;
   double magnitudes[2];
   double values[2];
@@ -126,38 +126,115 @@ void CheckBall(InkTestChecks& check, vtkPolyData* data)
     data->GetCellData()->GetNormals()->GetTuple(e, normal);
     data->GetPoint(e * 8, point);
     leastCosine = std::min(leastCosine, vtkMath::Dot(normal, point) / vtkMath::Norm(point));
-    check(std::abs(vtkMath::Norm(normal) - 1.0) < 1e-5, "a unit normal");
+    EXPECT_LT(std::abs(vtkMath::Norm(normal) - 1.0), 1e-5) << "a unit normal";
   }
-  check(leastCosine > 0.95, "normals out of the ball, found a cosine of ", leastCosine);
-  check(magnitudes[0] > 0.0 && magnitudes[1] == 1.0, "magnitudes up to 1");
-  check(values[0] >= 0.0 && values[0] < 0.3 && values[1] <= 1.0 && values[1] > 0.7,
-    "values from 0 to 1, found ", values[0], " to ", values[1]);
+  EXPECT_GT(leastCosine, 0.95) << "normals out of the ball";
+  EXPECT_TRUE(magnitudes[0] > 0.0 && magnitudes[1] == 1.0) << "magnitudes up to 1";
+  EXPECT_TRUE(values[0] >= 0.0 && values[0] < 0.3 && values[1] <= 1.0 && values[1] > 0.7)
+    << "values from 0 to 1, found " << values[0] << " to " << values[1];
 }
 
 } // namespace
 
-int TestStippleGenerator(int, char*[])
+/// Section 4.3: as many stipples as a voxel's largest projection has pixels.
+TEST(StippleGenerator, ProjectedVoxelsHaveAStippleAPixel)
 {
-  InkTestChecks check;
+  // 64 voxels of 5 x 2.5 x 2.5 along the longest side.
+  const auto image = MakeImage(VTK_FLOAT, { 0, 63, 0, 9, 0, 9 },
+    [](double x, double y, double) { return x > 32.0 && y > 4.0 ? 1.0 : 0.0; });
+  image->SetSpacing(5.0, 2.5, 2.5);
+  const double edge = std::cbrt(5.0 * 2.5 * 2.5);
+  for (const double pixels : { 100.0, 240.0, 600.0, 700.0, 3000.0 })
+  {
+    const auto stipples = Stipple(image,
+      [&](auto* g)
+      {
+        g->SetMaximumStipples(3);
+        g->SetMaximumStipplesModeToProjected();
+        g->SetPictureSize(pixels);
+      });
+    const double across = edge / (64.0 * 5.0) * pixels;
+    const double expected = std::clamp(std::round(across * across), 1.0, 64.0);
+    EXPECT_TRUE(Field(stipples, "StipplesPerElement") == expected &&
+      stipples->GetNumberOfPoints() == expected * stipples->GetNumberOfCells() &&
+      stipples->GetNumberOfCells() > 0)
+      << expected << " stipples a voxel of " << across << " pixels, found "
+      << Field(stipples, "StipplesPerElement");
+  }
+}
+
+/// Each element's gradient is what vtkInkGradient makes of its voxel.
+TEST(StippleGenerator, WeightsTheRegressionAsAskedTo)
+{
+  const auto ball = MakeBall();
+  const auto all = [](auto* g)
+  {
+    g->SetThresholdModeToMagnitude();
+    g->SetGradientThreshold(1.0);
+  };
+  vtkSmartPointer<vtkPolyData> made[2];
+  for (const int weighting : { 0, 1 })
+  {
+    made[weighting] = Stipple(ball,
+      [&](auto* g)
+      {
+        all(g);
+        g->SetGradientWeighting(weighting);
+      });
+    vtkNew<vtkInkGradient> gradient;
+    gradient->SetInputData(ball);
+    gradient->SetWeighting(weighting);
+    gradient->Update();
+    vtkDataArray* expected = gradient->GetOutput()->GetPointData()->GetArray("GradientMagnitude");
+    vtkDataArray* found = made[weighting]->GetCellData()->GetArray("GradientMagnitude");
+    const double steepest = Field(made[weighting], "GradientMagnitudeRange", 1);
+    vtkIdType element = 0;
+    double worst = 0.0;
+    for (vtkIdType n = 0; n < expected->GetNumberOfTuples(); ++n)
+    {
+      const double magnitude = expected->GetTuple1(n);
+      if (magnitude >= 1.0 && element < found->GetNumberOfTuples())
+      {
+        worst =
+          std::max(worst, std::abs(found->GetTuple1(element++) * steepest - std::min(magnitude, steepest)));
+      }
+    }
+    EXPECT_TRUE(element > 1000 && element == found->GetNumberOfTuples() && worst < 1e-4)
+      << "weighting " << weighting << ": the gradients of " << element << " voxels, off by " << worst;
+  }
+  EXPECT_NE(PointsOf(made[1]), PointsOf(made[0])) << "others by another weighting";
+  EXPECT_EQ(PointsOf(Stipple(ball, all)), PointsOf(made[0])) << "uniform weights by default";
+}
+
+TEST(StippleGenerator, StipplesABall)
+{
   const auto ball = MakeBall();
   const auto plain = Stipple(ball);
-  CheckContract(check, plain, 8);
-  CheckBall(check, plain);
+  CheckContract(plain, 8);
+  CheckBall(plain);
   const double share =
     static_cast<double>(plain->GetNumberOfCells()) / static_cast<double>(ball->GetNumberOfPoints());
-  check(share > 0.045 && share < 0.055, "a twentieth of the voxels, found ", share);
-  CheckContract(check, Stipple(ball, [](auto* g) { g->SetMaximumStipples(3); }), 3);
+  EXPECT_TRUE(share > 0.045 && share < 0.055) << "a twentieth of the voxels, found " << share;
+  CheckContract(Stipple(ball, [](auto* g) { g->SetMaximumStipples(3); }), 3);
+}
 
-  // The lists of fewer stipples are the beginnings of longer ones' in voxels that mind no neighbor;
-  // elsewhere the longer lists leave room. Everywhere, another seed gives others.
-  check(PointsOf(Stipple(ball)) == PointsOf(plain), "the same stipples once more");
-  check(PointsOf(Stipple(ball, [](auto* g) { g->SetSeed(1); })) != PointsOf(plain), "others by another seed");
+TEST(StippleGenerator, DependsOnTheSeedAlone)
+{
+  const auto ball = MakeBall();
+  const auto plain = Stipple(ball);
+  EXPECT_EQ(PointsOf(Stipple(ball)), PointsOf(plain)) << "the same stipples once more";
+  EXPECT_NE(PointsOf(Stipple(ball, [](auto* g) { g->SetSeed(1); })), PointsOf(plain))
+    << "others by another seed";
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
-  check(PointsOf(Stipple(ball)) == PointsOf(plain), "the same stipples on one thread");
+  EXPECT_EQ(PointsOf(Stipple(ball)), PointsOf(plain)) << "the same stipples on one thread";
   unsetenv("VTK_SMP_MAX_THREADS");
-  check(PointsOf(Stipple(MakeBall(VTK_UNSIGNED_CHAR))) == PointsOf(Stipple(MakeBall(VTK_SHORT))),
-    "the same stipples from the same values of another type");
+  EXPECT_EQ(PointsOf(Stipple(MakeBall(VTK_UNSIGNED_CHAR))), PointsOf(Stipple(MakeBall(VTK_SHORT))))
+    << "the same stipples from the same values of another type";
+}
 
+TEST(StippleGenerator, HigherThresholdsLeaveFewerElements)
+{
+  const auto ball = MakeBall();
   const auto atLeast = [&](double threshold)
   {
     return Stipple(ball,
@@ -167,12 +244,17 @@ int TestStippleGenerator(int, char*[])
         g->SetGradientThreshold(threshold);
       });
   };
-  check(atLeast(0.0)->GetNumberOfCells() > atLeast(20.0)->GetNumberOfCells() &&
-      atLeast(20.0)->GetNumberOfCells() > 500 && atLeast(101.0)->GetNumberOfCells() == 0,
-    "fewer elements above higher thresholds");
+  EXPECT_TRUE(atLeast(0.0)->GetNumberOfCells() > atLeast(20.0)->GetNumberOfCells() &&
+    atLeast(20.0)->GetNumberOfCells() > 500 && atLeast(101.0)->GetNumberOfCells() == 0)
+    << "fewer elements above higher thresholds";
   const auto all = Stipple(ball, [](auto* g) { g->SetGradientPercentile(0.0); });
-  check(all->GetNumberOfCells() == atLeast(0.0)->GetNumberOfCells(), "no element without a gradient");
+  EXPECT_EQ(all->GetNumberOfCells(), atLeast(0.0)->GetNumberOfCells()) << "no element without a gradient";
+}
 
+TEST(StippleGenerator, ScalarWindowsKeepTheirValues)
+{
+  const auto ball = MakeBall();
+  const auto all = Stipple(ball, [](auto* g) { g->SetGradientPercentile(0.0); });
   const auto window = Stipple(ball,
     [](auto* g)
     {
@@ -183,25 +265,34 @@ int TestStippleGenerator(int, char*[])
   double range[2];
   window->GetCellData()->GetArray("Value")->GetRange(range);
   // Its voxels reach it, but their middles may lie outside.
-  check(window->GetNumberOfCells() > 100 && range[0] > 0.25 && range[0] < 0.6 &&
-      window->GetNumberOfCells() < all->GetNumberOfCells() / 2,
-    "values around the window, found ", range[0], " to ", range[1]);
+  EXPECT_TRUE(window->GetNumberOfCells() > 100 && range[0] > 0.25 && range[0] < 0.6 &&
+    window->GetNumberOfCells() < all->GetNumberOfCells() / 2)
+    << "values around the window, found " << range[0] << " to " << range[1];
   vtkDataArray* colors = window->GetCellData()->GetScalars();
-  check(colors && colors->GetName() == std::string("Density") &&
-      colors->GetNumberOfTuples() == window->GetNumberOfCells(),
-    "the scalars passed on");
-  check(!plain->GetCellData()->GetScalars(), "no scalars passed on unasked");
+  EXPECT_TRUE(colors && colors->GetName() == std::string("Density") &&
+    colors->GetNumberOfTuples() == window->GetNumberOfCells())
+    << "the scalars passed on";
+  EXPECT_FALSE(all->GetCellData()->GetScalars()) << "no scalars passed on unasked";
+}
 
+TEST(StippleGenerator, ScalarsOfATakenNameGetAnother)
+{
+  const auto ball = MakeBall();
+  double range[2];
   const vtkSmartPointer<vtkImageData> named = vtkSmartPointer<vtkImageData>::New();
   named->DeepCopy(ball);
   named->GetPointData()->GetScalars()->SetName("Value");
   const auto kept = Stipple(named, [](auto* g) { g->PassScalarsOn(); });
   kept->GetCellData()->GetArray("Value")->GetRange(range);
-  check(range[1] <= 1.0, "values from 0 to 1 beside scalars of that name, found up to ", range[1]);
-  colors = kept->GetCellData()->GetScalars();
-  check(colors && colors->GetName() == std::string("InputValue") && colors->GetRange()[1] > 1.0,
-    "scalars passed on under another name");
+  EXPECT_LE(range[1], 1.0) << "values from 0 to 1 beside scalars of that name";
+  vtkDataArray* colors = kept->GetCellData()->GetScalars();
+  EXPECT_TRUE(colors && colors->GetName() == std::string("InputValue") && colors->GetRange()[1] > 1.0)
+    << "scalars passed on under another name";
+}
 
+TEST(StippleGenerator, LayersAreAsThickAsAskedFor)
+{
+  const auto ball = MakeBall();
   const auto inVoxel = [](vtkPolyData* data, vtkIdType n)
   {
     double p[3];
@@ -224,17 +315,21 @@ int TestStippleGenerator(int, char*[])
       layer->GetPoint(first, b);
       vtkMath::Subtract(a, b, a);
       most = std::max(most, std::abs(vtkMath::Dot(a, normal)));
-      check(inVoxel(layer, n) <= 0.5, "stipples in voxels");
+      EXPECT_LE(inVoxel(layer, n), 0.5) << "stipples in voxels";
     }
-    check(thickness == 0.0 ? most < 1e-4 : most > 1.0, "a layer of thickness ", thickness, ", found ", most);
+    EXPECT_TRUE(thickness == 0.0 ? most < 1e-4 : most > 1.0)
+      << "a layer of thickness " << thickness << ", found " << most;
   }
+}
 
+TEST(StippleGenerator, PropertiesStayWithinRange)
+{
   vtkNew<vtkInkStippleGenerator> clamped;
   clamped->SetMaximumStipples(1000);
   clamped->SetGradientPercentile(-5.0);
   clamped->SetLayerThickness(9.0);
-  check(clamped->GetMaximumStipples() == 64 && clamped->GetGradientPercentile() == 0.0 &&
-      clamped->GetLayerThickness() == 2.0,
-    "clamped properties");
-  return check.Result();
+  clamped->SetPictureSize(3.0);
+  EXPECT_TRUE(clamped->GetMaximumStipples() == 64 && clamped->GetGradientPercentile() == 0.0 &&
+    clamped->GetLayerThickness() == 2.0 && clamped->GetPictureSize() == 100.0)
+    << "clamped properties";
 }

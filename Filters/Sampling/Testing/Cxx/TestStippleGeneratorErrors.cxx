@@ -12,6 +12,8 @@
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <limits>
 
@@ -22,7 +24,7 @@ using Change = std::function<void(vtkInkStippleGenerator*)>;
 
 /// Stipples the data; expects the words in one message, or no message for none.
 void Expect(
-  InkTestChecks& check, const std::string& name, const std::vector<std::string>& words, vtkDataObject* data,
+  const std::string& name, const std::vector<std::string>& words, vtkDataObject* data,
   const Change& change = [](vtkInkStippleGenerator*) {})
 {
   vtkNew<vtkInkStippleGenerator> generator;
@@ -31,9 +33,12 @@ void Expect(
   change(generator);
   generator->SetInputDataObject(data);
   generator->Update();
-  check(generator->GetOutput()->GetNumberOfPoints() == 0 && generator->GetOutput()->GetNumberOfCells() == 0,
-    name, ": no stipples");
+  EXPECT_TRUE(
+    generator->GetOutput()->GetNumberOfPoints() == 0 && generator->GetOutput()->GetNumberOfCells() == 0)
+    << name << ": no stipples";
+  InkTestChecks check;
   messages->Expect(check, name, words);
+  EXPECT_EQ(check.Failed(), 0) << name;
 }
 
 vtkSmartPointer<vtkImageData> Ball()
@@ -43,58 +48,65 @@ vtkSmartPointer<vtkImageData> Ball()
 }
 
 void ExpectOfImage(
-  InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
+  const std::string& name, const std::vector<std::string>& words,
   const std::function<void(vtkImageData*)>& alter, const Change& change = [](vtkInkStippleGenerator*) {})
 {
   const auto image = Ball();
   alter(image);
-  Expect(check, name, words, image, change);
+  Expect(name, words, image, change);
 }
 
 } // namespace
 
-int TestStippleGeneratorErrors(int, char*[])
+TEST(StippleGeneratorErrors, ArraysThatCannotBeUsed)
 {
-  InkTestChecks check;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto as = [](vtkImageData*) {};
-
-  ExpectOfImage(check, "no image", {}, [](vtkImageData* image) { image->Initialize(); });
-  ExpectOfImage(check, "no scalars", { "No point scalars", "none" },
+  ExpectOfImage("no image", {}, [](vtkImageData* image) { image->Initialize(); });
+  ExpectOfImage("no scalars", { "No point scalars", "none" },
     [](vtkImageData* image) { image->GetPointData()->Initialize(); });
-  ExpectOfImage(check, "no such array", { "\"Pressure\"", "\"Density\"" }, as,
+  ExpectOfImage("no such array", { "\"Pressure\"", "\"Density\"" }, as,
     [](vtkInkStippleGenerator* g)
     { g->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
-  ExpectOfImage(check, "no such component", { "Density", "ArrayComponent is 1" }, as,
+  ExpectOfImage("no such component", { "Density", "ArrayComponent is 1" }, as,
     [](vtkInkStippleGenerator* g) { g->SetArrayComponent(1); });
-  ExpectOfImage(check, "no such colors", { "\"Pressure\"", "to pass on" }, as,
+  ExpectOfImage("no such colors", { "\"Pressure\"", "to pass on" }, as,
     [](vtkInkStippleGenerator* g)
     {
       g->PassScalarsOn();
       g->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure");
     });
-  ExpectOfImage(
-    check, "no spacing", { "spacing" }, [](vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
-  ExpectOfImage(check, "flat direction matrix", { "direction matrix" },
+}
+
+TEST(StippleGeneratorErrors, ImagesWithoutGradients)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto as = [](vtkImageData*) {};
+  ExpectOfImage("no spacing", { "spacing" }, [](vtkImageData* image) { image->SetSpacing(1.0, 0.0, 1.0); });
+  ExpectOfImage("flat direction matrix", { "direction matrix" },
     [](vtkImageData* image) { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 1, 1, 0); });
-  ExpectOfImage(check, "constant", { "No voxel has a gradient", "7 to 7" },
+  ExpectOfImage("constant", { "No voxel has a gradient", "7 to 7" },
     [](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(7.0); });
-  ExpectOfImage(check, "nothing but NaN", { "None of the values is finite" },
+  ExpectOfImage("nothing but NaN", { "None of the values is finite" },
     [nan](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(nan); });
-  ExpectOfImage(check, "one voxel", { "No voxel has a gradient" },
+  ExpectOfImage("one voxel", { "No voxel has a gradient" },
     [](vtkImageData* image)
     {
       image->SetExtent(0, 0, 0, 0, 0, 0);
       image->AllocateScalars(VTK_FLOAT, 1);
       image->GetPointData()->GetScalars()->Fill(1.0);
     });
-  ExpectOfImage(check, "window out of range", { "between 1e+06 and 1e+07", "range from" }, as,
+  ExpectOfImage("window out of range", { "between 1e+06 and 1e+07", "range from" }, as,
     [](vtkInkStippleGenerator* g)
     {
       g->UseScalarWindowOn();
       g->SetScalarWindow(1e6, 1e7);
     });
-  ExpectOfImage(check, "stopped", {}, as,
+}
+
+TEST(StippleGeneratorErrors, NoneWhenStopped)
+{
+  const auto as = [](vtkImageData*) {};
+  ExpectOfImage("stopped", {}, as,
     [](vtkInkStippleGenerator* g)
     {
       vtkNew<vtkCallbackCommand> stop;
@@ -102,18 +114,25 @@ int TestStippleGeneratorErrors(int, char*[])
         { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
       g->AddObserver(vtkCommand::ProgressEvent, stop);
     });
+}
 
+TEST(StippleGeneratorErrors, DataWithoutPolygons)
+{
   vtkNew<vtkPolyData> points;
   vtkNew<vtkPoints> some;
   some->InsertNextPoint(0.0, 0.0, 0.0);
   some->InsertNextPoint(1.0, 0.0, 0.0);
   points->SetPoints(some);
-  Expect(check, "no polygons", { "2 points", "polygon" }, points);
+  Expect("no polygons", { "2 points", "polygon" }, points);
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(some);
-  Expect(check, "a grid", { "vtkUnstructuredGrid", "vtkResampleToImage", "vtkDataSetSurfaceFilter" }, grid);
+  Expect("a grid", { "vtkUnstructuredGrid", "vtkResampleToImage", "vtkDataSetSurfaceFilter" }, grid);
   vtkNew<vtkPolyData> nothing;
-  Expect(check, "no points", {}, nothing);
+  Expect("no points", {}, nothing);
+}
+
+TEST(StippleGeneratorErrors, MeshesThatCannotBeStippled)
+{
   vtkNew<vtkPlaneSource> flat;
   flat->Update();
   vtkNew<vtkPolyData> line;
@@ -122,10 +141,9 @@ int TestStippleGeneratorErrors(int, char*[])
   {
     line->GetPoints()->SetPoint(n, static_cast<double>(n), 0.0, 0.0);
   }
-  Expect(check, "no area", { "no area" }, line);
-  Expect(check, "too many", { "GiB", "expected no more" }, flat->GetOutput(),
+  Expect("no area", { "no area" }, line);
+  Expect("too many", { "GiB", "expected no more" }, flat->GetOutput(),
     [](vtkInkStippleGenerator* g) { g->SetNumberOfSurfaceStipples(1000000000000); });
-  Expect(check, "no colors", { "active scalars" }, flat->GetOutput(),
+  Expect("no colors", { "active scalars" }, flat->GetOutput(),
     [](vtkInkStippleGenerator* g) { g->PassScalarsOn(); });
-  return check.Result();
 }

@@ -2,10 +2,9 @@
 // The pieces of an image, or parts of it with ghost cells, give together exactly the stipples of the whole:
 // each once, with the same arrays.
 
-#include "InkTestChecks.h"
 #include "InkTestPieces.h"
 #include "SamplerTestImages.h"
-#include "Sampling/StippledVoxels.h"
+#include "Stippling/StippledVoxels.h"
 
 #include "vtkCellData.h"
 #include "vtkExtentTranslator.h"
@@ -17,6 +16,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 
+#include <gtest/gtest.h>
+
 #include <memory>
 
 namespace
@@ -24,7 +25,7 @@ namespace
 
 const int PerVoxel = 4;
 
-/// A stipple as its place, its element's normal and the two numbers.
+/// A stipple as its position, its element's normal and the two numbers.
 using Stipple = std::array<double, 8>;
 
 std::vector<Stipple> StipplesOf(vtkPolyData* data)
@@ -95,71 +96,94 @@ std::vector<Stipple> StipplePieces(vtkInkStippleGenerator* generator, int pieces
   return all;
 }
 
+/// An image with the stipples of the whole, sorted: of a share of the voxels, and beyond a threshold.
+class StippleGeneratorPieces : public testing::Test
+{
+protected:
+  StippleGeneratorPieces()
+  {
+    this->Source->SetWholeExtent(-20, 17, -11, 20, -13, 14);
+    this->Source->Update();
+    this->Image->DeepCopy(this->Source->GetOutput());
+    this->Whole = this->StippleAll(MakeGenerator());
+    this->Reference->SetThresholdModeToMagnitude();
+    this->Reference->SetGradientThreshold(10.0);
+    this->Expected = this->StippleAll(this->Reference);
+  }
+
+  vtkNew<vtkRTAnalyticSource> Source;
+  vtkNew<vtkImageData> Image;
+  const vtkSmartPointer<vtkInkStippleGenerator> Reference = MakeGenerator();
+  std::vector<Stipple> Whole;
+  std::vector<Stipple> Expected;
+
+private:
+  std::vector<Stipple> StippleAll(vtkInkStippleGenerator* generator)
+  {
+    generator->SetInputData(this->Image);
+    generator->Update();
+    auto stipples = StipplesOf(generator->GetOutput());
+    std::sort(stipples.begin(), stipples.end());
+    return stipples;
+  }
+};
+
 } // namespace
 
-int TestStippleGeneratorPieces(int, char*[])
+TEST_F(StippleGeneratorPieces, AreTheWhole)
 {
-  InkTestChecks check;
-  vtkNew<vtkRTAnalyticSource> source;
-  source->SetWholeExtent(-20, 17, -11, 20, -13, 14);
+  EXPECT_GT(Whole.size(), 20000u) << "many stipples";
   const auto generator = MakeGenerator();
-  generator->SetInputConnection(source->GetOutputPort());
-  generator->Update();
-  auto whole = StipplesOf(generator->GetOutput());
-  std::sort(whole.begin(), whole.end());
-  check(whole.size() > 20000, "many stipples, found ", whole.size());
-
-  source->Update();
-  vtkNew<vtkImageData> image;
-  image->DeepCopy(source->GetOutput());
+  generator->SetInputConnection(Source->GetOutputPort());
   const auto ofData = MakeGenerator();
-  ofData->SetInputData(image);
+  ofData->SetInputData(Image);
   for (const int pieces : { 2, 3, 4, 8 })
   {
     for (vtkInkStippleGenerator* one : { generator.Get(), ofData.Get() })
     {
       const auto stipples = StipplePieces(one, pieces);
-      check(stipples == whole, "the whole from ", pieces, " pieces: ", whole.size(), " stipples, found ",
-        stipples.size());
+      EXPECT_EQ(stipples, Whole) << "the whole from " << pieces << " pieces: " << Whole.size()
+                                 << " stipples, found " << stipples.size();
     }
   }
+}
 
-  const auto reference = MakeGenerator();
-  reference->SetThresholdModeToMagnitude();
-  reference->SetGradientThreshold(10.0);
-  reference->SetInputData(image);
-  reference->Update();
-  auto expected = StipplesOf(reference->GetOutput());
-  std::sort(expected.begin(), expected.end());
-  check(expected.size() > 1000, "stipples beyond a threshold, found ", expected.size());
-  const auto local = MakeLocalGenerator(reference->GetOutput());
-  local->SetInputConnection(source->GetOutputPort());
-  const auto localOfData = MakeLocalGenerator(reference->GetOutput());
-  localOfData->SetInputData(image);
+TEST_F(StippleGeneratorPieces, ByGivenRangesAreTheWhole)
+{
+  EXPECT_GT(Expected.size(), 1000u) << "stipples beyond a threshold";
+  const auto local = MakeLocalGenerator(Reference->GetOutput());
+  local->SetInputConnection(Source->GetOutputPort());
+  const auto localOfData = MakeLocalGenerator(Reference->GetOutput());
+  localOfData->SetInputData(Image);
   for (const int pieces : { 1, 2, 5, 8 })
   {
     for (vtkInkStippleGenerator* one : { local.Get(), localOfData.Get() })
     {
       const auto stipples = StipplePieces(one, pieces);
-      check(stipples == expected, "the whole from ", pieces, " pieces by given ranges: ", expected.size(),
-        " stipples, found ", stipples.size());
+      EXPECT_EQ(stipples, Expected) << "the whole from " << pieces
+                                    << " pieces by given ranges: " << Expected.size() << " stipples, found "
+                                    << stipples.size();
     }
     std::vector<Stipple> together;
     for (int part = 0; part < pieces; ++part)
     {
-      const auto producer = MakePart(image, part, pieces, 5);
-      const auto ofPart = MakeLocalGenerator(reference->GetOutput());
+      const auto producer = MakePart(Image, part, pieces, 5);
+      const auto ofPart = MakeLocalGenerator(Reference->GetOutput());
       ofPart->SetInputConnection(producer->GetOutputPort());
       ofPart->UpdatePiece(part, pieces, 0);
       const auto stipples = StipplesOf(ofPart->GetOutput());
       together.insert(together.end(), stipples.begin(), stipples.end());
     }
     std::sort(together.begin(), together.end());
-    check(together == expected, "the whole from ", pieces, " parts with ghost cells: ", expected.size(),
-      " stipples, found ", together.size());
+    EXPECT_EQ(together, Expected) << "the whole from " << pieces
+                                  << " parts with ghost cells: " << Expected.size() << " stipples, found "
+                                  << together.size();
   }
+}
 
-  // A reader that knows no pieces, on several processes: the first one has all.
+/// Of a reader that knows no pieces: the first process has all.
+TEST_F(StippleGeneratorPieces, OfSeveralProcessesAreTheWhole)
+{
   for (const int pieces : { 2, 4 })
   {
     std::vector<Stipple> byPercentile;
@@ -167,15 +191,15 @@ int TestStippleGeneratorPieces(int, char*[])
     for (int piece = 0; piece < pieces; ++piece)
     {
       const auto asWhole = MakeGenerator();
-      const auto asPiece = MakeLocalGenerator(reference->GetOutput());
+      const auto asPiece = MakeLocalGenerator(Reference->GetOutput());
       for (vtkInkStippleGenerator* one : { asWhole.Get(), asPiece.Get() })
       {
-        const auto pipeline = InkTestSerialPipeline(image);
+        const auto pipeline = InkTestSerialPipeline(Image);
         one->SetInputConnection(pipeline->GetOutputPort());
         one->UpdatePiece(piece, pieces, 0);
         // Other filters of the same reader would find the whole there.
-        check((pipeline->GetOutput()->GetNumberOfPoints() == 0) == (piece > 0),
-          "the reader not run on process ", piece);
+        EXPECT_EQ(pipeline->GetOutput()->GetNumberOfPoints() == 0, piece > 0)
+          << "the reader not run on process " << piece;
         const auto stipples = StipplesOf(one->GetOutput());
         auto& all = one == asWhole ? byPercentile : byRanges;
         all.insert(all.end(), stipples.begin(), stipples.end());
@@ -183,30 +207,34 @@ int TestStippleGeneratorPieces(int, char*[])
     }
     std::sort(byPercentile.begin(), byPercentile.end());
     std::sort(byRanges.begin(), byRanges.end());
-    check(byPercentile == whole, "the whole from ", pieces, " processes by percentile: ", whole.size(),
-      " stipples, found ", byPercentile.size());
-    check(byRanges == expected, "the whole from ", pieces, " processes by given ranges: ", expected.size(),
-      " stipples, found ", byRanges.size());
+    EXPECT_EQ(byPercentile, Whole) << "the whole from " << pieces
+                                   << " processes by percentile: " << Whole.size() << " stipples, found "
+                                   << byPercentile.size();
+    EXPECT_EQ(byRanges, Expected) << "the whole from " << pieces
+                                  << " processes by given ranges: " << Expected.size() << " stipples, found "
+                                  << byRanges.size();
   }
+}
 
-  // By the percentile of all parts together, which no part knows.
+/// By the percentile of all parts together, which no part knows.
+TEST_F(StippleGeneratorPieces, ByThePercentileOfAllPartsAreTheWhole)
+{
   for (const int parts : { 1, 2, 5 })
   {
     std::vector<vtkSmartPointer<vtkInkStippleGenerator>> generators;
-    const auto statistics = std::make_shared<ink::VolumeStatistics>();
+    const auto statistics = std::make_shared<ink::stipple::VolumeStatistics>();
     for (int part = 0; part < parts; ++part)
     {
-      const auto producer = MakePart(image, part, parts, 5);
+      const auto producer = MakePart(Image, part, parts, 5);
       generators.push_back(MakeGenerator());
       generators.back()->SetInputConnection(producer->GetOutputPort());
       vtkNew<vtkInformation> request;
       request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), part);
       request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), parts);
-      check(generators.back()->Measure(request, *statistics), "part ", part, " is measured");
+      EXPECT_TRUE(generators.back()->Measure(request, *statistics)) << "part " << part << " is measured";
     }
-    check(statistics->magnitudes.count() == static_cast<std::uint64_t>(image->GetNumberOfPoints()),
-      "each of ", image->GetNumberOfPoints(), " points measured once, found ",
-      statistics->magnitudes.count());
+    EXPECT_EQ(statistics->magnitudes.count(), static_cast<std::uint64_t>(Image->GetNumberOfPoints()))
+      << "each of " << Image->GetNumberOfPoints() << " points measured once";
     std::vector<Stipple> together;
     for (int part = 0; part < parts; ++part)
     {
@@ -216,8 +244,7 @@ int TestStippleGeneratorPieces(int, char*[])
       together.insert(together.end(), stipples.begin(), stipples.end());
     }
     std::sort(together.begin(), together.end());
-    check(together == whole, "the whole from ", parts, " parts by their percentile: ", whole.size(),
-      " stipples, found ", together.size());
+    EXPECT_EQ(together, Whole) << "the whole from " << parts << " parts by their percentile: " << Whole.size()
+                               << " stipples, found " << together.size();
   }
-  return check.Result();
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stipples of meshes: as many as the area asks for, however the surface is cut into polygons.
 
-#include "InkTestChecks.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -15,6 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +31,11 @@ double Field(vtkPolyData* data, const char* name)
 }
 
 /// Lists in priority order, all points in order, arrays of one tuple an element.
-void CheckContract(InkTestChecks& check, vtkPolyData* data)
+void CheckContract(vtkPolyData* data)
 {
   vtkDataArray* priority = data->GetPointData()->GetArray("Priority");
   vtkDataArray* normals = data->GetCellData()->GetNormals();
-  if (!check(priority && normals, "the arrays Priority and Normals"))
-  {
-    return;
-  }
+  ASSERT_TRUE(priority && normals) << "the arrays Priority and Normals";
   vtkIdType next = 0;
   for (vtkIdType e = 0; e < data->GetNumberOfCells(); ++e)
   {
@@ -52,11 +49,11 @@ void CheckContract(InkTestChecks& check, vtkPolyData* data)
       ordered = ordered && ids[i] == next++ && priority->GetComponent(ids[i], 0) >= before;
       before = priority->GetComponent(ids[i], 0);
     }
-    check(ordered, "element ", e, " to hold the next points in order of priority");
-    check(std::abs(vtkMath::Norm(normals->GetTuple3(e)) - 1.0) < 1e-5, "a unit normal");
+    EXPECT_TRUE(ordered) << "element " << e << " to hold the next points in order of priority";
+    EXPECT_LT(std::abs(vtkMath::Norm(normals->GetTuple3(e)) - 1.0), 1e-5) << "a unit normal";
   }
-  check(next == data->GetNumberOfPoints(), "all points in lists");
-  check(Field(data, "ElementKind") == 1.0, "surface elements");
+  EXPECT_EQ(next, data->GetNumberOfPoints()) << "all points in lists";
+  EXPECT_EQ(Field(data, "ElementKind"), 1.0) << "surface elements";
 }
 
 /// A unit square in the plane z = 0, all of it one polygon or n x n.
@@ -108,32 +105,10 @@ void NearestDistances(vtkPolyData* data, double below, double& least, double& me
   }
 }
 
-} // namespace
-
-int TestStippleGeneratorSurface(int, char*[])
+/// Strips of widths 1 to 4, together 10.
+vtkSmartPointer<vtkPolyData> MakeStrips()
 {
-  InkTestChecks check;
-  // However cut, the square has the same spacing, whatever share is drawn, across borders too: white noise
-  // has a mean of 1 and a least distance near 0.
-  for (const int n : { 1, 7, 40 })
-  {
-    const auto stipples = Stipple(MakeSquare(n), 2000);
-    CheckContract(check, stipples);
-    check(stipples->GetNumberOfPoints() == 2000, "2000 stipples, found ", stipples->GetNumberOfPoints());
-    check(std::abs(Field(stipples, "ElementSize") * n - 1.0) < 1e-6, "polygons of 1 / ", n);
-    check(std::abs(Field(stipples, "StipplesPerElement") * n * n - 2000.0) < 1e-6, "as many a polygon");
-    for (const double below : { 0.1, 0.5, 1.0 })
-    {
-      double least = 0.0;
-      double mean = 0.0;
-      NearestDistances(stipples, below, least, mean);
-      check(mean > 1.4 && least > 0.8, n, " x ", n, " polygons, ", below, " of the stipples: distances of ",
-        least, " at least and ", mean, " on average");
-    }
-  }
-
-  // Polygons of different sizes have stipples in proportion: strips of widths 1 to 4, together 10.
-  vtkNew<vtkPolyData> strips;
+  auto strips = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> polygons;
   vtkNew<vtkFloatArray> colors;
@@ -152,37 +127,92 @@ int TestStippleGeneratorSurface(int, char*[])
   strips->SetPoints(points);
   strips->SetPolys(polygons);
   strips->GetCellData()->SetScalars(colors);
+  return strips;
+}
+
+} // namespace
+
+/// However cut, the square has the same spacing, whatever share is drawn, across borders too: white noise
+/// has a mean of 1 and a least distance near 0.
+TEST(StippleGeneratorSurface, HoweverASquareIsCutItHasTheSameSpacing)
+{
+  for (const int n : { 1, 7, 40 })
+  {
+    const auto stipples = Stipple(MakeSquare(n), 2000);
+    CheckContract(stipples);
+    EXPECT_EQ(stipples->GetNumberOfPoints(), 2000) << "2000 stipples";
+    EXPECT_LT(std::abs(Field(stipples, "ElementSize") * n - 1.0), 1e-6) << "polygons of 1 / " << n;
+    EXPECT_LT(std::abs(Field(stipples, "StipplesPerElement") * n * n - 2000.0), 1e-6) << "as many a polygon";
+    for (const double below : { 0.1, 0.5, 1.0 })
+    {
+      double least = 0.0;
+      double mean = 0.0;
+      NearestDistances(stipples, below, least, mean);
+      EXPECT_TRUE(mean > 1.4 && least > 0.8)
+        << n << " x " << n << " polygons, " << below << " of the stipples: distances of " << least
+        << " at least and " << mean << " on average";
+    }
+  }
+}
+
+TEST(StippleGeneratorSurface, PolygonsHaveStipplesInProportionToTheirArea)
+{
   vtkNew<vtkInkStippleGenerator> generator;
-  generator->SetInputData(strips);
+  generator->SetInputData(MakeStrips());
   generator->SetMaximumStipples(50);
   generator->PassScalarsOn();
   generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Width");
   generator->Update();
   vtkPolyData* inStrips = generator->GetOutput();
-  CheckContract(check, inStrips);
-  check(inStrips->GetNumberOfPoints() == 200, "50 stipples a polygon");
+  CheckContract(inStrips);
+  EXPECT_EQ(inStrips->GetNumberOfPoints(), 200) << "50 stipples a polygon";
   vtkDataArray* widths = inStrips->GetCellData()->GetScalars();
-  if (check(widths && inStrips->GetNumberOfCells() == 4, "four elements with their widths"))
+  ASSERT_TRUE(widths && inStrips->GetNumberOfCells() == 4) << "four elements with their widths";
+  for (vtkIdType e = 0; e < 4; ++e)
   {
-    for (vtkIdType e = 0; e < 4; ++e)
-    {
-      const vtkIdType size = inStrips->GetVerts()->GetCellSize(e);
-      const double width = widths->GetComponent(e, 0);
-      // The narrow ones have few stipples, and the outer ones more of the mesh's border, where stipples may
-      // lie closer.
-      check(std::abs(static_cast<double>(size) / width - 20.0) < 3.0 + 3.0 / width,
-        "20 stipples for 1 of width ", width, ", found ", size);
-      check(inStrips->GetCellData()->GetNormals()->GetTuple3(e)[2] == 1.0, "a normal along z");
-    }
+    const vtkIdType size = inStrips->GetVerts()->GetCellSize(e);
+    const double width = widths->GetComponent(e, 0);
+    // The narrow ones have few stipples, and the outer ones more of the mesh's border, where stipples may
+    // lie closer.
+    EXPECT_LT(std::abs(static_cast<double>(size) / width - 20.0), 3.0 + 3.0 / width)
+      << "20 stipples for 1 of width " << width << ", found " << size;
+    EXPECT_EQ(inStrips->GetCellData()->GetNormals()->GetTuple3(e)[2], 1.0) << "a normal along z";
   }
+}
 
+/// The longest side, 10, measures 300 pixels; a number given wins.
+TEST(StippleGeneratorSurface, ProjectedMeshesHaveAStippleAPixel)
+{
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(MakeStrips());
+  generator->SetMaximumStipples(50);
+  generator->SetMaximumStipplesModeToProjected();
+  generator->SetPictureSize(300.0);
+  generator->Update();
+  vtkPolyData* inStrips = generator->GetOutput();
+  EXPECT_EQ(inStrips->GetNumberOfPoints(), 300 * 150) << "45,000 stipples";
+  CheckContract(inStrips);
+  for (vtkIdType e = 0; e < inStrips->GetNumberOfCells(); ++e)
+  {
+    const double pixels = 30.0 * static_cast<double>(e + 1) * 150.0;
+    const auto size = static_cast<double>(inStrips->GetVerts()->GetCellSize(e));
+    EXPECT_LT(std::abs(size / pixels - 1.0), 0.03)
+      << pixels << " stipples by the polygon's area, found " << size;
+  }
+  generator->SetNumberOfSurfaceStipples(700);
+  generator->Update();
+  EXPECT_EQ(inStrips->GetNumberOfPoints(), 700) << "the number given";
+}
+
+TEST(StippleGeneratorSurface, NormalsPointOutOfASphere)
+{
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(2.0);
   sphere->SetThetaResolution(40);
   sphere->SetPhiResolution(30);
   sphere->Update();
   const auto onSphere = Stipple(sphere->GetOutput(), 5000);
-  CheckContract(check, onSphere);
+  CheckContract(onSphere);
   for (vtkIdType e = 0; e < onSphere->GetNumberOfCells(); ++e)
   {
     vtkIdType size = 0;
@@ -192,7 +222,6 @@ int TestStippleGeneratorSurface(int, char*[])
     double normal[3];
     onSphere->GetPoint(ids[0], point);
     onSphere->GetCellData()->GetNormals()->GetTuple(e, normal);
-    check(vtkMath::Dot(point, normal) > 1.97, "a normal out of the sphere");
+    EXPECT_GT(vtkMath::Dot(point, normal), 1.97) << "a normal out of the sphere";
   }
-  return check.Result();
 }

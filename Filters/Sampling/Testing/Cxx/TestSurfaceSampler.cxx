@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkInkSurfaceSampler puts out: how many points, where, with which arrays, for each kind of face.
 
-#include "InkTestChecks.h"
 #include "SamplerTestMeshes.h"
 
 #include "vtkCellData.h"
@@ -10,6 +9,8 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInkSurfaceSampler.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,30 @@ vtkSmartPointer<vtkPolyData> Sample(
   return sampler->GetOutput();
 }
 
-void TestArrays(InkTestChecks& check)
+/// Triangles of a mesh, with their global ids.
+vtkSmartPointer<vtkPolyData> CutOut(vtkPolyData* mesh, const std::function<bool(vtkIdType)>& isIn)
+{
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Ids");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    if (isIn(i))
+    {
+      polys->InsertNextCell(mesh->GetCell(i));
+      ids->InsertNextValue(1000 + i);
+    }
+  }
+  auto piece = vtkSmartPointer<vtkPolyData>::New();
+  piece->SetPoints(mesh->GetPoints());
+  piece->SetPolys(polys);
+  piece->GetCellData()->SetGlobalIds(ids);
+  return piece;
+}
+
+} // namespace
+
+TEST(SurfaceSampler, ArraysDescribeEachSample)
 {
   const auto ball = MakeBall(40, 2.0);
   for (const int method : { vtkInkSurfaceSampler::WHITE_NOISE, vtkInkSurfaceSampler::BLUE_NOISE,
@@ -46,27 +70,25 @@ void TestArrays(InkTestChecks& check)
         sampler->SetMethod(method);
         sampler->KeepFacesOn();
       });
-    check(points->GetNumberOfPoints() == 3000, "3000 points, found ", points->GetNumberOfPoints());
-    check(points->GetNumberOfVerts() == 1 && points->GetCellType(0) == VTK_POLY_VERTEX, "one poly-vertex");
-    check(IsFinite(points), "finite numbers");
+    EXPECT_EQ(points->GetNumberOfPoints(), 3000) << "3000 points";
+    EXPECT_TRUE(points->GetNumberOfVerts() == 1 && points->GetCellType(0) == VTK_POLY_VERTEX)
+      << "one poly-vertex";
+    EXPECT_TRUE(IsFinite(points)) << "finite numbers";
     for (int i = 0; i < points->GetPointData()->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = points->GetPointData()->GetArray(i);
       const auto kibibytes =
         static_cast<unsigned long>(array->GetNumberOfValues() * array->GetDataTypeSize() / 1024);
-      check(array->GetActualMemorySize() <= kibibytes + 1, array->GetName(),
-        " has memory for its values only: ", array->GetActualMemorySize(), " KiB");
+      EXPECT_LE(array->GetActualMemorySize(), kibibytes + 1)
+        << array->GetName() << " has memory for its values only: " << array->GetActualMemorySize() << " KiB";
     }
     vtkPointData* data = points->GetPointData();
     vtkDataArray* normals = data->GetNormals();
     vtkDataArray* radius = data->GetArray("Radius");
     vtkDataArray* priority = data->GetArray("Priority");
-    if (!check(normals && radius && priority && data->GetArray("FaceId") && data->GetArray("FacePoints") &&
-            data->GetArray("BarycentricCoordinates"),
-          "all arrays"))
-    {
-      return;
-    }
+    ASSERT_TRUE(normals && radius && priority && data->GetArray("FaceId") && data->GetArray("FacePoints") &&
+      data->GetArray("BarycentricCoordinates"))
+      << "all arrays";
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
     {
       double p[3];
@@ -75,13 +97,10 @@ void TestArrays(InkTestChecks& check)
       normals->GetTuple(i, n);
       const double length = std::hypot(p[0], p[1], p[2]);
       const double along = (p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) / length;
-      if (!check(std::abs(length - 2.0) < 0.01 && along > 0.998 && priority->GetComponent(i, 0) >= 0.0 &&
-              priority->GetComponent(i, 0) < 1.0 &&
-              (i == 0 || priority->GetComponent(i, 0) > priority->GetComponent(i - 1, 0)),
-            "point ", i, " on the ball with its normal outwards and its priority"))
-      {
-        return;
-      }
+      ASSERT_TRUE(std::abs(length - 2.0) < 0.01 && along > 0.998 && priority->GetComponent(i, 0) >= 0.0 &&
+        priority->GetComponent(i, 0) < 1.0 &&
+        (i == 0 || priority->GetComponent(i, 0) > priority->GetComponent(i - 1, 0)))
+        << "point " << i << " on the ball with its normal outwards and its priority";
       const auto face = static_cast<vtkIdType>(data->GetArray("FaceId")->GetComponent(i, 0));
       vtkIdType size = 0;
       const vtkIdType* corners = nullptr;
@@ -92,22 +111,22 @@ void TestArrays(InkTestChecks& check)
         const double weight = data->GetArray("BarycentricCoordinates")->GetComponent(i, corner);
         double at[3];
         ball->GetPoint(corners[corner], at);
-        check(weight >= 0.0 && data->GetArray("FacePoints")->GetComponent(i, corner) == corners[corner],
-          "corner ", corner, " of point ", i);
+        EXPECT_TRUE(weight >= 0.0 && data->GetArray("FacePoints")->GetComponent(i, corner) == corners[corner])
+          << "corner " << corner << " of point " << i;
         for (int axis = 0; axis < 3; ++axis)
         {
           expected[axis] += weight * at[axis];
         }
       }
-      check(std::hypot(expected[0] - p[0], expected[1] - p[1], expected[2] - p[2]) < 1e-5, "point ", i,
-        " at its barycentric place");
+      EXPECT_LT(std::hypot(expected[0] - p[0], expected[1] - p[1], expected[2] - p[2]), 1e-5)
+        << "point " << i << " at its barycentric place";
     }
     // A length, not an area: a ball ten times as large has ten times the radius.
     const auto larger =
       Sample(MakeBall(40, 20.0), 3000, [&](vtkInkSurfaceSampler* sampler) { sampler->SetMethod(method); });
     const double ratio =
       larger->GetPointData()->GetArray("Radius")->GetComponent(0, 0) / radius->GetComponent(0, 0);
-    check(std::abs(ratio - 10.0) < 1e-3, "ten times the radius, found ", ratio);
+    EXPECT_LT(std::abs(ratio - 10.0), 1e-3) << "ten times the radius, found " << ratio;
   }
   const auto bare = Sample(ball, 100,
     [](vtkInkSurfaceSampler* sampler)
@@ -117,12 +136,12 @@ void TestArrays(InkTestChecks& check)
       sampler->ComputePriorityOff();
       sampler->GenerateVerticesOff();
     });
-  check(bare->GetNumberOfPoints() == 100 && bare->GetPointData()->GetNumberOfArrays() == 0 &&
-      bare->GetNumberOfCells() == 0,
-    "points and nothing else");
+  EXPECT_TRUE(bare->GetNumberOfPoints() == 100 && bare->GetPointData()->GetNumberOfArrays() == 0 &&
+    bare->GetNumberOfCells() == 0)
+    << "points and nothing else";
 }
 
-void TestRadius(InkTestChecks& check)
+TEST(SurfaceSampler, NoTwoSamplesAreNearerThanTheRadius)
 {
   const auto square = MakeSquare(10);
   const auto byRadius = [](vtkInkSurfaceSampler* sampler)
@@ -132,14 +151,14 @@ void TestRadius(InkTestChecks& check)
   };
   const auto points = Sample(square, 1, byRadius);
   const vtkIdType count = points->GetNumberOfPoints();
-  check(LeastDistance(points, count) > 0.03 * (1.0 - 1e-4), "no two points nearer than the radius");
-  check(0.03 / HexagonalDistance(1.0, count) > 0.75, "as many as fit, found ", count);
+  EXPECT_GT(LeastDistance(points, count), 0.03 * (1.0 - 1e-4)) << "no two points nearer than the radius";
+  EXPECT_GT(0.03 / HexagonalDistance(1.0, count), 0.75) << "as many as fit, found " << count;
   const double cover = points->GetPointData()->GetArray("Radius")->GetComponent(0, 0);
-  check(cover > 0.03 && cover < 0.035, "discs a little larger than the radius: ", cover);
+  EXPECT_TRUE(cover > 0.03 && cover < 0.035) << "discs a little larger than the radius: " << cover;
 }
 
 /// Prefixes of the output are blue noise.
-void TestPriority(InkTestChecks& check)
+TEST(SurfaceSampler, PrefixesAreBlueNoise)
 {
   for (const auto& [method, least] : { std::pair(vtkInkSurfaceSampler::BLUE_NOISE, 0.53),
          std::pair(vtkInkSurfaceSampler::PROGRESSIVE_BLUE_NOISE, 0.62) })
@@ -150,14 +169,14 @@ void TestPriority(InkTestChecks& check)
     {
       const auto count = static_cast<vtkIdType>(share * 6000);
       const double ratio = LeastDistance(points, count) / HexagonalDistance(1.0, count);
-      check(ratio > least, "method ", method, ": distance of the first ", count,
-        " points against a hexagonal lattice's: ", ratio);
+      EXPECT_GT(ratio, least) << "method " << method << ": distance of the first " << count
+                              << " points against a hexagonal lattice's";
     }
   }
 }
 
 /// Blue noise below half a million samples and of a radius, from there on white noise.
-void TestAutomatic(InkTestChecks& check)
+TEST(SurfaceSampler, AutomaticIsBlueNoiseBelowHalfAMillion)
 {
   const auto square = MakeSquare(4);
   const auto sample = [&](int method, vtkIdType count)
@@ -188,12 +207,12 @@ void TestAutomatic(InkTestChecks& check)
       same->GetPoint(i, b);
       equal = a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
     }
-    check(equal, found, " points as by method ", method);
+    EXPECT_TRUE(equal) << found << " points as by method " << method;
   }
 }
 
 /// As many as a radius has, about as far from each other.
-void TestProgressiveRadius(InkTestChecks& check)
+TEST(SurfaceSampler, ProgressiveSamplesAreARadiusApart)
 {
   const auto points = Sample(MakeSquare(10), 1,
     [](vtkInkSurfaceSampler* sampler)
@@ -203,11 +222,11 @@ void TestProgressiveRadius(InkTestChecks& check)
       sampler->SetSampleRadius(0.02);
     });
   const double ratio = LeastDistance(points, points->GetNumberOfPoints()) / 0.02;
-  check(ratio > 0.93 && ratio < 1.07, "the radius within one step, found ", ratio, " of it");
+  EXPECT_TRUE(ratio > 0.93 && ratio < 1.07) << "the radius within one step, found " << ratio << " of it";
 }
 
 /// Triangles, quads, polygons and strips of the same square; with vertices and lines before them.
-void TestFaces(InkTestChecks& check)
+TEST(SurfaceSampler, SamplesPolygonsAndStripsByArea)
 {
   auto mixed = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -249,26 +268,23 @@ void TestFaces(InkTestChecks& check)
     double p[3];
     samples->GetPoint(i, p);
     const auto face = static_cast<int>(samples->GetPointData()->GetArray("FaceId")->GetComponent(i, 0));
-    if (!check(face >= 3 && face < 6, "a face, found ", face))
-    {
-      return;
-    }
+    ASSERT_TRUE(face >= 3 && face < 6) << "a face, found " << face;
     ++perFace[face];
     const bool inside = face == 3 ? p[0] <= 1.0
       : face == 5                 ? p[0] >= 1.0 && p[0] <= 3.0
                                   : p[0] >= 4.0 && (p[0] <= 5.0 || p[1] <= 1.0);
-    check(inside, "sample ", i, " inside face ", face);
+    EXPECT_TRUE(inside) << "sample " << i << " inside face " << face;
   }
   // Areas 1, 3 and 2: 1000, 3000 and 2000 samples, give or take four deviations.
-  check(std::abs(perFace[3] - 1000) < 120 && std::abs(perFace[4] - 3000) < 160 &&
-      std::abs(perFace[5] - 2000) < 150,
-    "samples by area: ", perFace[3], ", ", perFace[4], ", ", perFace[5]);
+  EXPECT_TRUE(std::abs(perFace[3] - 1000) < 120 && std::abs(perFace[4] - 3000) < 160 &&
+    std::abs(perFace[5] - 2000) < 150)
+    << "samples by area: " << perFace[3] << ", " << perFace[4] << ", " << perFace[5];
 
   const auto quads = Sample(MakeSquare(30, 1.0, false), 2000);
-  check(LeastDistance(quads, 2000) / HexagonalDistance(1.0, 2000) > 0.72, "blue noise on quads");
+  EXPECT_GT(LeastDistance(quads, 2000) / HexagonalDistance(1.0, 2000), 0.72) << "blue noise on quads";
 }
 
-void TestDensity(InkTestChecks& check)
+TEST(SurfaceSampler, FollowsADensity)
 {
   for (const bool ofCells : { false, true })
   {
@@ -303,14 +319,14 @@ void TestDensity(InkTestChecks& check)
         radius[isRight] = points->GetPointData()->GetArray("Radius")->GetComponent(i, 0);
       }
     }
-    check(points->GetNumberOfPoints() == 2000, "2000 points");
-    check(std::abs(right - 1600) < 80, "four times as many on the right: ", right);
-    check(std::abs(radius[0] / radius[1] - 2.0) < 0.01, "discs of half the radius");
+    EXPECT_EQ(points->GetNumberOfPoints(), 2000) << "2000 points";
+    EXPECT_LT(std::abs(right - 1600), 80) << "four times as many on the right: " << right;
+    EXPECT_LT(std::abs(radius[0] / radius[1] - 2.0), 0.01) << "discs of half the radius";
   }
 }
 
 /// Ghost cells are another piece's.
-void TestGhosts(InkTestChecks& check)
+TEST(SurfaceSampler, LeavesGhostCellsOut)
 {
   const auto square = MakeSquare(10);
   vtkNew<vtkUnsignedCharArray> ghosts;
@@ -327,36 +343,15 @@ void TestGhosts(InkTestChecks& check)
   {
     outside = outside && points->GetPoint(i)[1] >= 0.5 - 1e-6;
   }
-  check(outside, "samples outside ghost cells only");
+  EXPECT_TRUE(outside) << "samples outside ghost cells only";
   ghosts->Fill(vtkDataSetAttributes::DUPLICATECELL);
   ghosts->Modified();
-  check(Sample(square, 500)->GetNumberOfPoints() == 0, "none on ghosts alone");
-}
-
-/// Triangles of a mesh, with their global ids.
-vtkSmartPointer<vtkPolyData> CutOut(vtkPolyData* mesh, const std::function<bool(vtkIdType)>& isIn)
-{
-  vtkNew<vtkCellArray> polys;
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("Ids");
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
-  {
-    if (isIn(i))
-    {
-      polys->InsertNextCell(mesh->GetCell(i));
-      ids->InsertNextValue(1000 + i);
-    }
-  }
-  auto piece = vtkSmartPointer<vtkPolyData>::New();
-  piece->SetPoints(mesh->GetPoints());
-  piece->SetPolys(polys);
-  piece->GetCellData()->SetGlobalIds(ids);
-  return piece;
+  EXPECT_EQ(Sample(square, 500)->GetNumberOfPoints(), 0) << "none on ghosts alone";
 }
 
 /// Pieces of a mesh with global ids have the whole's white noise, however it is cut and whatever order its
 /// cells are in.
-void TestPieces(InkTestChecks& check)
+TEST(SurfaceSampler, PiecesHaveTheSamplesOfTheWhole)
 {
   const auto ball = MakeBall(30, 1.0);
   const auto sample = [](vtkPolyData* mesh)
@@ -379,8 +374,8 @@ void TestPieces(InkTestChecks& check)
   };
   const auto whole = sample(CutOut(ball, [](vtkIdType) { return true; }));
   const double expected = 0.697 * 4.0 * std::acos(-1.0) / (0.04 * 0.04);
-  check(std::abs(static_cast<double>(whole.size()) / expected - 1.0) < 0.03,
-    "as many as blue noise has, found ", whole.size());
+  EXPECT_LT(std::abs(static_cast<double>(whole.size()) / expected - 1.0), 0.03)
+    << "as many as blue noise has, found " << whole.size();
   for (const int pieces : { 2, 5 })
   {
     std::vector<std::array<double, 3>> together;
@@ -390,11 +385,11 @@ void TestPieces(InkTestChecks& check)
       together.insert(together.end(), part.begin(), part.end());
     }
     std::sort(together.begin(), together.end());
-    check(together == whole, pieces, " pieces have the whole's samples");
+    EXPECT_EQ(together, whole) << pieces << " pieces have the whole's samples";
   }
 }
 
-void TestThreads(InkTestChecks& check)
+TEST(SurfaceSampler, IsTheSameOnOneThreadAndOnTwo)
 {
   const auto ball = MakeBall(30, 1.0);
   vtkSmartPointer<vtkPolyData> outputs[2];
@@ -404,26 +399,8 @@ void TestThreads(InkTestChecks& check)
     outputs[i] = Sample(ball, 5000, [](vtkInkSurfaceSampler* sampler) { sampler->KeepFacesOn(); });
   }
   unsetenv("VTK_SMP_MAX_THREADS");
-  check(AreEqual(outputs[0], outputs[1]), "the same on one and two threads");
+  EXPECT_TRUE(AreEqual(outputs[0], outputs[1])) << "the same on one and two threads";
   const auto other = Sample(ball, 5000, [](vtkInkSurfaceSampler* sampler) { sampler->SetSeed(1); });
-  check(
-    LeastDistance(other, 5000) > 0.0 && other->GetPoint(0)[0] != outputs[0]->GetPoint(0)[0], "another seed");
-}
-
-} // namespace
-
-int TestSurfaceSampler(int, char*[])
-{
-  InkTestChecks check;
-  TestArrays(check);
-  TestRadius(check);
-  TestPriority(check);
-  TestAutomatic(check);
-  TestProgressiveRadius(check);
-  TestFaces(check);
-  TestDensity(check);
-  TestGhosts(check);
-  TestPieces(check);
-  TestThreads(check);
-  return check.Result();
+  EXPECT_TRUE(LeastDistance(other, 5000) > 0.0 && other->GetPoint(0)[0] != outputs[0]->GetPoint(0)[0])
+    << "another seed";
 }

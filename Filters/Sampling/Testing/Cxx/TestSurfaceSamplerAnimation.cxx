@@ -6,10 +6,12 @@
 
 #include "vtkInkSurfaceSampler.h"
 
+#include <gtest/gtest.h>
+
 namespace
 {
 
-void Expect(InkTestChecks& check, vtkPolyData* mesh, vtkPolyData* samples, const std::string& word)
+void Expect(vtkPolyData* mesh, vtkPolyData* samples, const std::string& word)
 {
   vtkNew<vtkInkSurfaceSampler> sampler;
   vtkNew<InkTestMessages> messages;
@@ -17,33 +19,36 @@ void Expect(InkTestChecks& check, vtkPolyData* mesh, vtkPolyData* samples, const
   sampler->SetInputData(mesh);
   sampler->SetFirstFrameData(samples);
   sampler->Update();
-  check(sampler->GetOutput()->GetNumberOfPoints() == 0, word, ": no points");
-  check(messages->Messages.size() == 1 && messages->Messages[0].find(word) != std::string::npos, word,
-    " in one message, found ", messages->Messages.size(),
-    messages->Messages.empty() ? "" : messages->Messages[0]);
+  EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), 0) << word << ": no points";
+  EXPECT_TRUE(messages->Messages.size() == 1 && messages->Messages[0].find(word) != std::string::npos)
+    << word << " in one message, found " << messages->Messages.size()
+    << (messages->Messages.empty() ? "" : messages->Messages[0]);
+}
+
+vtkSmartPointer<vtkPolyData> SampleOnce(vtkPolyData* mesh)
+{
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  sampler->SetInputData(mesh);
+  sampler->SetNumberOfSamples(1500);
+  sampler->KeepFacesOn();
+  sampler->Update();
+  return sampler->GetOutput();
 }
 
 } // namespace
 
-int TestSurfaceSamplerAnimation(int, char*[])
+TEST(SurfaceSamplerAnimation, SamplesFollowTheirFaces)
 {
-  InkTestChecks check;
   for (const bool triangles : { true, false })
   {
     const auto first = MakeSquare(12, 1.0, triangles, VTK_DOUBLE);
-    vtkNew<vtkInkSurfaceSampler> sampler;
-    sampler->SetInputData(first);
-    sampler->SetNumberOfSamples(1500);
-    sampler->KeepFacesOn();
-    sampler->Update();
-    const auto samples = vtkSmartPointer<vtkPolyData>::New();
-    samples->DeepCopy(sampler->GetOutput());
+    const auto samples = SampleOnce(first);
 
     vtkNew<vtkInkSurfaceSampler> mover;
     mover->SetInputData(first);
     mover->SetFirstFrameData(samples);
     mover->Update();
-    check(AreEqual(mover->GetOutput(), samples), "unmoved, to the bit");
+    EXPECT_TRUE(AreEqual(mover->GetOutput(), samples)) << "unmoved, to the bit";
 
     // Linear in each triangle, so that each sample is where the map takes it: sheared, scaled by two, tilted.
     const auto moved = MakePatch(
@@ -58,8 +63,8 @@ int TestSurfaceSamplerAnimation(int, char*[])
     mover->SetInputData(moved);
     mover->Update();
     vtkPolyData* output = mover->GetOutput();
-    check(output->GetNumberOfPoints() == 1500 && output->GetPointData()->GetArray("Priority"),
-      "all points with their priority");
+    EXPECT_TRUE(output->GetNumberOfPoints() == 1500 && output->GetPointData()->GetArray("Priority"))
+      << "all points with their priority";
     // The normal of the plane: (2, 0, 1) x (1, 2, 0) = (-2, 1, 4).
     const double scale = 1.0 / std::sqrt(21.0);
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -71,29 +76,33 @@ int TestSurfaceSamplerAnimation(int, char*[])
       output->GetPoint(i, b);
       output->GetPointData()->GetNormals()->GetTuple(i, n);
       const double wrong = std::hypot(b[0] - 2.0 * a[0] - a[1], b[1] - 2.0 * a[1], b[2] - a[0]);
-      if (!check(wrong < 1e-12, "sample ", i, " moved with its face, off by ", wrong) ||
-        !check(
-          std::hypot(n[0] + 2.0 * scale, n[1] - scale, n[2] - 4.0 * scale) < 1e-5, "normal of sample ", i))
-      {
-        break;
-      }
+      ASSERT_LT(wrong, 1e-12) << "sample " << i << " moved with its face";
+      ASSERT_LT(std::hypot(n[0] + 2.0 * scale, n[1] - scale, n[2] - 4.0 * scale), 1e-5)
+        << "normal of sample " << i;
     }
     const double ratio = output->GetPointData()->GetArray("Radius")->GetComponent(0, 0) /
       samples->GetPointData()->GetArray("Radius")->GetComponent(0, 0);
     // The map's larger singular value: its columns are (2, 0, 1) and (1, 2, 0).
-    check(std::abs(ratio - std::sqrt(7.0)) < 1e-6, "the radius grows by the stretch, found ", ratio);
+    EXPECT_LT(std::abs(ratio - std::sqrt(7.0)), 1e-6) << "the radius grows by the stretch, found " << ratio;
+  }
+}
 
-    Expect(check, MakeSquare(11, 1.0, triangles), samples, triangles ? "242" : "121");
+TEST(SurfaceSamplerAnimation, RefusesOtherMeshesAndSamples)
+{
+  for (const bool triangles : { true, false })
+  {
+    const auto first = MakeSquare(12, 1.0, triangles, VTK_DOUBLE);
+    const auto samples = SampleOnce(first);
+    Expect(MakeSquare(11, 1.0, triangles), samples, triangles ? "242" : "121");
     // As many cells and points, joined in another way.
     vtkNew<vtkPolyData> turned;
     turned->DeepCopy(first);
     turned->ReverseCell(5);
-    Expect(check, turned, samples, "other points");
+    Expect(turned, samples, "other points");
     const auto bare = vtkSmartPointer<vtkPolyData>::New();
     bare->SetPoints(samples->GetPoints());
-    Expect(check, first, bare, "KeepFaces");
+    Expect(first, bare, "KeepFaces");
     samples->GetPointData()->GetArray("FacePoints")->SetComponent(7, 1, 1e6);
-    Expect(check, first, samples, "sample 7");
+    Expect(first, samples, "sample 7");
   }
-  return check.Result();
 }

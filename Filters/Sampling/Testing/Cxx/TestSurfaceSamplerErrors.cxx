@@ -9,13 +9,15 @@
 #include "vtkFloatArray.h"
 #include "vtkInkSurfaceSampler.h"
 
+#include <gtest/gtest.h>
+
 namespace
 {
 
 using Change = std::function<void(vtkInkSurfaceSampler*, vtkPolyData*)>;
 
-void Expect(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
-  vtkIdType count, const Change& change)
+void Expect(
+  const std::string& name, const std::vector<std::string>& words, vtkIdType count, const Change& change)
 {
   const auto mesh = MakeSquare(4);
   vtkNew<vtkInkSurfaceSampler> sampler;
@@ -26,10 +28,11 @@ void Expect(InkTestChecks& check, const std::string& name, const std::vector<std
   sampler->SetInputData(mesh);
   sampler->Update();
   vtkPolyData* output = sampler->GetOutput();
-  check(
-    output->GetNumberOfPoints() == count, name, ": ", count, " points, found ", output->GetNumberOfPoints());
-  check(IsFinite(output), name, ": finite numbers");
+  EXPECT_EQ(output->GetNumberOfPoints(), count) << name << ": " << count << " points";
+  EXPECT_TRUE(IsFinite(output)) << name << ": finite numbers";
+  InkTestChecks check;
   messages->Expect(check, name, words);
+  EXPECT_EQ(check.Failed(), 0) << name;
 }
 
 vtkSmartPointer<vtkFloatArray> MakeArray(vtkIdType tuples, int components, double value)
@@ -49,15 +52,13 @@ void AskForDensity(vtkInkSurfaceSampler* sampler)
 
 } // namespace
 
-int TestSurfaceSamplerErrors(int, char*[])
+TEST(SurfaceSamplerErrors, AmountsThatCannotBeSampled)
 {
-  InkTestChecks check;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-
-  Expect(check, "nothing", {}, 0, [](vtkInkSurfaceSampler*, vtkPolyData* mesh) { mesh->Initialize(); });
+  Expect("nothing", {}, 0, [](vtkInkSurfaceSampler*, vtkPolyData* mesh) { mesh->Initialize(); });
   for (const double radius : { 0.0, -1.0, nan })
   {
-    Expect(check, "no radius", { "SampleRadius", "above 0" }, 0,
+    Expect("no radius", { "SampleRadius", "above 0" }, 0,
       [=](vtkInkSurfaceSampler* sampler, vtkPolyData*)
       {
         sampler->SetAmountToSampleRadius();
@@ -66,13 +67,13 @@ int TestSurfaceSamplerErrors(int, char*[])
   }
   for (const int method : { 0, 1 })
   {
-    Expect(check, "too many", { "1e+12 samples", "GiB" }, 0,
+    Expect("too many", { "1e+12 samples", "GiB" }, 0,
       [=](vtkInkSurfaceSampler* sampler, vtkPolyData*)
       {
         sampler->SetMethod(method);
         sampler->SetNumberOfSamples(1'000'000'000'000);
       });
-    Expect(check, "too small a radius", { "GiB" }, 0,
+    Expect("too small a radius", { "GiB" }, 0,
       [=](vtkInkSurfaceSampler* sampler, vtkPolyData*)
       {
         sampler->SetMethod(method);
@@ -80,7 +81,12 @@ int TestSurfaceSamplerErrors(int, char*[])
         sampler->SetSampleRadius(1e-9);
       });
   }
-  Expect(check, "no area", { "32 triangles", "no area" }, 0,
+}
+
+TEST(SurfaceSamplerErrors, MeshesWithoutArea)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Expect("no area", { "32 triangles", "no area" }, 0,
     [](vtkInkSurfaceSampler*, vtkPolyData* mesh)
     {
       for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -88,7 +94,7 @@ int TestSurfaceSamplerErrors(int, char*[])
         mesh->GetPoints()->SetPoint(i, 1.0 * i, 2.0 * i, 0.0);
       }
     });
-  Expect(check, "NaN", { "no area" }, 0,
+  Expect("NaN", { "no area" }, 0,
     [=](vtkInkSurfaceSampler*, vtkPolyData* mesh)
     {
       for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -96,19 +102,24 @@ int TestSurfaceSamplerErrors(int, char*[])
         mesh->GetPoints()->SetPoint(i, nan, 0.0, 0.0);
       }
     });
-  Expect(check, "a point that is not there", { "point 99", "0 to 24" }, 0,
+  Expect("a point that is not there", { "point 99", "0 to 24" }, 0,
     [](vtkInkSurfaceSampler*, vtkPolyData* mesh) {
       mesh->GetPolys()->InsertNextCell({ 0, 1, 99 });
     });
-  Expect(check, "no such density", { "\"Density\"", "none" }, 0,
+}
+
+TEST(SurfaceSamplerErrors, DensitiesThatCannotBeUsed)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Expect("no such density", { "\"Density\"", "none" }, 0,
     [](vtkInkSurfaceSampler* sampler, vtkPolyData*) { AskForDensity(sampler); });
-  Expect(check, "vector density", { "Density", "3 components" }, 0,
+  Expect("vector density", { "Density", "3 components" }, 0,
     [](vtkInkSurfaceSampler* sampler, vtkPolyData* mesh)
     {
       mesh->GetPointData()->AddArray(MakeArray(25, 3, 1.0));
       AskForDensity(sampler);
     });
-  Expect(check, "short density", { "Density", "10 values", "25" }, 0,
+  Expect("short density", { "Density", "10 values", "25" }, 0,
     [](vtkInkSurfaceSampler* sampler, vtkPolyData* mesh)
     {
       mesh->GetPointData()->AddArray(MakeArray(10, 1, 1.0));
@@ -116,7 +127,7 @@ int TestSurfaceSamplerErrors(int, char*[])
     });
   for (const double density : { 0.0, -3.0, nan })
   {
-    Expect(check, "no density", { "density", "above 0" }, 0,
+    Expect("no density", { "density", "above 0" }, 0,
       [=](vtkInkSurfaceSampler* sampler, vtkPolyData* mesh)
       {
         mesh->GetPointData()->AddArray(MakeArray(25, 1, density));
@@ -126,7 +137,7 @@ int TestSurfaceSamplerErrors(int, char*[])
   for (const auto& [unusable, words] :
     { std::pair{ -3.0, "1 negative" }, std::pair{ nan, "1 that are NaN" } })
   {
-    Expect(check, "density that is not used", { "density \"Density\"", words, "25 values" }, 200,
+    Expect("density that is not used", { "density \"Density\"", words, "25 values" }, 200,
       [value = unusable](vtkInkSurfaceSampler* sampler, vtkPolyData* mesh)
       {
         auto density = MakeArray(25, 1, 1.0);
@@ -135,31 +146,37 @@ int TestSurfaceSamplerErrors(int, char*[])
         AskForDensity(sampler);
       });
   }
+}
 
-  Expect(check, "some triangles of no area", {}, 200,
+TEST(SurfaceSamplerErrors, NoneForSomeBadCells)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Expect("some triangles of no area", {}, 200,
     [](vtkInkSurfaceSampler*, vtkPolyData* mesh)
     {
       mesh->GetPolys()->InsertNextCell({ 0, 0, 1 });
       mesh->GetPolys()->InsertNextCell({ 3, 3, 3 });
     });
-  Expect(check, "one NaN", {}, 200,
+  Expect("one NaN", {}, 200,
     [=](vtkInkSurfaceSampler*, vtkPolyData* mesh) { mesh->GetPoints()->SetPoint(7, nan, 0.0, 0.0); });
-  Expect(check, "the same triangle thrice", {}, 200,
+  Expect("the same triangle thrice", {}, 200,
     [](vtkInkSurfaceSampler*, vtkPolyData* mesh)
     {
       mesh->GetPolys()->InsertNextCell({ 0, 1, 6 });
       mesh->GetPolys()->InsertNextCell({ 1, 0, 6 });
     });
-  Expect(check, "normals of no length", {}, 200,
+  Expect("normals of no length", {}, 200,
     [](vtkInkSurfaceSampler*, vtkPolyData* mesh)
     {
       auto normals = MakeArray(25, 3, 0.0);
       normals->SetName("Normals");
       mesh->GetPointData()->SetNormals(normals);
     });
+}
 
-  // Asked to stop, it stops, without a message.
-  Expect(check, "stopped", {}, 0,
+TEST(SurfaceSamplerErrors, NoneWhenStopped)
+{
+  Expect("stopped", {}, 0,
     [](vtkInkSurfaceSampler* sampler, vtkPolyData*)
     {
       vtkNew<vtkCallbackCommand> stop;
@@ -168,5 +185,4 @@ int TestSurfaceSamplerErrors(int, char*[])
       sampler->AddObserver(vtkCommand::ProgressEvent, stop);
       sampler->SetNumberOfSamples(20000);
     });
-  return check.Result();
 }

@@ -12,6 +12,8 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +41,7 @@ vtkSmartPointer<vtkStructuredGrid> Structured()
   return grid;
 }
 
-/// Size^3 hexahedra with a cell array "Layer" of their places in z.
+/// Size^3 hexahedra with a cell array "Layer" of their positions in z.
 vtkSmartPointer<vtkUnstructuredGrid> Hexahedra()
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -58,9 +60,9 @@ vtkSmartPointer<vtkUnstructuredGrid> Hexahedra()
   return grid;
 }
 
-void CheckOnCube(InkTestChecks& check, const std::string& name, vtkPolyData* samples, double scale)
+void CheckOnCube(const std::string& name, vtkPolyData* samples, double scale)
 {
-  check(samples->GetNumberOfPoints() == 2000, name, ": 2000 points, found ", samples->GetNumberOfPoints());
+  EXPECT_EQ(samples->GetNumberOfPoints(), 2000) << name << ": 2000 points";
   int sides[6] = { 0, 0, 0, 0, 0, 0 };
   double farthest = 0.0;
   for (vtkIdType i = 0; i < samples->GetNumberOfPoints(); ++i)
@@ -78,13 +80,16 @@ void CheckOnCube(InkTestChecks& check, const std::string& name, vtkPolyData* sam
     ++sides[side];
     farthest = std::max(farthest, least);
   }
-  check(farthest < 1e-5 * scale, name, ": points on the cube, off by ", farthest);
+  EXPECT_LT(farthest, 1e-5 * scale) << name << ": points on the cube";
   // A sixth of them each: 333.
   const auto [fewest, most] = std::minmax_element(sides, sides + 6);
-  check(*fewest > 300 && *most < 370, name, ": as many on each side, found ", *fewest, " to ", *most);
+  EXPECT_TRUE(*fewest > 300 && *most < 370)
+    << name << ": as many on each side, found " << *fewest << " to " << *most;
 }
 
-void CheckSurfaces(InkTestChecks& check)
+} // namespace
+
+TEST(SurfaceSamplerGrids, SamplesTheirSurface)
 {
   const vtkSmartPointer<vtkPointSet> grids[] = { Structured(), Hexahedra() };
   for (vtkPointSet* grid : grids)
@@ -95,13 +100,15 @@ void CheckSurfaces(InkTestChecks& check)
     sampler->SetInputDataObject(grid);
     sampler->SetNumberOfSamples(2000);
     sampler->Update();
-    CheckOnCube(check, grid->GetClassName(), sampler->GetOutput(), 1.0);
+    CheckOnCube(grid->GetClassName(), sampler->GetOutput(), 1.0);
+    InkTestChecks check;
     messages->Expect(check, grid->GetClassName(), {});
+    EXPECT_EQ(check.Failed(), 0) << grid->GetClassName();
   }
 }
 
 /// Only the lower half of the cube's cells.
-void CheckDensity(InkTestChecks& check)
+TEST(SurfaceSamplerGrids, FollowsADensityOfTheirCells)
 {
   const auto grid = Hexahedra();
   auto* layer = vtkFloatArray::SafeDownCast(grid->GetCellData()->GetArray("Layer"));
@@ -114,13 +121,13 @@ void CheckDensity(InkTestChecks& check)
   sampler->SetNumberOfSamples(1000);
   sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Layer");
   sampler->Update();
-  check(sampler->GetOutput()->GetNumberOfPoints() == 1000, "1000 points");
-  check(
-    sampler->GetOutput()->GetBounds()[5] <= Size / 2 && sampler->GetOutput()->GetBounds()[5] > Size / 2 - 0.2,
-    "density by an array of the grid's cells, up to ", sampler->GetOutput()->GetBounds()[5]);
+  EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), 1000) << "1000 points";
+  EXPECT_TRUE(
+    sampler->GetOutput()->GetBounds()[5] <= Size / 2 && sampler->GetOutput()->GetBounds()[5] > Size / 2 - 0.2)
+    << "density by an array of the grid's cells, up to " << sampler->GetOutput()->GetBounds()[5];
 }
 
-void CheckDeformation(InkTestChecks& check)
+TEST(SurfaceSamplerGrids, FollowsTheirDeformation)
 {
   const auto grid = Hexahedra();
   vtkNew<vtkInkSurfaceSampler> sampler;
@@ -139,17 +146,17 @@ void CheckDeformation(InkTestChecks& check)
   grid->GetPoints()->Modified();
   grid->Modified();
   sampler->Update();
-  CheckOnCube(check, "deformed", sampler->GetOutput(), 2.0);
-  check(sampler->GetNumberOfSamplings() == 1, "one sampling, found ", sampler->GetNumberOfSamplings());
+  CheckOnCube("deformed", sampler->GetOutput(), 2.0);
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 1) << "one sampling";
   double p[3];
   double q[3];
   before->GetPoint(77, p);
   sampler->GetOutput()->GetPoint(77, q);
-  check(std::abs(2.0 * p[0] - q[0]) + std::abs(2.0 * p[1] - q[1]) + std::abs(2.0 * p[2] - q[2]) < 1e-5,
-    "samples that moved with the grid");
+  EXPECT_LT(std::abs(2.0 * p[0] - q[0]) + std::abs(2.0 * p[1] - q[1]) + std::abs(2.0 * p[2] - q[2]), 1e-5)
+    << "samples that moved with the grid";
 }
 
-void CheckPoints(InkTestChecks& check)
+TEST(SurfaceSamplerGrids, WithoutFacesAreClouds)
 {
   const auto ball = MakeBall(40, 2.0);
   vtkNew<vtkUnstructuredGrid> bare;
@@ -166,19 +173,7 @@ void CheckPoints(InkTestChecks& check)
     sampler->SetInputData(grid);
     sampler->RemoveIsolatedOff();
     sampler->Update();
-    check(sampler->GetOutput()->GetNumberOfPoints() == ball->GetNumberOfPoints(), "a cloud of ",
-      ball->GetNumberOfPoints(), " points, found ", sampler->GetOutput()->GetNumberOfPoints());
+    EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), ball->GetNumberOfPoints())
+      << "a cloud of " << ball->GetNumberOfPoints() << " points";
   }
-}
-
-} // namespace
-
-int TestSurfaceSamplerGrids(int, char*[])
-{
-  InkTestChecks check;
-  CheckSurfaces(check);
-  CheckDensity(check);
-  CheckDeformation(check);
-  CheckPoints(check);
-  return check.Result();
 }

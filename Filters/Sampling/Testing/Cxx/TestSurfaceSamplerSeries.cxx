@@ -13,6 +13,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <gtest/gtest.h>
+
 namespace
 {
 
@@ -75,7 +77,7 @@ protected:
   }
 };
 
-void SetUp(vtkInkSurfaceSampler* sampler)
+void Configure(vtkInkSurfaceSampler* sampler)
 {
   sampler->SetNumberOfSamples(800);
   sampler->FollowDeformationOn();
@@ -89,19 +91,21 @@ vtkSmartPointer<vtkPolyData> At(vtkInkSurfaceSampler* sampler, double time)
   return copy;
 }
 
-void CheckMovement(InkTestChecks& check)
+} // namespace
+
+TEST(SurfaceSamplerSeries, SamplesMoveWithTheMesh)
 {
   vtkNew<SquareSeries> series;
   vtkNew<vtkInkSurfaceSampler> sampler;
-  SetUp(sampler);
+  Configure(sampler);
   sampler->SetInputConnection(series->GetOutputPort());
   const auto first = At(sampler, 0.0);
-  check(sampler->GetNumberOfSamplings() == 1 && series->Runs == 1, "the first step at once");
+  EXPECT_TRUE(sampler->GetNumberOfSamplings() == 1 && series->Runs == 1) << "the first step at once";
   vtkSmartPointer<vtkPolyData> fifth;
   for (const double time : { 1.0, 2.5, 5.0 })
   {
     fifth = At(sampler, time);
-    check(fifth->GetNumberOfPoints() == 800, "all samples at ", time);
+    EXPECT_EQ(fifth->GetNumberOfPoints(), 800) << "all samples at " << time;
     for (vtkIdType i = 0; i < fifth->GetNumberOfPoints(); ++i)
     {
       double a[3];
@@ -110,82 +114,79 @@ void CheckMovement(InkTestChecks& check)
       first->GetPoint(i, a);
       fifth->GetPoint(i, b);
       SquareSeries::Place(time, a[0], a[1], expected);
-      if (!check(std::hypot(b[0] - expected[0], b[1] - expected[1], b[2] - expected[2]) < 1e-12, "sample ", i,
-            " at ", time))
-      {
-        break;
-      }
+      ASSERT_LT(std::hypot(b[0] - expected[0], b[1] - expected[1], b[2] - expected[2]), 1e-12)
+        << "sample " << i << " at " << time;
     }
   }
-  check(sampler->GetNumberOfSamplings() == 1, "sampled once");
-  check(fifth->GetFieldData()->GetNumberOfArrays() == 0 && !fifth->GetPointData()->GetArray("FaceId"),
-    "no arrays that were not asked for");
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 1) << "sampled once";
+  EXPECT_TRUE(fifth->GetFieldData()->GetNumberOfArrays() == 0 && !fifth->GetPointData()->GetArray("FaceId"))
+    << "no arrays that were not asked for";
 
   // Whichever step is asked for first.
   vtkNew<vtkInkSurfaceSampler> other;
-  SetUp(other);
+  Configure(other);
   vtkNew<SquareSeries> again;
   other->SetInputConnection(again->GetOutputPort());
-  check(AreEqual(At(other, 5.0), fifth), "the same samples when step 5 comes first");
-  check(again->Runs == 2 && other->GetNumberOfSamplings() == 1, "the first step was asked for");
-  check(AreEqual(At(other, 0.0), first), "and the first after it");
+  EXPECT_TRUE(AreEqual(At(other, 5.0), fifth)) << "the same samples when step 5 comes first";
+  EXPECT_TRUE(again->Runs == 2 && other->GetNumberOfSamplings() == 1) << "the first step was asked for";
+  EXPECT_TRUE(AreEqual(At(other, 0.0), first)) << "and the first after it";
 
   // Other faces: sampled anew, once, and the old ones come back.
   const auto seventh = At(sampler, 7.0);
-  check(sampler->GetNumberOfSamplings() == 2 && seventh->GetNumberOfPoints() == 800, "other faces");
+  EXPECT_TRUE(sampler->GetNumberOfSamplings() == 2 && seventh->GetNumberOfPoints() == 800) << "other faces";
   At(sampler, 8.0);
-  check(AreEqual(At(sampler, 5.0), fifth), "back to the first faces");
-  check(AreEqual(At(sampler, 7.0), seventh), "and to the others");
-  check(sampler->GetNumberOfSamplings() == 2, "each of the two sampled once");
+  EXPECT_TRUE(AreEqual(At(sampler, 5.0), fifth)) << "back to the first faces";
+  EXPECT_TRUE(AreEqual(At(sampler, 7.0), seventh)) << "and to the others";
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 2) << "each of the two sampled once";
 
   sampler->SetSeed(1);
-  check(!AreEqual(At(sampler, 5.0), fifth) && sampler->GetNumberOfSamplings() == 3,
-    "another seed: other samples");
+  EXPECT_TRUE(!AreEqual(At(sampler, 5.0), fifth) && sampler->GetNumberOfSamplings() == 3)
+    << "another seed: other samples";
   series->Modified();
   At(sampler, 5.0);
-  check(sampler->GetNumberOfSamplings() == 4, "another series: other samples");
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 4) << "another series: other samples";
   sampler->FollowDeformationOff();
   At(sampler, 4.0);
   At(sampler, 5.0);
-  check(sampler->GetNumberOfSamplings() == 6, "off: each step anew");
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 6) << "off: each step anew";
 }
 
-void CheckEmptyFirstStep(InkTestChecks& check)
+TEST(SurfaceSamplerSeries, TheFirstStepMayBeEmpty)
 {
   vtkNew<SquareSeries> series;
   series->Empty = true;
   vtkNew<vtkInkSurfaceSampler> sampler;
   vtkNew<InkTestMessages> messages;
   messages->Observe(sampler);
-  SetUp(sampler);
+  Configure(sampler);
   sampler->SetInputConnection(series->GetOutputPort());
-  check(At(sampler, 3.0)->GetNumberOfPoints() == 800, "samples after an empty first step");
-  check(At(sampler, 0.0)->GetNumberOfPoints() == 0, "none of it");
-  check(At(sampler, 4.0)->GetNumberOfPoints() == 800, "and again");
-  check(sampler->GetNumberOfSamplings() == 1, "sampled once");
-  check(messages->Messages.empty(), "no message");
+  EXPECT_EQ(At(sampler, 3.0)->GetNumberOfPoints(), 800) << "samples after an empty first step";
+  EXPECT_EQ(At(sampler, 0.0)->GetNumberOfPoints(), 0) << "none of it";
+  EXPECT_EQ(At(sampler, 4.0)->GetNumberOfPoints(), 800) << "and again";
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 1) << "sampled once";
+  EXPECT_TRUE(messages->Messages.empty()) << "no message";
 }
 
 /// Points at first, then a mesh.
-void CheckFacelessFirstStep(InkTestChecks& check)
+TEST(SurfaceSamplerSeries, TheFirstStepMayHaveNoFaces)
 {
   vtkNew<SquareSeries> series;
   series->Faceless = true;
   vtkNew<vtkInkSurfaceSampler> sampler;
-  SetUp(sampler);
+  Configure(sampler);
   sampler->SetInputConnection(series->GetOutputPort());
-  check(At(sampler, 0.0)->GetNumberOfPoints() == 81, "the points themselves");
-  check(At(sampler, 3.0)->GetNumberOfPoints() == 800, "samples");
-  check(At(sampler, 0.0)->GetNumberOfPoints() == 81, "the points again");
-  check(
-    At(sampler, 4.0)->GetNumberOfPoints() == 800 && sampler->GetNumberOfSamplings() == 1, "the same samples");
+  EXPECT_EQ(At(sampler, 0.0)->GetNumberOfPoints(), 81) << "the points themselves";
+  EXPECT_EQ(At(sampler, 3.0)->GetNumberOfPoints(), 800) << "samples";
+  EXPECT_EQ(At(sampler, 0.0)->GetNumberOfPoints(), 81) << "the points again";
+  EXPECT_TRUE(At(sampler, 4.0)->GetNumberOfPoints() == 800 && sampler->GetNumberOfSamplings() == 1)
+    << "the same samples";
 }
 
-void CheckAbort(InkTestChecks& check)
+TEST(SurfaceSamplerSeries, CanBeAborted)
 {
   vtkNew<SquareSeries> series;
   vtkNew<vtkInkSurfaceSampler> sampler;
-  SetUp(sampler);
+  Configure(sampler);
   sampler->SetInputConnection(series->GetOutputPort());
   vtkNew<vtkCallbackCommand> abort;
   abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
@@ -194,15 +195,15 @@ void CheckAbort(InkTestChecks& check)
   At(sampler, 3.0);
   sampler->RemoveObserver(tag);
   sampler->SetAbortExecute(0);
-  check(At(sampler, 4.0)->GetNumberOfPoints() == 800, "samples after an abort");
+  EXPECT_EQ(At(sampler, 4.0)->GetNumberOfPoints(), 800) << "samples after an abort";
 }
 
 /// A program that deforms its mesh itself.
-void CheckWithoutTime(InkTestChecks& check)
+TEST(SurfaceSamplerSeries, MeshesMayDeformWithoutTime)
 {
   const auto mesh = MakeSquare(8, 1.0, true, VTK_DOUBLE);
   vtkNew<vtkInkSurfaceSampler> sampler;
-  SetUp(sampler);
+  Configure(sampler);
   sampler->SetInputData(mesh);
   sampler->Update();
   double before[3];
@@ -217,15 +218,15 @@ void CheckWithoutTime(InkTestChecks& check)
   sampler->Update();
   double after[3];
   sampler->GetOutput()->GetPoint(7, after);
-  check(std::abs(after[0] - 2.0 * before[0]) < 1e-12 && after[2] == 1.0, "moved with the points");
-  check(sampler->GetNumberOfSamplings() == 1, "sampled once");
+  EXPECT_TRUE(std::abs(after[0] - 2.0 * before[0]) < 1e-12 && after[2] == 1.0) << "moved with the points";
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 1) << "sampled once";
   sampler->SetInputData(MakeSquare(9, 1.0, true, VTK_DOUBLE));
   sampler->Update();
-  check(sampler->GetNumberOfSamplings() == 2, "another mesh");
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 2) << "another mesh";
 }
 
 /// Half of the surface is stretched to four times its length: no holes there, no larger discs elsewhere.
-void CheckStretch(InkTestChecks& check)
+TEST(SurfaceSamplerSeries, StretchedFacesHaveNoHoles)
 {
   const auto stretched = [](double u, double factor) { return u <= 0.5 ? u : 0.5 + factor * (u - 0.5); };
   const auto patch = [&](double factor)
@@ -241,7 +242,7 @@ void CheckStretch(InkTestChecks& check)
       VTK_DOUBLE);
   };
   vtkNew<vtkInkSurfaceSampler> sampler;
-  SetUp(sampler);
+  Configure(sampler);
   sampler->SetInputData(patch(1.0));
   sampler->Update();
   const double rest = sampler->GetOutput()->GetPointData()->GetArray("Radius")->GetComponent(0, 0);
@@ -253,8 +254,8 @@ void CheckStretch(InkTestChecks& check)
   {
     const double x = output->GetPoint(i)[0];
     const double ratio = radius->GetComponent(i, 0) / rest;
-    check(x > 0.4 || std::abs(ratio - 1.0) < 1e-6, "at rest at ", x, ": ", ratio);
-    check(x < 0.5 || std::abs(ratio - 4.0) < 1e-5, "stretched at ", x, ": ", ratio);
+    EXPECT_TRUE(x > 0.4 || std::abs(ratio - 1.0) < 1e-6) << "at rest at " << x << ": " << ratio;
+    EXPECT_TRUE(x < 0.5 || std::abs(ratio - 4.0) < 1e-5) << "stretched at " << x << ": " << ratio;
   }
   for (int row = 0; row < 60; ++row)
   {
@@ -268,21 +269,7 @@ void CheckStretch(InkTestChecks& check)
         const double* p = output->GetPoint(i);
         covered = std::hypot(p[0] - x, p[1] - y) <= radius->GetComponent(i, 0);
       }
-      check(covered, "a hole at ", x, ", ", y);
+      EXPECT_TRUE(covered) << "a hole at " << x << ", " << y;
     }
   }
-}
-
-} // namespace
-
-int TestSurfaceSamplerSeries(int, char*[])
-{
-  InkTestChecks check;
-  CheckMovement(check);
-  CheckEmptyFirstStep(check);
-  CheckFacelessFirstStep(check);
-  CheckAbort(check);
-  CheckWithoutTime(check);
-  CheckStretch(check);
-  return check.Result();
 }

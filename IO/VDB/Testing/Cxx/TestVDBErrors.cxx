@@ -10,6 +10,8 @@
 #include "vtkInkVDBReader.h"
 #include "vtkNew.h"
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -19,8 +21,8 @@ namespace
 {
 
 template <class Reader>
-void ExpectFrom(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
-  const std::function<void(Reader*)>& change)
+void ExpectFrom(
+  const std::string& name, const std::vector<std::string>& words, const std::function<void(Reader*)>& change)
 {
   vtkNew<Reader> reader;
   vtkNew<InkTestMessages> messages;
@@ -28,13 +30,15 @@ void ExpectFrom(InkTestChecks& check, const std::string& name, const std::vector
   messages->Observe(reader->GetExecutive());
   change(reader);
   reader->Update();
-  check(reader->GetOutput()->GetNumberOfPoints() == 0, name, ": no points");
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << name << ": no points";
+  InkTestChecks check;
   messages->Expect(check, name, words);
+  EXPECT_EQ(check.Failed(), 0) << name;
 }
 
 /// For both classes.
-void Expect(InkTestChecks& check, const std::string& name, const std::vector<std::string>& words,
-  const std::string& file, const char* grid = nullptr, int memory = 4096)
+void Expect(const std::string& name, const std::vector<std::string>& words, const std::string& file,
+  const char* grid = nullptr, int memory = 4096)
 {
   const auto change = [&](auto* reader)
   {
@@ -42,73 +46,78 @@ void Expect(InkTestChecks& check, const std::string& name, const std::vector<std
     reader->SetGridName(grid);
     reader->SetMaximumMemory(memory);
   };
-  ExpectFrom<vtkInkVDBReader>(check, name, words, change);
-  ExpectFrom<vtkInkVDBIsoSurfaceSampler>(check, name + ", samples", words, change);
+  ExpectFrom<vtkInkVDBReader>(name, words, change);
+  ExpectFrom<vtkInkVDBIsoSurfaceSampler>(name + ", samples", words, change);
 }
 
 } // namespace
 
-int TestVDBErrors(int, char*[])
+TEST(VDBErrors, FilesOfOtherContents)
 {
-  InkTestChecks check;
+  Expect("no name", { "FileName is empty" }, "");
+  Expect("no file", { "\"none.vdb\"", "there is no such file" }, "none.vdb");
+  Expect("a folder", { "not a regular file" }, ".");
+  std::ofstream(FileOfTest("Text.vdb")) << "These are words, not voxels.";
+  Expect("no OpenVDB file", { "it is not an OpenVDB file" }, FileOfTest("Text.vdb"));
+  std::ofstream(FileOfTest("Empty.vdb")).flush();
+  Expect("an empty file", { "it is not an OpenVDB file" }, FileOfTest("Empty.vdb"));
+}
+
+TEST(VDBErrors, FilesThatEndTooSoon)
+{
+  std::ifstream in(WriteVDB("Whole.vdb", { MakeSphere() }), std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(in), {} };
+  std::ofstream(FileOfTest("Short.vdb"), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+  Expect("cut short", { "it " }, FileOfTest("Short.vdb"));
+}
+
+TEST(VDBErrors, GridsThatCannotBeRead)
+{
   const auto mask = openvdb::BoolGrid::create();
   mask->setName("mask");
-  const std::string file = WriteVDB("TestVDBErrors.vdb", { MakeSphere(), mask });
-
-  Expect(check, "no name", { "FileName is empty" }, "");
-  Expect(check, "no file", { "\"none.vdb\"", "there is no such file" }, "none.vdb");
-  Expect(check, "a folder", { "not a regular file" }, ".");
-  std::ofstream("TestVDBErrorsText.vdb") << "These are words, not voxels.";
-  Expect(check, "no OpenVDB file", { "it is not an OpenVDB file" }, "TestVDBErrorsText.vdb");
-  std::ofstream("TestVDBErrorsEmpty.vdb").flush();
-  Expect(check, "an empty file", { "it is not an OpenVDB file" }, "TestVDBErrorsEmpty.vdb");
-  Expect(check, "no such grid", { "no grid 'density'", "'sphere' (float), 'mask' (bool)" }, file, "density");
-  Expect(check, "not numbers", { "'mask'", "'bool'; expected float, double or half" }, file, "mask");
-
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(in), {} };
-  std::ofstream("TestVDBErrorsShort.vdb", std::ios::binary) << bytes.substr(0, bytes.size() / 2);
-  Expect(check, "cut short", { "it " }, "TestVDBErrorsShort.vdb");
+  const std::string file = WriteVDB(".vdb", { MakeSphere(), mask });
+  Expect("no such grid", { "no grid 'density'", "'sphere' (float), 'mask' (bool)" }, file, "density");
+  Expect("not numbers", { "'mask'", "'bool'; expected float, double or half" }, file, "mask");
 
   const auto frustum = openvdb::FloatGrid::create();
   frustum->setName("frustum");
   frustum->tree().setValue(openvdb::Coord(1, 2, 3), 1.0f);
   frustum->setTransform(openvdb::math::Transform::createFrustumTransform(
     openvdb::BBoxd({ 0, 0, 0 }, { 10, 10, 10 }), 0.5, 10.0, 1.0));
-  Expect(check, "frustum", { "NonlinearFrustumMap", "expected a linear one" },
-    WriteVDB("TestVDBErrorsFrustum.vdb", { frustum }));
+  Expect("frustum", { "NonlinearFrustumMap", "expected a linear one" }, WriteVDB("Frustum.vdb", { frustum }));
+}
 
-  // Two voxels far apart: little as a tree, much as an image.
+/// Two voxels far apart: little as a tree, much as an image.
+TEST(VDBErrors, ImagesLargerThanTheMemoryAllowed)
+{
   const auto far = openvdb::FloatGrid::create(0.0f);
   far->setName("far");
   far->tree().setValue(openvdb::Coord(-100000, 0, 0), 1.0f);
   far->tree().setValue(openvdb::Coord(100000, 100000, 100000), 1.0f);
-  const std::string farFile = WriteVDB("TestVDBErrorsFar.vdb", { far });
-  ExpectFrom<vtkInkVDBReader>(check, "too large",
-    { "200005 x 100005 x 100005", "MiB", "allowed are 4096 MiB" },
-    [&](vtkInkVDBReader* reader) { reader->SetFileName(farFile.c_str()); });
+  const std::string file = WriteVDB(".vdb", { far });
+  ExpectFrom<vtkInkVDBReader>("too large", { "200005 x 100005 x 100005", "MiB", "allowed are 4096 MiB" },
+    [&](vtkInkVDBReader* reader) { reader->SetFileName(file.c_str()); });
   vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
-  sampler->SetFileName(farFile.c_str());
+  sampler->SetFileName(file.c_str());
   sampler->SetValue(0, 0.5);
   sampler->Update();
-  check(sampler->GetOutput()->GetNumberOfPoints() == 16, "16 points around two far voxels, found ",
-    sampler->GetOutput()->GetNumberOfPoints());
-  Expect(
-    check, "too large a tree", { "'sphere'", "MiB of memory; allowed are 1 MiB" },
-    [&]
-    {
-      const auto large =
-        openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(60.0f, { 0, 0, 0 }, 1.0f, 3.0f);
-      large->setName("sphere");
-      return WriteVDB("TestVDBErrorsLarge.vdb", { large });
-    }(),
-    nullptr, 1);
+  EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), 16) << "points around two far voxels";
+}
 
-  // An empty grid is no error, but worth a word.
+TEST(VDBErrors, TreesLargerThanTheMemoryAllowed)
+{
+  const auto large = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(60.0f, { 0, 0, 0 }, 1.0f, 3.0f);
+  large->setName("sphere");
+  Expect("too large a tree", { "'sphere'", "MiB of memory; allowed are 1 MiB" }, WriteVDB(".vdb", { large }),
+    nullptr, 1);
+}
+
+/// An empty grid is no error, but worth a word.
+TEST(VDBErrors, EmptyGridsAreMentioned)
+{
   const auto empty = openvdb::FloatGrid::create(1.0f);
   empty->setName("nothing");
-  const std::string emptyFile = WriteVDB("TestVDBErrorsNothing.vdb", { empty });
-  ExpectFrom<vtkInkVDBReader>(check, "empty grid", { "nothing", "no active voxels" },
-    [&](vtkInkVDBReader* reader) { reader->SetFileName(emptyFile.c_str()); });
-  return check.Result();
+  const std::string file = WriteVDB(".vdb", { empty });
+  ExpectFrom<vtkInkVDBReader>("empty grid", { "nothing", "no active voxels" },
+    [&](vtkInkVDBReader* reader) { reader->SetFileName(file.c_str()); });
 }

@@ -10,6 +10,8 @@
 #include "vtkInkVDBReader.h"
 #include "vtkNew.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdlib>
 
@@ -19,9 +21,10 @@ namespace
 /// Settings that both samplers have.
 struct Settings
 {
-  int NormalMethod = vtkInkIsoSurfaceSampler::CENTRAL_DIFFERENCE;
+  int NormalMethod = vtkInkIsoSurfaceSampler::INTERPOLATED_NORMAL;
   int Arithmetic = vtkAlgorithm::SINGLE_PRECISION;
   int Points = vtkAlgorithm::DEFAULT_PRECISION;
+  int ProjectionSteps = 0;
 
   template <class Sampler>
   void Apply(Sampler* sampler) const
@@ -29,6 +32,7 @@ struct Settings
     sampler->SetNormalMethod(this->NormalMethod);
     sampler->SetArithmeticPrecision(this->Arithmetic);
     sampler->SetOutputPointsPrecision(this->Points);
+    sampler->SetProjectionSteps(this->ProjectionSteps);
   }
 };
 
@@ -38,6 +42,7 @@ std::vector<VDBSample> Dense(
   vtkNew<vtkInkVDBReader> reader;
   reader->SetFileName(file.c_str());
   reader->SetGridName(grid);
+  reader->SetPadding(3);
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputConnection(reader->GetOutputPort());
   for (std::size_t n = 0; n < values.size(); ++n)
@@ -49,14 +54,122 @@ std::vector<VDBSample> Dense(
   return SamplesOf(sampler->GetOutput());
 }
 
-void TestSettings(InkTestChecks& check, const std::string& file)
+class VDBIsoSurfaceSampler : public testing::Test
 {
-  vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
-  sampler->SetFileName(file.c_str());
-  sampler->SetValue(0, 0.3);
+protected:
+  VDBIsoSurfaceSampler()
+  {
+    this->Sphere->transform().postRotate(0.5, openvdb::math::Z_AXIS);
+    const auto fog = openvdb::DoubleGrid::create(0.0);
+    fog->setName("fog");
+    fog->fill({ openvdb::Coord(-20, 0, 0), openvdb::Coord(20, 11, 15) }, 1.0);
+    fog->pruneGrid();
+    this->File = WriteVDB(".vdb", { this->Sphere, fog });
+    this->Messages->Observe(this->Sampler);
+    this->Sampler->SetFileName(this->File.c_str());
+  }
+  void TearDown() override { EXPECT_TRUE(this->Messages->Messages.empty()) << this->Messages->Messages[0]; }
+
+  /// Two surfaces of the level set.
+  std::vector<VDBSample> SampleTwo()
+  {
+    this->Sampler->SetNumberOfContours(2);
+    this->Sampler->SetValue(0, 0.5);
+    this->Sampler->SetValue(1, -0.25);
+    this->Sampler->Update();
+    return SamplesOf(this->Sampler->GetOutput());
+  }
+  std::vector<VDBSample> SampleFog()
+  {
+    this->Sampler->SetGridName("fog");
+    this->Sampler->SetValue(0, 0.5);
+    this->Sampler->Update();
+    return SamplesOf(this->Sampler->GetOutput());
+  }
+
+  openvdb::FloatGrid::Ptr Sphere = MakeSphere();
+  std::string File;
+  vtkNew<vtkInkVDBIsoSurfaceSampler> Sampler;
+  vtkNew<InkTestMessages> Messages;
+};
+
+} // namespace
+
+TEST_F(VDBIsoSurfaceSampler, SamplesLevelSetsAtZeroUnasked)
+{
+  Sampler->Update();
+  const std::vector<VDBSample> samples = SamplesOf(Sampler->GetOutput());
+  EXPECT_EQ(samples, Dense(File, "sphere", { 0.0 })) << "the dense sphere's points, found " << samples.size();
+  const openvdb::Vec3d center = Sphere->transform().indexToWorld(openvdb::Vec3d(2.0, 4.0, 6.0));
+  int inward = 0;
+  for (const VDBSample& s : samples)
+  {
+    const openvdb::Vec3d out = openvdb::Vec3d(s[0], s[1], s[2]) - center;
+    inward += out.dot(openvdb::Vec3d(s[3], s[4], s[5])) < 0.99 * out.length();
+  }
+  EXPECT_EQ(inward, 0) << "outward normals, " << inward << " are not";
+  EXPECT_EQ(Sampler->GetOutput()->GetNumberOfCells(), 1) << "one poly-vertex";
+  vtkDataArray* radius = Sampler->GetOutput()->GetPointData()->GetArray("Radius");
+  EXPECT_TRUE(radius && std::abs(radius->GetComponent(0, 0) - 0.25 * std::sqrt(3.0)) < 1e-6)
+    << "half a cell's diagonal";
+}
+
+TEST_F(VDBIsoSurfaceSampler, SamplesTwoSurfaces)
+{
+  const std::vector<VDBSample> samples = SampleTwo();
+  EXPECT_EQ(samples, Dense(File, "sphere", { 0.5, -0.25 }))
+    << "two surfaces, found " << samples.size() << " points";
+  EXPECT_EQ(std::count_if(samples.begin(), samples.end(),
+              [](const VDBSample& s) { return std::isnan(s[3]) || s[3] * s[3] > 1.001; }),
+    0)
+    << "unit normals";
+}
+
+TEST_F(VDBIsoSurfaceSampler, PiecesShareThePointsOut)
+{
+  const std::vector<VDBSample> samples = SampleTwo();
+  std::vector<VDBSample> pieces;
+  vtkIdType largest = 0;
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    Sampler->UpdatePiece(piece, 3, 0);
+    const std::vector<VDBSample> part = SamplesOf(Sampler->GetOutput());
+    largest = std::max(largest, Sampler->GetOutput()->GetNumberOfPoints());
+    pieces.insert(pieces.end(), part.begin(), part.end());
+  }
+  std::sort(pieces.begin(), pieces.end());
+  EXPECT_EQ(pieces, samples) << "three pieces make the whole";
+  EXPECT_LT(largest, static_cast<vtkIdType>(samples.size() / 2)) << "pieces of about the same size";
+}
+
+TEST_F(VDBIsoSurfaceSampler, SamplesFogVolumes)
+{
+  const std::vector<VDBSample> samples = SampleFog();
+  EXPECT_TRUE(!samples.empty() && samples == Dense(File, "fog", { 0.5 }))
+    << "a fog volume's points, found " << samples.size();
+}
+
+TEST_F(VDBIsoSurfaceSampler, MakesNothingButPointsWhereAskedTo)
+{
+  const std::vector<VDBSample> samples = SampleFog();
+  Sampler->ComputeNormalsOff();
+  Sampler->ComputeRadiusOff();
+  Sampler->GenerateVerticesOff();
+  Sampler->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  Sampler->Update();
+  vtkPolyData* output = Sampler->GetOutput();
+  EXPECT_TRUE(output->GetPointData()->GetNumberOfArrays() == 0 && output->GetNumberOfCells() == 0 &&
+    output->GetPoints()->GetDataType() == VTK_DOUBLE &&
+    output->GetNumberOfPoints() == static_cast<vtkIdType>(samples.size()))
+    << "nothing but points in double precision";
+}
+
+TEST_F(VDBIsoSurfaceSampler, SettingsMakeTheSamplesOfTheImage)
+{
+  Sampler->SetValue(0, 0.3);
   for (const char* grid : { "sphere", "fog" })
   {
-    sampler->SetGridName(grid);
+    Sampler->SetGridName(grid);
     std::vector<VDBSample> before;
     for (int method = vtkInkIsoSurfaceSampler::CELL; method <= vtkInkIsoSurfaceSampler::REGRESSION; ++method)
     {
@@ -65,15 +178,17 @@ void TestSettings(InkTestChecks& check, const std::string& file)
         for (const int points : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
         {
           const Settings settings{ method, arithmetic, points };
-          settings.Apply(sampler.Get());
-          sampler->Update();
-          const std::vector<VDBSample> samples = SamplesOf(sampler->GetOutput());
-          check(!samples.empty() && samples == Dense(file, grid, { 0.3 }, settings), grid, ": method ",
-            method, ", arithmetic ", arithmetic, ", points ", points, ": the dense path's to the bit");
+          settings.Apply(Sampler.Get());
+          Sampler->Update();
+          const std::vector<VDBSample> samples = SamplesOf(Sampler->GetOutput());
+          EXPECT_TRUE(!samples.empty() && samples == Dense(File, grid, { 0.3 }, settings))
+            << grid << ": method " << method << ", arithmetic " << arithmetic << ", points " << points
+            << ": the dense path's to the bit";
           // Each does change something.
           const bool doubled = std::string(grid) == "fog" && arithmetic == vtkAlgorithm::DOUBLE_PRECISION;
-          check(doubled || points == vtkAlgorithm::DOUBLE_PRECISION || samples != before, grid, ": method ",
-            method, ", arithmetic ", arithmetic, ": other samples than before");
+          EXPECT_TRUE(doubled || points == vtkAlgorithm::DOUBLE_PRECISION || samples != before)
+            << grid << ": method " << method << ", arithmetic " << arithmetic
+            << ": other samples than before";
           before = samples;
         }
       }
@@ -81,110 +196,55 @@ void TestSettings(InkTestChecks& check, const std::string& file)
   }
 }
 
-void TestSurfaceIndex(InkTestChecks& check, const std::string& file)
+/// Of a level set, which is negated, and of one that is not; two surfaces each.
+TEST_F(VDBIsoSurfaceSampler, ProjectionMakesTheSamplesOfTheImage)
 {
-  vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
-  sampler->SetFileName(file.c_str());
-  sampler->SetGridName("sphere");
-  sampler->SetValue(0, 0.5);
-  sampler->Update();
-  vtkPointData* data = sampler->GetOutput()->GetPointData();
-  const vtkIdType first = sampler->GetOutput()->GetNumberOfPoints();
-  check(first > 0 && !data->HasArray("SurfaceIndex"), "no index of one surface");
-  sampler->SetValue(1, -0.25);
-  sampler->Update();
-  data = sampler->GetOutput()->GetPointData();
+  EXPECT_EQ(Sampler->GetProjectionSteps(), 0) << "no projection unasked";
+  for (const char* grid : { "sphere", "fog" })
+  {
+    Sampler->SetGridName(grid);
+    Sampler->SetValue(0, 0.3);
+    Sampler->SetValue(1, 0.1);
+    for (const int points : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
+    {
+      std::vector<VDBSample> before;
+      for (const int steps : { 0, 2 })
+      {
+        Settings settings;
+        settings.Points = points;
+        settings.ProjectionSteps = steps;
+        settings.Apply(Sampler.Get());
+        Sampler->Update();
+        const std::vector<VDBSample> samples = SamplesOf(Sampler->GetOutput());
+        EXPECT_TRUE(!samples.empty() && samples == Dense(File, grid, { 0.3, 0.1 }, settings))
+          << grid << ": " << steps << " steps, points " << points << ": the dense path's to the bit";
+        EXPECT_NE(samples, before) << grid << ": " << steps << " steps, points " << points
+                                   << ": other points than before";
+        before = samples;
+      }
+    }
+  }
+}
+
+TEST_F(VDBIsoSurfaceSampler, SurfaceIndexCountsFromZero)
+{
+  Sampler->SetGridName("sphere");
+  Sampler->SetValue(0, 0.5);
+  Sampler->Update();
+  vtkPointData* data = Sampler->GetOutput()->GetPointData();
+  const vtkIdType first = Sampler->GetOutput()->GetNumberOfPoints();
+  EXPECT_TRUE(first > 0 && !data->HasArray("SurfaceIndex")) << "no index of one surface";
+  Sampler->SetValue(1, -0.25);
+  Sampler->Update();
+  data = Sampler->GetOutput()->GetPointData();
   vtkDataArray* index = data->GetArray("SurfaceIndex");
-  bool right = index && index->GetNumberOfTuples() == sampler->GetOutput()->GetNumberOfPoints();
+  bool right = index && index->GetNumberOfTuples() == Sampler->GetOutput()->GetNumberOfPoints();
   for (vtkIdType n = 0; right && n < index->GetNumberOfTuples(); ++n)
   {
     right = index->GetTuple1(n) == (n < first ? 0.0 : 1.0);
   }
-  check(right, "an index from 0 for each of two surfaces");
-  sampler->ComputeSurfaceIndexOff();
-  sampler->Update();
-  check(!data->HasArray("SurfaceIndex"), "no index unasked");
-}
-
-} // namespace
-
-int TestVDBIsoSurfaceSampler(int, char*[])
-{
-  InkTestChecks check;
-  const auto sphere = MakeSphere();
-  sphere->transform().postRotate(0.5, openvdb::math::Z_AXIS);
-  const auto fog = openvdb::DoubleGrid::create(0.0);
-  fog->setName("fog");
-  fog->fill({ openvdb::Coord(-20, 0, 0), openvdb::Coord(20, 11, 15) }, 1.0);
-  fog->pruneGrid();
-  const std::string file = WriteVDB("TestVDBIsoSurfaceSampler.vdb", { sphere, fog });
-
-  vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(sampler);
-  sampler->SetFileName(file.c_str());
-  sampler->Update();
-  // Level sets are sampled at 0 unasked.
-  std::vector<VDBSample> samples = SamplesOf(sampler->GetOutput());
-  check(samples == Dense(file, "sphere", { 0.0 }), "the dense sphere's points, found ", samples.size());
-  const openvdb::Vec3d center = sphere->transform().indexToWorld(openvdb::Vec3d(2.0, 4.0, 6.0));
-  int inward = 0;
-  for (const VDBSample& s : samples)
-  {
-    const openvdb::Vec3d out = openvdb::Vec3d(s[0], s[1], s[2]) - center;
-    inward += out.dot(openvdb::Vec3d(s[3], s[4], s[5])) < 0.99 * out.length();
-  }
-  check(inward == 0, "outward normals, ", inward, " are not");
-  check(sampler->GetOutput()->GetNumberOfCells() == 1, "one poly-vertex");
-  vtkDataArray* radius = sampler->GetOutput()->GetPointData()->GetArray("Radius");
-  check(
-    radius && std::abs(radius->GetComponent(0, 0) - 0.25 * std::sqrt(3.0)) < 1e-6, "half a cell's diagonal");
-
-  sampler->SetNumberOfContours(2);
-  sampler->SetValue(0, 0.5);
-  sampler->SetValue(1, -0.25);
-  sampler->Update();
-  samples = SamplesOf(sampler->GetOutput());
-  check(samples == Dense(file, "sphere", { 0.5, -0.25 }), "two surfaces, found ", samples.size(), " points");
-  check(std::count_if(samples.begin(), samples.end(),
-          [](const VDBSample& s) { return std::isnan(s[3]) || s[3] * s[3] > 1.001; }) == 0,
-    "unit normals");
-
-  // Pieces share the points out.
-  std::vector<VDBSample> pieces;
-  vtkIdType largest = 0;
-  for (int piece = 0; piece < 3; ++piece)
-  {
-    sampler->UpdatePiece(piece, 3, 0);
-    const std::vector<VDBSample> part = SamplesOf(sampler->GetOutput());
-    largest = std::max(largest, sampler->GetOutput()->GetNumberOfPoints());
-    pieces.insert(pieces.end(), part.begin(), part.end());
-  }
-  std::sort(pieces.begin(), pieces.end());
-  check(pieces == samples, "three pieces make the whole");
-  check(largest < static_cast<vtkIdType>(samples.size() / 2), "pieces of about the same size");
-
-  sampler->SetGridName("fog");
-  sampler->SetNumberOfContours(1);
-  sampler->SetValue(0, 0.5);
-  sampler->UpdatePiece(0, 1, 0);
-  samples = SamplesOf(sampler->GetOutput());
-  check(!samples.empty() && samples == Dense(file, "fog", { 0.5 }), "a fog volume's points, found ",
-    samples.size());
-
-  sampler->ComputeNormalsOff();
-  sampler->ComputeRadiusOff();
-  sampler->GenerateVerticesOff();
-  sampler->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  sampler->Update();
-  vtkPolyData* output = sampler->GetOutput();
-  check(output->GetPointData()->GetNumberOfArrays() == 0 && output->GetNumberOfCells() == 0 &&
-      output->GetPoints()->GetDataType() == VTK_DOUBLE &&
-      output->GetNumberOfPoints() == static_cast<vtkIdType>(samples.size()),
-    "nothing but points in double precision");
-  TestSettings(check, file);
-  TestSurfaceIndex(check, file);
-  check(messages->Messages.empty(), "no message, found ",
-    messages->Messages.empty() ? "" : messages->Messages[0]);
-  return check.Result();
+  EXPECT_TRUE(right) << "an index from 0 for each of two surfaces";
+  Sampler->ComputeSurfaceIndexOff();
+  Sampler->Update();
+  EXPECT_FALSE(data->HasArray("SurfaceIndex")) << "no index unasked";
 }

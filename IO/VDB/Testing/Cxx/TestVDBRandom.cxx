@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random sparse trees: vtkInkVDBIsoSurfaceSampler makes the points that vtkInkIsoSurfaceSampler makes of
-// vtkInkVDBReader's image, to the bit, and that image has the tree's values. With a number as argument, only
-// the tree of that seed.
+// vtkInkVDBReader's image, to the bit, and that image has the tree's values. Ten trees are a test, named by
+// the first one's seed.
 
 #include "InkTestRandom.h"
 #include "VDBTestFiles.h"
@@ -11,6 +11,8 @@
 #include "vtkInkVDBIsoSurfaceSampler.h"
 #include "vtkInkVDBReader.h"
 #include "vtkNew.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -24,6 +26,7 @@ using openvdb::Coord;
 using openvdb::CoordBBox;
 
 constexpr unsigned Trees = 120;
+constexpr unsigned TreesOfTest = 10;
 
 Coord RandomPlace(InkTestRandom& random, int size)
 {
@@ -136,12 +139,12 @@ void SetUp(Sampler* sampler, unsigned seed)
 }
 
 template <class Grid>
-void CheckTree(InkTestChecks& check, unsigned seed)
+void CheckTree(unsigned seed)
 {
   InkTestRandom random(seed);
   const auto grid = MakeGrid<Grid>(random);
   const std::string name = "seed " + std::to_string(seed);
-  const std::string file = WriteVDB("TestVDBRandom.vdb", { grid });
+  const std::string file = WriteVDB(".vdb", { grid });
   const bool levelSet = grid->getGridClass() == openvdb::GRID_LEVEL_SET;
 
   vtkNew<InkTestMessages> messages;
@@ -150,8 +153,8 @@ void CheckTree(InkTestChecks& check, unsigned seed)
   reader->SetFileName(file.c_str());
   reader->Update();
   const vtkIdType wrong = CountWrong(*grid, reader->GetOutput(), levelSet);
-  check(wrong == 0, name, ": the tree's values, but for ", wrong, " of ",
-    reader->GetOutput()->GetNumberOfPoints());
+  EXPECT_EQ(wrong, 0) << name << ": the tree's values, but for " << wrong << " of "
+                      << reader->GetOutput()->GetNumberOfPoints();
 
   vtkNew<vtkInkIsoSurfaceSampler> dense;
   messages->Observe(dense);
@@ -166,8 +169,8 @@ void CheckTree(InkTestChecks& check, unsigned seed)
   SetUp(sparse.Get(), seed);
   sparse->Update();
   const std::vector<VDBSample> found = SamplesOf(sparse->GetOutput());
-  check(found == expected, name, ": the image's ", expected.size(), " samples, found ", found.size(),
-    " or others");
+  EXPECT_EQ(found, expected) << name << ": the image's " << expected.size() << " samples, found "
+                             << found.size() << " or others";
 
   std::vector<VDBSample> all;
   const int pieces = 2 + random.UpTo(4);
@@ -178,26 +181,31 @@ void CheckTree(InkTestChecks& check, unsigned seed)
     all.insert(all.end(), part.begin(), part.end());
   }
   std::sort(all.begin(), all.end());
-  check(all == found, name, ": the same in ", pieces, " pieces");
-  check(messages->Messages.empty() || found.empty(), name, ": no message, found ",
-    messages->Messages.empty() ? "" : messages->Messages[0]);
+  EXPECT_EQ(all, found) << name << ": the same in " << pieces << " pieces";
+  EXPECT_TRUE(messages->Messages.empty() || found.empty())
+    << name << ": no message, found " << (messages->Messages.empty() ? "" : messages->Messages[0]);
 }
 
-void CheckSeed(InkTestChecks& check, unsigned seed)
+class VDBRandom : public testing::TestWithParam<unsigned>
 {
-  if (seed % 3 == 0)
-  {
-    CheckTree<openvdb::DoubleGrid>(check, seed);
-  }
-  else
-  {
-    CheckTree<openvdb::FloatGrid>(check, seed);
-  }
-}
+};
 
 } // namespace
 
-int TestVDBRandom(int argc, char* argv[])
+TEST_P(VDBRandom, SparseSamplesAreTheImages)
 {
-  return InkTestSeeds(argc, argv, Trees, CheckSeed);
+  for (unsigned seed = GetParam(); seed < GetParam() + TreesOfTest; ++seed)
+  {
+    if (seed % 3 == 0)
+    {
+      CheckTree<openvdb::DoubleGrid>(seed);
+    }
+    else
+    {
+      CheckTree<openvdb::FloatGrid>(seed);
+    }
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(
+  Trees, VDBRandom, testing::Range(0u, Trees, TreesOfTest), testing::PrintToStringParamName());

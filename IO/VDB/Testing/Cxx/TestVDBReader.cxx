@@ -10,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace
@@ -17,9 +19,9 @@ namespace
 
 using openvdb::Coord;
 
-/// The image against OpenVDB's own values and places, voxel by voxel.
+/// The image against OpenVDB's own values and positions, voxel by voxel.
 template <class Grid>
-void ExpectSame(InkTestChecks& check, vtkImageData* image, const Grid& grid, double factor)
+void ExpectSame(vtkImageData* image, const Grid& grid, double factor)
 {
   int extent[6];
   image->GetExtent(extent);
@@ -41,76 +43,84 @@ void ExpectSame(InkTestChecks& check, vtkImageData* image, const Grid& grid, dou
       }
     }
   }
-  check(wrongValues == 0, "the grid's values, ", wrongValues, " are wrong");
-  check(wrongPlaces == 0, "the grid's places, ", wrongPlaces, " are wrong");
+  EXPECT_EQ(wrongValues, 0) << "the grid's values, " << wrongValues << " are wrong";
+  EXPECT_EQ(wrongPlaces, 0) << "the grid's places, " << wrongPlaces << " are wrong";
 }
+
+class VDBReader : public testing::Test
+{
+protected:
+  VDBReader()
+  {
+    this->Sphere->transform().postRotate(0.5, openvdb::math::Z_AXIS);
+    this->Sphere->transform().postTranslate({ 100.0, -20.0, 3.0 });
+    this->Density->setName("density");
+    this->Density->tree().setValue(Coord(-5, 2, 900), 1.5);
+    this->Density->tree().setValue(Coord(3, 9, 905), 2.5);
+    this->Density->transform().postScale({ 1.0, -2.0, 3.0 });
+    const auto other = openvdb::Vec3SGrid::create();
+    other->setName("velocity");
+    this->File = WriteVDB(".vdb", { other, this->Sphere, this->Density });
+    this->Messages->Observe(this->Reader);
+    this->Reader->SetFileName(this->File.c_str());
+  }
+  void TearDown() override { EXPECT_TRUE(this->Messages->Messages.empty()) << this->Messages->Messages[0]; }
+
+  openvdb::FloatGrid::Ptr Sphere = MakeSphere();
+  openvdb::DoubleGrid::Ptr Density = openvdb::DoubleGrid::create(0.25);
+  std::string File;
+  vtkNew<vtkInkVDBReader> Reader;
+  vtkNew<InkTestMessages> Messages;
+};
 
 } // namespace
 
-int TestVDBReader(int, char*[])
+TEST_F(VDBReader, ListsTheGridsOfAFile)
 {
-  InkTestChecks check;
-  const auto sphere = MakeSphere();
-  sphere->transform().postRotate(0.5, openvdb::math::Z_AXIS);
-  sphere->transform().postTranslate({ 100.0, -20.0, 3.0 });
-  const auto density = openvdb::DoubleGrid::create(0.25);
-  density->setName("density");
-  density->tree().setValue(Coord(-5, 2, 900), 1.5);
-  density->tree().setValue(Coord(3, 9, 905), 2.5);
-  density->transform().postScale({ 1.0, -2.0, 3.0 });
-  const auto other = openvdb::Vec3SGrid::create();
-  other->setName("velocity");
-  const std::string file = WriteVDB("TestVDBReader.vdb", { other, sphere, density });
+  EXPECT_EQ(Reader->CanReadFile(File.c_str()), 1);
+  EXPECT_EQ(Reader->CanReadFile("none.vdb"), 0);
+  Reader->UpdateInformation();
+  EXPECT_EQ(Reader->GetNumberOfGrids(), 3);
+  EXPECT_STREQ(Reader->GetNameOfGrid(1), "sphere");
+  EXPECT_STREQ(Reader->GetTypeOfGrid(0), "vec3s");
+  EXPECT_STREQ(Reader->GetTypeOfGrid(2), "double");
+  EXPECT_STREQ(Reader->GetClassOfGrid(1), "level set");
+  EXPECT_STREQ(Reader->GetNameOfGrid(3), "") << "there is no fourth grid";
+  std::array<int, 3> dimensions;
+  Reader->GetDimensionsOfGrid(2, dimensions.data());
+  EXPECT_EQ(dimensions, (std::array<int, 3>{ 9, 8, 6 }));
+  EXPECT_EQ(Reader->GetNumberOfActiveVoxelsOfGrid(2), 2);
+  EXPECT_EQ(Reader->GetGridNames()->GetNumberOfValues(), 2) << "grids that can be read";
+}
 
-  vtkNew<vtkInkVDBReader> reader;
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(reader);
-  check(reader->CanReadFile(file.c_str()) == 1 && reader->CanReadFile("none.vdb") == 0, "CanReadFile");
-  reader->SetFileName(file.c_str());
-  reader->UpdateInformation();
-  check(reader->GetNumberOfGrids() == 3, "three grids, found ", reader->GetNumberOfGrids());
-  check(reader->GetNameOfGrid(1) == std::string("sphere"), "a sphere, found ", reader->GetNameOfGrid(1));
-  check(reader->GetTypeOfGrid(0) == std::string("vec3s"), "vec3s, found ", reader->GetTypeOfGrid(0));
-  check(reader->GetTypeOfGrid(2) == std::string("double"), "double, found ", reader->GetTypeOfGrid(2));
-  check(
-    reader->GetClassOfGrid(1) == std::string("level set"), "level set, found ", reader->GetClassOfGrid(1));
-  check(reader->GetNameOfGrid(3) == std::string(), "no fourth grid");
-  int dimensions[3];
-  reader->GetDimensionsOfGrid(2, dimensions);
-  check(dimensions[0] == 9 && dimensions[1] == 8 && dimensions[2] == 6, "9 x 8 x 6, found ", dimensions[0],
-    " x ", dimensions[1], " x ", dimensions[2]);
-  check(reader->GetNumberOfActiveVoxelsOfGrid(2) == 2, "two active voxels");
-  check(reader->GetGridNames()->GetNumberOfValues() == 2, "two grids that can be read");
+TEST_F(VDBReader, ReadsTheFirstGridThatItCanAndInvertsLevelSets)
+{
+  Reader->Update();
+  vtkImageData* image = Reader->GetOutput();
+  EXPECT_EQ(image->GetScalarType(), VTK_FLOAT);
+  EXPECT_STREQ(image->GetPointData()->GetScalars()->GetName(), "sphere");
+  ExpectSame(image, *Sphere, -1.0);
+  Reader->InvertLevelSetsOff();
+  Reader->Update();
+  ExpectSame(image, *Sphere, 1.0);
+}
 
-  // The first that can be read, its inside positive.
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  check(image->GetScalarType() == VTK_FLOAT &&
-      image->GetPointData()->GetScalars()->GetName() == std::string("sphere"),
-    "the array sphere of floats");
-  ExpectSame(check, image, *sphere, -1.0);
-  reader->InvertLevelSetsOff();
-  reader->Update();
-  ExpectSame(check, image, *sphere, 1.0);
+TEST_F(VDBReader, ReadsTheChosenGridWithPaddingAndPartsOfIt)
+{
+  Reader->SetGridName("density");
+  Reader->SetPadding(3);
+  Reader->Update();
+  vtkImageData* image = Reader->GetOutput();
+  std::array<int, 6> extent;
+  image->GetExtent(extent.data());
+  EXPECT_EQ(extent, (std::array<int, 6>{ -8, 6, -1, 12, 897, 908 })) << "3 voxels around";
+  EXPECT_EQ(image->GetScalarType(), VTK_DOUBLE);
+  ExpectSame(image, *Density, 1.0);
 
-  reader->SetGridName("density");
-  reader->InvertLevelSetsOn();
-  reader->SetPadding(3);
-  reader->Update();
-  int extent[6];
-  image->GetExtent(extent);
-  check(extent[0] == -8 && extent[1] == 6 && extent[4] == 897 && extent[5] == 908, "3 voxels around, found ",
-    extent[0], " to ", extent[1], " and ", extent[4], " to ", extent[5]);
-  check(image->GetScalarType() == VTK_DOUBLE, "doubles");
-  ExpectSame(check, image, *density, 1.0);
-
-  const int part[6] = { -5, 0, 2, 3, 900, 900 };
-  reader->Modified();
-  reader->UpdateExtent(part);
-  image->GetExtent(extent);
-  check(std::equal(part, part + 6, extent), "the part that was asked for");
-  ExpectSame(check, image, *density, 1.0);
-  check(messages->Messages.empty(), "no message, found ",
-    messages->Messages.empty() ? "" : messages->Messages[0]);
-  return check.Result();
+  const std::array<int, 6> part{ -5, 0, 2, 3, 900, 900 };
+  Reader->Modified();
+  Reader->UpdateExtent(part.data());
+  image->GetExtent(extent.data());
+  EXPECT_EQ(extent, part);
+  ExpectSame(image, *Density, 1.0);
 }

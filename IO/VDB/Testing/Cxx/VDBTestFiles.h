@@ -7,6 +7,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <gtest/gtest.h>
+
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
@@ -15,12 +17,21 @@
 #include <string>
 #include <vector>
 
-/// A file in the folder that the tests run in.
+/// A file's name in the folder that the tests run in, with the running test's, as ctest runs several at once.
+inline std::string FileOfTest(const std::string& name)
+{
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  std::string file = std::string(test.test_suite_name()) + test.name() + name;
+  std::replace(file.begin(), file.end(), '/', '_');
+  return file;
+}
+
 inline std::string WriteVDB(const std::string& name, const openvdb::GridPtrVec& grids)
 {
   openvdb::initialize();
-  openvdb::io::File(name).write(grids);
-  return name;
+  std::string file = FileOfTest(name);
+  openvdb::io::File(file).write(grids);
+  return file;
 }
 
 template <class Grid = openvdb::FloatGrid>

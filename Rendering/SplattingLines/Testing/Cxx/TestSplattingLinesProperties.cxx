@@ -58,7 +58,7 @@ void ChangeAll(Mapper* mapper)
   mapper->ThinningOn();
   mapper->SetInkColorModeToTone();
   mapper->SetToneColor(0.1, 0.2, 0.3);
-  mapper->SetCoarsestTexel(4);
+  mapper->SetMaximumDownsampling(4);
   mapper->HalfFloatsOn();
   mapper->SetPointFraction(0.6);
   mapper->SetInkColor(0.2, 0.1, 0.9);

@@ -81,7 +81,7 @@ void TestTiles(InkTestChecks& check)
     {
       Turn(*scene);
       // Tiles always sum up for each pixel.
-      scene->Mapper->SetCoarsestTexel(1);
+      scene->Mapper->SetMaximumDownsampling(1);
       scene->Mapper->SetHiddenLayers(styled);
       scene->Mapper->SetHardness(styled ? 0.5 : 0.0);
       scene->Mapper->SetLineWidth(styled ? 4.0 : 0.0);
@@ -199,11 +199,11 @@ void TestSmallSigma(InkTestChecks& check)
   for (double sigma : { 0.05, 0.1, 0.15, 0.25 })
   {
     scene.Mapper->SetSigma(sigma);
-    scene.Mapper->SetCoarsestTexel(1);
+    scene.Mapper->SetMaximumDownsampling(1);
     const InkTestImage exact(scene.Window);
     for (int texel : { 2, 4 })
     {
-      scene.Mapper->SetCoarsestTexel(texel);
+      scene.Mapper->SetMaximumDownsampling(texel);
       const double difference =
         ink::pictureDifference(Shrink(exact, 150), Shrink(InkTestImage(scene.Window), 150));
       check(difference < 0.1, "much the same with sigma ", sigma, " and texels of ", texel, "; ", difference,
@@ -213,21 +213,21 @@ void TestSmallSigma(InkTestChecks& check)
 }
 
 /// Splats summed up for several pixels at once change little.
-void TestCoarsestTexel(InkTestChecks& check)
+void TestMaximumDownsampling(InkTestChecks& check)
 {
   SplattingLinesScene scene(Shape(), 600, 600);
   Turn(scene);
   for (double lambda : { 3.0, 6.0 })
   {
     scene.Mapper->SetLambda(lambda);
-    scene.Mapper->SetCoarsestTexel(1);
+    scene.Mapper->SetMaximumDownsampling(1);
     const InkTestImage exact(scene.Window);
-    scene.Mapper->SetCoarsestTexel(3);
-    check(scene.Mapper->GetCoarsestTexel() == 2, "texels of 1, 2 or 4 pixels");
+    scene.Mapper->SetMaximumDownsampling(3);
+    check(scene.Mapper->GetMaximumDownsampling() == 2, "texels of 1, 2 or 4 pixels");
     double last = 0.0;
     for (int texel : { 2, 4 })
     {
-      scene.Mapper->SetCoarsestTexel(texel);
+      scene.Mapper->SetMaximumDownsampling(texel);
       const double difference =
         ink::pictureDifference(Shrink(exact, 600), Shrink(InkTestImage(scene.Window), 600));
       check(difference < 0.08 && difference >= last, "much the same with texels of ", texel, " and lambda ",
@@ -236,7 +236,7 @@ void TestCoarsestTexel(InkTestChecks& check)
     }
     scene.Mapper->AsPublishedOn();
     const InkTestImage published(scene.Window);
-    scene.Mapper->SetCoarsestTexel(1);
+    scene.Mapper->SetMaximumDownsampling(1);
     check(InkTestImage(scene.Window).CountDifferent(published) == 0, "published splats are always exact");
     scene.Mapper->AsPublishedOff();
   }
@@ -266,7 +266,7 @@ int TestSplattingLinesResolution(int, char*[])
   TestPriority(check);
   TestRanks(check);
   TestSmallSigma(check);
-  TestCoarsestTexel(check);
+  TestMaximumDownsampling(check);
   TestHalfFloats(check);
   return check.Result();
 }

@@ -43,14 +43,14 @@ int CountStray(const InkTestImage& image, double centerX, double centerY, double
 
 /// A sphere's contour is a closed ring, whatever its size in pixels and points. Where splats are summed up
 /// for several pixels at once, it may be as much broader.
-void TestSphere(InkTestChecks& check, int coarsestTexel)
+void TestSphere(InkTestChecks& check, int maximumDownsampling)
 {
   for (double spacing : { 0.08, 0.05, 0.02 })
   {
     for (bool parallel : { false, true })
     {
       SplattingLinesScene scene(InkTestPoints::Sphere(1.0, spacing));
-      scene.Mapper->SetCoarsestTexel(coarsestTexel);
+      scene.Mapper->SetMaximumDownsampling(maximumDownsampling);
       vtkCamera* camera = scene.Renderer->GetActiveCamera();
       camera->SetParallelProjection(parallel);
       camera->SetParallelScale(1.25);
@@ -61,11 +61,11 @@ void TestSphere(InkTestChecks& check, int coarsestTexel)
       const double distance = camera->GetDistance();
       // The ring under which the eye sees the sphere.
       const double radius = (parallel ? 1.0 : distance / std::sqrt(distance * distance - 1.0)) / 1.25 * 100.0;
-      const double slack = (spacing > 0.06 ? 12.0 : 4.0) + 2.0 * coarsestTexel;
+      const double slack = (spacing > 0.06 ? 12.0 : 4.0) + 2.0 * maximumDownsampling;
       const int gaps = CountGaps(image, 100.0, 100.0, radius - 1.0, 2);
       const int stray = CountStray(image, 100.0, 100.0, radius, slack);
       if (!check(gaps == 0 && stray == 0, "a closed ring and nothing else; spacing ", spacing, ", texels ",
-            coarsestTexel, parallel ? " (parallel)" : " (perspective)", ": ", gaps, " gaps, ", stray,
+            maximumDownsampling, parallel ? " (parallel)" : " (perspective)", ": ", gaps, " gaps, ", stray,
             " stray pixels"))
       {
         image.Write("sphere.png");
@@ -127,6 +127,10 @@ void TestBackFaces(InkTestChecks& check)
   scene.Renderer->GetActiveCamera()->Azimuth(180.0);
   const InkTestImage front(scene.Window);
   check(front.CountDark(60, 60, 140, 140, 255) == 0, "the front when back faces are culled");
+  scene.Actor->GetProperty()->BackfaceCullingOff();
+  scene.Actor->GetProperty()->FrontfaceCullingOn();
+  const int different = InkTestImage(scene.Window).CountDifferent(seen);
+  check(different < 200, "front-face culling is not for ink, but ", different, " pixels differ");
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
-#include "Sampling/Hash.h"
+#include "Core/Hash.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"

@@ -6,8 +6,8 @@
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
-#include "Lines/RemoveSpeckles.h"
-#include "Sampling/Hash.h"
+#include "Core/Hash.h"
+#include "Raster/Despeckle.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -80,7 +80,7 @@ int TestSplattingLinesTiles(int, char*[])
       // Those longer than half a tile are not looked for.
       const double pixels = std::min(length * tiles, 0.5 * Size);
       std::vector<unsigned char> expected = all;
-      ink::removeSpeckles({ expected, Size * tiles, Size * tiles }, static_cast<float>(pixels), 26);
+      ink::raster::despeckle({ expected, Size * tiles, Size * tiles }, static_cast<float>(pixels), 26);
       scene.Mapper->SetSpeckleLength(length);
       const std::vector<unsigned char> found = InkOf(InkTestImage(scene.Window, tiles));
       int removed = 0;

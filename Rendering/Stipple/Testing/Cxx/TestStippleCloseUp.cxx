@@ -6,6 +6,7 @@
 #include "StippleScene.h"
 
 #include "vtkFloatArray.h"
+#include "vtkPlaneSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ std::vector<double> FindTones(StippleScene& scene, vtkPolyData* stipples, double
   camera->SetClippingRange(nearPlane, 10.0);
   scene.Window->Render();
   vtkNew<vtkFloatArray> marks;
-  scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks);
+  scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks);
   std::vector<double> tones;
   for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
   {
@@ -32,6 +33,53 @@ std::vector<double> FindTones(StippleScene& scene, vtkPolyData* stipples, double
     }
   }
   return tones;
+}
+
+/// Stipples are lifted before the surface that hides others, but no farther than half the way to the eye:
+/// else those close by would be behind it, and not seen.
+void TestHidingSurface(InkTestChecks& check)
+{
+  StippleScene scene(InkTestStipples::PlaneSurface(4.0, 4, 50));
+  scene.AllOff();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  constexpr double eye = 5.0;
+  camera->SetPosition(0.0, 0.0, eye);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetClippingRange(0.1, 10.0);
+  // Shares of the stipples that are seen with the surface at such parts of the way from the eye to them.
+  const auto seen = [&](double offset, double part)
+  {
+    vtkNew<vtkPlaneSource> surface;
+    surface->SetOrigin(-9.0, -9.0, eye * (1.0 - part));
+    surface->SetPoint1(9.0, -9.0, eye * (1.0 - part));
+    surface->SetPoint2(-9.0, 9.0, eye * (1.0 - part));
+    surface->Update();
+    scene.Mapper->SetSurfaceData(surface->GetOutput());
+    scene.Mapper->SetOccluderOffset(offset);
+    scene.Window->Render();
+    vtkNew<vtkFloatArray> marks;
+    scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks);
+    double number = 0.0;
+    for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
+    {
+      number += marks->GetComponent(i, 1) > 0.0;
+    }
+    return number / 800.0;
+  };
+  // A lift of an element's size, 1, and of twenty ways to the eye.
+  const struct
+  {
+    double Offset;
+    double Part;
+    double Seen;
+  } cases[] = { { 1.0, 1.0, 1.0 }, { 1.0, 0.85, 1.0 }, { 1.0, 0.75, 0.0 }, { 100.0, 1.0, 1.0 },
+    { 100.0, 0.6, 1.0 }, { 100.0, 0.45, 0.0 } };
+  for (const auto& one : cases)
+  {
+    const double found = seen(one.Offset, one.Part);
+    check(found == one.Seen, "stipples lifted by ", one.Offset, " before a surface at ", one.Part,
+      " of the way: seen ", one.Seen, ", found ", found);
+  }
 }
 
 } // namespace
@@ -47,8 +95,8 @@ int TestStippleCloseUp(int, char*[])
   {
     StippleScene scene(stipples);
     scene.AllOff();
-    scene.Mapper->GrowingOff();
-    scene.Mapper->SetKnz(0.0);
+    scene.Mapper->GrowWithZoomOff();
+    scene.Mapper->SetSlantExponent(0.0);
     vtkCamera* camera = scene.Renderer->GetActiveCamera();
     for (const double place : { 3.5, 2.0, 1.5, 1.1, 1.0, 0.9, 0.5, 0.0, -0.5 })
     {
@@ -56,12 +104,12 @@ int TestStippleCloseUp(int, char*[])
       camera->SetPosition(0.0, 0.0, place);
       camera->SetFocalPoint(0.0, 0.0, place - 1.0);
       scene.Mapper->ResolutionOn();
-      scene.Mapper->SetKrc(-2.0);
+      scene.Mapper->SetResolutionExponent(-2.0);
       const std::vector<double> even = FindTones(scene, stipples, 0.01);
       for (const double krc : { 0.0, -1.0 })
       {
         scene.Mapper->SetResolution(krc != 0.0);
-        scene.Mapper->SetKrc(krc);
+        scene.Mapper->SetResolutionExponent(krc);
         const std::vector<double> tones = FindTones(scene, stipples, 0.01);
         check(!tones.empty() && tones == FindTones(scene, stipples, 0.15), where, ", k_rc ", krc,
           ": the same number of stipples with another clipping range");
@@ -75,5 +123,6 @@ int TestStippleCloseUp(int, char*[])
       }
     }
   }
+  TestHidingSurface(check);
   return check.Result();
 }

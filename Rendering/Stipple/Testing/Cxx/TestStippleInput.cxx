@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What stipples are made from: missing and odd arrays, empty input, values that are not finite.
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
@@ -105,7 +106,7 @@ void TestEmpty(InkTestChecks& check)
   messages->Observe(scene.Mapper);
   check(InkTestImage(scene.Window).Ink() == 0.0 && messages->Messages.empty(), "an empty picture, silently");
   vtkNew<vtkFloatArray> marks;
-  check(!scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks) && marks->GetNumberOfTuples() == 0,
+  check(!scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks) && marks->GetNumberOfTuples() == 0,
     "no marks");
   scene.Mapper->SetInputData(Voxels());
   scene.Renderer->ResetCamera();
@@ -120,7 +121,7 @@ void TestPassedOver(InkTestChecks& check)
   scene.AllOff();
   scene.Window->Render();
   vtkNew<vtkFloatArray> before;
-  scene.Mapper->FindMarks(scene.Renderer, scene.Actor, before);
+  scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, before);
 
   auto spoilt = vtkSmartPointer<vtkPolyData>::New();
   spoilt->DeepCopy(data);
@@ -135,7 +136,7 @@ void TestPassedOver(InkTestChecks& check)
   other.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
   other.Window->Render();
   vtkNew<vtkFloatArray> after;
-  check(other.Mapper->FindMarks(other.Renderer, other.Actor, after), "marks of a spoilt input");
+  check(other.Mapper->EvaluateMarks(other.Renderer, other.Actor, after), "marks of a spoilt input");
   int different = 0;
   for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
   {

@@ -58,7 +58,7 @@ void TestPlaces(InkTestChecks& check)
   auto stipples = InkTestStipples::PlaneSurface(2.0, 1, 9);
   StippleScene scene(stipples, size, size);
   scene.AllOff();
-  scene.Mapper->GrowingOff();
+  scene.Mapper->GrowWithZoomOff();
   scene.Mapper->SetStippleSize(8.0);
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(1.1);
@@ -96,13 +96,13 @@ void TestPictures(InkTestChecks& check)
       scene.Mapper->SetPositionPrecision(vtkInkStippleMapper::FLOAT);
       const InkTestImage exact(scene.Window);
       vtkNew<vtkFloatArray> exactMarks;
-      scene.Mapper->FindMarks(scene.Renderer, scene.Actor, exactMarks);
+      scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, exactMarks);
       const vtkMTimeType time = scene.Mapper->GetUploadTime();
       scene.Mapper->SetPositionPrecision(vtkInkStippleMapper::QUANTIZED);
       const InkTestImage packed(scene.Window);
       check(scene.Mapper->GetUploadTime() > time, "an upload for the other precision");
       vtkNew<vtkFloatArray> packedMarks;
-      scene.Mapper->FindMarks(scene.Renderer, scene.Actor, packedMarks);
+      scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, packedMarks);
       double most = 0.0;
       for (vtkIdType i = 0; i < exactMarks->GetNumberOfTuples(); ++i)
       {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Stipples among other things: hidden by surfaces, clipped, in windows of all kinds, selected, far from the
 // origin.
 #include "InkTestChecks.h"
@@ -47,7 +48,7 @@ void TestHidden(InkTestChecks& check)
   scene.Mapper->SetPixelsPerStipple(1.0);
   scene.Mapper->SetSurfaceData(SphereMesh(1.0));
   scene.Window->Render();
-  if (!check(scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks), "marks"))
+  if (!check(scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks), "marks"))
   {
     return;
   }
@@ -72,7 +73,7 @@ void TestHidden(InkTestChecks& check)
   // Without a surface, those that face away are left out all the same.
   scene.Mapper->SetSurfaceData(nullptr);
   scene.Window->Render();
-  scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks);
+  scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks);
   shownBehind = 0;
   for (vtkIdType i = 0; i < stipples->GetNumberOfPoints(); ++i)
   {
@@ -158,7 +159,7 @@ void TestWindows(InkTestChecks& check)
   check(small.GetWidth() == 120 && small.CountDark() > 30, "stipples in a smaller window");
   scene.Window->SetSize(200, 200);
   check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first picture again");
-  scene.Mapper->SetKgs(3.0);
+  scene.Mapper->SetBoundaryGain(3.0);
   scene.Mapper->SetStippleSize(3.0);
   scene.Mapper->SetWarmCool(0.5);
   scene.Renderer->GetActiveCamera()->Azimuth(30.0);
@@ -260,8 +261,8 @@ void TestCulling(InkTestChecks& check)
     whole.CountDifferent(culled, 12), " pixels");
   scene.Actor->SetScale(1.0, 1.0, 1.0);
 
-  scene.Mapper->SetKgc(0.0);
-  scene.Mapper->SetKgs(0.0);
+  scene.Mapper->SetBoundaryBase(0.0);
+  scene.Mapper->SetBoundaryGain(0.0);
   check(InkTestImage(scene.Window).Ink() == 0.0, "no ink with T = 0");
   check(scene.Mapper->GetNumberOfProcessedStipples() == 0, "nothing looked at with T = 0");
 }
@@ -342,6 +343,23 @@ void TestClippingPlanes(InkTestChecks& check)
   const InkTestImage image(scene.Window);
   check(image.CountDark(0, 0, 98, 200) == 0 && image.CountDark(102, 0, 200, 200) > 500,
     "stipples right of a clipping plane only");
+
+  // What is cut off of the surface that hides stipples hides none.
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(80);
+  sphere->SetPhiResolution(80);
+  sphere->SetRadius(1.0);
+  sphere->Update();
+  StippleScene hidden(InkTestStipples::SphereSurface(1.0, 800, 8));
+  hidden.AllOff();
+  hidden.Mapper->SetSurfaceData(sphere->GetOutput());
+  const double closed = InkTestImage(hidden.Window).Ink();
+  vtkNew<vtkPlane> back;
+  back->SetNormal(0.0, 0.0, -1.0);
+  hidden.Mapper->AddClippingPlane(back);
+  const double open = InkTestImage(hidden.Window).Ink();
+  check(closed > 1000.0 && open > 0.8 * closed, "the back's stipples seen through the open front: ink ", open,
+    " of ", closed);
 }
 
 } // namespace

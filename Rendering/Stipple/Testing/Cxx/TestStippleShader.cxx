@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The shader and the reference in Common/Tone, on the same stipples: number, opacity, diameter and color.
 #include "InkTestChecks.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 
-#include "Sampling/Hash.h"
-#include "Tone/ProjectedSize.h"
-#include "Tone/StippleTone.h"
+#include "Core/Hash.h"
+#include "Tone/Stipple/ProjectedSize.h"
+#include "Tone/Stipple/StippleTone.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -34,18 +35,20 @@ glm::dvec4 Times(vtkMatrix4x4* matrix, const glm::dvec4& v)
 }
 
 /// The tone's parameters, from the mapper's.
-ink::StippleTone Expected(vtkInkStippleMapper* m, bool surface)
+ink::stipple::StippleTone Expected(vtkInkStippleMapper* m, bool surface)
 {
-  ink::StippleTone tone;
+  ink::stipple::StippleTone tone;
   tone.surface = surface;
-  tone.boundary = { m->GetBoundary(), float(m->GetKgc()), float(m->GetKgs()), float(m->GetKge()) };
-  tone.silhouette = { m->GetSilhouette(), float(m->GetKsc()), float(m->GetKss()), float(m->GetKse()) };
-  tone.resolution = { m->GetResolution(), float(m->GetKrc()), float(m->GetKnz()) };
-  tone.lighting = { m->GetLighting(), float(m->GetKle()),
+  tone.boundary = { m->GetBoundary(), float(m->GetBoundaryBase()), float(m->GetBoundaryGain()),
+    float(m->GetBoundaryExponent()) };
+  tone.silhouette = { m->GetSilhouette(), float(m->GetSilhouetteBase()), float(m->GetSilhouetteGain()),
+    float(m->GetSilhouetteExponent()) };
+  tone.resolution = { m->GetResolution(), float(m->GetResolutionExponent()), float(m->GetSlantExponent()) };
+  tone.lighting = { m->GetLighting(), float(m->GetLightingExponent()),
     float(std::cos(vtkMath::RadiansFromDegrees(m->GetFacingAngle()))), m->GetLightInk() };
-  tone.distance = { m->GetDistance(), float(m->GetKde()), float(m->GetDistanceSize()) };
-  tone.interior = { m->GetInterior(), float(m->GetKie()), float(m->GetInteriorSize()) };
-  tone.smallElements.way = static_cast<ink::SmallElements::Way>(m->GetSmallElements());
+  tone.distance = { m->GetDistance(), float(m->GetDistanceExponent()), float(m->GetDistanceSize()) };
+  tone.interior = { m->GetInterior(), float(m->GetInteriorExponent()), float(m->GetInteriorSize()) };
+  tone.smallElements.way = static_cast<ink::stipple::SmallElements::Way>(m->GetSmallElements());
   tone.smallElements.minimumCoverage = float(m->GetMinimumCoverage());
   tone.smallElements.fade = float(m->GetFade());
   const auto hls = [](const double* c) { return ink::hlsFromRgb({ c[0], c[1], c[2] }); };
@@ -54,8 +57,8 @@ ink::StippleTone Expected(vtkInkStippleMapper* m, bool surface)
   tone.valueEffect = float(m->GetValueEffect());
   tone.pixelsPerStipple = float(m->GetPixelsPerStipple());
   tone.diameter = float(m->GetStippleSize());
-  tone.growing = m->GetGrowing();
-  tone.appearBySize = m->GetAppearBySize();
+  tone.growWithZoom = m->GetGrowWithZoom();
+  tone.fadeBySize = m->GetFadeBySize();
   return tone;
 }
 
@@ -65,14 +68,14 @@ void Compare(
 {
   scene.Window->Render();
   vtkNew<vtkFloatArray> found;
-  if (!check(scene.Mapper->FindMarks(scene.Renderer, scene.Actor, found), "marks of ", what) ||
+  if (!check(scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, found), "marks of ", what) ||
     !check(found->GetNumberOfTuples() == stipples->GetNumberOfPoints(), "a mark for each point of ", what))
   {
     return;
   }
   const auto field = [&](const char* name) { return stipples->GetFieldData()->GetArray(name)->GetTuple1(0); };
   const bool surface = field("ElementKind") == 1.0;
-  const ink::StippleTone tone = Expected(scene.Mapper, surface);
+  const ink::stipple::StippleTone tone = Expected(scene.Mapper, surface);
 
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   vtkMatrix4x4* toView = camera->GetModelViewTransformMatrix();
@@ -88,19 +91,19 @@ void Compare(
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
-  ink::StippleTone::View view{};
+  ink::stipple::StippleTone::View view{};
   view.listed = float(field("StipplesPerElement"));
   view.parallel = camera->GetParallelProjection();
   view.middle = float(0.5 * (nearest + farthest));
   view.halfRange = float(0.5 * (farthest - nearest));
-  view.nearest = ink::Resolution::nearestDistance(view.middle, view.halfRange);
+  view.nearest = ink::stipple::Resolution::nearestDistance(view.middle, view.halfRange);
   const int height = scene.Renderer->GetSize()[1];
   const double pixel = view.parallel
     ? 2.0 * camera->GetParallelScale() / height
     : 2.0 * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())) / height;
   const auto maximumAt = [&](double distance)
   {
-    return ink::maximumStipples(
+    return ink::stipple::maximumStipples(
       float(field("ElementSize")), float(pixel * (view.parallel ? 1.0 : distance)), tone.pixelsPerStipple);
   };
   view.maximumStipples = maximumAt(view.nearest);
@@ -108,7 +111,7 @@ void Compare(
   const double* from = light->GetPosition();
   const glm::dvec3 source(from[0], from[1], from[2]);
   const glm::vec4 towards(Times(toView, glm::dvec4(glm::normalize(source), 0.0)));
-  ink::StippleLight lights[1] = { { towards, 1.0f } };
+  ink::stipple::StippleLight lights[1] = { { towards, 1.0f } };
   if (light->GetPositional())
   {
     lights[0] = { glm::vec4(Times(toView, glm::dvec4(source, 1.0))), 1.0f, -glm::vec3(towards),
@@ -137,7 +140,7 @@ void Compare(
       double n[3];
       stipples->GetPoint(point, p);
       array("Normals")->GetTuple(cell, n);
-      const ink::StippleTone::Element element{ glm::vec3(Times(toView, { p[0], p[1], p[2], 1.0 })),
+      const ink::stipple::StippleTone::Element element{ glm::vec3(Times(toView, { p[0], p[1], p[2], 1.0 })),
         glm::vec3(Times(toView, { n[0], n[1], n[2], 0.0 })),
         surface ? 1.0f : float(array("Value")->GetTuple1(cell)),
         surface ? 1.0f : float(array("GradientMagnitude")->GetTuple1(cell)), float(length), random,
@@ -151,7 +154,7 @@ void Compare(
       const bool threshold = mark.tone > 0.0f &&
         tone.mark(view, lights, element, rank).opacity != shader[1] && tone.smallElements.fade < 1.0f &&
         std::abs(mark.tone +
-          (tone.smallElements.way == ink::SmallElements::Way::probability
+          (tone.smallElements.way == ink::stipple::SmallElements::Way::probability
               ? view.smallness * (element.random - 0.5f)
               : 0.0f) -
           float(rank) - 0.5f) < 1e-3f;
@@ -159,8 +162,8 @@ void Compare(
       {
         worst[1] = std::max(worst[1], std::abs(shader[1] - mark.opacity));
         worst[2] = std::max(worst[2],
-          tone.appearBySize && mark.opacity == 0.0f ? 0.0
-                                                    : std::abs(shader[2] - mark.diameter) / mark.diameter);
+          tone.fadeBySize && mark.opacity == 0.0f ? 0.0
+                                                  : std::abs(shader[2] - mark.diameter) / mark.diameter);
       }
       for (int i = 0; i < 3; ++i)
       {
@@ -201,29 +204,29 @@ int TestStippleShader(int, char*[])
         off(s);
         s.Mapper->BoundaryOn();
         s.Mapper->SetValueEffect(0.4);
-        s.Mapper->SetKge(1.7);
+        s.Mapper->SetBoundaryExponent(1.7);
       } },
     { "silhouette",
       [&](StippleScene& s)
       {
         off(s);
         s.Mapper->SilhouetteOn();
-        s.Mapper->SetKse(0.7);
+        s.Mapper->SetSilhouetteExponent(0.7);
       } },
     { "resolution",
       [&](StippleScene& s)
       {
         off(s);
         s.Mapper->ResolutionOn();
-        s.Mapper->SetKrc(-1.5);
-        s.Mapper->SetKnz(0.6);
+        s.Mapper->SetResolutionExponent(-1.5);
+        s.Mapper->SetSlantExponent(0.6);
       } },
     { "lighting",
       [&](StippleScene& s)
       {
         off(s);
         s.Mapper->LightingOn();
-        s.Mapper->SetKle(0.6);
+        s.Mapper->SetLightingExponent(0.6);
       } },
     { "a lamp",
       [&](StippleScene&)
@@ -238,7 +241,7 @@ int TestStippleShader(int, char*[])
         light->PositionalOn();
         light->SetConeAngle(14.0);
         light->SetExponent(20.0);
-        s.Mapper->SetKle(0.5);
+        s.Mapper->SetLightingExponent(0.5);
       } },
     { "light ink and a facing angle",
       [&](StippleScene& s)
@@ -253,14 +256,14 @@ int TestStippleShader(int, char*[])
       {
         off(s);
         s.Mapper->DistanceOn();
-        s.Mapper->SetKde(0.5);
+        s.Mapper->SetDistanceExponent(0.5);
       } },
     { "interior",
       [&](StippleScene& s)
       {
         off(s);
         s.Mapper->InteriorOn();
-        s.Mapper->SetKie(2.0);
+        s.Mapper->SetInteriorExponent(2.0);
       } },
     { "probability", [](StippleScene& s) { s.Mapper->SetSmallElements(vtkInkStippleMapper::PROBABILITY); } },
     { "little fade",
@@ -269,7 +272,7 @@ int TestStippleShader(int, char*[])
         s.Mapper->SetFade(0.3);
         s.Mapper->SetPixelsPerStipple(0.5);
       } },
-    { "stipples that appear by size", [](StippleScene& s) { s.Mapper->AppearBySizeOn(); } },
+    { "stipples that appear by size", [](StippleScene& s) { s.Mapper->FadeBySizeOn(); } },
     { "warm and cool",
       [](StippleScene& s)
       {
@@ -288,7 +291,7 @@ int TestStippleShader(int, char*[])
       [&](StippleScene& s)
       {
         off(s);
-        s.Mapper->GrowingOff();
+        s.Mapper->GrowWithZoomOff();
         s.Renderer->GetActiveCamera()->SetPosition(0.2, 0.1, 1.3);
         s.Renderer->GetActiveCamera()->SetClippingRange(0.01, 3.0);
       } },

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is on the picture: the area of dots, the gray over distance, the sliders' ink, colors.
 #include "InkTestChecks.h"
 #include "InkTestImage.h"
@@ -25,7 +26,7 @@ void TestDotArea(InkTestChecks& check)
   {
     StippleScene scene(plane);
     scene.AllOff();
-    scene.Mapper->GrowingOff();
+    scene.Mapper->GrowWithZoomOff();
     scene.Mapper->SetPixelsPerStipple(1.0);
     scene.Mapper->SetStippleSize(size);
     scene.Renderer->GetActiveCamera()->ParallelProjectionOn();

@@ -53,7 +53,7 @@ void TestColors(InkTestChecks& check)
   } changes[] = {
     { "colors switched on", true, [&] { mapper->ScalarVisibilityOn(); } },
     { "no change", false, [] {} },
-    { "a slider", false, [&] { mapper->SetKgs(2.0); } },
+    { "a slider", false, [&] { mapper->SetBoundaryGain(2.0); } },
     { "another slider", false, [&] { mapper->SetStippleSize(3.0); } },
     { "the mapper modified", false, [&] { mapper->Modified(); } },
     { "the camera", false, [&] { scene.Renderer->GetActiveCamera()->Azimuth(10.0); } },
@@ -71,7 +71,7 @@ void TestColors(InkTestChecks& check)
         scalars->Modified();
       } },
     { "colors switched off", false, [&] { mapper->ScalarVisibilityOff(); } },
-    { "a slider without colors", false, [&] { mapper->SetKgs(1.0); } },
+    { "a slider without colors", false, [&] { mapper->SetBoundaryGain(1.0); } },
     { "another ink", false, [&] { mapper->SetInkColor(0.2, 0.0, 0.0); } },
   };
   vtkMTimeType colors = 0;
@@ -124,7 +124,7 @@ void TestAlpha(InkTestChecks& check)
   {
     StippleScene scene(plane);
     scene.AllOff();
-    scene.Mapper->SetAppearBySize(bySize);
+    scene.Mapper->SetFadeBySize(bySize);
     vtkNew<vtkLookupTable> table;
     table->SetNumberOfTableValues(2);
     scene.Mapper->SetLookupTable(table);
@@ -151,7 +151,7 @@ void TestAlpha(InkTestChecks& check)
     check(full[0] > 500.0 && part[0] == 0.0, "clear stipples, ink ", part[0]);
     check(part[1] / full[1] > 0.48 && part[1] / full[1] < 0.56, "half the ink, found ", part[1] / full[1]);
     vtkNew<vtkFloatArray> marks;
-    scene.Mapper->FindMarks(scene.Renderer, scene.Actor, marks);
+    scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks);
     double range[2];
     marks->GetRange(range, 1);
     check(range[0] == 0.0 && std::abs(range[1] - 0.5) < 0.01, "opacities up to a half, found ", range[1]);

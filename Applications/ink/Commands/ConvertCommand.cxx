@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ConvertCommand.h"
+
+#include "Errors.h"
+#include "FormatNumber.h"
+#include "OutputFile.h"
+#include "Progress.h"
+#include "Volume.h"
+#include "VolumeSlices.h"
+
+#include "Fields/Grid/GridField.h"
+#include "Fields/Vdb/VdbWrite.h"
+#include "InkImageGrid.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <iostream>
+#include <span>
+
+namespace ink::cli
+{
+namespace
+{
+
+/// The smallest of OpenVDB's types that holds all values of a type.
+bool needsDouble(int type)
+{
+  switch (type)
+  {
+    case VTK_INT:
+    case VTK_UNSIGNED_INT:
+    case VTK_LONG:
+    case VTK_UNSIGNED_LONG:
+    case VTK_LONG_LONG:
+    case VTK_UNSIGNED_LONG_LONG:
+    case VTK_ID_TYPE:
+    case VTK_DOUBLE:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// 64-bit integers beyond 2^53 are rounded by a double.
+bool isRounded(vtkDataArray* scalars, const double range[2])
+{
+  constexpr double exact = 9007199254740992.0;
+  return scalars->GetDataTypeSize() == 8 && scalars->GetDataType() != VTK_DOUBLE &&
+    (range[0] < -exact || range[1] > exact);
+}
+
+template <class Array>
+std::string convertAs(vtkImageData* image, const VdbConversion& conversion)
+{
+  using T = typename Array::ValueType;
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  vtkSmartPointer<Array> values = Array::FastDownCast(scalars);
+  if (!values)
+  {
+    values = vtkSmartPointer<Array>::New();
+    values->DeepCopy(scalars);
+  }
+  const GridField<T> volume(InkMakeGrid(image, InkExtent(image->GetExtent())),
+    std::span<const T>(values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues())));
+  return serializeVdb(makeVdbGrid(volume, conversion));
+}
+
+} // namespace
+
+void convert(const ConvertOptions& options)
+{
+  if (options.output.extension() != ".vdb")
+  {
+    throw UsageError("'" + options.output.string() + "': expected a name that ends in .vdb");
+  }
+  // What can fail soon should not fail late.
+  const OutputFile output(options.output);
+
+  Progress progress(options.quiet);
+  Input input = readInput(options.input, progress);
+  if (!input.volume)
+  {
+    throw UsageError("'" + options.input.file.string() + "': expected a volume, found a mesh");
+  }
+  auto* image = vtkImageData::SafeDownCast(input.data);
+  if (!image)
+  {
+    throw Failure("cannot convert '" + options.input.file.string() +
+      "': it is larger than memory; expected a larger --memory, found " +
+      memoryText(options.input.memory.limit));
+  }
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const FiniteRange values = findFiniteRange(*input.volume);
+  const double range[2] = { values.least, values.greatest };
+  // Also for NaN.
+  if (options.around && !(*options.around > range[0] && *options.around <= range[1]))
+  {
+    throw UsageError("--around " + text(*options.around) + ": expected a value above " + text(range[0]) +
+      " and up to " + text(range[1]) + ", which the volume has");
+  }
+  if (isRounded(scalars, range))
+  {
+    input.notes.emplace_back("its integers are rounded to doubles");
+  }
+
+  progress.step("converting");
+  VdbConversion conversion;
+  conversion.around = options.around;
+  conversion.halfWidth = options.halfWidth;
+  conversion.name = options.name;
+  std::string bytes;
+  try
+  {
+    bytes = needsDouble(scalars->GetDataType()) ? convertAs<vtkDoubleArray>(image, conversion)
+                                                : convertAs<vtkFloatArray>(image, conversion);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw Failure("cannot convert '" + options.input.file.string() + "': " + error.what());
+  }
+  progress.step("writing " + options.output.filename().string());
+  output.write({ reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size() });
+  progress.finish();
+  if (!options.quiet)
+  {
+    for (const std::string& note : input.notes)
+    {
+      std::cerr << "ink: " << note << '\n';
+    }
+  }
+}
+
+} // namespace ink::cli

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Input.h"
+#include "View.h"
+
+#include "vtkSmartPointer.h"
+
+#include <optional>
+
+class vtkInkStyle;
+
+namespace ink::cli
+{
+
+class StyleArguments;
+
+/// Width and height of a picture in pixels.
+struct PictureSize
+{
+  /// What is rendered is this much larger on either side; see takePicture.
+  static constexpr int supersampling = 2;
+  /// OpenGL implementations of today draw 16384 pixels.
+  static constexpr int largestSide = 16384 / supersampling;
+  /// Some OpenGL implementations, Mesa's for the CPU among them, refuse float images of more than 2 GiB.
+  static constexpr int mostPixels = 24'000'000;
+
+  int width = 1024;
+  int height = 1024;
+
+  /// From "WxH". @throws UsageError
+  static PictureSize parse(const std::string& text);
+};
+
+/// More than one picture.
+struct Animation
+{
+  std::vector<std::filesystem::path>
+    files;                         ///< of a series; empty: the viewer goes once around what stands still
+  std::vector<std::size_t> frames; ///< which of the files, or places on the way
+  double framesPerSecond = 25;     ///< of a video
+};
+
+/// What `ink render` was asked for.
+struct RenderOptions
+{
+  InputOptions input;
+  std::filesystem::path output;
+  std::string view = "front";
+  double azimuth = 0;   ///< degrees
+  double elevation = 0; ///< degrees
+  double zoom = 1;
+  bool parallel = false;
+  PictureSize size;
+  vtkSmartPointer<vtkInkStyle> style;         ///< set up but for its data
+  const StyleArguments* parameters = nullptr; ///< that it was set up by
+  bool transparent = false;
+  std::optional<Animation> animation; ///< none: one picture
+  bool quiet = false;
+};
+
+/// What of an input is needed for what was asked for.
+Wanted wantedOf(const RenderOptions& options);
+
+/// Draws a picture of a volume or a mesh, or those of an animation.
+/// @throws Failure, UsageError
+void render(const RenderOptions& options);
+
+} // namespace ink::cli

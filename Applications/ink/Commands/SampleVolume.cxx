@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SampleVolume.h"
+
+#include "Errors.h"
+#include "FormatNumber.h"
+#include "Input.h"
+#include "Memory.h"
+#include "Progress.h"
+#include "Volume.h"
+#include "VolumeSlices.h"
+#include "VtkMessages.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInkIsoSurfaceSampler.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ink::cli
+{
+namespace
+{
+
+double chooseIsoValue(VolumeSlices& volume, std::vector<std::string>& notes, Progress& progress)
+{
+  progress.step("choosing an iso-value");
+  const std::optional<IsoSuggestion> suggestion = suggestIsoValue(volume, progress);
+  if (!suggestion)
+  {
+    checkIsoValues({}, findFiniteRange(volume));
+    throw Failure("no iso-value could be chosen; give one with --iso");
+  }
+  notes.push_back("iso-value " + text(suggestion->value) + ": " + methodText(*suggestion));
+  return suggestion->value;
+}
+
+/// Layers of cells: layer n lies between the slices n and n + 1.
+struct Layers
+{
+  int begin;
+  int end;
+};
+
+/// Samples a volume layer by layer.
+class LayerSampler
+{
+public:
+  LayerSampler(VolumeSlices& volume, const VolumeSampling& sampling, const Memory& memory, Progress& progress)
+    : Volume(volume)
+    , WithIndex(sampling.surfaceIndex)
+    , MostPoints(memory.forNewPoints() / bytesPerPoint)
+  {
+    setUp(this->Sampler.Get(), sampling);
+    // Parts of the volume are seen once, and points that are kept should take no more memory than they need.
+    this->Sampler->UseIndexOff();
+    this->Sampler->ReuseArraysOff();
+    this->Sampler->SetInputConnection(this->Producer->GetOutputPort());
+    this->Producer->SetWholeExtent(volume.frame()->GetExtent());
+    progress.step("sampling the surface", this->Sampler);
+  }
+
+  /// Samples layers whose slices are loaded, with one more on either side.
+  void sample(const Layers& layers, int surface, double isoValue, const PointSink& sink)
+  {
+    this->Sampler->SetValue(0, isoValue);
+    for (const Layers& part : this->split(layers, isoValue))
+    {
+      this->Producer->SetOutput(this->imageOf(part));
+      this->Sampler->Update();
+      if (const std::string problem = this->Messages.error(); !problem.empty())
+      {
+        throw Failure(problem);
+      }
+      vtkNew<vtkPolyData> points;
+      points->ShallowCopy(this->Sampler->GetOutput());
+      this->Sampler->GetOutput()->Initialize();
+      if (this->WithIndex)
+      {
+        addSurfaceIndex(points, surface);
+      }
+      this->Count += points->GetNumberOfPoints();
+      sink(surface, points);
+    }
+  }
+
+  vtkIdType count() const { return this->Count; }
+
+private:
+  /// Parts with no more points each than there may be at a time.
+  std::vector<Layers> split(const Layers& layers, double isoValue)
+  {
+    const std::uint64_t layerCells =
+      static_cast<std::uint64_t>(std::max(this->Volume.dimensions()[0] - 1, 0)) *
+      static_cast<std::uint64_t>(std::max(this->Volume.dimensions()[1] - 1, 0));
+    if (layerCells * static_cast<std::uint64_t>(layers.end - layers.begin) <= this->MostPoints)
+    {
+      return { layers };
+    }
+    const CrossingRule rule = this->Sampler->GetCrossingRule() == vtkInkIsoSurfaceSampler::STRICT
+      ? CrossingRule::Strict
+      : CrossingRule::HalfOpen;
+    const auto counts = boundActiveCells(this->Volume.get(layers.begin, layers.end + 1), isoValue, rule);
+    const std::uint64_t most = *std::max_element(counts.begin(), counts.end());
+    if (most > this->MostPoints)
+    {
+      throw Failure("a layer of the volume has up to " + std::to_string(most) +
+        " points: expected --memory " + memoryText(Memory::limitFor(most * bytesPerPoint, 4)) + " or more");
+    }
+    std::vector<Layers> parts;
+    std::uint64_t sum = 0;
+    for (int layer = layers.begin; layer < layers.end; ++layer)
+    {
+      const std::uint64_t count = counts[static_cast<std::size_t>(layer - layers.begin)];
+      // Layers without any are left out.
+      if (count == 0)
+      {
+        continue;
+      }
+      if (parts.empty() || parts.back().end < layer || sum + count > this->MostPoints)
+      {
+        parts.push_back({ layer, layer });
+        sum = 0;
+      }
+      parts.back().end = layer + 1;
+      sum += count;
+    }
+    return parts;
+  }
+
+  /// The slices that some layers need, with their neighbors, whose cells are marked as not ours.
+  vtkSmartPointer<vtkImageData> imageOf(const Layers& layers)
+  {
+    const int first = std::max(layers.begin - 1, 0);
+    const int end = std::min(layers.end + 2, this->Volume.dimensions()[2]);
+    vtkSmartPointer<vtkImageData> image = this->Volume.get(first, end);
+    if (end - first == this->Volume.dimensions()[2] && layers.end - layers.begin == end - first - 1)
+    {
+      return image;
+    }
+    vtkNew<vtkUnsignedCharArray> marks;
+    marks->SetName(vtkDataSetAttributes::GhostArrayName());
+    const vtkIdType cells = image->GetNumberOfCells();
+    const vtkIdType perLayer = cells / (end - first - 1);
+    marks->SetNumberOfValues(cells);
+    unsigned char* mark = marks->GetPointer(0);
+    std::fill(mark, mark + cells, static_cast<unsigned char>(0));
+    constexpr unsigned char notOurs = vtkDataSetAttributes::DUPLICATECELL;
+    std::fill(mark, mark + (layers.begin - first) * perLayer, notOurs);
+    std::fill(mark + (layers.end - first) * perLayer, mark + cells, notOurs);
+    image->GetCellData()->AddArray(marks);
+    return image;
+  }
+
+  VolumeSlices& Volume;
+  bool WithIndex;
+  std::uint64_t MostPoints;
+  vtkIdType Count = 0;
+  vtkNew<vtkTrivialProducer> Producer;
+  vtkNew<vtkInkIsoSurfaceSampler> Sampler;
+  const VtkMessages Messages;
+};
+
+} // namespace
+
+void checkIsoValues(const std::vector<double>& isoValues, const FiniteRange& values)
+{
+  if (!(values.least < values.greatest))
+  {
+    throw Failure(values.least == values.greatest
+        ? "no surface: all voxels have the value " + text(values.least)
+        : "no surface: no voxel has a finite value");
+  }
+  for (const double value : isoValues)
+  {
+    // Also for NaN.
+    if (!(value > values.least && value <= values.greatest))
+    {
+      throw UsageError("--iso " + text(value) + ": expected a value above " + text(values.least) +
+        " and up to " + text(values.greatest) + ", which the volume has");
+    }
+  }
+}
+
+void addSurfaceIndex(vtkPolyData* points, int surface)
+{
+  vtkNew<vtkIntArray> index;
+  index->SetName("SurfaceIndex");
+  index->SetNumberOfValues(points->GetNumberOfPoints());
+  index->Fill(surface);
+  points->GetPointData()->AddArray(index);
+}
+
+std::vector<double> chooseIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress)
+{
+  std::vector<double> isoValues;
+  takeSurfaceValue(input, isoValues, notes);
+  if (isoValues.empty() && input.volume)
+  {
+    isoValues.push_back(chooseIsoValue(*input.volume, notes, progress));
+  }
+  return isoValues;
+}
+
+std::vector<std::string> sampleVolume(const Input& input, VolumeSampling sampling, const Memory& memory,
+  const PointSink& sink, Progress& progress)
+{
+  std::vector<std::string> notes;
+  takeSurfaceValue(input, sampling.isoValues, notes);
+  const std::vector<std::string> more = input.volume
+    ? sampleVolume(*input.volume, sampling, memory, sink, progress)
+    : input.volumeSampler(sampling, memory, sink, progress);
+  notes.insert(notes.end(), more.begin(), more.end());
+  return notes;
+}
+
+std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling& sampling,
+  const Memory& memory, const PointSink& sink, Progress& progress)
+{
+  std::vector<std::string> notes;
+  FiniteRange values;
+  if (volume.inMemory())
+  {
+    values = findFiniteRange(volume.frame());
+    checkIsoValues(sampling.isoValues, values);
+  }
+  std::vector<double> isoValues = sampling.isoValues;
+  if (isoValues.empty())
+  {
+    isoValues.push_back(chooseIsoValue(volume, notes, progress));
+  }
+
+  const int slices = volume.dimensions()[2];
+  const int atOnce = volume.atOnce() == slices ? slices : volume.atOnce() - 3;
+  LayerSampler sampler(volume, sampling, memory, progress);
+  for (int begin = 0; begin == 0 || begin < slices - 1; begin += atOnce)
+  {
+    const Layers layers{ begin, std::min(begin + atOnce, slices - 1) };
+    progress.part(static_cast<double>(begin) / slices, static_cast<double>(layers.end) / slices);
+    const FiniteRange here =
+      findFiniteRange(volume.get(std::max(begin - 1, 0), std::min(layers.end + 2, slices)));
+    values.add(here);
+    for (std::size_t i = 0; i < isoValues.size(); ++i)
+    {
+      // Most parts of a large volume are air or all inside.
+      if (layers.begin < layers.end && isoValues[i] >= here.least && isoValues[i] <= here.greatest)
+      {
+        sampler.sample(layers, static_cast<int>(i), isoValues[i], sink);
+      }
+    }
+  }
+  checkIsoValues(isoValues, values);
+  if (sampler.count() == 0)
+  {
+    const int* dimensions = volume.dimensions().data();
+    const bool flat = dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2;
+    throw Failure(flat ? "no surface: a volume of " + dimensionsText(dimensions) + " voxels has no cells"
+                       : "no surface at iso-value " + text(isoValues.front()));
+  }
+  return notes;
+}
+
+} // namespace ink::cli

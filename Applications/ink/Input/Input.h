@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Memory.h"
+#include "SampleVolume.h"
+
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ink::cli
+{
+
+class Progress;
+class VolumeSlices;
+
+/// How the voxels of a file without a header lie in it, x fastest.
+struct RawLayout
+{
+  int dimensions[3];
+  int type; ///< as VTK_UNSIGNED_CHAR
+  double spacing[3] = { 1, 1, 1 };
+  bool bigEndian = false;
+
+  /// From "WxHxD:type", the type being one of uint8, int8, uint16, ... int64, float32, float64.
+  /// @throws UsageError
+  static RawLayout parse(const std::string& layout);
+};
+
+/// What to read.
+struct InputOptions
+{
+  std::filesystem::path file;
+  std::optional<RawLayout> raw; ///< given: the file has no header
+  std::string grid;             ///< of an OpenVDB file; empty: the first that can be read
+  Memory memory;
+};
+
+/// What was read.
+struct Input
+{
+  /// vtkImageData with point scalars of one component, or vtkPolyData with points. Null for a volume that is
+  /// larger than memory.
+  vtkSmartPointer<vtkDataObject> data;
+  std::shared_ptr<VolumeSlices> volume; ///< null for a mesh
+  /// Instead of `volume` where only surfaces were wanted and the file itself can be sampled.
+  VolumeSampler volumeSampler;
+  std::string format;
+  /// What of the file was not used as it is, each a sentence without its dot.
+  std::vector<std::string> notes;
+  int components = 1;                 ///< that the file's voxels have
+  std::optional<double> surfaceValue; ///< the iso-value that the file is about, if it says one
+
+  bool isVolume() const { return this->volume || this->volumeSampler; }
+};
+
+/// What of a volume is needed.
+enum class Wanted
+{
+  Values,
+  Surface, ///< that the file is about, or of a value that is chosen by looking at all values
+  GivenSurfaces
+};
+
+/// Reads a volume or a mesh; which of them, and in which format, the file's name tells. Sparse volumes are
+/// left to Input::volumeSampler where surfaces are wanted and nothing else. @throws Failure if it cannot be
+/// read whole, with the reason.
+Input readInput(const InputOptions& options, Progress& progress, Wanted wanted = Wanted::Values);
+
+/// Where no iso-value is given and the file says one, takes that and notes it.
+void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes);
+
+} // namespace ink::cli

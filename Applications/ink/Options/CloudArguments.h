@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "SampleMesh.h"
+
+#include <CLI/CLI.hpp>
+
+#include <vector>
+
+namespace ink::cli
+{
+
+/// Options of points without polygons, in a group of their own.
+struct CloudArguments
+{
+  CloudSampling sampling;
+  std::vector<double> viewpoint;
+
+  void add(CLI::App* command);
+
+  CloudSampling options() const;
+
+private:
+  std::vector<CLI::Option*> All;
+};
+
+} // namespace ink::cli

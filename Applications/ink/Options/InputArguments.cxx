@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputArguments.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace ink::cli
+{
+namespace
+{
+
+#ifdef INK_WITH_OPENVDB
+constexpr const char* vdbSuffix = " .vdb";
+#else
+constexpr const char* vdbSuffix = "";
+#endif
+
+} // namespace
+
+CLI::Validator within(double least, double greatest)
+{
+  std::ostringstream range;
+  range << least << " to " << greatest;
+  return { [range = range.str(), least, greatest](std::string& text)
+    {
+      double value = 0;
+      const bool valid = CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest;
+      return valid ? std::string() : "'" + text + "': expected a number from " + range;
+    },
+    range.str(), "within" };
+}
+
+void InputArguments::addFile(CLI::App* command, const std::string& mesh)
+{
+  command
+    ->add_option("FILE", this->file,
+      "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .vti .vtk" + std::string(vdbSuffix) +
+        ", a folder of DICOM files, or any file with "
+        "--raw;\n" +
+        mesh + ": .ply .obj .stl .vtp .xyz")
+    ->required();
+}
+
+void InputArguments::addReading(CLI::App* command)
+{
+  command
+    ->add_option("--memory", this->memory,
+      "about how much memory to use, as 800MiB or 4GiB (half of the machine's). Volumes in raw files and in\n"
+      "uncompressed NIfTI, NRRD, MetaImage and legacy VTK files that are larger are read a few slices at a "
+      "time")
+    ->type_name("SIZE");
+  command
+    ->add_option("--raw", this->raw,
+      "FILE is nothing but voxels, x fastest. Types: uint8, int8, uint16, ... int64, float32, float64")
+    ->type_name("WxHxD:type")
+    ->group("Raw files");
+  command->add_option("--spacing", this->spacing, "distances between voxels of a --raw file (1,1,1)")
+    ->delimiter(',')
+    ->expected(3)
+    ->allow_extra_args(false)
+    ->type_name("x,y,z")
+    ->group("Raw files")
+    ->needs("--raw")
+    ->check(within(1e-12, 1e12));
+  command->add_flag("--big-endian", this->bigEndian, "byte order of a --raw file (little endian)")
+    ->group("Raw files")
+    ->needs("--raw");
+#ifdef INK_WITH_OPENVDB
+  command
+    ->add_option("--grid", this->grid, "which grid of a .vdb file; without it the first that can be read")
+    ->type_name("NAME")
+    ->group("OpenVDB files")
+    ->excludes("--raw");
+#endif
+}
+
+InputOptions InputArguments::options() const
+{
+  InputOptions options;
+  options.file = this->file;
+  options.grid = this->grid;
+  if (this->raw)
+  {
+    options.raw = RawLayout::parse(*this->raw);
+    std::copy(this->spacing.begin(), this->spacing.end(), options.raw->spacing);
+    options.raw->bigEndian = this->bigEndian;
+  }
+  if (!this->memory.empty())
+  {
+    options.memory = Memory::parse(this->memory);
+  }
+  return options;
+}
+
+} // namespace ink::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Input.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ink::cli
+{
+
+/// A finite number between two others; CLI11's own check lets NaN pass.
+CLI::Validator within(double least, double greatest);
+
+/// Options of the input file that all commands have.
+struct InputArguments
+{
+  std::string file;
+  std::optional<std::string> raw;
+  std::vector<double> spacing{ 1, 1, 1 };
+  bool bigEndian = false;
+  std::string grid;
+  std::string memory;
+
+  /// @param mesh what is done with a mesh, for the help
+  void addFile(CLI::App* command, const std::string& mesh = "mesh");
+  /// Further options, in groups of their own.
+  void addReading(CLI::App* command);
+
+  /// @throws UsageError
+  InputOptions options() const;
+};
+
+} // namespace ink::cli

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake -DINPUT=FILE -DOUTPUT=FILE "-DFOLDERS=FOLDER;..." -P InkIncludeShaders.cmake: puts the files in the place of
+# the lines `#include "FILE"`, those of included files among them, each where it is asked for first. The shader's name
+# comes last, for who meets the text alone.
+cmake_minimum_required(VERSION 3.22)
+file(READ "${INPUT}" text)
+set(included)
+while (text MATCHES "#include \"([^\"]+)\"\n")
+  set(line "${CMAKE_MATCH_0}")
+  set(name "${CMAKE_MATCH_1}")
+  set(part "")
+  if (NOT name IN_LIST included)
+    list(APPEND included "${name}")
+    unset(path)
+    find_file(path "${name}" PATHS ${FOLDERS} NO_DEFAULT_PATH NO_CACHE)
+    if (NOT path)
+      message(FATAL_ERROR "${INPUT} includes ${name}, which is in none of ${FOLDERS}")
+    endif ()
+    file(READ "${path}" part)
+  endif ()
+  # The first such line only: later ones of the same file are dropped in their turn.
+  string(FIND "${text}" "${line}" start)
+  string(LENGTH "${line}" length)
+  math(EXPR rest "${start} + ${length}")
+  string(SUBSTRING "${text}" 0 ${start} before)
+  string(SUBSTRING "${text}" ${rest} -1 after)
+  set(text "${before}${part}${after}")
+endwhile ()
+get_filename_component(name "${INPUT}" NAME)
+file(WRITE "${OUTPUT}" "${text}// ${name}\n")

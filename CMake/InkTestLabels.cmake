@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Labels by subject, so that `ctest -L sampling` runs the tests of one: a label for each row whose pattern is found in the
+# test's name. Read where tests are added, and once more by ctest, which finds the tests of GoogleTest in their programs.
+# The test TestLabels fails where a test has no label.
+set(_ink_test_labels
+  "fields:AnalyticFields|Projection|Grid(Field|Geometry)|Gradient|Laplacian|NormalMethods|SampleBox|VdbField"
+  "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCellBound|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
+  "sampling:KdTree|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
+  "stippling:Stippl|QuantizedPosition"
+  "tone:Tone|DotCoverage|HlsColor|SmallElements|WarmCool"
+  "lines:SplattingLines"
+  "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
+  "statistics:IsoValue|Histogram|FiniteRange"
+  "vdb:Vdb|VDB|vdb"
+  "reading:FuzzCorpus|^IO(Core|Mesh|Volume)"
+  "styles:^Styles"
+  "rendering:^(RenderingCore|SplattingLines|Stipple)Tests|^RenderingCore|^Shaders|Mapper"
+  "parallel:ParallelFor|Threads|Pieces|Plugin.TestParallel"
+  "stability:^StabilityTests"
+  "plugin:^Plugin"
+  "project:OutsideProject|TestLabels")
+
+function (ink_label_test test)
+  set(labels "")
+  foreach (row IN LISTS _ink_test_labels)
+    string(REGEX MATCH "^[a-z]+" label "${row}")
+    string(REGEX REPLACE "^[a-z]+:" "" pattern "${row}")
+    if (test MATCHES "${pattern}")
+      list(APPEND labels "${label}")
+    endif ()
+  endforeach ()
+  set_tests_properties("${test}" PROPERTIES LABELS "${labels}")
+endfunction ()

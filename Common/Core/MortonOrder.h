@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+
+namespace ink
+{
+
+/// Morton order (Morton 1966), in which neighbors in space are mostly close in memory: the bits of a cell's
+/// coordinates interleaved in one code, so that dropping three bits gives the cell of twice the width that
+/// contains it.
+inline constexpr int mortonBits = 21; // of a coordinate
+
+/// Spreads the bits of a 21-bit number, inserting two zeros after each.
+constexpr std::uint64_t spreadBits(std::uint64_t bits)
+{
+  bits = (bits | bits << 32) & 0x001f00000000ffffu;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
+  return (bits | bits << 2) & 0x1249249249249249u;
+}
+
+/// The inverse of spreadBits.
+constexpr std::uint32_t gatherBits(std::uint64_t bits)
+{
+  bits &= 0x1249249249249249u;
+  bits = (bits | bits >> 2) & 0x10c30c30c30c30c3u;
+  bits = (bits | bits >> 4) & 0x100f00f00f00f00fu;
+  bits = (bits | bits >> 8) & 0x001f0000ff0000ffu;
+  bits = (bits | bits >> 16) & 0x001f00000000ffffu;
+  return static_cast<std::uint32_t>(bits | bits >> 32);
+}
+
+constexpr std::uint64_t mortonOf(const glm::uvec3& cell)
+{
+  return spreadBits(cell.x) | spreadBits(cell.y) << 1 | spreadBits(cell.z) << 2;
+}
+
+constexpr glm::uvec3 mortonCell(std::uint64_t order)
+{
+  return { gatherBits(order), gatherBits(order >> 1), gatherBits(order >> 2) };
+}
+
+} // namespace ink

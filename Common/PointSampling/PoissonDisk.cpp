@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSampling/PoissonDisk.h"
+
+#include "Core/Hash.h"
+#include "Core/ParallelFor.h"
+#include "Core/ScaledPoints.h"
+#include "PointSampling/PoissonDiskBins.h"
+#include "PointSampling/PoissonDiskGaps.h"
+#include "PointSampling/WhiteNoise.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace ink
+{
+
+namespace
+{
+
+// Darts per expected sample, in each of two rounds. After these, filling voids is faster than more darts.
+// Without them, blocks would be filled before their neighbors have any samples, which then line up along the
+// blocks' sides.
+constexpr double dartsPerRound = 0.5;
+// A block's side in units of the largest radius. Discs of two blocks of one color must not overlap the same
+// bin: each extends by a radius, plus the width of a bin at either end.
+constexpr float radiiPerBlock = 16.0f;
+// The largest radius, at low density, relative to the smallest.
+constexpr double mostStretch = 16.0;
+
+/// Indices sorted by block.
+template <class Thing>
+class BlockLists
+{
+public:
+  /// @param parts indices with their blocks
+  BlockLists(std::span<const std::vector<std::pair<std::uint32_t, Thing>>> parts, std::size_t blocks)
+    : Begin(blocks + 1, 0)
+  {
+    for (const auto& part : parts)
+    {
+      for (const auto& [block, thing] : part)
+      {
+        ++this->Begin[block + 1];
+      }
+    }
+    std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
+    this->Things.resize(this->Begin.back());
+    std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
+    for (const auto& part : parts)
+    {
+      for (const auto& [block, thing] : part)
+      {
+        this->Things[next[block]++] = thing;
+      }
+    }
+  }
+
+  std::span<const Thing> of(std::size_t block) const
+  {
+    return std::span(this->Things).subspan(this->Begin[block], this->Begin[block + 1] - this->Begin[block]);
+  }
+
+private:
+  std::vector<std::size_t> Begin;
+  std::vector<Thing> Things;
+};
+
+/// Assigns ids to occupied blocks.
+class BlockTable
+{
+public:
+  static constexpr int bits = 21;
+
+  std::uint32_t at(const glm::ivec3& block)
+  {
+    // Consecutive triangles and darts are mostly in the same block.
+    if (block == this->LastBlock)
+    {
+      return this->LastName;
+    }
+    const auto [entry, isNew] =
+      this->Names.emplace(key(block), static_cast<std::uint32_t>(this->Blocks.size()));
+    if (isNew)
+    {
+      this->Blocks.push_back(block);
+    }
+    this->LastBlock = block;
+    this->LastName = entry->second;
+    return entry->second;
+  }
+
+  std::span<const glm::ivec3> blocks() const { return this->Blocks; }
+
+private:
+  static std::uint64_t key(const glm::ivec3& block)
+  {
+    const glm::uvec3 positive(block + (1 << (bits - 1)));
+    return std::uint64_t(positive.x) << (2 * bits) | std::uint64_t(positive.y) << bits | positive.z;
+  }
+
+  std::unordered_map<std::uint64_t, std::uint32_t> Names;
+  std::vector<glm::ivec3> Blocks;
+  glm::ivec3 LastBlock{ std::numeric_limits<int>::max() };
+  std::uint32_t LastName = 0;
+};
+
+/// A stride that visits 0 to count - 1 in long leaps: near the golden ratio of count, and coprime to it.
+std::size_t strideThrough(std::size_t count)
+{
+  auto stride = static_cast<std::size_t>(0.618 * static_cast<double>(count)) + 1;
+  while (std::gcd(stride, count) > 1)
+  {
+    ++stride;
+  }
+  return stride;
+}
+
+} // namespace
+
+double hexagonalDistance(double area, double count)
+{
+  return std::sqrt(2.0 * area / (std::numbers::sqrt3 * count));
+}
+
+LocalRadius::LocalRadius(const TriangleMesh& mesh, const CumulativeArea& areas, double radius)
+  : Constant(!mesh.hasDensity())
+  , Scale(radius)
+  , Least(radius)
+  , Most(radius)
+{
+  if (this->Constant)
+  {
+    return;
+  }
+  float densest = 0.0f;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (areas.area[t + 1] > areas.area[t])
+    {
+      const glm::vec3 density = mesh.density(t);
+      densest = std::max({ densest, density.x, density.y, density.z });
+    }
+  }
+  this->Scale = radius * std::sqrt(areas.mass.back() / areas.area.back());
+  this->Least = this->Scale / std::sqrt(static_cast<double>(densest));
+  this->Most = mostStretch * this->Least;
+}
+
+double LocalRadius::at(float density) const
+{
+  return this->Constant
+    ? this->Least
+    : std::clamp(this->Scale / std::sqrt(static_cast<double>(density)), this->Least, this->Most);
+}
+
+namespace
+{
+
+/// A mesh with its triangles sorted by blocks of space, so that neighbors on the surface are close in memory.
+class SortedMesh
+{
+public:
+  /// @param points in units of the smallest radius
+  SortedMesh(const TriangleMesh& mesh, std::span<const glm::vec3> points, float block)
+    : Triangles(mesh.triangles.size())
+    , Density(mesh.triangleDensity.size())
+    , Order(mesh.triangles.size())
+  {
+    BlockTable table;
+    std::vector<std::uint32_t> blocks(this->Order.size());
+    for (std::size_t t = 0; t < this->Order.size(); ++t)
+    {
+      const glm::vec3 place = points[mesh.triangles[t][0]] / block;
+      blocks[t] = glm::all(glm::lessThan(glm::abs(place), glm::vec3(0x1p20f)))
+        ? table.at(glm::ivec3(glm::floor(place)))
+        : 0;
+    }
+    std::vector<std::uint32_t> next(table.blocks().size() + 2);
+    for (const std::uint32_t name : blocks)
+    {
+      ++next[name + 1];
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (std::uint32_t t = 0; t < this->Order.size(); ++t)
+    {
+      this->Order[next[blocks[t]]++] = t;
+    }
+    for (std::size_t i = 0; i < this->Order.size(); ++i)
+    {
+      this->Triangles[i] = mesh.triangles[this->Order[i]];
+      if (!this->Density.empty())
+      {
+        this->Density[i] = mesh.triangleDensity[this->Order[i]];
+      }
+    }
+    this->View = { mesh.points, this->Triangles, mesh.pointDensity, this->Density };
+  }
+  SortedMesh(const SortedMesh&) = delete;
+  SortedMesh& operator=(const SortedMesh&) = delete;
+
+  const TriangleMesh& view() const { return this->View; }
+  /// A triangle's index in the original mesh.
+  std::uint32_t nameOf(std::uint32_t triangle) const { return this->Order[triangle]; }
+
+private:
+  std::vector<Triangle> Triangles;
+  std::vector<float> Density;
+  std::vector<std::uint32_t> Order;
+  TriangleMesh View;
+};
+
+/// The work on one mesh and radius, round by round.
+class Sampling
+{
+public:
+  Sampling(const TriangleMesh& mesh, const CumulativeArea& areas, double radius, std::uint64_t seed)
+    : Radii(mesh, areas, radius)
+    , Seed(seed)
+    , BlockSize(radiiPerBlock * static_cast<float>(this->Radii.most() / this->Radii.least()))
+    , Points(scalePoints(mesh, areas, this->Radii.least()).points)
+    , Sorted(mesh, this->Points, this->BlockSize)
+    , Mesh(this->Sorted.view())
+    , Areas(cumulateArea(this->Mesh))
+    , LeastRadii(this->radiiOfTriangles())
+    , Bins(this->Points, this->Mesh.triangles, this->LeastRadii)
+  {
+  }
+
+  /// Throws darts, uniformly on the mesh. Returns whether to continue.
+  bool throwDarts(std::uint64_t round, std::size_t count, const Progress& progress);
+  /// Returns whether to continue.
+  bool fillGaps(float smallest, const Progress& progress);
+  std::vector<SurfaceSample> takeSamples() { return std::move(this->Results); }
+
+private:
+  std::vector<float> radiiOfTriangles() const;
+  float radiusAt(const SurfaceSample& sample) const;
+  std::uint32_t blockAt(const glm::vec3& position)
+  {
+    return this->Table.at(glm::ivec3(glm::floor(position / this->BlockSize)));
+  }
+  /// Calls body(index, make) for the contents of each block, color by color, the blocks of a color in
+  /// parallel; make(dart) makes a sample.
+  template <class Thing, class Body>
+  bool inBlocks(const BlockLists<Thing>& lists, const Body& body, const Progress& progress);
+
+  LocalRadius Radii;
+  std::uint64_t Seed;
+  float BlockSize;
+  std::vector<glm::vec3> Points;
+  SortedMesh Sorted;
+  const TriangleMesh& Mesh; // sorted
+  CumulativeArea Areas;
+  std::vector<float> LeastRadii;
+  PoissonDiskBins Bins;
+  BlockTable Table;
+  std::vector<SurfaceSample> Results;
+};
+
+std::vector<float> Sampling::radiiOfTriangles() const
+{
+  std::vector<float> radii(this->Mesh.hasDensity() ? this->Mesh.triangles.size() : 0);
+  for (std::size_t t = 0; t < radii.size(); ++t)
+  {
+    const glm::vec3 density = this->Mesh.density(t);
+    const float densest = std::max({ density.x, density.y, density.z });
+    radii[t] = densest > 0.0f ? static_cast<float>(this->Radii.at(densest) / this->Radii.least()) : 0.0f;
+  }
+  return radii;
+}
+
+float Sampling::radiusAt(const SurfaceSample& sample) const
+{
+  const float density = densityOf(this->Mesh, sample);
+  return density > 0.0f ? static_cast<float>(this->Radii.at(density) / this->Radii.least()) : 0.0f;
+}
+
+template <class Thing, class Body>
+bool Sampling::inBlocks(const BlockLists<Thing>& lists, const Body& body, const Progress& progress)
+{
+  std::vector<std::uint32_t> ofColor[8];
+  const std::span<const glm::ivec3> blocks = this->Table.blocks();
+  for (std::uint32_t block = 0; block < blocks.size(); ++block)
+  {
+    const glm::ivec3 parity = blocks[block] & 1;
+    if (!lists.of(block).empty())
+    {
+      ofColor[parity.x + 2 * parity.y + 4 * parity.z].push_back(block);
+    }
+  }
+  double done = 0.0;
+  for (const std::vector<std::uint32_t>& names : ofColor)
+  {
+    const double share = static_cast<double>(names.size()) / static_cast<double>(blocks.size());
+    std::vector<std::vector<SurfaceSample>> made(names.size());
+    const auto fill = [&](std::size_t i)
+    {
+      this->Bins.with(
+        [&](PoissonDiskBins::Workspace& workspace)
+        {
+          body(lists.of(names[i]),
+            [&](const PoissonDiskDart& dart)
+            {
+              made[i].push_back(
+                { this->Sorted.nameOf(dart.sample.triangle), dart.sample.b1, dart.sample.b2 });
+              this->Bins.add({ dart.position, dart.sample.triangle }, dart.radius, workspace);
+            });
+        });
+    };
+    if (!parallelFor(names.size(), fill,
+          progress ? [&](double part) { return progress(done + share * part); } : Progress()))
+    {
+      return false;
+    }
+    for (const std::vector<SurfaceSample>& samples : made)
+    {
+      this->Results.insert(this->Results.end(), samples.begin(), samples.end());
+    }
+    done += share;
+  }
+  return true;
+}
+
+bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress& progress)
+{
+  constexpr std::size_t chunk = 1 << 12;
+  const std::size_t chunks = (count + chunk - 1) / chunk;
+  const std::span<const double> weights = this->Areas.weights();
+  const double last = std::nextafter(weights.back(), 0.0);
+  const double step = weights.back() / static_cast<double>(count);
+  const std::uint64_t alongSeed = hash(this->Seed, round, 6);
+  const std::uint64_t placeSeed = hash(this->Seed, round, 7);
+  std::vector<std::vector<std::pair<std::uint32_t, PoissonDiskDart>>> thrown(chunks);
+  parallelFor(chunks,
+    [&](std::size_t c)
+    {
+      std::uint32_t triangle = 0;
+      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i)
+      {
+        const double place =
+          std::min((static_cast<double>(i) + unitDouble(hash(alongSeed ^ i))) * step, last);
+        triangle = i == c * chunk ? findTriangle(weights, place) : findTriangle(weights, place, triangle);
+        if (this->Bins.isCovered(triangle))
+        {
+          continue;
+        }
+        PoissonDiskDart dart;
+        dart.sample = placeInTriangle(this->Mesh, triangle, hash(placeSeed ^ i));
+        dart.radius = this->Mesh.hasDensity() ? this->radiusAt(dart.sample) : 1.0f;
+        const auto& [a, b, c3] = this->Mesh.triangles[triangle];
+        const glm::vec3& origin = this->Points[a];
+        dart.position =
+          origin + dart.sample.b1 * (this->Points[b] - origin) + dart.sample.b2 * (this->Points[c3] - origin);
+        if (dart.radius > 0.0f && !this->Bins.isTaken(triangle, dart.position, dart.radius))
+        {
+          thrown[c].emplace_back(0, dart);
+        }
+      }
+    });
+  for (auto& part : thrown)
+  {
+    for (auto& [block, dart] : part)
+    {
+      block = this->blockAt(dart.position);
+    }
+  }
+  const BlockLists<PoissonDiskDart> lists(thrown, this->Table.blocks().size());
+  return this->inBlocks(
+    lists,
+    [&](std::span<const PoissonDiskDart> darts, const auto& make)
+    {
+      // Neighbors in the list are neighbors on the mesh: a long stride keeps consecutive tries apart.
+      const std::size_t stride = strideThrough(darts.size());
+      for (std::size_t i = 0, place = 0; i < darts.size(); ++i, place = (place + stride) % darts.size())
+      {
+        const PoissonDiskDart& dart = darts[place];
+        if (!this->Bins.isTaken(dart.sample.triangle, dart.position, dart.radius))
+        {
+          make(dart);
+        }
+      }
+    },
+    progress);
+}
+
+bool Sampling::fillGaps(float smallest, const Progress& progress)
+{
+  constexpr std::size_t chunk = 1 << 12;
+  const std::size_t chunks = (this->Mesh.triangles.size() + chunk - 1) / chunk;
+  std::vector<std::vector<std::pair<std::uint32_t, PoissonDiskBins::Open>>> found(chunks);
+  parallelFor(chunks,
+    [&](std::size_t c)
+    {
+      std::vector<PoissonDiskBins::Open> open;
+      for (std::size_t t = c * chunk; t < std::min((c + 1) * chunk, this->Mesh.triangles.size()); ++t)
+      {
+        this->Bins.listOpen(static_cast<std::uint32_t>(t), open);
+      }
+      for (const PoissonDiskBins::Open& bin : open)
+      {
+        found[c].emplace_back(0, bin);
+      }
+    });
+  for (auto& part : found)
+  {
+    for (auto& [block, bin] : part)
+    {
+      block = this->blockAt(this->Bins.placeOf(bin));
+    }
+  }
+  const BlockLists<PoissonDiskBins::Open> lists(found, this->Table.blocks().size());
+  const PoissonDiskGaps::RadiusAt radiusAt = this->Mesh.hasDensity() ? [this](const SurfaceSample& place)
+  { return this->radiusAt(place); }
+                                                                     : PoissonDiskGaps::RadiusAt();
+  return this->inBlocks(
+    lists,
+    [&](std::span<const PoissonDiskBins::Open> bins, const auto& make)
+    {
+      const PoissonDiskGaps::Make makeSample = make;
+      PoissonDiskGaps gaps(this->Bins, radiusAt, smallest, makeSample);
+      for (const PoissonDiskBins::Open& bin : bins)
+      {
+        gaps.fill(bin, hash(this->Seed, bin.bin, 4));
+      }
+    },
+    progress);
+}
+
+} // namespace
+
+double fittedCount(double gap)
+{
+  return 0.72 - 0.3 * gap + 0.09 * gap * gap;
+}
+
+PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, const CumulativeArea& areas, double radius,
+  double gap, std::uint64_t seed, const Progress& progress)
+{
+  PoissonDisk result;
+  result.radius = radius;
+  if (areas.weights().empty() || !(areas.weights().back() > 0.0))
+  {
+    return result;
+  }
+  Sampling sampling(mesh, areas, radius, seed);
+  const auto darts = static_cast<std::size_t>(
+    std::ceil(dartsPerRound * saturatedCount * areas.area.back() / (radius * radius)));
+  const auto upTo = [&](double begin, double end) -> Progress
+  {
+    return progress ? [&, begin, end](double done) { return progress(begin + done * (end - begin)); }
+                    : Progress();
+  };
+  result.stopped = !sampling.throwDarts(0, darts, upTo(0.0, 0.2)) ||
+    !sampling.throwDarts(1, darts, upTo(0.2, 0.4)) ||
+    !sampling.fillGaps(
+      static_cast<float>(std::clamp(gap, leastCoverageSlack, largestCoverageSlack)), upTo(0.4, 1.0));
+  result.samples = sampling.takeSamples();
+  if (result.stopped)
+  {
+    result.samples.clear();
+  }
+  return result;
+}
+
+} // namespace ink

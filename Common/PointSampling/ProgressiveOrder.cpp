@@ -1,0 +1,511 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSampling/ProgressiveOrder.h"
+
+#include "Core/Hash.h"
+#include "Core/MortonOrder.h"
+#include "Core/ParallelFor.h"
+#include "Core/ParallelSort.h"
+#include "Mesh/SurfaceSides.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr int levelsPerOctave = 12;
+// Points closer than this fraction of the largest extent count as coincident.
+constexpr int octaves = 22;
+constexpr int levelCount = levelsPerOctave * octaves;
+constexpr std::size_t blockSize = 1 << 12;
+// The number of points of a block that are tested sequentially before the rest is tested in parallel.
+constexpr std::size_t fewInABlock = 64;
+constexpr std::uint16_t isChosen = 0xffff;
+struct Point
+{
+  glm::vec3 position;
+  glm::vec3 normal; // 0: unknown
+  float radius;     // at most 1
+};
+
+/// See areApart in SurfaceSides.h.
+bool areApart(const Point& a, const Point& b, const glm::vec3& offset, float squaredDistance)
+{
+  const float up = glm::dot(a.normal, offset);
+  const float otherUp = glm::dot(b.normal, offset);
+  return ink::areApart(glm::dot(a.normal, b.normal), up * up, otherUp * otherUp, squaredDistance);
+}
+
+bool isFinite(const glm::vec3& point)
+{
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+/// A point's Morton code.
+std::uint64_t placeOf(const glm::vec3& position) // from 0 to 1
+{
+  return mortonOf(glm::uvec3(position * static_cast<float>(1 << (mortonBits - 1))));
+}
+
+constexpr std::uint32_t none = ~0u;
+
+/// Whether blocks of the same color never touch, a block's color being its Morton code modulo `colors`.
+consteval bool areColorsApart(std::uint64_t colors)
+{
+  for (std::uint64_t a = 0; a < 64; ++a)
+  {
+    for (std::uint64_t b = 0; b < a; ++b)
+    {
+      const glm::uvec3 offset = mortonCell(a) - mortonCell(b) + 1u;
+      if (offset.x < 3 && offset.y < 3 && offset.z < 3 && a % colors == b % colors)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// A grid of cells with the points chosen in each.
+class ChosenPoints
+{
+public:
+  ChosenPoints(std::span<const Point> points, std::span<const std::uint64_t> places)
+    : Points(points)
+    , Places(places)
+    , CellOf(points.size())
+    , Next(points.size(), none)
+  {
+  }
+
+  /// Sets the cells' width to 2^(1 - octave) and sorts the chosen points into them.
+  /// @param isDone(point) whether its distance will not be queried any more
+  template <class IsChosen>
+  void setOctave(int octave, std::span<const std::uint32_t> chosen, const IsChosen& isDone);
+
+  /// The distance from a point to the nearest chosen one, in units of the smaller of the two radii; infinite
+  /// if it is not below `width`, which is at most that of the cells.
+  float distance(std::uint32_t index, float width) const;
+
+  void add(std::uint32_t point)
+  {
+    std::uint32_t& head = this->Heads[this->CellOf[point]];
+    this->Next[point] = head;
+    head = point;
+  }
+
+  /// The block of four cells along each axis that contains a point; its lowest bits are its color. Blocks of
+  /// one color are far enough apart to add points to them concurrently.
+  std::uint64_t blockOf(std::uint32_t point) const { return this->Places[point] >> this->Shift >> 6; }
+  static constexpr std::uint64_t colors = 8;
+  static_assert(areColorsApart(colors));
+
+private:
+  void findNeighbors(const std::vector<bool>& wanted);
+
+  std::span<const Point> Points;
+  std::span<const std::uint64_t> Places;
+  int Shift = 0;
+  float Width = 2.0f;
+  std::vector<std::uint32_t> CellOf; // of each point
+  std::vector<std::uint64_t> Cells;  // occupied cells, in Morton order
+  std::vector<std::uint32_t> Heads;  // of each cell: one chosen point,
+  std::vector<std::uint32_t> Next;   // and of each point another
+  // For each cell, the occupied ones of the 27 around it, and which of the 27 they are.
+  std::vector<std::uint32_t> Begin;
+  std::vector<std::uint32_t> Neighbors;
+  std::vector<std::uint8_t> Directions;
+};
+
+template <class IsChosen>
+void ChosenPoints::setOctave(int octave, std::span<const std::uint32_t> chosen, const IsChosen& isDone)
+{
+  this->Shift = 3 * (mortonBits - octave);
+  this->Width = std::ldexp(2.0f, -octave);
+  this->Cells.clear();
+  std::vector<bool> wanted;
+  for (std::uint32_t i = 0; i < this->Places.size(); ++i)
+  {
+    const std::uint64_t cell = this->Places[i] >> this->Shift;
+    if (this->Cells.empty() || this->Cells.back() != cell)
+    {
+      this->Cells.push_back(cell);
+      wanted.push_back(false);
+    }
+    wanted.back() = wanted.back() || !isDone(i);
+    this->CellOf[i] = static_cast<std::uint32_t>(this->Cells.size() - 1);
+  }
+  this->findNeighbors(wanted);
+  this->Heads.assign(this->Cells.size(), none);
+  for (const std::uint32_t point : chosen)
+  {
+    this->add(point);
+  }
+}
+
+void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
+{
+  const std::size_t mask = std::bit_ceil(2 * this->Cells.size() + 1) - 1;
+  std::vector<std::uint32_t> table(mask + 1, none);
+  const auto slotOf = [&](std::uint64_t cell)
+  {
+    std::size_t slot = (cell * 0x9e3779b97f4a7c15u >> 24) & mask;
+    while (table[slot] != none && this->Cells[table[slot]] != cell)
+    {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
+  };
+  for (std::uint32_t i = 0; i < this->Cells.size(); ++i)
+  {
+    table[slotOf(this->Cells[i])] = i;
+  }
+  const std::size_t blocks = (this->Cells.size() + blockSize - 1) / blockSize;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint8_t>>> found(blocks);
+  this->Begin.assign(this->Cells.size() + 1, 0);
+  parallelFor(blocks,
+    [&](std::size_t block)
+    {
+      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, this->Cells.size()); ++i)
+      {
+        const glm::uvec3 cell = mortonCell(this->Cells[i]);
+        const std::size_t before = found[block].size();
+        for (std::uint8_t direction = 0; wanted[i] && direction < 27; ++direction)
+        {
+          // Negative values wrap around to out of range.
+          const glm::uvec3 other = (cell + glm::uvec3(direction % 3, direction / 3 % 3, direction / 9) - 1u) &
+            ((1u << mortonBits) - 1u);
+          if (const std::uint32_t name = table[slotOf(mortonOf(other))]; name != none)
+          {
+            found[block].emplace_back(name, direction);
+          }
+        }
+        this->Begin[i + 1] = static_cast<std::uint32_t>(found[block].size() - before);
+      }
+    });
+  std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
+  this->Neighbors.resize(this->Begin.back());
+  this->Directions.resize(this->Begin.back());
+  parallelFor(blocks,
+    [&](std::size_t block)
+    {
+      std::size_t place = this->Begin[block * blockSize];
+      for (const auto& [name, direction] : found[block])
+      {
+        this->Neighbors[place] = name;
+        this->Directions[place++] = direction;
+      }
+    });
+}
+
+float ChosenPoints::distance(std::uint32_t index, float width) const
+{
+  const Point& point = this->Points[index];
+  const float reach = width * point.radius;
+  const std::uint32_t cell = this->CellOf[index];
+  const glm::vec3 low = glm::vec3(mortonCell(this->Cells[cell])) * this->Width;
+  const auto within = [&](int axis)
+  {
+    return (point.position[axis] - reach < low[axis] ? 1u : 0u) | 2u |
+      (point.position[axis] + reach >= low[axis] + this->Width ? 4u : 0u);
+  };
+  const unsigned ranges[3] = { within(0), within(1), within(2) };
+  float least = width;
+  for (std::uint32_t n = this->Begin[cell]; n < this->Begin[cell + 1]; ++n)
+  {
+    const unsigned direction = this->Directions[n];
+    if (!(ranges[0] >> direction % 3 & ranges[1] >> direction / 3 % 3 & ranges[2] >> direction / 9 & 1u))
+    {
+      continue;
+    }
+    for (std::uint32_t i = this->Heads[this->Neighbors[n]]; i != none; i = this->Next[i])
+    {
+      const Point& other = this->Points[i];
+      const glm::vec3 offset = other.position - point.position;
+      const float squared = glm::dot(offset, offset);
+      const float radius = std::min(point.radius, other.radius);
+      const float limit = least * radius;
+      if (squared < limit * limit && !areApart(point, other, offset, squared))
+      {
+        least = std::sqrt(squared) / radius;
+      }
+    }
+  }
+  return least < width ? least : std::numeric_limits<float>::infinity();
+}
+
+/// The points to sort, with neighbors close in memory.
+struct SortedPoints
+{
+  std::vector<Point> points;
+  std::vector<std::uint64_t> places;
+  std::vector<std::uint32_t> names;   // their original indices
+  std::vector<std::uint32_t> chances; // random
+  std::vector<std::uint32_t> rest;    // points that are not finite
+};
+
+SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::vec3> normals,
+  std::span<const float> radii, std::uint64_t seed)
+{
+  glm::vec3 low(std::numeric_limits<float>::infinity());
+  glm::vec3 high(-low);
+  float largest = 0.0f;
+  SortedPoints sorted;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    if (isFinite(points[i]))
+    {
+      low = glm::min(low, points[i]);
+      high = glm::max(high, points[i]);
+      largest = std::max(largest, radii.empty() ? 1.0f : radii[i]);
+      sorted.names.push_back(i);
+    }
+    else
+    {
+      sorted.rest.push_back(i);
+    }
+  }
+  const glm::vec3 size = high - low;
+  const float widest = std::max({ size.x, size.y, size.z });
+  const float scale = widest > 0.0f && std::isfinite(widest) ? 1.0f / widest : 1.0f;
+  const auto scaled = [&](std::uint32_t point)
+  { return glm::clamp((points[point] - low) * scale, 0.0f, 1.0f); };
+
+  const std::size_t count = sorted.names.size();
+  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  const auto forAll = [&](const auto& body)
+  {
+    parallelFor(blocks,
+      [&](std::size_t block)
+      {
+        for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+        {
+          body(i);
+        }
+      });
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(count);
+  forAll([&](std::size_t i) { keys[i] = { placeOf(scaled(sorted.names[i])), sorted.names[i] }; });
+  parallelSort(keys.begin(), keys.end());
+  sorted.points.resize(count);
+  sorted.places.resize(count);
+  sorted.chances.resize(count);
+  forAll(
+    [&](std::size_t i)
+    {
+      const auto [place, name] = keys[i];
+      sorted.places[i] = place;
+      sorted.names[i] = name;
+      sorted.chances[i] = static_cast<std::uint32_t>(hash(seed, name, 5) >> 32);
+      Point& point = sorted.points[i];
+      point.position = scaled(name);
+      point.normal = normals.empty() || !isFinite(normals[name]) ? glm::vec3(0.0f) : normals[name];
+      // A larger ratio of radii would search too many cells.
+      point.radius =
+        radii.empty() || !(largest > 0.0f) ? 1.0f : std::clamp(radii[name] / largest, 1e-3f, 1.0f);
+    });
+  return sorted;
+}
+
+/// Dart throwing at one radius after the other.
+class Chooser
+{
+public:
+  explicit Chooser(const SortedPoints& sorted)
+    : Sorted(sorted)
+    , Chosen(sorted.points, sorted.places)
+    , Due(sorted.points.size(), 0)
+  {
+  }
+
+  /// Chooses all points that are far enough from others at a level's radius.
+  void choose(int level);
+  std::span<const std::uint32_t> order() const { return this->Order; }
+
+private:
+  void sortByChance(std::vector<std::uint32_t>& points) const
+  {
+    std::sort(points.begin(), points.end(),
+      [&](std::uint32_t a, std::uint32_t b)
+      { return std::pair(this->Sorted.chances[a], a) < std::pair(this->Sorted.chances[b], b); });
+  }
+  /// Whether a point is far enough from all chosen ones; otherwise schedules its next test.
+  bool hasRoom(std::uint32_t point, int level);
+  /// The points among some that are far enough from all chosen so far.
+  template <class Pick>
+  std::vector<std::uint32_t> findRoom(std::size_t count, int level, const Pick& pick);
+  void chooseAmong(std::span<const std::uint32_t> candidates, int level, std::vector<std::uint32_t>& chosen);
+
+  const SortedPoints& Sorted;
+  ChosenPoints Chosen;
+  std::vector<std::uint16_t> Due; // the level at which to test each point again
+  std::vector<std::uint32_t> Order;
+};
+
+float widthAt(int level)
+{
+  return 2.0f * std::exp2(-static_cast<float>(level) / levelsPerOctave);
+}
+
+bool Chooser::hasRoom(std::uint32_t point, int level)
+{
+  const float distance = this->Chosen.distance(point, widthAt(level));
+  if (!std::isfinite(distance))
+  {
+    return true;
+  }
+  const float exact = -levelsPerOctave * std::log2(std::max(0.5f * distance, 1e-30f));
+  this->Due[point] =
+    static_cast<std::uint16_t>(std::clamp(static_cast<int>(std::ceil(exact)), level + 1, levelCount));
+  return false;
+}
+
+template <class Pick>
+std::vector<std::uint32_t> Chooser::findRoom(std::size_t count, int level, const Pick& pick)
+{
+  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  std::vector<std::vector<std::uint32_t>> found(blocks);
+  parallelFor(blocks,
+    [&](std::size_t block)
+    {
+      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+      {
+        if (const std::uint32_t point = pick(i); point != none && this->hasRoom(point, level))
+        {
+          found[block].push_back(point);
+        }
+      }
+    });
+  std::vector<std::uint32_t> all;
+  for (const std::vector<std::uint32_t>& part : found)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+void Chooser::choose(int level)
+{
+  if (level % levelsPerOctave == 0)
+  {
+    this->Chosen.setOctave(level / levelsPerOctave, this->Order,
+      [&](std::uint32_t point) { return this->Due[point] == isChosen; });
+  }
+  std::vector<std::uint32_t> candidates = this->findRoom(this->Due.size(), level,
+    [&](std::size_t i) { return this->Due[i] == level ? static_cast<std::uint32_t>(i) : none; });
+  std::vector<std::uint32_t> chosen;
+  // In random order, a few of each block at a time: the first ones exclude most others, which is tested in
+  // parallel.
+  std::uint64_t seen = 0;
+  constexpr std::uint64_t all = std::uint64_t(1) << 32;
+  while (!candidates.empty())
+  {
+    std::size_t blocks = 1;
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+    {
+      blocks += this->Chosen.blockOf(candidates[i]) != this->Chosen.blockOf(candidates[i - 1]) ? 1 : 0;
+    }
+    const double share = static_cast<double>(fewInABlock * blocks) / static_cast<double>(candidates.size());
+    const std::uint64_t end =
+      share < 1.0 ? seen + static_cast<std::uint64_t>(share * static_cast<double>(all - seen)) + 1 : all;
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t point : candidates)
+    {
+      (this->Sorted.chances[point] < end ? first : others).push_back(point);
+    }
+    this->chooseAmong(first, level, chosen);
+    candidates = this->findRoom(others.size(), level, [&](std::size_t i) { return others[i]; });
+    seen = end;
+  }
+  this->sortByChance(chosen);
+  this->Order.insert(this->Order.end(), chosen.begin(), chosen.end());
+}
+
+void Chooser::chooseAmong(
+  std::span<const std::uint32_t> candidates, int level, std::vector<std::uint32_t>& chosen)
+{
+  std::vector<std::vector<std::uint32_t>> ofColor[ChosenPoints::colors];
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    const std::uint64_t block = this->Chosen.blockOf(candidates[i]);
+    auto& blocks = ofColor[block % ChosenPoints::colors];
+    if (i == 0 || this->Chosen.blockOf(candidates[i - 1]) != block)
+    {
+      blocks.emplace_back();
+    }
+    blocks.back().push_back(candidates[i]);
+  }
+  for (auto& blocks : ofColor)
+  {
+    parallelFor(blocks.size(),
+      [&](std::size_t b)
+      {
+        std::vector<std::uint32_t>& points = blocks[b];
+        this->sortByChance(points);
+        std::erase_if(points,
+          [&](std::uint32_t point)
+          {
+            if (!this->hasRoom(point, level))
+            {
+              return true;
+            }
+            this->Chosen.add(point);
+            this->Due[point] = isChosen;
+            return false;
+          });
+      });
+    for (const std::vector<std::uint32_t>& points : blocks)
+    {
+      chosen.insert(chosen.end(), points.begin(), points.end());
+    }
+  }
+}
+
+} // namespace
+
+std::vector<std::uint32_t> progressiveOrder(std::span<const glm::vec3> points,
+  std::span<const glm::vec3> normals, std::span<const float> radii, std::uint64_t seed,
+  const Progress& progress)
+{
+  const SortedPoints sorted = sortPoints(points, normals, radii, seed);
+  Chooser chooser(sorted);
+  for (int level = 0; level < levelCount && chooser.order().size() < sorted.points.size(); ++level)
+  {
+    chooser.choose(level);
+    if (progress &&
+      !progress(static_cast<double>(chooser.order().size()) / static_cast<double>(points.size())))
+    {
+      return {};
+    }
+  }
+  std::vector<std::uint32_t> order;
+  order.reserve(points.size());
+  std::vector<bool> isOrdered(sorted.points.size());
+  for (const std::uint32_t point : chooser.order())
+  {
+    order.push_back(sorted.names[point]);
+    isOrdered[point] = true;
+  }
+  // Coincident with chosen points.
+  for (std::size_t i = 0; i < isOrdered.size(); ++i)
+  {
+    if (!isOrdered[i])
+    {
+      order.push_back(sorted.names[i]);
+    }
+  }
+  order.insert(order.end(), sorted.rest.begin(), sorted.rest.end());
+  return order;
+}
+
+} // namespace ink

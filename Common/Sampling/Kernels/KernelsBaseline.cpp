@@ -1,3 +1,0 @@
-#define INK_KERNEL_SET baselineKernels
-#define INK_KERNEL_NAME baseline
-#include "Sampling/Kernels/KernelSet.h"

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/IsoStatistics.h"
+
+#include "Core/Threads.h"
+#include "Fields/ScalarDifference.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace ink
+{
+namespace
+{
+
+constexpr int maximumBins = 4096;
+// The fraction of voxels at either end of the range that may be outliers.
+constexpr double outlierShare = 1e-4;
+
+constexpr std::uint16_t noBin = std::numeric_limits<std::uint16_t>::max();
+
+template <typename T>
+std::uint16_t binOf(const ValueBins& bins, T value)
+{
+  const double v = static_cast<double>(value);
+  if (!std::isfinite(v))
+  {
+    return noBin;
+  }
+  return static_cast<std::uint16_t>(std::clamp((v - bins.low) / bins.width, 0.0, bins.count - 1.0));
+}
+
+/// A volume whose slices are read a few at a time.
+template <typename T>
+struct Slices
+{
+  const SliceReader<T>& read;
+  std::array<int, 3> dimensions;
+  int atOnce;
+
+  std::size_t sliceSize() const
+  {
+    return static_cast<std::size_t>(this->dimensions[0]) * this->dimensions[1];
+  }
+  std::span<const T> get(int first, int last) const
+  {
+    const std::span<const T> values = this->read(first, last);
+    const std::size_t expected = this->sliceSize() * (last - first);
+    if (values.size() != expected)
+    {
+      throw std::invalid_argument("makeIsoStatistics: " + std::to_string(values.size()) + " values, but " +
+        std::to_string(this->dimensions[0]) + " x " + std::to_string(this->dimensions[1]) + " x " +
+        std::to_string(last - first) + " voxels");
+    }
+    return values;
+  }
+};
+
+template <typename T>
+std::optional<ValueBins> chooseBins(const Slices<T>& slices)
+{
+  double least = std::numeric_limits<double>::max();
+  double greatest = std::numeric_limits<double>::lowest();
+  std::vector<double> sample;
+  const std::size_t count = slices.sliceSize() * slices.dimensions[2];
+  const std::size_t step = std::max<std::size_t>(1, count / 1000000);
+  std::size_t i = 0;
+  for (int first = 0; first < slices.dimensions[2]; first += slices.atOnce)
+  {
+    for (const T value : slices.get(first, std::min(first + slices.atOnce, slices.dimensions[2])))
+    {
+      const double v = static_cast<double>(value);
+      if (std::isfinite(v))
+      {
+        least = std::min(least, v);
+        greatest = std::max(greatest, v);
+        if (i % step == 0)
+        {
+          sample.push_back(v);
+        }
+      }
+      ++i;
+    }
+  }
+  if (!(least < greatest))
+  {
+    return std::nullopt;
+  }
+
+  if (!sample.empty())
+  {
+    const auto outliers = static_cast<std::ptrdiff_t>(outlierShare * static_cast<double>(sample.size()));
+    std::nth_element(sample.begin(), sample.begin() + outliers, sample.end());
+    const double low = sample[outliers];
+    std::nth_element(sample.begin(), sample.end() - 1 - outliers, sample.end());
+    const double high = sample[sample.size() - 1 - outliers];
+    if (low < high)
+    {
+      least = low;
+      greatest = high;
+    }
+  }
+
+  // Integers get one bin each, centered on them, where that is not too many. Halves: the full range of a
+  // double does not fit in a double.
+  const double halfRange = greatest / 2 - least / 2;
+  if (std::is_integral_v<T> && halfRange < (maximumBins - 1) / 2.0)
+  {
+    return ValueBins{ least - 0.5, 1.0, static_cast<int>(std::lround(2 * halfRange)) + 1 };
+  }
+  return ValueBins{ least, std::max(halfRange / maximumBins * 2, std::numeric_limits<double>::min()),
+    maximumBins };
+}
+
+/// Whether all bins of a row are the given one.
+bool isAll(std::span<const std::uint16_t> row, std::uint16_t bin)
+{
+  return row.empty() ||
+    (row[0] == bin && std::memcmp(row.data(), row.data() + 1, (row.size() - 1) * sizeof(bin)) == 0);
+}
+
+/// Adds slice z of the volume to profile. previous and next are empty beyond the volume.
+void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint16_t> slice,
+  std::span<const std::uint16_t> next, int width, int height, IsoStatistics& profile)
+{
+  const auto addEdge = [&profile](std::uint16_t a, std::uint16_t b)
+  {
+    if (a != b && b != noBin)
+    {
+      const auto [low, high] = std::minmax(a, b);
+      profile.edges[low] += 1;
+      profile.edges[high] -= 1;
+      profile.steps[low] += high - low;
+      profile.steps[high] -= high - low;
+    }
+  };
+  const auto rowOf = [width, height](std::span<const std::uint16_t> bins, int y)
+  {
+    const bool there = !bins.empty() && y >= 0 && y < height;
+    return there ? bins.subspan(static_cast<std::size_t>(y) * width, width)
+                 : std::span<const std::uint16_t>();
+  };
+  for (int y = 0; y < height; ++y)
+  {
+    // Usually air: no edges and no speckles.
+    const std::uint16_t first = slice[static_cast<std::size_t>(y) * width];
+    if (isAll(rowOf(slice, y), first) && isAll(rowOf(slice, y - 1), first) &&
+      isAll(rowOf(slice, y + 1), first) && isAll(rowOf(previous, y), first) && isAll(rowOf(next, y), first))
+    {
+      if (first != noBin)
+      {
+        profile.voxels[first] += width;
+      }
+      continue;
+    }
+    for (int x = 0; x < width; ++x)
+    {
+      const std::size_t i = static_cast<std::size_t>(y) * width + x;
+      const std::uint16_t bin = slice[i];
+      if (bin == noBin)
+      {
+        continue;
+      }
+      ++profile.voxels[bin];
+
+      // The highest and second highest neighbor determine the thresholds at which this voxel is a speckle.
+      int highest = -1;
+      int second = -1;
+      int neighbors = 0;
+      const auto look = [&](std::uint16_t other)
+      {
+        if (other == noBin)
+        {
+          return;
+        }
+        ++neighbors;
+        if (other > highest)
+        {
+          second = highest;
+          highest = other;
+        }
+        else if (other > second)
+        {
+          second = other;
+        }
+      };
+      if (x + 1 < width)
+      {
+        addEdge(bin, slice[i + 1]);
+        look(slice[i + 1]);
+      }
+      if (y + 1 < height)
+      {
+        addEdge(bin, slice[i + width]);
+        look(slice[i + width]);
+      }
+      if (!next.empty())
+      {
+        addEdge(bin, next[i]);
+        look(next[i]);
+      }
+      if (x > 0)
+      {
+        look(slice[i - 1]);
+      }
+      if (y > 0)
+      {
+        look(slice[i - width]);
+      }
+      if (!previous.empty())
+      {
+        look(previous[i]);
+      }
+      // Voxels at the border have fewer neighbors and would count as speckles.
+      if (neighbors == 6 && second < bin)
+      {
+        profile.speckEdges[std::max(second, 0)] += 5;
+        profile.speckEdges[bin] -= 5;
+      }
+    }
+  }
+}
+
+template <typename T>
+IsoStatistics countValues(const Slices<T>& slices, const ValueBins& bins)
+{
+  const std::array<int, 3> dimensions = slices.dimensions;
+  const std::size_t sliceSize = slices.sliceSize();
+  tbb::combinable<IsoStatistics> partial([&bins] { return IsoStatistics(bins); });
+  // Each slice with its neighbors.
+  const int own = slices.atOnce - 2;
+  for (int begin = 0; begin < dimensions[2]; begin += own)
+  {
+    const int end = std::min(begin + own, dimensions[2]);
+    const int first = std::max(begin - 1, 0);
+    const int last = std::min(end + 1, dimensions[2]);
+    const std::span<const T> values = slices.get(first, last);
+    const auto addSlab = [&](const tbb::blocked_range<int>& range)
+    {
+      IsoStatistics& profile = partial.local();
+      const auto binned = [&](int z)
+      {
+        std::vector<std::uint16_t> slice;
+        if (z >= first && z < last)
+        {
+          slice.resize(sliceSize);
+          const auto source = values.subspan(sliceSize * (z - first), sliceSize);
+          std::transform(source.begin(), source.end(), slice.begin(), [&](T v) { return binOf(bins, v); });
+        }
+        return slice;
+      };
+      std::vector<std::uint16_t> previous = binned(range.begin() - 1);
+      std::vector<std::uint16_t> slice = binned(range.begin());
+      for (int z = range.begin(); z < range.end(); ++z)
+      {
+        std::vector<std::uint16_t> next = binned(z + 1);
+        addSlice(previous, slice, next, dimensions[0], dimensions[1], profile);
+        previous = std::move(slice);
+        slice = std::move(next);
+      }
+    };
+    tbb::task_arena(threadCount())
+      .execute([&] { tbb::parallel_for(tbb::blocked_range<int>(begin, end, 16), addSlab); });
+  }
+
+  IsoStatistics total(bins);
+  partial.combine_each([&total](const IsoStatistics& profile) { total.add(profile); });
+  total.accumulate();
+  return total;
+}
+
+} // namespace
+
+IsoStatistics::IsoStatistics(const ValueBins& b)
+  : bins(b)
+  , voxels(b.count)
+  , edges(b.count)
+  , steps(b.count)
+  , speckEdges(b.count)
+{
+}
+
+void IsoStatistics::add(const IsoStatistics& other)
+{
+  for (std::size_t i = 0; i < this->voxels.size(); ++i)
+  {
+    this->voxels[i] += other.voxels[i];
+    this->edges[i] += other.edges[i];
+    this->steps[i] += other.steps[i];
+    this->speckEdges[i] += other.speckEdges[i];
+  }
+}
+
+void IsoStatistics::accumulate()
+{
+  for (auto* sums : { &this->edges, &this->steps, &this->speckEdges })
+  {
+    std::int64_t sum = 0;
+    for (std::int64_t& value : *sums)
+    {
+      value = sum += value;
+    }
+  }
+}
+
+template <typename T>
+std::optional<IsoStatistics> makeIsoStatistics(
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce)
+{
+  if (slicesAtOnce < 3)
+  {
+    throw std::invalid_argument(
+      "makeIsoStatistics: " + std::to_string(slicesAtOnce) + " slices at once, expected 3 or more");
+  }
+  const Slices<T> slices{ read, dimensions, slicesAtOnce };
+  const std::optional<ValueBins> bins = chooseBins(slices);
+  return bins ? std::optional(countValues(slices, *bins)) : std::nullopt;
+}
+
+#define INK_INSTANTIATE(T)                                                                                   \
+  template std::optional<IsoStatistics> makeIsoStatistics(const SliceReader<T>&, std::array<int, 3>, int);
+INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
+
+} // namespace ink

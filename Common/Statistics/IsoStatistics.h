@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ink
+{
+
+/// Returns the voxels of slices first to last - 1 along z; they must stay valid until the next call.
+template <typename T>
+using SliceReader = std::function<std::span<const T>(int first, int last)>;
+
+/// Histogram bins; threshold i lies between the bins i and i + 1.
+struct ValueBins
+{
+  double low = 0.0; ///< where the first begins
+  double width = 1.0;
+  int count = 0;
+};
+
+/// Statistics of a volume at each threshold. Integer sums, so that the order of summation does not matter.
+struct IsoStatistics
+{
+  explicit IsoStatistics(const ValueBins& b);
+  void add(const IsoStatistics& other);
+  /// Turns differences between neighboring thresholds into the thresholds' own sums.
+  void accumulate();
+
+  ValueBins bins;
+  std::vector<std::int64_t> voxels; ///< in each bin
+  std::vector<std::int64_t> edges;  ///< that cross the threshold
+  std::vector<std::int64_t> steps;  ///< of those edges, in bins, summed
+  /// Of those edges, at voxels with at most one neighbor above the threshold.
+  std::vector<std::int64_t> speckEdges;
+};
+
+/// Chooses bins for the values of a volume, excluding outliers, and counts. Each integer gets its own bin if
+/// there are not too many. NaN and infinite values are skipped. The result is the same for any number of
+/// threads and slices at a time.
+///
+/// @tparam T any of the scalar types of VTK
+/// @param read called for consecutive slices, each at least twice, from the first on
+/// @param slicesAtOnce the maximum number of slices per call of read, at least 3
+/// @return nothing if there are fewer than two distinct finite values
+/// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
+template <typename T>
+std::optional<IsoStatistics> makeIsoStatistics(
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce);
+
+} // namespace ink

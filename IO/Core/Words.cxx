@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Words.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <system_error>
+
+namespace ink::io
+{
+namespace
+{
+
+constexpr std::string_view space = " \t\r\n\v\f";
+
+} // namespace
+
+bool nextLine(std::string_view& text, std::string_view& line)
+{
+  if (text.empty())
+  {
+    return false;
+  }
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r'))
+  {
+    line.remove_suffix(1);
+  }
+  return true;
+}
+
+std::string_view nextWord(std::string_view& text)
+{
+  text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(space));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+std::optional<double> numberIn(std::string_view word)
+{
+  if (word.starts_with('+'))
+  {
+    word.remove_prefix(1);
+  }
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error == std::errc::invalid_argument || end != word.data() + word.size())
+  {
+    return std::nullopt;
+  }
+  // from_chars does not say whether it is too large or too small.
+  return error == std::errc::result_out_of_range ? std::strtod(std::string(word).c_str(), nullptr) : number;
+}
+
+std::string shortened(std::string_view line)
+{
+  constexpr std::size_t most = 40;
+  std::string text(line.substr(0, most));
+  // A file that is not text may say anything.
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return line.size() <= most ? text : text + "...";
+}
+
+} // namespace ink::io

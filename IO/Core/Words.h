@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vtkInkIOCoreModule.h" // for the export macro
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ink::io
+{
+
+/// Takes the next line, without its end, from the front of text. @return false if there is none
+VTKINKIOCORE_EXPORT bool nextLine(std::string_view& text, std::string_view& line);
+
+/// Takes the next word between spaces, tabs and ends of lines from the front of text; empty if there is none.
+VTKINKIOCORE_EXPORT std::string_view nextWord(std::string_view& text);
+
+/// The number that all of word is, with a dot whatever the locale; nan and inf are numbers as well.
+VTKINKIOCORE_EXPORT std::optional<double> numberIn(std::string_view word);
+
+/// The beginning of a line, for a message; what cannot be printed everywhere becomes a question mark.
+VTKINKIOCORE_EXPORT std::string shortened(std::string_view line);
+
+} // namespace ink::io

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DicomFile.h"
+
+#include "ReadError.h"
+#include "Words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace ink::io
+{
+namespace
+{
+
+constexpr std::uint32_t undefinedLength = 0xFFFFFFFF;
+
+/// Group and element.
+constexpr std::uint32_t tag(std::uint32_t group, std::uint32_t element)
+{
+  return group << 16 | element;
+}
+
+/// Goes through the elements of a file, those within sequences left out.
+class Elements
+{
+public:
+  explicit Elements(const fs::path& file)
+    : File(file)
+    , Stream(file, std::ios::binary)
+    , Size(fs::file_size(file))
+  {
+  }
+
+  /// Whether the mark is there, which stands after 128 bytes of anything.
+  bool start()
+  {
+    std::array<char, 132> bytes{};
+    return this->Stream.read(bytes.data(), bytes.size()) && std::string_view(bytes.data() + 128, 4) == "DICM";
+  }
+
+  void read(DicomFile& found)
+  {
+    while (found.pixelBytes == 0 && this->position() < this->Size)
+    {
+      this->readElement(found);
+    }
+  }
+
+private:
+  std::uint64_t position()
+  {
+    return static_cast<std::uint64_t>(std::max<std::streamoff>(this->Stream.tellg(), 0));
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const { failToRead(this->File, reason); }
+
+  std::string bytes(std::size_t count)
+  {
+    std::string bytes(count, '\0');
+    if (!this->Stream.read(bytes.data(), static_cast<std::streamsize>(count)))
+    {
+      this->fail("the file ends within an element");
+    }
+    return bytes;
+  }
+
+  std::uint32_t integer(std::string_view bytes) const
+  {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+    {
+      value = value << 8 | static_cast<unsigned char>(bytes[this->BigEndian ? i : bytes.size() - 1 - i]);
+    }
+    return value;
+  }
+
+  void readElement(DicomFile& found)
+  {
+    const std::string start = this->bytes(4);
+    const bool isMeta = this->integer(std::string_view(start).substr(0, 2)) == 2;
+    if (!isMeta && !this->PastMeta)
+    {
+      this->PastMeta = true;
+      this->setSyntax(found);
+    }
+    const std::uint32_t key = tag(this->integer(std::string_view(start).substr(0, 2)),
+      this->integer(std::string_view(start).substr(2, 2)));
+    const bool isItem = key >> 16 == 0xFFFE;
+    const bool isExplicit = !isItem && (isMeta || this->Explicit);
+    std::uint32_t length = 0;
+    bool isSequence = false;
+    if (isExplicit)
+    {
+      const std::string type = this->bytes(2);
+      static constexpr std::array<std::string_view, 13> longTypes{ "OB", "OD", "OF", "OL", "OV", "OW", "SQ",
+        "SV", "UC", "UN", "UR", "UT", "UV" };
+      isSequence = type == "SQ" || type == "UN";
+      const bool isLong = std::find(longTypes.begin(), longTypes.end(), type) != longTypes.end();
+      if (isLong)
+      {
+        this->bytes(2);
+      }
+      length = this->integer(this->bytes(isLong ? 4 : 2));
+    }
+    else
+    {
+      length = this->integer(this->bytes(4));
+      isSequence = true;
+    }
+    if (isItem)
+    {
+      this->enterOrLeave(key, length);
+      return;
+    }
+    if (key == tag(0x7FE0, 0x0010) && this->Depth == 0)
+    {
+      found.pixelOffset = this->position();
+      found.pixelBytes = length == undefinedLength ? this->Size - found.pixelOffset : length;
+      return;
+    }
+    if (length == undefinedLength)
+    {
+      if (!isSequence)
+      {
+        this->fail("it has an element of undefined length that is no sequence");
+      }
+      ++this->Depth;
+      return;
+    }
+    if (length > this->Size - this->position())
+    {
+      this->fail("it has an element of " + std::to_string(length) + " bytes, but ends before");
+    }
+    constexpr std::uint32_t longest = 1024;
+    if (this->Depth == 0 && length <= longest)
+    {
+      const std::string value = this->bytes(length);
+      this->take(key, value, found);
+    }
+    else
+    {
+      this->Stream.seekg(length, std::ios::cur);
+    }
+  }
+
+  /// Items of sequences, and the ends of those whose length was not given.
+  void enterOrLeave(std::uint32_t key, std::uint32_t length)
+  {
+    if (key == tag(0xFFFE, 0xE000))
+    {
+      // What is in an item comes next, whatever its length: only sequences without one are entered.
+      this->Depth += length == undefinedLength ? 1 : 0;
+      if (length != undefinedLength)
+      {
+        if (length > this->Size - this->position())
+        {
+          this->fail("it has an item of " + std::to_string(length) + " bytes, but ends before");
+        }
+        this->Stream.seekg(length, std::ios::cur);
+      }
+    }
+    else if (this->Depth == 0)
+    {
+      this->fail("it has the end of a sequence where none began");
+    }
+    else
+    {
+      --this->Depth;
+    }
+  }
+
+  void setSyntax(const DicomFile& found)
+  {
+    this->Explicit = found.transferSyntax != "1.2.840.10008.1.2";
+    // Big endian holds from this element's tag on, which is taken after this.
+    this->BigEndian = found.transferSyntax == "1.2.840.10008.1.2.2";
+    if (found.transferSyntax == "1.2.840.10008.1.2.1.99")
+    {
+      this->fail(
+        "all of it is compressed (transfer syntax " + found.transferSyntax + "); expected plain elements");
+    }
+  }
+
+  /// Numbers as text between backslashes.
+  std::vector<double> numbers(std::string_view value) const
+  {
+    std::string words(value);
+    std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == '\\' || c == '\0'; }, ' ');
+    std::string_view rest = words;
+    std::vector<double> numbers;
+    for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest))
+    {
+      const std::optional<double> number = numberIn(word);
+      if (!number || !std::isfinite(*number))
+      {
+        this->fail("it says '" + shortened(value) + "' where numbers were expected");
+      }
+      numbers.push_back(*number);
+    }
+    return numbers;
+  }
+
+  void copy(std::string_view value, std::size_t count, double* to) const
+  {
+    const std::vector<double> all = this->numbers(value);
+    if (!all.empty() && all.size() < count)
+    {
+      this->fail(
+        "it says '" + shortened(value) + "' where " + std::to_string(count) + " numbers were expected");
+    }
+    std::copy_n(all.begin(), std::min(all.size(), count), to);
+  }
+
+  static std::string name(std::string_view value)
+  {
+    return std::string(value.substr(0, value.find_last_not_of(std::string_view(" \0", 2)) + 1));
+  }
+
+  void take(std::uint32_t key, const std::string& value, DicomFile& found) const
+  {
+    const auto small = [&] { return static_cast<int>(this->integer(std::string_view(value).substr(0, 2))); };
+    switch (key)
+    {
+      case tag(0x0002, 0x0010):
+        found.transferSyntax = name(value);
+        break;
+      case tag(0x0018, 0x0050):
+        this->copy(value, 1, &found.thickness);
+        break;
+      case tag(0x0020, 0x000E):
+        found.series = name(value);
+        break;
+      case tag(0x0020, 0x0013):
+        this->copy(value, 1, &found.number);
+        break;
+      case tag(0x0020, 0x0032):
+        this->copy(value, 3, found.position);
+        found.hasPosition = true;
+        break;
+      case tag(0x0020, 0x0037): {
+        std::array<double, 6> both{ 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+        this->copy(value, both.size(), both.data());
+        std::copy_n(both.begin(), 3, found.row);
+        std::copy_n(both.begin() + 3, 3, found.column);
+        break;
+      }
+      case tag(0x0028, 0x0002):
+        found.components = small();
+        break;
+      case tag(0x0028, 0x0006):
+        found.separatePlanes = small() == 1;
+        break;
+      case tag(0x0028, 0x0008): {
+        double frames = 1.0;
+        this->copy(value, 1, &frames);
+        found.frames = static_cast<int>(std::clamp(frames, 0.0, 1e9));
+        break;
+      }
+      case tag(0x0028, 0x0010):
+        found.rows = small();
+        break;
+      case tag(0x0028, 0x0011):
+        found.columns = small();
+        break;
+      case tag(0x0028, 0x0030):
+        // That between rows comes first.
+        this->copy(value, 2, found.spacing);
+        std::swap(found.spacing[0], found.spacing[1]);
+        break;
+      case tag(0x0028, 0x0100):
+        found.bits = small();
+        break;
+      case tag(0x0028, 0x0103):
+        found.isSigned = small() == 1;
+        break;
+      case tag(0x0028, 0x1052):
+        this->copy(value, 1, &found.intercept);
+        break;
+      case tag(0x0028, 0x1053):
+        this->copy(value, 1, &found.slope);
+        break;
+      default:
+        break;
+    }
+  }
+
+  const fs::path& File;
+  std::ifstream Stream;
+  std::uint64_t Size;
+  bool PastMeta = false;
+  bool Explicit = true;
+  bool BigEndian = false;
+  int Depth = 0; ///< of sequences and items without a length
+};
+
+} // namespace
+
+std::optional<DicomFile> DicomFile::read(const fs::path& file)
+{
+  Elements elements(file);
+  if (!elements.start())
+  {
+    return std::nullopt;
+  }
+  DicomFile found;
+  found.path = file;
+  elements.read(found);
+  found.bigEndian = found.transferSyntax == "1.2.840.10008.1.2.2";
+  return found;
+}
+
+} // namespace ink::io

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReadError.h"
+
+#include "DicomFile.h"
+#include "VolumeHeader.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace ink::io
+{
+namespace
+{
+
+/// The series with most pictures; of several, the first by its name.
+std::vector<DicomFile> readSeries(const fs::path& folder, std::vector<std::string>& notes)
+{
+  std::map<std::string, std::vector<DicomFile>> all;
+  bool found = false;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    std::optional<DicomFile> file =
+      entry.is_regular_file() ? DicomFile::read(entry.path()) : std::optional<DicomFile>();
+    found = found || file;
+    if (file && file->pixelBytes > 0)
+    {
+      const std::string series = file->series;
+      all[series].push_back(std::move(*file));
+    }
+  }
+  if (all.empty())
+  {
+    failToRead(folder, found ? "its DICOM files hold no pixels" : "it is a directory without DICOM files");
+  }
+  const auto largest = std::max_element(
+    all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+  if (all.size() > 1)
+  {
+    notes.push_back("it holds " + std::to_string(all.size()) + " series; the one of " +
+      std::to_string(largest->second.size()) + " slices is used");
+  }
+  return std::move(largest->second);
+}
+
+/// Plain pixels, as many as the file has to have.
+void check(const DicomFile& file)
+{
+  // All other syntaxes but three are compressed.
+  constexpr std::string_view plain = "1.2.840.10008.1.2";
+  const std::string& syntax = file.transferSyntax;
+  if (!syntax.empty() && syntax != plain && syntax != std::string(plain) + ".1" &&
+    syntax != std::string(plain) + ".2")
+  {
+    failToRead(file.path, "its pixels are compressed (transfer syntax " + syntax + "); expected plain ones");
+  }
+  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames != 1)
+  {
+    failToRead(file.path,
+      "it says " + std::to_string(file.rows) + " rows, " + std::to_string(file.columns) + " columns, " +
+        std::to_string(file.components) + " components and " + std::to_string(file.frames) +
+        " frames; expected 1 or more, and one frame");
+  }
+  if (file.bits != 8 && file.bits != 16 && file.bits != 32)
+  {
+    failToRead(file.path, "its pixels have " + std::to_string(file.bits) + " bits; expected 8, 16 or 32");
+  }
+  const std::uint64_t size = fs::file_size(file.path);
+  const std::uint64_t needed = static_cast<std::uint64_t>(file.rows) *
+    static_cast<std::uint64_t>(file.columns) * static_cast<std::uint64_t>(file.components) *
+    static_cast<std::uint64_t>(file.bits / 8);
+  if (size - std::min(size, file.pixelOffset) < needed || file.pixelBytes < needed)
+  {
+    failToRead(file.path, "the file ends before its " + std::to_string(needed) + " bytes of pixels do");
+  }
+}
+
+int typeOf(const DicomFile& file)
+{
+  switch (file.bits)
+  {
+    case 8:
+      return file.isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
+    case 16:
+      return file.isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
+    default:
+      return file.isSigned ? VTK_INT : VTK_UNSIGNED_INT;
+  }
+}
+
+/// Where a slice lies along what is at right angles to the slices, else its number.
+void sortSlices(std::vector<DicomFile>& files)
+{
+  double normal[3];
+  vtkMath::Cross(files.front().row, files.front().column, normal);
+  const bool placed =
+    std::all_of(files.begin(), files.end(), [](const DicomFile& file) { return file.hasPosition; });
+  for (DicomFile& file : files)
+  {
+    file.number = placed ? vtkMath::Dot(file.position, normal) : file.number;
+  }
+  std::sort(files.begin(), files.end(),
+    [](const DicomFile& a, const DicomFile& b)
+    { return a.number != b.number ? a.number < b.number : a.path < b.path; });
+}
+
+} // namespace
+
+VolumeHeader readDicomHeaders(const fs::path& folder)
+{
+  VolumeHeader header;
+  header.format = "DICOM series";
+  std::vector<DicomFile> files = readSeries(folder, header.notes);
+  sortSlices(files);
+  const DicomFile& first = files.front();
+  RawVolume& voxels = header.voxels;
+  for (const DicomFile& file : files)
+  {
+    check(file);
+    if (file.rows != first.rows || file.columns != first.columns || file.components != first.components ||
+      typeOf(file) != typeOf(first) || file.slope != first.slope || file.intercept != first.intercept)
+    {
+      failToRead(file.path,
+        "its picture has another size, type or scale than that in '" + first.path.string() +
+          "'; expected slices of one volume");
+    }
+    voxels.files.push_back(file.path);
+    voxels.offsets.push_back(file.pixelOffset);
+  }
+  voxels.dimensions[0] = first.columns;
+  voxels.dimensions[1] = first.rows;
+  voxels.dimensions[2] = static_cast<int>(files.size());
+  voxels.type = typeOf(first);
+  voxels.components = first.separatePlanes ? 1 : first.components;
+  voxels.setBigEndian(first.bigEndian);
+  header.components = first.components;
+  header.slope = first.slope;
+  header.intercept = first.intercept;
+
+  double steps[9];
+  double normal[3];
+  vtkMath::Cross(first.row, first.column, normal);
+  std::copy_n(first.row, 3, steps);
+  std::copy_n(first.column, 3, steps + 3);
+  std::copy_n(normal, 3, steps + 6);
+  constexpr double sign[3] = { 1, 1, 1 };
+  header.orientation.emplace(steps, first.position, sign);
+  const double distance = files.size() > 1 && first.hasPosition
+    ? (files.back().number - first.number) / static_cast<double>(files.size() - 1)
+    : first.thickness;
+  header.spacing[0] = spacingOf(first.spacing[0]);
+  header.spacing[1] = spacingOf(first.spacing[1]);
+  header.spacing[2] = spacingOf(distance);
+  return header;
+}
+
+} // namespace ink::io

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeHeader.h"
+
+#include "ReadError.h"
+#include "Words.h"
+
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace ink::io
+{
+namespace
+{
+
+constexpr int bits = VTK_BIT;
+
+int typeOf(const std::string& name)
+{
+  // As VTK writes them on machines of 64 bits, but for ids, which have 32 in these files.
+  static const std::map<std::string, int> types{ { "bit", bits }, { "char", VTK_SIGNED_CHAR },
+    { "signed_char", VTK_SIGNED_CHAR }, { "unsigned_char", VTK_UNSIGNED_CHAR }, { "short", VTK_SHORT },
+    { "unsigned_short", VTK_UNSIGNED_SHORT }, { "int", VTK_INT }, { "unsigned_int", VTK_UNSIGNED_INT },
+    { "long", VTK_LONG_LONG }, { "unsigned_long", VTK_UNSIGNED_LONG_LONG }, { "vtkidtype", VTK_INT },
+    { "vtktypeint64", VTK_LONG_LONG }, { "vtktypeuint64", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT },
+    { "double", VTK_DOUBLE } };
+  const auto type = types.find(name);
+  return type == types.end() ? VTK_VOID : type->second;
+}
+
+/// Values in the file, one block.
+struct Block
+{
+  std::string name;
+  std::string typeName;
+  double components = 1;
+  double tuples = 0;
+};
+
+/// Reads structured points up to the values that are used: the first SCALARS of points, else the first
+/// others.
+class LegacyText
+{
+public:
+  explicit LegacyText(const fs::path& file)
+    : File(file)
+    , Stream(file, std::ios::binary)
+    , Size(static_cast<double>(fs::file_size(file)))
+  {
+  }
+
+  VolumeHeader read()
+  {
+    this->Header.format = "legacy VTK file of structured points";
+    this->readStart();
+    std::string word;
+    while (!this->HaveScalars && this->tryWord(word))
+    {
+      if (!this->takeShape(word) && !this->takeValues(word))
+      {
+        this->fail(word, "a keyword as DIMENSIONS, POINT_DATA or SCALARS");
+      }
+    }
+    if (!this->Found)
+    {
+      failToRead(this->File, "it holds no values at its points (cell values alone cannot be used)");
+    }
+    this->Header.voxels.check(this->File);
+    return this->Header;
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& found, const std::string& expected) const
+  {
+    failToRead(this->File,
+      (found.empty() ? "the file ends" : "it says '" + shortened(found) + "'") + " where " + expected +
+        " was expected");
+  }
+
+  /// In small letters, as the format does not tell them from large ones. @return false at the end
+  bool tryWord(std::string& word)
+  {
+    word.clear();
+    this->Stream >> word;
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    return !word.empty();
+  }
+  std::string word(const char* expected)
+  {
+    std::string word;
+    if (!this->tryWord(word))
+    {
+      this->fail("", expected);
+    }
+    return word;
+  }
+  double number(const char* expected)
+  {
+    const std::string word = this->word(expected);
+    const std::optional<double> number = numberIn(word);
+    if (!number || !std::isfinite(*number))
+    {
+      this->fail(word, expected);
+    }
+    return *number;
+  }
+  double whole(double least, const char* expected)
+  {
+    const double number = this->number(expected);
+    if (number < least || number > std::numeric_limits<int>::max() || number != std::floor(number))
+    {
+      this->fail(std::to_string(number), expected);
+    }
+    return number;
+  }
+  void endLine()
+  {
+    std::string rest;
+    std::getline(this->Stream, rest);
+  }
+
+  void readStart()
+  {
+    std::string line;
+    std::getline(this->Stream, line);
+    if (!line.starts_with("# vtk DataFile Version"))
+    {
+      failToRead(this->File, "it is not a legacy VTK file: it does not begin with '# vtk DataFile Version'");
+    }
+    this->endLine();
+    const std::string encoding = this->word("ASCII or BINARY");
+    if (encoding != "ascii" && encoding != "binary")
+    {
+      this->fail(encoding, "ASCII or BINARY");
+    }
+    this->IsText = encoding == "ascii";
+    for (const char* expected : { "dataset", "structured_points" })
+    {
+      if (const std::string word = this->word(expected); word != expected)
+      {
+        failToRead(this->File,
+          "it is not a legacy VTK file of structured points: it says '" + shortened(word) +
+            "'; expected DATASET STRUCTURED_POINTS");
+      }
+    }
+  }
+
+  /// @return whether keyword is one that says where the voxels lie
+  bool takeShape(const std::string& keyword)
+  {
+    if (keyword == "dimensions")
+    {
+      for (int& dimension : this->Header.voxels.dimensions)
+      {
+        dimension = static_cast<int>(this->whole(1, "a number of voxels of 1 or more"));
+      }
+      this->Header.voxels.type = VTK_UNSIGNED_CHAR;
+      this->Header.voxels.checkDimensions(this->File);
+    }
+    else if (keyword == "spacing" || keyword == "aspect_ratio")
+    {
+      for (double& spacing : this->Header.spacing)
+      {
+        spacing = spacingOf(this->number("a distance between voxels"));
+      }
+    }
+    else if (keyword == "origin")
+    {
+      for (double& origin : this->Header.origin)
+      {
+        origin = this->number("the place of the first voxel");
+      }
+    }
+    else if (keyword == "cell_data" || keyword == "point_data")
+    {
+      this->InPoints = keyword == "point_data";
+      this->Tuples = this->whole(0, "a number of values");
+      const auto voxels =
+        static_cast<double>(this->Header.voxels.sliceValues()) * this->Header.voxels.dimensions[2];
+      if (this->InPoints && this->Tuples != voxels)
+      {
+        this->fail(std::to_string(static_cast<std::int64_t>(this->Tuples)),
+          "the number of all voxels, " + std::to_string(static_cast<std::int64_t>(voxels)) + ",");
+      }
+      this->endLine();
+    }
+    else if (keyword == "metadata")
+    {
+      // Up to an empty line.
+      std::string line;
+      this->endLine();
+      while (std::getline(this->Stream, line) && line.find_first_not_of(" \t\r") != std::string::npos)
+      {
+      }
+    }
+    else
+    {
+      return false;
+    }
+    return true;
+  }
+
+  /// @return whether keyword is one that values follow
+  bool takeValues(const std::string& keyword)
+  {
+    static const std::map<std::string, double> others{ { "vectors", 3 }, { "normals", 3 }, { "tensors", 9 },
+      { "tensors6", 6 }, { "global_ids", 1 }, { "pedigree_ids", 1 }, { "edge_flags", 1 } };
+    if (keyword == "field")
+    {
+      this->takeField();
+      return true;
+    }
+    Block block;
+    block.tuples = this->Tuples;
+    block.name = this->word("a name");
+    if (keyword == "scalars")
+    {
+      block.typeName = this->word("a type");
+      std::string line;
+      std::getline(this->Stream, line);
+      std::string_view words = line;
+      const std::string_view count = nextWord(words);
+      block.components = count.empty() ? 1.0 : numberIn(count).value_or(0.0);
+      const std::streampos before = this->Stream.tellg();
+      if (this->word("LOOKUP_TABLE") == "lookup_table")
+      {
+        this->endLine();
+      }
+      else
+      {
+        this->Stream.seekg(before);
+      }
+    }
+    else if (keyword == "color_scalars" || keyword == "texture_coordinates")
+    {
+      block.components = this->whole(1, "a number of components");
+      block.typeName =
+        keyword == "color_scalars" ? (this->IsText ? "float" : "unsigned_char") : this->word("a type");
+      this->endLine();
+    }
+    else if (keyword == "lookup_table")
+    {
+      block.tuples = this->whole(0, "a number of colors");
+      block.components = 4;
+      block.typeName = this->IsText ? "float" : "unsigned_char";
+      this->endLine();
+    }
+    else if (const auto other = others.find(keyword); other != others.end())
+    {
+      block.components = other->second;
+      block.typeName = this->word("a type");
+      this->endLine();
+    }
+    else
+    {
+      return false;
+    }
+    this->HaveScalars = this->InPoints && keyword == "scalars";
+    this->take(block, keyword != "lookup_table");
+    return true;
+  }
+
+  void takeField()
+  {
+    this->word("a name");
+    const double count = this->whole(0, "a number of arrays");
+    for (double i = 0; i < count; ++i)
+    {
+      Block block;
+      block.name = this->word("a name");
+      if (block.name == "metadata")
+      {
+        this->takeShape(block.name);
+        block.name = this->word("a name");
+      }
+      block.components = this->whole(0, "a number of components");
+      block.tuples = this->whole(0, "a number of values");
+      block.typeName = this->word("a type");
+      this->endLine();
+      this->take(block, true);
+    }
+  }
+
+  /// Uses the values that begin here, or goes past them.
+  void take(const Block& block, bool areValues)
+  {
+    const int type = typeOf(block.typeName);
+    constexpr double mostComponents = 1 << 20;
+    if (type == VTK_VOID || !(block.components >= 0 && block.components <= mostComponents) ||
+      block.components != std::floor(block.components))
+    {
+      failToRead(this->File,
+        "its array '" + shortened(block.name) + "' has type '" + shortened(block.typeName) + "' and " +
+          std::to_string(block.components) +
+          " components; expected numbers as float, and 1 component or more");
+    }
+    const bool isUsed = areValues && this->InPoints && block.tuples == this->Tuples && block.components > 0 &&
+      (this->HaveScalars || !this->Found);
+    if (isUsed && type == bits)
+    {
+      failToRead(
+        this->File, "its voxels are single bits; expected integers of 8 to 64 bits, float or double");
+    }
+    const std::streamoff begin = this->Stream.tellg();
+    if (isUsed && begin < 0)
+    {
+      failToRead(
+        this->File, "the file ends where the values of '" + shortened(block.name) + "' were expected");
+    }
+    if (isUsed)
+    {
+      RawVolume& voxels = this->Header.voxels;
+      voxels.files = { this->File };
+      voxels.offset = static_cast<std::uint64_t>(begin);
+      voxels.type = type;
+      voxels.components = static_cast<int>(block.components);
+      voxels.encoding = this->IsText ? VoxelEncoding::Text : VoxelEncoding::Plain;
+      voxels.swapped = false;
+      if (!this->IsText)
+      {
+        voxels.setBigEndian(true);
+      }
+      this->Header.components = voxels.components;
+      this->Header.notes.clear();
+      if (!this->HaveScalars)
+      {
+        this->Header.notes.push_back("array '" + block.name + "' is used");
+      }
+      this->Found = true;
+      if (this->HaveScalars)
+      {
+        return;
+      }
+    }
+    this->skip(block.tuples * block.components, type);
+  }
+
+  void skip(double values, int type)
+  {
+    if (values > this->Size * 8)
+    {
+      failToRead(this->File, "the file ends within an array that it promises");
+    }
+    if (!this->IsText)
+    {
+      constexpr double bitsOfAByte = 8;
+      const double bytes = type == bits ? std::ceil(values / bitsOfAByte)
+                                        : values * static_cast<double>(vtkDataArray::GetDataTypeSize(type));
+      this->Stream.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+      if (!this->Stream || static_cast<double>(this->Stream.tellg()) > this->Size)
+      {
+        failToRead(this->File, "the file ends within an array that it promises");
+      }
+      return;
+    }
+    for (double i = 0; i < values; ++i)
+    {
+      this->number("a value");
+    }
+  }
+
+  const fs::path& File;
+  std::ifstream Stream;
+  double Size;
+  bool IsText = false;
+  bool InPoints = false;
+  bool Found = false;
+  bool HaveScalars = false;
+  double Tuples = 0;
+  VolumeHeader Header;
+};
+
+} // namespace
+
+VolumeHeader readLegacyHeader(const fs::path& file)
+{
+  return LegacyText(file).read();
+}
+
+} // namespace ink::io

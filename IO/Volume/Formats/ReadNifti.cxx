@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeHeader.h"
+
+#include "FormatNumber.h"
+#include "Inflater.h"
+#include "ReadError.h"
+
+#include "vtkMath.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace fs = std::filesystem;
+
+namespace ink::io
+{
+namespace
+{
+
+constexpr std::size_t sizeOfFirst = 348;
+constexpr std::size_t sizeOfSecond = 540;
+constexpr std::size_t axes = 8; ///< the numbers of `dim` and `pixdim`, the first of which is something else
+
+/// Where the two versions of the format have what is used of it.
+struct Places
+{
+  std::size_t dim;
+  std::size_t datatype;
+  std::size_t pixdim;
+  std::size_t voxOffset;
+  std::size_t slope;
+  std::size_t intercept;
+  std::size_t qformCode;
+  std::size_t sformCode;
+  std::size_t quaternion; ///< and the offset after it
+  std::size_t rows;
+};
+constexpr Places first{ 40, 70, 76, 108, 112, 116, 252, 254, 256, 280 };
+constexpr Places second{ 16, 12, 104, 168, 176, 184, 344, 348, 352, 400 };
+
+/// A header of either version.
+class NiftiHeader
+{
+public:
+  NiftiHeader(std::span<const unsigned char> bytes, const fs::path& file)
+    : Bytes(bytes)
+  {
+    constexpr std::size_t magicOfFirst = 344;
+    constexpr std::size_t magicOfSecond = 4;
+    const auto is = [bytes](std::size_t place, std::string_view magic)
+    {
+      return bytes.size() >= place + magic.size() &&
+        std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(place));
+    };
+    this->IsSecond =
+      is(magicOfSecond, std::string_view("n+2\0\r\n\032\n", 8)) && bytes.size() >= sizeOfSecond;
+    if (!this->IsSecond && !is(magicOfFirst, std::string_view("n+1\0", 4)))
+    {
+      failToRead(file, "it is not a NIfTI volume: it has neither 'n+1' at byte 344 nor 'n+2' at byte 4");
+    }
+    const std::int32_t size = this->at<std::int32_t>(0);
+    this->Swapped = size != this->size();
+    if (this->Swapped && this->at<std::int32_t>(0) != this->size())
+    {
+      failToRead(file,
+        "it is not a NIfTI volume: its header says a size of " + std::to_string(size) + " bytes; expected " +
+          std::to_string(this->size()));
+    }
+  }
+
+  const Places& places() const { return this->IsSecond ? second : first; }
+  std::int32_t size() const { return static_cast<std::int32_t>(this->IsSecond ? sizeOfSecond : sizeOfFirst); }
+  bool bigEndian() const { return this->Swapped != (std::endian::native == std::endian::big); }
+
+  /// The i-th of numbers that are real in both versions, from a place on.
+  double real(std::size_t place, std::size_t i = 0) const
+  {
+    return this->IsSecond ? this->at<double>(place + i * sizeof(double))
+                          : static_cast<double>(this->at<float>(place + i * sizeof(float)));
+  }
+  std::int64_t dimension(std::size_t i) const
+  {
+    return this->IsSecond ? this->at<std::int64_t>(second.dim + i * sizeof(std::int64_t))
+                          : this->at<std::int16_t>(first.dim + i * sizeof(std::int16_t));
+  }
+  int code(std::size_t place) const
+  {
+    return this->IsSecond ? this->at<std::int32_t>(place) : this->at<std::int16_t>(place);
+  }
+  int datatype() const { return this->at<std::int16_t>(this->places().datatype); }
+  double voxelOffset() const
+  {
+    return this->IsSecond ? static_cast<double>(this->at<std::int64_t>(second.voxOffset))
+                          : this->real(first.voxOffset);
+  }
+
+private:
+  template <class T>
+  T at(std::size_t place) const
+  {
+    std::array<unsigned char, sizeof(T)> bytes;
+    std::copy_n(this->Bytes.begin() + static_cast<std::ptrdiff_t>(place), sizeof(T), bytes.begin());
+    if (this->Swapped)
+    {
+      std::reverse(bytes.begin(), bytes.end());
+    }
+    return std::bit_cast<T>(bytes);
+  }
+
+  std::span<const unsigned char> Bytes;
+  bool IsSecond = false;
+  bool Swapped = false;
+};
+
+struct NiftiType
+{
+  int code;
+  int type;
+  int components;
+};
+constexpr std::array<NiftiType, 14> types{ { { 2, VTK_UNSIGNED_CHAR, 1 }, { 4, VTK_SHORT, 1 },
+  { 8, VTK_INT, 1 }, { 16, VTK_FLOAT, 1 }, { 32, VTK_FLOAT, 2 }, { 64, VTK_DOUBLE, 1 },
+  { 128, VTK_UNSIGNED_CHAR, 3 }, { 256, VTK_SIGNED_CHAR, 1 }, { 512, VTK_UNSIGNED_SHORT, 1 },
+  { 768, VTK_UNSIGNED_INT, 1 }, { 1024, VTK_LONG_LONG, 1 }, { 1280, VTK_UNSIGNED_LONG_LONG, 1 },
+  { 1792, VTK_DOUBLE, 2 }, { 2304, VTK_UNSIGNED_CHAR, 4 } } };
+
+bool isGzip(const fs::path& file)
+{
+  std::array<char, 2> magic{};
+  std::ifstream(file, std::ios::binary).read(magic.data(), magic.size());
+  return magic == std::array<char, 2>{ '\x1f', '\x8b' };
+}
+
+std::vector<unsigned char> headerBytes(const fs::path& file, bool compressed)
+{
+  std::vector<unsigned char> bytes(sizeOfSecond);
+  std::size_t found = 0;
+  if (compressed)
+  {
+    found = Inflater(file, 0).read(bytes);
+  }
+  else
+  {
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    found = static_cast<std::size_t>(stream.gcount());
+  }
+  bytes.resize(found);
+  return bytes;
+}
+
+/// The sform, else the qform, if there is one.
+void orient(const NiftiHeader& nifti, VolumeHeader& header)
+{
+  const Places& places = nifti.places();
+  // NIfTI: +x to the right, +y to the front.
+  constexpr double sign[3] = { -1, -1, 1 };
+  if (nifti.code(places.sformCode) > 0)
+  {
+    double steps[9];
+    double origin[3];
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        steps[3 * i + j] = nifti.real(places.rows, 4 * j + i);
+      }
+      origin[j] = nifti.real(places.rows, 4 * j + 3);
+    }
+    header.orientation.emplace(steps, origin, sign);
+    for (int i = 0; i < 3; ++i)
+    {
+      header.spacing[i] = spacingOf(vtkMath::Norm(steps + 3 * i));
+    }
+    return;
+  }
+  if (nifti.code(places.qformCode) > 0)
+  {
+    double quaternion[4] = { 0.0, nifti.real(places.quaternion), nifti.real(places.quaternion, 1),
+      nifti.real(places.quaternion, 2) };
+    const double rest = 1.0 - vtkMath::Dot(quaternion + 1, quaternion + 1);
+    quaternion[0] = rest > 0.0 ? std::sqrt(rest) : 0.0;
+    double rotation[3][3];
+    vtkMath::QuaternionToMatrix3x3(quaternion, rotation);
+    // The first of `pixdim` is negative where the third index runs the other way.
+    const double third = nifti.real(places.pixdim) < 0.0 ? -1.0 : 1.0;
+    double steps[9];
+    double origin[3];
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      steps[j] = rotation[j][0];
+      steps[3 + j] = rotation[j][1];
+      steps[6 + j] = third * rotation[j][2];
+      origin[j] = nifti.real(places.quaternion, 3 + j);
+    }
+    header.orientation.emplace(steps, origin, sign);
+  }
+}
+
+} // namespace
+
+VolumeHeader readNiftiHeader(const fs::path& file)
+{
+  const bool compressed = isGzip(file);
+  const std::vector<unsigned char> bytes = headerBytes(file, compressed);
+  const NiftiHeader nifti(bytes, file);
+
+  // A missing dimension is 1. The fourth is time, the fifth for vectors, whose components are volumes.
+  std::array<std::int64_t, axes> dimensions;
+  dimensions.fill(1);
+  const std::int64_t count = nifti.dimension(0);
+  double volumes = 1.0;
+  for (std::size_t i = 1; i < axes && static_cast<std::int64_t>(i) <= count; ++i)
+  {
+    dimensions[i] = nifti.dimension(i);
+    if (dimensions[i] < 1 || dimensions[i] > std::numeric_limits<int>::max())
+    {
+      failToRead(file, "its header says dimension " + std::to_string(dimensions[i]) + "; expected 1 or more");
+    }
+    volumes *= i > 3 ? static_cast<double>(dimensions[i]) : 1.0;
+  }
+  if (count < 1 || count >= static_cast<std::int64_t>(axes))
+  {
+    failToRead(file, "its header says " + std::to_string(count) + " dimensions; expected 1 to 7");
+  }
+  const auto type = std::find_if(
+    types.begin(), types.end(), [&](const NiftiType& known) { return known.code == nifti.datatype(); });
+  if (type == types.end())
+  {
+    failToRead(file,
+      "its header says data type " + std::to_string(nifti.datatype()) +
+        "; expected integers of 8 to 64 bits, float, double, complex numbers or colors");
+  }
+
+  VolumeHeader header;
+  header.format = "NIfTI volume";
+  header.voxels.files = { file };
+  header.voxels.type = type->type;
+  header.voxels.components = type->components;
+  for (int i = 0; i < 3; ++i)
+  {
+    header.voxels.dimensions[i] = static_cast<int>(dimensions[i + 1]);
+    header.spacing[i] = spacingOf(nifti.real(nifti.places().pixdim, i + 1));
+  }
+  header.voxels.setBigEndian(nifti.bigEndian());
+  const double offset = std::max(nifti.voxelOffset(), static_cast<double>(nifti.size() + 4));
+  constexpr double mostOffset = 1 << 30;
+  if (!(offset <= mostOffset))
+  {
+    failToRead(file, "its header says that its voxels begin at byte " + text(offset) + "; expected fewer");
+  }
+  (compressed ? header.voxels.skipped : header.voxels.offset) = static_cast<std::uint64_t>(offset);
+  header.voxels.encoding = compressed ? VoxelEncoding::Compressed : VoxelEncoding::Plain;
+  header.voxels.check(file);
+  // Of what comes after the first volume only the length is looked at.
+  const double promised = static_cast<double>(header.voxels.fileBytes()) * volumes + offset;
+  const double found = static_cast<double>(fs::file_size(file)) *
+    (compressed ? static_cast<double>(Inflater::mostPerByte) : 1.0);
+  if (found < promised)
+  {
+    failToRead(file,
+      "it has " + text(found) + " bytes, but its header promises " + text(promised) +
+        " with all its volumes");
+  }
+
+  constexpr std::int64_t mostComponents = 1 << 20;
+  header.components = static_cast<int>(std::min(dimensions[5], mostComponents)) * type->components;
+  if (dimensions[4] > 1)
+  {
+    header.notes.push_back("it has " + std::to_string(dimensions[4]) + " time steps; the first is used");
+  }
+  header.slope = nifti.real(nifti.places().slope);
+  header.intercept = nifti.real(nifti.places().intercept);
+  if (!std::isfinite(header.slope) || !std::isfinite(header.intercept))
+  {
+    // How some programs say that there is nothing to be done.
+    header.slope = 1.0;
+    header.intercept = 0.0;
+  }
+  orient(nifti, header);
+  return header;
+}
+
+} // namespace ink::io

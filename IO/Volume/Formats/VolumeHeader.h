@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Orientation.h"
+#include "RawVolume.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ink::io
+{
+
+/// What the header of a volume's file says, and where the voxels lie that it speaks of.
+struct VolumeHeader
+{
+  RawVolume voxels;
+  int components = 1; ///< that each voxel has; more than in `voxels` where each has a block of its own
+  double spacing[3] = { 1, 1, 1 };
+  double origin[3] = { 0, 0, 0 };
+  std::optional<Orientation> orientation; ///< in place of `origin`
+  /// value = slope * stored value + intercept
+  double slope = 1.0;
+  double intercept = 0.0;
+  bool isScaled() const { return this->slope != 0.0 && (this->slope != 1.0 || this->intercept != 0.0); }
+  std::string format;             ///< in a few words
+  std::vector<std::string> notes; ///< what of the file is not used as it is, each a sentence without its dot
+};
+
+/// The headers of formats whose voxels need no reader of VTK. VTK's readers of these formats fall over
+/// headers that do not say what they expect: see Documentation/files.md. @throws ReadError if it is no such
+/// file, or its header promises more than there is.
+VolumeHeader readDicomHeaders(const std::filesystem::path& folder);
+VolumeHeader readNiftiHeader(const std::filesystem::path& file);
+VolumeHeader readNrrdHeader(const std::filesystem::path& file);
+VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
+/// Of structured points in a legacy VTK file.
+VolumeHeader readLegacyHeader(const std::filesystem::path& file);
+
+/// A distance between voxels as files give it: where there is none, 1.
+double spacingOf(double given);
+
+} // namespace ink::io

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VoxelBytes.h"
+
+#include "FileHandle.h"
+#include "Inflater.h"
+#include "RawVolume.h"
+#include "ReadError.h"
+#include "Words.h"
+
+#include "vtkSetGet.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <fcntl.h>
+
+namespace ink::io
+{
+namespace
+{
+
+/// Of one file or several, each with as many bytes.
+class StoredBytes : public VoxelBytes
+{
+public:
+  explicit StoredBytes(const RawVolume& voxels)
+    : Voxels(voxels)
+    , PartBytes(voxels.fileBytes() / voxels.files.size())
+  {
+    this->openPart(0);
+  }
+
+  void read(std::uint64_t position, std::span<unsigned char> bytes) override
+  {
+    while (!bytes.empty())
+    {
+      const auto part = static_cast<std::size_t>(position / this->PartBytes);
+      if (part != this->Part)
+      {
+        this->openPart(part);
+      }
+      const std::uint64_t within = position % this->PartBytes;
+      const auto some = bytes.first(
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), this->PartBytes - within)));
+      if (readAt(this->File.get(), this->Voxels.offsetIn(part) + within, some) != some.size())
+      {
+        failToRead(
+          this->Voxels.files[part], errno ? std::strerror(errno) : "it was cut short while it was read");
+      }
+      position += some.size();
+      bytes = bytes.subspan(some.size());
+    }
+  }
+
+private:
+  void openPart(std::size_t part)
+  {
+    this->Part = part;
+    this->File = FileHandle(::open(this->Voxels.files.at(part).c_str(), O_RDONLY | O_CLOEXEC));
+    if (this->File.get() < 0)
+    {
+      failToRead(this->Voxels.files[part], std::strerror(errno));
+    }
+  }
+
+  RawVolume Voxels;
+  std::uint64_t PartBytes;
+  std::size_t Part = 0;
+  FileHandle File;
+};
+
+/// What can only be read from its beginning on.
+class SerialBytes : public VoxelBytes
+{
+public:
+  void read(std::uint64_t position, std::span<unsigned char> bytes) final
+  {
+    if (position < this->Position)
+    {
+      throw std::logic_error("VoxelBytes: backwards in voxels that are not stored plain");
+    }
+    std::array<unsigned char, 1 << 12> skipped;
+    while (this->Position < position)
+    {
+      const auto some =
+        static_cast<std::size_t>(std::min<std::uint64_t>(skipped.size(), position - this->Position));
+      this->next(std::span(skipped).first(some));
+      this->Position += some;
+    }
+    this->next(bytes);
+    this->Position += bytes.size();
+  }
+
+protected:
+  virtual void next(std::span<unsigned char> bytes) = 0;
+
+private:
+  std::uint64_t Position = 0;
+};
+
+class InflatedBytes : public SerialBytes
+{
+public:
+  explicit InflatedBytes(const RawVolume& voxels)
+    : File(voxels.files.front())
+    , Stream(voxels.files.front(), voxels.offset)
+  {
+    std::vector<unsigned char> skipped(static_cast<std::size_t>(voxels.skipped));
+    this->InflatedBytes::next(skipped);
+  }
+
+protected:
+  void next(std::span<unsigned char> bytes) override
+  {
+    if (this->Stream.read(bytes) != bytes.size())
+    {
+      failToRead(this->File, "its compressed data ends before the values that its header promises do");
+    }
+  }
+
+private:
+  std::filesystem::path File;
+  Inflater Stream;
+};
+
+/// Written by anyone for one type and read as another.
+template <class T>
+void append(std::vector<unsigned char>& bytes, double number)
+{
+  T value{};
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    value = static_cast<T>(number);
+  }
+  else
+  {
+    // Of 64 bits, the greatest is no double: the next above it is one more.
+    const double least = static_cast<double>(std::numeric_limits<T>::lowest());
+    const double greatest = static_cast<double>(std::numeric_limits<T>::max());
+    if (number >= greatest)
+    {
+      value = std::numeric_limits<T>::max();
+    }
+    else if (number > least)
+    {
+      value = static_cast<T>(number);
+    }
+    else
+    {
+      value = number <= least ? std::numeric_limits<T>::lowest() : T{};
+    }
+  }
+  const auto* begin = reinterpret_cast<const unsigned char*>(&value);
+  bytes.insert(bytes.end(), begin, begin + sizeof(T));
+}
+
+class TextBytes : public SerialBytes
+{
+public:
+  explicit TextBytes(const RawVolume& voxels)
+    : File(voxels.files.front())
+    , Type(voxels.type)
+    , Contents(contentsOf(this->File))
+    , Text(
+        std::string_view(this->Contents).substr(std::min<std::size_t>(voxels.offset, this->Contents.size())))
+  {
+  }
+
+protected:
+  void next(std::span<unsigned char> bytes) override
+  {
+    while (!bytes.empty())
+    {
+      if (this->Used == this->Value.size())
+      {
+        this->nextValue();
+      }
+      const std::size_t some = std::min(bytes.size(), this->Value.size() - this->Used);
+      std::copy_n(this->Value.begin() + static_cast<std::ptrdiff_t>(this->Used), some, bytes.begin());
+      this->Used += some;
+      bytes = bytes.subspan(some);
+    }
+  }
+
+private:
+  void nextValue()
+  {
+    const std::string_view word = nextWord(this->Text);
+    const std::optional<double> number = numberIn(word);
+    if (!number)
+    {
+      failToRead(this->File,
+        word.empty() ? "it holds fewer values than its header promises"
+                     : "it says '" + shortened(word) + "' where the number of a voxel was expected");
+    }
+    this->Value.clear();
+    this->Used = 0;
+    switch (this->Type)
+    {
+      vtkTemplateMacro(append<VTK_TT>(this->Value, *number));
+    }
+  }
+
+  std::filesystem::path File;
+  int Type;
+  std::string Contents;
+  std::string_view Text;
+  std::vector<unsigned char> Value;
+  std::size_t Used = 0;
+};
+
+} // namespace
+
+std::unique_ptr<VoxelBytes> VoxelBytes::open(const RawVolume& voxels)
+{
+  switch (voxels.encoding)
+  {
+    case VoxelEncoding::Compressed:
+      return std::make_unique<InflatedBytes>(voxels);
+    case VoxelEncoding::Text:
+      return std::make_unique<TextBytes>(voxels);
+    default:
+      return std::make_unique<StoredBytes>(voxels);
+  }
+}
+
+} // namespace ink::io

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkVolumeReader.h"
+
+#include "FileFormats.h"
+#include "FormatNumber.h"
+#include "InkReportReadError.h"
+#include "InkSetNumber.h"
+#include "InkVTKCompat.h"
+#include "RawVolume.h"
+#include "ReadError.h"
+#include "ScaledValues.h"
+#include "VolumeHeader.h"
+#include "XmlVolume.h"
+
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace fs = std::filesystem;
+namespace io = ink::io;
+
+vtkStandardNewMacro(vtkInkVolumeReader);
+
+namespace
+{
+
+struct Format
+{
+  const char* suffix;
+  io::VolumeHeader (*readHeader)(const fs::path& file); ///< null: it is XML
+};
+constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io::readNiftiHeader },
+  { ".nrrd", io::readNrrdHeader }, { ".nhdr", io::readNrrdHeader }, { ".mha", io::readMetaImageHeader },
+  { ".mhd", io::readMetaImageHeader }, { ".vti", nullptr }, { ".vtk", io::readLegacyHeader } };
+
+std::string Text(const char* characters)
+{
+  return characters ? characters : "";
+}
+
+/// @throws ink::io::ReadError if it is none
+const Format& FormatOf(const fs::path& file)
+{
+  if (const Format* format = io::findFormat(formats, file))
+  {
+    return *format;
+  }
+  io::failToRead(file,
+    "unknown type '" + io::suffixOf(file) + "'; expected one of " + vtkInkVolumeReader::GetFileExtensions() +
+      ", a folder of DICOM files, or any file with Raw");
+}
+
+/// Whether values of a type of VTK's have bytes of their own and can be computed with: bits and strings not.
+bool IsNumber(int type)
+{
+  switch (type)
+  {
+    vtkTemplateMacro(return std::is_arithmetic_v<VTK_TT>);
+    default:
+      return false;
+  }
+}
+
+/// How the voxels of a file without a header lie. @throws ink::io::ReadError if it has not as many bytes
+io::VolumeHeader RawHeader(
+  const fs::path& file, const int dimensions[3], int type, const double spacing[3], bool bigEndian)
+{
+  io::VolumeHeader header;
+  header.format = "raw volume";
+  header.voxels.files = { file };
+  std::copy_n(dimensions, 3, header.voxels.dimensions);
+  header.voxels.type = type;
+  if (!IsNumber(type))
+  {
+    io::failToRead(file,
+      "RawScalarType is " + std::to_string(type) +
+        "; expected integers of 8 to 64 bits, float or double, as VTK_UNSIGNED_CHAR");
+  }
+  if (std::any_of(dimensions, dimensions + 3, [](int dimension) { return dimension < 1; }))
+  {
+    io::failToRead(
+      file, "RawDimensions are " + ink::dimensionsText(dimensions) + "; expected numbers of 1 or more");
+  }
+  header.voxels.setBigEndian(bigEndian);
+  std::transform(spacing, spacing + 3, header.spacing, io::spacingOf);
+  // In double first, in which nothing overflows.
+  const double bytes =
+    static_cast<double>(header.voxels.valueSize()) * dimensions[0] * dimensions[1] * dimensions[2];
+  constexpr double mostBytes = 0x1p63;
+  const std::uint64_t found = fs::file_size(file);
+  if (bytes >= mostBytes || found != header.voxels.fileBytes())
+  {
+    io::failToRead(file,
+      "it has " + std::to_string(found) + " bytes, but " + ink::dimensionsText(dimensions) + " " +
+        vtkImageScalarTypeNameMacro(type) + " needs " +
+        (bytes < mostBytes ? std::to_string(header.voxels.fileBytes()) : ink::text(bytes)));
+  }
+  return header;
+}
+
+} // namespace
+
+/// What there is to read: voxels after a header, or XML.
+struct vtkInkVolumeReader::Source
+{
+  io::VolumeHeader Header;
+  std::optional<io::XmlVolume> Xml;
+  vtkNew<vtkImageData> Frame; ///< where the voxels after a header lie
+  std::vector<std::string> Notes;
+
+  explicit Source(io::VolumeHeader&& header, const fs::path& file)
+    : Header(std::move(header))
+  {
+    this->Header.voxels.check(file);
+    this->Frame->SetDimensions(this->Header.voxels.dimensions);
+    this->Frame->SetSpacing(this->Header.spacing);
+    this->Frame->SetOrigin(this->Header.origin);
+    if (this->Header.orientation && !this->Header.orientation->apply(this->Frame))
+    {
+      this->Header.notes.emplace_back("its axes are not at right angles; they are taken as the world's");
+    }
+    this->NoteComponents();
+    this->Notes.insert(this->Notes.end(), this->Header.notes.begin(), this->Header.notes.end());
+    if (this->Header.isScaled())
+    {
+      this->Notes.push_back("its stored values are rescaled: " + ink::text(this->Header.slope) + " v + " +
+        ink::text(this->Header.intercept));
+    }
+  }
+  explicit Source(const fs::path& file)
+    : Xml(file)
+  {
+    this->Header.format = io::XmlVolume::format;
+  }
+
+  static std::unique_ptr<Source> Open(const fs::path& file)
+  {
+    if (fs::is_directory(file))
+    {
+      return std::make_unique<Source>(io::readDicomHeaders(file), file);
+    }
+    const Format& format = FormatOf(file);
+    return format.readHeader ? std::make_unique<Source>(format.readHeader(file), file)
+                             : std::make_unique<Source>(file);
+  }
+
+  void Announce(vtkInformation* info);
+  void Read(const int extent[6], vtkImageData* image, const ink::Progress& progress);
+
+private:
+  void NoteComponents();
+};
+
+void vtkInkVolumeReader::Source::Announce(vtkInformation* info)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  if (!this->Xml)
+  {
+    info->Set(SDDP::WHOLE_EXTENT(), this->Frame->GetExtent(), 6);
+    info->Set(vtkDataObject::ORIGIN(), this->Frame->GetOrigin(), 3);
+    info->Set(vtkDataObject::SPACING(), this->Frame->GetSpacing(), 3);
+    info->Set(vtkDataObject::DIRECTION(), this->Frame->GetDirectionMatrix()->GetData(), 9);
+    const int type = this->Header.voxels.type;
+    vtkDataObject::SetPointDataActiveScalarInfo(info,
+      this->Header.isScaled() ? io::scaledType(type, this->Header.slope, this->Header.intercept) : type, 1);
+    return;
+  }
+  vtkInformation* from = this->Xml->information();
+  info->CopyEntry(from, SDDP::WHOLE_EXTENT());
+  info->CopyEntry(from, vtkDataObject::ORIGIN());
+  info->CopyEntry(from, vtkDataObject::SPACING());
+  info->CopyEntry(from, vtkDataObject::DIRECTION());
+  vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
+    from, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  if (scalars && scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
+  {
+    vtkDataObject::SetPointDataActiveScalarInfo(info, scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()), 1);
+  }
+}
+
+void vtkInkVolumeReader::Source::NoteComponents()
+{
+  if (this->Header.components > 1)
+  {
+    this->Notes.push_back(
+      "its voxels have " + std::to_string(this->Header.components) + " components; the first is used");
+  }
+}
+
+void vtkInkVolumeReader::Source::Read(const int extent[6], vtkImageData* image, const ink::Progress& progress)
+{
+  if (this->Xml)
+  {
+    this->Notes.clear();
+    this->Header.components = this->Xml->read(extent, image, this->Notes, progress);
+    this->NoteComponents();
+    return;
+  }
+  image->CopyStructure(this->Frame);
+  image->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
+  image->AllocateScalars(this->Header.voxels.type, 1);
+  const std::size_t bytes =
+    static_cast<std::size_t>(image->GetNumberOfPoints()) * this->Header.voxels.valueSize();
+  io::RawVolumeReader(this->Header.voxels)
+    .read(extent, { static_cast<unsigned char*>(image->GetScalarPointer()), bytes }, progress);
+  if (this->Header.isScaled())
+  {
+    io::scaleValues(image, this->Header.slope, this->Header.intercept);
+  }
+}
+
+vtkInkVolumeReader::vtkInkVolumeReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkInkVolumeReader::~vtkInkVolumeReader()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkInkVolumeReader::SetRawSpacing(double x, double y, double z)
+{
+  InkSetPoint(this, "RawSpacing", this->RawSpacing, x, y, z);
+}
+
+int vtkInkVolumeReader::CanReadFile(const char* fileName)
+{
+  try
+  {
+    io::checkExists(Text(fileName));
+    Source::Open(Text(fileName));
+    return 1;
+  }
+  catch (const std::exception&)
+  {
+    return 0;
+  }
+}
+
+const char* vtkInkVolumeReader::GetFileExtensions()
+{
+  static const std::string all = io::listSuffixes(formats);
+  return all.c_str();
+}
+
+const char* vtkInkVolumeReader::GetFormat()
+{
+  return this->Found ? this->Found->Header.format.c_str() : "";
+}
+
+int vtkInkVolumeReader::GetNumberOfFileComponents()
+{
+  return this->Found ? this->Found->Header.components : 0;
+}
+
+vtkTypeInt64 vtkInkVolumeReader::GetMemorySize()
+{
+  if (!this->Found)
+  {
+    return 0;
+  }
+  const io::RawVolume& voxels = this->Found->Header.voxels;
+  return static_cast<vtkTypeInt64>(this->Found->Xml
+      ? this->Found->Xml->memorySize()
+      : voxels.fileBytes() / static_cast<std::uint64_t>(voxels.components));
+}
+
+int vtkInkVolumeReader::GetNumberOfNotes()
+{
+  return this->Found ? static_cast<int>(this->Found->Notes.size()) : 0;
+}
+
+const char* vtkInkVolumeReader::GetNote(int index)
+{
+  return index >= 0 && index < this->GetNumberOfNotes()
+    ? this->Found->Notes[static_cast<std::size_t>(index)].c_str()
+    : nullptr;
+}
+
+const io::RawVolume* vtkInkVolumeReader::GetStoredVoxels()
+{
+  if (!this->Found || this->Found->Xml || this->Found->Header.isScaled())
+  {
+    return nullptr;
+  }
+  const io::RawVolume& voxels = this->Found->Header.voxels;
+  return voxels.encoding == io::VoxelEncoding::Plain ? &voxels : nullptr;
+}
+
+int vtkInkVolumeReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), nothing, 6);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  this->Found.reset();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("FileName is empty; expected a file, or a folder of DICOM files.");
+    return 1;
+  }
+  const fs::path file = this->FileName;
+  try
+  {
+    io::checkExists(file);
+    std::unique_ptr<Source> source = this->Raw
+      ? std::make_unique<Source>(
+          RawHeader(file, this->RawDimensions, this->RawScalarType, this->RawSpacing, this->RawBigEndian),
+          file)
+      : Source::Open(file);
+    source->Announce(info);
+    this->Found = std::move(source);
+  }
+  catch (...)
+  {
+    this->SetErrorCode(InkReportReadError(this, nullptr, file));
+  }
+  return 1;
+}
+
+int vtkInkVolumeReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  if (!this->Found || extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
+  {
+    return 1;
+  }
+  try
+  {
+    this->Found->Read(extent, image,
+      [this](double done)
+      {
+        this->UpdateProgress(done);
+        return !InkCheckAbort(this);
+      });
+  }
+  catch (...)
+  {
+    this->SetErrorCode(InkReportReadError(this, image, this->FileName));
+  }
+  return 1;
+}
+
+void vtkInkVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << Text(this->FileName) << "\n"
+     << indent << "Raw: " << this->Raw << "\n"
+     << indent << "RawDimensions: " << ink::dimensionsText(this->RawDimensions) << "\n"
+     << indent << "RawScalarType: " << vtkImageScalarTypeNameMacro(this->RawScalarType) << "\n"
+     << indent << "RawSpacing: " << ink::tripleText(this->RawSpacing) << "\n"
+     << indent << "RawBigEndian: " << this->RawBigEndian << "\n"
+     << indent << "Format: " << this->GetFormat() << "\n";
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkVolumeReader
+ * @brief   a volume of any format as image data of one component, checked and in parts
+ *
+ * Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), VTK XML images (.vti), structured
+ * points of legacy VTK files (.vtk), a folder of DICOM files, which becomes the series in it that has most
+ * slices, and with Raw any file without a header. Which format it is the file's name tells.
+ *
+ * The output has one point array of one component: the first of voxels that have several, in the type of the
+ * file, or, where the file says that its values are to be rescaled, in short or int if all have room and else
+ * in float. Origin and direction matrix are those of the file, turned to DICOM's axes (+x to the left of the
+ * patient, +y to the back, +z to the head). What of a file was not used as it is, say the notes.
+ *
+ * It differs from VTK's readers in this: whatever is in the file, it is read whole or refused in one error
+ * that says what was found and what was expected, and a header is believed only as far as there are bytes for
+ * what it promises. Parts of the image (update extents) are read without the rest, so that a filter which
+ * streams needs no room for all of it; of compressed files what stands before a part is unpacked, but not
+ * kept.
+ *
+ * Errors, each with an empty output: no such file, none of these formats, one that is damaged or ends too
+ * soon, and too little memory.
+ *
+ * @sa vtkInkVDBReader vtkInkMeshReader
+ */
+#ifndef vtkInkVolumeReader_h
+#define vtkInkVolumeReader_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkInkIOVolumeModule.h" // for the export macro
+
+#include <memory> // for what the file says
+
+// VTK's wrapper generator does not know namespaces in this form.
+#ifndef __VTK_WRAP__
+namespace ink::io
+{
+struct RawVolume;
+}
+#endif
+
+class VTKINKIOVOLUME_EXPORT vtkInkVolumeReader : public vtkImageAlgorithm
+{
+public:
+  static vtkInkVolumeReader* New();
+  vtkTypeMacro(vtkInkVolumeReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to read, or the folder of DICOM files. Default: none, which is an error.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /**
+   * Whether a file, or a folder, is one of these formats and its header can be read.
+   */
+  int CanReadFile(VTK_FILEPATH const char* fileName);
+
+  /**
+   * The ends of the names of files that are read, separated by spaces.
+   */
+  static const char* GetFileExtensions();
+
+  ///@{
+  /**
+   * The file has no header: the properties that begin with Raw say how its voxels lie, x fastest, and it has
+   * to have exactly as many bytes. Default: off.
+   */
+  vtkSetMacro(Raw, bool);
+  vtkGetMacro(Raw, bool);
+  vtkBooleanMacro(Raw, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The number of voxels along x, y and z of a raw file, each 1 or more. Default: (1, 1, 1).
+   */
+  vtkSetVector3Macro(RawDimensions, int);
+  vtkGetVector3Macro(RawDimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * The type of the voxels of a raw file: VTK_UNSIGNED_CHAR, VTK_SHORT, ... VTK_DOUBLE. Others, as bits and
+   * strings, are an error. Default: VTK_UNSIGNED_CHAR.
+   */
+  vtkSetMacro(RawScalarType, int);
+  vtkGetMacro(RawScalarType, int);
+  ///@}
+
+  ///@{
+  /**
+   * The distance between the voxels of a raw file along x, y and z, in world units; of negative ones the
+   * amount is taken, of 0 it is 1. Numbers that are not finite are refused with a warning. Default: (1, 1,
+   * 1).
+   */
+  void SetRawSpacing(double x, double y, double z);
+  void SetRawSpacing(const double spacing[3]) { this->SetRawSpacing(spacing[0], spacing[1], spacing[2]); }
+  vtkGetVector3Macro(RawSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The values of a raw file begin with their most significant byte. Default: off.
+   */
+  vtkSetMacro(RawBigEndian, bool);
+  vtkGetMacro(RawBigEndian, bool);
+  vtkBooleanMacro(RawBigEndian, bool);
+  ///@}
+
+  /**
+   * The file's format in a few words, as "NIfTI volume", after UpdateInformation().
+   */
+  const char* GetFormat();
+
+  /**
+   * How many components the file's voxels have, after UpdateInformation(), or, of .vti, after Update().
+   */
+  int GetNumberOfFileComponents();
+
+  /**
+   * How many bytes the values take that are read from the file, after UpdateInformation(); 0 if it does not
+   * say. Rescaling makes a second array of them.
+   */
+  vtkTypeInt64 GetMemorySize();
+
+  ///@{
+  /**
+   * What of the file is not used as it is, each a sentence without its dot, after UpdateInformation(), or, of
+   * .vti, after Update(). Null for an index that does not exist.
+   */
+  int GetNumberOfNotes();
+  const char* GetNote(int index);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * Where the voxels lie in the file, after UpdateInformation(), for who reads them a few slices at a time;
+   * null where they are not stored as the output has them, but compressed, as text, rescaled, or as XML.
+   */
+  const ink::io::RawVolume* GetStoredVoxels();
+#endif
+
+protected:
+  vtkInkVolumeReader();
+  ~vtkInkVolumeReader() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkInkVolumeReader(const vtkInkVolumeReader&) = delete;
+  void operator=(const vtkInkVolumeReader&) = delete;
+
+  struct Source;
+
+  char* FileName = nullptr;
+  bool Raw = false;
+  int RawDimensions[3] = { 1, 1, 1 };
+  int RawScalarType = VTK_UNSIGNED_CHAR;
+  double RawSpacing[3] = { 1.0, 1.0, 1.0 };
+  bool RawBigEndian = false;
+  /// What UpdateInformation found; null if that failed, which then was said.
+  std::unique_ptr<Source> Found;
+};
+
+#endif

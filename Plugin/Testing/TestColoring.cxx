@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a person changes who edits the solid color: of our representations the ink's, of others ParaView's. In
+// widgets of ParaView's client, with the plugin that PV_PLUGIN_PATH holds.
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqColorToolbar.h"
+#include "pqDataRepresentation.h"
+#include "pqDefaultContextMenu.h"
+#include "pqEditColorMapReaction.h"
+#include "pqInterfaceTracker.h"
+#include "pqObjectBuilder.h"
+#include "pqPVApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqProxyWidget.h"
+#include "pqServerResource.h"
+#include "pqStandardPropertyWidgetInterface.h"
+#include "pqUndoRedoBehavior.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+
+#include "vtkDataObject.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMPropertyHelper.h"
+
+#include <QApplication>
+#include <QColorDialog>
+#include <QMainWindow>
+#include <QMenu>
+#include <QPushButton>
+#include <QTimer>
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Colors = std::map<std::string, QColor>; ///< by the properties that hold them
+
+Colors ColorsOf(vtkSMProxy* display)
+{
+  Colors colors;
+  for (const char* property : { "DiffuseColor", "AmbientColor", "InkColor", "StippleInkColor" })
+  {
+    const std::vector<double> rgb = vtkSMPropertyHelper(display, property).GetArray<double>();
+    colors[property] = QColor::fromRgbF(rgb.at(0), rgb.at(1), rgb.at(2));
+  }
+  return colors;
+}
+
+/// What the dialog showed that doing so opened, if it opened one, where the new color is picked then; an
+/// invalid color cancels.
+std::optional<QColor> Pick(const QColor& color, const std::function<void()>& openDialog)
+{
+  std::optional<QColor> shown;
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout,
+    [&]
+    {
+      if (auto dialog = qobject_cast<QColorDialog*>(QApplication::activeModalWidget()))
+      {
+        shown = dialog->currentColor();
+        dialog->setCurrentColor(color);
+        color.isValid() ? dialog->accept() : dialog->reject();
+      }
+    });
+  timer.start(10);
+  openDialog();
+  return shown;
+}
+
+class TestColoring
+{
+public:
+  TestColoring()
+  {
+    pqApplicationCore* core = pqApplicationCore::instance();
+    core->interfaceTracker()->addInterface(new pqStandardPropertyWidgetInterface(core->interfaceTracker()));
+    core->interfaceTracker()->addInterface(new pqDefaultContextMenu(core->interfaceTracker()));
+    new pqUndoRedoBehavior(core);
+    this->Window.addToolBar(new pqColorToolbar(&this->Window));
+    this->Window.show();
+
+    pqObjectBuilder* builder = core->getObjectBuilder();
+    pqServer* server = builder->createServer(pqServerResource("builtin:"));
+    pqPipelineSource* source = builder->createSource("sources", "SphereSource", server);
+    source->updatePipeline();
+    this->View = builder->createView("RenderView", server);
+    this->Representation = builder->createDataRepresentation(source->getOutputPort(0), this->View);
+    this->Display = this->Representation->getProxy();
+    pqActiveObjects::instance().setActiveServer(server);
+    pqActiveObjects::instance().setActiveView(this->View);
+    pqActiveObjects::instance().setActiveSource(source);
+  }
+
+  bool Run()
+  {
+    const std::map<std::string, std::function<void()>> places = {
+      { "panel", [this] { this->ClickInPanel(); } },
+      { "toolbar", [this] { this->TriggerBelow(&this->Window); } },
+      { "context menu", [this] { this->TriggerInContextMenu(); } },
+    };
+    for (const auto& [place, edit] : places)
+    {
+      std::cout << place << ":\n";
+      this->ColorByArray(false);
+      this->TestEdits("Splatting Lines", edit, { "InkColor" }, "Changed Ink Color");
+      this->TestEdits("Stipple", edit, { "StippleInkColor" }, "Changed Ink Color");
+      this->TestEdits("Surface", edit, { "DiffuseColor", "AmbientColor" }, "Changed Solid Color");
+      this->Show("Stipple");
+      this->TestCancel(edit);
+      this->ColorByArray(true);
+      this->Check(!Pick(Qt::cyan, edit), "colors of an array are no solid color");
+    }
+    return this->Right;
+  }
+
+private:
+  void TestEdits(const char* style, const std::function<void()>& edit,
+    const std::vector<std::string>& properties, const std::string& undo)
+  {
+    this->Show(style);
+    pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack();
+    for (const QColor color : { Qt::red, Qt::blue })
+    {
+      const Colors before = ColorsOf(this->Display);
+      Colors expected = before;
+      for (const std::string& property : properties)
+      {
+        expected[property] = color;
+      }
+      const std::string what = std::string(style) + ' ' + color.name().toStdString();
+      this->Check(
+        Pick(color, edit) == before.at(properties[0]), what + " is picked where the present color was");
+      this->Check(ColorsOf(this->Display) == expected, what + " is set, and no other color");
+      this->Check(
+        stack->canUndo() && stack->undoLabel().toStdString() == undo, what + " can be undone by its name");
+      stack->undo();
+      this->Check(ColorsOf(this->Display) == before, what + " is undone");
+      stack->redo();
+      this->Check(ColorsOf(this->Display) == expected, what + " is redone");
+    }
+  }
+
+  void TestCancel(const std::function<void()>& edit)
+  {
+    pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack();
+    stack->clear();
+    const Colors before = ColorsOf(this->Display);
+    this->Check(Pick(QColor(), edit).has_value(), "a dialog to cancel");
+    this->Check(ColorsOf(this->Display) == before, "cancel leaves the colors");
+    this->Check(!stack->canUndo(), "cancel leaves nothing to undo");
+  }
+
+  void ClickInPanel()
+  {
+    pqProxyWidget panel(this->Display);
+    auto button = panel.findChild<QPushButton*>("EditColorMap");
+    if (this->Check(button, "the panel has a button to edit the color"))
+    {
+      button->click();
+    }
+  }
+
+  void TriggerInContextMenu()
+  {
+    QMenu menu;
+    auto interfaces =
+      pqApplicationCore::instance()->interfaceTracker()->interfaces<pqContextMenuInterface*>();
+    std::sort(interfaces.begin(), interfaces.end(),
+      [](const auto* one, const auto* other) { return one->priority() > other->priority(); });
+    for (const pqContextMenuInterface* one : interfaces)
+    {
+      one->contextMenu(&menu, this->View, QPoint(), this->Representation, QList<unsigned int>());
+      one->contextMenu(&menu, this->View, QPoint(), this->Representation, QStringList());
+    }
+    this->TriggerBelow(&menu);
+  }
+
+  void TriggerBelow(QWidget* parent)
+  {
+    const auto reactions = parent->findChildren<pqEditColorMapReaction*>();
+    if (this->Check(reactions.size() == 1, "there is one action that edits the color"))
+    {
+      reactions[0]->parentAction()->trigger();
+    }
+  }
+
+  void Show(const char* style)
+  {
+    vtkSMPropertyHelper(this->Display, "Representation").Set(style);
+    this->Display->UpdateVTKObjects();
+  }
+
+  void ColorByArray(bool byArray)
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(
+      this->Display, byArray ? "Normals" : nullptr, vtkDataObject::POINT);
+  }
+
+  bool Check(bool right, const std::string& what)
+  {
+    std::cout << (right ? "right: " : "WRONG: ") << what << "\n";
+    this->Right = this->Right && right;
+    return right;
+  }
+
+  QMainWindow Window;
+  pqView* View;
+  pqDataRepresentation* Representation;
+  vtkSMProxy* Display;
+  bool Right = true;
+};
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  QApplication application(argc, argv);
+  // The person's own settings are left alone.
+  std::string withoutSettings = "--dr";
+  std::vector<char*> arguments(argv, argv + argc);
+  arguments.push_back(withoutSettings.data());
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  pqPVApplicationCore core(count, arguments.data());
+  return TestColoring().Run() ? 0 : 1;
+}

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data objects from what people have: files, arrays, algorithms."""
+
+import os
+import re
+
+from . import _vtk_module
+from .vtkInkIOMesh import vtkInkMeshReader
+from .vtkInkIOVolume import vtkInkVolumeReader
+
+
+def _vdb_reader(path):
+    try:
+        from .vtkInkIOVDB import vtkInkVDBReader
+    except ModuleNotFoundError:
+        raise ValueError(f"cannot read {path!r}: this vtkink was built without OpenVDB") from None
+    return vtkInkVDBReader()
+
+
+def _is_other_legacy_file(path):
+    """Whether a legacy VTK file says that it holds something else than the structured points of vtkInkVolumeReader."""
+    with open(path, "rb") as file:
+        # After the version, a title, and ASCII or BINARY.
+        lines = file.read(4096).split(b"\n", 3)
+    found = re.match(rb"\s*DATASET\s+(\w+)", lines[-1], re.IGNORECASE)
+    return found is not None and found[1].lower() != b"structured_points"
+
+
+def _reader(path):
+    """The one that ``ink`` takes, too, but for legacy VTK files of meshes and grids."""
+    name = path.lower()
+    volumes, meshes = (kind.GetFileExtensions().split() for kind in (vtkInkVolumeReader, vtkInkMeshReader))
+    if os.path.isdir(path):
+        return vtkInkVolumeReader()
+    if name.endswith(".vdb"):
+        return _vdb_reader(path)
+    if name.endswith(".vtk") and _is_other_legacy_file(path):
+        return _vtk_module("vtkIOLegacy").vtkGenericDataObjectReader()
+    if name.endswith(tuple(volumes)):
+        return vtkInkVolumeReader()
+    if name.endswith(tuple(meshes)):
+        return vtkInkMeshReader()
+    raise ValueError(f"{path!r}: expected a file of {' '.join(volumes + meshes)} .vdb or a folder of DICOM files")
+
+
+class _Errors:
+    """The errors of an algorithm, which VTK then does not print."""
+
+    CallDataType = "string0"
+
+    def __init__(self, algorithm):
+        self.texts = []
+        for one in (algorithm, algorithm.GetExecutive()):
+            one.AddObserver("ErrorEvent", self)
+
+    def __call__(self, caller, event, text):
+        # Without file, line, class and address before it.
+        self.texts.append(text.partition("): ")[2].strip() or text.strip())
+
+
+def read(path):
+    """The data object in a file, or in a folder of DICOM files, as ``ink`` reads it: a volume in DICOM's axes and with
+    its values rescaled where the file says so, or a mesh or points.
+
+    :raises FileNotFoundError: if there is no such file
+    :raises ValueError: for a file that cannot be read, with what was found and what was expected
+    """
+    path = os.fsdecode(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"{path!r}: no such file")
+    reader = _reader(path)
+    reader.SetFileName(path)
+    errors = _Errors(reader)
+    reader.Update()
+    if errors.texts:
+        raise ValueError(errors.texts[0])
+    data = reader.GetOutputDataObject(0)
+    if data is None or data.GetNumberOfElements(0) == 0:
+        raise ValueError(f"{path!r}: there is nothing in it that {reader.GetClassName()} can read")
+    return data
+
+
+def _image(array):
+    """Of an array of three axes, z, y and x: VTK's x runs fastest. It shares the array's memory where it can."""
+    import numpy
+
+    numpy_support = _vtk_module("util.numpy_support")
+    if array.ndim != 3:
+        raise ValueError(f"expected an array of three axes, z, y and x, found one of {array.ndim}")
+    image = _vtk_module("vtkCommonDataModel").vtkImageData()
+    image.SetDimensions(*array.shape[::-1])
+    values = numpy.ascontiguousarray(array)
+    values = values.astype(numpy.uint8) if values.dtype == bool else values
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values.reshape(-1)))
+    return image
+
+
+def data_object(data):
+    """A data object as it is, or that of a path, an array or an algorithm."""
+    if isinstance(data, (str, os.PathLike)):
+        return read(data)
+    if hasattr(data, "GetOutputDataObject"):
+        data.Update()
+        return data.GetOutputDataObject(0)
+    if hasattr(data, "IsA"):
+        return data
+    if hasattr(data, "ndim"):
+        return _image(data)
+    raise TypeError(f"expected a VTK data object, an algorithm, a path or a NumPy array, found {type(data).__name__}")

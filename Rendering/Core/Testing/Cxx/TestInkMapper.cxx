@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What mappers share, with a mapper that draws a dot for each point.
+#include "DotsMapper.h"
+#include "InkTestChecks.h"
+#include "InkTestImage.h"
+#include "InkTestScene.h"
+
+#include "vtkCoordinate.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkPlane.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace
+{
+
+using Scene = InkTestScene<DotsMapper>;
+
+/// A row of points along x, far from the origin, from -1 to 1 around it.
+vtkSmartPointer<vtkPolyData> Row(int count)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < count; ++i)
+  {
+    points->InsertNextPoint(1e6 + 2.0 * i / (count - 1) - 1.0, 0.0, 0.0);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+/// The ids of the row's dots in the picture, by whether its pixels are dark there.
+std::set<int> FindDrawn(Scene& scene)
+{
+  const InkTestImage image(scene.Window);
+  std::set<int> drawn;
+  vtkPolyData* data = scene.Mapper->GetInput();
+  for (int i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    if (!std::isfinite(data->GetPoint(i)[0]))
+    {
+      continue;
+    }
+    vtkNew<vtkCoordinate> place;
+    place->SetCoordinateSystemToWorld();
+    place->SetValue(data->GetPoint(i));
+    const int* pixel = place->GetComputedViewportValue(scene.Renderer);
+    if (image.IsDark(pixel[0], pixel[1]))
+    {
+      drawn.insert(i);
+    }
+  }
+  return drawn;
+}
+
+std::set<int> Ids(int first, int last)
+{
+  std::set<int> ids;
+  for (int i = first; i <= last; ++i)
+  {
+    ids.insert(i);
+  }
+  return ids;
+}
+
+void TestDots(InkTestChecks& check)
+{
+  Scene scene(Row(7));
+  check(FindDrawn(scene) == Ids(0, 6), "all dots");
+  const int dark = InkTestImage(scene.Window).CountDark();
+  const double expected = 7 * 0.25 * vtkMath::Pi() * 81.0;
+  check(std::abs(dark - expected) < 0.1 * expected, "dots of a diameter of 9, ", expected, " pixels, found ",
+    dark);
+  scene.Actor->VisibilityOff();
+  check(FindDrawn(scene).empty(), "no dots of what is not visible");
+}
+
+void TestClipping(InkTestChecks& check)
+{
+  Scene scene(Row(7));
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  vtkNew<vtkPlane> left;
+  left->SetOrigin(1e6 - 0.5, 0.0, 0.0);
+  left->SetNormal(1.0, 0.0, 0.0);
+  scene.Mapper->AddClippingPlane(left);
+  check(FindDrawn(scene) == Ids(2, 6), "the dots right of a plane");
+  vtkNew<vtkPlane> right;
+  right->SetOrigin(1e6 + 0.5, 0.0, 0.0);
+  right->SetNormal(-1.0, 0.0, 0.0);
+  scene.Mapper->AddClippingPlane(right);
+  check(FindDrawn(scene) == Ids(2, 4), "those between two");
+  messages->Expect(check, "planes", {});
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.Mapper->AddClippingPlane(right);
+  }
+  vtkNew<vtkPlane> seventh;
+  seventh->SetOrigin(1e6, 0.0, 0.0);
+  seventh->SetNormal(1.0, 0.0, 0.0);
+  scene.Mapper->AddClippingPlane(seventh);
+  check(FindDrawn(scene) == Ids(2, 4), "as if there were no seventh plane");
+  scene.Window->Render();
+  messages->Expect(check, "seven planes", { "6", "7", "clipping planes" });
+}
+
+void TestSelection(InkTestChecks& check)
+{
+  Scene scene(Row(300));
+  scene.Window->Render();
+  const auto select = [&](int association)
+  {
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    selector->SetArea(0, 0, 199, 199);
+    selector->SetFieldAssociation(association);
+    vtkSmartPointer<vtkSelection> selection;
+    selection.TakeReference(selector->Select());
+    std::vector<vtkIdType> ids;
+    for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
+    {
+      vtkSelectionNode* node = selection->GetNode(i);
+      check(node->GetProperties()->Get(vtkSelectionNode::PROP()) == scene.Actor.Get(), "the actor");
+      auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+      ids.insert(ids.end(), list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
+    }
+    return ids;
+  };
+  const std::vector<vtkIdType> points = select(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  // Each of the dots shows a part that no other covers, but for the last.
+  check(points.size() >= 299 && points.front() <= 1 && points.back() == 299, "points 0 to 299, found ",
+    points.size(), " up to ", points.empty() ? -1 : points.back());
+  const std::vector<vtkIdType> cells = select(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  check(std::all_of(cells.begin(), cells.end(), [](vtkIdType id) { return id <= 0; }), "no cells");
+}
+
+/// The points are sent once to each window, and what a window has goes with it, or with the mapper.
+void TestWindows(InkTestChecks& check)
+{
+  const auto row = Row(7);
+  {
+    Scene scene(row);
+    check(scene.Mapper->GetUploadTime() == 0, "no upload before the first picture");
+    scene.Window->Render();
+    const vtkMTimeType first = scene.Mapper->GetUploadTime();
+    scene.Renderer->GetActiveCamera()->Azimuth(10.0);
+    scene.Mapper->Diameter = 5.0;
+    scene.Mapper->Modified();
+    scene.Window->Render();
+    check(first > 0 && scene.Mapper->GetUploadTime() == first, "one upload for several pictures");
+    row->GetPoints()->SetPoint(0, 1e6, 0.3, 0.0);
+    row->GetPoints()->Modified();
+    scene.Window->Render();
+    check(scene.Mapper->GetUploadTime() > first, "another one for other points");
+
+    {
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(scene.Mapper);
+      vtkNew<vtkRenderer> renderer;
+      renderer->SetBackground(1.0, 1.0, 1.0);
+      renderer->AddActor(actor);
+      vtkNew<vtkRenderWindow> other;
+      other->SetOffScreenRendering(true);
+      other->SetMultiSamples(0);
+      other->SetSize(100, 100);
+      other->AddRenderer(renderer);
+      renderer->ResetCamera();
+      check(InkTestImage(other).CountDark() > 50, "dots in a second window");
+      check(DotsMapper::NumberOfMarks == 2, "marks in two windows, found ", DotsMapper::NumberOfMarks);
+    }
+    check(DotsMapper::NumberOfMarks == 1, "one after the second is gone, found ", DotsMapper::NumberOfMarks);
+    scene.Mapper->ReleaseGraphicsResources(scene.Window);
+    check(DotsMapper::NumberOfMarks == 0, "none when released, found ", DotsMapper::NumberOfMarks);
+    check(scene.Mapper->GetUploadTime() == 0 && InkTestImage(scene.Window).CountDark() > 50,
+      "dots again after that");
+    check(DotsMapper::NumberOfMarks == 1, "marks again, found ", DotsMapper::NumberOfMarks);
+  }
+  check(DotsMapper::NumberOfMarks == 0, "none at the end, found ", DotsMapper::NumberOfMarks);
+}
+
+void TestInput(InkTestChecks& check)
+{
+  {
+    Scene scene(nullptr);
+    vtkNew<InkTestMessages> messages;
+    messages->Observe(scene.Mapper);
+    check(!vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds()), "no bounds without input");
+    check(InkTestImage(scene.Window).CountDark() == 0, "nothing without input");
+    messages->Expect(check, "no input", {});
+  }
+  const auto row = Row(3);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  row->GetPoints()->SetPoint(1, nan, 0.0, 0.0);
+  {
+    Scene scene(row);
+    const double* bounds = scene.Mapper->GetBounds();
+    check(bounds[0] == 1e6 - 1.0 && bounds[1] == 1e6 + 1.0 && bounds[2] == 0.0, "bounds of finite points");
+    check(FindDrawn(scene) == std::set<int>{ 0, 2 }, "the finite dots");
+  }
+  Scene scene(row);
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  scene.Mapper->Diameter = 0.0;
+  scene.Window->Render();
+  scene.Window->Render();
+  messages->Expect(check, "one message for two pictures", { "diameter" });
+  messages->Messages.clear();
+  row->Modified();
+  scene.Window->Render();
+  messages->Expect(check, "another one for another input", { "diameter" });
+}
+
+} // namespace
+
+int TestInkMapper(int, char*[])
+{
+  InkTestChecks check;
+  TestDots(check);
+  TestClipping(check);
+  TestSelection(check);
+  TestWindows(check);
+  TestInput(check);
+  return check.Result();
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkMapper.h"
+
+#include "InkFrame.h"
+#include "InkMarks.h"
+#include "InkReportedMessages.h"
+#include "InkShiftScale.h"
+#include "InkViewUniforms.h"
+#include "InkWindowResources.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkHardwareSelector.h"
+#include "vtkMath.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+class vtkInkMapper::vtkInternals
+{
+public:
+  InkReportedMessages Reported;
+  InkWindowResources<InkMarks> Windows;
+};
+
+vtkInkMapper::vtkInkMapper()
+  : Internals(std::make_unique<vtkInternals>())
+{
+}
+
+vtkInkMapper::~vtkInkMapper() = default;
+
+void vtkInkMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UploadTime: " << this->GetUploadTime() << "\n";
+}
+
+void vtkInkMapper::ReportOnce(const std::string& error)
+{
+  if (this->Internals->Reported.Add(this->GetInput()->GetMTime(), error))
+  {
+    vtkErrorMacro(<< error);
+  }
+}
+
+void vtkInkMapper::ComputeBounds()
+{
+  this->ComputePointBounds(nullptr);
+}
+
+void vtkInkMapper::ComputePointBounds(vtkUnsignedCharArray* ghosts)
+{
+  vtkPolyData* input = this->GetInput();
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  input->GetBounds(this->Bounds);
+  if (ghosts || std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
+  {
+    InkShiftScale::FindFiniteBounds(input->GetPoints(), this->Bounds, ghosts);
+  }
+}
+
+InkMarks* vtkInkMapper::FindMarksToDraw(vtkRenderer* renderer)
+{
+  vtkPolyData* input = this->GetInput();
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return nullptr;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    this->ReportOnce("Drawing needs a vtkOpenGLRenderWindow.");
+    return nullptr;
+  }
+  vtkPlaneCollection* planes = this->GetClippingPlanes();
+  if (planes && planes->GetNumberOfItems() > InkViewUniforms::MaximumClippingPlanes)
+  {
+    std::ostringstream message;
+    message << "Only the first " << InkViewUniforms::MaximumClippingPlanes << " of the "
+            << planes->GetNumberOfItems() << " clipping planes are used.";
+    this->ReportOnce(message.str());
+  }
+  InkMarks& marks = this->Internals->Windows.Get(
+    window, [this](vtkOpenGLRenderWindow* current) { return this->MakeMarks(current); });
+  return this->UpdateMarks(marks) ? &marks : nullptr;
+}
+
+InkMarks* vtkInkMapper::GetMarks(vtkWindow* window) const
+{
+  return this->Internals->Windows.Find(window);
+}
+
+void vtkInkMapper::ForEachMarks(const std::function<void(const InkMarks&)>& function) const
+{
+  this->Internals->Windows.ForEach(function);
+}
+
+vtkMTimeType vtkInkMapper::GetUploadTime()
+{
+  vtkMTimeType latest = 0;
+  this->ForEachMarks([&](const InkMarks& marks) { latest = std::max(latest, marks.GetUploadTime()); });
+  return latest;
+}
+
+void vtkInkMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->InvokeEvent(vtkCommand::StartEvent);
+  for (int port = 0; port < this->GetNumberOfInputPorts() && !this->Static; ++port)
+  {
+    if (this->GetNumberOfInputConnections(port) > 0)
+    {
+      this->GetInputAlgorithm(port, 0)->Update();
+    }
+  }
+  this->InvokeEvent(vtkCommand::EndEvent);
+
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector)
+  {
+    selector->BeginRenderProp();
+    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+    {
+      selector->RenderCompositeIndex(1);
+    }
+  }
+  if (InkMarks* marks = this->FindMarksToDraw(renderer))
+  {
+    vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
+    InkFrame frame{ renderer, actor, {}, {} };
+    state->vtkglGetIntegerv(GL_VIEWPORT, frame.Viewport.data());
+    if (selector)
+    {
+      selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
+      frame.Ids.emplace(selector);
+    }
+    if (frame.Viewport[2] > 0 && frame.Viewport[3] > 0)
+    {
+      const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+      state->vtkglDisable(GL_CULL_FACE);
+      this->DrawMarks(*marks, frame);
+    }
+  }
+  if (selector)
+  {
+    selector->EndRenderProp();
+  }
+  this->UpdateProgress(1.0);
+}
+
+void vtkInkMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Windows.Release(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}

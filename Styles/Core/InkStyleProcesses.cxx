@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStyleProcesses.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+InkStyleProcesses::~InkStyleProcesses() = default;
+
+void InkStyleProcesses::TakeGreatest(std::span<double>) {}
+
+void InkStyleProcesses::AddUp(ink::stipple::VolumeStatistics&) {}
+
+vtkSmartPointer<vtkPolyData> InkStyleProcesses::Gather(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
+{
+  return InkAppend(parts);
+}
+
+void InkStyleProcesses::AgreeOnArray(std::string&, int&) {}
+
+vtkSmartPointer<vtkPolyData> InkAppend(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
+{
+  if (parts.size() < 2)
+  {
+    return parts.empty() ? vtkSmartPointer<vtkPolyData>::New() : parts.front();
+  }
+  vtkNew<vtkAppendPolyData> append;
+  for (const auto& part : parts)
+  {
+    append->AddInputData(part);
+  }
+  append->Update();
+  vtkSmartPointer<vtkPolyData> result = append->GetOutput();
+  // Of all parts alike, but appending leaves it out.
+  result->GetFieldData()->PassData(parts.front()->GetFieldData());
+  return result;
+}

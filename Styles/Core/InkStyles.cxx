@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All styles. A new one is added here and in CMakeLists.txt.
+#include "vtkInkSplattingLinesStyle.h"
+#include "vtkInkStippleStyle.h"
+
+#include <string>
+
+namespace
+{
+
+struct Registered
+{
+  const char* Name;
+  vtkInkStyle* (*Create)();
+};
+
+constexpr Registered Styles[] = {
+  { "splatting-lines", []() -> vtkInkStyle* { return vtkInkSplattingLinesStyle::New(); } },
+  { "stipple", []() -> vtkInkStyle* { return vtkInkStippleStyle::New(); } },
+};
+
+} // namespace
+
+int vtkInkStyle::GetNumberOfStyles()
+{
+  return static_cast<int>(std::size(Styles));
+}
+
+const char* vtkInkStyle::GetStyleName(int style)
+{
+  return style >= 0 && style < GetNumberOfStyles() ? Styles[style].Name : nullptr;
+}
+
+vtkInkStyle* vtkInkStyle::CreateStyle(const char* name)
+{
+  for (const Registered& style : Styles)
+  {
+    if (name && std::string(name) == style.Name)
+    {
+      return style.Create();
+    }
+  }
+  return nullptr;
+}

@@ -1,0 +1,378 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is made of a style's parameters.json: C++ rows, ParaView's properties, a table for the documentation.
+
+    generate_parameters.py cxx parameters.json OUT.cxx
+    generate_parameters.py xml parameters.json OUT.xml TEMPLATE.xml
+    generate_parameters.py table parameters.json FILE.md      # in place of the table that is there
+
+A row of parameters.json is one parameter. Its entries:
+
+    name      as users write it; also the setter's name, unless `sets` gives another
+    type      bool, int, double, enum, color (RGB in 0..1), colors (one or more), vector (of `size` numbers), list (any
+              number of numbers) or string
+    range     [least, greatest] of each number; null: no limit
+    default   of a style that is new; an enumeration's is an entry's name
+    level     essential, or without it advanced
+    unit      for people; `pixels`: 1 or 2 where lengths or areas are in the picture's pixels
+    text      one sentence
+    label     for people, if not the name's words
+    sets      OBJECT.METHOD without its Set, if not the group's object and the name
+    option    on the command line, if not the name's words with dashes
+    entries   of an enumeration: [name, label] or [name, label, value], the value being the index otherwise
+    size, optional, order   of a vector: how many numbers, whether it may have none, `ascending` or `strict`
+    check     a function from the text of a string to what is wrong with it
+    data      image, mesh or points: the data that has this parameter
+    if        {NAME: VALUE}: what another parameter has to be for this one to count
+    needs     a parameter that must be on or not empty where this one is given
+    implies   {NAME: VALUE}: what else holds where this one is given without these
+    follows   the parameter whose value this one takes where only that one is given
+    panel     the property's name in ParaView, if not the name; false: it has none
+    paneldata, slider, domain   in ParaView: `data` there; a narrower range; `range` or `mid`: that of the array
+    tracked, client   in ParaView: the proxy sets the property, too, and nobody's own value is lost by that; and it stays on
+              the client, where what it sets are properties
+
+In a template for ParaView's XML, a line <!-- parameters --> stands for the properties, and <!-- group NAME --> for the
+list of those of a group, <!-- group NAME: essential --> and <!-- group NAME: advanced --> for a part of it. A table stands
+in a page between the lines <!-- parameters: begin --> and <!-- parameters: end -->.
+
+A group has a name, the object whose methods its rows call, and rows. A shorthand is an option of the command line that sets
+several parameters at once: by numbers, or by a word.
+"""
+
+import html
+import json
+import re
+import sys
+
+TYPES = {"bool", "int", "double", "enum", "color", "colors", "vector", "list", "string"}
+KEYS = {
+    "name", "type", "range", "default", "level", "unit", "pixels", "text", "label", "sets", "option", "entries", "size",
+    "optional", "order", "check", "client", "data", "if", "needs", "implies", "follows", "panel", "paneldata", "slider",
+    "domain", "tracked",
+}  # fmt: skip
+# The data that has not what a parameter needs, as ParaView's decorators ask.
+EXCLUDED = {"image": "vtkPolyData vtkUnstructuredGrid vtkStructuredGrid", "mesh": "vtkImageData"}
+ORDERS = {None: 0, "ascending": 1, "strict": 2}
+
+
+def words(name):
+    """CamelCase cut into its words."""
+    return re.findall(r"[A-Z]+(?![a-z])|[A-Z][a-z0-9]*", name)
+
+
+def as_text(row, value):
+    """A value as SetParameterAsString takes it."""
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    if isinstance(value, list):
+        return ",".join(as_text(row, one) for one in value)
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def read(path):
+    """The file, with what its rows leave out filled in."""
+    with open(path, encoding="utf-8") as file:
+        document = json.load(file)
+    rows = {}
+    for group in document["groups"]:
+        for row in group["parameters"]:
+            name = row["name"]
+            unknown = set(row) - KEYS
+            if unknown or name in rows or row["type"] not in TYPES:
+                sys.exit(f"{path}: {name}: expected each name once, a known type and keys of {sorted(KEYS)}; found {row}")
+            rows[name] = row
+            target, method = row.get("sets", f"{group['object']}.{name}").split(".")
+            if target not in document["objects"]:
+                sys.exit(f"{path}: {name}: expected an object of {sorted(document['objects'])}, found '{target}'")
+            row["object"], row["method"], row["group"] = document["objects"][target], method, group["name"]
+            row.setdefault("label", " ".join(words(name)))
+            row.setdefault("option", "-".join(words(name)).lower())
+            row.setdefault("entries", [])
+            row["entries"] = [(entry + [index])[:3] for index, entry in enumerate(row["entries"])]
+    for row in rows.values():
+        others = [*row.get("if", {}), *row.get("implies", {}), *filter(None, (row.get("needs"), row.get("follows")))]
+        for other in others:
+            if other not in rows:
+                sys.exit(f"{path}: {row['name']}: expected the name of a parameter, found '{other}'")
+    document["rows"] = rows
+    document.setdefault("shorthands", [])
+    return document
+
+
+def quoted(text):
+    return "nullptr" if text is None else json.dumps(text)
+
+
+def number(value, otherwise):
+    return otherwise if value is None else repr(float(value))
+
+
+def settings(name, values, rows, out):
+    """An array of settings, and the expression that stands for it."""
+    if not values:
+        return "{}"
+    entries = ", ".join(f"{{ {quoted(key)}, {quoted(as_text(rows[key], value))} }}" for key, value in values.items())
+    out.append(f"constexpr InkParameter::Setting {name}[] = {{ {entries} }};")
+    return name
+
+
+def accessors(document, row):
+    """The lambdas that set and get a parameter."""
+    target = f"static_cast<{document['class']}*>(style)->"
+    target += f"{row['object']}()->" if row["object"] else ""
+    setter, getter = f"{target}Set{row['method']}", f"{target}Get{row['method']}"
+    kind = row["type"]
+    if kind == "string":
+        put, get = f"{setter}(value.Text)", f"return {{ {{}}, {getter}() }}"
+    elif kind in ("list", "colors") or row.get("optional"):
+        put, get = f"{setter}(value.Numbers)", f"return {{ {getter}(), {{}} }}"
+    elif kind in ("color", "vector"):
+        size = 3 if kind == "color" else row["size"]
+        arguments = ", ".join(f"value.Numbers[{i}]" for i in range(size))
+        put = f"{setter}({arguments})"
+        get = f"const double* v = {getter}(); return {{ {{ {', '.join(f'v[{i}]' for i in range(size))} }}, {{}} }}"
+    else:
+        cast = {"bool": "value.Numbers[0] != 0.0", "int": "static_cast<{}>(value.Numbers[0])",
+                "enum": "static_cast<int>(value.Numbers[0])", "double": "value.Numbers[0]"}[kind]  # fmt: skip
+        greatest = (row.get("range") or [0, 0])[1]
+        cast = cast.format("vtkIdType" if greatest and greatest > 2147483647 else "int")
+        put, get = f"{setter}({cast})", f"return {{ {{ static_cast<double>({getter}()) }}, {{}} }}"
+    return (
+        f"[](vtkInkStyle* style, const InkParameterValue& value) {{ {put}; }}",
+        f"[](vtkInkStyle* style) -> InkParameterValue {{ {get}; }}",
+    )
+
+
+def cxx(document):
+    rows = document["rows"]
+    arrays, table = [], []
+    for row in rows.values():
+        name = row["name"]
+        entries = "{}"
+        if row["entries"]:
+            entries = f"{name}Entries"
+            listed = ", ".join(f"{{ {quoted(n)}, {quoted(label)}, {value}.0 }}" for n, label, value in row["entries"])
+            arrays.append(f"constexpr InkParameter::Entry {entries}[] = {{ {listed} }};")
+        implied = settings(f"{name}Implies", row.get("implies"), rows, arrays)
+        condition = next(iter(row.get("if", {}).items()), None)
+        condition_text = "{ nullptr, nullptr }"
+        if condition:
+            condition_text = f"{{ {quoted(condition[0])}, {quoted(as_text(rows[condition[0]], condition[1]))} }}"
+        least, greatest = row.get("range") or (None, None)
+        setter, getter = accessors(document, row)
+        table.append(
+            ",\n    ".join(
+                [
+                    f"  {{ {quoted(name)}, {quoted(row['label'])}, InkParameterType::{row['type'].capitalize()}",
+                    f"{row.get('size', 0)}, {str(row.get('optional', False)).lower()}, "
+                    f"{number(least, '-InkUnlimited')}, {number(greatest, 'InkUnlimited')}, {ORDERS[row.get('order')]}, "
+                    f"{row.get('check', 'nullptr')}",
+                    f"{quoted(as_text(row, row['default']))}, {quoted(row.get('unit', ''))}, {row.get('pixels', 0)}, "
+                    f"{str(row.get('level') == 'essential').lower()}",
+                    f"{quoted(row['group'])}, {quoted(row['text'])}, {quoted(row['option'])}",
+                    f"{entries}, InkParameterData::{row.get('data', 'any').capitalize()}, {condition_text}, "
+                    f"{quoted(row.get('needs'))}, {implied}, {quoted(row.get('follows'))}",
+                    setter,
+                    getter + " }",
+                ]
+            )
+        )
+    shorthands = []
+    for index, shorthand in enumerate(document["shorthands"]):
+        listed = []
+        for word, values in shorthand.get("words", {}).items():
+            array = settings(f"Word{index}{word.capitalize()}", values, rows, arrays)
+            listed.append(f"{{ {quoted(word)}, {array} }}")
+        arrays.append(f"constexpr InkShorthand::Word Words{index}[] = {{ {', '.join(listed)} }};")
+        spans = []
+        for key in ("numbers", "names"):
+            if shorthand.get(key):
+                arrays.append(f"constexpr const char* {key.capitalize()}{index}[] = "
+                              f"{{ {', '.join(quoted(one) for one in shorthand[key])} }};")  # fmt: skip
+            spans.append(f"{key.capitalize()}{index}" if shorthand.get(key) else "{}")
+        shorthands.append(f"  {{ {quoted(shorthand['option'])}, {quoted(shorthand['text'])}, {quoted(shorthand['group'])}, "
+                          f"Words{index}, {spans[0]}, {spans[1]} }}")  # fmt: skip
+    includes = "\n".join(f'#include "{header}"' for header in ["InkParameter.h", f"{document['class']}.h", *document["includes"]])
+    function = document["class"].removeprefix("vtk").removesuffix("Style") + "Parameters"
+    arrays_text, table_text, shorthands_text = "\n".join(arrays), ",\n".join(table), ",\n".join(shorthands)
+    return f"""// Generated from the parameters.json of the style {document['style']}; not to be edited.
+{includes}
+
+namespace
+{{
+
+{arrays_text}
+
+const InkParameter Parameters[] = {{
+{table_text}
+}};
+
+constexpr InkShorthand Shorthands[] = {{
+{shorthands_text}
+}};
+
+}} // namespace
+
+const InkParameterTable& {function}()
+{{
+  static const InkParameterTable table{{ Parameters, Shorthands }};
+  return table;
+}}
+"""
+
+
+def property_name(row):
+    return row.get("panel") or row["name"]
+
+
+def attributes(pairs, indent):
+    """XML attributes, one below the other."""
+    return ("\n" + " " * indent).join(f'{key}="{html.escape(str(value))}"' for key, value in pairs if value is not None)
+
+
+def decorator(indent, **pairs):
+    kind = pairs.pop("type")
+    head = f'{" " * indent}<PropertyWidgetDecorator '
+    return head + attributes([("type", kind), ("mode", "visibility"), *pairs.items()], len(head)) + " />"
+
+
+def hints(row, rows):
+    lines = []
+    if row.get("domain"):
+        lines.append(" " * 10 + "<NoDefault />")
+    for name, value in row.get("if", {}).items():
+        other = rows[name]
+        index = next((entry[2] for entry in other["entries"] if entry[0] == value), int(value is True))
+        lines.append(decorator(10, type="GenericDecorator", property=property_name(other), value=index))
+    excluded = EXCLUDED.get(row.get("paneldata", row.get("data")))
+    if excluded:
+        lines.append(decorator(10, type="InputDataTypeDecorator", exclude=1, name=excluded))
+    return [" " * 8 + "<Hints>", *lines, " " * 8 + "</Hints>"] if lines else []
+
+
+def domain(row, count):
+    kind = row["type"]
+    indent = " " * 8
+    if row.get("domain"):
+        mode = ' default_mode="mid"' if row["domain"] == "mid" else ""
+        return [
+            f'{indent}<ArrayRangeDomain name="range"{mode}>',
+            f"{indent}  <RequiredProperties>",
+            f'{indent}    <Property name="Input" function="Input" />',
+            f'{indent}    <Property name="StippleBy" function="ArraySelection" />',
+            f"{indent}  </RequiredProperties>",
+            f"{indent}</ArrayRangeDomain>",
+        ]
+    if kind == "bool":
+        return [f'{indent}<BooleanDomain name="bool" />']
+    if kind == "enum":
+        entries = [f'{indent}  <Entry text="{html.escape(label)}" value="{value}" />' for _, label, value in row["entries"]]
+        return [f'{indent}<EnumerationDomain name="enum">', *entries, f"{indent}</EnumerationDomain>"]
+    least, greatest = (0, 1) if kind in ("color", "colors") else row.get("slider") or row.get("range") or (None, None)
+    # What is wider than ParaView's integers has no end to be shown.
+    ends = [end if end is not None and abs(end) < 2147483647 else None for end in (least, greatest)]
+    limits = "".join(f' {name}="{" ".join([json.dumps(end)] * count)}"' for name, end in zip(("min", "max"), ends) if end is not None)
+    return [f'{indent}<{"Int" if kind == "int" else "Double"}RangeDomain name="range"{limits} />'] if limits else []
+
+
+def xml_property(row, rows):
+    """A property that calls SetParameter with the parameter's name and its numbers."""
+    kind = row["type"]
+    color = kind in ("color", "colors")
+    count = 3 if color else row["size"] if kind == "vector" else 1
+    default = row["default"]
+    if kind == "enum":
+        default = next(entry[2] for entry in row["entries"] if entry[0] == default)
+    values = default if isinstance(default, list) else [int(default) if isinstance(default, bool) else default]
+    element = ("Ink" if row.get("tracked") else "") + ("Int" if kind in ("bool", "int", "enum") else "Double") + "VectorProperty"
+    integral = "Int" in element
+    unit = f" ({row['unit']})" if row.get("unit") else ""
+    pairs = [
+        ("name", property_name(row)),
+        ("si_class", f"vtkSI{element.removeprefix('Ink')}" if row.get("tracked") else None),
+        ("label", row["label"] + unit),
+        ("command", None if row.get("client") else "SetParameter"),
+        ("initial_string", None if row.get("client") else row["name"]),
+        ("number_of_elements", count),
+        ("default_values", " ".join(json.dumps(value) for value in values or [0] * count)),
+        ("panel_widget", "color_selector" if color and not integral else None),
+        ("panel_visibility", None if row.get("level") == "essential" else "advanced"),
+    ]
+    head = f"      <{element} "
+    return [
+        head + attributes(pairs, len(head)) + ">",
+        *domain(row, count),
+        *hints(row, rows),
+        f"        <Documentation>{html.escape(row['text'], quote=False)}</Documentation>",
+        f"      </{element}>",
+    ]
+
+
+def xml(document, template):
+    """The template with its properties."""
+    rows = document["rows"]
+    shown = {name: row for name, row in rows.items() if row.get("panel") is not False}
+    properties = "\n\n".join("\n".join(xml_property(row, rows)) for row in shown.values())
+
+    def group(match):
+        rows_of = [row for row in shown.values() if row["group"] == match[2]]
+        names = [property_name(row) for row in rows_of if match[3] in (None, row.get("level", "advanced"))]
+        if not names:
+            sys.exit(f"expected a group with parameters, found '{match[2]}'")
+        return "\n".join(f'{match[1]}<Property name="{name}" />' for name in names)
+
+    text = template.replace("      <!-- parameters -->", properties)
+    return re.sub(r"^( *)<!-- group (.*?)(?:: (essential|advanced))? -->$", group, text, flags=re.MULTILINE)
+
+
+def shown_range(row):
+    least, greatest = row.get("range") or (None, None)
+    if row["entries"]:
+        return ", ".join(entry[0] for entry in row["entries"])
+    if least is None and greatest is None:
+        return {"bool": "on, off", "string": "text", "list": "numbers"}.get(row["type"], row["type"])
+    if greatest is None:
+        return f"from {json.dumps(least)}"
+    return f"{json.dumps(least)} to {json.dumps(greatest)}"
+
+
+def table(document, page):
+    """The page with its table of all parameters."""
+    lines = ["| parameter | option of `ink render` | default | range | |", "|---|---|---|---|---|"]
+    for level in ("essential", "advanced"):
+        for row in document["rows"].values():
+            if row.get("level", "advanced") != level:
+                continue
+            name = f"**{row['name']}**" if level == "essential" else row["name"]
+            negated = "no-" if row["default"] is True else ""
+            unit = f" {row['unit']}" if row.get("unit") else ""
+            default = as_text(row, row["default"]) or "none"
+            lines.append(f"| {name} | `--{negated}{row['option']}` | {default} | {shown_range(row)}{unit} | {row['text']} |")
+    begin, end = "<!-- parameters: begin -->\n", "<!-- parameters: end -->"
+    if page.count(begin) != 1 or page.count(end) != 1:
+        sys.exit(f"expected one line {begin.strip()} and one {end} in the page")
+    head, rest = page.split(begin)
+    return head + begin + "\n".join(lines) + "\n" + end + rest.split(end)[1]
+
+
+def main():
+    back_end, path, *files = sys.argv[1:]
+    document = read(path)
+    if back_end == "xml":
+        with open(files[1], encoding="utf-8") as file:
+            text = xml(document, file.read())
+    elif back_end == "table":
+        with open(files[0], encoding="utf-8") as file:
+            text = table(document, file.read())
+    else:
+        text = {"cxx": cxx}[back_end](document)
+    if files:
+        with open(files[0], "w", encoding="utf-8") as file:
+            file.write(text)
+    else:
+        sys.stdout.write(text)
+
+
+if __name__ == "__main__":
+    main()

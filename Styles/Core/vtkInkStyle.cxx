@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkStyle.h"
+
+#include "InkParameter.h"
+#include "InkStyleProcesses.h"
+#include "InkVolumeValues.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+namespace
+{
+
+/// What VTK's error macros add to a text taken away: file, line, class and address before it, and newlines.
+std::string TextOf(const char* message)
+{
+  std::string text = message;
+  const std::size_t address = text.find("): ");
+  text.erase(0, address == std::string::npos ? 0 : address + 3);
+  const std::size_t last = text.find_last_not_of(" \n");
+  text.resize(last == std::string::npos ? 0 : last + 1);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+} // namespace
+
+vtkInkStyle::vtkInkStyle()
+  : Processes(std::make_shared<InkStyleProcesses>())
+{
+}
+
+vtkInkStyle::~vtkInkStyle() = default;
+
+bool vtkInkStyle::Make(vtkDataObject* data)
+{
+  return this->ReportProblem(this->MakeMarks({ data }));
+}
+
+vtkMTimeType vtkInkStyle::GetMTime()
+{
+  const vtkMTimeType recipe = this->GetRecipeMTime();
+  return std::max(
+    this->Superclass::GetMTime(), recipe == this->TimeAfterMaking ? this->TimeBeforeMaking : recipe);
+}
+
+std::string vtkInkStyle::MakeMarks(const Input& input)
+{
+  const vtkMTimeType before = this->GetMTime();
+  std::string problem = this->TryPieces(input);
+  this->TimeBeforeMaking = before;
+  this->TimeAfterMaking = this->GetRecipeMTime();
+  return problem;
+}
+
+std::string vtkInkStyle::TryPieces(const Input& input)
+{
+  this->Notes.clear();
+  this->Aborted = false;
+  this->Pieces.clear();
+  for (int piece = 0; piece < this->GetNumberOfPieces(); ++piece)
+  {
+    this->Pieces.push_back(vtkSmartPointer<vtkPolyData>::New());
+  }
+  try
+  {
+    return this->MakePieces(input);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return std::string(this->GetLabel()) + ": there is not enough memory";
+  }
+  catch (const std::exception& error)
+  {
+    return std::string(this->GetLabel()) + ": " + error.what();
+  }
+}
+
+void vtkInkStyle::Show()
+{
+  std::vector<vtkPolyData*> pieces;
+  for (int piece = 0; piece < this->GetNumberOfPieces(); ++piece)
+  {
+    pieces.push_back(this->GetPiece(piece));
+  }
+  this->ShowPieces(pieces);
+}
+
+std::string vtkInkStyle::TryDraw(vtkDataObject* data)
+{
+  const std::string problem = this->MakeMarks({ data });
+  this->Show();
+  return problem;
+}
+
+bool vtkInkStyle::Draw(vtkDataObject* data)
+{
+  return this->ReportProblem(this->TryDraw(data));
+}
+
+vtkPolyData* vtkInkStyle::GetPiece(int piece)
+{
+  const auto index = static_cast<std::size_t>(piece);
+  return piece >= 0 && index < this->Pieces.size() ? this->Pieces[index].Get() : nullptr;
+}
+
+void vtkInkStyle::SetProcesses(std::shared_ptr<InkStyleProcesses> processes)
+{
+  this->Processes = processes ? std::move(processes) : std::make_shared<InkStyleProcesses>();
+}
+
+InkStyleProcesses& vtkInkStyle::GetProcesses()
+{
+  return *this->Processes;
+}
+
+void vtkInkStyle::AddNote(const std::string& note)
+{
+  this->Notes.push_back(note);
+}
+
+std::optional<double> vtkInkStyle::ChooseIsoValue(vtkImageData* image, const std::string& array)
+{
+  const auto suggestion = InkSuggestIsoValue(image, array);
+  if (!suggestion)
+  {
+    return std::nullopt;
+  }
+  this->AddNote(
+    "iso-value " + InkFormatShort(suggestion->value) + ": " + InkNameOfMethod(suggestion->method));
+  return suggestion->value;
+}
+
+int vtkInkStyle::GetNumberOfNotes()
+{
+  return static_cast<int>(this->Notes.size());
+}
+
+const char* vtkInkStyle::GetNote(int note)
+{
+  return note >= 0 && note < this->GetNumberOfNotes() ? this->Notes[static_cast<std::size_t>(note)].c_str()
+                                                      : nullptr;
+}
+
+void vtkInkStyle::SetPixelScale(double scale)
+{
+  // Not a number compares as false.
+  const double kept = scale > 0.1 ? std::min(scale, 16.0) : 0.1;
+  if (this->PixelScale != kept)
+  {
+    this->PixelScale = kept;
+    this->UpdatePixels();
+    this->Modified();
+  }
+}
+
+void vtkInkStyle::SetPictureSize(double pixels)
+{
+  const double kept = pixels > 1.0 ? std::min(pixels, 100000.0) : 1.0;
+  if (this->PictureSize != kept)
+  {
+    this->PictureSize = kept;
+    this->Modified();
+  }
+}
+
+bool vtkInkStyle::ReportProblem(const std::string& problem)
+{
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem << '.');
+  }
+  return problem.empty();
+}
+
+std::shared_ptr<void> vtkInkStyle::StartFollowing(vtkAlgorithm* algorithm, const char* text)
+{
+  this->AlgorithmError.clear();
+  this->ProgressText = text;
+  this->Progress = 0.0;
+  this->InvokeEvent(vtkCommand::ProgressEvent, &this->Progress);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long event, void* client, void* data)
+    {
+      auto* self = static_cast<vtkInkStyle*>(client);
+      auto* followed = static_cast<vtkAlgorithm*>(caller);
+      if (event == vtkCommand::ErrorEvent)
+      {
+        self->AlgorithmError =
+          self->AlgorithmError.empty() ? TextOf(static_cast<const char*>(data)) : self->AlgorithmError;
+        return;
+      }
+      self->Progress = followed->GetProgress();
+      self->InvokeEvent(vtkCommand::ProgressEvent, &self->Progress);
+      if (self->Aborted)
+      {
+        followed->SetAbortExecute(1);
+      }
+    });
+  const unsigned long progress = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  const unsigned long error = algorithm->AddObserver(vtkCommand::ErrorEvent, command);
+  // An earlier run may have been stopped.
+  algorithm->SetAbortExecute(0);
+  const vtkSmartPointer<vtkAlgorithm> kept = algorithm;
+  return { nullptr,
+    [kept, progress, error](void*)
+    {
+      kept->RemoveObserver(progress);
+      kept->RemoveObserver(error);
+    } };
+}
+
+std::string vtkInkStyle::Follow(vtkAlgorithm* algorithm, const char* text)
+{
+  return this->Follow(algorithm, text, [algorithm] { algorithm->Update(); });
+}
+
+void vtkInkStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PixelScale: " << this->PixelScale << "\n";
+  os << indent << "PictureSize: " << this->PictureSize << "\n";
+  os << indent << "Interactive: " << (this->Interactive ? "On" : "Off") << "\n";
+  os << indent << "Parameters:\n";
+  for (const InkParameter& parameter : this->GetParameterTable().Parameters)
+  {
+    os << indent.GetNextIndent() << parameter.Name << ": " << parameter.Format(parameter.Get(this)) << "\n";
+  }
+}

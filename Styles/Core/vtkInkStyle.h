@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkStyle
+ * @brief   a way of drawing: what it takes, how it makes marks of it, how these are drawn, and its parameters
+ *
+ * A style draws a data object in two steps. Make, which needs no camera, makes the marks where the data is,
+ * as pieces of poly data; Show hands such pieces, perhaps delivered from another process, to the style's
+ * mapper. Draw does both, and GetActor is what a renderer takes:
+ *
+ *     auto style = vtkSmartPointer<vtkInkStyle>::Take(vtkInkStyle::CreateStyle("stipple"));
+ *     style->SetParameter("Sharpness", 0.7);
+ *     style->Draw(image);
+ *     renderer->AddActor(style->GetActor());
+ *
+ * A parameter of the recipe takes effect with the next Make, all others with the next picture. Every
+ * parameter has a name, a type, a range, a default, a unit and a sentence, from the style's parameters.json;
+ * it can be set by name, and all of them together can be written and read as JSON. A name or a value that is
+ * wrong is an error that says which, what was found and what was expected, and changes nothing.
+ *
+ * @sa vtkInkStippleStyle vtkInkSplattingLinesStyle
+ */
+#ifndef vtkInkStyle_h
+#define vtkInkStyle_h
+
+#include "vtkInkStylesModule.h" // for the export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for the pieces
+
+#include <memory>   // for std::shared_ptr
+#include <optional> // for iso-values
+#include <string>   // for messages
+#include <utility>  // for std::pair
+#include <vector>   // for the pieces
+
+class InkStyleProcesses;
+class vtkActor;
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+class vtkDataObject;
+class vtkImageData;
+class vtkInformation;
+class vtkLight;
+class vtkMapper;
+class vtkPolyData;
+class vtkScalarsToColors;
+struct InkParameter;
+struct InkParameterTable;
+struct InkParameterValue;
+
+class VTKINKSTYLES_EXPORT vtkInkStyle : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkInkStyle, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// When something changed last that the marks depend on; what only changes how they look is not among it,
+  /// and neither is making them.
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * All styles there are, by name: "splatting-lines", "stipple". CreateStyle returns null for an unknown
+   * name.
+   */
+  static int GetNumberOfStyles();
+  static const char* GetStyleName(int style); ///< null out of range
+  VTK_NEWINSTANCE
+  static vtkInkStyle* CreateStyle(const char* name);
+  ///@}
+
+  ///@{
+  /// What this style is called, by programs and by people, and what it does, in a sentence.
+  virtual const char* GetName() = 0;
+  virtual const char* GetLabel() = 0;
+  virtual const char* GetDescription() = 0;
+  ///@}
+
+  ///@{
+  /**
+   * Whether the style can draw a data object; if not, what was expected and what was found, else an empty
+   * text.
+   */
+  bool Accepts(vtkDataObject* data) { return this->GetReasonAgainst(data).empty(); }
+  virtual std::string GetReasonAgainst(vtkDataObject* data) = 0;
+  ///@}
+
+  /**
+   * Makes marks of a data object, shows them, or both. False, after one error, if there are none. What was
+   * chosen by the way is among the notes.
+   */
+  bool Make(vtkDataObject* data);
+  void Show();
+  bool Draw(vtkDataObject* data);
+  /// As Draw, but tells what is wrong in place of an error.
+  std::string TryDraw(vtkDataObject* data);
+
+  /// A data object, with what it comes from where parts of it have to be asked for.
+  struct Input
+  {
+    vtkDataObject* Data = nullptr;
+    vtkAlgorithmOutput* Port = nullptr; ///< null: Data is whole
+    vtkInformation* Request = nullptr;  ///< the piece and time of it, as vtkAlgorithm::Update takes it
+  };
+  /**
+   * As Make, for a part of the data of several processes, which all call this at once, also without data.
+   * @return what is wrong with the data, or went wrong; marks may be there all the same
+   */
+  std::string MakeMarks(const Input& input);
+  /// The processes that hold parts of the data; null (default): this one holds all.
+  void SetProcesses(std::shared_ptr<InkStyleProcesses> processes);
+
+  ///@{
+  /**
+   * The marks that were made: pieces of poly data that can be delivered to other processes, one of each from
+   * every process appended. The first piece has the points that are drawn.
+   */
+  virtual int GetNumberOfPieces() = 0;
+  virtual const char* GetPieceName(int piece) = 0;
+  vtkPolyData* GetPiece(int piece); ///< null out of range
+  ///@}
+
+  /// Hands pieces to the mapper; null, or all of them empty, shows nothing.
+  virtual void ShowPieces(const std::vector<vtkPolyData*>& pieces) = 0;
+
+  ///@{
+  /// What the last Make chose or found that its user may want to know, each a sentence without its dot.
+  int GetNumberOfNotes();
+  const char* GetNote(int note);
+  ///@}
+
+  ///@{
+  /// What draws, of the style itself: always the same objects.
+  virtual vtkMapper* GetMapper() = 0;
+  virtual vtkActor* GetActor() = 0;
+  ///@}
+
+  /// The light that the style is drawn in, to be added to a renderer in place of its own lights; null where
+  /// it needs none.
+  virtual vtkLight* GetLight() { return nullptr; }
+
+  /// The color of what lies around and behind the drawing, RGB in 0..1.
+  virtual void GetBackgroundColor(double color[3]) = 0;
+
+  ///@{
+  /**
+   * Whether marks are colored by the scalars that they have. Default: off.
+   */
+  virtual void SetColorByScalars(bool byScalars) = 0;
+  virtual bool GetColorByScalars() = 0;
+  ///@}
+
+  ///@{
+  /**
+   * How many pixels are rendered for each of the picture on either side: 2 for a picture that is rendered
+   * twice as large and made smaller then. Parameters are in the picture's pixels. 0.1 to 16; default: 1.
+   */
+  void SetPixelScale(double scale);
+  vtkGetMacro(PixelScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * The larger side of the picture in its pixels, as far as the data fills it: how many marks are made
+   * follows from it. 1 to 100000; default: 600.
+   */
+  void SetPictureSize(double pixels);
+  vtkGetMacro(PictureSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether parameters change while the marks stay as they are: how many are made then depends on no
+   * parameter that needs no new ones. Default: off.
+   */
+  vtkSetMacro(Interactive, bool);
+  vtkGetMacro(Interactive, bool);
+  vtkBooleanMacro(Interactive, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far Make is, from 0 to 1, and with what; a ProgressEvent says when it changes. AbortMake, called
+   * from there, stops it.
+   */
+  vtkGetMacro(Progress, double);
+  const char* GetProgressText() { return this->ProgressText.c_str(); }
+  void AbortMake() { this->Aborted = true; }
+  ///@}
+
+  ///@{
+  /// The presets, the first of which is the default; a style may have none. They set the parameter Preset.
+  int GetNumberOfPresets();
+  const char* GetPresetName(int preset); ///< null out of range
+  bool ApplyPreset(const char* name);
+  ///@}
+
+  ///@{
+  /**
+   * The rows of the style's table, each by its index; names that begin with `GetParameter` give null, 0 or ""
+   * out of range. Type: bool, int, double, enum, color, colors, vector, list or string. Range: of each
+   * number, infinite where there is none. Level: whether it is essential, or advanced.
+   */
+  int GetNumberOfParameters();
+  const char* GetParameterName(int parameter);
+  const char* GetParameterLabel(int parameter);
+  const char* GetParameterType(int parameter);
+  void GetParameterRange(int parameter, double range[2]);
+  const char* GetParameterDefault(int parameter); ///< as text
+  const char* GetParameterUnit(int parameter);
+  const char* GetParameterGroup(int parameter);
+  const char* GetParameterText(int parameter);
+  bool IsParameterEssential(int parameter);
+  int GetNumberOfParameterEntries(int parameter);
+  const char* GetParameterEntry(int parameter, int entry); ///< null out of range
+  ///@}
+
+  ///@{
+  /**
+   * Sets a parameter, by its name, to numbers or to what is written: numbers with commas between them, on or
+   * off, an entry's name, colors by name or as #rrggbb. False, after one error, if it is refused.
+   */
+  bool SetParameter(const char* name, double value);
+  bool SetParameter(const char* name, double first, double second);
+  bool SetParameter(const char* name, double first, double second, double third);
+  bool SetParameterAsString(const char* name, const char* text);
+  ///@}
+
+  ///@{
+  /**
+   * A parameter's value as text that SetParameterAsString takes, or its first number; "" and 0 for an unknown
+   * name.
+   */
+  std::string GetParameterAsString(const char* name);
+  double GetParameter(const char* name);
+  ///@}
+
+  /// All parameters as they are by default.
+  void ResetParameters();
+
+  ///@{
+  /**
+   * All parameters as JSON, {"style": "stipple", "parameters": {"Preset": "bone", ...}}; and some or all of
+   * them from it. Those that are read are set together: what a parameter implies, as ToneColor implies
+   * ColorByTone, holds unless it is given, too.
+   * @return what is wrong, with the key, what was found and what was expected; nothing is set then. Empty if
+   * all is right
+   */
+  std::string GetParametersAsJSON();
+  std::string SetParametersFromJSON(const std::string& json);
+  ///@}
+
+  /// Parameters by name, with their values.
+  using Settings = std::vector<std::pair<std::string, InkParameterValue>>;
+  /// Sets them together, as SetParametersFromJSON does. @return what is wrong; empty if all is right
+  std::string SetParameters(const Settings& given);
+
+  /// The name of the style that such JSON is for, known or not; empty if it says none.
+  static std::string FindStyleInJSON(const std::string& json);
+
+  /// The row of that name, null if there is none. @return what is wrong then
+  std::string FindParameterRow(const std::string& name, const InkParameter*& row);
+  /// The table that all of these are made from.
+  virtual const InkParameterTable& GetParameterTable() = 0;
+
+protected:
+  vtkInkStyle();
+  ~vtkInkStyle() override;
+
+  /// When the algorithms of the recipe were changed last.
+  virtual vtkMTimeType GetRecipeMTime() = 0;
+  /// Fills the pieces and returns what is wrong, or nothing.
+  virtual std::string MakePieces(const Input& input) = 0;
+  /// Called when the pixel scale has changed.
+  virtual void UpdatePixels() {}
+  /// What follows from parameters that were given together.
+  virtual void FollowParameters(const Settings&) {}
+
+  void AddNote(const std::string& note);
+  /// Chooses an iso-value for a point array of an image (empty: the active scalars), and notes it. None if
+  /// its finite values are all the same.
+  std::optional<double> ChooseIsoValue(vtkImageData* image, const std::string& array = {});
+  InkStyleProcesses& GetProcesses();
+  /**
+   * Brings an algorithm up to date, with the progress as this style's and its errors caught.
+   * @param text what it does, "placing stipples"
+   * @param update calls its Update
+   * @return its first error; empty if there was none
+   */
+  template <class Update>
+  std::string Follow(vtkAlgorithm* algorithm, const char* text, const Update& update)
+  {
+    const std::shared_ptr<void> following = this->StartFollowing(algorithm, text);
+    update();
+    return this->AlgorithmError;
+  }
+  std::string Follow(vtkAlgorithm* algorithm, const char* text);
+
+private:
+  vtkInkStyle(const vtkInkStyle&) = delete;
+  void operator=(const vtkInkStyle&) = delete;
+
+  /// Observes an algorithm until the returned pointer goes.
+  std::shared_ptr<void> StartFollowing(vtkAlgorithm* algorithm, const char* text);
+  const InkParameter* FindParameter(int parameter);
+  std::string SetOne(const std::string& name, const InkParameterValue& value);
+  bool ReportProblem(const std::string& problem);
+
+  std::string TryPieces(const Input& input);
+
+  std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
+  vtkMTimeType TimeBeforeMaking = 0;
+  vtkMTimeType TimeAfterMaking = 0; ///< of the recipe, which is given inputs and more for as long as it runs
+  std::vector<std::string> Notes;
+  std::shared_ptr<InkStyleProcesses> Processes;
+  double PixelScale = 1.0;
+  double PictureSize = 600.0;
+  bool Interactive = false;
+  double Progress = 0.0;
+  std::string ProgressText;
+  std::string AlgorithmError;
+  bool Aborted = false;
+};
+
+#endif

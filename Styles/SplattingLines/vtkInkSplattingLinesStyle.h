@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkSplattingLinesStyle
+ * @brief   line drawings by splatting (Zhang et al. 2014) of images, meshes and points
+ *
+ * Of an image the iso-surfaces at IsoValues are drawn, or that at the iso-value that suits the image, which
+ * is noted. A mesh is sampled, with NumberOfSamples points, or its vertices are drawn as they are. Points
+ * without polygons are taken as they are, with normals estimated where they have none. The leaves of other
+ * data and of composite datasets are not put together: see what the plugin's representation does.
+ *
+ * One piece: the points, with the arrays Normals and, as far as they were made here, Radius.
+ *
+ * @sa vtkInkIsoSurfaceSampler vtkInkSurfaceSampler vtkInkSplattingLinesMapper
+ */
+#ifndef vtkInkSplattingLinesStyle_h
+#define vtkInkSplattingLinesStyle_h
+
+#include "vtkInkStyle.h"
+#include "vtkNew.h" // for what the style owns
+
+class vtkImageData;
+class vtkInkIsoSurfaceSampler;
+class vtkInkSplattingLinesMapper;
+class vtkInkSurfaceSampler;
+
+class VTKINKSTYLES_EXPORT vtkInkSplattingLinesStyle : public vtkInkStyle
+{
+public:
+  static vtkInkSplattingLinesStyle* New();
+  vtkTypeMacro(vtkInkSplattingLinesStyle, vtkInkStyle);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetName() override { return "splatting-lines"; }
+  const char* GetLabel() override { return "Splatting Lines"; }
+  const char* GetDescription() override;
+  std::string GetReasonAgainst(vtkDataObject* data) override;
+
+  int GetNumberOfPieces() override { return 1; }
+  const char* GetPieceName(int piece) override { return piece == 0 ? "Points" : nullptr; }
+  void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
+
+  vtkMapper* GetMapper() override;
+  vtkActor* GetActor() override { return this->Actor; }
+  void GetBackgroundColor(double color[3]) override;
+  void SetColorByScalars(bool byScalars) override;
+  bool GetColorByScalars() override { return this->ByScalars; }
+
+  ///@{
+  /// What the style draws with; properties that are parameters are set as such.
+  vtkInkIsoSurfaceSampler* GetIsoSurfaceSampler();
+  vtkInkSurfaceSampler* GetSurfaceSampler();
+  vtkInkSplattingLinesMapper* GetLinesMapper();
+  ///@}
+
+  /// Twice as many as the mesh has points, but from 200000 to 1000000.
+  static vtkIdType CountForMesh(vtkPolyData* mesh);
+
+  ///@{
+  /// Parameters; see their table.
+  void SetBackground(double red, double green, double blue);
+  vtkGetVector3Macro(Background, double);
+  void SetLineWidth(double width);
+  double GetLineWidth();
+  void SetSpeckleLength(double pixels);
+  vtkGetMacro(SpeckleLength, double);
+  void SetColorByTone(bool byTone);
+  vtkGetMacro(ColorByTone, bool);
+  void SetHiddenStrength(double strength);
+  double GetHiddenStrength();
+  void SetUseHiddenColor(bool use);
+  vtkGetMacro(UseHiddenColor, bool);
+  void SetHiddenColor(const std::vector<double>& colors);
+  const std::vector<double>& GetHiddenColor() { return this->HiddenColor; }
+  void SetHiddenLineWidth(double width);
+  double GetHiddenLineWidth();
+  void SetHiddenDashLength(double length);
+  double GetHiddenDashLength();
+  void SetCullBackFaces(bool cull);
+  bool GetCullBackFaces();
+  void SetIsoValues(const std::vector<double>& values);
+  const std::vector<double>& GetIsoValues() { return this->IsoValues; }
+  vtkSetMacro(NumberOfSamples, vtkIdType);
+  vtkGetMacro(NumberOfSamples, vtkIdType);
+  void SetViewpoint(const std::vector<double>& viewpoint);
+  std::vector<double> GetViewpoint();
+  ///@}
+
+  const InkParameterTable& GetParameterTable() override;
+
+protected:
+  vtkInkSplattingLinesStyle();
+  ~vtkInkSplattingLinesStyle() override;
+
+  vtkMTimeType GetRecipeMTime() override;
+  std::string MakePieces(const Input& input) override;
+  void UpdatePixels() override;
+
+private:
+  vtkInkSplattingLinesStyle(const vtkInkSplattingLinesStyle&) = delete;
+  void operator=(const vtkInkSplattingLinesStyle&) = delete;
+
+  std::string SampleImage(vtkImageData* image);
+  std::string SampleMesh(vtkPolyData* mesh);
+  std::string TakeVertices(vtkPolyData* mesh);
+  void UpdateColors();
+
+  vtkNew<vtkInkIsoSurfaceSampler> IsoSurfaceSampler;
+  vtkNew<vtkInkSurfaceSampler> SurfaceSampler;
+  vtkNew<vtkInkSplattingLinesMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  double Background[3] = { 1.0, 1.0, 1.0 };
+  double SpeckleLength = 0.0; ///< in the picture's pixels
+  bool ByScalars = false;
+  bool ColorByTone = false;
+  bool UseHiddenColor = false;
+  std::vector<double> HiddenColor{ 0.2, 0.4, 0.7 };
+  std::vector<double> IsoValues;
+  vtkIdType NumberOfSamples = -1;
+};
+
+#endif

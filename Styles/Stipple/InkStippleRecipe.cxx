@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStippleRecipe.h"
+
+#include "InkStippleLeaves.h"
+#include "InkStippleNumbers.h"
+#include "InkStyleProcesses.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkInkStippleMapper.h"
+
+#include "Stippling/StippledVoxels.h"
+#include "Stippling/VolumeStipples.h"
+#include "Tone/Stipple/ProjectedSize.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkGeometryFilter.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace
+{
+
+/// Pixels that a stipple of a mesh takes where their number does not depend on the parameter.
+constexpr double UsualRoom = 6.0;
+
+/// Takes a generator's properties that a drawing changes back when it is done.
+class ChangedGenerator
+{
+public:
+  explicit ChangedGenerator(vtkInkStippleGenerator* generator)
+    : Generator(generator)
+    , Windowed(generator->GetUseScalarWindow())
+    , Count(generator->GetNumberOfSurfaceStipples())
+    , ListLength(generator->GetMaximumStipples())
+    , Mode(generator->GetMaximumStipplesMode())
+  {
+    generator->GetScalarWindow(this->Window);
+  }
+  ~ChangedGenerator()
+  {
+    this->Generator->SetInputConnection(nullptr);
+    this->Generator->SetStatistics(nullptr);
+    this->Generator->SetPassScalars(false);
+    this->Generator->SetUseScalarWindow(this->Windowed);
+    this->Generator->SetScalarWindow(this->Window);
+    this->Generator->SetNumberOfSurfaceStipples(this->Count);
+    this->Generator->SetMaximumStipples(this->ListLength);
+    this->Generator->SetMaximumStipplesMode(this->Mode);
+  }
+  ChangedGenerator(const ChangedGenerator&) = delete;
+  void operator=(const ChangedGenerator&) = delete;
+
+private:
+  vtkInkStippleGenerator* const Generator;
+  const bool Windowed;
+  const vtkIdType Count;
+  const int ListLength;
+  const int Mode;
+  double Window[2];
+};
+
+std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(const std::vector<vtkDataSet*>& leaves)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  for (vtkDataSet* data : leaves)
+  {
+    vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
+    if (!surface)
+    {
+      vtkNew<vtkGeometryFilter> outside;
+      outside->SetInputData(data);
+      outside->Update();
+      surface = outside->GetOutput();
+    }
+    surfaces.push_back(surface);
+  }
+  return surfaces;
+}
+
+/// Of images of all processes, as many stipples a voxel as it measures pixels in a picture of them all.
+int ProjectedListLength(const std::vector<vtkImageData*>& images, double pixels, InkStyleProcesses& processes)
+{
+  // The lower corner of all images, negated, the upper one, and a voxel's edge.
+  std::array<double, 7> most;
+  most.fill(std::numeric_limits<double>::lowest());
+  for (vtkImageData* image : images)
+  {
+    const double* box = image->GetBounds();
+    const double* steps = image->GetSpacing();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      most[axis] = std::max(most[axis], -box[2 * axis]);
+      most[3 + axis] = std::max(most[3 + axis], box[2 * axis + 1]);
+    }
+    most[6] = std::max(most[6], std::cbrt(std::abs(steps[0] * steps[1] * steps[2])));
+  }
+  processes.TakeGreatest(most);
+  const double edge = most[6];
+  // Bounds end at the middles of the outermost voxels.
+  const double longest = std::max({ most[0] + most[3], most[1] + most[4], most[2] + most[5] }) + edge;
+  return ink::stipple::projectedListLength(static_cast<float>(edge / longest),
+    static_cast<float>(1.0 / pixels), ink::stipple::maximumStipplesPerVoxel);
+}
+
+} // namespace
+
+InkStippleRecipe::InkStippleRecipe(vtkInkStippleStyle* style)
+  : Style(style)
+  , Generator(style->GetGenerator())
+{
+}
+
+void InkStippleRecipe::Say(const std::string& problem)
+{
+  if (this->Problem.empty() && !problem.empty())
+  {
+    this->Problem = problem;
+  }
+}
+
+std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
+{
+  vtkInkStippleStyle* style = this->Style;
+  const InkStippleLeaves leaves(input.Data);
+  style->IdsAreInputs = false;
+  style->MadeColorArray.clear();
+  style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  this->Generator->SetPictureSize(style->GetPictureSize());
+  this->Say(leaves.Problem.empty() ? "" : "Stipple draws nothing for " + leaves.Problem);
+  std::array found{ leaves.Images.empty() ? 0.0 : 1.0, leaves.Stipples.empty() ? 0.0 : 1.0 };
+  style->GetProcesses().TakeGreatest(found);
+  const bool images = found[0] > 0.0;
+  const bool stipples = found[1] > 0.0;
+  style->OfImage = images;
+  if (images)
+  {
+    this->StippleImages(leaves, input);
+  }
+  else if (stipples)
+  {
+    this->TakeStipples(leaves);
+  }
+  else
+  {
+    this->StippleSurfaces(leaves);
+  }
+  style->GetProcesses().AgreeOnArray(style->MadeColorArray, style->MadeColorAssociation);
+  const std::size_t left = leaves.Others.size() + (images ? leaves.Stipples.size() : 0);
+  if ((images || stipples) && left > 0)
+  {
+    this->Say("Stipple draws nothing for " + std::to_string(left) + " datasets beside " +
+      (images ? "images" : "stipples") + ". It draws images, stipples and meshes one kind at a time");
+  }
+  if (style->GetPiece(vtkInkStippleStyle::STIPPLES)->GetNumberOfPoints() == 0)
+  {
+    style->AddNote(!images ? "nothing to draw: no stipple was placed"
+        : this->Generator->GetUseScalarWindow() || style->IsoSurfaceHides
+        ? "nothing to draw: no voxel has a gradient that is steep enough and a value in the window"
+        : "nothing to draw: no voxel has a gradient that is steep enough");
+  }
+  const bool hidden = images && !this->HidingValues.empty();
+  InkWriteNumbers(style->GetPiece(vtkInkStippleStyle::STIPPLES), hidden ? style->RoomAtHidingSurface : 1.0,
+    style->GetPiece(vtkInkStippleStyle::NUMBERS));
+  return this->Problem;
+}
+
+void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
+{
+  vtkInkStippleStyle* style = this->Style;
+  const bool chosen = !style->ColorBy.empty();
+  if (!style->GetInteractive())
+  {
+    // What is asked for has to be there.
+    this->Generator->SetPassScalars(!style->ColorMap.empty());
+    this->Generator->SetInputArrayToProcess(1, 0, 0,
+      chosen ? vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS,
+      style->ColorBy.c_str());
+    return;
+  }
+  vtkDataArray* active = data->GetPointData()->GetScalars();
+  const std::string name = chosen ? style->ColorBy : active && active->GetName() ? active->GetName() : "";
+  const int association = chosen && style->ColorAssociation >= 0 ? style->ColorAssociation
+                                                                 : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataSetAttributes* attributes =
+    ofCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
+  const bool has = !name.empty() && (!ofCells || cells) && attributes->GetArray(name.c_str());
+  this->Generator->SetPassScalars(has);
+  this->Generator->SetInputArrayToProcess(1, 0, 0, association, has ? name.c_str() : "");
+  if (has)
+  {
+    style->MadeColorArray = name;
+    style->MadeColorAssociation = association;
+  }
+}
+
+void InkStippleRecipe::ChooseHidingValues(const InkStippleLeaves& leaves, bool whole)
+{
+  vtkInkStippleStyle* style = this->Style;
+  this->HidingValues = style->IsoSurfaceHides ? style->IsoValues : std::vector<double>();
+  // Processes that hold parts would each choose another one.
+  if (!style->IsoSurfaceHides || !style->IsoValues.empty() || !whole)
+  {
+    return;
+  }
+  if (const auto chosen = style->ChooseIsoValue(leaves.Images.front(), style->Scalars))
+  {
+    this->HidingValues = { *chosen };
+  }
+}
+
+vtkSmartPointer<vtkPolyData> InkStippleRecipe::MakeIsoSurface(vtkImageData* image)
+{
+  vtkInkStippleStyle* style = this->Style;
+  vtkNew<vtkFlyingEdges3D> surface;
+  surface->SetInputData(image);
+  if (!style->Scalars.empty())
+  {
+    surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, style->Scalars.c_str());
+  }
+  for (std::size_t i = 0; i < this->HidingValues.size(); ++i)
+  {
+    surface->SetValue(static_cast<int>(i), this->HidingValues[i]);
+  }
+  surface->ComputeNormalsOff();
+  surface->ComputeScalarsOff();
+  this->Say(style->Follow(surface, "finding the surface"));
+  return surface->GetOutput();
+}
+
+void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
+{
+  vtkInkStippleStyle* style = this->Style;
+  vtkInkStippleGenerator* generator = this->Generator;
+  const ChangedGenerator changed(generator);
+  const char* scalars = style->Scalars.c_str();
+  if (style->Scalars.empty())
+  {
+    generator->SetInputArrayToProcess(
+      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  }
+  else
+  {
+    generator->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars);
+  }
+  this->ChooseHidingValues(leaves, !input.Port && !leaves.Images.empty());
+  const std::vector<double>& isoValues = this->HidingValues;
+  const bool hides = !isoValues.empty();
+  if (hides && !generator->GetUseScalarWindow())
+  {
+    generator->UseScalarWindowOn();
+    generator->SetScalarWindow(
+      *std::min_element(isoValues.begin(), isoValues.end()), std::numeric_limits<double>::max());
+  }
+  // The leaves of composite data are whole images, and so is an image that comes from nowhere.
+  vtkNew<vtkInformation> whole;
+  const bool parts = input.Port && !leaves.Composite;
+  vtkInformation* update = parts && input.Request ? input.Request : whole.Get();
+  const auto connect = [&](vtkImageData* image)
+  {
+    if (parts)
+    {
+      generator->SetInputConnection(input.Port);
+    }
+    else
+    {
+      generator->SetInputData(image);
+    }
+  };
+
+  // One whole image is measured when it is stippled; parts and several images are, too, together.
+  const bool together = parts || leaves.Composite;
+  if (together && generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::PROJECTED)
+  {
+    generator->SetMaximumStipplesModeToFixed();
+    generator->SetMaximumStipples(
+      ProjectedListLength(leaves.Images, generator->GetPictureSize(), style->GetProcesses()));
+  }
+  const auto statistics = std::make_shared<ink::stipple::VolumeStatistics>();
+  std::vector<vtkImageData*> measured;
+  // The same on all processes.
+  const bool measures = together &&
+    (generator->GetThresholdMode() == vtkInkStippleGenerator::PERCENTILE ||
+      !generator->GetUseReferenceRanges());
+  for (vtkImageData* image : leaves.Images)
+  {
+    connect(image);
+    bool done = true;
+    if (measures)
+    {
+      this->Say(style->Follow(
+        generator, "measuring gradients", [&] { done = generator->Measure(update, *statistics); }));
+    }
+    if (done)
+    {
+      measured.push_back(image);
+    }
+  }
+  if (measures)
+  {
+    style->GetProcesses().AddUp(*statistics);
+    generator->SetStatistics(statistics);
+  }
+  std::vector<vtkSmartPointer<vtkPolyData>> stipples;
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  for (vtkImageData* image : measured)
+  {
+    if (hides)
+    {
+      surfaces.push_back(this->MakeIsoSurface(image));
+    }
+    connect(image);
+    this->TakeColors(image, false);
+    this->Say(style->Follow(generator, "placing stipples", [&] { generator->Update(update); }));
+    if (generator->GetOutput()->GetNumberOfPoints() > 0)
+    {
+      stipples.push_back(vtkSmartPointer<vtkPolyData>::New());
+      stipples.back()->ShallowCopy(generator->GetOutput());
+    }
+  }
+  style->GetPiece(vtkInkStippleStyle::STIPPLES)->ShallowCopy(InkAppend(stipples));
+  style->GetPiece(vtkInkStippleStyle::SURFACE)->ShallowCopy(InkAppend(surfaces));
+}
+
+void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
+{
+  vtkInkStippleStyle* style = this->Style;
+  const vtkSmartPointer<vtkPolyData> mesh = style->GetProcesses().Gather(MakeMeshes(leaves.Others));
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  {
+    this->Say("Stipple draws nothing for data of " + std::to_string(mesh->GetNumberOfPoints()) +
+      " points without polygons. It needs an image, a mesh, or stipples of Ink Stipple Generator");
+    return;
+  }
+  vtkInkStippleGenerator* generator = this->Generator;
+  const ChangedGenerator changed(generator);
+  const double room = style->GetInteractive() ? UsualRoom : style->PixelsPerStipple;
+  const vtkIdType count = style->NumberOfSurfaceStipples;
+  const bool fixed = generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::FIXED;
+  generator->SetNumberOfSurfaceStipples(count == 0 && fixed
+      ? vtkInkStippleGenerator::CountForPicture(mesh, style->GetPictureSize(), room)
+      : std::max<vtkIdType>(count, 0));
+  generator->SetInputData(mesh);
+  this->TakeColors(mesh, true);
+  this->Say(style->Follow(generator, "placing stipples"));
+  style->GetPiece(vtkInkStippleStyle::STIPPLES)->ShallowCopy(generator->GetOutput());
+  if (style->SurfaceHides)
+  {
+    vtkPolyData* surface = style->GetPiece(vtkInkStippleStyle::SURFACE);
+    surface->SetPoints(mesh->GetPoints());
+    surface->SetPolys(mesh->GetPolys());
+    surface->SetStrips(mesh->GetStrips());
+  }
+}
+
+void InkStippleRecipe::ColorStipples(vtkCellData* cells)
+{
+  const std::string& name = this->Style->ColorBy;
+  if (this->Style->ColorMap.empty())
+  {
+    cells->SetActiveScalars(nullptr);
+  }
+  else if (!name.empty() && cells->SetActiveScalars(name.c_str()) < 0)
+  {
+    this->Say("Stipple: expected stipples with the cell array '" + name + "', found none");
+  }
+  else if (!cells->GetScalars())
+  {
+    this->Say("Stipple: expected stipples with scalars to color them by, found none");
+  }
+}
+
+void InkStippleRecipe::TakeStipples(const InkStippleLeaves& leaves)
+{
+  vtkInkStippleStyle* style = this->Style;
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (vtkPolyData* stipples : leaves.Stipples)
+  {
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    parts.back()->ShallowCopy(stipples);
+    vtkCellData* cells = parts.back()->GetCellData();
+    if (!style->GetInteractive())
+    {
+      this->ColorStipples(cells);
+      continue;
+    }
+    const bool colored = style->ColorAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS &&
+      cells->HasArray(style->ColorBy.c_str());
+    cells->SetActiveScalars(colored ? style->ColorBy.c_str() : nullptr);
+    if (colored)
+    {
+      style->MadeColorArray = style->ColorBy;
+      style->MadeColorAssociation = style->ColorAssociation;
+    }
+  }
+  style->GetPiece(vtkInkStippleStyle::STIPPLES)->ShallowCopy(InkAppend(parts));
+  style->IdsAreInputs = parts.size() == 1 && !leaves.Composite;
+}

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkStippleStyle.h"
+
+#include "InkColorMap.h"
+#include "InkParameter.h"
+#include "InkStippleLeaves.h"
+#include "InkStippleNumbers.h"
+#include "InkStippleRecipe.h"
+#include "vtkInkStippleActor.h"
+#include "vtkInkStippleControls.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkInkStippleMapper.h"
+
+#include "Tone/Stipple/StippleSliders.h"
+
+#include "vtkCellData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkScalarsToColors.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkInkStippleStyle);
+
+/// Generated from parameters.json.
+const InkParameterTable& InkStippleParameters();
+
+namespace
+{
+
+double Lightness(const double color[3])
+{
+  return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+}
+
+} // namespace
+
+vtkInkStippleStyle::vtkInkStippleStyle()
+  : RoomAtHidingSurface(ink::stipple::roomAtHidingSurface)
+{
+  this->Actor->SetMapper(this->Mapper);
+  this->Mapper->SetScalarModeToUseCellData();
+  this->Mapper->UseLookupTableScalarRangeOn();
+  // Bytes, too: VTK takes them for colors otherwise.
+  this->Mapper->SetColorModeToMapScalars();
+  this->Light->SetLightTypeToCameraLight();
+  this->Light->SetFocalPoint(0, 0, 0);
+  this->SetLightDirection(this->LightDirection[0], this->LightDirection[1]);
+  this->SetPreset(0);
+}
+
+vtkInkStippleStyle::~vtkInkStippleStyle() = default;
+
+const char* vtkInkStippleStyle::GetDescription()
+{
+  return "dots whose density is the tone: boundaries, silhouettes and light of volumes and meshes (Lu et al. "
+         "2003)";
+}
+
+const InkParameterTable& vtkInkStippleStyle::GetParameterTable()
+{
+  return InkStippleParameters();
+}
+
+const char* vtkInkStippleStyle::GetPieceName(int piece)
+{
+  static const char* const names[] = { "Stipples", "Surface", "Numbers" };
+  return piece >= 0 && piece < this->GetNumberOfPieces() ? names[piece] : nullptr;
+}
+
+vtkMapper* vtkInkStippleStyle::GetMapper()
+{
+  return this->Mapper;
+}
+
+vtkActor* vtkInkStippleStyle::GetActor()
+{
+  return this->Actor;
+}
+
+vtkInkStippleGenerator* vtkInkStippleStyle::GetGenerator()
+{
+  return this->Generator;
+}
+
+vtkInkStippleMapper* vtkInkStippleStyle::GetStippleMapper()
+{
+  return this->Mapper;
+}
+
+vtkMTimeType vtkInkStippleStyle::GetRecipeMTime()
+{
+  return this->Generator->GetMTime();
+}
+
+void vtkInkStippleStyle::GetBackgroundColor(double color[3])
+{
+  std::copy_n(this->PaperColor, 3, color);
+}
+
+void vtkInkStippleStyle::SetColorByScalars(bool byScalars)
+{
+  this->Mapper->SetScalarVisibility(byScalars);
+}
+
+bool vtkInkStippleStyle::GetColorByScalars()
+{
+  return this->Mapper->GetScalarVisibility();
+}
+
+std::string vtkInkStippleStyle::GetReasonAgainst(vtkDataObject* data)
+{
+  return InkReasonAgainstStipples(data);
+}
+
+std::string vtkInkStippleStyle::MakePieces(const Input& input)
+{
+  return InkStippleRecipe(this).Make(input);
+}
+
+void vtkInkStippleStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
+{
+  vtkPolyData* stipples = pieces[STIPPLES];
+  vtkPolyData* surface = pieces[SURFACE];
+  vtkPolyData* numbers = pieces[NUMBERS];
+  if (!stipples || !numbers || numbers->GetNumberOfPoints() == 0)
+  {
+    this->Drawn->Initialize();
+    this->DrawnTime = 0;
+    this->Mapper->SetInputDataObject(nullptr);
+    return;
+  }
+  // The same object as long as nothing is new, so that the mapper sends nothing new to the GPU.
+  const vtkMTimeType time = std::max(stipples->GetMTime(), numbers->GetMTime());
+  if (this->DrawnTime != time)
+  {
+    this->DrawnTime = time;
+    this->Drawn->ShallowCopy(stipples);
+    this->Room = InkReadNumbers(numbers, this->Drawn);
+  }
+  this->Mapper->SetInputDataObject(this->Drawn);
+  this->Mapper->SetSurfaceData(surface && surface->GetNumberOfCells() > 0 ? surface : nullptr);
+  this->UpdateColors();
+  this->UpdatePixels();
+}
+
+void vtkInkStippleStyle::UpdatePixels()
+{
+  const double scale = this->GetPixelScale();
+  this->Mapper->SetStippleSize(scale * this->StippleSize);
+  this->Mapper->SetPixelsPerStipple(this->Room * (scale * scale * this->PixelsPerStipple));
+}
+
+void vtkInkStippleStyle::UpdateColors()
+{
+  if (this->ColorMap.empty())
+  {
+    return;
+  }
+  vtkDataArray* scalars = this->Drawn->GetCellData()->GetScalars();
+  this->Mapper->SetScalarVisibility(scalars != nullptr);
+  if (scalars)
+  {
+    this->Mapper->SetLookupTable(InkMakeColors(this->ColorMap, this->ColorRange, scalars));
+  }
+}
+
+void vtkInkStippleStyle::FollowParameters(const Settings& given)
+{
+  const auto has = [&](const char* name)
+  { return std::any_of(given.begin(), given.end(), [name](const auto& one) { return one.first == name; }); };
+  if ((has("InkColor") || has("PaperColor")) && !has("LightInk"))
+  {
+    this->Mapper->SetLightInk(Lightness(this->Mapper->GetInkColor()) > Lightness(this->PaperColor));
+  }
+}
+
+void vtkInkStippleStyle::SetPreset(int preset)
+{
+  this->Controls->SetPreset(vtkInkStippleControls::GetPresetName(preset));
+  this->Controls->Apply(this->Mapper);
+  this->Controls->GetPaperColor(this->PaperColor);
+  this->StippleSize = this->Mapper->GetStippleSize();
+  this->PixelsPerStipple = this->Mapper->GetPixelsPerStipple();
+  this->UpdatePixels();
+}
+
+int vtkInkStippleStyle::GetPreset()
+{
+  int preset = 0;
+  while (std::string(vtkInkStippleControls::GetPresetName(preset)) != this->Controls->GetPreset())
+  {
+    ++preset;
+  }
+  return preset;
+}
+
+// A slider sets what it stands for, and nothing else: what was chosen for the rest stays.
+
+void vtkInkStippleStyle::SetGradient(double gradient)
+{
+  this->Controls->SetGradient(gradient);
+  this->Controls->Apply(this->Wanted);
+  this->Mapper->SetBoundaryBase(this->Wanted->GetBoundaryBase());
+  this->Mapper->SetBoundaryGain(this->Wanted->GetBoundaryGain());
+}
+
+double vtkInkStippleStyle::GetGradient()
+{
+  return this->Controls->GetGradient();
+}
+
+void vtkInkStippleStyle::SetSharpness(double sharpness)
+{
+  this->Controls->SetSharpness(sharpness);
+  this->Controls->Apply(this->Wanted);
+  this->Mapper->SetBoundaryExponent(this->Wanted->GetBoundaryExponent());
+  this->Mapper->SetSilhouetteExponent(this->Wanted->GetSilhouetteExponent());
+  this->Mapper->SetLightingExponent(this->Wanted->GetLightingExponent());
+}
+
+double vtkInkStippleStyle::GetSharpness()
+{
+  return this->Controls->GetSharpness();
+}
+
+void vtkInkStippleStyle::SetOrientation(double orientation)
+{
+  this->Controls->SetOrientation(orientation);
+  this->Controls->Apply(this->Wanted);
+  this->Mapper->SetSilhouetteGain(this->Wanted->GetSilhouetteGain());
+  this->Mapper->SetLightingExponent(this->Wanted->GetLightingExponent());
+}
+
+double vtkInkStippleStyle::GetOrientation()
+{
+  return this->Controls->GetOrientation();
+}
+
+void vtkInkStippleStyle::SetDistance(double distance)
+{
+  this->Controls->SetDistance(distance);
+  this->Controls->Apply(this->Wanted);
+  this->Mapper->SetDistanceExponent(this->Wanted->GetDistanceExponent());
+  this->Mapper->SetDistanceSize(this->Wanted->GetDistanceSize());
+}
+
+double vtkInkStippleStyle::GetDistance()
+{
+  return this->Controls->GetDistance();
+}
+
+void vtkInkStippleStyle::SetInterior(double interior)
+{
+  this->Controls->SetInterior(interior);
+  this->Controls->Apply(this->Wanted);
+  this->Mapper->SetInteriorExponent(this->Wanted->GetInteriorExponent());
+  this->Mapper->SetInteriorSize(this->Wanted->GetInteriorSize());
+}
+
+double vtkInkStippleStyle::GetInterior()
+{
+  return this->Controls->GetInterior();
+}
+
+void vtkInkStippleStyle::SetColor(double color)
+{
+  this->Controls->SetColor(color);
+  this->Mapper->SetWarmCool(this->Controls->GetColor());
+}
+
+double vtkInkStippleStyle::GetColor()
+{
+  return this->Controls->GetColor();
+}
+
+void vtkInkStippleStyle::SetLightDirection(double azimuth, double elevation)
+{
+  this->LightDirection[0] = azimuth;
+  this->LightDirection[1] = elevation;
+  const double right = vtkMath::RadiansFromDegrees(azimuth);
+  const double up = vtkMath::RadiansFromDegrees(elevation);
+  this->Light->SetPosition(std::sin(right) * std::cos(up), std::sin(up), std::cos(right) * std::cos(up));
+}
+
+void vtkInkStippleStyle::SetPaperColor(double red, double green, double blue)
+{
+  this->PaperColor[0] = red;
+  this->PaperColor[1] = green;
+  this->PaperColor[2] = blue;
+}
+
+void vtkInkStippleStyle::SetStippleSize(double pixels)
+{
+  this->StippleSize = pixels;
+  this->UpdatePixels();
+}
+
+void vtkInkStippleStyle::SetPixelsPerStipple(double pixels)
+{
+  this->PixelsPerStipple = pixels;
+  this->UpdatePixels();
+}
+
+void vtkInkStippleStyle::SetIsoValues(const std::vector<double>& values)
+{
+  if (this->IsoValues != values)
+  {
+    this->IsoValues = values;
+    if (this->IsoSurfaceHides)
+    {
+      this->Modified();
+    }
+  }
+}
+
+void vtkInkStippleStyle::SetScalars(const std::string& name)
+{
+  if (this->Scalars != name)
+  {
+    this->Scalars = name;
+    this->Modified();
+  }
+}
+
+void vtkInkStippleStyle::SetColorArray(const std::string& name, int association)
+{
+  if (this->ColorBy != name || this->ColorAssociation != association)
+  {
+    this->ColorBy = name;
+    this->ColorAssociation = association;
+    this->Modified();
+  }
+}
+
+void vtkInkStippleStyle::SetColorMap(const std::string& map)
+{
+  if (this->ColorMap != map)
+  {
+    this->ColorMap = map;
+    this->Mapper->SetScalarVisibility(false);
+    // Stipples may have to be given scalars.
+    this->Modified();
+    this->UpdateColors();
+  }
+}
+
+void vtkInkStippleStyle::SetColorRange(const std::vector<double>& range)
+{
+  this->ColorRange = range;
+  this->UpdateColors();
+}
+
+void vtkInkStippleStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Generator:\n";
+  this->Generator->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Mapper:\n";
+  this->Mapper->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkStippleStyle
+ * @brief   stipple drawings (Lu et al. 2003) of images and meshes
+ *
+ * An image, or each image of a composite dataset, is stippled by its gradients; of other data the outer
+ * surface is, with as many stipples as the picture has room for. Data that is stipples already, of
+ * vtkInkStippleGenerator, is drawn as it is. A mesh hides what lies behind it; an image's iso-surfaces do
+ * with IsoSurfaceHides, and stipples are those of what they enclose then, unless there is a scalar window.
+ *
+ * A preset sets the sliders, the ink, the paper and what else goes with it; a slider sets those of the
+ * mapper's parameters that it stands for. What is set one by one after that stays.
+ *
+ * Pieces: the stipples, the surface that hides them, and numbers that go with them: on several processes each
+ * has its part, of an image's stipples, or all are on the first one, of a mesh.
+ *
+ * @sa vtkInkStippleGenerator vtkInkStippleControls vtkInkStippleMapper
+ */
+#ifndef vtkInkStippleStyle_h
+#define vtkInkStippleStyle_h
+
+#include "vtkInkStyle.h"
+#include "vtkNew.h" // for what the style owns
+
+class vtkInkStippleActor;
+class vtkInkStippleControls;
+class vtkInkStippleGenerator;
+class vtkInkStippleMapper;
+
+class VTKINKSTYLES_EXPORT vtkInkStippleStyle : public vtkInkStyle
+{
+public:
+  static vtkInkStippleStyle* New();
+  vtkTypeMacro(vtkInkStippleStyle, vtkInkStyle);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetName() override { return "stipple"; }
+  const char* GetLabel() override { return "Stipple"; }
+  const char* GetDescription() override;
+  std::string GetReasonAgainst(vtkDataObject* data) override;
+
+  enum PieceType
+  {
+    STIPPLES = 0,
+    SURFACE = 1,
+    NUMBERS = 2 ///< one point of each process that has stipples, with what their field data says
+  };
+  int GetNumberOfPieces() override { return NUMBERS + 1; }
+  const char* GetPieceName(int piece) override;
+  void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
+
+  vtkMapper* GetMapper() override;
+  vtkActor* GetActor() override;
+  vtkLight* GetLight() override { return this->Light; }
+  void GetBackgroundColor(double color[3]) override;
+  void SetColorByScalars(bool byScalars) override;
+  bool GetColorByScalars() override;
+
+  ///@{
+  /// What the style draws with; properties that are parameters are set as such.
+  vtkInkStippleGenerator* GetGenerator();
+  vtkInkStippleMapper* GetStippleMapper();
+  ///@}
+
+  ///@{
+  /// Whether point i of the last stipples is point i of the data, and whether they are those of an image.
+  vtkGetMacro(IdsAreInputs, bool);
+  vtkGetMacro(OfImage, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The array of the data that stipples carry to be colored by, as ColorBy names it; association as in
+   * vtkDataObject::FieldAssociations, or -1 (default) for points or else cells. The Made ones are what the
+   * last stipples have; empty: none.
+   */
+  void SetColorArray(const std::string& name, int association);
+  const std::string& GetMadeColorArray() { return this->MadeColorArray; }
+  vtkGetMacro(MadeColorAssociation, int);
+  ///@}
+
+  ///@{
+  /// Parameters; see their table.
+  void SetPreset(int preset);
+  int GetPreset();
+  void SetGradient(double gradient);
+  double GetGradient();
+  void SetSharpness(double sharpness);
+  double GetSharpness();
+  void SetOrientation(double orientation);
+  double GetOrientation();
+  void SetDistance(double distance);
+  double GetDistance();
+  void SetInterior(double interior);
+  double GetInterior();
+  void SetColor(double color);
+  double GetColor();
+  void SetLightDirection(double azimuth, double elevation);
+  vtkGetVector2Macro(LightDirection, double);
+  void SetPaperColor(double red, double green, double blue);
+  vtkGetVector3Macro(PaperColor, double);
+  void SetStippleSize(double pixels);
+  vtkGetMacro(StippleSize, double);
+  void SetPixelsPerStipple(double pixels);
+  vtkGetMacro(PixelsPerStipple, double);
+  vtkSetMacro(RoomAtHidingSurface, double);
+  vtkGetMacro(RoomAtHidingSurface, double);
+  vtkSetMacro(IsoSurfaceHides, bool);
+  vtkGetMacro(IsoSurfaceHides, bool);
+  void SetIsoValues(const std::vector<double>& values);
+  const std::vector<double>& GetIsoValues() { return this->IsoValues; }
+  vtkSetMacro(SurfaceHides, bool);
+  vtkGetMacro(SurfaceHides, bool);
+  void SetScalars(const std::string& name);
+  const std::string& GetScalars() { return this->Scalars; }
+  vtkSetMacro(NumberOfSurfaceStipples, vtkIdType);
+  vtkGetMacro(NumberOfSurfaceStipples, vtkIdType);
+  void SetColorMap(const std::string& map);
+  const std::string& GetColorMap() { return this->ColorMap; }
+  void SetColorBy(const std::string& array) { this->SetColorArray(array, -1); }
+  const std::string& GetColorBy() { return this->ColorBy; }
+  void SetColorRange(const std::vector<double>& range);
+  const std::vector<double>& GetColorRange() { return this->ColorRange; }
+  ///@}
+
+  const InkParameterTable& GetParameterTable() override;
+
+protected:
+  vtkInkStippleStyle();
+  ~vtkInkStippleStyle() override;
+
+  vtkMTimeType GetRecipeMTime() override;
+  std::string MakePieces(const Input& input) override;
+  void UpdatePixels() override;
+  void FollowParameters(const Settings& given) override;
+
+private:
+  vtkInkStippleStyle(const vtkInkStippleStyle&) = delete;
+  void operator=(const vtkInkStippleStyle&) = delete;
+
+  friend class InkStippleRecipe;
+  void UpdateColors();
+
+  vtkNew<vtkInkStippleControls> Controls;
+  vtkNew<vtkInkStippleGenerator> Generator;
+  vtkNew<vtkInkStippleMapper> Mapper;
+  vtkNew<vtkInkStippleMapper> Wanted; ///< draws nothing; has what the controls say
+  vtkNew<vtkInkStippleActor> Actor;
+  vtkNew<vtkLight> Light;
+  double LightDirection[2] = { -30.0, 30.0 };
+  double PaperColor[3] = { 1.0, 1.0, 1.0 };
+  double StippleSize = 0.0;      ///< in the picture's pixels
+  double PixelsPerStipple = 0.0; ///< in the picture's pixels
+  double RoomAtHidingSurface;
+  double Room = 1.0; ///< of the marks that are shown, as a factor
+  bool IsoSurfaceHides = false;
+  std::vector<double> IsoValues;
+  bool SurfaceHides = true;
+  std::string Scalars;
+  vtkIdType NumberOfSurfaceStipples = 0;
+  std::string ColorMap;
+  std::string ColorBy;
+  int ColorAssociation = -1;
+  std::vector<double> ColorRange;
+  bool IdsAreInputs = false;
+  bool OfImage = false;
+  std::string MadeColorArray;
+  int MadeColorAssociation = 0;
+
+  /// What is drawn: stipples with the numbers that belong to them.
+  vtkNew<vtkPolyData> Drawn;
+  vtkMTimeType DrawnTime = 0; ///< when what it was put together from was last changed
+};
+
+#endif

@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From data to marks: what is accepted, what is made of images, meshes, composite data and stipples, of one
+// process and of several.
+#include "StyleErrors.h"
+
+#include "InkStyleProcesses.h"
+#include "vtkInkSplattingLinesMapper.h"
+#include "vtkInkSplattingLinesStyle.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkInkStippleMapper.h"
+#include "vtkInkStippleStyle.h"
+
+#include "Tone/Stipple/StippleSliders.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+/// A ball of values up to 200 in the middle.
+vtkSmartPointer<vtkImageData> MakeBall(int side = 16)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(side, side, side);
+  vtkNew<vtkUnsignedCharArray> values;
+  values->SetName("density");
+  const double middle = (side - 1) / 2.0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    const double r = std::hypot(p[0] - middle, p[1] - middle, p[2] - middle) / side;
+    values->InsertNextValue(static_cast<unsigned char>(std::max(0.0, 200.0 * (1.0 - 2.0 * r))));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+vtkSmartPointer<vtkPolyData> MakeMesh()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(30);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MakeCloud()
+{
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(MakeMesh()->GetPoints());
+  return cloud;
+}
+
+vtkIdType CountOf(vtkInkStyle* style)
+{
+  return style->GetPiece(0)->GetNumberOfPoints();
+}
+
+TEST(StylePieces, WhatIsAcceptedAndWhyNot)
+{
+  vtkNew<vtkImageData> plain;
+  plain->SetDimensions(2, 2, 2);
+  vtkNew<vtkTable> table;
+  vtkNew<vtkPolyData> empty;
+  for (const auto& style : MakeStyles())
+  {
+    EXPECT_TRUE(style->Accepts(MakeBall()));
+    EXPECT_TRUE(style->Accepts(MakeMesh()));
+    for (vtkDataObject* wrong : std::initializer_list<vtkDataObject*>{ table, empty, nullptr })
+    {
+      EXPECT_FALSE(style->Accepts(wrong));
+      EXPECT_NE(style->GetReasonAgainst(wrong).find("expected an image, a mesh"), std::string::npos);
+    }
+  }
+  vtkNew<vtkInkSplattingLinesStyle> lines;
+  EXPECT_TRUE(lines->Accepts(MakeCloud()));
+  EXPECT_NE(lines->GetReasonAgainst(plain).find("without point scalars"), std::string::npos);
+  const StyleErrors errors(lines);
+  EXPECT_FALSE(lines->Draw(plain));
+  EXPECT_EQ(errors.All.size(), 1u);
+  EXPECT_EQ(lines->GetPiece(0)->GetNumberOfPoints(), 0);
+  vtkNew<vtkInkStippleStyle> stipple;
+  EXPECT_NE(stipple->GetReasonAgainst(MakeCloud()).find("without polygons"), std::string::npos);
+}
+
+TEST(StylePieces, LinesOfImagesChooseAnIsoValue)
+{
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_GT(CountOf(style), 100);
+  ASSERT_EQ(style->GetNumberOfNotes(), 1);
+  EXPECT_EQ(std::string(style->GetNote(0)).find("iso-value "), 0u);
+  EXPECT_EQ(style->GetLinesMapper()->GetInput(), style->GetPiece(0));
+  EXPECT_EQ(style->GetActor()->GetMapper(), style->GetMapper());
+  EXPECT_EQ(style->GetLight(), nullptr);
+  const vtkIdType chosen = CountOf(style);
+  style->SetParameterAsString("IsoValues", "150");
+  ASSERT_TRUE(style->Make(MakeBall()));
+  EXPECT_LT(CountOf(style), chosen);
+  EXPECT_EQ(style->GetNumberOfNotes(), 0);
+  const vtkIdType inner = CountOf(style);
+  style->SetParameterAsString("IsoValues", "150,50");
+  ASSERT_TRUE(style->Make(MakeBall()));
+  EXPECT_GT(CountOf(style), 2 * inner);
+}
+
+TEST(StylePieces, LinesOfMeshesAndPoints)
+{
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  const auto mesh = MakeMesh();
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_EQ(CountOf(style), 200000);
+  style->SetParameter("NumberOfSamples", 3000);
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_EQ(CountOf(style), 3000);
+  style->SetParameter("NumberOfSamples", 0);
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_EQ(CountOf(style), mesh->GetNumberOfPoints());
+  EXPECT_EQ(style->GetNumberOfNotes(), 0);
+  mesh->GetPointData()->SetNormals(nullptr);
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_NE(style->GetPiece(0)->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(style->GetNumberOfNotes(), 1);
+  style->ResetParameters();
+  ASSERT_TRUE(style->Make(MakeCloud()));
+  EXPECT_EQ(CountOf(style), MakeCloud()->GetNumberOfPoints());
+  EXPECT_NE(std::string(style->GetNote(0)).find("estimated"), std::string::npos);
+}
+
+TEST(StylePieces, StipplesOfImagesAreTheGenerators)
+{
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(MakeBall());
+  generator->SetGradientPercentile(50);
+  generator->Update();
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameter("GradientPercentile", 50);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_EQ(CountOf(style), generator->GetOutput()->GetNumberOfPoints());
+  EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), 0);
+  EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::NUMBERS)->GetNumberOfPoints(), 1);
+  EXPECT_TRUE(style->GetOfImage());
+  EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), style->GetPixelsPerStipple());
+  EXPECT_STREQ(style->GetPieceName(2), "Numbers");
+  EXPECT_EQ(style->GetPieceName(3), nullptr);
+  EXPECT_EQ(style->GetPiece(3), nullptr);
+}
+
+TEST(StylePieces, IsoSurfacesHideAndLeaveLessRoom)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameter("GradientPercentile", 50);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  const vtkIdType all = CountOf(style);
+  // Not before the surface hides.
+  const vtkMTimeType before = style->GetMTime();
+  style->SetParameterAsString("IsoValues", "60");
+  EXPECT_EQ(style->GetMTime(), before);
+  style->SetParameter("IsoSurfaceHides", 1);
+  EXPECT_GT(style->GetMTime(), before);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_LT(CountOf(style), all);
+  EXPECT_GT(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), 50);
+  EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(),
+    ink::stipple::roomAtHidingSurface * style->GetPixelsPerStipple());
+  style->SetParameter("PixelsPerStipple", 10);
+  EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), 4);
+  // The generator has its own window still.
+  EXPECT_FALSE(style->GetParameter("UseScalarWindow"));
+  // A window says itself which voxels have stipples.
+  const vtkIdType hidden = CountOf(style);
+  style->SetParameter("UseScalarWindow", 1);
+  style->SetParameter("ScalarWindow", 0, 500);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_GT(CountOf(style), hidden);
+}
+
+TEST(StylePieces, HidingChoosesAnIsoValueWhereThereIsNone)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameter("IsoSurfaceHides", 1);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_GT(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), 50);
+  ASSERT_EQ(style->GetNumberOfNotes(), 1);
+  EXPECT_EQ(std::string(style->GetNote(0)).find("iso-value "), 0u);
+  EXPECT_EQ(style->GetParameterAsString("IsoValues"), "");
+}
+
+TEST(StylePieces, MakingMarksIsNoChange)
+{
+  for (const auto& style : MakeStyles())
+  {
+    for (const vtkSmartPointer<vtkDataObject>& data :
+      std::initializer_list<vtkSmartPointer<vtkDataObject>>{ MakeBall(), MakeMesh() })
+    {
+      const vtkMTimeType before = style->GetMTime();
+      ASSERT_TRUE(style->Draw(data));
+      EXPECT_EQ(style->GetMTime(), before) << style->GetName();
+      ASSERT_TRUE(style->Draw(data));
+      EXPECT_EQ(style->GetMTime(), before) << style->GetName();
+    }
+  }
+  vtkNew<vtkInkStippleStyle> style;
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  const vtkMTimeType made = style->GetMTime();
+  style->GetGenerator()->SetSeed(7);
+  EXPECT_GT(style->GetMTime(), made);
+}
+
+TEST(StylePieces, StipplesOfMeshesHaveThePicturesRoom)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  const auto mesh = MakeMesh();
+  style->SetPictureSize(300);
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_EQ(CountOf(style),
+    vtkInkStippleGenerator::CountForPicture(mesh, 300, style->GetParameter("PixelsPerStipple")));
+  EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), mesh->GetNumberOfCells());
+  const vtkIdType six = CountOf(style);
+  style->SetParameter("PixelsPerStipple", 3);
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_GT(CountOf(style), six);
+  style->InteractiveOn();
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_EQ(CountOf(style), six);
+  style->SetParameter("NumberOfSurfaceStipples", 5000);
+  style->SetParameter("SurfaceHides", 0);
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_EQ(CountOf(style), 5000);
+  EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), 0);
+  style->SetParameter("NumberOfSurfaceStipples", -1);
+  ASSERT_TRUE(style->Make(mesh));
+  EXPECT_EQ(CountOf(style), 8 * mesh->GetNumberOfPolys());
+}
+
+TEST(StylePieces, ProjectedListsFollowThePicture)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameter("GradientPercentile", 50);
+  style->SetParameterAsString("MaximumStipplesMode", "projected");
+  style->SetPictureSize(100);
+  ASSERT_TRUE(style->Make(MakeBall()));
+  const vtkIdType few = CountOf(style);
+  // Of images that are stippled together, as of one.
+  vtkNew<vtkMultiBlockDataSet> one;
+  one->SetBlock(0, MakeBall());
+  ASSERT_TRUE(style->Make(one));
+  EXPECT_EQ(CountOf(style), few);
+  style->SetPictureSize(110);
+  ASSERT_TRUE(style->Make(one));
+  EXPECT_GT(CountOf(style), few);
+  EXPECT_EQ(style->GetParameterAsString("MaximumStipplesMode"), "projected");
+  style->SetPictureSize(600);
+  ASSERT_TRUE(style->Make(MakeMesh()));
+  const vtkIdType projected = CountOf(style);
+  style->SetParameterAsString("MaximumStipplesMode", "fixed");
+  ASSERT_TRUE(style->Make(MakeMesh()));
+  EXPECT_NEAR(static_cast<double>(projected) / static_cast<double>(CountOf(style)), 6, 0.1);
+}
+
+TEST(StylePieces, StipplesAreTakenAsTheyAre)
+{
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(MakeBall());
+  generator->Update();
+  vtkNew<vtkInkStippleStyle> style;
+  ASSERT_TRUE(style->Draw(generator->GetOutput()));
+  EXPECT_TRUE(style->GetIdsAreInputs());
+  EXPECT_EQ(style->GetPiece(0)->GetPoints(), generator->GetOutput()->GetPoints());
+}
+
+TEST(StylePieces, ReadyStipplesAreColored)
+{
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(MakeBall());
+  generator->PassScalarsOn();
+  generator->Update();
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameterAsString("ColorMap", "viridis");
+  for (const char* name : { "", "density" })
+  {
+    style->SetParameterAsString("ColorBy", name);
+    ASSERT_TRUE(style->Draw(generator->GetOutput()));
+    EXPECT_TRUE(style->GetColorByScalars()) << name;
+  }
+  style->SetParameterAsString("ColorBy", "pressure");
+  const StyleErrors errors(style);
+  EXPECT_FALSE(style->Draw(generator->GetOutput()));
+  ASSERT_EQ(errors.All.size(), 1u);
+  EXPECT_NE(errors.All[0].find("'pressure'"), std::string::npos) << errors.All[0];
+}
+
+TEST(StylePieces, ImagesOfCompositeDataAreMeasuredTogether)
+{
+  vtkNew<vtkMultiBlockDataSet> both;
+  both->SetBlock(0, MakeBall(16));
+  both->SetBlock(1, MakeBall(20));
+  vtkNew<vtkInkStippleStyle> style;
+  ASSERT_TRUE(style->Make(both));
+  const vtkIdType together = CountOf(style);
+  ASSERT_TRUE(style->Make(MakeBall(16)));
+  const vtkIdType first = CountOf(style);
+  ASSERT_TRUE(style->Make(MakeBall(20)));
+  EXPECT_GT(together, std::max(first, CountOf(style)));
+  both->SetBlock(2, MakeMesh());
+  const StyleErrors errors(style);
+  EXPECT_FALSE(style->Make(both));
+  ASSERT_EQ(errors.All.size(), 1u);
+  EXPECT_NE(errors.All[0].find("one kind at a time"), std::string::npos);
+  EXPECT_EQ(CountOf(style), together);
+}
+
+TEST(StylePieces, ColorsAreThoseAskedFor)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_FALSE(style->GetColorByScalars());
+  style->SetParameterAsString("ColorMap", "viridis");
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_TRUE(style->GetColorByScalars());
+  style->SetParameterAsString("ColorMap", "");
+  EXPECT_FALSE(style->GetColorByScalars());
+  style->SetParameterAsString("ColorMap", "red,blue");
+  style->SetParameterAsString("ColorBy", "pressure");
+  const StyleErrors errors(style);
+  EXPECT_FALSE(style->Make(MakeBall()));
+  ASSERT_EQ(errors.All.size(), 1u);
+  EXPECT_NE(errors.All[0].find("\"pressure\""), std::string::npos) << errors.All[0];
+  // Interactively what is there is passed on, and what is not is not missed.
+  style->InteractiveOn();
+  EXPECT_TRUE(style->Make(MakeBall()));
+  EXPECT_EQ(style->GetMadeColorArray(), "");
+  style->SetColorArray("density", vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  EXPECT_TRUE(style->Make(MakeBall()));
+  EXPECT_EQ(style->GetMadeColorArray(), "density");
+}
+
+TEST(StylePieces, NothingToDrawIsNoted)
+{
+  vtkNew<vtkImageData> even;
+  even->SetDimensions(8, 8, 8);
+  even->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  even->GetPointData()->GetScalars()->Fill(7);
+  vtkNew<vtkInkStippleStyle> style;
+  EXPECT_TRUE(style->Draw(even));
+  ASSERT_EQ(style->GetNumberOfNotes(), 1);
+  EXPECT_NE(std::string(style->GetNote(0)).find("nothing to draw"), std::string::npos);
+  EXPECT_EQ(style->GetStippleMapper()->GetInput(), nullptr);
+  vtkNew<vtkInkSplattingLinesStyle> lines;
+  const StyleErrors errors(lines);
+  EXPECT_FALSE(lines->Draw(even));
+  EXPECT_EQ(errors.All.size(), 1u);
+}
+
+/// What another process says of its part.
+class TwoProcesses : public InkStyleProcesses
+{
+public:
+  explicit TwoProcesses(int othersKind)
+    : OthersKind(othersKind)
+  {
+  }
+  void TakeGreatest(std::span<double> numbers) override
+  {
+    if (numbers.size() == 2)
+    {
+      numbers[static_cast<std::size_t>(OthersKind)] = 1;
+    }
+  }
+  void AgreeOnArray(std::string& name, int&) override { name = name.empty() ? "theirs" : name; }
+
+private:
+  int OthersKind;
+};
+
+TEST(StylePieces, ProcessesAgree)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  // The other one has images: a mesh here is not drawn, and no data is no error.
+  style->SetProcesses(std::make_shared<TwoProcesses>(0));
+  EXPECT_NE(style->MakeMarks({ MakeMesh() }).find("beside images"), std::string::npos);
+  EXPECT_EQ(style->MakeMarks({}), "");
+  EXPECT_TRUE(style->GetOfImage());
+  EXPECT_EQ(style->GetMadeColorArray(), "theirs");
+  style->SetProcesses(nullptr);
+  EXPECT_EQ(style->MakeMarks({ MakeMesh() }), "");
+  EXPECT_EQ(style->GetMadeColorArray(), "");
+}
+
+TEST(StylePieces, ProgressIsTold)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  std::vector<std::string> steps;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&steps);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void*)
+    {
+      auto& all = *static_cast<std::vector<std::string>*>(client);
+      const std::string text = static_cast<vtkInkStyle*>(caller)->GetProgressText();
+      if (all.empty() || all.back() != text)
+      {
+        all.push_back(text);
+      }
+    });
+  style->AddObserver(vtkCommand::ProgressEvent, command);
+  style->SetParameter("IsoSurfaceHides", 1);
+  style->SetParameterAsString("IsoValues", "60");
+  ASSERT_TRUE(style->Make(MakeBall()));
+  EXPECT_EQ(steps, (std::vector<std::string>{ "finding the surface", "placing stipples" }));
+}
+
+TEST(StylePieces, LightComesFromItsSide)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameter("LightDirection", 90, 0);
+  EXPECT_NEAR(style->GetLight()->GetPosition()[0], 1, 1e-12);
+  style->SetParameter("LightDirection", 0, 90);
+  EXPECT_NEAR(style->GetLight()->GetPosition()[1], 1, 1e-12);
+}
+
+} // namespace

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkink.draw() and read(): files are what `ink` has of them; keywords of any numbers; what draws nothing is an error."""
+
+import keyword
+import json
+import math
+
+import numpy as np
+import pytest
+
+import ink_files
+
+vtkink = pytest.importorskip("vtkink")
+vtk = vtkink.vtk
+numpy_support = vtkink.numpy_support
+
+BLOB = ink_files.blob((20, 24, 28))
+MESH = ink_files.sphere_mesh(20, 30)
+# RAS to the voxels' x, y and z: 2 apart along x, turned and shifted.
+AFFINE = [[2, 0, 0, 10], [0, 0, 1, -5], [0, -1, 0, 7]]
+
+FILES = {
+    "v.nii": lambda p: ink_files.write_nifti(p, BLOB, AFFINE, slope=2.0, intercept=-100.0),
+    "V.NII.gz": lambda p: ink_files.write_nifti(p, BLOB, AFFINE, slope=0.5),
+    "v.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, space="right-anterior-superior", origin="(3,4,5)"),
+    "v.mha": lambda p: ink_files.write_metaimage(p, BLOB, matrix="0 1 0 1 0 0 0 0 1", offset="1 2 3"),
+    "v.vti": lambda p: ink_files.write_vti(p, BLOB),
+    "v.vtk": lambda p: ink_files.write_legacy(p, BLOB),
+    "series": lambda p: ink_files.write_dicom(p, BLOB),
+    "m.ply": lambda p: ink_files.write_ply(p, MESH),
+    "m.obj": lambda p: ink_files.write_obj(p, MESH),
+    "m.stl": lambda p: ink_files.write_stl(p, MESH),
+    "m.vtp": lambda p: ink_files.write_vtp(p, MESH),
+    "m.xyz": lambda p: np.savetxt(p, np.hstack(MESH[:2])),
+}
+
+
+def numbers(text):
+    return [float(word) for word in text.replace("(", " ").replace(")", " ").replace(",", " ").replace("to", " ").split()]
+
+
+def described(ink, path):
+    """What `ink info` says."""
+    result = ink("info", path)
+    assert result.code == 0, result
+    return {line[:15].strip(): line[15:] for line in result.out.splitlines()}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_files_are_read_as_ink_reads_them(ink, tmp_path, name):
+    path = tmp_path / name
+    FILES[name](path)
+    said, data = described(ink, path), vtkink.read(path)
+    if data.IsA("vtkPolyData"):
+        assert data.GetBounds() == pytest.approx(numbers(said["bounds"]), abs=1e-4)
+        assert data.GetNumberOfPoints() == int(said["points"]) == len(MESH[0])
+        return
+    direction = [data.GetDirectionMatrix().GetElement(row, column) for row in range(3) for column in range(3)]
+    assert direction == pytest.approx(numbers(said.get("direction", "1 0 0 0 1 0 0 0 1")))
+    assert data.GetOrigin() == pytest.approx(numbers(said["origin"]))
+    assert data.GetSpacing() == pytest.approx(numbers(said["spacing"]))
+    assert data.GetScalarRange() == pytest.approx(numbers(said["range"]))
+
+
+def test_vdb_files_are_read_where_ink_was_built_with_openvdb(ink, tmp_path):
+    FILES["v.nii"](tmp_path / "v.nii")
+    if not hasattr(vtkink, "vtkInkVDBReader"):
+        (tmp_path / "v.vdb").write_bytes(b"x")
+        with pytest.raises(ValueError, match="without OpenVDB"):
+            vtkink.read(tmp_path / "v.vdb")
+        return
+    assert ink("convert", tmp_path / "v.nii", tmp_path / "v.vdb").code == 0
+    volume, grid = vtkink.read(tmp_path / "v.nii"), vtkink.read(tmp_path / "v.vdb")
+    assert grid.GetBounds() == pytest.approx(volume.GetBounds())
+    assert grid.GetScalarRange() == volume.GetScalarRange()
+
+
+def test_values_are_rescaled(tmp_path):
+    FILES["v.nii"](tmp_path / "v.nii")
+    image = vtkink.read(tmp_path / "v.nii")
+    values = numpy_support.vtk_to_numpy(image.GetPointData().GetScalars())
+    assert np.array_equal(values, BLOB.ravel() * 2.0 - 100.0)
+
+
+@pytest.mark.parametrize("slope", [1.0, 2.0])
+def test_axes_are_turned(tmp_path, slope):
+    ink_files.write_nifti(tmp_path / "v.nii", BLOB, AFFINE, slope)
+    image = vtkink.read(tmp_path / "v.nii")
+    # +x and +y are the patient's left and back, where NIfTI's are right and front.
+    assert image.GetOrigin() == (-10, 5, 7)
+    assert [image.GetDirectionMatrix().GetElement(row, 0) for row in range(3)] == [-1, 0, 0]
+
+
+def rendered(path):
+    """How much ink there is in each of 12 x 12 parts of the box around the drawing."""
+    dark = ink_files.read_png(path)[..., :3].min(axis=2) < 128
+    rows, columns = (np.flatnonzero(dark.any(axis=axis)) for axis in (1, 0))
+    box = dark[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    return np.array([[part.mean() for part in np.array_split(row, 12, axis=1)] for row in np.array_split(box, 12)])
+
+
+def test_the_picture_is_that_of_ink(ink, tmp_path):
+    """A body without a mirror plane: turned or mirrored it would be another picture."""
+    path = tmp_path / "v.nii"
+    ink_files.write_nifti(path, ink_files.blob((40, 40, 40)), AFFINE, slope=2.0, intercept=-100.0)
+    assert ink("render", path, "--iso", 100, "--size", "300x300", "-q", "-o", tmp_path / "ink.png").code == 0
+    vtkink.draw(path, "splatting-lines", tmp_path / "draw.png", size=(300, 300), iso_values=100)
+    ours, theirs = rendered(tmp_path / "draw.png"), rendered(tmp_path / "ink.png")
+
+    def likeness(other):
+        return np.corrcoef(other.ravel(), theirs.ravel())[0, 1]
+
+    assert likeness(ours) > 0.9
+    assert max(likeness(other) for other in (ours[:, ::-1], ours[::-1], ours[::-1, ::-1])) < 0.8
+
+
+def test_legacy_files_of_other_data(tmp_path):
+    """vtkInkVolumeReader takes those of structured points; a title does not say what a file holds."""
+    (tmp_path / "mesh.vtk").write_text("# vtk DataFile Version 3.0\nt\nASCII\ndataset polydata\nPOINTS 3 float\n"
+                                       "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n")  # fmt: skip
+    mesh = vtkink.read(tmp_path / "mesh.vtk")
+    assert mesh.IsA("vtkPolyData") and mesh.GetNumberOfPolys() == 1
+    assert vtkink.draw(tmp_path / "mesh.vtk", number_of_surface_stipples=50).GetMapper().GetInput().GetNumberOfPoints() == 50
+    ink_files.write_legacy(tmp_path / "v.vtk", BLOB)
+    content = (tmp_path / "v.vtk").read_bytes().replace(b"\ntest\n", b"\nDATASET POLYDATA\n")
+    (tmp_path / "v.vtk").write_bytes(content)
+    assert vtkink.read(tmp_path / "v.vtk").GetDimensions() == BLOB.shape[::-1]
+
+
+@pytest.mark.parametrize("name", ["v.nii", "v.nrrd", "v.vti", "v.vtk", "m.ply", "m.xyz"])
+def test_damaged_files_are_one_exception(tmp_path, capfd, name):
+    path = tmp_path / name
+    FILES[name](path)
+    path.write_bytes(path.read_bytes()[:-60] + (b" x" if name == "m.xyz" else b""))
+    with pytest.raises(ValueError) as raised:
+        vtkink.draw(path)
+    assert str(raised.value).startswith(f"cannot read '{path}': "), raised.value
+    assert capfd.readouterr().err == "", "VTK says nothing beside it"
+
+
+def parameters_of(style, **keywords):
+    return json.loads(vtkink.drawing._make_style(style, None, keywords).GetParametersAsJSON())["parameters"]
+
+
+@pytest.mark.parametrize("style, keyword, value, name, expected", [
+    ("stipple", "sharpness", np.float32(0.75), "Sharpness", 0.75),
+    ("stipple", "sharpness", np.array(0.75), "Sharpness", 0.75),
+    ("stipple", "sharpness", np.longdouble(0.75), "Sharpness", 0.75),
+    ("stipple", "seed", np.uint16(7), "Seed", 7),
+    ("stipple", "grow_with_zoom", np.bool_(True), "GrowWithZoom", True),
+    ("stipple", "preset", np.str_("bone"), "Preset", "bone"),
+    ("stipple", "ink_color", [np.float64(0.25), np.int8(1), 0], "InkColor", [0.25, 1, 0]),
+    ("stipple", "iso_values", (np.float32(80), np.int64(100)), "IsoValues", [80, 100]),
+    ("stipple", "iso_values", [np.array(80), np.array(100.5)], "IsoValues", [80, 100.5]),
+    ("stipple", "iso_values", range(80, 120, 20), "IsoValues", [80, 100]),
+    ("stipple", "iso_values", np.float32(80), "IsoValues", [80]),
+    ("stipple", "scalar_window", np.array([20, 30], np.int16), "ScalarWindow", [20, 30]),
+    ("splatting-lines", "hidden_color", np.array([[0, 0, 1], [1, 0, 0]]), "HiddenColor", [0, 0, 1, 1, 0, 0]),
+    ("splatting-lines", "hidden_color", ["blue", (1, np.float32(0.5), 0)], "HiddenColor", [0, 0, 1, 1, 0.5, 0]),
+])
+def test_keywords_take_any_numbers(style, keyword, value, name, expected):
+    assert parameters_of(style, **{keyword: value})[name] == expected
+
+
+def test_no_keyword_is_a_word_of_pythons():
+    for style in vtkink.styles().values():
+        assert not [word for word in style.parameters if not word.isidentifier() or keyword.iskeyword(word)]
+    actor = vtkink.draw(BLOB, "splatting-lines", iso_values=[50], lambda_=2.5)
+    assert actor.GetMapper().GetLambda() == 2.5
+
+
+
+@pytest.mark.parametrize("keyword, value, words", [
+    ("scalar_window", (20, math.inf), ["2 numbers", "found '20,inf'"]),
+    ("scalar_window", np.array([np.nan, 30]), ["2 numbers", "found 'nan,30.0'"]),
+    ("scalar_window", np.array([20, 30, 40]), ["2 numbers", "found [20,30,40]"]),
+    ("sharpness", math.nan, ["a number from 0 to 1", "found 'nan'"]),
+    ("sharpness", 10**400, ["a number from 0 to 1", "found '1000"]),
+    ("sharpness", np.float32(2), ["a number from 0 to 1", "found 2"]),
+    ("sharpness", 1j, ["a number from 0 to 1", "found '1j'"]),
+    ("sharpness", None, ["a number from 0 to 1", "found 'None'"]),
+    ("seed", -math.inf, ["a whole number", "found '-inf'"]),
+    ("grow_with_zoom", math.nan, ["on or off", "nan"]),
+    ("iso_values", {80, 90}, ["any number of numbers", "80, 90"]),
+    ("iso_values", [80, b"90"], ["any number of numbers", "found '80,b'90''"]),
+    ("ink_color", [math.inf, 0, 0], ["#rrggbb", "found 'inf,0,0'"]),
+    ("preset", np.int64(1), ["bone", "found 1"]),
+    ("color_by", math.nan, ["text", "found nan"]),
+])  # fmt: skip
+def test_wrong_values_are_named_by_keyword(keyword, value, words):
+    with pytest.raises(ValueError) as raised:
+        vtkink.draw(BLOB, "stipple", **{keyword: value})
+    message = str(raised.value)
+    assert message.startswith(f"{keyword}: expected ") and all(word in message for word in words), message
+    assert "JSON" not in message
+
+
+@pytest.mark.parametrize("style, data, keywords, words", [
+    ("splatting-lines", BLOB, {"iso_values": 5000}, ["no surface at iso-value 5000"]),
+    ("stipple", BLOB, {"scalar_window": (5000, 6000)}, ["no voxel", "window"]),
+    ("splatting-lines", np.ones((8, 8, 8)), {}, ["two different finite values"]),
+    ("stipple", np.ones((8, 8, 8)), {}, ["no voxel has a gradient"]),
+])  # fmt: skip
+def test_nothing_to_draw_is_an_error_without_a_file(tmp_path, style, data, keywords, words):
+    with pytest.raises(ValueError) as raised:
+        vtkink.draw(data, style, tmp_path / "out.png", **keywords)
+    assert all(word in str(raised.value) for word in [f"{style}: ", *words]), raised.value
+    assert not list(tmp_path.iterdir())
+
+
+def style_file(tmp_path, content):
+    file = tmp_path / "mine.json"
+    file.write_bytes(content if isinstance(content, bytes) else json.dumps(content).encode())
+    return file
+
+
+def test_a_style_file_says_the_style(tmp_path):
+    file = style_file(tmp_path, {"style": "splatting-lines", "parameters": {"Tau": 1.125}})
+    style = vtkink.draw(BLOB, style_file=file, line_width=2.5).style
+    assert style.GetName() == "splatting-lines"
+    assert (style.GetParameter("Tau"), style.GetParameter("LineWidth")) == (1.125, 2.5)
+    assert vtkink.draw(BLOB, "splatting-lines", style_file=file).style.GetName() == "splatting-lines"
+    assert vtkink.draw(BLOB).style.GetName() == "stipple"
+
+
+@pytest.mark.parametrize("style, content, words", [
+    ("stipple", {"style": "splatting-lines", "parameters": {}}, ['expected "stipple", found "splatting-lines"']),
+    (None, {"style": "oil", "parameters": {}}, ['expected one of splatting-lines, stipple, found "oil"']),
+    ("stipple", {"style": "oil", "parameters": {}}, ['expected one of splatting-lines, stipple, found "oil"']),
+    (None, {"parameters": {}}, ['expected {"style"']),
+    (None, {"style": "splatting-lines", "parameters": {"Tau": "x"}}, ["Tau: expected a number", "x"]),
+    (None, b"\xff\xfe", ["UTF-8"]),
+])  # fmt: skip
+def test_wrong_style_files_are_named(tmp_path, style, content, words):
+    file = style_file(tmp_path, content)
+    with pytest.raises(ValueError) as raised:
+        vtkink.draw(BLOB, style, style_file=file)
+    assert str(raised.value).startswith(f"{file}: ") and all(word in str(raised.value) for word in words), raised.value
