@@ -47,5 +47,7 @@ if [ "$INK_PRESET" = asan ]; then
   LSAN_OPTIONS="${LSAN_OPTIONS:-suppressions=$INK_ROOT/Utilities/leaks.supp:print_suppressions=0}"
   export LSAN_OPTIONS
 fi
+# Files are UTF-8 in any locale.
+export PYTHONUTF8=1
 export PATH PYTHONPATH INK_PYTHON INK_PRESET INK_ROOT INK_BUILD
 export INK_OUTER_PATH INK_OUTER_PYTHONPATH INK_OUTER_PV_PLUGIN_PATH INK_OUTER_WINDOW

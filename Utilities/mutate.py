@@ -97,7 +97,7 @@ def changes(code):
 
 
 def mutants_of(path):
-    text = (ROOT / path).read_text()
+    text = (ROOT / path).read_text(encoding="utf-8")
     for kind, start, end, new in sorted(changes(code_of(text))):
         line = text.count("\n", 0, start) + 1
         yield Mutant(f"{path}:{line}:{start - text.rfind(chr(10), 0, start)}:{kind}", path, start, end, new)
@@ -152,7 +152,7 @@ class Test:
     def __init__(self, program, path, google):
         self.program, self.path, self.seconds = program, path, 0.0
         if google:
-            names = re.findall(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+), (\w+)\)", path.read_text(), re.MULTILINE)
+            names = re.findall(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+), (\w+)\)", path.read_text(encoding="utf-8"), re.MULTILINE)
             wanted = ":".join(f"{suite}.{name}:*/{suite}.{name}/*:{suite}/*.{name}" for suite, name in names)
             self.arguments = [f"--gtest_filter={wanted}", "--gtest_fail_fast", "--gtest_brief=1"]
         else:
@@ -183,7 +183,7 @@ class Coverage:
         self.tests = {}
         for path in paths:
             if path.endswith(SOURCES):
-                text = (ROOT / path).read_text()
+                text = (ROOT / path).read_text(encoding="utf-8")
                 self.includes[pathlib.Path(path).stem] |= set(re.findall(r'^#include ["<](?:[^">]*/)?(\w+)\.h[">]', text, re.MULTILINE))
 
     def tests_beside(self, path):
@@ -194,7 +194,7 @@ class Coverage:
                     return self.tests[testing]
                 lists = testing / "CMakeLists.txt"
                 if lists.exists() and (found := re.findall(r"ink_add_(gtest|vtk_tests)\((\w+)\s+(?:OPENGL\s+)?SOURCES\s+((?:[\w/]+\.c\w+\s+)+)",
-                                                           lists.read_text())):
+                                                           lists.read_text(encoding="utf-8"))):
                     self.tests[testing] = [Test(program, testing / source, kind == "gtest")
                                            for kind, program, sources in found for source in sources.split()]
                     return self.tests[testing]
@@ -287,11 +287,11 @@ def main():
             results[path]["not run"] += 1
             continue
         target = COPY / mutant.path
-        text = target.read_text()
-        target.write_text(text[:mutant.start] + mutant.text + text[mutant.end:])
+        text = target.read_text(encoding="utf-8")
+        target.write_text(text[:mutant.start] + mutant.text + text[mutant.end:], encoding="utf-8")
         start = time.monotonic()
         result = result_of(mutant, tests[mutant.path], original, options.jobs)
-        target.write_text(text)
+        target.write_text(text, encoding="utf-8")
         results[path][result] += 1
         was = " ".join(text[mutant.start:mutant.end].split())
         print(f"{result:11}{time.monotonic() - start:5.0f} s  {mutant.name}  {was}  ->  {mutant.text or 'nothing'}", flush=True)

@@ -332,7 +332,7 @@ for i in range(ghosts.GetNumberOfTuples()):
             def exported(name):
                 path = pathlib.Path(folder) / name
                 ExportView(str(path), view=self.view)
-                return path.read_text()
+                return path.read_text(encoding="utf-8")
 
             points = re.findall(r'<Coordinate[^>]*point="([^"]*)"', exported("scene.x3d"))
             self.assertEqual(sum(len(one.replace(",", " ").split()) for one in points), 3 * count)

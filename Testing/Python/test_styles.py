@@ -23,7 +23,7 @@ CASES = [pytest.param(style, parameter, id=f"{style}.{parameter.name}")
 
 
 def rows(style):
-    table = json.loads((ROOT / "Styles" / TABLES[style] / "parameters.json").read_text())
+    table = json.loads((ROOT / "Styles" / TABLES[style] / "parameters.json").read_text(encoding="utf-8"))
     return {row["name"]: row for group in table["groups"] for row in group["parameters"]}
 
 
@@ -81,7 +81,7 @@ def test_by_cpp_file_and_python(style, parameter, tmp_path):
     keyword = vtkink.drawing._make_style(style, None, {parameter.keyword: value})
     assert parameters_of(keyword.GetParametersAsJSON()) == together
     file = tmp_path / "style.json"
-    file.write_text(given.GetParametersAsJSON())
+    file.write_text(given.GetParametersAsJSON(), encoding="utf-8")
     read = vtkink.drawing._make_style(style, file, {})
     assert read.GetParametersAsJSON() == given.GetParametersAsJSON()
 
@@ -114,7 +114,7 @@ def test_every_option_is_the_parameter(ink, style, tmp_path):
     assert expected.SetParametersFromJSON(changed(style, **given)) == ""
     assert parameters_of(expected.GetParametersAsJSON()) == found
     file = tmp_path / "style.json"
-    file.write_text(result.out)
+    file.write_text(result.out, encoding="utf-8")
     assert ink("style", style, "--style-file", file).out == result.out
 
 
@@ -129,7 +129,7 @@ def test_switches_can_be_turned_off(ink):
 def test_a_style_file_is_the_picture(ink, picture, volume_file, tmp_path):
     options = ["--preset", "bone", "--sharpness", "0.8", "--silhouette-gain", "3", "--ink-color", "navy", "--pixels-per-stipple", "9"]
     file = tmp_path / "mine.json"
-    file.write_text(ink("style", "stipple", *options).out)
+    file.write_text(ink("style", "stipple", *options).out, encoding="utf-8")
     drawn = picture(volume_file, "--style", "stipple", *options, "--iso", 100)
     assert (picture(volume_file, "--style-file", file, "--iso", 100) == drawn).all()
     assert (picture(volume_file, "--style-file", file, "--iso", 100, "--sharpness", "0.1") != drawn).any()
@@ -143,7 +143,7 @@ def test_a_style_file_is_the_picture(ink, picture, volume_file, tmp_path):
 ])
 def test_wrong_style_files(ink, volume_file, tmp_path, content, words):
     file = tmp_path / "wrong.json"
-    file.write_text(content)
+    file.write_text(content, encoding="utf-8")
     result = ink("render", volume_file, "--style", "stipple", "--style-file", file, "-o", tmp_path / "out.png")
     assert result.code == 1 and all(word in result.error for word in [*words, "wrong.json"]), result
     result = ink("render", volume_file, "--style-file", tmp_path / "none.json", "-o", tmp_path / "out.png")
@@ -234,7 +234,7 @@ def test_the_example_draws(tmp_path):
 
 
 def test_files_that_cannot_be_read(tmp_path):
-    (tmp_path / "a.txt").write_text("x")
+    (tmp_path / "a.txt").write_text("x", encoding="utf-8")
     with pytest.raises(ValueError, match=".nii.gz"):
         vtkink.draw(tmp_path / "a.txt")
 
@@ -253,10 +253,10 @@ def test_pages_have_the_table(style, tmp_path):
     """Made again by: Styles/Core/generate_parameters.py table Styles/STYLE/parameters.json Documentation/PAGE.md"""
     page = ROOT / "Documentation" / PAGES[style]
     copy = tmp_path / page.name
-    copy.write_text(page.read_text())
+    copy.write_text(page.read_text(encoding="utf-8"), encoding="utf-8")
     subprocess.run([sys.executable, ROOT / "Styles/Core/generate_parameters.py", "table",
                     ROOT / "Styles" / TABLES[style] / "parameters.json", copy], check=True)  # fmt: skip
-    assert copy.read_text() == page.read_text()
+    assert copy.read_text(encoding="utf-8") == page.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("change, words", [
@@ -267,9 +267,9 @@ def test_pages_have_the_table(style, tmp_path):
     ({"name": "Oil", "type": "int", "default": 0, "text": "No parameter.", "implies": {"Water": 1}}, ["Oil", "Water"]),
 ])
 def test_wrong_tables_are_refused(tmp_path, change, words):
-    table = json.loads((ROOT / "Styles/Stipple/parameters.json").read_text())
+    table = json.loads((ROOT / "Styles/Stipple/parameters.json").read_text(encoding="utf-8"))
     table["groups"][0]["parameters"].append(change)
-    (tmp_path / "parameters.json").write_text(json.dumps(table))
+    (tmp_path / "parameters.json").write_text(json.dumps(table), encoding="utf-8")
     result = subprocess.run([sys.executable, ROOT / "Styles/Core/generate_parameters.py", "cxx", tmp_path / "parameters.json"],
                             capture_output=True, text=True)  # fmt: skip
     assert result.returncode == 1 and all(word in result.stderr for word in words), result.stderr
@@ -282,7 +282,7 @@ def test_paraviews_properties(style, tmp_path):
 
     template = tmp_path / "template.xml"
     groups = sorted({row.group for row in STYLES[style].parameters.values()})
-    template.write_text("<p>\n      <!-- parameters -->\n" + "".join(f"<g>\n  <!-- group {group} -->\n</g>\n" for group in groups) + "</p>")
+    template.write_text("<p>\n      <!-- parameters -->\n" + "".join(f"<g>\n  <!-- group {group} -->\n</g>\n" for group in groups) + "</p>", encoding="utf-8")
     out = tmp_path / "out.xml"
     subprocess.run([sys.executable, ROOT / "Styles/Core/generate_parameters.py", "xml",
                     ROOT / "Styles" / TABLES[style] / "parameters.json", out, template], check=True)  # fmt: skip

@@ -39,11 +39,11 @@ def table_of(style):
 def proxy_of(file, kind):
     path = SERVER_MANAGER / file
     if path.exists():
-        text = path.read_text()
+        text = path.read_text(encoding="utf-8")
     else:
         # As CMake makes it.
         style = path.stem.removesuffix("Panel")
-        text = generate_parameters.xml(table_of(style), (SERVER_MANAGER / f"{file}.in").read_text())
+        text = generate_parameters.xml(table_of(style), (SERVER_MANAGER / f"{file}.in").read_text(encoding="utf-8"))
     return xml.etree.ElementTree.fromstring(text).find(f".//{kind}")
 
 

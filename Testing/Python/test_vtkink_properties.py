@@ -56,7 +56,7 @@ def test_enumerations_have_names(cls, name, values):
 @pytest.mark.parametrize("header", [one for one in HEADERS if one.parent.parent.name != "Rendering"], ids=lambda one: one.stem)
 def test_properties_with_few_values_are_enumerations(header):
     """What is clamped between names has setters by name."""
-    text = header.read_text()
+    text = header.read_text(encoding="utf-8")
     cls = getattr(vtkink, header.stem, None)
     if cls is None:
         pytest.skip("not built")
@@ -111,7 +111,7 @@ def test_nan_is_refused_and_said(cls, name):
 def test_every_clamped_number_refuses_nan():
     for header in HEADERS:
         if header.parent.parent.name != "Rendering":
-            assert not re.findall(r"vtkSet(?:Clamp|Vector\d)Macro\((\w+), double", header.read_text())
+            assert not re.findall(r"vtkSet(?:Clamp|Vector\d)Macro\((\w+), double", header.read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize("name", ["ScalarWindow", "ReferenceScalarRange"])
@@ -145,7 +145,7 @@ BRITISH = re.compile(r"colour|grey|neighbour|normalis|centre|behaviour|quantis|v
 
 def documented_setters(header):
     """Each public setter with the comment above it, or above the group that it belongs to."""
-    text = header.read_text()
+    text = header.read_text(encoding="utf-8")
     public = text[text.index("public:") :]
     for part in re.split(r"^  ///@\{$|^  ///@\}$|\n\n", public, flags=re.MULTILINE):
         comment = " ".join(one or other for one, other in COMMENT.findall(part))
@@ -165,13 +165,13 @@ def test_setters_are_documented_with_their_default(header):
 
 @pytest.mark.parametrize("header", HEADERS, ids=lambda one: one.stem)
 def test_public_names_are_american(header):
-    code = re.sub(r"/\*.*?\*/|//[^\n]*", "", header.read_text(), flags=re.DOTALL)
+    code = re.sub(r"/\*.*?\*/|//[^\n]*", "", header.read_text(encoding="utf-8"), flags=re.DOTALL)
     assert not BRITISH.findall(code)
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "Plugin" / "ServerManager").glob("*.xml*")), ids=lambda file: file.name)
 def test_panels_names_are_american(file):
-    names = re.findall(r'(?:name|command|label|text)="([^"]*)"', file.read_text())
+    names = re.findall(r'(?:name|command|label|text)="([^"]*)"', file.read_text(encoding="utf-8"))
     assert not [name for name in names if BRITISH.search(name)]
 
 
