@@ -79,15 +79,22 @@ def _cross(a, b):
     return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
 
 
+def _jitter(rays):
+    """How far rays lie from the middles of their cells: evenly spread along rows and columns, so that walls along these have no
+    steps (the R2 sequence)."""
+    column, row = rays.T
+    a, b = 0.7548776662466927, 0.5698402909980532
+    # Not the same along the diagonal, on which edges can lie.
+    return np.stack([row * a + column * b, column * a + row * b + 0.1234567], axis=1) % 1 - 0.5
+
+
 def _crossings(surface, grid, pad):
     """Where rays along z enter (+step) and leave (-step) a surface: column and row of the ray, z in voxels, step."""
     voxels = (surface.points - np.array(grid.origin)) / np.array(grid.spacing)
-    # The shift keeps rays off vertices and edges that lie on round coordinates.
-    rays = (voxels[:, :2] + pad + 0.5) * _RAYS - 0.5 + np.array([1.234567e-4, 2.345678e-4])
+    corners = ((voxels[:, :2] + pad + 0.5) * _RAYS - 0.5)[surface.triangles]
     ends = (np.array(grid.dimensions[:2]) + 2 * pad) * _RAYS - 1
-    corners = rays[surface.triangles]
-    low = np.clip(np.ceil(corners.min(axis=1)), 0, ends + 1).astype(int)
-    high = np.clip(np.floor(corners.max(axis=1)), -1, ends).astype(int)
+    low = np.clip(np.ceil(corners.min(axis=1) - 0.5), 0, ends + 1).astype(int)
+    high = np.clip(np.floor(corners.max(axis=1) + 0.5), -1, ends).astype(int)
     sides = np.maximum(high - low + 1, 0)
     counts = sides.prod(axis=1)
     found = []
@@ -98,10 +105,10 @@ def _crossings(surface, grid, pad):
         index = np.arange(len(triangle)) - np.repeat(np.cumsum(some) - some, some)
         ray = low[triangle] + np.stack([index % sides[triangle, 0], index // sides[triangle, 0]], axis=1)
         a, b, c = (corners[triangle, i] for i in range(3))
-        area = _cross(b - a, c - a)
+        area, along = _cross(b - a, c - a), ray + _jitter(ray) - a
         with np.errstate(divide="ignore", invalid="ignore"):
-            u, v = _cross(ray - a, c - a) / area, _cross(b - a, ray - a) / area
-        inside = (u >= 0) & (v >= 0) & (u + v <= 1)
+            u, v = _cross(along, c - a) / area, _cross(b - a, along) / area
+            inside = (u >= 0) & (v >= 0) & (u + v <= 1)
         u, v, ray, area = u[inside], v[inside], ray[inside], area[inside]
         za, zb, zc = voxels[surface.triangles[triangle[inside]], 2].T
         z = za + u * (zb - za) + v * (zc - za)
@@ -110,8 +117,8 @@ def _crossings(surface, grid, pad):
 
 
 def _check_closed(crossings):
-    _, ray = np.unique(crossings[:, :2], axis=0, return_inverse=True)
-    left = np.count_nonzero(abs(np.bincount(ray.reshape(-1), crossings[:, 3])) > 1e-6 * abs(crossings[:, 3]).max(initial=0))
+    _, ray = np.unique(crossings[:, 0] + 1e6 * crossings[:, 1], return_inverse=True)
+    left = np.count_nonzero(abs(np.bincount(ray, crossings[:, 3])) > 1e-6 * abs(crossings[:, 3]).max(initial=0))
     if left:
         raise ValueError(f"expected closed meshes, found {left} rays that enter one more or less often than they leave it")
 
@@ -306,7 +313,7 @@ def knot(grid, rows=1500, columns=96):
 
 #: Of vessels at the branches, from the trunk to the tips, in voxels.
 VESSEL_DIAMETERS = (6.0, 4.6, 3.5, 2.6, 1.0)
-_VESSEL_LENGTHS = (0.27, 0.24, 0.2, 0.17)
+_VESSEL_LENGTHS = (0.26, 0.23, 0.19, 0.15)
 
 
 def _vessels(start, direction, across, generation):
@@ -327,7 +334,7 @@ def vessels(grid):
     """A tree of tubes that taper from 6 voxels to 1."""
     voxel = min(grid.spacing) / SIDE
     distances = _Distances(voxel)
-    for a, b, generation in _vessels(np.array([0, 0, -0.44]), np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), 0):
+    for a, b, generation in _vessels(np.array([0, 0, -0.385]), np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), 0):
         r0, r1 = (0.5 * voxel * d for d in VESSEL_DIAMETERS[generation : generation + 2])
 
         def distance(x, y, z, a=a, b=b, r0=r0, r1=r1):
@@ -367,25 +374,31 @@ def two_materials(grid):
     return [distances.surface(0.5), ellipsoid(center, (radius,) * 3, 0.5)]
 
 
-def scanned(path, up):
-    """The mesh of a file, its holes closed, turned so that its axis up (y or z) is up, and as large as the cube allows."""
+def _close_holes(points, triangles):
+    """Adds to each hole a point in its middle, and triangles to that."""
+    there = np.concatenate([triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+    keys, opposite = there[:, 0] * len(points) + there[:, 1], there[:, 1] * len(points) + there[:, 0]
+    rim = there[~np.isin(opposite, keys)]
+    hole = np.arange(len(points))
+    while (hole[rim[:, 0]] != hole[rim[:, 1]]).any():
+        np.minimum.at(hole, rim[:, 0], hole[rim[:, 1]])
+        np.minimum.at(hole, rim[:, 1], hole[rim[:, 0]])
+    holes, index = np.unique(hole[rim[:, 0]], return_inverse=True)
+    middles = [points[rim[index == i, 0]].mean(axis=0) for i in range(len(holes))]
+    caps = np.column_stack([rim[:, ::-1], len(points) + index])
+    return np.concatenate([points, np.reshape(middles, (-1, 3))]), np.concatenate([triangles, caps])
+
+
+def scanned(path):
+    """The mesh of a file with y up, turned so that z is up, its holes closed, as large as the cube allows."""
     data = read(path)
-    for kind in (vtk.vtkCleanPolyData, vtk.vtkFillHolesFilter, vtk.vtkPolyDataNormals):
-        step = kind()
-        step.SetInputData(data)
-        if kind is vtk.vtkFillHolesFilter:
-            step.SetHoleSize(1e9)
-        if kind is vtk.vtkPolyDataNormals:
-            step.SplittingOff()
-        step.Update()
-        data = step.GetOutput()
-    surface = _of_poly_data(data, 1.0)
-    points = surface.points
-    if up == "y":
-        points = points[:, [0, 2, 1]] * [1, -1, 1]
-    low, high = points.min(axis=0), points.max(axis=0)
+    points = numpy_support.vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64)[:, [0, 2, 1]] * [1, -1, 1]
+    triangles = numpy_support.vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
+    points, triangles = _close_holes(points, triangles)
+    used = points[triangles]
+    low, high = used.min(axis=(0, 1)), used.max(axis=(0, 1))
     points = (points - (low + high) / 2) * (0.86 * SIDE / (high - low).max())
-    return [_outward(points, surface.triangles, 1.0)]
+    return [_outward(points, triangles, 1.0)]
 
 
 #: Known surfaces by name: functions that take the grid, of which some need the size of a voxel.
@@ -394,9 +407,8 @@ SURFACES = {"knot": knot, "vessels": vessels, "shells": shells, "two materials":
 
 def with_scans(folder):
     """SURFACES with the bunny and the horse, where they lie in a folder as bunny.ply and horse.ply."""
-    scans = {}
-    for name, up in (("bunny", "y"), ("horse", "y")):
-        path = pathlib.Path(folder or "") / f"{name}.ply"
-        if folder and path.exists():
-            scans[name] = lambda grid, path=path, up=up: scanned(path, up)
+    paths = {name: pathlib.Path(folder or "") / f"{name}.ply" for name in ("bunny", "horse")}
+    scans = {
+        name: lambda grid, path=path: scanned(path) for name, path in paths.items() if folder and path.exists()
+    }
     return {**scans, **SURFACES}

@@ -44,7 +44,7 @@ def dots(points, radius=1):
 
 
 def hexagons(distance):
-    x, y = np.meshgrid(np.arange(0, SIZE, distance), np.arange(0, SIZE, distance * np.sqrt(3) / 2))
+    x, y = np.meshgrid(np.arange(0.0, SIZE, distance), np.arange(0, SIZE, distance * np.sqrt(3) / 2))
     x[1::2] += distance / 2
     return np.stack([x.ravel(), y.ravel()], axis=1)
 
