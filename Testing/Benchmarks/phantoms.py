@@ -389,10 +389,13 @@ def _close_holes(points, triangles):
     return np.concatenate([points, np.reshape(middles, (-1, 3))]), np.concatenate([triangles, caps])
 
 
-def scanned(path):
-    """The mesh of a file with y up, turned so that z is up, its holes closed, as large as the cube allows."""
+def scanned(path, axes, signs):
+    """The mesh of a file, turned so that z is up, its holes closed, as large as the cube allows.
+
+    :param axes: the file's that become x, y and z, with a sign each
+    """
     data = read(path)
-    points = numpy_support.vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64)[:, [0, 2, 1]] * [1, -1, 1]
+    points = numpy_support.vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64)[:, axes] * signs
     triangles = numpy_support.vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
     points, triangles = _close_holes(points, triangles)
     used = points[triangles]
@@ -407,8 +410,10 @@ SURFACES = {"knot": knot, "vessels": vessels, "shells": shells, "two materials":
 
 def with_scans(folder):
     """SURFACES with the bunny and the horse, where they lie in a folder as bunny.ply and horse.ply."""
-    paths = {name: pathlib.Path(folder or "") / f"{name}.ply" for name in ("bunny", "horse")}
-    scans = {
-        name: lambda grid, path=path: scanned(path) for name, path in paths.items() if folder and path.exists()
-    }
+    turned = {"bunny": ([0, 2, 1], [1, -1, 1]), "horse": ([1, 0, 2], [-1, 1, 1])}
+    scans = {}
+    for name, (axes, signs) in turned.items():
+        path = pathlib.Path(folder or "") / f"{name}.ply"
+        if folder and path.exists():
+            scans[name] = lambda grid, path=path, axes=axes, signs=signs: scanned(path, axes, signs)
     return {**scans, **SURFACES}

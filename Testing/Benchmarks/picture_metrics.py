@@ -10,10 +10,11 @@ import numpy as np
 
 MATCH_DISTANCE = 2
 BLUR = 12
-#: Ink that is paler than this is no line, and no dot.
+#: Ink that is paler than this is no line.
 PALEST_INK = 0.25
-#: In pixels; what is larger are lines, or dots that run together.
-LARGEST_DOT = 60
+#: After a blur of DOT_BLUR; a black pixel has twice as much.
+PALEST_DOT = 0.15
+DOT_BLUR = 0.7
 
 
 class Lines(NamedTuple):
@@ -64,28 +65,16 @@ def blur(picture, sigma=BLUR):
 
 
 def find_dots(picture):
-    """The centers of all spots of ink (x, y) that are no larger than LARGEST_DOT, (n, 2)."""
-    mask = np.pad(picture >= PALEST_INK, 1)
-    height, width = mask.shape
-    labels = np.where(mask, np.arange(mask.size, dtype=np.int32).reshape(mask.shape), -1)
-    shifts = [(slice(y, y + height - 2), slice(x, x + width - 2)) for y in (0, 1, 2) for x in (0, 1, 2)]
-    inner = (slice(1, -1), slice(1, -1))
-
-    def spread():
-        largest = labels.copy()
-        for shift in shifts:
-            np.maximum(largest[inner], labels[shift], out=largest[inner])
-        return np.where(mask, largest, -1)
-
-    # A label goes one pixel a step. Spots that are wider are left with several, next to each other.
-    for _ in range(16):
-        labels = spread()
-    wide = spread()
-    wide = np.unique([labels[wide != labels], wide[wide != labels]])
-    y, x = np.nonzero(mask)
-    kept, spots, sizes = np.unique(labels[mask], return_inverse=True, return_counts=True)
-    centers = np.stack([np.bincount(spots, x), np.bincount(spots, y)], axis=1) / sizes[:, None] - 1
-    return centers[(sizes <= LARGEST_DOT) & ~np.isin(kept, wide)]
+    """The centers (x, y) of dots, (n, 2): peaks of darkness after a slight blur, so that dots that touch are several."""
+    blurred = blur(picture, DOT_BLUR)
+    padded = np.pad(blurred, 1)
+    height, width = picture.shape
+    peaks = blurred >= PALEST_DOT
+    for y, x in ((0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1), (2, 2)):
+        neighbor = padded[y : y + height, x : x + width]
+        # Of equal pixels the last one is the peak.
+        peaks &= blurred >= neighbor if (y, x) < (1, 1) else blurred > neighbor
+    return np.argwhere(peaks)[:, ::-1].astype(float)
 
 
 def nearest_distances(points):
@@ -112,7 +101,9 @@ def compare_stipples(picture, reference, silhouette):
     """:param silhouette: where the surface truly is, an array of bool"""
     tone, reference_tone = blur(picture), blur(reference)
     area = silhouette.sum()
-    evenness, reference_evenness = (measure_evenness(find_dots(ink), area) for ink in (picture, reference))
+    evenness, reference_evenness = (
+        measure_evenness(find_dots(np.where(silhouette, ink, 0)), area) for ink in (picture, reference)
+    )
     bare = (tone < reference_tone / 4) & (reference_tone > 0.04)
     return Stipples(
         tone=float(np.sqrt(np.mean((tone - reference_tone)[silhouette] ** 2))),

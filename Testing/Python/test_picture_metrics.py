@@ -62,14 +62,16 @@ def test_nearest_distances_of_more_points_than_are_done_at_once():
     assert metrics.nearest_distances(points) == pytest.approx(np.minimum([gaps[0], *gaps], [*gaps, gaps[-1]]), rel=1e-5)
 
 
-def test_dots_are_found_and_lines_are_none():
-    points = np.array([[5, 5], [20, 5], [30, 90], [200, 250]])
-    picture = dots(points)
-    assert sorted(metrics.find_dots(picture).tolist()) == sorted(points.astype(float).tolist())
-    picture += lines(128)
-    picture[150:170, 60:90] = 1
-    assert len(metrics.find_dots(picture)) == len(points)
+def test_dots_are_found_also_where_they_touch():
+    points = np.array([[5, 5], [20, 5], [23, 8], [30, 90], [200, 250]])
+    for darkness in (1, 0.4):
+        found = metrics.find_dots(darkness * dots(points))
+        assert len(found) == len(points)
+        assert all(abs(found - point).max(axis=1).min() <= 1 for point in points)
     assert len(metrics.find_dots(np.zeros((SIZE, SIZE)))) == 0
+    assert len(metrics.find_dots(0.05 * dots(points))) == 0
+    large = metrics.find_dots(dots(points[:1] + 100, radius=4))
+    assert len(large) == 1 and abs(large - 105).max() <= 4
 
 
 def test_stipples():
