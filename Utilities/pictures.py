@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Utilities/pictures.sh needs beside ink: a mesh, and pictures beside each other in few bytes.
+"""What Utilities/pictures.sh needs beside ink: meshes, phantoms, and pictures beside each other in few bytes.
 
     pictures.py mesh VOLUME.nii.gz ISO_VALUE OUT.ply
+    pictures.py phantom SURFACE VOXELS SLICE_DISTANCE TYPE NOISE OUT.vti OUT.vtp
+    pictures.py scan NAME OUT.vti
     pictures.py join OUT.png PICTURE.png ...
+
+The last two of a phantom are its volume and the surface's mesh; Testing/Benchmarks/phantoms.py and scan_phantoms.py have the
+surfaces and scans.
 """
 
 import importlib
+import pathlib
 import struct
 import sys
 import zlib
@@ -26,6 +32,30 @@ def mesh(volume, iso_value, out):
     writer.SetInputConnection(surface.GetOutputPort())
     writer.SetFileName(out)
     writer.Write()
+
+
+def phantoms_module(name="phantoms"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Testing" / "Benchmarks"))
+    return importlib.import_module(name)
+
+
+def write(writer, data, path):
+    writer.SetInputData(data)
+    writer.SetFileName(path)
+    writer.Write()
+
+
+def phantom(name, voxels, slice_distance, dtype, noise, volume, surface):
+    phantoms = phantoms_module()
+    grid = phantoms.cube(int(voxels), int(slice_distance))
+    surfaces = phantoms.SURFACES[name](grid)
+    write(vtk.vtkXMLImageDataWriter(), phantoms.image(phantoms.voxelize(surfaces, grid, dtype, float(noise))), volume)
+    write(vtk.vtkXMLPolyDataWriter(), phantoms.mesh(surfaces[0]), surface)
+
+
+def scan(name, volume):
+    phantom = phantoms_module("scan_phantoms").SCANS[name]().phantom
+    write(vtk.vtkXMLImageDataWriter(), phantoms_module().image(phantom), volume)
 
 
 def read(path):
@@ -78,4 +108,4 @@ def join(out, *paths):
 
 
 if __name__ == "__main__":
-    {"mesh": mesh, "join": join}[sys.argv[1]](*sys.argv[2:])
+    {"mesh": mesh, "phantom": phantom, "scan": scan, "join": join}[sys.argv[1]](*sys.argv[2:])

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Draws the pictures of Documentation/stipple.md and Documentation/splatting-lines.md with the headless build, those of
-# one page with its name:  Utilities/pictures.sh [stipple|splatting-lines]
+# Draws the pictures of Documentation/stipple.md, splatting-lines.md and picture-quality.md with the headless build, those
+# of one page with its name:  Utilities/pictures.sh [stipple|splatting-lines|quality]
 # Most are pairs, without and with what they show.
 set -euo pipefail
 
@@ -87,9 +87,28 @@ lines_pictures() {
   series noise "--view iso" "$work/white.vtp" "$work/blue.vtp"
 }
 
+# Each: the surface's mesh, its volume as it was drawn before, and as it is by default.
+quality_pictures() {
+  local style name file
+  local before="--smoothing 0 --subdivision 1 --smallest-part 0"
+  for name in knot vessels "two materials"; do
+    file="$work/${name// /-}"
+    "$INK_PYTHON" Utilities/pictures.py phantom "$name" 64 1 uint8 0.05 "$file.vti" "$file.vtp"
+    for style in splatting-lines stipple; do
+      series "quality-${name// /-}" "--azimuth 30 --elevation 15" "$file.vtp" "$file.vti $before" "$file.vti"
+    done
+  done
+  "$INK_PYTHON" Utilities/pictures.py scan head_ct "$work/head.vti"
+  style=splatting-lines
+  series quality-head "$work/head.vti --azimuth 30" "$before" ""
+  series quality-engine "Data/engine.nii.gz --view iso" "$before" ""
+  series quality-bonsai "Data/bonsai.nii.gz --elevation 12" "$before" ""
+}
+
 case "${1:-all}" in
   stipple) stipple_pictures ;;
   splatting-lines) lines_pictures ;;
-  all) stipple_pictures && lines_pictures ;;
-  *) echo "pictures: found '$1', expected stipple or splatting-lines" >&2 && exit 2 ;;
+  quality) quality_pictures ;;
+  all) stipple_pictures && lines_pictures && quality_pictures ;;
+  *) echo "pictures: found '$1', expected stipple, splatting-lines or quality" >&2 && exit 2 ;;
 esac

@@ -1,0 +1,419 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Volumes of which the truth is known: closed surfaces that become voxels as a scanner would see them.
+
+A phantom is a list of closed meshes, each with the step that values take where one enters it. A voxel's value is the mean
+of the values around it, weighted by a Gaussian point spread; then come noise and rounding.
+
+    surfaces = phantoms.SURFACES["knot"](grid)
+    phantom = phantoms.voxelize(surfaces, phantoms.cube(96), "uint8", noise=0.05)
+    vtkink.draw(phantoms.image(phantom), "splatting-lines", "knot.png")
+
+Lengths are millimeters; all surfaces lie in the cube of SIDE around the origin, with z up and their front towards -y, which is
+where `ink render` looks from. Arrays of values are indexed [z, y, x].
+"""
+
+import math
+import pathlib
+from typing import NamedTuple
+
+import numpy as np
+from vtkink import numpy_support, read, vtk
+
+SIDE = 100.0
+#: Standard deviation of the point spread, in voxels of each axis.
+POINT_SPREAD = 0.7
+#: The value around a known surface and the step that it is at most inside, for each type of voxels.
+LEVELS = {"uint8": (40.0, 160.0), "int16": (-1000.0, 2000.0), "float32": (0.0, 1.0)}
+
+_RAYS = 4  #: a voxel and axis
+_FARTHEST = 4.0  #: of the point spread, in standard deviations
+_CHUNK = 1 << 20
+
+
+class Grid(NamedTuple):
+    dimensions: tuple  #: voxels along x, y and z
+    spacing: tuple
+    origin: tuple  #: the center of the first voxel
+
+
+class Surface(NamedTuple):
+    """A closed mesh, its triangles counterclockwise as seen from outside."""
+
+    points: np.ndarray  #: (n, 3)
+    triangles: np.ndarray  #: (m, 3), indices of points
+    step: float  #: how much larger values are inside
+    normals: np.ndarray | None = None  #: (n, 3), unit; None where they are to be computed of the triangles
+
+
+class Phantom(NamedTuple):
+    values: np.ndarray
+    grid: Grid
+    boundary: tuple  #: the values on both sides of the outermost surface; the surface lies at their mean
+
+
+def cube(n, slice_distance=1):
+    """The cube of all phantoms: n x n x n voxels, or fewer slices with a distance of so many voxels."""
+    slices = round(n / slice_distance)
+    spacing = (SIDE / n, SIDE / n, SIDE / slices)
+    return Grid((n, n, slices), spacing, tuple(-SIDE / 2 + s / 2 for s in spacing))
+
+
+# ------------------------------------------------------------------------------------------------------------- voxels
+
+_TABLE = np.linspace(-6, 6, 12001)
+_TABLE_CDF = np.array([0.5 * (1 + math.erf(x / math.sqrt(2))) for x in _TABLE])
+
+
+def normal_cdf(x):
+    """The normal distribution's cumulative function, within 1e-7."""
+    return np.interp(x, _TABLE, _TABLE_CDF)
+
+
+def _kernel(n, pad, sigma):
+    """How much each ray, from pad voxels before the first voxel to pad beyond the last, counts in each of n voxels."""
+    edges = np.arange((n + 2 * pad) * _RAYS + 1) / _RAYS - pad - 0.5
+    return np.diff(normal_cdf((edges - np.arange(n)[:, None]) / sigma), axis=1).astype(np.float32)
+
+
+def _cross(a, b):
+    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+def _jitter(rays):
+    """How far rays lie from the middles of their cells: evenly spread along rows and columns, so that walls along these have no
+    steps (the R2 sequence)."""
+    column, row = rays.T
+    a, b = 0.7548776662466927, 0.5698402909980532
+    # Not the same along the diagonal, on which edges can lie.
+    return np.stack([row * a + column * b, column * a + row * b + 0.1234567], axis=1) % 1 - 0.5
+
+
+def _crossings(surface, grid, pad):
+    """Where rays along z enter (+step) and leave (-step) a surface: column and row of the ray, z in voxels, step."""
+    voxels = (surface.points - np.array(grid.origin)) / np.array(grid.spacing)
+    corners = ((voxels[:, :2] + pad + 0.5) * _RAYS - 0.5)[surface.triangles]
+    ends = (np.array(grid.dimensions[:2]) + 2 * pad) * _RAYS - 1
+    low = np.clip(np.ceil(corners.min(axis=1) - 0.5), 0, ends + 1).astype(int)
+    high = np.clip(np.floor(corners.max(axis=1) + 0.5), -1, ends).astype(int)
+    sides = np.maximum(high - low + 1, 0)
+    counts = sides.prod(axis=1)
+    found = []
+    chunks = np.searchsorted(np.cumsum(counts), np.arange(_CHUNK, counts.sum() + _CHUNK, _CHUNK), side="left") + 1
+    for first, last in zip([0, *chunks], chunks):
+        some = counts[first:last]
+        triangle = first + np.repeat(np.arange(len(some)), some)
+        index = np.arange(len(triangle)) - np.repeat(np.cumsum(some) - some, some)
+        ray = low[triangle] + np.stack([index % sides[triangle, 0], index // sides[triangle, 0]], axis=1)
+        a, b, c = (corners[triangle, i] for i in range(3))
+        area, along = _cross(b - a, c - a), ray + _jitter(ray) - a
+        with np.errstate(divide="ignore", invalid="ignore"):
+            u, v = _cross(along, c - a) / area, _cross(b - a, along) / area
+            inside = (u >= 0) & (v >= 0) & (u + v <= 1)
+        u, v, ray, area = u[inside], v[inside], ray[inside], area[inside]
+        za, zb, zc = voxels[surface.triangles[triangle[inside]], 2].T
+        z = za + u * (zb - za) + v * (zc - za)
+        found.append(np.column_stack([ray, z, -np.sign(area) * surface.step]))
+    return np.concatenate(found)
+
+
+def _check_closed(crossings):
+    _, ray = np.unique(crossings[:, 0] + 1e6 * crossings[:, 1], return_inverse=True)
+    left = np.count_nonzero(abs(np.bincount(ray, crossings[:, 3])) > 1e-6 * abs(crossings[:, 3]).max(initial=0))
+    if left:
+        raise ValueError(f"expected closed meshes, found {left} rays that enter one more or less often than they leave it")
+
+
+def blurred(surfaces, grid, point_spread=POINT_SPREAD):
+    """Values on a grid, 0 outside of all surfaces, float32. Exact along z; rays are _RAYS a voxel along x and y.
+
+    :raises ValueError: for a mesh that is not closed
+    """
+    nx, ny, nz = grid.dimensions
+    reach = math.ceil(_FARTHEST * point_spread)
+    crossings = np.concatenate([_crossings(surface, grid, reach) for surface in surfaces])
+    _check_closed(crossings)
+    crossings = crossings[np.argsort(crossings[:, 1], kind="stable")]
+    columns, rows = _kernel(nx, reach, point_spread), _kernel(ny, reach, point_spread)
+    ends = np.searchsorted(crossings[:, 1], np.arange(rows.shape[1] + 1))
+    values = np.zeros((nz, ny, nx), np.float32)
+    for row in np.flatnonzero(np.diff(ends)):
+        ray, _, z, step = crossings[ends[row] : ends[row + 1]].T
+        z = np.clip(z, -reach - 2, nz + reach + 2)
+        slices = np.floor(z).astype(int)[:, None] + np.arange(-reach, reach + 2)
+        rise = normal_cdf((slices - z[:, None]) / point_spread)
+        rise[:, -1] = 1
+        change = np.diff(rise, axis=1, prepend=0) * step[:, None]
+        bins = np.clip(slices, 0, nz) * columns.shape[1] + ray[:, None].astype(int)
+        changes = np.bincount(bins.ravel(), change.ravel(), (nz + 1) * columns.shape[1]).reshape(nz + 1, -1)[:nz]
+        line = np.cumsum(changes, axis=0).astype(np.float32) @ columns.T
+        near = np.flatnonzero(rows[:, row] > 1e-7)
+        values[:, near] += rows[near, row][:, None] * line[:, None]
+    return values
+
+
+def as_scanned(values, dtype, noise=0.0, seed=0):
+    """Values with Gaussian noise of a standard deviation, rounded and clamped to a type."""
+    if noise:
+        values = values + np.random.default_rng(seed).normal(0, noise, values.shape).astype(np.float32)
+    if np.issubdtype(dtype, np.integer):
+        values = np.clip(np.rint(values), np.iinfo(dtype).min, np.iinfo(dtype).max)
+    return values.astype(dtype)
+
+
+def scan(surfaces, values, grid, dtype, noise=0.0, seed=0):
+    """The phantom of blurred values in the levels of a type, with noise as a share of the step."""
+    low, step = LEVELS[dtype]
+    values = as_scanned(low + step * values, dtype, noise * step, seed)
+    return Phantom(values, grid, (low, low + surfaces[0].step * step))
+
+
+def voxelize(surfaces, grid, dtype="uint8", noise=0.0, seed=0, point_spread=POINT_SPREAD):
+    """The phantom of surfaces, of which the first is the outermost."""
+    return scan(surfaces, blurred(surfaces, grid, point_spread), grid, dtype, noise, seed)
+
+
+def image(phantom):
+    """vtkImageData, which shares the phantom's memory."""
+    data = vtk.vtkImageData()
+    data.SetDimensions(*phantom.grid.dimensions)
+    data.SetSpacing(*phantom.grid.spacing)
+    data.SetOrigin(*phantom.grid.origin)
+    data.GetPointData().SetScalars(numpy_support.numpy_to_vtk(phantom.values.reshape(-1)))
+    return data
+
+
+# ------------------------------------------------------------------------------------------------------------- meshes
+
+
+def mesh(surface):
+    """vtkPolyData, with normals where the surface has them."""
+    data = vtk.vtkPolyData()
+    points = vtk.vtkPoints()
+    points.SetData(numpy_support.numpy_to_vtk(surface.points.astype(np.float32), deep=True))
+    data.SetPoints(points)
+    cells = vtk.vtkCellArray()
+    ids = np.ascontiguousarray(surface.triangles, np.int64)
+    cells.SetData(
+        numpy_support.numpy_to_vtkIdTypeArray(np.arange(0, 3 * len(ids) + 1, 3, np.int64), deep=True),
+        numpy_support.numpy_to_vtkIdTypeArray(ids.reshape(-1), deep=True),
+    )
+    data.SetPolys(cells)
+    if surface.normals is not None:
+        normals = numpy_support.numpy_to_vtk(surface.normals.astype(np.float32), deep=True)
+        normals.SetName("Normals")
+        data.GetPointData().SetNormals(normals)
+    return data
+
+
+def _outward(points, triangles, step, normals=None):
+    """The surface of triangles that all face one way, whichever it is."""
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    inward = np.einsum("ij,ij->", a, np.cross(b, c)) < 0
+    return Surface(points, triangles[:, ::-1] if inward else triangles, step, normals)
+
+
+def _of_poly_data(data, step):
+    triangles = numpy_support.vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    normals = data.GetPointData().GetNormals()
+    return _outward(
+        numpy_support.vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64),
+        triangles,
+        step,
+        None if normals is None else numpy_support.vtk_to_numpy(normals),
+    )
+
+
+def _grid_triangles(rows, columns, closed):
+    """Triangles between the points of a grid that wraps along its columns, and along its rows where it is closed."""
+    i, j = np.meshgrid(np.arange(rows if closed else rows - 1), np.arange(columns), indexing="ij")
+    a, b = i * columns + j, i * columns + (j + 1) % columns
+    c, d = (i + 1) % rows * columns + j, (i + 1) % rows * columns + (j + 1) % columns
+    return np.concatenate([np.stack([a, b, d], axis=2), np.stack([a, d, c], axis=2)]).reshape(-1, 3)
+
+
+def ellipsoid(center, radii, step, rows=90, columns=180):
+    """Lengths in shares of SIDE."""
+    latitude = np.pi * (np.arange(rows) + 0.5) / rows
+    longitude = 2 * np.pi * np.arange(columns) / columns
+    rings = np.stack(
+        [
+            np.outer(np.sin(latitude), np.cos(longitude)),
+            np.outer(np.sin(latitude), np.sin(longitude)),
+            np.outer(np.cos(latitude), np.ones(columns)),
+        ],
+        axis=2,
+    ).reshape(-1, 3)
+    directions = np.concatenate([rings, [[0, 0, 1], [0, 0, -1]]])
+    top = np.stack([np.full(columns, len(rings)), np.arange(columns), (np.arange(columns) + 1) % columns], axis=1)
+    bottom = np.stack([np.full(columns, len(rings) + 1), *(len(rings) - columns + top[:, 1:].T)], axis=1)[:, [0, 2, 1]]
+    triangles = np.concatenate([_grid_triangles(rows, columns, closed=False), top, bottom])
+    # Those of the grid face inwards where the caps face outwards.
+    triangles[: -2 * columns] = triangles[: -2 * columns, ::-1]
+    normals = directions / np.array(radii)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    return _outward(SIDE * (np.array(center) + directions * np.array(radii)), triangles, step, normals)
+
+
+class _Distances:
+    """Signed distances on a fine grid, from which a mesh is made: negative inside, in shares of SIDE."""
+
+    def __init__(self, voxel, half=0.47):
+        """:param voxel: the smallest of the volume that the mesh is for; :param half: the grid's half side"""
+        n = 2 * math.ceil(half / min(voxel / 2, 1 / 256)) + 1
+        self.axis = np.linspace(-half, half, n, dtype=np.float32)
+        self.values = np.full((n, n, n), 1, np.float32)
+
+    def unite(self, distance, low=(-1, -1, -1), high=(1, 1, 1)):
+        """Adds what is inside where distance(x, y, z) < 0; it is beyond the grid's spacing out of low and high."""
+        (x0, y0, z0), (x1, y1, z1) = np.searchsorted(self.axis, low), np.searchsorted(self.axis, high)
+        x, y = self.axis[None, x0:x1], self.axis[y0:y1, None]
+        for z in range(z0, z1):
+            part = self.values[z, y0:y1, x0:x1]
+            np.minimum(part, distance(x, y, self.axis[z]), out=part)
+
+    def surface(self, step):
+        data = image(Phantom(self.values, Grid(self.values.shape, (SIDE * float(self.axis[1] - self.axis[0]),) * 3,
+                                               (SIDE * float(self.axis[0]),) * 3), ()))  # fmt: skip
+        contour = vtk.vtkFlyingEdges3D()
+        contour.SetInputData(data)
+        contour.SetValue(0, 0.0)
+        contour.ComputeScalarsOff()
+        contour.Update()
+        found = _of_poly_data(contour.GetOutput(), step)
+        a, b, c = (found.points[found.triangles[:, i]] for i in range(3))
+        facing = np.einsum("ij,ij->", np.cross(b - a, c - a), found.normals[found.triangles[:, 0]])
+        return found._replace(normals=found.normals * np.sign(facing))
+
+
+# ----------------------------------------------------------------------------------------------------- known surfaces
+
+
+def knot(grid, rows=1500, columns=96):
+    """A torus knot that winds twice and thrice around."""
+    t = np.linspace(0, 2 * np.pi, rows, endpoint=False)
+    ring, wave, radius = 0.265, 0.125, 0.055
+
+    def curve(t):
+        # The ring lies across the view.
+        r = ring + wave * np.cos(3 * t)
+        return np.stack([r * np.cos(2 * t), wave * np.sin(3 * t), r * np.sin(2 * t)], axis=1)
+
+    e = 1e-4
+    along = curve(t + e) - curve(t - e)
+    bend = curve(t + e) - 2 * curve(t) + curve(t - e)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    side = np.cross(along, bend)
+    side /= np.linalg.norm(side, axis=1, keepdims=True)
+    across = np.cross(side, along)
+    a = 2 * np.pi * np.arange(columns) / columns
+    normals = across[:, None] * np.cos(a)[:, None] + side[:, None] * np.sin(a)[:, None]
+    points = SIDE * (curve(t)[:, None] + radius * normals)
+    return [_outward(points.reshape(-1, 3), _grid_triangles(rows, columns, closed=True), 1.0, normals.reshape(-1, 3))]
+
+
+#: Of vessels at the branches, from the trunk to the tips, in voxels.
+VESSEL_DIAMETERS = (6.0, 4.6, 3.5, 2.6, 1.0)
+_VESSEL_LENGTHS = (0.26, 0.23, 0.19, 0.15)
+
+
+def _vessels(start, direction, across, generation):
+    """All vessels from one on: start, end and generation."""
+    end = start + _VESSEL_LENGTHS[generation] * direction
+    found = [(start, end, generation)]
+    if generation + 1 < len(_VESSEL_LENGTHS):
+        angle = np.radians(38 - 2 * generation)
+        for sign in (-1, 1):
+            turned = np.cos(angle) * direction + sign * np.sin(angle) * across
+            # The next branches spread across these.
+            beside = np.cross(direction, across)
+            found += _vessels(end, turned, np.cos(0.6) * beside + np.sin(0.6) * np.cross(beside, turned), generation + 1)
+    return found
+
+
+def vessels(grid):
+    """A tree of tubes that taper from 6 voxels to 1."""
+    voxel = min(grid.spacing) / SIDE
+    distances = _Distances(voxel)
+    for a, b, generation in _vessels(np.array([0, 0, -0.385]), np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), 0):
+        r0, r1 = (0.5 * voxel * d for d in VESSEL_DIAMETERS[generation : generation + 2])
+
+        def distance(x, y, z, a=a, b=b, r0=r0, r1=r1):
+            d = b - a
+            t = np.clip(((x - a[0]) * d[0] + (y - a[1]) * d[1] + (z - a[2]) * d[2]) / (d @ d), 0, 1)
+            p = (x - a[0] - t * d[0], y - a[1] - t * d[1], z - a[2] - t * d[2])
+            return np.sqrt(p[0] ** 2 + p[1] ** 2 + p[2] ** 2) - (r0 + t * (r1 - r0))
+
+        margin = r0 + voxel
+        distances.unite(distance, np.minimum(a, b) - margin, np.maximum(a, b) + margin)
+    return [distances.surface(1.0)]
+
+
+def shells(grid, thickness=2.0):
+    """Three balls in each other, hollow, of so many voxels, without the eighth that faces the viewer's right and top."""
+    half = 0.5 * thickness * min(grid.spacing) / SIDE
+    distances = _Distances(min(grid.spacing) / SIDE)
+
+    def distance(x, y, z):
+        r = np.sqrt(x * x + y * y + z * z)
+        hollow = np.min([abs(r - radius) for radius in (0.41, 0.3, 0.19)], axis=0) - half
+        return np.maximum(hollow, np.minimum(np.minimum(x, -y), z))
+
+    distances.unite(distance)
+    return [distances.surface(1.0)]
+
+
+def two_materials(grid):
+    """A ball of a soft material that touches a denser one and a smaller soft one."""
+    balls = (((-0.14, 0.0, -0.08), 0.27), ((0.2, -0.08, 0.1), 0.19), ((-0.06, -0.1, 0.27), 0.13))
+    distances = _Distances(min(grid.spacing) / SIDE)
+    for center, radius in balls:
+        distances.unite(
+            lambda x, y, z, c=center, r=radius: np.sqrt((x - c[0]) ** 2 + (y - c[1]) ** 2 + (z - c[2]) ** 2) - r
+        )
+    center, radius = balls[1]
+    return [distances.surface(0.5), ellipsoid(center, (radius,) * 3, 0.5)]
+
+
+def _close_holes(points, triangles):
+    """Adds to each hole a point in its middle, and triangles to that."""
+    there = np.concatenate([triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+    keys, opposite = there[:, 0] * len(points) + there[:, 1], there[:, 1] * len(points) + there[:, 0]
+    rim = there[~np.isin(opposite, keys)]
+    hole = np.arange(len(points))
+    while (hole[rim[:, 0]] != hole[rim[:, 1]]).any():
+        np.minimum.at(hole, rim[:, 0], hole[rim[:, 1]])
+        np.minimum.at(hole, rim[:, 1], hole[rim[:, 0]])
+    holes, index = np.unique(hole[rim[:, 0]], return_inverse=True)
+    middles = [points[rim[index == i, 0]].mean(axis=0) for i in range(len(holes))]
+    caps = np.column_stack([rim[:, ::-1], len(points) + index])
+    return np.concatenate([points, np.reshape(middles, (-1, 3))]), np.concatenate([triangles, caps])
+
+
+def scanned(path, axes, signs):
+    """The mesh of a file, turned so that z is up, its holes closed, as large as the cube allows.
+
+    :param axes: the file's that become x, y and z, with a sign each
+    """
+    data = read(path)
+    points = numpy_support.vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64)[:, axes] * signs
+    triangles = numpy_support.vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
+    points, triangles = _close_holes(points, triangles)
+    used = points[triangles]
+    low, high = used.min(axis=(0, 1)), used.max(axis=(0, 1))
+    points = (points - (low + high) / 2) * (0.86 * SIDE / (high - low).max())
+    return [_outward(points, triangles, 1.0)]
+
+
+#: Known surfaces by name: functions that take the grid, of which some need the size of a voxel.
+SURFACES = {"knot": knot, "vessels": vessels, "shells": shells, "two materials": two_materials}
+
+
+def with_scans(folder):
+    """SURFACES with the bunny and the horse, where they lie in a folder as bunny.ply and horse.ply."""
+    turned = {"bunny": ([0, 2, 1], [1, -1, 1]), "horse": ([1, 0, 2], [-1, 1, 1])}
+    scans = {}
+    for name, (axes, signs) in turned.items():
+        path = pathlib.Path(folder or "") / f"{name}.ply"
+        if folder and path.exists():
+            scans[name] = lambda grid, path=path, axes=axes, signs=signs: scanned(path, axes, signs)
+    return {**scans, **SURFACES}

@@ -1,0 +1,447 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How good pictures of volumes are, compared with pictures of the surfaces that the volumes were made of.
+
+    . Utilities/env.sh headless
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --quick              # some cases, in minutes
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --output after.csv   # all of them
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --page before.csv after.csv   # Documentation/picture-quality.md
+
+Each known surface (phantoms.py) becomes volumes of different sizes, types and noise. Each volume is drawn with a style's
+defaults, the iso-value included, and compared (picture_metrics.py) with the surface's mesh drawn by the same style with the
+same camera. The bunny and the horse of Stanford and Georgia Tech are taken from a folder (--meshes), where they lie in one.
+"""
+
+import argparse
+import csv
+import itertools
+import multiprocessing
+import os
+import pathlib
+import re
+import sys
+import time
+from typing import NamedTuple
+
+import numpy as np
+import phantoms
+import picture_metrics
+import vtkink
+from vtkink import numpy_support, vtk
+
+SIZE = 1024
+SUPERSAMPLING = 2
+MARGIN = 0.05
+VIEW_ANGLE = 30.0
+#: From the front, from the right and from above.
+DIRECTION = np.array([-np.sin(np.radians(30)), np.cos(np.radians(30)), -np.tan(np.radians(15))])
+
+SIZES = (48, 96, 192)
+SLICE_DISTANCES = (1, 3)
+TYPES = ("uint8", "int16")
+NOISES = (0.0, 0.02, 0.05, 0.1)
+
+
+class Case(NamedTuple):
+    surface: str
+    size: int
+    slice_distance: int
+    type: str
+    noise: float
+
+    def __str__(self):
+        slices = "" if self.slice_distance == 1 else f" 1:1:{self.slice_distance}"
+        return f"{self.surface} {self.size}{slices} {self.type} {100 * self.noise:.0f}%"
+
+
+class Result(NamedTuple):
+    """A row of the table; what a style does not show is empty."""
+
+    surface: str
+    size: int
+    slice_distance: int
+    type: str
+    noise: float
+    style: str
+    iso_error: float | str = ""  #: in steps of the outermost boundary
+    precision: float | str = ""
+    recall: float | str = ""
+    f: float | str = ""
+    tone: float | str = ""
+    evenness: float | str = ""
+    reference_evenness: float | str = ""
+    outside: float | str = ""
+    bare: float | str = ""
+
+
+QUICK = (
+    Case("bunny", 96, 1, "int16", 0.0),
+    Case("bunny", 96, 1, "uint8", 0.05),
+    Case("bunny", 48, 1, "uint8", 0.02),
+    Case("horse", 96, 1, "int16", 0.02),
+    Case("horse", 192, 3, "uint8", 0.0),
+    Case("knot", 48, 1, "uint8", 0.0),
+    Case("knot", 96, 1, "int16", 0.1),
+    Case("vessels", 96, 1, "uint8", 0.05),
+    Case("vessels", 192, 1, "int16", 0.02),
+    Case("shells", 96, 1, "uint8", 0.02),
+    Case("shells", 96, 3, "int16", 0.05),
+    Case("two materials", 96, 3, "int16", 0.05),
+    Case("two materials", 48, 1, "uint8", 0.1),
+)
+STYLES = ("splatting-lines", "stipple", "illustration")
+
+
+def all_cases(surfaces):
+    return [Case(*values) for values in itertools.product(surfaces, SIZES, SLICE_DISTANCES, TYPES, NOISES)]
+
+
+# ----------------------------------------------------------------------------------------------------------- pictures
+
+
+def fit_camera(points):
+    """The camera that sees all points, in the middle of the picture and with a margin, as `ink render` does."""
+    direction = DIRECTION / np.linalg.norm(DIRECTION)
+    right = np.cross(direction, [0, 0, 1])
+    right /= np.linalg.norm(right)
+    up = np.cross(right, direction)
+    center = (points.min(axis=0) + points.max(axis=0)) / 2
+    tangent = (1 - MARGIN) * np.tan(np.radians(VIEW_ANGLE / 2))
+    across, depth = np.abs((points - center) @ np.stack([right, up]).T), (points - center) @ direction
+    distance = float((across / tangent - depth[:, None]).max())
+    camera = vtk.vtkCamera()
+    camera.SetViewAngle(VIEW_ANGLE)
+    camera.SetFocalPoint(*center)
+    camera.SetPosition(*(center - distance * direction))
+    camera.SetViewUp(*up)
+    return camera
+
+
+def _darkness(renderer, supersampling):
+    """Renders, and returns how dark pixels are, 0 to 1, from the bottom row on."""
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(SIZE * supersampling, SIZE * supersampling)
+    window.AddRenderer(renderer)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    pixels = vtk.vtkUnsignedCharArray()
+    end = SIZE * supersampling - 1
+    window.GetPixelData(0, 0, end, end, 0, pixels, 0)
+    window.Finalize()
+    shape = (SIZE, supersampling, SIZE, supersampling, 3)
+    # Green stands for gray.
+    return 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(shape)[..., 1].mean(axis=(1, 3)) / 255
+
+
+def draw(data, style, camera):
+    """The darkness of a picture as vtkink.draw writes it, but with a camera; and the style's notes."""
+    actor = vtkink.draw(data, style, size=(SIZE, SIZE))
+    made = actor.style
+    renderer = vtk.vtkRenderer()
+    background = [0.0, 0.0, 0.0]
+    made.GetBackgroundColor(background)
+    renderer.SetBackground(background)
+    if made.GetLight() is not None:
+        renderer.RemoveAllLights()
+        renderer.AddLight(made.GetLight())
+    renderer.SetActiveCamera(camera)
+    renderer.AddActor(actor)
+    made.SetPixelScale(SUPERSAMPLING)
+    darkness = _darkness(renderer, SUPERSAMPLING)
+    return darkness, [made.GetNote(index) for index in range(made.GetNumberOfNotes())]
+
+
+def find_silhouette(mesh, camera):
+    """Where the mesh is, an array of bool."""
+    mapper, actor, renderer = vtk.vtkPolyDataMapper(), vtk.vtkActor(), vtk.vtkRenderer()
+    mapper.SetInputData(mesh)
+    mapper.ScalarVisibilityOff()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetColor(0, 0, 0)
+    renderer.SetBackground(1, 1, 1)
+    renderer.SetActiveCamera(camera)
+    renderer.AddActor(actor)
+    return _darkness(renderer, 1) > 0.5
+
+
+def write_pair(path, reference, picture):
+    """A PNG file: the mesh's picture on the left, the volume's on the right."""
+    pair = np.concatenate([reference, np.ones((SIZE, 4)), picture], axis=1)
+    image = vtk.vtkImageData()
+    image.SetDimensions(pair.shape[1], pair.shape[0], 1)
+    values = np.rint(255 * (1 - pair)).astype(np.uint8)
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values.reshape(-1), deep=True))
+    writer = vtk.vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(str(path))
+    writer.Write()
+
+
+# ------------------------------------------------------------------------------------------------------------ measure
+
+
+def _iso_error(notes, boundary):
+    """How far the first iso-value that is named lies from the middle of the boundary."""
+    named = re.search(r"iso-value ([-+.\de]+)", " ".join(notes))
+    outside, inside = boundary
+    return (float(named[1]) - (outside + inside) / 2) / (inside - outside) if named else ""
+
+
+def measure(case, style, phantom, reference, silhouette, camera, pictures=None):
+    """:param reference: the darkness of the mesh's picture"""
+    try:
+        picture, notes = draw(phantoms.image(phantom), style, camera)
+    except ValueError as nothing:
+        print(f"{case}, {style}: {nothing}", file=sys.stderr)
+        picture, notes = np.zeros((SIZE, SIZE)), []
+    if pictures:
+        name = f"{case}, {style}".replace(" ", "-").replace(",", "").replace(":", "").replace("%", "")
+        write_pair(pathlib.Path(pictures) / f"{name}.png", reference, picture)
+    found = {"iso_error": _iso_error(notes, phantom.boundary)}
+    if style != "stipple":
+        found.update(picture_metrics.compare_lines(picture, reference)._asdict())
+    if style != "splatting-lines":
+        found.update(picture_metrics.compare_stipples(picture, reference, silhouette)._asdict())
+    return Result(*case, style, **found)
+
+
+class Group(NamedTuple):
+    """Cases that share their grid and their surfaces."""
+
+    cases: list
+    styles: tuple
+    meshes: str
+    pictures: str
+
+    def __call__(self):
+        case = self.cases[0]
+        grid = phantoms.cube(case.size, case.slice_distance)
+        surfaces = phantoms.with_scans(self.meshes)[case.surface](grid)
+        mesh = phantoms.mesh(surfaces[0])
+        camera = fit_camera(surfaces[0].points)
+        silhouette = find_silhouette(mesh, camera)
+        references = {style: draw(mesh, style, camera)[0] for style in self.styles}
+        values = phantoms.blurred(surfaces, grid)
+        results = []
+        for case in self.cases:
+            phantom = phantoms.scan(surfaces, values, grid, case.type, case.noise)
+            for style in self.styles:
+                results.append(measure(case, style, phantom, references[style], silhouette, camera, self.pictures))
+        return results
+
+
+def _run(group):
+    return group()
+
+
+def run(cases, styles, meshes, pictures, jobs):
+    groups = {}
+    for case in cases:
+        groups.setdefault(case[:3], []).append(case)
+    # The largest first, so that no process is left alone with them.
+    groups = [Group(group, styles, meshes, pictures) for _, group in sorted(groups.items(), key=lambda item: -item[0][1])]
+    results = []
+    start = time.monotonic()
+    with multiprocessing.get_context("spawn").Pool(jobs) as pool:
+        for done in pool.imap_unordered(_run, groups):
+            results += done
+            print(f"{len(results)} of {len(cases) * len(styles)}, {time.monotonic() - start:.0f} s", file=sys.stderr)
+    order = {case: index for index, case in enumerate(cases)}
+    return sorted(results, key=lambda result: (styles.index(result.style), order[Case(*result[:5])]))
+
+
+def write_csv(results, path):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(Result._fields)
+        writer.writerows([f"{value:.4g}" if isinstance(value, float) else value for value in row] for row in results)
+
+
+def read_csv(path):
+    kinds = {**dict.fromkeys(Result._fields, float), "surface": str, "type": str, "style": str}
+    kinds.update(size=int, slice_distance=int)
+    with open(path, newline="", encoding="utf-8") as file:
+        return [Result(**{name: kinds[name](text) if text else "" for name, text in row.items()}) for row in csv.DictReader(file)]
+
+
+# --------------------------------------------------------------------------------------------------------------- page
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "Documentation" / "picture-quality.md"
+INTRODUCTION = """# Picture quality
+
+How near pictures of volumes, drawn with nothing but `--style`, come to pictures of the surface that the volume shows. Known
+surfaces become volumes as a scanner would see them: blurred by a point spread of 0.7 voxel, with Gaussian noise of 0 to 10 %
+of the step at the boundary, as uint8 (a step of 160) and int16 (2000), in cubes of 48, 96 and 192 voxels a side and with
+slices as far apart as one voxel or three. Each picture has 1024 x 1024 pixels and is compared with the one that the same style
+draws of the surface's mesh with the same camera. This page is written by
+
+    . Utilities/env.sh headless
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --output today.csv --meshes FOLDER
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --page today.csv
+
+(`--page before.csv today.csv` shows both, `--quick` measures some cases in minutes.) FOLDER holds the Stanford bunny and the
+Georgia Tech horse as bunny.ply and horse.ply; without it these two are left out. [phantoms.py](../Testing/Benchmarks/phantoms.py)
+makes the volumes, [picture_metrics.py](../Testing/Benchmarks/picture_metrics.py) compares.
+
+- precision: the share of the ink that lies within 2 pixels of the mesh picture's ink; recall: the share of the mesh picture's
+  ink that lies within 2 pixels of ink; F: their harmonic mean;
+- tone: the root mean square difference of darkness within the silhouette, after a blur of 12 pixels, in % of full ink;
+- evenness: the mean distance from a dot to the nearest one, in that of a hexagonal lattice of as many dots on the same area:
+  how much less it is than in the mesh's picture;
+- outside: the share of the ink that lies more than 2 pixels outside of the surface's silhouette;
+- bare: the share of the silhouette that is bare where the mesh's picture is not;
+- iso-value: how far the one chosen lies from the middle of the outermost boundary, in % of its step.
+
+The tree of vessels tapers from 6 voxels to 1 at every size. A tube that is thinner than 1.65 voxels does not reach half of its
+value after the point spread, so that no iso-surface shows the last fifth of the tree's length without showing noise, too.
+"""
+
+
+class Measure(NamedTuple):
+    title: str
+    value: callable  #: of a result
+    target: callable  #: of a result: whether it is reached
+    target_text: str
+    digits: int
+
+
+def _is_easy(result):
+    return result.size >= 96 and result.noise <= 0.05
+
+
+F = Measure("F", lambda r: r.f, lambda r: r.f >= (0.9 if _is_easy(r) else 0.8), "0.9; 0.8 at 48 or 10 % noise", 2)
+STIPPLE_MEASURES = (
+    Measure("tone, %", lambda r: 100 * r.tone, lambda r: r.tone <= 0.05, "5", 1),
+    Measure("evenness", lambda r: r.evenness - r.reference_evenness,
+            lambda r: abs(r.evenness - r.reference_evenness) <= 0.05, "within 0.05", 2),
+    Measure("outside, %", lambda r: 100 * r.outside, lambda r: r.outside <= 0.01, "1", 1),
+    Measure("bare, %", lambda r: 100 * r.bare, lambda r: r.bare <= 0.01, "1", 1),
+)  # fmt: skip
+ISO = Measure("iso-value, %", lambda r: 100 * r.iso_error, lambda r: abs(r.iso_error) <= 0.25, "within 25", 0)
+
+
+def measures_of(results):
+    """Those that a style's results have."""
+    has = lambda name: any(getattr(result, name) != "" for result in results)
+    return (F,) * has("f") + STIPPLE_MEASURES * has("tone") + (ISO,) * has("iso_error")
+
+
+def _rows_of_table(*rows):
+    return "".join(f"| {' | '.join(map(str, row))} |\n" for row in (rows[0], ["---"] * len(rows[0]), *rows[1:]))
+
+
+def _values(results, measure):
+    found = []
+    for result in results:
+        try:
+            found.append(measure.value(result))
+        except TypeError:  # empty
+            pass
+    return found
+
+
+def _means(sets, measure, keep):
+    """The mean over the results to keep, of each set of results: before -> today."""
+    cells = []
+    for results in sets:
+        values = _values(filter(keep, results), measure)
+        cells.append(f"{np.mean(values):.{measure.digits}f}" if values else "–")
+    return " → ".join(cells)
+
+
+def _summary(sets, measures):
+    """For each measure: its target, the share of pictures that reach it, median and worst."""
+    rows = [["", "target", "pictures that reach it, %", "median", "worst"]]
+    for measure in measures:
+        shares, medians, worst = [], [], []
+        for results in sets:
+            kept = [result for result in results if _values([result], measure)]
+            values = _values(kept, measure)
+            if values:
+                shares.append(f"{100 * np.mean([measure.target(result) for result in kept]):.0f}")
+                medians.append(f"{np.median(values):.{measure.digits}f}")
+                worst.append(f"{min(values) if measure is F else max(values, key=abs):.{measure.digits}f}")
+        rows.append([measure.title, measure.target_text, *(" → ".join(column) for column in (shares, medians, worst))])
+    return _rows_of_table(*rows)
+
+
+def _details(sets, measures):
+    """A row for each surface and grid: F for each noise; all else for noise up to 5 %."""
+    has_f = F in measures
+    others = [measure for measure in measures if measure is not F]
+    header = ["surface", "voxels", "slices"] + [f"F, noise {100 * noise:.0f} %" for noise in NOISES] * has_f
+    rows = [header + [measure.title for measure in others]]
+    for grid in dict.fromkeys(result[:3] for results in sets for result in results):
+        row = [grid[0], grid[1], f"1:1:{grid[2]}"]
+        for noise in NOISES if has_f else ():
+            row.append(_means(sets, F, lambda r, noise=noise: r[:3] == grid and r.noise == noise))
+        row += [_means(sets, measure, lambda r: r[:3] == grid and r.noise <= 0.05) for measure in others]
+        rows.append(row)
+    return _rows_of_table(*rows)
+
+
+def page(*sets):
+    """Markdown of one set of results, or of several: before -> today."""
+    text = INTRODUCTION
+    if len(sets) > 1:
+        text += "\nFigures with an arrow are those before smoothing, finer sampling and surface stipples, and today's.\n"
+    for style in dict.fromkeys(result.style for results in sets for result in results):
+        of_style = [[result for result in results if result.style == style] for results in sets]
+        measures = measures_of([result for results in of_style for result in results])
+        text += f"\n## {style}\n\n{_summary(of_style, measures)}\nMeans over both types"
+        text += " (but for F over noise of 0, 2 and 5 %, too):\n\n" + _details(of_style, measures)
+    return text
+
+
+def cases_table(results):
+    """Markdown with a row for each case: what `--quick` prints."""
+    text = ""
+    for style in dict.fromkeys(result.style for result in results):
+        kept = [result for result in results if result.style == style]
+        measures = measures_of(kept)
+        extra = (Measure("precision", lambda r: r.precision, None, "", 2), Measure("recall", lambda r: r.recall, None, "", 2))
+        shown = (extra if F in measures else ()) + measures
+        rows = [["case", *(measure.title for measure in shown)], ["target", *(measure.target_text for measure in shown)]]
+        for result in kept:
+            cells = [_values([result], measure) for measure in shown]
+            rows.append(
+                [Case(*result[:5])] + [f"{cell[0]:.{m.digits}f}" if cell else "–" for cell, m in zip(cells, shown)]
+            )
+        text += f"{style}\n\n{_rows_of_table(*rows)}\n"
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="some cases, in minutes")
+    parser.add_argument("--cases", metavar="REGEX", default="", help="those whose name it finds, as '^knot 96 .*uint8'")
+    parser.add_argument("--styles", default="", help="with commas; all by default")
+    parser.add_argument("--meshes", metavar="FOLDER", help="with bunny.ply and horse.ply")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--pictures", metavar="FOLDER", help="to write pairs of pictures to: the mesh's and the volume's")
+    parser.add_argument("--output", metavar="CSV", help="to write all figures to")
+    parser.add_argument("--page", metavar="CSV", nargs="+", help="write Documentation/picture-quality.md of such files")
+    arguments = parser.parse_args()
+    if arguments.page:
+        PAGE.write_text(page(*map(read_csv, arguments.page)), encoding="utf-8")
+        return
+    surfaces = phantoms.with_scans(arguments.meshes)
+    cases = [case for case in QUICK if case.surface in surfaces] if arguments.quick else all_cases(surfaces)
+    cases = [case for case in cases if re.search(arguments.cases, str(case))]
+    wanted = arguments.styles.split(",") if arguments.styles else STYLES
+    styles = tuple(style for style in wanted if style in vtkink.styles())
+    if not cases or not styles:
+        parser.error("no case or no style of that name")
+    if arguments.pictures:
+        os.makedirs(arguments.pictures, exist_ok=True)
+    results = run(cases, styles, arguments.meshes, arguments.pictures, arguments.jobs)
+    if arguments.output:
+        write_csv(results, arguments.output)
+    print(cases_table(results))
+
+
+if __name__ == "__main__":
+    main()
