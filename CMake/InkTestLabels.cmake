@@ -5,7 +5,7 @@
 set(_ink_test_labels
   "fields:AnalyticFields|Projection|Grid(Field|Geometry)|Gradient|Laplacian|NormalMethods|SampleBox|VdbField"
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCellBound|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
-  "sampling:KdTree|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
+  "sampling:KdTree|DiscSamples|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
   "stippling:Stippl|QuantizedPosition"
   "tone:Tone|DotCoverage|HlsColor|SmallElements|WarmCool"
   "lines:SplattingLines"

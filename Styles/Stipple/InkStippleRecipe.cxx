@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleRecipe.h"
 
+#include "InkIsoSurface.h"
 #include "InkStippleLeaves.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
+#include "InkSurfaceKind.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
@@ -14,7 +16,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkFlyingEdges3D.h"
 #include "vtkGeometryFilter.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -41,20 +42,16 @@ class ChangedGenerator
 public:
   explicit ChangedGenerator(vtkInkStippleGenerator* generator)
     : Generator(generator)
-    , Windowed(generator->GetUseScalarWindow())
     , Count(generator->GetNumberOfSurfaceStipples())
     , ListLength(generator->GetMaximumStipples())
     , Mode(generator->GetMaximumStipplesMode())
   {
-    generator->GetScalarWindow(this->Window);
   }
   ~ChangedGenerator()
   {
     this->Generator->SetInputConnection(nullptr);
     this->Generator->SetStatistics(nullptr);
     this->Generator->SetPassScalars(false);
-    this->Generator->SetUseScalarWindow(this->Windowed);
-    this->Generator->SetScalarWindow(this->Window);
     this->Generator->SetNumberOfSurfaceStipples(this->Count);
     this->Generator->SetMaximumStipples(this->ListLength);
     this->Generator->SetMaximumStipplesMode(this->Mode);
@@ -64,11 +61,9 @@ public:
 
 private:
   vtkInkStippleGenerator* const Generator;
-  const bool Windowed;
   const vtkIdType Count;
   const int ListLength;
   const int Mode;
-  double Window[2];
 };
 
 std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(const std::vector<vtkDataSet*>& leaves)
@@ -144,7 +139,12 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   const bool images = found[0] > 0.0;
   const bool stipples = found[1] > 0.0;
   style->OfImage = images;
-  if (images)
+  const bool surface = !images || this->TakesIsoSurfaces(input);
+  if (images && surface)
+  {
+    this->StippleIsoSurfaces(leaves, input);
+  }
+  else if (images)
   {
     this->StippleImages(leaves, input);
   }
@@ -165,14 +165,13 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   }
   if (style->GetPiece(vtkInkStippleStyle::STIPPLES)->GetNumberOfPoints() == 0)
   {
-    style->AddNote(!images ? "nothing to draw: no stipple was placed"
-        : this->Generator->GetUseScalarWindow() || style->IsoSurfaceHides
+    style->AddNote(surface ? "nothing to draw: no stipple was placed"
+        : this->Generator->GetUseScalarWindow()
         ? "nothing to draw: no voxel has a gradient that is steep enough and a value in the window"
         : "nothing to draw: no voxel has a gradient that is steep enough");
   }
-  const bool hidden = images && !this->HidingValues.empty();
-  InkWriteNumbers(style->GetPiece(vtkInkStippleStyle::STIPPLES), hidden ? style->RoomAtHidingSurface : 1.0,
-    style->GetPiece(vtkInkStippleStyle::NUMBERS));
+  InkWriteNumbers(
+    style->GetPiece(vtkInkStippleStyle::STIPPLES), style->GetPiece(vtkInkStippleStyle::NUMBERS));
   return this->Problem;
 }
 
@@ -206,38 +205,28 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
   }
 }
 
-void InkStippleRecipe::ChooseHidingValues(const InkStippleLeaves& leaves, bool whole)
+bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
 {
-  vtkInkStippleStyle* style = this->Style;
-  this->HidingValues = style->IsoSurfaceHides ? style->IsoValues : std::vector<double>();
-  // Processes that hold parts would each choose another one.
-  if (!style->IsoSurfaceHides || !style->IsoValues.empty() || !whole)
-  {
-    return;
-  }
-  if (const auto chosen = style->ChooseIsoValue(leaves.Images.front(), style->Scalars))
-  {
-    this->HidingValues = { *chosen };
-  }
+  // Processes that hold parts would each choose another iso-value.
+  const bool automatic = !input.Port || !this->Style->IsoSurface->GetIsoValues().empty();
+  return this->Style->StippleSource == vtkInkStippleStyle::ISO_SURFACE ||
+    (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && automatic);
 }
 
-vtkSmartPointer<vtkPolyData> InkStippleRecipe::MakeIsoSurface(vtkImageData* image)
+void InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
-  vtkNew<vtkFlyingEdges3D> surface;
-  surface->SetInputData(image);
-  if (!style->Scalars.empty())
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (vtkImageData* image : leaves.Images)
   {
-    surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, style->Scalars.c_str());
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    this->Say(style->IsoSurface->Sample(style, input, image, style->Scalars, parts.back()));
   }
-  for (std::size_t i = 0; i < this->HidingValues.size(); ++i)
+  const vtkSmartPointer<vtkPolyData> points = style->GetProcesses().Gather(parts);
+  if (points->GetNumberOfPoints() > 0)
   {
-    surface->SetValue(static_cast<int>(i), this->HidingValues[i]);
+    this->StippleSurface(points);
   }
-  surface->ComputeNormalsOff();
-  surface->ComputeScalarsOff();
-  this->Say(style->Follow(surface, "finding the surface"));
-  return surface->GetOutput();
 }
 
 void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
@@ -254,15 +243,6 @@ void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkIn
   else
   {
     generator->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars);
-  }
-  this->ChooseHidingValues(leaves, !input.Port && !leaves.Images.empty());
-  const std::vector<double>& isoValues = this->HidingValues;
-  const bool hides = !isoValues.empty();
-  if (hides && !generator->GetUseScalarWindow())
-  {
-    generator->UseScalarWindowOn();
-    generator->SetScalarWindow(
-      *std::min_element(isoValues.begin(), isoValues.end()), std::numeric_limits<double>::max());
   }
   // The leaves of composite data are whole images, and so is an image that comes from nowhere.
   vtkNew<vtkInformation> whole;
@@ -314,13 +294,8 @@ void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkIn
     generator->SetStatistics(statistics);
   }
   std::vector<vtkSmartPointer<vtkPolyData>> stipples;
-  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   for (vtkImageData* image : measured)
   {
-    if (hides)
-    {
-      surfaces.push_back(this->MakeIsoSurface(image));
-    }
     connect(image);
     this->TakeColors(image, false);
     this->Say(style->Follow(generator, "placing stipples", [&] { generator->Update(update); }));
@@ -331,7 +306,6 @@ void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkIn
     }
   }
   style->GetPiece(vtkInkStippleStyle::STIPPLES)->ShallowCopy(InkAppend(stipples));
-  style->GetPiece(vtkInkStippleStyle::SURFACE)->ShallowCopy(InkAppend(surfaces));
 }
 
 void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
@@ -342,12 +316,19 @@ void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
   {
     return;
   }
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  if (!InkHasSurface(mesh))
   {
     this->Say("Stipple draws nothing for data of " + std::to_string(mesh->GetNumberOfPoints()) +
-      " points without polygons. It needs an image, a mesh, or stipples of Ink Stipple Generator");
+      " points without polygons. It needs an image, a mesh, points with Normals and Radius, or stipples of "
+      "Ink Stipple Generator");
     return;
   }
+  this->StippleSurface(mesh);
+}
+
+void InkStippleRecipe::StippleSurface(vtkPolyData* mesh)
+{
+  vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
   const double room = style->GetInteractive() ? UsualRoom : style->PixelsPerStipple;
@@ -366,6 +347,10 @@ void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
     surface->SetPoints(mesh->GetPoints());
     surface->SetPolys(mesh->GetPolys());
     surface->SetStrips(mesh->GetStrips());
+    if (!InkHasPolygons(mesh))
+    {
+      surface->GetPointData()->PassData(mesh->GetPointData());
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include "VolumeSlices.h"
 
 #include "vtkDataArray.h"
+#include "vtkInkIllustrationStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkSurfaceSampler.h"
 #include "vtkPolyData.h"
@@ -63,10 +64,16 @@ const char* nameOf(InkParameterData kind)
 
 } // namespace
 
+vtkInkSplattingLinesStyle* linesOf(vtkInkStyle* style)
+{
+  auto* illustration = vtkInkIllustrationStyle::SafeDownCast(style);
+  return illustration ? illustration->GetLinesStyle() : vtkInkSplattingLinesStyle::SafeDownCast(style);
+}
+
 SceneMaker::SceneMaker(const RenderOptions& options, bool follow)
   : Options(options)
 {
-  if (auto* lines = vtkInkSplattingLinesStyle::SafeDownCast(options.style))
+  if (vtkInkSplattingLinesStyle* lines = linesOf(options.style))
   {
     lines->GetSurfaceSampler()->SetFollowDeformation(follow);
   }
@@ -86,18 +93,17 @@ StyledScene SceneMaker::make(const Input& input, Progress& progress)
   this->Options.parameters->checkData(kindOf(input), nameOf(kindOf(input)));
   StyledScene subject;
   subject.style = style;
+  vtkSmartPointer<vtkDataObject> data = input.data;
   // Lines need the points of surfaces and nothing else of a volume.
-  if (input.isVolume() && vtkInkSplattingLinesStyle::SafeDownCast(style))
+  if (input.isVolume() && linesOf(style))
   {
-    subject.points = this->sampleSurfaces(input, subject.notes, progress);
-    style->ShowPieces({ subject.points });
-    return subject;
+    data = this->sampleSurfaces(input, subject.notes, progress);
   }
-  if (input.isVolume())
+  else if (input.isVolume())
   {
     this->prepareVolume(input, subject.notes);
   }
-  makeMarks(style, input.data, subject.notes, progress);
+  makeMarks(style, data, subject.notes, progress);
   subject.points = style->GetPiece(0);
   style->Show();
   return subject;
@@ -138,7 +144,7 @@ void SceneMaker::prepareVolume(const Input& input, std::vector<std::string>& not
     }
     throw Failure("--style " + std::string(style->GetName()) + " needs the whole volume at once, " +
       memoryText(bytes) + ": expected --memory of " + memoryText(Memory::limitFor(bytes, 2)) +
-      " or more, or --style splatting-lines");
+      " or more, or --style illustration");
   }
   if (isWithoutIsoValues(style, *this->Options.parameters))
   {

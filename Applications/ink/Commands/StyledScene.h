@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+class vtkInkSplattingLinesStyle;
 class vtkInkStyle;
 class vtkPolyData;
 
@@ -15,6 +16,9 @@ namespace ink::cli
 {
 
 struct RenderOptions;
+
+/// The style that draws lines, or draws them in this one; null if there are none.
+vtkInkSplattingLinesStyle* linesOf(vtkInkStyle* style);
 
 /// What is drawn, before it has a camera.
 struct StyledScene

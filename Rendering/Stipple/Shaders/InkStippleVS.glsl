@@ -134,9 +134,9 @@ void placeResult()
 }
 #endif
 
-void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint element)
+void placeDot(vec2 centerPixel, float depth, float opacity, float size, uint element)
 {
-  if (!(opacity > 0.0) || center.w <= 0.0)
+  if (!(opacity > 0.0))
   {
     return;
   }
@@ -159,7 +159,7 @@ void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint ele
   {
     return;
   }
-  gl_Position = vec4((low + high) / viewportSize - 1.0, center.z / center.w, 1.0);
+  gl_Position = vec4((low + high) / viewportSize - 1.0, depth, 1.0);
   gl_PointSize = max(high.x - low.x, high.y - low.y);
 }
 
@@ -261,8 +261,9 @@ void main()
   colorVSOutput = color;
 #endif
 
-  opacity = clipDistance(position) < 0.0 ? 0.0 : opacity;
   vec4 center = VCDCMatrix * position;
+  opacity = clipDistance(position) < 0.0 || center.w <= 0.0 ? 0.0 : opacity;
+  float dotDepth = center.z / center.w;
   vec2 centerPixel = (0.5 * center.xy / center.w + 0.5) * viewportSize;
 #ifdef INK_OCCLUDED
   if (opacity > 0.0)
@@ -273,7 +274,8 @@ void main()
     vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
     vec2 last = viewportSize + 2.0 * occluderMargin - 1.0;
     float hides = texelFetch(occluder, ivec2(clamp(centerPixel + occluderMargin, vec2(0.0), last)), 0).r;
-    opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
+    dotDepth = lifted.z / lifted.w;
+    opacity = 0.5 * dotDepth + 0.5 > hides ? 0.0 : opacity;
   }
 #endif
   toneVSOutput = vec3(tone, opacity, size);
@@ -283,6 +285,6 @@ void main()
 #ifdef INK_RESULTS
   placeResult();
 #else
-  placeDot(center, centerPixel, opacity, size, uint(element));
+  placeDot(centerPixel, dotDepth, opacity, size, uint(element));
 #endif
 }
