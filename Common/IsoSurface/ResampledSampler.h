@@ -145,8 +145,8 @@ private:
   void sampleTile(std::size_t n, Workspace& work)
   {
     const int tile = static_cast<int>(n);
-    const glm::ivec3 at(tile % this->Counts.x, tile / this->Counts.x % this->Counts.y,
-      tile / this->Counts.x / this->Counts.y);
+    const glm::ivec3 at(
+      tile % this->Counts.x, tile / this->Counts.x % this->Counts.y, tile / this->Counts.x / this->Counts.y);
     const glm::ivec3 ownBegin = this->Begin + at * this->OwnTile;
     const glm::ivec3 ownEnd = glm::min(ownBegin + this->OwnTile, this->End);
     if (this->isOutside(this->Ranges.Low[n], this->Ranges.High[n]))
@@ -264,8 +264,7 @@ private:
           const glm::ivec3 cell(i, j, k);
           const std::size_t offset =
             i + static_cast<std::size_t>(own.x) * (j + static_cast<std::size_t>(own.y) * k);
-          const bool skip =
-            (!skipped.empty() && skipped[offset]) || this->Request.lacksCorner(cell);
+          const bool skip = (!skipped.empty() && skipped[offset]) || this->Request.lacksCorner(cell);
           if (!skip)
           {
             continue;
@@ -276,7 +275,8 @@ private:
           {
             for (int y = begin.y; y < end.y; ++y)
             {
-              std::uint8_t* row = marks.data() + static_cast<std::size_t>(size.x) * (y + static_cast<std::size_t>(size.y) * z);
+              std::uint8_t* row =
+                marks.data() + static_cast<std::size_t>(size.x) * (y + static_cast<std::size_t>(size.y) * z);
               std::fill(row + begin.x, row + end.x, std::uint8_t(1));
             }
           }
@@ -333,7 +333,8 @@ private:
     for (std::size_t n = 0; n < samples.normals.size(); n += 3)
     {
       const auto at = [&](const auto& points) { return glm::dvec3(points[n], points[n + 1], points[n + 2]); };
-      const glm::dvec3 gradient = field.gradient(this->DoublePoints ? at(samples.doublePoints) : at(samples.points));
+      const glm::dvec3 gradient =
+        field.gradient(this->DoublePoints ? at(samples.doublePoints) : at(samples.points));
       const double length = std::hypot(gradient.x, gradient.y, gradient.z);
       for (int axis = 0; length > 0.0 && std::isfinite(length) && axis < 3; ++axis)
       {

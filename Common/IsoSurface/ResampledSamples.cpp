@@ -35,8 +35,8 @@ IsoSurfaceResampling makeIsoSurfaceResampling(
   {
     const double ratio = spacing[axis] / smallest;
     resampling.deviation[axis] = std::max(smoothing, 0.0) / ratio;
-    resampling.subdivision[axis] =
-      static_cast<int>(std::clamp(std::round(ratio * std::max(subdivision, 1)), 1.0, 1.0 * largestSubdivision));
+    resampling.subdivision[axis] = static_cast<int>(
+      std::clamp(std::round(ratio * std::max(subdivision, 1)), 1.0, 1.0 * largestSubdivision));
   }
   return resampling;
 }

@@ -33,10 +33,7 @@ struct IsoSurfaceResampling
   SmoothingTarget target = SmoothingTarget::Surface;
 
   /// Whether the grid stays what it is.
-  bool isIdentity() const
-  {
-    return this->deviation == glm::dvec3(0.0) && this->subdivision == glm::ivec3(1);
-  }
+  bool isIdentity() const { return this->deviation == glm::dvec3(0.0) && this->subdivision == glm::ivec3(1); }
 };
 
 inline constexpr int largestSubdivision = 8;

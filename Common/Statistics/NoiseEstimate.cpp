@@ -39,7 +39,8 @@ double quantileOf(std::vector<double>& numbers, double share)
   {
     return 0.0;
   }
-  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
+  const auto at =
+    numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
   std::nth_element(numbers.begin(), at, numbers.end());
   return *at;
 }
@@ -125,7 +126,8 @@ private:
           (static_cast<double>(value) >= this->IsoValue ? above : below) = true;
           equal = equal && value == middle;
           int weight = 1;
-          for (const int step : { this->Reach.x > 0 ? x : 1, this->Reach.y > 0 ? y : 1, this->Reach.z > 0 ? z : 1 })
+          for (const int step :
+            { this->Reach.x > 0 ? x : 1, this->Reach.y > 0 ? y : 1, this->Reach.z > 0 ? z : 1 })
           {
             weight *= step == 0 ? -2 : 1;
           }
@@ -178,8 +180,8 @@ private:
   const GridField<T>& Field;
   glm::ivec3 Size;
   double IsoValue;
-  glm::ivec3 Reach;       ///< of a neighborhood
-  double Deviation = 1.0; ///< of a neighborhood's sum, for noise of deviation 1
+  glm::ivec3 Reach;                               ///< of a neighborhood
+  double Deviation = 1.0;                         ///< of a neighborhood's sum, for noise of deviation 1
   std::array<std::vector<double>, 2> Differences; ///< below and above the iso-value
   std::vector<double> Changes;
   std::vector<double> Steps;

@@ -408,8 +408,7 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   }
   const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
     geometry, this->Smoothing, this->Subdivision, static_cast<ink::SmoothingTarget>(this->SmoothingTarget));
-  const double radius =
-    ink::isoSurfaceSampleRadius(ink::resampledGeometry(geometry, resampling.subdivision));
+  const double radius = ink::isoSurfaceSampleRadius(ink::resampledGeometry(geometry, resampling.subdivision));
   internals.RenewPoints(doubles ? VTK_DOUBLE : VTK_FLOAT);
   const int normalType = this->OutputNormalsPrecision == SINGLE_PRECISION ? VTK_FLOAT
     : this->OutputNormalsPrecision == SHORT_PRECISION                     ? VTK_SHORT
@@ -455,7 +454,8 @@ void vtkInkIsoSurfaceSampler::SampleImage(
         internals.Counts, progressFrom(0.0));
     }
     return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
-             this->UseIndex ? &internals.Ranges : nullptr, grow, request.Expected, internals.Counts, progressFrom(0.0)) &&
+             this->UseIndex ? &internals.Ranges : nullptr, grow, request.Expected, internals.Counts,
+             progressFrom(0.0)) &&
       (this->ProjectionSteps == 0 ||
         Project(field, request, this->ProjectionSteps, grow(0), internals.Counts, progressFrom(share)));
   };

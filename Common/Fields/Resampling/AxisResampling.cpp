@@ -170,7 +170,7 @@ std::span<const double> AxisResampling::weights(int position) const
 {
   const std::size_t taps = static_cast<std::size_t>(this->Taps);
   const bool inside = position >= this->LowEnd && position < this->HighEnd;
-  const int row = inside           ? position % this->Subdivision
+  const int row = inside      ? position % this->Subdivision
     : position < this->LowEnd ? position
                               : this->LowEnd + position - this->HighEnd;
   return std::span(inside ? this->Inside : this->Ends).subspan(static_cast<std::size_t>(row) * taps, taps);

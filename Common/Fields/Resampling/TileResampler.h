@@ -40,8 +40,7 @@ public:
     const glm::ivec3& reach)
   {
     this->Source.begin = glm::max(positions.begin / subdivision - reach, glm::ivec3(0));
-    this->Source.end =
-      glm::min((positions.end - 1) / subdivision + reach + 2, field.geometry().dimensions());
+    this->Source.end = glm::min((positions.end - 1) / subdivision + reach + 2, field.geometry().dimensions());
     const glm::ivec3 size = this->Source.size();
     const std::size_t width = static_cast<std::size_t>(size.x);
     this->Samples.resize(this->Source.count());

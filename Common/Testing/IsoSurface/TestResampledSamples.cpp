@@ -35,8 +35,8 @@ struct Setting
 };
 
 template <class Real = float, class T>
-Samples<Real> resample(const ink::GridField<T>& field, double isoValue, const Setting& setting,
-  ink::TileRanges* ranges = nullptr)
+Samples<Real> resample(
+  const ink::GridField<T>& field, double isoValue, const Setting& setting, ink::TileRanges* ranges = nullptr)
 {
   Samples<Real> samples;
   const ink::GrowRoom grow = [&](std::size_t count)
@@ -151,7 +151,8 @@ TEST(ResampledSamples, SmoothingRemovesNoiseFromNormals)
   const auto volume = blurred(centered(glm::ivec3(40), glm::dvec3(1.0)), sphere, 0.1);
   const Errors before = errorsOf(sampleIsoSurface<float>(volume.field(), 0.5), sphere);
   const Errors after = errorsOf(resample(volume.field(), 0.5, { 1.0, 1 }), sphere);
-  const Errors normals = errorsOf(resample(volume.field(), 0.5, { 1.0, 1, SmoothingTarget::Normals }), sphere);
+  const Errors normals =
+    errorsOf(resample(volume.field(), 0.5, { 1.0, 1, SmoothingTarget::Normals }), sphere);
   EXPECT_LT(after.angle, 0.35 * before.angle);
   EXPECT_LT(after.distance, 0.5 * before.distance);
   EXPECT_LT(normals.angle, 0.35 * before.angle);
@@ -173,8 +174,7 @@ TEST(ResampledSamples, LongVoxelsBecomeCubesAndSmoothingIsTheSameInAllDirections
 {
   const Sphere sphere{ glm::dvec3(0.0), 9.0 };
   const auto volume = blurred(centered({ 30, 30, 10 }, { 1.0, 1.0, 3.0 }), sphere, 0.0);
-  const auto resampling =
-    ink::makeIsoSurfaceResampling(volume.geometry, 1.2, 1, SmoothingTarget::Surface);
+  const auto resampling = ink::makeIsoSurfaceResampling(volume.geometry, 1.2, 1, SmoothingTarget::Surface);
   EXPECT_EQ(resampling.subdivision, glm::ivec3(1, 1, 3));
   EXPECT_NEAR(resampling.deviation.z, 0.4, 1e-12);
   EXPECT_NEAR(resampling.deviation.x, 1.2, 1e-12);
@@ -192,9 +192,9 @@ TEST(ResampledSamples, ArePlacedInRotatedAndDistantGrids)
   for (const double size : { 1e-9, 1.0, 1e9 })
   {
     const Sphere sphere{ glm::dvec3(1e4 * size), 8.0 * size };
-    const auto volume = Volume<double>::from(
-      centered(glm::ivec3(22), glm::dvec3(size, -size, size), rotation, sphere.center),
-      [&](const glm::dvec3& p) { return -sphere.value(p) / size; });
+    const auto volume =
+      Volume<double>::from(centered(glm::ivec3(22), glm::dvec3(size, -size, size), rotation, sphere.center),
+        [&](const glm::dvec3& p) { return -sphere.value(p) / size; });
     const auto samples = resample<double>(volume.field(), 0.0, { 0.5, 2 });
     ASSERT_GT(samples.size(), 1000u);
     const Errors errors = errorsOf(samples, sphere);
@@ -208,8 +208,8 @@ TEST(ResampledSamples, PartsGiveTheSamplesOfTheWhole)
 {
   const Torus torus{ 11.0, 5.0 };
   const auto whole = blurred<std::int16_t>(centered({ 37, 34, 20 }, { 1.0, 1.1, 1.7 }), torus, 0.03, 1000.0);
-  for (const Setting& setting : { Setting{ 0.8, 1 }, Setting{ 0.0, 3 }, Setting{ 0.6, 2, SmoothingTarget::Normals },
-         Setting{ 0.7, 1, SmoothingTarget::Surface, 3 } })
+  for (const Setting& setting : { Setting{ 0.8, 1 }, Setting{ 0.0, 3 },
+         Setting{ 0.6, 2, SmoothingTarget::Normals }, Setting{ 0.7, 1, SmoothingTarget::Surface, 3 } })
   {
     const auto unsorted = resample(whole.field(), 500.0, setting);
     const auto expected = sorted(unsorted);
@@ -218,8 +218,8 @@ TEST(ResampledSamples, PartsGiveTheSamplesOfTheWhole)
     EXPECT_EQ(resample(whole.field(), 500.0, setting), unsorted) << "one thread";
     unsetenv("VTK_SMP_MAX_THREADS");
 
-    const int ghosts = ink::isoSurfaceResamplingReach(setting.smoothing, setting.subdivision) +
-      (setting.projectionSteps > 0);
+    const int ghosts =
+      ink::isoSurfaceResamplingReach(setting.smoothing, setting.subdivision) + (setting.projectionSteps > 0);
     Sorted<float> together;
     const glm::ivec3 cells = whole.geometry.dimensions() - 1;
     const glm::ivec3 cut = cells / 2 + glm::ivec3(1, -2, 3);

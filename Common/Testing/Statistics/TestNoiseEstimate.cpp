@@ -52,8 +52,11 @@ TEST(NoiseEstimate, FindsKnownNoiseWithin10Percent)
       EXPECT_NEAR(found.step, step, 0.1 * step) << noise;
     };
     check(estimateNoise(blurred<float>(centered(56), ball, 0.0, 1.0, noise).field(), 0.5), 1.0);
-    check(estimateNoise(blurred<std::int16_t>(centered(56), ball, -1000.0, 2000.0, 2000.0 * noise).field(), 0.0), 2000.0);
-    check(estimateNoise(blurred<std::uint8_t>(centered(56), ball, 50.0, 140.0, 140.0 * noise).field(), 120.0), 140.0);
+    check(
+      estimateNoise(blurred<std::int16_t>(centered(56), ball, -1000.0, 2000.0, 2000.0 * noise).field(), 0.0),
+      2000.0);
+    check(estimateNoise(blurred<std::uint8_t>(centered(56), ball, 50.0, 140.0, 140.0 * noise).field(), 120.0),
+      140.0);
     // A tube of three voxels does not reach the whole step.
     const auto found = estimateNoise(blurred<float>(centered(56), thin, 0.0, 1.0, noise).field(), 0.5);
     EXPECT_NEAR(found.noise, noise, 0.1 * noise) << "around a thin tube";
@@ -85,7 +88,8 @@ TEST(NoiseEstimate, OneNoisySideCountsHalf)
 TEST(NoiseEstimate, GreyLevelsAreFound)
 {
   const Sphere ball{ glm::dvec3(0.3), 18.0 };
-  EXPECT_EQ(estimateNoise(blurred<std::uint8_t>(centered(48), ball, 10.0, 100.0, 1.0).field(), 60.0).quantum, 1.0);
+  EXPECT_EQ(
+    estimateNoise(blurred<std::uint8_t>(centered(48), ball, 10.0, 100.0, 1.0).field(), 60.0).quantum, 1.0);
   // 12 bits in the upper bits of 16.
   auto volume = blurred<std::uint16_t>(centered(48), ball, 100.0, 900.0, 20.0);
   for (std::uint16_t& value : volume.values)
@@ -103,7 +107,8 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   {
     const double suggested = ink::suggestSmoothing({ noise, 1.0, 0.0 }, cubes);
     EXPECT_GT(suggested, last) << noise;
-    EXPECT_EQ(ink::suggestSmoothing({ 1e-9 * noise, 1e-9, 0.0 }, 1e6 * cubes), suggested) << "units do not matter";
+    EXPECT_EQ(ink::suggestSmoothing({ 1e-9 * noise, 1e-9, 0.0 }, 1e6 * cubes), suggested)
+      << "units do not matter";
     last = suggested;
   }
   EXPECT_LE(last, 2.0);
@@ -123,10 +128,11 @@ TEST(NoiseEstimate, SaysNothingOfDegenerateGrids)
   const auto slice = Volume<float>::from(
     GridGeometry({ 60, 60, 1 }), [&](const glm::dvec3&) { return 0.1 * hashNormal(3, n++); });
   EXPECT_NEAR(estimateNoise(slice.field(), nan).noise, 0.1, 0.01);
-  const auto wide = Volume<std::int64_t>::from(centered(20), [&](const glm::dvec3&)
-    { return n++ % 2 ? 0x1p62 : -0x1p62; });
+  const auto wide =
+    Volume<std::int64_t>::from(centered(20), [&](const glm::dvec3&) { return n++ % 2 ? 0x1p62 : -0x1p62; });
   EXPECT_TRUE(std::isfinite(estimateNoise(wide.field(), 0.0).noise));
-  const auto large = Volume<double>::from(centered(20), [&](const glm::dvec3& p)
+  const auto large = Volume<double>::from(centered(20),
+    [&](const glm::dvec3& p)
     { return p.x < 0.0 ? -std::numeric_limits<double>::max() : std::numeric_limits<double>::max(); });
   EXPECT_TRUE(std::isfinite(estimateNoise(large.field(), 0.0).step));
 }
