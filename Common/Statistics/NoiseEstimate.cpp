@@ -20,8 +20,10 @@ namespace
 /// The median magnitude of a normal distribution of deviation 1.
 constexpr double normalMedian = 0.6744897501960817;
 
-/// Fewer neighborhoods on one side of the surface do not tell its noise.
+/// Fewer neighborhoods on one side of the surface, or a smaller share of those on the other, do not tell its
+/// noise: they lie at edges.
 constexpr std::size_t fewest = 64;
+constexpr double leastShare = 0.1;
 
 /// Samples looked at, about: enough for an error of a percent.
 constexpr double mostSamples = 400000.0;
@@ -29,8 +31,8 @@ constexpr double mostSamples = 400000.0;
 /// On each side of an intersected edge, so many samples show the whole step.
 constexpr int stepReach = 2;
 
-/// The range of normally distributed noise in that many samples on both sides, in deviations, as a median.
-constexpr double noiseRange = 1.7;
+/// By how many deviations noise makes the range of so many samples across a blurred edge larger, as a median.
+constexpr double noiseRange = 0.4;
 
 /// Changes the order of numbers. 0 for none.
 double quantileOf(std::vector<double>& numbers, double share)
@@ -85,9 +87,11 @@ public:
     NoiseEstimate result;
     std::array<double, 2> variances = {};
     int sides = 0;
+    const std::size_t most = std::max(this->Differences[0].size(), this->Differences[1].size());
     for (std::vector<double>& differences : this->Differences)
     {
-      if (differences.size() >= fewest)
+      if (differences.size() >= fewest &&
+        static_cast<double>(differences.size()) >= leastShare * static_cast<double>(most))
       {
         const double deviation = quantileOf(differences, 0.5) / normalMedian / this->Deviation;
         variances[static_cast<std::size_t>(sides++)] = deviation * deviation;
@@ -174,7 +178,10 @@ private:
         greatest = std::max(greatest, d);
       }
     }
-    this->Steps.push_back(greatest - least);
+    if (std::isfinite(greatest - least))
+    {
+      this->Steps.push_back(greatest - least);
+    }
   }
 
   const GridField<T>& Field;

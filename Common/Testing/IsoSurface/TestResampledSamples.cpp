@@ -154,7 +154,9 @@ TEST(ResampledSamples, SmoothingRemovesNoiseFromNormals)
   const Errors normals =
     errorsOf(resample(volume.field(), 0.5, { 1.0, 1, SmoothingTarget::Normals }), sphere);
   EXPECT_LT(after.angle, 0.35 * before.angle);
-  EXPECT_LT(after.distance, 0.5 * before.distance);
+  // A Gaussian moves the surface of a ball inwards by about its variance over the radius.
+  EXPECT_LT(after.distance, 1.4 / sphere.radius);
+  EXPECT_LT(after.distance, before.distance);
   EXPECT_LT(normals.angle, 0.35 * before.angle);
   EXPECT_NEAR(normals.distance, before.distance, 0.05 * before.distance) << "the surface stays";
 }
