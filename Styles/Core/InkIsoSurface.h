@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ public:
   /// Parameters; see their table.
   void SetIsoValues(const std::vector<double>& values);
   const std::vector<double>& GetIsoValues() const { return this->IsoValues; }
+  void SetSmoothing(double smoothing);
+  double GetSmoothing() const { return this->Smoothing; }
+  void SetSmoothingTarget(int target);
+  int GetSmoothingTarget() const;
+  void SetSubdivision(int subdivision);
+  int GetSubdivision() const { return this->Subdivision; }
   ///@}
 
   vtkInkIsoSurfaceSampler* GetSampler() { return this->Sampler; }
@@ -37,19 +44,34 @@ public:
   vtkMTimeType GetMTime();
 
   /**
-   * The points of an image's surfaces, with Normals and Radius.
-   * @param style that follows the sampler and notes a value that is chosen
-   * @param image to sample; of one that is input.Data, and comes from a port, the piece that is asked for
+   * Finds what the images of all processes are sampled with; all processes call it at once, also without
+   * images.
+   * @param style that notes a value that is chosen
    * @param array the point array to sample; empty: the active scalars
+   * @return what is wrong; empty if nothing is
+   */
+  std::string Prepare(vtkInkStyle* style, const vtkInkStyle::Input& input,
+    std::span<vtkImageData* const> images, const std::string& array);
+
+  /**
+   * The points of an image's surfaces, with Normals and Radius; after Prepare.
+   * @param style that follows the sampler
+   * @param image to sample; of one that is input.Data, and comes from a port, the piece that is asked for
    * @param points becomes them
    * @return what is wrong; empty if nothing is
    */
-  std::string Sample(vtkInkStyle* style, const vtkInkStyle::Input& input, vtkImageData* image,
-    const std::string& array, vtkPolyData* points);
+  std::string Sample(
+    vtkInkStyle* style, const vtkInkStyle::Input& input, vtkImageData* image, vtkPolyData* points);
 
 private:
+  double FindSmoothing(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
+    const std::vector<double>& values) const;
+  int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images) const;
+
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   std::vector<double> IsoValues;
+  double Smoothing = -1.0; ///< negative: as the image's noise asks for
+  int Subdivision = 0;     ///< 0: as the picture's size asks for
   vtkTimeStamp Changed;
 };
 

@@ -3,6 +3,7 @@
 
 #include "InkIsoSurface.h"
 #include "InkParameter.h"
+#include "InkStyleProcesses.h"
 #include "InkSurfaceKind.h"
 #include "vtkInkIllustrationMapper.h"
 #include "vtkInkSplattingLinesMapper.h"
@@ -14,6 +15,7 @@
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -127,14 +129,37 @@ const char* vtkInkIllustrationStyle::GetPieceName(int piece)
   return piece < lines ? this->Lines->GetPieceName(piece) : this->Stipples->GetPieceName(piece - lines);
 }
 
+bool vtkInkIllustrationStyle::FindImages(vtkDataObject* data)
+{
+  auto* image = vtkImageData::SafeDownCast(data);
+  double images = image && image->GetNumberOfPoints() > 0 ? 1.0 : 0.0;
+  this->GetProcesses().TakeGreatest({ &images, 1 });
+  return images > 0.0;
+}
+
 std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
 {
-  std::string problem = this->MakeMarksOf(this->Lines, input);
-  this->GetPiece(0)->ShallowCopy(this->Lines->GetPiece(0));
-  const Input surface{ IsMesh(input.Data) ? input.Data : this->GetPiece(0) };
-  if (problem.empty() && this->GetPiece(0)->GetNumberOfPoints() > 0)
+  Input own = input;
+  vtkSmartPointer<vtkPolyData> whole;
+  if (auto* mesh = vtkPolyData::SafeDownCast(input.Data); input.Port && !this->FindImages(input.Data))
   {
-    problem = this->MakeMarksOf(this->Stipples, surface);
+    // Meshes and points of several processes are put together on the first one.
+    whole = this->GetProcesses().Gather(
+      { mesh ? vtkSmartPointer<vtkPolyData>(mesh) : vtkSmartPointer<vtkPolyData>::New() });
+    own = { whole };
+  }
+  const bool others = whole && whole->GetNumberOfPoints() == 0;
+  std::string problem = others ? std::string() : this->MakeMarksOf(this->Lines, own);
+  if (!others)
+  {
+    this->GetPiece(0)->ShallowCopy(this->Lines->GetPiece(0));
+  }
+  // All processes take part where there are several.
+  if (input.Port || (problem.empty() && this->GetPiece(0)->GetNumberOfPoints() > 0))
+  {
+    const std::string ofStipples =
+      this->MakeMarksOf(this->Stipples, { IsMesh(own.Data) ? own.Data : this->GetPiece(0) });
+    problem = problem.empty() ? ofStipples : problem;
     for (int piece = 0; piece < this->Stipples->GetNumberOfPieces(); ++piece)
     {
       this->GetPiece(1 + piece)->ShallowCopy(this->Stipples->GetPiece(piece));

@@ -78,6 +78,8 @@ private:
   vtkInkIllustrationStyle(const vtkInkIllustrationStyle&) = delete;
   void operator=(const vtkInkIllustrationStyle&) = delete;
 
+  /// Whether any process has an image.
+  bool FindImages(vtkDataObject* data);
   void UpdateLightInk();
 
   vtkNew<vtkInkSplattingLinesStyle> Lines;

@@ -3,6 +3,7 @@
 
 #include "InkIsoSurface.h"
 #include "InkParameter.h"
+#include "InkStyleProcesses.h"
 #include "InkSurfaceKind.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
@@ -100,13 +101,26 @@ std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
 
 std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
 {
-  if (std::string reason = this->GetReasonAgainst(input.Data); !reason.empty())
+  std::vector<vtkImageData*> images;
+  if (auto* image = vtkImageData::SafeDownCast(input.Data); image && image->GetNumberOfPoints() > 0)
+  {
+    images.push_back(image);
+  }
+  // Processes without a part of the image take part, too.
+  double hasImages = images.empty() ? 0.0 : 1.0;
+  this->GetProcesses().TakeGreatest({ &hasImages, 1 });
+  std::string reason = hasImages > 0.0 && images.empty() ? std::string() : this->GetReasonAgainst(input.Data);
+  if (hasImages > 0.0)
+  {
+    const std::string problem = this->IsoSurface->Prepare(this, input, images, {});
+    reason = reason.empty() ? problem : reason;
+    return reason.empty() && !images.empty()
+      ? this->IsoSurface->Sample(this, input, images.front(), this->GetPiece(0))
+      : reason;
+  }
+  if (!reason.empty())
   {
     return reason;
-  }
-  if (auto* image = vtkImageData::SafeDownCast(input.Data))
-  {
-    return this->IsoSurface->Sample(this, input, image, {}, this->GetPiece(0));
   }
   auto* mesh = vtkPolyData::SafeDownCast(input.Data);
   if (!InkHasPolygons(mesh) && InkHasDiscs(mesh))

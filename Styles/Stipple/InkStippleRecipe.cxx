@@ -216,11 +216,13 @@ bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
 void InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
+  const std::string problem = style->IsoSurface->Prepare(style, input, leaves.Images, style->Scalars);
+  this->Say(problem);
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
-  for (vtkImageData* image : leaves.Images)
+  for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
   {
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
-    this->Say(style->IsoSurface->Sample(style, input, image, style->Scalars, parts.back()));
+    this->Say(style->IsoSurface->Sample(style, input, leaves.Images[i], parts.back()));
   }
   const vtkSmartPointer<vtkPolyData> points = style->GetProcesses().Gather(parts);
   if (points->GetNumberOfPoints() > 0)

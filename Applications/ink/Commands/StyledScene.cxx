@@ -94,8 +94,8 @@ StyledScene SceneMaker::make(const Input& input, Progress& progress)
   StyledScene subject;
   subject.style = style;
   vtkSmartPointer<vtkDataObject> data = input.data;
-  // Lines need the points of surfaces and nothing else of a volume.
-  if (input.isVolume() && linesOf(style))
+  // Lines need the points of surfaces and nothing else of a volume that is larger than memory.
+  if (input.isVolume() && !data && linesOf(style))
   {
     data = this->sampleSurfaces(input, subject.notes, progress);
   }
@@ -105,8 +105,24 @@ StyledScene SceneMaker::make(const Input& input, Progress& progress)
   }
   makeMarks(style, data, subject.notes, progress);
   subject.points = style->GetPiece(0);
+  if (input.isVolume())
+  {
+    this->requireMemoryFor(subject.points->GetNumberOfPoints());
+  }
   style->Show();
   return subject;
+}
+
+void SceneMaker::requireMemoryFor(vtkIdType points) const
+{
+  const std::uint64_t limit = this->Options.input.memory.limit;
+  const std::uint64_t bytes = static_cast<std::uint64_t>(points) * drawnPointBytes;
+  if (bytes > limit)
+  {
+    throw Failure("the surface has " + std::to_string(points) +
+      " points or more, which cannot be drawn in less than " + memoryText(bytes) +
+      ": expected --memory of more than that, found " + memoryText(limit));
+  }
 }
 
 vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
@@ -118,13 +134,7 @@ vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
   PointStore points(memory.limit, {});
   const auto keep = [&](int index, vtkPolyData* part)
   {
-    const std::uint64_t count = points.size() + static_cast<std::uint64_t>(part->GetNumberOfPoints());
-    if (count * drawnPointBytes > memory.limit)
-    {
-      throw Failure("the surface has " + std::to_string(count) +
-        " points or more, which cannot be drawn in less than " + memoryText(count * drawnPointBytes) +
-        ": expected --memory of more than that, found " + memoryText(memory.limit));
-    }
+    this->requireMemoryFor(static_cast<vtkIdType>(points.size()) + part->GetNumberOfPoints());
     points.add(index, part);
   };
   notes = sampleVolume(input, sampling, memory, keep, progress);
@@ -152,9 +162,12 @@ void SceneMaker::prepareVolume(const Input& input, std::vector<std::string>& not
   }
   std::vector<double> values = isoValuesOf(style);
   takeSurfaceValue(input, values, notes);
-  if (!values.empty())
+  if (linesOf(style) || !values.empty())
   {
     checkIsoValues(values, findFiniteRange(*input.volume));
+  }
+  if (!values.empty())
+  {
     setIsoValues(style, values);
   }
 }
