@@ -22,6 +22,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProbeFilter.h"
 
 #include <algorithm>
 #include <array>
@@ -139,20 +140,16 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   const bool images = found[0] > 0.0;
   const bool stipples = found[1] > 0.0;
   style->OfImage = images;
-  const bool surface = !images || this->TakesIsoSurfaces(input);
-  if (images && surface)
-  {
-    this->StippleIsoSurfaces(leaves, input);
-  }
-  else if (images)
+  const bool ofVoxels = images && !(this->TakesIsoSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
+  if (ofVoxels)
   {
     this->StippleImages(leaves, input);
   }
-  else if (stipples)
+  else if (!images && stipples)
   {
     this->TakeStipples(leaves);
   }
-  else
+  else if (!images)
   {
     this->StippleSurfaces(leaves);
   }
@@ -165,7 +162,7 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   }
   if (style->GetPiece(vtkInkStippleStyle::STIPPLES)->GetNumberOfPoints() == 0)
   {
-    style->AddNote(surface ? "nothing to draw: no stipple was placed"
+    style->AddNote(!ofVoxels ? "nothing to draw: no stipple was placed"
         : this->Generator->GetUseScalarWindow()
         ? "nothing to draw: no voxel has a gradient that is steep enough and a value in the window"
         : "nothing to draw: no voxel has a gradient that is steep enough");
@@ -213,22 +210,48 @@ bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
     (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && automatic);
 }
 
-void InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
+bool InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
   const std::string problem = style->IsoSurface->Prepare(style, input, leaves.Images, style->Scalars);
+  if (!problem.empty() && style->StippleSource == vtkInkStippleStyle::AUTOMATIC)
+  {
+    return false;
+  }
   this->Say(problem);
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
   for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
   {
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
     this->Say(style->IsoSurface->Sample(style, input, leaves.Images[i], parts.back()));
+    this->AddColorsOf(leaves.Images[i], parts.back());
   }
   const vtkSmartPointer<vtkPolyData> points = style->GetProcesses().Gather(parts);
   if (points->GetNumberOfPoints() > 0)
   {
     this->StippleSurface(points);
   }
+  return true;
+}
+
+void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
+{
+  const std::string& chosen = this->Style->ColorBy;
+  vtkDataArray* colors =
+    chosen.empty() ? image->GetPointData()->GetScalars() : image->GetPointData()->GetArray(chosen.c_str());
+  // What is asked for by a map of colors, or by a name.
+  if (!colors || !colors->GetName() || (chosen.empty() && this->Style->ColorMap.empty()))
+  {
+    return;
+  }
+  vtkNew<vtkImageData> source;
+  source->CopyStructure(image);
+  source->GetPointData()->SetScalars(colors);
+  vtkNew<vtkProbeFilter> probe;
+  probe->SetInputData(points);
+  probe->SetSourceData(source);
+  probe->Update();
+  points->GetPointData()->SetScalars(probe->GetOutput()->GetPointData()->GetArray(colors->GetName()));
 }
 
 void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)

@@ -17,6 +17,7 @@
 class vtkCellData;
 class vtkDataSet;
 class vtkImageData;
+class vtkPolyData;
 struct InkStippleLeaves;
 
 class InkStippleRecipe
@@ -29,7 +30,10 @@ public:
 
 private:
   void StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input);
-  void StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input);
+  /// @return false if that is not asked for and there is no iso-value
+  bool StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input);
+  /// Gives points of an image's surface its values of the array to color by, as scalars.
+  void AddColorsOf(vtkImageData* image, vtkPolyData* points);
   void StippleSurfaces(const InkStippleLeaves& leaves);
   /// Stipples polygons, or points with normals.
   void StippleSurface(vtkPolyData* surface);

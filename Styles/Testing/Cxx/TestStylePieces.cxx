@@ -477,10 +477,9 @@ TEST(StylePieces, ProgressIsTold)
       }
     });
   style->AddObserver(vtkCommand::ProgressEvent, command);
-  style->SetParameter("IsoSurfaceHides", 1);
   style->SetParameterAsString("IsoValues", "60");
   ASSERT_TRUE(style->Make(MakeBall()));
-  EXPECT_EQ(steps, (std::vector<std::string>{ "finding the surface", "placing stipples" }));
+  EXPECT_EQ(steps, (std::vector<std::string>{ "sampling the surface", "placing stipples" }));
 }
 
 TEST(StylePieces, LightComesFromItsSide)
