@@ -19,6 +19,34 @@ vtkInkIllustrationRepresentation::vtkInkIllustrationRepresentation()
 
 vtkInkIllustrationRepresentation::~vtkInkIllustrationRepresentation() = default;
 
+void vtkInkIllustrationRepresentation::SetAutomaticIsoValue(bool automatic)
+{
+  this->AutomaticIsoValue = automatic;
+  this->UpdateIsoValue();
+}
+
+void vtkInkIllustrationRepresentation::SetIsoValue(double value)
+{
+  this->IsoValue = value;
+  this->UpdateIsoValue();
+}
+
+void vtkInkIllustrationRepresentation::UpdateIsoValue()
+{
+  this->ChangeStyle(
+    [this](vtkInkStyle* style)
+    {
+      if (this->AutomaticIsoValue)
+      {
+        style->SetParameterAsString("IsoValues", "");
+      }
+      else
+      {
+        style->SetParameter("IsoValues", this->IsoValue);
+      }
+    });
+}
+
 int vtkInkIllustrationRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {

@@ -133,19 +133,28 @@ vtkMTimeType InkIsoSurface::GetMTime()
   return std::max(this->Changed.GetMTime(), this->Sampler->GetMTime());
 }
 
-std::string InkIsoSurface::Prepare(vtkInkStyle* style, const vtkInkStyle::Input& input,
-  std::span<vtkImageData* const> images, const std::string& array)
+std::optional<double> InkIsoSurface::ChooseValue(
+  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
+{
+  const auto own = images.empty() ? std::nullopt : style->ChooseIsoValue(images.front(), array);
+  const double voxels = own ? static_cast<double>(images.front()->GetNumberOfPoints()) : 0.0;
+  double most = voxels;
+  style->GetProcesses().TakeGreatest({ &most, 1 });
+  double value = own && voxels == most ? *own : std::numeric_limits<double>::lowest();
+  style->GetProcesses().TakeGreatest({ &value, 1 });
+  return most > 0.0 ? std::optional(value) : std::nullopt;
+}
+
+std::string InkIsoSurface::Prepare(
+  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
 {
   std::vector<double> values = this->IsoValues;
   if (values.empty())
   {
-    // Processes that hold parts would each choose another one.
-    const auto chosen =
-      input.Port || images.empty() ? std::nullopt : style->ChooseIsoValue(images.front(), array);
+    const auto chosen = ChooseValue(style, images, array);
     if (!chosen)
     {
-      return input.Port ? "expected an iso-value, found none"
-                        : "expected an image with two different finite values or more, found none";
+      return "expected an image with two different finite values or more, found none";
     }
     values.push_back(*chosen);
   }

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,8 +51,7 @@ public:
    * @param array the point array to sample; empty: the active scalars
    * @return what is wrong; empty if nothing is
    */
-  std::string Prepare(vtkInkStyle* style, const vtkInkStyle::Input& input,
-    std::span<vtkImageData* const> images, const std::string& array);
+  std::string Prepare(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array);
 
   /**
    * The points of an image's surfaces, with Normals and Radius; after Prepare.
@@ -64,6 +64,9 @@ public:
     vtkInkStyle* style, const vtkInkStyle::Input& input, vtkImageData* image, vtkPolyData* points);
 
 private:
+  /// That of the process with the largest image, where they hold parts.
+  static std::optional<double> ChooseValue(
+    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array);
   double FindSmoothing(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
     const std::vector<double>& values) const;
   int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images) const;

@@ -14,10 +14,8 @@
 #include "Tone/Lightness.h"
 
 #include "vtkActor.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -51,10 +49,6 @@ constexpr Subject Presets[] = {
   { 1.2, 0.3, 2.0, 7.0, 0.995, 150.0, 2.0 }, // vessel
   { 1.1, 0.05, 2.0, 9.0, 0.995, 150.0, 2.0 } // machine-part
 };
-
-/// By how much of their radius discs of the lines' surface may lie before a mesh and still hide none of its
-/// stipples.
-constexpr double DiscOffset = 0.5;
 
 bool IsMesh(vtkDataObject* data)
 {
@@ -173,13 +167,6 @@ void vtkInkIllustrationStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces
   this->Lines->ShowPieces({ pieces[0] });
   this->Stipples->ShowPieces({ pieces.begin() + 1, pieces.end() });
   this->Mapper->SetInputDataObject(pieces[0]);
-  // Stipples on the polygons of a mesh show before the discs that lines are drawn on.
-  vtkPolyData* numbers = pieces[1 + vtkInkStippleStyle::NUMBERS];
-  vtkDataArray* radii = pieces[0] ? pieces[0]->GetPointData()->GetArray("Radius") : nullptr;
-  vtkDataArray* size = numbers ? numbers->GetPointData()->GetArray("ElementSize") : nullptr;
-  const bool ofMesh = IsMesh(pieces[1 + vtkInkStippleStyle::SURFACE]);
-  this->Stipples->GetStippleMapper()->SetOccluderOffset(
-    ofMesh && radii && size ? DiscOffset * radii->GetFiniteRange()[1] / size->GetComponent(0, 0) : -1.0);
 }
 
 void vtkInkIllustrationStyle::UpdatePixels()

@@ -112,7 +112,7 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
   std::string reason = hasImages > 0.0 && images.empty() ? std::string() : this->GetReasonAgainst(input.Data);
   if (hasImages > 0.0)
   {
-    const std::string problem = this->IsoSurface->Prepare(this, input, images, {});
+    const std::string problem = this->IsoSurface->Prepare(this, images, {});
     reason = reason.empty() ? problem : reason;
     return reason.empty() && !images.empty()
       ? this->IsoSurface->Sample(this, input, images.front(), this->GetPiece(0))

@@ -204,7 +204,7 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
 
 bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
 {
-  // Processes that hold parts would each choose another iso-value.
+  // Of data that comes from somewhere, in ParaView say, nothing is chosen unasked.
   const bool automatic = !input.Port || !this->Style->IsoSurface->GetIsoValues().empty();
   return this->Style->StippleSource == vtkInkStippleStyle::ISO_SURFACE ||
     (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && automatic);
@@ -213,7 +213,7 @@ bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
 bool InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
-  const std::string problem = style->IsoSurface->Prepare(style, input, leaves.Images, style->Scalars);
+  const std::string problem = style->IsoSurface->Prepare(style, leaves.Images, style->Scalars);
   if (!problem.empty() && style->StippleSource == vtkInkStippleStyle::AUTOMATIC)
   {
     return false;

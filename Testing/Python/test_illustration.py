@@ -22,7 +22,7 @@ def ball(cells, spacing=(1.0, 1.0, 1.0), noise=0.0, origin=0.0, scale=1.0):
     axes = [np.linspace(-1, 1, count) for count in counts]
     z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
     distance = np.sqrt(x * x + y * y + z * z)
-    values = 200 / (1 + np.exp((distance - RADIUS) / (0.35 / cells)))
+    values = 200 / (1 + np.exp((distance - RADIUS) / (0.35 * max(spacing) / cells)))
     values = values + np.random.default_rng(1).normal(0, 1, values.shape) * noise * 200
     image = vtk.vtkImageData()
     image.SetDimensions(counts)
@@ -125,15 +125,15 @@ def test_what_lies_behind_is_hidden():
     """Of two balls, one before the other, only the front one's stipples show, dark as they are alone."""
     z, y, x = np.meshgrid(*[np.linspace(-1, 1, 48)] * 3, indexing="ij")
     values = {}
-    for name, middles in {"front": [0.5], "both": [0.5, -0.5]}.items():
-        distance = np.min([np.sqrt(x * x + y * y + (z - middle) ** 2) for middle in middles], axis=0)
-        values[name] = (200 / (1 + np.exp((distance - 0.4) / 0.01))).astype("f4")
+    for name, balls in {"front": [(0.5, 0.4)], "both": [(0.5, 0.4), (-0.5, 0.3)]}.items():
+        distance = np.min([np.sqrt(x * x + y * y + (z - middle) ** 2) - radius for middle, radius in balls], axis=0)
+        values[name] = (200 / (1 + np.exp(distance / 0.01))).astype("f4")
     drawn = {}
     for name, array in values.items():
         image = ball(48)
         image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(array.ravel(), deep=True))
-        # The same range of depths.
-        drawn[name] = draw(image, "stipple", distance=0)[1]
+        # Which is relative to the range of depths.
+        drawn[name] = draw(image, "stipple", distance_enhancement=False)[1]
     assert drawn["both"].sum() == pytest.approx(drawn["front"].sum(), rel=0.05)
 
 

@@ -37,6 +37,7 @@ uniform float largestPoint; // pixels
 uniform sampler2D occluder;
 uniform float occluderMargin; // pixels that it shows on each side of the viewport
 uniform float occluderOffset; // view units towards the eye
+const float paperDistance = 4.0; // pixels
 
 // StippleTone::View
 uniform float listed;
@@ -274,8 +275,11 @@ void main()
     vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
     vec2 last = viewportSize + 2.0 * occluderMargin - 1.0;
     float hides = texelFetch(occluder, ivec2(clamp(centerPixel + occluderMargin, vec2(0.0), last)), 0).r;
+    opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
+    // What its own surface does not hide is not to be hidden by another drawing of the same surface, lines on paper say.
+    lift = min(lift + paperDistance * pixelVC * center.w / max(slant, 0.25), max(0.5 * distanceFromEye, 0.0));
+    lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
     dotDepth = lifted.z / lifted.w;
-    opacity = 0.5 * dotDepth + 0.5 > hides ? 0.0 : opacity;
   }
 #endif
   toneVSOutput = vec3(tone, opacity, size);
