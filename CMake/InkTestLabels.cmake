@@ -3,14 +3,14 @@
 # test's name. Read where tests are added, and once more by ctest, which finds the tests of GoogleTest in their programs.
 # The test TestLabels fails where a test has no label.
 set(_ink_test_labels
-  "fields:AnalyticFields|Projection|Grid(Field|Geometry)|Gradient|Laplacian|NormalMethods|SampleBox|VdbField"
+  "fields:AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Laplacian|NormalMethods|SampleBox|VdbField"
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCellBound|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
-  "sampling:KdTree|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
+  "sampling:KdTree|DiscSamples|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
   "stippling:Stippl|QuantizedPosition"
   "tone:Tone|DotCoverage|HlsColor|SmallElements|WarmCool"
   "lines:SplattingLines"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
-  "statistics:IsoValue|Histogram|FiniteRange"
+  "statistics:IsoValue|NoiseEstimate|Histogram|FiniteRange"
   "vdb:Vdb|VDB|vdb"
   "reading:FuzzCorpus|^IO(Core|Mesh|Volume)"
   "styles:^Styles"

@@ -36,7 +36,7 @@ series() {
 stipple_pictures() {
   local style=stipple
   local bonsai="Data/bonsai.nii.gz --view front --elevation 12 --percentile 97"
-  local engine="Data/engine.nii.gz --view iso"
+  local engine="Data/engine.nii.gz --stipple-source volume --view iso"
   local block="$work/engine.ply --view iso"
   local plain="--interior 0 --distance 0"
   series boundary "$bonsai $plain --silhouette off --pixels-per-stipple 12" "--boundary off" "--boundary 0.1,1.5,1"
@@ -47,7 +47,7 @@ stipple_pictures() {
   series size "$engine" "--distance-ks 1,0 --interior-ks 0.3,0" "--distance-ks 1,1 --interior-ks 0.3,1"
   series interior "$bonsai" "--interior 0" "--interior 0.4"
   series color "$block" "" "--color 1"
-  series occluder "$engine" "" "--iso 80"
+  series occluder "Data/engine.nii.gz --view iso" "--stipple-source volume" "--iso 80"
   series parts "$engine --zoom 0.6" "--parts probability" "--parts intensity"
   series presets "$engine" "--preset anatomy" "--preset bone" "--preset soft-tissue" "--preset engineering" \
     "--preset plate-white-on-black"

@@ -19,10 +19,6 @@ namespace ink
 namespace
 {
 
-/// Whether float is precise enough for every T and for sums and differences of a few.
-template <class T>
-constexpr bool FitsSingle = (std::is_integral_v<T> && sizeof(T) <= 2) || std::is_same_v<T, float>;
-
 template <class Work, class T>
 bool placeAll(const GridField<T>& field, double isoValue, const SampleOptions& options,
   const ActiveCells& cells, const SampleRoom& to, const Progress& progress)

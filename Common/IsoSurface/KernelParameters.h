@@ -15,6 +15,10 @@
 namespace ink
 {
 
+/// Whether float is precise enough for every T and for sums and differences of a few.
+template <class T>
+inline constexpr bool FitsSingle = (std::is_integral_v<T> && sizeof(T) <= 2) || std::is_same_v<T, float>;
+
 /// Classifies a grid's axes.
 inline GridAxes axesOf(const GridGeometry& geometry)
 {

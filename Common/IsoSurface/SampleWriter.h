@@ -32,16 +32,22 @@ void writePoints(const Work (&points)[3][BatchStride], int count, To* to)
   }
 }
 
+/// A unit vector's component times the largest Integer, rounded.
+template <class Integer>
+Integer quantized(float component)
+{
+  const float v = component * std::numeric_limits<Integer>::max();
+  return static_cast<Integer>(v + (v < 0.0f ? -0.5f : 0.5f));
+}
+
 template <class Integer>
 void writeQuantized(const float (&normals)[3][BatchStride], int count, Integer* to)
 {
-  constexpr float scale = std::numeric_limits<Integer>::max();
   for (int i = 0; i < count; ++i)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const float v = normals[axis][i] * scale;
-      to[3 * i + axis] = static_cast<Integer>(v + (v < 0.0f ? -0.5f : 0.5f));
+      to[3 * i + axis] = quantized<Integer>(normals[axis][i]);
     }
   }
 }

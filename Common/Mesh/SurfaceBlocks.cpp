@@ -41,11 +41,11 @@ int SurfaceBlocks::color(std::size_t block) const
   return parity.x + 2 * parity.y + 4 * parity.z;
 }
 
-SurfaceBlocks::SurfaceBlocks(
-  const SurfacePieces& pieces, float side, std::uint64_t seed, std::vector<SpacedSample>& samples)
+SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas, float side,
+  std::uint64_t seed, std::vector<SpacedSample>& samples)
   : Samples(samples)
 {
-  const std::size_t count = pieces.count();
+  const std::size_t count = middles.size();
   const glm::vec3 shift = unitVector(hash(seed, 1));
   const std::uint64_t ownSeed = hash(seed, 2);
   std::vector<glm::ivec3> cells(count);
@@ -55,7 +55,7 @@ SurfaceBlocks::SurfaceBlocks(
       for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
       {
         const glm::vec3 moved = farthestMoved * (2.0f * unitVector(hash(ownSeed ^ i)) - 1.0f);
-        cells[i] = glm::ivec3(glm::floor(pieces.middle(i) / side + shift + moved));
+        cells[i] = glm::ivec3(glm::floor(middles[i] / side + shift + moved));
       }
     });
   std::vector<std::uint32_t> blockOf(count);
@@ -92,7 +92,7 @@ SurfaceBlocks::SurfaceBlocks(
   this->Areas.resize(count + 1);
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Areas[i + 1] = this->Areas[i] + pieces.area(this->Pieces[i]);
+    this->Areas[i + 1] = this->Areas[i] + areas[this->Pieces[i]];
   }
   this->FirstSample.assign(this->Cells.size() + 2, 0);
   for (const SpacedSample& sample : samples)

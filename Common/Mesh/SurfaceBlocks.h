@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Mesh/SurfacePieces.h"
 #include "PointSampling/CandidatePoints.h"
 
 #include <glm/vec3.hpp>
@@ -28,10 +27,12 @@ public:
   /// blocks.
   static constexpr float longestPiece = 0.25f;
 
+  /// @param middles positions of the pieces, best in an order in which neighbors are mostly close
+  /// @param areas of the pieces, in any unit
   /// @param side of the blocks
   /// @param samples of the surface, sorted by block here. Kept as a reference.
-  SurfaceBlocks(
-    const SurfacePieces& pieces, float side, std::uint64_t seed, std::vector<SpacedSample>& samples);
+  SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas, float side,
+    std::uint64_t seed, std::vector<SpacedSample>& samples);
 
   std::size_t count() const { return this->Cells.size(); }
   /// From 0 to 7.

@@ -69,6 +69,7 @@ SurfacePieces::SurfacePieces(const TriangleMesh& mesh, std::span<const glm::vec3
   : Mesh(mesh)
   , Points(points)
   , Normals(normals)
+  , Longest(longest)
 {
   const std::size_t triangles = mesh.triangles.size();
   const std::size_t chunks = (triangles + chunkSize - 1) / chunkSize;

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,10 +28,10 @@ public:
   SurfacePieces(const TriangleMesh& mesh, std::span<const glm::vec3> points,
     std::span<const glm::vec3> normals, float longest);
 
-  std::size_t count() const { return this->Order.size(); }
   /// In the mesh's own unit.
-  double area(std::size_t piece) const { return this->Areas[piece]; }
-  const glm::vec3& middle(std::size_t piece) const { return this->Middles[piece]; }
+  std::span<const double> areas() const { return this->Areas; }
+  std::span<const glm::vec3> middles() const { return this->Middles; }
+  float longest() const { return this->Longest; }
 
   /// The coordinate frame of a piece, to position samples in it.
   struct Frame
@@ -41,6 +42,13 @@ public:
     glm::vec3 normal; // unit; 0 if degenerate
   };
   Frame frame(std::size_t piece) const;
+  /// A uniform position (b1, b2) in a piece of two uniform numbers in [0, 1).
+  static glm::vec2 coordinates(float u, float v)
+  {
+    const float root = std::sqrt(u);
+    const float b2 = root * v;
+    return { root - b2, b2 };
+  }
   /// The sample at origin + b1 along1 + b2 along2 of a piece, in coordinates of its triangle.
   SurfaceSample sample(std::size_t piece, float b1, float b2) const;
 
@@ -52,6 +60,7 @@ private:
   TriangleMesh Mesh;
   std::span<const glm::vec3> Points;
   std::span<const glm::vec3> Normals;
+  float Longest;
   std::vector<std::uint32_t> Order; // of each piece: its triangle,
   std::vector<std::uint32_t> Cut;   // and the corners below; none where no triangle is cut
   std::vector<Corners> CutCorners;

@@ -11,6 +11,7 @@
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "IsoSurface/MinMaxBricks.h"
 #include "IsoSurface/ProjectSamples.h"
+#include "IsoSurface/ResampledSamples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
@@ -58,6 +59,7 @@ class vtkInkIsoSurfaceSampler::vtkInternals
 public:
   /// The ranges of bricks, and the array that they belong to.
   ink::MinMaxBricks Ranges;
+  ink::TileRanges TileRanges;
   vtkWeakPointer<vtkDataArray> RangesOf;
   vtkMTimeType RangesTime = 0;
   int RangesComponent = 0;
@@ -97,18 +99,22 @@ public:
       this->Points->SetDataType(type);
     }
   }
+  void ClearRanges()
+  {
+    this->Ranges.clear();
+    this->TileRanges.clear();
+  }
   /// Drops ranges of other values.
-  ink::MinMaxBricks* RangesFor(vtkDataArray* array, vtkImageData* image, int component)
+  void KeepRangesOf(vtkDataArray* array, vtkImageData* image, int component)
   {
     const vtkMTimeType time = std::max(array->GetMTime(), image->GetMTime());
     if (this->RangesOf != array || this->RangesTime != time || this->RangesComponent != component)
     {
-      this->Ranges.clear();
+      this->ClearRanges();
       this->RangesOf = array;
       this->RangesTime = time;
       this->RangesComponent = component;
     }
-    return &this->Ranges;
   }
 };
 
@@ -158,7 +164,6 @@ struct SampleRequest
   std::span<const double> IsoValues;
   ink::SampleOptions Options;
   ink::CellSelection Cells;
-  ink::MinMaxBricks* Ranges;
   std::size_t Expected;
 };
 
@@ -260,6 +265,11 @@ const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
   return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
 }
 
+const char* vtkInkIsoSurfaceSampler::GetSmoothingTargetAsString()
+{
+  return this->SmoothingTarget == NORMALS ? "Normals" : "Surface";
+}
+
 const char* vtkInkIsoSurfaceSampler::GetNormalMethodAsString()
 {
   constexpr const char* names[] = { "Cell", "InterpolatedGradient", "InterpolatedNormal", "Regression" };
@@ -285,12 +295,12 @@ const char* vtkInkIsoSurfaceSampler::GetArithmeticPrecisionAsString()
 
 vtkIdType vtkInkIsoSurfaceSampler::GetIndexMemory()
 {
-  return static_cast<vtkIdType>(this->Internals->Ranges.bytes());
+  return static_cast<vtkIdType>(this->Internals->Ranges.bytes() + this->Internals->TileRanges.bytes());
 }
 
 void vtkInkIsoSurfaceSampler::ReleaseIndex()
 {
-  this->Internals->Ranges.clear();
+  this->Internals->ClearRanges();
 }
 
 vtkMTimeType vtkInkIsoSurfaceSampler::GetMTime()
@@ -312,7 +322,7 @@ int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
   // up to a cell on those beyond.
   using SDDP = vtkStreamingDemandDrivenPipeline;
   const int ghostLevels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) +
-    (this->ProjectionSteps > 0 ? 2 : 1);
+    ink::isoSurfaceResamplingReach(this->Smoothing, this->Subdivision) + (this->ProjectionSteps > 0 ? 1 : 0);
   input[0]->GetInformationObject(0)->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels);
   return 1;
 }
@@ -376,7 +386,10 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   request.Options.method = static_cast<ink::NormalMethod>(this->NormalMethod);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   request.Cells = InkSelectCells(info, outInfo, image);
-  request.Ranges = this->UseIndex ? internals.RangesFor(scalars, image, this->ArrayComponent) : nullptr;
+  if (this->UseIndex)
+  {
+    internals.KeepRangesOf(scalars, image, this->ArrayComponent);
+  }
   request.Expected = std::max(internals.Expected, std::size_t(1024));
   if (std::any_of(request.IsoValues.begin(), request.IsoValues.end(), [](double v) { return std::isnan(v); }))
   {
@@ -393,7 +406,9 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   {
     request.Expected = GuessCount(geometry.dimensions());
   }
-  const double radius = ink::isoSurfaceSampleRadius(geometry);
+  const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
+    geometry, this->Smoothing, this->Subdivision, static_cast<ink::SmoothingTarget>(this->SmoothingTarget));
+  const double radius = ink::isoSurfaceSampleRadius(ink::resampledGeometry(geometry, resampling.subdivision));
   internals.RenewPoints(doubles ? VTK_DOUBLE : VTK_FLOAT);
   const int normalType = this->OutputNormalsPrecision == SINGLE_PRECISION ? VTK_FLOAT
     : this->OutputNormalsPrecision == SHORT_PRECISION                     ? VTK_SHORT
@@ -421,7 +436,7 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   int component = this->ArrayComponent;
   const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-  const double share = this->ProjectionSteps > 0 ? 0.5 : 1.0;
+  const double share = this->ProjectionSteps > 0 && resampling.isIdentity() ? 0.5 : 1.0;
   const auto progressFrom = [this, share](double begin)
   {
     return [this, share, begin](double done)
@@ -432,8 +447,15 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   };
   const auto sample = [&](const auto& field)
   {
-    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells, request.Ranges,
-             grow, request.Expected, internals.Counts, progressFrom(0.0)) &&
+    if (!resampling.isIdentity())
+    {
+      return ink::sampleResampledIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
+        resampling, this->ProjectionSteps, this->UseIndex ? &internals.TileRanges : nullptr, grow,
+        internals.Counts, progressFrom(0.0));
+    }
+    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
+             this->UseIndex ? &internals.Ranges : nullptr, grow, request.Expected, internals.Counts,
+             progressFrom(0.0)) &&
       (this->ProjectionSteps == 0 ||
         Project(field, request, this->ProjectionSteps, grow(0), internals.Counts, progressFrom(share)));
   };
@@ -564,6 +586,9 @@ void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
      << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
      << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"
+     << indent << "Smoothing: " << this->Smoothing << "\n"
+     << indent << "SmoothingTarget: " << this->GetSmoothingTargetAsString() << "\n"
+     << indent << "Subdivision: " << this->Subdivision << "\n"
      << indent << "ContourValues:\n";
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());
 }

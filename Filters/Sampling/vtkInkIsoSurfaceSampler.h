@@ -19,7 +19,8 @@
  *
  * Points are sorted by iso-value, then by cell, and are the same for any number of threads (set by
  * VTK_SMP_MAX_THREADS) and for any partition of the image into pieces with one level of ghost cells, or two
- * with ProjectionSteps, which the filter requests. If the whole image arrives for every piece, as with
+ * with ProjectionSteps, and with Smoothing or Subdivision as many more as that takes, which the filter
+ * requests. If the whole image arrives for every piece, as with
  * SetInputData, or only for the first one, as from readers without piece support, the first piece processes
  * all of it. Cells marked as duplicate, hidden or refined, and cells with a corner that is NaN, infinite or
  * hidden, yield no points; a NaN or hidden voxel nearby makes the central difference one-sided.
@@ -30,6 +31,10 @@
  * surface enters, see UseIndex. The inner loops are compiled for several instruction sets (SSE2, AVX2,
  * AVX-512), give bitwise identical results in each, and are chosen at run time; the environment variable
  * VTKINK_INSTRUCTION_SET (baseline, avx2, avx512) overrides the choice.
+ *
+ * With Smoothing or Subdivision, values are smoothed and cells divided tile by tile, and no more of the
+ * resampled image exists at any time; "cell" then means such a smaller cell, and points are sorted by
+ * iso-value, then by tile, then by cell.
  *
  * Output arrays that nobody else references when the filter runs again are reused, see ReuseArrays.
  *
@@ -98,6 +103,49 @@ public:
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);
   vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The standard deviation of the Gaussian that values are smoothed with before the surface is sampled, in
+   * multiples of the smallest spacing, the same in all world directions; 0 to 8. Default: 0, values as they
+   * are. Where voxels are not cubes, cells then are divided until they are about cubes, as with
+   * Subdivision. Removes what noise, few grey levels and the distance of slices do to normals, and with it
+   * parts thinner than the Gaussian, see SmoothingTarget; Common/Statistics/NoiseEstimate.h suggests a value.
+   */
+  vtkSetClampMacro(Smoothing, double, 0.0, 8.0);
+  vtkGetMacro(Smoothing, double);
+  ///@}
+
+  /// What is smoothed, see SetSmoothingTarget.
+  enum SmoothingTargetType
+  {
+    SURFACE = 0,
+    NORMALS = 1
+  };
+
+  ///@{
+  /**
+   * What is made of the smoothed values. SURFACE (default): the surface and its normals. NORMALS: only the
+   * normals (by central differences, interpolated), while the surface stays where the image's own values say,
+   * and so do thin parts.
+   */
+  vtkSetClampMacro(SmoothingTarget, int, SURFACE, NORMALS);
+  vtkGetMacro(SmoothingTarget, int);
+  void SetSmoothingTargetToSurface() { this->SetSmoothingTarget(SURFACE); }
+  void SetSmoothingTargetToNormals() { this->SetSmoothingTarget(NORMALS); }
+  const char* GetSmoothingTargetAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How many cells take the place of one along the axis of the smallest spacing, 1 to 8; along others more,
+   * so that cells are about cubes, but at most 8. Default: 1. Values in between are interpolated by cubics
+   * (Catmull and Rom) or come from the Gaussian of Smoothing; Radius is that of the smaller cells. Above 1,
+   * cells are divided also where Smoothing is 0.
+   */
+  vtkSetClampMacro(Subdivision, int, 1, 8);
+  vtkGetMacro(Subdivision, int);
   ///@}
 
   /// How normals are estimated, see SetNormalMethod.
@@ -288,6 +336,9 @@ private:
   int ArrayComponent = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   int ProjectionSteps = 0;
+  double Smoothing = 0.0;
+  int SmoothingTarget = SURFACE;
+  int Subdivision = 1;
   bool UseIndex = true;
   bool ReuseArrays = true;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleGenerator.h"
 
+#include "InkDiscStipples.h"
 #include "InkImageGrid.h"
 #include "InkReportException.h"
 #include "InkSurfaceStipples.h"
@@ -72,8 +73,8 @@ int ProjectedListLength(const ink::GridGeometry& whole, double pixels)
   const glm::dvec3 sides = glm::abs(glm::dvec3(whole.dimensions()) * whole.spacing());
   const double longest = std::max({ sides.x, sides.y, sides.z });
   const double edge = std::cbrt(std::abs(glm::determinant(whole.stepToWorld())));
-  return ink::stipple::projectedListLength(static_cast<float>(edge / longest), static_cast<float>(1.0 / pixels),
-    ink::stipple::maximumStipplesPerVoxel);
+  return ink::stipple::projectedListLength(static_cast<float>(edge / longest),
+    static_cast<float>(1.0 / pixels), ink::stipple::maximumStipplesPerVoxel);
 }
 
 } // namespace
@@ -172,10 +173,15 @@ int vtkInkStippleGenerator::RequestData(
                            "image of a grid, vtkDataSetSurfaceFilter a mesh of its surface.");
     return 1;
   }
-  const std::string kind = mesh ? "mesh" : "image";
+  const bool hasPolygons = mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  const std::string kind = !mesh ? "image" : hasPolygons || !InkHasDiscs(mesh) ? "mesh" : "surface";
   try
   {
-    if (mesh)
+    if (kind == "surface")
+    {
+      this->StippleDiscs(mesh, inputVector, output);
+    }
+    else if (mesh)
     {
       this->StippleSurface(mesh, inputVector, output);
     }
@@ -288,7 +294,9 @@ void vtkInkStippleGenerator::StippleSurface(
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
     throw std::invalid_argument("it has " + std::to_string(mesh->GetNumberOfPoints()) + " points and " +
-      std::to_string(mesh->GetNumberOfCells()) + " cells, none of them a polygon; expected polygons");
+      std::to_string(mesh->GetNumberOfCells()) +
+      " cells, none of them a polygon; expected polygons, or points with the arrays \"Normals\" of 3 "
+      "components and \"Radius\" of 1");
   }
   InkSurfaceStippleRequest request;
   request.Count = this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
@@ -301,6 +309,27 @@ void vtkInkStippleGenerator::StippleSurface(
   request.Colors = this->GetColors(mesh, input, request.ColorsOfCells);
   request.Progress = [this](double share) { return this->ReportProgress(share); };
   InkMakeSurfaceStipples(mesh, request, output);
+}
+
+void vtkInkStippleGenerator::StippleDiscs(
+  vtkPolyData* points, vtkInformationVector** input, vtkPolyData* output)
+{
+  InkDiscStippleRequest request;
+  request.Count = this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
+    ? CountForPicture(points, this->PictureSize, 1.0)
+    : this->NumberOfSurfaceStipples;
+  request.PerPoint = this->MaximumStipples;
+  request.Seed = this->Seed;
+  request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
+    (this->OutputPointsPrecision == DEFAULT_PRECISION && points->GetPoints()->GetDataType() == VTK_DOUBLE);
+  bool ofCells = false;
+  request.Colors = this->GetColors(points, input, ofCells);
+  if (ofCells)
+  {
+    throw std::invalid_argument("the scalars to pass on are cell data; expected point data");
+  }
+  request.Progress = [this](double share) { return this->ReportProgress(share); };
+  InkMakeDiscStipples(points, request, output);
 }
 
 vtkDataArray* vtkInkStippleGenerator::GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells)
@@ -328,24 +357,36 @@ vtkDataArray* vtkInkStippleGenerator::GetColors(vtkDataSet* data, vtkInformation
   return colors;
 }
 
-vtkIdType vtkInkStippleGenerator::CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple)
+namespace
 {
-  constexpr double fewest = 20'000;
-  constexpr double most = 2'000'000;
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
-  {
-    return 0;
-  }
+
+double AreaOf(vtkPolyData* mesh)
+{
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(mesh);
   triangles->PassVertsOff();
   triangles->PassLinesOff();
   vtkNew<vtkMassProperties> properties;
   properties->SetInputConnection(triangles->GetOutputPort());
+  return properties->GetSurfaceArea();
+}
+
+} // namespace
+
+vtkIdType vtkInkStippleGenerator::CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple)
+{
+  constexpr double fewest = 20'000;
+  constexpr double most = 2'000'000;
+  const bool hasPolygons = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  if (!hasPolygons && !InkHasDiscs(mesh))
+  {
+    return 0;
+  }
   const double* box = mesh->GetBounds();
   const double side = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
   const double pixel = side / pixels;
-  const double room = properties->GetSurfaceArea() / (pixel * pixel * pixelsPerStipple);
+  const double area = hasPolygons ? AreaOf(mesh) : InkAreaOfDiscs(mesh);
+  const double room = area / (pixel * pixel * pixelsPerStipple);
   return static_cast<vtkIdType>(std::llround(std::isfinite(room) ? std::clamp(room, fewest, most) : fewest));
 }
 

@@ -19,6 +19,11 @@
  * each polygon gets the samples that lie in it. So their number follows the area, and their pattern does not
  * depend on the tessellation.
  *
+ * Points without polygons that have `Normals` and `Radius`, as vtkInkIsoSurfaceSampler and
+ * vtkInkSurfaceSampler make them: the surface that discs of these radii cover is sampled with blue noise in
+ * order of priority, as densely as is asked for, however dense the points are. Each stipple is an element of
+ * its own, with the normal of the point whose disc it lies on.
+ *
  * Output: the points are the stipples, element by element; for each element with stipples one VTK_POLY_VERTEX
  * cell (which VTK reports as VTK_VERTEX where it holds one point) with its list, in order of priority. Cell
  * data: `Normals` (unit; along the negative gradient, or the polygon's: the mean of its point normals where
@@ -121,7 +126,8 @@ public:
   /**
    * Surfaces: the total number of stipples. 0, the default: with FIXED, MaximumStipples per polygon, so that
    * it does depend on the tessellation; with PROJECTED, set by the surface's area. With a number given, or
-   * PROJECTED, the pattern depends on the surface alone.
+   * PROJECTED, the pattern depends on the surface alone. On points' discs there are about so many (0 with
+   * FIXED: MaximumStipples per point): their area, by which stipples are spaced, is estimated.
    */
   vtkSetClampMacro(NumberOfSurfaceStipples, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfSurfaceStipples, vtkIdType);
@@ -331,7 +337,7 @@ public:
   /**
    * The number of stipples with which a picture of a mesh, its far side included, has room for no more.
    * `pixels` is the length of the longest side of its bounds in the picture; a stipple covers
-   * `pixelsPerStipple`. Between 20,000 and 2,000,000; 0 without polygons.
+   * `pixelsPerStipple`. Between 20,000 and 2,000,000; 0 without polygons or points with Normals and Radius.
    */
   static vtkIdType CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple);
 
@@ -351,6 +357,7 @@ private:
   /// Warns that no voxel of the image is stippled.
   void ReportNothing(vtkDataArray* scalars);
   void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
+  void StippleDiscs(vtkPolyData* points, vtkInformationVector** input, vtkPolyData* output);
   /// The array for colors, null if none is wanted; sets `ofCells` to whether it is cell data.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);
   bool NeedsWholeImage() const;

@@ -142,7 +142,8 @@ vtkSmartPointer<vtkPolyData> vtkInkGatherMesh(const std::vector<vtkSmartPointer<
     return vtkSmartPointer<vtkPolyData>::New();
   }
   const vtkSmartPointer<vtkPolyData> mesh = own.size() == 1 ? own.front() : Append(own);
-  if (common == vtkInkCommonPoints::All || mesh->GetPointData()->GetNormals())
+  const bool hasFaces = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  if (hasFaces && (common == vtkInkCommonPoints::All || mesh->GetPointData()->GetNormals()))
   {
     const std::vector<vtkIdType> firsts = FindFirsts(mesh);
     mesh->SetPolys(Renumber(mesh->GetPolys(), firsts));

@@ -38,6 +38,7 @@ constexpr const char* Sliders[] = { "StippleGradient", "StippleSharpness", "Stip
 struct Start
 {
   const char* Switch;
+  int On;
   const char* Property;
   void (*Set)(vtkSMProxy*, const char* property);
 };
@@ -45,9 +46,9 @@ struct Start
 constexpr const char* ArrayProperty = "StippleBy";
 
 constexpr Start Starts[] = {
-  { "UseScalarWindow", "ScalarWindow",
+  { "UseScalarWindow", 1, "ScalarWindow",
     [](vtkSMProxy* proxy, const char* property) { proxy->GetProperty(property)->ResetToDomainDefaults(); } },
-  { "IsoSurfaceHides", "StippleIsoValue",
+  { "StippleSource", vtkInkStippleStyle::ISO_SURFACE, "StippleIsoValue",
     [](vtkSMProxy* proxy, const char* property)
     {
       if (const auto value = vtkSMInkIsoValueInitializationHelper::Suggest(proxy, ArrayProperty))
@@ -59,7 +60,7 @@ constexpr Start Starts[] = {
 
 bool IsOn(vtkSMProxy* proxy, const Start& start)
 {
-  return vtkSMPropertyHelper(proxy, start.Switch).GetAsInt() != 0;
+  return vtkSMPropertyHelper(proxy, start.Switch).GetAsInt() == start.On;
 }
 
 /// Ranges are those of an array with a name: that of the active scalars, if none is chosen.

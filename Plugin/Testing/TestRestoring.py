@@ -101,12 +101,12 @@ class TestRestoring(TestInOneView):
         low, high = display.ScalarWindow
         self.assertAlmostEqual(low, 37.35, delta=0.1)
         self.assertAlmostEqual(high, 276.83, delta=0.1)
-        display.IsoSurfaceHides = True
+        display.StippleSource = "Iso-Surface"
         self.assertTrue(low < display.StippleIsoValue < high)
         # What was chosen stays, 0 too.
-        display.IsoSurfaceHides = False
+        display.StippleSource = "Automatic"
         display.StippleIsoValue = 100.0
-        display.IsoSurfaceHides = True
+        display.StippleSource = "Iso-Surface"
         self.assertEqual(display.StippleIsoValue, 100.0)
         display.StippleIsoValue = 0.0
         self.assertEqual(assignments(smstate.get_state())["StippleIsoValue"], "0.0")

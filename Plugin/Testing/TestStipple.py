@@ -258,11 +258,10 @@ class TestStipple(TestInOneView):
         picture(self.view)
         see_through = self.stipples(display)[0]
         display.StippleIsoValue = 150.0
-        display.IsoSurfaceHides = True
+        display.StippleSource = "Iso-Surface"
         solid = picture(self.view)
         self.assertLess(self.stipples(display)[0], see_through)
         self.assertGreater((~is_background(solid)).mean(), 0.02)
-        self.assertEqual(display.PixelsPerStipple, 6.0)
         display.OccluderOffset = 100
         self.assertGreater(self.ink(), 1.05 * ink(solid))
 
@@ -412,7 +411,7 @@ class TestStipple(TestInOneView):
             self.assertTrue(is_background(picture(self.view)).all())
             picture(self.view)
         self.assertEqual(len(warnings), 1, warnings)
-        self.assertIn("without polygons. It needs an image, a mesh, or stipples", warnings[0])
+        self.assertIn("without polygons. It needs an image, a mesh, points with Normals and Radius, or stipples", warnings[0])
 
     def assert_restored(self, save, load):
         changed = {"StipplePreset": "Engineering", "StippleInterior": 0.9, "SilhouetteGain": 0.7, "StippleInkColor": [0, 0, 1]}

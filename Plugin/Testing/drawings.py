@@ -94,7 +94,7 @@ for name in ("wavelet", "nii", "pvti"):
     SetActiveSource(volumes[name])
     save_points(f"{name}-projected", InkStippleGenerator(Input=volumes[name], PictureSize=125, **projected))
 draw("projected-stipples", wavelet, "Stipple", StipplePictureSize=125, **projected)
-draw("solid-stipples", wavelet, "Stipple", GradientPercentile=70, StippleIsoValue=150.0, IsoSurfaceHides=True)
+draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource="Iso-Surface")
 
 meshes = {name: OpenDataFile(f"{INPUT}/mesh.{name}") for name in ("vtk", "ply", "vtp", "pvtp")}
 meshes["sphere"] = ball

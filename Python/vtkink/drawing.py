@@ -170,7 +170,7 @@ _VIEWS = {
     "iso": ((-1, 1, -1), (-1, 1, 2)),
 }
 _SUPERSAMPLING = 2
-_DEFAULT_STYLE = "stipple"
+_DEFAULT_STYLE = "illustration"
 
 
 def _write_picture(style, output, size, view):
@@ -229,7 +229,7 @@ def draw(data, style=None, output=None, *, size=(1024, 1024), view="front", styl
     """Draws a volume, a mesh or points in a style. Returns the actor, for a renderer of your own.
 
     :param data: a VTK data object, an algorithm, the path of a file, or a NumPy array of three axes, z, y and x
-    :param style: its name, see :func:`styles`; without one that of ``style_file``, or else stipple
+    :param style: its name, see :func:`styles`; without one that of ``style_file``, or else illustration
     :param output: a PNG file to write a picture to
     :param size: the picture's width and height in pixels; it also says how many marks a mesh gets
     :param view: of the picture: front, back, left, right, top, bottom or iso
@@ -241,8 +241,8 @@ def draw(data, style=None, output=None, *, size=(1024, 1024), view="front", styl
 
     The actor's attribute ``style`` is the vtkInkStyle, by which parameters can still be changed::
 
-        actor = vtkink.draw("engine.nii.gz", preset="bone", sharpness=0.7, output="engine.png")
-        actor.style.SetParameter("Sharpness", 0.4)
+        actor = vtkink.draw("engine.nii.gz", preset="bone", tau=1.0, output="engine.png")
+        actor.style.SetParameter("Tau", 0.98)
     """
     if view not in _VIEWS:
         raise ValueError(f"view: expected one of {', '.join(_VIEWS)}, found {view!r}")

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleOccluder.h"
 
+#include "InkPointSize.h"
 #include "InkScopedState.h"
 #include "InkShader.h"
 #include "InkShiftScale.h"
 
+#include "InkStippleDiscFS.h"
+#include "InkStippleDiscVS.h"
 #include "InkStippleOccluderFS.h"
 #include "InkStippleOccluderVS.h"
 
 #include "InkOpenGLCompat.h"
 
 #include "vtkCellArray.h"
+#include "vtkMath.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimeStamp.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +101,70 @@ void InkStippleOccluder::Update(vtkPolyData* surface, const InkShiftScale& frame
   }
   this->SurfaceTime = surface->GetMTime();
   this->Frame = place;
+  this->LargestRadius = 0.0f;
+  this->NumberOfVertices = 0;
+  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+  {
+    this->UploadTriangles(surface, frame);
+  }
+  else
+  {
+    this->UploadDiscs(surface, frame);
+  }
+  vtkTimeStamp now;
+  now.Modified();
+  this->UploadTime = now.GetMTime();
+}
 
+void InkStippleOccluder::Upload(const std::vector<float>& numbers, int numbersPerVertex)
+{
+  this->NumberOfVertices = static_cast<int>(numbers.size()) / numbersPerVertex;
+  if (this->NumberOfVertices > 0)
+  {
+    this->Buffer->Upload(numbers, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+}
+
+void InkStippleOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
+{
+  vtkPointData* data = points->GetPointData();
+  vtkDataArray* normals = data->GetNormals() ? data->GetNormals() : data->GetArray("Normals");
+  vtkDataArray* radii = data->GetArray("Radius");
+  const vtkIdType count = points->GetNumberOfPoints();
+  if (!normals || !radii || normals->GetNumberOfComponents() != 3 || radii->GetNumberOfComponents() != 1)
+  {
+    return;
+  }
+  vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
+  std::vector<float> vertices;
+  vertices.reserve(6 * static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double p[3];
+    double normal[3];
+    float local[3];
+    points->GetPoint(i, p);
+    frame.ToLocal(p, local);
+    normals->GetTuple(i, normal);
+    const double radius = radii->GetComponent(i, 0) / frame.Unit;
+    const double scale = radius / vtkMath::Norm(normal);
+    const bool usable = radius > 0.0 && scale > 0.0 && std::isfinite(scale) && std::isfinite(local[0]) &&
+      std::isfinite(local[1]) && std::isfinite(local[2]) && !InkIsGhostPoint(ghosts, i);
+    if (usable)
+    {
+      vertices.insert(vertices.end(), local, local + 3);
+      for (const double component : normal)
+      {
+        vertices.push_back(static_cast<float>(scale * component));
+      }
+      this->LargestRadius = std::max(this->LargestRadius, static_cast<float>(radius));
+    }
+  }
+  this->Upload(vertices, 6);
+}
+
+void InkStippleOccluder::UploadTriangles(vtkPolyData* surface, const InkShiftScale& frame)
+{
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(surface);
   triangles->PassVertsOff();
@@ -122,14 +191,7 @@ void InkStippleOccluder::Update(vtkPolyData* surface, const InkShiftScale& frame
       vertices.insert(vertices.end(), corners, corners + 9);
     }
   }
-  this->NumberOfVertices = static_cast<int>(vertices.size() / 3);
-  if (this->NumberOfVertices > 0)
-  {
-    this->Buffer->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
-  }
-  vtkTimeStamp now;
-  now.Modified();
-  this->UploadTime = now.GetMTime();
+  this->Upload(vertices, 3);
 }
 
 void InkStippleOccluder::Draw(
@@ -164,6 +226,40 @@ void InkStippleOccluder::Draw(
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  if (this->LargestRadius > 0.0f)
+  {
+    this->DrawDiscs(view);
+  }
+  else
+  {
+    this->DrawTriangles(view);
+  }
+}
+
+void InkStippleOccluder::DrawDiscs(const InkViewUniforms& view)
+{
+  InkShaderPass& pass =
+    this->Passes.Find(InkWithFeatures(InkStippleDiscVS, view.FindFeatures()), "", InkStippleDiscFS);
+  vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,
+    [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
+    {
+      constexpr int stride = 6 * sizeof(float);
+      vertexArray->AddAttributeArray(made, this->Buffer, "pointMC", 0, stride, VTK_FLOAT, 3, false);
+      vertexArray->AddAttributeArray(
+        made, this->Buffer, "normalMC", 3 * sizeof(float), stride, VTK_FLOAT, 3, false);
+    });
+  if (!program)
+  {
+    return;
+  }
+  view.SetUniforms(program);
+  const InkPointSizeByShader pointSize;
+  glDrawArrays(GL_POINTS, 0, this->NumberOfVertices);
+  pass.End();
+}
+
+void InkStippleOccluder::DrawTriangles(const InkViewUniforms& view)
+{
   InkShaderPass& pass =
     this->Passes.Find(InkWithFeatures(InkStippleOccluderVS, view.FindFeatures()), "", InkStippleOccluderFS);
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 struct InkShiftScale;
 class vtkOpenGLBufferObject;
@@ -40,9 +41,12 @@ public:
   InkStippleOccluder(const InkStippleOccluder&) = delete;
   void operator=(const InkStippleOccluder&) = delete;
 
-  /// Takes a surface's polygons and strips. Does nothing when they are those that it has.
+  /// Takes a surface's polygons and strips, or where it has none the discs around its points, of their
+  /// `Normals` and `Radius`. Does nothing when they are those that it has.
   void Update(vtkPolyData* surface, const InkShiftScale& frame);
   bool IsEmpty() const { return this->NumberOfVertices == 0; }
+  /// The largest of the discs, in the frame's unit; 0 for polygons.
+  float GetLargestRadius() const { return this->LargestRadius; }
 
   /// Brings a depth image up to date; an image of another size is made anew. It shows more than the view, on
   /// each side, so that dots whose centers lie beyond the view's border are hidden by what is there: those of
@@ -52,9 +56,16 @@ public:
   void Draw(const InkViewUniforms& shown, float reach, std::unique_ptr<InkStippleDepth>& depth);
 
 private:
+  void UploadTriangles(vtkPolyData* surface, const InkShiftScale& frame);
+  void UploadDiscs(vtkPolyData* points, const InkShiftScale& frame);
+  void Upload(const std::vector<float>& numbers, int numbersPerVertex);
+  void DrawTriangles(const InkViewUniforms& view);
+  void DrawDiscs(const InkViewUniforms& view);
+
   vtkOpenGLRenderWindow* Window;
   vtkNew<vtkOpenGLBufferObject> Buffer;
   InkShaderPasses Passes;
+  float LargestRadius = 0.0f; ///< above 0: discs
   int NumberOfVertices = 0;
   vtkMTimeType SurfaceTime = 0;
   std::array<double, 4> Frame{};

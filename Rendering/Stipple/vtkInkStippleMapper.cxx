@@ -35,6 +35,8 @@ namespace
 /// an iso-surface of a volume as far as the stipples of the voxels that it crosses.
 constexpr double SurfaceOffset = 0.1;
 constexpr double VolumeOffset = 1.5;
+/// The same behind a surface of discs, which overlap, in their radii.
+constexpr double DiscOffset = 0.5;
 
 ink::HlsColor ToHls(const double rgb[3])
 {
@@ -93,7 +95,7 @@ public:
     , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
     , Occluder(this->FindOccluder(mapper, marks, renderer, actor))
     , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,
-      FindOffset(mapper) * this->View.Unit, mapper->InkColor }
+      FindOffset(mapper, marks) * this->View.Unit, mapper->InkColor }
   {
     this->Tone.twoSided = this->Occluder && !actor->GetProperty()->GetBackfaceCulling();
   }
@@ -124,12 +126,16 @@ private:
     return depth.get();
   }
 
-  static float FindOffset(vtkInkStippleMapper* mapper)
+  static float FindOffset(vtkInkStippleMapper* mapper, const InkStippleMarks& marks)
   {
     const InkStipplePoints& points = mapper->Internals->Points;
-    const double automatic = points.IsSurface() ? SurfaceOffset : VolumeOffset;
-    return static_cast<float>(mapper->OccluderOffset < 0.0 ? automatic : mapper->OccluderOffset) *
-      points.GetElementSize();
+    const bool automatic = mapper->OccluderOffset < 0.0;
+    const double elements = !automatic ? mapper->OccluderOffset
+      : points.IsSurface()             ? SurfaceOffset
+                                       : VolumeOffset;
+    const double discs = automatic ? DiscOffset : 0.0;
+    return std::max(static_cast<float>(elements) * points.GetElementSize(),
+      static_cast<float>(discs) * marks.Occluder.GetLargestRadius());
   }
 
   const InkViewUniforms View;

@@ -61,7 +61,8 @@ public:
 
   ///@{
   /**
-   * The surface that hides stipples behind it: polygons and strips. Default: none, nothing is hidden, but see
+   * The surface that hides stipples behind it: polygons and strips, or where it has none, discs around its
+   * points, of the point arrays `Normals` and `Radius`. Default: none, nothing is hidden, but see
    * SurfaceFromInput.
    */
   void SetSurfaceData(vtkPolyData* surface);
@@ -399,7 +400,8 @@ public:
   ///@{
   /**
    * How far in elements' sizes stipples may lie behind the hiding surface and still be seen; -1 (default):
-   * a tenth on surfaces, one and a half for volumes. -1 to 100.
+   * a tenth on surfaces, one and a half for volumes, but behind discs no less than half the largest radius.
+   * -1 to 100.
    */
   InkSetClampMacro(OccluderOffset, -1.0, 100.0);
   vtkGetMacro(OccluderOffset, double);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All styles. A new one is added here and in CMakeLists.txt.
+#include "vtkInkIllustrationStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleStyle.h"
 
@@ -15,6 +16,7 @@ struct Registered
 };
 
 constexpr Registered Styles[] = {
+  { "illustration", []() -> vtkInkStyle* { return vtkInkIllustrationStyle::New(); } },
   { "splatting-lines", []() -> vtkInkStyle* { return vtkInkSplattingLinesStyle::New(); } },
   { "stipple", []() -> vtkInkStyle* { return vtkInkStippleStyle::New(); } },
 };

@@ -17,6 +17,12 @@ class vtkImageData;
 VTKINKSTYLES_EXPORT std::optional<ink::IsoSuggestion> InkSuggestIsoValue(
   vtkImageData* image, const std::string& array = {});
 
+/// The smoothing that noise, grey levels and slices around an iso-surface ask for, as
+/// vtkInkIsoSurfaceSampler::SetSmoothing takes it; see ink::suggestSmoothing.
+/// @param array a point array of one component; empty: the active scalars
+VTKINKSTYLES_EXPORT double InkSuggestSmoothing(
+  vtkImageData* image, const std::string& array, double isoValue);
+
 /// How an iso-value was found, in a few words.
 VTKINKSTYLES_EXPORT std::string InkNameOfMethod(ink::IsoSuggestion::Method method);
 

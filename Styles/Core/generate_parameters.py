@@ -31,6 +31,11 @@ A row of parameters.json is one parameter. Its entries:
     paneldata, slider, domain   in ParaView: `data` there; a narrower range; `range` or `mid`: that of the array
     tracked, client   in ParaView: the proxy sets the property, too, and nobody's own value is lost by that; and it stays on
               the client, where what it sets are properties
+    from      a folder of Styles: the row is that of the same name, or of the one that `of` names, in its table, with what
+              stands here in place of its entries. Its setter is that of the style that "styles" has a method for, {FOLDER:
+              METHOD}, or without one of this style itself
+
+The table's "prefix" comes before the names of ParaView's properties that `panel` gives none: all styles' stand side by side.
 
 In a template for ParaView's XML, a line <!-- parameters --> stands for the properties, and <!-- group NAME --> for the
 list of those of a group, <!-- group NAME: essential --> and <!-- group NAME: advanced --> for a part of it. A table stands
@@ -42,6 +47,7 @@ several parameters at once: by numbers, or by a word.
 
 import html
 import json
+import os
 import re
 import sys
 
@@ -49,7 +55,7 @@ TYPES = {"bool", "int", "double", "enum", "color", "colors", "vector", "list", "
 KEYS = {
     "name", "type", "range", "default", "level", "unit", "pixels", "text", "label", "sets", "option", "entries", "size",
     "optional", "order", "check", "client", "data", "if", "needs", "implies", "follows", "panel", "paneldata", "slider",
-    "domain", "tracked",
+    "domain", "tracked", "from", "of",
 }  # fmt: skip
 # The data that has not what a parameter needs, as ParaView's decorators ask.
 EXCLUDED = {"image": "vtkPolyData vtkUnstructuredGrid vtkStructuredGrid", "mesh": "vtkImageData"}
@@ -70,22 +76,49 @@ def as_text(row, value):
     return value if isinstance(value, str) else json.dumps(value)
 
 
+def load(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def inherited(document, path, row):
+    """A row `from` another table, with the object that its setter belongs to."""
+    folder, name = row["from"], row.get("of", row["name"])
+    other = load(os.path.join(os.path.dirname(path), "..", folder, "parameters.json"))
+    for group in other["groups"]:
+        for one in group["parameters"]:
+            if one["name"] == name:
+                target, method = one.get("sets", f"{group['object']}.{name}").split(".")
+                steps = [document.get("styles", {}).get(folder, ""), other["objects"][target]]
+                objects = "()->".join(step for step in steps if step)
+                # Names in ParaView are those of one style.
+                shared = {key: value for key, value in one.items() if key != "panel" or value is False}
+                return {**shared, **row}, objects, method
+    sys.exit(f"{path}: {row['name']}: expected a row of {folder}, found none named '{name}'")
+
+
 def read(path):
     """The file, with what its rows leave out filled in."""
-    with open(path, encoding="utf-8") as file:
-        document = json.load(file)
+    document = load(path)
     rows = {}
     for group in document["groups"]:
-        for row in group["parameters"]:
+        for index, row in enumerate(group["parameters"]):
             name = row["name"]
+            given = {}
+            if "from" in row:
+                row, given["object"], given["method"] = inherited(document, path, row)
+                group["parameters"][index] = row
             unknown = set(row) - KEYS
             if unknown or name in rows or row["type"] not in TYPES:
                 sys.exit(f"{path}: {name}: expected each name once, a known type and keys of {sorted(KEYS)}; found {row}")
             rows[name] = row
-            target, method = row.get("sets", f"{group['object']}.{name}").split(".")
-            if target not in document["objects"]:
-                sys.exit(f"{path}: {name}: expected an object of {sorted(document['objects'])}, found '{target}'")
-            row["object"], row["method"], row["group"] = document["objects"][target], method, group["name"]
+            if not given:
+                target, given["method"] = row.get("sets", f"{group['object']}.{name}").split(".")
+                if target not in document["objects"]:
+                    sys.exit(f"{path}: {name}: expected an object of {sorted(document['objects'])}, found '{target}'")
+                given["object"] = document["objects"][target]
+            row["object"], row["method"], row["group"] = given["object"], given["method"], group["name"]
+            row["prefix"] = document.get("prefix", "")
             row.setdefault("label", " ".join(words(name)))
             row.setdefault("option", "-".join(words(name)).lower())
             row.setdefault("entries", [])
@@ -196,6 +229,9 @@ def cxx(document):
     includes = "\n".join(f'#include "{header}"' for header in ["InkParameter.h", f"{document['class']}.h", *document["includes"]])
     function = document["class"].removeprefix("vtk").removesuffix("Style") + "Parameters"
     arrays_text, table_text, shorthands_text = "\n".join(arrays), ",\n".join(table), ",\n".join(shorthands)
+    # C++ has no arrays of nothing.
+    shorthands_text = (f"constexpr InkShorthand Shorthands[] = {{\n{shorthands_text}\n}};" if shorthands
+                       else "constexpr std::span<const InkShorthand> Shorthands;")  # fmt: skip
     return f"""// Generated from the parameters.json of the style {document['style']}; not to be edited.
 {includes}
 
@@ -208,9 +244,7 @@ const InkParameter Parameters[] = {{
 {table_text}
 }};
 
-constexpr InkShorthand Shorthands[] = {{
 {shorthands_text}
-}};
 
 }} // namespace
 
@@ -223,7 +257,7 @@ const InkParameterTable& {function}()
 
 
 def property_name(row):
-    return row.get("panel") or row["name"]
+    return row.get("panel") or row["prefix"] + row["name"]
 
 
 def attributes(pairs, indent):

@@ -121,6 +121,30 @@ InkStyleProcesses& vtkInkStyle::GetProcesses()
   return *this->Processes;
 }
 
+std::string vtkInkStyle::MakeMarksOf(vtkInkStyle* part, const Input& input)
+{
+  part->SetPictureSize(this->PictureSize);
+  part->SetInteractive(this->Interactive);
+  part->SetProcesses(this->Processes);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void*)
+    {
+      auto* self = static_cast<vtkInkStyle*>(client);
+      auto* made = static_cast<vtkInkStyle*>(caller);
+      self->Progress = made->Progress;
+      self->ProgressText = made->ProgressText;
+      self->InvokeEvent(vtkCommand::ProgressEvent, &self->Progress);
+      made->Aborted = self->Aborted;
+    });
+  const unsigned long observer = part->AddObserver(vtkCommand::ProgressEvent, command);
+  std::string problem = part->MakeMarks(input);
+  part->RemoveObserver(observer);
+  this->Notes.insert(this->Notes.end(), part->Notes.begin(), part->Notes.end());
+  return problem;
+}
+
 void vtkInkStyle::AddNote(const std::string& note)
 {
   this->Notes.push_back(note);

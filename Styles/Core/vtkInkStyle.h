@@ -280,6 +280,9 @@ protected:
   /// its finite values are all the same.
   std::optional<double> ChooseIsoValue(vtkImageData* image, const std::string& array = {});
   InkStyleProcesses& GetProcesses();
+  /// Lets another style make its marks for this one: for the same picture and processes, with its progress
+  /// and its notes as this style's. @return what is wrong
+  std::string MakeMarksOf(vtkInkStyle* part, const Input& input);
   /**
    * Brings an algorithm up to date, with the progress as this style's and its errors caught.
    * @param text what it does, "placing stipples"
@@ -296,6 +299,7 @@ protected:
   std::string Follow(vtkAlgorithm* algorithm, const char* text);
 
 private:
+  friend class InkIsoSurface;
   vtkInkStyle(const vtkInkStyle&) = delete;
   void operator=(const vtkInkStyle&) = delete;
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesStyle.h"
 
+#include "InkIsoSurface.h"
 #include "InkParameter.h"
-#include "InkVolumeValues.h"
-#include "vtkInkIsoSurfaceSampler.h"
+#include "InkStyleProcesses.h"
+#include "InkSurfaceKind.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
@@ -28,19 +29,14 @@ namespace
 
 constexpr int MostLayers = 8;
 
-bool HasPolygons(vtkPolyData* mesh)
-{
-  return mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-}
-
 } // namespace
 
 vtkInkSplattingLinesStyle::vtkInkSplattingLinesStyle()
+  : IsoSurface(std::make_unique<InkIsoSurface>())
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
-  this->IsoSurfaceSampler->GenerateVerticesOff();
   this->SurfaceSampler->ComputePriorityOff();
 }
 
@@ -58,7 +54,7 @@ const InkParameterTable& vtkInkSplattingLinesStyle::GetParameterTable()
 
 vtkMTimeType vtkInkSplattingLinesStyle::GetRecipeMTime()
 {
-  return std::max(this->IsoSurfaceSampler->GetMTime(), this->SurfaceSampler->GetMTime());
+  return std::max(this->IsoSurface->GetMTime(), this->SurfaceSampler->GetMTime());
 }
 
 vtkMapper* vtkInkSplattingLinesStyle::GetMapper()
@@ -66,9 +62,9 @@ vtkMapper* vtkInkSplattingLinesStyle::GetMapper()
   return this->Mapper;
 }
 
-vtkInkIsoSurfaceSampler* vtkInkSplattingLinesStyle::GetIsoSurfaceSampler()
+InkIsoSurface* vtkInkSplattingLinesStyle::GetIsoSurface()
 {
-  return this->IsoSurfaceSampler;
+  return this->IsoSurface.get();
 }
 
 vtkInkSurfaceSampler* vtkInkSplattingLinesStyle::GetSurfaceSampler()
@@ -105,45 +101,36 @@ std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
 
 std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
 {
-  if (std::string reason = this->GetReasonAgainst(input.Data); !reason.empty())
+  std::vector<vtkImageData*> images;
+  if (auto* image = vtkImageData::SafeDownCast(input.Data); image && image->GetNumberOfPoints() > 0)
+  {
+    images.push_back(image);
+  }
+  // Processes without a part of the image take part, too.
+  double hasImages = images.empty() ? 0.0 : 1.0;
+  this->GetProcesses().TakeGreatest({ &hasImages, 1 });
+  std::string reason = hasImages > 0.0 && images.empty() ? std::string() : this->GetReasonAgainst(input.Data);
+  if (hasImages > 0.0)
+  {
+    const std::string problem = this->IsoSurface->Prepare(this, images, {});
+    reason = reason.empty() ? problem : reason;
+    return reason.empty() && !images.empty()
+      ? this->IsoSurface->Sample(this, input, images.front(), this->GetPiece(0))
+      : reason;
+  }
+  if (!reason.empty())
   {
     return reason;
   }
-  if (auto* image = vtkImageData::SafeDownCast(input.Data))
-  {
-    return this->SampleImage(image);
-  }
   auto* mesh = vtkPolyData::SafeDownCast(input.Data);
-  return this->NumberOfSamples == 0 && HasPolygons(mesh) ? this->TakeVertices(mesh) : this->SampleMesh(mesh);
-}
-
-std::string vtkInkSplattingLinesStyle::SampleImage(vtkImageData* image)
-{
-  std::vector<double> values = this->IsoValues;
-  if (values.empty())
+  if (!InkHasPolygons(mesh) && InkHasDiscs(mesh))
   {
-    const auto chosen = this->ChooseIsoValue(image);
-    if (!chosen)
-    {
-      return "expected an image with two different finite values or more, found none";
-    }
-    values.push_back(*chosen);
+    // As a sampler made them.
+    this->GetPiece(0)->ShallowCopy(mesh);
+    return {};
   }
-  vtkInkIsoSurfaceSampler* sampler = this->IsoSurfaceSampler;
-  sampler->SetInputData(image);
-  sampler->SetNumberOfContours(static_cast<int>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    sampler->SetValue(static_cast<int>(i), values[i]);
-  }
-  const std::string problem = this->Follow(sampler, "sampling the surface");
-  this->GetPiece(0)->ShallowCopy(sampler->GetOutput());
-  sampler->SetInputData(nullptr);
-  if (problem.empty() && this->GetPiece(0)->GetNumberOfPoints() == 0)
-  {
-    this->AddNote("nothing to draw: no surface at iso-value " + InkFormatShort(values.front()));
-  }
-  return problem;
+  return this->NumberOfSamples == 0 && InkHasPolygons(mesh) ? this->TakeVertices(mesh)
+                                                            : this->SampleMesh(mesh);
 }
 
 vtkIdType vtkInkSplattingLinesStyle::CountForMesh(vtkPolyData* mesh)
@@ -156,7 +143,7 @@ std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
   vtkInkSurfaceSampler* sampler = this->SurfaceSampler;
   sampler->SetInputData(mesh);
   sampler->SetNumberOfSamples(this->NumberOfSamples > 0 ? this->NumberOfSamples : CountForMesh(mesh));
-  const bool isCloud = !HasPolygons(mesh);
+  const bool isCloud = !InkHasPolygons(mesh);
   const std::string problem = this->Follow(sampler, isCloud ? "looking at the points" : "sampling the mesh");
   // The sampler's own output is another mesh's when it is asked again.
   this->GetPiece(0)->ShallowCopy(sampler->GetOutput());
@@ -332,15 +319,6 @@ void vtkInkSplattingLinesStyle::SetCullBackFaces(bool cull)
 bool vtkInkSplattingLinesStyle::GetCullBackFaces()
 {
   return this->Actor->GetProperty()->GetBackfaceCulling() != 0;
-}
-
-void vtkInkSplattingLinesStyle::SetIsoValues(const std::vector<double>& values)
-{
-  if (this->IsoValues != values)
-  {
-    this->IsoValues = values;
-    this->Modified();
-  }
 }
 
 void vtkInkSplattingLinesStyle::SetViewpoint(const std::vector<double>& viewpoint)

@@ -18,8 +18,9 @@
 #include "vtkInkStyle.h"
 #include "vtkNew.h" // for what the style owns
 
-class vtkImageData;
-class vtkInkIsoSurfaceSampler;
+#include <memory> // for what the style owns
+
+class InkIsoSurface;
 class vtkInkSplattingLinesMapper;
 class vtkInkSurfaceSampler;
 
@@ -47,7 +48,7 @@ public:
 
   ///@{
   /// What the style draws with; properties that are parameters are set as such.
-  vtkInkIsoSurfaceSampler* GetIsoSurfaceSampler();
+  InkIsoSurface* GetIsoSurface();
   vtkInkSurfaceSampler* GetSurfaceSampler();
   vtkInkSplattingLinesMapper* GetLinesMapper();
   ///@}
@@ -77,8 +78,6 @@ public:
   double GetHiddenDashLength();
   void SetCullBackFaces(bool cull);
   bool GetCullBackFaces();
-  void SetIsoValues(const std::vector<double>& values);
-  const std::vector<double>& GetIsoValues() { return this->IsoValues; }
   vtkSetMacro(NumberOfSamples, vtkIdType);
   vtkGetMacro(NumberOfSamples, vtkIdType);
   void SetViewpoint(const std::vector<double>& viewpoint);
@@ -99,12 +98,11 @@ private:
   vtkInkSplattingLinesStyle(const vtkInkSplattingLinesStyle&) = delete;
   void operator=(const vtkInkSplattingLinesStyle&) = delete;
 
-  std::string SampleImage(vtkImageData* image);
   std::string SampleMesh(vtkPolyData* mesh);
   std::string TakeVertices(vtkPolyData* mesh);
   void UpdateColors();
 
-  vtkNew<vtkInkIsoSurfaceSampler> IsoSurfaceSampler;
+  std::unique_ptr<InkIsoSurface> IsoSurface;
   vtkNew<vtkInkSurfaceSampler> SurfaceSampler;
   vtkNew<vtkInkSplattingLinesMapper> Mapper;
   vtkNew<vtkActor> Actor;
@@ -114,7 +112,6 @@ private:
   bool ColorByTone = false;
   bool UseHiddenColor = false;
   std::vector<double> HiddenColor{ 0.2, 0.4, 0.7 };
-  std::vector<double> IsoValues;
   vtkIdType NumberOfSamples = -1;
 };
 

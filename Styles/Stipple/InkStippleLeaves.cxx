@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleLeaves.h"
 
+#include "InkSurfaceKind.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -18,12 +20,12 @@ bool AreStipples(vtkPolyData* data)
     data->GetNumberOfVerts() == data->GetNumberOfCells();
 }
 
-bool HasPolygons(vtkPolyData* mesh)
-{
-  return mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-}
-
 } // namespace
+
+bool InkHasSurface(vtkPolyData* data)
+{
+  return InkHasPolygons(data) || InkHasDiscs(data);
+}
 
 InkStippleLeaves::InkStippleLeaves(vtkDataObject* input)
 {
@@ -71,7 +73,7 @@ void InkStippleLeaves::Add(vtkDataObject* leaf)
 
 std::string InkReasonAgainstStipples(vtkDataObject* data)
 {
-  const std::string wanted = "expected an image, a mesh or stipples, found ";
+  const std::string wanted = "expected an image, a mesh, points with Normals and Radius or stipples, found ";
   const InkStippleLeaves leaves(data);
   if (!leaves.Problem.empty())
   {
@@ -79,7 +81,7 @@ std::string InkReasonAgainstStipples(vtkDataObject* data)
   }
   const std::size_t count = leaves.Images.size() + leaves.Stipples.size() + leaves.Others.size();
   auto* only = count == 1 && !leaves.Others.empty() ? vtkPolyData::SafeDownCast(leaves.Others[0]) : nullptr;
-  return count == 0              ? wanted + "data without points"
-    : only && !HasPolygons(only) ? wanted + "points without polygons"
-                                 : std::string();
+  return count == 0                ? wanted + "data without points"
+    : only && !InkHasSurface(only) ? wanted + "points without polygons"
+                                   : std::string();
 }

@@ -26,6 +26,9 @@ private:
   void Add(vtkDataObject* leaf);
 };
 
+/// Whether data has polygons, or points with normals and radii, which cover a surface with discs.
+bool InkHasSurface(vtkPolyData* data);
+
 /// Why data cannot be drawn as stipples; empty if it can.
 std::string InkReasonAgainstStipples(vtkDataObject* data);
 

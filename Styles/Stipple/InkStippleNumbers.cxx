@@ -12,7 +12,6 @@ namespace
 {
 
 constexpr const char* FieldNames[] = { "ElementKind", "ElementSize", "StipplesPerElement" };
-constexpr const char* RoomName = "RoomFactor";
 
 vtkSmartPointer<vtkDoubleArray> MakeNumber(const char* name, double value)
 {
@@ -24,7 +23,7 @@ vtkSmartPointer<vtkDoubleArray> MakeNumber(const char* name, double value)
 
 } // namespace
 
-void InkWriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
+void InkWriteNumbers(vtkPolyData* stipples, vtkPolyData* numbers)
 {
   numbers->Initialize();
   if (stipples->GetNumberOfPoints() == 0)
@@ -34,7 +33,6 @@ void InkWriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(stipples->GetPoint(0));
   numbers->SetPoints(points);
-  numbers->GetPointData()->AddArray(MakeNumber(RoomName, room));
   for (const char* name : FieldNames)
   {
     vtkDataArray* known = stipples->GetFieldData()->GetArray(name);
@@ -43,7 +41,7 @@ void InkWriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers)
   }
 }
 
-double InkReadNumbers(vtkPolyData* numbers, vtkPolyData* stipples)
+void InkReadNumbers(vtkPolyData* numbers, vtkPolyData* stipples)
 {
   vtkPointData* values = numbers->GetPointData();
   vtkNew<vtkFieldData> field;
@@ -52,5 +50,4 @@ double InkReadNumbers(vtkPolyData* numbers, vtkPolyData* stipples)
     field->AddArray(MakeNumber(name, values->GetArray(name)->GetComponent(0, 0)));
   }
   stipples->SetFieldData(field);
-  return values->GetArray(RoomName)->GetComponent(0, 0);
 }

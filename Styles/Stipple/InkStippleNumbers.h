@@ -6,11 +6,10 @@
 
 class vtkPolyData;
 
-/// @param room by how much a stipple's room is multiplied, a number more
 /// @param numbers becomes a point with the numbers, or nothing where there are no stipples
-void InkWriteNumbers(vtkPolyData* stipples, double room, vtkPolyData* numbers);
+void InkWriteNumbers(vtkPolyData* stipples, vtkPolyData* numbers);
 
-/// Gives stipples their field data back. @return the room
-double InkReadNumbers(vtkPolyData* numbers, vtkPolyData* stipples);
+/// Gives stipples their field data back.
+void InkReadNumbers(vtkPolyData* numbers, vtkPolyData* stipples);
 
 #endif

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleRecipe.h"
 
+#include "InkIsoSurface.h"
 #include "InkStippleLeaves.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
+#include "InkSurfaceKind.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
@@ -14,13 +16,13 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkFlyingEdges3D.h"
 #include "vtkGeometryFilter.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProbeFilter.h"
 
 #include <algorithm>
 #include <array>
@@ -41,20 +43,16 @@ class ChangedGenerator
 public:
   explicit ChangedGenerator(vtkInkStippleGenerator* generator)
     : Generator(generator)
-    , Windowed(generator->GetUseScalarWindow())
     , Count(generator->GetNumberOfSurfaceStipples())
     , ListLength(generator->GetMaximumStipples())
     , Mode(generator->GetMaximumStipplesMode())
   {
-    generator->GetScalarWindow(this->Window);
   }
   ~ChangedGenerator()
   {
     this->Generator->SetInputConnection(nullptr);
     this->Generator->SetStatistics(nullptr);
     this->Generator->SetPassScalars(false);
-    this->Generator->SetUseScalarWindow(this->Windowed);
-    this->Generator->SetScalarWindow(this->Window);
     this->Generator->SetNumberOfSurfaceStipples(this->Count);
     this->Generator->SetMaximumStipples(this->ListLength);
     this->Generator->SetMaximumStipplesMode(this->Mode);
@@ -64,11 +62,9 @@ public:
 
 private:
   vtkInkStippleGenerator* const Generator;
-  const bool Windowed;
   const vtkIdType Count;
   const int ListLength;
   const int Mode;
-  double Window[2];
 };
 
 std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(const std::vector<vtkDataSet*>& leaves)
@@ -144,15 +140,16 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   const bool images = found[0] > 0.0;
   const bool stipples = found[1] > 0.0;
   style->OfImage = images;
-  if (images)
+  const bool ofVoxels = images && !(this->TakesIsoSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
+  if (ofVoxels)
   {
     this->StippleImages(leaves, input);
   }
-  else if (stipples)
+  else if (!images && stipples)
   {
     this->TakeStipples(leaves);
   }
-  else
+  else if (!images)
   {
     this->StippleSurfaces(leaves);
   }
@@ -165,14 +162,13 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   }
   if (style->GetPiece(vtkInkStippleStyle::STIPPLES)->GetNumberOfPoints() == 0)
   {
-    style->AddNote(!images ? "nothing to draw: no stipple was placed"
-        : this->Generator->GetUseScalarWindow() || style->IsoSurfaceHides
+    style->AddNote(!ofVoxels ? "nothing to draw: no stipple was placed"
+        : this->Generator->GetUseScalarWindow()
         ? "nothing to draw: no voxel has a gradient that is steep enough and a value in the window"
         : "nothing to draw: no voxel has a gradient that is steep enough");
   }
-  const bool hidden = images && !this->HidingValues.empty();
-  InkWriteNumbers(style->GetPiece(vtkInkStippleStyle::STIPPLES), hidden ? style->RoomAtHidingSurface : 1.0,
-    style->GetPiece(vtkInkStippleStyle::NUMBERS));
+  InkWriteNumbers(
+    style->GetPiece(vtkInkStippleStyle::STIPPLES), style->GetPiece(vtkInkStippleStyle::NUMBERS));
   return this->Problem;
 }
 
@@ -206,38 +202,56 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
   }
 }
 
-void InkStippleRecipe::ChooseHidingValues(const InkStippleLeaves& leaves, bool whole)
+bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
+{
+  // Of data that comes from somewhere, in ParaView say, nothing is chosen unasked.
+  const bool automatic = !input.Port || !this->Style->IsoSurface->GetIsoValues().empty();
+  return this->Style->StippleSource == vtkInkStippleStyle::ISO_SURFACE ||
+    (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && automatic);
+}
+
+bool InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
-  this->HidingValues = style->IsoSurfaceHides ? style->IsoValues : std::vector<double>();
-  // Processes that hold parts would each choose another one.
-  if (!style->IsoSurfaceHides || !style->IsoValues.empty() || !whole)
+  const std::string problem = style->IsoSurface->Prepare(style, leaves.Images, style->Scalars);
+  if (!problem.empty() && style->StippleSource == vtkInkStippleStyle::AUTOMATIC)
+  {
+    return false;
+  }
+  this->Say(problem);
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
+  {
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    this->Say(style->IsoSurface->Sample(style, input, leaves.Images[i], parts.back()));
+    this->AddColorsOf(leaves.Images[i], parts.back());
+  }
+  const vtkSmartPointer<vtkPolyData> points = style->GetProcesses().Gather(parts);
+  if (points->GetNumberOfPoints() > 0)
+  {
+    this->StippleSurface(points);
+  }
+  return true;
+}
+
+void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
+{
+  const std::string& chosen = this->Style->ColorBy;
+  vtkDataArray* colors =
+    chosen.empty() ? image->GetPointData()->GetScalars() : image->GetPointData()->GetArray(chosen.c_str());
+  // What is asked for by a map of colors, or by a name.
+  if (!colors || !colors->GetName() || (chosen.empty() && this->Style->ColorMap.empty()))
   {
     return;
   }
-  if (const auto chosen = style->ChooseIsoValue(leaves.Images.front(), style->Scalars))
-  {
-    this->HidingValues = { *chosen };
-  }
-}
-
-vtkSmartPointer<vtkPolyData> InkStippleRecipe::MakeIsoSurface(vtkImageData* image)
-{
-  vtkInkStippleStyle* style = this->Style;
-  vtkNew<vtkFlyingEdges3D> surface;
-  surface->SetInputData(image);
-  if (!style->Scalars.empty())
-  {
-    surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, style->Scalars.c_str());
-  }
-  for (std::size_t i = 0; i < this->HidingValues.size(); ++i)
-  {
-    surface->SetValue(static_cast<int>(i), this->HidingValues[i]);
-  }
-  surface->ComputeNormalsOff();
-  surface->ComputeScalarsOff();
-  this->Say(style->Follow(surface, "finding the surface"));
-  return surface->GetOutput();
+  vtkNew<vtkImageData> source;
+  source->CopyStructure(image);
+  source->GetPointData()->SetScalars(colors);
+  vtkNew<vtkProbeFilter> probe;
+  probe->SetInputData(points);
+  probe->SetSourceData(source);
+  probe->Update();
+  points->GetPointData()->SetScalars(probe->GetOutput()->GetPointData()->GetArray(colors->GetName()));
 }
 
 void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
@@ -254,15 +268,6 @@ void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkIn
   else
   {
     generator->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars);
-  }
-  this->ChooseHidingValues(leaves, !input.Port && !leaves.Images.empty());
-  const std::vector<double>& isoValues = this->HidingValues;
-  const bool hides = !isoValues.empty();
-  if (hides && !generator->GetUseScalarWindow())
-  {
-    generator->UseScalarWindowOn();
-    generator->SetScalarWindow(
-      *std::min_element(isoValues.begin(), isoValues.end()), std::numeric_limits<double>::max());
   }
   // The leaves of composite data are whole images, and so is an image that comes from nowhere.
   vtkNew<vtkInformation> whole;
@@ -314,13 +319,8 @@ void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkIn
     generator->SetStatistics(statistics);
   }
   std::vector<vtkSmartPointer<vtkPolyData>> stipples;
-  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   for (vtkImageData* image : measured)
   {
-    if (hides)
-    {
-      surfaces.push_back(this->MakeIsoSurface(image));
-    }
     connect(image);
     this->TakeColors(image, false);
     this->Say(style->Follow(generator, "placing stipples", [&] { generator->Update(update); }));
@@ -331,7 +331,6 @@ void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkIn
     }
   }
   style->GetPiece(vtkInkStippleStyle::STIPPLES)->ShallowCopy(InkAppend(stipples));
-  style->GetPiece(vtkInkStippleStyle::SURFACE)->ShallowCopy(InkAppend(surfaces));
 }
 
 void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
@@ -342,12 +341,19 @@ void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
   {
     return;
   }
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  if (!InkHasSurface(mesh))
   {
     this->Say("Stipple draws nothing for data of " + std::to_string(mesh->GetNumberOfPoints()) +
-      " points without polygons. It needs an image, a mesh, or stipples of Ink Stipple Generator");
+      " points without polygons. It needs an image, a mesh, points with Normals and Radius, or stipples of "
+      "Ink Stipple Generator");
     return;
   }
+  this->StippleSurface(mesh);
+}
+
+void InkStippleRecipe::StippleSurface(vtkPolyData* mesh)
+{
+  vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
   const double room = style->GetInteractive() ? UsualRoom : style->PixelsPerStipple;
@@ -366,6 +372,10 @@ void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
     surface->SetPoints(mesh->GetPoints());
     surface->SetPolys(mesh->GetPolys());
     surface->SetStrips(mesh->GetStrips());
+    if (!InkHasPolygons(mesh))
+    {
+      surface->GetPointData()->PassData(mesh->GetPointData());
+    }
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * From a data object to stipples. Images are stippled with percentiles and ranges of all processes' images
+ * From a data object to stipples. The surfaces of all data of all processes are put together and stippled by
+ * the first process: of images their iso-surfaces, of other data the outer ones, or that which discs around
+ * points cover. Images whose voxels are stippled are so with percentiles and ranges of all processes' images
  * together, so that parts of an image with ghost cells give exactly what the whole does. Where no process has
- * an image, data that is stipples already is taken as it is. Where there is neither, the outer surfaces of
- * all data of all processes are put together and stippled by the first process.
+ * an image, data that is stipples already is taken as it is.
  */
 #ifndef InkStippleRecipe_h
 #define InkStippleRecipe_h
@@ -16,6 +17,7 @@
 class vtkCellData;
 class vtkDataSet;
 class vtkImageData;
+class vtkPolyData;
 struct InkStippleLeaves;
 
 class InkStippleRecipe
@@ -28,20 +30,24 @@ public:
 
 private:
   void StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input);
+  /// @return false if that is not asked for and there is no iso-value
+  bool StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input);
+  /// Gives points of an image's surface its values of the array to color by, as scalars.
+  void AddColorsOf(vtkImageData* image, vtkPolyData* points);
   void StippleSurfaces(const InkStippleLeaves& leaves);
+  /// Stipples polygons, or points with normals.
+  void StippleSurface(vtkPolyData* surface);
   void TakeStipples(const InkStippleLeaves& leaves);
   /// Lets the generator pass on the array to color by, where the data has it.
   void TakeColors(vtkDataSet* data, bool cells);
-  /// The iso-values whose surface hides what lies behind it: where none is given, one that is chosen.
-  void ChooseHidingValues(const InkStippleLeaves& leaves, bool whole);
+  /// Whether images are stippled by their iso-surfaces; the same on all processes.
+  bool TakesIsoSurfaces(const vtkInkStyle::Input& input) const;
   /// Activates the array to color ready stipples by.
   void ColorStipples(vtkCellData* cells);
-  vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image);
   void Say(const std::string& problem);
 
   vtkInkStippleStyle* const Style;
   vtkInkStippleGenerator* const Generator;
-  std::vector<double> HidingValues;
   std::string Problem;
 };
 

@@ -2,6 +2,7 @@
 #include "vtkInkStippleStyle.h"
 
 #include "InkColorMap.h"
+#include "InkIsoSurface.h"
 #include "InkParameter.h"
 #include "InkStippleLeaves.h"
 #include "InkStippleNumbers.h"
@@ -11,7 +12,7 @@
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
-#include "Tone/Stipple/StippleSliders.h"
+#include "Tone/Lightness.h"
 
 #include "vtkCellData.h"
 #include "vtkLight.h"
@@ -28,18 +29,8 @@ vtkStandardNewMacro(vtkInkStippleStyle);
 /// Generated from parameters.json.
 const InkParameterTable& InkStippleParameters();
 
-namespace
-{
-
-double Lightness(const double color[3])
-{
-  return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
-}
-
-} // namespace
-
 vtkInkStippleStyle::vtkInkStippleStyle()
-  : RoomAtHidingSurface(ink::stipple::roomAtHidingSurface)
+  : IsoSurface(std::make_unique<InkIsoSurface>())
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetScalarModeToUseCellData();
@@ -91,9 +82,14 @@ vtkInkStippleMapper* vtkInkStippleStyle::GetStippleMapper()
   return this->Mapper;
 }
 
+InkIsoSurface* vtkInkStippleStyle::GetIsoSurface()
+{
+  return this->IsoSurface.get();
+}
+
 vtkMTimeType vtkInkStippleStyle::GetRecipeMTime()
 {
-  return this->Generator->GetMTime();
+  return std::max(this->Generator->GetMTime(), this->IsoSurface->GetMTime());
 }
 
 void vtkInkStippleStyle::GetBackgroundColor(double color[3])
@@ -139,10 +135,10 @@ void vtkInkStippleStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
   {
     this->DrawnTime = time;
     this->Drawn->ShallowCopy(stipples);
-    this->Room = InkReadNumbers(numbers, this->Drawn);
+    InkReadNumbers(numbers, this->Drawn);
   }
   this->Mapper->SetInputDataObject(this->Drawn);
-  this->Mapper->SetSurfaceData(surface && surface->GetNumberOfCells() > 0 ? surface : nullptr);
+  this->Mapper->SetSurfaceData(surface && surface->GetNumberOfPoints() > 0 ? surface : nullptr);
   this->UpdateColors();
   this->UpdatePixels();
 }
@@ -151,7 +147,7 @@ void vtkInkStippleStyle::UpdatePixels()
 {
   const double scale = this->GetPixelScale();
   this->Mapper->SetStippleSize(scale * this->StippleSize);
-  this->Mapper->SetPixelsPerStipple(this->Room * (scale * scale * this->PixelsPerStipple));
+  this->Mapper->SetPixelsPerStipple(scale * scale * this->PixelsPerStipple);
 }
 
 void vtkInkStippleStyle::UpdateColors()
@@ -174,7 +170,7 @@ void vtkInkStippleStyle::FollowParameters(const Settings& given)
   { return std::any_of(given.begin(), given.end(), [name](const auto& one) { return one.first == name; }); };
   if ((has("InkColor") || has("PaperColor")) && !has("LightInk"))
   {
-    this->Mapper->SetLightInk(Lightness(this->Mapper->GetInkColor()) > Lightness(this->PaperColor));
+    this->Mapper->SetLightInk(ink::lightness(this->Mapper->GetInkColor()) > ink::lightness(this->PaperColor));
   }
 }
 
@@ -303,18 +299,6 @@ void vtkInkStippleStyle::SetPixelsPerStipple(double pixels)
 {
   this->PixelsPerStipple = pixels;
   this->UpdatePixels();
-}
-
-void vtkInkStippleStyle::SetIsoValues(const std::vector<double>& values)
-{
-  if (this->IsoValues != values)
-  {
-    this->IsoValues = values;
-    if (this->IsoSurfaceHides)
-    {
-      this->Modified();
-    }
-  }
 }
 
 void vtkInkStippleStyle::SetScalars(const std::string& name)

@@ -3,16 +3,17 @@
  * @class   vtkInkStippleStyle
  * @brief   stipple drawings (Lu et al. 2003) of images and meshes
  *
- * An image, or each image of a composite dataset, is stippled by its gradients; of other data the outer
- * surface is, with as many stipples as the picture has room for. Data that is stipples already, of
- * vtkInkStippleGenerator, is drawn as it is. A mesh hides what lies behind it; an image's iso-surfaces do
- * with IsoSurfaceHides, and stipples are those of what they enclose then, unless there is a scalar window.
+ * The iso-surfaces of an image, or of each image of a composite dataset, are stippled, as are the outer
+ * surfaces of other data, and the surface that discs around points cover; all of them hide what lies behind
+ * them, and get as many stipples as the picture has room for. By StippleSource, the voxels of an image with
+ * large gradients are stippled instead, which are see-through. Data that is stipples already, of
+ * vtkInkStippleGenerator, is drawn as it is.
  *
  * A preset sets the sliders, the ink, the paper and what else goes with it; a slider sets those of the
  * mapper's parameters that it stands for. What is set one by one after that stays.
  *
  * Pieces: the stipples, the surface that hides them, and numbers that go with them: on several processes each
- * has its part, of an image's stipples, or all are on the first one, of a mesh.
+ * has its part, of an image's gradients, or all are on the first one, of surfaces.
  *
  * @sa vtkInkStippleGenerator vtkInkStippleControls vtkInkStippleMapper
  */
@@ -22,6 +23,9 @@
 #include "vtkInkStyle.h"
 #include "vtkNew.h" // for what the style owns
 
+#include <memory> // for what the style owns
+
+class InkIsoSurface;
 class vtkInkStippleActor;
 class vtkInkStippleControls;
 class vtkInkStippleGenerator;
@@ -38,6 +42,14 @@ public:
   const char* GetLabel() override { return "Stipple"; }
   const char* GetDescription() override;
   std::string GetReasonAgainst(vtkDataObject* data) override;
+
+  /// What of an image is stippled.
+  enum StippleSourceType
+  {
+    AUTOMATIC = 0,   ///< its iso-surfaces where there are iso-values or one can be chosen, else its voxels
+    ISO_SURFACE = 1, ///< its iso-surfaces
+    VOXELS = 2       ///< its voxels with large gradients
+  };
 
   enum PieceType
   {
@@ -60,6 +72,7 @@ public:
   /// What the style draws with; properties that are parameters are set as such.
   vtkInkStippleGenerator* GetGenerator();
   vtkInkStippleMapper* GetStippleMapper();
+  InkIsoSurface* GetIsoSurface();
   ///@}
 
   ///@{
@@ -103,12 +116,8 @@ public:
   vtkGetMacro(StippleSize, double);
   void SetPixelsPerStipple(double pixels);
   vtkGetMacro(PixelsPerStipple, double);
-  vtkSetMacro(RoomAtHidingSurface, double);
-  vtkGetMacro(RoomAtHidingSurface, double);
-  vtkSetMacro(IsoSurfaceHides, bool);
-  vtkGetMacro(IsoSurfaceHides, bool);
-  void SetIsoValues(const std::vector<double>& values);
-  const std::vector<double>& GetIsoValues() { return this->IsoValues; }
+  vtkSetClampMacro(StippleSource, int, AUTOMATIC, VOXELS);
+  vtkGetMacro(StippleSource, int);
   vtkSetMacro(SurfaceHides, bool);
   vtkGetMacro(SurfaceHides, bool);
   void SetScalars(const std::string& name);
@@ -151,10 +160,8 @@ private:
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   double StippleSize = 0.0;      ///< in the picture's pixels
   double PixelsPerStipple = 0.0; ///< in the picture's pixels
-  double RoomAtHidingSurface;
-  double Room = 1.0; ///< of the marks that are shown, as a factor
-  bool IsoSurfaceHides = false;
-  std::vector<double> IsoValues;
+  int StippleSource = AUTOMATIC;
+  std::unique_ptr<InkIsoSurface> IsoSurface;
   bool SurfaceHides = true;
   std::string Scalars;
   vtkIdType NumberOfSurfaceStipples = 0;

@@ -120,16 +120,16 @@ def test_options_before_the_name_of_the_style(parameters, options, name, value):
 
 
 def test_an_option_is_not_told_to_be_given_with_itself(ink, volume_file):
-    result = ink("render", volume_file, "-o", "none.png", "--style", "stipple", "--no-iso-surface-hides", "--iso", 80)
+    result = ink("render", volume_file, "-o", "none.png", "--style", "stipple", "--stipple-source", "volume", "--iso", 80)
     assert result.code == 2
-    assert result.error == "ink: error: --iso: expected with --iso-surface-hides"
+    assert result.error == "ink: error: --iso: expected with --stipple-source surface"
 
 
-def test_a_style_file_can_switch_hiding_off(ink, picture, style_file, volume_file):
-    stipple = ["--style", "stipple", "--pixels-per-stipple", 6]
-    off = style_file("stipple", IsoSurfaceHides=False, IsoValues=[100])
+def test_a_style_file_can_say_what_is_stippled(ink, picture, style_file, volume_file):
+    stipple = ["--style", "stipple"]
+    off = style_file("stipple", StippleSource="volume", IsoValues=[100])
     drawn = picture(volume_file, *stipple, "--style-file", off)
-    assert (drawn == picture(volume_file, *stipple)).all()
+    assert (drawn == picture(volume_file, *stipple, "--stipple-source", "volume")).all()
     # The command line's word is the last.
     hidden = picture(volume_file, *stipple, "--iso", 100)
     assert (hidden != drawn).any()
@@ -139,7 +139,6 @@ def test_a_style_file_can_switch_hiding_off(ink, picture, style_file, volume_fil
 
 @pytest.mark.parametrize("style, given, options, name", [
     ("splatting-lines", {"HiddenLayers": True, "HiddenLineWidth": 1}, ["--line-width", 3], "HiddenLineWidth"),
-    ("stipple", {"RoomAtHidingSurface": 0.5}, ["--pixels-per-stipple", 3], "RoomAtHidingSurface"),
     ("stipple", {"NumberOfSurfaceStipples": 5000}, ["--max-stipples", 4], "NumberOfSurfaceStipples")])
 def test_what_a_style_file_gives_stays(parameters, style_file, style, given, options, name):
     assert parameters(style, *options)[name] != given[name]
@@ -153,8 +152,8 @@ def test_what_a_style_file_gives_stays(parameters, style_file, style, given, opt
 def test_options_win_over_a_style_file(parameters, style_file):
     lines = style_file("splatting-lines", LineWidth=1, HiddenLineWidth=1, HiddenLayers=True)
     assert parameters("splatting-lines", "--style-file", lines, "--hidden-width", 2)["HiddenLineWidth"] == 2
-    stipple = style_file("stipple", IsoSurfaceHides=False)
-    assert parameters("stipple", "--style-file", stipple, "--iso", 80)["IsoSurfaceHides"] is True
+    stipple = style_file("stipple", StippleSource="volume")
+    assert parameters("stipple", "--style-file", stipple, "--iso", 80)["StippleSource"] == "surface"
 
 
 @pytest.mark.parametrize("style, options", [

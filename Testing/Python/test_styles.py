@@ -15,16 +15,17 @@ vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TABLES = {"stipple": "Stipple", "splatting-lines": "SplattingLines"}
-PAGES = {"stipple": "stipple.md", "splatting-lines": "splatting-lines.md"}
+sys.path.insert(0, str(ROOT / "Styles/Core"))
+import generate_parameters  # noqa: E402
+TABLES = {"illustration": "Illustration", "stipple": "Stipple", "splatting-lines": "SplattingLines"}
+PAGES = {"illustration": "illustration.md", "stipple": "stipple.md", "splatting-lines": "splatting-lines.md"}
 STYLES = vtkink.styles()
 CASES = [pytest.param(style, parameter, id=f"{style}.{parameter.name}")
          for style, described in STYLES.items() for parameter in described.parameters.values()]  # fmt: skip
 
 
 def rows(style):
-    table = json.loads((ROOT / "Styles" / TABLES[style] / "parameters.json").read_text(encoding="utf-8"))
-    return {row["name"]: row for group in table["groups"] for row in group["parameters"]}
+    return generate_parameters.read(str(ROOT / "Styles" / TABLES[style] / "parameters.json"))["rows"]
 
 
 def option_of(style, parameter):

@@ -9,6 +9,8 @@
 #include "Progress.h"
 #include "RenderFrames.h"
 
+#include "InkIsoSurface.h"
+
 #include "vtkImageData.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkPolyData.h"
@@ -40,8 +42,8 @@ PictureSize PictureSize::parse(const std::string& text)
 
 Wanted wantedOf(const RenderOptions& options)
 {
-  auto* lines = vtkInkSplattingLinesStyle::SafeDownCast(options.style);
-  return !lines ? Wanted::Values : lines->GetIsoValues().empty() ? Wanted::Surface : Wanted::GivenSurfaces;
+  vtkInkSplattingLinesStyle* lines = linesOf(options.style);
+  return !lines ? Wanted::Values : lines->GetIsoSurface()->GetIsoValues().empty() ? Wanted::Surface : Wanted::GivenSurfaces;
 }
 
 void requireGraphics()

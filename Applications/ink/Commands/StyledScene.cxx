@@ -11,6 +11,7 @@
 #include "VolumeSlices.h"
 
 #include "vtkDataArray.h"
+#include "vtkInkIllustrationStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkSurfaceSampler.h"
 #include "vtkPolyData.h"
@@ -63,10 +64,16 @@ const char* nameOf(InkParameterData kind)
 
 } // namespace
 
+vtkInkSplattingLinesStyle* linesOf(vtkInkStyle* style)
+{
+  auto* illustration = vtkInkIllustrationStyle::SafeDownCast(style);
+  return illustration ? illustration->GetLinesStyle() : vtkInkSplattingLinesStyle::SafeDownCast(style);
+}
+
 SceneMaker::SceneMaker(const RenderOptions& options, bool follow)
   : Options(options)
 {
-  if (auto* lines = vtkInkSplattingLinesStyle::SafeDownCast(options.style))
+  if (vtkInkSplattingLinesStyle* lines = linesOf(options.style))
   {
     lines->GetSurfaceSampler()->SetFollowDeformation(follow);
   }
@@ -86,21 +93,36 @@ StyledScene SceneMaker::make(const Input& input, Progress& progress)
   this->Options.parameters->checkData(kindOf(input), nameOf(kindOf(input)));
   StyledScene subject;
   subject.style = style;
-  // Lines need the points of surfaces and nothing else of a volume.
-  if (input.isVolume() && vtkInkSplattingLinesStyle::SafeDownCast(style))
+  vtkSmartPointer<vtkDataObject> data = input.data;
+  // Lines need the points of surfaces and nothing else of a volume that is larger than memory.
+  if (input.isVolume() && !data && linesOf(style))
   {
-    subject.points = this->sampleSurfaces(input, subject.notes, progress);
-    style->ShowPieces({ subject.points });
-    return subject;
+    data = this->sampleSurfaces(input, subject.notes, progress);
   }
-  if (input.isVolume())
+  else if (input.isVolume())
   {
     this->prepareVolume(input, subject.notes);
   }
-  makeMarks(style, input.data, subject.notes, progress);
+  makeMarks(style, data, subject.notes, progress);
   subject.points = style->GetPiece(0);
+  if (input.isVolume())
+  {
+    this->requireMemoryFor(subject.points->GetNumberOfPoints());
+  }
   style->Show();
   return subject;
+}
+
+void SceneMaker::requireMemoryFor(vtkIdType points) const
+{
+  const std::uint64_t limit = this->Options.input.memory.limit;
+  const std::uint64_t bytes = static_cast<std::uint64_t>(points) * drawnPointBytes;
+  if (bytes > limit)
+  {
+    throw Failure("the surface has " + std::to_string(points) +
+      " points or more, which cannot be drawn in less than " + memoryText(bytes) +
+      ": expected --memory of more than that, found " + memoryText(limit));
+  }
 }
 
 vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
@@ -112,13 +134,7 @@ vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
   PointStore points(memory.limit, {});
   const auto keep = [&](int index, vtkPolyData* part)
   {
-    const std::uint64_t count = points.size() + static_cast<std::uint64_t>(part->GetNumberOfPoints());
-    if (count * drawnPointBytes > memory.limit)
-    {
-      throw Failure("the surface has " + std::to_string(count) +
-        " points or more, which cannot be drawn in less than " + memoryText(count * drawnPointBytes) +
-        ": expected --memory of more than that, found " + memoryText(memory.limit));
-    }
+    this->requireMemoryFor(static_cast<vtkIdType>(points.size()) + part->GetNumberOfPoints());
     points.add(index, part);
   };
   notes = sampleVolume(input, sampling, memory, keep, progress);
@@ -138,7 +154,7 @@ void SceneMaker::prepareVolume(const Input& input, std::vector<std::string>& not
     }
     throw Failure("--style " + std::string(style->GetName()) + " needs the whole volume at once, " +
       memoryText(bytes) + ": expected --memory of " + memoryText(Memory::limitFor(bytes, 2)) +
-      " or more, or --style splatting-lines");
+      " or more, or --style illustration");
   }
   if (isWithoutIsoValues(style, *this->Options.parameters))
   {
@@ -146,9 +162,12 @@ void SceneMaker::prepareVolume(const Input& input, std::vector<std::string>& not
   }
   std::vector<double> values = isoValuesOf(style);
   takeSurfaceValue(input, values, notes);
-  if (!values.empty())
+  if (linesOf(style) || !values.empty())
   {
     checkIsoValues(values, findFiniteRange(*input.volume));
+  }
+  if (!values.empty())
+  {
     setIsoValues(style, values);
   }
 }

@@ -4,10 +4,12 @@
 #include "Input.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <string>
 #include <vector>
 
+class vtkInkSplattingLinesStyle;
 class vtkInkStyle;
 class vtkPolyData;
 
@@ -15,6 +17,9 @@ namespace ink::cli
 {
 
 struct RenderOptions;
+
+/// The style that draws lines, or draws them in this one; null if there are none.
+vtkInkSplattingLinesStyle* linesOf(vtkInkStyle* style);
 
 /// What is drawn, before it has a camera.
 struct StyledScene
@@ -42,6 +47,8 @@ private:
   /// All points of a volume's surfaces, which may be larger than memory.
   vtkSmartPointer<vtkPolyData> sampleSurfaces(
     const Input& input, std::vector<std::string>& notes, Progress& progress);
+  /// @throws Failure if so many points of a surface cannot be drawn
+  void requireMemoryFor(vtkIdType points) const;
   /// What of the volume the style needs to know before it makes marks of it.
   void prepareVolume(const Input& input, std::vector<std::string>& notes);
 

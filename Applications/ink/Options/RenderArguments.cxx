@@ -4,6 +4,7 @@
 #include "Errors.h"
 #include "FrameChoice.h"
 #include "Series.h"
+#include "StyledScene.h"
 #include "Video.h"
 
 #include "vtkInkStyle.h"
@@ -24,7 +25,7 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->type_name("OUT.png");
   command
     ->add_option("--style", this->style,
-      "way of drawing: splatting-lines or stipple (splatting-lines); 'ink render --style NAME --help' shows "
+      "way of drawing: illustration, splatting-lines or stipple (illustration); 'ink render --style NAME --help' shows "
       "its options")
     ->type_name("NAME")
     ->check(CLI::IsMember(StyleArguments::names()));
@@ -93,7 +94,7 @@ std::optional<Animation> RenderArguments::animation() const
   Animation animation;
   animation.framesPerSecond = this->framesPerSecond;
   const std::string name = this->options.style->GetName();
-  if (series && name != "splatting-lines")
+  if (series && !linesOf(this->options.style))
   {
     throw UsageError("--style " + name + ": expected one file, found a series; lines are drawn of series");
   }

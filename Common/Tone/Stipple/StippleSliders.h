@@ -32,10 +32,6 @@ struct StippleSliders
   void apply(StippleTone& tone) const;
 };
 
-/// By how much a volume's stipples need less room each (StippleTone::pixelsPerStipple) where a surface hides
-/// what lies behind it: of the layers of stipples at a boundary it leaves less than half to be seen.
-inline constexpr double roomAtHidingSurface = 0.4;
-
 /// A kind of drawing to start from.
 struct StipplePreset
 {

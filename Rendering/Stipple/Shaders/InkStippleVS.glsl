@@ -37,6 +37,7 @@ uniform float largestPoint; // pixels
 uniform sampler2D occluder;
 uniform float occluderMargin; // pixels that it shows on each side of the viewport
 uniform float occluderOffset; // view units towards the eye
+const float paperDistance = 4.0; // pixels
 
 // StippleTone::View
 uniform float listed;
@@ -134,9 +135,9 @@ void placeResult()
 }
 #endif
 
-void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint element)
+void placeDot(vec2 centerPixel, float depth, float opacity, float size, uint element)
 {
-  if (!(opacity > 0.0) || center.w <= 0.0)
+  if (!(opacity > 0.0))
   {
     return;
   }
@@ -159,7 +160,7 @@ void placeDot(vec4 center, vec2 centerPixel, float opacity, float size, uint ele
   {
     return;
   }
-  gl_Position = vec4((low + high) / viewportSize - 1.0, center.z / center.w, 1.0);
+  gl_Position = vec4((low + high) / viewportSize - 1.0, depth, 1.0);
   gl_PointSize = max(high.x - low.x, high.y - low.y);
 }
 
@@ -261,8 +262,9 @@ void main()
   colorVSOutput = color;
 #endif
 
-  opacity = clipDistance(position) < 0.0 ? 0.0 : opacity;
   vec4 center = VCDCMatrix * position;
+  opacity = clipDistance(position) < 0.0 || center.w <= 0.0 ? 0.0 : opacity;
+  float dotDepth = center.z / center.w;
   vec2 centerPixel = (0.5 * center.xy / center.w + 0.5) * viewportSize;
 #ifdef INK_OCCLUDED
   if (opacity > 0.0)
@@ -274,6 +276,10 @@ void main()
     vec2 last = viewportSize + 2.0 * occluderMargin - 1.0;
     float hides = texelFetch(occluder, ivec2(clamp(centerPixel + occluderMargin, vec2(0.0), last)), 0).r;
     opacity = 0.5 * lifted.z / lifted.w + 0.5 > hides ? 0.0 : opacity;
+    // What its own surface does not hide is not to be hidden by another drawing of the same surface, lines on paper say.
+    lift = min(lift + paperDistance * pixelVC * center.w / max(slant, 0.25), max(0.5 * distanceFromEye, 0.0));
+    lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
+    dotDepth = lifted.z / lifted.w;
   }
 #endif
   toneVSOutput = vec3(tone, opacity, size);
@@ -283,6 +289,6 @@ void main()
 #ifdef INK_RESULTS
   placeResult();
 #else
-  placeDot(center, centerPixel, opacity, size, uint(element));
+  placeDot(centerPixel, dotDepth, opacity, size, uint(element));
 #endif
 }

@@ -4,17 +4,18 @@
 #include "StyleErrors.h"
 
 #include "InkStyleProcesses.h"
+#include "vtkInkIllustrationStyle.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 #include "vtkInkStippleStyle.h"
 
-#include "Tone/Stipple/StippleSliders.h"
-
 #include "vtkActor.h"
+#include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -147,6 +148,7 @@ TEST(StylePieces, StipplesOfImagesAreTheGenerators)
   generator->SetGradientPercentile(50);
   generator->Update();
   vtkNew<vtkInkStippleStyle> style;
+  style->SetParameterAsString("StippleSource", "volume");
   style->SetParameter("GradientPercentile", 50);
   ASSERT_TRUE(style->Draw(MakeBall()));
   EXPECT_EQ(CountOf(style), generator->GetOutput()->GetNumberOfPoints());
@@ -159,44 +161,102 @@ TEST(StylePieces, StipplesOfImagesAreTheGenerators)
   EXPECT_EQ(style->GetPiece(3), nullptr);
 }
 
-TEST(StylePieces, IsoSurfacesHideAndLeaveLessRoom)
+TEST(StylePieces, IsoSurfacesAreStippledThemselves)
 {
   vtkNew<vtkInkStippleStyle> style;
-  style->SetParameter("GradientPercentile", 50);
   ASSERT_TRUE(style->Draw(MakeBall()));
-  const vtkIdType all = CountOf(style);
-  // Not before the surface hides.
-  const vtkMTimeType before = style->GetMTime();
-  style->SetParameterAsString("IsoValues", "60");
-  EXPECT_EQ(style->GetMTime(), before);
-  style->SetParameter("IsoSurfaceHides", 1);
-  EXPECT_GT(style->GetMTime(), before);
-  ASSERT_TRUE(style->Draw(MakeBall()));
-  EXPECT_LT(CountOf(style), all);
-  EXPECT_GT(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), 50);
-  EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(),
-    ink::stipple::roomAtHidingSurface * style->GetPixelsPerStipple());
-  style->SetParameter("PixelsPerStipple", 10);
-  EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), 4);
-  // The generator has its own window still.
-  EXPECT_FALSE(style->GetParameter("UseScalarWindow"));
-  // A window says itself which voxels have stipples.
-  const vtkIdType hidden = CountOf(style);
-  style->SetParameter("UseScalarWindow", 1);
-  style->SetParameter("ScalarWindow", 0, 500);
-  ASSERT_TRUE(style->Draw(MakeBall()));
-  EXPECT_GT(CountOf(style), hidden);
-}
-
-TEST(StylePieces, HidingChoosesAnIsoValueWhereThereIsNone)
-{
-  vtkNew<vtkInkStippleStyle> style;
-  style->SetParameter("IsoSurfaceHides", 1);
-  ASSERT_TRUE(style->Draw(MakeBall()));
-  EXPECT_GT(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), 50);
   ASSERT_EQ(style->GetNumberOfNotes(), 1);
   EXPECT_EQ(std::string(style->GetNote(0)).find("iso-value "), 0u);
   EXPECT_EQ(style->GetParameterAsString("IsoValues"), "");
+  const vtkMTimeType before = style->GetMTime();
+  style->SetParameterAsString("IsoValues", "60");
+  EXPECT_GT(style->GetMTime(), before);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_EQ(style->GetNumberOfNotes(), 0);
+  // All of them on the surface, which hides what lies behind it, whatever the number of voxels.
+  vtkPolyData* stipples = style->GetPiece(0);
+  EXPECT_EQ(stipples->GetNumberOfVerts(), stipples->GetNumberOfPoints());
+  EXPECT_GT(CountOf(style), 10000);
+  vtkPolyData* surface = style->GetPiece(vtkInkStippleStyle::SURFACE);
+  EXPECT_GT(surface->GetNumberOfPoints(), 50);
+  EXPECT_NE(surface->GetPointData()->GetArray("Radius"), nullptr);
+  vtkDataArray* normals = stipples->GetCellData()->GetNormals();
+  const double* center = MakeBall()->GetCenter();
+  double sum = 0.0;
+  double squares = 0.0;
+  for (vtkIdType i = 0; i < stipples->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    stipples->GetPoint(i, p);
+    vtkMath::Subtract(p, center, p);
+    const double distance = vtkMath::Norm(p);
+    sum += distance;
+    squares += distance * distance;
+    EXPECT_GT(vtkMath::Dot(p, normals->GetTuple3(i)), 0.9 * distance);
+  }
+  const double count = static_cast<double>(stipples->GetNumberOfPoints());
+  EXPECT_LT(std::sqrt(squares / count - sum * sum / (count * count)), 0.25);
+  // Steps of density cost no more voxels.
+  const vtkIdType all = CountOf(style);
+  style->SetParameter("PixelsPerStipple", style->GetPixelsPerStipple() / 2.0);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_GT(CountOf(style), all);
+  style->SetParameter("SurfaceHides", 0);
+  ASSERT_TRUE(style->Draw(MakeBall()));
+  EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfPoints(), 0);
+}
+
+TEST(StylePieces, StipplesOfPointsAreThoseOfTheirDiscs)
+{
+  vtkNew<vtkInkSplattingLinesStyle> lines;
+  ASSERT_TRUE(lines->Make(MakeBall()));
+  vtkNew<vtkInkStippleStyle> ofPoints;
+  ASSERT_TRUE(ofPoints->Accepts(lines->GetPiece(0)));
+  ASSERT_TRUE(ofPoints->Draw(lines->GetPiece(0)));
+  vtkNew<vtkInkStippleStyle> ofImage;
+  ASSERT_TRUE(ofImage->Draw(MakeBall()));
+  ASSERT_EQ(CountOf(ofPoints), CountOf(ofImage));
+  for (vtkIdType i = 0; i < CountOf(ofImage); ++i)
+  {
+    double p[3];
+    ofImage->GetPiece(0)->GetPoint(i, p);
+    EXPECT_EQ(vtkMath::Distance2BetweenPoints(p, ofPoints->GetPiece(0)->GetPoint(i)), 0.0);
+  }
+}
+
+TEST(StylePieces, IllustrationsPutBothOnOneSurface)
+{
+  vtkNew<vtkInkIllustrationStyle> style;
+  EXPECT_TRUE(style->Accepts(MakeCloud()));
+  for (const vtkSmartPointer<vtkDataObject>& data : { vtkSmartPointer<vtkDataObject>(MakeBall()),
+         vtkSmartPointer<vtkDataObject>(MakeMesh()), vtkSmartPointer<vtkDataObject>(MakeCloud()) })
+  {
+    ASSERT_TRUE(style->Draw(data));
+    EXPECT_GT(style->GetPiece(0)->GetNumberOfPoints(), 50);
+    EXPECT_GT(style->GetPiece(1)->GetNumberOfPoints(), 1000);
+    EXPECT_EQ(
+      style->GetPiece(1)->GetNumberOfPoints(), style->GetStippleStyle()->GetPiece(0)->GetNumberOfPoints());
+    EXPECT_EQ(style->GetActor()->GetMapper(), style->GetMapper());
+    double lines[6];
+    double stipples[6];
+    style->GetPiece(0)->GetBounds(lines);
+    style->GetPiece(1)->GetBounds(stipples);
+    const double size = lines[1] - lines[0];
+    for (int i = 0; i < 6; ++i)
+    {
+      EXPECT_NEAR(lines[i], stipples[i], 0.05 * size) << data->GetClassName();
+    }
+  }
+  EXPECT_STREQ(style->GetPieceName(0), "Points");
+  EXPECT_STREQ(style->GetPieceName(1), "Stipples");
+  EXPECT_EQ(style->GetPieceName(4), nullptr);
+  // Light ink shows light.
+  style->SetParameterAsString("InkColor", "white");
+  style->SetParameterAsString("PaperColor", "black");
+  EXPECT_TRUE(style->GetStippleStyle()->GetStippleMapper()->GetLightInk());
+  double paper[3];
+  style->GetBackgroundColor(paper);
+  EXPECT_EQ(paper[0], 0.0);
 }
 
 TEST(StylePieces, MakingMarksIsNoChange)
@@ -417,10 +477,9 @@ TEST(StylePieces, ProgressIsTold)
       }
     });
   style->AddObserver(vtkCommand::ProgressEvent, command);
-  style->SetParameter("IsoSurfaceHides", 1);
   style->SetParameterAsString("IsoValues", "60");
   ASSERT_TRUE(style->Make(MakeBall()));
-  EXPECT_EQ(steps, (std::vector<std::string>{ "finding the surface", "placing stipples" }));
+  EXPECT_EQ(steps, (std::vector<std::string>{ "sampling the surface", "placing stipples" }));
 }
 
 TEST(StylePieces, LightComesFromItsSide)

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fields/Resampling/WeightedRows.h"
+
+namespace ink
+{
+namespace
+{
+
+/// Rows added per pass, each of which loads and stores the sums once.
+constexpr std::size_t groupSize = 4;
+
+/// @param first whether `to` has no sums yet
+template <std::size_t rows, bool first, class Work>
+void addRows(const Work* __restrict middle, const Work* const* from, const Work* weights, std::size_t count,
+  Work* __restrict to)
+{
+  const Work* row[rows];
+  Work weight[rows];
+  for (std::size_t n = 0; n < rows; ++n)
+  {
+    row[n] = from[n];
+    weight[n] = weights[n];
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Work own = middle[i];
+    Work sum = first ? own : to[i];
+    for (std::size_t n = 0; n < rows; ++n)
+    {
+      sum += weight[n] * (row[n][i] - own);
+    }
+    to[i] = sum;
+  }
+}
+
+} // namespace
+
+template <class Work>
+void sumAcross(const Work* middle, const std::vector<const Work*>& rows, const std::vector<Work>& weights,
+  std::size_t count, Work* to)
+{
+  if (rows.empty())
+  {
+    std::copy_n(middle, count, to);
+  }
+  for (std::size_t n = 0; n < rows.size(); n += groupSize)
+  {
+    const auto add = [&]<std::size_t some>()
+    {
+      const auto addSome = n == 0 ? addRows<some, true, Work> : addRows<some, false, Work>;
+      addSome(middle, rows.data() + n, weights.data() + n, count, to);
+    };
+    switch (std::min(rows.size() - n, groupSize))
+    {
+      case 1:
+        add.template operator()<1>();
+        break;
+      case 2:
+        add.template operator()<2>();
+        break;
+      case 3:
+        add.template operator()<3>();
+        break;
+      default:
+        add.template operator()<groupSize>();
+    }
+  }
+}
+
+template <class Work>
+void sumAlong(const Work* from, int step, const Work* weights, int taps, int reach, int count, Work* to)
+{
+  const Work* __restrict const middle = from + reach * step;
+  Work* __restrict const sums = to;
+  std::copy_n(middle, count, sums);
+  for (int n = 0; n < taps; ++n)
+  {
+    const Work* __restrict const row = from + n * step;
+    const Work* __restrict const weight = weights + static_cast<std::ptrdiff_t>(n) * count;
+    for (int i = 0; n != reach && i < count; ++i)
+    {
+      sums[i] += weight[i] * (row[i] - middle[i]);
+    }
+  }
+}
+
+#define INK_INSTANTIATE(Work)                                                                                \
+  template void sumAcross(                                                                                   \
+    const Work*, const std::vector<const Work*>&, const std::vector<Work>&, std::size_t, Work*);             \
+  template void sumAlong(const Work*, int, const Work*, int, int, int, Work*);
+INK_INSTANTIATE(float)
+INK_INSTANTIATE(double)
+#undef INK_INSTANTIATE
+
+} // namespace ink

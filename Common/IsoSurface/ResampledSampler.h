@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/ParallelFor.h"
+#include "Fields/Grid/GridField.h"
+#include "Fields/Resampling/AxisResampling.h"
+#include "Fields/Resampling/TileResampler.h"
+#include "IsoSurface/ActiveCellFinder.h"
+#include "IsoSurface/CellPlacement.h"
+#include "IsoSurface/ProjectSamples.h"
+#include "IsoSurface/ResampledSamples.h"
+#include "IsoSurface/SampleWriter.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// Internal to Common/IsoSurface.
+namespace ink
+{
+
+/// The arguments of sampleResampledIsoSurfaces, whatever the type of the grid's values.
+template <class Work>
+struct ResampledRequest
+{
+  GridGeometry geometry;
+  /// TileResampler::read of the grid.
+  std::function<void(const SampleBox& positions, const glm::ivec3& reach, TileResampler<Work>&)> read;
+  /// Whether a cell of the grid lacks a corner.
+  std::function<bool(const glm::ivec3& cell)> lacksCorner;
+  std::span<const double> isoValues;
+  SampleOptions options;
+  CellSelection selection;
+  IsoSurfaceResampling resampling;
+  int projectionSteps;
+};
+
+/// Samples a grid tile by tile. Cells and positions are those of the resampled grid unless called the grid's
+/// own. Values and normals of values are Work.
+template <class Work>
+class ResampledSampler
+{
+public:
+  ResampledSampler(const ResampledRequest<Work>& request, TileRanges* ranges)
+    : Request(request)
+    , Subdivision(request.resampling.subdivision)
+    , Geometry(resampledGeometry(request.geometry, this->Subdivision))
+    , Begin(glm::clamp(request.selection.begin, glm::ivec3(0), this->ownCells()))
+    , End(glm::clamp(request.selection.end, glm::ivec3(0), this->ownCells()))
+    , OwnTile(glm::max(TileSize / this->Subdivision, glm::ivec3(4)))
+    , Counts(glm::max((this->End - this->Begin + this->OwnTile - 1) / this->OwnTile, glm::ivec3(0)))
+    , Smooth(resamplingOf(request.resampling.deviation))
+    , Sharp(resamplingOf(this->onlyNormals() ? glm::dvec3(0.0) : request.resampling.deviation))
+    , Ranges(ranges ? *ranges : this->OwnRanges)
+  {
+    const std::size_t count = static_cast<std::size_t>(this->Counts.x) * this->Counts.y * this->Counts.z;
+    const TileRanges::Key key = { request.geometry.dimensions(), this->Begin, this->End, this->OwnTile,
+      this->reach() };
+    if (!(this->Ranges.Of == key))
+    {
+      this->Ranges.Of = key;
+      this->Ranges.Low.assign(count, std::numeric_limits<double>::quiet_NaN());
+      this->Ranges.High = this->Ranges.Low;
+    }
+    this->Tiles.resize(count);
+  }
+
+  bool run(const GrowRoom& grow, std::vector<std::size_t>& counts, const Progress& progress)
+  {
+    const SampleRoom wanted = grow(1);
+    this->DoublePoints = wanted.doublePoints != nullptr;
+    this->Normals = wanted.normals || wanted.shortNormals || wanted.byteNormals;
+    tbb::enumerable_thread_specific<Workspace> workspaces;
+    const auto sample = [&](std::size_t n) { this->sampleTile(n, workspaces.local()); };
+    if (!parallelFor(this->Tiles.size(), sample, progress))
+    {
+      return false;
+    }
+    counts.assign(this->Request.isoValues.size(), 0);
+    for (const Tile& tile : this->Tiles)
+    {
+      for (std::size_t t = 0; t < tile.counts.size(); ++t)
+      {
+        counts[t] += tile.counts[t];
+      }
+    }
+    this->write(grow, counts);
+    return true;
+  }
+
+private:
+  /// Cells of a tile along each axis, before it is made of whole voxels: the samples of a tile stay in the
+  /// cache from one axis to the next.
+  static constexpr glm::ivec3 TileSize = glm::ivec3(64, 16, 16);
+
+  /// The samples of one tile, sorted by iso-value.
+  struct Tile
+  {
+    std::vector<std::size_t> counts;
+    std::vector<std::size_t> starts; ///< where those of each iso-value belong in the output
+    std::vector<float> points;
+    std::vector<double> doublePoints; ///< instead of points
+    std::vector<float> normals;
+  };
+
+  /// The state of one thread.
+  struct Workspace
+  {
+    TileResampler<Work> resampler;
+    std::vector<Work> values;
+    std::vector<Work> smoothValues; ///< those that only normals are of
+    std::vector<std::uint8_t> skipped;
+    std::vector<double> isoValues;
+  };
+
+  glm::ivec3 ownCells() const { return glm::max(this->Request.geometry.dimensions() - 1, glm::ivec3(0)); }
+  bool onlyNormals() const { return this->Request.resampling.target == SmoothingTarget::Normals; }
+
+  GridResampling resamplingOf(const glm::dvec3& deviation) const
+  {
+    const glm::ivec3& samples = this->Request.geometry.dimensions();
+    return { AxisResampling(deviation.x, this->Subdivision.x, samples.x),
+      AxisResampling(deviation.y, this->Subdivision.y, samples.y),
+      AxisResampling(deviation.z, this->Subdivision.z, samples.z) };
+  }
+  glm::ivec3 reach() const
+  {
+    return { this->Smooth[0].reach(), this->Smooth[1].reach(), this->Smooth[2].reach() };
+  }
+
+  void sampleTile(std::size_t n, Workspace& work)
+  {
+    const int tile = static_cast<int>(n);
+    const glm::ivec3 at(
+      tile % this->Counts.x, tile / this->Counts.x % this->Counts.y, tile / this->Counts.x / this->Counts.y);
+    const glm::ivec3 ownBegin = this->Begin + at * this->OwnTile;
+    const glm::ivec3 ownEnd = glm::min(ownBegin + this->OwnTile, this->End);
+    if (this->isOutside(this->Ranges.Low[n], this->Ranges.High[n]))
+    {
+      return;
+    }
+    // Positions that normals depend on, and those that moved samples' do.
+    const int around = this->Request.projectionSteps > 0 ? 2 : 1;
+    const SampleBox box = { glm::max(ownBegin * this->Subdivision - around, glm::ivec3(0)),
+      glm::min(ownEnd * this->Subdivision + 1 + around, this->Geometry.dimensions()) };
+    this->Request.read(box, this->reach(), work.resampler);
+    this->Ranges.Low[n] = work.resampler.least();
+    this->Ranges.High[n] = work.resampler.greatest();
+    if (this->isOutside(this->Ranges.Low[n], this->Ranges.High[n]))
+    {
+      return;
+    }
+    // So that no difference overflows.
+    constexpr Work largest = std::numeric_limits<Work>::max() / 64;
+    const bool huge = std::max(std::abs(this->Ranges.Low[n]), std::abs(this->Ranges.High[n])) > largest;
+    const Work scale = huge ? Work(1) / 256 : Work(1);
+    if (huge)
+    {
+      work.resampler.scale(scale);
+    }
+    work.isoValues.assign(this->Request.isoValues.begin(), this->Request.isoValues.end());
+    for (double& isoValue : work.isoValues)
+    {
+      isoValue *= scale;
+    }
+    work.resampler.resample(this->Sharp, box, work.values);
+    const GridField<Work> field = this->fieldOf(box, work.values);
+
+    CellSelection selection = { ownBegin * this->Subdivision - box.begin,
+      ownEnd * this->Subdivision - box.begin, {} };
+    if (!this->Request.selection.skipped.empty() || work.resampler.anyMissing())
+    {
+      this->markSkipped(box, work.skipped);
+      selection.skipped = { work.skipped, 1 };
+    }
+    ActiveCellFinder<Work> finder(field, work.isoValues, this->Request.options.rule, selection);
+    std::vector<ActiveCells> cells(work.isoValues.size());
+    for (ActiveCells& all : cells)
+    {
+      all.slabs.resize(finder.slabCount());
+    }
+    for (int slab = 0; slab < finder.slabCount(); ++slab)
+    {
+      finder.find(slab, cells);
+    }
+    Tile& samples = this->Tiles[n];
+    std::size_t total = 0;
+    for (ActiveCells& all : cells)
+    {
+      for (const ActiveCells::Slab& slab : all.slabs)
+      {
+        all.count += slab.count;
+      }
+      samples.counts.push_back(all.count);
+      total += all.count;
+    }
+    if (total == 0)
+    {
+      return;
+    }
+    this->place(field, work.isoValues, cells, total, samples);
+    if (this->onlyNormals() && this->Normals)
+    {
+      work.resampler.resample(this->Smooth, box, work.smoothValues);
+      this->useNormalsOf(this->fieldOf(box, work.smoothValues), samples);
+    }
+  }
+
+  /// Whether no iso-value lies between values made of those in a range.
+  bool isOutside(double low, double high) const
+  {
+    if (!(low <= high))
+    {
+      // Not known, or nothing is there.
+      return low > high;
+    }
+    double gain = 1.0;
+    for (const AxisResampling& axis : this->Sharp)
+    {
+      gain *= axis.gain();
+    }
+    // Half first: the whole range may not be a number.
+    const double overshoot = (gain - 1.0) * (0.5 * high - 0.5 * low);
+    return std::none_of(this->Request.isoValues.begin(), this->Request.isoValues.end(),
+      [&](double v) { return v >= low - overshoot && v <= high + overshoot; });
+  }
+
+  GridField<Work> fieldOf(const SampleBox& box, const std::vector<Work>& values) const
+  {
+    return GridField<Work>(GridGeometry(box.size(), this->Geometry.origin(), this->Geometry.spacing(),
+                             this->Geometry.direction(), this->Geometry.first() + box.begin),
+      values);
+  }
+
+  /// Marks the parts of the grid's own cells that are skipped or have a missing corner.
+  void markSkipped(const SampleBox& box, std::vector<std::uint8_t>& marks) const
+  {
+    const ElementMarks& skipped = this->Request.selection.skipped;
+    const glm::ivec3 own = this->ownCells();
+    const glm::ivec3 size = box.size() - 1;
+    marks.assign(static_cast<std::size_t>(size.x) * size.y * size.z, 0);
+    const glm::ivec3 first = box.begin / this->Subdivision;
+    const glm::ivec3 last = (box.end - 2) / this->Subdivision;
+    for (int k = first.z; k <= last.z; ++k)
+    {
+      for (int j = first.y; j <= last.y; ++j)
+      {
+        for (int i = first.x; i <= last.x; ++i)
+        {
+          const glm::ivec3 cell(i, j, k);
+          const std::size_t offset =
+            i + static_cast<std::size_t>(own.x) * (j + static_cast<std::size_t>(own.y) * k);
+          const bool skip = (!skipped.empty() && skipped[offset]) || this->Request.lacksCorner(cell);
+          if (!skip)
+          {
+            continue;
+          }
+          const glm::ivec3 begin = glm::max(cell * this->Subdivision - box.begin, glm::ivec3(0));
+          const glm::ivec3 end = glm::min((cell + 1) * this->Subdivision - box.begin, size);
+          for (int z = begin.z; z < end.z; ++z)
+          {
+            for (int y = begin.y; y < end.y; ++y)
+            {
+              std::uint8_t* row =
+                marks.data() + static_cast<std::size_t>(size.x) * (y + static_cast<std::size_t>(size.y) * z);
+              std::fill(row + begin.x, row + end.x, std::uint8_t(1));
+            }
+          }
+        }
+      }
+    }
+  }
+
+  void place(const GridField<Work>& field, const std::vector<double>& isoValues,
+    const std::vector<ActiveCells>& cells, std::size_t total, Tile& samples) const
+  {
+    SampleRoom room;
+    room.capacity = total;
+    if (this->DoublePoints)
+    {
+      samples.doublePoints.resize(3 * total);
+      room.doublePoints = samples.doublePoints.data();
+    }
+    else
+    {
+      samples.points.resize(3 * total);
+      room.points = samples.points.data();
+    }
+    if (this->Normals)
+    {
+      samples.normals.resize(3 * total);
+      room.normals = samples.normals.data();
+    }
+    for (std::size_t t = 0; t < cells.size(); ++t)
+    {
+      const CellPlacement<Work, Work> placer(field, isoValues[t], this->Request.options);
+      SampleRoom own = room;
+      for (const ActiveCells::Slab& slab : cells[t].slabs)
+      {
+        placer.place(slab.runs, own);
+        own = roomAfter(own, slab.count);
+      }
+      const auto project = [&](auto* points)
+      {
+        projectSamples(field, field.geometry(), isoValues[t], this->Request.projectionSteps,
+          std::span(points, 3 * cells[t].count));
+      };
+      if (this->Request.projectionSteps > 0)
+      {
+        room.doublePoints ? project(room.doublePoints) : project(room.points);
+      }
+      room = own;
+    }
+  }
+
+  /// Replaces the normals by those of other values.
+  void useNormalsOf(const GridField<Work>& field, Tile& samples) const
+  {
+    for (std::size_t n = 0; n < samples.normals.size(); n += 3)
+    {
+      const auto at = [&](const auto& points) { return glm::dvec3(points[n], points[n + 1], points[n + 2]); };
+      const glm::dvec3 gradient =
+        field.gradient(this->DoublePoints ? at(samples.doublePoints) : at(samples.points));
+      const double length = std::hypot(gradient.x, gradient.y, gradient.z);
+      for (int axis = 0; length > 0.0 && std::isfinite(length) && axis < 3; ++axis)
+      {
+        samples.normals[n + axis] = static_cast<float>(-gradient[axis] / length);
+      }
+    }
+  }
+
+  /// Collects the samples of all tiles.
+  void write(const GrowRoom& grow, const std::vector<std::size_t>& counts)
+  {
+    const SampleRoom room = grow(std::accumulate(counts.begin(), counts.end(), std::size_t(0)));
+    // Where the samples of the next tile belong.
+    std::vector<std::size_t> next(counts.size(), 0);
+    std::partial_sum(counts.begin(), counts.end() - !counts.empty(), next.begin() + !counts.empty());
+    for (Tile& tile : this->Tiles)
+    {
+      tile.starts = next;
+      for (std::size_t t = 0; t < tile.counts.size(); ++t)
+      {
+        next[t] += tile.counts[t];
+      }
+    }
+    parallelFor(this->Tiles.size(),
+      [&](std::size_t n)
+      {
+        std::size_t from = 0;
+        for (std::size_t t = 0; t < this->Tiles[n].counts.size(); ++t)
+        {
+          const SampleRoom to = roomAfter(room, this->Tiles[n].starts[t]);
+          copySamples(this->Tiles[n], from, this->Tiles[n].counts[t], to);
+          from += this->Tiles[n].counts[t];
+        }
+        this->Tiles[n] = {};
+      });
+  }
+
+  static void copySamples(const Tile& tile, std::size_t from, std::size_t count, const SampleRoom& to)
+  {
+    const auto copy = [&](const auto& numbers, auto* written, const auto& convert)
+    {
+      if (written)
+      {
+        std::transform(numbers.begin() + 3 * from, numbers.begin() + 3 * (from + count), written, convert);
+      }
+    };
+    copy(tile.points, to.points, std::identity());
+    copy(tile.doublePoints, to.doublePoints, std::identity());
+    copy(tile.normals, to.normals, std::identity());
+    copy(tile.normals, to.shortNormals, quantized<std::int16_t>);
+    copy(tile.normals, to.byteNormals, quantized<std::int8_t>);
+  }
+
+  ResampledRequest<Work> Request;
+  glm::ivec3 Subdivision;
+  GridGeometry Geometry;
+  glm::ivec3 Begin; ///< the grid's own cells
+  glm::ivec3 End;
+  glm::ivec3 OwnTile; ///< the grid's own cells in a tile
+  glm::ivec3 Counts;  ///< of tiles
+  GridResampling Smooth;
+  GridResampling Sharp; ///< what the surface is of
+  TileRanges OwnRanges;
+  TileRanges& Ranges;
+  std::vector<Tile> Tiles;
+  bool DoublePoints = false;
+  bool Normals = false;
+};
+
+} // namespace ink

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsoSurface/ResampledSamples.h"
+
+#include "Core/ParallelFor.h"
+#include "Fields/Grid/GridField.h"
+#include "Fields/ScalarDifference.h"
+#include "IsoSurface/ResampledSampler.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace ink
+{
+
+IsoSurfaceResampling makeIsoSurfaceResampling(
+  const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target)
+{
+  IsoSurfaceResampling resampling;
+  resampling.target = target;
+  if (!(smoothing > 0.0) && subdivision <= 1)
+  {
+    return resampling;
+  }
+  glm::dvec3 spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3& step = geometry.stepToWorld()[axis];
+    spacing[axis] = std::hypot(step.x, step.y, step.z);
+  }
+  const double smallest = std::min({ spacing.x, spacing.y, spacing.z });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double ratio = spacing[axis] / smallest;
+    resampling.deviation[axis] = std::max(smoothing, 0.0) / ratio;
+    resampling.subdivision[axis] = static_cast<int>(
+      std::clamp(std::round(ratio * std::max(subdivision, 1)), 1.0, 1.0 * largestSubdivision));
+  }
+  return resampling;
+}
+
+int isoSurfaceResamplingReach(double smoothing, int subdivision)
+{
+  // Along the axis of the smallest spacing, where the Gaussian is widest in samples; others may be divided
+  // more. One more sample for the normals.
+  const bool identity = !(smoothing > 0.0) && subdivision <= 1;
+  return identity ? 1 : AxisResampling(smoothing, largestSubdivision, 2).reach() + 1;
+}
+
+GridGeometry resampledGeometry(const GridGeometry& geometry, const glm::ivec3& subdivision)
+{
+  return GridGeometry((geometry.dimensions() - 1) * subdivision + 1, geometry.origin(),
+    geometry.spacing() / glm::dvec3(subdivision), geometry.direction(), geometry.first() * subdivision);
+}
+
+template <class T>
+bool sampleResampledIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues,
+  const SampleOptions& options, const CellSelection& selection, const IsoSurfaceResampling& resampling,
+  int projectionSteps, TileRanges* ranges, const GrowRoom& grow, std::vector<std::size_t>& counts,
+  const Progress& progress)
+{
+  const glm::ivec3& samples = field.geometry().dimensions();
+  if (std::min({ samples.x, samples.y, samples.z }) < 2)
+  {
+    counts.assign(isoValues.size(), 0);
+    return true;
+  }
+  const auto run = [&](auto zero)
+  {
+    using Work = decltype(zero);
+    const auto read = [&](const SampleBox& positions, const glm::ivec3& reach, TileResampler<Work>& to)
+    { to.read(field, positions, resampling.subdivision, reach); };
+    const auto lacksCorner = [&](const glm::ivec3& cell)
+    {
+      bool lacks = false;
+      for (int c = 0; c < 8; ++c)
+      {
+        lacks |= !field.has(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2));
+      }
+      return lacks;
+    };
+    const ResampledRequest<Work> request = { field.geometry(), read, lacksCorner, isoValues, options,
+      selection, resampling, projectionSteps };
+    return ResampledSampler<Work>(request, ranges).run(grow, counts, progress);
+  };
+  if constexpr (FitsSingle<T>)
+  {
+    if (options.arithmetic == Arithmetic::Single)
+    {
+      return run(0.0f);
+    }
+  }
+  return run(0.0);
+}
+
+#define INK_INSTANTIATE(T)                                                                                   \
+  template bool sampleResampledIsoSurfaces(const GridField<T>&, std::span<const double>,                     \
+    const SampleOptions&, const CellSelection&, const IsoSurfaceResampling&, int, TileRanges*,               \
+    const GrowRoom&, std::vector<std::size_t>&, const Progress&);
+INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+
+} // namespace ink

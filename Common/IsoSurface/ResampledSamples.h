@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Progress.h"
+#include "IsoSurface/ActiveCells.h"
+#include "IsoSurface/IsoSurfaceSamples.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ink
+{
+
+template <class T>
+class GridField;
+class GridGeometry;
+
+/// What smoothed values say: where the surface is and its normals, or only these.
+enum class SmoothingTarget
+{
+  Surface,
+  Normals
+};
+
+/// How a grid is resampled before samples are placed, see AxisResampling.
+struct IsoSurfaceResampling
+{
+  glm::dvec3 deviation = glm::dvec3(0.0); ///< of the Gaussian along each axis, in samples of the grid
+  glm::ivec3 subdivision = glm::ivec3(1); ///< cells that take the place of one, along each axis
+  SmoothingTarget target = SmoothingTarget::Surface;
+
+  /// Whether the grid stays what it is.
+  bool isIdentity() const { return this->deviation == glm::dvec3(0.0) && this->subdivision == glm::ivec3(1); }
+};
+
+inline constexpr int largestSubdivision = 8;
+
+/// The same smoothing in all world directions, and cells that are about cubes where voxels are not.
+/// @param smoothing the Gaussian's standard deviation in multiples of the smallest spacing
+/// @param subdivision cells per sample along the axis of the smallest spacing; along others in proportion to
+///   the spacing, up to largestSubdivision
+/// @return the identity for 0 and 1
+IsoSurfaceResampling makeIsoSurfaceResampling(
+  const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target);
+
+/// Samples around a cell of the grid that its samples depend on, along any axis.
+/// @param smoothing, subdivision as for makeIsoSurfaceResampling
+int isoSurfaceResamplingReach(double smoothing, int subdivision);
+
+/// The grid whose cells have samples.
+GridGeometry resampledGeometry(const GridGeometry& geometry, const glm::ivec3& subdivision);
+
+/// The least and greatest value around each tile of a grid, of those that later calls need not read.
+class TileRanges
+{
+public:
+  void clear() { *this = TileRanges(); }
+  std::size_t bytes() const { return (this->Low.capacity() + this->High.capacity()) * sizeof(double); }
+
+private:
+  template <class Work>
+  friend class ResampledSampler;
+
+  /// What the ranges belong to.
+  struct Key
+  {
+    glm::ivec3 samples = glm::ivec3(0);
+    glm::ivec3 begin = glm::ivec3(0);
+    glm::ivec3 end = glm::ivec3(0);
+    glm::ivec3 tile = glm::ivec3(0);
+    glm::ivec3 reach = glm::ivec3(0);
+    bool operator==(const Key&) const = default;
+  };
+
+  Key Of;
+  std::vector<double> Low; ///< NaN where not known
+  std::vector<double> High;
+};
+
+/// sampleIsoSurfaces for a grid that is smoothed and divided into smaller cells, tile by tile: at no time is
+/// there more of the resampled grid than a tile per thread, and tiles without a surface are not resampled.
+/// Samples are sorted by iso-value, then by tile, then by cell. Parts of a grid give the samples of the
+/// whole, bitwise, where they have isoSurfaceResamplingReach() more samples around the selected cells.
+///
+/// 64-bit integers and doubles are resampled in double, others as float if `options.arithmetic` is single.
+///
+/// @param selection cells of the grid itself; all parts of a skipped cell, or of one with a missing corner,
+///   are skipped
+/// @param projectionSteps see projectSamples
+/// @param ranges kept from call to call for the same values; the caller must clear them when the values
+///   change. May be null
+/// @param grow called once, for all samples
+/// @param counts output: the number of samples of each iso-value
+/// @return false when `progress` asked to stop
+template <class T>
+bool sampleResampledIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues,
+  const SampleOptions& options, const CellSelection& selection, const IsoSurfaceResampling& resampling,
+  int projectionSteps, TileRanges* ranges, const GrowRoom& grow, std::vector<std::size_t>& counts,
+  const Progress& progress = {});
+
+} // namespace ink

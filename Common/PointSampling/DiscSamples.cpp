@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSampling/DiscSamples.h"
+
+#include "Core/MortonOrder.h"
+#include "Core/ParallelFor.h"
+#include "Core/ParallelSort.h"
+#include "PointSampling/ProgressiveBlueNoise.h"
+#include "PointSampling/ProgressiveSampler.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace ink
+{
+
+namespace
+{
+
+// The part of its radius within which a disc has candidates: enough that those of a regular grid of points
+// leave no holes, and no more, as positions near the rim lie farther off the surface.
+constexpr float candidateReach = 0.82f;
+
+bool isFinite(const glm::vec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool isUsable(const SurfaceDiscs& discs, std::size_t disc)
+{
+  const float radius = discs.radii[disc];
+  const glm::vec3& normal = discs.normals[disc];
+  return radius > 0.0f && std::isfinite(radius) && isFinite(discs.centers[disc]) && isFinite(normal) &&
+    glm::dot(normal, normal) > 0.0f;
+}
+
+/// Discs as pieces of a surface, see ProgressiveSampler, in Morton order. Lengths are in units of the
+/// spacing.
+class DiscPieces
+{
+public:
+  DiscPieces(const SurfaceDiscs& discs, float scale)
+    : Discs(discs)
+    , Scale(scale)
+  {
+    for (std::size_t disc = 0; disc < discs.centers.size(); ++disc)
+    {
+      if (isUsable(discs, disc))
+      {
+        this->Order.push_back(static_cast<std::uint32_t>(disc));
+        this->Largest = std::max(this->Largest, discs.radii[disc] * scale);
+      }
+    }
+    this->sort();
+    const std::size_t count = this->Order.size();
+    this->Areas.resize(count);
+    this->Middles.resize(count);
+    parallelFor((count + chunkSize - 1) / chunkSize,
+      [&](std::size_t chunk)
+      {
+        for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
+        {
+          this->Areas[i] = areaOfDisc(discs.radii[this->Order[i]]);
+          this->Middles[i] = discs.centers[this->Order[i]] * scale;
+        }
+      });
+  }
+
+  std::span<const double> areas() const { return this->Areas; }
+  std::span<const glm::vec3> middles() const { return this->Middles; }
+  float longest() const { return 2.0f * candidateReach * this->Largest; }
+
+  struct Frame
+  {
+    glm::vec3 origin;
+    glm::vec3 along1;
+    glm::vec3 along2;
+    glm::vec3 normal;
+  };
+  Frame frame(std::size_t piece) const
+  {
+    const std::uint32_t disc = this->Order[piece];
+    const glm::vec3 n = glm::normalize(this->Discs.normals[disc]);
+    // An orthonormal basis (Duff et al. 2017).
+    const float reach = candidateReach * this->Discs.radii[disc] * this->Scale;
+    const float s = n.z < 0.0f ? -1.0f : 1.0f;
+    const float a = -1.0f / (s + n.z);
+    const float b = n.x * n.y * a;
+    return { this->Middles[piece], reach * glm::vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x),
+      reach * glm::vec3(b, s + n.y * n.y * a, -n.y), n };
+  }
+  /// In the unit disc.
+  static glm::vec2 coordinates(float u, float v)
+  {
+    const float angle = 2.0f * std::numbers::pi_v<float> * v;
+    return std::sqrt(u) * glm::vec2(std::cos(angle), std::sin(angle));
+  }
+  DiscSample sample(std::size_t piece, float b1, float b2) const
+  {
+    const Frame at = this->frame(piece);
+    return { (at.origin + b1 * at.along1 + b2 * at.along2) / this->Scale, this->Order[piece] };
+  }
+
+private:
+  static constexpr std::size_t chunkSize = 1 << 13;
+
+  /// By what discs are, not by where they stand in the input.
+  void sort()
+  {
+    struct Key
+    {
+      std::uint64_t cell;
+      std::uint32_t disc;
+    };
+    const float width = std::max(2.0f * this->Largest, 1.0f) / this->Scale;
+    std::vector<Key> keys(this->Order.size());
+    parallelFor((keys.size() + chunkSize - 1) / chunkSize,
+      [&](std::size_t chunk)
+      {
+        for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, keys.size()); ++i)
+        {
+          const std::uint32_t disc = this->Order[i];
+          const glm::vec3 cell =
+            glm::clamp(glm::floor(this->Discs.centers[disc] / width) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
+          keys[i] = { mortonOf(glm::uvec3(cell)), disc };
+        }
+      });
+    const auto position = [&](const Key& key)
+    {
+      const glm::vec3& c = this->Discs.centers[key.disc];
+      const glm::vec3& n = this->Discs.normals[key.disc];
+      return std::tuple(c.x, c.y, c.z, n.x, n.y, n.z, this->Discs.radii[key.disc], key.disc);
+    };
+    parallelSort(keys.begin(), keys.end(),
+      [&](const Key& a, const Key& b)
+      { return a.cell != b.cell ? a.cell < b.cell : position(a) < position(b); });
+    std::transform(keys.begin(), keys.end(), this->Order.begin(), [](const Key& key) { return key.disc; });
+  }
+
+  const SurfaceDiscs& Discs;
+  float Scale; ///< from the centers' unit
+  float Largest = 0.0f;
+  std::vector<std::uint32_t> Order;
+  std::vector<double> Areas;
+  std::vector<glm::vec3> Middles;
+};
+
+} // namespace
+
+double areaOf(const SurfaceDiscs& discs)
+{
+  double area = 0.0;
+  for (std::size_t disc = 0; disc < discs.centers.size(); ++disc)
+  {
+    area += isUsable(discs, disc) ? areaOfDisc(discs.radii[disc]) : 0.0;
+  }
+  return area;
+}
+
+double areaPerSample(double spacing, double candidates)
+{
+  return spacing * spacing / progressiveCount(candidates);
+}
+
+double spacingForCount(const SurfaceDiscs& discs, double count, double candidates)
+{
+  return std::sqrt(progressiveCount(candidates) * areaOf(discs) / count);
+}
+
+std::vector<DiscSample> sampleDiscs(
+  const SurfaceDiscs& discs, double spacing, double candidates, std::uint64_t seed, const Progress& progress)
+{
+  const double each = std::clamp(candidates, leastCandidates, mostCandidates);
+  const double expected = areaOf(discs) / areaPerSample(spacing, each);
+  if (!(expected > 0.0))
+  {
+    return {};
+  }
+  const DiscPieces pieces(discs, static_cast<float>(1.0 / spacing));
+  glm::vec3 high(0.0f);
+  for (const glm::vec3& middle : pieces.middles())
+  {
+    high = glm::max(high, glm::abs(middle));
+  }
+  const double widest = 2.0 * static_cast<double>(std::max({ high.x, high.y, high.z }) + pieces.longest());
+  if (!(widest < 0x1p24))
+  {
+    throw std::invalid_argument("the surface is " + std::to_string(widest) +
+      " times as wide as its samples are apart; expected less than 16777216 times, so fewer samples");
+  }
+  ProgressiveSampler sampler(pieces, static_cast<float>(std::max(std::numbers::sqrt3 * widest, 2.0)), seed);
+  for (int octave = sampler.octaves() - 1; octave >= 0; --octave)
+  {
+    const double share = std::ldexp(1.0, -2 * octave);
+    const Progress part =
+      progress ? Progress([&](double done) { return progress((0.25 + 0.75 * done) * share); }) : Progress();
+    if (!sampler.add(progressive::levelsPerOctave,
+          each * std::max(expected * share, progressive::fewestPerOctave), part))
+    {
+      return {};
+    }
+  }
+  return sampler.take();
+}
+
+} // namespace ink

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Core/Hash.h"
+#include "Core/ParallelFor.h"
+#include "Core/ParallelSort.h"
+#include "Core/Progress.h"
+#include "Mesh/SurfaceBlocks.h"
+#include "PointSampling/CandidatePoints.h"
+#include "PointSampling/WhiteNoise.h"
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace ink
+{
+
+namespace progressive
+{
+
+inline constexpr int levelsPerOctave = 12;
+// A block's side in units of an octave's largest radius; at least three, see SurfaceBlocks. Larger blocks
+// repeat less work, but outgrow the caches.
+inline constexpr float radiiPerBlock = 32.0f;
+// A rank is a level, with random lower bits.
+inline constexpr int chanceBits = 22;
+// The minimum number of samples assumed per octave, so that the first octaves have enough candidates on any
+// mesh.
+inline constexpr double fewestPerOctave = 8.0;
+
+} // namespace progressive
+
+/// Progressive blue noise on the pieces of a surface, by dart throwing with a radius that shrinks by a
+/// twelfth of an octave at a time (McCool and Fiume 1992, section 3), with new random candidates for each
+/// octave. The samples do not depend on the number of threads; see sampleProgressively, which says more.
+///
+/// Pieces, SurfacePieces say, have numbers, in which neighbors on the surface are mostly close, and each has
+///   areas(), middles()      relative areas and positions, one per piece
+///   frame(piece)            origin, two axes along the surface, unit normal
+///   coordinates(u, v)       of two uniform random numbers: a uniform position along a frame's axes
+///   sample(piece, b1, b2)   the sample at such coordinates
+///   longest()               no piece has two positions farther apart
+/// Lengths are in units of the smallest radius that is planned.
+template <class Pieces>
+class ProgressiveSampler
+{
+public:
+  /// @param pieces kept as a reference
+  /// @param widest the diagonal of a box around all pieces
+  ProgressiveSampler(const Pieces& pieces, float widest, std::uint64_t seed)
+    : Surface(pieces)
+    , Octaves(std::max(static_cast<int>(std::ceil(std::log2(widest))), 1))
+    , Seed(seed)
+  {
+  }
+
+  /// Down to the unit.
+  int octaves() const { return this->Octaves; }
+  /// Adds samples at the next radii. Returns whether to continue.
+  /// @param levels the number of radii, at most an octave
+  /// @param candidates the number of candidates
+  bool add(int levels, double candidates, const Progress& progress);
+  std::size_t count() const { return this->Samples.size(); }
+  /// Sorted by rank, with the pieces' samples as elements.
+  auto take();
+
+private:
+  float radiusAt(int level) const
+  {
+    return std::exp2(
+      static_cast<float>(this->Octaves) - static_cast<float>(level) / progressive::levelsPerOctave);
+  }
+  using Made = std::vector<std::vector<SpacedSample>>; // in each block
+  void fill(const SurfaceBlocks& blocks, std::size_t block, std::span<const float> radii, double step,
+    CandidatePoints& candidates, Made& made) const;
+
+  const Pieces& Surface;
+  int Octaves;
+  std::uint64_t Seed;
+  int Level = 0; // the number of radii done
+  std::vector<SpacedSample> Samples;
+};
+
+template <class Pieces>
+void ProgressiveSampler<Pieces>::fill(const SurfaceBlocks& blocks, std::size_t block,
+  std::span<const float> radii, double step, CandidatePoints& candidates, Made& made) const
+{
+  const std::span<const double> areas = blocks.areas(block);
+  const std::span<const std::uint32_t> pieces = blocks.pieces(block);
+  const auto firstLevel = static_cast<std::uint32_t>(this->Level);
+  const std::uint64_t seed = hash(this->Seed, firstLevel, 8);
+  candidates.clear();
+  std::uint32_t piece = 0;
+  auto frame = this->Surface.frame(pieces[piece]);
+  // Stratified: one candidate per equal step of the cumulative area.
+  const auto last = static_cast<std::uint64_t>(areas.back() / step);
+  for (auto i = static_cast<std::uint64_t>(areas.front() / step); i <= last; ++i)
+  {
+    const std::uint64_t random = hash(seed ^ i);
+    const double place = (static_cast<double>(i) + unitFloat(random, 1)) * step;
+    if (!(place >= areas.front() && place < areas.back()))
+    {
+      continue;
+    }
+    if (areas[piece + 1] <= place)
+    {
+      piece = findTriangle(areas, place, piece);
+      frame = this->Surface.frame(pieces[piece]);
+    }
+    const std::uint64_t more = hash(random);
+    const glm::vec2 b = Pieces::coordinates(unitFloat(random, 0), unitFloat(more, 0));
+    candidates.add({ frame.origin + b.x * frame.along1 + b.y * frame.along2, frame.normal, pieces[piece], b.x,
+      b.y, static_cast<std::uint32_t>(more) >> (32 - progressive::chanceBits) });
+  }
+  const float widest = this->radiusAt(this->Level);
+  candidates.sort(widest);
+  const glm::vec3 low = candidates.low() - widest;
+  const glm::vec3 high = candidates.high() + widest;
+  const auto isNear = [&](const SpacedSample& sample)
+  {
+    const glm::vec3& p = sample.position;
+    return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
+  };
+  blocks.visitAround(block,
+    [&](std::size_t other)
+    {
+      for (const SpacedSample& sample : blocks.samples(other))
+      {
+        if (isNear(sample))
+        {
+          candidates.keepAway(sample, widest);
+        }
+      }
+      for (const SpacedSample& sample : made[other])
+      {
+        if (isNear(sample))
+        {
+          candidates.keepAway(sample, radii[(sample.rank >> progressive::chanceBits) - firstLevel]);
+        }
+      }
+    });
+  candidates.choose(radii,
+    [&](const SpacedSample& sample, std::size_t level)
+    {
+      made[block].push_back(sample);
+      made[block].back().rank |= (firstLevel + static_cast<std::uint32_t>(level)) << progressive::chanceBits;
+    });
+}
+
+template <class Pieces>
+bool ProgressiveSampler<Pieces>::add(int levels, double candidates, const Progress& progress)
+{
+  std::vector<float> radii(static_cast<std::size_t>(levels));
+  for (int i = 0; i < levels; ++i)
+  {
+    radii[static_cast<std::size_t>(i)] = this->radiusAt(this->Level + i + 1);
+  }
+  const float side = std::max({ progressive::radiiPerBlock * this->radiusAt(this->Level),
+    progressive::radiiPerBlock, this->Surface.longest() / SurfaceBlocks::longestPiece });
+  const auto level = static_cast<std::uint64_t>(this->Level);
+  const SurfaceBlocks blocks(
+    this->Surface.middles(), this->Surface.areas(), side, hash(this->Seed, level, 9), this->Samples);
+  std::vector<std::size_t> ofColor[8];
+  for (std::size_t block = 0; block < blocks.count(); ++block)
+  {
+    ofColor[blocks.color(block)].push_back(block);
+  }
+  tbb::enumerable_thread_specific<CandidatePoints> workspaces;
+  Made made(blocks.count());
+  const double step = blocks.area() / candidates;
+  double done = 0.0;
+  for (const std::vector<std::size_t>& some : ofColor)
+  {
+    const double share = static_cast<double>(some.size()) / static_cast<double>(blocks.count());
+    if (!parallelFor(
+          some.size(),
+          [&](std::size_t i) { this->fill(blocks, some[i], radii, step, workspaces.local(), made); },
+          progress ? [&](double part) { return progress(done + share * part); } : Progress()))
+    {
+      return false;
+    }
+    done += share;
+  }
+  const auto added = std::accumulate(made.begin(), made.end(), this->Samples.size(),
+    [](std::size_t sum, const std::vector<SpacedSample>& samples) { return sum + samples.size(); });
+  this->Samples.reserve(added);
+  for (std::vector<SpacedSample>& samples : made)
+  {
+    this->Samples.insert(this->Samples.end(), samples.begin(), samples.end());
+    samples = {};
+  }
+  this->Level += levels;
+  return true;
+}
+
+template <class Pieces>
+auto ProgressiveSampler<Pieces>::take()
+{
+  const std::size_t count = this->Samples.size();
+  std::vector<std::uint64_t> order(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    order[i] = std::uint64_t(this->Samples[i].rank) << 32 | i;
+  }
+  parallelSort(order.begin(), order.end());
+  std::vector<decltype(this->Surface.sample(0, 0.0f, 0.0f))> sorted(count);
+  constexpr std::size_t chunk = 1 << 14;
+  parallelFor((count + chunk - 1) / chunk,
+    [&](std::size_t c)
+    {
+      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i)
+      {
+        const SpacedSample& sample = this->Samples[static_cast<std::uint32_t>(order[i])];
+        sorted[i] = this->Surface.sample(sample.piece, sample.b1, sample.b2);
+      }
+    });
+  return sorted;
+}
+
+} // namespace ink

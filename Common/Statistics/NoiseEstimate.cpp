@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/NoiseEstimate.h"
+
+#include "Fields/Grid/GridField.h"
+#include "Fields/ScalarDifference.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ink
+{
+namespace
+{
+
+/// The median magnitude of a normal distribution of deviation 1.
+constexpr double normalMedian = 0.6744897501960817;
+
+/// Fewer neighborhoods on one side of the surface, or a smaller share of those on the other, do not tell its
+/// noise: they lie at edges.
+constexpr std::size_t fewest = 64;
+constexpr double leastShare = 0.1;
+
+/// Samples looked at, about: enough for an error of a percent.
+constexpr double mostSamples = 400000.0;
+
+/// On each side of an intersected edge, so many samples show the whole step.
+constexpr int stepReach = 2;
+
+/// By how many deviations noise makes the range of so many samples across a blurred edge larger, as a median.
+constexpr double noiseRange = 0.4;
+
+/// Changes the order of numbers. 0 for none.
+double quantileOf(std::vector<double>& numbers, double share)
+{
+  if (numbers.empty())
+  {
+    return 0.0;
+  }
+  const auto at =
+    numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
+  std::nth_element(numbers.begin(), at, numbers.end());
+  return *at;
+}
+
+template <class T>
+class NoiseSampler
+{
+public:
+  NoiseSampler(const GridField<T>& field, double isoValue)
+    : Field(field)
+    , Size(field.geometry().dimensions())
+    , IsoValue(isoValue)
+    , Reach(this->Size.x > 2, this->Size.y > 2, this->Size.z > 2)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Deviation *= this->Reach[axis] > 0 ? std::sqrt(6.0) : 1.0;
+    }
+  }
+
+  NoiseEstimate estimate()
+  {
+    const double count = static_cast<double>(this->Field.geometry().sampleCount());
+    // Every so many samples along a row, shifted from row to row.
+    const int every = std::max(1, static_cast<int>(std::ceil(count / mostSamples)));
+    std::size_t row = 0;
+    for (int k = this->Reach.z; k < this->Size.z - this->Reach.z; ++k)
+    {
+      for (int j = this->Reach.y; j < this->Size.y - this->Reach.y; ++j, ++row)
+      {
+        const int shift = static_cast<int>(row * 7919 % static_cast<std::size_t>(every));
+        for (int i = this->Reach.x + shift; i < this->Size.x - this->Reach.x; i += every)
+        {
+          this->addNeighborhood({ i, j, k });
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            this->addEdge({ i, j, k }, axis);
+          }
+        }
+      }
+    }
+    NoiseEstimate result;
+    std::array<double, 2> variances = {};
+    int sides = 0;
+    const std::size_t most = std::max(this->Differences[0].size(), this->Differences[1].size());
+    for (std::vector<double>& differences : this->Differences)
+    {
+      if (differences.size() >= fewest &&
+        static_cast<double>(differences.size()) >= leastShare * static_cast<double>(most))
+      {
+        const double deviation = quantileOf(differences, 0.5) / normalMedian / this->Deviation;
+        variances[static_cast<std::size_t>(sides++)] = deviation * deviation;
+      }
+    }
+    result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
+    result.quantum = quantileOf(this->Changes, 0.01);
+    result.step = std::max(quantileOf(this->Steps, 0.5) - noiseRange * result.noise, 0.0);
+    return result;
+  }
+
+private:
+  void addNeighborhood(const glm::ivec3& at)
+  {
+    if (this->Reach == glm::ivec3(0))
+    {
+      return;
+    }
+    const T middle = this->Field.at(at);
+    double sum = 0.0;
+    bool above = false;
+    bool below = false;
+    bool equal = true;
+    for (int z = -this->Reach.z; z <= this->Reach.z; ++z)
+    {
+      for (int y = -this->Reach.y; y <= this->Reach.y; ++y)
+      {
+        for (int x = -this->Reach.x; x <= this->Reach.x; ++x)
+        {
+          const glm::ivec3 sample = at + glm::ivec3(x, y, z);
+          if (!this->Field.has(sample))
+          {
+            return;
+          }
+          const T value = this->Field.at(sample);
+          (static_cast<double>(value) >= this->IsoValue ? above : below) = true;
+          equal = equal && value == middle;
+          int weight = 1;
+          for (const int step :
+            { this->Reach.x > 0 ? x : 1, this->Reach.y > 0 ? y : 1, this->Reach.z > 0 ? z : 1 })
+          {
+            weight *= step == 0 ? -2 : 1;
+          }
+          sum += weight * difference(value, middle);
+        }
+      }
+    }
+    if (!equal && above != below && std::isfinite(sum))
+    {
+      this->Differences[above].push_back(std::abs(sum));
+    }
+  }
+
+  /// The edge from a sample to the next one along an axis.
+  void addEdge(const glm::ivec3& at, int axis)
+  {
+    glm::ivec3 next = at;
+    ++next[axis];
+    if (next[axis] >= this->Size[axis] || !this->Field.has(at) || !this->Field.has(next))
+    {
+      return;
+    }
+    const double change = std::abs(difference(this->Field.at(at), this->Field.at(next)));
+    if (change > 0.0 && std::isfinite(change))
+    {
+      this->Changes.push_back(change);
+    }
+    const auto isAbove = [&](const glm::ivec3& sample)
+    { return static_cast<double>(this->Field.at(sample)) >= this->IsoValue; };
+    if (isAbove(at) == isAbove(next))
+    {
+      return;
+    }
+    double least = 0.0;
+    double greatest = 0.0;
+    for (int n = -stepReach; n <= 1 + stepReach; ++n)
+    {
+      glm::ivec3 sample = at;
+      sample[axis] += n;
+      if (sample[axis] >= 0 && sample[axis] < this->Size[axis] && this->Field.has(sample))
+      {
+        const double d = difference(this->Field.at(sample), this->Field.at(at));
+        least = std::min(least, d);
+        greatest = std::max(greatest, d);
+      }
+    }
+    if (std::isfinite(greatest - least))
+    {
+      this->Steps.push_back(greatest - least);
+    }
+  }
+
+  const GridField<T>& Field;
+  glm::ivec3 Size;
+  double IsoValue;
+  glm::ivec3 Reach;                               ///< of a neighborhood
+  double Deviation = 1.0;                         ///< of a neighborhood's sum, for noise of deviation 1
+  std::array<std::vector<double>, 2> Differences; ///< below and above the iso-value
+  std::vector<double> Changes;
+  std::vector<double> Steps;
+};
+
+} // namespace
+
+template <class T>
+NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue)
+{
+  return NoiseSampler<T>(field, isoValue).estimate();
+}
+
+double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing)
+{
+  // The angle in radians, and the bounds of the answer.
+  constexpr double angle = 0.03;
+  constexpr double least = 0.3;
+  constexpr double most = 2.0;
+  constexpr double pointSpread = 0.7;
+  const double ratio = estimate.step > 0.0 ? estimate.noise / estimate.step : 0.0;
+  const double pi = std::acos(-1.0);
+  const auto angleOf = [&](double deviation)
+  {
+    const double noise = std::sqrt(1.0 / (16.0 * std::pow(pi, 1.5) * std::pow(deviation, 5.0)));
+    const double gradient = 1.0 / std::sqrt(2.0 * pi * (pointSpread * pointSpread + deviation * deviation));
+    return ratio * noise / gradient;
+  };
+  double deviation = 0.0;
+  if (angleOf(least) > angle)
+  {
+    double low = least;
+    double high = most;
+    for (int n = 0; n < 40; ++n)
+    {
+      const double middle = 0.5 * (low + high);
+      (angleOf(middle) > angle ? low : high) = middle;
+    }
+    deviation = high;
+  }
+  const glm::dvec3 size = glm::abs(spacing);
+  (void)size;
+  return deviation;
+}
+
+#define INK_INSTANTIATE(T) template NoiseEstimate estimateNoise(const GridField<T>&, double);
+INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+
+} // namespace ink

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace ink
+{
+
+template <class T>
+class GridField;
+
+/// What blurs an iso-surface's normals, in the unit of the values.
+struct NoiseEstimate
+{
+  double noise = 0.0;   ///< the standard deviation of the noise of a sample, that of rounding included
+  double step = 0.0;    ///< the difference between both sides of the surface; 0 if there is no surface
+  double quantum = 0.0; ///< the difference between neighboring grey levels; nearly 0 for continuous values
+};
+
+/// Estimates the noise around an iso-surface: from the median magnitude of second differences, along all
+/// three axes at once so that edges hardly count (Immerkaer, "Fast noise variance estimation", 1996, in three
+/// dimensions), of neighborhoods of 3 x 3 x 3 samples that the surface does not intersect. Those of equal
+/// values, as in masked air, say nothing. Both sides' variances are averaged.
+///
+/// Samples enough of a large grid, always the same ones. Axes of one or two samples do not take part.
+///
+/// @tparam T any of INK_FOR_EACH_SCALAR
+/// @param isoValue for NaN, or without a surface, all samples are on one side
+template <class T>
+NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue);
+
+/// The standard deviation of a Gaussian that makes an iso-surface smooth enough for lines, and no more: the
+/// smallest one with which noise turns normals of the Gaussian's gradient, at a boundary blurred by a point
+/// spread of .7 samples, by no more than a fixed angle on average; where voxels are longer than wide, enough
+/// to bridge the distance of slices.
+///
+/// @param spacing the distance of samples along each axis; signs do not matter
+/// @return in multiples of the smallest spacing, from 0 (continuous values without noise) to 2
+double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing);
+
+} // namespace ink

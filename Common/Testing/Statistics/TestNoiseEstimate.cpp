@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates of known noise.
+
+#include "AnalyticFields.h"
+#include "HashNoise.h"
+#include "SampledVolume.h"
+#include "Statistics/NoiseEstimate.h"
+
+#include <glm/common.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace
+{
+
+using namespace ink::testing;
+using ink::estimateNoise;
+using ink::GridGeometry;
+
+GridGeometry centered(int n, const glm::dvec3& spacing = glm::dvec3(1.0))
+{
+  return GridGeometry(glm::ivec3(n), -0.5 * spacing * (n - 1.0), spacing);
+}
+
+/// `low` outside and `low` + `step` inside, blurred by .7 voxels, with noise.
+template <class T, class Shape>
+Volume<T> blurred(const GridGeometry& geometry, const Shape& shape, double low, double step, double noise)
+{
+  std::uint64_t n = 0;
+  return Volume<T>::from(geometry,
+    [&](const glm::dvec3& p)
+    {
+      const double value =
+        low + step * 0.5 * std::erfc(shape.distance(p) / 0.99) + noise * hashNormal(3, n++);
+      return std::is_integral_v<T> ? std::round(value) : value;
+    });
+}
+
+TEST(NoiseEstimate, FindsKnownNoiseWithin10Percent)
+{
+  const Torus thin{ 20.0, 1.5 };
+  const Sphere ball{ glm::dvec3(0.3), 16.0 };
+  for (const double noise : { 0.02, 0.05, 0.1 })
+  {
+    const auto check = [&](const ink::NoiseEstimate& found, double step)
+    {
+      EXPECT_NEAR(found.noise, noise * step, 0.1 * noise * step) << noise;
+      EXPECT_NEAR(found.step, step, 0.1 * step) << noise;
+    };
+    check(estimateNoise(blurred<float>(centered(56), ball, 0.0, 1.0, noise).field(), 0.5), 1.0);
+    check(
+      estimateNoise(blurred<std::int16_t>(centered(56), ball, -1000.0, 2000.0, 2000.0 * noise).field(), 0.0),
+      2000.0);
+    check(estimateNoise(blurred<std::uint8_t>(centered(56), ball, 50.0, 140.0, 140.0 * noise).field(), 120.0),
+      140.0);
+    // A tube of three voxels does not reach the whole step.
+    const auto found = estimateNoise(blurred<float>(centered(56), thin, 0.0, 1.0, noise).field(), 0.5);
+    EXPECT_NEAR(found.noise, noise, 0.1 * noise) << "around a thin tube";
+  }
+}
+
+TEST(NoiseEstimate, NothingIsFoundInCleanValues)
+{
+  const auto volume = blurred<float>(centered(48), Sphere{ glm::dvec3(0.2), 15.0 }, 0.0, 1.0, 0.0);
+  const ink::NoiseEstimate found = estimateNoise(volume.field(), 0.5);
+  EXPECT_LT(found.noise, 0.002);
+  EXPECT_LT(found.quantum, 0.01);
+  EXPECT_EQ(ink::suggestSmoothing(found, glm::dvec3(1.0)), 0.0);
+}
+
+TEST(NoiseEstimate, OneNoisySideCountsHalf)
+{
+  // As in MR with masked air: zero outside.
+  const Sphere ball{ glm::dvec3(0.3), 18.0 };
+  auto volume = blurred<float>(centered(56), ball, 0.0, 1.0, 0.06);
+  for (float& value : volume.values)
+  {
+    value = value < 0.3f ? 0.0f : value;
+  }
+  const ink::NoiseEstimate found = estimateNoise(volume.field(), 0.5);
+  EXPECT_NEAR(found.noise, 0.06, 0.01);
+}
+
+TEST(NoiseEstimate, GreyLevelsAreFound)
+{
+  const Sphere ball{ glm::dvec3(0.3), 18.0 };
+  EXPECT_EQ(
+    estimateNoise(blurred<std::uint8_t>(centered(48), ball, 10.0, 100.0, 1.0).field(), 60.0).quantum, 1.0);
+  // 12 bits in the upper bits of 16.
+  auto volume = blurred<std::uint16_t>(centered(48), ball, 100.0, 900.0, 20.0);
+  for (std::uint16_t& value : volume.values)
+  {
+    value = static_cast<std::uint16_t>(16 * value);
+  }
+  EXPECT_EQ(estimateNoise(volume.field(), 8000.0).quantum, 16.0);
+}
+
+TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
+{
+  const glm::dvec3 cubes(1.0);
+  double last = 0.0;
+  for (const double noise : { 0.005, 0.02, 0.05, 0.1, 0.2 })
+  {
+    const double suggested = ink::suggestSmoothing({ noise, 1.0, 0.0 }, cubes);
+    EXPECT_GT(suggested, last) << noise;
+    EXPECT_EQ(ink::suggestSmoothing({ 1e-9 * noise, 1e-9, 0.0 }, 1e6 * cubes), suggested)
+      << "units do not matter";
+    last = suggested;
+  }
+  EXPECT_LE(last, 2.0);
+  EXPECT_EQ(ink::suggestSmoothing({}, cubes), 0.0) << "no surface";
+}
+
+TEST(NoiseEstimate, SaysNothingOfDegenerateGrids)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(estimateNoise(Volume<float>(centered(9), 3.0f).field(), 3.0).noise, 0.0);
+  EXPECT_EQ(estimateNoise(Volume<double>(centered(9), nan).field(), 3.0).noise, 0.0);
+  EXPECT_EQ(estimateNoise(Volume<double>(centered(9), 1.0).field(), nan).step, 0.0);
+  EXPECT_EQ(estimateNoise(Volume<int>(GridGeometry({ 0, 0, 0 })).field(), 1.0).noise, 0.0);
+  EXPECT_EQ(estimateNoise(Volume<int>(GridGeometry({ 1, 1, 1 }), 5).field(), 1.0).noise, 0.0);
+  // One slice has noise, too.
+  std::uint64_t n = 0;
+  const auto slice = Volume<float>::from(
+    GridGeometry({ 60, 60, 1 }), [&](const glm::dvec3&) { return 0.1 * hashNormal(3, n++); });
+  EXPECT_NEAR(estimateNoise(slice.field(), nan).noise, 0.1, 0.01);
+  const auto wide =
+    Volume<std::int64_t>::from(centered(20), [&](const glm::dvec3&) { return n++ % 2 ? 0x1p62 : -0x1p62; });
+  EXPECT_TRUE(std::isfinite(estimateNoise(wide.field(), 0.0).noise));
+  const auto large = Volume<double>::from(centered(20),
+    [&](const glm::dvec3& p)
+    { return p.x < 0.0 ? -std::numeric_limits<double>::max() : std::numeric_limits<double>::max(); });
+  EXPECT_TRUE(std::isfinite(estimateNoise(large.field(), 0.0).step));
+}
+
+} // namespace

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkDiscStipples.h"
+
+#include "InkAllocate.h"
+#include "InkPointOutput.h"
+#include "InkStippleOutput.h"
+#include "InkVTKCompat.h"
+#include "PointSampling/DiscSamples.h"
+#include "PointSampling/ProgressiveBlueNoise.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/common.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// Memory per stipple while they are made.
+constexpr double BytesPerStipple = 160.0;
+
+vtkDataArray* FindNormals(vtkPolyData* points)
+{
+  vtkDataArray* active = points->GetPointData()->GetNormals();
+  return active ? active : points->GetPointData()->GetArray("Normals");
+}
+
+bool Fits(vtkDataArray* array, int components, vtkIdType count)
+{
+  return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == count;
+}
+
+/// Points as discs, relative to the middle of their bounds.
+struct Discs
+{
+  std::vector<glm::vec3> Centers;
+  std::vector<glm::vec3> Normals;
+  std::vector<float> Radii;
+  glm::dvec3 Middle{ 0.0 };
+
+  explicit Discs(vtkPolyData* points)
+    : Centers(static_cast<std::size_t>(points->GetNumberOfPoints()))
+    , Normals(this->Centers.size())
+    , Radii(this->Centers.size())
+  {
+    vtkDataArray* normals = FindNormals(points);
+    vtkDataArray* radii = points->GetPointData()->GetArray("Radius");
+    constexpr unsigned char marks = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
+    vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-low);
+    const auto forEach = [&](const auto& body)
+    {
+      for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+      {
+        glm::dvec3 p;
+        points->GetPoint(i, &p.x);
+        body(static_cast<std::size_t>(i), p);
+      }
+    };
+    forEach(
+      [&](std::size_t, const glm::dvec3& p)
+      {
+        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
+        {
+          low = glm::min(low, p);
+          high = glm::max(high, p);
+        }
+      });
+    this->Middle = low.x <= high.x ? 0.5 * (low + high) : glm::dvec3(0.0);
+    forEach(
+      [&](std::size_t i, const glm::dvec3& p)
+      {
+        const auto id = static_cast<vtkIdType>(i);
+        glm::dvec3 normal;
+        normals->GetTuple(id, &normal.x);
+        this->Centers[i] = p - this->Middle;
+        this->Normals[i] = normal;
+        const bool own = !ghosts || (ghosts->GetValue(id) & marks) == 0;
+        this->Radii[i] = own ? static_cast<float>(radii->GetComponent(id, 0)) : 0.0f;
+      });
+  }
+
+  ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii }; }
+};
+
+template <class Array>
+vtkSmartPointer<vtkPoints> MakePoints(
+  const std::vector<ink::DiscSample>& samples, const glm::dvec3& middle, vtkNew<Array>& array)
+{
+  using Real = typename Array::ValueType;
+  array->SetNumberOfComponents(3);
+  InkSetNumberOfTuples(array, static_cast<vtkIdType>(samples.size()));
+  Real* values = array->GetPointer(0);
+  InkForEach(samples.size(),
+    [&](std::size_t i)
+    {
+      const glm::dvec3 p = middle + glm::dvec3(samples[i].position);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        values[3 * i + static_cast<std::size_t>(axis)] = static_cast<Real>(p[axis]);
+      }
+    });
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(array);
+  return points;
+}
+
+vtkSmartPointer<vtkDataArray> ColorsOf(const std::vector<ink::DiscSample>& samples, vtkDataArray* colors)
+{
+  vtkNew<vtkIdList> discs;
+  discs->SetNumberOfIds(static_cast<vtkIdType>(samples.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    discs->SetId(static_cast<vtkIdType>(i), samples[i].disc);
+  }
+  vtkSmartPointer<vtkDataArray> result =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
+  result->SetName(colors->GetName());
+  result->SetNumberOfComponents(colors->GetNumberOfComponents());
+  InkSetNumberOfTuples(result, discs->GetNumberOfIds());
+  colors->GetTuples(discs, result);
+  return result;
+}
+
+} // namespace
+
+bool InkHasDiscs(vtkPolyData* points)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  return Fits(FindNormals(points), 3, count) && Fits(points->GetPointData()->GetArray("Radius"), 1, count);
+}
+
+double InkAreaOfDiscs(vtkPolyData* points)
+{
+  vtkDataArray* radii = points->GetPointData()->GetArray("Radius");
+  double area = 0.0;
+  for (vtkIdType i = 0; i < radii->GetNumberOfTuples(); ++i)
+  {
+    const double radius = radii->GetComponent(i, 0);
+    area += radius > 0.0 && std::isfinite(radius) ? ink::areaOfDisc(radius) : 0.0;
+  }
+  return area;
+}
+
+void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& request, vtkPolyData* output)
+{
+  if (points->GetNumberOfPoints() >= static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()))
+  {
+    throw std::invalid_argument(
+      "there are " + std::to_string(points->GetNumberOfPoints()) + " points; expected fewer than 4294967295");
+  }
+  std::vector<ink::DiscSample> samples;
+  double spacing = 0.0;
+  const Discs discs(points);
+  const double count = request.Count > 0
+    ? static_cast<double>(request.Count)
+    : static_cast<double>(points->GetNumberOfPoints()) * request.PerPoint;
+  InkCheckStippleMemory(count, BytesPerStipple);
+  spacing = ink::spacingForCount(discs.Get(), count, ink::defaultCandidates);
+  if (spacing > 0.0)
+  {
+    samples = ink::sampleDiscs(discs.Get(), spacing, ink::defaultCandidates,
+      static_cast<std::uint64_t>(request.Seed), InkPartOfProgress(request.Progress, 0.0, 0.95));
+  }
+  if (samples.empty())
+  {
+    return;
+  }
+  vtkNew<vtkFloatArray> floats;
+  vtkNew<vtkDoubleArray> doubles;
+  output->SetPoints(
+    request.Doubles ? MakePoints(samples, discs.Middle, doubles) : MakePoints(samples, discs.Middle, floats));
+  std::vector<vtkIdType> begins(samples.size() + 1);
+  std::iota(begins.begin(), begins.end(), vtkIdType(0));
+  output->SetVerts(InkMakePolyVertices(begins));
+  output->GetPointData()->AddArray(InkMakePriority(static_cast<vtkIdType>(samples.size())));
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  InkSetNumberOfTuples(normals, static_cast<vtkIdType>(samples.size()));
+  float* values = normals->GetPointer(0);
+  InkForEach(samples.size(),
+    [&](std::size_t i)
+    {
+      const glm::vec3& normal = discs.Normals[samples[i].disc];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        values[3 * i + static_cast<std::size_t>(axis)] = normal[axis];
+      }
+    });
+  output->GetCellData()->SetNormals(normals);
+  if (request.Colors)
+  {
+    InkAddColors(output, ColorsOf(samples, request.Colors));
+  }
+  const double kind = 1.0;
+  const double perElement = 1.0;
+  const double size = std::sqrt(ink::areaPerSample(spacing, ink::defaultCandidates));
+  InkAddField(output, "ElementKind", { &kind, 1 });
+  InkAddField(output, "ElementSize", { &size, 1 });
+  InkAddField(output, "StipplesPerElement", { &perElement, 1 });
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkIllustrationRepresentation
+ * @brief   "Illustration": shows images, meshes and points as stipples with lines in ParaView's render views
+ *
+ * What a vtkInkIllustrationStyle makes of them and how it draws that, on all processes as on one: each
+ * samples its part of an image's surface; meshes, points and stipples are those of the first process.
+ *
+ * How finely an image is sampled, and how many stipples there are, goes by the size of the view, in steps of
+ * two: nothing is made again while the camera moves, and seldom when the view's size changes.
+ *
+ * @sa vtkInkIllustrationStyle
+ */
+#ifndef vtkInkIllustrationRepresentation_h
+#define vtkInkIllustrationRepresentation_h
+
+#include "vtkInkPluginRepresentationsModule.h" // for the export macro
+#include "vtkInkRepresentation.h"
+
+class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkIllustrationRepresentation : public vtkInkRepresentation
+{
+public:
+  static vtkInkIllustrationRepresentation* New();
+  vtkTypeMacro(vtkInkIllustrationRepresentation, vtkInkRepresentation);
+
+  ///@{
+  /// The surface of an image: at a value that suits it (default), or at this one.
+  void SetAutomaticIsoValue(bool automatic);
+  void SetIsoValue(double value);
+  ///@}
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+protected:
+  vtkInkIllustrationRepresentation();
+  ~vtkInkIllustrationRepresentation() override;
+
+private:
+  vtkInkIllustrationRepresentation(const vtkInkIllustrationRepresentation&) = delete;
+  void operator=(const vtkInkIllustrationRepresentation&) = delete;
+
+  void UpdateIsoValue();
+
+  bool AutomaticIsoValue = true;
+  double IsoValue = 0.0;
+};
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkIllustrationStyle
+ * @brief   stipples that shade a surface, and splatting lines that outline it, as in a medical plate
+ *
+ * The styles vtkInkSplattingLinesStyle and vtkInkStippleStyle on one surface: the points that lines are drawn
+ * of are made once, and of images and points stipples lie on the discs around them, so that both register
+ * exactly; of a mesh they lie on its polygons. Parameters are those of the two styles, as far as they matter
+ * here, and their inks are one. A preset sets light, size and density of stipples, and number, darkness and
+ * width of lines.
+ *
+ * Pieces: the points that lines are drawn of, and those of vtkInkStippleStyle.
+ *
+ * @sa vtkInkSplattingLinesStyle vtkInkStippleStyle vtkInkIllustrationMapper
+ */
+#ifndef vtkInkIllustrationStyle_h
+#define vtkInkIllustrationStyle_h
+
+#include "vtkInkStyle.h"
+#include "vtkNew.h" // for what the style owns
+
+class InkIsoSurface;
+class vtkInkIllustrationMapper;
+class vtkInkSplattingLinesStyle;
+class vtkInkStippleStyle;
+
+class VTKINKSTYLES_EXPORT vtkInkIllustrationStyle : public vtkInkStyle
+{
+public:
+  static vtkInkIllustrationStyle* New();
+  vtkTypeMacro(vtkInkIllustrationStyle, vtkInkStyle);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetName() override { return "illustration"; }
+  const char* GetLabel() override { return "Illustration"; }
+  const char* GetDescription() override;
+  std::string GetReasonAgainst(vtkDataObject* data) override;
+
+  int GetNumberOfPieces() override;
+  const char* GetPieceName(int piece) override;
+  void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
+
+  vtkMapper* GetMapper() override;
+  vtkActor* GetActor() override { return this->Actor; }
+  vtkLight* GetLight() override;
+  void GetBackgroundColor(double color[3]) override;
+  void SetColorByScalars(bool byScalars) override;
+  bool GetColorByScalars() override;
+
+  ///@{
+  /// The styles that it is made of; their properties that are parameters are set as such.
+  vtkInkSplattingLinesStyle* GetLinesStyle();
+  vtkInkStippleStyle* GetStippleStyle();
+  InkIsoSurface* GetIsoSurface();
+  ///@}
+
+  ///@{
+  /// Parameters; see their table.
+  void SetPreset(int preset);
+  vtkGetMacro(Preset, int);
+  void SetInkColor(double red, double green, double blue);
+  double* GetInkColor() VTK_SIZEHINT(3);
+  void SetPaperColor(double red, double green, double blue);
+  double* GetPaperColor() VTK_SIZEHINT(3);
+  ///@}
+
+  const InkParameterTable& GetParameterTable() override;
+
+protected:
+  vtkInkIllustrationStyle();
+  ~vtkInkIllustrationStyle() override;
+
+  vtkMTimeType GetRecipeMTime() override;
+  std::string MakePieces(const Input& input) override;
+  void UpdatePixels() override;
+
+private:
+  vtkInkIllustrationStyle(const vtkInkIllustrationStyle&) = delete;
+  void operator=(const vtkInkIllustrationStyle&) = delete;
+
+  /// Whether any process has an image.
+  bool FindImages(vtkDataObject* data);
+  void UpdateLightInk();
+
+  vtkNew<vtkInkSplattingLinesStyle> Lines;
+  vtkNew<vtkInkStippleStyle> Stipples;
+  vtkNew<vtkInkIllustrationMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  int Preset = 0;
+};
+
+#endif

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Stipples of iso-surfaces, and illustrations, beside those of the mesh of the same surface; hard cases."""
+
+import importlib
+
+import numpy as np
+import pytest
+
+import ink_files
+
+vtkink = pytest.importorskip("vtkink")
+vtk = vtkink.vtk
+numpy_support = importlib.import_module(f"{vtkink.VTK_PACKAGE}.util.numpy_support")
+
+SIZE = 400
+RADIUS = 0.8
+
+
+def ball(cells, spacing=(1.0, 1.0, 1.0), noise=0.0, origin=0.0, scale=1.0):
+    """A ball of radius 0.8 in a cube of side 2, blurred as a scanner does; `spacing` relative."""
+    counts = [max(int(round(cells / step)), 2) for step in spacing]
+    axes = [np.linspace(-1, 1, count) for count in counts]
+    z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
+    distance = np.sqrt(x * x + y * y + z * z)
+    values = 200 / (1 + np.exp((distance - RADIUS) / (0.35 * max(spacing) / cells)))
+    values = values + np.random.default_rng(1).normal(0, 1, values.shape) * noise * 200
+    image = vtk.vtkImageData()
+    image.SetDimensions(counts)
+    image.SetSpacing([2 * scale / (count - 1) for count in counts])
+    image.SetOrigin([origin - scale] * 3)
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values.astype("f4").ravel(), deep=True))
+    return image
+
+
+def sphere():
+    source = vtk.vtkSphereSource()
+    source.SetRadius(RADIUS)
+    source.SetThetaResolution(180)
+    source.SetPhiResolution(90)
+    source.Update()
+    return source.GetOutput()
+
+
+def picture(actor, scale=1.0, origin=0.0):
+    """Darkness, 0 to 1, of a picture whose frame is the cube."""
+    renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor)
+    if actor.style.GetLight():
+        renderer.RemoveAllLights()
+        renderer.AddLight(actor.style.GetLight())
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(scale)
+    camera.SetFocalPoint([origin] * 3)
+    camera.SetPosition(origin, origin, origin + 5 * scale)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    pixels = vtk.vtkUnsignedCharArray()
+    window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
+    drawn = 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)[..., 0] / 255
+    renderer.RemoveActor(actor)
+    return drawn
+
+
+def draw(data, style, scale=1.0, origin=0.0, **parameters):
+    if isinstance(data, vtk.vtkImageData):
+        parameters.setdefault("iso_values", 100)
+    actor = vtkink.draw(data, style, size=(SIZE, SIZE), **parameters)
+    return actor, picture(actor, scale, origin)
+
+
+def blurred(drawn, width=16):
+    """Means over squares."""
+    return drawn.reshape(SIZE // width, width, SIZE // width, width).mean(axis=(1, 3))
+
+
+def evenness(actor):
+    """The mean distance to the nearest stipple on the side towards +z, of that in a hexagonal lattice."""
+    points = numpy_support.vtk_to_numpy(actor.style.GetPiece(0).GetPoints().GetData()).astype(float)
+    points = points[points[:, 2] > 0.6 * RADIUS]
+    area = 2 * np.pi * RADIUS * 0.4 * RADIUS
+    grid = {}
+    cell = np.sqrt(area / len(points)) * 2
+    for point in points:
+        grid.setdefault(tuple((point // cell).astype(int)), []).append(point)
+    nearest = []
+    for key, inside in grid.items():
+        around = np.concatenate([grid[other] for dx in (-1, 0, 1) for dy in (-1, 0, 1) for dz in (-1, 0, 1)
+                                 if (other := (key[0] + dx, key[1] + dy, key[2] + dz)) in grid])  # fmt: skip
+        distances = np.linalg.norm(np.array(inside)[:, None] - around[None], axis=2)
+        nearest.extend(np.sort(distances, axis=1)[:, 1])
+    return np.mean(nearest) / np.sqrt(2 * area / (np.sqrt(3) * len(points)))
+
+
+@pytest.fixture(scope="module")
+def mesh_stipples():
+    return draw(sphere(), "stipple")
+
+
+@pytest.mark.parametrize("cells, options", [
+    (24, {}), (48, {}), (96, {}), (48, {"spacing": (1.0, 1.0, 3.0)}), (48, {"noise": 0.03})])
+def test_stipples_of_a_volume_are_as_those_of_its_mesh(mesh_stipples, cells, options):
+    actor, drawn = draw(ball(cells, **options), "stipple")
+    mesh_actor, of_mesh = mesh_stipples
+    assert drawn.sum() == pytest.approx(of_mesh.sum(), rel=0.05)
+    assert np.abs(blurred(drawn) - blurred(of_mesh)).mean() < 0.05 * blurred(of_mesh).max()
+    assert evenness(actor) == pytest.approx(evenness(mesh_actor), abs=0.05)
+    # Hardly any ink beyond the rim.
+    y, x = np.mgrid[:SIZE, :SIZE]
+    beyond = np.hypot(x - SIZE / 2, y - SIZE / 2) > RADIUS * SIZE / 2 + 2
+    assert drawn[beyond].sum() < 0.01 * drawn.sum()
+
+
+def test_density_does_not_depend_on_the_number_of_voxels():
+    counts = [draw(ball(cells), "stipple")[0].style.GetPiece(0).GetNumberOfPoints() for cells in (16, 32, 64)]
+    assert max(counts) < 1.1 * min(counts)
+
+
+def test_what_lies_behind_is_hidden():
+    """Of two balls, one before the other, only the front one's stipples show, dark as they are alone."""
+    z, y, x = np.meshgrid(*[np.linspace(-1, 1, 48)] * 3, indexing="ij")
+    values = {}
+    for name, balls in {"front": [(0.5, 0.4)], "both": [(0.5, 0.4), (-0.5, 0.3)]}.items():
+        distance = np.min([np.sqrt(x * x + y * y + (z - middle) ** 2) - radius for middle, radius in balls], axis=0)
+        values[name] = (200 / (1 + np.exp(distance / 0.01))).astype("f4")
+    drawn = {}
+    for name, array in values.items():
+        image = ball(48)
+        image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(array.ravel(), deep=True))
+        # Which is relative to the range of depths.
+        drawn[name] = draw(image, "stipple", distance_enhancement=False)[1]
+    assert drawn["both"].sum() == pytest.approx(drawn["front"].sum(), rel=0.05)
+
+
+@pytest.mark.parametrize("scale, origin", [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e5)])
+def test_size_and_place_do_not_matter(scale, origin):
+    data = ball(32, scale=scale, origin=origin)
+    for style in ("stipple", "illustration"):
+        drawn = draw(data, style, scale, origin)[1]
+        plain = draw(ball(32), style)[1]
+        assert drawn.sum() == pytest.approx(plain.sum(), rel=0.03), style
+
+
+def test_lines_and_stipples_register():
+    _, both = draw(ball(48), "illustration")
+    _, lines = draw(ball(48), "splatting-lines")
+    _, stipples = draw(ball(48), "stipple", pixels_per_stipple=8)
+    # Where there are lines there is ink, and what there is more are stipples on paper.
+    assert both[lines > 0.9].mean() > 0.9
+    assert both.sum() == pytest.approx(np.maximum(lines, stipples).sum(), rel=0.1)
+
+
+def test_presets_differ_and_leave_what_is_given():
+    drawn = {name: draw(ball(32), "illustration", preset=name)[1] for name in vtkink.styles()["illustration"].presets}
+    assert list(drawn) == ["specimen", "bone", "skin", "organ", "vessel", "machine-part"]
+    for name, one in drawn.items():
+        assert 0.01 < one.mean() < 0.5, name
+        assert name == "bone" or (one != drawn["bone"]).any()
+    actor, _ = draw(ball(32), "illustration", preset="vessel", tau=0.9)
+    assert actor.style.GetParameter("Tau") == 0.9
+    assert actor.style.GetParameter("StippleSize") == 2.0
+
+
+def test_meshes_and_points_are_illustrated_too(tmp_path):
+    mesh = sphere()
+    cloud = vtk.vtkPolyData()
+    cloud.SetPoints(mesh.GetPoints())
+    of_mesh, of_cloud, of_volume = (draw(data, "illustration")[1] for data in (mesh, cloud, ball(96)))
+    for other in (of_cloud, of_volume):
+        assert other.sum() == pytest.approx(of_mesh.sum(), rel=0.12)
+        assert np.abs(blurred(other) - blurred(of_mesh)).mean() < 0.05
+
+
+def test_subdivision_follows_the_picture():
+    def count(size, **parameters):
+        return vtkink.draw(ball(32), "splatting-lines", size=(size, size), iso_values=100,
+                           **parameters).style.GetPiece(0).GetNumberOfPoints()  # fmt: skip
+
+    coarse = count(100)
+    assert count(400) == pytest.approx(16 * coarse, rel=0.1)
+    assert count(1000, subdivision=1) == coarse
+    assert count(100, subdivision=2) == pytest.approx(4 * coarse, rel=0.1)
+
+
+@pytest.mark.parametrize("style", ["stipple", "illustration"])
+def test_hard_cases(style):
+    with pytest.raises(ValueError, match="different finite values"):
+        vtkink.draw(np.ones((8, 8, 8)), style)
+    with pytest.raises(ValueError, match="(no surface|no stipple)"):
+        vtkink.draw(ink_files.blob(), style, iso_values=5000)
+    holes = ink_files.blob().astype("f4")
+    holes[10:14, :, 20] = np.nan
+    assert vtkink.draw(holes, style).style.GetPiece(0).GetNumberOfPoints() > 100
+    thin = np.zeros((3, 40, 40), "f4")
+    thin[1, 8:32, 8:32] = 100
+    image = ball(4)
+    image.SetDimensions(40, 40, 3)
+    image.SetSpacing(1, 1, 1000)
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(thin.ravel(), deep=True))
+    assert vtkink.draw(image, style, iso_values=50).style.GetPiece(0).GetNumberOfPoints() > 100
+
+
+def test_the_command_line_illustrates_by_default(ink, tmp_path):
+    file = tmp_path / "ball.nrrd"
+    ink_files.write_nrrd(file, ink_files.blob())
+    for name, options in {"default": [], "named": ["--style", "illustration"]}.items():
+        result = ink("render", file, "-o", tmp_path / f"{name}.png", "--size", "200x200", *options)
+        assert result.code == 0, result
+    first, second = (ink_files.read_png(tmp_path / f"{name}.png") for name in ("default", "named"))
+    assert (first == second).all()
+    assert (first < 100).mean() > 0.01
