@@ -33,6 +33,9 @@
 namespace ink
 {
 
+/// Of the Gaussian's deviation, for the kernel of fourth order of SmoothingTarget::Normals.
+inline constexpr double fourthOrderShare = 0.7071067811865476;
+
 /// The arguments of sampleResampledIsoSurfaces, whatever the type of the grid's values.
 template <class Work>
 struct ResampledRequest
@@ -63,8 +66,10 @@ public:
     , End(glm::clamp(request.selection.end, glm::ivec3(0), this->ownCells()))
     , OwnTile(glm::max(TileSize / this->Subdivision, glm::ivec3(4)))
     , Counts(glm::max((this->End - this->Begin + this->OwnTile - 1) / this->OwnTile, glm::ivec3(0)))
-    , Smooth(resamplingOf(request.resampling.deviation))
-    , Sharp(resamplingOf(this->onlyNormals() ? glm::dvec3(0.0) : request.resampling.deviation))
+    , OfNormals(resamplingOf(request.resampling.deviation, SmoothingKernel::Gaussian))
+    , OfSurface(this->onlyNormals()
+          ? resamplingOf(fourthOrderShare * request.resampling.deviation, SmoothingKernel::FourthOrder)
+          : this->OfNormals)
     , Ranges(ranges ? *ranges : this->OwnRanges)
   {
     const std::size_t count = static_cast<std::size_t>(this->Counts.x) * this->Counts.y * this->Counts.z;
@@ -130,16 +135,21 @@ private:
   glm::ivec3 ownCells() const { return glm::max(this->Request.geometry.dimensions() - 1, glm::ivec3(0)); }
   bool onlyNormals() const { return this->Request.resampling.target == SmoothingTarget::Normals; }
 
-  GridResampling resamplingOf(const glm::dvec3& deviation) const
+  GridResampling resamplingOf(const glm::dvec3& deviation, SmoothingKernel kernel) const
   {
     const glm::ivec3& samples = this->Request.geometry.dimensions();
-    return { AxisResampling(deviation.x, this->Subdivision.x, samples.x),
-      AxisResampling(deviation.y, this->Subdivision.y, samples.y),
-      AxisResampling(deviation.z, this->Subdivision.z, samples.z) };
+    return { AxisResampling(deviation.x, this->Subdivision.x, samples.x, kernel),
+      AxisResampling(deviation.y, this->Subdivision.y, samples.y, kernel),
+      AxisResampling(deviation.z, this->Subdivision.z, samples.z, kernel) };
   }
   glm::ivec3 reach() const
   {
-    return { this->Smooth[0].reach(), this->Smooth[1].reach(), this->Smooth[2].reach() };
+    glm::ivec3 most;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      most[axis] = std::max(this->OfNormals[axis].reach(), this->OfSurface[axis].reach());
+    }
+    return most;
   }
 
   void sampleTile(std::size_t n, Workspace& work)
@@ -177,7 +187,7 @@ private:
     {
       isoValue *= scale;
     }
-    work.resampler.resample(this->Sharp, box, work.values);
+    work.resampler.resample(this->OfSurface, box, work.values);
     const GridField<Work> field = this->fieldOf(box, work.values);
 
     CellSelection selection = { ownBegin * this->Subdivision - box.begin,
@@ -215,7 +225,7 @@ private:
     this->place(field, work.isoValues, cells, total, samples);
     if (this->onlyNormals() && this->Normals)
     {
-      work.resampler.resample(this->Smooth, box, work.smoothValues);
+      work.resampler.resample(this->OfNormals, box, work.smoothValues);
       this->useNormalsOf(this->fieldOf(box, work.smoothValues), samples);
     }
   }
@@ -229,7 +239,7 @@ private:
       return low > high;
     }
     double gain = 1.0;
-    for (const AxisResampling& axis : this->Sharp)
+    for (const AxisResampling& axis : this->OfSurface)
     {
       gain *= axis.gain();
     }
@@ -395,8 +405,8 @@ private:
   glm::ivec3 End;
   glm::ivec3 OwnTile; ///< the grid's own cells in a tile
   glm::ivec3 Counts;  ///< of tiles
-  GridResampling Smooth;
-  GridResampling Sharp; ///< what the surface is of
+  GridResampling OfNormals;
+  GridResampling OfSurface;
   TileRanges OwnRanges;
   TileRanges& Ranges;
   std::vector<Tile> Tiles;
