@@ -343,14 +343,66 @@ private:
     for (std::size_t n = 0; n < samples.normals.size(); n += 3)
     {
       const auto at = [&](const auto& points) { return glm::dvec3(points[n], points[n + 1], points[n + 2]); };
-      const glm::dvec3 gradient =
-        field.gradient(this->DoublePoints ? at(samples.doublePoints) : at(samples.points));
-      const double length = std::hypot(gradient.x, gradient.y, gradient.z);
+      const glm::dvec3 point = this->DoublePoints ? at(samples.doublePoints) : at(samples.points);
+      glm::dvec3 gradient = this->Geometry.gradientDirection() * interpolatedGradient(field, point);
+      double length = glm::length(gradient);
+      if (!std::isfinite(length))
+      {
+        gradient = field.gradient(point);
+        length = std::hypot(gradient.x, gradient.y, gradient.z);
+      }
       for (int axis = 0; length > 0.0 && std::isfinite(length) && axis < 3; ++axis)
       {
         samples.normals[n + axis] = static_cast<float>(-gradient[axis] / length);
       }
     }
+  }
+
+  /// Central differences at a cell's corners, interpolated, per sample step; NaN at the grid's border.
+  static glm::dvec3 interpolatedGradient(const GridField<Work>& field, const glm::dvec3& point)
+  {
+    const glm::ivec3& size = field.geometry().dimensions();
+    const glm::dvec3 index = field.geometry().toIndex(point);
+    const glm::ivec3 cell(glm::floor(index));
+    if (glm::any(glm::lessThan(cell, glm::ivec3(1))) || glm::any(glm::greaterThan(cell, size - 3)))
+    {
+      return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    }
+    const glm::vec<3, Work> t(index - glm::dvec3(cell));
+    const glm::vec<3, Work> s = Work(1) - t;
+    // Of the four samples along an axis from the one before the cell on.
+    Work value[3][4];
+    Work slope[3][4];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Work values[4] = { Work(0), s[axis], t[axis], Work(0) };
+      const Work slopes[4] = { -s[axis], -t[axis], s[axis], t[axis] };
+      std::copy_n(values, 4, value[axis]);
+      std::copy_n(slopes, 4, slope[axis]);
+    }
+    const Work* slice = field.data() + field.geometry().offset(cell - 1);
+    const std::size_t row = static_cast<std::size_t>(size.x);
+    // Relative to one of them, so that large values lose no digits.
+    const Work middle = field.at(cell);
+    glm::vec<3, Work> sum(Work(0));
+    for (int z = 0; z < 4; ++z, slice += row * size.y)
+    {
+      for (int y = 0; y < 4; ++y)
+      {
+        const Work* const v = slice + row * y;
+        Work mean = 0;
+        Work change = 0;
+        for (int x = 0; x < 4; ++x)
+        {
+          mean += value[0][x] * (v[x] - middle);
+          change += slope[0][x] * (v[x] - middle);
+        }
+        sum.x += value[2][z] * value[1][y] * change;
+        sum.y += value[2][z] * slope[1][y] * mean;
+        sum.z += slope[2][z] * value[1][y] * mean;
+      }
+    }
+    return sum;
   }
 
   /// Collects the samples of all tiles.
