@@ -33,6 +33,9 @@
 namespace ink
 {
 
+/// Of the Gaussian's deviation, for the kernel of fourth order of SmoothingTarget::Normals.
+inline constexpr double fourthOrderShare = 0.7071067811865476;
+
 /// The arguments of sampleResampledIsoSurfaces, whatever the type of the grid's values.
 template <class Work>
 struct ResampledRequest
@@ -63,8 +66,10 @@ public:
     , End(glm::clamp(request.selection.end, glm::ivec3(0), this->ownCells()))
     , OwnTile(glm::max(TileSize / this->Subdivision, glm::ivec3(4)))
     , Counts(glm::max((this->End - this->Begin + this->OwnTile - 1) / this->OwnTile, glm::ivec3(0)))
-    , Smooth(resamplingOf(request.resampling.deviation))
-    , Sharp(resamplingOf(this->onlyNormals() ? glm::dvec3(0.0) : request.resampling.deviation))
+    , OfNormals(resamplingOf(request.resampling.deviation, SmoothingKernel::Gaussian))
+    , OfSurface(this->onlyNormals()
+          ? resamplingOf(fourthOrderShare * request.resampling.deviation, SmoothingKernel::FourthOrder)
+          : this->OfNormals)
     , Ranges(ranges ? *ranges : this->OwnRanges)
   {
     const std::size_t count = static_cast<std::size_t>(this->Counts.x) * this->Counts.y * this->Counts.z;
@@ -130,16 +135,21 @@ private:
   glm::ivec3 ownCells() const { return glm::max(this->Request.geometry.dimensions() - 1, glm::ivec3(0)); }
   bool onlyNormals() const { return this->Request.resampling.target == SmoothingTarget::Normals; }
 
-  GridResampling resamplingOf(const glm::dvec3& deviation) const
+  GridResampling resamplingOf(const glm::dvec3& deviation, SmoothingKernel kernel) const
   {
     const glm::ivec3& samples = this->Request.geometry.dimensions();
-    return { AxisResampling(deviation.x, this->Subdivision.x, samples.x),
-      AxisResampling(deviation.y, this->Subdivision.y, samples.y),
-      AxisResampling(deviation.z, this->Subdivision.z, samples.z) };
+    return { AxisResampling(deviation.x, this->Subdivision.x, samples.x, kernel),
+      AxisResampling(deviation.y, this->Subdivision.y, samples.y, kernel),
+      AxisResampling(deviation.z, this->Subdivision.z, samples.z, kernel) };
   }
   glm::ivec3 reach() const
   {
-    return { this->Smooth[0].reach(), this->Smooth[1].reach(), this->Smooth[2].reach() };
+    glm::ivec3 most;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      most[axis] = std::max(this->OfNormals[axis].reach(), this->OfSurface[axis].reach());
+    }
+    return most;
   }
 
   void sampleTile(std::size_t n, Workspace& work)
@@ -177,7 +187,7 @@ private:
     {
       isoValue *= scale;
     }
-    work.resampler.resample(this->Sharp, box, work.values);
+    work.resampler.resample(this->OfSurface, box, work.values);
     const GridField<Work> field = this->fieldOf(box, work.values);
 
     CellSelection selection = { ownBegin * this->Subdivision - box.begin,
@@ -215,7 +225,7 @@ private:
     this->place(field, work.isoValues, cells, total, samples);
     if (this->onlyNormals() && this->Normals)
     {
-      work.resampler.resample(this->Smooth, box, work.smoothValues);
+      work.resampler.resample(this->OfNormals, box, work.smoothValues);
       this->useNormalsOf(this->fieldOf(box, work.smoothValues), samples);
     }
   }
@@ -229,7 +239,7 @@ private:
       return low > high;
     }
     double gain = 1.0;
-    for (const AxisResampling& axis : this->Sharp)
+    for (const AxisResampling& axis : this->OfSurface)
     {
       gain *= axis.gain();
     }
@@ -333,14 +343,66 @@ private:
     for (std::size_t n = 0; n < samples.normals.size(); n += 3)
     {
       const auto at = [&](const auto& points) { return glm::dvec3(points[n], points[n + 1], points[n + 2]); };
-      const glm::dvec3 gradient =
-        field.gradient(this->DoublePoints ? at(samples.doublePoints) : at(samples.points));
-      const double length = std::hypot(gradient.x, gradient.y, gradient.z);
+      const glm::dvec3 point = this->DoublePoints ? at(samples.doublePoints) : at(samples.points);
+      glm::dvec3 gradient = this->Geometry.gradientDirection() * interpolatedGradient(field, point);
+      double length = glm::length(gradient);
+      if (!std::isfinite(length))
+      {
+        gradient = field.gradient(point);
+        length = std::hypot(gradient.x, gradient.y, gradient.z);
+      }
       for (int axis = 0; length > 0.0 && std::isfinite(length) && axis < 3; ++axis)
       {
         samples.normals[n + axis] = static_cast<float>(-gradient[axis] / length);
       }
     }
+  }
+
+  /// Central differences at a cell's corners, interpolated, per sample step; NaN at the grid's border.
+  static glm::dvec3 interpolatedGradient(const GridField<Work>& field, const glm::dvec3& point)
+  {
+    const glm::ivec3& size = field.geometry().dimensions();
+    const glm::dvec3 index = field.geometry().toIndex(point);
+    const glm::ivec3 cell(glm::floor(index));
+    if (glm::any(glm::lessThan(cell, glm::ivec3(1))) || glm::any(glm::greaterThan(cell, size - 3)))
+    {
+      return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    }
+    const glm::vec<3, Work> t(index - glm::dvec3(cell));
+    const glm::vec<3, Work> s = Work(1) - t;
+    // Of the four samples along an axis from the one before the cell on.
+    Work value[3][4];
+    Work slope[3][4];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Work values[4] = { Work(0), s[axis], t[axis], Work(0) };
+      const Work slopes[4] = { -s[axis], -t[axis], s[axis], t[axis] };
+      std::copy_n(values, 4, value[axis]);
+      std::copy_n(slopes, 4, slope[axis]);
+    }
+    const Work* slice = field.data() + field.geometry().offset(cell - 1);
+    const std::size_t row = static_cast<std::size_t>(size.x);
+    // Relative to one of them, so that large values lose no digits.
+    const Work middle = field.at(cell);
+    glm::vec<3, Work> sum(Work(0));
+    for (int z = 0; z < 4; ++z, slice += row * size.y)
+    {
+      for (int y = 0; y < 4; ++y)
+      {
+        const Work* const v = slice + row * y;
+        Work mean = 0;
+        Work change = 0;
+        for (int x = 0; x < 4; ++x)
+        {
+          mean += value[0][x] * (v[x] - middle);
+          change += slope[0][x] * (v[x] - middle);
+        }
+        sum.x += value[2][z] * value[1][y] * change;
+        sum.y += value[2][z] * slope[1][y] * mean;
+        sum.z += slope[2][z] * value[1][y] * mean;
+      }
+    }
+    return sum;
   }
 
   /// Collects the samples of all tiles.
@@ -395,8 +457,8 @@ private:
   glm::ivec3 End;
   glm::ivec3 OwnTile; ///< the grid's own cells in a tile
   glm::ivec3 Counts;  ///< of tiles
-  GridResampling Smooth;
-  GridResampling Sharp; ///< what the surface is of
+  GridResampling OfNormals;
+  GridResampling OfSurface;
   TileRanges OwnRanges;
   TileRanges& Ranges;
   std::vector<Tile> Tiles;

@@ -46,7 +46,11 @@ int isoSurfaceResamplingReach(double smoothing, int subdivision)
   // Along the axis of the smallest spacing, where the Gaussian is widest in samples; others may be divided
   // more. One more sample for the normals.
   const bool identity = !(smoothing > 0.0) && subdivision <= 1;
-  return identity ? 1 : AxisResampling(smoothing, largestSubdivision, 2).reach() + 1;
+  return identity ? 1
+                  : 1 +
+      std::max(AxisResampling(smoothing, largestSubdivision, 2).reach(),
+        AxisResampling(fourthOrderShare * smoothing, largestSubdivision, 2, SmoothingKernel::FourthOrder)
+          .reach());
 }
 
 GridGeometry resampledGeometry(const GridGeometry& geometry, const glm::ivec3& subdivision)

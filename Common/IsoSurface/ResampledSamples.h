@@ -18,10 +18,12 @@ template <class T>
 class GridField;
 class GridGeometry;
 
-/// What smoothed values say: where the surface is and its normals, or only these.
+/// What a Gaussian smooths.
 enum class SmoothingTarget
 {
-  Surface,
+  Surface, ///< the surface and its normals
+  /// The normals. The surface is that of values smoothed by a kernel of fourth order of 1 / sqrt(2) of the
+  /// deviation: it keeps its place, and parts as thin as the Gaussian.
   Normals
 };
 

@@ -34,6 +34,28 @@ constexpr int stepReach = 2;
 /// By how many deviations noise makes the range of so many samples across a blurred edge larger, as a median.
 constexpr double noiseRange = 0.4;
 
+/// What noise may turn normals by, in radians; measured on pictures of phantoms
+/// (Documentation/picture-quality.md).
+constexpr double largestAngle = 0.02;
+constexpr double leastSmoothing = 0.3; ///< less does not show
+constexpr double mostSmoothing = 2.0;
+constexpr double pointSpread = 0.7;
+
+/// The noise that steps of one grey level count as.
+constexpr double terraceWeight = 1.5;
+
+/// Longer voxels show their slices.
+constexpr double leastAnisotropy = 1.1;
+
+/// The deviation of a normal's angle at a blurred unit step, for noise of deviation 1: the deviation of a
+/// derivative of noise under a Gaussian, by the step's own.
+double angleOf(double deviation)
+{
+  const double pi = std::acos(-1.0);
+  const double noise = std::sqrt(1.0 / (16.0 * std::pow(pi, 1.5) * std::pow(deviation, 5.0)));
+  return noise * std::sqrt(2.0 * pi * (pointSpread * pointSpread + deviation * deviation));
+}
+
 /// Changes the order of numbers. 0 for none.
 double quantileOf(std::vector<double>& numbers, double share)
 {
@@ -204,33 +226,31 @@ NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue)
 
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing)
 {
-  // The angle in radians, and the bounds of the answer.
-  constexpr double angle = 0.03;
-  constexpr double least = 0.3;
-  constexpr double most = 2.0;
-  constexpr double pointSpread = 0.7;
-  const double ratio = estimate.step > 0.0 ? estimate.noise / estimate.step : 0.0;
-  const double pi = std::acos(-1.0);
-  const auto angleOf = [&](double deviation)
-  {
-    const double noise = std::sqrt(1.0 / (16.0 * std::pow(pi, 1.5) * std::pow(deviation, 5.0)));
-    const double gradient = 1.0 / std::sqrt(2.0 * pi * (pointSpread * pointSpread + deviation * deviation));
-    return ratio * noise / gradient;
-  };
   double deviation = 0.0;
-  if (angleOf(least) > angle)
+  if (estimate.step > 0.0)
   {
-    double low = least;
-    double high = most;
-    for (int n = 0; n < 40; ++n)
+    // Noise hides the steps of grey levels; without it their edges are long, and smoothing has to reach
+    // further.
+    const double terraces = terraceWeight * std::max(estimate.quantum - estimate.noise, 0.0);
+    const double ratio = (estimate.noise + terraces) / estimate.step;
+    if (ratio * angleOf(leastSmoothing) > largestAngle)
     {
-      const double middle = 0.5 * (low + high);
-      (angleOf(middle) > angle ? low : high) = middle;
+      double low = leastSmoothing;
+      double high = mostSmoothing;
+      for (int n = 0; n < 40; ++n)
+      {
+        const double middle = 0.5 * (low + high);
+        (ratio * angleOf(middle) > largestAngle ? low : high) = middle;
+      }
+      deviation = high;
     }
-    deviation = high;
   }
   const glm::dvec3 size = glm::abs(spacing);
-  (void)size;
+  const double anisotropy = std::max({ size.x, size.y, size.z }) / std::min({ size.x, size.y, size.z });
+  if (anisotropy > leastAnisotropy)
+  {
+    deviation = std::max(deviation, std::min(0.5 * anisotropy, mostSmoothing));
+  }
   return deviation;
 }
 

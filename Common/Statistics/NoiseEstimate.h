@@ -29,13 +29,13 @@ struct NoiseEstimate
 template <class T>
 NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue);
 
-/// The standard deviation of a Gaussian that makes an iso-surface smooth enough for lines, and no more: the
-/// smallest one with which noise turns normals of the Gaussian's gradient, at a boundary blurred by a point
-/// spread of .7 samples, by no more than a fixed angle on average; where voxels are longer than wide, enough
-/// to bridge the distance of slices.
+/// The standard deviation of a Gaussian that makes the normals of an iso-surface smooth enough for lines, and
+/// no more: the smallest with which noise turns normals by no more than .02 radians (standard deviation), at
+/// a boundary that a point spread of .7 samples blurs. Grey levels that no noise hides count as noise of 1.5
+/// of them. Where voxels are longer than wide, it is at least half of their length.
 ///
-/// @param spacing the distance of samples along each axis; signs do not matter
-/// @return in multiples of the smallest spacing, from 0 (continuous values without noise) to 2
+/// @param spacing the distance of samples along each axis, not 0; signs do not matter
+/// @return in multiples of the smallest spacing: 0, or from .3 to 2
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing);
 
 } // namespace ink

@@ -22,6 +22,19 @@ constexpr double nodesEnd = 4.0;
 
 constexpr double largestDeviation = 100.0;
 
+struct Kernel
+{
+  SmoothingKernel form;
+  double deviation;
+
+  /// @param z the distance in deviations
+  double operator()(double z) const
+  {
+    const double gaussian = std::exp(-0.5 * z * z);
+    return this->form == SmoothingKernel::FourthOrder ? 0.5 * (3.0 - z * z) * gaussian : gaussian;
+  }
+};
+
 /// The first and the last sample of an axis.
 struct AxisEnds
 {
@@ -60,17 +73,17 @@ void addInterpolant(double x, double factor, const AxisEnds& ends, int first, st
 }
 
 /// The weights at x of the samples from `first` on, not normalized.
-void findWeights(double deviation, double x, const AxisEnds& ends, int first, std::span<double> weights)
+void findWeights(const Kernel& kernel, double x, const AxisEnds& ends, int first, std::span<double> weights)
 {
   std::fill(weights.begin(), weights.end(), 0.0);
-  const int count = deviation > 0.0 ? nodes : 0;
+  const int count = kernel.deviation > 0.0 ? nodes : 0;
   for (int n = -count; n <= count; ++n)
   {
     const double z = count == 0 ? 0.0 : nodesEnd * n / count;
-    const double at = x + deviation * z;
+    const double at = x + kernel.deviation * z;
     if (at >= ends.low && at <= ends.high)
     {
-      addInterpolant(at, std::exp(-0.5 * z * z), ends, first, weights);
+      addInterpolant(at, kernel(z), ends, first, weights);
     }
   }
 }
@@ -82,15 +95,15 @@ double sumOfMagnitudes(std::span<const double> weights)
 }
 
 /// The distance, less one, beyond which samples weigh too little to be used.
-int findReach(double deviation, int subdivision)
+int findReach(const Kernel& kernel, int subdivision)
 {
-  const int all = 2 + static_cast<int>(std::ceil(nodesEnd * deviation));
+  const int all = 2 + static_cast<int>(std::ceil(nodesEnd * kernel.deviation));
   std::vector<double> weights(static_cast<std::size_t>(2 * all + 2));
   int reach = 0;
   for (int phase = 0; phase < subdivision; ++phase)
   {
     const double x = static_cast<double>(phase) / subdivision;
-    findWeights(deviation, x, {}, -all, weights);
+    findWeights(kernel, x, {}, -all, weights);
     const double whole = sumOfMagnitudes(weights);
     const auto beyond = [&](int limit)
     {
@@ -111,7 +124,7 @@ int findReach(double deviation, int subdivision)
 
 } // namespace
 
-AxisResampling::AxisResampling(double deviation, int subdivision, int samples)
+AxisResampling::AxisResampling(double deviation, int subdivision, int samples, SmoothingKernel form)
   : Subdivision(subdivision)
   , Samples(samples)
 {
@@ -120,13 +133,14 @@ AxisResampling::AxisResampling(double deviation, int subdivision, int samples)
     throw std::invalid_argument(
       "resampling needs a deviation from 0 to 100 samples, a subdivision from 1 and two samples or more");
   }
-  const int reach = this->Reach = findReach(deviation, subdivision);
+  const Kernel kernel = { form, deviation };
+  const int reach = this->Reach = findReach(kernel, subdivision);
   const int taps = this->Taps = 2 * reach + (subdivision > 1 ? 2 : 1);
   const auto add = [&](double x, const AxisEnds& ends, int first, bool mirrored, std::vector<double>& to)
   {
     to.resize(to.size() + static_cast<std::size_t>(taps));
     const std::span<double> weights = std::span(to).last(static_cast<std::size_t>(taps));
-    findWeights(deviation, x, ends, first, weights);
+    findWeights(kernel, x, ends, first, weights);
     for (int n = 0; n < taps; ++n)
     {
       // As far on both sides.

@@ -7,6 +7,15 @@
 namespace ink
 {
 
+/// The kernels that smooth.
+enum class SmoothingKernel
+{
+  Gaussian,
+  /// The Gaussian of fourth order, (3 - x^2 / deviation^2) / 2 times the Gaussian: it keeps parabolas, and so
+  /// the height of ridges, and removes less noise (Wand and Jones, "Kernel Smoothing", 1995, section 2.8).
+  FourthOrder
+};
+
 /// The weights that make of the samples along one axis values at positions between them, smoothed or not: a
 /// Gaussian mean of the cubic interpolant of Catmull and Rom ("A class of local interpolating splines", 1974;
 /// Keys 1981, a = -1/2), which is linear towards samples beyond the axis' ends; of the Gaussian that part is
@@ -24,7 +33,8 @@ public:
   /// @param subdivision positions per sample, from 1
   /// @param samples the number of samples along the axis, from 2
   /// @throws std::invalid_argument when one of them is out of range
-  AxisResampling(double deviation, int subdivision, int samples);
+  AxisResampling(
+    double deviation, int subdivision, int samples, SmoothingKernel kernel = SmoothingKernel::Gaussian);
 
   int subdivision() const { return this->Subdivision; }
   int samples() const { return this->Samples; }

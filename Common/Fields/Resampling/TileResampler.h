@@ -178,14 +178,30 @@ private:
 
   void passX(const AxisResampling& axis, const SampleBox& positions, const Work* from, Work* to, int count)
   {
-    // Each sample as often as it has positions, so that for each tap all positions read consecutive numbers.
     const int steps = axis.subdivision();
     const int last = this->Source.size().x - 1;
-    const int first = positions.begin.x / steps - axis.reach() - this->Source.begin.x;
-    const int phase = positions.begin.x % steps;
+    int sample = positions.begin.x / steps - axis.reach() - this->Source.begin.x;
+    const std::span<const double> weights = axis.weights(positions.begin.x);
+    if (steps == 1 && weights.data() == axis.weights(positions.end.x - 1).data())
+    {
+      // The same weights everywhere.
+      this->Rows.clear();
+      this->AcrossWeights.clear();
+      for (int n = 0; n < axis.taps(); ++n)
+      {
+        if (n != axis.reach())
+        {
+          this->Rows.push_back(from + sample + n);
+          this->AcrossWeights.push_back(static_cast<Work>(weights[static_cast<std::size_t>(n)]));
+        }
+      }
+      sumAcross(
+        from + sample + axis.reach(), this->Rows, this->AcrossWeights, static_cast<std::size_t>(count), to);
+      return;
+    }
+    // Each sample as often as it has positions, so that for each tap all positions read consecutive numbers.
     this->Repeated.resize(static_cast<std::size_t>(count + steps * (axis.taps() - 1)));
-    int sample = first;
-    int left = steps - phase;
+    int left = steps - positions.begin.x % steps;
     for (Work& value : this->Repeated)
     {
       // Samples beyond the ends weigh nothing.

@@ -70,16 +70,23 @@ void sumAcross(const Work* middle, const std::vector<const Work*>& rows, const s
 template <class Work>
 void sumAlong(const Work* from, int step, const Work* weights, int taps, int reach, int count, Work* to)
 {
-  const Work* __restrict const middle = from + reach * step;
-  Work* __restrict const sums = to;
-  std::copy_n(middle, count, sums);
-  for (int n = 0; n < taps; ++n)
+  const Work* const middle = from + reach * step;
+  std::copy_n(middle, count, to);
+  // Two at a time: each pass loads and stores the sums once.
+  for (int n = 0; n < taps; n += 2)
   {
-    const Work* __restrict const row = from + n * step;
-    const Work* __restrict const weight = weights + static_cast<std::ptrdiff_t>(n) * count;
-    for (int i = 0; n != reach && i < count; ++i)
+    const int m = std::min(n + 1, taps - 1);
+    const Work* const row = from + n * step;
+    const Work* const next = from + m * step;
+    const Work* const weight = weights + static_cast<std::ptrdiff_t>(n) * count;
+    const Work* const nextWeight = weights + static_cast<std::ptrdiff_t>(m) * count;
+    const Work factor = m > n ? Work(1) : Work(0);
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i)
     {
-      sums[i] += weight[i] * (row[i] - middle[i]);
+      const Work own = middle[i];
+      const Work sum = to[i] + weight[i] * (row[i] - own);
+      to[i] = sum + factor * nextWeight[i] * (next[i] - own);
     }
   }
 }

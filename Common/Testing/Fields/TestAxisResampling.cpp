@@ -92,6 +92,23 @@ TEST(AxisResampling, HasTheGaussiansVarianceAndLeavesTheMean)
   }
 }
 
+TEST(AxisResampling, FourthOrderKeepsParabolasAndRemovesLessNoise)
+{
+  for (const double deviation : { 0.5, 1.0, 2.0 })
+  {
+    const AxisResampling fourth(deviation, 2, 60, ink::SmoothingKernel::FourthOrder);
+    const AxisResampling gaussian(deviation, 2, 60);
+    const int p = 61;
+    const auto square = [](double s) { return (s - 30.5) * (s - 30.5); };
+    EXPECT_NEAR(resampled(fourth, p, square), 0.0, 0.03 * std::max(1.0, deviation * deviation)) << deviation;
+    const auto noiseOf = [](std::span<const double> weights)
+    { return std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0); };
+    EXPECT_GT(noiseOf(fourth.weights(p)), noiseOf(gaussian.weights(p)));
+    EXPECT_LT(noiseOf(fourth.weights(p)), 1.0);
+    EXPECT_GT(fourth.gain(), gaussian.gain());
+  }
+}
+
 TEST(AxisResampling, IsSymmetric)
 {
   for (const double deviation : { 0.0, 0.6, 1.7 })
