@@ -6,6 +6,8 @@
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
+#include "InkSetNumber.h"
+#include "InkSurfaceParts.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
@@ -67,6 +69,7 @@ public:
   vtkSmartPointer<vtkDataArray> Normals;
   vtkSmartPointer<vtkDataArray> Radii;
   vtkSmartPointer<vtkDataArray> SurfaceIndex;
+  vtkSmartPointer<vtkDataArray> CellIds;
   vtkSmartPointer<vtkDataArray> Vertices;
   /// The number of samples per iso-value in the last run.
   std::vector<std::size_t> Counts;
@@ -75,7 +78,7 @@ public:
   void ReleaseArrays()
   {
     this->Points = nullptr;
-    this->Normals = this->Radii = this->SurfaceIndex = this->Vertices = nullptr;
+    this->Normals = this->Radii = this->SurfaceIndex = this->CellIds = this->Vertices = nullptr;
   }
 
   /// The kept array if nobody else references it and it has the right type, otherwise a new one.
@@ -255,6 +258,14 @@ void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart,
   this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
 }
 
+void vtkInkIsoSurfaceSampler::SetSmallestPart(double share)
+{
+  // Nothing between 0 and automatic.
+  constexpr double automatic = ink::ComponentSelection::automatic;
+  InkSetClampedNumber(
+    this, "SmallestPart", this->SmallestPart, share < 0.0 ? automatic : share, automatic, 1.0);
+}
+
 const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
 {
   return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
@@ -401,6 +412,11 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   vtkInternals::Renew(internals.Normals, normalType, 3);
   vtkDataArray* points = internals.Points->GetData();
   vtkDataArray* normals = this->ComputeNormals ? internals.Normals.Get() : nullptr;
+  const bool wantsCells = this->ComputeCellIds || !this->SelectedParts().keepsAll();
+  if (wantsCells)
+  {
+    vtkInternals::Renew(internals.CellIds, VTK_TYPE_INT64, 1);
+  }
   const ink::GrowRoom grow = [&](std::size_t count)
   {
     InkReserve(points, static_cast<vtkIdType>(count));
@@ -414,8 +430,15 @@ void vtkInkIsoSurfaceSampler::SampleImage(
       room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(normals);
       room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
     }
-    const vtkIdType size = InkGetCapacity(points);
-    room.capacity = static_cast<std::size_t>((normals ? std::min(size, InkGetCapacity(normals)) : size) / 3);
+    vtkIdType capacity = InkGetCapacity(points) / 3;
+    capacity = normals ? std::min(capacity, InkGetCapacity(normals) / 3) : capacity;
+    if (wantsCells)
+    {
+      InkReserve(internals.CellIds, static_cast<vtkIdType>(count));
+      room.cells = static_cast<ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0));
+      capacity = std::min(capacity, InkGetCapacity(internals.CellIds));
+    }
+    room.capacity = static_cast<std::size_t>(capacity);
     return room;
   };
   int component = this->ArrayComponent;
@@ -442,6 +465,10 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     internals.ReleaseArrays();
     return;
   }
+  if (!this->SelectedParts().keepsAll())
+  {
+    this->KeepParts();
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->FillOutput(radius, output);
   // A part of an image may legitimately have no points.
@@ -449,6 +476,28 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   {
     this->ReportOutside(scalars);
   }
+}
+
+ink::ComponentSelection vtkInkIsoSurfaceSampler::SelectedParts() const
+{
+  return { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };
+}
+
+void vtkInkIsoSurfaceSampler::KeepParts()
+{
+  vtkInternals& internals = *this->Internals;
+  std::vector<vtkDataArray*> arrays{ internals.Points->GetData() };
+  if (this->ComputeNormals)
+  {
+    arrays.push_back(internals.Normals);
+  }
+  if (this->ComputeCellIds)
+  {
+    arrays.push_back(internals.CellIds);
+  }
+  const std::size_t count = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
+  const auto* cells = static_cast<const ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0));
+  InkKeepParts({ cells, count }, this->SelectedParts(), arrays, internals.Counts);
 }
 
 void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
@@ -534,6 +583,11 @@ void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
     }
     output->GetPointData()->AddArray(internals.SurfaceIndex);
   }
+  if (this->ComputeCellIds)
+  {
+    finish(internals.CellIds, "CellId");
+    output->GetPointData()->AddArray(internals.CellIds);
+  }
   if (this->GenerateVertices && count > 0)
   {
     const bool small = count <= std::numeric_limits<vtkTypeInt32>::max();
@@ -561,6 +615,9 @@ void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
+     << indent << "SmallestPart: " << this->SmallestPart << "\n"
+     << indent << "LargestParts: " << this->LargestParts << "\n"
+     << indent << "ComputeCellIds: " << this->ComputeCellIds << "\n"
      << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
      << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
      << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"

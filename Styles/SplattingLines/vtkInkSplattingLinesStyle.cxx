@@ -7,6 +7,8 @@
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
+#include "IsoSurface/ActiveCellComponents.h"
+
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -41,6 +43,7 @@ vtkInkSplattingLinesStyle::vtkInkSplattingLinesStyle()
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
   this->IsoSurfaceSampler->GenerateVerticesOff();
+  this->IsoSurfaceSampler->SetSmallestPart(ink::ComponentSelection::automatic);
   this->SurfaceSampler->ComputePriorityOff();
 }
 
@@ -114,6 +117,10 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
     return this->SampleImage(image);
   }
   auto* mesh = vtkPolyData::SafeDownCast(input.Data);
+  if (HasPolygons(mesh))
+  {
+    this->SetFramePoints(mesh->GetPoints());
+  }
   return this->NumberOfSamples == 0 && HasPolygons(mesh) ? this->TakeVertices(mesh) : this->SampleMesh(mesh);
 }
 

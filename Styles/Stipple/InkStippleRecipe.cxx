@@ -348,6 +348,7 @@ void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
       " points without polygons. It needs an image, a mesh, or stipples of Ink Stipple Generator");
     return;
   }
+  style->SetFramePoints(mesh->GetPoints());
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
   const double room = style->GetInteractive() ? UsualRoom : style->PixelsPerStipple;
