@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSurfaceParts.h"
 
+#include "Core/ParallelSort.h"
+
 #include "vtkDataArray.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 namespace
@@ -15,6 +18,17 @@ struct Range
   std::size_t begin;
   std::size_t end;
 };
+
+std::vector<ink::ActiveCellId> SortedOnce(std::span<const ink::ActiveCellId> cells)
+{
+  std::vector<ink::ActiveCellId> sorted(cells.begin(), cells.end());
+  if (!std::is_sorted(sorted.begin(), sorted.end()))
+  {
+    ink::parallelSort(sorted.begin(), sorted.end());
+  }
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  return sorted;
+}
 
 void Compact(vtkDataArray* array, const std::vector<Range>& kept)
 {
@@ -40,12 +54,20 @@ void InkKeepParts(std::span<const ink::ActiveCellId> cells, const ink::Component
   std::size_t first = 0;
   for (std::size_t& count : counts)
   {
-    const ink::ActiveCellComponents components = ink::findActiveCellComponents(cells.subspan(first, count));
+    const auto own = cells.subspan(first, count);
+    const std::vector<ink::ActiveCellId> sorted = SortedOnce(own);
+    const ink::ActiveCellComponents components = ink::findActiveCellComponents(sorted);
     const std::vector<char> selected = ink::selectComponents(components.counts, selection);
     std::size_t left = 0;
+    auto cell = sorted.begin();
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (!selected[components.labels[i]])
+      // Mostly the next one.
+      cell = cell != sorted.end() && *cell == own[i] ? cell
+                                                     : std::lower_bound(sorted.begin(), sorted.end(), own[i]);
+      const std::uint32_t label = components.labels[static_cast<std::size_t>(cell - sorted.begin())];
+      ++cell;
+      if (!selected[label])
       {
         continue;
       }

@@ -15,7 +15,7 @@ class vtkDataArray;
 
 /// Removes the points of parts that are not selected, surface by surface.
 ///
-/// @param cells of all points, ascending within each surface
+/// @param cells of all points, in any order; several may share one
 /// @param counts the number of points of each surface, one surface after the other; those that are left are
 ///   returned in it
 /// @param arrays with a tuple a point or more, contiguous in memory; `cells` may be the memory of one of

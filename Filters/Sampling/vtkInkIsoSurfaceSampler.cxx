@@ -10,6 +10,7 @@
 #include "InkSurfaceParts.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
+#include "IsoSurface/CutSamples.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "IsoSurface/MinMaxBricks.h"
 #include "IsoSurface/ProjectSamples.h"
@@ -40,9 +41,12 @@
 #include "vtkTypeInt64Array.h"
 #include "vtkWeakPointer.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -271,6 +275,12 @@ const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
   return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
 }
 
+const char* vtkInkIsoSurfaceSampler::GetCutAsString()
+{
+  constexpr const char* names[] = { "Open", "Rim", "Cap" };
+  return names[this->Cut];
+}
+
 const char* vtkInkIsoSurfaceSampler::GetNormalMethodAsString()
 {
   constexpr const char* names[] = { "Cell", "InterpolatedGradient", "InterpolatedNormal", "Regression" };
@@ -453,8 +463,14 @@ void vtkInkIsoSurfaceSampler::SampleImage(
       return !InkCheckAbort(this);
     };
   };
+  std::vector<ink::CutSamples> cuts;
   const auto sample = [&](const auto& field)
   {
+    for (std::size_t n = 0; this->Cut != OPEN && n < request.IsoValues.size(); ++n)
+    {
+      cuts.push_back(ink::sampleCut(field, request.IsoValues[n], static_cast<ink::CutSurface>(this->Cut),
+        whole.First, whole.Last, request.Cells));
+    }
     return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells, request.Ranges,
              grow, request.Expected, internals.Counts, progressFrom(0.0)) &&
       (this->ProjectionSteps == 0 ||
@@ -464,6 +480,10 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   {
     internals.ReleaseArrays();
     return;
+  }
+  if (std::any_of(cuts.begin(), cuts.end(), [](const ink::CutSamples& cut) { return !cut.points.empty(); }))
+  {
+    this->AddCuts(cuts);
   }
   if (!this->SelectedParts().keepsAll())
   {
@@ -481,6 +501,64 @@ void vtkInkIsoSurfaceSampler::SampleImage(
 ink::ComponentSelection vtkInkIsoSurfaceSampler::SelectedParts() const
 {
   return { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };
+}
+
+void vtkInkIsoSurfaceSampler::AddCuts(const std::vector<ink::CutSamples>& cuts)
+{
+  vtkInternals& internals = *this->Internals;
+  std::size_t total = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
+  std::size_t added = 0;
+  for (const ink::CutSamples& cut : cuts)
+  {
+    added += cut.points.size();
+  }
+  std::vector<vtkDataArray*> arrays{ internals.Points->GetData() };
+  if (this->ComputeNormals)
+  {
+    arrays.push_back(internals.Normals);
+  }
+  const bool wantsCells = this->ComputeCellIds || !this->SelectedParts().keepsAll();
+  if (wantsCells)
+  {
+    arrays.push_back(internals.CellIds);
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    InkReserve(array, static_cast<vtkIdType>(total + added));
+    InkSetNumberOfTuples(array, static_cast<vtkIdType>(total + added));
+  }
+  const int type = internals.Normals->GetDataType();
+  const double scale = type == VTK_FLOAT ? 1.0 : type == VTK_SHORT ? 32767.0 : 127.0;
+  // From the last surface on, so that none is overwritten before it has moved.
+  for (std::size_t n = cuts.size(); n-- > 0;)
+  {
+    const ink::CutSamples& cut = cuts[n];
+    total -= internals.Counts[n];
+    added -= cut.points.size();
+    for (vtkDataArray* array : arrays)
+    {
+      const std::size_t tuple =
+        static_cast<std::size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
+      auto* values = static_cast<unsigned char*>(array->GetVoidPointer(0));
+      std::memmove(values + (total + added) * tuple, values + total * tuple, internals.Counts[n] * tuple);
+    }
+    const std::size_t first = total + added + internals.Counts[n];
+    for (std::size_t i = 0; i < cut.points.size(); ++i)
+    {
+      const auto point = static_cast<vtkIdType>(first + i);
+      internals.Points->GetData()->SetTuple(point, &cut.points[i].x);
+      if (this->ComputeNormals)
+      {
+        const glm::dvec3 normal = scale == 1.0 ? cut.normals[i] : glm::round(scale * cut.normals[i]);
+        internals.Normals->SetTuple(point, &normal.x);
+      }
+      if (wantsCells)
+      {
+        static_cast<ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0))[point] = cut.cells[i];
+      }
+    }
+    internals.Counts[n] += cut.points.size();
+  }
 }
 
 void vtkInkIsoSurfaceSampler::KeepParts()
@@ -615,6 +693,7 @@ void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
+     << indent << "Cut: " << this->GetCutAsString() << "\n"
      << indent << "SmallestPart: " << this->SmallestPart << "\n"
      << indent << "LargestParts: " << this->LargestParts << "\n"
      << indent << "ComputeCellIds: " << this->ComputeCellIds << "\n"

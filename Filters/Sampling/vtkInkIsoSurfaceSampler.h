@@ -47,6 +47,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for the internals
+#include <vector> // for cuts
 
 class vtkContourValues;
 class vtkDataArray;
@@ -55,6 +56,7 @@ class vtkImageData;
 namespace ink
 {
 struct ComponentSelection;
+struct CutSamples;
 }
 
 class VTKINKFILTERSSAMPLING_EXPORT vtkInkIsoSurfaceSampler : public vtkPolyDataAlgorithm
@@ -182,6 +184,30 @@ public:
   vtkBooleanMacro(GenerateVertices, bool);
   ///@}
 
+  /// What is added where a surface leaves the image, see SetCut.
+  enum CutType
+  {
+    OPEN = 0,
+    RIM = 1,
+    CAP = 2
+  };
+
+  ///@{
+  /**
+   * What is added where a surface leaves the image. OPEN (default): nothing; the surface ends somewhere in
+   * the last voxels, and lines along its edge are broken. RIM: points along the cut, on the image's side and
+   * with its normal, which makes the edge a crease: one clean line. CAP: also points all over the part of the
+   * side that is inside, as if all beyond the image were below the iso-value. The points follow those of
+   * their surface.
+   */
+  vtkSetClampMacro(Cut, int, OPEN, CAP);
+  vtkGetMacro(Cut, int);
+  void SetCutToOpen() { this->SetCut(OPEN); }
+  void SetCutToRim() { this->SetCut(RIM); }
+  void SetCutToCap() { this->SetCut(CAP); }
+  const char* GetCutAsString();
+  ///@}
+
   ///@{
   /**
    * Leave out parts of a surface that have less than this share of its largest part's points: noise and
@@ -206,7 +232,7 @@ public:
   ///@{
   /**
    * Compute the point array `CellId` (64-bit integers): the cell that a point lies in, as ink::activeCellId
-   * of its index in the whole image. It ascends within a surface. Default: off.
+   * of its index in the whole image. It ascends within a surface, up to the points of its Cut. Default: off.
    */
   vtkSetMacro(ComputeCellIds, bool);
   vtkGetMacro(ComputeCellIds, bool);
@@ -309,6 +335,8 @@ private:
 
   void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
   ink::ComponentSelection SelectedParts() const;
+  /// Adds the points of each surface's cut after its own.
+  void AddCuts(const std::vector<ink::CutSamples>& cuts);
   /// Removes the points of parts that are too small or too many.
   void KeepParts();
   void FillOutput(double radius, vtkPolyData* output);
@@ -324,6 +352,7 @@ private:
   bool ComputeSurfaceIndex = true;
   bool ComputeRadius = true;
   bool GenerateVertices = true;
+  int Cut = OPEN;
   double SmallestPart = 0.0;
   int LargestParts = 0;
   bool ComputeCellIds = false;

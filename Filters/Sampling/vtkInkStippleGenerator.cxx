@@ -72,8 +72,8 @@ int ProjectedListLength(const ink::GridGeometry& whole, double pixels)
   const glm::dvec3 sides = glm::abs(glm::dvec3(whole.dimensions()) * whole.spacing());
   const double longest = std::max({ sides.x, sides.y, sides.z });
   const double edge = std::cbrt(std::abs(glm::determinant(whole.stepToWorld())));
-  return ink::stipple::projectedListLength(static_cast<float>(edge / longest), static_cast<float>(1.0 / pixels),
-    ink::stipple::maximumStipplesPerVoxel);
+  return ink::stipple::projectedListLength(static_cast<float>(edge / longest),
+    static_cast<float>(1.0 / pixels), ink::stipple::maximumStipplesPerVoxel);
 }
 
 } // namespace

@@ -43,6 +43,7 @@ vtkInkSplattingLinesStyle::vtkInkSplattingLinesStyle()
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
   this->IsoSurfaceSampler->GenerateVerticesOff();
+  this->IsoSurfaceSampler->SetCutToRim();
   this->IsoSurfaceSampler->SetSmallestPart(ink::ComponentSelection::automatic);
   this->SurfaceSampler->ComputePriorityOff();
 }

@@ -64,6 +64,7 @@ public:
     // Parts of the volume are seen once, and points that are kept should take no more memory than they need.
     this->Sampler->UseIndexOff();
     this->Sampler->ReuseArraysOff();
+    this->Sampler->SetCut(sampling.cut);
     this->Sampler->SetComputeCellIds(sampling.cellIds);
     this->Sampler->SetInputConnection(this->Producer->GetOutputPort());
     this->Producer->SetWholeExtent(volume.frame()->GetExtent());

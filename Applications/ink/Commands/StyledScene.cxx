@@ -144,6 +144,7 @@ vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
   VolumeSampling sampling;
   sampling.isoValues = isoValuesOf(this->Options.style);
   const ink::ComponentSelection parts = partsOf(this->Options.style);
+  sampling.cut = static_cast<int>(this->Options.style->GetParameter("Cut"));
   sampling.cellIds = input.volume && !parts.keepsAll();
   PointStore points(memory.limit, {});
   std::vector<std::size_t> counts;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "IsoSurface/ActiveCellId.h"
+#include "IsoSurface/ActiveCells.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace ink
+{
+
+template <class T>
+class GridField;
+
+/// What is added to an iso-surface where it leaves the volume.
+enum class CutSurface
+{
+  Open, ///< nothing
+  Rim,  ///< samples along the cut, with the normal of the volume's side: a crease, which is drawn as one line
+  Cap   ///< the rim, and samples on all of the side that lies inside of the surface: as if all beyond were
+        ///< outside
+};
+
+/// Samples on the sides of a volume.
+struct CutSamples
+{
+  std::vector<glm::dvec3> points;  ///< in world units
+  std::vector<glm::dvec3> normals; ///< unit, out of the volume
+  std::vector<ActiveCellId> cells; ///< those at the side that the samples lie in, by their global index
+};
+
+/// Samples where an iso-surface meets the sides of the volume: one in each face of a cell that lies on a side
+/// and that the surface crosses, at the mean of its intersections with the face's edges, and with Cap one in
+/// the middle of each such face all of whose corners are inside, that is at or above the iso-value. The order
+/// is that of the sides, x before z and the lower before the upper one, then of the faces. Faces with a
+/// missing corner have no samples. A voxel's discs of isoSurfaceSampleRadius leave no holes.
+///
+/// @param first, last the global indices of the whole volume's first and last sample: its sides
+/// @param selection the cells to process
+template <class T>
+CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind, const glm::ivec3& first,
+  const glm::ivec3& last, const CellSelection& selection = {});
+
+} // namespace ink
