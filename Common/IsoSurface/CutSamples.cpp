@@ -80,10 +80,11 @@ void sampleSide(const GridField<T>& field, double isoValue, CutSurface kind, int
       }
       if (const auto position = samplePosition(values, isoValue, kind))
       {
-        glm::dvec3 index(corner);
+        // Not relative to the grid's own first sample, which differs between pieces.
+        glm::dvec3 index(geometry.first() + corner);
         index[u] += position->x;
         index[v] += position->y;
-        samples.points.push_back(geometry.toWorld(index));
+        samples.points.push_back(geometry.origin() + geometry.stepToWorld() * index);
         samples.normals.push_back(normal);
         samples.cells.push_back(activeCellId(geometry.first() + cell));
       }
