@@ -53,17 +53,45 @@ TEST(CutSamples, OfABallAreOnACircle)
 {
   const ink::CutSamples cut = cutOf(halfBall(glm::ivec3(0), size), ink::GridGeometry(size), CutSurface::Rim);
   // A curve crosses about 4 / pi times its length of faces.
-  EXPECT_NEAR(static_cast<double>(cut.points.size()), 8 * radius, 4.0);
+  EXPECT_NEAR(static_cast<double>(cut.points.size()), 8 * radius * ink::rimNormals, 4.0 * ink::rimNormals);
   ASSERT_EQ(cut.normals.size(), cut.points.size());
   ASSERT_EQ(cut.cells.size(), cut.points.size());
   for (std::size_t i = 0; i < cut.points.size(); ++i)
   {
+    const glm::dvec3 fromCenter = cut.points[i] - glm::dvec3(12, 13, 0);
     EXPECT_EQ(cut.points[i].z, 0.0);
-    EXPECT_NEAR(glm::length(cut.points[i] - glm::dvec3(12, 13, 0)), radius, 0.1);
-    EXPECT_EQ(cut.normals[i], glm::dvec3(0, 0, -1));
+    EXPECT_NEAR(glm::length(fromCenter), radius, 0.1);
     const glm::ivec3 cell(glm::floor(cut.points[i]));
     EXPECT_EQ(cut.cells[i], ink::activeCellId(cell)) << "a point on no edge lies in one face";
+    // From the ball's normal to the side's.
+    const double turned = static_cast<double>(i % ink::rimNormals + 1) / ink::rimNormals;
+    const glm::dvec3 wanted = glm::mix(fromCenter / radius, glm::dvec3(0, 0, -1), turned);
+    EXPECT_GT(glm::dot(cut.normals[i], glm::normalize(wanted)), 0.99);
+    EXPECT_NEAR(glm::length(cut.normals[i]), 1.0, 1e-12);
   }
+}
+
+TEST(CutSamples, OfFinerFacesAreNearerToTheCircle)
+{
+  const auto values = halfBall(glm::ivec3(0), size);
+  const ink::GridGeometry geometry(size);
+  const auto cutOf = [&](CutSurface kind)
+  {
+    return ink::sampleCut(
+      ink::GridField<float>(geometry, values), 100.0, kind, glm::ivec3(0), size - 1, {}, glm::ivec3(3, 3, 2));
+  };
+  const auto rim = cutOf(CutSurface::Rim);
+  EXPECT_NEAR(
+    static_cast<double>(rim.points.size()), 3 * 8 * radius * ink::rimNormals, 12.0 * ink::rimNormals);
+  for (std::size_t i = 0; i < rim.points.size(); ++i)
+  {
+    EXPECT_NEAR(glm::length(rim.points[i] - glm::dvec3(12, 13, 0)), radius, 0.03);
+    EXPECT_EQ(rim.cells[i], ink::activeCellId(glm::ivec3(glm::floor(3.0 * rim.points[i]))));
+  }
+  const auto cap = cutOf(CutSurface::Cap);
+  EXPECT_NEAR(static_cast<double>(cap.points.size()) -
+      (1.0 - 0.5 / ink::rimNormals) * static_cast<double>(rim.points.size()),
+    9 * std::numbers::pi * radius * radius, 30.0);
 }
 
 TEST(CutSamples, OfACapFillTheCircle)
@@ -73,7 +101,8 @@ TEST(CutSamples, OfACapFillTheCircle)
   const auto rim = cutOf(values, geometry, CutSurface::Rim);
   const auto cap = cutOf(values, geometry, CutSurface::Cap);
   // A point for each unit of area, and half of one where the rim is.
-  EXPECT_NEAR(static_cast<double>(cap.points.size()) - 0.5 * static_cast<double>(rim.points.size()),
+  EXPECT_NEAR(static_cast<double>(cap.points.size()) -
+      (1.0 - 0.5 / ink::rimNormals) * static_cast<double>(rim.points.size()),
     std::numbers::pi * radius * radius, 10.0);
   for (const glm::dvec3& point : cap.points)
   {
@@ -103,8 +132,9 @@ TEST(CutSamples, HaveNormalsAcrossTheSideOfAShearedGrid)
   const ink::GridGeometry geometry(size, glm::dvec3(1e3, 0, 0), glm::dvec3(1e-3, 1, -2), direction);
   const auto cut = cutOf(halfBall(glm::ivec3(0), size), geometry, CutSurface::Rim);
   ASSERT_FALSE(cut.points.empty());
-  for (const glm::dvec3& normal : cut.normals)
+  for (std::size_t i = ink::rimNormals - 1; i < cut.normals.size(); i += ink::rimNormals)
   {
+    const glm::dvec3& normal = cut.normals[i];
     EXPECT_NEAR(glm::length(normal), 1.0, 1e-12);
     EXPECT_NEAR(glm::dot(normal, direction[0]), 0.0, 1e-9);
     EXPECT_NEAR(glm::dot(normal, direction[1]), 0.0, 1e-9);
@@ -173,7 +203,7 @@ TEST(CutSamples, DoNotOverflowAtTheLimitsOfTheType)
   const std::vector<double> values{ least, most, least, most, least, most, least, most };
   const auto cut = ink::sampleCut(ink::GridField<double>(ink::GridGeometry(two), values), 0.0,
     CutSurface::Rim, glm::ivec3(0), glm::ivec3(1));
-  ASSERT_EQ(cut.points.size(), 4U) << "the sides that the surface crosses";
+  ASSERT_EQ(cut.points.size(), 4U * ink::rimNormals) << "the sides that the surface crosses";
   for (const glm::dvec3& point : cut.points)
   {
     EXPECT_EQ(point.x, 0.5);
