@@ -4,7 +4,7 @@
 # The test TestLabels fails where a test has no label.
 set(_ink_test_labels
   "fields:AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Laplacian|NormalMethods|SampleBox|VdbField"
-  "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCellBound|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
+  "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components)|CutSamples|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
   "sampling:KdTree|DiscSamples|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
   "stippling:Stippl|QuantizedPosition"
   "tone:Tone|DotCoverage|HlsColor|SmallElements|WarmCool"

@@ -94,6 +94,10 @@ public:
       this->fetchAhead(*next);
       this->placeBatch(*now, normals, *work);
       writeSamples(this->Kernels, work->batch, now->count, to);
+      for (int i = 0; to.cells && i < now->count; ++i)
+      {
+        to.cells[i] = activeCellId(this->Field.geometry().first() + now->cell(i));
+      }
       to = roomAfter(to, static_cast<std::size_t>(now->count));
       std::swap(now, next);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Progress.h"
+#include "IsoSurface/ActiveCellId.h"
 #include "IsoSurface/ActiveCells.h"
 #include "Simd/SamplingKernels.h"
 
@@ -50,7 +51,7 @@ template <class T, class Real>
 bool placeIsoSurfaceSamples(const GridField<T>& field, double isoValue, const SampleOptions& options,
   const ActiveCells& cells, std::span<Real> points, std::span<float> normals, const Progress& progress = {});
 
-/// Output arrays for samples, three numbers each; null for those that are not wanted.
+/// Output arrays for samples, of three numbers each but for the cells; null for those that are not wanted.
 struct SampleRoom
 {
   float* points = nullptr;
@@ -59,6 +60,7 @@ struct SampleRoom
   std::int16_t* shortNormals = nullptr; ///< unit vectors times 32767, rounded
   std::int8_t* byteNormals = nullptr;   ///< unit vectors times 127, rounded
   std::size_t capacity = 0;             ///< in samples
+  ActiveCellId* cells = nullptr;        ///< the cell of each sample, by its global index
 };
 
 /// Reallocates the output for at least that many samples, keeping those written before.

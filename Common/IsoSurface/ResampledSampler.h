@@ -89,6 +89,7 @@ public:
     const SampleRoom wanted = grow(1);
     this->DoublePoints = wanted.doublePoints != nullptr;
     this->Normals = wanted.normals || wanted.shortNormals || wanted.byteNormals;
+    this->Cells = wanted.cells != nullptr;
     tbb::enumerable_thread_specific<Workspace> workspaces;
     const auto sample = [&](std::size_t n) { this->sampleTile(n, workspaces.local()); };
     if (!parallelFor(this->Tiles.size(), sample, progress))
@@ -120,6 +121,7 @@ private:
     std::vector<float> points;
     std::vector<double> doublePoints; ///< instead of points
     std::vector<float> normals;
+    std::vector<ActiveCellId> cells;
   };
 
   /// The state of one thread.
@@ -315,6 +317,11 @@ private:
       samples.normals.resize(3 * total);
       room.normals = samples.normals.data();
     }
+    if (this->Cells)
+    {
+      samples.cells.resize(total);
+      room.cells = samples.cells.data();
+    }
     for (std::size_t t = 0; t < cells.size(); ++t)
     {
       const CellPlacement<Work, Work> placer(field, isoValues[t], this->Request.options);
@@ -448,6 +455,10 @@ private:
     copy(tile.normals, to.normals, std::identity());
     copy(tile.normals, to.shortNormals, quantized<std::int16_t>);
     copy(tile.normals, to.byteNormals, quantized<std::int8_t>);
+    if (to.cells)
+    {
+      std::copy_n(tile.cells.begin() + from, count, to.cells);
+    }
   }
 
   ResampledRequest<Work> Request;
@@ -464,6 +475,7 @@ private:
   std::vector<Tile> Tiles;
   bool DoublePoints = false;
   bool Normals = false;
+  bool Cells = false;
 };
 
 } // namespace ink

@@ -17,7 +17,7 @@ inline SampleRoom roomAfter(const SampleRoom& room, std::size_t samples)
 {
   const auto move = [samples](auto* p) { return p ? p + 3 * samples : p; };
   return { move(room.points), move(room.doublePoints), move(room.normals), move(room.shortNormals),
-    move(room.byteNormals), room.capacity };
+    move(room.byteNormals), room.capacity, room.cells ? room.cells + samples : nullptr };
 }
 
 template <class Work, class To>

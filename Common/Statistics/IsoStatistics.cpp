@@ -13,7 +13,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -134,15 +136,20 @@ bool isAll(std::span<const std::uint16_t> row, std::uint16_t bin)
 void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint16_t> slice,
   std::span<const std::uint16_t> next, int width, int height, IsoStatistics& profile)
 {
-  const auto addEdge = [&profile](std::uint16_t a, std::uint16_t b)
+  const auto count = [&profile](std::uint16_t low, std::uint16_t high, bool mask)
   {
-    if (a != b && b != noBin)
+    const int step = high - low;
+    const auto add = [&](std::vector<std::int64_t>& edges, std::vector<std::int64_t>& steps)
     {
-      const auto [low, high] = std::minmax(a, b);
-      profile.edges[low] += 1;
-      profile.edges[high] -= 1;
-      profile.steps[low] += high - low;
-      profile.steps[high] -= high - low;
+      edges[low] += 1;
+      edges[high] -= 1;
+      steps[low] += step;
+      steps[high] -= step;
+    };
+    add(profile.edges, profile.steps);
+    if (mask)
+    {
+      add(profile.maskEdges, profile.maskSteps);
     }
   };
   const auto rowOf = [width, height](std::span<const std::uint16_t> bins, int y)
@@ -174,56 +181,35 @@ void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint
       }
       ++profile.voxels[bin];
 
+      const std::uint16_t neighbors[3][2] = { { x > 0 ? slice[i - 1] : noBin,
+                                                x + 1 < width ? slice[i + 1] : noBin },
+        { y > 0 ? slice[i - width] : noBin, y + 1 < height ? slice[i + width] : noBin },
+        { previous.empty() ? noBin : previous[i], next.empty() ? noBin : next[i] } };
       // The highest and second highest neighbor determine the thresholds at which this voxel is a speckle.
       int highest = -1;
       int second = -1;
-      int neighbors = 0;
-      const auto look = [&](std::uint16_t other)
+      int present = 0;
+      for (const auto& axis : neighbors)
       {
-        if (other == noBin)
+        for (const int side : { 0, 1 })
         {
-          return;
+          const std::uint16_t other = axis[side];
+          if (other == noBin)
+          {
+            continue;
+          }
+          ++present;
+          second = std::max(second, std::min<int>(other, highest));
+          highest = std::max<int>(highest, other);
+          // Each edge once, from its lower end.
+          if (other > bin)
+          {
+            count(bin, other, axis[1 - side] == bin);
+          }
         }
-        ++neighbors;
-        if (other > highest)
-        {
-          second = highest;
-          highest = other;
-        }
-        else if (other > second)
-        {
-          second = other;
-        }
-      };
-      if (x + 1 < width)
-      {
-        addEdge(bin, slice[i + 1]);
-        look(slice[i + 1]);
-      }
-      if (y + 1 < height)
-      {
-        addEdge(bin, slice[i + width]);
-        look(slice[i + width]);
-      }
-      if (!next.empty())
-      {
-        addEdge(bin, next[i]);
-        look(next[i]);
-      }
-      if (x > 0)
-      {
-        look(slice[i - 1]);
-      }
-      if (y > 0)
-      {
-        look(slice[i - width]);
-      }
-      if (!previous.empty())
-      {
-        look(previous[i]);
       }
       // Voxels at the border have fewer neighbors and would count as speckles.
-      if (neighbors == 6 && second < bin)
+      if (present == 6 && second < bin)
       {
         profile.speckEdges[std::max(second, 0)] += 5;
         profile.speckEdges[bin] -= 5;
@@ -287,30 +273,27 @@ IsoStatistics::IsoStatistics(const ValueBins& b)
   , voxels(b.count)
   , edges(b.count)
   , steps(b.count)
+  , maskEdges(b.count)
+  , maskSteps(b.count)
   , speckEdges(b.count)
 {
 }
 
 void IsoStatistics::add(const IsoStatistics& other)
 {
-  for (std::size_t i = 0; i < this->voxels.size(); ++i)
+  for (auto sums : { &IsoStatistics::voxels, &IsoStatistics::edges, &IsoStatistics::steps,
+         &IsoStatistics::maskEdges, &IsoStatistics::maskSteps, &IsoStatistics::speckEdges })
   {
-    this->voxels[i] += other.voxels[i];
-    this->edges[i] += other.edges[i];
-    this->steps[i] += other.steps[i];
-    this->speckEdges[i] += other.speckEdges[i];
+    std::transform((this->*sums).begin(), (this->*sums).end(), (other.*sums).begin(), (this->*sums).begin(),
+      std::plus<>());
   }
 }
 
 void IsoStatistics::accumulate()
 {
-  for (auto* sums : { &this->edges, &this->steps, &this->speckEdges })
+  for (auto* sums : { &this->edges, &this->steps, &this->maskEdges, &this->maskSteps, &this->speckEdges })
   {
-    std::int64_t sum = 0;
-    for (std::int64_t& value : *sums)
-    {
-      value = sum += value;
-    }
+    std::partial_sum(sums->begin(), sums->end(), sums->begin());
   }
 }
 

@@ -35,6 +35,10 @@ struct IsoStatistics
   std::vector<std::int64_t> voxels; ///< in each bin
   std::vector<std::int64_t> edges;  ///< that cross the threshold
   std::vector<std::int64_t> steps;  ///< of those edges, in bins, summed
+  /// Of those edges, at the edge of a mask: the voxel behind the lower end has the lower end's value, so that
+  /// no gradual transition, as a scanner's point spread makes one, begins there.
+  std::vector<std::int64_t> maskEdges;
+  std::vector<std::int64_t> maskSteps; ///< of the edges at masks, in bins, summed
   /// Of those edges, at voxels with at most one neighbor above the threshold.
   std::vector<std::int64_t> speckEdges;
 };

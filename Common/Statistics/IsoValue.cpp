@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,43 +22,84 @@ namespace
 // With fewer intersected edges the sharpness of a surface is not significant.
 constexpr std::int64_t fewestEdges = 200;
 // A maximum counts if the sharpness falls by this fraction on both sides of it.
-constexpr double prominence = 0.05;
+constexpr double prominence = 0.1;
 // The maximum fraction of a surface's edges at voxels with at most one neighbor inside; above it, the surface
 // is noise.
 constexpr double largestSpeckShare = 0.05;
 // A disc that touches the sides of its square covers 78.5 % of it: the border of a round field of view.
-constexpr double largestInsideShare = 0.75;
+constexpr double largestKeptShare = 0.75;
+// Thresholds around a maximum with this fraction of its sharpness are as good as it is.
+constexpr double nearlyAsSharp = 0.8;
+// What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
+constexpr double fragmentShare = 0.01;
+constexpr std::size_t mostSuggestions = 3;
+
+/// The edges that cross each threshold and the sums of their steps.
+struct EdgeSums
+{
+  std::vector<std::int64_t> edges;
+  std::vector<std::int64_t> steps;
+};
+
+EdgeSums withoutMasks(const IsoStatistics& statistics)
+{
+  EdgeSums sums{ statistics.edges, statistics.steps };
+  for (std::size_t i = 0; i < sums.edges.size(); ++i)
+  {
+    sums.edges[i] -= statistics.maskEdges[i];
+    sums.steps[i] -= statistics.maskSteps[i];
+  }
+  return sums;
+}
+
+/// The share of the voxels above each threshold.
+std::vector<double> keptShares(const std::vector<std::int64_t>& voxels)
+{
+  const std::int64_t all = std::accumulate(voxels.begin(), voxels.end(), std::int64_t{ 0 });
+  std::vector<double> shares(voxels.size());
+  std::int64_t kept = all;
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    kept -= voxels[i];
+    shares[i] = static_cast<double>(kept) / static_cast<double>(all);
+  }
+  return shares;
+}
 
 /// The mean step along the edges that cross each threshold. Infinite for noise and the border of the field of
 /// view, so that nothing beside them is a maximum; zero for thresholds that hardly any edge crosses.
-std::vector<double> sharpness(const IsoStatistics& profile)
+std::vector<double> sharpness(
+  const EdgeSums& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
 {
-  const std::int64_t all = std::accumulate(profile.voxels.begin(), profile.voxels.end(), std::int64_t{ 0 });
-  std::vector<double> result(profile.edges.size(), 0.0);
-  std::int64_t inside = all;
+  std::vector<double> result(sums.edges.size(), 0.0);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
-    inside -= profile.voxels[i];
-    if (profile.edges[i] < fewestEdges)
+    if (sums.edges[i] < fewestEdges)
     {
       continue;
     }
-    const auto edges = static_cast<double>(profile.edges[i]);
-    const bool noise = static_cast<double>(profile.speckEdges[i]) > largestSpeckShare * edges;
-    const bool border = static_cast<double>(inside) > largestInsideShare * static_cast<double>(all);
-    result[i] = noise || border ? std::numeric_limits<double>::infinity()
-                                : static_cast<double>(profile.steps[i]) / edges;
+    const auto edges = static_cast<double>(sums.edges[i]);
+    const bool noise = static_cast<double>(speckEdges[i]) > largestSpeckShare * edges;
+    const bool border = kept[i] > largestKeptShare;
+    result[i] =
+      noise || border ? std::numeric_limits<double>::infinity() : static_cast<double>(sums.steps[i]) / edges;
   }
   return result;
 }
 
-/// The center of the lowest prominent maximum, as a position between bins.
-std::optional<double> lowestMaximum(const std::vector<double>& values)
+/// A finite local maximum that is prominent on both sides: the first and last threshold with its value.
+struct Maximum
+{
+  std::size_t first;
+  std::size_t last;
+};
+
+std::vector<Maximum> prominentMaxima(const std::vector<double>& values)
 {
   constexpr double keep = 1.0 - prominence;
+  std::vector<Maximum> maxima;
   double valley = 0.0;
-  std::size_t first = 0;
-  std::size_t last = 0;
+  Maximum highest{ 0, 0 };
   double peak = 0.0;
   for (std::size_t i = 0; i <= values.size(); ++i)
   {
@@ -66,23 +108,110 @@ std::optional<double> lowestMaximum(const std::vector<double>& values)
     {
       if (std::isfinite(peak) && valley < keep * peak)
       {
-        return (static_cast<double>(first) + static_cast<double>(last)) / 2;
+        maxima.push_back(highest);
       }
       valley = peak = value;
-      first = last = i;
+      highest = { i, i };
     }
     else if (value > peak)
     {
       peak = value;
-      first = last = i;
+      highest = { i, i };
     }
-    else if (value == peak && last + 1 == i)
+    else if (value == peak && highest.last + 1 == i)
     {
-      last = i;
+      highest.last = i;
     }
     valley = std::min(valley, value);
   }
-  return std::nullopt;
+  return maxima;
+}
+
+struct Boundary
+{
+  double threshold;  ///< as a position between bins
+  std::size_t index; ///< the threshold at or below it
+  double totalStep;
+  /// The thresholds around it that are nearly as sharp, from `begin` up to but excluding `end`.
+  std::size_t begin;
+  std::size_t end;
+
+  bool contains(const Boundary& other) const { return other.index >= this->begin && other.index < this->end; }
+};
+
+/// Where the total step is greatest among the thresholds around a maximum of sharpness that are nearly as
+/// sharp; if that is at the edge of them, beside another boundary or noise, at the maximum of sharpness
+/// itself.
+Boundary placeBoundary(const Maximum& maximum, const std::vector<double>& sharpness, const EdgeSums& sums)
+{
+  // Beyond a valley another boundary begins.
+  const double least = nearlyAsSharp * sharpness[maximum.first];
+  const double most = sharpness[maximum.first] / (1.0 - prominence);
+  const auto isSharp = [&](std::size_t i) { return sharpness[i] >= least && sharpness[i] <= most; };
+  std::size_t begin = maximum.first;
+  while (begin > 0 && isSharp(begin - 1))
+  {
+    --begin;
+  }
+  std::size_t end = maximum.last + 1;
+  while (end < sharpness.size() && isSharp(end))
+  {
+    ++end;
+  }
+  const auto steps = sums.steps.begin();
+  const auto greatest = std::max_element(steps + begin, steps + end);
+  const auto after = std::find_if(greatest, steps + end, [&](std::int64_t v) { return v != *greatest; });
+  Maximum found{ static_cast<std::size_t>(greatest - steps), static_cast<std::size_t>(after - steps) - 1 };
+  if (found.first == begin || found.last + 1 == end)
+  {
+    found = maximum;
+  }
+  const std::size_t middle = (found.first + found.last) / 2;
+  return { static_cast<double>(found.first + found.last) / 2, middle, static_cast<double>(sums.steps[middle]),
+    begin, end };
+}
+
+std::vector<Boundary> findBoundaries(
+  const EdgeSums& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
+{
+  const std::vector<double> sharp = sharpness(sums, speckEdges, kept);
+  std::vector<Boundary> boundaries;
+  for (const Maximum& maximum : prominentMaxima(sharp))
+  {
+    const Boundary boundary = placeBoundary(maximum, sharp, sums);
+    if (boundaries.empty() || boundaries.back().index != boundary.index)
+    {
+      boundaries.push_back(boundary);
+    }
+  }
+  return boundaries;
+}
+
+/// The clear boundaries, from the lowest to the highest, those of masks only if there are no others.
+std::vector<Boundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept)
+{
+  const auto isMask = [&](const Boundary& one)
+  { return 2 * statistics.maskEdges[one.index] > statistics.edges[one.index]; };
+  std::vector<Boundary> boundaries = findBoundaries(withoutMasks(statistics), statistics.speckEdges, kept);
+  std::erase_if(boundaries, isMask);
+  const std::size_t unmasked = boundaries.size();
+  // A mask hides boundaries; without what looks like its edge, others may no longer be prominent.
+  for (const Boundary& one :
+    findBoundaries({ statistics.edges, statistics.steps }, statistics.speckEdges, kept))
+  {
+    const bool known = std::any_of(boundaries.begin(), boundaries.end(),
+      [&one](const Boundary& other) { return one.contains(other) || other.contains(one); });
+    if (!known && !(isMask(one) && unmasked > 0))
+    {
+      boundaries.push_back(one);
+    }
+  }
+  std::sort(boundaries.begin(), boundaries.end(),
+    [](const Boundary& a, const Boundary& b) { return a.threshold < b.threshold; });
+  std::erase_if(boundaries,
+    [&, least = boundaries.empty() ? 0.0 : fragmentShare * kept[boundaries.front().index]](
+      const Boundary& one) { return kept[one.index] < least; });
+  return boundaries;
 }
 
 double otsuThreshold(const std::vector<std::int64_t>& histogram)
@@ -125,22 +254,43 @@ double otsuThreshold(const std::vector<std::int64_t>& histogram)
 } // namespace
 
 template <typename T>
-std::optional<IsoSuggestion> suggestIsoValue(
+std::vector<IsoSuggestion> suggestIsoValues(
   const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce)
 {
-  const std::optional<IsoStatistics> profile = makeIsoStatistics(read, dimensions, slicesAtOnce);
-  if (!profile)
+  const std::optional<IsoStatistics> statistics = makeIsoStatistics(read, dimensions, slicesAtOnce);
+  if (!statistics)
   {
-    return std::nullopt;
+    return {};
   }
-  const std::optional<double> maximum = lowestMaximum(sharpness(*profile));
-  const double threshold = maximum ? *maximum : otsuThreshold(profile->voxels);
-  return IsoSuggestion{ profile->bins.low + (threshold + 1.0) * profile->bins.width,
-    maximum ? IsoSuggestion::Method::Boundary : IsoSuggestion::Method::Otsu };
+  const std::vector<double> kept = keptShares(statistics->voxels);
+  const auto suggestion = [&](double threshold, IsoSuggestion::Boundary boundary)
+  {
+    return IsoSuggestion{ statistics->bins.low + (threshold + 1.0) * statistics->bins.width, boundary,
+      kept[static_cast<std::size_t>(threshold)] };
+  };
+
+  std::vector<Boundary> boundaries = findBoundaries(*statistics, kept);
+  if (boundaries.empty())
+  {
+    return { suggestion(otsuThreshold(statistics->voxels), IsoSuggestion::Boundary::None) };
+  }
+  const double densest = boundaries.back().threshold;
+  std::vector<IsoSuggestion> suggestions{ suggestion(
+    boundaries.front().threshold, IsoSuggestion::Boundary::Outermost) };
+  std::stable_sort(boundaries.begin() + 1, boundaries.end(),
+    [](const Boundary& a, const Boundary& b) { return a.totalStep > b.totalStep; });
+  boundaries.resize(std::min(boundaries.size(), mostSuggestions));
+  for (std::size_t i = 1; i < boundaries.size(); ++i)
+  {
+    const double threshold = boundaries[i].threshold;
+    suggestions.push_back(suggestion(
+      threshold, threshold == densest ? IsoSuggestion::Boundary::Densest : IsoSuggestion::Boundary::Inner));
+  }
+  return suggestions;
 }
 
 template <typename T>
-std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::array<int, 3> dimensions)
+std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::array<int, 3> dimensions)
 {
   for (int& dimension : dimensions)
   {
@@ -149,18 +299,18 @@ std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::arr
   const std::size_t sliceSize = static_cast<std::size_t>(dimensions[0]) * dimensions[1];
   if (values.size() != sliceSize * dimensions[2])
   {
-    throw std::invalid_argument("suggestIsoValue: " + std::to_string(values.size()) + " values, but " +
+    throw std::invalid_argument("suggestIsoValues: " + std::to_string(values.size()) + " values, but " +
       std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) + " x " +
       std::to_string(dimensions[2]) + " voxels");
   }
   const SliceReader<T> read = [&](int first, int last)
   { return values.subspan(sliceSize * first, sliceSize * (last - first)); };
-  return suggestIsoValue(read, dimensions, std::max(dimensions[2], 1) + 2);
+  return suggestIsoValues(read, dimensions, std::max(dimensions[2], 1) + 2);
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \
-  template std::optional<IsoSuggestion> suggestIsoValue(std::span<const T>, std::array<int, 3>);             \
-  template std::optional<IsoSuggestion> suggestIsoValue(const SliceReader<T>&, std::array<int, 3>, int);
+  template std::vector<IsoSuggestion> suggestIsoValues(std::span<const T>, std::array<int, 3>);              \
+  template std::vector<IsoSuggestion> suggestIsoValues(const SliceReader<T>&, std::array<int, 3>, int);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 #undef INK_INSTANTIATE
 

@@ -4,50 +4,60 @@
 #include "Statistics/IsoStatistics.h"
 
 #include <array>
-#include <optional>
 #include <span>
+#include <vector>
 
 namespace ink
 {
 
-/// A default iso-value for a volume.
+/// An iso-value that suits a volume, with what its surface shows.
 struct IsoSuggestion
 {
-  /// How the value was found.
-  enum class Method
+  enum class Boundary
   {
-    Boundary, ///< the lowest clear boundary between two materials
-    Otsu      ///< no clear boundary: the threshold that best splits the histogram in two
+    Outermost, ///< the lowest clear boundary between two materials
+    Inner,     ///< one between the outermost and the densest
+    Densest,   ///< the highest clear boundary, if it is not the only one
+    None       ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two
   };
   double value;
-  Method method;
+  Boundary boundary;
+  double keptShare; ///< the share of the finite voxels that lie above the value, 0 to 1
 };
 
-/// Suggests the iso-value of the outer surface of the main object in a scan.
+/// Suggests up to three iso-values for a scan or a simulation, the best first.
 ///
 /// For every candidate value v, the number of grid edges that cross v measures the surface's area, and the
 /// mean step along them its sharpness (the mean gradient on an iso-surface: Pekar, Wiemker and Hempel, "Fast
 /// Detection of Meaningful Isosurfaces for Volume Data Visualization", IEEE Visualization 2001). A surface
-/// between two materials is sharpest half way between them. The suggestion is the lowest local maximum of
-/// sharpness, as the inside of an object is usually denser, among surfaces that are neither noise (too many
-/// single voxels) nor the border of a scanner's field of view (nearly everything inside). If there is no such
-/// maximum, it is Otsu's threshold (IEEE Trans. SMC 9, 1979).
+/// between two materials is sharpest half way between them, so each local maximum of sharpness is a boundary.
+/// Where a material varies, as bone does, the sharpness rises up to its densest parts; of the values around a
+/// maximum that are nearly as sharp, the one with the greatest total step (Pekar's total gradient) is taken,
+/// which leaves the surface whole.
+///
+/// Not suggested are noise (too many single voxels), the border of a scanner's field of view (nearly
+/// everything inside), fragments (less than a hundredth of what a lower boundary keeps), and, as long as
+/// there are other boundaries, the edge of a mask (edges that begin in a region of one value).
+///
+/// The first suggestion is the outermost boundary, the lowest, as the inside of an object is usually denser;
+/// the others follow by their total step. If there is no boundary, it is Otsu's threshold (IEEE Trans. SMC 9,
+/// 1979).
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are
 ///   skipped.
 /// @param dimensions number of voxels along x, y and z.
-/// @return nothing if there are fewer than two distinct finite values; otherwise a value strictly between two
+/// @return nothing if there are fewer than two distinct finite values; otherwise values strictly between two
 ///   of them. The same for any number of threads.
 /// @throws std::invalid_argument if the size of values is not the product of dimensions.
 template <typename T>
-std::optional<IsoSuggestion> suggestIsoValue(std::span<const T> values, std::array<int, 3> dimensions);
+std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::array<int, 3> dimensions);
 
 /// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, from
 /// the first on, at most `slicesAtOnce` (3 or more) per call.
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>
-std::optional<IsoSuggestion> suggestIsoValue(
+std::vector<IsoSuggestion> suggestIsoValues(
   const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce);
 
 } // namespace ink

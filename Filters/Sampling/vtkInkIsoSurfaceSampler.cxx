@@ -6,8 +6,11 @@
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
+#include "InkSetNumber.h"
+#include "InkSurfaceParts.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
+#include "IsoSurface/CutSamples.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "IsoSurface/MinMaxBricks.h"
 #include "IsoSurface/ProjectSamples.h"
@@ -39,9 +42,12 @@
 #include "vtkTypeInt64Array.h"
 #include "vtkWeakPointer.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -69,6 +75,7 @@ public:
   vtkSmartPointer<vtkDataArray> Normals;
   vtkSmartPointer<vtkDataArray> Radii;
   vtkSmartPointer<vtkDataArray> SurfaceIndex;
+  vtkSmartPointer<vtkDataArray> CellIds;
   vtkSmartPointer<vtkDataArray> Vertices;
   /// The number of samples per iso-value in the last run.
   std::vector<std::size_t> Counts;
@@ -77,7 +84,7 @@ public:
   void ReleaseArrays()
   {
     this->Points = nullptr;
-    this->Normals = this->Radii = this->SurfaceIndex = this->Vertices = nullptr;
+    this->Normals = this->Radii = this->SurfaceIndex = this->CellIds = this->Vertices = nullptr;
   }
 
   /// The kept array if nobody else references it and it has the right type, otherwise a new one.
@@ -260,6 +267,14 @@ void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart,
   this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
 }
 
+void vtkInkIsoSurfaceSampler::SetSmallestPart(double share)
+{
+  // Nothing between 0 and automatic.
+  constexpr double automatic = ink::ComponentSelection::automatic;
+  InkSetClampedNumber(
+    this, "SmallestPart", this->SmallestPart, share < 0.0 ? automatic : share, automatic, 1.0);
+}
+
 const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
 {
   return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
@@ -268,6 +283,12 @@ const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
 const char* vtkInkIsoSurfaceSampler::GetSmoothingTargetAsString()
 {
   return this->SmoothingTarget == NORMALS ? "Normals" : "Surface";
+}
+
+const char* vtkInkIsoSurfaceSampler::GetCutAsString()
+{
+  constexpr const char* names[] = { "Open", "Rim", "Cap" };
+  return names[this->Cut];
 }
 
 const char* vtkInkIsoSurfaceSampler::GetNormalMethodAsString()
@@ -416,6 +437,11 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   vtkInternals::Renew(internals.Normals, normalType, 3);
   vtkDataArray* points = internals.Points->GetData();
   vtkDataArray* normals = this->ComputeNormals ? internals.Normals.Get() : nullptr;
+  const bool wantsCells = this->ComputeCellIds || !this->SelectedParts().keepsAll();
+  if (wantsCells)
+  {
+    vtkInternals::Renew(internals.CellIds, VTK_TYPE_INT64, 1);
+  }
   const ink::GrowRoom grow = [&](std::size_t count)
   {
     InkReserve(points, static_cast<vtkIdType>(count));
@@ -429,8 +455,15 @@ void vtkInkIsoSurfaceSampler::SampleImage(
       room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(normals);
       room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
     }
-    const vtkIdType size = InkGetCapacity(points);
-    room.capacity = static_cast<std::size_t>((normals ? std::min(size, InkGetCapacity(normals)) : size) / 3);
+    vtkIdType capacity = InkGetCapacity(points) / 3;
+    capacity = normals ? std::min(capacity, InkGetCapacity(normals) / 3) : capacity;
+    if (wantsCells)
+    {
+      InkReserve(internals.CellIds, static_cast<vtkIdType>(count));
+      room.cells = static_cast<ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0));
+      capacity = std::min(capacity, InkGetCapacity(internals.CellIds));
+    }
+    room.capacity = static_cast<std::size_t>(capacity);
     return room;
   };
   int component = this->ArrayComponent;
@@ -445,8 +478,14 @@ void vtkInkIsoSurfaceSampler::SampleImage(
       return !InkCheckAbort(this);
     };
   };
+  std::vector<ink::CutSamples> cuts;
   const auto sample = [&](const auto& field)
   {
+    for (std::size_t n = 0; this->Cut != OPEN && n < request.IsoValues.size(); ++n)
+    {
+      cuts.push_back(ink::sampleCut(field, request.IsoValues[n], static_cast<ink::CutSurface>(this->Cut),
+        whole.First, whole.Last, request.Cells, resampling.subdivision));
+    }
     if (!resampling.isIdentity())
     {
       return ink::sampleResampledIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
@@ -464,6 +503,14 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     internals.ReleaseArrays();
     return;
   }
+  if (std::any_of(cuts.begin(), cuts.end(), [](const ink::CutSamples& cut) { return !cut.points.empty(); }))
+  {
+    this->AddCuts(cuts);
+  }
+  if (!this->SelectedParts().keepsAll())
+  {
+    this->KeepParts();
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->FillOutput(radius, output);
   // A part of an image may legitimately have no points.
@@ -471,6 +518,86 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   {
     this->ReportOutside(scalars);
   }
+}
+
+ink::ComponentSelection vtkInkIsoSurfaceSampler::SelectedParts() const
+{
+  return { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };
+}
+
+void vtkInkIsoSurfaceSampler::AddCuts(const std::vector<ink::CutSamples>& cuts)
+{
+  vtkInternals& internals = *this->Internals;
+  std::size_t total = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
+  std::size_t added = 0;
+  for (const ink::CutSamples& cut : cuts)
+  {
+    added += cut.points.size();
+  }
+  std::vector<vtkDataArray*> arrays{ internals.Points->GetData() };
+  if (this->ComputeNormals)
+  {
+    arrays.push_back(internals.Normals);
+  }
+  const bool wantsCells = this->ComputeCellIds || !this->SelectedParts().keepsAll();
+  if (wantsCells)
+  {
+    arrays.push_back(internals.CellIds);
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    InkReserve(array, static_cast<vtkIdType>(total + added));
+    InkSetNumberOfTuples(array, static_cast<vtkIdType>(total + added));
+  }
+  const int type = internals.Normals->GetDataType();
+  const double scale = type == VTK_FLOAT ? 1.0 : type == VTK_SHORT ? 32767.0 : 127.0;
+  // From the last surface on, so that none is overwritten before it has moved.
+  for (std::size_t n = cuts.size(); n-- > 0;)
+  {
+    const ink::CutSamples& cut = cuts[n];
+    total -= internals.Counts[n];
+    added -= cut.points.size();
+    for (vtkDataArray* array : arrays)
+    {
+      const std::size_t tuple =
+        static_cast<std::size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
+      auto* values = static_cast<unsigned char*>(array->GetVoidPointer(0));
+      std::memmove(values + (total + added) * tuple, values + total * tuple, internals.Counts[n] * tuple);
+    }
+    const std::size_t first = total + added + internals.Counts[n];
+    for (std::size_t i = 0; i < cut.points.size(); ++i)
+    {
+      const auto point = static_cast<vtkIdType>(first + i);
+      internals.Points->GetData()->SetTuple(point, &cut.points[i].x);
+      if (this->ComputeNormals)
+      {
+        const glm::dvec3 normal = scale == 1.0 ? cut.normals[i] : glm::round(scale * cut.normals[i]);
+        internals.Normals->SetTuple(point, &normal.x);
+      }
+      if (wantsCells)
+      {
+        static_cast<ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0))[point] = cut.cells[i];
+      }
+    }
+    internals.Counts[n] += cut.points.size();
+  }
+}
+
+void vtkInkIsoSurfaceSampler::KeepParts()
+{
+  vtkInternals& internals = *this->Internals;
+  std::vector<vtkDataArray*> arrays{ internals.Points->GetData() };
+  if (this->ComputeNormals)
+  {
+    arrays.push_back(internals.Normals);
+  }
+  if (this->ComputeCellIds)
+  {
+    arrays.push_back(internals.CellIds);
+  }
+  const std::size_t count = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
+  const auto* cells = static_cast<const ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0));
+  InkKeepParts({ cells, count }, this->SelectedParts(), arrays, internals.Counts);
 }
 
 void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
@@ -556,6 +683,11 @@ void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
     }
     output->GetPointData()->AddArray(internals.SurfaceIndex);
   }
+  if (this->ComputeCellIds)
+  {
+    finish(internals.CellIds, "CellId");
+    output->GetPointData()->AddArray(internals.CellIds);
+  }
   if (this->GenerateVertices && count > 0)
   {
     const bool small = count <= std::numeric_limits<vtkTypeInt32>::max();
@@ -583,6 +715,10 @@ void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
+     << indent << "Cut: " << this->GetCutAsString() << "\n"
+     << indent << "SmallestPart: " << this->SmallestPart << "\n"
+     << indent << "LargestParts: " << this->LargestParts << "\n"
+     << indent << "ComputeCellIds: " << this->ComputeCellIds << "\n"
      << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
      << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
      << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"

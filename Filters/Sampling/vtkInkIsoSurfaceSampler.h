@@ -13,9 +13,9 @@
  *
  * Output point data: `Normals` (unit, along the negative gradient, away from larger values; see NormalMethod
  * and OutputNormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs of this
- * radius around the points leave no holes) and, with several iso-values, `SurfaceIndex` (int: the index of
- * the point's iso-value). The output's only cell is a vertex cell of type VTK_POLY_VERTEX holding all points,
- * unless GenerateVertices is off.
+ * radius around the points leave no holes), with several iso-values `SurfaceIndex` (int: the index of the
+ * point's iso-value) and, with ComputeCellIds, `CellId`. The output's only cell is a vertex cell of type
+ * VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
  *
  * Points are sorted by iso-value, then by cell, and are the same for any number of threads (set by
  * VTK_SMP_MAX_THREADS) and for any partition of the image into pieces with one level of ghost cells, or two
@@ -52,10 +52,17 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for the internals
+#include <vector> // for cuts
 
 class vtkContourValues;
 class vtkDataArray;
 class vtkImageData;
+
+namespace ink
+{
+struct ComponentSelection;
+struct CutSamples;
+}
 
 class VTKINKFILTERSSAMPLING_EXPORT vtkInkIsoSurfaceSampler : public vtkPolyDataAlgorithm
 {
@@ -226,6 +233,61 @@ public:
   vtkBooleanMacro(GenerateVertices, bool);
   ///@}
 
+  /// What is added where a surface leaves the image, see SetCut.
+  enum CutType
+  {
+    OPEN = 0,
+    RIM = 1,
+    CAP = 2
+  };
+
+  ///@{
+  /**
+   * What is added where a surface leaves the image. OPEN (default): nothing; the surface ends somewhere in
+   * the last voxels, and lines along its edge are broken. RIM: points along the cut, on the image's side and
+   * with its normal, which makes the edge a crease: one clean line. CAP: also points all over the part of the
+   * side that is inside, as if all beyond the image were below the iso-value. The points follow those of
+   * their surface.
+   */
+  vtkSetClampMacro(Cut, int, OPEN, CAP);
+  vtkGetMacro(Cut, int);
+  void SetCutToOpen() { this->SetCut(OPEN); }
+  void SetCutToRim() { this->SetCut(RIM); }
+  void SetCutToCap() { this->SetCut(CAP); }
+  const char* GetCutAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Leave out parts of a surface that have less than this share of its largest part's points: noise and
+   * floaters. A part is a connected component of active cells, which are neighbors if they share a face. 0
+   * (default): none; -1: automatic, parts with less than a thousandth, or up to two voxels large. Parts are
+   * those of the piece that is sampled: for those of the whole, sample pieces with ComputeCellIds and put
+   * them together first.
+   */
+  void SetSmallestPart(double share);
+  vtkGetMacro(SmallestPart, double);
+  ///@}
+
+  ///@{
+  /**
+   * Keep only that many of the largest parts of each surface; a skull without its headrest is 1. 0 (default):
+   * all. See SmallestPart for what a part is.
+   */
+  vtkSetClampMacro(LargestParts, int, 0, VTK_INT_MAX);
+  vtkGetMacro(LargestParts, int);
+  ///@}
+
+  ///@{
+  /**
+   * Compute the point array `CellId` (64-bit integers): the cell that a point lies in, as ink::activeCellId
+   * of its index in the whole image. It ascends within a surface, up to the points of its Cut. Default: off.
+   */
+  vtkSetMacro(ComputeCellIds, bool);
+  vtkGetMacro(ComputeCellIds, bool);
+  vtkBooleanMacro(ComputeCellIds, bool);
+  ///@}
+
   ///@{
   /**
    * The component of the input scalars that is sampled. Default: 0.
@@ -321,6 +383,11 @@ private:
   class vtkInternals;
 
   void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
+  ink::ComponentSelection SelectedParts() const;
+  /// Adds the points of each surface's cut after its own.
+  void AddCuts(const std::vector<ink::CutSamples>& cuts);
+  /// Removes the points of parts that are too small or too many.
+  void KeepParts();
   void FillOutput(double radius, vtkPolyData* output);
   /// Warns if no iso-value lies within the range of the values.
   void ReportOutside(vtkDataArray* scalars);
@@ -334,6 +401,10 @@ private:
   bool ComputeSurfaceIndex = true;
   bool ComputeRadius = true;
   bool GenerateVertices = true;
+  int Cut = OPEN;
+  double SmallestPart = 0.0;
+  int LargestParts = 0;
+  bool ComputeCellIds = false;
   int ArrayComponent = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   int ProjectionSteps = 0;

@@ -13,7 +13,6 @@
 #include "vtkPointData.h"
 #include "vtkSetGet.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,21 +22,21 @@ namespace
 {
 
 template <typename T>
-std::optional<ink::IsoSuggestion> Suggest(vtkImageData* image, vtkDataArray* values)
+std::vector<ink::IsoSuggestion> Suggest(vtkImageData* image, vtkDataArray* values)
 {
   const int* size = image->GetDimensions();
-  return ink::suggestIsoValue(std::span<const T>(static_cast<const T*>(values->GetVoidPointer(0)),
-                                static_cast<std::size_t>(values->GetNumberOfValues())),
+  return ink::suggestIsoValues(std::span<const T>(static_cast<const T*>(values->GetVoidPointer(0)),
+                                 static_cast<std::size_t>(values->GetNumberOfValues())),
     { size[0], size[1], size[2] });
 }
 
-std::optional<ink::IsoSuggestion> SuggestOfType(vtkImageData* image, vtkDataArray* values)
+std::vector<ink::IsoSuggestion> SuggestOfType(vtkImageData* image, vtkDataArray* values)
 {
   switch (values->GetDataType())
   {
     vtkTemplateMacro(return Suggest<VTK_TT>(image, values));
     default:
-      return std::nullopt;
+      return {};
   }
 }
 
@@ -101,9 +100,9 @@ void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)
   {
     return;
   }
-  if (const auto suggestion = SuggestOfType(image, values))
+  if (const auto suggestions = SuggestOfType(image, values); !suggestions.empty())
   {
-    this->Value = suggestion->value;
+    this->Value = suggestions.front().value;
     this->Voxels = static_cast<double>(image->GetNumberOfPoints());
   }
 }

@@ -3,7 +3,7 @@
  * @class   vtkPVInkIsoValueInformation
  * @brief   the iso-value that suits an image on the data server
  *
- * The one that `ink info` suggests, see ink::suggestIsoValue, of an algorithm's output. On several processes
+ * The one that `ink info` suggests, see ink::suggestIsoValues, of an algorithm's output. On several processes
  * it is the suggestion of the one that holds the most voxels.
  */
 #ifndef vtkPVInkIsoValueInformation_h

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from . import _vtk_module
 from .reading import data_object
-from .vtkInkStyles import vtkInkStyle
+from .vtkInkStyles import vtkInkCameraFit, vtkInkStyle
 
 
 class Parameter(NamedTuple):
@@ -192,7 +192,11 @@ def _write_picture(style, output, size, view):
     camera.SetFocalPoint(0, 0, 0)
     camera.SetPosition(*(-coordinate for coordinate in direction))
     camera.SetViewUp(*up)
-    renderer.ResetCamera()
+    fit = vtkInkCameraFit()
+    fit.SetAspect(size[0] / size[1])
+    fit.AddPoints(style.GetFramePoints(), camera)
+    fit.Apply(camera)
+    renderer.ResetCameraClippingRange()
     style.SetPixelScale(_SUPERSAMPLING)
     picture, smaller, writer = rendering.vtkWindowToImageFilter(), core.vtkImageShrink3D(), writing.vtkPNGWriter()
     picture.SetInput(window)

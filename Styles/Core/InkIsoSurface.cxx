@@ -3,6 +3,7 @@
 
 #include "InkStyleProcesses.h"
 #include "InkVolumeValues.h"
+#include "IsoSurface/ActiveCellComponents.h"
 #include "vtkInkIsoSurfaceSampler.h"
 
 #include "vtkDataSetAttributes.h"
@@ -30,6 +31,8 @@ InkIsoSurface::InkIsoSurface()
 {
   // Thin parts stay.
   this->Sampler->SetSmoothingTargetToNormals();
+  this->Sampler->SetCutToRim();
+  this->Sampler->SetSmallestPart(ink::ComponentSelection::automatic);
   this->Sampler->GenerateVerticesOff();
 }
 
@@ -42,6 +45,36 @@ void InkIsoSurface::SetIsoValues(const std::vector<double>& values)
     this->IsoValues = values;
     this->Changed.Modified();
   }
+}
+
+void InkIsoSurface::SetSmallestPart(double share)
+{
+  this->Sampler->SetSmallestPart(share);
+}
+
+double InkIsoSurface::GetSmallestPart() const
+{
+  return this->Sampler->GetSmallestPart();
+}
+
+void InkIsoSurface::SetLargestParts(int count)
+{
+  this->Sampler->SetLargestParts(count);
+}
+
+int InkIsoSurface::GetLargestParts() const
+{
+  return this->Sampler->GetLargestParts();
+}
+
+void InkIsoSurface::SetCut(int cut)
+{
+  this->Sampler->SetCut(cut);
+}
+
+int InkIsoSurface::GetCut() const
+{
+  return this->Sampler->GetCut();
 }
 
 void InkIsoSurface::SetSmoothing(double smoothing)
@@ -197,6 +230,7 @@ std::string InkIsoSurface::Sample(
     style->Follow(sampler, "sampling the surface", [&] { sampler->Update(request); });
   // The sampler's own output is another image's when it is asked again.
   points->ShallowCopy(sampler->GetOutput());
+  style->SetFramePoints(points->GetPoints());
   sampler->SetInputConnection(nullptr);
   if (problem.empty() && !input.Port && points->GetNumberOfPoints() == 0)
   {

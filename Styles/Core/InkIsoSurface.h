@@ -31,6 +31,12 @@ public:
   /// Parameters; see their table.
   void SetIsoValues(const std::vector<double>& values);
   const std::vector<double>& GetIsoValues() const { return this->IsoValues; }
+  void SetSmallestPart(double share);
+  double GetSmallestPart() const;
+  void SetLargestParts(int count);
+  int GetLargestParts() const;
+  void SetCut(int cut);
+  int GetCut() const;
   void SetSmoothing(double smoothing);
   double GetSmoothing() const { return this->Smoothing; }
   void SetSmoothingTarget(int target);

@@ -19,10 +19,10 @@ namespace
 {
 
 template <class T>
-std::optional<ink::IsoSuggestion> SuggestOf(const T* values, vtkImageData* image)
+std::vector<ink::IsoSuggestion> SuggestOf(const T* values, vtkImageData* image)
 {
   const int* d = image->GetDimensions();
-  return ink::suggestIsoValue(
+  return ink::suggestIsoValues(
     std::span<const T>(values, static_cast<std::size_t>(image->GetNumberOfPoints())), { d[0], d[1], d[2] });
 }
 
@@ -57,24 +57,44 @@ double InkSuggestSmoothing(vtkImageData* image, const std::string& array, double
   return 0.0;
 }
 
-std::optional<ink::IsoSuggestion> InkSuggestIsoValue(vtkImageData* image, const std::string& array)
+std::vector<ink::IsoSuggestion> InkSuggestIsoValues(vtkImageData* image, const std::string& array)
 {
   vtkDataArray* scalars = FindScalars(image, array);
   if (!scalars)
   {
-    return std::nullopt;
+    return {};
   }
   switch (scalars->GetDataType())
   {
     vtkTemplateMacro(return SuggestOf(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)), image));
   }
-  return std::nullopt;
+  return {};
 }
 
-std::string InkNameOfMethod(ink::IsoSuggestion::Method method)
+std::string InkDescribe(const ink::IsoSuggestion& suggestion)
 {
-  return method == ink::IsoSuggestion::Method::Boundary ? "the lowest clear boundary between two materials"
-                                                        : "Otsu's threshold, as no boundary is clear";
+  using Boundary = ink::IsoSuggestion::Boundary;
+  const char* boundary = suggestion.boundary == Boundary::Outermost ? "the outermost clear boundary"
+    : suggestion.boundary == Boundary::Inner                        ? "an inner boundary"
+    : suggestion.boundary == Boundary::Densest                      ? "the boundary of the densest part"
+                                               : "Otsu's threshold, as no boundary is clear";
+  std::ostringstream share;
+  share.precision(2);
+  share << 100 * suggestion.keptShare;
+  return boundary + (", keeps " + share.str()) + " % of the volume";
+}
+
+std::string InkDescribeChoice(const std::vector<ink::IsoSuggestion>& suggestions)
+{
+  std::string text = "iso-value ";
+  for (std::size_t i = 0; i < suggestions.size(); ++i)
+  {
+    text += (i == 0      ? ""
+                : i == 1 ? "; next best: "
+                         : "; ") +
+      InkFormatShort(suggestions[i].value) + ": " + InkDescribe(suggestions[i]);
+  }
+  return text;
 }
 
 std::string InkFormatShort(double number)

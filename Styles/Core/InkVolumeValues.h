@@ -7,14 +7,14 @@
 
 #include "Statistics/IsoValue.h"
 
-#include <optional>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
-/// The iso-value that suits a point array of the image, of one component; see ink::suggestIsoValue.
+/// The iso-values that suit a point array of the image, of one component; see ink::suggestIsoValues.
 /// @param array its name; empty: the active scalars
-VTKINKSTYLES_EXPORT std::optional<ink::IsoSuggestion> InkSuggestIsoValue(
+VTKINKSTYLES_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(
   vtkImageData* image, const std::string& array = {});
 
 /// The smoothing that noise, grey levels and slices around an iso-surface ask for, as
@@ -23,8 +23,13 @@ VTKINKSTYLES_EXPORT std::optional<ink::IsoSuggestion> InkSuggestIsoValue(
 VTKINKSTYLES_EXPORT double InkSuggestSmoothing(
   vtkImageData* image, const std::string& array, double isoValue);
 
-/// How an iso-value was found, in a few words.
-VTKINKSTYLES_EXPORT std::string InkNameOfMethod(ink::IsoSuggestion::Method method);
+/// What the surface at an iso-value is, in a few words: "the outermost clear boundary, keeps 12 % of the
+/// volume".
+VTKINKSTYLES_EXPORT std::string InkDescribe(const ink::IsoSuggestion& suggestion);
+
+/// That the first of some iso-values was chosen, and which ones are next, in a sentence without its dot.
+/// @param suggestions one or more
+VTKINKSTYLES_EXPORT std::string InkDescribeChoice(const std::vector<ink::IsoSuggestion>& suggestions);
 
 /// A number as people write it: up to 7 significant digits.
 VTKINKSTYLES_EXPORT std::string InkFormatShort(double number);

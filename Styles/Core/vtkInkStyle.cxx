@@ -64,6 +64,7 @@ std::string vtkInkStyle::TryPieces(const Input& input)
 {
   this->Notes.clear();
   this->Aborted = false;
+  this->FramePoints = nullptr;
   this->Pieces.clear();
   for (int piece = 0; piece < this->GetNumberOfPieces(); ++piece)
   {
@@ -71,7 +72,9 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   }
   try
   {
-    return this->MakePieces(input);
+    std::string problem = this->MakePieces(input);
+    this->FramePoints = this->FramePoints ? this->FramePoints.Get() : this->GetPiece(0)->GetPoints();
+    return problem;
   }
   catch (const std::bad_alloc&)
   {
@@ -152,14 +155,13 @@ void vtkInkStyle::AddNote(const std::string& note)
 
 std::optional<double> vtkInkStyle::ChooseIsoValue(vtkImageData* image, const std::string& array)
 {
-  const auto suggestion = InkSuggestIsoValue(image, array);
-  if (!suggestion)
+  const std::vector<ink::IsoSuggestion> suggestions = InkSuggestIsoValues(image, array);
+  if (suggestions.empty())
   {
     return std::nullopt;
   }
-  this->AddNote(
-    "iso-value " + InkFormatShort(suggestion->value) + ": " + InkNameOfMethod(suggestion->method));
-  return suggestion->value;
+  this->AddNote(InkDescribeChoice(suggestions));
+  return suggestions.front().value;
 }
 
 int vtkInkStyle::GetNumberOfNotes()

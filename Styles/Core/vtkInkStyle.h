@@ -24,6 +24,7 @@
 
 #include "vtkInkStylesModule.h" // for the export macro
 #include "vtkObject.h"
+#include "vtkPoints.h"       // for the frame
 #include "vtkSmartPointer.h" // for the pieces
 
 #include <memory>   // for std::shared_ptr
@@ -41,6 +42,7 @@ class vtkImageData;
 class vtkInformation;
 class vtkLight;
 class vtkMapper;
+class vtkPoints;
 class vtkPolyData;
 class vtkScalarsToColors;
 struct InkParameter;
@@ -118,6 +120,13 @@ public:
   virtual const char* GetPieceName(int piece) = 0;
   vtkPolyData* GetPiece(int piece); ///< null out of range
   ///@}
+
+  /**
+   * The points that a picture of the last marks is fitted to: those of a mesh, of an image's iso-surfaces
+   * without the parts that are left out, or else of the marks. The same in all styles, so that their pictures
+   * register. Null before the first Make. See vtkInkCameraFit.
+   */
+  vtkPoints* GetFramePoints() { return this->FramePoints; }
 
   /// Hands pieces to the mapper; null, or all of them empty, shows nothing.
   virtual void ShowPieces(const std::vector<vtkPolyData*>& pieces) = 0;
@@ -276,6 +285,8 @@ protected:
   virtual void FollowParameters(const Settings&) {}
 
   void AddNote(const std::string& note);
+  /// Where the frame is not that of the first piece's points; for MakePieces.
+  void SetFramePoints(vtkPoints* points) { this->FramePoints = points; }
   /// Chooses an iso-value for a point array of an image (empty: the active scalars), and notes it. None if
   /// its finite values are all the same.
   std::optional<double> ChooseIsoValue(vtkImageData* image, const std::string& array = {});
@@ -312,6 +323,7 @@ private:
   std::string TryPieces(const Input& input);
 
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
+  vtkSmartPointer<vtkPoints> FramePoints;
   vtkMTimeType TimeBeforeMaking = 0;
   vtkMTimeType TimeAfterMaking = 0; ///< of the recipe, which is given inputs and more for as long as it runs
   std::vector<std::string> Notes;

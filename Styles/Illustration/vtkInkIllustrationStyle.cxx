@@ -147,6 +147,7 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   if (!others)
   {
     this->GetPiece(0)->ShallowCopy(this->Lines->GetPiece(0));
+    this->SetFramePoints(this->Lines->GetFramePoints());
   }
   // All processes take part where there are several.
   if (input.Port || (problem.empty() && this->GetPiece(0)->GetNumberOfPoints() > 0))

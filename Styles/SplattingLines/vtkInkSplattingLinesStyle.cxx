@@ -8,6 +8,8 @@
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
+#include "IsoSurface/ActiveCellComponents.h"
+
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -123,6 +125,10 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
     return reason;
   }
   auto* mesh = vtkPolyData::SafeDownCast(input.Data);
+  if (InkHasPolygons(mesh))
+  {
+    this->SetFramePoints(mesh->GetPoints());
+  }
   if (!InkHasPolygons(mesh) && InkHasDiscs(mesh))
   {
     // As a sampler made them.

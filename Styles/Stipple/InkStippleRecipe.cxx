@@ -348,6 +348,7 @@ void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
       "Ink Stipple Generator");
     return;
   }
+  style->SetFramePoints(mesh->GetPoints());
   this->StippleSurface(mesh);
 }
 

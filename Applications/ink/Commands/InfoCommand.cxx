@@ -6,6 +6,8 @@
 #include "Volume.h"
 #include "VolumeSlices.h"
 
+#include "InkVolumeValues.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -30,19 +32,19 @@ void line(const char* name, const std::string& value)
 struct Statistics
 {
   FiniteRange values;
-  std::optional<IsoSuggestion> suggestion;
+  std::vector<IsoSuggestion> suggestions;
 };
 
 Statistics examine(VolumeSlices& volume, Progress& progress)
 {
   progress.step("looking at the values");
   const FiniteRange values = findFiniteRange(volume);
-  return { values, suggestIsoValue(volume, progress) };
+  return { values, suggestIsoValues(volume, progress) };
 }
 
 void describeVolume(const VolumeSlices& volume, const Input& input, const Statistics& statistics)
 {
-  const auto& [values, suggestion] = statistics;
+  const auto& [values, suggestions] = statistics;
   vtkImageData* image = volume.frame();
   line("dimensions", dimensionsText(image->GetDimensions()));
   line("spacing", tripleText(image->GetSpacing()));
@@ -68,9 +70,15 @@ void describeVolume(const VolumeSlices& volume, const Input& input, const Statis
     line("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)");
     return;
   }
-  line("suggested iso",
-    suggestion ? text(suggestion->value) + " (" + methodText(*suggestion) + ")"
-               : "none: the volume has no two values");
+  if (suggestions.empty())
+  {
+    line("suggested iso", "none: the volume has no two values");
+  }
+  for (const IsoSuggestion& suggestion : suggestions)
+  {
+    const bool best = &suggestion == &suggestions.front();
+    line(best ? "suggested iso" : "", text(suggestion.value) + " (" + InkDescribe(suggestion) + ")");
+  }
 }
 
 void describeMesh(vtkPolyData* mesh)

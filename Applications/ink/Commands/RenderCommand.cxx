@@ -11,7 +11,9 @@
 
 #include "InkIsoSurface.h"
 
+#include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkInkCameraFit.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -71,8 +73,8 @@ void render(const RenderOptions& options)
   const StyledScene subject = SceneMaker(options).make(input, progress);
   progress.step("drawing");
   Drawing drawing(options);
-  CameraFit fit = drawing.makeFit();
-  fit.add(subject.points->GetPoints(), drawing.view());
+  const auto fit = drawing.makeFit();
+  fit->AddPoints(subject.frame, drawing.camera());
   const auto picture = drawing.draw(subject, fit);
   progress.step("writing " + options.output.filename().string());
   const auto png = encodePng(picture);

@@ -8,7 +8,9 @@
 #include "RenderCommand.h"
 #include "Video.h"
 
+#include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkInkCameraFit.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -120,14 +122,15 @@ void turn(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
   const StyledScene subject = SceneMaker(options).make(input, progress);
   notes.add(input.notes);
   notes.add(subject.notes);
-  const double* b = subject.points->GetBounds();
+  const double* b = subject.frame->GetBounds();
   Drawing drawing(options);
-  CameraFit fit = drawing.makeFit({ (b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2 });
+  const auto fit = drawing.makeFit();
+  fit->SetPivot((b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2);
   const auto angle = [&](std::size_t frame)
   { return 360.0 * static_cast<double>(frame) / static_cast<double>(frames); };
   for (std::size_t i = 0; i < frames; ++i)
   {
-    fit.add(subject.points->GetPoints(), drawing.view(angle(i)));
+    fit->AddPoints(subject.frame, drawing.camera(angle(i)));
   }
   for (std::size_t i = 0; i < frames; ++i)
   {
@@ -149,7 +152,7 @@ void play(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
   };
   SceneMaker subjects(options, true);
   Drawing drawing(options);
-  CameraFit fit = drawing.makeFit();
+  const auto fit = drawing.makeFit();
   std::set<std::size_t> fitted;
   for (std::size_t i = 0; i < animation.frames.size(); ++i)
   {
@@ -164,8 +167,8 @@ void play(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
     auto* mesh = vtkPolyData::SafeDownCast(input.data);
     // The samples of a mesh lie between its points. A cloud may have points that are left out.
     const bool hasFaces = mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-    fit.add(
-      hasFaces ? mesh->GetPoints() : subjects.make(input, progress).points->GetPoints(), drawing.view());
+    fit->AddPoints(
+      hasFaces ? mesh->GetPoints() : subjects.make(input, progress).frame.Get(), drawing.camera());
   }
   for (std::size_t i = 0; i < animation.frames.size(); ++i)
   {

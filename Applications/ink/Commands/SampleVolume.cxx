@@ -10,6 +10,8 @@
 #include "VolumeSlices.h"
 #include "VtkMessages.h"
 
+#include "InkVolumeValues.h"
+
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -32,14 +34,14 @@ namespace
 double chooseIsoValue(VolumeSlices& volume, std::vector<std::string>& notes, Progress& progress)
 {
   progress.step("choosing an iso-value");
-  const std::optional<IsoSuggestion> suggestion = suggestIsoValue(volume, progress);
-  if (!suggestion)
+  const std::vector<IsoSuggestion> suggestions = suggestIsoValues(volume, progress);
+  if (suggestions.empty())
   {
     checkIsoValues({}, findFiniteRange(volume));
     throw Failure("no iso-value could be chosen; give one with --iso");
   }
-  notes.push_back("iso-value " + text(suggestion->value) + ": " + methodText(*suggestion));
-  return suggestion->value;
+  notes.push_back(InkDescribeChoice(suggestions));
+  return suggestions.front().value;
 }
 
 /// Layers of cells: layer n lies between the slices n and n + 1.
@@ -62,6 +64,8 @@ public:
     // Parts of the volume are seen once, and points that are kept should take no more memory than they need.
     this->Sampler->UseIndexOff();
     this->Sampler->ReuseArraysOff();
+    this->Sampler->SetCut(sampling.cut);
+    this->Sampler->SetComputeCellIds(sampling.cellIds);
     this->Sampler->SetInputConnection(this->Producer->GetOutputPort());
     this->Producer->SetWholeExtent(volume.frame()->GetExtent());
     progress.step("sampling the surface", this->Sampler);

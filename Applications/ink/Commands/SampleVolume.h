@@ -30,6 +30,8 @@ struct VolumeSampling
   bool normals = true;
   bool radius = true;
   bool surfaceIndex = false; ///< an array of this name: which of the iso-values a point belongs to
+  int cut = 0;               ///< of volumes that are images
+  bool cellIds = false;      ///< the array CellId, of volumes that are images
 };
 
 /// Sets what both samplers of iso-surfaces have in common; one surface at a time.

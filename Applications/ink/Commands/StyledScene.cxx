@@ -10,13 +10,19 @@
 #include "Volume.h"
 #include "VolumeSlices.h"
 
+#include "InkSurfaceParts.h"
+
 #include "vtkDataArray.h"
 #include "vtkInkIllustrationStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkSurfaceSampler.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 namespace ink::cli
 {
@@ -30,6 +36,33 @@ std::vector<double> isoValuesOf(vtkInkStyle* style)
 {
   const InkParameter* parameter = style->GetParameterTable().Find("IsoValues");
   return parameter ? parameter->Get(style).Numbers : std::vector<double>();
+}
+
+ink::ComponentSelection partsOf(vtkInkStyle* style)
+{
+  return { style->GetParameter("SmallestPart"),
+    static_cast<std::size_t>(style->GetParameter("LargestParts")) };
+}
+
+/// Parts of surfaces that were sampled a few slices at a time.
+void keepParts(
+  vtkPolyData* points, std::vector<std::size_t>& counts, const ink::ComponentSelection& selection)
+{
+  vtkPointData* data = points->GetPointData();
+  const vtkSmartPointer<vtkDataArray> ids = data->GetArray("CellId");
+  data->RemoveArray("CellId");
+  std::vector<vtkDataArray*> arrays{ points->GetPoints()->GetData() };
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    arrays.push_back(data->GetArray(i));
+  }
+  const auto* cells = static_cast<const ink::ActiveCellId*>(ids->GetVoidPointer(0));
+  InkKeepParts({ cells, static_cast<std::size_t>(ids->GetNumberOfValues()) }, selection, arrays, counts);
+  const auto left = static_cast<vtkIdType>(std::accumulate(counts.begin(), counts.end(), std::size_t{ 0 }));
+  for (vtkDataArray* array : arrays)
+  {
+    array->SetNumberOfTuples(left);
+  }
 }
 
 void setIsoValues(vtkInkStyle* style, const std::vector<double>& values)
@@ -104,10 +137,10 @@ StyledScene SceneMaker::make(const Input& input, Progress& progress)
     this->prepareVolume(input, subject.notes);
   }
   makeMarks(style, data, subject.notes, progress);
-  subject.points = style->GetPiece(0);
+  subject.frame = style->GetFramePoints();
   if (input.isVolume())
   {
-    this->requireMemoryFor(subject.points->GetNumberOfPoints());
+    this->requireMemoryFor(style->GetPiece(0)->GetNumberOfPoints());
   }
   style->Show();
   return subject;
@@ -131,14 +164,26 @@ vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
   const Memory& memory = this->Options.input.memory;
   VolumeSampling sampling;
   sampling.isoValues = isoValuesOf(this->Options.style);
+  const ink::ComponentSelection parts = partsOf(this->Options.style);
+  sampling.cut = static_cast<int>(this->Options.style->GetParameter("Cut"));
+  sampling.cellIds = input.volume && !parts.keepsAll();
   PointStore points(memory.limit, {});
+  std::vector<std::size_t> counts;
   const auto keep = [&](int index, vtkPolyData* part)
   {
+    const auto surface = static_cast<std::size_t>(index);
+    counts.resize(std::max(counts.size(), surface + 1));
+    counts[surface] += static_cast<std::size_t>(part->GetNumberOfPoints());
     this->requireMemoryFor(static_cast<vtkIdType>(points.size()) + part->GetNumberOfPoints());
     points.add(index, part);
   };
   notes = sampleVolume(input, sampling, memory, keep, progress);
-  return points.take();
+  const vtkSmartPointer<vtkPolyData> all = points.take();
+  if (sampling.cellIds)
+  {
+    keepParts(all, counts, parts);
+  }
+  return all;
 }
 
 void SceneMaker::prepareVolume(const Input& input, std::vector<std::string>& notes)

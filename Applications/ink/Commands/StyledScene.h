@@ -3,6 +3,7 @@
 
 #include "Input.h"
 
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -24,7 +25,7 @@ vtkInkSplattingLinesStyle* linesOf(vtkInkStyle* style);
 /// What is drawn, before it has a camera.
 struct StyledScene
 {
-  vtkSmartPointer<vtkPolyData> points;
+  vtkSmartPointer<vtkPoints> frame;   ///< what a picture of it is fitted to
   vtkSmartPointer<vtkInkStyle> style; ///< with the points as its marks
   std::vector<std::string> notes;
 };

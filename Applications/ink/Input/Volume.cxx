@@ -4,8 +4,6 @@
 #include "Progress.h"
 #include "VolumeSlices.h"
 
-#include "InkVolumeValues.h"
-
 #include "IsoSurface/ActiveCellBound.h"
 
 #include "vtkDataArray.h"
@@ -43,7 +41,7 @@ auto withType(int type, const Use& use) -> decltype(use(0.0))
 
 } // namespace
 
-std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume, Progress& progress)
+std::vector<IsoSuggestion> suggestIsoValues(VolumeSlices& volume, Progress& progress)
 {
   return withType(volume.type(),
     [&](auto zero)
@@ -51,7 +49,7 @@ std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume, Progress& pro
       using T = decltype(zero);
       if (volume.inMemory())
       {
-        return ink::suggestIsoValue(valuesOf<T>(volume.frame()), volume.dimensions());
+        return ink::suggestIsoValues(valuesOf<T>(volume.frame()), volume.dimensions());
       }
       // The slices are read twice, each time from the first on.
       constexpr double passes = 2.0;
@@ -63,7 +61,7 @@ std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume, Progress& pro
         // The slices themselves stay where they are when the image that shows them goes.
         return valuesOf<T>(volume.get(first, end));
       };
-      return ink::suggestIsoValue(read, volume.dimensions(), std::max(volume.atOnce(), 3));
+      return ink::suggestIsoValues(read, volume.dimensions(), std::max(volume.atOnce(), 3));
     });
 }
 
@@ -91,11 +89,6 @@ std::vector<std::size_t> boundActiveCells(vtkImageData* slices, double isoValue,
     [&](auto zero) {
       return ink::boundActiveCells(valuesOf<decltype(zero)>(slices), { d[0], d[1], d[2] }, isoValue, rule);
     });
-}
-
-std::string methodText(const IsoSuggestion& suggestion)
-{
-  return InkNameOfMethod(suggestion.method);
 }
 
 } // namespace ink::cli

@@ -5,8 +5,6 @@
 #include "Statistics/FiniteRange.h"
 #include "Statistics/IsoValue.h"
 
-#include <optional>
-#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -17,8 +15,8 @@ namespace ink::cli
 class Progress;
 class VolumeSlices;
 
-/// The iso-value that suits a volume, see ink::suggestIsoValue. How far it is goes to the current step.
-std::optional<IsoSuggestion> suggestIsoValue(VolumeSlices& volume, Progress& progress);
+/// The iso-values that suit a volume, see ink::suggestIsoValues. How far it is goes to the current step.
+std::vector<IsoSuggestion> suggestIsoValues(VolumeSlices& volume, Progress& progress);
 
 /// What values a volume has, or some slices of one.
 FiniteRange findFiniteRange(VolumeSlices& volume);
@@ -26,8 +24,5 @@ FiniteRange findFiniteRange(vtkImageData* slices);
 
 /// See ink::boundActiveCells.
 std::vector<std::size_t> boundActiveCells(vtkImageData* slices, double isoValue, CrossingRule rule);
-
-/// How a suggestion was found, in a few words.
-std::string methodText(const IsoSuggestion& suggestion);
 
 } // namespace ink::cli

@@ -9,6 +9,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkInkCameraFit.h"
 #include "vtkInkStyle.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
@@ -22,9 +23,6 @@ namespace ink::cli
 {
 namespace
 {
-
-// Part of the picture's half width and height that stays free around the drawing.
-constexpr double margin = 0.05;
 
 using Color = std::array<double, 3>;
 
@@ -52,13 +50,25 @@ View Drawing::view(double turned) const
   return view;
 }
 
-CameraFit Drawing::makeFit(const std::array<double, 3>& pivot) const
+vtkSmartPointer<vtkCamera> Drawing::camera(double turned) const
 {
-  const double aspect = static_cast<double>(this->Options.size.width) / this->Options.size.height;
-  return { aspect, margin, this->Options.parallel, pivot };
+  const View view = this->view(turned);
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(-view.direction[0], -view.direction[1], -view.direction[2]);
+  camera->SetViewUp(view.up);
+  camera->SetParallelProjection(this->Options.parallel);
+  return camera;
 }
 
-vtkSmartPointer<vtkImageData> Drawing::draw(const StyledScene& subject, const CameraFit& fit, double turned)
+vtkSmartPointer<vtkInkCameraFit> Drawing::makeFit() const
+{
+  auto fit = vtkSmartPointer<vtkInkCameraFit>::New();
+  fit->SetAspect(static_cast<double>(this->Options.size.width) / this->Options.size.height);
+  return fit;
+}
+
+vtkSmartPointer<vtkImageData> Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, double turned)
 {
   const VtkMessages messages;
   vtkInkStyle* style = subject.style;
@@ -70,8 +80,8 @@ vtkSmartPointer<vtkImageData> Drawing::draw(const StyledScene& subject, const Ca
     this->Renderer->AddLight(style->GetLight());
     this->Light = style->GetLight();
   }
-  vtkNew<vtkCamera> camera;
-  fit.apply(camera, this->view(turned));
+  const auto camera = this->camera(turned);
+  fit->Apply(camera);
   camera->Zoom(this->Options.zoom);
   this->Renderer->SetActiveCamera(camera);
   this->Renderer->ResetCameraClippingRange();

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FitCamera.h"
 #include "StyledScene.h"
+#include "View.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 class vtkActor;
+class vtkCamera;
 class vtkImageData;
+class vtkInkCameraFit;
 class vtkLight;
 class vtkRenderWindow;
 class vtkRenderer;
@@ -30,11 +32,14 @@ public:
   /// @param turned degrees that the viewer goes further to the right, around what stands upright
   View view(double turned = 0.0) const;
 
+  /// A camera that looks as `view` says, from nowhere in particular.
+  vtkSmartPointer<vtkCamera> camera(double turned = 0.0) const;
+
   /// A fit for this window's shape.
-  CameraFit makeFit(const std::array<double, 3>& pivot = { 0, 0, 0 }) const;
+  vtkSmartPointer<vtkInkCameraFit> makeFit() const;
 
   /// @throws Failure if VTK complains
-  vtkSmartPointer<vtkImageData> draw(const StyledScene& subject, const CameraFit& fit, double turned = 0.0);
+  vtkSmartPointer<vtkImageData> draw(const StyledScene& subject, vtkInkCameraFit* fit, double turned = 0.0);
 
 private:
   const RenderOptions& Options;

@@ -55,12 +55,19 @@ double blurredSphere(double distance, double radius)
 }
 
 template <typename T>
-std::optional<ink::IsoSuggestion> suggest(const std::vector<T>& values)
+std::vector<ink::IsoSuggestion> suggestAll(const std::vector<T>& values)
 {
-  return ink::suggestIsoValue<T>(values, cube);
+  return ink::suggestIsoValues<T>(values, cube);
 }
 
-using Method = ink::IsoSuggestion::Method;
+template <typename T>
+std::optional<ink::IsoSuggestion> suggest(const std::vector<T>& values)
+{
+  const auto all = suggestAll(values);
+  return all.empty() ? std::nullopt : std::optional(all.front());
+}
+
+using Boundary = ink::IsoSuggestion::Boundary;
 
 template <typename T>
 class IsoValueOfType : public testing::Test
@@ -76,7 +83,7 @@ TYPED_TEST(IsoValueOfType, LiesHalfWayBetweenTwoMaterials)
     volume<TypeParam>([](double d, std::size_t i) { return 10 + 100 * blurredSphere(d, 14) + 4 * noise(i); });
   const auto suggestion = suggest(values);
   ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->method, Method::Boundary);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
   EXPECT_NEAR(suggestion->value, 60.0, 10.0);
 }
 
@@ -103,9 +110,114 @@ TEST(IsoValue, FindsTheOuterOfTwoNestedSurfaces)
     [](double d, std::size_t i) { return 40 * blurredSphere(d, 18) + 200 * blurredSphere(d, 9) + noise(i); });
   const auto suggestion = suggest(values);
   ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->method, Method::Boundary);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
   EXPECT_GT(suggestion->value, 10.0);
   EXPECT_LT(suggestion->value, 38.0);
+}
+
+TEST(IsoValue, ListsThreeNestedSurfacesAndWhatTheyKeep)
+{
+  const auto values = volume<float>(
+    [](double d, std::size_t i) {
+      return 40 * blurredSphere(d, 20) + 100 * blurredSphere(d, 14) + 200 * blurredSphere(d, 8) + noise(i);
+    });
+  const auto all = suggestAll(values);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].boundary, Boundary::Outermost);
+  EXPECT_NEAR(all[0].value, 20.0, 6.0);
+  for (const ink::IsoSuggestion& one : all)
+  {
+    const bool densest = one.boundary == Boundary::Densest;
+    const double radius = one.boundary == Boundary::Outermost ? 20.0 : densest ? 8.0 : 14.0;
+    EXPECT_NEAR(one.value, radius == 20.0 ? 20.0 : densest ? 240.0 : 90.0, 20.0);
+    const double kept = 4.0 / 3.0 * 3.14159265 * std::pow(radius, 3) / std::pow(size, 3);
+    EXPECT_NEAR(one.keptShare / kept, 1.0, 0.15) << one.value;
+  }
+  EXPECT_NE(all[1].boundary, all[2].boundary);
+}
+
+/// A head in Hounsfield units: skin with fat, soft tissue, a skull that varies from spongy to dense, as bone
+/// does, a headrest beside it, and air.
+double headInHounsfield(std::size_t index)
+{
+  const double c = (size - 1) / 2.0;
+  const double x = static_cast<double>(index % size) - c;
+  const double y = static_cast<double>(index / size % size) - c;
+  const double z = static_cast<double>(index / size / size) - c;
+  const double d = std::hypot(x, y, z);
+  const double skull = 300 + 900 * (0.5 + 0.5 * std::sin(0.4 * x) * std::cos(0.3 * y + 0.5 * z));
+  const double headrest = blurredSphere(std::abs(y - 22), 1.0) * (std::abs(x) < 20 ? 1.0 : 0.0);
+  return -1000 + 900 * blurredSphere(d, 20) + 140 * blurredSphere(d, 18) +
+    skull * (blurredSphere(d, 15) - blurredSphere(d, 11)) + 600 * headrest * (1 - blurredSphere(d, 20)) +
+    25 * noise(index);
+}
+
+TEST(IsoValue, ListsSkinAndBoneOfAHead)
+{
+  const auto all = suggestAll(volume<short>([](double, std::size_t i) { return headInHounsfield(i); }));
+  ASSERT_GE(all.size(), 2U);
+  EXPECT_GT(all[0].value, -800.0);
+  EXPECT_LT(all[0].value, -200.0);
+  const bool bone = std::any_of(
+    all.begin(), all.end(), [](const ink::IsoSuggestion& one) { return one.value > 130 && one.value < 600; });
+  EXPECT_TRUE(bone) << all[1].value;
+}
+
+TEST(IsoValue, PrefersABoundaryToTheEdgeOfAMask)
+{
+  // Gray and white matter without their skull: all around is zero.
+  const auto values = volume<short>(
+    [](double d, std::size_t i) { return d > 17 ? 0.0 : 500 + 300 * blurredSphere(d, 10) + 20 * noise(i); });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_NEAR(suggestion->value, 650.0, 60.0);
+}
+
+TEST(IsoValue, TakesTheEdgeOfAMaskIfThereIsNothingElse)
+{
+  const auto values =
+    volume<short>([](double d, std::size_t i) { return d > 17 ? 0.0 : 500 + 20 * noise(i); });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_GT(suggestion->value, 50.0);
+  EXPECT_LT(suggestion->value, 480.0);
+}
+
+TEST(IsoValue, LeavesOutFragments)
+{
+  // A filling: some hundred voxels, with more than enough edges to be a boundary.
+  const auto withNugget = [](double radius)
+  {
+    return volume<short>(
+      [radius](double d, std::size_t i)
+      {
+        const double c = (size - 1) / 2.0;
+        const auto x = static_cast<double>(i % size);
+        const double nugget = std::hypot(
+          x - c - 8, static_cast<double>(i / size % size) - c, static_cast<double>(i / size / size) - c);
+        return 100 * blurredSphere(d, 20) + 900 * blurredSphere(nugget, radius) + 3 * noise(i);
+      });
+  };
+  const auto reaches = [](const std::vector<ink::IsoSuggestion>& all)
+  { return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.value > 300; }); };
+  EXPECT_FALSE(reaches(suggestAll(withNugget(3.8))));
+  EXPECT_TRUE(reaches(suggestAll(withNugget(6))));
+}
+
+TEST(IsoValue, KeepsVaryingBoneWhole)
+{
+  // The densest bone makes the sharpest surface, which is full of holes.
+  const auto values = volume<short>(
+    [](double d, std::size_t i)
+    {
+      const double along = static_cast<double>(i % size) / (size - 1.0);
+      return (300 + 1200 * along) * (blurredSphere(d, 18) - blurredSphere(d, 10)) + 8 * noise(i);
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_GT(suggestion->value, 50.0);
+  EXPECT_LT(suggestion->value, 450.0);
 }
 
 TEST(IsoValue, IsNotLedAstrayByNoiseInTheAir)
@@ -148,7 +260,7 @@ TEST(IsoValue, TakesTheMiddleOfTwoValues)
 TEST(IsoValue, IsMissingForOneValue)
 {
   EXPECT_FALSE(suggest(volume<float>([](double, std::size_t) { return 4.0; })));
-  EXPECT_FALSE(ink::suggestIsoValue<float>({}, { 0, 4, 4 }));
+  EXPECT_TRUE(ink::suggestIsoValues<float>({}, { 0, 4, 4 }).empty());
   EXPECT_FALSE(suggest(volume<float>([](double, std::size_t) { return std::nan(""); })));
 }
 
@@ -184,19 +296,19 @@ TEST(IsoValue, SplitsAHistogramWithoutBoundaries)
   // Noise only: no surface is worth anything, but a value within the range is still given.
   const auto suggestion = suggest(volume<float>([](double, std::size_t i) { return noise(i); }));
   ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->method, Method::Otsu);
+  EXPECT_EQ(suggestion->boundary, Boundary::None);
   EXPECT_NEAR(suggestion->value, 0.0, 0.05);
 }
 
 TEST(IsoValue, WorksOnOneSliceAndOneRow)
 {
   const std::vector<float> row{ 0, 0, 0, 0, 8, 8, 8, 8 };
-  const auto ofRow = ink::suggestIsoValue<float>(row, { 8, 1, 1 });
-  ASSERT_TRUE(ofRow);
-  EXPECT_NEAR(ofRow->value, 4.0, 0.1);
-  const auto ofSlice = ink::suggestIsoValue<float>(row, { 4, 2, 1 });
-  ASSERT_TRUE(ofSlice);
-  EXPECT_NEAR(ofSlice->value, 4.0, 0.1);
+  const auto ofRow = ink::suggestIsoValues<float>(row, { 8, 1, 1 });
+  ASSERT_EQ(ofRow.size(), 1U);
+  EXPECT_NEAR(ofRow[0].value, 4.0, 0.1);
+  const auto ofSlice = ink::suggestIsoValues<float>(row, { 4, 2, 1 });
+  ASSERT_EQ(ofSlice.size(), 1U);
+  EXPECT_NEAR(ofSlice[0].value, 4.0, 0.1);
 }
 
 TEST(IsoValue, IsTheSameOnAnyNumberOfThreads)
@@ -215,7 +327,7 @@ TEST(IsoValue, IsTheSameOnAnyNumberOfThreads)
 
 TEST(IsoValue, RejectsAWrongSize)
 {
-  EXPECT_THROW(ink::suggestIsoValue<float>(std::vector<float>(7), { 2, 2, 2 }), std::invalid_argument);
+  EXPECT_THROW(ink::suggestIsoValues<float>(std::vector<float>(7), { 2, 2, 2 }), std::invalid_argument);
 }
 
 TEST(IsoValue, IsTheSameFromAFewSlicesAtATime)
@@ -223,8 +335,8 @@ TEST(IsoValue, IsTheSameFromAFewSlicesAtATime)
   auto values = volume<float>(
     [](double distance, std::size_t index) { return 100 * blurredSphere(distance, 15) + 5 * noise(index); });
   values[1000] = std::numeric_limits<float>::quiet_NaN();
-  const auto whole = suggest(values);
-  ASSERT_TRUE(whole);
+  const auto whole = suggestAll(values);
+  ASSERT_FALSE(whole.empty());
   for (const int atOnce : { 3, 4, 17, size, size + 5 })
   {
     int most = 0;
@@ -236,10 +348,14 @@ TEST(IsoValue, IsTheSameFromAFewSlicesAtATime)
       slices.assign(values.begin() + first * size * size, values.begin() + last * size * size);
       return std::span<const float>(slices);
     };
-    const auto parts = ink::suggestIsoValue(read, cube, atOnce);
-    ASSERT_TRUE(parts) << atOnce;
-    EXPECT_EQ(parts->value, whole->value) << atOnce;
-    EXPECT_EQ(parts->method, whole->method) << atOnce;
+    const auto parts = ink::suggestIsoValues(read, cube, atOnce);
+    ASSERT_EQ(parts.size(), whole.size()) << atOnce;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      EXPECT_EQ(parts[i].value, whole[i].value) << atOnce;
+      EXPECT_EQ(parts[i].boundary, whole[i].boundary) << atOnce;
+      EXPECT_EQ(parts[i].keptShare, whole[i].keptShare) << atOnce;
+    }
     EXPECT_LE(most, atOnce);
   }
 }
@@ -248,8 +364,8 @@ TEST(IsoValue, RefusesSlicesOfAnotherSize)
 {
   const std::vector<float> values(7);
   const ink::SliceReader<float> read = [&](int, int) { return std::span<const float>(values); };
-  EXPECT_THROW(ink::suggestIsoValue(read, cube, 3), std::invalid_argument);
-  EXPECT_THROW(ink::suggestIsoValue(read, cube, 2), std::invalid_argument);
+  EXPECT_THROW(ink::suggestIsoValues(read, cube, 3), std::invalid_argument);
+  EXPECT_THROW(ink::suggestIsoValues(read, cube, 2), std::invalid_argument);
 }
 
 } // namespace

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "IsoSurface/ActiveCellId.h"
+#include "IsoSurface/ActiveCells.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace ink
+{
+
+template <class T>
+class GridField;
+
+/// What is added to an iso-surface where it leaves the volume.
+enum class CutSurface
+{
+  Open, ///< nothing
+  Rim,  ///< samples along the cut, with normals from the surface's to the side's: an edge, one line
+  Cap   ///< the rim, and samples on all of the side that lies inside of the surface: as if all beyond were
+        ///< outside
+};
+
+/// Samples on the sides of a volume.
+struct CutSamples
+{
+  std::vector<glm::dvec3> points;  ///< in world units
+  std::vector<glm::dvec3> normals; ///< unit, out of the volume
+  std::vector<ActiveCellId> cells; ///< those at the side that the samples lie in, by their global index
+};
+
+/// The samples that a rim has at each position. From one normal to the next it turns by 15 degrees where
+/// surface and side are at right angles, so that from everywhere one of them is seen almost edge-on, as a
+/// contour is.
+constexpr int rimNormals = 6;
+
+/// Samples where an iso-surface meets the sides of the volume: `rimNormals` of them in each face of a cell
+/// that lies on a side and that the surface crosses, at the mean of its intersections with the face's edges,
+/// and with Cap one in the middle of each such face all of whose corners are inside, that is at or above the
+/// iso-value. The order is that of the sides, x before z and the lower before the upper one, then of the
+/// faces. Faces with a missing corner have no samples. Discs of isoSurfaceSampleRadius, of the divided grid,
+/// leave no holes.
+///
+/// @param first, last the global indices of the whole volume's first and last sample: its sides
+/// @param selection the cells to process
+/// @param divisions along each axis: faces are divided into so many, with bilinear values, and cells are
+///   those of the divided grid
+template <class T>
+CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind, const glm::ivec3& first,
+  const glm::ivec3& last, const CellSelection& selection = {}, const glm::ivec3& divisions = glm::ivec3(1));
+
+} // namespace ink

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which surface of a volume `ink` chooses, which of its parts it draws, where these end, and what it fits the picture to."""
+
+import pathlib
+import re
+
+import numpy as np
+import pytest
+
+import ink_files
+
+DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
+
+
+def grid(shape):
+    return np.meshgrid(*[np.arange(n, dtype=float) - (n - 1) / 2 for n in shape], indexing="ij")
+
+
+def ball(shape, center, radius):
+    """Its signed distance as values: 100 on its surface, more inside."""
+    z, y, x = grid(shape)
+    cx, cy, cz = center
+    return np.clip(100 - 20 * (np.sqrt((x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2) - radius), 0, 200)
+
+
+def listed(ink, path):
+    """The suggested iso-values, with what `ink info` says of each."""
+    result = ink("info", path)
+    assert (result.code, result.err) == (0, ""), result
+    lines = result.out.splitlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("suggested iso"))
+    last = next((i for i in range(first + 1, len(lines)) if lines[i].strip() and lines[i][0] != " "), len(lines))
+    return [(float(line[15:].split()[0]), line[15:].partition("(")[2]) for line in lines[first:last]]
+
+
+@pytest.mark.parametrize("file, expected", [("engine.nii.gz", [80, 160]), ("bonsai.nii.gz", [36, 75, 175])])
+def test_the_best_iso_values_of_a_scan_are_listed(ink, file, expected):
+    found = listed(ink, DATA / file)
+    assert [round(value / 5) * 5 for value, _ in found] == [round(value / 5) * 5 for value in expected]
+    assert found[0][1].startswith("the outermost clear boundary, keeps ")
+    assert found[-1][1].startswith("the boundary of the densest part, keeps ")
+
+
+def test_render_names_its_choice_and_the_next_ones(ink, tmp_path):
+    values = ball((40, 40, 40), (0, 0, 0), 15) * 0.2 + ball((40, 40, 40), (0, 0, 0), 8)
+    ink_files.write_nifti(tmp_path / "v.nii", values.astype(np.int16))
+    found = listed(ink, tmp_path / "v.nii")
+    assert len(found) == 2
+    result = ink("render", tmp_path / "v.nii", "--style", "splatting-lines", "--size", "64x64", "-o", tmp_path / "out.png")
+    choice = re.match(r"ink: iso-value (\S+): the outermost clear boundary, keeps \S+ % of the volume; "
+                      r"next best: (\S+): the boundary of the densest part, keeps \S+ % of the volume\n$", result.err)
+    assert choice, result.err
+    assert [float(choice.group(1)), float(choice.group(2))] == [value for value, _ in found]
+
+
+def test_the_edge_of_a_mask_is_not_chosen(ink, tmp_path):
+    z, y, x = grid((48, 48, 48))
+    inside = np.sqrt(x * x + y * y + z * z)
+    noise = np.random.default_rng(1).normal(0, 12, inside.shape)
+    values = np.where(inside < 20, 500 + 300 / (1 + np.exp(2 * (inside - 11))) + noise, 0)
+    ink_files.write_nifti(tmp_path / "v.nii", values.astype(np.int16))
+    assert listed(ink, tmp_path / "v.nii")[0][0] == pytest.approx(650, abs=60)
+
+
+LINES = ["--style", "splatting-lines", "--iso", 100]
+
+
+@pytest.fixture
+def balls(tmp_path):
+    """Two balls and a speck, and the larger ball alone."""
+    shape = (30, 40, 60)
+    large, small = ball(shape, (-14, 0, 0), 11), ball(shape, (18, 0, 0), 6)
+    both = np.maximum(large, small)
+    both[3, 3, 30] = 200
+    for name, values in (("both", both), ("large", large)):
+        ink_files.write_nifti(tmp_path / f"{name}.nii", values.astype(np.uint8))
+    return tmp_path
+
+
+def test_the_largest_part_alone_is_drawn_as_if_there_were_no_other(picture, balls):
+    """The frame fits it, too."""
+    wanted = picture(balls / "large.nii", *LINES)
+    assert (picture(balls / "both.nii", *LINES, "--largest-parts", 1) == wanted).all()
+    assert (picture(balls / "both.nii", *LINES, "--smallest-part", 0.5) == wanted).all()
+    assert (picture(balls / "both.nii", *LINES) != wanted).any()
+
+
+def test_specks_are_left_out_unless_asked_for(picture, balls):
+    two = picture(balls / "both.nii", *LINES, "--largest-parts", 2)
+    assert (picture(balls / "both.nii", *LINES) == two).all()
+    assert (picture(balls / "both.nii", *LINES, "--smallest-part", 0) != two).any()
+
+
+def test_parts_of_a_volume_read_a_few_slices_at_a_time(ink, picture, tmp_path):
+    shape = (150, 200, 200)
+    both = np.maximum(ball(shape, (-30, 0, 0), 60), ball(shape, (75, 0, 0), 20)).astype(np.uint8)
+    both.tofile(tmp_path / "v.raw")
+    options = [tmp_path / "v.raw", "--raw", "200x200x150:uint8", *LINES, "--largest-parts", 1]
+    whole = picture(*options)
+    assert (picture(*options, "--memory", "24MiB") == whole).all()
+
+
+@pytest.mark.parametrize("view", ["front", "right"])
+def test_a_cut_is_one_line(picture, tmp_path, view):
+    """Half a ball, cut by the volume's lower side: its lower edge is drawn from end to end."""
+    values = ball((40, 80, 80), (0, 0, -19.5), 30)
+    ink_files.write_nifti(tmp_path / "half.nii", values.astype(np.uint8))
+
+    def drawn(cut):
+        dark = picture(tmp_path / "half.nii", *LINES, "--view", view, "--parallel", "--cut", cut, size="400x400")[..., 0] < 128
+        rows, columns = np.flatnonzero(dark.any(axis=1)), np.flatnonzero(dark.any(axis=0))
+        edge = dark[rows[-1] - 8 : rows[-1] + 1, columns[0] + 8 : columns[-1] - 7]
+        return edge.any(axis=0).mean()
+
+    assert drawn("open") < 0.5
+    assert drawn("rim") == 1
+    assert drawn("cap") == 1
