@@ -32,9 +32,13 @@ else
   # Without vtkink, Python still runs the tests of ink.
   INK_PYTHON="$("$INK_ROOT/Utilities/find-python.sh" || echo /usr/bin/python3)"
 fi
-# The modules of a VTK from PyPI lie beside its SDK.
+# The modules of a VTK from PyPI lie beside its SDK, with NumPy and more for one version of Python: in an environment of
+# that Python's (PEP 405), since all others would find them on PYTHONPATH, too, and fail.
 if [ -d "$INK_ROOT/build/vtk-headless" ] && [ "$INK_PRESET" != paraview ]; then
-  PYTHONPATH="${PYTHONPATH:+$PYTHONPATH:}$INK_ROOT/build/vtk-headless"
+  if [ "$INK_BUILD_WRAPPED" = ON ]; then
+    INK_PYTHON="$("$INK_ROOT/Utilities/python-environment.sh" "$INK_BUILD_PYTHON" "$INK_BUILD/python" \
+      "$INK_ROOT/build/vtk-headless")"
+  fi
   # No display needed: draw with OSMesa unless the caller chose otherwise.
   VTK_DEFAULT_OPENGL_WINDOW="${VTK_DEFAULT_OPENGL_WINDOW:-vtkOSOpenGLRenderWindow}"
   export VTK_DEFAULT_OPENGL_WINDOW

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkVolumeReader.h"
 
+#include "DicomFile.h"
 #include "FileFormats.h"
 #include "FormatNumber.h"
 #include "InkReportReadError.h"
@@ -46,7 +47,9 @@ struct Format
 };
 constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io::readNiftiHeader },
   { ".nrrd", io::readNrrdHeader }, { ".nhdr", io::readNrrdHeader }, { ".mha", io::readMetaImageHeader },
-  { ".mhd", io::readMetaImageHeader }, { ".vti", nullptr }, { ".vtk", io::readLegacyHeader } };
+  { ".mhd", io::readMetaImageHeader }, { ".vti", nullptr }, { ".vtk", io::readLegacyHeader },
+  { ".dcm", io::readDicomHeaders } };
+constexpr Format dicom{ "", io::readDicomHeaders };
 
 std::string Text(const char* characters)
 {
@@ -59,6 +62,10 @@ const Format& FormatOf(const fs::path& file)
   if (const Format* format = io::findFormat(formats, file))
   {
     return *format;
+  }
+  if (vtkInkVolumeReader::IsDicomFile(file.c_str()))
+  {
+    return dicom;
   }
   io::failToRead(file,
     "unknown type '" + io::suffixOf(file) + "'; expected one of " + vtkInkVolumeReader::GetFileExtensions() +
@@ -250,6 +257,19 @@ int vtkInkVolumeReader::CanReadFile(const char* fileName)
   catch (const std::exception&)
   {
     return 0;
+  }
+}
+
+bool vtkInkVolumeReader::IsDicomFile(const char* fileName)
+{
+  std::error_code error;
+  try
+  {
+    return fs::is_regular_file(Text(fileName), error) && io::DicomFile::read(Text(fileName));
+  }
+  catch (const io::ReadError&)
+  {
+    return false;
   }
 }
 

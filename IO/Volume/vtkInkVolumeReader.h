@@ -5,7 +5,8 @@
  *
  * Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), VTK XML images (.vti), structured
  * points of legacy VTK files (.vtk), a folder of DICOM files, which becomes the series in it that has most
- * slices, and with Raw any file without a header. Which format it is the file's name tells.
+ * slices, one DICOM file (.dcm, or any name), which is a volume by itself or stands for the slices of its series
+ * in its folder, and with Raw any file without a header. Which format it is the file's name tells.
  *
  * The output has one point array of one component: the first of voxels that have several, in the type of the
  * file, or, where the file says that its values are to be rescaled, in short or int if all have room and else
@@ -48,7 +49,7 @@ public:
 
   ///@{
   /**
-   * The file to read, or the folder of DICOM files. Default: none, which is an error.
+   * The file to read, or a folder of DICOM files. Default: none, which is an error.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -63,6 +64,11 @@ public:
    * The ends of the names of files that are read, separated by spaces.
    */
   static const char* GetFileExtensions();
+
+  /**
+   * Whether a file, whatever its name, is a DICOM file.
+   */
+  static bool IsDicomFile(VTK_FILEPATH const char* fileName);
 
   ///@{
   /**

@@ -255,6 +255,7 @@ def draw(data, style=None, output=None, *, size=(1024, 1024), view="front", styl
     size = _checked_size(size)
     chosen = _make_style(style, style_file, parameters)
     chosen.SetPictureSize(max(size))
+    chosen.SetPictureHeight(size[1])
     shown = data_object(data)
     reason = chosen.GetReasonAgainst(shown) or chosen.TryDraw(shown) or _why_empty(chosen)
     if reason:

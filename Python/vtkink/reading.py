@@ -40,6 +40,8 @@ def _reader(path):
         return vtkInkVolumeReader()
     if name.endswith(tuple(meshes)):
         return vtkInkMeshReader()
+    if vtkInkVolumeReader.IsDicomFile(path):
+        return vtkInkVolumeReader()
     raise ValueError(f"{path!r}: expected a file of {' '.join(volumes + meshes)} .vdb or a folder of DICOM files")
 
 

@@ -245,7 +245,8 @@ public:
 
   ///@{
   /**
-   * Thin lines to one pixel, so that they can be traced; LineWidth makes them wider again, all alike.
+   * Thin lines to a thousandth of the height, or to one pixel in viewports lower than 1000 pixels; LineWidth makes
+   * them wider again, all alike.
    * Default: off.
    */
   vtkSetMacro(Thinning, bool);

@@ -104,7 +104,7 @@ public:
   ///@}
 
   /**
-   * Hands the sliders' k's, and the preset's size and room of stipples, FadeBySize, ink color and
+   * Hands the sliders' k's, and the preset's size and room of stipples with their unit, FadeBySize, ink color and
    * LightInk, to a mapper.
    */
   void Apply(vtkInkStippleMapper* mapper);

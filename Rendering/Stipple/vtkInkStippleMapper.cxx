@@ -43,7 +43,8 @@ ink::HlsColor ToHls(const double rgb[3])
   return ink::hlsFromRgb(glm::vec3(rgb[0], rgb[1], rgb[2]));
 }
 
-ink::stipple::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface)
+/// @param height of the viewport in pixels
+ink::stipple::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface, int height)
 {
   const auto number = [](double value) { return static_cast<float>(value); };
   ink::stipple::StippleTone tone;
@@ -67,8 +68,9 @@ ink::stipple::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface)
   tone.warmCool = { ToHls(mapper->GetWarmColor()), ToHls(mapper->GetCoolColor()),
     number(mapper->GetToneWeight()), number(mapper->GetDistanceWeight()), number(mapper->GetWarmCool()) };
   tone.valueEffect = number(mapper->GetValueEffect());
-  tone.pixelsPerStipple = number(mapper->GetPixelsPerStipple());
-  tone.diameter = number(mapper->GetStippleSize());
+  const double pixel = mapper->GetSizeUnit() == vtkInkStippleMapper::THOUSANDTHS ? 1e-3 * height : 1.0;
+  tone.pixelsPerStipple = number(pixel * pixel * mapper->GetPixelsPerStipple());
+  tone.diameter = number(pixel * mapper->GetStippleSize());
   tone.growWithZoom = mapper->GetGrowWithZoom();
   tone.fadeBySize = mapper->GetFadeBySize();
   return tone;
@@ -91,7 +93,7 @@ public:
   vtkPicture(vtkInkStippleMapper* mapper, InkStippleMarks& marks, vtkRenderer* renderer, vtkActor* actor,
     const int size[2])
     : View(renderer, actor, mapper, mapper->Internals->Points.GetFrame(), size)
-    , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface()))
+    , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface(), size[1]))
     , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
     , Occluder(this->FindOccluder(mapper, marks, renderer, actor))
     , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,

@@ -272,10 +272,29 @@ public:
   vtkGetMacro(ValueEffect, double);
   ///@}
 
+  /// What StippleSize is in, and PixelsPerStipple in its square.
+  enum SizeUnits
+  {
+    THOUSANDTHS = 0, ///< of the viewport's height: the same drawing in a picture of any size
+    PIXELS = 1
+  };
+
   ///@{
   /**
-   * How many pixels of an element's projection make room for one stipple (section 4.3; the paper has 1); the
-   * drawing is darker with a smaller one. 0.1 to 1000; default: 4.
+   * The unit of StippleSize and PixelsPerStipple. THOUSANDTHS (default), the pixels of a viewport that is 1000
+   * pixels high: a large picture made smaller is the small picture; or PIXELS.
+   */
+  vtkSetClampMacro(SizeUnit, int, THOUSANDTHS, PIXELS);
+  vtkGetMacro(SizeUnit, int);
+  void SetSizeUnitToThousandths() { this->SetSizeUnit(THOUSANDTHS); }
+  void SetSizeUnitToPixels() { this->SetSizeUnit(PIXELS); }
+  const char* GetSizeUnitAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How many pixels, as SizeUnit has them, of an element's projection make room for one stipple (section 4.3;
+   * the paper has 1); the drawing is darker with a smaller one. 0.1 to 1000; default: 4.
    */
   InkSetClampMacro(PixelsPerStipple, 0.1, 1000.0);
   vtkGetMacro(PixelsPerStipple, double);
@@ -283,7 +302,8 @@ public:
 
   ///@{
   /**
-   * The stipples' diameter in pixels, before distance and interior change it. 0.1 to 100; default: 2.
+   * The stipples' diameter in pixels, as SizeUnit has them, before distance and interior change it. 0.1 to
+   * 100; default: 2.
    */
   InkSetClampMacro(StippleSize, 0.1, 100.0);
   vtkGetMacro(StippleSize, double);
@@ -500,6 +520,7 @@ private:
   double InteriorExponent = 1.0;
   double InteriorSize = 0.5;
   double ValueEffect = 1.0;
+  int SizeUnit = THOUSANDTHS;
   double PixelsPerStipple = 4.0;
   double StippleSize = 2.0;
   bool GrowWithZoom = true;

@@ -9,6 +9,11 @@ const char* vtkInkStippleMapper::GetSmallElementsAsString()
   return this->SmallElements == PROBABILITY ? "Probability" : "Intensity";
 }
 
+const char* vtkInkStippleMapper::GetSizeUnitAsString()
+{
+  return this->SizeUnit == PIXELS ? "Pixels" : "Thousandths";
+}
+
 const char* vtkInkStippleMapper::GetPositionPrecisionAsString()
 {
   return this->PositionPrecision == QUANTIZED ? "Quantized" : "Float";
@@ -43,6 +48,7 @@ void vtkInkStippleMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetInteriorExponent(from->GetInteriorExponent());
     this->SetInteriorSize(from->GetInteriorSize());
     this->SetValueEffect(from->GetValueEffect());
+    this->SetSizeUnit(from->GetSizeUnit());
     this->SetPixelsPerStipple(from->GetPixelsPerStipple());
     this->SetStippleSize(from->GetStippleSize());
     this->SetGrowWithZoom(from->GetGrowWithZoom());
@@ -89,6 +95,7 @@ void vtkInkStippleMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InteriorExponent: " << this->InteriorExponent << "\n";
   os << indent << "InteriorSize: " << this->InteriorSize << "\n";
   os << indent << "ValueEffect: " << this->ValueEffect << "\n";
+  os << indent << "SizeUnit: " << this->GetSizeUnitAsString() << "\n";
   os << indent << "PixelsPerStipple: " << this->PixelsPerStipple << "\n";
   os << indent << "StippleSize: " << this->StippleSize << "\n";
   os << indent << "GrowWithZoom: " << (this->GrowWithZoom ? "On" : "Off") << "\n";

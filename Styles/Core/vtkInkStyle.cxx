@@ -127,6 +127,7 @@ InkStyleProcesses& vtkInkStyle::GetProcesses()
 std::string vtkInkStyle::MakeMarksOf(vtkInkStyle* part, const Input& input)
 {
   part->SetPictureSize(this->PictureSize);
+  part->SetPictureHeight(this->PictureHeight);
   part->SetInteractive(this->Interactive);
   part->SetProcesses(this->Processes);
   vtkNew<vtkCallbackCommand> command;
@@ -197,6 +198,16 @@ void vtkInkStyle::SetPictureSize(double pixels)
   }
 }
 
+void vtkInkStyle::SetPictureHeight(double pixels)
+{
+  const double kept = pixels > 1.0 ? std::min(pixels, 100000.0) : 1.0;
+  if (this->PictureHeight != kept)
+  {
+    this->PictureHeight = kept;
+    this->Modified();
+  }
+}
+
 bool vtkInkStyle::ReportProblem(const std::string& problem)
 {
   if (!problem.empty())
@@ -255,6 +266,7 @@ void vtkInkStyle::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PixelScale: " << this->PixelScale << "\n";
   os << indent << "PictureSize: " << this->PictureSize << "\n";
+  os << indent << "PictureHeight: " << this->PictureHeight << "\n";
   os << indent << "Interactive: " << (this->Interactive ? "On" : "Off") << "\n";
   os << indent << "Parameters:\n";
   for (const InkParameter& parameter : this->GetParameterTable().Parameters)

@@ -178,6 +178,15 @@ public:
 
   ///@{
   /**
+   * The height of that picture in its pixels, which lengths in thousandths are relative to. 1 to 100000;
+   * default: 600.
+   */
+  void SetPictureHeight(double pixels);
+  vtkGetMacro(PictureHeight, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether parameters change while the marks stay as they are: how many are made then depends on no
    * parameter that needs no new ones. Default: off.
    */
@@ -330,6 +339,7 @@ private:
   std::shared_ptr<InkStyleProcesses> Processes;
   double PixelScale = 1.0;
   double PictureSize = 600.0;
+  double PictureHeight = 600.0;
   bool Interactive = false;
   double Progress = 0.0;
   std::string ProgressText;

@@ -34,7 +34,7 @@
 namespace
 {
 
-/// Pixels that a stipple of a mesh takes where their number does not depend on the parameter.
+/// Square thousandths of the picture's height that a stipple of a mesh takes where their number does not depend on the parameter.
 constexpr double UsualRoom = 6.0;
 
 /// Takes a generator's properties that a drawing changes back when it is done.
@@ -358,10 +358,13 @@ void InkStippleRecipe::StippleSurface(vtkPolyData* mesh)
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
   const double room = style->GetInteractive() ? UsualRoom : style->PixelsPerStipple;
+  // The number of stipples depends on the picture's pixels only where their size does.
+  const bool inPixels = !style->GetInteractive() && style->SizeUnit == vtkInkStippleMapper::PIXELS;
+  const double size = style->GetPictureSize() * (inPixels ? 1.0 : 1e3 / style->GetPictureHeight());
   const vtkIdType count = style->NumberOfSurfaceStipples;
   const bool fixed = generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::FIXED;
   generator->SetNumberOfSurfaceStipples(count == 0 && fixed
-      ? vtkInkStippleGenerator::CountForPicture(mesh, style->GetPictureSize(), room)
+      ? vtkInkStippleGenerator::CountForPicture(mesh, size, room)
       : std::max<vtkIdType>(count, 0));
   generator->SetInputData(mesh);
   this->TakeColors(mesh, true);

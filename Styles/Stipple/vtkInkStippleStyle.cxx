@@ -145,7 +145,8 @@ void vtkInkStippleStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 
 void vtkInkStippleStyle::UpdatePixels()
 {
-  const double scale = this->GetPixelScale();
+  const double scale = this->SizeUnit == vtkInkStippleMapper::PIXELS ? this->GetPixelScale() : 1.0;
+  this->Mapper->SetSizeUnit(this->SizeUnit);
   this->Mapper->SetStippleSize(scale * this->StippleSize);
   this->Mapper->SetPixelsPerStipple(scale * scale * this->PixelsPerStipple);
 }
@@ -179,6 +180,7 @@ void vtkInkStippleStyle::SetPreset(int preset)
   this->Controls->SetPreset(vtkInkStippleControls::GetPresetName(preset));
   this->Controls->Apply(this->Mapper);
   this->Controls->GetPaperColor(this->PaperColor);
+  this->SizeUnit = this->Mapper->GetSizeUnit();
   this->StippleSize = this->Mapper->GetStippleSize();
   this->PixelsPerStipple = this->Mapper->GetPixelsPerStipple();
   this->UpdatePixels();
@@ -289,9 +291,15 @@ void vtkInkStippleStyle::SetPaperColor(double red, double green, double blue)
   this->PaperColor[2] = blue;
 }
 
-void vtkInkStippleStyle::SetStippleSize(double pixels)
+void vtkInkStippleStyle::SetSizeUnit(int unit)
 {
-  this->StippleSize = pixels;
+  this->SizeUnit = unit;
+  this->UpdatePixels();
+}
+
+void vtkInkStippleStyle::SetStippleSize(double size)
+{
+  this->StippleSize = size;
   this->UpdatePixels();
 }
 

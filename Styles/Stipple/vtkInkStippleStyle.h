@@ -112,7 +112,9 @@ public:
   vtkGetVector2Macro(LightDirection, double);
   void SetPaperColor(double red, double green, double blue);
   vtkGetVector3Macro(PaperColor, double);
-  void SetStippleSize(double pixels);
+  void SetSizeUnit(int unit);
+  vtkGetMacro(SizeUnit, int);
+  void SetStippleSize(double size);
   vtkGetMacro(StippleSize, double);
   void SetPixelsPerStipple(double pixels);
   vtkGetMacro(PixelsPerStipple, double);
@@ -158,8 +160,9 @@ private:
   vtkNew<vtkLight> Light;
   double LightDirection[2] = { -30.0, 30.0 };
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
-  double StippleSize = 0.0;      ///< in the picture's pixels
-  double PixelsPerStipple = 0.0; ///< in the picture's pixels
+  int SizeUnit = 0;              ///< as the mapper's
+  double StippleSize = 0.0;      ///< of a unit; pixels are the picture's
+  double PixelsPerStipple = 0.0; ///< of its square
   int StippleSource = AUTOMATIC;
   std::unique_ptr<InkIsoSurface> IsoSurface;
   bool SurfaceHides = true;

@@ -260,3 +260,49 @@ def test_truncated_dicom_files_are_refused(share, tmp_path, ink):
     result = ink("info", tmp_path / "series")
     assert result.code == 1
     assert "series" in result.error
+
+
+def test_one_file_stands_for_its_series(tmp_path, ink):
+    """Whatever it is called, and beside another series."""
+    ink_files.write_dicom(tmp_path / "series", BLOB)
+    whole = ink("info", tmp_path / "series").out.splitlines()[1:]
+    (tmp_path / "series" / "slice003.dcm").rename(tmp_path / "series" / "IM 0003")
+    for name in ("slice007.dcm", "IM 0003"):
+        result = ink("info", tmp_path / "series" / name)
+        assert result.code == 0, result
+        lines = result.out.splitlines()[1:]
+        assert [line for line in lines if not line.startswith("note")] == [line for line in whole if not line.startswith("note")]
+        assert f"it is one of {len(BLOB)} slices in its folder; all of them are read" in result.out
+    (tmp_path / "series" / "words.dcm").write_text("no DICOM at all")
+    assert "it is no DICOM file" in ink("info", tmp_path / "series" / "words.dcm").error
+
+
+def test_dicom_without_preamble(tmp_path, ink):
+    """Files of old begin with their elements."""
+    for implicit in (False, True):
+        ink_files.write_dicom(tmp_path / "series", BLOB, implicit=implicit)
+        expected = ink("info", tmp_path / "series").out
+        for file in (tmp_path / "series").iterdir():
+            file.write_bytes(file.read_bytes()[132:])
+        assert ink("info", tmp_path / "series").out == expected
+    # Nor with what says how elements are written.
+    meta = 12 + struct.unpack_from("<I", file.read_bytes(), 8)[0]
+    for file in (tmp_path / "series").iterdir():
+        file.write_bytes(file.read_bytes()[meta:])
+    assert ink("info", tmp_path / "series").out == expected
+
+
+def test_a_file_of_several_frames_is_a_volume(tmp_path, ink):
+    ink_files.write_dicom(tmp_path / "series", BLOB[:1])
+    data = (tmp_path / "series" / "slice000.dcm").read_bytes()
+    image = BLOB[0].astype("<u2").tobytes()
+    head = data[: data.rindex(ink_files.dicom_element(0x7FE0, 0x0010, "OW", image))]
+    body = ink_files.dicom_element(0x18, 0x0088, "DS", "2.5") + ink_files.dicom_element(0x28, 0x0008, "IS", str(len(BLOB)))
+    pixels = ink_files.dicom_element(0x7FE0, 0x0010, "OW", BLOB.astype("<u2").tobytes())
+    (tmp_path / "frames").write_bytes(head + body + pixels)
+    result = ink("info", tmp_path / "frames")
+    assert result.code == 0, result
+    assert f"dimensions     {BLOB.shape[2]} x {BLOB.shape[1]} x {BLOB.shape[0]}" in result.out
+    assert "spacing        1 1 2.5" in result.out
+    (tmp_path / "short").write_bytes(head + body + pixels[:-2])
+    assert "the file ends before" in ink("info", tmp_path / "short").error

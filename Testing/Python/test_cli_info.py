@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`ink info` says what is in a file, and `ink --version` and `--help` what is in ink."""
 
+import json
 import re
 
 import numpy as np
@@ -42,6 +43,34 @@ def test_mesh(ink, tmp_path):
     assert fields["cells"] == str(len(mesh[2]))
     assert fields["bounds"].endswith("-1 to 1")
     assert fields["point arrays"] == "Normals: float, 3 components"
+
+
+def test_several_files(ink, tmp_path):
+    ink_files.write_vti(tmp_path / "v.vti", ink_files.blob())
+    ink_files.write_vtp(tmp_path / "m.vtp", ink_files.sphere_mesh(6, 8))
+    both = ink("info", tmp_path / "v.vti", tmp_path / "m.vtp")
+    apart = [ink("info", tmp_path / name).out for name in ("v.vti", "m.vtp")]
+    assert both.code == 0 and both.out == "\n".join(apart)
+    result = ink("info", tmp_path / "v.vti", tmp_path / "absent.vti")
+    assert result.code == 1 and "absent.vti" in result.error
+
+
+def test_json(ink, tmp_path):
+    volume = ink_files.blob((20, 24, 28)).astype(np.float32)
+    volume[0, 0, 0] = np.nan
+    ink_files.write_vti(tmp_path / "v.vti", volume)
+    ink_files.write_vtp(tmp_path / "m.vtp", ink_files.sphere_mesh(6, 8))
+    result = ink("info", "--json", tmp_path / "v.vti", tmp_path / "m.vtp")
+    assert (result.code, result.err) == (0, "")
+    first, second = json.loads(result.out)
+    assert first["file"] == str(tmp_path / "v.vti") and first["dimensions"] == [28, 24, 20]
+    assert first["type"] == "float" and first["components"] == 1 and first["not_finite"] == 1
+    assert first["range"] == [0, pytest.approx(200, abs=1)] and 0 < first["suggested_iso"] < 200
+    assert second["points"] == len(ink_files.sphere_mesh(6, 8)[0])
+    assert second["point_arrays"] == [{"name": "Normals", "type": "float", "components": 3}]
+    ink_files.write_vti(tmp_path / "c.vti", np.full((4, 4, 4), 7, np.uint8))
+    constant = json.loads(ink("info", "--json", tmp_path / "c.vti").out)[0]
+    assert constant["range"] == [7, 7] and constant["suggested_iso"] is None
 
 
 def test_rescaled_values(ink, tmp_path):

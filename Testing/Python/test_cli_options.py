@@ -83,10 +83,21 @@ def test_the_file_after_three_numbers(ink, tmp_path):
 
 
 def test_iso_values_one_by_one_before_the_file(ink, volume_file, tmp_path):
-    apart = ink("sample", "--iso", 80, "--iso", 120, volume_file, "-o", tmp_path / "apart.vtp")
+    apart = ink("sample", "-q", "--iso", 80, "--iso", 120, volume_file, "-o", tmp_path / "apart.vtp")
     assert (apart.code, apart.err) == (0, "")
     assert ink("sample", volume_file, tmp_path / "after.vtp", "--iso", 80, "--iso", 120).code == 0
     assert (tmp_path / "apart.vtp").read_bytes() == (tmp_path / "after.vtp").read_bytes()
+    assert ink("sample", volume_file, tmp_path / "commas.vtp", "--iso", "80,120").code == 0
+    assert (tmp_path / "apart.vtp").read_bytes() == (tmp_path / "commas.vtp").read_bytes()
+
+
+def test_the_style_of_a_preset_need_not_be_named(ink, picture, volume_file):
+    named = picture(volume_file, "--style", "stipple", "--preset", "engineering")
+    assert (picture(volume_file, "--preset", "engineering") == named).all()
+    assert (picture(volume_file, "--preset=engineering") == named).all()
+    # An option that only another style has is told from it.
+    result = ink("render", volume_file, "-o", "none.png", "--preset", "engineering", "--tau", 1)
+    assert result.code == 2 and result.error.startswith("ink: error: --tau: expected with --style")
 
 
 @pytest.mark.parametrize("options, name", [

@@ -60,7 +60,7 @@ def test_same_stipples_on_any_number_of_threads(ink, volume_file, tmp_path):
     pictures = []
     for threads in ("1", "2"):
         out = tmp_path / f"{threads}.png"
-        result = ink("render", volume_file, "--style", "stipple", "--size", "150x150", "-o", out,
+        result = ink("render", volume_file, "--style", "stipple", "--size", "150x150", "-q", "-o", out,
                      env={"VTK_SMP_MAX_THREADS": threads})
         assert (result.code, result.err) == (0, "")
         pictures.append(out.read_bytes())

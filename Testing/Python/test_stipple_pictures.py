@@ -36,6 +36,7 @@ class Scene:
         self.generator.SetMaximumStipples(maximum)
         self.generator.SetGradientPercentile(88)
         self.mapper = vtkink.vtkInkStippleMapper()
+        self.mapper.SetSizeUnitToPixels()
         self.mapper.SetInputConnection(self.generator.GetOutputPort())
         self.actor = vtk.vtkActor()
         self.actor.SetMapper(self.mapper)
@@ -54,6 +55,7 @@ class Scene:
 
     def apply(self):
         self.controls.Apply(self.mapper)
+        self.mapper.SetSizeUnitToPixels()
         paper = [0, 0, 0]
         self.controls.GetPaperColor(paper)
         self.renderer.SetBackground(paper)

@@ -243,7 +243,7 @@ def test_files_that_cannot_be_read(tmp_path):
 def test_styles_are_described():
     assert STYLES["stipple"].presets[0] == "anatomy" and not STYLES["splatting-lines"].presets
     size = STYLES["stipple"].parameters["stipple_size"]
-    assert (size.name, size.default, size.range, size.unit) == ("StippleSize", "2.2", (0.1, 100.0), "pixels")
+    assert (size.name, size.default, size.range, size.unit) == ("StippleSize", "2.2", (0.1, 100.0), "1/1000 of height")
     assert STYLES["splatting-lines"].parameters["radius"].range == (0.0, None)
     for style in STYLES.values():
         assert all(parameter.text.endswith(".") and parameter.group for parameter in style.parameters.values())

@@ -131,6 +131,7 @@ void convert(const ConvertOptions& options)
     {
       std::cerr << "ink: " << note << '\n';
     }
+    std::cerr << "ink: wrote " << options.output.string() << ": " << bytes.size() << " bytes\n";
   }
 }
 

@@ -15,17 +15,66 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+// clang-format off
+#include "vtk_nlohmannjson.h"
+#include VTK_NLOHMANN_JSON(json.hpp)
+// clang-format on
+
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace ink::cli
 {
 namespace
 {
 
-void line(const char* name, const std::string& value)
+/// What there is to say of a file, as lines of text and as JSON.
+class Description
 {
-  std::cout << std::left << std::setw(15) << name << value << '\n';
+public:
+  /// @param name as people read it; underscores take the place of its spaces in JSON. An empty one continues the line
+  /// before, in the same entry of JSON
+  void add(const std::string& name, const std::string& line, nlohmann::ordered_json value)
+  {
+    this->Lines.emplace_back(name, line);
+    if (!name.empty())
+    {
+      std::string key = name;
+      std::replace(key.begin(), key.end(), ' ', '_');
+      this->Values[key] = std::move(value);
+    }
+  }
+  void add(const std::string& name, const std::string& line) { this->add(name, line, line); }
+
+  void print(std::ostream& stream) const
+  {
+    constexpr int width = 15;
+    for (const auto& [name, line] : this->Lines)
+    {
+      stream << std::left << std::setw(width) << name << line << '\n';
+    }
+  }
+  const nlohmann::ordered_json& json() const { return this->Values; }
+
+private:
+  std::vector<std::pair<std::string, std::string>> Lines;
+  nlohmann::ordered_json Values = nlohmann::ordered_json::object();
+};
+
+/// What is not finite becomes null, as JSON has no number for it.
+nlohmann::ordered_json listOf(const double* numbers, int count)
+{
+  return std::vector<double>(numbers, numbers + count);
+}
+
+std::string boundsText(const double b[6])
+{
+  return text(b[0]) + " to " + text(b[1]) + ", " + text(b[2]) + " to " + text(b[3]) + ", " + text(b[4]) + " to " +
+    text(b[5]);
 }
 
 /// What only all values together tell.
@@ -42,68 +91,89 @@ Statistics examine(VolumeSlices& volume, Progress& progress)
   return { values, suggestIsoValues(volume, progress) };
 }
 
-void describeVolume(const VolumeSlices& volume, const Input& input, const Statistics& statistics)
+void describeVolume(
+  Description& description, const VolumeSlices& volume, const Input& input, const Statistics& statistics)
 {
   const auto& [values, suggestions] = statistics;
   vtkImageData* image = volume.frame();
-  line("dimensions", dimensionsText(image->GetDimensions()));
-  line("spacing", tripleText(image->GetSpacing()));
-  line("origin", tripleText(image->GetOrigin()));
+  const int* dimensions = image->GetDimensions();
+  description.add("dimensions", dimensionsText(dimensions), std::vector<int>(dimensions, dimensions + 3));
+  description.add("spacing", tripleText(image->GetSpacing()), listOf(image->GetSpacing(), 3));
+  description.add("origin", tripleText(image->GetOrigin()), listOf(image->GetOrigin(), 3));
+  const double* b = image->GetBounds();
+  description.add("bounds", boundsText(b), listOf(b, 6));
   vtkMatrix3x3* direction = image->GetDirectionMatrix();
   if (!direction->IsIdentity())
   {
     const double* d = direction->GetData();
-    line("direction", tripleText(d) + ", " + tripleText(d + 3) + ", " + tripleText(d + 6));
+    description.add(
+      "direction", tripleText(d) + ", " + tripleText(d + 3) + ", " + tripleText(d + 6), listOf(d, 9));
   }
-  line("type",
-    vtkImageScalarTypeNameMacro(volume.type()) +
-      (" (" + std::to_string(8 * vtkDataArray::GetDataTypeSize(volume.type()))) + " bits)");
-  line("components", std::to_string(input.components));
-  line(
-    "range", values.least > values.greatest ? "none" : text(values.least) + " to " + text(values.greatest));
+  const std::string type = vtkImageScalarTypeNameMacro(volume.type());
+  description.add(
+    "type", type + " (" + std::to_string(8 * vtkDataArray::GetDataTypeSize(volume.type())) + " bits)", type);
+  description.add("components", std::to_string(input.components), input.components);
+  if (values.least > values.greatest)
+  {
+    description.add("range", "none", nullptr);
+  }
+  else
+  {
+    description.add(
+      "range", text(values.least) + " to " + text(values.greatest), { values.least, values.greatest });
+  }
   if (values.notFinite > 0)
   {
-    line("not finite", std::to_string(values.notFinite) + " voxels");
+    description.add("not finite", std::to_string(values.notFinite) + " voxels", values.notFinite);
   }
   if (input.surfaceValue)
   {
-    line("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)");
+    description.add("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)", *input.surfaceValue);
     return;
+  }
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const IsoSuggestion& suggestion : suggestions)
+  {
+    list.push_back({ { "value", suggestion.value }, { "shows", InkDescribe(suggestion) }, { "kept_share", suggestion.keptShare } });
   }
   if (suggestions.empty())
   {
-    line("suggested iso", "none: the volume has no two values");
+    description.add("suggested iso", "none: the volume has no two values", nullptr);
+    return;
   }
   for (const IsoSuggestion& suggestion : suggestions)
   {
-    const bool best = &suggestion == &suggestions.front();
-    line(best ? "suggested iso" : "", text(suggestion.value) + " (" + InkDescribe(suggestion) + ")");
+    const std::string line = text(suggestion.value) + " (" + InkDescribe(suggestion) + ")";
+    description.add(&suggestion == &suggestions.front() ? "suggested iso" : "", line, list);
   }
 }
 
-void describeMesh(vtkPolyData* mesh)
+void describeMesh(Description& description, vtkPolyData* mesh)
 {
-  line("points", std::to_string(mesh->GetNumberOfPoints()));
-  line("cells", std::to_string(mesh->GetNumberOfCells()));
+  description.add("points", std::to_string(mesh->GetNumberOfPoints()), mesh->GetNumberOfPoints());
+  description.add("cells", std::to_string(mesh->GetNumberOfCells()), mesh->GetNumberOfCells());
   const double* b = mesh->GetBounds();
-  line("bounds",
-    text(b[0]) + " to " + text(b[1]) + ", " + text(b[2]) + " to " + text(b[3]) + ", " + text(b[4]) + " to " +
-      text(b[5]));
+  description.add("bounds", boundsText(b), listOf(b, 6));
   vtkPointData* pointData = mesh->GetPointData();
+  auto arrays = nlohmann::ordered_json::array();
+  std::vector<std::string> lines;
   for (int i = 0; i < pointData->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = pointData->GetAbstractArray(i);
-    line(i == 0 ? "point arrays" : "",
-      std::string(array->GetName() ? array->GetName() : "(no name)") + ": " + array->GetDataTypeAsString() +
-        ", " + std::to_string(array->GetNumberOfComponents()) + " components");
+    const std::string name = array->GetName() ? array->GetName() : "(no name)";
+    const std::string type = array->GetDataTypeAsString();
+    const int components = array->GetNumberOfComponents();
+    arrays.push_back({ { "name", name }, { "type", type }, { "components", components } });
+    lines.push_back(name + ": " + type + ", " + std::to_string(components) + " components");
+  }
+  for (const std::string& line : lines)
+  {
+    description.add(&line == &lines.front() ? "point arrays" : "", line, arrays);
   }
 }
 
-} // namespace
-
-void info(const InputOptions& options, bool quiet)
+Description describe(const InputOptions& options, Progress& progress)
 {
-  Progress progress(quiet);
   const Input input = readInput(options, progress);
   Statistics statistics;
   if (input.volume)
@@ -111,19 +181,47 @@ void info(const InputOptions& options, bool quiet)
     statistics = examine(*input.volume, progress);
   }
   progress.finish();
-  line("file", options.file.string());
-  line("format", input.format);
+  Description description;
+  description.add("file", options.file.string());
+  description.add("format", input.format);
   if (input.volume)
   {
-    describeVolume(*input.volume, input, statistics);
+    describeVolume(description, *input.volume, input, statistics);
   }
   else
   {
-    describeMesh(vtkPolyData::SafeDownCast(input.data));
+    describeMesh(description, vtkPolyData::SafeDownCast(input.data));
   }
   for (const std::string& note : input.notes)
   {
-    line("note", note);
+    description.add("note", note, input.notes);
+  }
+  return description;
+}
+
+} // namespace
+
+void info(const InfoOptions& options)
+{
+  Progress progress(options.quiet);
+  auto all = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& file : options.files)
+  {
+    InputOptions one = options.input;
+    one.file = file;
+    const Description description = describe(one, progress);
+    if (options.json)
+    {
+      all.push_back(description.json());
+      continue;
+    }
+    std::cout << (&file == &options.files.front() ? "" : "\n");
+    description.print(std::cout);
+  }
+  if (options.json)
+  {
+    // Names of files may be no UTF-8.
+    std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   }
 }
 

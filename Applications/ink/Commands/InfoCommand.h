@@ -3,11 +3,24 @@
 
 #include "Input.h"
 
+#include <filesystem>
+#include <vector>
+
 namespace ink::cli
 {
 
-/// Prints what a file holds to the standard output stream.
+/// What `ink info` was asked for.
+struct InfoOptions
+{
+  InputOptions input; ///< how each of the files is read
+  std::vector<std::filesystem::path> files;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Prints what files hold to the standard output stream: one after the other with an empty line between them, or as JSON, a
+/// list of one object for each.
 /// @throws Failure
-void info(const InputOptions& options, bool quiet);
+void info(const InfoOptions& options);
 
 } // namespace ink::cli

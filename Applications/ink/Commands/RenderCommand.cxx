@@ -5,38 +5,44 @@
 #include "Errors.h"
 #include "Graphics.h"
 #include "OutputFile.h"
-#include "Picture.h"
+#include "PictureEncoder.h"
 #include "Progress.h"
 #include "RenderFrames.h"
 
 #include "InkIsoSurface.h"
 
 #include "vtkCamera.h"
-#include "vtkImageData.h"
 #include "vtkInkCameraFit.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <iostream>
 #include <regex>
 
 namespace ink::cli
 {
+int PictureSize::longestTile() const
+{
+  const bool atOnce = std::max(this->width, this->height) <= longestWindow &&
+    static_cast<long long>(this->width) * this->height <= mostPixelsAtOnce;
+  return this->tile > 0 ? this->tile : atOnce ? longestWindow : usualTile;
+}
+
 PictureSize PictureSize::parse(const std::string& text)
 {
-  static const std::regex pattern(R"((\d{1,9})x(\d{1,9}))");
+  static const std::regex pattern(R"((\d{1,9})(?:x(\d{1,9}))?)");
   const std::string problem = "--size '" + text + "': ";
   std::smatch match;
   if (!std::regex_match(text, match, pattern))
   {
-    throw UsageError(problem + "expected WxH in pixels, as 1600x1200");
+    throw UsageError(problem + "expected WxH or, of a square, one number in pixels, as 1600x1200 or 1024");
   }
-  const PictureSize size{ std::stoi(match[1]), std::stoi(match[2]) };
-  if (size.width < 1 || size.height < 1 || size.width > largestSide || size.height > largestSide ||
+  const PictureSize size{ std::stoi(match[1]), std::stoi(match[match[2].matched ? 2 : 1]) };
+  if (size.width < 1 || size.height < 1 || size.width > longestSide || size.height > longestSide ||
     static_cast<long long>(size.width) * size.height > mostPixels)
   {
-    throw UsageError(problem + "expected 1 to " + std::to_string(largestSide) +
+    throw UsageError(problem + "expected 1 to " + std::to_string(longestSide) +
       " pixels a side and at most " + std::to_string(mostPixels / 1'000'000) + " million in all");
   }
   return size;
@@ -73,23 +79,24 @@ void render(const RenderOptions& options)
   const StyledScene subject = SceneMaker(options).make(input, progress);
   progress.step("drawing");
   Drawing drawing(options);
+  const std::vector<std::string> looked = drawing.look(input, options.input.file);
   const auto fit = drawing.makeFit();
   fit->AddPoints(subject.frame, drawing.camera());
-  const auto picture = drawing.draw(subject, fit);
-  progress.step("writing " + options.output.filename().string());
-  const auto png = encodePng(picture);
-  output.write({ png->GetPointer(0), static_cast<std::size_t>(png->GetNumberOfValues()) });
+  writePicture(output, options.output, drawing.layout(),
+    [&](const RowSink& sink)
+    { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
   progress.finish();
 
   if (!options.quiet)
   {
-    for (const auto* notes : { &input.notes, &subject.notes })
+    for (const auto* notes : { &input.notes, &subject.notes, &looked })
     {
       for (const std::string& note : *notes)
       {
         std::cerr << "ink: " << note << '\n';
       }
     }
+    std::cerr << "ink: wrote " << describe(options.output, drawing.layout()) << '\n';
   }
 }
 

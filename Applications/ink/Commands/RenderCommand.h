@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <optional>
 
 class vtkInkStyle;
@@ -21,14 +22,22 @@ struct PictureSize
   /// What is rendered is this much larger on either side; see takePicture.
   static constexpr int supersampling = 2;
   /// OpenGL implementations of today draw 16384 pixels.
-  static constexpr int largestSide = 16384 / supersampling;
+  static constexpr int longestWindow = 16384 / supersampling;
   /// Some OpenGL implementations, Mesa's for the CPU among them, refuse float images of more than 2 GiB.
-  static constexpr int mostPixels = 24'000'000;
+  static constexpr int mostPixelsAtOnce = 24'000'000;
+  /// The side of tiles of what is larger, by default.
+  static constexpr int usualTile = 2048;
+  static constexpr int longestSide = 100'000;
+  static constexpr long long mostPixels = 2'000'000'000;
 
   int width = 1024;
   int height = 1024;
+  int tile = 0; ///< the longest side of a tile, pixels; 0: none where the picture can be drawn at once
 
-  /// From "WxH". @throws UsageError
+  /// The longest side that is drawn at once.
+  int longestTile() const;
+
+  /// From "N", which is a square, or "WxH". @throws UsageError
   static PictureSize parse(const std::string& text);
 };
 
@@ -46,12 +55,17 @@ struct RenderOptions
 {
   InputOptions input;
   std::filesystem::path output;
-  std::string view = "front";
+  std::optional<std::string> view; ///< by its name; none: the side of a mesh that shows most, or the front
+  std::optional<std::string> up;   ///< the axis that is up; none: as a mesh seems to stand, or z
+  std::optional<std::array<double, 3>> position;   ///< of the viewer, in place of one from where all is seen
+  std::optional<std::array<double, 3>> focalPoint; ///< in the middle of the picture
+  double roll = 0;                                 ///< degrees that the picture is turned counterclockwise
   double azimuth = 0;   ///< degrees
   double elevation = 0; ///< degrees
   double zoom = 1;
   bool parallel = false;
   PictureSize size;
+  double dotsPerInch = 300;
   vtkSmartPointer<vtkInkStyle> style;         ///< set up but for its data
   const StyleArguments* parameters = nullptr; ///< that it was set up by
   bool transparent = false;

@@ -3,19 +3,18 @@
 
 #include "Drawing.h"
 #include "OutputFile.h"
-#include "Picture.h"
+#include "PictureEncoder.h"
 #include "Progress.h"
 #include "RenderCommand.h"
 #include "Video.h"
 
 #include "vtkCamera.h"
-#include "vtkImageData.h"
 #include "vtkInkCameraFit.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -34,8 +33,9 @@ class FrameOutput
 {
 public:
   FrameOutput(const RenderOptions& options, std::size_t frames)
+    : Name(options.output)
   {
-    const fs::path& file = options.output;
+    const fs::path& file = this->Name;
     if (Video::isVideo(file))
     {
       this->Film = std::make_unique<Video>(
@@ -48,24 +48,17 @@ public:
     }
   }
 
-  void write(std::size_t frame, vtkImageData* picture)
+  /// @param draw hands over all rows
+  void write(std::size_t frame, const PictureLayout& layout, const std::function<void(const RowSink&)>& draw)
   {
-    if (!this->Film)
+    if (this->Film)
     {
-      const auto png = encodePng(picture);
-      this->Files[frame].write({ png->GetPointer(0), static_cast<std::size_t>(png->GetNumberOfValues()) });
-      return;
+      draw([this](std::span<const unsigned char> rows) { this->Film->add(rows); });
     }
-    // VTK's lowest row is the first.
-    const int* size = picture->GetDimensions();
-    const std::size_t row = 3 * static_cast<std::size_t>(size[0]);
-    const auto* pixels = static_cast<const unsigned char*>(picture->GetScalarPointer());
-    std::vector<unsigned char> turned(row * static_cast<std::size_t>(size[1]));
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size[1]); ++y)
+    else
     {
-      std::copy_n(pixels + y * row, row, turned.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
+      writePicture(this->Files[frame], this->Name, layout, draw);
     }
-    this->Film->add(turned);
   }
 
   void finish()
@@ -90,6 +83,7 @@ private:
     return file.parent_path() / (name.substr(0, begin) + digits + name.substr(end + 1));
   }
 
+  fs::path Name; ///< with its %04d
   std::deque<OutputFile> Files;
   std::unique_ptr<Video> Film;
 };
@@ -124,6 +118,7 @@ void turn(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
   notes.add(subject.notes);
   const double* b = subject.frame->GetBounds();
   Drawing drawing(options);
+  notes.add(drawing.look(input, options.input.file));
   const auto fit = drawing.makeFit();
   fit->SetPivot((b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2);
   const auto angle = [&](std::size_t frame)
@@ -135,7 +130,9 @@ void turn(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
   for (std::size_t i = 0; i < frames; ++i)
   {
     progress.step("drawing frame " + std::to_string(i + 1) + " of " + std::to_string(frames));
-    output.write(i, drawing.draw(subject, fit, angle(i)));
+    output.write(i, drawing.layout(),
+      [&](const RowSink& sink)
+      { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }, angle(i)); });
   }
 }
 
@@ -161,6 +158,10 @@ void play(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
       continue;
     }
     const Input input = inputAt(i);
+    if (i == 0)
+    {
+      notes.add(drawing.look(input, animation.files[animation.frames[0]]));
+    }
     std::vector<std::string> chosen;
     subjects.keepIsoValue(input, chosen, progress);
     notes.add(chosen);
@@ -178,7 +179,9 @@ void play(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
     notes.add(subject.notes);
     progress.step(
       "drawing frame " + std::to_string(i + 1) + " of " + std::to_string(animation.frames.size()));
-    output.write(i, drawing.draw(subject, fit));
+    output.write(i, drawing.layout(),
+      [&](const RowSink& sink)
+      { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
   }
 }
 
@@ -200,6 +203,7 @@ void renderFrames(const RenderOptions& options)
     {
       std::cerr << "ink: " << note << '\n';
     }
+    std::cerr << "ink: wrote " << animation.frames.size() << " frames to " << options.output.string() << '\n';
   }
 }
 

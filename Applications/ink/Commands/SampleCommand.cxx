@@ -26,6 +26,7 @@ void sample(const SampleOptions& options)
     options.input, progress, options.volume.isoValues.empty() ? Wanted::Surface : Wanted::GivenSurfaces);
   PointStore points(options.input.memory.forKeptPoints(), output.temporaryFolder());
   std::vector<std::string> notes = input.notes;
+  requireSlices(input);
   if (input.isVolume())
   {
     if (options.meshOption)
@@ -55,6 +56,7 @@ void sample(const SampleOptions& options)
     {
       std::cerr << "ink: " << note << '\n';
     }
+    std::cerr << "ink: wrote " << options.output.string() << ": " << points.size() << " points\n";
   }
 }
 

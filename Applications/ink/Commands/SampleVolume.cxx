@@ -263,10 +263,7 @@ std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling
   checkIsoValues(isoValues, values);
   if (sampler.count() == 0)
   {
-    const int* dimensions = volume.dimensions().data();
-    const bool flat = dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2;
-    throw Failure(flat ? "no surface: a volume of " + dimensionsText(dimensions) + " voxels has no cells"
-                       : "no surface at iso-value " + text(isoValues.front()));
+    throw Failure("no surface at iso-value " + text(isoValues.front()));
   }
   return notes;
 }

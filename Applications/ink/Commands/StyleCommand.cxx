@@ -18,7 +18,7 @@ void StyleCommand::add(CLI::App* command, const std::string& styleName, bool all
   }
   command->add_option("NAME", this->name, "the style: " + known)
     ->required()
-    ->check(CLI::IsMember(StyleArguments::names()));
+    ->check(oneOf(StyleArguments::names()));
   this->parameters.add(command, styleName, all);
 }
 

@@ -114,6 +114,7 @@ SceneMaker::SceneMaker(const RenderOptions& options, bool follow)
 
 void SceneMaker::keepIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress)
 {
+  requireSlices(input);
   if (isoValuesOf(this->Options.style).empty() && input.isVolume())
   {
     setIsoValues(this->Options.style, chooseIsoValue(input, notes, progress));
@@ -122,6 +123,7 @@ void SceneMaker::keepIsoValue(const Input& input, std::vector<std::string>& note
 
 StyledScene SceneMaker::make(const Input& input, Progress& progress)
 {
+  requireSlices(input);
   vtkInkStyle* style = this->Options.style;
   this->Options.parameters->checkData(kindOf(input), nameOf(kindOf(input)));
   StyledScene subject;

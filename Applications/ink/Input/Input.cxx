@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input.h"
 
+#include "Crop.h"
 #include "Errors.h"
 #include "FormatNumber.h"
 #include "ReadError.h"
@@ -11,6 +12,8 @@
 #include "vtkImageData.h"
 #include "vtkInkMeshReader.h"
 #include "vtkInkVolumeReader.h"
+
+#include <algorithm>
 
 namespace fs = std::filesystem;
 
@@ -64,7 +67,7 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   {
     throw UsageError("--grid: only OpenVDB files have grids, '" + file.string() + "' is none");
   }
-  if (contains(vtkInkVolumeReader::GetFileExtensions(), suffix))
+  if (contains(vtkInkVolumeReader::GetFileExtensions(), suffix) || vtkInkVolumeReader::IsDicomFile(file.c_str()))
   {
     return readVolume(file, {}, options.memory, progress);
   }
@@ -96,12 +99,31 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
 
 Input readInput(const InputOptions& options, Progress& progress, Wanted wanted)
 {
-  Input input = read(options, wanted, progress);
+  // What is cut out of a volume is cut out of its voxels.
+  Input input = read(options, options.crop ? Wanted::Values : wanted, progress);
+  if (options.crop)
+  {
+    crop(input, *options.crop);
+  }
   if (auto* image = vtkImageData::SafeDownCast(input.data))
   {
     input.volume = std::make_shared<VolumeSlices>(image);
   }
   return input;
+}
+
+void requireSlices(const Input& input)
+{
+  if (!input.volume)
+  {
+    return;
+  }
+  const auto& dimensions = input.volume->dimensions();
+  if (*std::min_element(dimensions.begin(), dimensions.end()) < 2)
+  {
+    throw Failure("the volume is a single slice, " + dimensionsText(dimensions.data()) +
+      " voxels: expected two slices or more in each direction, so that there are surfaces between them");
+  }
 }
 
 void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes)

@@ -7,6 +7,7 @@
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -38,6 +39,7 @@ struct InputOptions
   std::filesystem::path file;
   std::optional<RawLayout> raw; ///< given: the file has no header
   std::string grid;             ///< of an OpenVDB file; empty: the first that can be read
+  std::optional<std::array<double, 6>> crop; ///< the part to keep: x, y and z from and to, in world coordinates
   Memory memory;
 };
 
@@ -71,6 +73,9 @@ enum class Wanted
 /// left to Input::volumeSampler where surfaces are wanted and nothing else. @throws Failure if it cannot be
 /// read whole, with the reason.
 Input readInput(const InputOptions& options, Progress& progress, Wanted wanted = Wanted::Values);
+
+/// @throws Failure for a volume that is no more than a slice, in which nothing lies between voxels
+void requireSlices(const Input& input);
 
 /// Where no iso-value is given and the file says one, takes that and notes it.
 void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::vector<std::string>& notes);

@@ -26,7 +26,7 @@ void CloudArguments::add(CLI::App* command)
           std::to_string(sampler->GetNormalNeighbors()) + ")")
       ->type_name("N")
       ->group(group)
-      ->check(within(sampler->GetNormalNeighborsMinValue(), sampler->GetNormalNeighborsMaxValue())));
+      ->check(wholeNumber(sampler->GetNormalNeighborsMinValue(), sampler->GetNormalNeighborsMaxValue())));
   this->All.push_back(command
                         ->add_option("--viewpoint", this->viewpoint,
                           "where the scanner stood: estimated normals point to its side (outwards)")

@@ -17,13 +17,14 @@ void ConvertArguments::add(CLI::App* command)
     ->add_option("--around", this->options.around,
       "keep only a narrow band around the surface of this value; the voxels outside of it just say which\n"
       "side they are on. Without it the whole volume is written, equal regions as one")
-    ->type_name("ISO");
+    ->type_name("ISO")
+    ->check(anyNumber());
   command
     ->add_option("--half-width", this->options.halfWidth,
       "how many voxels the band goes on beyond those beside the surface (3)")
     ->type_name("VOXELS")
     ->needs("--around")
-    ->check(CLI::Range(narrowest, widest));
+    ->check(wholeNumber(narrowest, widest));
   command->add_option("--name", this->options.name, "name of the grid (density)")->type_name("NAME");
   command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
   this->input.addReading(command);

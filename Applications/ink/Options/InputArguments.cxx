@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputArguments.h"
 
+#include "Errors.h"
+#include "FormatNumber.h"
+
 #include <algorithm>
-#include <sstream>
 
 namespace ink::cli
 {
@@ -17,32 +19,27 @@ constexpr const char* vdbSuffix = "";
 
 } // namespace
 
-CLI::Validator within(double least, double greatest)
+std::string InputArguments::fileHelp(const std::string& mesh)
 {
-  std::ostringstream range;
-  range << least << " to " << greatest;
-  return { [range = range.str(), least, greatest](std::string& text)
-    {
-      double value = 0;
-      const bool valid = CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest;
-      return valid ? std::string() : "'" + text + "': expected a number from " + range;
-    },
-    range.str(), "within" };
+  return "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .vti .vtk .dcm" + std::string(vdbSuffix) +
+    ", a folder of DICOM files, or any file with --raw;\n" + mesh + ": .ply .obj .stl .vtp .xyz";
 }
 
 void InputArguments::addFile(CLI::App* command, const std::string& mesh)
 {
-  command
-    ->add_option("FILE", this->file,
-      "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .vti .vtk" + std::string(vdbSuffix) +
-        ", a folder of DICOM files, or any file with "
-        "--raw;\n" +
-        mesh + ": .ply .obj .stl .vtp .xyz")
-    ->required();
+  command->add_option("FILE", this->file, fileHelp(mesh))->required();
 }
 
 void InputArguments::addReading(CLI::App* command)
 {
+  command
+    ->add_option("--crop", this->crop,
+      "keep only what lies in a box, in the file's coordinates as 'ink info' has them, of a volume in whole voxels")
+    ->delimiter(',')
+    ->expected(6)
+    ->allow_extra_args(false)
+    ->type_name("x0,x1,y0,y1,z0,z1")
+    ->check(anyNumber());
   command
     ->add_option("--memory", this->memory,
       "about how much memory to use, as 800MiB or 4GiB (half of the machine's). Volumes in raw files and in\n"
@@ -84,6 +81,18 @@ InputOptions InputArguments::options() const
     options.raw = RawLayout::parse(*this->raw);
     std::copy(this->spacing.begin(), this->spacing.end(), options.raw->spacing);
     options.raw->bigEndian = this->bigEndian;
+  }
+  if (!this->crop.empty())
+  {
+    std::copy_n(this->crop.begin(), 6, options.crop.emplace().begin());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (this->crop[2 * axis] > this->crop[2 * axis + 1])
+      {
+        throw UsageError("--crop: expected x0 <= x1, y0 <= y1 and z0 <= z1, found " + text(this->crop[2 * axis]) +
+          " and " + text(this->crop[2 * axis + 1]));
+      }
+    }
   }
   if (!this->memory.empty())
   {

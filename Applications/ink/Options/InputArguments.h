@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Input.h"
+#include "Validators.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,9 +13,6 @@
 namespace ink::cli
 {
 
-/// A finite number between two others; CLI11's own check lets NaN pass.
-CLI::Validator within(double least, double greatest);
-
 /// Options of the input file that all commands have.
 struct InputArguments
 {
@@ -22,9 +20,13 @@ struct InputArguments
   std::optional<std::string> raw;
   std::vector<double> spacing{ 1, 1, 1 };
   bool bigEndian = false;
+  std::vector<double> crop;
   std::string grid;
   std::string memory;
 
+  /// Which files are read.
+  /// @param mesh what is done with a mesh
+  static std::string fileHelp(const std::string& mesh);
   /// @param mesh what is done with a mesh, for the help
   void addFile(CLI::App* command, const std::string& mesh = "mesh");
   /// Further options, in groups of their own.

@@ -2,6 +2,7 @@
 // What the options of a style come to.
 #include "Errors.h"
 #include "StyleArguments.h"
+#include "Suggestion.h"
 
 // clang-format off
 #include "vtk_nlohmannjson.h"
@@ -91,8 +92,14 @@ void StyleArguments::set(const InkParameter& parameter, const std::string& optio
   InkParameterValue value;
   if (const std::string problem = parameter.Parse(text, this->style, value); !problem.empty())
   {
+    std::vector<std::string> entries;
+    for (const InkParameter::Entry& entry : parameter.Entries)
+    {
+      entries.emplace_back(entry.Name);
+    }
     throw UsageError(option + " '" + text +
       "': " + (parameter.CheckText ? problem : "expected " + parameter.Expected(this->style)) + otherwise +
+      didYouMean(text, entries) +
       (option == "--paper-color" && text == "none" ? "; --transparent leaves the page out" : ""));
   }
   this->values[&parameter] = value;

@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "FrameChoice.h"
+#include "PictureEncoder.h"
 #include "Series.h"
 #include "StyledScene.h"
 #include "Video.h"
@@ -20,7 +21,9 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
   this->input.addFile(command, "mesh or points");
   command
     ->add_option("-o,--output", this->output,
-      "the picture to write; of several frames out_%04d.png, or a video: .mp4, .webm or .gif")
+      "the picture to write, " + PictureEncoder::suffixes() +
+        ", or - for a PNG to the standard output; of several\n"
+        "frames out_%04d.png, or a video: .mp4, .webm or .gif")
     ->required()
     ->type_name("OUT.png");
   command
@@ -28,7 +31,7 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
       "way of drawing: illustration, splatting-lines or stipple (illustration); 'ink render --style NAME --help' shows "
       "its options")
     ->type_name("NAME")
-    ->check(CLI::IsMember(StyleArguments::names()));
+    ->check(oneOf(StyleArguments::names()));
   std::vector<std::string> views;
   for (const auto& [name, view] : namedViews())
   {
@@ -37,21 +40,48 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
   command
     ->add_option("--view", this->options.view,
       "side to look at: front, back, left, right, top, bottom, or iso, from the front, left and top at "
-      "once (front).\n"
+      "once\n(front; of a mesh the side that shows most).\n"
       "World axes are read as DICOM's: +x is the subject's left, +y its back, +z its top and up in the "
       "picture;\n"
       "from the top and the bottom, +y and -y are up. Orientations in NIfTI and NRRD files are turned to "
       "these")
     ->type_name("NAME")
-    ->check(CLI::IsMember(views));
-  command->add_option("--size", this->size, "size of the picture in pixels (1024x1024)")->type_name("WxH");
+    ->check(oneOf(views));
+  command->add_option("--size", this->size, "size of the picture in pixels, or the side of a square (1024)")
+    ->type_name("WxH");
+  command
+    ->add_option("--dpi", this->options.dotsPerInch,
+      "pixels an inch, which says how large the picture is printed (300); lengths in the drawing are parts of\n"
+      "its height")
+    ->check(within(1, 30000));
   command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
 
   const auto angle = within(-360, 360);
+  command
+    ->add_option("--up", this->options.up, "axis that is up in the picture (z; of a mesh as it seems to stand)")
+    ->type_name("AXIS")
+    ->check(oneOf(upAxes()))
+    ->group("Camera");
   command->add_option("--azimuth", this->options.azimuth, "go to the right around the subject, degrees (0)")
     ->check(angle)
     ->group("Camera");
   command->add_option("--elevation", this->options.elevation, "then go up, degrees (0)")
+    ->check(angle)
+    ->group("Camera");
+  const auto addPoint = [command](const char* name, std::vector<double>& point, const char* text)
+  {
+    command->add_option(name, point, text)
+      ->delimiter(',')
+      ->expected(3)
+      ->allow_extra_args(false)
+      ->type_name("x,y,z")
+      ->group("Camera")
+      ->check(anyNumber());
+  };
+  addPoint("--position", this->position,
+    "where the viewer stands, in the file's coordinates (where all of the subject is seen)");
+  addPoint("--focal-point", this->focalPoint, "what is in the middle of the picture (the subject's)");
+  command->add_option("--roll", this->options.roll, "turn the picture counterclockwise, degrees (0)")
     ->check(angle)
     ->group("Camera");
   command->add_option("--zoom", this->options.zoom, "enlarge; at 1 all of the subject fits (1)")
@@ -61,7 +91,14 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->group("Camera");
 
   command->add_flag(
-    "--transparent", this->options.transparent, "nothing around the subject: a PNG with alpha");
+    "--transparent", this->options.transparent, "nothing around the subject: a PNG or TIFF with alpha");
+  command
+    ->add_option("--tile", this->tile,
+      "draw in tiles of so many pixels a side, which takes less memory and more time (" +
+        std::to_string(PictureSize::usualTile) + " above " +
+        std::to_string(PictureSize::mostPixelsAtOnce / 1'000'000) + "\nmillion pixels)")
+    ->type_name("N")
+    ->check(wholeNumber(64, PictureSize::longestWindow));
 
   this->addAnimation(command);
   this->input.addReading(command);
@@ -120,14 +157,17 @@ void RenderArguments::checkOutput() const
     {
       throw UsageError("-o '" + this->output + "': expected --frames or a series of files for a video");
     }
-    if (file.extension() != ".png")
+    if (!PictureEncoder::isPicture(file))
     {
-      throw UsageError("-o '" + this->output + "': expected a name that ends in .png");
+      throw UsageError(
+        "-o '" + this->output + "': expected a name that ends in " + PictureEncoder::suffixes() + ", or -");
     }
+    this->checkFormat();
     return;
   }
-  static const std::regex numbered(R"([^%]*%(0?[1-9])?d[^%]*\.png)");
-  if (!video && !std::regex_match(file.filename().string(), numbered))
+  static const std::regex numbered(R"([^%]*%(0?[1-9])?d[^%]*)");
+  if (!video &&
+    !(PictureEncoder::isPicture(file) && std::regex_match(file.filename().string(), numbered)))
   {
     throw UsageError("-o '" + this->output +
       "': expected a name with a number for several frames, as out_%04d.png, or .mp4, .webm or .gif for a "
@@ -137,6 +177,25 @@ void RenderArguments::checkOutput() const
   {
     throw UsageError("--transparent: expected pictures, as out_%04d.png, found a video");
   }
+  if (!video)
+  {
+    this->checkFormat();
+  }
+}
+
+void RenderArguments::checkFormat() const
+{
+  const std::filesystem::path& file = this->options.output;
+  if (this->options.transparent && !PictureEncoder::hasAlpha(file))
+  {
+    throw UsageError("--transparent: expected a PNG or TIFF file, found '" + this->output + "', which has no alpha");
+  }
+  const int longest = PictureEncoder::longestSide(file);
+  if (std::max(this->options.size.width, this->options.size.height) > longest)
+  {
+    throw UsageError("--size '" + this->size + "': expected up to " + std::to_string(longest) +
+      " pixels a side in '" + this->output + "'");
+  }
 }
 
 void RenderArguments::run()
@@ -144,11 +203,24 @@ void RenderArguments::run()
   this->options.input = this->input.options();
   this->options.output = this->output;
   this->options.size = PictureSize::parse(this->size);
+  this->options.size.tile = this->tile;
   this->options.style = this->parameters.make(PictureSize::supersampling);
   this->options.parameters = &this->parameters;
   this->options.style->SetPictureSize(
     this->options.zoom * std::max(this->options.size.width, this->options.size.height));
+  this->options.style->SetPictureHeight(this->options.size.height);
+  const auto pointOf = [](const std::vector<double>& given)
+  {
+    return given.empty() ? std::optional<std::array<double, 3>>()
+                         : std::array<double, 3>{ given[0], given[1], given[2] };
+  };
+  this->options.position = pointOf(this->position);
+  this->options.focalPoint = pointOf(this->focalPoint);
   this->options.animation = this->animation();
+  if (this->options.position && this->options.animation && this->options.animation->files.empty())
+  {
+    throw UsageError("--position: expected without --frames, which goes around the subject");
+  }
   this->checkOutput();
   render(this->options);
 }

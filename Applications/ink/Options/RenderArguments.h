@@ -15,7 +15,10 @@ struct RenderArguments
   RenderOptions options;
   std::string output;
   std::string style; ///< as it is given; which one is drawn, StyleArguments knows
-  std::string size = "1024x1024";
+  std::string size = "1024";
+  int tile = 0;
+  std::vector<double> position;
+  std::vector<double> focalPoint;
   std::string frames;
   double framesPerSecond = 25;
   StyleArguments parameters;
@@ -30,6 +33,8 @@ private:
   std::optional<Animation> animation() const;
   /// @throws UsageError for a name that does not go with the frames
   void checkOutput() const;
+  /// @throws UsageError for a picture that its file's format has no room for
+  void checkFormat() const;
 };
 
 } // namespace ink::cli

@@ -8,6 +8,7 @@
 #include "vtkInkSurfaceSampler.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace ink::cli
@@ -60,11 +61,12 @@ void SampleArguments::add(CLI::App* command)
     ->type_name("OUT.vtp");
   command
     ->add_option("--iso", this->options.volume.isoValues,
-      "value of the surface in a volume; may be given several times. Without it one is chosen and named")
+      "values of the surfaces in a volume, with commas or one by one. Without any one is chosen and named")
     ->type_name("V")
-    ->expected(1)
+    ->delimiter(',')
     ->allow_extra_args(false)
-    ->take_all();
+    ->take_all()
+    ->check(anyNumber());
   command
     ->add_option("--arrays", this->arrays,
       "what to write with the points: Normals, Radius (discs of this radius leave no holes), Priority (on\n"
@@ -74,13 +76,13 @@ void SampleArguments::add(CLI::App* command)
     ->type_name("A,B")
     ->delimiter(',')
     ->allow_extra_args(false)
-    ->check(CLI::IsMember({ "Normals", "Radius", "Priority", "SurfaceIndex", "none" }));
+    ->check(oneOf({ "Normals", "Radius", "Priority", "SurfaceIndex", "none" }));
   command
     ->add_option("--precision", this->precision,
       "of coordinates: float, double, or auto: of a mesh the file's, in a volume float unless that moves\n"
       "points by a thousandth of a voxel (auto)")
     ->type_name("NAME")
-    ->check(CLI::IsMember(namesOf(precisions())));
+    ->check(oneOf(namesOf(precisions())));
   command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
   command
     ->add_option("--rule", this->rule,
@@ -88,14 +90,14 @@ void SampleArguments::add(CLI::App* command)
       "published (half-open)")
     ->type_name("NAME")
     ->group("Volumes")
-    ->check(CLI::IsMember(namesOf(rules())));
+    ->check(oneOf(namesOf(rules())));
   MeshSampling& mesh = this->options.mesh;
   auto* count = command
                   ->add_option("--count", mesh.count,
                     "how many points to make (twice as many as the mesh has, but 200000 to 1000000)")
                   ->type_name("N")
                   ->group("Meshes")
-                  ->check(within(1, 1e12));
+                  ->check(wholeNumber(1, 1e12));
   command
     ->add_option(
       "--radius", mesh.radius, "least distance between points along the surface, in place of --count")
@@ -109,10 +111,11 @@ void SampleArguments::add(CLI::App* command)
       "less even, several times as fast (blue below 500000 points, else white)")
     ->type_name("NAME")
     ->group("Meshes")
-    ->check(CLI::IsMember(namesOf(methods())));
+    ->check(oneOf(namesOf(methods())));
   command->add_option("--seed", mesh.seed, "another seed makes other points, just as good (0)")
     ->type_name("N")
-    ->group("Meshes");
+    ->group("Meshes")
+    ->check(wholeNumber(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
   this->cloud.add(command);
   this->app = command;
   this->input.addReading(command);

@@ -14,6 +14,31 @@ vtkSmartPointer<vtkInkStyle> create(const std::string& name)
   return vtk::TakeSmartPointer(vtkInkStyle::CreateStyle(name.c_str()));
 }
 
+/// Whether one of a style's presets has this name; the case of letters does not matter.
+bool hasPreset(const std::string& styleName, const std::string& preset)
+{
+  const auto style = create(styleName);
+  const InkParameter* parameter = style->GetParameterTable().Find("Preset");
+  InkParameterValue value;
+  return parameter && parameter->Parse(preset, style, value).empty();
+}
+
+/// The style that a preset is of: the first that has it; for one that there is not, the first that has any.
+std::string styleOfPreset(const std::string& preset)
+{
+  std::string any;
+  for (const std::string& name : StyleArguments::names())
+  {
+    if (hasPreset(name, preset))
+    {
+      return name;
+    }
+    const bool has = create(name)->GetParameterTable().Find("Preset") != nullptr;
+    any = any.empty() && has ? name : any;
+  }
+  return any;
+}
+
 /// A sentence as the help has them: small, and without its dot.
 std::string helpOf(const InkParameter& parameter)
 {
@@ -90,6 +115,7 @@ std::string StyleArguments::findStyle(int argc, const char* const argv[])
 {
   std::string named;
   std::string file;
+  std::string preset;
   for (int i = 1; i < argc; ++i)
   {
     const std::string argument = argv[i];
@@ -106,6 +132,7 @@ std::string StyleArguments::findStyle(int argc, const char* const argv[])
     };
     take("--style", named);
     take("--style-file", file);
+    take("--preset", preset);
   }
   if (argc > 1 && argv[1] == std::string("style"))
   {
@@ -113,7 +140,10 @@ std::string StyleArguments::findStyle(int argc, const char* const argv[])
   }
   const std::string inFile =
     named.empty() && !file.empty() ? vtkInkStyle::FindStyleInJSON(contentsOf(file)) : "";
-  return !named.empty() ? named : !inFile.empty() ? inFile : vtkInkStyle::GetStyleName(0);
+  return !named.empty() ? named
+    : !inFile.empty()   ? inFile
+    : !preset.empty()   ? styleOfPreset(preset)
+                        : vtkInkStyle::GetStyleName(0);
 }
 
 std::vector<std::string> StyleArguments::names()
@@ -122,6 +152,42 @@ std::vector<std::string> StyleArguments::names()
   for (int i = 0; i < vtkInkStyle::GetNumberOfStyles(); ++i)
   {
     all.emplace_back(vtkInkStyle::GetStyleName(i));
+  }
+  return all;
+}
+
+std::map<std::string, StyleArguments::Words> StyleArguments::wordsOfOptions()
+{
+  std::map<std::string, Words> all;
+  for (const std::string& name : names())
+  {
+    const auto style = create(name);
+    for (const InkParameter& parameter : style->GetParameterTable().Parameters)
+    {
+      Words& option = all[dashed(parameter.Option)];
+      option.text = option.text.empty() ? helpOf(parameter) : option.text;
+      for (const InkParameter::Entry& entry : parameter.Entries)
+      {
+        // Styles may have different words for an option of the same name.
+        if (std::find(option.words.begin(), option.words.end(), entry.Name) == option.words.end())
+        {
+          option.words.emplace_back(entry.Name);
+        }
+      }
+      if (parameter.Type == InkParameterType::Bool)
+      {
+        all[dashed("no-" + std::string(parameter.Option))].text = "switch off that " + helpOf(parameter);
+      }
+    }
+    for (const InkShorthand& shorthand : style->GetParameterTable().Shorthands)
+    {
+      Words& option = all[dashed(shorthand.Option)];
+      option.text = option.text.empty() ? shorthand.Text : option.text;
+      for (const InkShorthand::Word& word : shorthand.Words)
+      {
+        option.words.emplace_back(word.Word);
+      }
+    }
   }
   return all;
 }

@@ -25,10 +25,19 @@ class StyleArguments
 {
 public:
   /// The style that a command line names, where options cannot be parsed yet because they depend on it: after
-  /// --style, in a --style-file, or as the argument of `ink style`; else the first of all. The name may be
-  /// wrong.
+  /// --style, in a --style-file, or as the argument of `ink style`; else the one that a --preset is of, or the
+  /// first of all. The name may be wrong.
   static std::string findStyle(int argc, const char* const argv[]);
   static std::vector<std::string> names();
+
+  /// What there is to say of an option of styles.
+  struct Words
+  {
+    std::vector<std::string> words; ///< the values it can have; empty: any, or none
+    std::string text;
+  };
+  /// Of the options of all styles, by their names with dashes.
+  static std::map<std::string, Words> wordsOfOptions();
 
   /// Adds a style's options, after all others. Those that only other styles have are known, too, to be
   /// refused by name. @param name unknown: the first style \param all whether the help has advanced ones, too

@@ -8,42 +8,82 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkImageData.h"
 #include "vtkInkCameraFit.h"
 #include "vtkInkStyle.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <array>
+#include <cmath>
+#include <tuple>
+#include <vector>
 
 namespace ink::cli
 {
 namespace
 {
 
+// What is near a tile's border depends on what lies beyond it, in rendered pixels.
+constexpr int tileOverlap = 64;
+
 using Color = std::array<double, 3>;
+
+Tiles tilesOf(const RenderOptions& options)
+{
+  return { options.size.width * PictureSize::supersampling, options.size.height * PictureSize::supersampling,
+    PictureSize::supersampling * options.size.longestTile(), tileOverlap, PictureSize::supersampling };
+}
 
 } // namespace
 
 Drawing::Drawing(const RenderOptions& options)
   : Options(options)
+  , Grid(tilesOf(options))
 {
   this->Renderer->AddActor(this->Actor);
   this->Window->OffScreenRenderingOn();
   this->Window->SetMultiSamples(0);
-  this->Window->SetSize(
-    options.size.width * PictureSize::supersampling, options.size.height * PictureSize::supersampling);
+  this->Window->SetSize(this->Grid.windowWidth(), this->Grid.windowHeight());
   this->Window->AddRenderer(this->Renderer);
+  if (!this->Grid.isWhole())
+  {
+    // The renderer fills the window, whichever tile that is.
+    const double part = 1.0 / this->Grid.scale();
+    this->Window->SetTileScale(this->Grid.scale());
+    this->Window->SetTileViewport(0.0, 0.0, part, part);
+  }
+  // Mappers enlarge what is in pixels by the tiles' scale.
+  options.style->SetPixelScale(static_cast<double>(PictureSize::supersampling) / this->Grid.scale());
 }
 
 Drawing::~Drawing() = default;
 
+std::vector<std::string> Drawing::look(const Input& input, const std::filesystem::path& file)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(input.data);
+  const Pose found = mesh ? findPose(mesh, file) : Pose();
+  this->Look = { this->Options.up.value_or(found.up), this->Options.view.value_or(found.view) };
+  std::vector<std::string> notes;
+  if (!this->Options.up && found.up != Pose().up)
+  {
+    notes.push_back("the mesh seems to stand with " + found.up + " up; --up says otherwise");
+  }
+  if (!this->Options.view && found.view != Pose().view)
+  {
+    notes.push_back("the " + found.view + " of the mesh shows most; --view says otherwise");
+  }
+  return notes;
+}
+
 View Drawing::view(double turned) const
 {
-  View view = namedViews().at(this->Options.view);
+  View view = namedViews().at(this->Look.view);
+  view.stand(this->Look.up);
   const View named = view;
   view.rotate(this->Options.azimuth, this->Options.elevation);
   view.turnAround(named.up, turned);
@@ -68,7 +108,68 @@ vtkSmartPointer<vtkInkCameraFit> Drawing::makeFit() const
   return fit;
 }
 
-vtkSmartPointer<vtkImageData> Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, double turned)
+PictureLayout Drawing::layout() const
+{
+  const PictureSize& size = this->Options.size;
+  return { size.width, size.height, this->Options.transparent ? 4 : 3, this->Options.dotsPerInch };
+}
+
+vtkSmartPointer<vtkCamera> Drawing::placedCamera(vtkInkCameraFit* fit, double turned) const
+{
+  const auto camera = this->camera(turned);
+  fit->Apply(camera);
+  camera->Zoom(this->Options.zoom);
+  const auto& [position, focalPoint] = std::tie(this->Options.position, this->Options.focalPoint);
+  double from[3];
+  double to[3];
+  camera->GetPosition(from);
+  camera->GetFocalPoint(to);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    // The viewer goes along with what is looked at.
+    const double moved = focalPoint && !position ? (*focalPoint)[i] - to[i] : 0.0;
+    from[i] = position ? (*position)[i] : from[i] + moved;
+    to[i] = focalPoint ? (*focalPoint)[i] : to[i];
+  }
+  camera->SetPosition(from);
+  camera->SetFocalPoint(to);
+  double direction[3];
+  vtkMath::Subtract(to, from, direction);
+  if (vtkMath::Normalize(direction) == 0.0)
+  {
+    throw UsageError("--position: expected another point than the one looked at");
+  }
+  double right[3];
+  double up[3];
+  camera->GetViewUp(up);
+  vtkMath::Cross(direction, up, right);
+  if (vtkMath::Norm(right) < 1e-6)
+  {
+    // Seen from straight above or below.
+    camera->SetViewUp(this->view(turned).direction);
+  }
+  camera->Roll(this->Options.roll);
+  return camera;
+}
+
+void Drawing::aim(vtkCamera* camera, const Tiles::Strip& column, const Tiles::Strip& row) const
+{
+  const int width = this->Options.size.width * PictureSize::supersampling;
+  const int height = this->Options.size.height * PictureSize::supersampling;
+  const int tileWidth = this->Grid.windowWidth();
+  const int tileHeight = this->Grid.windowHeight();
+  const double part = static_cast<double>(tileHeight) / height;
+  const double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
+  camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(part * std::tan(angle / 2.0))));
+  camera->SetParallelScale(part * camera->GetParallelScale());
+  const double left = column.first - column.before;
+  const double bottom = height - (row.first - row.before) - tileHeight;
+  camera->SetWindowCenter(
+    (2.0 * left + tileWidth - width) / tileWidth, (2.0 * bottom + tileHeight - height) / tileHeight);
+}
+
+void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSink& sink,
+  const std::function<void(double)>& progress, double turned)
 {
   const VtkMessages messages;
   vtkInkStyle* style = subject.style;
@@ -80,27 +181,52 @@ vtkSmartPointer<vtkImageData> Drawing::draw(const StyledScene& subject, vtkInkCa
     this->Renderer->AddLight(style->GetLight());
     this->Light = style->GetLight();
   }
-  const auto camera = this->camera(turned);
-  fit->Apply(camera);
-  camera->Zoom(this->Options.zoom);
-  this->Renderer->SetActiveCamera(camera);
-  this->Renderer->ResetCameraClippingRange();
-
-  const auto drawOn = [&](Color background)
-  {
-    this->Renderer->SetBackground(background.data());
-    this->Window->Render();
-    return takePicture(this->Window, PictureSize::supersampling);
-  };
   Color background;
   style->GetBackgroundColor(background.data());
-  auto picture =
-    this->Options.transparent ? findAlpha(drawOn({ 0, 0, 0 }), drawOn({ 1, 1, 1 })) : drawOn(background);
-  if (const std::string problem = messages.error(); !problem.empty())
+  const bool transparent = this->Options.transparent;
+  const std::vector<Color> backgrounds =
+    transparent ? std::vector<Color>{ { 0, 0, 0 }, { 1, 1, 1 } } : std::vector<Color>{ background };
+  std::vector<PictureRows> pictures(backgrounds.size());
+  const auto& columns = this->Grid.columns();
+  const auto& rows = this->Grid.rows();
+  std::size_t done = 0;
+  for (const Tiles::Strip& row : rows)
   {
-    throw Failure("drawing failed: " + problem);
+    for (PictureRows& picture : pictures)
+    {
+      picture.resize(this->Options.size.width, row.length / PictureSize::supersampling);
+    }
+    for (const Tiles::Strip& column : columns)
+    {
+      progress(static_cast<double>(done++) / static_cast<double>(columns.size() * rows.size()));
+      const auto camera = this->placedCamera(fit, turned);
+      this->Renderer->SetActiveCamera(camera);
+      this->Renderer->ResetCameraClippingRange();
+      this->aim(camera, column, row);
+      const WindowPart used{ column.before, this->Grid.windowHeight() - row.before - row.length, column.length,
+        row.length };
+      for (std::size_t i = 0; i < backgrounds.size(); ++i)
+      {
+        Color color = backgrounds[i];
+        this->Renderer->SetBackground(color.data());
+        this->Window->Render();
+        takePicture(this->Window, used, PictureSize::supersampling, pictures[i],
+          column.first / PictureSize::supersampling);
+      }
+    }
+    if (const std::string problem = messages.error(); !problem.empty())
+    {
+      throw Failure("drawing failed: " + problem);
+    }
+    if (transparent)
+    {
+      sink(findAlpha(pictures[0].pixels, pictures[1].pixels));
+    }
+    else
+    {
+      sink(pictures[0].pixels);
+    }
   }
-  return picture;
 }
 
 } // namespace ink::cli

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Input.h"
+#include "PictureEncoder.h"
+#include "Pose.h"
 #include "StyledScene.h"
+#include "Tiles.h"
 #include "View.h"
 
 #include "vtkNew.h"
@@ -9,7 +13,6 @@
 
 class vtkActor;
 class vtkCamera;
-class vtkImageData;
 class vtkInkCameraFit;
 class vtkLight;
 class vtkRenderWindow;
@@ -28,6 +31,10 @@ public:
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
 
+  /// Chooses how a subject is looked at, where the options do not say. @return what was chosen, where that is not
+  /// what it is for volumes
+  std::vector<std::string> look(const Input& input, const std::filesystem::path& file);
+
   /// The view that the options ask for.
   /// @param turned degrees that the viewer goes further to the right, around what stands upright
   View view(double turned = 0.0) const;
@@ -38,11 +45,24 @@ public:
   /// A fit for this window's shape.
   vtkSmartPointer<vtkInkCameraFit> makeFit() const;
 
+  /// What is said of the pictures in their files.
+  PictureLayout layout() const;
+
+  /// Draws a picture, in tiles where it is larger than a window can be, and hands over its rows as they come.
+  /// @param progress how much is drawn, from 0 to 1
   /// @throws Failure if VTK complains
-  vtkSmartPointer<vtkImageData> draw(const StyledScene& subject, vtkInkCameraFit* fit, double turned = 0.0);
+  void draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSink& sink,
+    const std::function<void(double)>& progress, double turned = 0.0);
 
 private:
+  /// The camera for all of the picture.
+  vtkSmartPointer<vtkCamera> placedCamera(vtkInkCameraFit* fit, double turned) const;
+  /// Makes a camera that looks at all of the picture look at a tile.
+  void aim(vtkCamera* camera, const Tiles::Strip& column, const Tiles::Strip& row) const;
+
   const RenderOptions& Options;
+  Tiles Grid;
+  Pose Look;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;

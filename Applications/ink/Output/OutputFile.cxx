@@ -104,6 +104,15 @@ private:
 OutputFile::OutputFile(const fs::path& path)
   : Given(path)
 {
+  if (path == standardOutput)
+  {
+    if (isatty(STDOUT_FILENO) == 1)
+    {
+      fail(path, "the standard output stream is a terminal; expected a file or a pipe");
+    }
+    this->Replaces = false;
+    return;
+  }
   std::error_code error;
   // Absolute first: of a path that does not exist yet, the canonical one may stay relative.
   this->Target = fs::weakly_canonical(fs::absolute(path), error);
@@ -148,7 +157,8 @@ void OutputFile::write(const std::function<void(const ByteSink&)>& produce) cons
   };
   if (!this->Replaces)
   {
-    io::FileHandle device(open(this->Target.c_str(), O_WRONLY | O_CLOEXEC));
+    io::FileHandle device(this->Given == standardOutput ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
+                                                        : open(this->Target.c_str(), O_WRONLY | O_CLOEXEC));
     require(device.get() >= 0);
     produce([&](std::span<const unsigned char> data) { require(io::writeAll(device.get(), data)); });
     require(device.close());

@@ -11,6 +11,9 @@ namespace ink::cli
 /// Takes the next bytes of a file.
 using ByteSink = std::function<void(std::span<const unsigned char>)>;
 
+/// The name that stands for the standard output stream.
+inline constexpr const char* standardOutput = "-";
+
 /// A file that is either written whole or left as it was. The data goes to a temporary file beside it, which
 /// then takes its place; no error and no signal that can be caught leaves the temporary file behind.
 class OutputFile
@@ -31,7 +34,7 @@ public:
 private:
   std::filesystem::path Given;  ///< for messages
   std::filesystem::path Target; ///< links followed, so that they stay
-  bool Replaces;                ///< false for devices and pipes, which cannot be renamed over
+  bool Replaces;                ///< false for devices, pipes and the standard output stream, which cannot be renamed over
 };
 
 } // namespace ink::cli

@@ -1,77 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
-#include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace ink::cli
 {
-namespace
-{
 
-vtkSmartPointer<vtkImageData> makePicture(int width, int height, int components)
+void PictureRows::resize(int columns, int rows)
 {
-  vtkNew<vtkImageData> picture;
-  picture->SetDimensions(width, height, 1);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, components);
-  return picture;
+  this->width = columns;
+  this->height = rows;
+  this->pixels.resize(this->rowBytes() * static_cast<std::size_t>(rows));
 }
 
-unsigned char* pixels(vtkImageData* picture)
+void takePicture(vtkRenderWindow* window, const WindowPart& part, int factor, PictureRows& rows, int column)
 {
-  return static_cast<unsigned char*>(picture->GetScalarPointer());
-}
-
-} // namespace
-
-vtkSmartPointer<vtkImageData> takePicture(vtkRenderWindow* window, int factor)
-{
-  const int* size = window->GetSize();
-  vtkNew<vtkUnsignedCharArray> rendered;
-  constexpr int backBuffer = 0;
-  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, backBuffer, rendered);
-
-  const int width = size[0] / factor;
-  const int height = size[1] / factor;
-  const auto picture = makePicture(width, height, 3);
-  unsigned char* target = pixels(picture);
-  const std::size_t rowLength = 3 * static_cast<std::size_t>(size[0]);
+  // Of what was rendered only some rows are in memory, too.
+  constexpr int rowsAtOnce = 128;
+  const int width = part.width / factor;
+  const int height = part.height / factor;
   const int count = factor * factor;
-  for (int y = 0; y < height; ++y)
+  vtkNew<vtkUnsignedCharArray> rendered;
+  for (int first = 0; first < height; first += rowsAtOnce)
   {
-    for (int x = 0; x < width; ++x, target += 3)
+    const int end = std::min(first + rowsAtOnce, height);
+    const int bottom = part.bottom + first * factor;
+    constexpr int backBuffer = 0;
+    window->GetPixelData(part.left, bottom, part.left + part.width - 1, bottom + (end - first) * factor - 1,
+      backBuffer, rendered);
+    const std::size_t rowLength = 3 * static_cast<std::size_t>(part.width);
+    for (int y = first; y < end; ++y)
     {
-      int sum[3] = { 0, 0, 0 };
-      for (int j = 0; j < factor; ++j)
+      // OpenGL's lowest row is the first.
+      unsigned char* target = rows.pixels.data() + static_cast<std::size_t>(height - 1 - y) * rows.rowBytes() +
+        3 * static_cast<std::size_t>(column);
+      for (int x = 0; x < width; ++x, target += 3)
       {
-        const unsigned char* source =
-          rendered->GetPointer(0) + (y * factor + j) * rowLength + 3 * static_cast<std::size_t>(x) * factor;
-        for (int i = 0; i < 3 * factor; ++i)
+        int sum[3] = { 0, 0, 0 };
+        for (int j = 0; j < factor; ++j)
         {
-          sum[i % 3] += source[i];
+          const unsigned char* source = rendered->GetPointer(0) +
+            static_cast<std::size_t>((y - first) * factor + j) * rowLength +
+            3 * static_cast<std::size_t>(x) * static_cast<std::size_t>(factor);
+          for (int i = 0; i < 3 * factor; ++i)
+          {
+            sum[i % 3] += source[i];
+          }
         }
+        std::transform(sum, sum + 3, target,
+          [count](int s) { return static_cast<unsigned char>((s + count / 2) / count); });
       }
-      std::transform(
-        sum, sum + 3, target, [count](int s) { return static_cast<unsigned char>((s + count / 2) / count); });
     }
   }
-  return picture;
 }
 
-vtkSmartPointer<vtkImageData> findAlpha(vtkImageData* onBlack, vtkImageData* onWhite)
+std::vector<unsigned char> findAlpha(
+  std::span<const unsigned char> onBlack, std::span<const unsigned char> onWhite)
 {
-  const int* size = onBlack->GetDimensions();
-  const auto picture = makePicture(size[0], size[1], 4);
-  const unsigned char* black = pixels(onBlack);
-  const unsigned char* white = pixels(onWhite);
-  unsigned char* target = pixels(picture);
-  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i, black += 3, white += 3, target += 4)
+  const std::size_t count = onBlack.size() / 3;
+  std::vector<unsigned char> picture(4 * count);
+  const unsigned char* black = onBlack.data();
+  const unsigned char* white = onWhite.data();
+  unsigned char* target = picture.data();
+  for (std::size_t i = 0; i < count; ++i, black += 3, white += 3, target += 4)
   {
     int background = 0;
     for (int j = 0; j < 3; ++j)
@@ -87,15 +82,6 @@ vtkSmartPointer<vtkImageData> findAlpha(vtkImageData* onBlack, vtkImageData* onW
     target[3] = static_cast<unsigned char>(alpha);
   }
   return picture;
-}
-
-vtkSmartPointer<vtkUnsignedCharArray> encodePng(vtkImageData* picture)
-{
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  return writer->GetResult();
 }
 
 } // namespace ink::cli

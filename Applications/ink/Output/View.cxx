@@ -25,7 +25,52 @@ void turn(double a[3], double b[3], double angle)
   }
 }
 
+/// Where a subject's left, back and top are in the world.
+struct Frame
+{
+  int left[3];
+  int back[3];
+  int top[3];
+};
+
+/// By the axis that points to the top. Meshes whose top is y face +z.
+const std::map<std::string, Frame>& frames()
+{
+  static const std::map<std::string, Frame> all{
+    { "z", { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } },
+    { "-z", { { -1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 } } },
+    { "y", { { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } } },
+    { "-y", { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } } },
+    { "x", { { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 } } },
+    { "-x", { { 0, -1, 0 }, { 0, 0, 1 }, { -1, 0, 0 } } },
+  };
+  return all;
+}
+
 } // namespace
+
+void View::stand(const std::string& axis)
+{
+  const Frame& frame = frames().at(axis);
+  for (double* vector : { this->direction, this->up })
+  {
+    const double v[3] = { vector[0], vector[1], vector[2] };
+    for (int i = 0; i < 3; ++i)
+    {
+      vector[i] = v[0] * frame.left[i] + v[1] * frame.back[i] + v[2] * frame.top[i];
+    }
+  }
+}
+
+std::vector<std::string> upAxes()
+{
+  std::vector<std::string> axes;
+  for (const auto& [axis, frame] : frames())
+  {
+    axes.push_back(axis);
+  }
+  return axes;
+}
 
 void View::rotate(double azimuth, double elevation)
 {

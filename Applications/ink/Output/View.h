@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace ink::cli
 {
@@ -15,6 +16,10 @@ struct View
   double direction[3];
   double up[3];
 
+  /// Makes another axis than z the subject's top.
+  /// @param axis of upAxes()
+  void stand(const std::string& axis);
+
   /// Moves the viewer about the subject.
   /// @param azimuth degrees to the viewer's right, about the up direction.
   /// @param elevation degrees upwards after that.
@@ -24,6 +29,9 @@ struct View
   /// the picture: to the right where the direction is up.
   void turnAround(const double axis[3], double degrees);
 };
+
+/// x, y and z, and each of these with a minus.
+std::vector<std::string> upAxes();
 
 /// The named views: front, back, left, right, top, bottom (from that side of the subject) and iso (from its
 /// front, left and top at equal angles).

@@ -37,6 +37,7 @@ struct StipplePreset
 {
   std::string_view name;
   StippleSliders sliders;
+  bool sizesInPixels; ///< the next two, and not in pixels of a picture that is 1000 pixels high
   float pixelsPerStipple;
   float diameter;
   bool fadeBySize;

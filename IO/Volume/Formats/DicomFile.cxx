@@ -38,11 +38,18 @@ public:
   {
   }
 
-  /// Whether the mark is there, which stands after 128 bytes of anything.
+  /// Whether the mark is there, which stands after 128 bytes of anything, or elements are from the beginning on.
   bool start()
   {
     std::array<char, 132> bytes{};
-    return this->Stream.read(bytes.data(), bytes.size()) && std::string_view(bytes.data() + 128, 4) == "DICM";
+    this->Stream.read(bytes.data(), bytes.size());
+    if (this->Stream && std::string_view(bytes.data() + 128, 4) == "DICM")
+    {
+      return true;
+    }
+    this->Stream.clear();
+    this->Stream.seekg(0);
+    return this->startsWithElement(std::string_view(bytes.data(), 8));
   }
 
   void read(DicomFile& found)
@@ -54,6 +61,20 @@ public:
   }
 
 private:
+  /// Whether these are the tag of one of a file's first elements, little endian, and its type and length.
+  bool startsWithElement(std::string_view bytes)
+  {
+    const std::uint32_t group = this->integer(bytes.substr(0, 2));
+    const std::uint32_t element = this->integer(bytes.substr(2, 2));
+    constexpr std::uint32_t lastOfFirst = 0x0020;
+    const auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    this->PlainIsExplicit = isCapital(bytes[4]) && isCapital(bytes[5]);
+    constexpr std::uint32_t longest = 64;
+    const std::uint32_t length = this->integer(bytes.substr(4, 4));
+    const bool isLength = length > 0 && length <= longest && length % 2 == 0;
+    return (group == 0x0002 || group == 0x0008) && element <= lastOfFirst && (this->PlainIsExplicit || isLength);
+  }
+
   std::uint64_t position()
   {
     return static_cast<std::uint64_t>(std::max<std::streamoff>(this->Stream.tellg(), 0));
@@ -178,7 +199,8 @@ private:
 
   void setSyntax(const DicomFile& found)
   {
-    this->Explicit = found.transferSyntax != "1.2.840.10008.1.2";
+    this->Explicit =
+      found.transferSyntax.empty() ? this->PlainIsExplicit : found.transferSyntax != "1.2.840.10008.1.2";
     // Big endian holds from this element's tag on, which is taken after this.
     this->BigEndian = found.transferSyntax == "1.2.840.10008.1.2.2";
     if (found.transferSyntax == "1.2.840.10008.1.2.1.99")
@@ -234,6 +256,9 @@ private:
         break;
       case tag(0x0018, 0x0050):
         this->copy(value, 1, &found.thickness);
+        break;
+      case tag(0x0018, 0x0088):
+        this->copy(value, 1, &found.distance);
         break;
       case tag(0x0020, 0x000E):
         found.series = name(value);
@@ -297,6 +322,7 @@ private:
   std::uint64_t Size;
   bool PastMeta = false;
   bool Explicit = true;
+  bool PlainIsExplicit = true; ///< whether elements have types where the file does not say
   bool BigEndian = false;
   int Depth = 0; ///< of sequences and items without a length
 };

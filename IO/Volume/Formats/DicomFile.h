@@ -27,6 +27,7 @@ struct DicomFile
   double intercept = 0.0;
   double spacing[2] = { 1.0, 1.0 }; ///< between columns, between rows
   double thickness = 1.0;           ///< from slice to slice, if the file says so
+  double distance = 0.0;            ///< between the middles of slices; 0: the file does not say
   double number = 0.0;
   double row[3] = { 1.0, 0.0, 0.0 };    ///< the direction along a row
   double column[3] = { 0.0, 1.0, 0.0 }; ///< and along a column, downwards
@@ -35,7 +36,8 @@ struct DicomFile
   std::uint64_t pixelOffset = 0;
   std::uint64_t pixelBytes = 0; ///< 0: there are no pixels
 
-  /// Reads all but the pixels. @return nothing if the file has not DICOM's mark
+  /// Reads all but the pixels. Files of old that begin with their elements, without preamble and mark, are read,
+  /// too. @return nothing if it is no DICOM file
   /// @throws ReadError if its elements cannot be told apart.
   static std::optional<DicomFile> read(const std::filesystem::path& file);
 };

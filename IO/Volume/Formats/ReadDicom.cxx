@@ -19,8 +19,8 @@ namespace ink::io
 namespace
 {
 
-/// The series with most pictures; of several, the first by its name.
-std::vector<DicomFile> readSeries(const fs::path& folder, std::vector<std::string>& notes)
+/// The DICOM files of a folder that have pixels, by their series.
+std::map<std::string, std::vector<DicomFile>> findSeries(const fs::path& folder)
 {
   std::map<std::string, std::vector<DicomFile>> all;
   bool found = false;
@@ -39,6 +39,13 @@ std::vector<DicomFile> readSeries(const fs::path& folder, std::vector<std::strin
   {
     failToRead(folder, found ? "its DICOM files hold no pixels" : "it is a directory without DICOM files");
   }
+  return all;
+}
+
+/// The series with most pictures; of several, the first by its name.
+std::vector<DicomFile> readLargestSeries(const fs::path& folder, std::vector<std::string>& notes)
+{
+  auto all = findSeries(folder);
   const auto largest = std::max_element(
     all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
   if (all.size() > 1)
@@ -49,8 +56,34 @@ std::vector<DicomFile> readSeries(const fs::path& folder, std::vector<std::strin
   return std::move(largest->second);
 }
 
+/// A file of several pictures, or those of its folder that belong to its series.
+std::vector<DicomFile> readSeriesOf(const fs::path& path, std::vector<std::string>& notes)
+{
+  std::optional<DicomFile> file = DicomFile::read(path);
+  if (!file)
+  {
+    failToRead(path, "it is no DICOM file");
+  }
+  if (file->pixelBytes == 0)
+  {
+    failToRead(path, "it is a DICOM file without pixels");
+  }
+  if (file->frames > 1 || file->series.empty())
+  {
+    return { std::move(*file) };
+  }
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::vector<DicomFile> series = std::move(findSeries(folder)[file->series]);
+  if (series.size() > 1)
+  {
+    notes.push_back("it is one of " + std::to_string(series.size()) + " slices in its folder; all of them are read");
+  }
+  return series;
+}
+
 /// Plain pixels, as many as the file has to have.
-void check(const DicomFile& file)
+/// @param alone whether the file is the whole volume
+void check(const DicomFile& file, bool alone)
 {
   // All other syntaxes but three are compressed.
   constexpr std::string_view plain = "1.2.840.10008.1.2";
@@ -60,12 +93,12 @@ void check(const DicomFile& file)
   {
     failToRead(file.path, "its pixels are compressed (transfer syntax " + syntax + "); expected plain ones");
   }
-  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames != 1)
+  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames < 1 || (file.frames > 1 && !alone))
   {
     failToRead(file.path,
       "it says " + std::to_string(file.rows) + " rows, " + std::to_string(file.columns) + " columns, " +
         std::to_string(file.components) + " components and " + std::to_string(file.frames) +
-        " frames; expected 1 or more, and one frame");
+        " frames; expected 1 or more, and one frame in each file of a series");
   }
   if (file.bits != 8 && file.bits != 16 && file.bits != 32)
   {
@@ -74,6 +107,7 @@ void check(const DicomFile& file)
   const std::uint64_t size = fs::file_size(file.path);
   const std::uint64_t needed = static_cast<std::uint64_t>(file.rows) *
     static_cast<std::uint64_t>(file.columns) * static_cast<std::uint64_t>(file.components) *
+    static_cast<std::uint64_t>(file.frames) *
     static_cast<std::uint64_t>(file.bits / 8);
   if (size - std::min(size, file.pixelOffset) < needed || file.pixelBytes < needed)
   {
@@ -112,17 +146,18 @@ void sortSlices(std::vector<DicomFile>& files)
 
 } // namespace
 
-VolumeHeader readDicomHeaders(const fs::path& folder)
+VolumeHeader readDicomHeaders(const fs::path& path)
 {
   VolumeHeader header;
-  header.format = "DICOM series";
-  std::vector<DicomFile> files = readSeries(folder, header.notes);
+  std::vector<DicomFile> files =
+    fs::is_directory(path) ? readLargestSeries(path, header.notes) : readSeriesOf(path, header.notes);
+  header.format = files.size() > 1 || fs::is_directory(path) ? "DICOM series" : "DICOM";
   sortSlices(files);
   const DicomFile& first = files.front();
   RawVolume& voxels = header.voxels;
   for (const DicomFile& file : files)
   {
-    check(file);
+    check(file, files.size() == 1);
     if (file.rows != first.rows || file.columns != first.columns || file.components != first.components ||
       typeOf(file) != typeOf(first) || file.slope != first.slope || file.intercept != first.intercept)
     {
@@ -135,7 +170,7 @@ VolumeHeader readDicomHeaders(const fs::path& folder)
   }
   voxels.dimensions[0] = first.columns;
   voxels.dimensions[1] = first.rows;
-  voxels.dimensions[2] = static_cast<int>(files.size());
+  voxels.dimensions[2] = files.size() > 1 ? static_cast<int>(files.size()) : first.frames;
   voxels.type = typeOf(first);
   voxels.components = first.separatePlanes ? 1 : first.components;
   voxels.setBigEndian(first.bigEndian);
@@ -153,7 +188,8 @@ VolumeHeader readDicomHeaders(const fs::path& folder)
   header.orientation.emplace(steps, first.position, sign);
   const double distance = files.size() > 1 && first.hasPosition
     ? (files.back().number - first.number) / static_cast<double>(files.size() - 1)
-    : first.thickness;
+    : first.distance > 0.0 ? first.distance
+                           : first.thickness;
   header.spacing[0] = spacingOf(first.spacing[0]);
   header.spacing[1] = spacingOf(first.spacing[1]);
   header.spacing[2] = spacingOf(distance);

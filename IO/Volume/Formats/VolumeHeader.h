@@ -31,7 +31,7 @@ struct VolumeHeader
 /// The headers of formats whose voxels need no reader of VTK. VTK's readers of these formats fall over
 /// headers that do not say what they expect: see Documentation/files.md. @throws ReadError if it is no such
 /// file, or its header promises more than there is.
-VolumeHeader readDicomHeaders(const std::filesystem::path& folder);
+VolumeHeader readDicomHeaders(const std::filesystem::path& path);
 VolumeHeader readNiftiHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);

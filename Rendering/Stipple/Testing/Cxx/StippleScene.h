@@ -8,7 +8,12 @@
 class StippleScene : public InkTestScene<vtkInkStippleMapper>
 {
 public:
-  using InkTestScene::InkTestScene;
+  /// With sizes in pixels.
+  explicit StippleScene(vtkPolyData* data, int width = 200, int height = 200)
+    : InkTestScene(data, width, height)
+  {
+    this->Mapper->SetSizeUnitToPixels();
+  }
 
   /// No enhancement at all: N_max of each element's stipples.
   void AllOff()

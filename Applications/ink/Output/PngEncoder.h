@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PictureEncoder.h"
+
+#include <vector>
+
+namespace ink::cli
+{
+
+/// PNG, with the resolution in a chunk pHYs.
+class PngEncoder : public PictureEncoder
+{
+public:
+  PngEncoder(const PictureLayout& layout, const ByteSink& sink);
+  ~PngEncoder() override;
+  PngEncoder(const PngEncoder&) = delete;
+  PngEncoder& operator=(const PngEncoder&) = delete;
+
+  void add(std::span<const unsigned char> rows) override;
+  void finish() override;
+
+private:
+  struct Library;
+
+  /// Lets libpng do something; its bytes go on after it, so that nothing is thrown through C.
+  template <class Work>
+  void run(const Work& work);
+
+  PictureLayout Layout;
+  ByteSink Sink;
+  std::unique_ptr<Library> Png;
+};
+
+} // namespace ink::cli

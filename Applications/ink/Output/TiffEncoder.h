@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PictureEncoder.h"
+
+#include "FileHandle.h"
+
+#include <cstdint>
+
+namespace ink::cli
+{
+
+/// TIFF, compressed without loss (Deflate), with the resolution in its tags. The library goes back in the file to write
+/// where things are, so it is a temporary one first.
+class TiffEncoder : public PictureEncoder
+{
+public:
+  TiffEncoder(const PictureLayout& layout, const ByteSink& sink);
+  ~TiffEncoder() override;
+  TiffEncoder(const TiffEncoder&) = delete;
+  TiffEncoder& operator=(const TiffEncoder&) = delete;
+
+  void add(std::span<const unsigned char> rows) override;
+  void finish() override;
+
+private:
+  struct Library;
+
+  PictureLayout Layout;
+  ByteSink Sink;
+  std::unique_ptr<Library> Tiff;
+};
+
+} // namespace ink::cli

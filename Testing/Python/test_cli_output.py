@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of `ink render`: formats, resolution, the standard output, and pictures drawn in tiles."""
+
+import os
+import struct
+import subprocess
+import zlib
+
+import numpy as np
+import pytest
+
+import ink_files
+from conftest import TIME_LIMIT
+
+
+@pytest.fixture(scope="module")
+def mesh_file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("mesh") / "ball.ply"
+    ink_files.write_ply(path, ink_files.sphere_mesh(), normals=True)
+    return path
+
+
+@pytest.fixture
+def written(ink, tmp_path):
+    """Renders a file and returns the picture's path."""
+
+    def render(file, name, *arguments, size="200x160"):
+        out = tmp_path / name
+        result = ink("render", file, "--size", size, "--quiet", "-o", out, *arguments)
+        assert (result.code, result.out, result.err) == (0, "", ""), result
+        return out
+
+    return render
+
+
+def png_chunks(data):
+    position = 8
+    while position < len(data):
+        length, kind = struct.unpack(">I4s", data[position : position + 8])
+        yield kind, data[position + 8 : position + 8 + length]
+        position += 12 + length
+
+
+def read_tiff(path):
+    """Pixels and tags of a little-endian TIFF in strips, compressed by Deflate with differences of neighbors."""
+    data = path.read_bytes()
+    assert data[:4] == b"II*\0"
+    offset = struct.unpack_from("<I", data, 4)[0]
+    sizes = {3: ("H", 2), 4: ("I", 4), 5: ("II", 8)}
+    tags = {}
+    for i in range(struct.unpack_from("<H", data, offset)[0]):
+        tag, kind, count = struct.unpack_from("<HHI", data, offset + 2 + 12 * i)
+        letters, size = sizes[kind]
+        at = offset + 2 + 12 * i + 8
+        at = at if size * count <= 4 else struct.unpack_from("<I", data, at)[0]
+        tags[tag] = struct.unpack_from("<" + letters * count, data, at)
+    assert tags[259] == (8,) and tags[317] == (2,)
+    strips = b"".join(zlib.decompress(data[at : at + size]) for at, size in zip(tags[273], tags[279]))
+    pixels = np.frombuffer(strips, np.uint8).reshape(tags[257][0], tags[256][0], tags[277][0])
+    return np.cumsum(pixels, axis=1, dtype=np.uint8), tags
+
+
+def test_a_number_is_the_side_of_a_square(written, volume_file):
+    assert ink_files.read_png(written(volume_file, "out.png", size="96")).shape == (96, 96, 3)
+
+
+@pytest.mark.parametrize("dpi, expected", [([], 11811), (["--dpi", 600], 23622), (["--dpi", 72], 2835)])
+def test_png_says_its_resolution(written, volume_file, dpi, expected):
+    chunks = dict(png_chunks(written(volume_file, "out.png", *dpi).read_bytes()))
+    assert struct.unpack(">IIB", chunks[b"pHYs"]) == (expected, expected, 1)
+
+
+@pytest.mark.parametrize("name", ["out.tif", "out.tiff", "OUT.TIF"])
+def test_tiff_is_the_same_picture(written, picture, volume_file, name):
+    pixels, tags = read_tiff(written(volume_file, name, "--dpi", 600))
+    assert (pixels == picture(volume_file, size="200x160")).all()
+    assert tags[296] == (2,) and tags[282][0] / tags[282][1] == 600 and tags[283][0] / tags[283][1] == 600
+
+
+def test_tiff_with_alpha(written, picture, volume_file):
+    pixels, tags = read_tiff(written(volume_file, "out.tif", "--transparent"))
+    assert tags[338] == (2,)
+    assert (pixels == picture(volume_file, "--transparent", size="200x160")).all()
+
+
+@pytest.mark.parametrize("name", ["out.jpg", "out.jpeg"])
+def test_jpeg_is_nearly_the_same_picture(written, picture, volume_file, name):
+    path = written(volume_file, name, "--dpi", 600)
+    data = path.read_bytes()
+    assert data[:4] == b"\xff\xd8\xff\xe0" and data[6:11] == b"JFIF\0"
+    assert struct.unpack(">BHH", data[13:18]) == (1, 600, 600)
+    vtkink = pytest.importorskip("vtkink")
+    reader = vtkink.vtk.vtkJPEGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    assert image.GetDimensions() == (200, 160, 1)
+    pixels = vtkink.numpy_support.vtk_to_numpy(image.GetPointData().GetScalars()).reshape(160, 200, 3)[::-1]
+    assert np.abs(pixels.astype(int) - picture(volume_file, size="200x160")).mean() < 2
+
+
+def test_jpeg_has_no_alpha(ink, volume_file, tmp_path):
+    result = ink("render", volume_file, "--transparent", "-o", tmp_path / "out.jpg")
+    assert result.code == 2 and "--transparent: expected a PNG or TIFF file" in result.error
+
+
+def test_numbered_pictures_of_other_formats(ink, mesh_file, tmp_path):
+    assert ink("render", mesh_file, "--size", 48, "--frames", 2, "-q", "-o", tmp_path / "f%d.tif").code == 0
+    assert sorted(os.listdir(tmp_path)) == ["f0.tif", "f1.tif"]
+    assert read_tiff(tmp_path / "f1.tif")[0].shape == (48, 48, 3)
+
+
+def test_the_standard_output(picture, volume_file, tmp_path):
+    done = subprocess.run(["ink", "render", str(volume_file), "--size", "200x160", "-q", "-o", "-"], capture_output=True,
+                          timeout=TIME_LIMIT, cwd=tmp_path)  # fmt: skip
+    assert (done.returncode, done.stderr) == (0, b"")
+    (tmp_path / "out.png").write_bytes(done.stdout)
+    assert (ink_files.read_png(tmp_path / "out.png") == picture(volume_file, size="200x160")).all()
+    assert sorted(os.listdir(tmp_path)) == ["out.png", "picture.png"]
+
+
+def test_the_standard_output_that_is_closed(volume_file):
+    command = f"ink render '{volume_file}' --size 64 -q -o - >&-"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=TIME_LIMIT)
+    assert done.returncode == 1 and done.stderr.count("\n") == 1 and "cannot write '-'" in done.stderr
+
+
+def test_the_last_line_says_what_was_written(ink, volume_file, tmp_path):
+    out = tmp_path / "out.png"
+    result = ink("render", volume_file, "--iso", 100, "--size", "300x150", "--dpi", 300, "-o", out)
+    assert result.err.splitlines() == [f"ink: wrote {out}: 300 x 150 pixels, 300 dpi, 25 x 13 mm"]
+    result = ink("sample", volume_file, tmp_path / "p.vtp", "--iso", 100)
+    count = len(ink_files.read_points(tmp_path / "p.vtp")["x"])
+    assert result.err.splitlines() == [f"ink: wrote {tmp_path / 'p.vtp'}: {count} points"]
+
+
+# What is drawn whole by default is summed up for several pixels at once where splats are large; tiles are exact.
+EXACT = ["--maximum-downsampling", 1]
+
+
+@pytest.mark.parametrize("style, options", [
+    ("splatting-lines", EXACT), ("splatting-lines", [*EXACT, "--hidden-layers"]),
+    ("splatting-lines", [*EXACT, "--thin", "--line-width", 3]), ("splatting-lines", [*EXACT, "--speckles", 6]),
+    ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.7]), ("stipple", []), ("stipple", ["--size-unit", "pixels"]),
+    ("stipple", ["--zoom", 1.7, "--view", "iso"]), ("stipple", ["--transparent"])])  # fmt: skip
+@pytest.mark.parametrize("size, tile", [("400x400", 150), ("500x300", 128), ("120x400", 200)])
+def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, size, tile):
+    for file in (volume_file, mesh_file):
+        whole = picture(file, "--style", style, *options, size=size).astype(int)
+        tiles = picture(file, "--style", style, *options, "--tile", tile, size=size).astype(int)
+        difference = np.abs(whole - tiles).max(axis=2)
+        assert (whole[..., 0] < 128).sum() > 100, "there is something to be cut"
+        assert (difference > 16).mean() < 2e-4, f"{(difference > 16).sum()} pixels differ in {file.name}"
+
+
+def test_more_pixels_than_opengl_has(written, mesh_file):
+    """Wider than any window, a strip of tiles that are as high as it."""
+    path = written(mesh_file, "wide.tif", "--style", "stipple", "--zoom", 4, size="17000x120")
+    pixels, _ = read_tiff(path)
+    assert pixels.shape == (120, 17000, 3) and (pixels[:, 8300:8700] < 128).any()
+
+
+@pytest.mark.parametrize("tile", ["0", "63", "9000", "x", "100.5"])
+def test_tiles_that_cannot_be(ink, volume_file, tile):
+    result = ink("render", volume_file, "-o", "none.png", "--tile", tile)
+    assert result.code == 2 and "--tile '" in result.error

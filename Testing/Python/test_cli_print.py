@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A large picture is its preview in finer pixels: sizes are parts of the picture's height."""
+
+import numpy as np
+import pytest
+
+import ink_files
+
+SMALL, FACTOR = 300, 4
+
+
+@pytest.fixture(scope="module")
+def mesh_file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("mesh") / "ball.ply"
+    ink_files.write_ply(path, ink_files.sphere_mesh(), normals=True)
+    return path
+
+
+@pytest.fixture
+def preview_and_print(picture):
+    """Ink, 0 to 1, of a small picture, and of a large one, which is also made smaller to its size."""
+
+    def render(file, *arguments):
+        small, large = (1 - picture(file, *arguments, size=f"{side}")[..., :3].mean(axis=2) / 255
+                        for side in (SMALL, SMALL * FACTOR))  # fmt: skip
+        return small, large.reshape(SMALL, FACTOR, SMALL, FACTOR).mean(axis=(1, 3)), large
+
+    return render
+
+
+def spots(dark):
+    """The middles of what is connected, over corners, too."""
+    found, left = [], {tuple(place) for place in np.argwhere(dark)}
+    while left:
+        spot, border = [], [left.pop()]
+        while border:
+            y, x = border.pop()
+            spot.append((y, x))
+            for near in [(y + i, x + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]:
+                if near in left:
+                    left.remove(near)
+                    border.append(near)
+        found.append(np.mean(spot, axis=0))
+    return np.array(found)
+
+
+# Few and large dots, one beside the other.
+APART = ["--stipple-size", 16, "--pixels-per-stipple", 3000, "--parts", "intensity", "--fade", 0, "--lighting", "off"]
+
+
+def test_dots_stay_where_they_are(preview_and_print, mesh_file):
+    small, smaller, large = preview_and_print(mesh_file, "--style", "stipple", *APART)
+    few, many = spots(small > 0.5), spots(large > 0.5)
+    assert len(few) > 20 and len(few) == len(many)
+    # Pixels' middles lie half a pixel from their corners.
+    distances = np.linalg.norm((few + 0.5)[:, None] - (many + 0.5)[None] / FACTOR, axis=2).min(axis=1)
+    assert distances.max() < 0.5
+
+
+@pytest.mark.parametrize("preset", ["anatomy", "soft-tissue", "engineering"])
+def test_stipples_cover_as_much(preview_and_print, volume_file, mesh_file, preset):
+    for file in (volume_file, mesh_file):
+        small, smaller, _ = preview_and_print(file, "--preset", preset, "--style", "stipple")
+        assert small.mean() == pytest.approx(smaller.mean(), rel=0.03)
+        blocks = lambda ink: ink.reshape(SMALL // 10, 10, SMALL // 10, 10).mean(axis=(1, 3))
+        assert np.abs(blocks(small) - blocks(smaller)).max() < 0.06
+        # Not only the gray: the same dots.
+        assert np.abs(small - smaller).mean() < 0.25 * small.mean()
+
+
+def test_pixels_are_a_choice(preview_and_print, mesh_file):
+    small, smaller, large = preview_and_print(mesh_file, "--style", "stipple", "--size-unit", "pixels", *APART)
+    # As many pixels a dot make sixteen times as many dots.
+    assert len(spots(large > 0.5)) > 8 * len(spots(small > 0.5))
+
+
+@pytest.mark.parametrize("file", ["volume", "mesh"])
+def test_print_sizes_are_full_ink(picture, volume_file, mesh_file, file):
+    """Tone is the size of dots: hardly any ink is in dots that have no black core."""
+    file = {"volume": volume_file, "mesh": mesh_file}[file]
+    ink = 1 - picture(file, "--style", "stipple", size="2400")[..., :3].mean(axis=2) / 255
+    full = np.pad(ink > 0.98, 2)
+    # The rim of a dot, antialiased, is up to two pixels wide.
+    near = np.any([np.roll(full, (i, j), (0, 1)) for i in range(-2, 3) for j in range(-2, 3)], axis=0)[2:-2, 2:-2]
+    assert ink[near].sum() > 0.9 * ink.sum()
+
+
+@pytest.mark.parametrize("options", [[], ["--hidden-layers"], ["--line-width", 2]])
+def test_lines_are_as_smooth_as_of_sixteen_times_the_pixels(picture, volume_file, mesh_file, options):
+    """What is drawn with two pixels a side for each of the picture differs little from four a side."""
+    for file in (volume_file, mesh_file):
+        usual = picture(file, "--style", "splatting-lines", *options, size="1024").astype(float)
+        four = picture(file, "--style", "splatting-lines", *options, size="2048").astype(float)
+        four = four.reshape(1024, 2, 1024, 2, 3).mean(axis=(1, 3))
+        assert (usual < 128).any()
+        assert np.sqrt(((usual - four) ** 2).mean()) <= 2
+
+
+def test_thinned_lines_are_black_and_as_wide_in_any_size(preview_and_print, picture, volume_file):
+    thin = ["--style", "splatting-lines", "--thin", "--hardness", 1, "--iso", 100]
+    ink = 1 - picture(volume_file, *thin, size="1000")[..., 0] / 255
+    assert (ink > 0.9).sum() > 0.5 * (ink > 0.2).sum(), "lines are black, not gray"
+    large = 1 - picture(volume_file, *thin, size="2000")[..., 0] / 255
+    assert large.mean() == pytest.approx(ink.mean(), rel=0.25)
