@@ -44,32 +44,33 @@ void describeVolume(const VolumeSlices& volume, const Input& input, const Statis
 {
   const auto& [values, suggestion] = statistics;
   vtkImageData* image = volume.frame();
-  line("dimensions", dimensionsText(image->GetDimensions()));
-  line("spacing", tripleText(image->GetSpacing()));
-  line("origin", tripleText(image->GetOrigin()));
+  line("dimensions", formatDimensions(image->GetDimensions()));
+  line("spacing", formatTriple(image->GetSpacing()));
+  line("origin", formatTriple(image->GetOrigin()));
   vtkMatrix3x3* direction = image->GetDirectionMatrix();
   if (!direction->IsIdentity())
   {
     const double* d = direction->GetData();
-    line("direction", tripleText(d) + ", " + tripleText(d + 3) + ", " + tripleText(d + 6));
+    line("direction", formatTriple(d) + ", " + formatTriple(d + 3) + ", " + formatTriple(d + 6));
   }
   line("type",
     vtkImageScalarTypeNameMacro(volume.type()) +
       (" (" + std::to_string(8 * vtkDataArray::GetDataTypeSize(volume.type()))) + " bits)");
   line("components", std::to_string(input.components));
-  line(
-    "range", values.least > values.greatest ? "none" : text(values.least) + " to " + text(values.greatest));
+  line("range",
+    values.least > values.greatest ? "none"
+                                   : formatNumber(values.least) + " to " + formatNumber(values.greatest));
   if (values.notFinite > 0)
   {
     line("not finite", std::to_string(values.notFinite) + " voxels");
   }
   if (input.surfaceValue)
   {
-    line("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)");
+    line("suggested iso", formatNumber(*input.surfaceValue) + " (that of the file's surface)");
     return;
   }
   line("suggested iso",
-    suggestion ? text(suggestion->value) + " (" + methodText(*suggestion) + ")"
+    suggestion ? formatNumber(suggestion->value) + " (" + methodText(*suggestion) + ")"
                : "none: the volume has no two values");
 }
 
@@ -79,8 +80,8 @@ void describeMesh(vtkPolyData* mesh)
   line("cells", std::to_string(mesh->GetNumberOfCells()));
   const double* b = mesh->GetBounds();
   line("bounds",
-    text(b[0]) + " to " + text(b[1]) + ", " + text(b[2]) + " to " + text(b[3]) + ", " + text(b[4]) + " to " +
-      text(b[5]));
+    formatNumber(b[0]) + " to " + formatNumber(b[1]) + ", " + formatNumber(b[2]) + " to " +
+      formatNumber(b[3]) + ", " + formatNumber(b[4]) + " to " + formatNumber(b[5]));
   vtkPointData* pointData = mesh->GetPointData();
   for (int i = 0; i < pointData->GetNumberOfArrays(); ++i)
   {

@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "Graphics.h"
 #include "OutputFile.h"
+#include "Pattern.h"
 #include "Picture.h"
 #include "Progress.h"
 #include "RenderFrames.h"
@@ -15,16 +16,15 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <iostream>
-#include <regex>
 
 namespace ink::cli
 {
 PictureSize PictureSize::parse(const std::string& text)
 {
-  static const std::regex pattern(R"((\d{1,9})x(\d{1,9}))");
+  static const io::Pattern pattern(R"((\d{1,9})x(\d{1,9}))");
   const std::string problem = "--size '" + text + "': ";
-  std::smatch match;
-  if (!std::regex_match(text, match, pattern))
+  const std::vector<std::string> match = pattern.match(text);
+  if (match.empty())
   {
     throw UsageError(problem + "expected WxH in pixels, as 1600x1200");
   }

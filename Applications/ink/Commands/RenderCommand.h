@@ -37,7 +37,7 @@ struct Animation
 {
   std::vector<std::filesystem::path>
     files;                         ///< of a series; empty: the viewer goes once around what stands still
-  std::vector<std::size_t> frames; ///< which of the files, or places on the way
+  std::vector<std::size_t> frames; ///< which of the files, or parts of the way
   double framesPerSecond = 25;     ///< of a video
 };
 

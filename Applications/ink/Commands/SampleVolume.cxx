@@ -38,7 +38,7 @@ double chooseIsoValue(VolumeSlices& volume, std::vector<std::string>& notes, Pro
     checkIsoValues({}, findFiniteRange(volume));
     throw Failure("no iso-value could be chosen; give one with --iso");
   }
-  notes.push_back("iso-value " + text(suggestion->value) + ": " + methodText(*suggestion));
+  notes.push_back("iso-value " + formatNumber(suggestion->value) + ": " + methodText(*suggestion));
   return suggestion->value;
 }
 
@@ -175,7 +175,7 @@ void checkIsoValues(const std::vector<double>& isoValues, const FiniteRange& val
   if (!(values.least < values.greatest))
   {
     throw Failure(values.least == values.greatest
-        ? "no surface: all voxels have the value " + text(values.least)
+        ? "no surface: all voxels have the value " + formatNumber(values.least)
         : "no surface: no voxel has a finite value");
   }
   for (const double value : isoValues)
@@ -183,8 +183,9 @@ void checkIsoValues(const std::vector<double>& isoValues, const FiniteRange& val
     // Also for NaN.
     if (!(value > values.least && value <= values.greatest))
     {
-      throw UsageError("--iso " + text(value) + ": expected a value above " + text(values.least) +
-        " and up to " + text(values.greatest) + ", which the volume has");
+      throw UsageError("--iso " + formatNumber(value) + ": expected a value above " +
+        formatNumber(values.least) + " and up to " + formatNumber(values.greatest) +
+        ", which the volume has");
     }
   }
 }
@@ -261,8 +262,8 @@ std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling
   {
     const int* dimensions = volume.dimensions().data();
     const bool flat = dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2;
-    throw Failure(flat ? "no surface: a volume of " + dimensionsText(dimensions) + " voxels has no cells"
-                       : "no surface at iso-value " + text(isoValues.front()));
+    throw Failure(flat ? "no surface: a volume of " + formatDimensions(dimensions) + " voxels has no cells"
+                       : "no surface at iso-value " + formatNumber(isoValues.front()));
   }
   return notes;
 }

@@ -109,7 +109,7 @@ void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::v
   if (isoValues.empty() && input.surfaceValue)
   {
     isoValues.push_back(*input.surfaceValue);
-    notes.push_back("iso-value " + text(*input.surfaceValue) + ": that of the file's surface");
+    notes.push_back("iso-value " + formatNumber(*input.surfaceValue) + ": that of the file's surface");
   }
 }
 

@@ -3,11 +3,15 @@
 
 #include "Input.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App;
+class Validator;
+} // namespace CLI
 
 namespace ink::cli
 {

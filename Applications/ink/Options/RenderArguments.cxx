@@ -3,13 +3,15 @@
 
 #include "Errors.h"
 #include "FrameChoice.h"
+#include "Pattern.h"
 #include "Series.h"
 #include "Video.h"
 
 #include "vtkInkStyle.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
-#include <regex>
 
 namespace ink::cli
 {
@@ -125,8 +127,8 @@ void RenderArguments::checkOutput() const
     }
     return;
   }
-  static const std::regex numbered(R"([^%]*%(0?[1-9])?d[^%]*\.png)");
-  if (!video && !std::regex_match(file.filename().string(), numbered))
+  static const io::Pattern numbered(R"([^%]*%(0?[1-9])?d[^%]*\.png)");
+  if (!video && numbered.match(file.filename().string()).empty())
   {
     throw UsageError("-o '" + this->output +
       "': expected a name with a number for several frames, as out_%04d.png, or .mp4, .webm or .gif for a "

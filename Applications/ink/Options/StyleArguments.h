@@ -6,13 +6,17 @@
 #include "vtkInkStyle.h"
 #include "vtkSmartPointer.h"
 
-#include <CLI/CLI.hpp>
-
 #include <deque>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App;
+class Option;
+} // namespace CLI
 
 namespace ink::cli
 {
