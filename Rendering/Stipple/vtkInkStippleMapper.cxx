@@ -41,10 +41,10 @@ ink::HlsColor ToHls(const double rgb[3])
   return ink::hlsFromRgb(glm::vec3(rgb[0], rgb[1], rgb[2]));
 }
 
-ink::stipple::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface)
+ink::stipple::Tone MakeTone(vtkInkStippleMapper* mapper, bool surface)
 {
   const auto number = [](double value) { return static_cast<float>(value); };
-  ink::stipple::StippleTone tone;
+  ink::stipple::Tone tone;
   tone.surface = surface;
   tone.boundary = { mapper->GetBoundary(), number(mapper->GetBoundaryBase()),
     number(mapper->GetBoundaryGain()), number(mapper->GetBoundaryExponent()) };
@@ -133,7 +133,7 @@ private:
   }
 
   const InkViewUniforms View;
-  ink::stipple::StippleTone Tone;
+  ink::stipple::Tone Tone;
   const InkStippleView ToneView;
   InkStippleDepth* const Occluder;
 

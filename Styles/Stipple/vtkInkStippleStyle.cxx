@@ -11,7 +11,7 @@
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
-#include "Tone/Stipple/StippleSliders.h"
+#include "Tone/Stipple/Sliders.h"
 
 #include "vtkCellData.h"
 #include "vtkLight.h"

@@ -10,7 +10,7 @@
 #include "vtkInkStippleMapper.h"
 #include "vtkInkStippleStyle.h"
 
-#include "Tone/Stipple/StippleSliders.h"
+#include "Tone/Stipple/Sliders.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
