@@ -58,7 +58,7 @@ test-paraview: ## Run the tests of the ParaView build
 test-aarch64: setup-aarch64 build-aarch64 ## Run Common's tests as programs of 64-bit ARM, under QEMU
 	@ctest --preset aarch64 --parallel "$$(Utilities/jobs.sh)"
 
-bench: setup-headless build-headless ## Measure vtkInk against VTK's own, and how calm stipples are
+bench: setup-headless build-headless ## Measure vtkInk against VTK's own, and the temporal coherence of stipples
 	@Utilities/bench.sh
 
 tradeoff: setup-headless build-headless ## Measure error against time, write Documentation/accuracy-and-speed.md
@@ -78,7 +78,7 @@ fuzz: setup-headless ## Fuzz what ink reads, each FORMAT (all, or as ply) for SE
 format: ## Format the C++ files (clang-format)
 	@git ls-files '*.h' '*.cxx' '*.cpp' | xargs clang-format -i
 
-tidy: setup-headless build-ink ## Check the sources of the libraries, or FILES (clang-tidy)
+tidy: setup-headless build-ink ## Check the sources of libraries and programs, or FILES (clang-tidy)
 	@Utilities/setup.sh tidy
 	@Utilities/tidy.sh $(FILES)
 

@@ -11,16 +11,13 @@ else ()
   set(_ink_precompile ON)
 endif ()
 
-# ink_precompiled_headers(TARGET): for a target of VTK's data model. Libraries and programs need their own, as code of
-# the one can be anywhere and code of the other cannot be replaced.
+# ink_precompiled_headers(TARGET): for a target of VTK's data model. One file serves libraries and programs, which are
+# compiled as libraries then: as position-independent code.
 function (ink_precompiled_headers target)
   if (_ink_precompile)
-    get_target_property(type ${target} TYPE)
-    if (type STREQUAL "EXECUTABLE")
-      target_precompile_headers(${target} REUSE_FROM InkPrecompiledForPrograms)
-    else ()
-      target_precompile_headers(${target} REUSE_FROM InkPrecompiledForLibraries)
-    endif ()
+    target_precompile_headers(${target} REUSE_FROM InkPrecompiled)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(${target} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
     if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # GCC 12 warns of the standard library's own strings where it no longer knows that they are a system header's.
       target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
@@ -30,17 +27,14 @@ endfunction ()
 
 if (_ink_precompile)
   file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/CMakeFiles/InkPrecompiled.cxx" CONTENT "")
-  foreach (_ink_kind IN ITEMS Libraries Programs)
-    add_library(InkPrecompiledFor${_ink_kind} OBJECT "${CMAKE_BINARY_DIR}/CMakeFiles/InkPrecompiled.cxx")
-    target_link_libraries(InkPrecompiledFor${_ink_kind} PRIVATE
-      VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel)
-    ink_compile_options(InkPrecompiledFor${_ink_kind})
-    target_precompile_headers(InkPrecompiledFor${_ink_kind} PRIVATE
-      <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <iostream> <limits> <map> <memory> <mutex> <optional>
-      <sstream> <string> <utility> <vector>
-      <vtkCommand.h> <vtkDataArrayRange.h> <vtkFloatArray.h> <vtkImageData.h> <vtkInformation.h> <vtkNew.h> <vtkPointData.h>
-      <vtkPolyDataAlgorithm.h> <vtkSmartPointer.h>)
-  endforeach ()
-  set_target_properties(InkPrecompiledForPrograms PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-  target_compile_options(InkPrecompiledForPrograms PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIE})
+  add_library(InkPrecompiled OBJECT "${CMAKE_BINARY_DIR}/CMakeFiles/InkPrecompiled.cxx")
+  target_link_libraries(InkPrecompiled PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel)
+  ink_compile_options(InkPrecompiled)
+  target_precompile_headers(InkPrecompiled PRIVATE
+    <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <iostream> <limits> <map> <memory> <mutex> <optional>
+    <sstream> <string> <utility> <vector>
+    <vtkCommand.h> <vtkDataArrayRange.h> <vtkFloatArray.h> <vtkImageData.h> <vtkInformation.h> <vtkNew.h> <vtkPointData.h>
+    <vtkPolyDataAlgorithm.h> <vtkSmartPointer.h>)
+  set_target_properties(InkPrecompiled PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  target_compile_options(InkPrecompiled PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
 endif ()

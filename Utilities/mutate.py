@@ -104,7 +104,7 @@ def mutants_of(path):
 
 
 def begins_with(name, part):
-    """Whether a mutant lies in a folder, file, line or place."""
+    """Whether a mutant lies in a folder, file, line or column."""
     return name == part or name.startswith(part) and name[len(part)] in "/:"
 
 
@@ -147,16 +147,13 @@ def built(program):
 
 
 class Test:
-    """A source file of a test program: of a GoogleTest program its tests, of a VTK-style one the one of its name."""
+    """The tests in a source file of a test program."""
 
-    def __init__(self, program, path, google):
+    def __init__(self, program, path):
         self.program, self.path, self.seconds = program, path, 0.0
-        if google:
-            names = re.findall(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+), (\w+)\)", path.read_text(encoding="utf-8"), re.MULTILINE)
-            wanted = ":".join(f"{suite}.{name}:*/{suite}.{name}/*:{suite}/*.{name}" for suite, name in names)
-            self.arguments = [f"--gtest_filter={wanted}", "--gtest_fail_fast", "--gtest_brief=1"]
-        else:
-            self.arguments = [path.stem]
+        names = re.findall(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+), (\w+)\)", path.read_text(encoding="utf-8"), re.MULTILINE)
+        wanted = ":".join(f"{suite}.{name}:*/{suite}.{name}/*:{suite}/*.{name}" for suite, name in names)
+        self.arguments = [f"--gtest_filter={wanted}", "--gtest_fail_fast", "--gtest_brief=1"]
 
     def run(self):
         """Whether it passes, and what it says."""
@@ -193,10 +190,10 @@ class Coverage:
                 if testing in self.tests:
                     return self.tests[testing]
                 lists = testing / "CMakeLists.txt"
-                if lists.exists() and (found := re.findall(r"ink_add_(gtest|vtk_tests)\((\w+)\s+(?:OPENGL\s+)?SOURCES\s+((?:[\w/]+\.c\w+\s+)+)",
+                if lists.exists() and (found := re.findall(r"ink_add_gtest\((\w+)\s+(?:OPENGL\s+)?SOURCES\s+((?:[\w/]+\.c\w+\s+)+)",
                                                            lists.read_text(encoding="utf-8"))):
-                    self.tests[testing] = [Test(program, testing / source, kind == "gtest")
-                                           for kind, program, sources in found for source in sources.split()]
+                    self.tests[testing] = [Test(program, testing / source)
+                                           for program, sources in found for source in sources.split()]
                     return self.tests[testing]
         sys.exit(f"mutate.py: no tests beside {path}")
 

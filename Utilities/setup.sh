@@ -75,8 +75,11 @@ install_debian_packages()
   apt_get update || could_not_install
   # shellcheck disable=SC2086
   LC_ALL=C apt-get install -y --no-install-recommends --print-uris $missing >"$log" 2>&1 || could_not_install
-  packages="$(grep -c "^'" "$log" || true)"
+  # What apt has in its cache is not fetched.
   megabytes="$(awk '/^\x27/ { bytes += $3 } END { printf "%d", bytes / 1e6 }' "$log")"
+  # shellcheck disable=SC2086
+  LC_ALL=C apt-get install --simulate --no-install-recommends $missing >"$log" 2>&1 || could_not_install
+  packages="$(grep -c '^Inst ' "$log" || true)"
   echo "setup: installing Debian's$missing ($packages packages with what they need, $megabytes MB to fetch)"
   : >"$log"
   show_progress "$((packages > 0 ? packages : 1))" &

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Checks sources with clang-tidy, which .clang-tidy tells what to look for:  Utilities/tidy.sh [FOLDER|FILE...]
-# Of folders, what the headless build compiles, without tests. By default the libraries. Fails where anything is found.
+# Of folders, what the headless build compiles; by default all of that but tests. Of a folder Testing, the tests. Fails
+# where anything is found.
 set -euo pipefail
 
 root="$(cd "$(dirname "$0")/.." && pwd)"
@@ -11,14 +12,17 @@ if [ ! -f "$commands" ]; then
   echo "tidy: error: no $commands, which build/headless has once it is built (make build-ink)" >&2
   exit 1
 fi
-[ $# -gt 0 ] || set -- Common Filters IO Rendering Styles
+[ $# -gt 0 ] || set -- Applications Common Filters IO Rendering Styles
 
 # run-clang-tidy takes all sources that a regular expression is found in.
 escaped_root="$(printf '%s' "$root" | sed 's/[][\.*^$+?(){}|]/\\&/g')"
 patterns=()
 for path in "$@"; do
   if [ -d "$path" ]; then
-    patterns+=("^$escaped_root/${path%/}/(?!(.*/)?Testing/)")
+    case "/$path/" in
+      */Testing/*) patterns+=("^$escaped_root/${path%/}/") ;;
+      *) patterns+=("^$escaped_root/${path%/}/(?!(.*/)?Testing/)") ;;
+    esac
   elif [ -f "$path" ]; then
     patterns+=("^$escaped_root/$path\$")
   else

@@ -21,7 +21,7 @@ template <class Real, bool strict, int axis>
 struct AxisCrossings
 {
   Vector<Real> along;
-  Mask<Real> counts[4]; ///< -1 for each crossed edge
+  Mask<Real> counts[4]; ///< -1 for each intersected edge
 
   template <int n>
   INK_INLINE Vector<Real> cross(

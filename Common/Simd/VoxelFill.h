@@ -26,12 +26,12 @@ struct VoxelFill
   /// Take sample steps to two axes on the tangent plane, in units of the voxel's size.
   float planeX[3];
   float planeY[3];
-  /// By rank: the square of the distance from the sample on the plane up to which stipples are minded.
+  /// By rank: the square of the distance from the sample on the plane up to which stipples count.
   float sight[MostStipples];
-  /// At these ranks the stipples beyond sight are sorted out: not each time, because it takes a while, too.
+  /// At these ranks the stipples beyond that distance are removed: not at each, as that takes time, too.
   std::uint64_t sortedOut;
 
-  /// The voxel's places between the planes p1 and p2: the axis nearest to the normal, `solved`, follows from
+  /// The voxel's positions between the planes p1 and p2: the axis nearest to the normal, `solved`, follows from
   /// the other two (solved + 1) % 3 and (solved + 2) % 3 by the slopes, up to a part of `height`.
   int solved;
   float slope[2];
@@ -39,7 +39,7 @@ struct VoxelFill
   /// Where the sequences of candidates start.
   std::uint32_t start[3];
 
-  /// Room for the stipples that are minded: 27 count + 2 Lanes numbers each.
+  /// Room for the stipples that count: 27 count + 2 Lanes numbers each.
   float* nearX;
   float* nearY;
   float* nearNumber;

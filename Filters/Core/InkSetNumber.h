@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SPDX-License-Identifier: BSD-3-Clause Setters that refuse NaN, which vtkSetClampMacro and
+// Setters that refuse NaN, which vtkSetClampMacro and
 // vtkSetVector2Macro let through.
 #ifndef InkSetNumber_h
 #define InkSetNumber_h

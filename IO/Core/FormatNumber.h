@@ -8,7 +8,7 @@ namespace ink
 {
 
 /// A number as people write it: up to 7 significant digits.
-inline std::string text(double number)
+inline std::string formatNumber(double number)
 {
   std::ostringstream stream;
   stream.precision(7);
@@ -18,16 +18,16 @@ inline std::string text(double number)
 }
 
 /// "a x b x c" from three numbers.
-inline std::string dimensionsText(const int dimensions[3])
+inline std::string formatDimensions(const int dimensions[3])
 {
   return std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) + " x " +
     std::to_string(dimensions[2]);
 }
 
 /// "a b c" from three numbers.
-inline std::string tripleText(const double v[3])
+inline std::string formatTriple(const double v[3])
 {
-  return text(v[0]) + " " + text(v[1]) + " " + text(v[2]);
+  return formatNumber(v[0]) + " " + formatNumber(v[1]) + " " + formatNumber(v[2]);
 }
 
 } // namespace ink

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtkMessages.h"
 
+#include "Pattern.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
 #include <iostream>
 #include <mutex>
-#include <regex>
 #include <sstream>
 
 namespace ink
@@ -53,13 +53,11 @@ std::recursive_mutex& catching()
 
 std::string plainMessage(const std::string& message)
 {
-  static const std::regex position(R"(^\s*(ERROR|Warning|Generic Warning): In [^\n]*, line \d+\s*)");
-  static const std::regex object(R"(^\s*\w+ \((0x)?[0-9a-fA-F]+\): )");
+  static const io::Pattern position(R"(^\s*(ERROR|Warning|Generic Warning): In [^\n]*, line \d+\s*)");
+  static const io::Pattern object(R"(^\s*\w+ \((0x)?[0-9a-fA-F]+\): )");
   // Spaces within a line may be those of a file's name.
-  static const std::regex lineEnds(R"(\s*\n\s*)");
-  std::string text = std::regex_replace(message, position, "");
-  text = std::regex_replace(text, object, "");
-  text = std::regex_replace(text, lineEnds, " ");
+  static const io::Pattern lineEnds(R"(\s*\n\s*)");
+  const std::string text = lineEnds.replace(object.replace(position.replace(message, ""), ""), " ");
   const auto first = text.find_first_not_of(" \t");
   const auto last = text.find_last_not_of(" \t.");
   return first == std::string::npos || last == std::string::npos ? "" : text.substr(first, last - first + 1);

@@ -55,7 +55,7 @@ void CheckCells(vtkPolyData* mesh, const fs::path& file)
     if (range[0] < 0 || range[1] >= static_cast<double>(mesh->GetNumberOfPoints()))
     {
       io::failToRead(file,
-        "a cell has point " + ink::text(range[0] < 0 ? range[0] : range[1]) + ", but there are " +
+        "a cell has point " + ink::formatNumber(range[0] < 0 ? range[0] : range[1]) + ", but there are " +
           std::to_string(mesh->GetNumberOfPoints()) + " points");
     }
   }

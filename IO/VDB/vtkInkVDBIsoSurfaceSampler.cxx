@@ -77,8 +77,8 @@ struct Surfaces
 };
 
 template <class Array, class NextStep>
-bool Place(const ink::VdbGrid& grid, const Surfaces& surfaces, const ink::SampleOptions& options, bool negate,
-  int projectionSteps, Array* points, vtkFloatArray* normals, const NextStep& nextStep)
+bool PlaceSamples(const ink::VdbGrid& grid, const Surfaces& surfaces, const ink::SampleOptions& options,
+  bool negate, int projectionSteps, Array* points, vtkFloatArray* normals, const NextStep& nextStep)
 {
   using Real = typename Array::ValueType;
   InkSetNumberOfTuples(points, static_cast<vtkIdType>(surfaces.Count));
@@ -299,9 +299,9 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     normals->SetNumberOfComponents(3);
     InkSetNumberOfTuples(normals, this->ComputeNormals ? static_cast<vtkIdType>(surfaces.Count) : 0);
     vtkFloatArray* wanted = this->ComputeNormals ? normals.Get() : nullptr;
-    const bool whole = doubles ? Place(grid, surfaces, options, negate, this->ProjectionSteps,
+    const bool whole = doubles ? PlaceSamples(grid, surfaces, options, negate, this->ProjectionSteps,
                                    vtkDoubleArray::SafeDownCast(points->GetData()), wanted, nextStep)
-                               : Place(grid, surfaces, options, negate, this->ProjectionSteps,
+                               : PlaceSamples(grid, surfaces, options, negate, this->ProjectionSteps,
                                    vtkFloatArray::SafeDownCast(points->GetData()), wanted, nextStep);
     if (!whole)
     {

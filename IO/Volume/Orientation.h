@@ -13,8 +13,8 @@ struct Orientation
   double direction[3][3]; ///< direction[i] is the unit vector along which voxel index i grows
   double origin[3];       ///< of the first voxel
 
-  /// From the vectors between neighboring voxels, those of each index one after the other, and the place of
-  /// the first, both as in the file. @param sign turns the file's axes to DICOM's.
+  /// From the vectors between neighboring voxels, those of each index one after the other, and the position
+  /// of the first, both as in the file. @param sign turns the file's axes to DICOM's.
   Orientation(const double steps[9], const double firstVoxel[3], const double sign[3]);
 
   /// Sets origin and direction of image. Does nothing if the directions are not at right angles, as those of

@@ -57,7 +57,7 @@ void RawVolume::checkDimensions(const fs::path& header) const
   if (!(bytes > 0.0 && bytes < mostBytes))
   {
     failToRead(header,
-      "its header says dimensions " + dimensionsText(this->dimensions) + " and " +
+      "its header says dimensions " + formatDimensions(this->dimensions) + " and " +
         std::to_string(this->components) + " components; expected 1 or more that a file can hold");
   }
 }

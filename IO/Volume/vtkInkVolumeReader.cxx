@@ -101,7 +101,7 @@ io::VolumeHeader RawHeader(
   if (std::any_of(dimensions, dimensions + 3, [](int dimension) { return dimension < 1; }))
   {
     io::failToRead(
-      file, "RawDimensions are " + ink::dimensionsText(dimensions) + "; expected numbers of 1 or more");
+      file, "RawDimensions are " + ink::formatDimensions(dimensions) + "; expected numbers of 1 or more");
   }
   header.voxels.setBigEndian(bigEndian);
   std::transform(spacing, spacing + 3, header.spacing, io::spacingOf);
@@ -113,9 +113,9 @@ io::VolumeHeader RawHeader(
   if (bytes >= mostBytes || found != header.voxels.fileBytes())
   {
     io::failToRead(file,
-      "it has " + std::to_string(found) + " bytes, but " + ink::dimensionsText(dimensions) + " " +
+      "it has " + std::to_string(found) + " bytes, but " + ink::formatDimensions(dimensions) + " " +
         vtkImageScalarTypeNameMacro(type) + " needs " +
-        (bytes < mostBytes ? std::to_string(header.voxels.fileBytes()) : ink::text(bytes)));
+        (bytes < mostBytes ? std::to_string(header.voxels.fileBytes()) : ink::formatNumber(bytes)));
   }
   return header;
 }
@@ -145,8 +145,8 @@ struct vtkInkVolumeReader::Source
     this->Notes.insert(this->Notes.end(), this->Header.notes.begin(), this->Header.notes.end());
     if (this->Header.isScaled())
     {
-      this->Notes.push_back("its stored values are rescaled: " + ink::text(this->Header.slope) + " v + " +
-        ink::text(this->Header.intercept));
+      this->Notes.push_back("its stored values are rescaled: " + ink::formatNumber(this->Header.slope) +
+        " v + " + ink::formatNumber(this->Header.intercept));
     }
   }
   explicit Source(const fs::path& file)
@@ -389,9 +389,9 @@ void vtkInkVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << Text(this->FileName) << "\n"
      << indent << "Raw: " << this->Raw << "\n"
-     << indent << "RawDimensions: " << ink::dimensionsText(this->RawDimensions) << "\n"
+     << indent << "RawDimensions: " << ink::formatDimensions(this->RawDimensions) << "\n"
      << indent << "RawScalarType: " << vtkImageScalarTypeNameMacro(this->RawScalarType) << "\n"
-     << indent << "RawSpacing: " << ink::tripleText(this->RawSpacing) << "\n"
+     << indent << "RawSpacing: " << ink::formatTriple(this->RawSpacing) << "\n"
      << indent << "RawBigEndian: " << this->RawBigEndian << "\n"
      << indent << "Format: " << this->GetFormat() << "\n";
 }

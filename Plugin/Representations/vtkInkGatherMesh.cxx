@@ -49,13 +49,13 @@ std::vector<vtkSmartPointer<vtkPolyData>> TakeOwn(const std::vector<vtkSmartPoin
   return taken;
 }
 
-/// Places and normals are the same up to rounding: sources that close around themselves, as ParaView's
+/// Positions and normals are the same up to rounding: sources that close around themselves, as ParaView's
 /// sphere, give one piece 0 and another the sine of 2 pi.
 constexpr double FloatRounding = 0x1p-22;
 constexpr double DoubleRounding = 0x1p-44;
 constexpr double NormalRounding = 0x1p-12;
 
-/// For each point the first one at the same place with the same normal.
+/// For each point the first one at the same position with the same normal.
 std::vector<vtkIdType> FindFirsts(vtkPolyData* mesh)
 {
   using Identity = std::array<double, 6>;

@@ -15,7 +15,7 @@ class vtkPolyData;
 /// Which points of a mesh's parts become one.
 enum class vtkInkCommonPoints
 {
-  All,        ///< those at the same place, with the same normal if there are normals
+  All,        ///< those at the same position, with the same normal if there are normals
   WithNormals ///< none if there are none: an edge that has its points twice may be meant to be sharp
 };
 

@@ -39,9 +39,9 @@ vtkInformationVector** vtkInkWholeMesh::Gather(vtkInformationVector** input, int
     vtkInkGatherMesh({ part }, vtkInkCommonPoints::WithNormals, controller);
   for (int port = 0; port < ports; ++port)
   {
-    const auto place = static_cast<std::size_t>(port);
-    this->Gathered[place]->Copy(input[port], 1);
-    this->Pointers[place] = this->Gathered[place];
+    const auto index = static_cast<std::size_t>(port);
+    this->Gathered[index]->Copy(input[port], 1);
+    this->Pointers[index] = this->Gathered[index];
   }
   this->Gathered[0]->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), whole);
   return this->Pointers.data();

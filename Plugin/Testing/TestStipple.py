@@ -84,8 +84,8 @@ class TestStipple(TestInOneView):
                 setattr(display, f"Stipple{slider}", position)
                 inks.append(self.ink())
             self.assertEqual(inks, sorted(set(inks), reverse=not more), slider)
-            display.StipplePreset = "Bone"
-            display.StipplePreset = "Anatomy"
+            display.Preset = "Bone"
+            display.Preset = "Anatomy"
         before = picture(self.view)
         for slider in ("Orientation", "Distance", "Color"):
             setattr(display, f"Stipple{slider}", 1.0)
@@ -130,11 +130,11 @@ class TestStipple(TestInOneView):
         self.assertEqual(self.stipples(display), made)
 
     def test_presets_set_the_sliders_and_differ(self):
-        display = self.show_wavelet(StipplePreset="Bone")
+        display = self.show_wavelet(Preset="Bone")
         display.StippleGradient = 0.9
         pictures, sharpness = [], []
-        for preset in display.GetProperty("StipplePreset").GetAvailable():
-            display.StipplePreset = preset
+        for preset in display.GetProperty("Preset").GetAvailable():
+            display.Preset = preset
             self.assertLess(display.StippleGradient, 0.7)
             sharpness.append(display.StippleSharpness)
             pictures.append(picture(self.view))
@@ -142,12 +142,12 @@ class TestStipple(TestInOneView):
         for i, one in enumerate(pictures):
             for other in pictures[:i]:
                 self.assertGreater(numpy.abs(one - other).mean(), 0.001)
-        self.assertEqual((display.StipplePreset, display.ValueEffect, display.PixelsPerStipple), ("As Published", 1.0, 1.0))
-        display.StipplePreset = "Plate, White on Black"
+        self.assertEqual((display.Preset, display.ValueEffect, display.PixelsPerStipple), ("As Published", 1.0, 1.0))
+        display.Preset = "Plate, White on Black"
         self.assertEqual(list(display.StippleInkColor), [1.0, 1.0, 1.0])
         self.assertEqual((display.LightInk, display.FadeBySize), (1, 1))
         self.assertGreater(picture(self.view).min(axis=-1).max(), 0.9)
-        display.StipplePreset = "Anatomy"
+        display.Preset = "Anatomy"
         self.assertEqual(display.LightInk, 0)
         numpy.testing.assert_array_equal(picture(self.view), pictures[0])
 
@@ -414,7 +414,7 @@ class TestStipple(TestInOneView):
         self.assertIn("without polygons. It needs an image, a mesh, points with Normals and Radius, or stipples", warnings[0])
 
     def assert_restored(self, save, load):
-        changed = {"StipplePreset": "Engineering", "StippleInterior": 0.9, "SilhouetteGain": 0.7, "StippleInkColor": [0, 0, 1]}
+        changed = {"Preset": "Engineering", "StippleInterior": 0.9, "SilhouetteGain": 0.7, "StippleInkColor": [0, 0, 1]}
         display = self.show_wavelet(**changed)
         names = [name for name in display.ListProperties() if name.startswith(("Stipple", "K", "Gradient"))]
         expected = {name: str(getattr(display, name)) for name in names}

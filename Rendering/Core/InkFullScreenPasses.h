@@ -13,7 +13,7 @@ class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
-/// Passes over whole images: a quad that fills the viewport, whose fragment shader finds its place in
+/// Passes over whole images: a quad that fills the viewport, whose fragment shader finds its position in
 /// `texCoord`. For one window.
 class VTKINKRENDERINGCORE_EXPORT InkFullScreenPasses
 {

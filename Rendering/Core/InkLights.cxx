@@ -16,9 +16,9 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-std::vector<ink::stipple::StippleLight> InkFindLights(vtkRenderer* renderer)
+std::vector<ink::Light> InkFindLights(vtkRenderer* renderer)
 {
-  std::vector<ink::stipple::StippleLight> lights;
+  std::vector<ink::Light> lights;
   vtkMatrix4x4* worldToView = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   vtkLightCollection* collection = renderer->GetLights();
   vtkCollectionSimpleIterator cookie;
@@ -39,8 +39,8 @@ std::vector<ink::stipple::StippleLight> InkFindLights(vtkRenderer* renderer)
     const double* rgb = light->GetDiffuseColor();
     const double luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
     const auto intensity = static_cast<float>(light->GetIntensity() * luminance);
-    const glm::dvec3 place(from[0], from[1], from[2]);
-    const glm::dvec3 back = place - glm::dvec3(to[0], to[1], to[2]);
+    const glm::dvec3 position(from[0], from[1], from[2]);
+    const glm::dvec3 back = position - glm::dvec3(to[0], to[1], to[2]);
     const double length = glm::length(back);
     const glm::vec3 towards = length > 0.0 ? glm::vec3(back / length) : glm::vec3(0.0f, 0.0f, 1.0f);
     if (!light->GetPositional())
@@ -48,7 +48,7 @@ std::vector<ink::stipple::StippleLight> InkFindLights(vtkRenderer* renderer)
       lights.push_back({ glm::vec4(towards, 0.0f), intensity });
       continue;
     }
-    ink::stipple::StippleLight lamp{ glm::vec4(glm::vec3(place), 1.0f), intensity, -towards };
+    ink::Light lamp{ glm::vec4(glm::vec3(position), 1.0f), intensity, -towards };
     // As VTK has it, a cone of more than 90 degrees is none.
     if (light->GetConeAngle() <= 90.0)
     {
@@ -60,19 +60,19 @@ std::vector<ink::stipple::StippleLight> InkFindLights(vtkRenderer* renderer)
     lights.push_back(lamp);
   }
   std::stable_partition(
-    lights.begin(), lights.end(), [](const ink::stipple::StippleLight& light) { return !light.isLamp(); });
+    lights.begin(), lights.end(), [](const ink::Light& light) { return !light.isLamp(); });
   return lights;
 }
 
-std::string InkFindLightFeatures(const std::vector<ink::stipple::StippleLight>& lights)
+std::string InkFindLightFeatures(const std::vector<ink::Light>& lights)
 {
-  const auto lamps = std::count_if(
-    lights.begin(), lights.end(), [](const ink::stipple::StippleLight& light) { return light.isLamp(); });
+  const auto lamps =
+    std::count_if(lights.begin(), lights.end(), [](const ink::Light& light) { return light.isLamp(); });
   return InkDefine("INK_LIGHTS", lights.size()) + InkDefine("INK_SUNS", lights.size() - lamps) +
     (lamps > 0 ? InkDefine("INK_LAMPS") : "");
 }
 
-void InkSetLightUniforms(vtkShaderProgram* program, const std::vector<ink::stipple::StippleLight>& lights)
+void InkSetLightUniforms(vtkShaderProgram* program, const std::vector<ink::Light>& lights)
 {
   const int count = static_cast<int>(lights.size());
   if (count > 0)
@@ -84,7 +84,7 @@ void InkSetLightUniforms(vtkShaderProgram* program, const std::vector<ink::stipp
     float fading[4 * most];
     for (int i = 0; i < count; ++i)
     {
-      const ink::stipple::StippleLight& light = lights[i];
+      const ink::Light& light = lights[i];
       for (int axis = 0; axis < 4; ++axis)
       {
         positions[4 * i + axis] = light.position[axis];

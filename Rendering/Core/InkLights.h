@@ -4,7 +4,7 @@
 
 #include "vtkInkRenderingCoreModule.h" // for the export macro
 
-#include "Tone/Stipple/Lighting.h"
+#include "Tone/Light.h"
 
 #include <cstddef>
 #include <string>
@@ -17,14 +17,14 @@ class vtkShaderProgram;
 constexpr std::size_t InkMostLights = 8;
 
 /// A renderer's lights in view coordinates, those with parallel rays first, which the shader counts on.
-VTKINKRENDERINGCORE_EXPORT std::vector<ink::stipple::StippleLight> InkFindLights(vtkRenderer* renderer);
+VTKINKRENDERINGCORE_EXPORT std::vector<ink::Light> InkFindLights(vtkRenderer* renderer);
 
 /// The definitions that Shaders/InkLighting.glsl needs for some lights.
 VTKINKRENDERINGCORE_EXPORT std::string InkFindLightFeatures(
-  const std::vector<ink::stipple::StippleLight>& lights);
+  const std::vector<ink::Light>& lights);
 
 /// Its uniforms.
 VTKINKRENDERINGCORE_EXPORT void InkSetLightUniforms(
-  vtkShaderProgram* program, const std::vector<ink::stipple::StippleLight>& lights);
+  vtkShaderProgram* program, const std::vector<ink::Light>& lights);
 
 #endif

@@ -13,7 +13,7 @@ class vtkAbstractMapper;
 class vtkRenderer;
 class vtkShaderProgram;
 
-/// What the marks' place on the screen depends on: camera, actor, viewport and clipping planes. Two equal
+/// What the marks' position on the screen depends on: camera, actor, viewport and clipping planes. Two equal
 /// views of the same points give the same picture. Matrices are stored column by column, as OpenGL takes
 /// them.
 struct VTKINKRENDERINGCORE_EXPORT InkViewUniforms

@@ -197,7 +197,7 @@ void InkSplatDrawing::DrawInk(
   {
     this->Reach = std::max(this->Reach, InkLinePostProcess(style, index, view).GetReach());
   }
-  // What is farther from the discs is never looked at.
+  // What is farther from the discs is never read.
   const std::array<int, 4> extent = passes.FindExtent(view, *this->Splatting, this->Reach);
   state->vtkglScissor(extent[0], extent[1], extent[2], extent[3]);
   for (int index = this->Present - 1; index >= 0; --index)

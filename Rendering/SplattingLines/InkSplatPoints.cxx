@@ -47,7 +47,7 @@ void InkSplatPoints::Read(
     this->Frame.ToLocal(p, position);
     if (InkIsGhostPoint(ghosts, i))
     {
-      // As points of no place, which take no part in anything.
+      // As points without a position, which take no part in anything.
       std::fill_n(position, 3, std::numeric_limits<float>::quiet_NaN());
     }
   }

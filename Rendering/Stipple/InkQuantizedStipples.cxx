@@ -17,17 +17,17 @@ InkQuantizedStipples::InkQuantizedStipples(const InkStipplePoints& points)
   std::vector<glm::vec3> highs(count, glm::vec3(-INFINITY));
   for (const InkStipplePoints::Vertex& vertex : vertices)
   {
-    const glm::vec3 place = glm::make_vec3(vertex.Position);
+    const glm::vec3 position = glm::make_vec3(vertex.Position);
     glm::vec3& low = lows[element(vertex)];
     glm::vec3& high = highs[element(vertex)];
-    low = glm::min(low, place);
-    high = glm::max(high, place);
+    low = glm::min(low, position);
+    high = glm::max(high, position);
     this->Edges = glm::max(this->Edges, high - low);
   }
   this->Boxes.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    // Elements none of whose stipples has a finite place have no box.
+    // Elements none of whose stipples has a finite position have no box.
     if (lows[i].x <= highs[i].x)
     {
       this->Boxes[i] = ink::stipple::fitQuantizationBox(lows[i], highs[i], this->Edges);

@@ -15,7 +15,7 @@ struct InkQuantizedStipples
   /// 8 bytes a stipple.
   struct Vertex
   {
-    std::uint32_t Place; ///< in the element's box, as ink::stipple::quantizePosition makes it
+    std::uint32_t Position; ///< in the element's box, as ink::stipple::quantizePosition makes it
     std::uint32_t ElementAndRank;
   };
   static_assert(sizeof(Vertex) == 8);

@@ -49,7 +49,7 @@ struct Angle
 class BlockView
 {
 public:
-  BlockView(const InkViewUniforms& view, const ink::stipple::StippleTone& tone,
+  BlockView(const InkViewUniforms& view, const ink::stipple::Tone& tone,
     const InkStippleView& toneView, float margin)
     : ToView(glm::make_mat4(view.MCVC.data()))
     , Normal(glm::make_mat3(view.Normal.data()))
@@ -112,10 +112,10 @@ private:
     return { (angle + spread).Cosine - Slack, (angle - spread).Cosine + Slack };
   }
 
-  ink::stipple::StippleTone::Directions FindDirections(
+  ink::stipple::Tone::Directions FindDirections(
     const InkStippleBlock& block, const glm::vec3& middle, float radius) const
   {
-    ink::stipple::StippleTone::Directions directions;
+    ink::stipple::Tone::Directions directions;
     if (!this->KeepsAngles || !(block.LeastCosine > -1.0f))
     {
       return directions;
@@ -149,11 +149,11 @@ private:
   }
 
   void FindLight(
-    const glm::vec3& axis, const Angle& spread, ink::stipple::StippleTone::Directions& directions) const
+    const glm::vec3& axis, const Angle& spread, ink::stipple::Tone::Directions& directions) const
   {
     float least = 0.0f;
     float most = 0.0f;
-    for (const ink::stipple::StippleLight& light : this->ToneView.Lights)
+    for (const ink::Light& light : this->ToneView.Lights)
     {
       if (light.isLamp())
       {
@@ -176,7 +176,7 @@ private:
 
   glm::mat4 ToView;
   glm::mat3 Normal;
-  const ink::stipple::StippleTone& Tone;
+  const ink::stipple::Tone& Tone;
   const InkStippleView& ToneView;
   bool Parallel;
   bool KeepsAngles;
@@ -188,7 +188,7 @@ private:
 } // namespace
 
 void InkStippleRuns::Find(const std::vector<InkStippleBlock>& blocks, const InkViewUniforms& view,
-  const ink::stipple::StippleTone& tone, const InkStippleView& toneView, float margin)
+  const ink::stipple::Tone& tone, const InkStippleView& toneView, float margin)
 {
   this->Firsts.clear();
   this->Counts.clear();

@@ -37,10 +37,10 @@ struct InkStippleRuns
   std::vector<int> Counts;
 
   /// Leaves out blocks beyond the edges of the view and, of the others, the stipples that no element of the
-  /// block will draw (see StippleTone::mostTone): those that face away, are in full light, ...
+  /// block will draw (see Tone::mostTone): those that face away, are in full light, ...
   /// @param margin how far in pixels stipples reach beyond their centers
   void Find(const std::vector<InkStippleBlock>& blocks, const InkViewUniforms& view,
-    const ink::stipple::StippleTone& tone, const InkStippleView& toneView, float margin);
+    const ink::stipple::Tone& tone, const InkStippleView& toneView, float margin);
 
   /// All stipples.
   void Fill(int numberOfStipples);

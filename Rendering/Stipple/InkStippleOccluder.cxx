@@ -94,13 +94,13 @@ InkStippleOccluder::~InkStippleOccluder()
 
 void InkStippleOccluder::Update(vtkPolyData* surface, const InkShiftScale& frame)
 {
-  const std::array<double, 4> place{ frame.Center[0], frame.Center[1], frame.Center[2], frame.Unit };
-  if (this->UploadTime > 0 && this->SurfaceTime == surface->GetMTime() && this->Frame == place)
+  const std::array<double, 4> transform{ frame.Center[0], frame.Center[1], frame.Center[2], frame.Unit };
+  if (this->UploadTime > 0 && this->SurfaceTime == surface->GetMTime() && this->Frame == transform)
   {
     return;
   }
   this->SurfaceTime = surface->GetMTime();
-  this->Frame = place;
+  this->Frame = transform;
   this->LargestRadius = 0.0f;
   this->NumberOfVertices = 0;
   if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)

@@ -136,7 +136,7 @@ void InkStipplePasses::BindAttributes(vtkShaderProgram* program, vtkOpenGLVertex
   if (this->Packed)
   {
     using Vertex = InkQuantizedStipples::Vertex;
-    bindInteger("quantizedPosition", offsetof(Vertex, Place), sizeof(Vertex));
+    bindInteger("quantizedPosition", offsetof(Vertex, Position), sizeof(Vertex));
     bindInteger("elementAndRank", offsetof(Vertex, ElementAndRank), sizeof(Vertex));
   }
   else
@@ -175,7 +175,7 @@ vtkShaderProgram* InkStipplePasses::Begin(InkShaderPass& pass, const Scene& scen
   }
   else
   {
-    // Samplers of different kinds must not share a unit, also if one of them is not looked at.
+    // Samplers of different kinds must not share a unit, also if one of them is not read.
     program->SetUniformi("occluder", this->LastTextureUnit);
   }
   program->SetUniformf("leastIntensity", 0.0f);
@@ -193,7 +193,7 @@ void InkStipplePasses::End(InkShaderPass& pass, const Scene& scene)
 }
 
 float InkStipplePasses::FindReach(
-  const InkViewUniforms& view, const ink::stipple::StippleTone& tone, const InkStippleView& toneView) const
+  const InkViewUniforms& view, const ink::stipple::Tone& tone, const InkStippleView& toneView) const
 {
   const float scale = static_cast<float>(view.TileScale);
   return 0.5f * std::min(tone.largestDiameter(toneView.Tone) * scale, this->LargestPoint) + 1.0f;

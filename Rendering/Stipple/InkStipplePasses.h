@@ -50,7 +50,7 @@ public:
   {
     const InkViewUniforms& View;
     const InkStipplePoints& Points;
-    const ink::stipple::StippleTone& Tone;
+    const ink::stipple::Tone& Tone;
     const InkStippleView& ToneView;
     InkStippleDepth* Occluder; ///< null: nothing hides stipples
     float OccluderOffset;      ///< view units
@@ -69,7 +69,7 @@ public:
 
   /// How many pixels the largest dots of a view reach beyond their centers.
   float FindReach(
-    const InkViewUniforms& view, const ink::stipple::StippleTone& tone, const InkStippleView& toneView) const;
+    const InkViewUniforms& view, const ink::stipple::Tone& tone, const InkStippleView& toneView) const;
 
   /// How many stipples the last Draw had to look at.
   vtkIdType GetNumberOfProcessedStipples() const { return this->Processed; }
@@ -87,7 +87,7 @@ private:
   vtkNew<vtkOpenGLBufferObject> Buffer;
   InkStippleTextures Textures;
   bool Packed = false;
-  std::array<float, 3> PackedStep{}; ///< of a packed place at scale 1
+  std::array<float, 3> PackedStep{}; ///< of a quantized position at scale 1
   vtkMTimeType UploadTime = 0;
   vtkMTimeType ColorUploadTime = 0;
   vtkIdType Processed = 0;

@@ -36,15 +36,15 @@ constexpr std::uint64_t RandomSeed = 0x5717b1e;
 /// Along each axis; ten bits.
 constexpr double MortonCells = 1024.0;
 
-/// Places along a curve that keeps close together what is close: the bits of x, y and z in turn.
+/// Positions along a curve that keeps close together what is close: the bits of x, y and z in turn.
 std::uint64_t MortonCode(const float position[3])
 {
   std::uint64_t code = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     // The local frame's box lies within -1/2 .. 1/2.
-    const double place = std::clamp((position[axis] + 0.5) * MortonCells, 0.0, MortonCells - 1.0);
-    auto bits = static_cast<std::uint64_t>(place);
+    const double cell = std::clamp((position[axis] + 0.5) * MortonCells, 0.0, MortonCells - 1.0);
+    auto bits = static_cast<std::uint64_t>(cell);
     for (int i = 0; i < 10; ++i, bits >>= 1)
     {
       code |= (bits & 1u) << (3 * i + axis);
@@ -90,7 +90,7 @@ struct InkStipplePoints::Element
 {
   std::uint64_t Block;  ///< the same for elements that may share one
   std::uint64_t Random; ///< of this element alone
-  std::uint32_t Place;  ///< along a curve through the data's box
+  std::uint32_t Code;   ///< along a curve through the data's box
   int Length;
   vtkIdType Id;
   vtkIdType First;
@@ -98,16 +98,16 @@ struct InkStipplePoints::Element
   /// By what elements are, not by where they stand in the input.
   bool operator<(const Element& other) const
   {
-    return std::tie(this->Block, this->Place, this->Random, this->Id) <
-      std::tie(other.Block, other.Place, other.Random, other.Id);
+    return std::tie(this->Block, this->Code, this->Random, this->Id) <
+      std::tie(other.Block, other.Code, other.Random, other.Id);
   }
 };
 
 namespace
 {
 
-/// Random bits of an element: of its global id where the input has those, else of its first stipple's place.
-/// A local id depends on how many processes share the data, and the picture must not.
+/// Random bits of an element: of its global id where the input has those, else of its first stipple's
+/// position. A local id depends on how many processes share the data, and the picture must not.
 std::uint64_t FindRandom(const InkStippleInput& input, vtkIdType id, const double firstStipple[3])
 {
   if (input.GlobalIds)
@@ -152,10 +152,9 @@ std::vector<InkStipplePoints::Element> InkStipplePoints::ReadElements(
         input.Surface ? 1.0 : std::clamp(input.GradientMagnitudes->GetComponent(id, 0), 0.0, 1.0);
       const auto steepness =
         static_cast<std::uint64_t>(std::min(gradient * GradientBins, GradientBins - 1.0));
-      const std::uint64_t place = finite ? MortonCode(local) : 0;
-      elements.push_back(
-        { BlockKey(place >> shift, DirectionBin(normal), steepness), FindRandom(input, id, p),
-          static_cast<std::uint32_t>(place), static_cast<int>(std::min(length, longest)), id, first });
+      const std::uint64_t code = finite ? MortonCode(local) : 0;
+      elements.push_back({ BlockKey(code >> shift, DirectionBin(normal), steepness), FindRandom(input, id, p),
+        static_cast<std::uint32_t>(code), static_cast<int>(std::min(length, longest)), id, first });
     }
     first += length;
   }

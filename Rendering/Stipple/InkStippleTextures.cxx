@@ -81,7 +81,7 @@ void InkStippleTextures::Activate(vtkShaderProgram* program)
   {
     activate(this->Boxes, "elementBoxes");
   }
-  // A sampler needs a texture of its kind, also if it is not looked at.
+  // A sampler needs a texture of its kind, also if it is not read.
   activate(this->Colors.Filled ? this->Colors : this->Shapes, "elementColors");
   program->SetUniformi("ownColors", this->Colors.Filled);
 }

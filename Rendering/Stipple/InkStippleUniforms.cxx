@@ -30,7 +30,7 @@ void SetTriple(vtkShaderProgram* program, const char* name, float a, float b, fl
 } // namespace
 
 void InkSetStippleUniforms(
-  vtkShaderProgram* program, const ink::stipple::StippleTone& tone, const InkStippleView& view, float scale)
+  vtkShaderProgram* program, const ink::stipple::Tone& tone, const InkStippleView& view, float scale)
 {
   program->SetUniformf("listed", view.Tone.listed);
   program->SetUniformf("maximumStipples", view.Tone.maximumStipples);

@@ -7,12 +7,12 @@ class vtkShaderProgram;
 
 namespace ink::stipple
 {
-struct StippleTone;
+struct Tone;
 } // namespace ink::stipple
 
 /// Hands the tone's parameters to the vertex shader; all that changes when one of them does.
 /// @param scale what diameters are multiplied by, for pictures drawn in tiles
 void InkSetStippleUniforms(
-  vtkShaderProgram* program, const ink::stipple::StippleTone& tone, const InkStippleView& view, float scale);
+  vtkShaderProgram* program, const ink::stipple::Tone& tone, const InkStippleView& view, float scale);
 
 #endif

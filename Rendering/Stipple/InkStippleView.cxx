@@ -13,7 +13,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 InkStippleView::InkStippleView(vtkRenderer* renderer, const InkViewUniforms& view,
-  const InkStipplePoints& points, const ink::stipple::StippleTone& tone, bool headlight)
+  const InkStipplePoints& points, const ink::stipple::Tone& tone, bool headlight)
 {
   const glm::mat4 toView = glm::make_mat4(view.MCVC.data());
   const std::array<double, 6>& box = points.GetLocalBounds();
@@ -21,8 +21,8 @@ InkStippleView::InkStippleView(vtkRenderer* renderer, const InkViewUniforms& vie
   float farthest = -INFINITY;
   for (int corner = 0; corner < 8; ++corner)
   {
-    const glm::vec4 place(box[corner & 1 ? 1 : 0], box[corner & 2 ? 3 : 2], box[corner & 4 ? 5 : 4], 1.0);
-    const float distance = -(toView * place).z;
+    const glm::vec4 point(box[corner & 1 ? 1 : 0], box[corner & 2 ? 3 : 2], box[corner & 4 ? 5 : 4], 1.0);
+    const float distance = -(toView * point).z;
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
@@ -44,7 +44,6 @@ InkStippleView::InkStippleView(vtkRenderer* renderer, const InkViewUniforms& vie
   this->Tone.maximumStipples = maximumAt(this->Tone.nearest);
   this->Tone.smallness =
     tone.smallElements.weight(maximumAt(std::max(this->Tone.middle, this->Tone.halfRange)));
-  this->Lights = headlight
-    ? std::vector<ink::stipple::StippleLight>{ { glm::vec4(0.0f, 0.0f, 1.0f, 0.0f), 1.0f } }
-    : InkFindLights(renderer);
+  this->Lights = headlight ? std::vector<ink::Light>{ { glm::vec4(0.0f, 0.0f, 1.0f, 0.0f), 1.0f } }
+                           : InkFindLights(renderer);
 }

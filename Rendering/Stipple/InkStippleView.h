@@ -2,7 +2,7 @@
 #ifndef InkStippleView_h
 #define InkStippleView_h
 
-#include "Tone/Stipple/StippleTone.h"
+#include "Tone/Stipple/Tone.h"
 
 #include <vector>
 
@@ -10,15 +10,16 @@ class InkStipplePoints;
 struct InkViewUniforms;
 class vtkRenderer;
 
-/// What the tone depends on besides the stipples and the k's: the object's place before the camera, lights.
+/// What the tone depends on besides the stipples and the k's: the object's position before the camera,
+/// lights.
 struct InkStippleView
 {
   /// @param headlight whether a light at the camera stands in for the renderer's lights
   InkStippleView(vtkRenderer* renderer, const InkViewUniforms& view, const InkStipplePoints& points,
-    const ink::stipple::StippleTone& tone, bool headlight);
+    const ink::stipple::Tone& tone, bool headlight);
 
-  ink::stipple::StippleTone::View Tone;
-  std::vector<ink::stipple::StippleLight> Lights;
+  ink::stipple::Tone::View Tone;
+  std::vector<ink::Light> Lights;
 };
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "vtkInkStippleMapper.h"
 
-#include "Tone/Stipple/StippleSliders.h"
+#include "Tone/Stipple/Sliders.h"
 
 #include "vtkObjectFactory.h"
 
@@ -47,11 +47,11 @@ double Exact(float number)
 class vtkInkStippleControls::vtkInternals
 {
 public:
-  void Set(vtkInkStippleControls* self, float ink::stipple::StippleSliders::*slider, double value)
+  void Set(vtkInkStippleControls* self, float ink::stipple::Sliders::*slider, double value)
   {
     if (std::isnan(value))
     {
-      vtkErrorWithObjectMacro(self, "Expected a slider's place from 0 to 1, found " << value << '.');
+      vtkErrorWithObjectMacro(self, "Expected a slider's value from 0 to 1, found " << value << '.');
       return;
     }
     const float limited = static_cast<float>(std::clamp(value, 0.0, 1.0));
@@ -62,8 +62,8 @@ public:
     }
   }
 
-  const ink::stipple::StipplePreset* Preset = &ink::stipple::stipplePresets().front();
-  ink::stipple::StippleSliders Sliders = this->Preset->sliders;
+  const ink::stipple::Preset* Preset = &ink::stipple::presets().front();
+  ink::stipple::Sliders Sliders = this->Preset->sliders;
 };
 
 vtkInkStippleControls::vtkInkStippleControls()
@@ -75,11 +75,11 @@ vtkInkStippleControls::~vtkInkStippleControls() = default;
 
 bool vtkInkStippleControls::SetPreset(const char* name)
 {
-  const ink::stipple::StipplePreset* preset = ink::stipple::findStipplePreset(name ? name : "");
+  const ink::stipple::Preset* preset = ink::stipple::findPreset(name ? name : "");
   if (!preset)
   {
     std::ostringstream names;
-    for (const ink::stipple::StipplePreset& known : ink::stipple::stipplePresets())
+    for (const ink::stipple::Preset& known : ink::stipple::presets())
     {
       names << (names.tellp() > 0 ? ", " : "") << known.name;
     }
@@ -98,13 +98,12 @@ const char* vtkInkStippleControls::GetPreset()
 
 int vtkInkStippleControls::GetNumberOfPresets()
 {
-  return static_cast<int>(ink::stipple::stipplePresets().size());
+  return static_cast<int>(ink::stipple::presets().size());
 }
 
 const char* vtkInkStippleControls::GetPresetName(int index)
 {
-  return index >= 0 && index < GetNumberOfPresets() ? ink::stipple::stipplePresets()[index].name.data()
-                                                    : nullptr;
+  return index >= 0 && index < GetNumberOfPresets() ? ink::stipple::presets()[index].name.data() : nullptr;
 }
 
 void vtkInkStippleControls::Reset()
@@ -115,7 +114,7 @@ void vtkInkStippleControls::Reset()
 
 void vtkInkStippleControls::SetGradient(double gradient)
 {
-  this->Internals->Set(this, &ink::stipple::StippleSliders::gradient, gradient);
+  this->Internals->Set(this, &ink::stipple::Sliders::gradient, gradient);
 }
 
 double vtkInkStippleControls::GetGradient()
@@ -125,7 +124,7 @@ double vtkInkStippleControls::GetGradient()
 
 void vtkInkStippleControls::SetSharpness(double sharpness)
 {
-  this->Internals->Set(this, &ink::stipple::StippleSliders::sharpness, sharpness);
+  this->Internals->Set(this, &ink::stipple::Sliders::sharpness, sharpness);
 }
 
 double vtkInkStippleControls::GetSharpness()
@@ -135,7 +134,7 @@ double vtkInkStippleControls::GetSharpness()
 
 void vtkInkStippleControls::SetOrientation(double orientation)
 {
-  this->Internals->Set(this, &ink::stipple::StippleSliders::orientation, orientation);
+  this->Internals->Set(this, &ink::stipple::Sliders::orientation, orientation);
 }
 
 double vtkInkStippleControls::GetOrientation()
@@ -145,7 +144,7 @@ double vtkInkStippleControls::GetOrientation()
 
 void vtkInkStippleControls::SetDistance(double distance)
 {
-  this->Internals->Set(this, &ink::stipple::StippleSliders::distance, distance);
+  this->Internals->Set(this, &ink::stipple::Sliders::distance, distance);
 }
 
 double vtkInkStippleControls::GetDistance()
@@ -155,7 +154,7 @@ double vtkInkStippleControls::GetDistance()
 
 void vtkInkStippleControls::SetInterior(double interior)
 {
-  this->Internals->Set(this, &ink::stipple::StippleSliders::interior, interior);
+  this->Internals->Set(this, &ink::stipple::Sliders::interior, interior);
 }
 
 double vtkInkStippleControls::GetInterior()
@@ -165,7 +164,7 @@ double vtkInkStippleControls::GetInterior()
 
 void vtkInkStippleControls::SetColor(double color)
 {
-  this->Internals->Set(this, &ink::stipple::StippleSliders::color, color);
+  this->Internals->Set(this, &ink::stipple::Sliders::color, color);
 }
 
 double vtkInkStippleControls::GetColor()
@@ -175,7 +174,7 @@ double vtkInkStippleControls::GetColor()
 
 void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
 {
-  ink::stipple::StippleTone tone;
+  ink::stipple::Tone tone;
   this->Internals->Preset->apply(tone);
   this->Internals->Sliders.apply(tone);
   mapper->SetBoundary(tone.boundary.on);

@@ -62,7 +62,7 @@ public:
   ///@{
   /**
    * Sharpness of boundaries, silhouettes and shades (BoundaryExponent, SilhouetteExponent, LightingExponent):
-   * less ink, in a smaller place, with a larger one. 0 to 1; default: the preset's.
+   * less ink, in a smaller region, with a larger one. 0 to 1; default: the preset's.
    */
   void SetSharpness(double sharpness);
   double GetSharpness();

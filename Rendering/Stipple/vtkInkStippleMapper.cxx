@@ -44,10 +44,10 @@ ink::HlsColor ToHls(const double rgb[3])
 }
 
 /// @param height of the viewport in pixels
-ink::stipple::StippleTone MakeTone(vtkInkStippleMapper* mapper, bool surface, int height)
+ink::stipple::Tone MakeTone(vtkInkStippleMapper* mapper, bool surface, int height)
 {
   const auto number = [](double value) { return static_cast<float>(value); };
-  ink::stipple::StippleTone tone;
+  ink::stipple::Tone tone;
   tone.surface = surface;
   tone.boundary = { mapper->GetBoundary(), number(mapper->GetBoundaryBase()),
     number(mapper->GetBoundaryGain()), number(mapper->GetBoundaryExponent()) };
@@ -141,7 +141,7 @@ private:
   }
 
   const InkViewUniforms View;
-  ink::stipple::StippleTone Tone;
+  ink::stipple::Tone Tone;
   const InkStippleView ToneView;
   InkStippleDepth* const Occluder;
 

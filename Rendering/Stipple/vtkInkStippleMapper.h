@@ -330,8 +330,8 @@ public:
   /**
    * How elements that are too small for a pattern keep their gray: INTENSITY (default), which is smooth in
    * motion, or PROBABILITY, which has black stipples only. An element's random value comes from the cell's
-   * global id where the input has those, else from the place of its first stipple: the same on any number of
-   * processes.
+   * global id where the input has those, else from the position of its first stipple: the same on any number
+   * of processes.
    */
   vtkSetClampMacro(SmallElements, int, INTENSITY, PROBABILITY);
   vtkGetMacro(SmallElements, int);
@@ -437,7 +437,7 @@ public:
   vtkBooleanMacro(SurfaceFromInput, bool);
   ///@}
 
-  /// How exactly stipples keep their places.
+  /// How exactly stipples keep their positions.
   enum PositionPrecisions
   {
     FLOAT = 0,    ///< 16 bytes a stipple on the graphics card
@@ -446,9 +446,9 @@ public:
 
   ///@{
   /**
-   * FLOAT (default): places in single precision, off by at most 3e-8 of the data's size. QUANTIZED: of 1024
-   * a side of each element's box of stipples, off by at most half a thousandth of it: seen by none before an
-   * element fills the window. For drawings of more stipples than the graphics card has memory for.
+   * FLOAT (default): positions in single precision, off by at most 3e-8 of the data's size. QUANTIZED: of
+   * 1024 a side of each element's box of stipples, off by at most half a thousandth of it: seen by none
+   * before an element fills the window. For drawings of more stipples than the graphics card has memory for.
    */
   vtkSetClampMacro(PositionPrecision, int, FLOAT, QUANTIZED);
   vtkGetMacro(PositionPrecision, int);

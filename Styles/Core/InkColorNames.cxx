@@ -4,13 +4,15 @@
 #include "vtkNamedColors.h"
 #include "vtkNew.h"
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
 
 std::optional<std::array<double, 3>> InkParseColor(const std::string& text)
 {
-  static const std::regex hexadecimal("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})");
   std::array<double, 3> color;
-  if (std::regex_match(text, hexadecimal))
+  // #RGB or #RRGGBB
+  if ((text.size() == 4 || text.size() == 7) && text[0] == '#' &&
+    std::all_of(text.begin() + 1, text.end(), [](unsigned char digit) { return std::isxdigit(digit); }))
   {
     const std::size_t digits = (text.size() - 1) / 3;
     for (std::size_t i = 0; i < 3; ++i)

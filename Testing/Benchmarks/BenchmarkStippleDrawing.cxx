@@ -236,7 +236,7 @@ int main(int argc, char* argv[])
     { "skeleton2-like", mesh(522567), 2, false }, { "hand-like", mesh(654666), 2, false },
     { "dragon-like", mesh(871414), 2, false }, { "50-million", file("bonsai.nii.gz"), 60, true } };
   std::printf("VTK %s; frame times by the median of %d, ms of processor time\n"
-              "| data | voxels or polygons | preprocessing, s | first frame, s | stipples | looked at | "
+              "| data | voxels or polygons | preprocessing, s | first frame, s | stipples | processed | "
               "drawn | pixels | "
               "a frame, ms | frames a second | of plain points' time | of blended ones' | "
               "with vtkActor, of plain points' | "

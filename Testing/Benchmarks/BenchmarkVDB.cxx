@@ -107,9 +107,9 @@ int main(int argc, char* argv[])
   print("read the grid", read, grid.memory());
   print("make it dense", densify, denseBytes);
   print("dense: find cells", findDense, denseBytes);
-  print("dense: place samples", placeDense, denseBytes);
+  print("dense: samples", placeDense, denseBytes);
   print("sparse: find cells", findSparse, grid.memory());
-  print("sparse: place samples", placeSparse, grid.memory());
+  print("sparse: samples", placeSparse, grid.memory());
   std::cout << "sparse / dense, sampling alone: " << (findSparse + placeSparse) / (findDense + placeDense)
             << ", with making it dense: " << (findSparse + placeSparse) / (densify + findDense + placeDense)
             << ", memory: " << static_cast<double>(grid.memory()) / static_cast<double>(denseBytes)

@@ -37,43 +37,44 @@ std::vector<std::pair<std::string, Mesh>> Scenes()
 
 const auto AllScenes = Scenes();
 
-std::vector<ink::SurfaceSample> Sample(const Mesh& mesh, bool blue, double radius, double gap)
+std::vector<ink::SurfaceSample> Sample(const Mesh& mesh, bool blue, double radius, double slack)
 {
   const auto areas = ink::cumulateArea(mesh.view());
-  return blue ? ink::samplePoissonDisk(mesh.view(), areas, radius, gap, 1).samples
+  return blue ? ink::samplePoissonDisk(mesh.view(), areas, radius, slack, 1).samples
               : ink::sampleWhiteNoise(
                   mesh.view(), areas, static_cast<std::size_t>(ink::saturatedCount / (radius * radius)), 1);
 }
 
-/// The farthest of many places on the mesh from the nearest sample.
+/// The farthest of many points on the mesh from the nearest sample.
 double Hole(const Mesh& mesh, const std::vector<ink::SurfaceSample>& samples)
 {
   const auto areas = ink::cumulateArea(mesh.view());
-  const auto places = positionsOf(mesh.view(), ink::sampleWhiteNoise(mesh.view(), areas, 2000, 77));
+  const auto candidates = positionsOf(mesh.view(), ink::sampleWhiteNoise(mesh.view(), areas, 2000, 77));
   const auto points = positionsOf(mesh.view(), samples);
-  return largestGap(places, points, points.size());
+  return largestGap(candidates, points, points.size());
 }
 
-void MeasureGap()
+void MeasureCoverageSlack()
 {
   const double radius = 0.01;
   Tradeoff knob("CoverageSlack (vtkInkSurfaceSampler)",
-    "Keep 0.06: wider gaps save up to a fifth of the time, the widest two fifths; they are for those who "
+    "Keep 0.06: more slack saves up to a fifth of the time, the most slack two fifths; they are for those "
+    "who "
     "want fewer samples of the same least distance.",
-    "farthest place from a sample, of the radius",
+    "farthest point from a sample, of the radius",
     "blue noise of a radius of a hundredth of the square root of the area, on the torus");
-  for (const double gap : { 0.02, 0.06, 0.15, 0.3, 0.6, 1.0 })
+  for (const double slack : { 0.02, 0.06, 0.15, 0.3, 0.6, 1.0 })
   {
     Tradeoff::Errors errors;
     for (const auto& [name, mesh] : AllScenes)
     {
-      const auto samples = Sample(mesh, true, radius, gap);
+      const auto samples = Sample(mesh, true, radius, slack);
       errors.emplace_back(name, Hole(mesh, samples) / radius);
     }
-    std::string title = std::to_string(gap);
+    std::string title = std::to_string(slack);
     knob.Add(
-      title.substr(0, 4), [=] { Sample(AllScenes[0].second, true, radius, gap); }, errors,
-      gap == ink::defaultCoverageSlack ? Tradeoff::Default : Tradeoff::Choice);
+      title.substr(0, 4), [=] { Sample(AllScenes[0].second, true, radius, slack); }, errors,
+      slack == ink::defaultCoverageSlack ? Tradeoff::Default : Tradeoff::Choice);
   }
   knob.Print(3);
 }
@@ -84,7 +85,7 @@ void MeasureDensity()
     "Keep some 100,000 samples of blue noise for a drawing of a thousand pixels; four times as many halve "
     "the holes, and "
     "white noise has the same holes with four times as many, in a twentieth of the time.",
-    "farthest place from a sample, of the square root of the area", "samples of the torus");
+    "farthest point from a sample, of the square root of the area", "samples of the torus");
   for (const bool blue : { false, true })
   {
     for (const int count : { 1000, 10000, 100000, 400000 })
@@ -112,7 +113,7 @@ void MeasureMethod()
     "Take progressive blue noise for stipples, for millions of samples, and where the first samples are "
     "drawn "
     "more often than all of them; blue noise where all are drawn and every hole counts.",
-    "farthest place from a sample, of the square root of the area, with all of 100,000 samples and with the "
+    "farthest point from a sample, of the square root of the area, with all of 100,000 samples and with the "
     "first quarter",
     "100,000 samples of the torus, in order of priority");
   const Mesh& mesh = AllScenes[0].second;
@@ -147,7 +148,7 @@ void MeasureMethod()
 int main()
 {
   Tradeoff::PrintHeader();
-  MeasureGap();
+  MeasureCoverageSlack();
   MeasureDensity();
   MeasureMethod();
   return 0;

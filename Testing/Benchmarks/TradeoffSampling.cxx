@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Iso-surface samples: the angle between their normals and the true ones, and their distance from the
-// surface, against the time to place them.
+// surface, against the time to compute them.
 
 #include "Tradeoff.h"
 

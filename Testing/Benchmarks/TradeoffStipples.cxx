@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stipples in 16 bytes and in 8: how far from their places they are and how much pictures differ, against the
-// time of a frame.
+// Stipples in 16 bytes and in 8: how far from their positions they are and how much pictures differ, against
+// the time of a frame.
 
 #include "Tradeoff.h"
 
@@ -109,12 +109,14 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-using Place = std::function<glm::vec3(const glm::vec3& place, const glm::vec3& low, const glm::vec3& high)>;
+using Rounding =
+  std::function<glm::vec3(const glm::vec3& position, const glm::vec3& low, const glm::vec3& high)>;
 
 /// How far, in voxels, the farthest stipple is from where the generator put it.
-/// @param keep what is kept of a place relative to the data's center and size, as the mapper sees it, and of
+/// @param keep what is kept of a position relative to the data's center and size, as the mapper sees it, and
+/// of
 ///   the box of its element's stipples
-double FindPlaceError(vtkPolyData* stipples, const Place& keep)
+double FindPositionError(vtkPolyData* stipples, const Rounding& keep)
 {
   const double half = 0.5 * (Side - 1);
   double farthest = 0.0;
@@ -123,7 +125,7 @@ double FindPlaceError(vtkPolyData* stipples, const Place& keep)
     vtkIdType size;
     const vtkIdType* ids;
     stipples->GetVerts()->GetCellAtId(element, size, ids);
-    const auto place = [&](vtkIdType i)
+    const auto position = [&](vtkIdType i)
     {
       glm::dvec3 p;
       stipples->GetPoint(ids[i], &p.x);
@@ -133,13 +135,13 @@ double FindPlaceError(vtkPolyData* stipples, const Place& keep)
     glm::vec3 high(-INFINITY);
     for (vtkIdType i = 0; i < size; ++i)
     {
-      low = glm::min(low, glm::vec3(place(i)));
-      high = glm::max(high, glm::vec3(place(i)));
+      low = glm::min(low, glm::vec3(position(i)));
+      high = glm::max(high, glm::vec3(position(i)));
     }
     for (vtkIdType i = 0; i < size; ++i)
     {
-      farthest =
-        std::max(farthest, glm::distance(glm::dvec3(keep(glm::vec3(place(i)), low, high)), place(i)) * Side);
+      farthest = std::max(
+        farthest, glm::distance(glm::dvec3(keep(glm::vec3(position(i)), low, high)), position(i)) * Side);
     }
   }
   return farthest;
@@ -167,24 +169,26 @@ int main()
   Scene single(vtkInkStippleMapper::FLOAT);
   vtkPolyData* stipples = single.GetStipples();
   glm::vec3 edges(0.0f);
-  FindPlaceError(stipples,
-    [&](const glm::vec3& place, const glm::vec3& low, const glm::vec3& high)
+  FindPositionError(stipples,
+    [&](const glm::vec3& position, const glm::vec3& low, const glm::vec3& high)
     {
       edges = glm::max(edges, high - low);
-      return place;
+      return position;
     });
-  const Place exact = [](const glm::vec3& place, const glm::vec3&, const glm::vec3&) { return place; };
-  const Place packed = [&](const glm::vec3& place, const glm::vec3& low, const glm::vec3& high)
+  const Rounding exact = [](const glm::vec3& position, const glm::vec3&, const glm::vec3&)
+  { return position; };
+  const Rounding packed = [&](const glm::vec3& position, const glm::vec3& low, const glm::vec3& high)
   {
     const ink::stipple::QuantizationBox box = ink::stipple::fitQuantizationBox(low, high, edges);
-    return ink::stipple::dequantizePosition(ink::stipple::quantizePosition(place, box, edges), box, edges);
+    return ink::stipple::dequantizePosition(ink::stipple::quantizePosition(position, box, edges), box, edges);
   };
 
-  Tradeoff knob("Precision of places (vtkInkStippleMapper)",
-    "Keep single precision; where memory is short, take the quantized places, which need 14 bytes a stipple "
+  Tradeoff knob("Precision of positions (vtkInkStippleMapper)",
+    "Keep single precision; where memory is short, take the quantized positions, which need 14 bytes a "
+    "stipple "
     "instead of 20, its part of the voxel's data included, and which no eye tells from others before a voxel "
     "covers hundreds of pixels.",
-    "places: the farthest from the true one, in voxels; pictures: darkness that differs from single "
+    "positions: the farthest from the true one, in voxels; pictures: darkness that differs from single "
     "precision's, of all, where a voxel covers so many pixels",
     "a frame of " + std::to_string(stipples->GetNumberOfPoints() / 1000) +
       ",000 stipples, 8 a voxel, preset anatomy, 600x600");
@@ -192,13 +196,13 @@ int main()
   {
     const char* Name;
     Scene& Drawn;
-    const Place& Keep;
+    const Rounding& Keep;
     Tradeoff::Role Role;
   } settings[] = { { "quantized, 8 bytes a stipple", quantized, packed, Tradeoff::Choice },
     { "single, 16 bytes a stipple", single, exact, Tradeoff::Default } };
   for (const auto& setting : settings)
   {
-    Tradeoff::Errors errors{ { "places", FindPlaceError(stipples, setting.Keep) } };
+    Tradeoff::Errors errors{ { "positions", FindPositionError(stipples, setting.Keep) } };
     for (const double pixels : { 4.0, 40.0, 400.0 })
     {
       errors.emplace_back("pictures, " + std::to_string(static_cast<int>(pixels)) + " pixels",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How calm lines are on a mesh that deforms (Zhang et al. 2014, section 6): a furrowed tube that twists and bends.
+"""The temporal coherence of lines on a mesh that deforms (Zhang et al. 2014, section 6): a furrowed tube that twists and bends.
 
     . Utilities/env.sh headless && $INK_PYTHON Testing/Benchmarks/lines_coherence.py [FRAMES [SAMPLES]]
 
@@ -84,8 +84,8 @@ class Scene:
         pixels = vtk.vtkUnsignedCharArray()
         self.window.GetPixelData(0, 0, self.size - 1, self.size - 1, 0, pixels, 0)
         ink = 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(self.size, self.size, 3)[:, :, 0] / 255
-        places = support.vtk_to_numpy(self.sampler.GetOutput().GetPoints().GetData())
-        return ink, places[:, [0, 2]] * self.size / 4.6
+        positions = support.vtk_to_numpy(self.sampler.GetOutput().GetPoints().GetData())
+        return ink, positions[:, [0, 2]] * self.size / 4.6
 
 
 def widened(ink, pixels=1):
@@ -97,9 +97,9 @@ def widened(ink, pixels=1):
 def measure(scene, frames, step, truth=None):
     """Shimmer, specks and travel, each the mean over the frames; specks only with the true lines of each frame."""
     sums = np.zeros(3)
-    before, places_before = scene.at(0.0)
+    before, positions_before = scene.at(0.0)
     for i in range(1, frames + 1):
-        after, places = scene.at(i * step)
+        after, positions = scene.at(i * step)
         gone = np.maximum(before - widened(after), 0)
         come = np.maximum(after - widened(before), 0)
         all_ink = before.sum() + after.sum()
@@ -107,9 +107,9 @@ def measure(scene, frames, step, truth=None):
         if truth:
             lines = np.maximum(widened(truth[i - 1], 2), widened(truth[i], 2)) > 0.1
             sums[1] += (gone[~lines].sum() + come[~lines].sum()) / all_ink
-        same = len(places) == len(places_before)
-        sums[2] += np.abs(places - places_before).max() if same else np.nan
-        before, places_before = after, places
+        same = len(positions) == len(positions_before)
+        sums[2] += np.abs(positions - positions_before).max() if same else np.nan
+        before, positions_before = after, positions
     return sums / frames
 
 

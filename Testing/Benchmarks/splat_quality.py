@@ -106,7 +106,7 @@ def specks(ink, largest=8):
                         spot.append((v, u))
                         rest.append((v, u))
         if len(spot) <= largest:
-            lonely += sum(ink[place] for place in spot)
+            lonely += sum(ink[position] for position in spot)
     return lonely / total
 
 

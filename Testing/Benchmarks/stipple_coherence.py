@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How calm stipples are in motion (Lu et al. 2003, sections 5.2 and 8): the engine, preset anatomy, rotated by a degree a frame
+"""The temporal coherence of stipples in motion (Lu et al. 2003, sections 5.2 and 8): the engine, preset anatomy, rotated by a degree a frame
 and zoomed by 2 % a frame, seen whole and close up.
 
     . Utilities/env.sh headless && $INK_PYTHON Testing/Benchmarks/stipple_coherence.py
@@ -83,9 +83,9 @@ class Scene:
 
     def outside(self, drawn):
         """Which of some stipples lie outside the window."""
-        return (np.abs(self.places(drawn) - SIZE / 2) > SIZE / 2).any(axis=1)
+        return (np.abs(self.positions(drawn) - SIZE / 2) > SIZE / 2).any(axis=1)
 
-    def places(self, drawn):
+    def positions(self, drawn):
         """Where some of the stipples are, in pixels."""
         matrix = self.camera.GetCompositeProjectionTransformMatrix(1, -1, 1)
         to_clip = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
@@ -95,9 +95,9 @@ class Scene:
     def picture(self, opacity, area):
         """The marks as darkness: their ink shared out to the four pixels around, as far as paper is left."""
         drawn = np.flatnonzero(opacity)
-        place = self.places(drawn) - 0.5
-        corner = np.floor(place).astype(int)
-        part = place - corner
+        position = self.positions(drawn) - 0.5
+        corner = np.floor(position).astype(int)
+        part = position - corner
         ink = np.zeros((SIZE + 2, SIZE + 2))
         amount = (opacity * area)[drawn]
         for dx in (0, 1):

@@ -38,8 +38,8 @@ def test_samples_are_seeded():
     assert names != [mutant.name for _, mutant in mutate.sample(paths, [], 5, 8)]
     assert [name.startswith("Common/Tone/") for name in names] == 5 * [True, False]
     assert [mutant.name for _, mutant in mutate.sample(names[:1], [], None, 1)] == names[:1]
-    assert not any("StippleTone.cpp" in mutant.name
-                   for _, mutant in mutate.sample(["Common/Tone"], ["Common/Tone/Stipple/StippleTone.cpp"], None, 1))
+    assert not any("Tone.cpp" in mutant.name
+                   for _, mutant in mutate.sample(["Common/Tone"], ["Common/Tone/Stipple/Tone.cpp"], None, 1))
 
 
 def test_coverage_follows_includes():

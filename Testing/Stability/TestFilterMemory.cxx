@@ -2,8 +2,8 @@
 // Memory of filters: where there is none, one error and an empty output, and the next run works; where there
 // is, outputs hold about what their points need.
 
-#include "InkTestChecks.h"
 #include "InkTestMemoryLimit.h"
+#include "InkTestMessages.h"
 #include "InkTestVolume.h"
 
 #include "vtkCellArray.h"
@@ -19,6 +19,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -50,13 +52,13 @@ vtkSmartPointer<vtkPolyData> Sphere(int resolution)
 /// The filter's input is `small` first, which works, then `large`, for which there is not enough memory, and
 /// then `small` again.
 template <class Filter>
-void CheckNoMemory(InkTestChecks& check, Filter* filter, vtkDataObject* small, vtkDataObject* large)
+void CheckNoMemory(Filter* filter, vtkDataObject* small, vtkDataObject* large)
 {
   const std::string name = filter->GetClassName();
   filter->SetInputDataObject(small);
   filter->Update();
   const vtkIdType count = filter->GetOutput()->GetNumberOfPoints();
-  check(count > 0, name, ": a result with memory");
+  EXPECT_GT(count, 0) << name << ": a result with memory";
   vtkNew<InkTestMessages> messages;
   messages->Observe(filter);
   filter->SetInputDataObject(large);
@@ -66,32 +68,13 @@ void CheckNoMemory(InkTestChecks& check, Filter* filter, vtkDataObject* small, v
     limited = limit.IsSet();
     filter->Update();
   }
-  check(limited, name, ": a limit to memory");
-  check(filter->GetOutput()->GetNumberOfPoints() == 0, name, ": an empty output");
-  messages->Expect(check, name, { "there is not enough memory" });
+  EXPECT_TRUE(limited) << name << ": a limit to memory";
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << name << ": an empty output";
+  messages->Expect(name, { "there is not enough memory" });
   filter->SetInputDataObject(small);
   filter->Update();
-  check(filter->GetOutput()->GetNumberOfPoints() == count, name, ": as many points as before, found ",
-    filter->GetOutput()->GetNumberOfPoints());
-}
-
-void CheckNoMemory(InkTestChecks& check)
-{
-  const auto small = Ball(16, 5.0);
-  const auto large = Ball(128, 50.0);
-  vtkNew<vtkInkIsoSurfaceSampler> sampler;
-  sampler->SetValue(0, 0.0);
-  CheckNoMemory(check, sampler.Get(), small, large);
-  vtkNew<vtkInkGradient> gradient;
-  CheckNoMemory(check, gradient.Get(), small, large);
-  vtkNew<vtkInkStippleGenerator> generator;
-  CheckNoMemory(check, generator.Get(), small, large);
-  const auto coarse = Sphere(20);
-  const auto fine = Sphere(400);
-  vtkNew<vtkInkPointPriority> priority;
-  CheckNoMemory(check, priority.Get(), coarse, fine);
-  vtkNew<vtkInkSurfaceSampler> mesh;
-  CheckNoMemory(check, mesh.Get(), coarse, fine);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), count)
+    << name << ": as many points as before, found " << filter->GetOutput()->GetNumberOfPoints();
 }
 
 /// What the points, their arrays and their one cell take, in bytes.
@@ -109,17 +92,44 @@ double NeededBy(vtkPolyData* points)
   return bytes;
 }
 
-void CheckSize(InkTestChecks& check, const std::string& name, vtkPolyData* points)
+void CheckSize(const std::string& name, vtkPolyData* points)
 {
   const double needed = NeededBy(points);
   const double held = 1024.0 * static_cast<double>(points->GetActualMemorySize());
   constexpr double rest = 16 * 1024;
-  check(points->GetNumberOfPoints() > 1000, name, ": points");
-  check(held <= 1.3 * needed + rest, name, ": ", needed, " bytes for ", points->GetNumberOfPoints(),
-    " points, found ", held);
+  EXPECT_GT(points->GetNumberOfPoints(), 1000) << name << ": points";
+  EXPECT_LE(held, 1.3 * needed + rest)
+    << name << ": " << needed << " bytes for " << points->GetNumberOfPoints() << " points, found " << held;
 }
 
-void CheckSizes(InkTestChecks& check)
+} // namespace
+
+TEST(FilterMemory, OneErrorWhereThereIsNotEnough)
+{
+  if (!InkTestCanLimitMemory)
+  {
+    GTEST_SKIP() << "the sanitizers' memory is not limited";
+  }
+  // A new thread needs memory, too.
+  setenv("VTK_SMP_MAX_THREADS", "1", 1);
+  const auto small = Ball(16, 5.0);
+  const auto large = Ball(128, 50.0);
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetValue(0, 0.0);
+  CheckNoMemory(sampler.Get(), small, large);
+  vtkNew<vtkInkGradient> gradient;
+  CheckNoMemory(gradient.Get(), small, large);
+  vtkNew<vtkInkStippleGenerator> generator;
+  CheckNoMemory(generator.Get(), small, large);
+  const auto coarse = Sphere(20);
+  const auto fine = Sphere(400);
+  vtkNew<vtkInkPointPriority> priority;
+  CheckNoMemory(priority.Get(), coarse, fine);
+  vtkNew<vtkInkSurfaceSampler> mesh;
+  CheckNoMemory(mesh.Get(), coarse, fine);
+}
+
+TEST(FilterMemory, OutputsHoldWhatTheirPointsNeed)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputData(Ball(128, 30.0));
@@ -128,11 +138,11 @@ void CheckSizes(InkTestChecks& check)
     sampler->SetNumberOfContours(1);
     sampler->SetValue(0, value);
     sampler->Update();
-    CheckSize(check, "iso-value " + std::to_string(value), sampler->GetOutput());
+    CheckSize("iso-value " + std::to_string(value), sampler->GetOutput());
   }
   sampler->SetValue(1, -10.0);
   sampler->Update();
-  CheckSize(check, "two iso-values", sampler->GetOutput());
+  CheckSize("two iso-values", sampler->GetOutput());
 
   vtkNew<vtkInkSurfaceSampler> mesh;
   mesh->SetInputData(Sphere(40));
@@ -140,25 +150,10 @@ void CheckSizes(InkTestChecks& check)
   {
     mesh->SetNumberOfSamples(count);
     mesh->Update();
-    CheckSize(check, "a mesh", mesh->GetOutput());
+    CheckSize("a mesh", mesh->GetOutput());
   }
   vtkNew<vtkInkPointPriority> priority;
   priority->SetInputData(Sphere(60));
   priority->Update();
-  CheckSize(check, "points in order", priority->GetOutput());
-}
-
-} // namespace
-
-int TestFilterMemory(int, char*[])
-{
-  InkTestChecks check;
-  if (InkTestCanLimitMemory)
-  {
-    // A new thread needs memory, too.
-    setenv("VTK_SMP_MAX_THREADS", "1", 1);
-    CheckNoMemory(check);
-  }
-  CheckSizes(check);
-  return check.Result();
+  CheckSize("points in order", priority->GetOutput());
 }

@@ -2,7 +2,7 @@
 // vtkInkGradient at the ends of what there is: images without points, without values, thin, flat, very small,
 // very large, far away and at the limits of their types.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -11,6 +11,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -47,7 +49,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int type, const std::array<int, 3>& size
 
 /// Everything that can be computed, in every way: calls use(name, output) with each, whose numbers are
 /// finite.
-void ForEachMethod(InkTestChecks& check, const std::string& name, vtkImageData* image,
+void ForEachMethod(const std::string& name, vtkImageData* image,
   const std::function<void(const std::string&, vtkPointData*)>& use)
 {
   for (int way = 0; way < 16; ++way)
@@ -65,15 +67,15 @@ void ForEachMethod(InkTestChecks& check, const std::string& name, vtkImageData* 
     filter->ComputeLaplacianOn();
     filter->Update();
     const std::string what = name + ", way " + std::to_string(way);
-    check(messages->Messages.empty(), what, ": no message, found ",
-      messages->Messages.empty() ? "" : messages->Messages[0]);
+    EXPECT_TRUE(messages->Messages.empty())
+      << what << ": no message, found " << (messages->Messages.empty() ? "" : messages->Messages[0]);
     vtkPointData* data = filter->GetOutput()->GetPointData();
     for (const char* array : { "Gradient", "GradientMagnitude", "Value", "Laplacian" })
     {
       vtkDataArray* values = data->GetArray(array);
       const vtkIdType count = values ? values->GetNumberOfTuples() : 0;
-      check(count == image->GetNumberOfPoints(), what, ": ", image->GetNumberOfPoints(), " values in ", array,
-        ", found ", count);
+      EXPECT_EQ(count, image->GetNumberOfPoints())
+        << what << ": " << image->GetNumberOfPoints() << " values in " << array << ", found " << count;
       bool finite = true;
       for (vtkIdType n = 0; n < count; ++n)
       {
@@ -82,7 +84,7 @@ void ForEachMethod(InkTestChecks& check, const std::string& name, vtkImageData* 
           finite = finite && std::isfinite(values->GetComponent(n, c));
         }
       }
-      check(finite, what, ": finite values in ", array);
+      EXPECT_TRUE(finite) << what << ": finite values in " << array;
     }
     if (data->GetArray("Laplacian"))
     {
@@ -104,7 +106,9 @@ double LargestOf(vtkDataArray* array)
   return largest;
 }
 
-void TestNothing(InkTestChecks& check)
+} // namespace
+
+TEST(GradientExtremes, Nothing)
 {
   vtkNew<vtkImageData> empty;
   vtkNew<vtkInkGradient> filter;
@@ -112,25 +116,25 @@ void TestNothing(InkTestChecks& check)
   messages->Observe(filter);
   filter->SetInputData(empty);
   filter->Update();
-  check(filter->GetOutput()->GetNumberOfPoints() == 0 && messages->Messages.empty(),
-    "an image without points: one without points, and no message");
+  EXPECT_TRUE(filter->GetOutput()->GetNumberOfPoints() == 0 && messages->Messages.empty())
+    << "an image without points: one without points, and no message";
 
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double value : { nan, infinity, -infinity })
   {
     const auto image = MakeImage(VTK_FLOAT, { 5, 4, 3 }, [=](const auto&) { return value; });
-    ForEachMethod(check, "nothing but " + std::to_string(value), image,
+    ForEachMethod("nothing but " + std::to_string(value), image,
       [&](const std::string& name, vtkPointData* data)
       {
-        check(LargestOf(data->GetArray("Gradient")) == 0.0 && LargestOf(data->GetArray("Value")) == 0.0 &&
-            LargestOf(data->GetArray("Laplacian")) == 0.0,
-          name, ": zeros");
+        EXPECT_TRUE(LargestOf(data->GetArray("Gradient")) == 0.0 &&
+          LargestOf(data->GetArray("Value")) == 0.0 && LargestOf(data->GetArray("Laplacian")) == 0.0)
+          << name << ": zeros";
       });
   }
 }
 
-void TestConstants(InkTestChecks& check)
+TEST(GradientExtremes, Constants)
 {
   for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_LONG_LONG, VTK_FLOAT, VTK_DOUBLE })
   {
@@ -138,22 +142,22 @@ void TestConstants(InkTestChecks& check)
       { std::array<int, 3>{ 1, 1, 1 }, { 12, 1, 1 }, { 1, 9, 1 }, { 1, 1, 7 }, { 1, 8, 9 }, { 12, 11, 10 } })
     {
       const auto image = MakeImage(type, size, [](const auto&) { return 101.0; });
-      ForEachMethod(check, "a constant of type " + std::to_string(type), image,
+      ForEachMethod("a constant of type " + std::to_string(type), image,
         [&](const std::string& name, vtkPointData* data)
         {
-          check(LargestOf(data->GetArray("Gradient")) == 0.0 &&
-              LargestOf(data->GetArray("GradientMagnitude")) == 0.0,
-            name, ": no gradient at all");
-          check(LargestOf(data->GetArray("Laplacian")) <= 1e-10, name, ": no Laplacian, found ",
-            LargestOf(data->GetArray("Laplacian")));
-          check(std::abs(LargestOf(data->GetArray("Value")) - 101.0) < 1e-4, name, ": its value");
+          EXPECT_TRUE(LargestOf(data->GetArray("Gradient")) == 0.0 &&
+            LargestOf(data->GetArray("GradientMagnitude")) == 0.0)
+            << name << ": no gradient at all";
+          EXPECT_LE(LargestOf(data->GetArray("Laplacian")), 1e-10)
+            << name << ": no Laplacian, found " << LargestOf(data->GetArray("Laplacian"));
+          EXPECT_LT(std::abs(LargestOf(data->GetArray("Value")) - 101.0), 1e-4) << name << ": its value";
         });
     }
   }
 }
 
 /// A slope along each axis, with any spacing, far from the origin.
-void TestSpacings(InkTestChecks& check)
+TEST(GradientExtremes, Spacings)
 {
   for (const std::array<double, 3>& spacing : { std::array<double, 3>{ 1e-9, 1e-9, 1e-9 }, { 1e9, 1e9, 1e9 },
          { 1.0, 1e3, 1.0 }, { 1e-3, 1.0, 1.0 }, { 1e-9, 1.0, 1e9 }, { -1.0, 2.0, -0.5 } })
@@ -165,7 +169,7 @@ void TestSpacings(InkTestChecks& check)
     const std::string name = "spacing " + std::to_string(spacing[0]) + " " + std::to_string(spacing[1]) +
       " " + std::to_string(spacing[2]);
     const double slope[3] = { 1.0 / spacing[0], -2.0 / spacing[1], 3.0 / spacing[2] };
-    ForEachMethod(check, name, image,
+    ForEachMethod(name, image,
       [&](const std::string& what, vtkPointData* data)
       {
         bool right = true;
@@ -181,13 +185,13 @@ void TestSpacings(InkTestChecks& check)
             std::abs(data->GetArray("GradientMagnitude")->GetComponent(n, 0) - vtkMath::Norm(slope)) <=
               1e-4 * vtkMath::Norm(slope);
         }
-        check(right, what, ": the slope everywhere");
+        EXPECT_TRUE(right) << what << ": the slope everywhere";
       });
   }
 }
 
 /// From one end of a type to the other and back.
-void TestLimits(InkTestChecks& check)
+TEST(GradientExtremes, Limits)
 {
   for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_UNSIGNED_INT,
          VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE })
@@ -201,23 +205,11 @@ void TestLimits(InkTestChecks& check)
       // Doubles beyond the ends of 64-bit integers would wrap around.
       scalars->SetComponent(n, 0, (n / 2 % 2 ? 0.999 * low : 0.999 * high));
     }
-    ForEachMethod(check, "the ends of type " + std::to_string(type), image,
+    ForEachMethod("the ends of type " + std::to_string(type), image,
       [&](const std::string& name, vtkPointData* data)
       {
-        check(LargestOf(data->GetArray("GradientMagnitude")) > std::min(0.01 * high, 1e38), name,
-          ": steep, found ", LargestOf(data->GetArray("GradientMagnitude")));
+        EXPECT_GT(LargestOf(data->GetArray("GradientMagnitude")), std::min(0.01 * high, 1e38))
+          << name << ": steep, found " << LargestOf(data->GetArray("GradientMagnitude"));
       });
   }
-}
-
-} // namespace
-
-int TestGradientExtremes(int, char*[])
-{
-  InkTestChecks check;
-  TestNothing(check);
-  TestConstants(check);
-  TestSpacings(check);
-  TestLimits(check);
-  return check.Result();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkGradient on thousands of small random images against plain implementations in long double, and parts
-// of an image against the whole. With a number as argument, only the image of that seed.
+// of an image against the whole. A hundred images are a test, named by the first one's seed.
 
 #include "GradientReference.h"
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "RandomImages.h"
 
 #include "Fields/Grid/GridField.h"
@@ -16,6 +16,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +35,7 @@ using ink::testing::WideMatrix;
 using ink::testing::WideVector;
 
 constexpr unsigned Images = 2000;
+constexpr unsigned ImagesOfTest = 100;
 
 const char* const Names[] = { "Gradient", "GradientMagnitude", "Value", "Laplacian" };
 
@@ -64,9 +67,8 @@ std::string Describe(vtkInkGradient* filter)
 class Comparison
 {
 public:
-  Comparison(InkTestChecks& check, std::string name, bool doubles)
-    : Check(check)
-    , Name(std::move(name))
+  Comparison(std::string name, bool doubles)
+    : Name(std::move(name))
     , Doubles(doubles)
   {
   }
@@ -80,9 +82,11 @@ public:
     const Wide least = this->Doubles ? std::numeric_limits<double>::min() : std::numeric_limits<float>::min();
     const Wide wanted = std::clamp(expected, -largest, largest);
     const Wide tolerance = slack + 4.0L * this->epsilon() * std::abs(wanted) + 4.0L * least;
-    return this->Check(std::abs(static_cast<Wide>(found) - wanted) <= tolerance, this->Name, ": ", array,
-      " at ", sample.x, " ", sample.y, " ", sample.z, " within ", static_cast<double>(tolerance), " of ",
-      static_cast<double>(wanted), ", found ", found);
+    const bool near = std::abs(static_cast<Wide>(found) - wanted) <= tolerance;
+    EXPECT_TRUE(near) << this->Name << ": " << array << " at " << sample.x << " " << sample.y << " "
+                      << sample.z << " within " << static_cast<double>(tolerance) << " of "
+                      << static_cast<double>(wanted) << ", found " << found;
+    return near;
   }
 
   Wide epsilon() const
@@ -91,7 +95,6 @@ public:
   }
 
 private:
-  InkTestChecks& Check;
   std::string Name;
   bool Doubles;
 };
@@ -185,8 +188,7 @@ bool CompareLaplacians(Comparison& compare, vtkInkGradient* filter, const ink::G
 }
 
 /// A part asked for alone has the bits that it has in the whole.
-void ComparePart(InkTestChecks& check, const std::string& name, vtkInkGradient* filter, vtkImageData* whole,
-  InkTestRandom& random)
+void ComparePart(const std::string& name, vtkInkGradient* filter, vtkImageData* whole, InkTestRandom& random)
 {
   int extent[6];
   whole->GetExtent(extent);
@@ -217,12 +219,12 @@ void ComparePart(InkTestChecks& check, const std::string& name, vtkInkGradient* 
         same = same && some->GetComponent(n, c) == all->GetComponent(whole->ComputePointId(sample), c);
       }
     }
-    check(same, name, ": ", array, " of a part as in the whole");
+    EXPECT_TRUE(same) << name << ": " << array << " of a part as in the whole";
   }
 }
 
 template <class T>
-void CheckImage(InkTestChecks& check, unsigned seed, int type)
+void CheckImage(unsigned seed, int type)
 {
   InkTestRandom random(seed);
   // Mostly all border; some with an inside in which whole rows are worked on.
@@ -292,11 +294,8 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
     "seed " + std::to_string(seed) + ", " + vtkImageScalarTypeNameMacro(type) + Describe(filter);
   vtkNew<vtkImageData> output;
   output->DeepCopy(filter->GetOutput());
-  if (!check(messages->Messages.empty(), name, ": no message, found ",
-        messages->Messages.empty() ? "" : messages->Messages[0]))
-  {
-    return;
-  }
+  ASSERT_TRUE(messages->Messages.empty())
+    << name << ": no message, found " << (messages->Messages.empty() ? "" : messages->Messages[0]);
 
   const bool wanted[] = { filter->GetComputeGradient(), filter->GetComputeGradientMagnitude(),
     filter->GetComputeValue(), filter->GetComputeLaplacian() };
@@ -304,20 +303,17 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   for (int n = 0; n < 4; ++n)
   {
     arrays[n] = output->GetPointData()->GetArray(Names[n]);
-    if (!check((arrays[n] != nullptr) == wanted[n], name, ": ", Names[n], wanted[n] ? "" : " not") ||
-      (arrays[n] &&
-        !check(arrays[n]->GetNumberOfTuples() == output->GetNumberOfPoints() &&
-            output->GetNumberOfPoints() == image->GetNumberOfPoints(),
-          name, ": ", count, " values in ", Names[n], ", found ", arrays[n]->GetNumberOfTuples())))
-    {
-      return;
-    }
+    ASSERT_EQ(arrays[n] != nullptr, wanted[n]) << name << ": " << Names[n] << (wanted[n] ? "" : " not");
+    ASSERT_TRUE(!arrays[n] ||
+      (arrays[n]->GetNumberOfTuples() == output->GetNumberOfPoints() &&
+        output->GetNumberOfPoints() == image->GetNumberOfPoints()))
+      << name << ": " << count << " values in " << Names[n] << ", found " << arrays[n]->GetNumberOfTuples();
   }
   const ink::GridGeometry geometry(dimensions, origin, spacing, direction, first);
   const ink::GridField<T> field(geometry,
     std::span<const T>(values).subspan(static_cast<std::size_t>(filter->GetArrayComponent())),
     static_cast<std::size_t>(components), hidden);
-  Comparison compare(check, name, filter->GetOutputArraysPrecision() == vtkAlgorithm::DOUBLE_PRECISION);
+  Comparison compare(name, filter->GetOutputArraysPrecision() == vtkAlgorithm::DOUBLE_PRECISION);
   Wide largest = 0.0L;
   bool right = true;
   for (int k = 0; k < dimensions.z && right; ++k)
@@ -336,18 +332,28 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   }
   if (right && (!arrays[3] || CompareLaplacians(compare, filter, field, arrays[3], largest)))
   {
-    ComparePart(check, name, filter, output, random);
+    ComparePart(name, filter, output, random);
   }
 }
 
-void CheckSeed(InkTestChecks& check, unsigned seed)
+void CheckSeed(unsigned seed)
 {
-  WithScalarType(seed, [&](auto zero, int type) { CheckImage<decltype(zero)>(check, seed, type); });
+  WithScalarType(seed, [&](auto zero, int type) { CheckImage<decltype(zero)>(seed, type); });
 }
+
+class GradientRandom : public testing::TestWithParam<unsigned>
+{
+};
 
 } // namespace
 
-int TestGradientRandom(int argc, char* argv[])
+TEST_P(GradientRandom, IsTheReferences)
 {
-  return InkTestSeeds(argc, argv, Images, CheckSeed);
+  for (unsigned seed = GetParam(); seed < GetParam() + ImagesOfTest && !HasFailure(); ++seed)
+  {
+    CheckSeed(seed);
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(
+  Images, GradientRandom, testing::Range(0u, Images, ImagesOfTest), testing::PrintToStringParamName());

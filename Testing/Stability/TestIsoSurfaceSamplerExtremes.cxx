@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkIsoSurfaceSampler at the ends of what images can be: a right result, or none and one clear message.
 
+#include "InkTestMessages.h"
 #include "StabilityChecks.h"
 
 #include "vtkDataArray.h"
@@ -11,6 +12,8 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -35,7 +38,7 @@ constexpr Matrix Mirrored{ 1, 0, 0, 0, 1, 0, 0, 0, -1 };
 constexpr Matrix Sheared{ 1, 0, 0.5, 0, 1, 0.25, 0, 0, 1 };
 
 /// Where an image lies.
-struct Place
+struct Geometry
 {
   const char* Name;
   Vector Spacing;
@@ -43,7 +46,7 @@ struct Place
   Matrix Direction = Identity;
 };
 
-const std::vector<Place> Places{
+const std::vector<Geometry> Geometries{
   { "plain", { 1, 1, 1 }, { 0, 0, 0 } },
   { "far away", { 1, 1, 1 }, { 1e7, -1e7, 1e7 } },
   { "far away and fine", { 0.01, 0.01, 0.01 }, { 1e7, -1e7, 1e7 } },
@@ -63,13 +66,13 @@ const std::vector<Place> Places{
 
 /// An image whose slices have the given values; the extent does not begin at 0.
 vtkSmartPointer<vtkImageData> MakeLayers(
-  int type, const std::vector<double>& values, const Place& place, int size)
+  int type, const std::vector<double>& values, const Geometry& geometry, int size)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(-2, size - 3, 5, 4 + size, 7, 6 + static_cast<int>(values.size()));
-  image->SetSpacing(place.Spacing.data());
-  image->SetOrigin(place.Origin.data());
-  image->SetDirectionMatrix(place.Direction.data());
+  image->SetSpacing(geometry.Spacing.data());
+  image->SetOrigin(geometry.Origin.data());
+  image->SetDirectionMatrix(geometry.Direction.data());
   image->AllocateScalars(type, 1);
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
@@ -127,11 +130,11 @@ const std::vector<Ramp> Ramps{
 };
 
 /// The surface of a ramp is a plane between two slices: one point above each square, with the axis as normal.
-void CheckRamp(InkTestChecks& check, const Ramp& ramp, const Place& place)
+void CheckRamp(const Ramp& ramp, const Geometry& geometry)
 {
-  const std::string name = std::string(ramp.Name) + ", " + place.Name;
+  const std::string name = std::string(ramp.Name) + ", " + geometry.Name;
   const int size = 5;
-  const auto image = MakeLayers(ramp.Type, ramp.Values, place, size);
+  const auto image = MakeLayers(ramp.Type, ramp.Values, geometry, size);
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   vtkNew<InkTestMessages> messages;
   messages->Observe(sampler);
@@ -139,12 +142,11 @@ void CheckRamp(InkTestChecks& check, const Ramp& ramp, const Place& place)
   sampler->SetValue(0, ramp.IsoValue);
   sampler->Update();
   vtkPolyData* output = sampler->GetOutput();
-  check(messages->Messages.empty(), name, ": no message, found ",
-    messages->Messages.empty() ? "" : messages->Messages[0]);
+  EXPECT_TRUE(messages->Messages.empty())
+    << name << ": no message, found " << (messages->Messages.empty() ? "" : messages->Messages[0]);
   const int expected = (size - 1) * (size - 1);
-  if (!check(output->GetNumberOfPoints() == expected, name, ": ", expected, " points, found ",
-        output->GetNumberOfPoints()) ||
-    !CheckValidPoints(check, name, output))
+  ASSERT_EQ(output->GetNumberOfPoints(), expected) << name;
+  if (!CheckValidPoints(name, output))
   {
     return;
   }
@@ -153,7 +155,7 @@ void CheckRamp(InkTestChecks& check, const Ramp& ramp, const Place& place)
   vtkNew<vtkMatrix3x3> inverse;
   inverse->DeepCopy(image->GetDirectionMatrix());
   inverse->Invert();
-  const double rising = (ramp.Values.back() > ramp.Values.front() ? 1.0 : -1.0) / place.Spacing[2];
+  const double rising = (ramp.Values.back() > ramp.Values.front() ? 1.0 : -1.0) / geometry.Spacing[2];
   Vector normal;
   double length = 0.0;
   for (int i = 0; i < 3; ++i)
@@ -168,13 +170,13 @@ void CheckRamp(InkTestChecks& check, const Ramp& ramp, const Place& place)
     Vector step{ 0, 0, 0 };
     for (int i = 0; i < 9; ++i)
     {
-      step[i / 3] += place.Direction[i] * place.Spacing[i % 3] * signs[i % 3];
+      step[i / 3] += geometry.Direction[i] * geometry.Spacing[i % 3] * signs[i % 3];
     }
     diagonal = std::max(diagonal, std::hypot(step[0], step[1], step[2]));
   }
   const double radius = output->GetPointData()->GetArray("Radius")->GetComponent(0, 0);
-  check(std::abs(radius / (diagonal / 2) - 1) < 1e-6, name, ": half a diagonal, ", diagonal / 2,
-    ", as radius, found ", radius);
+  EXPECT_LT(std::abs(radius / (diagonal / 2) - 1), 1e-6)
+    << name << ": half a diagonal, " << diagonal / 2 << ", as radius, found " << radius;
   int n = 0;
   for (int j = 0; j < size - 1; ++j)
   {
@@ -187,25 +189,21 @@ void CheckRamp(InkTestChecks& check, const Ramp& ramp, const Place& place)
       output->GetPointData()->GetNormals()->GetTuple(n, foundNormal);
       for (int row = 0; row < 3; ++row)
       {
-        double right = place.Origin[row];
+        double right = geometry.Origin[row];
         // Of the cell, and of the coordinates' own precision.
         double tolerance = 0.0;
         for (int c = 0; c < 3; ++c)
         {
-          const double step = place.Direction[3 * row + c] * place.Spacing[c];
+          const double step = geometry.Direction[3 * row + c] * geometry.Spacing[c];
           right += step * index[c];
           tolerance += 2e-5 * std::abs(step);
         }
         const bool doubles = output->GetPoints()->GetDataType() == VTK_DOUBLE;
         tolerance += 2 * std::abs(point[row]) *
           (doubles ? std::numeric_limits<double>::epsilon() : std::numeric_limits<float>::epsilon());
-        if (!check(std::abs(point[row] - right) <= tolerance, name, ": point ", n, " at ", right,
-              " along axis ", row, ", found ", point[row]) ||
-          !check(std::abs(foundNormal[row] - normal[row] / length) <= 1e-4, name, ": normal ", n, " with ",
-            normal[row] / length, " along axis ", row, ", found ", foundNormal[row]))
-        {
-          return;
-        }
+        ASSERT_NEAR(point[row], right, tolerance) << name << ": point " << n << " along axis " << row;
+        ASSERT_NEAR(foundNormal[row], normal[row] / length, 1e-4)
+          << name << ": normal " << n << " along axis " << row;
       }
     }
   }
@@ -226,7 +224,7 @@ std::function<void(vtkImageData*)> Step(const std::function<void(vtkImageData*)>
 {
   return [change](vtkImageData* image)
   {
-    image->ShallowCopy(MakeLayers(VTK_DOUBLE, { 0, 0, 0, 100, 100, 100 }, Places[0], 6));
+    image->ShallowCopy(MakeLayers(VTK_DOUBLE, { 0, 0, 0, 100, 100, 100 }, Geometries[0], 6));
     if (change)
     {
       change(image);
@@ -238,7 +236,7 @@ std::function<void(vtkImageData*)> Full(int type, double value)
 {
   return [=](vtkImageData* image)
   {
-    image->ShallowCopy(MakeLayers(type, { 0, 0, 0, 0 }, Places[0], 4));
+    image->ShallowCopy(MakeLayers(type, { 0, 0, 0, 0 }, Geometries[0], 4));
     image->GetPointData()->GetScalars()->Fill(value);
   };
 }
@@ -323,7 +321,7 @@ const std::vector<Case> Cases{
   { "directions in a plane",
     Step([](vtkImageData* image) { image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 1, 0); }), { 50 }, false,
     "irection" },
-  { "finer than double at its place",
+  { "finer than double at its position",
     Step(
       [](vtkImageData* image)
       {
@@ -337,7 +335,7 @@ const std::vector<Case> Cases{
     { 50 }, true, nullptr },
 };
 
-void CheckCase(InkTestChecks& check, const Case& entry)
+void CheckCase(const Case& entry)
 {
   for (const int rule : { vtkInkIsoSurfaceSampler::HALF_OPEN, vtkInkIsoSurfaceSampler::STRICT })
   {
@@ -356,37 +354,39 @@ void CheckCase(InkTestChecks& check, const Case& entry)
     sampler->Update();
     // By the strict rule a flat part at the iso-value has points as well.
     const vtkIdType found = sampler->GetOutput()->GetNumberOfPoints();
-    check(rule || (found > 0) == entry.Points, name, ": ", entry.Points ? "some" : "no", " points, found ",
-      found);
-    CheckValidPoints(check, name, sampler->GetOutput());
+    EXPECT_TRUE(rule || (found > 0) == entry.Points)
+      << name << ": " << (entry.Points ? "some" : "no") << " points, found " << found;
+    CheckValidPoints(name, sampler->GetOutput());
     const bool justified = entry.Message && (entry.Points || found == 0);
     const std::size_t expected = justified ? 1 : 0;
     const auto& all = messages->Messages;
-    check(all.size() == expected, name, ": ", expected, " messages, found ", all.size(), ": ",
-      all.empty() ? "" : all[0]);
+    EXPECT_EQ(all.size(), expected) << name << ": " << expected << " messages, found " << all.size() << ": "
+                                    << (all.empty() ? "" : all[0]);
     if (justified && !all.empty())
     {
-      check(all[0].find(entry.Message) != std::string::npos, name, ": a message with \"", entry.Message,
-        "\", found ", all[0]);
+      EXPECT_NE(all[0].find(entry.Message), std::string::npos)
+        << name << ": a message with \"" << entry.Message << "\", found " << all[0];
     }
   }
 }
 
 } // namespace
 
-int TestIsoSurfaceSamplerExtremes(int, char*[])
+TEST(IsoSurfaceSamplerExtremes, Ramps)
 {
-  InkTestChecks check;
   for (const Ramp& ramp : Ramps)
   {
-    for (const Place& place : Places)
+    for (const Geometry& geometry : Geometries)
     {
-      CheckRamp(check, ramp, place);
+      CheckRamp(ramp, geometry);
     }
   }
+}
+
+TEST(IsoSurfaceSamplerExtremes, Cases)
+{
   for (const Case& entry : Cases)
   {
-    CheckCase(check, entry);
+    CheckCase(entry);
   }
-  return check.Result();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkIsoSurfaceSampler on thousands of small random images against a plain implementation, in one piece
-// and in several. With a number as argument, only the image of that seed.
+// and in several. A hundred images are a test, named by the first one's seed.
 
+#include "InkTestMessages.h"
 #include "IsoSurfaceReference.h"
 #include "RandomImages.h"
 #include "StabilityChecks.h"
@@ -18,6 +19,8 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -36,6 +39,7 @@ namespace
 {
 
 constexpr unsigned Images = 3000;
+constexpr unsigned ImagesOfTest = 100;
 
 struct Description
 {
@@ -48,7 +52,7 @@ struct Description
 };
 
 /// One point against the reference, in samples, where all cells are alike.
-bool CheckPoint(InkTestChecks& check, const std::string& name, vtkPolyData* output, vtkIdType n,
+bool CheckPoint(const std::string& name, vtkPolyData* output, vtkIdType n,
   const ink::testing::ReferenceSample& expected, const ink::GridGeometry& geometry)
 {
   double point[3];
@@ -67,14 +71,15 @@ bool CheckPoint(InkTestChecks& check, const std::string& name, vtkPolyData* outp
     tolerance += glm::abs(geometry.toIndex(right + step) - geometry.toIndex(right));
   }
   const glm::dvec3 off = glm::abs(geometry.toIndex(world) - expected.index);
-  return check(off.x <= tolerance.x && off.y <= tolerance.y && off.z <= tolerance.z, name, ": point ", n,
-    " at ", expected.index.x, " ", expected.index.y, " ", expected.index.z, " in samples, off by ", off.x,
-    " ", off.y, " ", off.z);
+  const bool near = off.x <= tolerance.x && off.y <= tolerance.y && off.z <= tolerance.z;
+  EXPECT_TRUE(near) << name << ": point " << n << " at " << expected.index.x << " " << expected.index.y << " "
+                    << expected.index.z << " in samples, off by " << off.x << " " << off.y << " " << off.z;
+  return near;
 }
 
 /// A normal by central differences against the reference, unless it is a matter of rounding.
-bool CheckNormal(InkTestChecks& check, const std::string& name, vtkPolyData* output, vtkIdType n,
-  const ink::testing::ReferenceSample& expected)
+bool CheckNormal(
+  const std::string& name, vtkPolyData* output, vtkIdType n, const ink::testing::ReferenceSample& expected)
 {
   const double length = glm::length(expected.direction);
   const double normalTolerance =
@@ -88,8 +93,8 @@ bool CheckNormal(InkTestChecks& check, const std::string& name, vtkPolyData* out
   output->GetPointData()->GetNormals()->GetTuple(n, normal);
   const double error =
     glm::distance(glm::dvec3(normal[0], normal[1], normal[2]), -expected.direction / length);
-  return check(
-    error <= normalTolerance, name, ": normal ", n, " within ", normalTolerance, ", off by ", error);
+  EXPECT_LE(error, normalTolerance) << name << ": normal " << n;
+  return error <= normalTolerance;
 }
 
 /// Points and normals in their order.
@@ -120,7 +125,7 @@ std::vector<std::vector<double>> SortedSamples(const std::vector<double>& number
 }
 
 template <class T>
-void CheckImage(InkTestChecks& check, unsigned seed, int type)
+void CheckImage(unsigned seed, int type)
 {
   InkTestRandom random(seed);
   const glm::ivec3 dimensions(2 + random.UpTo(9), 2 + random.UpTo(7), 2 + random.UpTo(7));
@@ -218,9 +223,9 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   vtkPolyData* output = sampler->GetOutput();
   // That no value lies beyond the iso-value is said.
   const bool silent = messages->Messages.empty() || output->GetNumberOfPoints() == 0;
-  if (!check(
-        silent, run.Name, ": no message, found ", messages->Messages.empty() ? "" : messages->Messages[0]) ||
-    !CheckValidPoints(check, run.Name, output))
+  ASSERT_TRUE(silent) << run.Name << ": no message, found "
+                      << (messages->Messages.empty() ? "" : messages->Messages[0]);
+  if (!CheckValidPoints(run.Name, output))
   {
     return;
   }
@@ -239,8 +244,8 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
   const auto rule =
     run.Rule == vtkInkIsoSurfaceSampler::STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
   vtkDataArray* indices = output->GetPointData()->GetArray("SurfaceIndex");
-  check(
-    (indices != nullptr) == (run.IsoValues.size() > 1), run.Name, ": SurfaceIndex with several iso-values");
+  EXPECT_EQ(indices != nullptr, run.IsoValues.size() > 1)
+    << run.Name << ": SurfaceIndex with several iso-values";
   vtkIdType n = 0;
   int surface = 0;
   for (const double isoValue : run.IsoValues)
@@ -249,30 +254,25 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
       marksOf(skippedCells, vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL));
     const std::string name =
       run.Name + ", iso-value " + std::to_string(isoValue) + (run.Rule ? ", strict" : "");
-    if (!check(n + static_cast<vtkIdType>(expected.size()) <= output->GetNumberOfPoints(), name, ": ",
-          expected.size(), " points, found ", output->GetNumberOfPoints() - n, " or less"))
-    {
-      return;
-    }
+    ASSERT_LE(n + static_cast<vtkIdType>(expected.size()), output->GetNumberOfPoints())
+      << name << ": " << expected.size() << " points, found " << output->GetNumberOfPoints() - n
+      << " or less";
     for (const auto& sample : expected)
     {
-      if (!CheckPoint(check, name, output, n, sample, geometry) ||
+      if (!CheckPoint(name, output, n, sample, geometry) ||
         (run.NormalMethod == vtkInkIsoSurfaceSampler::INTERPOLATED_NORMAL &&
-          !CheckNormal(check, name, output, n, sample)) ||
-        (indices &&
-          !check(indices->GetComponent(n, 0) == surface, name, ": SurfaceIndex ", surface, " of point ", n)))
+          !CheckNormal(name, output, n, sample)))
       {
         return;
       }
+      ASSERT_TRUE(!indices || indices->GetComponent(n, 0) == surface)
+        << name << ": SurfaceIndex " << surface << " of point " << n;
       ++n;
     }
     ++surface;
   }
-  if (!check(
-        n == output->GetNumberOfPoints(), run.Name, ": ", n, " points, found ", output->GetNumberOfPoints()))
-  {
-    return;
-  }
+  ASSERT_EQ(n, output->GetNumberOfPoints())
+    << run.Name << ": " << n << " points, found " << output->GetNumberOfPoints();
 
   // In pieces: exactly the same points.
   const auto expectPieces = [&](const std::vector<double>& whole, const char* what)
@@ -285,29 +285,40 @@ void CheckImage(InkTestChecks& check, unsigned seed, int type)
       const auto part = Numbers(sampler->GetOutput());
       all.insert(all.end(), part.begin(), part.end());
     }
-    check(SortedSamples(all) == SortedSamples(whole), run.Name, what, ": ", whole.size() / 6, " points in ",
-      pieces, " pieces, found ", all.size() / 6, " or others");
+    EXPECT_EQ(SortedSamples(all), SortedSamples(whole))
+      << run.Name << what << ": " << whole.size() / 6 << " points in " << pieces << " pieces, found "
+      << all.size() / 6 << " or others";
   };
   const std::vector<double> whole = Numbers(output);
   expectPieces(whole, "");
   sampler->SetProjectionSteps(1 + random.UpTo(8));
   sampler->UpdatePiece(0, 1, 0);
   const std::vector<double> projected = Numbers(output);
-  if (CheckValidPoints(check, run.Name + ", projected", output) &&
-    check(projected.size() == whole.size(), run.Name, ": as many points projected"))
+  ASSERT_EQ(projected.size(), whole.size()) << run.Name << ": as many points projected";
+  if (CheckValidPoints(run.Name + ", projected", output))
   {
     expectPieces(projected, ", projected");
   }
 }
 
-void CheckSeed(InkTestChecks& check, unsigned seed)
+void CheckSeed(unsigned seed)
 {
-  WithScalarType(seed, [&](auto zero, int type) { CheckImage<decltype(zero)>(check, seed, type); });
+  WithScalarType(seed, [&](auto zero, int type) { CheckImage<decltype(zero)>(seed, type); });
 }
+
+class IsoSurfaceSamplerRandom : public testing::TestWithParam<unsigned>
+{
+};
 
 } // namespace
 
-int TestIsoSurfaceSamplerRandom(int argc, char* argv[])
+TEST_P(IsoSurfaceSamplerRandom, IsTheReferences)
 {
-  return InkTestSeeds(argc, argv, Images, CheckSeed);
+  for (unsigned seed = GetParam(); seed < GetParam() + ImagesOfTest && !HasFailure(); ++seed)
+  {
+    CheckSeed(seed);
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(Images, IsoSurfaceSamplerRandom, testing::Range(0u, Images, ImagesOfTest),
+  testing::PrintToStringParamName());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkSplattingLinesMapper at the ends of what it accepts: data, cameras, windows and all parameters. There
 // must be no message, the same picture once more with everything made anew, and the picture that is known:
-// equal to another one, or with as much ink as was found right when the picture was looked at.
-#include "InkTestChecks.h"
+// equal to another one, or with as much ink as was found right when the picture was checked by eye.
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestPoints.h"
 #include "InkTestScene.h"
 #include "vtkInkSplattingLinesMapper.h"
@@ -15,6 +15,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
@@ -32,24 +34,24 @@ using Scene = InkTestScene<vtkInkSplattingLinesMapper>;
 using Points = vtkSmartPointer<vtkPolyData>;
 
 /// The ink of a picture that must come without a message and twice the same.
-double Draw(InkTestChecks& check, const std::string& name, Scene& scene)
+double Draw(const std::string& name, Scene& scene)
 {
   vtkNew<InkTestMessages> messages;
   messages->Observe(scene.Mapper);
   const InkTestImage first(scene.Window);
   scene.Mapper->ReleaseGraphicsResources(scene.Window);
   const InkTestImage second(scene.Window);
-  check(second.CountDifferent(first) == 0, name, ": the same picture twice");
-  check(messages->Messages.empty(), name, ": no message, found ",
-    messages->Messages.empty() ? "" : messages->Messages[0]);
+  EXPECT_EQ(second.CountDifferent(first), 0) << name << ": the same picture twice";
+  EXPECT_TRUE(messages->Messages.empty())
+    << name << ": no message, found " << (messages->Messages.empty() ? "" : messages->Messages[0]);
   return first.Ink();
 }
 
 /// @param part by how much the ink may differ
-void CheckInk(InkTestChecks& check, const std::string& name, double ink, double expected, double part = 0.1)
+void CheckInk(const std::string& name, double ink, double expected, double part = 0.1)
 {
-  check(
-    std::abs(ink - expected) <= part * expected + 0.5, name, ": ", expected, " pixels of ink, found ", ink);
+  EXPECT_LE(std::abs(ink - expected), part * expected + 0.5)
+    << name << ": " << expected << " pixels of ink, found " << ink;
 }
 
 /// Everything that can be asked for at once.
@@ -69,16 +71,16 @@ void AskForAll(vtkInkSplattingLinesMapper* mapper)
   mapper->SetInkColorMode(vtkInkSplattingLinesMapper::TONE);
 }
 
-Points FromTuples(const std::vector<std::array<double, 3>>& places, const std::array<double, 3>& normal)
+Points FromTuples(const std::vector<std::array<double, 3>>& positions, const std::array<double, 3>& normal)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
-  for (const auto& place : places)
+  for (const auto& position : positions)
   {
-    points->InsertNextPoint(place.data());
+    points->InsertNextPoint(position.data());
     normals->InsertNextTuple(normal.data());
   }
   auto data = Points::New();
@@ -87,9 +89,11 @@ Points FromTuples(const std::vector<std::array<double, 3>>& places, const std::a
   return data;
 }
 
-/// Sets of points that are hardly surfaces: discs without lines; and surfaces of extreme places and sizes,
+} // namespace
+
+/// Sets of points that are hardly surfaces: discs without lines; and surfaces of extreme positions and sizes,
 /// which look like any.
-void TestPoints(InkTestChecks& check)
+TEST(SplattingLinesMapperExtremes, Points)
 {
   const double tiny = 1e-150;
   const std::array<double, 3> up{ 0.0, 0.0, 1.0 };
@@ -105,7 +109,7 @@ void TestPoints(InkTestChecks& check)
   const std::vector<Case> discs{
     { "one point", FromTuples({ { 1.0, 2.0, 3.0 } }, up), 156 },
     { "two points", FromTuples({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, up), 248 },
-    { "a hundred points in one place",
+    { "a hundred points at one position",
       FromTuples(std::vector<std::array<double, 3>>(100, { 5.0, 5.0, 5.0 }), up), 156 },
     { "points in a row", FromTuples({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }, up), 252 },
     { "points edge-on", triangle({ 1.0, 0.0, 0.0 }), 35 },
@@ -123,8 +127,8 @@ void TestPoints(InkTestChecks& check)
       {
         AskForAll(scene.Mapper);
       }
-      const double darkness = Draw(check, name + (all ? ", all asked for" : ""), scene);
-      CheckInk(check, name + ": paper", 10000.0 - darkness, expected, 0.02);
+      const double darkness = Draw(name + (all ? ", all asked for" : ""), scene);
+      CheckInk(name + ": paper", 10000.0 - darkness, expected, 0.02);
     }
   }
 
@@ -140,22 +144,23 @@ void TestPoints(InkTestChecks& check)
     Scene usual(InkTestPoints::Sphere(1.0, 0.1), 100, 100);
     ask(usual);
     const InkTestImage picture(usual.Window);
-    CheckInk(check, "a sphere", picture.Ink(), all ? 113.2 : 472.0);
-    for (const auto& [name, scale, place] :
+    CheckInk("a sphere", picture.Ink(), all ? 113.2 : 472.0);
+    for (const auto& [name, scale, position] :
       { std::tuple("spacing 1e-9", 1e-9, 0.0), { "spacing 1e9", 1e9, 0.0 }, { "origin at 1e7", 1.0, 1e7 } })
     {
       Scene scene(
-        InkTestPoints::Transform(InkTestPoints::Sphere(1.0, 0.1), scale, { place, -place, place }), 100, 100);
+        InkTestPoints::Transform(InkTestPoints::Sphere(1.0, 0.1), scale, { position, -position, position }),
+        100, 100);
       ask(scene);
-      Draw(check, name, scene);
+      Draw(name, scene);
       const int different = InkTestImage(scene.Window).CountDifferent(picture, 8);
-      check(different <= 2, name, ": the usual sphere but for ", different, " pixels");
+      EXPECT_LE(different, 2) << name << ": the usual sphere but for " << different << " pixels";
     }
   }
 }
 
 /// Some points are spoilt in all ways; the others are drawn as if these were not there.
-void TestSpoilt(InkTestChecks& check)
+TEST(SplattingLinesMapperExtremes, Spoilt)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -190,12 +195,12 @@ void TestSpoilt(InkTestChecks& check)
   }
   Scene scene(spoilt, 120, 120);
   scene.Renderer->SetActiveCamera(expected.Renderer->GetActiveCamera());
-  Draw(check, "spoilt points", scene);
-  check(InkTestImage(scene.Window).CountDifferent(picture, 1) == 0, "spoilt points are not there");
+  Draw("spoilt points", scene);
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(picture, 1), 0) << "spoilt points are not there";
 }
 
 /// Radii of all sizes in one set of points: no gaps, and no light from afar.
-void TestRadii(InkTestChecks& check)
+TEST(SplattingLinesMapperExtremes, Radii)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.05);
   InkTestPoints::SetRadius(points, 0.06);
@@ -206,8 +211,8 @@ void TestRadii(InkTestChecks& check)
       i, 0.06 * std::pow(10.0, 0.5 * ink::unitDouble(ink::hash(3, static_cast<std::uint64_t>(i)))));
   }
   Scene scene(points, 120, 120);
-  const double ink = Draw(check, "radii of 1 to 3", scene);
-  CheckInk(check, "a contour with uneven radii", ink, 379.0);
+  const double ink = Draw("radii of 1 to 3", scene);
+  CheckInk("a contour with uneven radii", ink, 379.0);
   // Points without an extent, and discs so large that the nearest ones end before the camera.
   for (const auto& [radius, expected] :
     { std::pair(1e-9, 243.3), { 1e-3, 243.2 }, { 10.0, 14397.0 }, { 1e6, 14400.0 } })
@@ -215,12 +220,12 @@ void TestRadii(InkTestChecks& check)
     InkTestPoints::SetRadius(points, radius);
     scene.Mapper->SetInputData(points);
     const std::string name = "radius " + std::to_string(radius);
-    CheckInk(check, name, Draw(check, name, scene), expected);
+    CheckInk(name, Draw(name, scene), expected);
   }
 }
 
 /// Each parameter at both its ends, with the others as they are and with everything asked for.
-void TestParameters(InkTestChecks& check)
+TEST(SplattingLinesMapperExtremes, Parameters)
 {
   struct Case
   {
@@ -280,7 +285,7 @@ void TestParameters(InkTestChecks& check)
         one.Set(scene.Mapper, value);
         const std::string name =
           one.Name + (' ' + std::to_string(value)) + (all ? ", all else asked for" : "");
-        CheckInk(check, name, Draw(check, name, scene), all ? inkOfAll : inkOfOne);
+        CheckInk(name, Draw(name, scene), all ? inkOfAll : inkOfOne);
       }
     }
   }
@@ -288,7 +293,7 @@ void TestParameters(InkTestChecks& check)
 
 /// Cameras within the object, on it, far away and looking elsewhere; parallel and perspective. With parallel
 /// rays the distance does not count, but where the camera cuts the object.
-void TestViews(InkTestChecks& check)
+TEST(SplattingLinesMapperExtremes, Views)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.05);
   struct View
@@ -314,17 +319,14 @@ void TestViews(InkTestChecks& check)
         const std::string name = std::string(parallel ? "a parallel" : "a perspective") + " camera at " +
           std::to_string(view.Distance) + (away ? " that looks away" : "");
         const bool beside = away && view.Distance > 0.0;
-        CheckInk(check, name, Draw(check, name, scene),
-          beside       ? 0.0
-            : parallel ? view.Parallel
-                       : view.Perspective);
+        CheckInk(name, Draw(name, scene), beside ? 0.0 : parallel ? view.Parallel : view.Perspective);
       }
     }
   }
 }
 
 /// Windows of all shapes; what is drawn fits.
-void TestWindows(InkTestChecks& check)
+TEST(SplattingLinesMapperExtremes, Windows)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.05);
   struct Shape
@@ -346,13 +348,13 @@ void TestWindows(InkTestChecks& check)
       }
       const std::string name = std::to_string(shape.Width) + " x " + std::to_string(shape.Height) +
         " pixels" + (all ? ", all asked for" : "");
-      CheckInk(check, name, Draw(check, name, scene), all ? shape.InkOfAll : shape.Ink);
+      CheckInk(name, Draw(name, scene), all ? shape.InkOfAll : shape.Ink);
     }
   }
 }
 
 /// Flattened, mirrored and sheared actors.
-void TestMatrices(InkTestChecks& check)
+TEST(SplattingLinesMapperExtremes, Matrices)
 {
   struct Stretch
   {
@@ -367,26 +369,11 @@ void TestMatrices(InkTestChecks& check)
     scene.Renderer->ResetCamera();
     std::ostringstream name;
     name << "scale " << scale[0] << ' ' << scale[1] << ' ' << scale[2];
-    CheckInk(check, name.str(), Draw(check, name.str(), scene), expected);
+    CheckInk(name.str(), Draw(name.str(), scene), expected);
   }
   Scene mirrored(InkTestPoints::Sphere(1.0, 0.02), 120, 120);
-  const double ink = Draw(check, "a sphere", mirrored);
+  const double ink = Draw("a sphere", mirrored);
   mirrored.Actor->SetScale(-1.0, 1.0, 1.0);
-  const double other = Draw(check, "its mirror image", mirrored);
-  CheckInk(check, "a mirrored sphere has the same lines", other, ink, 0.001);
-}
-
-} // namespace
-
-int TestSplattingLinesMapperExtremes(int, char*[])
-{
-  InkTestChecks check;
-  TestPoints(check);
-  TestSpoilt(check);
-  TestRadii(check);
-  TestParameters(check);
-  TestViews(check);
-  TestWindows(check);
-  TestMatrices(check);
-  return check.Result();
+  const double other = Draw("its mirror image", mirrored);
+  CheckInk("a mirrored sphere has the same lines", other, ink, 0.001);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkStippleControls at the ends of what there is.
+#include "InkTestMessages.h"
 #include "InkTestStipples.h"
 #include "StippleInk.h"
 
 #include "vtkInkStippleControls.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
@@ -14,8 +17,14 @@ namespace
 
 using namespace StippleInk;
 
+class StippleControlsExtremes : public StippleInk::Test
+{
+};
+
+} // namespace
+
 /// All six sliders at both ends under all presets, on volumes and surfaces.
-void TestSliders(InkTestChecks& check)
+TEST_F(StippleControlsExtremes, Sliders)
 {
   for (const auto& [kind, data] :
     { std::pair<std::string, Data>("volume", InkTestStipples::SphereVoxels(1.0, 0.1, 8)),
@@ -52,27 +61,21 @@ void TestSliders(InkTestChecks& check)
         }
         // No ink for gradients, all of it at the thinnest silhouettes, light everywhere: as good as nothing.
         const bool lightest = (ends & 7) == 6;
-        check(marks >= (lightest ? 0.0 : 0.6) && marks < 2200.0, kind, ", ", controls->GetPreset(), ", ends ",
-          ends, ": a drawing, found marks of ", marks, " pixels");
+        EXPECT_TRUE(marks >= (lightest ? 0.0 : 0.6) && marks < 2200.0)
+          << kind << ", " << controls->GetPreset() << ", ends " << ends << ": a drawing, found marks of "
+          << marks << " pixels";
       }
     }
-    check(messages->Messages.empty(), kind, ": no message from any slider");
+    EXPECT_TRUE(messages->Messages.empty()) << kind << ": no message from any slider";
   }
   vtkNew<vtkInkStippleControls> controls;
   vtkNew<InkTestMessages> messages;
   messages->Observe(controls);
   controls->SetGradient(0.3);
   controls->SetGradient(NaN);
-  messages->Expect(check, "a slider that is not a number", { "from 0 to 1, found nan" });
-  check(controls->GetGradient() == 0.3, "the slider where it was, found ", controls->GetGradient());
+  messages->Expect("a slider that is not a number", { "from 0 to 1, found nan" });
+  EXPECT_EQ(controls->GetGradient(), 0.3) << "the slider where it was, found " << controls->GetGradient();
   controls->SetGradient(Infinity);
   controls->SetSharpness(-Infinity);
-  check(controls->GetGradient() == 1.0 && controls->GetSharpness() == 0.0, "sliders at their ends");
-}
-
-} // namespace
-
-int TestStippleControlsExtremes(int, char*[])
-{
-  return StippleInk::Run({ TestSliders });
+  EXPECT_TRUE(controls->GetGradient() == 1.0 && controls->GetSharpness() == 0.0) << "sliders at their ends";
 }

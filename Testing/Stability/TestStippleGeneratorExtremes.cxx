@@ -2,8 +2,8 @@
 // Volumes and meshes at the ends of what there is: stipples where there should be some, all of them finite
 // and within their bounds, and not a word.
 
-#include "InkTestChecks.h"
 #include "InkTestMesh.h"
+#include "InkTestMessages.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -16,6 +16,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -31,8 +33,7 @@ using Change = std::function<void(vtkInkStippleGenerator*)>;
 
 /// Stipples the data with all that passes; all that comes out must be in bounds.
 vtkSmartPointer<vtkPolyData> Stipple(
-  InkTestChecks& check, const std::string& name, vtkDataSet* data,
-  const Change& change = [](vtkInkStippleGenerator*) {})
+  const std::string& name, vtkDataSet* data, const Change& change = [](vtkInkStippleGenerator*) {})
 {
   vtkNew<vtkInkStippleGenerator> generator;
   vtkNew<InkTestMessages> messages;
@@ -41,8 +42,8 @@ vtkSmartPointer<vtkPolyData> Stipple(
   generator->SetThresholdModeToMagnitude();
   change(generator);
   generator->Update();
-  check(messages->Messages.empty() || generator->GetOutput()->GetNumberOfPoints() == 0, name,
-    ": no message, found ", messages->Messages.empty() ? "" : messages->Messages[0]);
+  EXPECT_TRUE(messages->Messages.empty() || generator->GetOutput()->GetNumberOfPoints() == 0)
+    << name << ": no message, found " << (messages->Messages.empty() ? "" : messages->Messages[0]);
   vtkSmartPointer<vtkPolyData> output = generator->GetOutput();
 
   double bounds[6];
@@ -65,27 +66,25 @@ vtkSmartPointer<vtkPolyData> Stipple(
       inside = inside && p[axis] >= bounds[2 * axis] - slack && p[axis] <= bounds[2 * axis + 1] + slack;
     }
   }
-  check(inside, name, ": stipples within the data's bounds");
+  EXPECT_TRUE(inside) << name << ": stipples within the data's bounds";
+  vtkIdType notUnit = 0;
   for (vtkIdType e = 0; e < output->GetNumberOfCells(); ++e)
   {
     const double length = vtkMath::Norm(output->GetCellData()->GetNormals()->GetTuple3(e));
-    if (!check(std::abs(length - 1.0) < 1e-5, name, ": unit normals, found one of ", length))
-    {
-      break;
-    }
+    notUnit += !(std::abs(length - 1.0) < 1e-5);
   }
+  EXPECT_EQ(notUnit, 0) << name << ": normals of length 1";
   for (const char* array : { "GradientMagnitude", "Value" })
   {
     if (vtkDataArray* shares = output->GetCellData()->GetArray(array))
     {
+      vtkIdType outside = 0;
       for (vtkIdType e = 0; e < shares->GetNumberOfTuples(); ++e)
       {
         const double share = shares->GetComponent(e, 0);
-        if (!check(share >= 0.0 && share <= 1.0, name, ": a ", array, " of 0 to 1, found ", share))
-        {
-          break;
-        }
+        outside += !(share >= 0.0 && share <= 1.0);
       }
+      EXPECT_EQ(outside, 0) << name << ": " << array << " within 0 to 1";
     }
   }
   return output;
@@ -117,7 +116,9 @@ vtkSmartPointer<vtkImageData> MakeImage(
   return image;
 }
 
-void TestPlaces(InkTestChecks& check)
+} // namespace
+
+TEST(StippleGeneratorExtremes, Geometry)
 {
   for (const std::array<double, 3>& spacing : { std::array{ 1e-9, 1e-9, 1e-9 }, std::array{ 1e9, 1e9, 1e9 },
          std::array{ 1.0, 1.0, 1000.0 }, std::array{ 1000.0, 1.0, 1.0 }, std::array{ -1.0, 2.0, -3.0 } })
@@ -125,18 +126,18 @@ void TestPlaces(InkTestChecks& check)
     const std::string name = "spacing " + std::to_string(spacing[0]) + " " + std::to_string(spacing[2]);
     const auto image = MakeImage(VTK_FLOAT, { 9, 10, 11 });
     image->SetSpacing(spacing.data());
-    check(Stipple(check, name, image)->GetNumberOfCells() > 900, name, ": stipples");
+    EXPECT_GT(Stipple(name, image)->GetNumberOfCells(), 900) << name << ": stipples";
     image->SetDirectionMatrix(0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
-    check(Stipple(check, name + " turned", image)->GetNumberOfCells() > 900, name, ": stipples, turned");
+    EXPECT_GT(Stipple(name + " turned", image)->GetNumberOfCells(), 900) << name << ": stipples, turned";
   }
   const auto far = MakeImage(VTK_FLOAT, { 9, 9, 9 });
   far->SetOrigin(1e7, -1e7, 1e7);
   far->SetSpacing(0.01, 0.01, 0.01);
-  const auto stipples = Stipple(check, "far away", far);
-  check(stipples->GetPoints()->GetDataType() == VTK_DOUBLE, "far away: double precision");
+  const auto stipples = Stipple("far away", far);
+  EXPECT_EQ(stipples->GetPoints()->GetDataType(), VTK_DOUBLE) << "far away: double precision";
 }
 
-void TestValues(InkTestChecks& check)
+TEST(StippleGeneratorExtremes, Values)
 {
   for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
          VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE })
@@ -146,14 +147,14 @@ void TestValues(InkTestChecks& check)
     const double low = array->GetDataTypeMin() * (1.0 - 1e-15);
     const double high = array->GetDataTypeMax() * (1.0 - 1e-15);
     const std::string name = std::string("whole range of ") + array->GetDataTypeAsString();
-    check(Stipple(check, name, MakeImage(type, { 8, 8, 8 }, low, high))->GetNumberOfCells() > 400, name,
-      ": stipples");
+    EXPECT_GT(Stipple(name, MakeImage(type, { 8, 8, 8 }, low, high))->GetNumberOfCells(), 400)
+      << name << ": stipples";
   }
   for (const double size : { 1e-30, 1e30 })
   {
     const std::string name = "values of " + std::to_string(size);
-    check(Stipple(check, name, MakeImage(VTK_FLOAT, { 8, 8, 8 }, 0.0, size))->GetNumberOfCells() > 400, name,
-      ": stipples");
+    EXPECT_GT(Stipple(name, MakeImage(VTK_FLOAT, { 8, 8, 8 }, 0.0, size))->GetNumberOfCells(), 400)
+      << name << ": stipples";
   }
   const auto holes = MakeImage(VTK_FLOAT, { 12, 12, 12 });
   for (vtkIdType n = 0; n < holes->GetNumberOfPoints(); n += 7)
@@ -161,10 +162,10 @@ void TestValues(InkTestChecks& check)
     holes->GetPointData()->GetScalars()->SetComponent(
       n, 0, n % 3 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity());
   }
-  check(Stipple(check, "holes", holes)->GetNumberOfCells() > 1000, "holes: stipples");
+  EXPECT_GT(Stipple("holes", holes)->GetNumberOfCells(), 1000) << "holes: stipples";
 }
 
-void TestShapes(InkTestChecks& check)
+TEST(StippleGeneratorExtremes, Shapes)
 {
   for (const std::array<int, 3>& n : { std::array{ 1, 1, 1 }, std::array{ 1, 1, 2 }, std::array{ 30, 1, 1 },
          std::array{ 1, 30, 30 }, std::array{ 30, 30, 1 }, std::array{ 2, 2, 2 }, std::array{ 300, 2, 1 } })
@@ -173,15 +174,15 @@ void TestShapes(InkTestChecks& check)
       std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]);
     const auto image = MakeImage(VTK_FLOAT, n);
     const vtkIdType voxels = image->GetNumberOfPoints();
-    const auto stipples = Stipple(check, name, image, [](auto* g) { g->SetMaximumStipples(64); });
-    check(stipples->GetNumberOfCells() > (voxels - 2) / 2 || voxels == 1, name, ": stipples, found ",
-      stipples->GetNumberOfCells(), " elements");
-    check(stipples->GetNumberOfPoints() == 64 * stipples->GetNumberOfCells(), name, ": 64 an element");
+    const auto stipples = Stipple(name, image, [](auto* g) { g->SetMaximumStipples(64); });
+    EXPECT_TRUE(stipples->GetNumberOfCells() > (voxels - 2) / 2 || voxels == 1)
+      << name << ": stipples, found " << stipples->GetNumberOfCells() << " elements";
+    EXPECT_EQ(stipples->GetNumberOfPoints(), 64 * stipples->GetNumberOfCells()) << name << ": 64 an element";
     // As many as the picture has pixels for a voxel, whatever its size in the world.
     for (const double spacing : { 1e-9, 1.0, 1e9 })
     {
       image->SetSpacing(spacing, spacing, spacing);
-      const auto projected = Stipple(check, name, image,
+      const auto projected = Stipple(name, image,
         [](auto* g)
         {
           g->SetMaximumStipplesModeToProjected();
@@ -189,14 +190,14 @@ void TestShapes(InkTestChecks& check)
         });
       const double pixels = 450.0 / *std::max_element(n.begin(), n.end());
       const double expected = std::min(std::round(pixels * pixels), 64.0);
-      check(static_cast<double>(projected->GetNumberOfPoints()) ==
-          expected * static_cast<double>(projected->GetNumberOfCells()),
-        name, ", spacing ", spacing, ": ", expected, " an element");
+      EXPECT_EQ(static_cast<double>(projected->GetNumberOfPoints()),
+        expected * static_cast<double>(projected->GetNumberOfCells()))
+        << name << ", spacing " << spacing << ": " << expected << " an element";
     }
   }
 }
 
-void TestMeshes(InkTestChecks& check)
+TEST(StippleGeneratorExtremes, Meshes)
 {
   // Normals of length 0 as well.
   for (const double scale : { 1e-9, 1.0, 1e9 })
@@ -209,26 +210,14 @@ void TestMeshes(InkTestChecks& check)
     normals->SetNumberOfTuples(mesh->GetNumberOfPoints());
     normals->Fill(0.0);
     mesh->GetPointData()->SetNormals(normals);
-    const auto stipples = Stipple(check, name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(300); });
-    check(stipples->GetNumberOfPoints() == 300 && stipples->GetNumberOfCells() == 4, name,
-      ": stipples in the four polygons with an area, found ", stipples->GetNumberOfCells());
-    const auto projected =
-      Stipple(check, name, mesh, [](auto* g) { g->SetMaximumStipplesModeToProjected(); });
-    check(projected->GetNumberOfPoints() == vtkInkStippleGenerator::CountForPicture(mesh, 600.0, 1.0), name,
-      ": a stipple a pixel, found ", projected->GetNumberOfPoints());
-    const auto one = Stipple(check, name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(1); });
-    check(one->GetNumberOfPoints() == 1 && one->GetNumberOfCells() == 1, name, ": a single stipple");
+    const auto stipples = Stipple(name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(300); });
+    EXPECT_TRUE(stipples->GetNumberOfPoints() == 300 && stipples->GetNumberOfCells() == 4)
+      << name << ": stipples in the four polygons with an area, found " << stipples->GetNumberOfCells();
+    const auto projected = Stipple(name, mesh, [](auto* g) { g->SetMaximumStipplesModeToProjected(); });
+    EXPECT_EQ(projected->GetNumberOfPoints(), vtkInkStippleGenerator::CountForPicture(mesh, 600.0, 1.0))
+      << name << ": a stipple a pixel, found " << projected->GetNumberOfPoints();
+    const auto one = Stipple(name, mesh, [](auto* g) { g->SetNumberOfSurfaceStipples(1); });
+    EXPECT_TRUE(one->GetNumberOfPoints() == 1 && one->GetNumberOfCells() == 1)
+      << name << ": a single stipple";
   }
-}
-
-} // namespace
-
-int TestStippleGeneratorExtremes(int, char*[])
-{
-  InkTestChecks check;
-  TestPlaces(check);
-  TestValues(check);
-  TestShapes(check);
-  TestMeshes(check);
-  return check.Result();
 }

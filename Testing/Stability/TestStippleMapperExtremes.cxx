@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkStippleMapper and odd data that vtkInkStippleGenerator makes of volumes and meshes: the right
-// picture, or an empty one; with places in either precision.
+// picture, or an empty one; with positions in either precision.
 #include "InkTestMesh.h"
 #include "InkTestStipples.h"
 #include "StippleInk.h"
@@ -12,6 +12,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -43,9 +45,9 @@ Data StippleBall(int type, const std::array<int, 3>& n, const std::function<void
     {
       for (int i = 0; i < n[0]; ++i)
       {
-        const auto place = [](int index, int count)
+        const auto coordinate = [](int index, int count)
         { return count > 1 ? (2.0 * index + 1.0) / count - 1.0 : 0.0; };
-        const double r = std::hypot(place(i, n[0]), place(j, n[1]), place(k, n[2]));
+        const double r = std::hypot(coordinate(i, n[0]), coordinate(j, n[1]), coordinate(k, n[2]));
         const double share = std::clamp(0.5 + 6.0 * (0.75 - r), 0.0, 1.0);
         scalars->SetComponent(id++, 0, (1.0 - share) * low + share * high);
       }
@@ -64,15 +66,21 @@ Data StippleBall()
   return StippleBall(VTK_FLOAT, { 24, 24, 24 }, [](vtkImageData*) {});
 }
 
-void TestPlaces(InkTestChecks& check)
+class StippleMapperExtremes : public StippleInk::Test
 {
-  const double usual = FindInk(check, "ball", StippleBall());
-  check(usual > 350.0 && usual < 500.0, "ink of a ball, found ", usual);
+};
+
+} // namespace
+
+TEST_F(StippleMapperExtremes, Geometry)
+{
+  const double usual = FindInk("ball", StippleBall());
+  EXPECT_TRUE(usual > 350.0 && usual < 500.0) << "ink of a ball, found " << usual;
   const auto expect =
     [&](const std::string& name, const std::function<void(vtkImageData*)>& change, const Change& view)
   {
     const Data data = StippleBall(VTK_FLOAT, { 24, 24, 24 }, change);
-    ExpectInk(check, name, data, 0.95 * usual, 1.05 * usual, view);
+    ExpectInk(name, data, 0.95 * usual, 1.05 * usual, view);
   };
   const Change front = [](StippleScene&) {};
   const Change side = [](StippleScene& scene)
@@ -119,20 +127,20 @@ void TestPlaces(InkTestChecks& check)
         scene.Mapper->SetPixelsPerStipple(0.1);
       } };
     // Seen along it, it is less than a pixel.
-    ExpectPale(check, name, data, axis == 2 ? 0.031 : 3.5, dark[0]);
-    ExpectPale(check, name + " from the side", data, axis == 0 ? 0.031 : 3.5, dark[1]);
+    ExpectPale(name, data, axis == 2 ? 0.031 : 3.5, dark[0]);
+    ExpectPale(name + " from the side", data, axis == 0 ? 0.031 : 3.5, dark[1]);
   }
 }
 
-void TestValues(InkTestChecks& check)
+TEST_F(StippleMapperExtremes, Values)
 {
-  const double usual = FindInk(check, "ball", StippleBall());
+  const double usual = FindInk("ball", StippleBall());
   for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
          VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_DOUBLE })
   {
     const Data data = StippleBall(type, { 24, 24, 24 }, [](vtkImageData*) {});
-    ExpectInk(check, std::string("the whole range of ") + vtkImageScalarTypeNameMacro(type), data,
-      0.97 * usual, 1.03 * usual);
+    ExpectInk(std::string("the whole range of ") + vtkImageScalarTypeNameMacro(type), data, 0.97 * usual,
+      1.03 * usual);
   }
   const auto spoil = [](vtkImageData* image)
   {
@@ -141,21 +149,21 @@ void TestValues(InkTestChecks& check)
       image->GetPointData()->GetScalars()->SetComponent(n, 0, n % 3 ? NaN : Infinity);
     }
   };
-  ExpectInk(check, "holes", StippleBall(VTK_FLOAT, { 24, 24, 24 }, spoil), 0.88 * usual, 0.97 * usual);
+  ExpectInk("holes", StippleBall(VTK_FLOAT, { 24, 24, 24 }, spoil), 0.88 * usual, 0.97 * usual);
 }
 
-void TestShapes(InkTestChecks& check)
+TEST_F(StippleMapperExtremes, Shapes)
 {
   const auto nothing = [](vtkImageData*) {};
   const Data one = StippleBall(VTK_FLOAT, { 1, 1, 1 }, nothing);
-  ExpectInk(check, "one voxel", one, 0.0, 0.0);
+  ExpectInk("one voxel", one, 0.0, 0.0);
   const auto even = [](vtkImageData* image) { image->GetPointData()->GetScalars()->Fill(7.0); };
-  ExpectInk(check, "a constant", StippleBall(VTK_FLOAT, { 12, 12, 12 }, even), 0.0, 0.0);
-  ExpectInk(check, "no cells", vtkSmartPointer<vtkPolyData>::New(), 0.0, 0.0);
+  ExpectInk("a constant", StippleBall(VTK_FLOAT, { 12, 12, 12 }, even), 0.0, 0.0);
+  ExpectInk("no cells", vtkSmartPointer<vtkPolyData>::New(), 0.0, 0.0);
   const Data flat = StippleBall(VTK_FLOAT, { 40, 40, 1 }, nothing);
   // Normals lie in the plane and away from an eye before its middle: not lit.
   const auto unlit = [](StippleScene& scene) { scene.Mapper->LightingOff(); };
-  ExpectAbout(check, "one voxel thick", flat, 100.0, unlit);
+  ExpectAbout("one voxel thick", flat, 100.0, unlit);
   // All normals are seen edge-on; without a view of its plane it is a line.
   const auto edge = [](StippleScene& scene)
   {
@@ -164,9 +172,9 @@ void TestShapes(InkTestChecks& check)
     scene.Renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
     scene.Renderer->ResetCamera();
   };
-  ExpectAbout(check, "one voxel thick, from the edge", flat, 33.0, edge);
+  ExpectAbout("one voxel thick, from the edge", flat, 33.0, edge);
   const Data row = StippleBall(VTK_FLOAT, { 60, 1, 1 }, nothing);
-  ExpectAbout(check, "a row of voxels", row, 3.7, unlit);
+  ExpectAbout("a row of voxels", row, 3.7, unlit);
 
   const auto close = [](StippleScene& scene)
   {
@@ -175,12 +183,12 @@ void TestShapes(InkTestChecks& check)
     scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
     scene.Renderer->ResetCameraClippingRange(-1, 1, -1, 1, -1, 1);
   };
-  ExpectAbout(check, "one stipple", InkTestStipples::PlaneSurface(1.0, 1, 1), 1575.0, close);
-  ExpectAbout(check, "one element", InkTestStipples::PlaneSurface(1.0, 1, 64), 1460.0, close);
+  ExpectAbout("one stipple", InkTestStipples::PlaneSurface(1.0, 1, 1), 1575.0, close);
+  ExpectAbout("one element", InkTestStipples::PlaneSurface(1.0, 1, 64), 1460.0, close);
 
   // Half of the elements without stipples: half of the plane.
   const Data plane = InkTestStipples::PlaneSurface(2.0, 10, 12);
-  const double whole = FindInk(check, "plane", plane, [](StippleScene& scene) { scene.AllOff(); });
+  const double whole = FindInk("plane", plane, [](StippleScene& scene) { scene.AllOff(); });
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkPoints> points;
   for (vtkIdType e = 0; e < plane->GetNumberOfCells(); ++e)
@@ -200,11 +208,11 @@ void TestShapes(InkTestChecks& check)
     scene.AllOff();
     scene.Renderer->ResetCamera(-1.0, 1.0, -1.0, 1.0, 0.0, 0.0);
   };
-  ExpectInk(check, "elements without stipples", half, 0.45 * whole, 0.55 * whole, same);
+  ExpectInk("elements without stipples", half, 0.45 * whole, 0.55 * whole, same);
 }
 
 /// Meshes through the generator: degenerate, non-manifold, of all sizes.
-void TestMeshes(InkTestChecks& check)
+TEST_F(StippleMapperExtremes, Meshes)
 {
   for (const double scale : { 1e-9, 1.0, 1e9 })
   {
@@ -219,13 +227,6 @@ void TestMeshes(InkTestChecks& check)
       scene.Mapper->SetInputConnection(generator->GetOutputPort());
       scene.Mapper->LightingOff();
     };
-    ExpectAbout(check, "a mesh of size " + std::to_string(scale), generator->GetOutput(), 1860.0, connect);
+    ExpectAbout("a mesh of size " + std::to_string(scale), generator->GetOutput(), 1860.0, connect);
   }
-}
-
-} // namespace
-
-int TestStippleMapperExtremes(int, char*[])
-{
-  return StippleInk::Run({ TestPlaces, TestValues, TestShapes, TestMeshes });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkStippleMapper and stipples that are not as the generator makes them: the right picture of what is
-// left, or an empty one with one clear message; with places in either precision.
+// left, or an empty one with one clear message; with positions in either precision.
 #include "InkTestStipples.h"
 #include "StippleInk.h"
 
@@ -12,6 +12,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <string>
 
@@ -20,35 +22,65 @@ namespace
 
 using namespace StippleInk;
 
-/// Values, positions and normals that are not finite or zero are passed over; where nothing is left, or
-/// arrays do not fit, one message says so.
-void TestSpoilt(InkTestChecks& check)
+const char* const NothingLeft = "None of the";
+
+/// Voxels around a sphere, of which copies are spoilt.
+class StippleMapperSpoilt : public StippleInk::Test
 {
-  const auto copy = [](vtkPolyData* data)
+protected:
+  Data CopyVoxels() const
   {
-    Data spoilt = vtkSmartPointer<vtkPolyData>::New();
-    spoilt->DeepCopy(data);
-    return spoilt;
-  };
-  const Data voxels = InkTestStipples::SphereVoxels(1.0, 0.15, 6);
-  const double usual = FindInk(check, "voxels", voxels);
-  const char* const nothingLeft = "None of the";
+    Data copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->DeepCopy(this->Voxels);
+    return copy;
+  }
+
+  /// With another cell array of a name, or none.
+  Data Replace(const char* name, const vtkSmartPointer<vtkAbstractArray>& array) const
+  {
+    const Data copy = this->CopyVoxels();
+    copy->GetCellData()->RemoveArray(name);
+    if (array)
+    {
+      array->SetName(name);
+      copy->GetCellData()->AddArray(array);
+    }
+    return copy;
+  }
+
+  Data WithField(const char* name, double value) const
+  {
+    const Data copy = this->CopyVoxels();
+    copy->GetFieldData()->GetArray(name)->SetComponent(0, 0, value);
+    return copy;
+  }
+
+  const Data Voxels = InkTestStipples::SphereVoxels(1.0, 0.15, 6);
+  const double Usual = FindInk("voxels", this->Voxels);
+};
+
+} // namespace
+
+/// Elements and stipples with numbers that are not finite are passed over; where nothing is left, one message
+/// says so.
+TEST_F(StippleMapperSpoilt, NumbersThatAreNotFinite)
+{
   for (const double bad : { NaN, Infinity })
   {
     for (const char* name : { "Normals", "GradientMagnitude", "Value" })
     {
       const std::string what = std::string(name) + " of " + std::to_string(bad);
-      const Data some = copy(voxels);
+      const Data some = this->CopyVoxels();
       vtkDataArray* array = some->GetCellData()->GetArray(name);
       for (vtkIdType e = 0; e < array->GetNumberOfTuples(); e += 4)
       {
         array->SetComponent(e, 0, bad);
       }
-      ExpectInk(check, "some " + what, some, 0.75 * usual, 0.84 * usual);
+      ExpectInk("some " + what, some, 0.75 * this->Usual, 0.84 * this->Usual);
       array->Fill(bad);
-      ExpectMessage(check, "all " + what, some, nothingLeft);
+      ExpectMessage("all " + what, some, NothingLeft);
     }
-    const Data some = copy(voxels);
+    const Data some = this->CopyVoxels();
     for (vtkIdType i = 0; i < some->GetNumberOfPoints(); i += 4)
     {
       double p[3];
@@ -57,27 +89,31 @@ void TestSpoilt(InkTestChecks& check)
       some->GetPoints()->SetPoint(i, p);
     }
     // Among them the first of every second list.
-    ExpectInk(check, "some positions of " + std::to_string(bad), some, 0.55 * usual, 0.66 * usual);
+    ExpectInk("some positions of " + std::to_string(bad), some, 0.55 * this->Usual, 0.66 * this->Usual);
     for (vtkIdType i = 0; i < some->GetNumberOfPoints(); ++i)
     {
       some->GetPoints()->SetPoint(i, bad, bad, bad);
     }
-    ExpectMessage(check, "all positions of " + std::to_string(bad), some, nothingLeft);
+    ExpectMessage("all positions of " + std::to_string(bad), some, NothingLeft);
   }
-  const Data flat = copy(voxels);
+}
+
+/// Normals of length 0 are passed over, any other length counts as the direction.
+TEST_F(StippleMapperSpoilt, NormalsOfOtherLengths)
+{
+  const Data flat = this->CopyVoxels();
   vtkDataArray* normals = flat->GetCellData()->GetArray("Normals");
   for (vtkIdType e = 0; e < normals->GetNumberOfTuples(); e += 2)
   {
     normals->SetTuple3(e, 0.0, 0.0, 0.0);
   }
-  ExpectInk(check, "some normals of length 0", flat, 0.47 * usual, 0.57 * usual);
+  ExpectInk("some normals of length 0", flat, 0.47 * this->Usual, 0.57 * this->Usual);
   normals->Fill(0.0);
-  ExpectMessage(check, "all normals of length 0", flat, nothingLeft);
+  ExpectMessage("all normals of length 0", flat, NothingLeft);
 
-  // Normals of any other length count as their direction, values beyond 0 to 1 as its ends.
   for (const double length : { 1e-30, 1e30 })
   {
-    const Data other = copy(voxels);
+    const Data other = this->CopyVoxels();
     vtkDataArray* array = other->GetCellData()->GetArray("Normals");
     for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
     {
@@ -86,71 +122,68 @@ void TestSpoilt(InkTestChecks& check)
         array->SetComponent(i, axis, length * array->GetComponent(i, axis));
       }
     }
-    ExpectInk(check, "normals of length " + std::to_string(length), other, 0.999 * usual, 1.001 * usual);
+    ExpectInk("normals of length " + std::to_string(length), other, 0.999 * this->Usual, 1.001 * this->Usual);
   }
-  const Data beyond = copy(voxels);
+}
+
+/// Values beyond 0 to 1 count as its ends.
+TEST_F(StippleMapperSpoilt, ValuesBeyondTheirRange)
+{
+  const Data beyond = this->CopyVoxels();
   beyond->GetCellData()->GetArray("Value")->Fill(-3.0);
-  ExpectInk(check, "values below 0", beyond, 0.0, 0.0);
+  ExpectInk("values below 0", beyond, 0.0, 0.0);
   beyond->GetCellData()->GetArray("Value")->Fill(1e30);
   beyond->GetCellData()->GetArray("GradientMagnitude")->Fill(1e30);
-  ExpectAbout(check, "values above 1", beyond, 3.0 * usual);
+  ExpectAbout("values above 1", beyond, 3.0 * this->Usual);
+}
 
-  const auto replace = [&](const char* name, const vtkSmartPointer<vtkAbstractArray>& array)
-  {
-    const Data spoilt = copy(voxels);
-    spoilt->GetCellData()->RemoveArray(name);
-    if (array)
-    {
-      array->SetName(name);
-      spoilt->GetCellData()->AddArray(array);
-    }
-    return spoilt;
-  };
+/// Arrays that do not fit, of which one message tells.
+TEST_F(StippleMapperSpoilt, ArraysThatDoNotFit)
+{
   for (const char* name : { "Normals", "GradientMagnitude", "Value" })
   {
     const std::string expected = std::string("\"") + name + "\" with";
     auto text = vtkSmartPointer<vtkStringArray>::New();
-    text->SetNumberOfValues(voxels->GetNumberOfCells());
+    text->SetNumberOfValues(this->Voxels->GetNumberOfCells());
     auto wide = vtkSmartPointer<vtkFloatArray>::New();
     wide->SetNumberOfComponents(2);
-    wide->SetNumberOfTuples(voxels->GetNumberOfCells());
+    wide->SetNumberOfTuples(this->Voxels->GetNumberOfCells());
     wide->Fill(0.5);
     auto few = vtkSmartPointer<vtkFloatArray>::New();
     few->SetNumberOfComponents(std::string(name) == "Normals" ? 3 : 1);
     few->SetNumberOfTuples(3);
     few->Fill(0.5);
     // A volume is known by its gradients; without them and without ElementKind it would be a surface.
-    ExpectMessage(check, std::string("no ") + name, replace(name, nullptr), expected);
-    ExpectMessage(check, std::string("text as ") + name, replace(name, text), expected);
-    ExpectMessage(check, std::string("pairs as ") + name, replace(name, wide), expected);
-    ExpectMessage(check, std::string("too few ") + name, replace(name, few), expected);
+    ExpectMessage(std::string("no ") + name, this->Replace(name, nullptr), expected);
+    ExpectMessage(std::string("text as ") + name, this->Replace(name, text), expected);
+    ExpectMessage(std::string("pairs as ") + name, this->Replace(name, wide), expected);
+    ExpectMessage(std::string("too few ") + name, this->Replace(name, few), expected);
   }
   auto integers = vtkSmartPointer<vtkIntArray>::New();
   integers->SetNumberOfComponents(3);
-  for (vtkIdType e = 0; e < voxels->GetNumberOfCells(); ++e)
+  for (vtkIdType e = 0; e < this->Voxels->GetNumberOfCells(); ++e)
   {
     double n[3];
-    voxels->GetCellData()->GetArray("Normals")->GetTuple(e, n);
+    this->Voxels->GetCellData()->GetArray("Normals")->GetTuple(e, n);
     integers->InsertNextTuple3(
       std::round(1000.0 * n[0]), std::round(1000.0 * n[1]), std::round(1000.0 * n[2]));
   }
-  ExpectInk(check, "normals in integers", replace("Normals", integers), 0.99 * usual, 1.01 * usual);
+  ExpectInk(
+    "normals in integers", this->Replace("Normals", integers), 0.99 * this->Usual, 1.01 * this->Usual);
+}
 
-  const auto field = [&](const char* name, double value)
-  {
-    const Data spoilt = copy(voxels);
-    spoilt->GetFieldData()->GetArray(name)->SetComponent(0, 0, value);
-    return spoilt;
-  };
+TEST_F(StippleMapperSpoilt, FieldData)
+{
   for (const double bad : { 0.0, -1.0, NaN, Infinity })
   {
-    ExpectMessage(check, "ElementSize " + std::to_string(bad), field("ElementSize", bad), "\"ElementSize\"");
+    ExpectMessage(
+      "ElementSize " + std::to_string(bad), this->WithField("ElementSize", bad), "\"ElementSize\"");
     // The longest list counts then.
-    ExpectInk(check, "StipplesPerElement " + std::to_string(bad), field("StipplesPerElement", bad),
-      0.99 * usual, 1.01 * usual);
+    ExpectInk("StipplesPerElement " + std::to_string(bad), this->WithField("StipplesPerElement", bad),
+      0.99 * this->Usual, 1.01 * this->Usual);
     if (bad != 0.0)
     {
-      FindInk(check, "ElementKind " + std::to_string(bad), field("ElementKind", bad));
+      FindInk("ElementKind " + std::to_string(bad), this->WithField("ElementKind", bad));
     }
   }
   // As if there were room for many more stipples, or for none.
@@ -158,15 +191,8 @@ void TestSpoilt(InkTestChecks& check)
   {
     const double all = 120.0 * 120.0;
     ExpectAbout(
-      check, "ElementSize " + std::to_string(size), field("ElementSize", size), size > 1.0 ? all : 0.0);
-    ExpectAbout(check, "StipplesPerElement " + std::to_string(size), field("StipplesPerElement", size),
+      "ElementSize " + std::to_string(size), this->WithField("ElementSize", size), size > 1.0 ? all : 0.0);
+    ExpectAbout("StipplesPerElement " + std::to_string(size), this->WithField("StipplesPerElement", size),
       size > 1.0 ? 0.0 : all);
   }
-}
-
-} // namespace
-
-int TestStippleMapperSpoilt(int, char*[])
-{
-  return StippleInk::Run({ TestSpoilt });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkInkStippleMapper and odd views: what hides stipples, matrices, cameras and windows; with places in
+// vtkInkStippleMapper and odd views: what hides stipples, matrices, cameras and windows; with positions in
 // either precision.
 #include "InkTestStipples.h"
 #include "StippleInk.h"
@@ -14,6 +14,8 @@
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -24,11 +26,17 @@ namespace
 
 using namespace StippleInk;
 
+class StippleMapperViews : public StippleInk::Test
+{
+};
+
+} // namespace
+
 /// Surfaces that hide nothing, and one that hides half of what lies behind it.
-void TestOccluders(InkTestChecks& check)
+TEST_F(StippleMapperViews, Occluders)
 {
   const Data voxels = InkTestStipples::SphereVoxels(1.0, 0.15, 6);
-  const double usual = FindInk(check, "voxels", voxels);
+  const double usual = FindInk("voxels", voxels);
   const auto expect =
     [&](const std::string& name, const std::vector<std::array<double, 3>>& corners, double least, double most)
   {
@@ -46,7 +54,7 @@ void TestOccluders(InkTestChecks& check)
     surface->SetPoints(points);
     surface->SetPolys(triangles);
     const auto hide = [&](StippleScene& scene) { scene.Mapper->SetSurfaceData(surface); };
-    ExpectInk(check, "hidden by " + name, voxels, least * usual, most * usual, hide);
+    ExpectInk("hidden by " + name, voxels, least * usual, most * usual, hide);
   };
   expect("nothing", {}, 0.999, 1.001);
   expect("a line", { { -1.0, 0.0, 3.0 }, { 0.0, 0.0, 3.0 }, { 1.0, 0.0, 3.0 } }, 0.999, 1.001);
@@ -58,7 +66,7 @@ void TestOccluders(InkTestChecks& check)
 }
 
 /// A matrix of the actor's, with shear and mirror, gives the picture of what it makes of the data.
-void TestMatrices(InkTestChecks& check)
+TEST_F(StippleMapperViews, Matrices)
 {
   const Data voxels = InkTestStipples::SphereVoxels(1.0, 0.1, 8);
   const Data surface = InkTestStipples::SphereSurface(1.0, 500, 8);
@@ -121,15 +129,16 @@ void TestMatrices(InkTestChecks& check)
       }
       const InkTestImage wanted(expected.Window);
       const int different = InkTestImage(scene.Window).CountDifferent(wanted, 40);
-      check(wanted.Ink() > 50.0 && different < 40, "the picture of the moved data with a matrix of ", m[0],
-        ' ', m[1], ' ', m[4], ", ink ", wanted.Ink(), ", found ", InkTestImage(scene.Window).Ink(), ", ",
-        different, " pixels differ");
+      EXPECT_TRUE(wanted.Ink() > 50.0 && different < 40)
+        << "the picture of the moved data with a matrix of " << m[0] << ' ' << m[1] << ' ' << m[4] << ", ink "
+        << wanted.Ink() << ", found " << InkTestImage(scene.Window).Ink() << ", " << different
+        << " pixels differ";
     }
   }
 }
 
 /// Cameras within the object, on a stipple, far and near; odd windows.
-void TestViews(InkTestChecks& check)
+TEST_F(StippleMapperViews, Views)
 {
   struct Expected
   {
@@ -154,7 +163,7 @@ void TestViews(InkTestChecks& check)
   {
     const std::string& kind = expected.Kind;
     const Data& data = expected.Stipples;
-    const double usual = FindInk(check, kind, data);
+    const double usual = FindInk(kind, data);
     const auto look = [](double from, double to, bool parallel, double scale)
     {
       return [=](StippleScene& scene)
@@ -173,14 +182,11 @@ void TestViews(InkTestChecks& check)
     for (const bool parallel : { false, true })
     {
       const std::string how = kind + (parallel ? ", parallel" : "");
-      ExpectAbout(
-        check, how + " from within", data, expected.Within[parallel], look(0.0, -1.0, parallel, 1.2));
-      ExpectAbout(
-        check, how + " from outside", data, expected.Outside[parallel], look(4.0, 0.0, parallel, 1.2));
+      ExpectAbout(how + " from within", data, expected.Within[parallel], look(0.0, -1.0, parallel, 1.2));
+      ExpectAbout(how + " from outside", data, expected.Outside[parallel], look(4.0, 0.0, parallel, 1.2));
       // One element fills the window: there is more ink than in many drawings of many elements.
-      ExpectAbout(
-        check, how + " one element", data, expected.OneElement[parallel], look(1.06, 0.0, parallel, 0.02));
-      ExpectInk(check, how + " far away", data, 0.0, 0.032, look(1e4, 0.0, parallel, 1e3));
+      ExpectAbout(how + " one element", data, expected.OneElement[parallel], look(1.06, 0.0, parallel, 0.02));
+      ExpectInk(how + " far away", data, 0.0, 0.032, look(1e4, 0.0, parallel, 1e3));
     }
     double p[3];
     data->GetPoint(data->GetNumberOfPoints() / 2, p);
@@ -192,7 +198,7 @@ void TestViews(InkTestChecks& check)
       scene.Renderer->GetActiveCamera()->SetFocalPoint(-p[0], -p[1], -p[2] - 0.1);
       scene.Renderer->ResetCameraClippingRange();
     };
-    ExpectAbout(check, kind + " from a stipple", data, expected.FromAStipple, onStipple);
+    ExpectAbout(kind + " from a stipple", data, expected.FromAStipple, onStipple);
     // A voxel in the window; a thousandth of one, where OpenGL's points are too small and a volume has none
     // in the middle; all in half a pixel.
     for (int i = 0; i < 3; ++i)
@@ -205,7 +211,7 @@ void TestViews(InkTestChecks& check)
         scene.Renderer->ResetCameraClippingRange();
       };
       const std::string name = kind + ", view angle " + std::to_string(angle);
-      (angle > 90.0 ? ExpectPale : ExpectAbout)(check, name, data, expected.Angles[i], open);
+      (angle > 90.0 ? ExpectPale : ExpectAbout)(name, data, expected.Angles[i], open);
     }
     for (const std::array<double, 2>& range :
       { std::array{ 1e-6, 1e9 }, std::array{ 3.9, 3.901 }, std::array{ 1e3, 1e4 } })
@@ -214,8 +220,8 @@ void TestViews(InkTestChecks& check)
       { scene.Renderer->GetActiveCamera()->SetClippingRange(range[0], range[1]); };
       // All of it, or none where it lies before or behind the planes.
       const double seen = range[0] < 1.0 ? usual : 0.0;
-      ExpectInk(check, kind + ", clipping range from " + std::to_string(range[0]), data, 0.999 * seen,
-        1.001 * seen, clip);
+      ExpectInk(
+        kind + ", clipping range from " + std::to_string(range[0]), data, 0.999 * seen, 1.001 * seen, clip);
     }
     // One pixel, a column of them, and a viewport without any.
     for (int i = 0; i < 3; ++i)
@@ -227,18 +233,18 @@ void TestViews(InkTestChecks& check)
         scene.Window->SetSize(size[0], size[1]);
         scene.Renderer->ResetCamera();
       };
-      ExpectPale(check, kind + " in a window of " + std::to_string(size[0]) + " x " + std::to_string(size[1]),
-        data, expected.Windows[i], shrink);
+      ExpectPale(kind + " in a window of " + std::to_string(size[0]) + " x " + std::to_string(size[1]), data,
+        expected.Windows[i], shrink);
     }
     const auto noViewport = [](StippleScene& scene) { scene.Renderer->SetViewport(0.5, 0.5, 0.5, 0.5); };
     // The window stays black there: no renderer has been in it.
-    FindInk(check, kind + " in a viewport of no size", data, noViewport);
+    FindInk(kind + " in a viewport of no size", data, noViewport);
     const auto dark = [](StippleScene& scene)
     {
       scene.Renderer->RemoveAllLights();
       scene.Renderer->AutomaticLightCreationOff();
     };
-    ExpectAbout(check, kind + " without lights", data, expected.Dark, dark);
+    ExpectAbout(kind + " without lights", data, expected.Dark, dark);
     const auto bright = [](StippleScene& scene)
     {
       for (int i = 0; i < 12; ++i)
@@ -249,15 +255,8 @@ void TestViews(InkTestChecks& check)
         scene.Renderer->AddLight(light);
       }
     };
-    ExpectAbout(check, kind + " in the light of twelve suns", data, 0.0, bright);
+    ExpectAbout(kind + " in the light of twelve suns", data, 0.0, bright);
     const auto clear = [](StippleScene& scene) { scene.Actor->GetProperty()->SetOpacity(0.0); };
-    ExpectInk(check, kind + " of no opacity", data, 0.0, 0.0, clear);
+    ExpectInk(kind + " of no opacity", data, 0.0, 0.0, clear);
   }
-}
-
-} // namespace
-
-int TestStippleMapperViews(int, char*[])
-{
-  return StippleInk::Run({ TestOccluders, TestMatrices, TestViews });
 }

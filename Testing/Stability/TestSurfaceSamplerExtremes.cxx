@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkSurfaceSampler and vtkInkPointPriority at the ends of what they accept.
 
+#include "InkTestMessages.h"
 #include "StabilityChecks.h"
 
 #include "vtkInkPointPriority.h"
 #include "vtkInkSurfaceSampler.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cstdint>
@@ -16,20 +19,20 @@
 namespace
 {
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 struct Faces
 {
-  std::vector<Place> Points;
+  std::vector<Position> Points;
   std::vector<std::vector<vtkIdType>> Polygons;
 
   vtkSmartPointer<vtkPolyData> Make(int type = VTK_DOUBLE) const
   {
     vtkNew<vtkPoints> points;
     points->SetDataType(type);
-    for (const Place& place : this->Points)
+    for (const Position& position : this->Points)
     {
-      points->InsertNextPoint(place.data());
+      points->InsertNextPoint(position.data());
     }
     vtkNew<vtkCellArray> polys;
     for (const auto& polygon : this->Polygons)
@@ -43,7 +46,7 @@ struct Faces
   }
 };
 
-Faces Square(int cells, double side, Place corner)
+Faces Square(int cells, double side, Position corner)
 {
   Faces faces;
   for (int i = 0; i < (cells + 1) * (cells + 1); ++i)
@@ -61,8 +64,7 @@ Faces Square(int cells, double side, Place corner)
 }
 
 /// Samples by both methods; expects a number of valid points, or none with a message.
-void Expect(
-  InkTestChecks& check, const std::string& name, vtkPolyData* mesh, vtkIdType count, bool message = false)
+void Expect(const std::string& name, vtkPolyData* mesh, vtkIdType count, bool message = false)
 {
   for (const int method : { vtkInkSurfaceSampler::WHITE_NOISE, vtkInkSurfaceSampler::BLUE_NOISE,
          vtkInkSurfaceSampler::PROGRESSIVE_BLUE_NOISE })
@@ -76,15 +78,18 @@ void Expect(
     sampler->KeepFacesOn();
     sampler->Update();
     vtkPolyData* output = sampler->GetOutput();
-    check(output->GetNumberOfPoints() == count, name, ": ", count, " points, found ",
-      output->GetNumberOfPoints());
-    check((messages->Messages.size() == 1) == message, name, ": messages, found ", messages->Messages.size());
-    CheckValidPoints(check, name, output);
+    EXPECT_EQ(output->GetNumberOfPoints(), count)
+      << name << ": " << count << " points, found " << output->GetNumberOfPoints();
+    EXPECT_EQ((messages->Messages.size() == 1), message)
+      << name << ": messages, found " << messages->Messages.size();
+    CheckValidPoints(name, output);
   }
 }
 
-/// The unit square at a scale and a place: the same samples, scaled and moved.
-void TestScales(InkTestChecks& check)
+} // namespace
+
+/// The unit square at a scale and a position: the same samples, scaled and moved.
+TEST(SurfaceSamplerExtremes, Scales)
 {
   for (const double scale : { 1e-9, 1.0, 1e9 })
   {
@@ -92,18 +97,18 @@ void TestScales(InkTestChecks& check)
     {
       const std::string name = "scale " + std::to_string(scale) + " at " + std::to_string(origin * scale);
       const auto mesh = Square(8, scale, { origin * scale, -origin * scale, origin * scale }).Make();
-      Expect(check, name, mesh, 500);
+      Expect(name, mesh, 500);
       vtkNew<vtkInkSurfaceSampler> sampler;
       sampler->SetInputData(mesh);
       sampler->SetNumberOfSamples(500);
       sampler->Update();
       vtkPolyData* output = sampler->GetOutput();
       const double radius = output->GetPointData()->GetArray("Radius")->GetComponent(0, 0) / scale;
-      check(radius > 0.03 && radius < 0.07, name, ": a radius in proportion, found ", radius);
+      EXPECT_TRUE(radius > 0.03 && radius < 0.07) << name << ": a radius in proportion, found " << radius;
       double bounds[6];
       output->GetBounds(bounds);
-      check((bounds[1] - bounds[0]) / scale > 0.9 && (bounds[3] - bounds[2]) / scale > 0.9, name,
-        ": all of the square");
+      EXPECT_TRUE((bounds[1] - bounds[0]) / scale > 0.9 && (bounds[3] - bounds[2]) / scale > 0.9)
+        << name << ": all of the square";
       double least = 1e30;
       for (vtkIdType i = 0; i < 500; ++i)
       {
@@ -116,40 +121,40 @@ void TestScales(InkTestChecks& check)
           least = std::min(least, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / scale);
         }
       }
-      check(least > 0.03, name, ": blue noise, least distance ", least);
+      EXPECT_GT(least, 0.03) << name << ": blue noise, least distance " << least;
     }
   }
 }
 
-void TestShapes(InkTestChecks& check)
+TEST(SurfaceSamplerExtremes, Shapes)
 {
   Faces one;
   one.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   one.Polygons = { { 0, 1, 2 } };
   for (const vtkIdType count : { 1, 2, 3, 300 })
   {
-    Expect(check, "one triangle", one.Make(), count);
+    Expect("one triangle", one.Make(), count);
   }
-  Expect(check, "one triangle in float", one.Make(VTK_FLOAT), 100);
+  Expect("one triangle in float", one.Make(VTK_FLOAT), 100);
   vtkNew<vtkPolyData> nothing;
-  Expect(check, "nothing", nothing, 0);
+  Expect("nothing", nothing, 0);
 
   Faces degenerate = one;
   degenerate.Points[2] = { 2, 0, 0 };
   degenerate.Polygons.push_back({ 1, 1, 1 });
-  Expect(check, "all degenerate", degenerate.Make(), 0, true);
+  Expect("all degenerate", degenerate.Make(), 0, true);
 
   // One huge triangle and 800 that are a millionth as wide: nearly all samples fall on the huge one.
   Faces mixed = Square(20, 1e-6, { 5, 5, 5 });
   const auto first = static_cast<vtkIdType>(mixed.Points.size());
   mixed.Points.insert(mixed.Points.end(), one.Points.begin(), one.Points.end());
   mixed.Polygons.push_back({ first, first + 1, first + 2 });
-  Expect(check, "one huge and many tiny triangles", mixed.Make(), 400);
+  Expect("one huge and many tiny triangles", mixed.Make(), 400);
 
   // A needle of 1 : 1e6, and a fan of needles around one point.
   Faces needle = one;
   needle.Points[2] = { 0.5, 1e-6, 0 };
-  Expect(check, "a needle", needle.Make(), 200);
+  Expect("a needle", needle.Make(), 200);
   Faces fan;
   fan.Points.push_back({ 0, 0, 0.2 });
   for (int i = 0; i < 120; ++i)
@@ -157,7 +162,7 @@ void TestShapes(InkTestChecks& check)
     fan.Points.push_back({ std::cos(i * std::acos(-1.0) / 60), std::sin(i * std::acos(-1.0) / 60), 0 });
     fan.Polygons.push_back({ 0, i + 1, (i + 1) % 120 + 1 });
   }
-  Expect(check, "a fan of needles", fan.Make(), 100);
+  Expect("a fan of needles", fan.Make(), 100);
 
   // A book: forty pages on one edge.
   Faces book;
@@ -167,7 +172,7 @@ void TestShapes(InkTestChecks& check)
     book.Points.push_back({ std::cos(i * 0.15), std::sin(i * 0.15), 0.5 });
     book.Polygons.push_back({ 0, 1, i + 2 });
   }
-  Expect(check, "a book", book.Make(), 100);
+  Expect("a book", book.Make(), 100);
 
   // Soup: triangles that share no points, in random orientation, some twice.
   Faces soup;
@@ -179,7 +184,7 @@ void TestShapes(InkTestChecks& check)
   };
   for (vtkIdType i = 0; i < 300; ++i)
   {
-    const Place middle = { next(), next(), next() };
+    const Position middle = { next(), next(), next() };
     for (int corner = 0; corner < 3; ++corner)
     {
       soup.Points.push_back({ middle[0] + 0.1 * next(), middle[1] + 0.1 * next(), middle[2] + 0.1 * next() });
@@ -190,33 +195,34 @@ void TestShapes(InkTestChecks& check)
       soup.Polygons.push_back({ 3 * i + 2, 3 * i + 1, 3 * i });
     }
   }
-  Expect(check, "soup", soup.Make(), 600);
-  Expect(check, "more pieces than samples", soup.Make(), 20);
+  Expect("soup", soup.Make(), 600);
+  Expect("more pieces than samples", soup.Make(), 20);
 }
 
-void TestPoints(InkTestChecks& check)
+TEST(SurfaceSamplerExtremes, Points)
 {
-  const auto expect = [&](const std::string& name, const std::vector<Place>& places)
+  const auto expect = [&](const std::string& name, const std::vector<Position>& positions)
   {
     Faces faces;
-    faces.Points = places;
+    faces.Points = positions;
     vtkNew<vtkInkPointPriority> order;
     vtkNew<InkTestMessages> messages;
     messages->Observe(order);
     order->SetInputData(faces.Make());
     order->Update();
     vtkPolyData* output = order->GetOutput();
-    check(output->GetNumberOfPoints() == static_cast<vtkIdType>(places.size()) && messages->Messages.empty(),
-      name, ": all points");
-    CheckValidPoints(check, name, output);
+    EXPECT_TRUE(
+      output->GetNumberOfPoints() == static_cast<vtkIdType>(positions.size()) && messages->Messages.empty())
+      << name << ": all points";
+    CheckValidPoints(name, output);
   };
   expect("one point", { { 1, 2, 3 } });
   expect("two points", { { 1, 2, 3 }, { 1, 2, 4 } });
-  expect("points at one place", std::vector<Place>(100, { 1e7, 1e7, 1e7 }));
+  expect("points at one position", std::vector<Position>(100, { 1e7, 1e7, 1e7 }));
   for (const double scale : { 1e-30, 1e-9, 1e9, 1e30 })
   {
-    std::vector<Place> line;
-    std::vector<Place> plane;
+    std::vector<Position> line;
+    std::vector<Position> plane;
     for (int i = 0; i < 400; ++i)
     {
       line.push_back({ scale * i, 0, 0 });
@@ -225,15 +231,4 @@ void TestPoints(InkTestChecks& check)
     expect("a line", line);
     expect("a plane", plane);
   }
-}
-
-} // namespace
-
-int TestSurfaceSamplerExtremes(int, char*[])
-{
-  InkTestChecks check;
-  TestScales(check);
-  TestShapes(check);
-  TestPoints(check);
-  return check.Result();
 }

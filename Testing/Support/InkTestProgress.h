@@ -2,11 +2,11 @@
 #ifndef InkTestProgress_h
 #define InkTestProgress_h
 
-#include "InkTestChecks.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <thread>
@@ -36,32 +36,33 @@ public:
 /// Runs a filter whose input makes long work of it: progress is told on the way, and a run that is aborted
 /// leaves an empty output and a filter that works.
 template <class Filter>
-void InkTestProgressAndAbort(InkTestChecks& check, Filter* filter)
+void InkTestProgressAndAbort(Filter* filter)
 {
   vtkNew<InkTestProgress> progress;
   filter->AddObserver(vtkCommand::ProgressEvent, progress);
   filter->Update();
   const vtkIdType whole = filter->GetOutput()->GetNumberOfPoints();
-  check(whole > 10000, "many points, found ", whole);
-  check(progress->Shares.size() > 8, "progress on the way, found ", progress->Shares.size(), " reports");
-  check(std::is_sorted(progress->Shares.begin(), progress->Shares.end()), "progress that grows");
-  check(!progress->Shares.empty() && progress->Shares.front() >= 0.0 && progress->Shares.back() == 1.0,
-    "progress up to 1");
-  check(progress->SameThread, "progress from the thread that updates");
+  EXPECT_GT(whole, 10000) << "many points, found " << whole;
+  EXPECT_GT(progress->Shares.size(), 8)
+    << "progress on the way, found " << progress->Shares.size() << " reports";
+  EXPECT_TRUE(std::is_sorted(progress->Shares.begin(), progress->Shares.end())) << "progress that grows";
+  EXPECT_TRUE(!progress->Shares.empty() && progress->Shares.front() >= 0.0 && progress->Shares.back() == 1.0)
+    << "progress up to 1";
+  EXPECT_TRUE(progress->SameThread) << "progress from the thread that updates";
 
   for (const double abortAt : { 0.1, 0.4, 0.6, 0.9 })
   {
     progress->AbortAt = abortAt;
     filter->Modified();
     filter->Update();
-    check(filter->GetOutput()->GetNumberOfPoints() == 0 && filter->GetOutput()->GetNumberOfCells() == 0,
-      "an empty output after an abort at ", abortAt);
+    EXPECT_TRUE(filter->GetOutput()->GetNumberOfPoints() == 0 && filter->GetOutput()->GetNumberOfCells() == 0)
+      << "an empty output after an abort at " << abortAt;
   }
   progress->AbortAt = 2.0;
   filter->SetAbortExecute(0);
   filter->Modified();
   filter->Update();
-  check(filter->GetOutput()->GetNumberOfPoints() == whole, "all points again");
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), whole) << "all points again";
 }
 
 #endif

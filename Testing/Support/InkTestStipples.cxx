@@ -47,9 +47,9 @@ public:
     this->Values->InsertNextValue(static_cast<float>(value));
   }
 
-  void AddStipple(const Vector& place)
+  void AddStipple(const Vector& position)
   {
-    this->Cells->InsertCellPoint(this->Points->InsertNextPoint(place.data()));
+    this->Cells->InsertCellPoint(this->Points->InsertNextPoint(position.data()));
     this->Cells->UpdateCellCount(++this->Length);
   }
 
@@ -120,12 +120,12 @@ vtkSmartPointer<vtkPolyData> SphereVoxels(double radius, double spacing, int sti
         for (int stipple = 0; stipple < stipplesPerVoxel; ++stipple)
         {
           const auto [a, b] = Spread(stipple, start);
-          Vector place;
+          Vector position;
           for (int axis = 0; axis < 3; ++axis)
           {
-            place[axis] = center[axis] + spacing * ((a - 0.5) * u[axis] + (b - 0.5) * v[axis]);
+            position[axis] = center[axis] + spacing * ((a - 0.5) * u[axis] + (b - 0.5) * v[axis]);
           }
-          builder.AddStipple(place);
+          builder.AddStipple(position);
         }
       }
     }
@@ -138,7 +138,7 @@ vtkSmartPointer<vtkPolyData> SphereSurface(double radius, int patches, int stipp
   Builder builder;
   const double pi = vtkMath::Pi();
   const int rows = std::max(1, static_cast<int>(std::sqrt(patches / 2.0)));
-  const auto place = [&](double row, double column)
+  const auto position = [&](double row, double column)
   {
     const double z = 1.0 - 2.0 * row / rows;
     const double angle = pi * column / rows;
@@ -149,11 +149,11 @@ vtkSmartPointer<vtkPolyData> SphereSurface(double radius, int patches, int stipp
   {
     for (int column = 0; column < 2 * rows; ++column)
     {
-      builder.BeginElement(place(row + 0.5, column + 0.5), 1.0, 1.0);
+      builder.BeginElement(position(row + 0.5, column + 0.5), 1.0, 1.0);
       for (int stipple = 0; stipple < stipplesPerPatch; ++stipple)
       {
         const auto [a, b] = Spread(stipple, 0.37 * row + 0.11 * column);
-        Vector p = place(row + a, column + b);
+        Vector p = position(row + a, column + b);
         for (double& coordinate : p)
         {
           coordinate *= radius;

@@ -10,8 +10,8 @@ namespace InkTestStipples
 {
 
 /// The voxels of a grid with a spacing whose centers lie within one spacing of a sphere around the origin,
-/// each with stipples at hashed places on the sphere's tangent plane. Normals outwards, Value 1 down to 1/2
-/// and GradientMagnitude 1 down to 0.1 with the distance from the sphere.
+/// each with stipples at hashed positions on the sphere's tangent plane. Normals outwards, Value 1 down to
+/// 1/2 and GradientMagnitude 1 down to 0.1 with the distance from the sphere.
 vtkSmartPointer<vtkPolyData> SphereVoxels(double radius, double spacing, int stipplesPerVoxel);
 
 /// Stipples on a sphere's surface, one element for each of a grid of patches of equal area.

@@ -6,7 +6,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
-/// Gives an image, wherever it is placed, scalars of a type, "Density", that are function(x, y, z) of the
+/// Gives an image, whatever its position, scalars of a type, "Density", that are function(x, y, z) of the
 /// world point.
 template <class Function>
 void InkTestFill(vtkImageData* image, int type, Function function)

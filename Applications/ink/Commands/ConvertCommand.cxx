@@ -99,8 +99,8 @@ void convert(const ConvertOptions& options)
   // Also for NaN.
   if (options.around && !(*options.around > range[0] && *options.around <= range[1]))
   {
-    throw UsageError("--around " + text(*options.around) + ": expected a value above " + text(range[0]) +
-      " and up to " + text(range[1]) + ", which the volume has");
+    throw UsageError("--around " + formatNumber(*options.around) + ": expected a value above " +
+      formatNumber(range[0]) + " and up to " + formatNumber(range[1]) + ", which the volume has");
   }
   if (isRounded(scalars, range))
   {

@@ -36,8 +36,8 @@ namespace
 class Description
 {
 public:
-  /// @param name as people read it; underscores take the place of its spaces in JSON. An empty one continues the line
-  /// before, in the same entry of JSON
+  /// @param name as people read it; underscores take the place of its spaces in JSON. An empty one continues
+  /// the line before, in the same entry of JSON
   void add(const std::string& name, const std::string& line, nlohmann::ordered_json value)
   {
     this->Lines.emplace_back(name, line);
@@ -73,8 +73,8 @@ nlohmann::ordered_json listOf(const double* numbers, int count)
 
 std::string boundsText(const double b[6])
 {
-  return text(b[0]) + " to " + text(b[1]) + ", " + text(b[2]) + " to " + text(b[3]) + ", " + text(b[4]) + " to " +
-    text(b[5]);
+  return formatNumber(b[0]) + " to " + formatNumber(b[1]) + ", " + formatNumber(b[2]) + " to " +
+    formatNumber(b[3]) + ", " + formatNumber(b[4]) + " to " + formatNumber(b[5]);
 }
 
 /// What only all values together tell.
@@ -97,9 +97,9 @@ void describeVolume(
   const auto& [values, suggestions] = statistics;
   vtkImageData* image = volume.frame();
   const int* dimensions = image->GetDimensions();
-  description.add("dimensions", dimensionsText(dimensions), std::vector<int>(dimensions, dimensions + 3));
-  description.add("spacing", tripleText(image->GetSpacing()), listOf(image->GetSpacing(), 3));
-  description.add("origin", tripleText(image->GetOrigin()), listOf(image->GetOrigin(), 3));
+  description.add("dimensions", formatDimensions(dimensions), std::vector<int>(dimensions, dimensions + 3));
+  description.add("spacing", formatTriple(image->GetSpacing()), listOf(image->GetSpacing(), 3));
+  description.add("origin", formatTriple(image->GetOrigin()), listOf(image->GetOrigin(), 3));
   const double* b = image->GetBounds();
   description.add("bounds", boundsText(b), listOf(b, 6));
   vtkMatrix3x3* direction = image->GetDirectionMatrix();
@@ -107,7 +107,7 @@ void describeVolume(
   {
     const double* d = direction->GetData();
     description.add(
-      "direction", tripleText(d) + ", " + tripleText(d + 3) + ", " + tripleText(d + 6), listOf(d, 9));
+      "direction", formatTriple(d) + ", " + formatTriple(d + 3) + ", " + formatTriple(d + 6), listOf(d, 9));
   }
   const std::string type = vtkImageScalarTypeNameMacro(volume.type());
   description.add(
@@ -119,8 +119,8 @@ void describeVolume(
   }
   else
   {
-    description.add(
-      "range", text(values.least) + " to " + text(values.greatest), { values.least, values.greatest });
+    description.add("range", formatNumber(values.least) + " to " + formatNumber(values.greatest),
+      { values.least, values.greatest });
   }
   if (values.notFinite > 0)
   {
@@ -128,13 +128,15 @@ void describeVolume(
   }
   if (input.surfaceValue)
   {
-    description.add("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)", *input.surfaceValue);
+    description.add("suggested iso", formatNumber(*input.surfaceValue) + " (that of the file's surface)",
+      *input.surfaceValue);
     return;
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const IsoSuggestion& suggestion : suggestions)
   {
-    list.push_back({ { "value", suggestion.value }, { "shows", InkDescribe(suggestion) }, { "kept_share", suggestion.keptShare } });
+    list.push_back({ { "value", suggestion.value }, { "shows", InkDescribe(suggestion) },
+      { "kept_share", suggestion.keptShare } });
   }
   if (suggestions.empty())
   {
@@ -143,7 +145,7 @@ void describeVolume(
   }
   for (const IsoSuggestion& suggestion : suggestions)
   {
-    const std::string line = text(suggestion.value) + " (" + InkDescribe(suggestion) + ")";
+    const std::string line = formatNumber(suggestion.value) + " (" + InkDescribe(suggestion) + ")";
     description.add(&suggestion == &suggestions.front() ? "suggested iso" : "", line, list);
   }
 }

@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "Graphics.h"
 #include "OutputFile.h"
+#include "Pattern.h"
 #include "PictureEncoder.h"
 #include "Progress.h"
 #include "RenderFrames.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <regex>
 
 namespace ink::cli
 {
@@ -31,14 +31,14 @@ int PictureSize::longestTile() const
 
 PictureSize PictureSize::parse(const std::string& text)
 {
-  static const std::regex pattern(R"((\d{1,9})(?:x(\d{1,9}))?)");
+  static const io::Pattern pattern(R"((\d{1,9})(?:x(\d{1,9}))?)");
   const std::string problem = "--size '" + text + "': ";
-  std::smatch match;
-  if (!std::regex_match(text, match, pattern))
+  const std::vector<std::string> match = pattern.match(text);
+  if (match.empty())
   {
     throw UsageError(problem + "expected WxH or, of a square, one number in pixels, as 1600x1200 or 1024");
   }
-  const PictureSize size{ std::stoi(match[1]), std::stoi(match[match[2].matched ? 2 : 1]) };
+  const PictureSize size{ std::stoi(match[1]), std::stoi(match[match[2].empty() ? 1 : 2]) };
   if (size.width < 1 || size.height < 1 || size.width > longestSide || size.height > longestSide ||
     static_cast<long long>(size.width) * size.height > mostPixels)
   {
@@ -51,7 +51,9 @@ PictureSize PictureSize::parse(const std::string& text)
 Wanted wantedOf(const RenderOptions& options)
 {
   vtkInkSplattingLinesStyle* lines = linesOf(options.style);
-  return !lines ? Wanted::Values : lines->GetIsoSurface()->GetIsoValues().empty() ? Wanted::Surface : Wanted::GivenSurfaces;
+  return !lines                                      ? Wanted::Values
+    : lines->GetIsoSurface()->GetIsoValues().empty() ? Wanted::Surface
+                                                     : Wanted::GivenSurfaces;
 }
 
 void requireGraphics()
@@ -83,8 +85,7 @@ void render(const RenderOptions& options)
   const auto fit = drawing.makeFit();
   fit->AddPoints(subject.frame, drawing.camera());
   writePicture(output, options.output, drawing.layout(),
-    [&](const RowSink& sink)
-    { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
+    [&](const RowSink& sink) { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
   progress.finish();
 
   if (!options.quiet)

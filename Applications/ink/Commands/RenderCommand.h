@@ -46,7 +46,7 @@ struct Animation
 {
   std::vector<std::filesystem::path>
     files;                         ///< of a series; empty: the viewer goes once around what stands still
-  std::vector<std::size_t> frames; ///< which of the files, or places on the way
+  std::vector<std::size_t> frames; ///< which of the files, or parts of the way
   double framesPerSecond = 25;     ///< of a video
 };
 
@@ -60,8 +60,8 @@ struct RenderOptions
   std::optional<std::array<double, 3>> position;   ///< of the viewer, in place of one from where all is seen
   std::optional<std::array<double, 3>> focalPoint; ///< in the middle of the picture
   double roll = 0;                                 ///< degrees that the picture is turned counterclockwise
-  double azimuth = 0;   ///< degrees
-  double elevation = 0; ///< degrees
+  double azimuth = 0;                              ///< degrees
+  double elevation = 0;                            ///< degrees
   double zoom = 1;
   bool parallel = false;
   PictureSize size;

@@ -4,6 +4,7 @@
 #include "Errors.h"
 #include "FormatNumber.h"
 #include "Memory.h"
+#include "Pattern.h"
 #include "Progress.h"
 #include "VtkMessages.h"
 
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 
 namespace ink::cli
 {
@@ -69,7 +69,7 @@ private:
   /// Where the sampler names its own limit, the user has set another.
   static std::string inTermsOfInk(const std::string& problem)
   {
-    return std::regex_replace(problem, std::regex("\\(MaximumMemory\\)"), "(--memory)");
+    return io::Pattern("\\(MaximumMemory\\)").replace(problem, "(--memory)");
   }
 
   bool WithIndex;
@@ -113,7 +113,7 @@ VolumeSampler makeVdbSampler(const std::filesystem::path& file, const VdbGridInf
     }
     if (total == 0)
     {
-      throw Failure("no surface at iso-value " + text(sampling.isoValues.front()));
+      throw Failure("no surface at iso-value " + formatNumber(sampling.isoValues.front()));
     }
     return std::vector<std::string>();
   };

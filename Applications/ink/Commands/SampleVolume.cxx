@@ -179,7 +179,7 @@ void checkIsoValues(const std::vector<double>& isoValues, const FiniteRange& val
   if (!(values.least < values.greatest))
   {
     throw Failure(values.least == values.greatest
-        ? "no surface: all voxels have the value " + text(values.least)
+        ? "no surface: all voxels have the value " + formatNumber(values.least)
         : "no surface: no voxel has a finite value");
   }
   for (const double value : isoValues)
@@ -187,8 +187,9 @@ void checkIsoValues(const std::vector<double>& isoValues, const FiniteRange& val
     // Also for NaN.
     if (!(value > values.least && value <= values.greatest))
     {
-      throw UsageError("--iso " + text(value) + ": expected a value above " + text(values.least) +
-        " and up to " + text(values.greatest) + ", which the volume has");
+      throw UsageError("--iso " + formatNumber(value) + ": expected a value above " +
+        formatNumber(values.least) + " and up to " + formatNumber(values.greatest) +
+        ", which the volume has");
     }
   }
 }
@@ -263,7 +264,7 @@ std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling
   checkIsoValues(isoValues, values);
   if (sampler.count() == 0)
   {
-    throw Failure("no surface at iso-value " + text(isoValues.front()));
+    throw Failure("no surface at iso-value " + formatNumber(isoValues.front()));
   }
   return notes;
 }

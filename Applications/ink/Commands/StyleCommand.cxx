@@ -4,6 +4,8 @@
 #include "Errors.h"
 #include "RenderCommand.h"
 
+#include <CLI/CLI.hpp>
+
 #include <iostream>
 
 namespace ink::cli

@@ -67,7 +67,8 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   {
     throw UsageError("--grid: only OpenVDB files have grids, '" + file.string() + "' is none");
   }
-  if (contains(vtkInkVolumeReader::GetFileExtensions(), suffix) || vtkInkVolumeReader::IsDicomFile(file.c_str()))
+  if (contains(vtkInkVolumeReader::GetFileExtensions(), suffix) ||
+    vtkInkVolumeReader::IsDicomFile(file.c_str()))
   {
     return readVolume(file, {}, options.memory, progress);
   }
@@ -121,7 +122,7 @@ void requireSlices(const Input& input)
   const auto& dimensions = input.volume->dimensions();
   if (*std::min_element(dimensions.begin(), dimensions.end()) < 2)
   {
-    throw Failure("the volume is a single slice, " + dimensionsText(dimensions.data()) +
+    throw Failure("the volume is a single slice, " + formatDimensions(dimensions.data()) +
       " voxels: expected two slices or more in each direction, so that there are surfaces between them");
   }
 }
@@ -131,7 +132,7 @@ void takeSurfaceValue(const Input& input, std::vector<double>& isoValues, std::v
   if (isoValues.empty() && input.surfaceValue)
   {
     isoValues.push_back(*input.surfaceValue);
-    notes.push_back("iso-value " + text(*input.surfaceValue) + ": that of the file's surface");
+    notes.push_back("iso-value " + formatNumber(*input.surfaceValue) + ": that of the file's surface");
   }
 }
 

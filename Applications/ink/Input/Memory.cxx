@@ -2,12 +2,12 @@
 #include "Memory.h"
 
 #include "Errors.h"
+#include "Pattern.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <fstream>
-#include <regex>
 
 #include <unistd.h>
 
@@ -38,13 +38,13 @@ Memory::Memory()
 
 Memory Memory::parse(const std::string& size)
 {
-  static const std::regex pattern(R"((\d{1,9}(?:\.\d{1,9})?) ?([KMGT])(?:iB)?)", std::regex::icase);
-  std::smatch match;
+  static const io::Pattern pattern(R"((\d{1,9}(?:\.\d{1,9})?) ?([KMGT])(?:iB)?)", true);
+  const std::vector<std::string> match = pattern.match(size);
   Memory memory;
   double bytes = 0;
-  if (std::regex_match(size, match, pattern))
+  if (!match.empty())
   {
-    const char unit = static_cast<char>(std::toupper(static_cast<unsigned char>(match[2].str()[0])));
+    const char unit = static_cast<char>(std::toupper(static_cast<unsigned char>(match[2][0])));
     bytes = std::ldexp(std::stod(match[1]), 10 * (1 + static_cast<int>(std::string("KMGT").find(unit))));
   }
   if (!(bytes >= static_cast<double>(least)))

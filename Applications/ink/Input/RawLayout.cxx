@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Errors.h"
 #include "Input.h"
+#include "Pattern.h"
 
 #include "vtkType.h"
 
 #include <map>
-#include <regex>
 
 namespace ink::cli
 {
@@ -25,9 +25,9 @@ const std::map<std::string, int>& rawTypes()
 
 RawLayout RawLayout::parse(const std::string& layout)
 {
-  static const std::regex pattern(R"((\d{1,6})x(\d{1,6})x(\d{1,6}):(\w+))");
-  std::smatch match;
-  if (!std::regex_match(layout, match, pattern))
+  static const io::Pattern pattern(R"((\d{1,6})x(\d{1,6})x(\d{1,6}):(\w+))");
+  const std::vector<std::string> match = pattern.match(layout);
+  if (match.empty())
   {
     throw UsageError("--raw '" + layout + "': expected WxHxD:type, as 256x256x128:uint8");
   }
@@ -39,8 +39,7 @@ RawLayout RawLayout::parse(const std::string& layout)
     {
       names += " " + name;
     }
-    throw UsageError(
-      "--raw '" + layout + "': unknown type '" + match[4].str() + "'; expected one of" + names);
+    throw UsageError("--raw '" + layout + "': unknown type '" + match[4] + "'; expected one of" + names);
   }
   RawLayout result;
   result.type = type->second;

@@ -70,13 +70,13 @@ bool comesBefore(const std::string& a, const std::string& b)
   {
     if (isDigit(a[i]) && isDigit(b[j]))
     {
-      const auto numberAt = [&](const std::string& text, std::size_t& place)
+      const auto numberAt = [&](const std::string& text, std::size_t& position)
       {
-        const std::size_t begin = std::min(text.find_first_not_of('0', place), text.size());
-        for (place = begin; place < text.size() && isDigit(text[place]); ++place)
+        const std::size_t begin = std::min(text.find_first_not_of('0', position), text.size());
+        for (position = begin; position < text.size() && isDigit(text[position]); ++position)
         {
         }
-        return text.substr(begin, place - begin);
+        return text.substr(begin, position - begin);
       };
       const std::string first = numberAt(a, i);
       const std::string second = numberAt(b, j);
@@ -218,8 +218,8 @@ std::vector<fs::path> filesOfSeries(const fs::path& name)
   {
     if (!std::isfinite(steps[i].time) || (i > 0 && steps[i].time == steps[i - 1].time))
     {
-      failToRead(
-        name, "it names several files, or none, for the time " + text(steps[i].time) + "; expected one");
+      failToRead(name,
+        "it names several files, or none, for the time " + formatNumber(steps[i].time) + "; expected one");
     }
     // A path that is absolute replaces the folder.
     files.push_back(name.parent_path() / steps[i].file);

@@ -6,6 +6,8 @@
 #include "vtkInkSurfaceSampler.h"
 #include "vtkNew.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <limits>
 

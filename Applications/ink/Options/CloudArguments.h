@@ -3,9 +3,13 @@
 
 #include "SampleMesh.h"
 
-#include <CLI/CLI.hpp>
-
 #include <vector>
+
+namespace CLI
+{
+class App;
+class Option;
+} // namespace CLI
 
 namespace ink::cli
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConvertArguments.h"
 
+#include <CLI/CLI.hpp>
+
 namespace ink::cli
 {
 

@@ -2,8 +2,7 @@
 #include "FrameChoice.h"
 
 #include "Errors.h"
-
-#include <regex>
+#include "Pattern.h"
 
 namespace ink::cli
 {
@@ -14,8 +13,8 @@ constexpr std::size_t mostFrames = 100'000;
 
 std::size_t countOf(const std::string& frames, const std::string& expected)
 {
-  static const std::regex pattern(R"(\d{1,6})");
-  const std::size_t count = std::regex_match(frames, pattern) ? std::stoul(frames) : 0;
+  static const io::Pattern pattern(R"(\d{1,6})");
+  const std::size_t count = pattern.match(frames).empty() ? 0 : std::stoul(frames);
   if (count < 1 || count > mostFrames)
   {
     throw UsageError("--frames '" + frames + "': expected " + expected);
@@ -32,12 +31,12 @@ std::vector<std::size_t> chooseSteps(const std::string& frames, std::size_t step
   std::vector<std::size_t> chosen;
   if (frames.find(':') != std::string::npos)
   {
-    static const std::regex pattern(R"((\d{1,9}):(\d{1,9})(?::(\d{1,9}))?)");
-    std::smatch match;
-    const bool valid = std::regex_match(frames, match, pattern);
+    static const io::Pattern pattern(R"((\d{1,9}):(\d{1,9})(?::(\d{1,9}))?)");
+    const std::vector<std::string> match = pattern.match(frames);
+    const bool valid = !match.empty();
     const std::size_t first = valid ? std::stoul(match[1]) : 0;
     const std::size_t last = valid ? std::stoul(match[2]) : 0;
-    const std::size_t every = valid && match[3].matched ? std::stoul(match[3]) : 1;
+    const std::size_t every = valid && !match[3].empty() ? std::stoul(match[3]) : 1;
     if (!valid || first > last || last >= steps || every == 0)
     {
       throw UsageError("--frames '" + frames + "': expected " + expected);

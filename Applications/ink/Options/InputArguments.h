@@ -4,11 +4,15 @@
 #include "Input.h"
 #include "Validators.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App;
+class Validator;
+} // namespace CLI
 
 namespace ink::cli
 {

@@ -9,6 +9,8 @@
 #include VTK_NLOHMANN_JSON(json.hpp)
 // clang-format on
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>

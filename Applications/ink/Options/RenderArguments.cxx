@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "FrameChoice.h"
+#include "Pattern.h"
 #include "PictureEncoder.h"
 #include "Series.h"
 #include "StyledScene.h"
@@ -10,8 +11,9 @@
 
 #include "vtkInkStyle.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
-#include <regex>
 
 namespace ink::cli
 {
@@ -28,7 +30,8 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->type_name("OUT.png");
   command
     ->add_option("--style", this->style,
-      "way of drawing: illustration, splatting-lines or stipple (illustration); 'ink render --style NAME --help' shows "
+      "way of drawing: illustration, splatting-lines or stipple (illustration); 'ink render --style NAME "
+      "--help' shows "
       "its options")
     ->type_name("NAME")
     ->check(oneOf(StyleArguments::names()));
@@ -51,14 +54,16 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->type_name("WxH");
   command
     ->add_option("--dpi", this->options.dotsPerInch,
-      "pixels an inch, which says how large the picture is printed (300); lengths in the drawing are parts of\n"
+      "pixels an inch, which says how large the picture is printed (300); lengths in the drawing are parts "
+      "of\n"
       "its height")
     ->check(within(1, 30000));
   command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
 
   const auto angle = within(-360, 360);
   command
-    ->add_option("--up", this->options.up, "axis that is up in the picture (z; of a mesh as it seems to stand)")
+    ->add_option(
+      "--up", this->options.up, "axis that is up in the picture (z; of a mesh as it seems to stand)")
     ->type_name("AXIS")
     ->check(oneOf(upAxes()))
     ->group("Camera");
@@ -165,9 +170,8 @@ void RenderArguments::checkOutput() const
     this->checkFormat();
     return;
   }
-  static const std::regex numbered(R"([^%]*%(0?[1-9])?d[^%]*)");
-  if (!video &&
-    !(PictureEncoder::isPicture(file) && std::regex_match(file.filename().string(), numbered)))
+  static const io::Pattern numbered(R"([^%]*%(0?[1-9])?d[^%]*)");
+  if (!video && !(PictureEncoder::isPicture(file) && !numbered.match(file.filename().string()).empty()))
   {
     throw UsageError("-o '" + this->output +
       "': expected a name with a number for several frames, as out_%04d.png, or .mp4, .webm or .gif for a "
@@ -188,7 +192,8 @@ void RenderArguments::checkFormat() const
   const std::filesystem::path& file = this->options.output;
   if (this->options.transparent && !PictureEncoder::hasAlpha(file))
   {
-    throw UsageError("--transparent: expected a PNG or TIFF file, found '" + this->output + "', which has no alpha");
+    throw UsageError(
+      "--transparent: expected a PNG or TIFF file, found '" + this->output + "', which has no alpha");
   }
   const int longest = PictureEncoder::longestSide(file);
   if (std::max(this->options.size.width, this->options.size.height) > longest)

@@ -7,6 +7,8 @@
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSurfaceSampler.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <map>

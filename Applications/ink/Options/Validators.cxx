@@ -30,7 +30,7 @@ CLI::Validator numberWithin(double least, double greatest, bool whole, const std
 
 std::string rangeText(double least, double greatest)
 {
-  return text(least) + " to " + text(greatest);
+  return formatNumber(least) + " to " + formatNumber(greatest);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Graphics.h"
 
+#include "Pattern.h"
 #include "VtkMessages.h"
 
 #include "vtkNew.h"
@@ -9,7 +10,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <regex>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -22,10 +22,9 @@ namespace
 
 std::string capability(const std::string& report, const std::string& name)
 {
-  std::smatch match;
-  return std::regex_search(report, match, std::regex("OpenGL " + name + " string:\\s*([^\\n]*)"))
-    ? match[1].str()
-    : "";
+  const std::vector<std::string> match =
+    io::Pattern("OpenGL " + name + " string:\\s*([^\\n]*)").search(report);
+  return match.empty() ? "" : match[1];
 }
 
 /// Runs in the child: writes the class of the window, then the description of its context, a line each.

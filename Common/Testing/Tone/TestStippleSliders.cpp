@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each slider moves the ink the right way, all the way, from any preset.
-#include "Tone/Stipple/StippleSliders.h"
+#include "Tone/Stipple/Sliders.h"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +26,10 @@ struct Ink
   double chroma = 0.0;
 };
 
-Ink draw(const ink::stipple::StippleTone& tone)
+Ink draw(const ink::stipple::Tone& tone)
 {
-  const ink::stipple::StippleLight headlight{ { 0.0f, 0.0f, 1.0f, 0.0f }, 1.0f };
-  const ink::stipple::StippleTone::View view{ 16.0f, 4.0f, 0.5f, true, 4.0f, 5.0f, 1.0f, 4.0f };
+  const ink::Light headlight{ { 0.0f, 0.0f, 1.0f, 0.0f }, 1.0f };
+  const ink::stipple::Tone::View view{ 16.0f, 4.0f, 0.5f, true, 4.0f, 5.0f, 1.0f, 4.0f };
   Ink ink;
   const int count = 3000;
   for (int i = 0; i < count; ++i)
@@ -42,7 +42,7 @@ Ink draw(const ink::stipple::StippleTone& tone)
     // A layer of voxels that face the viewer at every depth, and the sphere.
     const bool facing = i % 2 == 0;
     const glm::vec3 shown = facing ? glm::vec3(0.0f, 0.6f, 0.8f) : normal;
-    const ink::stipple::StippleTone::Element element{ normal + glm::vec3(0.0f, 0.0f, -5.0f), shown, 0.8f,
+    const ink::stipple::Tone::Element element{ normal + glm::vec3(0.0f, 0.0f, -5.0f), shown, 0.8f,
       0.05f + 0.95f * part(0.618034), 16.0f, part(0.7548777), glm::vec3(0.0f) };
     for (int rank = 0; rank < 16; ++rank)
     {
@@ -63,17 +63,17 @@ Ink draw(const ink::stipple::StippleTone& tone)
 }
 
 /// Checks that a measure never falls (or rises) along a slider and moves by at least a tenth altogether.
-void expectMonotone(float ink::stipple::StippleSliders::*slider, double direction,
+void expectMonotone(float ink::stipple::Sliders::*slider, double direction,
   const std::function<double(const Ink&)>& measure)
 {
-  for (const ink::stipple::StipplePreset& preset : ink::stipple::stipplePresets())
+  for (const ink::stipple::Preset& preset : ink::stipple::presets())
   {
     double first = 0.0;
     double last = 0.0;
     for (int step = 0; step <= 20; ++step)
     {
-      ink::stipple::StippleTone tone;
-      ink::stipple::StipplePreset moved = preset;
+      ink::stipple::Tone tone;
+      ink::stipple::Preset moved = preset;
       moved.lightInk = false;
       moved.sliders.*slider = step / 20.0f;
       moved.apply(tone);
@@ -96,26 +96,26 @@ void expectMonotone(float ink::stipple::StippleSliders::*slider, double directio
 
 TEST(StippleSliders, GradientAddsInk)
 {
-  expectMonotone(&ink::stipple::StippleSliders::gradient, 1.0, [](const Ink& ink) { return ink.all; });
+  expectMonotone(&ink::stipple::Sliders::gradient, 1.0, [](const Ink& ink) { return ink.all; });
 }
 
 TEST(StippleSliders, SharpnessAndInteriorTakeInkAway)
 {
-  expectMonotone(&ink::stipple::StippleSliders::sharpness, -1.0, [](const Ink& ink) { return ink.all; });
-  expectMonotone(&ink::stipple::StippleSliders::interior, -1.0, [](const Ink& ink) { return ink.all; });
+  expectMonotone(&ink::stipple::Sliders::sharpness, -1.0, [](const Ink& ink) { return ink.all; });
+  expectMonotone(&ink::stipple::Sliders::interior, -1.0, [](const Ink& ink) { return ink.all; });
 }
 
 /// Light ink shows the light: less of it, in a smaller region.
 TEST(StippleSliders, LightInkHasLessInkWithSharperLight)
 {
   for (const auto slider :
-    { &ink::stipple::StippleSliders::sharpness, &ink::stipple::StippleSliders::orientation })
+    { &ink::stipple::Sliders::sharpness, &ink::stipple::Sliders::orientation })
   {
     double last = 0.0;
     for (int step = 0; step <= 20; ++step)
     {
-      ink::stipple::StippleTone tone;
-      ink::stipple::StipplePreset moved = *ink::stipple::findStipplePreset("plate-white-on-black");
+      ink::stipple::Tone tone;
+      ink::stipple::Preset moved = *ink::stipple::findPreset("plate-white-on-black");
       moved.sliders.*slider = step / 20.0f;
       moved.apply(tone);
       // The light alone.
@@ -130,22 +130,22 @@ TEST(StippleSliders, LightInkHasLessInkWithSharperLight)
 
 TEST(StippleSliders, OrientationTellsTheRimFromTheMiddle)
 {
-  expectMonotone(&ink::stipple::StippleSliders::orientation, 1.0,
+  expectMonotone(&ink::stipple::Sliders::orientation, 1.0,
     [](const Ink& ink) { return ink.rim / (ink.rim + ink.middle); });
 }
 
 TEST(StippleSliders, DistanceTellsNearFromFar)
 {
-  expectMonotone(&ink::stipple::StippleSliders::distance, 1.0,
+  expectMonotone(&ink::stipple::Sliders::distance, 1.0,
     [](const Ink& ink) { return ink.nearHalf / (ink.nearHalf + ink.farHalf); });
 }
 
 TEST(StippleSliders, ColorColors)
 {
-  expectMonotone(&ink::stipple::StippleSliders::color, 1.0, [](const Ink& ink) { return ink.chroma; });
-  ink::stipple::StippleTone gray;
-  ink::stipple::StippleTone colored;
-  ink::stipple::StippleSliders sliders;
+  expectMonotone(&ink::stipple::Sliders::color, 1.0, [](const Ink& ink) { return ink.chroma; });
+  ink::stipple::Tone gray;
+  ink::stipple::Tone colored;
+  ink::stipple::Sliders sliders;
   sliders.apply(gray);
   sliders.color = 1.0f;
   sliders.apply(colored);
@@ -155,18 +155,18 @@ TEST(StippleSliders, ColorColors)
 /// What is out of range counts as the end of the range.
 TEST(StippleSliders, EndsHold)
 {
-  for (auto slider : { &ink::stipple::StippleSliders::gradient, &ink::stipple::StippleSliders::sharpness,
-         &ink::stipple::StippleSliders::orientation, &ink::stipple::StippleSliders::distance,
-         &ink::stipple::StippleSliders::interior })
+  for (auto slider : { &ink::stipple::Sliders::gradient, &ink::stipple::Sliders::sharpness,
+         &ink::stipple::Sliders::orientation, &ink::stipple::Sliders::distance,
+         &ink::stipple::Sliders::interior })
   {
     for (float end : { 0.0f, 1.0f })
     {
-      ink::stipple::StippleSliders at;
-      ink::stipple::StippleSliders beyond;
+      ink::stipple::Sliders at;
+      ink::stipple::Sliders beyond;
       at.*slider = end;
       beyond.*slider = end == 0.0f ? -3.0f : 7.0f;
-      ink::stipple::StippleTone a;
-      ink::stipple::StippleTone b;
+      ink::stipple::Tone a;
+      ink::stipple::Tone b;
       at.apply(a);
       beyond.apply(b);
       const double found = draw(a).all;
@@ -195,9 +195,9 @@ TEST(StippleSliders, StandForTheirKs)
       {
         for (const bool lightInk : { false, true })
         {
-          ink::stipple::StippleTone tone;
+          ink::stipple::Tone tone;
           tone.lighting.lightInk = lightInk;
-          const ink::stipple::StippleSliders sliders{ gradient.slider, sharpness.slider, orientation.slider };
+          const ink::stipple::Sliders sliders{ gradient.slider, sharpness.slider, orientation.slider };
           sliders.apply(tone);
           EXPECT_FLOAT_EQ(tone.boundary.base, 0.1f + 0.5f * gradient.slider);
           EXPECT_FLOAT_EQ(tone.boundary.gain, 0.65f * gradient.gain);
@@ -213,8 +213,8 @@ TEST(StippleSliders, StandForTheirKs)
   }
   for (const auto& place : places)
   {
-    ink::stipple::StippleTone tone;
-    const ink::stipple::StippleSliders sliders{ 0.5f, 0.5f, 0.5f, place.slider, place.slider, place.slider };
+    ink::stipple::Tone tone;
+    const ink::stipple::Sliders sliders{ 0.5f, 0.5f, 0.5f, place.slider, place.slider, place.slider };
     sliders.apply(tone);
     EXPECT_FLOAT_EQ(tone.distance.exponent, std::min(0.5f / place.slider, 20.0f));
     EXPECT_EQ(tone.distance.size, place.slider);
@@ -242,16 +242,16 @@ TEST(StippleSliders, PresetsAreWhatTheyWere)
       { 7.0f, 2.2f, 1.0f, 1.0f, 0.25f, 1.0f } },
     { "as-published", { 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.0f }, { 1.0f, 1.13f, 0.0f, 1.0f, 1.0f, 0.0f } },
   };
-  ASSERT_EQ(ink::stipple::stipplePresets().size(), std::size(expected));
+  ASSERT_EQ(ink::stipple::presets().size(), std::size(expected));
   for (std::size_t i = 0; i < std::size(expected); ++i)
   {
-    const ink::stipple::StipplePreset& preset = ink::stipple::stipplePresets()[i];
+    const ink::stipple::Preset& preset = ink::stipple::presets()[i];
     EXPECT_EQ(preset.name, expected[i].name);
-    const ink::stipple::StippleSliders& s = preset.sliders;
+    const ink::stipple::Sliders& s = preset.sliders;
     EXPECT_EQ((Numbers{ s.gradient, s.sharpness, s.orientation, s.distance, s.interior, s.color }),
       expected[i].sliders)
       << preset.name;
-    ink::stipple::StippleTone tone;
+    ink::stipple::Tone tone;
     preset.apply(tone);
     EXPECT_EQ((Numbers{ tone.pixelsPerStipple, tone.diameter, tone.fadeBySize ? 1.0f : 0.0f,
                 tone.resolution.slantExponent, tone.valueEffect, tone.lighting.lightInk ? 1.0f : 0.0f }),
@@ -263,12 +263,12 @@ TEST(StippleSliders, PresetsAreWhatTheyWere)
 /// Table 1 written out, with the k's that the preset as-published comes to: nothing else is in T.
 TEST(StippleSliders, AsPublishedIsTable1)
 {
-  ink::stipple::StippleTone tone;
-  ink::stipple::findStipplePreset("as-published")->apply(tone);
+  ink::stipple::Tone tone;
+  ink::stipple::findPreset("as-published")->apply(tone);
   EXPECT_EQ(tone.pixelsPerStipple, 1.0f);
   // N_max 3.5 at the nearest distance, 4; D_near + d_i from 4 on; the light comes from above the eye.
-  const ink::stipple::StippleTone::View view{ 16.0f, 3.5f, 0.0f, false, 4.0f, 6.0f, 2.0f, 4.0f };
-  const ink::stipple::StippleLight light{ { 0.0f, 0.6f, 0.8f, 0.0f }, 1.0f };
+  const ink::stipple::Tone::View view{ 16.0f, 3.5f, 0.0f, false, 4.0f, 6.0f, 2.0f, 4.0f };
+  const ink::Light light{ { 0.0f, 0.6f, 0.8f, 0.0f }, 1.0f };
   int compared = 0;
   for (const double distance : { 4.0, 5.0, 6.0, 7.5 })
   {
@@ -284,7 +284,7 @@ TEST(StippleSliders, AsPublishedIsTable1)
           const double expected = 3.5 * v * (0.35 + 0.65 * std::pow(g, 0.8)) * v *
             (0.3 + 1.6 * (1.0 - std::pow(facing, 0.5))) * std::pow(distance / 4.0, -2.0) * facing *
             (1.0 - lit) * (1.0 + z) * g;
-          const ink::stipple::StippleTone::Element element{ { 0.0f, 0.0f, static_cast<float>(-distance) },
+          const ink::stipple::Tone::Element element{ { 0.0f, 0.0f, static_cast<float>(-distance) },
             { 0.0f, static_cast<float>(std::sin(turn)), static_cast<float>(facing) }, static_cast<float>(v),
             static_cast<float>(g), 16.0f, 0.3f, glm::vec3(0.0f) };
           const auto mark = tone.mark(view, { &light, 1 }, element, 0);
@@ -303,14 +303,14 @@ TEST(StippleSliders, PresetsAreFoundByName)
   for (const char* name :
     { "anatomy", "bone", "soft-tissue", "engineering", "plate-white-on-black", "as-published" })
   {
-    const auto* preset = ink::stipple::findStipplePreset(name);
+    const auto* preset = ink::stipple::findPreset(name);
     ASSERT_NE(preset, nullptr) << name;
     EXPECT_EQ(preset->lightInk, std::string(name) == "plate-white-on-black");
   }
-  EXPECT_EQ(ink::stipple::findStipplePreset("Anatomy")->name, "anatomy");
-  EXPECT_EQ(ink::stipple::findStipplePreset("SoftTissue")->name, "soft-tissue");
-  EXPECT_EQ(ink::stipple::findStipplePreset("Plate, White on Black")->name, "plate-white-on-black");
-  EXPECT_EQ(ink::stipple::findStipplePreset("As Published")->name, "as-published");
-  EXPECT_EQ(ink::stipple::findStipplePreset("plate"), nullptr);
-  EXPECT_EQ(ink::stipple::findStipplePreset(""), nullptr);
+  EXPECT_EQ(ink::stipple::findPreset("Anatomy")->name, "anatomy");
+  EXPECT_EQ(ink::stipple::findPreset("SoftTissue")->name, "soft-tissue");
+  EXPECT_EQ(ink::stipple::findPreset("Plate, White on Black")->name, "plate-white-on-black");
+  EXPECT_EQ(ink::stipple::findPreset("As Published")->name, "as-published");
+  EXPECT_EQ(ink::stipple::findPreset("plate"), nullptr);
+  EXPECT_EQ(ink::stipple::findPreset(""), nullptr);
 }

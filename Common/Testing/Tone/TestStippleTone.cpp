@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole sequence of Lu et al. 2003, section 5.
-#include "Tone/Stipple/StippleTone.h"
+#include "Tone/Stipple/Tone.h"
 
 #include "Tone/Stipple/ProjectedSize.h"
 
@@ -13,22 +13,22 @@
 namespace
 {
 
-constexpr ink::stipple::StippleTone::View view{ 16.0f, 8.0f, 0.0f, false, 4.0f, 6.0f, 2.0f, 4.0f };
+constexpr ink::stipple::Tone::View view{ 16.0f, 8.0f, 0.0f, false, 4.0f, 6.0f, 2.0f, 4.0f };
 
-ink::stipple::StippleTone::Element element()
+ink::stipple::Tone::Element element()
 {
   return { { 0.0f, 0.0f, -5.0f }, { 0.0f, 0.6f, 0.8f }, 0.7f, 0.4f, 16.0f, 0.3f, { 0.1f, 0.2f, 0.3f } };
 }
 
-ink::stipple::StippleTone allOff()
+ink::stipple::Tone allOff()
 {
-  ink::stipple::StippleTone tone;
+  ink::stipple::Tone tone;
   tone.boundary.on = tone.silhouette.on = tone.resolution.on = false;
   tone.lighting.on = tone.distance.on = tone.interior.on = false;
   return tone;
 }
 
-const ink::stipple::StippleLight headlight{ { 0.0f, 0.0f, 1.0f, 0.0f }, 1.0f };
+const ink::Light headlight{ { 0.0f, 0.0f, 1.0f, 0.0f }, 1.0f };
 
 } // namespace
 
@@ -39,7 +39,7 @@ TEST(StippleTone, WithoutEnhancementsIsNMax)
 
 TEST(StippleTone, IsTheProductOfTheChosenFactors)
 {
-  ink::stipple::StippleTone tone;
+  ink::stipple::Tone tone;
   const auto found = tone.mark(view, { &headlight, 1 }, element(), 0);
   const double boundary =
     0.7 * (tone.boundary.base + tone.boundary.gain * std::pow(0.4, tone.boundary.exponent));
@@ -63,25 +63,25 @@ TEST(StippleTone, OneFactorAtATime)
   const double off = allOff().mark(view, { &headlight, 1 }, element(), 0).tone;
   const auto ratio = [&](auto chosen)
   {
-    ink::stipple::StippleTone tone = allOff();
+    ink::stipple::Tone tone = allOff();
     (tone.*chosen).on = true;
     return tone.mark(view, { &headlight, 1 }, element(), 0).tone / off;
   };
   // Table 1 with the defaults.
-  EXPECT_NEAR(ratio(&ink::stipple::StippleTone::boundary), 0.7 * (0.2 + 1.0 * 0.4), 1e-5);
+  EXPECT_NEAR(ratio(&ink::stipple::Tone::boundary), 0.7 * (0.2 + 1.0 * 0.4), 1e-5);
   EXPECT_NEAR(
-    ratio(&ink::stipple::StippleTone::silhouette), 0.7 * (0.3 + 2.0 * (1.0 - std::sqrt(0.8))), 1e-5);
-  EXPECT_NEAR(ratio(&ink::stipple::StippleTone::resolution), 0.64 * 0.8, 1e-5);
-  EXPECT_NEAR(ratio(&ink::stipple::StippleTone::lighting), 0.2, 1e-5);
-  EXPECT_NEAR(ratio(&ink::stipple::StippleTone::distance), 1.5, 1e-5);
-  EXPECT_NEAR(ratio(&ink::stipple::StippleTone::interior), 0.4, 1e-5);
+    ratio(&ink::stipple::Tone::silhouette), 0.7 * (0.3 + 2.0 * (1.0 - std::sqrt(0.8))), 1e-5);
+  EXPECT_NEAR(ratio(&ink::stipple::Tone::resolution), 0.64 * 0.8, 1e-5);
+  EXPECT_NEAR(ratio(&ink::stipple::Tone::lighting), 0.2, 1e-5);
+  EXPECT_NEAR(ratio(&ink::stipple::Tone::distance), 1.5, 1e-5);
+  EXPECT_NEAR(ratio(&ink::stipple::Tone::interior), 0.4, 1e-5);
 }
 
 TEST(StippleTone, WhatFacesAway)
 {
   auto away = element();
   away.normal = -away.normal;
-  ink::stipple::StippleTone volume = allOff();
+  ink::stipple::Tone volume = allOff();
   EXPECT_EQ(volume.mark(view, {}, away, 0).opacity, 1.0f); // points are see-through
   volume.lighting.on = true;
   EXPECT_EQ(volume.mark(view, {}, away, 0).opacity, 0.0f); // but lighting needs a front
@@ -89,7 +89,7 @@ TEST(StippleTone, WhatFacesAway)
   volume.lighting.facingCosine = 0.9f;
   EXPECT_EQ(volume.mark(view, {}, element(), 0).opacity, 0.0f);
 
-  ink::stipple::StippleTone surface = allOff();
+  ink::stipple::Tone surface = allOff();
   surface.surface = true;
   EXPECT_EQ(surface.mark(view, {}, away, 0).opacity, 0.0f);
   surface.twoSided = true;
@@ -103,14 +103,14 @@ TEST(StippleTone, GrowsWhereListsAreTooShort)
 {
   for (float maximum : { 4.0f, 16.0f, 64.0f, 1024.0f })
   {
-    ink::stipple::StippleTone::View close = view;
+    ink::stipple::Tone::View close = view;
     close.maximumStipples = maximum;
     const auto mark = allOff().mark(close, {}, element(), 0);
     const double area = mark.tone * mark.diameter * mark.diameter;
     EXPECT_NEAR(area / (maximum * 4.0), 1.0, 1e-5) << "N_max " << maximum;
     EXPECT_LE(mark.tone, 16.0f);
     EXPECT_LE(mark.diameter, allOff().largestDiameter(close));
-    ink::stipple::StippleTone fixed = allOff();
+    ink::stipple::Tone fixed = allOff();
     fixed.growWithZoom = false;
     EXPECT_FLOAT_EQ(fixed.mark(close, {}, element(), 0).diameter, 2.0f);
   }
@@ -119,8 +119,8 @@ TEST(StippleTone, GrowsWhereListsAreTooShort)
 /// A part of a stipple has the same area as a paler or as a smaller one.
 TEST(StippleTone, AppearsBySizeOrByOpacity)
 {
-  ink::stipple::StippleTone tone = allOff();
-  ink::stipple::StippleTone::View far = view;
+  ink::stipple::Tone tone = allOff();
+  ink::stipple::Tone::View far = view;
   far.maximumStipples = 0.3f;
   const auto paler = tone.mark(far, {}, element(), 0);
   EXPECT_NEAR(paler.opacity, 0.3f, 1e-6f);
@@ -135,9 +135,9 @@ TEST(StippleTone, ListsEnd)
 {
   auto shortList = element();
   shortList.listLength = 2.0f;
-  ink::stipple::StippleTone tone = allOff();
+  ink::stipple::Tone tone = allOff();
   tone.growWithZoom = false;
-  ink::stipple::StippleTone::View close = view;
+  ink::stipple::Tone::View close = view;
   close.maximumStipples = 1e4f;
   EXPECT_EQ(tone.mark(close, {}, shortList, 1).opacity, 1.0f);
   EXPECT_EQ(tone.mark(close, {}, shortList, 2).opacity, 0.0f);
@@ -145,9 +145,9 @@ TEST(StippleTone, ListsEnd)
 
 TEST(StippleTone, ParallelProjectionsIgnoreTheDistance)
 {
-  ink::stipple::StippleTone tone = allOff();
+  ink::stipple::Tone tone = allOff();
   tone.resolution.on = true;
-  ink::stipple::StippleTone::View parallel = view;
+  ink::stipple::Tone::View parallel = view;
   parallel.parallel = true;
   auto far = element();
   far.position = { 3.0f, 1.0f, -50.0f };
@@ -157,9 +157,9 @@ TEST(StippleTone, ParallelProjectionsIgnoreTheDistance)
 /// No element exceeds what its group is said to need at most.
 TEST(StippleTone, MostToneIsAnUpperBound)
 {
-  ink::stipple::StippleTone tone;
+  ink::stipple::Tone tone;
   tone.resolution.slantExponent = 0.1f;
-  const ink::stipple::StippleLight sun{ glm::vec4(glm::normalize(glm::vec3(0.4f, 0.5f, 1.0f)), 0.0f), 0.8f };
+  const ink::Light sun{ glm::vec4(glm::normalize(glm::vec3(0.4f, 0.5f, 1.0f)), 0.0f), 0.8f };
   int near = 0;
   int nothing = 0;
   for (int kind = 0; kind < 8; ++kind)
@@ -173,8 +173,8 @@ TEST(StippleTone, MostToneIsAnUpperBound)
       for (float angle : { 0.3f, 1.2f, 2.5f })
       {
         tone.resolution.exponent = krc;
-        std::vector<ink::stipple::StippleTone::Element> group;
-        ink::stipple::StippleTone::Directions directions{ 1.0f, -1.0f, 1.0f, 0.0f };
+        std::vector<ink::stipple::Tone::Element> group;
+        ink::stipple::Tone::Directions directions{ 1.0f, -1.0f, 1.0f, 0.0f };
         for (int i = 0; i < 500; ++i)
         {
           const auto fraction = [i](double step) { return float(i * step - std::floor(i * step)); };
@@ -206,9 +206,9 @@ TEST(StippleTone, MostToneIsAnUpperBound)
   }
   EXPECT_GT(near, 10);
   EXPECT_GT(nothing, 0);
-  EXPECT_EQ(ink::stipple::StippleTone().mostTone(view, 0.0f, 0.8f, 16.0f, 4.0f, 8.0f, {}), 0.0f);
+  EXPECT_EQ(ink::stipple::Tone().mostTone(view, 0.0f, 0.8f, 16.0f, 4.0f, 8.0f, {}), 0.0f);
   // Of which nothing is known but its values: some of it may be fully lit, some not at all.
-  ink::stipple::StippleTone plain = allOff();
+  ink::stipple::Tone plain = allOff();
   plain.lighting.on = true;
   for (const bool lightInk : { false, true })
   {
@@ -218,7 +218,7 @@ TEST(StippleTone, MostToneIsAnUpperBound)
   // A group around the eye: one of its elements may be as near as none.
   auto atTheEye = element();
   atTheEye.position.z = -1e-9f;
-  ink::stipple::StippleTone fixed;
+  ink::stipple::Tone fixed;
   fixed.growWithZoom = false;
   EXPECT_LE(fixed.mark(view, {}, atTheEye, 0).tone,
     fixed.mostTone(view, 0.9f, 0.8f, 16.0f, -1.0f, 8.0f, {}) * 1.00001f);
@@ -228,7 +228,7 @@ TEST(StippleTone, MostToneIsAnUpperBound)
 /// the enhancement is on or off; and beyond that follows k_rc.
 TEST(StippleTone, RoomIsTheElementsOwnCloseUp)
 {
-  ink::stipple::StippleTone tone = allOff();
+  ink::stipple::Tone tone = allOff();
   tone.growWithZoom = false;
   const auto roomAt = [&](float distance)
   {
@@ -258,7 +258,7 @@ TEST(StippleTone, RoomIsTheElementsOwnCloseUp)
 /// VTK's equations for lamps, worked out by hand.
 TEST(StippleTone, LampsFadeWithDistanceAndTowardsTheRim)
 {
-  ink::stipple::StippleLight lamp{ { 0.0f, 0.0f, 2.0f, 1.0f }, 3.0f };
+  ink::Light lamp{ { 0.0f, 0.0f, 2.0f, 1.0f }, 3.0f };
   EXPECT_FLOAT_EQ(lamp.intensityAt({ 0.0f, 0.0f, -2.0f }), 3.0f);
   lamp.attenuation = { 1.0f, 0.5f, 0.25f };
   EXPECT_FLOAT_EQ(lamp.intensityAt({ 0.0f, 0.0f, -2.0f }), 3.0f / 7.0f);
@@ -282,7 +282,7 @@ TEST(StippleTone, SameGrayAtAnyDistance)
   for (auto way :
     { ink::stipple::SmallElements::Way::intensity, ink::stipple::SmallElements::Way::probability })
   {
-    ink::stipple::StippleTone tone;
+    ink::stipple::Tone tone;
     tone.smallElements.way = way;
     tone.distance.on = tone.boundary.on = tone.silhouette.on = tone.interior.on = false;
     double first = 0.0;
@@ -292,7 +292,7 @@ TEST(StippleTone, SameGrayAtAnyDistance)
       const float far = 8.0f * std::exp2(float(octave));
       const float pixel = 1.0f / 800.0f; // view units at distance 1
       const float voxel = 0.02f;
-      ink::stipple::StippleTone::View place{};
+      ink::stipple::Tone::View place{};
       place.listed = 32.0f;
       place.nearest = place.closest = far - 1.0f;
       place.middle = far;
@@ -301,7 +301,7 @@ TEST(StippleTone, SameGrayAtAnyDistance)
         ink::stipple::maximumStipples(voxel, pixel * place.nearest, tone.pixelsPerStipple);
       place.smallness =
         tone.smallElements.weight(ink::stipple::maximumStipples(voxel, pixel * far, tone.pixelsPerStipple));
-      const ink::stipple::StippleLight lampAtEye{ { 0.0f, 0.0f, 0.0f, 1.0f }, 1.0f };
+      const ink::Light lampAtEye{ { 0.0f, 0.0f, 0.0f, 1.0f }, 1.0f };
       double ink = 0.0;
       const int count = 20000;
       for (int i = 0; i < count; ++i)
@@ -311,7 +311,7 @@ TEST(StippleTone, SameGrayAtAnyDistance)
         const double r = std::sqrt(1.0 - z * z);
         const glm::vec3 normal(r * std::cos(angle), r * std::sin(angle), z);
         const double u = i * 0.618033988749895;
-        const ink::stipple::StippleTone::Element one{ normal - glm::vec3(0.0f, 0.0f, far), normal, 1.0f, 1.0f,
+        const ink::stipple::Tone::Element one{ normal - glm::vec3(0.0f, 0.0f, far), normal, 1.0f, 1.0f,
           32.0f, float(u - std::floor(u)), glm::vec3(0.0f) };
         for (int rank = 0; rank < 32; ++rank)
         {

@@ -83,14 +83,14 @@ TEST(ToneFactors, Lighting)
 {
   const ink::stipple::Lighting lighting{ true, 2.0f, 0.5f, false };
   const glm::vec3 normal(0.0f, 0.0f, 1.0f);
-  const ink::stipple::StippleLight sun{ { 0.0f, std::sqrt(0.75f), 0.5f, 0.0f }, 1.0f };
+  const ink::Light sun{ { 0.0f, std::sqrt(0.75f), 0.5f, 0.0f }, 1.0f };
   EXPECT_NEAR(lighting.lit({ &sun, 1 }, { 1.0f, 2.0f, -3.0f }, normal), 0.25f, 1e-6f);
   EXPECT_FLOAT_EQ(lighting.factor(0.25f), 0.75f);
   // What faces away from the light keeps all of its stipples.
   EXPECT_EQ(lighting.lit({ &sun, 1 }, glm::vec3(0.0f), -normal), 0.0f);
   EXPECT_EQ(lighting.factor(0.0f), 1.0f);
   // A lamp, and more light than full light.
-  const ink::stipple::StippleLight lamps[2] = { { { 1.0f, 2.0f, 5.0f, 1.0f }, 0.4f },
+  const ink::Light lamps[2] = { { { 1.0f, 2.0f, 5.0f, 1.0f }, 0.4f },
     { { 1.0f, 2.0f, 5.0f, 1.0f }, 3.0f } };
   EXPECT_FLOAT_EQ(lighting.lit({ lamps, 1 }, { 1.0f, 2.0f, -3.0f }, normal), 0.4f);
   EXPECT_EQ(lighting.lit(lamps, { 1.0f, 2.0f, -3.0f }, normal), 1.0f);

@@ -111,7 +111,7 @@ private:
   {
     failToRead(this->File,
       std::string("its element ") + (element->GetName() ? element->GetName() : "") + " promises " + found +
-        ", for which the file of " + text(this->Size) + " bytes is too short");
+        ", for which the file of " + formatNumber(this->Size) + " bytes is too short");
   }
 
   double number(vtkXMLDataElement* element, const char* name, double otherwise) const
@@ -236,7 +236,7 @@ private:
       constexpr double leastPointBytes = 3;
       if (points * leastPointBytes > this->Most || cells > this->Most)
       {
-        this->fail(piece, text(points) + " points and " + text(cells) + " cells");
+        this->fail(piece, formatNumber(points) + " points and " + formatNumber(cells) + " cells");
       }
     }
     const double bytes =
@@ -244,7 +244,7 @@ private:
       cells * tupleBytes(piece, "CellData", components);
     if (!(bytes <= this->Most))
     {
-      this->fail(piece, text(bytes) + " bytes of values");
+      this->fail(piece, formatNumber(bytes) + " bytes of values");
     }
   }
 
@@ -255,7 +255,7 @@ private:
     constexpr double mostComponents = 1 << 20;
     if (components > mostComponents || tuples * components * typeSize(attribute(array, "type")) > this->Most)
     {
-      this->fail(array, text(tuples) + " tuples of " + text(components) + " numbers");
+      this->fail(array, formatNumber(tuples) + " tuples of " + formatNumber(components) + " numbers");
     }
     const std::string format = attribute(array, "format");
     if ((!format.empty() && format != "ascii" && format != "binary" && format != "appended") ||
@@ -271,7 +271,7 @@ private:
       const auto begin = static_cast<double>(this->Parser->appendedBegin());
       if (!(begin > 0.0 && begin + offset < this->Size))
       {
-        this->fail(array, "values at byte " + text(offset) + " of its appended data");
+        this->fail(array, "values at byte " + formatNumber(offset) + " of its appended data");
       }
       this->checkBlock(array, begin + offset, this->Parser->appendedIsText());
     }
@@ -298,7 +298,7 @@ private:
     {
       if (header[0] > left)
       {
-        this->fail(array, text(header[0]) + " bytes in one block");
+        this->fail(array, formatNumber(header[0]) + " bytes in one block");
       }
       return;
     }
@@ -316,8 +316,8 @@ private:
       std::max(blocks, 1.0) * header[1] > this->Most || header[2] > (blocks > 0.0 ? header[1] : 0.0))
     {
       this->fail(array,
-        text(blocks) + " compressed blocks of " + text(compressed) + " bytes, of " + text(header[1]) +
-          " bytes each that are not");
+        formatNumber(blocks) + " compressed blocks of " + formatNumber(compressed) + " bytes, of " +
+          formatNumber(header[1]) + " bytes each that are not");
     }
   }
 

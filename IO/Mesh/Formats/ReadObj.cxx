@@ -214,7 +214,7 @@ private:
     }
   }
 
-  /// Corners as 1, 1/2, 1//3 or 1/2/3: vertex, place in a texture, normal.
+  /// Corners as 1, 1/2, 1//3 or 1/2/3: vertex, texture coordinates, normal.
   void takeCell(std::string_view words, std::size_t least, Cells& cells)
   {
     const std::size_t begin = cells.corners.size();

@@ -120,7 +120,7 @@ public:
   }
 
 private:
-  /// One row is one line; what its numbers leave over is not looked at.
+  /// One row is one line; what its numbers leave over is not read.
   bool readText(const PlyElement& element, Row& row)
   {
     std::string_view line;

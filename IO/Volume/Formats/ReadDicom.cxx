@@ -133,11 +133,11 @@ void sortSlices(std::vector<DicomFile>& files)
 {
   double normal[3];
   vtkMath::Cross(files.front().row, files.front().column, normal);
-  const bool placed =
+  const bool hasPosition =
     std::all_of(files.begin(), files.end(), [](const DicomFile& file) { return file.hasPosition; });
   for (DicomFile& file : files)
   {
-    file.number = placed ? vtkMath::Dot(file.position, normal) : file.number;
+    file.number = hasPosition ? vtkMath::Dot(file.position, normal) : file.number;
   }
   std::sort(files.begin(), files.end(),
     [](const DicomFile& a, const DicomFile& b)

@@ -176,7 +176,7 @@ private:
     {
       for (double& origin : this->Header.origin)
       {
-        origin = this->number("the place of the first voxel");
+        origin = this->number("the position of the first voxel");
       }
     }
     else if (keyword == "cell_data" || keyword == "point_data")

@@ -30,7 +30,7 @@ constexpr std::size_t sizeOfSecond = 540;
 constexpr std::size_t axes = 8; ///< the numbers of `dim` and `pixdim`, the first of which is something else
 
 /// Where the two versions of the format have what is used of it.
-struct Places
+struct Offsets
 {
   std::size_t dim;
   std::size_t datatype;
@@ -43,8 +43,8 @@ struct Places
   std::size_t quaternion; ///< and the offset after it
   std::size_t rows;
 };
-constexpr Places first{ 40, 70, 76, 108, 112, 116, 252, 254, 256, 280 };
-constexpr Places second{ 16, 12, 104, 168, 176, 184, 344, 348, 352, 400 };
+constexpr Offsets first{ 40, 70, 76, 108, 112, 116, 252, 254, 256, 280 };
+constexpr Offsets second{ 16, 12, 104, 168, 176, 184, 344, 348, 352, 400 };
 
 /// A header of either version.
 class NiftiHeader
@@ -55,10 +55,10 @@ public:
   {
     constexpr std::size_t magicOfFirst = 344;
     constexpr std::size_t magicOfSecond = 4;
-    const auto is = [bytes](std::size_t place, std::string_view magic)
+    const auto is = [bytes](std::size_t offset, std::string_view magic)
     {
-      return bytes.size() >= place + magic.size() &&
-        std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(place));
+      return bytes.size() >= offset + magic.size() &&
+        std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
     };
     this->IsSecond =
       is(magicOfSecond, std::string_view("n+2\0\r\n\032\n", 8)) && bytes.size() >= sizeOfSecond;
@@ -76,26 +76,26 @@ public:
     }
   }
 
-  const Places& places() const { return this->IsSecond ? second : first; }
+  const Offsets& offsets() const { return this->IsSecond ? second : first; }
   std::int32_t size() const { return static_cast<std::int32_t>(this->IsSecond ? sizeOfSecond : sizeOfFirst); }
   bool bigEndian() const { return this->Swapped != (std::endian::native == std::endian::big); }
 
-  /// The i-th of numbers that are real in both versions, from a place on.
-  double real(std::size_t place, std::size_t i = 0) const
+  /// The i-th of numbers that are real in both versions, from a offset on.
+  double real(std::size_t offset, std::size_t i = 0) const
   {
-    return this->IsSecond ? this->at<double>(place + i * sizeof(double))
-                          : static_cast<double>(this->at<float>(place + i * sizeof(float)));
+    return this->IsSecond ? this->at<double>(offset + i * sizeof(double))
+                          : static_cast<double>(this->at<float>(offset + i * sizeof(float)));
   }
   std::int64_t dimension(std::size_t i) const
   {
     return this->IsSecond ? this->at<std::int64_t>(second.dim + i * sizeof(std::int64_t))
                           : this->at<std::int16_t>(first.dim + i * sizeof(std::int16_t));
   }
-  int code(std::size_t place) const
+  int code(std::size_t offset) const
   {
-    return this->IsSecond ? this->at<std::int32_t>(place) : this->at<std::int16_t>(place);
+    return this->IsSecond ? this->at<std::int32_t>(offset) : this->at<std::int16_t>(offset);
   }
-  int datatype() const { return this->at<std::int16_t>(this->places().datatype); }
+  int datatype() const { return this->at<std::int16_t>(this->offsets().datatype); }
   double voxelOffset() const
   {
     return this->IsSecond ? static_cast<double>(this->at<std::int64_t>(second.voxOffset))
@@ -104,10 +104,10 @@ public:
 
 private:
   template <class T>
-  T at(std::size_t place) const
+  T at(std::size_t offset) const
   {
     std::array<unsigned char, sizeof(T)> bytes;
-    std::copy_n(this->Bytes.begin() + static_cast<std::ptrdiff_t>(place), sizeof(T), bytes.begin());
+    std::copy_n(this->Bytes.begin() + static_cast<std::ptrdiff_t>(offset), sizeof(T), bytes.begin());
     if (this->Swapped)
     {
       std::reverse(bytes.begin(), bytes.end());
@@ -160,10 +160,10 @@ std::vector<unsigned char> headerBytes(const fs::path& file, bool compressed)
 /// The sform, else the qform, if there is one.
 void orient(const NiftiHeader& nifti, VolumeHeader& header)
 {
-  const Places& places = nifti.places();
+  const Offsets& offsets = nifti.offsets();
   // NIfTI: +x to the right, +y to the front.
   constexpr double sign[3] = { -1, -1, 1 };
-  if (nifti.code(places.sformCode) > 0)
+  if (nifti.code(offsets.sformCode) > 0)
   {
     double steps[9];
     double origin[3];
@@ -171,9 +171,9 @@ void orient(const NiftiHeader& nifti, VolumeHeader& header)
     {
       for (std::size_t i = 0; i < 3; ++i)
       {
-        steps[3 * i + j] = nifti.real(places.rows, 4 * j + i);
+        steps[3 * i + j] = nifti.real(offsets.rows, 4 * j + i);
       }
-      origin[j] = nifti.real(places.rows, 4 * j + 3);
+      origin[j] = nifti.real(offsets.rows, 4 * j + 3);
     }
     header.orientation.emplace(steps, origin, sign);
     for (int i = 0; i < 3; ++i)
@@ -182,16 +182,16 @@ void orient(const NiftiHeader& nifti, VolumeHeader& header)
     }
     return;
   }
-  if (nifti.code(places.qformCode) > 0)
+  if (nifti.code(offsets.qformCode) > 0)
   {
-    double quaternion[4] = { 0.0, nifti.real(places.quaternion), nifti.real(places.quaternion, 1),
-      nifti.real(places.quaternion, 2) };
+    double quaternion[4] = { 0.0, nifti.real(offsets.quaternion), nifti.real(offsets.quaternion, 1),
+      nifti.real(offsets.quaternion, 2) };
     const double rest = 1.0 - vtkMath::Dot(quaternion + 1, quaternion + 1);
     quaternion[0] = rest > 0.0 ? std::sqrt(rest) : 0.0;
     double rotation[3][3];
     vtkMath::QuaternionToMatrix3x3(quaternion, rotation);
     // The first of `pixdim` is negative where the third index runs the other way.
-    const double third = nifti.real(places.pixdim) < 0.0 ? -1.0 : 1.0;
+    const double third = nifti.real(offsets.pixdim) < 0.0 ? -1.0 : 1.0;
     double steps[9];
     double origin[3];
     for (std::size_t j = 0; j < 3; ++j)
@@ -199,7 +199,7 @@ void orient(const NiftiHeader& nifti, VolumeHeader& header)
       steps[j] = rotation[j][0];
       steps[3 + j] = rotation[j][1];
       steps[6 + j] = third * rotation[j][2];
-      origin[j] = nifti.real(places.quaternion, 3 + j);
+      origin[j] = nifti.real(offsets.quaternion, 3 + j);
     }
     header.orientation.emplace(steps, origin, sign);
   }
@@ -248,26 +248,27 @@ VolumeHeader readNiftiHeader(const fs::path& file)
   for (int i = 0; i < 3; ++i)
   {
     header.voxels.dimensions[i] = static_cast<int>(dimensions[i + 1]);
-    header.spacing[i] = spacingOf(nifti.real(nifti.places().pixdim, i + 1));
+    header.spacing[i] = spacingOf(nifti.real(nifti.offsets().pixdim, i + 1));
   }
   header.voxels.setBigEndian(nifti.bigEndian());
   const double offset = std::max(nifti.voxelOffset(), static_cast<double>(nifti.size() + 4));
   constexpr double mostOffset = 1 << 30;
   if (!(offset <= mostOffset))
   {
-    failToRead(file, "its header says that its voxels begin at byte " + text(offset) + "; expected fewer");
+    failToRead(
+      file, "its header says that its voxels begin at byte " + formatNumber(offset) + "; expected fewer");
   }
   (compressed ? header.voxels.skipped : header.voxels.offset) = static_cast<std::uint64_t>(offset);
   header.voxels.encoding = compressed ? VoxelEncoding::Compressed : VoxelEncoding::Plain;
   header.voxels.check(file);
-  // Of what comes after the first volume only the length is looked at.
+  // Of what comes after the first volume only the length is checked.
   const double promised = static_cast<double>(header.voxels.fileBytes()) * volumes + offset;
   const double found = static_cast<double>(fs::file_size(file)) *
     (compressed ? static_cast<double>(Inflater::mostPerByte) : 1.0);
   if (found < promised)
   {
     failToRead(file,
-      "it has " + text(found) + " bytes, but its header promises " + text(promised) +
+      "it has " + formatNumber(found) + " bytes, but its header promises " + formatNumber(promised) +
         " with all its volumes");
   }
 
@@ -277,8 +278,8 @@ VolumeHeader readNiftiHeader(const fs::path& file)
   {
     header.notes.push_back("it has " + std::to_string(dimensions[4]) + " time steps; the first is used");
   }
-  header.slope = nifti.real(nifti.places().slope);
-  header.intercept = nifti.real(nifti.places().intercept);
+  header.slope = nifti.real(nifti.offsets().slope);
+  header.intercept = nifti.real(nifti.offsets().intercept);
   if (!std::isfinite(header.slope) || !std::isfinite(header.intercept))
   {
     // How some programs say that there is nothing to be done.

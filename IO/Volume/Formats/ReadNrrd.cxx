@@ -141,7 +141,7 @@ private:
   TextFields Fields;
 };
 
-void place(const NrrdHeader& nrrd, std::size_t otherAxis, std::size_t axes, VolumeHeader& header)
+void setOrientation(const NrrdHeader& nrrd, std::size_t otherAxis, std::size_t axes, VolumeHeader& header)
 {
   std::vector<double> spacings = nrrd.spacings();
   if (axes == 4 && spacings.size() == axes)
@@ -265,7 +265,7 @@ VolumeHeader readNrrdHeader(const fs::path& file)
     nrrd.fail("encoding", "raw for one volume in several files");
   }
   voxels.check(file);
-  place(nrrd, otherAxis, axes, header);
+  setOrientation(nrrd, otherAxis, axes, header);
   return header;
 }
 

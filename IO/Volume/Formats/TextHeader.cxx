@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextHeader.h"
 
+#include "Pattern.h"
 #include "ReadError.h"
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 
 namespace fs = std::filesystem;
@@ -51,23 +51,27 @@ std::vector<std::string> listedNames(const fs::path& header, std::size_t most)
 /// The names that a pattern stands for; empty if it is none.
 std::vector<std::string> numberedNames(const std::string& description, std::size_t most)
 {
-  static const std::regex pattern(
+  static const Pattern pattern(
     R"((.*)%(0?)(\d?)d(\S*)\s+(\d{1,6})\s+(\d{1,6})(?:\s+(\d{1,6}))?(?:\s+\d)?\s*)");
-  std::smatch match;
   constexpr std::size_t longest = 1024;
-  if (description.size() > longest || !std::regex_match(description, match, pattern))
+  if (description.size() > longest)
+  {
+    return {};
+  }
+  const std::vector<std::string> match = pattern.match(description);
+  if (match.empty())
   {
     return {};
   }
   const int last = std::stoi(match[6]);
-  const int step = match[7].matched ? std::stoi(match[7]) : 1;
+  const int step = !match[7].empty() ? std::stoi(match[7]) : 1;
   const std::size_t width = match[3].length() > 0 ? static_cast<std::size_t>(std::stoi(match[3])) : 0;
   std::vector<std::string> names;
   for (int number = std::stoi(match[5]); number <= last && step > 0 && names.size() <= most; number += step)
   {
     std::string digits = std::to_string(number);
     digits.insert(0, width - std::min(width, digits.size()), match[2].length() > 0 ? '0' : ' ');
-    names.push_back(match[1].str() + digits + match[4].str());
+    names.push_back(match[1] + digits + match[4]);
   }
   return names;
 }

@@ -23,9 +23,9 @@ uniform vec2 tolerances; // of the depth test: view units, and by slope, view un
 #ifdef INK_COARSE
 vec4 bring(sampler2D coarse, float texel, vec2 pixel, vec2 shown)
 {
-  vec2 place = pixel / texel - 0.5;
-  ivec2 corner = ivec2(floor(place));
-  vec2 part = place - vec2(corner);
+  vec2 position = pixel / texel - 0.5;
+  ivec2 corner = ivec2(floor(position));
+  vec2 part = position - vec2(corner);
   ivec2 last = textureSize(coarse, 0) - 1;
   ivec2 lastPixel = textureSize(surface, 0) - 1;
   float bySlope = texel * tolerances.y * clipDepth(-shown.r).y;
@@ -51,16 +51,16 @@ vec4 bring(sampler2D coarse, float texel, vec2 pixel, vec2 shown)
 
 void main()
 {
-  vec2 place = texCoord * vec2(textureSize(surface, 0));
-  ivec2 pixel = ivec2(place);
+  vec2 position = texCoord * vec2(textureSize(surface, 0));
+  ivec2 pixel = ivec2(position);
   vec4 all = texelFetch(sums, pixel, 0);
 #ifdef INK_COARSE
   vec2 shown = texelFetch(surface, pixel, 0).rg;
   if (shown.g != 0.0)
   {
-    all += bring(coarseSums[0], 2.0, place, shown);
+    all += bring(coarseSums[0], 2.0, position, shown);
 #if INK_COARSE > 1
-    all += bring(coarseSums[1], 4.0, place, shown);
+    all += bring(coarseSums[1], 4.0, position, shown);
 #endif
   }
 #endif

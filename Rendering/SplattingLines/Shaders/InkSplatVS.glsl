@@ -30,7 +30,7 @@ uniform float minimumLight;  // f_i below which discs on the other side are left
 #if defined INK_LIGHT || defined INK_BACK
 uniform sampler2D surface;     // that the depth splats show, see their fragment shader
 uniform vec2 nearness;         // the part of the tolerance that holds in a disc's middle and at its rim
-uniform int probeCount;        // where, besides in its center, a disc is looked at to tell if it is hidden;
+uniform int probeCount;        // where, besides in its center, a disc is tested for being hidden;
                                // negative: not at all
 #endif
 #ifdef INK_LIGHT

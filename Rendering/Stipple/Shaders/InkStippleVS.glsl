@@ -7,7 +7,7 @@
 //
 // Software rasterisers compute what a condition leaves out, too, and take long over loops of unknown length. So what
 // most pictures do without is compiled only where it is needed: INK_COLORS, INK_OCCLUDED, INK_PROBABILITY, INK_IDS,
-// INK_RESULTS, INK_PACKED (places are as Common/Stippling/QuantizedPosition has them).
+// INK_RESULTS, INK_PACKED (positions are as Common/Stippling/QuantizedPosition has them).
 
 #include "InkClipping.glsl"
 #include "InkHash.glsl"
@@ -21,7 +21,7 @@ uniform vec3 packedStep;            // at scale 1
 #else
 in vec3 pointMC;    // in the local frame
 #endif
-in uint elementAndRank; // the element's number, and in the lowest bits the stipple's place in its list
+in uint elementAndRank; // the element's number, and in the lowest bits the stipple's rank in its list
 
 uniform int rankBits;
 uniform samplerBuffer elementShapes;  // normal, gradient magnitude

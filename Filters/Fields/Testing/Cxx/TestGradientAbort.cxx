@@ -13,7 +13,5 @@ TEST(GradientAbort, ReportsProgressAndCanBeAborted)
   filter->SetInputData(
     MakeImage(VTK_FLOAT, { 0, 30, 0, 30, 0, 300 }, [](double x, double y, double z) { return x * y + z; }));
   filter->ComputeLaplacianOn();
-  InkTestChecks check;
-  InkTestProgressAndAbort(check, filter.Get());
-  EXPECT_EQ(check.Failed(), 0);
+  InkTestProgressAndAbort(filter.Get());
 }

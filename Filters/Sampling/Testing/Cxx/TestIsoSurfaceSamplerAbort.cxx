@@ -14,7 +14,5 @@ TEST(IsoSurfaceSamplerAbort, ReportsProgressAndCanBeAborted)
     [](double x, double y, double z) { return BallDensity(x, y, z, 35.0); }));
   sampler->SetValue(0, 100.0);
   sampler->SetValue(1, 200.0);
-  InkTestChecks check;
-  InkTestProgressAndAbort(check, sampler.Get());
-  EXPECT_EQ(check.Failed(), 0);
+  InkTestProgressAndAbort(sampler.Get());
 }

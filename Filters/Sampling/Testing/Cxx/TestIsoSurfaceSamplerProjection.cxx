@@ -168,7 +168,5 @@ TEST(IsoSurfaceSamplerProjection, CanBeAborted)
   sampler->SetValue(0, 100.0);
   sampler->SetValue(1, 200.0);
   sampler->SetProjectionSteps(2);
-  InkTestChecks check;
-  InkTestProgressAndAbort(check, sampler.Get());
-  EXPECT_EQ(check.Failed(), 0);
+  InkTestProgressAndAbort(sampler.Get());
 }

@@ -2,7 +2,7 @@
 // What vtkInkSurfaceSampler makes of points without polygons: normals, radii of their own, and no isolated
 // points.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "SamplerTestMeshes.h"
 
 #include "vtkInkPointPriority.h"

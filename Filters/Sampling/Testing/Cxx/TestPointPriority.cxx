@@ -2,7 +2,7 @@
 // vtkInkPointPriority: an order with all arrays carried along, for iso-surface points and for raw point
 // clouds.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "SamplerTestImages.h"
 #include "SamplerTestMeshes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples of the first frame move with a deformed mesh, and say when they are of another one.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "SamplerTestMeshes.h"
 
 #include "vtkInkSurfaceSampler.h"

@@ -2,7 +2,7 @@
 // vtkInkSurfaceSampler on unstructured and structured grids: their surface, or their points where there are
 // no cells.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "SamplerTestMeshes.h"
 
 #include "vtkCellData.h"
@@ -101,9 +101,7 @@ TEST(SurfaceSamplerGrids, SamplesTheirSurface)
     sampler->SetNumberOfSamples(2000);
     sampler->Update();
     CheckOnCube(grid->GetClassName(), sampler->GetOutput(), 1.0);
-    InkTestChecks check;
-    messages->Expect(check, grid->GetClassName(), {});
-    EXPECT_EQ(check.Failed(), 0) << grid->GetClassName();
+    messages->Expect(grid->GetClassName(), {});
   }
 }
 

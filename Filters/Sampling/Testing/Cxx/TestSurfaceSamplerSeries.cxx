@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkSurfaceSampler behind a mesh that changes with time: sampled once, then moved.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "SamplerTestMeshes.h"
 
 #include "vtkInkSurfaceSampler.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkVDBIsoSurfaceSampler makes the points that vtkInkIsoSurfaceSampler makes of vtkInkVDBReader's image.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "VDBTestFiles.h"
 
 #include "vtkImageData.h"

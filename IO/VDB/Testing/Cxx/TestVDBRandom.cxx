@@ -3,6 +3,7 @@
 // vtkInkVDBReader's image, to the bit, and that image has the tree's values. Ten trees are a test, named by
 // the first one's seed.
 
+#include "InkTestMessages.h"
 #include "InkTestRandom.h"
 #include "VDBTestFiles.h"
 
@@ -28,7 +29,7 @@ using openvdb::CoordBBox;
 constexpr unsigned Trees = 120;
 constexpr unsigned TreesOfTest = 10;
 
-Coord RandomPlace(InkTestRandom& random, int size)
+Coord RandomCoord(InkTestRandom& random, int size)
 {
   return Coord(random.UpTo(size), random.UpTo(size), random.UpTo(size));
 }
@@ -54,25 +55,25 @@ typename Grid::Ptr MakeGrid(InkTestRandom& random)
   // Boxes that become leaves and, where they fill blocks, tiles; noise; single voxels that are not active.
   for (int n = random.UpTo(4); n > 0; --n)
   {
-    const Coord low = first + RandomPlace(random, 24);
-    tree.sparseFill(CoordBBox(low, low + RandomPlace(random, 20)), value(), !random.Once(4));
+    const Coord low = first + RandomCoord(random, 24);
+    tree.sparseFill(CoordBBox(low, low + RandomCoord(random, 20)), value(), !random.Once(4));
   }
   for (int n = random.UpTo(3); n > 0; --n)
   {
-    const Coord low = first + RandomPlace(random, 30);
-    for (auto at = CoordBBox(low, low + RandomPlace(random, 9)).begin(); at; ++at)
+    const Coord low = first + RandomCoord(random, 30);
+    for (auto at = CoordBBox(low, low + RandomCoord(random, 9)).begin(); at; ++at)
     {
       tree.setValue(*at, value());
     }
   }
   for (int n = random.UpTo(8); n > 0; --n)
   {
-    tree.setValueOff(first + RandomPlace(random, 36), value());
+    tree.setValueOff(first + RandomCoord(random, 36), value());
   }
   if (random.Once(3))
   {
     tree.setValue(
-      first + RandomPlace(random, 30), std::numeric_limits<typename Grid::ValueType>::quiet_NaN());
+      first + RandomCoord(random, 30), std::numeric_limits<typename Grid::ValueType>::quiet_NaN());
   }
   if (random.Once(80))
   {

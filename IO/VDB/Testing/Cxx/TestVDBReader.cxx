@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkVDBReader: values, transform, choice of grid, level sets' sign and update extents.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "VDBTestFiles.h"
 
 #include "vtkImageData.h"
@@ -26,7 +26,7 @@ void ExpectSame(vtkImageData* image, const Grid& grid, double factor)
   int extent[6];
   image->GetExtent(extent);
   int wrongValues = 0;
-  int wrongPlaces = 0;
+  int wrongPositions = 0;
   for (int k = extent[4]; k <= extent[5]; ++k)
   {
     for (int j = extent[2]; j <= extent[3]; ++j)
@@ -39,12 +39,12 @@ void ExpectSame(vtkImageData* image, const Grid& grid, double factor)
         double p[3];
         image->TransformIndexToPhysicalPoint(ijk, p);
         const openvdb::Vec3d q = grid.transform().indexToWorld(Coord(i, j, k));
-        wrongPlaces += (q - openvdb::Vec3d(p)).length() > 1e-9;
+        wrongPositions += (q - openvdb::Vec3d(p)).length() > 1e-9;
       }
     }
   }
   EXPECT_EQ(wrongValues, 0) << "the grid's values, " << wrongValues << " are wrong";
-  EXPECT_EQ(wrongPlaces, 0) << "the grid's places, " << wrongPlaces << " are wrong";
+  EXPECT_EQ(wrongPositions, 0) << "the grid's positions, " << wrongPositions << " are wrong";
 }
 
 class VDBReader : public testing::Test

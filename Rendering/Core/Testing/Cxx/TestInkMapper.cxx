@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What mappers share, with a mapper that draws a dot for each point.
 #include "DotsMapper.h"
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestScene.h"
 
 #include "vtkCoordinate.h"
@@ -13,6 +13,8 @@
 #include "vtkPlane.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,10 +53,10 @@ std::set<int> FindDrawn(Scene& scene)
     {
       continue;
     }
-    vtkNew<vtkCoordinate> place;
-    place->SetCoordinateSystemToWorld();
-    place->SetValue(data->GetPoint(i));
-    const int* pixel = place->GetComputedViewportValue(scene.Renderer);
+    vtkNew<vtkCoordinate> coordinate;
+    coordinate->SetCoordinateSystemToWorld();
+    coordinate->SetValue(data->GetPoint(i));
+    const int* pixel = coordinate->GetComputedViewportValue(scene.Renderer);
     if (image.IsDark(pixel[0], pixel[1]))
     {
       drawn.insert(i);
@@ -73,19 +75,21 @@ std::set<int> Ids(int first, int last)
   return ids;
 }
 
-void TestDots(InkTestChecks& check)
+} // namespace
+
+TEST(InkMapper, Dots)
 {
   Scene scene(Row(7));
-  check(FindDrawn(scene) == Ids(0, 6), "all dots");
+  EXPECT_EQ(FindDrawn(scene), Ids(0, 6)) << "all dots";
   const int dark = InkTestImage(scene.Window).CountDark();
   const double expected = 7 * 0.25 * vtkMath::Pi() * 81.0;
-  check(std::abs(dark - expected) < 0.1 * expected, "dots of a diameter of 9, ", expected, " pixels, found ",
-    dark);
+  EXPECT_LT(std::abs(dark - expected), 0.1 * expected)
+    << "dots of a diameter of 9, " << expected << " pixels, found " << dark;
   scene.Actor->VisibilityOff();
-  check(FindDrawn(scene).empty(), "no dots of what is not visible");
+  EXPECT_TRUE(FindDrawn(scene).empty()) << "no dots of what is not visible";
 }
 
-void TestClipping(InkTestChecks& check)
+TEST(InkMapper, Clipping)
 {
   Scene scene(Row(7));
   vtkNew<InkTestMessages> messages;
@@ -94,13 +98,13 @@ void TestClipping(InkTestChecks& check)
   left->SetOrigin(1e6 - 0.5, 0.0, 0.0);
   left->SetNormal(1.0, 0.0, 0.0);
   scene.Mapper->AddClippingPlane(left);
-  check(FindDrawn(scene) == Ids(2, 6), "the dots right of a plane");
+  EXPECT_EQ(FindDrawn(scene), Ids(2, 6)) << "the dots right of a plane";
   vtkNew<vtkPlane> right;
   right->SetOrigin(1e6 + 0.5, 0.0, 0.0);
   right->SetNormal(-1.0, 0.0, 0.0);
   scene.Mapper->AddClippingPlane(right);
-  check(FindDrawn(scene) == Ids(2, 4), "those between two");
-  messages->Expect(check, "planes", {});
+  EXPECT_EQ(FindDrawn(scene), Ids(2, 4)) << "those between two";
+  messages->Expect("planes", {});
   for (int i = 0; i < 4; ++i)
   {
     scene.Mapper->AddClippingPlane(right);
@@ -109,12 +113,12 @@ void TestClipping(InkTestChecks& check)
   seventh->SetOrigin(1e6, 0.0, 0.0);
   seventh->SetNormal(1.0, 0.0, 0.0);
   scene.Mapper->AddClippingPlane(seventh);
-  check(FindDrawn(scene) == Ids(2, 4), "as if there were no seventh plane");
+  EXPECT_EQ(FindDrawn(scene), Ids(2, 4)) << "as if there were no seventh plane";
   scene.Window->Render();
-  messages->Expect(check, "seven planes", { "6", "7", "clipping planes" });
+  messages->Expect("seven planes", { "6", "7", "clipping planes" });
 }
 
-void TestSelection(InkTestChecks& check)
+TEST(InkMapper, Selection)
 {
   Scene scene(Row(300));
   scene.Window->Render();
@@ -130,7 +134,7 @@ void TestSelection(InkTestChecks& check)
     for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
     {
       vtkSelectionNode* node = selection->GetNode(i);
-      check(node->GetProperties()->Get(vtkSelectionNode::PROP()) == scene.Actor.Get(), "the actor");
+      EXPECT_EQ(node->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor.Get()) << "the actor";
       auto* list = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
       ids.insert(ids.end(), list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfTuples());
     }
@@ -138,30 +142,30 @@ void TestSelection(InkTestChecks& check)
   };
   const std::vector<vtkIdType> points = select(vtkDataObject::FIELD_ASSOCIATION_POINTS);
   // Each of the dots shows a part that no other covers, but for the last.
-  check(points.size() >= 299 && points.front() <= 1 && points.back() == 299, "points 0 to 299, found ",
-    points.size(), " up to ", points.empty() ? -1 : points.back());
+  EXPECT_TRUE(points.size() >= 299 && points.front() <= 1 && points.back() == 299)
+    << "points 0 to 299, found " << points.size() << " up to " << (points.empty() ? -1 : points.back());
   const std::vector<vtkIdType> cells = select(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  check(std::all_of(cells.begin(), cells.end(), [](vtkIdType id) { return id <= 0; }), "no cells");
+  EXPECT_TRUE(std::all_of(cells.begin(), cells.end(), [](vtkIdType id) { return id <= 0; })) << "no cells";
 }
 
 /// The points are sent once to each window, and what a window has goes with it, or with the mapper.
-void TestWindows(InkTestChecks& check)
+TEST(InkMapper, Windows)
 {
   const auto row = Row(7);
   {
     Scene scene(row);
-    check(scene.Mapper->GetUploadTime() == 0, "no upload before the first picture");
+    EXPECT_EQ(scene.Mapper->GetUploadTime(), 0) << "no upload before the first picture";
     scene.Window->Render();
     const vtkMTimeType first = scene.Mapper->GetUploadTime();
     scene.Renderer->GetActiveCamera()->Azimuth(10.0);
     scene.Mapper->Diameter = 5.0;
     scene.Mapper->Modified();
     scene.Window->Render();
-    check(first > 0 && scene.Mapper->GetUploadTime() == first, "one upload for several pictures");
+    EXPECT_TRUE(first > 0 && scene.Mapper->GetUploadTime() == first) << "one upload for several pictures";
     row->GetPoints()->SetPoint(0, 1e6, 0.3, 0.0);
     row->GetPoints()->Modified();
     scene.Window->Render();
-    check(scene.Mapper->GetUploadTime() > first, "another one for other points");
+    EXPECT_GT(scene.Mapper->GetUploadTime(), first) << "another one for other points";
 
     {
       vtkNew<vtkActor> actor;
@@ -175,28 +179,29 @@ void TestWindows(InkTestChecks& check)
       other->SetSize(100, 100);
       other->AddRenderer(renderer);
       renderer->ResetCamera();
-      check(InkTestImage(other).CountDark() > 50, "dots in a second window");
-      check(DotsMapper::NumberOfMarks == 2, "marks in two windows, found ", DotsMapper::NumberOfMarks);
+      EXPECT_GT(InkTestImage(other).CountDark(), 50) << "dots in a second window";
+      EXPECT_EQ(DotsMapper::NumberOfMarks, 2) << "marks in two windows, found " << DotsMapper::NumberOfMarks;
     }
-    check(DotsMapper::NumberOfMarks == 1, "one after the second is gone, found ", DotsMapper::NumberOfMarks);
+    EXPECT_EQ(DotsMapper::NumberOfMarks, 1)
+      << "one after the second is gone, found " << DotsMapper::NumberOfMarks;
     scene.Mapper->ReleaseGraphicsResources(scene.Window);
-    check(DotsMapper::NumberOfMarks == 0, "none when released, found ", DotsMapper::NumberOfMarks);
-    check(scene.Mapper->GetUploadTime() == 0 && InkTestImage(scene.Window).CountDark() > 50,
-      "dots again after that");
-    check(DotsMapper::NumberOfMarks == 1, "marks again, found ", DotsMapper::NumberOfMarks);
+    EXPECT_EQ(DotsMapper::NumberOfMarks, 0) << "none when released, found " << DotsMapper::NumberOfMarks;
+    EXPECT_TRUE(scene.Mapper->GetUploadTime() == 0 && InkTestImage(scene.Window).CountDark() > 50)
+      << "dots again after that";
+    EXPECT_EQ(DotsMapper::NumberOfMarks, 1) << "marks again, found " << DotsMapper::NumberOfMarks;
   }
-  check(DotsMapper::NumberOfMarks == 0, "none at the end, found ", DotsMapper::NumberOfMarks);
+  EXPECT_EQ(DotsMapper::NumberOfMarks, 0) << "none at the end, found " << DotsMapper::NumberOfMarks;
 }
 
-void TestInput(InkTestChecks& check)
+TEST(InkMapper, Input)
 {
   {
     Scene scene(nullptr);
     vtkNew<InkTestMessages> messages;
     messages->Observe(scene.Mapper);
-    check(!vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds()), "no bounds without input");
-    check(InkTestImage(scene.Window).CountDark() == 0, "nothing without input");
-    messages->Expect(check, "no input", {});
+    EXPECT_FALSE(vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds())) << "no bounds without input";
+    EXPECT_EQ(InkTestImage(scene.Window).CountDark(), 0) << "nothing without input";
+    messages->Expect("no input", {});
   }
   const auto row = Row(3);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -204,8 +209,9 @@ void TestInput(InkTestChecks& check)
   {
     Scene scene(row);
     const double* bounds = scene.Mapper->GetBounds();
-    check(bounds[0] == 1e6 - 1.0 && bounds[1] == 1e6 + 1.0 && bounds[2] == 0.0, "bounds of finite points");
-    check(FindDrawn(scene) == std::set<int>{ 0, 2 }, "the finite dots");
+    EXPECT_TRUE(bounds[0] == 1e6 - 1.0 && bounds[1] == 1e6 + 1.0 && bounds[2] == 0.0)
+      << "bounds of finite points";
+    EXPECT_EQ(FindDrawn(scene), (std::set<int>{ 0, 2 })) << "the finite dots";
   }
   Scene scene(row);
   vtkNew<InkTestMessages> messages;
@@ -213,22 +219,9 @@ void TestInput(InkTestChecks& check)
   scene.Mapper->Diameter = 0.0;
   scene.Window->Render();
   scene.Window->Render();
-  messages->Expect(check, "one message for two pictures", { "diameter" });
+  messages->Expect("one message for two pictures", { "diameter" });
   messages->Messages.clear();
   row->Modified();
   scene.Window->Render();
-  messages->Expect(check, "another one for another input", { "diameter" });
-}
-
-} // namespace
-
-int TestInkMapper(int, char*[])
-{
-  InkTestChecks check;
-  TestDots(check);
-  TestClipping(check);
-  TestSelection(check);
-  TestWindows(check);
-  TestInput(check);
-  return check.Result();
+  messages->Expect("another one for another input", { "diameter" });
 }

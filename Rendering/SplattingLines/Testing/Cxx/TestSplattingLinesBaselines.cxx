@@ -2,7 +2,6 @@
 // Pictures against baselines: an analytic shape, and real CT data with paper and as ink over a shaded
 // surface.
 #include "InkTestBaseline.h"
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -12,15 +11,16 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
-int TestSplattingLinesBaselines(int, char*[])
+#include <gtest/gtest.h>
+
+TEST(SplattingLinesBaselines, Pictures)
 {
-  InkTestChecks check;
 
   SplattingLinesScene torus(InkTestPoints::Torus(1.0, 0.4, 0.03));
   torus.Renderer->GetActiveCamera()->Elevation(-55.0);
   torus.Renderer->ResetCamera();
-  check(
-    InkTestMatchesBaseline(InkTestImage(torus.Window), "SplattingLinesTorus", 30.0), "the torus' baseline");
+  EXPECT_TRUE(InkTestMatchesBaseline(InkTestImage(torus.Window), "SplattingLinesTorus", 30.0))
+    << "the torus' baseline";
 
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(INK_DATA_DIR "/engine.nii.gz");
@@ -36,8 +36,8 @@ int TestSplattingLinesBaselines(int, char*[])
   camera->Elevation(30.0);
   engine.Renderer->ResetCamera();
   camera->Zoom(1.4);
-  check(InkTestMatchesBaseline(InkTestImage(engine.Window), "SplattingLinesEngine", 100.0),
-    "the engine's baseline");
+  EXPECT_TRUE(InkTestMatchesBaseline(InkTestImage(engine.Window), "SplattingLinesEngine", 100.0))
+    << "the engine's baseline";
 
   engine.Mapper->PaperVisibilityOff();
   engine.Mapper->SetInkColor(0.1, 0.1, 0.4);
@@ -47,7 +47,6 @@ int TestSplattingLinesBaselines(int, char*[])
   actor->SetMapper(shaded);
   actor->GetProperty()->SetColor(1.0, 0.9, 0.7);
   engine.Renderer->AddActor(actor);
-  check(InkTestMatchesBaseline(InkTestImage(engine.Window), "SplattingLinesOverSurface", 100.0),
-    "the baseline of ink over a surface");
-  return check.Result();
+  EXPECT_TRUE(InkTestMatchesBaseline(InkTestImage(engine.Window), "SplattingLinesOverSurface", 100.0))
+    << "the baseline of ink over a surface";
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where points may be: far from the origin, tiny and huge, transformed, clipped, close up, far away, at the
 // window's edge.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
@@ -11,13 +11,12 @@
 #include "vtkPointData.h"
 #include "vtkTransform.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
-namespace
-{
-
 /// The same picture of points that are scaled and shifted together with the camera.
-void TestScaleAndShift(InkTestChecks& check)
+TEST(SplattingLinesCoordinates, ScaleAndShift)
 {
   auto local = InkTestPoints::Torus(1.0, 0.4, 0.03);
   SplattingLinesScene reference(local);
@@ -34,20 +33,20 @@ void TestScaleAndShift(InkTestChecks& check)
     SplattingLinesScene scene(InkTestPoints::Transform(local, scale, shift));
     vtkCamera* from = reference.Renderer->GetActiveCamera();
     vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    const auto place = [&, s = scale, move = shift](const double* p) {
+    const auto transformed = [&, s = scale, move = shift](const double* p) {
       return InkTestPoints::Vector{ s * p[0] + move[0], s * p[1] + move[1], s * p[2] + move[2] };
     };
-    camera->SetPosition(place(from->GetPosition()).data());
-    camera->SetFocalPoint(place(from->GetFocalPoint()).data());
+    camera->SetPosition(transformed(from->GetPosition()).data());
+    camera->SetFocalPoint(transformed(from->GetFocalPoint()).data());
     camera->SetClippingRange(scale * from->GetClippingRange()[0], scale * from->GetClippingRange()[1]);
     const int different = InkTestImage(scene.Window).CountDifferent(expected, 40);
-    check(different < 40, "the local picture at scale ", scale, ", shifted by ", shift[0], ": ", different,
-      " pixels differ");
+    EXPECT_LT(different, 40) << "the local picture at scale " << scale << ", shifted by " << shift[0] << ": "
+                             << different << " pixels differ";
   }
 }
 
 /// A transformed actor shows what transformed points show.
-void TestActorTransform(InkTestChecks& check)
+TEST(SplattingLinesCoordinates, ActorTransform)
 {
   auto sphere = InkTestPoints::Sphere(1.0, 0.04);
   InkTestPoints::SetRadius(sphere, 0.05);
@@ -89,18 +88,19 @@ void TestActorTransform(InkTestChecks& check)
       misplaced += expectedImage.IsDark(x, y) && image.CountDark(x - 3, y - 3, x + 4, y + 4) == 0;
     }
   }
-  check(image.CountDark() > 200 && misplaced == 0, "the contour of an ellipsoid, ", misplaced, " of ",
-    image.CountDark(), " pixels elsewhere");
+  EXPECT_TRUE(image.CountDark() > 200 && misplaced == 0)
+    << "the contour of an ellipsoid, " << misplaced << " of " << image.CountDark() << " pixels elsewhere";
 
   SplattingLinesScene turned(sphere);
   const InkTestImage before(turned.Window);
   turned.Actor->SetScale(3.0);
   turned.Renderer->ResetCamera();
-  check(InkTestImage(turned.Window).CountDifferent(before, 40) < 20, "the same picture of a scaled sphere");
+  EXPECT_LT(InkTestImage(turned.Window).CountDifferent(before, 40), 20)
+    << "the same picture of a scaled sphere";
 }
 
 /// Clipping planes cut the surface, in world coordinates.
-void TestClippingPlanes(InkTestChecks& check)
+TEST(SplattingLinesCoordinates, ClippingPlanes)
 {
   auto points = InkTestPoints::Plane(2.0, 0.04);
   SplattingLinesScene scene(points);
@@ -127,10 +127,10 @@ void TestClippingPlanes(InkTestChecks& check)
       wrong += (inside && image.Gray(x, y) == 0) || (outside && image.Gray(x, y) != 0);
     }
   }
-  check(wrong == 0, "a plane cut at two others, ", wrong, " pixels wrong");
+  EXPECT_EQ(wrong, 0) << "a plane cut at two others, " << wrong << " pixels wrong";
 
   right->SetOrigin(0.5, 0.0, 0.0);
-  check(InkTestImage(scene.Window).Gray(125, 50) == 0, "a moved clipping plane");
+  EXPECT_EQ(InkTestImage(scene.Window).Gray(125, 50), 0) << "a moved clipping plane";
 
   vtkNew<InkTestMessages> messages;
   messages->Observe(scene.Mapper);
@@ -140,17 +140,17 @@ void TestClippingPlanes(InkTestChecks& check)
     more->SetNormal(1.0, 0.0, 0.0);
     scene.Mapper->AddClippingPlane(more);
   }
-  check(InkTestImage(scene.Window).Gray(125, 50) == 0, "the first six of seven clipping planes");
+  EXPECT_EQ(InkTestImage(scene.Window).Gray(125, 50), 0) << "the first six of seven clipping planes";
   scene.Window->Render();
-  check(messages->Messages.size() == 1 && messages->Messages[0].find("7") != std::string::npos,
-    "one message about seven clipping planes");
+  EXPECT_TRUE(messages->Messages.size() == 1 && messages->Messages[0].find("7") != std::string::npos)
+    << "one message about seven clipping planes";
 
   scene.Mapper->RemoveAllClippingPlanes();
-  check(InkTestImage(scene.Window).Gray(50, 50) == 255, "no clipping planes");
+  EXPECT_EQ(InkTestImage(scene.Window).Gray(50, 50), 255) << "no clipping planes";
 }
 
 /// Splats that are larger than any point sprite, and splats whose centers lie outside the window.
-void TestCloseUp(InkTestChecks& check)
+TEST(SplattingLinesCoordinates, CloseUp)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
@@ -187,15 +187,15 @@ void TestCloseUp(InkTestChecks& check)
           wrong += (beyond < -2.0 && image.Gray(x, y) == 0) || (beyond > 2.0 && image.Gray(x, y) != 0);
         }
       }
-      check(
-        wrong == 0, "a whole disc in ", size, " pixels, center at ", -aside, ": ", wrong, " pixels wrong");
+      EXPECT_EQ(wrong, 0) << "a whole disc in " << size << " pixels, center at " << -aside << ": " << wrong
+                          << " pixels wrong";
     }
   }
 }
 
 /// A surface that reaches beyond the window on all sides fills it, from afar and from within touching
 /// distance.
-void TestWindowEdge(InkTestChecks& check)
+TEST(SplattingLinesCoordinates, WindowEdge)
 {
   SplattingLinesScene scene(InkTestPoints::Plane(20.0, 0.1));
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
@@ -206,13 +206,13 @@ void TestWindowEdge(InkTestChecks& check)
     camera->SetFocalPoint(0.03, 0.02, 0.0);
     scene.Renderer->ResetCameraClippingRange();
     const InkTestImage image(scene.Window);
-    check(image.CountDark(255) == 0, "a window full of paper from ", distance, ", but for ",
-      image.CountDark(255), " pixels");
+    EXPECT_EQ(image.CountDark(255), 0)
+      << "a window full of paper from " << distance << ", but for " << image.CountDark(255) << " pixels";
   }
 }
 
 /// An object so far away that its points are much smaller than pixels has no holes.
-void TestFarAway(InkTestChecks& check)
+TEST(SplattingLinesCoordinates, FarAway)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.02);
   SplattingLinesScene scene(points);
@@ -235,14 +235,14 @@ void TestFarAway(InkTestChecks& check)
         covered += image.Gray(x, y) != 0;
       }
     }
-    check(holes == 0, "no holes with a radius of ", pixels, " pixels, but ", holes);
-    check(covered < 3.1416 * (pixels + 2.0) * (pixels + 2.0), "no more than the sphere with ", pixels,
-      " pixels: ", covered);
+    EXPECT_EQ(holes, 0) << "no holes with a radius of " << pixels << " pixels, but " << holes;
+    EXPECT_LT(covered, 3.1416 * (pixels + 2.0) * (pixels + 2.0))
+      << "no more than the sphere with " << pixels << " pixels: " << covered;
   }
 }
 
 /// From within a sphere: surfaces on all sides, also behind the eye and at the near plane.
-void TestFromWithin(InkTestChecks& check)
+TEST(SplattingLinesCoordinates, FromWithin)
 {
   SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.03));
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
@@ -253,20 +253,6 @@ void TestFromWithin(InkTestChecks& check)
   camera->SetViewAngle(90.0);
   camera->SetClippingRange(0.01, 10.0);
   const InkTestImage image(scene.Window);
-  check(image.CountDark(255) == 0, "a closed sphere from within, but for ", image.CountDark(255), " pixels");
-}
-
-} // namespace
-
-int TestSplattingLinesCoordinates(int, char*[])
-{
-  InkTestChecks check;
-  TestScaleAndShift(check);
-  TestActorTransform(check);
-  TestClippingPlanes(check);
-  TestCloseUp(check);
-  TestWindowEdge(check);
-  TestFarAway(check);
-  TestFromWithin(check);
-  return check.Result();
+  EXPECT_EQ(image.CountDark(255), 0) << "a closed sphere from within, but for " << image.CountDark(255)
+                                     << " pixels";
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Splatting lines among other actors: what hides what, with and without paper, with opacity and depth
 // peeling.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -11,6 +10,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+
+#include <gtest/gtest.h>
 
 #include <string>
 
@@ -61,8 +62,10 @@ bool IsRed(const InkTestImage& image, int x, int y)
   return image.Channel(x, y, 0) > 240 && image.Channel(x, y, 1) < 15;
 }
 
+} // namespace
+
 /// Actors before, behind and through the sphere, whichever is drawn first.
-void TestPaper(InkTestChecks& check)
+TEST(SplattingLinesDepth, Paper)
 {
   for (bool first : { true, false })
   {
@@ -84,16 +87,16 @@ void TestPaper(InkTestChecks& check)
       const InkTestImage image(scene.Window);
       const std::string where = " with a square at z " + std::to_string(z);
       // The sphere is nearer than the plane z = 0.8 within 0.6 of its center, 48 pixels.
-      check(IsRed(image, 100, 100) == (z > 1.0), "the sphere's front", where);
-      check(image.Gray(100, 100) == 255 || z > 1.0, "paper in front of the square", where);
-      check(IsRed(image, 100, 100 + 55) == (z > 0.0), "the sphere's side", where);
-      check(IsRed(image, 100 + 68, 100 + 68) == true, "the square beside the sphere", where);
+      EXPECT_EQ(IsRed(image, 100, 100), (z > 1.0)) << "the sphere's front" << where;
+      EXPECT_TRUE(image.Gray(100, 100) == 255 || z > 1.0) << "paper in front of the square" << where;
+      EXPECT_EQ(IsRed(image, 100, 100 + 55), (z > 0.0)) << "the sphere's side" << where;
+      EXPECT_EQ(IsRed(image, 100 + 68, 100 + 68), true) << "the square beside the sphere" << where;
     }
   }
 }
 
 /// Ink without paper lies over what is behind, is hidden by what is before, and leaves the rest untouched.
-void TestInkOnly(InkTestChecks& check)
+TEST(SplattingLinesDepth, InkOnly)
 {
   for (bool peeling : { false, true })
   {
@@ -106,29 +109,29 @@ void TestInkOnly(InkTestChecks& check)
 
     const InkTestImage alone(scene.Window);
     const int ring = alone.CountDark(64);
-    check(ring > 300, "a ring of ink, ", ring, " pixels", how);
-    check(alone.Gray(100, 100) == alone.Gray(2, 2), "the background within the ring", how);
+    EXPECT_GT(ring, 300) << "a ring of ink, " << ring << " pixels" << how;
+    EXPECT_EQ(alone.Gray(100, 100), alone.Gray(2, 2)) << "the background within the ring" << how;
 
     Square behind(1.2, -2.0, 1.0, 1.0, 0.0);
     scene.Renderer->AddActor(behind.Actor);
     scene.Renderer->ResetCameraClippingRange();
     const InkTestImage over(scene.Window);
-    check(over.CountDark(64) == ring, "the same ring over a square behind, ", over.CountDark(64),
-      " pixels, not ", ring, how);
-    check(
-      over.Channel(100, 100, 0) == 255 && over.Channel(100, 100, 2) == 0, "the square within the ring", how);
+    EXPECT_EQ(over.CountDark(64), ring)
+      << "the same ring over a square behind, " << over.CountDark(64) << " pixels, not " << ring << how;
+    EXPECT_TRUE(over.Channel(100, 100, 0) == 255 && over.Channel(100, 100, 2) == 0)
+      << "the square within the ring" << how;
     scene.Renderer->RemoveActor(behind.Actor);
 
     Square before(1.2, 2.0, 1.0, 1.0, 0.0);
     scene.Renderer->AddActor(before.Actor);
     scene.Renderer->ResetCameraClippingRange();
-    check(InkTestImage(scene.Window).CountDark(64) == 0, "no ink behind a square", how);
+    EXPECT_EQ(InkTestImage(scene.Window).CountDark(64), 0) << "no ink behind a square" << how;
   }
 }
 
 /// Ink drawn over the very surface that the points are on does not sink into it, even where that surface lies
 /// half a splat further out.
-void TestInkOnItsSurface(InkTestChecks& check)
+TEST(SplattingLinesDepth, InkOnItsSurface)
 {
   SplattingLinesScene scene(InkTestPoints::Plane(2.0, 0.05));
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
@@ -141,11 +144,11 @@ void TestInkOnItsSurface(InkTestChecks& check)
   scene.Renderer->ResetCamera();
   const InkTestImage image(scene.Window);
   const int dark = image.CountDark(80, 80, 120, 120);
-  check(dark == 40 * 40, "ink all over the surface, ", dark, " of 1600 pixels");
+  EXPECT_EQ(dark, 40 * 40) << "ink all over the surface, " << dark << " of 1600 pixels";
 }
 
 /// A translucent actor is blended, sorted by depth peeling.
-void TestOpacity(InkTestChecks& check)
+TEST(SplattingLinesDepth, Opacity)
 {
   for (bool peeling : { false, true })
   {
@@ -157,7 +160,7 @@ void TestOpacity(InkTestChecks& check)
       scene.Actor->GetProperty()->SetOpacity(0.5);
       const std::string how = peeling ? " (depth peeling)" : "";
       const int half = InkTestImage(scene.Window).Gray(100, 100);
-      check(half > 120 && half < 135, "half the paper's brightness, ", half, how);
+      EXPECT_TRUE(half > 120 && half < 135) << "half the paper's brightness, " << half << how;
       if (!peeling)
       {
         continue;
@@ -170,20 +173,8 @@ void TestOpacity(InkTestChecks& check)
       const InkTestImage image(scene.Window);
       const int red = image.Channel(100, 100, 0);
       const int expected = before ? 64 : 128;
-      check(std::abs(red - expected) < 6, "red ", expected, " with a translucent square ",
-        before ? "before" : "behind", ": ", red);
+      EXPECT_LT(std::abs(red - expected), 6) << "red " << expected << " with a translucent square "
+                                             << (before ? "before" : "behind") << ": " << red;
     }
   }
-}
-
-} // namespace
-
-int TestSplattingLinesDepth(int, char*[])
-{
-  InkTestChecks check;
-  TestPaper(check);
-  TestInkOnly(check);
-  TestInkOnItsSurface(check);
-  TestOpacity(check);
-  return check.Result();
 }

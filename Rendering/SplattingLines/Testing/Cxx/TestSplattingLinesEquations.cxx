@@ -2,7 +2,6 @@
 // Splats as published: every pixel against equations 1 and 2 of Zhang et al. 2014 and E = tanh(phi (I1 - tau
 // I2)), worked out on the CPU from the points alone: flat and curved, one behind the other, with parallel
 // rays and in perspective.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -11,6 +10,8 @@
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+
+#include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -130,9 +131,9 @@ std::optional<double> TraceInk(
     const glm::dvec3 center(splat.Position[0], splat.Position[1], splat.Position[2]);
     const glm::dvec3 normal(splat.Normal[0], splat.Normal[1], splat.Normal[2]);
     const double along = glm::dot(normal, direction);
-    const glm::dvec3 place = eye + glm::dot(normal, center - eye) / along * direction;
-    const glm::dvec3 offset = place - center;
-    const Hit hit{ glm::dot(offset, offset), eye.z - place.z, splat.Radius,
+    const glm::dvec3 point = eye + glm::dot(normal, center - eye) / along * direction;
+    const glm::dvec3 offset = point - center;
+    const Hit hit{ glm::dot(offset, offset), eye.z - point.z, splat.Radius,
       glm::dot(normal, glm::normalize(eye - center)) };
     if (hit.Distance2 <= hit.Radius * hit.Radius && hit.Depth < depth)
     {
@@ -181,49 +182,10 @@ void AddSphere(std::vector<Splat>& splats, double radius, double spacing, const 
   }
 }
 
-/// Every pixel of curved surfaces of which one hides a part of the other, in perspective.
-void TestCurved(InkTestChecks& check)
-{
-  std::vector<Splat> splats;
-  AddSphere(splats, 1.0, 0.12, { 0.0, 0.0, 0.0 });
-  AddSphere(splats, 0.4, 0.07, { 0.5, 0.3, 1.1 });
-  SplattingLinesScene scene(ToPolyData(splats), 160, 160);
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(0.0, 0.0, 3.5);
-  camera->SetViewAngle(40.0);
-  scene.Renderer->ResetCameraClippingRange();
-  scene.Renderer->SetBackground(0.0, 0.0, 1.0);
-  scene.Mapper->AsPublishedOn();
-  const double tangent = std::tan(vtkMath::RadiansFromDegrees(20.0));
-  for (const Parameters& p : { Parameters{ 0.6, 1.0, 40.0, 0.4 }, Parameters{ 1.0, 0.99, 40.0, 0.4 },
-         Parameters{ 2.5, 0.99, 100.0, 0.4 }, Parameters{ 4.0, 1.0, 40.0, 0.3 } })
-  {
-    p.Give(scene.Mapper);
-    const InkTestImage image(scene.Window);
-    int wrong = 0;
-    double ink = 0.0;
-    for (int j = 0; j < 160; ++j)
-    {
-      for (int i = 0; i < 160; ++i)
-      {
-        const glm::dvec3 direction(
-          ((i + 0.5) / 80.0 - 1.0) * tangent, ((j + 0.5) / 80.0 - 1.0) * tangent, -1.0);
-        const std::optional<double> traced = TraceInk(splats, { 0.0, 0.0, 3.5 }, direction, p);
-        const int expected = static_cast<int>(std::lround(255.0 * (1.0 - traced.value_or(1.0))));
-        // The background is blue, and so without red.
-        wrong += std::abs(image.Channel(i, j, 0) - expected) > 2;
-        ink += traced.value_or(0.0);
-      }
-    }
-    check(ink > 1000.0, "ink of more than 1000 pixels at lambda ", p.Lambda, "; ", ink);
-    // Rims that pass through pixels' centers, and depths that differ by just the tolerance.
-    check(wrong <= 4, "curved surfaces within 2 of 255 at lambda ", p.Lambda, "; ", wrong, " pixels are not");
-  }
-}
+} // namespace
 
 /// Every pixel of a plane, whose normals wave, with parallel rays.
-void TestPlane(InkTestChecks& check)
+TEST(SplattingLinesEquations, Plane)
 {
   const std::vector<Splat> splats = MakeSplats();
   SplattingLinesScene scene(ToPolyData(splats));
@@ -262,24 +224,57 @@ void TestPlane(InkTestChecks& check)
       }
     }
     const int pixels = image.GetWidth() * image.GetHeight();
-    check(darkest < 200, "lines in the expected picture; the darkest pixel is ", darkest);
-    check(wrong <= pixels / 10000, "the equations' brightness within 2 of 255 at lambda ", p.Lambda, ", tau ",
-      p.Tau, ", phi ", p.Phi, ", sigma ", p.Sigma, "; ", wrong, " of ", pixels,
-      " pixels are not, the worst by ", worst);
+    EXPECT_LT(darkest, 200) << "lines in the expected picture; the darkest pixel is " << darkest;
+    EXPECT_LE(wrong, pixels / 10000) << "the equations' brightness within 2 of 255 at lambda " << p.Lambda
+                                     << ", tau " << p.Tau << ", phi " << p.Phi << ", sigma " << p.Sigma
+                                     << "; " << wrong << " of " << pixels << " pixels are not, the worst by "
+                                     << worst;
   }
 
   scene.Mapper->AsPublishedOff();
   const InkTestImage refined(scene.Window);
   scene.Mapper->AsPublishedOn();
-  check(refined.CountDifferent(InkTestImage(scene.Window), 8) > 100, "AsPublished to make a difference");
+  EXPECT_GT(refined.CountDifferent(InkTestImage(scene.Window), 8), 100) << "AsPublished to make a difference";
 }
 
-} // namespace
-
-int TestSplattingLinesEquations(int, char*[])
+/// Every pixel of curved surfaces of which one hides a part of the other, in perspective.
+TEST(SplattingLinesEquations, Curved)
 {
-  InkTestChecks check;
-  TestPlane(check);
-  TestCurved(check);
-  return check.Result();
+  std::vector<Splat> splats;
+  AddSphere(splats, 1.0, 0.12, { 0.0, 0.0, 0.0 });
+  AddSphere(splats, 0.4, 0.07, { 0.5, 0.3, 1.1 });
+  SplattingLinesScene scene(ToPolyData(splats), 160, 160);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.0, 0.0, 3.5);
+  camera->SetViewAngle(40.0);
+  scene.Renderer->ResetCameraClippingRange();
+  scene.Renderer->SetBackground(0.0, 0.0, 1.0);
+  scene.Mapper->AsPublishedOn();
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(20.0));
+  for (const Parameters& p : { Parameters{ 0.6, 1.0, 40.0, 0.4 }, Parameters{ 1.0, 0.99, 40.0, 0.4 },
+         Parameters{ 2.5, 0.99, 100.0, 0.4 }, Parameters{ 4.0, 1.0, 40.0, 0.3 } })
+  {
+    p.Give(scene.Mapper);
+    const InkTestImage image(scene.Window);
+    int wrong = 0;
+    double ink = 0.0;
+    for (int j = 0; j < 160; ++j)
+    {
+      for (int i = 0; i < 160; ++i)
+      {
+        const glm::dvec3 direction(
+          ((i + 0.5) / 80.0 - 1.0) * tangent, ((j + 0.5) / 80.0 - 1.0) * tangent, -1.0);
+        const std::optional<double> traced = TraceInk(splats, { 0.0, 0.0, 3.5 }, direction, p);
+        const int expected = static_cast<int>(std::lround(255.0 * (1.0 - traced.value_or(1.0))));
+        // The background is blue, and so without red.
+        wrong += std::abs(image.Channel(i, j, 0) - expected) > 2;
+        ink += traced.value_or(0.0);
+      }
+    }
+    EXPECT_GT(ink, 1000.0) << "ink of more than 1000 pixels at lambda " << p.Lambda << "; " << ink;
+    // Rims that pass through pixels' centers, and depths that differ by just the tolerance.
+    EXPECT_LE(wrong, 4) << "curved surfaces within 2 of 255 at lambda " << p.Lambda << "; " << wrong
+                        << " pixels are not";
+  }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the input may and may not hold: one clear message, never a crash, and points that cannot be drawn are
 // passed over.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
@@ -10,6 +10,8 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
@@ -23,8 +25,8 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Three frames of an input that cannot be drawn give an empty picture and one message with all the words.
-void TestMessage(InkTestChecks& check, const std::string& what, vtkPolyData* points,
-  const std::vector<std::string>& words, const std::function<void(vtkInkSplattingLinesMapper*)>& set = {})
+void TestMessage(const std::string& what, vtkPolyData* points, const std::vector<std::string>& words,
+  const std::function<void(vtkInkSplattingLinesMapper*)>& set = {})
 {
   SplattingLinesScene scene(points);
   vtkNew<InkTestMessages> messages;
@@ -35,17 +37,18 @@ void TestMessage(InkTestChecks& check, const std::string& what, vtkPolyData* poi
   }
   for (int frame = 0; frame < 3; ++frame)
   {
-    check(InkTestImage(scene.Window).CountDark(255) == 0, "nothing drawn for ", what);
+    EXPECT_EQ(InkTestImage(scene.Window).CountDark(255), 0) << "nothing drawn for " << what;
     scene.Renderer->GetActiveCamera()->Azimuth(5.0);
     scene.Mapper->SetPhi(50.0 + frame);
   }
-  check(messages->Messages.size() == 1, "one message for ", what, ", not ", messages->Messages.size());
+  EXPECT_EQ(messages->Messages.size(), 1)
+    << "one message for " << what << ", not " << messages->Messages.size();
   for (const std::string& message : messages->Messages)
   {
     for (const std::string& word : words)
     {
-      check(
-        message.find(word) != std::string::npos, "\"", word, "\" in the message for ", what, ": ", message);
+      EXPECT_NE(message.find(word), std::string::npos)
+        << "\"" << word << "\" in the message for " << what << ": " << message;
     }
   }
 
@@ -57,8 +60,8 @@ void TestMessage(InkTestChecks& check, const std::string& what, vtkPolyData* poi
   scene.Mapper->SetInputArrayToProcess(
     vtkInkSplattingLinesMapper::RADIUS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
   scene.Renderer->ResetCamera();
-  check(InkTestImage(scene.Window).CountDark() > 50, "a picture after ", what);
-  check(messages->Messages.size() == 1, "no message for a good input after ", what);
+  EXPECT_GT(InkTestImage(scene.Window).CountDark(), 50) << "a picture after " << what;
+  EXPECT_EQ(messages->Messages.size(), 1) << "no message for a good input after " << what;
 }
 
 void AddArray(vtkPolyData* points, const char* name, int components, double value)
@@ -71,26 +74,28 @@ void AddArray(vtkPolyData* points, const char* name, int components, double valu
   points->GetPointData()->AddArray(array);
 }
 
-void TestMessages(InkTestChecks& check)
+} // namespace
+
+TEST(SplattingLinesInput, Messages)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.2);
   points->GetPointData()->RemoveArray("Normals");
-  TestMessage(check, "points without arrays", points, { "\"Normals\"", "none" });
+  TestMessage("points without arrays", points, { "\"Normals\"", "none" });
   AddArray(points, "Temperature", 1, 0.0);
-  TestMessage(check, "points without normals", points, { "\"Normals\"", "\"Temperature\" (1)" });
+  TestMessage("points without normals", points, { "\"Normals\"", "\"Temperature\" (1)" });
   AddArray(points, "Normals", 2, 1.0);
-  TestMessage(check, "normals of two components", points, { "\"Normals\"", "2 components", "3" });
+  TestMessage("normals of two components", points, { "\"Normals\"", "2 components", "3" });
   AddArray(points, "Normals", 3, 0.0);
-  TestMessage(check, "zero normals only", points, { "normal", "zero" });
+  TestMessage("zero normals only", points, { "normal", "zero" });
 
   points = InkTestPoints::Sphere(1.0, 0.2);
-  TestMessage(check, "a chosen array that is missing", points, { "\"Direction\"", "\"Normals\" (3)" },
+  TestMessage("a chosen array that is missing", points, { "\"Direction\"", "\"Normals\" (3)" },
     [](vtkInkSplattingLinesMapper* mapper)
     {
       mapper->SetInputArrayToProcess(
         vtkInkSplattingLinesMapper::NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Direction");
     });
-  TestMessage(check, "chosen radii that are missing", points, { "\"Size\"", "\"Normals\" (3)" },
+  TestMessage("chosen radii that are missing", points, { "\"Size\"", "\"Normals\" (3)" },
     [](vtkInkSplattingLinesMapper* mapper)
     {
       mapper->SetInputArrayToProcess(
@@ -99,28 +104,28 @@ void TestMessages(InkTestChecks& check)
   for (double radius : { -1.0, 0.0, NaN, Infinity })
   {
     InkTestPoints::SetRadius(points, radius);
-    TestMessage(check, "radii of " + std::to_string(radius), points, { "positive radius", "points" });
+    TestMessage("radii of " + std::to_string(radius), points, { "positive radius", "points" });
   }
   AddArray(points, "Radius", 3, 1.0);
-  TestMessage(check, "radii of three components", points, { "\"Radius\"", "3 components", "1" });
+  TestMessage("radii of three components", points, { "\"Radius\"", "3 components", "1" });
 }
 
 /// No points: nothing drawn, no message.
-void TestEmpty(InkTestChecks& check)
+TEST(SplattingLinesInput, Empty)
 {
   vtkNew<vtkPolyData> empty;
   SplattingLinesScene scene(empty);
   vtkNew<InkTestMessages> messages;
   messages->Observe(scene.Mapper);
-  check(InkTestImage(scene.Window).CountDark(255) == 0 && messages->Messages.empty(),
-    "nothing for an empty input");
+  EXPECT_TRUE(InkTestImage(scene.Window).CountDark(255) == 0 && messages->Messages.empty())
+    << "nothing for an empty input";
   vtkNew<vtkPoints> none;
   empty->SetPoints(none);
-  check(InkTestImage(scene.Window).CountDark(255) == 0 && messages->Messages.empty(),
-    "nothing for an input of no points");
+  EXPECT_TRUE(InkTestImage(scene.Window).CountDark(255) == 0 && messages->Messages.empty())
+    << "nothing for an input of no points";
 }
 
-void TestSinglePoint(InkTestChecks& check)
+TEST(SplattingLinesInput, SinglePoint)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(7.0, 8.0, 9.0);
@@ -135,12 +140,13 @@ void TestSinglePoint(InkTestChecks& check)
     scene.Renderer->ResetCamera();
     const InkTestImage image(scene.Window);
     const int paper = 200 * 200 - image.CountDark(255);
-    check(image.Gray(100, 100) == 255 && paper > 2000, "a disc for one point: ", paper, " pixels");
+    EXPECT_TRUE(image.Gray(100, 100) == 255 && paper > 2000)
+      << "a disc for one point: " << paper << " pixels";
   }
 }
 
 /// Points that cannot be drawn do not disturb those that can.
-void TestPassedOver(InkTestChecks& check)
+TEST(SplattingLinesInput, PassedOver)
 {
   auto good = InkTestPoints::Sphere(1.0, 0.05);
   InkTestPoints::SetRadius(good, 0.06);
@@ -186,18 +192,18 @@ void TestPassedOver(InkTestChecks& check)
   messages->Observe(scene.Mapper);
   scene.Renderer->GetActiveCamera()->DeepCopy(reference.Renderer->GetActiveCamera());
   const int different = InkTestImage(scene.Window).CountDifferent(expected, 40);
-  check(different < 20, "the good points' picture, but for ", different, " pixels");
-  check(messages->Messages.empty(), "no message where some points can be drawn");
+  EXPECT_LT(different, 20) << "the good points' picture, but for " << different << " pixels";
+  EXPECT_TRUE(messages->Messages.empty()) << "no message where some points can be drawn";
   const double* bounds = scene.Mapper->GetBounds();
   for (int i = 0; i < 6; ++i)
   {
-    check(std::abs(bounds[i]) < 2.0, "finite bounds, ", bounds[i]);
+    EXPECT_LT(std::abs(bounds[i]), 2.0) << "finite bounds, " << bounds[i];
   }
 }
 
 /// What vtkGhostType marks as hidden or duplicate is not there: not in the picture, the bounds, or the
 /// estimate of the radius; other marks mean nothing.
-void TestGhosts(InkTestChecks& check)
+TEST(SplattingLinesInput, Ghosts)
 {
   for (bool radii : { true, false })
   {
@@ -222,18 +228,19 @@ void TestGhosts(InkTestChecks& check)
     SplattingLinesScene expected(good);
     SplattingLinesScene scene(mixed);
     const InkTestImage picture(expected.Window);
-    check(InkTestImage(scene.Window).CountDifferent(picture) == 0, "ghosts are not in the picture",
-      radii ? "" : " and not in the estimate of the radius");
+    EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(picture), 0)
+      << "ghosts are not in the picture" << (radii ? "" : " and not in the estimate of the radius");
     double bounds[2][6];
     expected.Mapper->GetBounds(bounds[0]);
     scene.Mapper->GetBounds(bounds[1]);
-    check(std::equal(bounds[0], bounds[0] + 6, bounds[1]), "ghosts are not in the bounds");
+    EXPECT_TRUE(std::equal(bounds[0], bounds[0] + 6, bounds[1])) << "ghosts are not in the bounds";
     // Shown again, they send the points anew.
     ghosts->Fill(0);
     ghosts->Modified();
     mixed->Modified();
     scene.Renderer->ResetCamera();
-    check(InkTestImage(scene.Window).CountDifferent(picture) > 100, "they are there when their marks go");
+    EXPECT_GT(InkTestImage(scene.Window).CountDifferent(picture), 100)
+      << "they are there when their marks go";
   }
   auto points = InkTestPoints::Sphere(1.0, 0.2);
   vtkNew<vtkUnsignedCharArray> all;
@@ -242,11 +249,11 @@ void TestGhosts(InkTestChecks& check)
   all->Fill(vtkDataSetAttributes::HIDDENPOINT);
   points->GetPointData()->AddArray(all);
   SplattingLinesScene none(points);
-  check(InkTestImage(none.Window).Ink() == 0.0, "nothing drawn of ghosts only");
+  EXPECT_EQ(InkTestImage(none.Window).Ink(), 0.0) << "nothing drawn of ghosts only";
 }
 
 /// Normals of any length and type, and the active normals where there is no array Normals.
-void TestNormals(InkTestChecks& check)
+TEST(SplattingLinesInput, Normals)
 {
   auto points = InkTestPoints::Sphere(1.0, 0.05);
   SplattingLinesScene reference(points);
@@ -266,19 +273,5 @@ void TestNormals(InkTestChecks& check)
   points->GetPointData()->RemoveArray("Normals");
   points->GetPointData()->SetNormals(integers);
   SplattingLinesScene scene(points);
-  check(InkTestImage(scene.Window).CountDifferent(expected, 10) == 0, "active integer normals");
-}
-
-} // namespace
-
-int TestSplattingLinesInput(int, char*[])
-{
-  InkTestChecks check;
-  TestMessages(check);
-  TestEmpty(check);
-  TestSinglePoint(check);
-  TestPassedOver(check);
-  TestGhosts(check);
-  TestNormals(check);
-  return check.Result();
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(expected, 10), 0) << "active integer normals";
 }

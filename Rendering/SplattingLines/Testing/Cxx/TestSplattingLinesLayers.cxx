@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hidden layers (Zhang et al. 2014, section 5.2) against a scene of which all is known: spheres within each
 // other, of which each layer must show one ring.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -11,6 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,12 +98,31 @@ int CountStray(const InkTestImage& image)
   return stray;
 }
 
+/// A plane at some depth that covers the left half of the picture.
+vtkSmartPointer<vtkActor> HalfPlane(double z, double opacity)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-2.0, -2.0, z);
+  plane->SetPoint1(0.0, -2.0, z);
+  plane->SetPoint2(-2.0, 2.0, z);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetOpacity(opacity);
+  return actor;
+}
+
+} // namespace
+
 /// As many layers as there are, and each one's ring in its color.
-void TestRings(InkTestChecks& check)
+TEST(SplattingLinesLayers, Rings)
 {
   Spheres spheres;
   vtkInkSplattingLinesMapper* mapper = spheres.Scene.Mapper;
-  check(spheres.CountLayers() == 3, "three layers that face the viewer, found ", spheres.CountLayers());
+  EXPECT_EQ(spheres.CountLayers(), 3) << "three layers that face the viewer, found " << spheres.CountLayers();
   // Each without one of the channels.
   mapper->SetInkColor(0.0, 1.0, 1.0);
   mapper->SetLayerColor(1, 1.0, 0.0, 1.0);
@@ -113,36 +133,39 @@ void TestRings(InkTestChecks& check)
     for (int channel = 0; channel < 3; ++channel)
     {
       const double share = RingIn(image, Radii[layer], channel);
-      check(layer == channel ? share > 0.99 : share < 0.02, "ring ", layer, " in channel ", channel,
-        " only if they are the same; there in ", share, " of the directions");
+      EXPECT_TRUE(layer == channel ? share > 0.99 : share < 0.02)
+        << "ring " << layer << " in channel " << channel << " only if they are the same; there in " << share
+        << " of the directions";
     }
   }
-  check(CountStray(image) == 0, "no ink but the rings, found ", CountStray(image));
+  EXPECT_EQ(CountStray(image), 0) << "no ink but the rings, found " << CountStray(image);
 
   mapper->SetPeelBackFaces(true);
-  check(spheres.CountLayers() == 6, "six layers with their backs, found ", spheres.CountLayers());
+  EXPECT_EQ(spheres.CountLayers(), 6) << "six layers with their backs, found " << spheres.CountLayers();
   spheres.Scene.Actor->GetProperty()->BackfaceCullingOn();
-  check(spheres.CountLayers() == 3, "three layers where backs are culled, found ", spheres.CountLayers());
+  EXPECT_EQ(spheres.CountLayers(), 3)
+    << "three layers where backs are culled, found " << spheres.CountLayers();
   mapper->SetAsPublished(true);
-  check(spheres.CountLayers() == 3, "three layers as published, found ", spheres.CountLayers());
+  EXPECT_EQ(spheres.CountLayers(), 3) << "three layers as published, found " << spheres.CountLayers();
 }
 
-void TestMoreLayersMoreInk(InkTestChecks& check)
+TEST(SplattingLinesLayers, MoreLayersMoreInk)
 {
   Spheres spheres;
   vtkInkSplattingLinesMapper* mapper = spheres.Scene.Mapper;
   mapper->HiddenLayersOff();
   const InkTestImage visible(spheres.Scene.Window);
-  check(spheres.CountLayers() == 1, "one layer by default");
+  EXPECT_EQ(spheres.CountLayers(), 1) << "one layer by default";
   mapper->HiddenLayersOn();
   double last = 0.0;
   for (int layers = 1; layers <= 4; ++layers)
   {
     mapper->SetNumberOfLayers(layers);
     const InkTestImage image(spheres.Scene.Window);
-    check(layers > 1 || image.CountDifferent(visible) == 0, "one layer is what is visible");
-    check(layers == 4 ? image.Ink() == last : image.Ink() > 1.1 * last, "more ink with ", layers,
-      " layers, as far as there are any: ", image.Ink(), " after ", last);
+    EXPECT_TRUE(layers > 1 || image.CountDifferent(visible) == 0) << "one layer is what is visible";
+    EXPECT_TRUE(layers == 4 ? image.Ink() == last : image.Ink() > 1.1 * last)
+      << "more ink with " << layers << " layers, as far as there are any: " << image.Ink() << " after "
+      << last;
     last = image.Ink();
   }
   for (double strength : { 0.6, 0.3, 0.0 })
@@ -150,31 +173,31 @@ void TestMoreLayersMoreInk(InkTestChecks& check)
     mapper->SetLayerStrength(1, strength);
     mapper->SetLayerStrength(2, strength);
     const InkTestImage image(spheres.Scene.Window);
-    check(image.Ink() < last, "less ink with strength ", strength);
+    EXPECT_LT(image.Ink(), last) << "less ink with strength " << strength;
     last = image.Ink();
   }
-  check(InkTestImage(spheres.Scene.Window).CountDifferent(visible) == 0, "no hidden ink of no strength");
+  EXPECT_EQ(InkTestImage(spheres.Scene.Window).CountDifferent(visible), 0) << "no hidden ink of no strength";
 }
 
-void TestDefaults(InkTestChecks& check)
+TEST(SplattingLinesLayers, Defaults)
 {
   vtkNew<vtkInkSplattingLinesMapper> mapper;
-  check(!mapper->GetHiddenLayers() && mapper->GetNumberOfLayers() == 2, "off, and two layers");
-  check(mapper->GetLayerStrength(0) == 1.0, "all ink for the visible layer");
+  EXPECT_TRUE(!mapper->GetHiddenLayers() && mapper->GetNumberOfLayers() == 2) << "off, and two layers";
+  EXPECT_EQ(mapper->GetLayerStrength(0), 1.0) << "all ink for the visible layer";
   for (int layer = 1; layer < 8; ++layer)
   {
-    check(mapper->GetLayerStrength(layer) < mapper->GetLayerStrength(layer - 1), "fainter and fainter");
+    EXPECT_LT(mapper->GetLayerStrength(layer), mapper->GetLayerStrength(layer - 1)) << "fainter and fainter";
   }
   mapper->SetLayerStrength(3, 7.0);
-  check(mapper->GetLayerStrength(3) == 1.0, "strength within its range");
+  EXPECT_EQ(mapper->GetLayerStrength(3), 1.0) << "strength within its range";
   mapper->SetInkColor(0.5, 0.2, 0.1);
   double color[3];
   mapper->GetLayerColor(5, color);
-  check(color[0] == 0.5 && color[2] == 0.1, "the ink's color for layers without their own");
+  EXPECT_TRUE(color[0] == 0.5 && color[2] == 0.1) << "the ink's color for layers without their own";
 }
 
 /// Hidden lines have the colors of their own layer's points, until they are given one.
-void TestScalars(InkTestChecks& check)
+TEST(SplattingLinesLayers, Scalars)
 {
   Spheres spheres;
   vtkInkSplattingLinesMapper* mapper = spheres.Scene.Mapper;
@@ -203,39 +226,24 @@ void TestScalars(InkTestChecks& check)
       {
         // Ink of one color is dark in the others.
         const double dark = RingIn(image, Radii[sphere], channel);
-        check(channel == sphere ? dark < 0.05 : dark > 0.95, "sphere ", sphere, " in its points' color; ",
-          dark, " of its ring is dark in channel ", channel);
+        EXPECT_TRUE(channel == sphere ? dark < 0.05 : dark > 0.95)
+          << "sphere " << sphere << " in its points' color; " << dark << " of its ring is dark in channel "
+          << channel;
       }
     }
   }
   mapper->SetLayerColor(1, 0.0, 0.0, 1.0);
   const InkTestImage own(spheres.Scene.Window);
-  check(RingIn(own, Radii[1], 1) > 0.95 && RingIn(own, Radii[1], 2) < 0.05, "a layer's own color");
-  check(RingIn(own, Radii[2], 2) < 0.05 && RingIn(own, Radii[0], 0) < 0.05, "and the others as before");
+  EXPECT_TRUE(RingIn(own, Radii[1], 1) > 0.95 && RingIn(own, Radii[1], 2) < 0.05) << "a layer's own color";
+  EXPECT_TRUE(RingIn(own, Radii[2], 2) < 0.05 && RingIn(own, Radii[0], 0) < 0.05)
+    << "and the others as before";
   mapper->ResetLayerColor(1);
-  check(RingIn(InkTestImage(spheres.Scene.Window), Radii[1], 1) < 0.05, "its points' color again");
-}
-
-/// A plane at some depth that covers the left half of the picture.
-vtkSmartPointer<vtkActor> HalfPlane(double z, double opacity)
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-2.0, -2.0, z);
-  plane->SetPoint1(0.0, -2.0, z);
-  plane->SetPoint2(-2.0, 2.0, z);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetOpacity(opacity);
-  return actor;
+  EXPECT_LT(RingIn(InkTestImage(spheres.Scene.Window), Radii[1], 1), 0.05) << "its points' color again";
 }
 
 /// Without paper each layer is at its own depth: what stands between two layers hides the farther one, or
 /// tints it where it is translucent and depth peeling is on.
-void TestOtherActors(InkTestChecks& check)
+TEST(SplattingLinesLayers, OtherActors)
 {
   for (double opacity : { 1.0, 0.5 })
   {
@@ -257,17 +265,18 @@ void TestOtherActors(InkTestChecks& check)
       }
       return least;
     };
-    check(darkest(147, 0) < 80, "the far sphere's ring where nothing hides it", what, ": ", darkest(147, 0));
+    EXPECT_LT(darkest(147, 0), 80) << "the far sphere's ring where nothing hides it" << what << ": "
+                                   << darkest(147, 0);
     const int behind = darkest(53, 0);
-    check(opacity == 1.0 ? behind == 255 : behind > 100 && behind < 200,
-      "the far sphere's ring behind the plane", what, ": ", behind);
+    EXPECT_TRUE(opacity == 1.0 ? behind == 255 : behind > 100 && behind < 200)
+      << "the far sphere's ring behind the plane" << what << ": " << behind;
     // The near sphere's front is before the plane only near its middle; its ring lies behind, at z 0.
-    check(image.Channel(60, 160, 1) < 200, "the plane itself", what);
+    EXPECT_LT(image.Channel(60, 160, 1), 200) << "the plane itself" << what;
   }
 }
 
 /// Hidden sheets that lie one right behind the other are one layer; a plane's own points make no second one.
-void TestCoplanar(InkTestChecks& check)
+TEST(SplattingLinesLayers, Coplanar)
 {
   SplattingLinesScene scene(InkTestPoints::Plane(2.0, 0.03));
   scene.Mapper->HiddenLayersOn();
@@ -279,21 +288,7 @@ void TestCoplanar(InkTestChecks& check)
     scene.Renderer->ResetCamera();
     scene.Window->Render();
     const int layers = scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, scene.Actor);
-    check(layers == 1, "one layer for a plane turned by ", angle, " more degrees, found ", layers);
+    EXPECT_EQ(layers, 1) << "one layer for a plane turned by " << angle << " more degrees, found " << layers;
     scene.Renderer->GetActiveCamera()->Azimuth(-angle);
   }
-}
-
-} // namespace
-
-int TestSplattingLinesLayers(int, char*[])
-{
-  InkTestChecks check;
-  TestRings(check);
-  TestMoreLayersMoreInk(check);
-  TestDefaults(check);
-  TestScalars(check);
-  TestOtherActors(check);
-  TestCoplanar(check);
-  return check.Result();
 }

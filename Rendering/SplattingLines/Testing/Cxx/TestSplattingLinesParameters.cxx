@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What lambda, tau, phi, sigma and the colors do, and that none of them sends the points to the GPU again.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -8,6 +7,8 @@
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
@@ -26,7 +27,7 @@ vtkSmartPointer<vtkPolyData> Bumps()
 
 using Setter = void (vtkInkSplattingLinesMapper::*)(double);
 
-void TestMoreInk(InkTestChecks& check, const char* name, Setter set, const std::vector<double>& values)
+void ExpectMoreInk(const char* name, Setter set, const std::vector<double>& values)
 {
   SplattingLinesScene scene(Bumps());
   double last = -1.0;
@@ -34,14 +35,16 @@ void TestMoreInk(InkTestChecks& check, const char* name, Setter set, const std::
   {
     (scene.Mapper->*set)(value);
     const double ink = InkTestImage(scene.Window).Ink();
-    check(ink > last, "more ink with ", name, " ", value, ": ", ink, " after ", last);
+    EXPECT_GT(ink, last) << "more ink with " << name << " " << value << ": " << ink << " after " << last;
     last = ink;
   }
 }
 
+} // namespace
+
 /// Lambda counts below 1, too. As published, discs that do not overlap have one value each, and so no ink
 /// but where f is negative.
-void TestSmallLambda(InkTestChecks& check)
+TEST(SplattingLinesParameters, SmallLambda)
 {
   SplattingLinesScene scene(Bumps());
   for (bool published : { false, true })
@@ -55,10 +58,10 @@ void TestSmallLambda(InkTestChecks& check)
     const InkTestImage one = draw(1.0);
     const InkTestImage half = draw(0.5);
     const InkTestImage tenth = draw(0.1);
-    check(one.CountDifferent(half, 20) > 100 && half.CountDifferent(tenth, 20) > 100,
-      "other pictures with lambda 1, 0.5 and 0.1", published ? " as published" : "", ": ",
-      one.CountDifferent(half, 20), ", ", half.CountDifferent(tenth, 20), " pixels");
-    check(!published || tenth.Ink() < 0.1, "no ink where no disc overlaps another: ", tenth.Ink());
+    EXPECT_TRUE(one.CountDifferent(half, 20) > 100 && half.CountDifferent(tenth, 20) > 100)
+      << "other pictures with lambda 1, 0.5 and 0.1" << (published ? " as published" : "") << ": "
+      << one.CountDifferent(half, 20) << ", " << half.CountDifferent(tenth, 20) << " pixels";
+    EXPECT_TRUE(!published || tenth.Ink() < 0.1) << "no ink where no disc overlaps another: " << tenth.Ink();
   }
   // A part of the points covers the surface as far as all do.
   scene.Mapper->AsPublishedOff();
@@ -69,13 +72,13 @@ void TestSmallLambda(InkTestChecks& check)
     const double all = InkTestImage(scene.Window).Ink();
     scene.Mapper->SetPointFraction(0.5);
     const double part = InkTestImage(scene.Window).Ink();
-    check(std::abs(part - all) < 0.1 * all, "half of the points have about as much ink with lambda ", lambda,
-      ": ", part, " of ", all);
+    EXPECT_LT(std::abs(part - all), 0.1 * all)
+      << "half of the points have about as much ink with lambda " << lambda << ": " << part << " of " << all;
   }
 }
 
 /// Larger splats, or wider Gaussians, smooth fine ripples away that smaller ones draw.
-void TestLevelOfDetail(InkTestChecks& check)
+TEST(SplattingLinesParameters, LevelOfDetail)
 {
   auto points = InkTestPoints::Plane(2.0, 0.02);
   InkTestPoints::SetRadius(points, 0.02);
@@ -94,21 +97,22 @@ void TestLevelOfDetail(InkTestChecks& check)
   };
   const int fine = count(1.0, 0.4);
   const int coarse = count(8.0, 0.4);
-  check(fine > 1000 && coarse == 0, "ripples with lambda 1, ", fine, " pixels, and none with 8, ", coarse);
+  EXPECT_TRUE(fine > 1000 && coarse == 0)
+    << "ripples with lambda 1, " << fine << " pixels, and none with 8, " << coarse;
   const int narrow = count(4.0, 0.15);
   const int wide = count(4.0, 1.0);
-  check(narrow > 1000 && wide < narrow / 4, "ripples with sigma 0.15, ", narrow, " pixels, and few with 1, ",
-    wide);
+  EXPECT_TRUE(narrow > 1000 && wide < narrow / 4)
+    << "ripples with sigma 0.15, " << narrow << " pixels, and few with 1, " << wide;
 }
 
-void TestNoInk(InkTestChecks& check)
+TEST(SplattingLinesParameters, NoInk)
 {
   SplattingLinesScene scene(Bumps());
   scene.Mapper->SetPhi(0.0);
-  check(InkTestImage(scene.Window).Ink() == 0.0, "no ink with phi 0");
+  EXPECT_EQ(InkTestImage(scene.Window).Ink(), 0.0) << "no ink with phi 0";
 }
 
-void TestColors(InkTestChecks& check)
+TEST(SplattingLinesParameters, Colors)
 {
   SplattingLinesScene scene(Bumps());
   scene.Mapper->SetInkColor(1.0, 0.0, 0.0);
@@ -124,19 +128,19 @@ void TestColors(InkTestChecks& check)
       paper += image.Channel(x, y, 0) < 5 && image.Channel(x, y, 2) > 250;
     }
   }
-  check(ink > 100, "ink in its color, ", ink, " pixels");
-  check(paper > 5000, "paper in its color, ", paper, " pixels");
+  EXPECT_GT(ink, 100) << "ink in its color, " << ink << " pixels";
+  EXPECT_GT(paper, 5000) << "paper in its color, " << paper << " pixels";
 }
 
-void TestUploads(InkTestChecks& check)
+TEST(SplattingLinesParameters, Uploads)
 {
   auto points = Bumps();
   SplattingLinesScene scene(points);
   vtkInkSplattingLinesMapper* mapper = scene.Mapper;
-  check(mapper->GetUploadTime() == 0, "nothing uploaded before the first frame");
+  EXPECT_EQ(mapper->GetUploadTime(), 0) << "nothing uploaded before the first frame";
   const InkTestImage first(scene.Window);
   const vtkMTimeType time = mapper->GetUploadTime();
-  check(time > 0, "an upload in the first frame");
+  EXPECT_GT(time, 0) << "an upload in the first frame";
 
   mapper->SetLambda(3.0);
   mapper->SetTau(1.0);
@@ -147,27 +151,27 @@ void TestUploads(InkTestChecks& check)
   scene.Actor->SetPosition(0.1, 0.0, 0.0);
   scene.Renderer->GetActiveCamera()->Azimuth(10.0);
   const InkTestImage changed(scene.Window);
-  check(changed.CountDifferent(first) > 0, "another picture");
-  check(mapper->GetUploadTime() == time, "no upload for parameters, actor and camera");
+  EXPECT_GT(changed.CountDifferent(first), 0) << "another picture";
+  EXPECT_EQ(mapper->GetUploadTime(), time) << "no upload for parameters, actor and camera";
   mapper->SetRadius(0.1);
   scene.Window->Render();
-  check(mapper->GetUploadTime() == time, "no upload for Radius where the input has radii");
+  EXPECT_EQ(mapper->GetUploadTime(), time) << "no upload for Radius where the input has radii";
 
   points->GetPoints()->SetPoint(0, 0.0, 0.0, 1.1);
   points->GetPoints()->Modified();
   points->Modified();
   scene.Window->Render();
   const vtkMTimeType pointsTime = mapper->GetUploadTime();
-  check(pointsTime > time, "an upload of changed points");
+  EXPECT_GT(pointsTime, time) << "an upload of changed points";
 
   points->GetPointData()->RemoveArray("Radius");
   points->Modified();
   scene.Window->Render();
   const vtkMTimeType radiusTime = mapper->GetUploadTime();
-  check(radiusTime > pointsTime, "an upload of other radii");
+  EXPECT_GT(radiusTime, pointsTime) << "an upload of other radii";
   mapper->SetRadius(0.05);
   scene.Window->Render();
-  check(mapper->GetUploadTime() > radiusTime, "an upload of a changed Radius");
+  EXPECT_GT(mapper->GetUploadTime(), radiusTime) << "an upload of a changed Radius";
 
   const InkTestImage before(scene.Window);
   vtkDataArray* normals = points->GetPointData()->GetArray("Normals");
@@ -176,52 +180,45 @@ void TestUploads(InkTestChecks& check)
     normals->SetTuple3(i, 0.0, 0.0, 1.0);
   }
   normals->Modified();
-  check(InkTestImage(scene.Window).CountDifferent(before) > 200, "a picture of changed normals");
+  EXPECT_GT(InkTestImage(scene.Window).CountDifferent(before), 200) << "a picture of changed normals";
 }
 
 /// An unchanged parameter set gives the same picture, and going back gives the first one again.
-void TestRepeats(InkTestChecks& check)
+TEST(SplattingLinesParameters, Repeats)
 {
   SplattingLinesScene scene(Bumps());
   const InkTestImage first(scene.Window);
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the same picture again");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the same picture again";
   scene.Mapper->SetTau(1.2);
   scene.Mapper->SetLambda(4.0);
-  check(InkTestImage(scene.Window).CountDifferent(first) > 0, "a changed picture");
+  EXPECT_GT(InkTestImage(scene.Window).CountDifferent(first), 0) << "a changed picture";
   scene.Mapper->SetTau(0.99);
   scene.Mapper->SetLambda(2.5);
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first picture again");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the first picture again";
 }
 
-void TestRanges(InkTestChecks& check)
+TEST(SplattingLinesParameters, Ranges)
 {
   vtkNew<vtkInkSplattingLinesMapper> mapper;
-  check(mapper->GetLambda() == 2.5 && mapper->GetTau() == 0.99 && mapper->GetPhi() == 100.0 &&
-      mapper->GetSigma() == 0.4 && mapper->GetRadius() == 0.0 && mapper->GetPaperVisibility(),
-    "the documented defaults");
+  EXPECT_TRUE(mapper->GetLambda() == 2.5 && mapper->GetTau() == 0.99 && mapper->GetPhi() == 100.0 &&
+    mapper->GetSigma() == 0.4 && mapper->GetRadius() == 0.0 && mapper->GetPaperVisibility())
+    << "the documented defaults";
   mapper->SetLambda(0.0);
   mapper->SetTau(9.0);
   mapper->SetPhi(-1.0);
   mapper->SetSigma(1e9);
   mapper->SetRadius(-3.0);
-  check(mapper->GetLambda() == 0.1 && mapper->GetTau() == 1.2 && mapper->GetPhi() == 0.0 &&
-      mapper->GetSigma() == 2.0 && mapper->GetRadius() == 0.0,
-    "values clamped to their ranges");
+  EXPECT_TRUE(mapper->GetLambda() == 0.1 && mapper->GetTau() == 1.2 && mapper->GetPhi() == 0.0 &&
+    mapper->GetSigma() == 2.0 && mapper->GetRadius() == 0.0)
+    << "values clamped to their ranges";
 }
 
-} // namespace
-
-int TestSplattingLinesParameters(int, char*[])
+TEST(SplattingLinesParameters, MoreInkWithTau)
 {
-  InkTestChecks check;
-  TestMoreInk(check, "tau", &vtkInkSplattingLinesMapper::SetTau, { 0.9, 0.97, 0.99, 1.0, 1.02 });
-  TestMoreInk(check, "phi", &vtkInkSplattingLinesMapper::SetPhi, { 1.0, 10.0, 100.0, 500.0 });
-  TestSmallLambda(check);
-  TestLevelOfDetail(check);
-  TestNoInk(check);
-  TestColors(check);
-  TestUploads(check);
-  TestRepeats(check);
-  TestRanges(check);
-  return check.Result();
+  ExpectMoreInk("tau", &vtkInkSplattingLinesMapper::SetTau, { 0.9, 0.97, 0.99, 1.0, 1.02 });
+}
+
+TEST(SplattingLinesParameters, MoreInkWithPhi)
+{
+  ExpectMoreInk("phi", &vtkInkSplattingLinesMapper::SetPhi, { 1.0, 10.0, 100.0, 500.0 });
 }

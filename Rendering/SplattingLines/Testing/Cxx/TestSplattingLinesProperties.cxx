@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Properties as VTK's programmers know them: copied by ShallowCopy, printed by name, chosen by name, and what
 // is no value of theirs refused with a message or brought into range.
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
 #include "vtkIndent.h"
 #include "vtkInformation.h"
+
+#include <gtest/gtest.h>
 
 #include <array>
 #include <functional>
@@ -73,7 +75,9 @@ void ChangeAll(Mapper* mapper)
   }
 }
 
-void TestShallowCopy(InkTestChecks& check)
+} // namespace
+
+TEST(SplattingLinesProperties, ShallowCopy)
 {
   vtkNew<Mapper> fresh;
   vtkNew<Mapper> changed;
@@ -86,47 +90,47 @@ void TestShallowCopy(InkTestChecks& check)
   const auto expected = Print(changed);
   for (const auto& [name, value] : expected)
   {
-    check(value != defaults.at(name), name, " is tested with another value than its default,", value);
+    EXPECT_NE(value, defaults.at(name)) << name << " is tested with another value than its default," << value;
   }
   const vtkMTimeType time = copy->GetMTime();
   copy->ShallowCopy(changed);
   const auto found = Print(copy);
-  check(found.size() >= 29, "all properties are printed, found ", found.size());
+  EXPECT_GE(found.size(), 29) << "all properties are printed, found " << found.size();
   for (const auto& [name, value] : expected)
   {
-    check(found.at(name) == value, name, ":", value, " copied, found", found.at(name));
+    EXPECT_EQ(found.at(name), value) << name << ":" << value << " copied, found" << found.at(name);
   }
-  check(copy->GetMTime() > time, "a copy is a change");
-  check(copy->GetInput() == changed->GetInput(), "the same input");
-  check(std::string(copy->GetInputArrayInformation(Mapper::NORMALS)->Get(vtkDataObject::FIELD_NAME())) ==
-      "Direction",
-    "the same arrays");
+  EXPECT_GT(copy->GetMTime(), time) << "a copy is a change";
+  EXPECT_EQ(copy->GetInput(), changed->GetInput()) << "the same input";
+  EXPECT_EQ(std::string(copy->GetInputArrayInformation(Mapper::NORMALS)->Get(vtkDataObject::FIELD_NAME())),
+    "Direction")
+    << "the same arrays";
   // A layer without a color of its own stays without.
   copy->ShallowCopy(fresh);
   copy->SetInkColor(1.0, 0.0, 0.0);
   double color[3];
   copy->GetLayerColor(3, color);
-  check(color[0] == 1.0, "the ink's color for layers without their own after a copy");
+  EXPECT_EQ(color[0], 1.0) << "the ink's color for layers without their own after a copy";
 }
 
-void TestEnumerations(InkTestChecks& check)
+TEST(SplattingLinesProperties, Enumerations)
 {
   vtkNew<Mapper> mapper;
   const std::string start = mapper->GetInkColorModeAsString();
   mapper->SetInkColorModeToScalars();
   const std::string scalars = mapper->GetInkColorModeAsString();
-  check(mapper->GetInkColorMode() == Mapper::SCALARS, "scalars by name");
-  check(Print(mapper).at("InkColorMode") == " Scalars", "names in PrintSelf");
+  EXPECT_EQ(mapper->GetInkColorMode(), Mapper::SCALARS) << "scalars by name";
+  EXPECT_EQ(Print(mapper).at("InkColorMode"), " Scalars") << "names in PrintSelf";
   mapper->SetInkColorModeToTone();
   const std::string tone = mapper->GetInkColorModeAsString();
   mapper->SetInkColorModeToInk();
-  check(mapper->GetInkColorMode() == Mapper::INK, "ink by name");
-  check(
-    start == "Ink" && scalars == "Scalars" && tone == "Tone", "names: ", start, ", ", scalars, ", ", tone);
+  EXPECT_EQ(mapper->GetInkColorMode(), Mapper::INK) << "ink by name";
+  EXPECT_TRUE(start == "Ink" && scalars == "Scalars" && tone == "Tone")
+    << "names: " << start << ", " << scalars << ", " << tone;
 }
 
 /// Each call leaves everything as it was, and says what is wrong.
-void TestRefused(InkTestChecks& check)
+TEST(SplattingLinesProperties, Refused)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double nothing[3] = { nan, 0.0, 0.0 };
@@ -167,12 +171,12 @@ void TestRefused(InkTestChecks& check)
     vtkNew<InkTestMessages> messages;
     messages->Observe(mapper);
     set(mapper);
-    messages->Expect(check, words, { words });
-    check(Print(mapper) == before && mapper->GetMTime() == time, words, " changes nothing");
+    messages->Expect(words, { words });
+    EXPECT_TRUE(Print(mapper) == before && mapper->GetMTime() == time) << words << " changes nothing";
   }
 }
 
-void TestColors(InkTestChecks& check)
+TEST(SplattingLinesProperties, Colors)
 {
   vtkNew<Mapper> mapper;
   mapper->SetInkColor(-1.0, 0.5, 7.0);
@@ -183,25 +187,14 @@ void TestColors(InkTestChecks& check)
   mapper->GetLayerColor(1, layer);
   const auto is = [](const double* found, const std::array<double, 3>& expected)
   { return std::equal(expected.begin(), expected.end(), found); };
-  check(is(mapper->GetInkColor(), { 0.0, 0.5, 1.0 }) && is(mapper->GetPaperColor(), { 1.0, 1.0, 0.0 }) &&
-      is(mapper->GetToneColor(), { 0.0, 1.0, 0.25 }) && is(layer, { 1.0, 0.0, 0.5 }),
-    "colors within 0 to 1");
+  EXPECT_TRUE(is(mapper->GetInkColor(), { 0.0, 0.5, 1.0 }) &&
+    is(mapper->GetPaperColor(), { 1.0, 1.0, 0.0 }) && is(mapper->GetToneColor(), { 0.0, 1.0, 0.25 }) &&
+    is(layer, { 1.0, 0.0, 0.5 }))
+    << "colors within 0 to 1";
   const vtkMTimeType time = mapper->GetMTime();
   mapper->SetInkColor(0.0, 0.5, 3.0);
-  check(mapper->GetMTime() == time, "the same color is no change");
+  EXPECT_EQ(mapper->GetMTime(), time) << "the same color is no change";
   mapper->ResetLayerColor(1);
   mapper->GetLayerColor(1, layer);
-  check(is(layer, { 0.0, 0.5, 1.0 }) && mapper->GetMTime() > time, "the ink's color again");
-}
-
-} // namespace
-
-int TestSplattingLinesProperties(int, char*[])
-{
-  InkTestChecks check;
-  TestShallowCopy(check);
-  TestEnumerations(check);
-  TestRefused(check);
-  TestColors(check);
-  return check.Result();
+  EXPECT_TRUE(is(layer, { 0.0, 0.5, 1.0 }) && mapper->GetMTime() > time) << "the ink's color again";
 }

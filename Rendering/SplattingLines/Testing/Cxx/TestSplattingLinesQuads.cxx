@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Splats that may be larger than the largest point sprite are drawn as quads: with a near plane close to the
 // eye all may be, and everything looks the same and is found by the same ids.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -13,6 +12,8 @@
 #include "vtkPointData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <iterator>
@@ -89,9 +90,8 @@ std::vector<vtkIdType> Select(vtkRenderer* renderer)
 
 } // namespace
 
-int TestSplattingLinesQuads(int, char*[])
+TEST(SplattingLinesQuads, AreAsPointSprites)
 {
-  InkTestChecks check;
   const auto spheres = Spheres();
   for (const Case& one : { Case{ "plain", false, false, false }, Case{ "clipped", true, false, false },
          Case{ "layers", false, true, false }, Case{ "clipped, colored layers", true, true, true } })
@@ -102,16 +102,17 @@ int TestSplattingLinesQuads(int, char*[])
     Prepare(quads, one, 0.05);
     const InkTestImage expected(sprites.Window);
     const int different = InkTestImage(quads.Window).CountDifferent(expected, 8);
-    check(expected.CountDark(200) > 500 && different < 20, one.Name, ": the same picture, but for ",
-      different, " of ", expected.CountDark(200), " dark pixels");
+    EXPECT_TRUE(expected.CountDark(200) > 500 && different < 20)
+      << one.Name << ": the same picture, but for " << different << " of " << expected.CountDark(200)
+      << " dark pixels";
 
     const std::vector<vtkIdType> ids = Select(sprites.Renderer);
     const std::vector<vtkIdType> found = Select(quads.Renderer);
     std::vector<vtkIdType> others;
     std::set_symmetric_difference(
       ids.begin(), ids.end(), found.begin(), found.end(), std::back_inserter(others));
-    check(ids.size() > 200 && others.size() < 0.02 * ids.size(), one.Name,
-      ": the same points found, but for ", others.size(), " of ", ids.size());
+    EXPECT_TRUE(ids.size() > 200 && others.size() < 0.02 * ids.size())
+      << one.Name << ": the same points found, but for " << others.size() << " of " << ids.size();
     const auto cutOff = [&](vtkIdType id)
     {
       const double* p = spheres->GetPoint(id);
@@ -119,7 +120,6 @@ int TestSplattingLinesQuads(int, char*[])
       return p[0] + 0.2 * p[1] + 0.1 * p[2] < -0.08 || 0.6 - p[1] + 0.3 * p[2] < -0.08;
     };
     const auto beyond = std::count_if(ids.begin(), ids.end(), cutOff);
-    check(one.Planes == (beyond == 0), one.Name, ": points found beyond the planes: ", beyond);
+    EXPECT_EQ(one.Planes, (beyond == 0)) << one.Name << ": points found beyond the planes: " << beyond;
   }
-  return check.Result();
 }

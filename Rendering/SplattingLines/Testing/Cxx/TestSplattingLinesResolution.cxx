@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same drawing at all sizes and in tiles, from all and from a part of the points, exact and quick.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "PictureDifference.h"
@@ -8,6 +7,8 @@
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
@@ -50,8 +51,10 @@ void Turn(SplattingLinesScene& scene)
   scene.Renderer->ResetCamera();
 }
 
-/// Each size shrunk to 64 pixels: as much ink, in the same places.
-void TestSizes(InkTestChecks& check)
+} // namespace
+
+/// Each size shrunk to 64 pixels: as much ink, at the same positions.
+TEST(SplattingLinesResolution, Sizes)
 {
   std::vector<double> first;
   for (int size : { 512, 1024, 4096 })
@@ -65,13 +68,13 @@ void TestSizes(InkTestChecks& check)
       first = squares;
     }
     const double difference = ink::pictureDifference(first, squares);
-    check(difference < 0.1, "the same drawing with ", size, " pixels as with 512; ", difference,
-      " of the ink differs");
+    EXPECT_LT(difference, 0.1) << "the same drawing with " << size << " pixels as with 512; " << difference
+                               << " of the ink differs";
   }
 }
 
 /// A picture in tiles is that of a large window: no seams, and the same marks.
-void TestTiles(InkTestChecks& check)
+TEST(SplattingLinesResolution, Tiles)
 {
   for (bool styled : { false, true })
   {
@@ -90,8 +93,8 @@ void TestTiles(InkTestChecks& check)
     const InkTestImage tiles(small.Window, 2);
     const InkTestImage whole(large.Window);
     const int different = whole.CountDifferent(tiles, 8);
-    check(different == 0, "two by two tiles like one picture", styled ? " (styled)" : "", "; ", different,
-      " pixels differ");
+    EXPECT_EQ(different, 0) << "two by two tiles like one picture" << (styled ? " (styled)" : "") << "; "
+                            << different << " pixels differ";
     int atSeams = 0;
     for (int i = 0; i < 1200; ++i)
     {
@@ -101,12 +104,12 @@ void TestTiles(InkTestChecks& check)
         atSeams += std::abs(whole.Gray(i, beside) - tiles.Gray(i, beside)) > 8;
       }
     }
-    check(atSeams == 0, "no seams, found ", atSeams, " pixels");
+    EXPECT_EQ(atSeams, 0) << "no seams, found " << atSeams << " pixels";
   }
 }
 
 /// A part of the points has no holes and much the same lines; all of them again are exactly what they were.
-void TestPointFraction(InkTestChecks& check)
+TEST(SplattingLinesResolution, PointFraction)
 {
   SplattingLinesScene scene(Shape(), 400, 400);
   Turn(scene);
@@ -128,17 +131,18 @@ void TestPointFraction(InkTestChecks& check)
   {
     scene.Mapper->SetPointFraction(fraction);
     const InkTestImage part(scene.Window);
-    check(countHoles(part) == 0, "no holes with ", fraction, " of the points, found ", countHoles(part));
+    EXPECT_EQ(countHoles(part), 0) << "no holes with " << fraction << " of the points, found "
+                                   << countHoles(part);
     const double difference = ink::pictureDifference(Shrink(all, 100), Shrink(part, 100));
-    check(
-      difference < 0.0045, "much the same lines with ", fraction, " of the points; ", difference, " differs");
+    EXPECT_LT(difference, 0.0045) << "much the same lines with " << fraction << " of the points; "
+                                  << difference << " differs";
   }
   scene.Mapper->SetPointFraction(1.0);
-  check(InkTestImage(scene.Window).CountDifferent(all) == 0, "all points again");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(all), 0) << "all points again";
 }
 
 /// Points come in the order of their priorities, whatever their order in the list.
-void TestPriority(InkTestChecks& check)
+TEST(SplattingLinesResolution, Priority)
 {
   auto points = InkTestPoints::Plane(2.0, 0.05);
   vtkNew<vtkFloatArray> priority;
@@ -152,12 +156,12 @@ void TestPriority(InkTestChecks& check)
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   scene.Mapper->SetPointFraction(0.25);
   const InkTestImage image(scene.Window);
-  check(image.CountDark(20, 60, 120, 140) == 100 * 80, "nothing of the other three quarters");
-  check(image.CountDark(150, 60, 165, 140) == 0, "all of the quarter of least priority");
+  EXPECT_EQ(image.CountDark(20, 60, 120, 140), 100 * 80) << "nothing of the other three quarters";
+  EXPECT_EQ(image.CountDark(150, 60, 165, 140), 0) << "all of the quarter of least priority";
 }
 
 /// Ranks are priorities as well, and changed ones count.
-void TestRanks(InkTestChecks& check)
+TEST(SplattingLinesResolution, Ranks)
 {
   auto points = InkTestPoints::Plane(2.0, 0.05);
   const vtkIdType count = points->GetNumberOfPoints();
@@ -179,19 +183,19 @@ void TestRanks(InkTestChecks& check)
   priority->Modified();
   points->Modified();
   const InkTestImage first(scene.Window);
-  check(first.CountDifferent(last, 20) > 100, "other points with other ranks");
+  EXPECT_GT(first.CountDifferent(last, 20), 100) << "other points with other ranks";
   // Too few of them are none.
   priority->SetNumberOfTuples(3);
   points->Modified();
   const InkTestImage few(scene.Window);
   points->GetPointData()->RemoveArray("Priority");
   points->Modified();
-  check(InkTestImage(scene.Window).CountDifferent(few) == 0 && few.CountDifferent(first, 20) > 100,
-    "too few priorities are none: points by chance");
+  EXPECT_TRUE(InkTestImage(scene.Window).CountDifferent(few) == 0 && few.CountDifferent(first, 20) > 100)
+    << "too few priorities are none: points by chance";
 }
 
 /// Narrow Gaussians need more texels.
-void TestSmallSigma(InkTestChecks& check)
+TEST(SplattingLinesResolution, SmallSigma)
 {
   SplattingLinesScene scene(Shape(), 600, 600);
   Turn(scene);
@@ -206,14 +210,14 @@ void TestSmallSigma(InkTestChecks& check)
       scene.Mapper->SetMaximumDownsampling(texel);
       const double difference =
         ink::pictureDifference(Shrink(exact, 150), Shrink(InkTestImage(scene.Window), 150));
-      check(difference < 0.1, "much the same with sigma ", sigma, " and texels of ", texel, "; ", difference,
-        " of the ink differs");
+      EXPECT_LT(difference, 0.1) << "much the same with sigma " << sigma << " and texels of " << texel << "; "
+                                 << difference << " of the ink differs";
     }
   }
 }
 
 /// Splats summed up for several pixels at once change little.
-void TestMaximumDownsampling(InkTestChecks& check)
+TEST(SplattingLinesResolution, MaximumDownsampling)
 {
   SplattingLinesScene scene(Shape(), 600, 600);
   Turn(scene);
@@ -223,27 +227,28 @@ void TestMaximumDownsampling(InkTestChecks& check)
     scene.Mapper->SetMaximumDownsampling(1);
     const InkTestImage exact(scene.Window);
     scene.Mapper->SetMaximumDownsampling(3);
-    check(scene.Mapper->GetMaximumDownsampling() == 2, "texels of 1, 2 or 4 pixels");
+    EXPECT_EQ(scene.Mapper->GetMaximumDownsampling(), 2) << "texels of 1, 2 or 4 pixels";
     double last = 0.0;
     for (int texel : { 2, 4 })
     {
       scene.Mapper->SetMaximumDownsampling(texel);
       const double difference =
         ink::pictureDifference(Shrink(exact, 600), Shrink(InkTestImage(scene.Window), 600));
-      check(difference < 0.08 && difference >= last, "much the same with texels of ", texel, " and lambda ",
-        lambda, "; ", difference, " of the ink differs");
+      EXPECT_TRUE(difference < 0.08 && difference >= last)
+        << "much the same with texels of " << texel << " and lambda " << lambda << "; " << difference
+        << " of the ink differs";
       last = difference;
     }
     scene.Mapper->AsPublishedOn();
     const InkTestImage published(scene.Window);
     scene.Mapper->SetMaximumDownsampling(1);
-    check(InkTestImage(scene.Window).CountDifferent(published) == 0, "published splats are always exact");
+    EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(published), 0) << "published splats are always exact";
     scene.Mapper->AsPublishedOff();
   }
 }
 
 /// Sixteen bits are enough to see the same lines.
-void TestHalfFloats(InkTestChecks& check)
+TEST(SplattingLinesResolution, HalfFloats)
 {
   SplattingLinesScene scene(Shape(), 400, 400);
   Turn(scene);
@@ -251,22 +256,6 @@ void TestHalfFloats(InkTestChecks& check)
   scene.Mapper->HalfFloatsOn();
   const InkTestImage half(scene.Window);
   const double difference = ink::pictureDifference(Shrink(exact, 400), Shrink(half, 400));
-  check(difference > 0.0 && difference < 0.0056, "much the same from half floats; ", difference,
-    " of the ink differs");
-}
-
-} // namespace
-
-int TestSplattingLinesResolution(int, char*[])
-{
-  InkTestChecks check;
-  TestSizes(check);
-  TestTiles(check);
-  TestPointFraction(check);
-  TestPriority(check);
-  TestRanks(check);
-  TestSmallSigma(check);
-  TestMaximumDownsampling(check);
-  TestHalfFloats(check);
-  return check.Result();
+  EXPECT_TRUE(difference > 0.0 && difference < 0.0056)
+    << "much the same from half floats; " << difference << " of the ink differs";
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hardware selection: which actor and which points.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -12,6 +11,8 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -28,8 +29,10 @@ vtkSmartPointer<vtkSelection> Select(
   return vtkSmartPointer<vtkSelection>::Take(selector->Select());
 }
 
+} // namespace
+
 /// The sphere from 20 to 180 of 200 pixels, in a parallel projection along -z.
-void TestPoints(InkTestChecks& check)
+TEST(SplattingLinesSelection, Points)
 {
   for (bool paper : { true, false })
   {
@@ -40,16 +43,13 @@ void TestPoints(InkTestChecks& check)
     scene.Renderer->GetActiveCamera()->SetParallelScale(1.25);
     const InkTestImage before(scene.Window);
     auto selection = Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_POINTS, 110, 90, 20);
-    if (!check(selection->GetNumberOfNodes() == 1, "one prop selected, ", selection->GetNumberOfNodes()))
-    {
-      continue;
-    }
+    ASSERT_EQ(selection->GetNumberOfNodes(), 1u) << "one prop selected";
     vtkSelectionNode* node = selection->GetNode(0);
-    check(node->GetProperties()->Get(vtkSelectionNode::PROP()) == scene.Actor.Get(),
-      "the actor in the selection");
-    check(node->GetFieldType() == vtkSelectionNode::POINT, "a selection of points");
+    EXPECT_EQ(node->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor.Get())
+      << "the actor in the selection";
+    EXPECT_EQ(node->GetFieldType(), vtkSelectionNode::POINT) << "a selection of points";
     auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    check(ids->GetNumberOfTuples() > 5, "several points, ", ids->GetNumberOfTuples());
+    EXPECT_GT(ids->GetNumberOfTuples(), 5) << "several points, " << ids->GetNumberOfTuples();
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
     {
       double p[3];
@@ -57,16 +57,16 @@ void TestPoints(InkTestChecks& check)
       const double x = 100.0 + 80.0 * p[0];
       const double y = 100.0 + 80.0 * p[1];
       // Discs reach a few pixels out of the area.
-      check(p[2] > 0.0 && x > 103.0 && x < 137.0 && y > 83.0 && y < 117.0, "point ", ids->GetValue(i),
-        " in the area and on the front, at ", x, ", ", y);
+      EXPECT_TRUE(p[2] > 0.0 && x > 103.0 && x < 137.0 && y > 83.0 && y < 117.0)
+        << "point " << ids->GetValue(i) << " in the area and on the front, at " << x << ", " << y;
     }
-    check(Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_POINTS, 2, 2, 5)->GetNumberOfNodes() == 0,
-      "nothing selected beside the sphere");
-    check(InkTestImage(scene.Window).CountDifferent(before) == 0, "the same picture afterwards");
+    EXPECT_EQ(Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_POINTS, 2, 2, 5)->GetNumberOfNodes(), 0)
+      << "nothing selected beside the sphere";
+    EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(before), 0) << "the same picture afterwards";
   }
 }
 
-void TestProps(InkTestChecks& check)
+TEST(SplattingLinesSelection, Props)
 {
   SplattingLinesScene scene(InkTestPoints::Sphere(0.5, 0.05, { -1.0, 0.0, 0.0 }));
   SplattingLinesScene other(InkTestPoints::Sphere(0.5, 0.05, { 1.0, 0.0, 0.0 }));
@@ -76,21 +76,11 @@ void TestProps(InkTestChecks& check)
   {
     scene.Renderer->SetWorldPoint(actor->GetCenter()[0], 0.0, 0.0, 1.0);
     scene.Renderer->WorldToDisplay();
-    const double* place = scene.Renderer->GetDisplayPoint();
+    const double* pixel = scene.Renderer->GetDisplayPoint();
     auto selection = Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS,
-      static_cast<unsigned int>(place[0]), static_cast<unsigned int>(place[1]), 2);
-    check(selection->GetNumberOfNodes() == 1 &&
-        selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()) == actor,
-      "the actor at ", place[0], ", ", place[1]);
+      static_cast<unsigned int>(pixel[0]), static_cast<unsigned int>(pixel[1]), 2);
+    EXPECT_TRUE(selection->GetNumberOfNodes() == 1 &&
+      selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()) == actor)
+      << "the actor at " << pixel[0] << ", " << pixel[1];
   }
-}
-
-} // namespace
-
-int TestSplattingLinesSelection(int, char*[])
-{
-  InkTestChecks check;
-  TestPoints(check);
-  TestProps(check);
-  return check.Result();
 }

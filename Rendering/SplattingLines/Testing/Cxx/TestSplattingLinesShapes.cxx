@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which lines analytic shapes have: contours, outer and inner, solid and thin, and nothing between them.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
 #include "vtkMath.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace
 {
 
-/// Whether there is ink within some pixels of each of 360 places on a circle.
+/// Whether there is ink within some pixels of each of 360 points on a circle.
 int CountGaps(const InkTestImage& image, double centerX, double centerY, double radius, int reach)
 {
   int gaps = 0;
@@ -41,10 +42,17 @@ int CountStray(const InkTestImage& image, double centerX, double centerY, double
   return stray;
 }
 
+class SplattingLinesSphere : public testing::TestWithParam<int>
+{
+};
+
+} // namespace
+
 /// A sphere's contour is a closed ring, whatever its size in pixels and points. Where splats are summed up
 /// for several pixels at once, it may be as much broader.
-void TestSphere(InkTestChecks& check, int maximumDownsampling)
+TEST_P(SplattingLinesSphere, HasAClosedContour)
 {
+  const int maximumDownsampling = GetParam();
   for (double spacing : { 0.08, 0.05, 0.02 })
   {
     for (bool parallel : { false, true })
@@ -64,28 +72,28 @@ void TestSphere(InkTestChecks& check, int maximumDownsampling)
       const double slack = (spacing > 0.06 ? 12.0 : 4.0) + 2.0 * maximumDownsampling;
       const int gaps = CountGaps(image, 100.0, 100.0, radius - 1.0, 2);
       const int stray = CountStray(image, 100.0, 100.0, radius, slack);
-      if (!check(gaps == 0 && stray == 0, "a closed ring and nothing else; spacing ", spacing, ", texels ",
-            maximumDownsampling, parallel ? " (parallel)" : " (perspective)", ": ", gaps, " gaps, ", stray,
-            " stray pixels"))
-      {
-        image.Write("sphere.png");
-      }
+      EXPECT_TRUE(gaps == 0 && stray == 0) << "a closed ring and nothing else; spacing " << spacing
+                                           << (parallel ? " (parallel)" : " (perspective)") << ": " << gaps
+                                           << " gaps, " << stray << " stray pixels";
     }
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(
+  MaximumDownsampling, SplattingLinesSphere, testing::Values(1, 2, 4), testing::PrintToStringParamName());
+
 /// A plane that faces the viewer has no lines but is there: it hides what is behind.
-void TestPlane(InkTestChecks& check)
+TEST(SplattingLinesShapes, Plane)
 {
   SplattingLinesScene scene(InkTestPoints::Plane(2.0, 0.05));
   scene.Mapper->SetTau(1.0);
   scene.Renderer->SetBackground(0.5, 0.5, 0.5);
   const InkTestImage image(scene.Window);
-  check(image.CountDark(60, 60, 140, 140, 255) == 0, "a plane without lines or holes");
+  EXPECT_EQ(image.CountDark(60, 60, 140, 140, 255), 0) << "a plane without lines or holes";
 }
 
 /// A torus seen from above has an outer and an inner contour; turned, its front hides part of the hole.
-void TestTorus(InkTestChecks& check)
+TEST(SplattingLinesShapes, Torus)
 {
   SplattingLinesScene scene(InkTestPoints::Torus(1.0, 0.4, 0.03));
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
@@ -93,14 +101,14 @@ void TestTorus(InkTestChecks& check)
   camera->SetParallelScale(1.6);
   const InkTestImage image(scene.Window);
   const double pixels = 100.0 / 1.6;
-  check(CountGaps(image, 100.0, 100.0, 1.4 * pixels - 1.0, 2) == 0, "a closed outer contour");
-  check(CountGaps(image, 100.0, 100.0, 0.6 * pixels + 1.0, 2) == 0, "a closed inner contour");
-  check(image.CountDark(100, 100 + int(0.8 * pixels), 101, 100 + int(1.2 * pixels)) == 0,
-    "no lines on the torus' back");
+  EXPECT_EQ(CountGaps(image, 100.0, 100.0, 1.4 * pixels - 1.0, 2), 0) << "a closed outer contour";
+  EXPECT_EQ(CountGaps(image, 100.0, 100.0, 0.6 * pixels + 1.0, 2), 0) << "a closed inner contour";
+  EXPECT_EQ(image.CountDark(100, 100 + int(0.8 * pixels), 101, 100 + int(1.2 * pixels)), 0)
+    << "no lines on the torus' back";
 }
 
 /// Where a near object lies before a far one, its whole contour is drawn, and no halo outside of it.
-void TestOcclusion(InkTestChecks& check)
+TEST(SplattingLinesShapes, Occlusion)
 {
   auto points = InkTestPoints::Join(
     InkTestPoints::Sphere(1.0, 0.03), InkTestPoints::Sphere(0.3, 0.03, { 0.0, 0.0, 1.5 }));
@@ -108,43 +116,27 @@ void TestOcclusion(InkTestChecks& check)
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(1.25);
   const InkTestImage image(scene.Window);
-  check(CountGaps(image, 100.0, 100.0, 0.3 * 80.0 - 1.0, 2) == 0, "a contour before the far sphere");
+  EXPECT_EQ(CountGaps(image, 100.0, 100.0, 0.3 * 80.0 - 1.0, 2), 0) << "a contour before the far sphere";
   const double between = 0.6 * 80.0;
-  check(CountGaps(image, 100.0, 100.0, between, 8) == 360, "nothing between the contours");
+  EXPECT_EQ(CountGaps(image, 100.0, 100.0, between, 8), 360) << "nothing between the contours";
 }
 
 /// A surface seen from behind is drawn too, unless its actor culls back faces.
-void TestBackFaces(InkTestChecks& check)
+TEST(SplattingLinesShapes, BackFaces)
 {
   SplattingLinesScene scene(InkTestPoints::Plane(2.0, 0.05));
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   scene.Renderer->GetActiveCamera()->Azimuth(180.0);
   const InkTestImage seen(scene.Window);
-  check(seen.CountDark(60, 60, 140, 140, 255) == 0, "a plane from behind");
+  EXPECT_EQ(seen.CountDark(60, 60, 140, 140, 255), 0) << "a plane from behind";
   scene.Actor->GetProperty()->BackfaceCullingOn();
   const InkTestImage culled(scene.Window);
-  check(culled.CountDark() == 200 * 200, "nothing when back faces are culled");
+  EXPECT_EQ(culled.CountDark(), 200 * 200) << "nothing when back faces are culled";
   scene.Renderer->GetActiveCamera()->Azimuth(180.0);
   const InkTestImage front(scene.Window);
-  check(front.CountDark(60, 60, 140, 140, 255) == 0, "the front when back faces are culled");
+  EXPECT_EQ(front.CountDark(60, 60, 140, 140, 255), 0) << "the front when back faces are culled";
   scene.Actor->GetProperty()->BackfaceCullingOff();
   scene.Actor->GetProperty()->FrontfaceCullingOn();
   const int different = InkTestImage(scene.Window).CountDifferent(seen);
-  check(different < 200, "front-face culling is not for ink, but ", different, " pixels differ");
-}
-
-} // namespace
-
-int TestSplattingLinesShapes(int, char*[])
-{
-  InkTestChecks check;
-  for (int texel : { 1, 2, 4 })
-  {
-    TestSphere(check, texel);
-  }
-  TestPlane(check);
-  TestTorus(check);
-  TestOcclusion(check);
-  TestBackFaces(check);
-  return check.Result();
+  EXPECT_LT(different, 200) << "front-face culling is not for ink, but " << different << " pixels differ";
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How near to each other two sheets may be to be told apart, in radii of their points: planes and spheres,
 // one behind the other, as documented in Documentation/splatting-lines.md.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
 #include "vtkMath.h"
 #include "vtkPointData.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,46 +76,6 @@ double ShareOfSecondLayer(double radius, double radii, const View& view, bool as
   return InkTestImage(scene.Window).CountDark() / (200.0 * 200.0);
 }
 
-/// Planes are two layers from the measured distance on; what is nearer is the unevenness of one.
-void TestPlanes(InkTestChecks& check)
-{
-  struct Case
-  {
-    double Radius; ///< 20 pixels, or 6
-    double Angle;
-    double Apart; ///< measured, in radii
-  };
-  for (const Case& one : { Case{ 0.05, 0.0, 0.59 }, { 0.05, 45.0, 0.63 }, { 0.05, 65.0, 0.63 },
-         { 0.015, 0.0, 0.59 }, { 0.015, 45.0, 0.74 }, { 0.015, 65.0, 0.8 } })
-  {
-    for (bool parallel : { true, false })
-    {
-      const View view{ parallel, one.Angle, 0.5 };
-      const std::string what = ToString(view) + " with points of radius " + std::to_string(one.Radius);
-      const double apart = ShareOfSecondLayer(one.Radius, 1.1 * one.Apart, view);
-      check(apart > 0.99, "two layers of planes ", 1.1 * one.Apart, " radii apart", what, ", found ", apart,
-        " of the second");
-      const double merged = ShareOfSecondLayer(one.Radius, 0.7 * one.Apart, view);
-      check(merged < 0.01, "one layer of planes ", 0.7 * one.Apart, " radii apart", what, ", found ", merged,
-        " of a second");
-    }
-  }
-}
-
-/// As published, a splat's depth may differ by one and a half radii, whatever its slope.
-void TestAsPublished(InkTestChecks& check)
-{
-  for (double angle : { 0.0, 45.0 })
-  {
-    const View view{ true, angle, 0.5 };
-    const double along = std::cos(vtkMath::RadiansFromDegrees(angle)); // of the view's distance
-    const double merged = ShareOfSecondLayer(0.05, 1.45 * along, view, true);
-    const double apart = ShareOfSecondLayer(0.05, 1.55 * along, view, true);
-    check(merged < 0.01 && apart > 0.99, "two layers from 1.5 radii along the view on as published",
-      ToString(view), ", found ", merged, " of the second before, ", apart, " behind");
-  }
-}
-
 /// The share of a ring's directions in which there is ink within some pixels of it.
 double RingIn(const InkTestImage& image, double radius, const View& view)
 {
@@ -136,8 +97,51 @@ double RingIn(const InkTestImage& image, double radius, const View& view)
   return dark / 360.0;
 }
 
+} // namespace
+
+/// Planes are two layers from the measured distance on; what is nearer is the unevenness of one.
+TEST(SplattingLinesSheets, Planes)
+{
+  struct Case
+  {
+    double Radius; ///< 20 pixels, or 6
+    double Angle;
+    double Apart; ///< measured, in radii
+  };
+  for (const Case& one : { Case{ 0.05, 0.0, 0.59 }, { 0.05, 45.0, 0.63 }, { 0.05, 65.0, 0.63 },
+         { 0.015, 0.0, 0.59 }, { 0.015, 45.0, 0.74 }, { 0.015, 65.0, 0.8 } })
+  {
+    for (bool parallel : { true, false })
+    {
+      const View view{ parallel, one.Angle, 0.5 };
+      const std::string what = ToString(view) + " with points of radius " + std::to_string(one.Radius);
+      const double apart = ShareOfSecondLayer(one.Radius, 1.1 * one.Apart, view);
+      EXPECT_GT(apart, 0.99) << "two layers of planes " << 1.1 * one.Apart << " radii apart" << what
+                             << ", found " << apart << " of the second";
+      const double merged = ShareOfSecondLayer(one.Radius, 0.7 * one.Apart, view);
+      EXPECT_LT(merged, 0.01) << "one layer of planes " << 0.7 * one.Apart << " radii apart" << what
+                              << ", found " << merged << " of a second";
+    }
+  }
+}
+
+/// As published, a splat's depth may differ by one and a half radii, whatever its slope.
+TEST(SplattingLinesSheets, AsPublished)
+{
+  for (double angle : { 0.0, 45.0 })
+  {
+    const View view{ true, angle, 0.5 };
+    const double along = std::cos(vtkMath::RadiansFromDegrees(angle)); // of the view's distance
+    const double merged = ShareOfSecondLayer(0.05, 1.45 * along, view, true);
+    const double apart = ShareOfSecondLayer(0.05, 1.55 * along, view, true);
+    EXPECT_TRUE(merged < 0.01 && apart > 0.99)
+      << "two layers from 1.5 radii along the view on as published" << ToString(view) << ", found " << merged
+      << " of the second before, " << apart << " behind";
+  }
+}
+
 /// Each of two spheres within each other has its outline, in its own layer.
-void TestOutlines(InkTestChecks& check)
+TEST(SplattingLinesSheets, Outlines)
 {
   for (double radius : { 0.05, 0.015 })
   {
@@ -153,15 +157,15 @@ void TestOutlines(InkTestChecks& check)
       {
         scene.ShowLayer(layer);
         const double ring = RingIn(InkTestImage(scene.Window), layer == 0 ? 1.0 : inner, view);
-        check(ring > 0.97, "the outline of layer ", layer, ToString(view), " with points of radius ", radius,
-          ", found ", ring, " of it");
+        EXPECT_GT(ring, 0.97) << "the outline of layer " << layer << ToString(view)
+                              << " with points of radius " << radius << ", found " << ring << " of it";
       }
     }
   }
 }
 
 /// Lines of a sheet do not show through another before it.
-void TestNothingShowsThrough(InkTestChecks& check)
+TEST(SplattingLinesSheets, NothingShowsThrough)
 {
   constexpr double radius = 0.015;
   for (bool parallel : { true, false })
@@ -193,18 +197,7 @@ void TestNothingShowsThrough(InkTestChecks& check)
         through += std::abs(flat.Gray(x, y) - waving.Gray(x, y)) > 8;
       }
     }
-    check(through == 0, "nothing of a hidden plane's waves", ToString(view), ", found ", through, " pixels");
+    EXPECT_EQ(through, 0) << "nothing of a hidden plane's waves" << ToString(view) << ", found " << through
+                          << " pixels";
   }
-}
-
-} // namespace
-
-int TestSplattingLinesSheets(int, char*[])
-{
-  InkTestChecks check;
-  TestPlanes(check);
-  TestAsPublished(check);
-  TestOutlines(check);
-  TestNothingShowsThrough(check);
-  return check.Result();
 }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hundredth of a parameter's range is a small step of ink, at its ends above all.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-int TestSplattingLinesSliders(int, char*[])
+TEST(SplattingLinesSliders, AreContinuousAtTheirEnds)
 {
-  InkTestChecks check;
   const auto torus = InkTestPoints::Torus(1.0, 0.4, 0.03);
   using Mapper = vtkInkSplattingLinesMapper;
   const struct
@@ -46,18 +46,17 @@ int TestSplattingLinesSliders(int, char*[])
     };
     const double ends[2][2] = { { draw(0.0), draw(0.01) }, { draw(1.0), draw(0.99) } };
     const double most = std::max({ ends[0][0], ends[0][1], draw(0.5), ends[1][0], ends[1][1] });
-    check(most > 100.0, slider.Name, ": ink, found ", most);
+    EXPECT_GT(most, 100.0) << slider.Name << ": ink, found " << most;
     for (int end : { 0, 1 })
     {
       const double step = std::abs(ends[end][0] - ends[end][1]) / most;
-      check(step <= slider.LargestStep, slider.Name, ": a small step at ", end ? "the end" : "0", ", found ",
-        step, " of the ink");
+      EXPECT_LE(step, slider.LargestStep) << slider.Name << ": a small step at " << (end ? "the end" : "0")
+                                          << ", found " << step << " of the ink";
       // A step a hundred times smaller is far smaller: none is a jump, however steep the way.
       const double near = draw(end ? 0.9999 : 0.0001);
       const double tiny = std::abs(ends[end][0] - near) / most;
-      check(
-        tiny <= 0.008, slider.Name, ": no jump at ", end ? "the end" : "0", ", found ", tiny, " of the ink");
+      EXPECT_LE(tiny, 0.008) << slider.Name << ": no jump at " << (end ? "the end" : "0") << ", found "
+                             << tiny << " of the ink";
     }
   }
-  return check.Result();
 }

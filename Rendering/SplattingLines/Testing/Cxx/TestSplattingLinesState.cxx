@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is drawn around splatting lines does not notice them: actors before and after, backgrounds.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -19,6 +18,8 @@
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
+
+#include <gtest/gtest.h>
 
 #include <string>
 
@@ -80,76 +81,6 @@ int CountDifferentRightOf(const InkTestImage& a, const InkTestImage& b, int left
   return different;
 }
 
-void TestBystanders(InkTestChecks& check)
-{
-  for (bool paper : { true, false })
-  {
-    for (bool peeling : { false, true })
-    {
-      SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.05, { -1.0, 0.0, 0.0 }), 400, 200);
-      Bystanders bystanders;
-      scene.Mapper->SetPaperVisibility(paper);
-      scene.Renderer->SetUseDepthPeeling(peeling);
-      scene.Renderer->RemoveActor(scene.Actor);
-      scene.Renderer->AddActor(bystanders.Dots);
-      scene.Renderer->AddActor(scene.Actor);
-      scene.Renderer->AddActor(bystanders.Shards);
-      vtkNew<vtkActor> after;
-      after->ShallowCopy(bystanders.Dots);
-      after->SetPosition(0.0, 0.5, 0.0);
-      scene.Renderer->AddActor(after);
-      scene.Renderer->ResetCamera();
-      const InkTestImage with(scene.Window);
-      scene.Actor->VisibilityOff();
-      const InkTestImage without(scene.Window);
-      check(with.CountDifferent(without) > 100, "lines");
-      const int different = CountDifferentRightOf(with, without, 240);
-      check(different == 0, "bystanders as without lines", paper ? "" : " (no paper)",
-        peeling ? " (depth peeling): " : ": ", different, " values differ");
-    }
-  }
-}
-
-void TestBackgrounds(InkTestChecks& check)
-{
-  for (bool paper : { true, false })
-  {
-    SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.05));
-    scene.Mapper->SetPaperVisibility(paper);
-    scene.Renderer->GradientBackgroundOn();
-    scene.Renderer->SetBackground2(1.0, 0.0, 0.0);
-    const InkTestImage with(scene.Window);
-    scene.Actor->VisibilityOff();
-    const InkTestImage without(scene.Window);
-    int different = 0;
-    for (int i = 0; i < 200; ++i)
-    {
-      different += with.Channel(i, 5, 1) != without.Channel(i, 5, 1);
-      different += with.Channel(5, i, 1) != without.Channel(5, i, 1);
-      different += !paper && with.Channel(100, 60 + i % 80, 1) != without.Channel(100, 60 + i % 80, 1);
-    }
-    check(different == 0, "a gradient background, ", different, " pixels differ");
-  }
-}
-
-/// Alpha is 1 where there is paper and 0 elsewhere, for pictures with a transparent background. (What
-/// translucent actors, and so ink without paper, add to alpha is VTK's choice: it differs between versions.)
-void TestTransparentBackground(InkTestChecks& check)
-{
-  for (bool paper : { true, false })
-  {
-    SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.05));
-    scene.Mapper->SetPaperVisibility(paper);
-    scene.Window->AlphaBitPlanesOn();
-    scene.Renderer->SetBackgroundAlpha(0.0);
-    scene.Renderer->SetBackground(0.0, 0.0, 0.0);
-    const InkTestImage image(scene.Window, 1, true);
-    check(image.Channel(2, 2, 3) == 0, "a transparent background");
-    check(image.Channel(100, 100, 3) == (paper ? 255 : 0), "alpha within the contour, ",
-      image.Channel(100, 100, 3));
-  }
-}
-
 /// Counts how often something happens.
 class Counter : public vtkCommand
 {
@@ -179,10 +110,82 @@ int CountGLErrors()
   return errors;
 }
 
+} // namespace
+
+TEST(SplattingLinesState, Bystanders)
+{
+  for (bool paper : { true, false })
+  {
+    for (bool peeling : { false, true })
+    {
+      SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.05, { -1.0, 0.0, 0.0 }), 400, 200);
+      Bystanders bystanders;
+      scene.Mapper->SetPaperVisibility(paper);
+      scene.Renderer->SetUseDepthPeeling(peeling);
+      scene.Renderer->RemoveActor(scene.Actor);
+      scene.Renderer->AddActor(bystanders.Dots);
+      scene.Renderer->AddActor(scene.Actor);
+      scene.Renderer->AddActor(bystanders.Shards);
+      vtkNew<vtkActor> after;
+      after->ShallowCopy(bystanders.Dots);
+      after->SetPosition(0.0, 0.5, 0.0);
+      scene.Renderer->AddActor(after);
+      scene.Renderer->ResetCamera();
+      const InkTestImage with(scene.Window);
+      scene.Actor->VisibilityOff();
+      const InkTestImage without(scene.Window);
+      EXPECT_GT(with.CountDifferent(without), 100) << "lines";
+      const int different = CountDifferentRightOf(with, without, 240);
+      EXPECT_EQ(different, 0) << "bystanders as without lines" << (paper ? "" : " (no paper)")
+                              << (peeling ? " (depth peeling): " : ": ") << different << " values differ";
+    }
+  }
+}
+
+TEST(SplattingLinesState, Backgrounds)
+{
+  for (bool paper : { true, false })
+  {
+    SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.05));
+    scene.Mapper->SetPaperVisibility(paper);
+    scene.Renderer->GradientBackgroundOn();
+    scene.Renderer->SetBackground2(1.0, 0.0, 0.0);
+    const InkTestImage with(scene.Window);
+    scene.Actor->VisibilityOff();
+    const InkTestImage without(scene.Window);
+    int different = 0;
+    for (int i = 0; i < 200; ++i)
+    {
+      different += with.Channel(i, 5, 1) != without.Channel(i, 5, 1);
+      different += with.Channel(5, i, 1) != without.Channel(5, i, 1);
+      different += !paper && with.Channel(100, 60 + i % 80, 1) != without.Channel(100, 60 + i % 80, 1);
+    }
+    EXPECT_EQ(different, 0) << "a gradient background, " << different << " pixels differ";
+  }
+}
+
+/// Alpha is 1 where there is paper and 0 elsewhere, for pictures with a transparent background. (What
+/// translucent actors, and so ink without paper, add to alpha is VTK's choice: it differs between versions.)
+TEST(SplattingLinesState, TransparentBackground)
+{
+  for (bool paper : { true, false })
+  {
+    SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.05));
+    scene.Mapper->SetPaperVisibility(paper);
+    scene.Window->AlphaBitPlanesOn();
+    scene.Renderer->SetBackgroundAlpha(0.0);
+    scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+    const InkTestImage image(scene.Window, 1, true);
+    EXPECT_EQ(image.Channel(2, 2, 3), 0) << "a transparent background";
+    EXPECT_EQ(image.Channel(100, 100, 3), (paper ? 255 : 0))
+      << "alpha within the contour, " << image.Channel(100, 100, 3);
+  }
+}
+
 /// Depth peeling counts the pixels that each peel adds. The splats, which are drawn when the view has
 /// changed, are none of them. OpenGL has one such query at a time; the layers end where there are no more all
 /// the same.
-void TestPeeling(InkTestChecks& check)
+TEST(SplattingLinesState, Peeling)
 {
   for (bool dual : { true, false })
   {
@@ -223,21 +226,9 @@ void TestPeeling(InkTestChecks& check)
     const int layers = scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, scene.Actor);
     const int again = CountPeels(scene);
     const char* const how = dual ? " with dual depth peeling" : " with depth peeling";
-    check(again > 2 && first == again, "as many peels", how, " for a new view as for the same again: ", first,
-      ", ", again);
-    check(layers == 2, "two layers", how, ", found ", layers);
-    check(CountGLErrors() == 0, "no error of OpenGL", how);
+    EXPECT_TRUE(again > 2 && first == again)
+      << "as many peels" << how << " for a new view as for the same again: " << first << ", " << again;
+    EXPECT_EQ(layers, 2) << "two layers" << how << ", found " << layers;
+    EXPECT_EQ(CountGLErrors(), 0) << "no error of OpenGL" << how;
   }
-}
-
-} // namespace
-
-int TestSplattingLinesState(int, char*[])
-{
-  InkTestChecks check;
-  TestBystanders(check);
-  TestBackgrounds(check);
-  TestTransparentBackground(check);
-  TestPeeling(check);
-  return check.Result();
 }

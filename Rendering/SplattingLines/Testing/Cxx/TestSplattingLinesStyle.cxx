@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Styles of lines: hardness, width, thinning, speckles, dashes, colors by scalars and by tone, papers.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
@@ -13,6 +13,8 @@
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +99,9 @@ int CountSpots(const InkTestImage& image)
   return spots;
 }
 
-void TestHardness(InkTestChecks& check)
+} // namespace
+
+TEST(SplattingLinesStyle, Hardness)
 {
   SplattingLinesScene scene(Torus());
   scene.Mapper->SetPhi(40.0);
@@ -106,19 +110,19 @@ void TestHardness(InkTestChecks& check)
   {
     scene.Mapper->SetHardness(hardness);
     const int grays = CountGrays(InkTestImage(scene.Window));
-    check(hardness == 1.0 ? grays <= last : grays < last, "fewer grays with hardness ", hardness, ": ", grays,
-      " after ", last);
+    EXPECT_TRUE(hardness == 1.0 ? grays <= last : grays < last)
+      << "fewer grays with hardness " << hardness << ": " << grays << " after " << last;
     last = grays;
   }
   scene.Mapper->SetHardness(0.0);
   const int soft = InkTestImage(scene.Window).CountDark();
   scene.Mapper->SetHardness(1.0);
   const int hard = InkTestImage(scene.Window).CountDark();
-  check(
-    std::abs(hard - soft) < 0.1 * soft, "lines that are hard as wide at half their ink: ", hard, ", ", soft);
+  EXPECT_LT(std::abs(hard - soft), 0.1 * soft)
+    << "lines that are hard as wide at half their ink: " << hard << ", " << soft;
 }
 
-void TestWidth(InkTestChecks& check)
+TEST(SplattingLinesStyle, Width)
 {
   SplattingLinesScene scene(Torus());
   double last = -1.0;
@@ -126,8 +130,8 @@ void TestWidth(InkTestChecks& check)
   {
     scene.Mapper->SetLineWidth(width);
     const double ink = InkTestImage(scene.Window).Ink();
-    check(
-      ink > last || (ink == 0.0 && last == 0.0), "more ink with width ", width, ": ", ink, " after ", last);
+    EXPECT_TRUE(ink > last || (ink == 0.0 && last == 0.0))
+      << "more ink with width " << width << ": " << ink << " after " << last;
     last = ink;
   }
   // Twenty thousandths of 200 pixels: two on each side of the line.
@@ -145,17 +149,17 @@ void TestWidth(InkTestChecks& check)
   };
   const int plain = width();
   scene.Mapper->SetLineWidth(20.0);
-  check(plain > 0 && width() == plain + 4, "four pixels more: ", width(), " after ", plain);
+  EXPECT_TRUE(plain > 0 && width() == plain + 4) << "four pixels more: " << width() << " after " << plain;
 }
 
-void TestThinning(InkTestChecks& check)
+TEST(SplattingLinesStyle, Thinning)
 {
   SplattingLinesScene scene(Torus());
   scene.Mapper->SetPhi(500.0);
   const InkTestImage whole(scene.Window);
   scene.Mapper->ThinningOn();
   const InkTestImage thin(scene.Window);
-  check(thin.Ink() < 0.75 * whole.Ink(), "less ink: ", thin.Ink(), " of ", whole.Ink());
+  EXPECT_LT(thin.Ink(), 0.75 * whole.Ink()) << "less ink: " << thin.Ink() << " of " << whole.Ink();
   int blocks = 0;
   int added = 0;
   for (int y = 0; y + 1 < 200; ++y)
@@ -167,11 +171,11 @@ void TestThinning(InkTestChecks& check)
       added += thin.Gray(x, y) < whole.Gray(x, y);
     }
   }
-  check(blocks == 0, "no square of 2 x 2 dark pixels in thin lines, found ", blocks);
-  check(added == 0, "no ink where there was none, found ", added);
+  EXPECT_EQ(blocks, 0) << "no square of 2 x 2 dark pixels in thin lines, found " << blocks;
+  EXPECT_EQ(added, 0) << "no ink where there was none, found " << added;
 }
 
-void TestSpeckles(InkTestChecks& check)
+TEST(SplattingLinesStyle, Speckles)
 {
   SplattingLinesScene scene(NoisyTorus());
   scene.Mapper->SetLambda(1.2);
@@ -181,15 +185,15 @@ void TestSpeckles(InkTestChecks& check)
   {
     scene.Mapper->SetSpeckleLength(length);
     const InkTestImage image(scene.Window);
-    check(length > 8.0 ? image.Ink() <= last : image.Ink() < last, "less ink without speckles of ", length,
-      " pixels: ", image.Ink());
+    EXPECT_TRUE(length > 8.0 ? image.Ink() <= last : image.Ink() < last)
+      << "less ink without speckles of " << length << " pixels: " << image.Ink();
     last = image.Ink();
   }
   scene.Mapper->SetSpeckleLength(1000.0);
-  check(InkTestImage(scene.Window).CountDark(250) == 0, "nothing is longer than the picture");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDark(250), 0) << "nothing is longer than the picture";
 }
 
-void TestDashes(InkTestChecks& check)
+TEST(SplattingLinesStyle, Dashes)
 {
   SplattingLinesScene scene(InkTestPoints::Sphere(1.0, 0.02));
   scene.Mapper->SetPhi(500.0);
@@ -197,7 +201,7 @@ void TestDashes(InkTestChecks& check)
   scene.Mapper->SetLayerDashLength(0, 40.0); // 8 pixels
   const InkTestImage dashed(scene.Window);
   const double share = dashed.Ink() / whole;
-  check(share > 0.4 && share < 0.65, "about half of the ring in dashes: ", share);
+  EXPECT_TRUE(share > 0.4 && share < 0.65) << "about half of the ring in dashes: " << share;
   double radius = 0.0;
   for (int x = 100; x < 200; ++x)
   {
@@ -205,11 +209,11 @@ void TestDashes(InkTestChecks& check)
   }
   const double expected = 2.0 * vtkMath::Pi() * radius / 16.0;
   const int dashes = CountSpots(dashed);
-  check(
-    std::abs(dashes - expected) < 0.2 * expected, "dashes and gaps of 8 pixels: ", dashes, " of ", expected);
+  EXPECT_LT(std::abs(dashes - expected), 0.2 * expected)
+    << "dashes and gaps of 8 pixels: " << dashes << " of " << expected;
 }
 
-void TestScalars(InkTestChecks& check)
+TEST(SplattingLinesStyle, Scalars)
 {
   auto points = Torus();
   vtkNew<vtkFloatArray> side;
@@ -227,7 +231,8 @@ void TestScalars(InkTestChecks& check)
   table->SetTableValue(1, 0.0, 0.0, 1.0);
   scene.Mapper->SetLookupTable(table);
   scene.Mapper->SetScalarRange(0.0, 1.0);
-  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "scalars color nothing unless they are to");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(black), 0)
+    << "scalars color nothing unless they are to";
   scene.Mapper->SetInkColorMode(vtkInkSplattingLinesMapper::SCALARS);
   const InkTestImage colored(scene.Window);
   int wrong = 0;
@@ -243,20 +248,20 @@ void TestScalars(InkTestChecks& check)
       }
     }
   }
-  check(lines > 300 && wrong < lines / 100, "red lines to the left, blue ones to the right; ", wrong, " of ",
-    lines, " are not");
+  EXPECT_TRUE(lines > 300 && wrong < lines / 100)
+    << "red lines to the left, blue ones to the right; " << wrong << " of " << lines << " are not";
   const vtkMTimeType time = scene.Mapper->GetUploadTime();
   scene.Mapper->SetTau(1.0);
   scene.Mapper->InterpolateScalarsBeforeMappingOn();
   scene.Window->Render();
-  check(scene.Mapper->GetUploadTime() == time, "no upload of colors that do not change");
+  EXPECT_EQ(scene.Mapper->GetUploadTime(), time) << "no upload of colors that do not change";
   scene.Mapper->SetTau(0.99);
-  check(InkTestImage(scene.Window).CountDifferent(colored) == 0, "points have no textures");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(colored), 0) << "points have no textures";
   // Wider lines, which reach beyond the surface, have their surface's color there, too.
   scene.Mapper->SetLineWidth(20.0);
   table->SetTableValue(0, 0.0, 1.0, 0.0);
   const InkTestImage wide(scene.Window);
-  check(scene.Mapper->GetUploadTime() > time, "an upload of colors that did change");
+  EXPECT_GT(scene.Mapper->GetUploadTime(), time) << "an upload of colors that did change";
   int red = 0;
   for (int y = 0; y < 200; ++y)
   {
@@ -266,10 +271,10 @@ void TestScalars(InkTestChecks& check)
         wide.Channel(x, y, 0) > wide.Channel(x, y, 2) + 20;
     }
   }
-  check(red == 0, "no color that the table does not have, found ", red, " pixels");
+  EXPECT_EQ(red, 0) << "no color that the table does not have, found " << red << " pixels";
   scene.Mapper->SetLineWidth(0.0);
   scene.Mapper->ScalarVisibilityOff();
-  check(InkTestImage(scene.Window).CountDifferent(black) == 0, "no colors with ScalarVisibility off");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(black), 0) << "no colors with ScalarVisibility off";
 
   // Scalars of cells say nothing about points.
   points->GetPointData()->SetScalars(nullptr);
@@ -287,12 +292,12 @@ void TestScalars(InkTestChecks& check)
   messages->Observe(scene.Mapper);
   scene.Window->Render();
   scene.Window->Render();
-  check(
-    messages->Messages.size() == 1 && messages->Messages[0].find("scalars of points") != std::string::npos,
-    "one message that names what colors come from, found ", messages->Messages.size());
+  EXPECT_TRUE(
+    messages->Messages.size() == 1 && messages->Messages[0].find("scalars of points") != std::string::npos)
+    << "one message that names what colors come from, found " << messages->Messages.size();
 }
 
-void TestTone(InkTestChecks& check)
+TEST(SplattingLinesStyle, Tone)
 {
   // A dent's lines lie where the surface faces the viewer, the contour's where it does not.
   SplattingLinesScene scene(Torus());
@@ -311,11 +316,12 @@ void TestTone(InkTestChecks& check)
       greener += std::abs(toned.Channel(x, y, 1) - black.Channel(x, y, 1)) > 1;
     }
   }
-  check(redder > 50 && greener == 0, "some red in the lines, and nothing else: ", redder, ", ", greener);
+  EXPECT_TRUE(redder > 50 && greener == 0)
+    << "some red in the lines, and nothing else: " << redder << ", " << greener;
 }
 
 /// The same ink on any paper.
-void TestPapers(InkTestChecks& check)
+TEST(SplattingLinesStyle, Papers)
 {
   SplattingLinesScene scene(Torus());
   const InkTestImage onWhite(scene.Window);
@@ -331,16 +337,16 @@ void TestPapers(InkTestChecks& check)
       different += std::abs(onWhite.Gray(x, y) + onBlack.Gray(x, y) - 255) > 1;
     }
   }
-  check(different == 0, "white on black is the negative; ", different, " pixels are not");
+  EXPECT_EQ(different, 0) << "white on black is the negative; " << different << " pixels are not";
   scene.Mapper->SetInkColor(0.0, 0.0, 0.0);
   scene.Mapper->PaperVisibilityOff();
   scene.Renderer->SetBackground(1.0, 1.0, 1.0);
-  check(InkTestImage(scene.Window).CountDifferent(onWhite, 3) == 0,
-    "ink alone on a white background is the same");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(onWhite, 3), 0)
+    << "ink alone on a white background is the same";
 }
 
 /// Around lines that are wider than the surface there is no paper.
-void TestNoHalo(InkTestChecks& check)
+TEST(SplattingLinesStyle, NoHalo)
 {
   SplattingLinesScene scene(Torus());
   scene.Renderer->SetBackground(0.5, 0.5, 0.5);
@@ -356,11 +362,11 @@ void TestNoHalo(InkTestChecks& check)
       lighter += wide.Gray(x, y) > plain.Gray(x, y) + 2;
     }
   }
-  check(lighter == 0, "nothing lighter for wider lines, found ", lighter, " pixels");
+  EXPECT_EQ(lighter, 0) << "nothing lighter for wider lines, found " << lighter << " pixels";
 }
 
 /// Only what is asked for: no splat is drawn again for a style, nothing is sent to the GPU.
-void TestUploads(InkTestChecks& check)
+TEST(SplattingLinesStyle, Uploads)
 {
   SplattingLinesScene scene(Torus());
   scene.Window->Render();
@@ -371,23 +377,5 @@ void TestUploads(InkTestChecks& check)
   scene.Mapper->SetInkColorMode(vtkInkSplattingLinesMapper::TONE);
   scene.Mapper->SetPointFraction(0.5);
   scene.Window->Render();
-  check(scene.Mapper->GetUploadTime() == time, "no upload for styles, layers and a part of the points");
-}
-
-} // namespace
-
-int TestSplattingLinesStyle(int, char*[])
-{
-  InkTestChecks check;
-  TestHardness(check);
-  TestWidth(check);
-  TestThinning(check);
-  TestSpeckles(check);
-  TestDashes(check);
-  TestScalars(check);
-  TestTone(check);
-  TestPapers(check);
-  TestNoHalo(check);
-  TestUploads(check);
-  return check.Result();
+  EXPECT_EQ(scene.Mapper->GetUploadTime(), time) << "no upload for styles, layers and a part of the points";
 }

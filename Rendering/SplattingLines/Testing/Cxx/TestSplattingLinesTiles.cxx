@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures drawn in tiles: what is done to lines as an image is what would be done to the whole picture, in
 // bounded memory.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -11,6 +10,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
+
+#include <gtest/gtest.h>
 
 #include <sys/resource.h>
 
@@ -61,9 +62,8 @@ double PeakMemory()
 
 } // namespace
 
-int TestSplattingLinesTiles(int, char*[])
+TEST(SplattingLinesTiles, AreAsTheWholePicture)
 {
-  InkTestChecks check;
   SplattingLinesScene scene(Noise(), Size, Size);
   // Nothing reaches the picture's border, beyond which tiles look, too; and no ink is faint.
   scene.Mapper->SetLambda(1.2);
@@ -90,18 +90,18 @@ int TestSplattingLinesTiles(int, char*[])
         removed += all[i] != expected[i];
         wrong += std::abs(found[i] - expected[i]) > 1;
       }
-      check(removed > 500 * tiles, "speckles of ", pixels, " pixels are there to be removed: ", removed);
-      check(
-        std::count_if(found.begin(), found.end(), [](unsigned char ink) { return ink > 128; }) > 400 * tiles,
-        "what is longer stays");
+      EXPECT_GT(removed, 500 * tiles)
+        << "speckles of " << pixels << " pixels are there to be removed: " << removed;
+      EXPECT_GT(
+        std::count_if(found.begin(), found.end(), [](unsigned char ink) { return ink > 128; }), 400 * tiles)
+        << "what is longer stays";
       // Without a margin, splats at a tile's border do not see what lies beyond.
-      check(wrong <= 64, tiles, " x ", tiles, " tiles without speckles of ", length,
-        " pixels like the whole picture; ", wrong, " pixels are not");
+      EXPECT_LE(wrong, 64) << tiles << " x " << tiles << " tiles without speckles of " << length
+                           << " pixels like the whole picture; " << wrong << " pixels are not";
     }
     // A tile has four times a window's pixels at most, each in images of 44 bytes.
     const double more = PeakMemory() - before;
     const double most = 2.0 * 4.0 * Size * Size * 44.0 / 1048576.0;
-    check(more < most, "at most ", most, " MiB more memory, found ", more);
+    EXPECT_LT(more, most) << "at most " << most << " MiB more memory, found " << more;
   }
-  return check.Result();
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Windows and viewports: resizing, multisampling, tiles, several renderers, actors and mappers, and resources
 // that go away.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
 
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <string>
 
@@ -18,19 +19,21 @@ vtkSmartPointer<vtkPolyData> Points()
   return InkTestPoints::Torus(1.0, 0.4, 0.03);
 }
 
-void TestResize(InkTestChecks& check)
+} // namespace
+
+TEST(SplattingLinesWindows, Resize)
 {
   SplattingLinesScene scene(Points());
   const InkTestImage first(scene.Window);
   scene.Window->SetSize(120, 90);
   const InkTestImage small(scene.Window);
-  check(small.GetWidth() == 120 && small.GetHeight() == 90 && small.CountDark() > 100,
-    "lines in a smaller window");
+  EXPECT_TRUE(small.GetWidth() == 120 && small.GetHeight() == 90 && small.CountDark() > 100)
+    << "lines in a smaller window";
   scene.Window->SetSize(200, 200);
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first picture again");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the first picture again";
 }
 
-void TestMultisampling(InkTestChecks& check)
+TEST(SplattingLinesWindows, Multisampling)
 {
   SplattingLinesScene plain(Points());
   const InkTestImage expected(plain.Window);
@@ -38,31 +41,31 @@ void TestMultisampling(InkTestChecks& check)
   {
     SplattingLinesScene scene(Points());
     scene.Window->SetMultiSamples(samples);
-    check(InkTestImage(scene.Window).CountDifferent(expected, 2) == 0, "the same picture with ", samples,
-      " samples");
+    EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(expected, 2), 0)
+      << "the same picture with " << samples << " samples";
   }
 }
 
 /// A picture of several tiles is like one from a large window, and its lines twice as wide as in a small one.
-void TestTiles(InkTestChecks& check)
+TEST(SplattingLinesWindows, Tiles)
 {
   SplattingLinesScene scene(Points());
   const InkTestImage one(scene.Window);
   const InkTestImage tiles(scene.Window, 2);
-  check(tiles.GetWidth() == 400, "twice the size");
+  EXPECT_EQ(tiles.GetWidth(), 400) << "twice the size";
   const double ratio = double(tiles.CountDark()) / one.CountDark();
-  check(ratio > 3.3 && ratio < 4.7, "lines twice as wide: ", ratio, " times the dark pixels");
+  EXPECT_TRUE(ratio > 3.3 && ratio < 4.7) << "lines twice as wide: " << ratio << " times the dark pixels";
   int seam = 0;
   for (int y = 0; y < 400; ++y)
   {
     seam += tiles.IsDark(199, y) != tiles.IsDark(200, y);
     seam += tiles.IsDark(y, 199) != tiles.IsDark(y, 200);
   }
-  check(seam <= 8, "lines that go on across the tiles, ", seam, " pixels differ");
+  EXPECT_LE(seam, 8) << "lines that go on across the tiles, " << seam << " pixels differ";
 }
 
 /// Two renderers with one actor each, or with the same actor, draw what they draw alone.
-void TestViewports(InkTestChecks& check)
+TEST(SplattingLinesWindows, Viewports)
 {
   SplattingLinesScene alone(Points(), 100, 200);
   const InkTestImage expected(alone.Window);
@@ -88,13 +91,13 @@ void TestViewports(InkTestChecks& check)
         different += both.Gray(x + 100, y) != expected.Gray(x, y);
       }
     }
-    check(different == 0, "two viewports like one", shared ? " (one actor)" : "", ": ", different,
-      " pixels differ");
+    EXPECT_EQ(different, 0) << "two viewports like one" << (shared ? " (one actor)" : "") << ": " << different
+                            << " pixels differ";
   }
 }
 
 /// A viewport that fills neither the window's width nor its height.
-void TestInset(InkTestChecks& check)
+TEST(SplattingLinesWindows, Inset)
 {
   SplattingLinesScene alone(Points(), 100, 100);
   const InkTestImage expected(alone.Window);
@@ -114,22 +117,22 @@ void TestInset(InkTestChecks& check)
       outside += !inside && image.Gray(x, y) != 0;
     }
   }
-  check(different == 0 && outside == 0, "an inset viewport: ", different, " pixels differ, ", outside,
-    " outside");
+  EXPECT_TRUE(different == 0 && outside == 0)
+    << "an inset viewport: " << different << " pixels differ, " << outside << " outside";
 }
 
-void TestReleasedResources(InkTestChecks& check)
+TEST(SplattingLinesWindows, ReleasedResources)
 {
   SplattingLinesScene scene(Points());
   const InkTestImage first(scene.Window);
   scene.Mapper->ReleaseGraphicsResources(scene.Window);
-  check(scene.Mapper->GetUploadTime() == 0, "nothing on the GPU");
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the picture after a release");
+  EXPECT_EQ(scene.Mapper->GetUploadTime(), 0) << "nothing on the GPU";
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the picture after a release";
   scene.Window->Finalize();
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the picture after Finalize");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the picture after Finalize";
 }
 
-void TestMovedRenderer(InkTestChecks& check)
+TEST(SplattingLinesWindows, MovedRenderer)
 {
   SplattingLinesScene scene(Points());
   const InkTestImage first(scene.Window);
@@ -139,14 +142,14 @@ void TestMovedRenderer(InkTestChecks& check)
   second->SetSize(200, 200);
   scene.Window->RemoveRenderer(scene.Renderer);
   second->AddRenderer(scene.Renderer);
-  check(InkTestImage(second).CountDifferent(first) == 0, "the picture in another window");
+  EXPECT_EQ(InkTestImage(second).CountDifferent(first), 0) << "the picture in another window";
   second->RemoveRenderer(scene.Renderer);
   scene.Window->AddRenderer(scene.Renderer);
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the picture in the first window");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the picture in the first window";
 }
 
 /// Mapper, actor, renderer and window may go in any order.
-void TestOrderOfDeletion(InkTestChecks& check)
+TEST(SplattingLinesWindows, OrderOfDeletion)
 {
   // The window never hears of a mapper that was taken from its actor.
   auto mapper = vtkSmartPointer<vtkInkSplattingLinesMapper>::New();
@@ -157,9 +160,9 @@ void TestOrderOfDeletion(InkTestChecks& check)
     scene.Window->Render();
     scene.Actor->SetMapper(scene.Mapper);
     scene.Window->Render();
-    check(mapper->GetUploadTime() > 0, "points on the GPU");
+    EXPECT_GT(mapper->GetUploadTime(), 0) << "points on the GPU";
   }
-  check(mapper->GetUploadTime() == 0, "nothing left of a window that is gone");
+  EXPECT_EQ(mapper->GetUploadTime(), 0) << "nothing left of a window that is gone";
   mapper = nullptr;
 
   SplattingLinesScene scene(Points());
@@ -170,72 +173,11 @@ void TestOrderOfDeletion(InkTestChecks& check)
     scene.Window->Render();
     scene.Actor->SetMapper(scene.Mapper);
   }
-  check(InkTestImage(scene.Window).CountDark() > 100, "a picture after a mapper is gone");
-}
-
-/// One mapper in two windows: sent to each GPU once, the same picture, and each window takes its own with it.
-void TestTwoWindows(InkTestChecks& check)
-{
-  SplattingLinesScene first(Points());
-  const InkTestImage expected(first.Window);
-  {
-    SplattingLinesScene second(Points());
-    second.Actor->SetMapper(first.Mapper);
-    check(InkTestImage(second.Window).CountDifferent(expected) == 0, "the picture in a second window");
-    const vtkMTimeType time = first.Mapper->GetUploadTime();
-    for (int frame = 0; frame < 3; ++frame)
-    {
-      for (SplattingLinesScene* scene : { &first, &second })
-      {
-        scene->Renderer->GetActiveCamera()->Azimuth(10.0);
-        scene->Window->Render();
-      }
-    }
-    check(first.Mapper->GetUploadTime() == time, "no upload for windows by turns");
-    check(InkTestImage(second.Window).CountDifferent(InkTestImage(first.Window)) == 0,
-      "the same picture in both windows");
-    // An older input that comes back is not what the other window drew last.
-    auto shifted = InkTestPoints::Transform(Points(), 3.0, { 5.0, 0.0, 0.0 });
-    first.Mapper->SetInputData(shifted);
-    second.Renderer->ResetCamera();
-    second.Window->Render();
-  }
-  check(first.Mapper->GetUploadTime() > 0, "the first window's points stay when the second is gone");
-  first.Mapper->SetInputData(Points());
-  first.Renderer->GetActiveCamera()->Azimuth(-30.0);
-  check(InkTestImage(first.Window).CountDifferent(expected) == 0, "the first picture again");
-}
-
-/// Asking about layers frees nothing, for which no context is current, and knows a drawing from none.
-void TestDrawnLayers(InkTestChecks& check)
-{
-  SplattingLinesScene scene(Points());
-  vtkNew<vtkRenderer> unseen;
-  {
-    // Its drawing stays until the mapper draws again.
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(scene.Mapper);
-    scene.Renderer->AddActor(actor);
-    scene.Window->Render();
-    actor->SetMapper(nullptr);
-    scene.Renderer->RemoveActor(actor);
-  }
-  SplattingLinesScene other(Points());
-  other.Window->Render();
-  const InkTestImage before(other.Window);
-  check(scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, scene.Actor) == 1, "one layer is drawn");
-  check(scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, other.Actor) == 0, "none of another actor");
-  check(scene.Mapper->GetNumberOfDrawnLayers(unseen, scene.Actor) == 0, "none without a window");
-  // The names of the objects of one context mean others in another: those of the other window are all there.
-  other.Renderer->GetActiveCamera()->Azimuth(10.0);
-  other.Window->Render();
-  other.Renderer->GetActiveCamera()->Azimuth(-10.0);
-  check(InkTestImage(other.Window).CountDifferent(before) == 0, "the other window's drawing is untouched");
-  check(InkTestImage(scene.Window).CountDark() > 100, "a picture after that");
+  EXPECT_GT(InkTestImage(scene.Window).CountDark(), 100) << "a picture after a mapper is gone";
 }
 
 /// Two mappers in one scene, and one mapper for two actors.
-void TestTwoActors(InkTestChecks& check)
+TEST(SplattingLinesWindows, TwoActors)
 {
   SplattingLinesScene scene(Points());
   vtkNew<vtkInkSplattingLinesMapper> mapper;
@@ -252,29 +194,72 @@ void TestTwoActors(InkTestChecks& check)
     images[shared] = new InkTestImage(two.Window);
     const vtkMTimeType time = two.Mapper->GetUploadTime();
     two.Window->Render();
-    check(two.Mapper->GetUploadTime() == time, "no upload for a second actor");
+    EXPECT_EQ(two.Mapper->GetUploadTime(), time) << "no upload for a second actor";
   }
-  check(images[0]->CountDifferent(*images[1]) == 0 && images[0]->CountDark() > 200,
-    "one mapper for two actors like two mappers");
+  EXPECT_TRUE(images[0]->CountDifferent(*images[1]) == 0 && images[0]->CountDark() > 200)
+    << "one mapper for two actors like two mappers";
   delete images[0];
   delete images[1];
 }
 
-} // namespace
-
-int TestSplattingLinesWindows(int, char*[])
+/// One mapper in two windows: sent to each GPU once, the same picture, and each window takes its own with it.
+TEST(SplattingLinesWindows, TwoWindows)
 {
-  InkTestChecks check;
-  TestResize(check);
-  TestMultisampling(check);
-  TestTiles(check);
-  TestViewports(check);
-  TestInset(check);
-  TestReleasedResources(check);
-  TestMovedRenderer(check);
-  TestOrderOfDeletion(check);
-  TestTwoActors(check);
-  TestTwoWindows(check);
-  TestDrawnLayers(check);
-  return check.Result();
+  SplattingLinesScene first(Points());
+  const InkTestImage expected(first.Window);
+  {
+    SplattingLinesScene second(Points());
+    second.Actor->SetMapper(first.Mapper);
+    EXPECT_EQ(InkTestImage(second.Window).CountDifferent(expected), 0) << "the picture in a second window";
+    const vtkMTimeType time = first.Mapper->GetUploadTime();
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      for (SplattingLinesScene* scene : { &first, &second })
+      {
+        scene->Renderer->GetActiveCamera()->Azimuth(10.0);
+        scene->Window->Render();
+      }
+    }
+    EXPECT_EQ(first.Mapper->GetUploadTime(), time) << "no upload for windows by turns";
+    EXPECT_EQ(InkTestImage(second.Window).CountDifferent(InkTestImage(first.Window)), 0)
+      << "the same picture in both windows";
+    // An older input that comes back is not what the other window drew last.
+    auto shifted = InkTestPoints::Transform(Points(), 3.0, { 5.0, 0.0, 0.0 });
+    first.Mapper->SetInputData(shifted);
+    second.Renderer->ResetCamera();
+    second.Window->Render();
+  }
+  EXPECT_GT(first.Mapper->GetUploadTime(), 0) << "the first window's points stay when the second is gone";
+  first.Mapper->SetInputData(Points());
+  first.Renderer->GetActiveCamera()->Azimuth(-30.0);
+  EXPECT_EQ(InkTestImage(first.Window).CountDifferent(expected), 0) << "the first picture again";
+}
+
+/// Asking about layers frees nothing, for which no context is current, and knows a drawing from none.
+TEST(SplattingLinesWindows, DrawnLayers)
+{
+  SplattingLinesScene scene(Points());
+  vtkNew<vtkRenderer> unseen;
+  {
+    // Its drawing stays until the mapper draws again.
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(scene.Mapper);
+    scene.Renderer->AddActor(actor);
+    scene.Window->Render();
+    actor->SetMapper(nullptr);
+    scene.Renderer->RemoveActor(actor);
+  }
+  SplattingLinesScene other(Points());
+  other.Window->Render();
+  const InkTestImage before(other.Window);
+  EXPECT_EQ(scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, scene.Actor), 1) << "one layer is drawn";
+  EXPECT_EQ(scene.Mapper->GetNumberOfDrawnLayers(scene.Renderer, other.Actor), 0) << "none of another actor";
+  EXPECT_EQ(scene.Mapper->GetNumberOfDrawnLayers(unseen, scene.Actor), 0) << "none without a window";
+  // The names of the objects of one context mean others in another: those of the other window are all there.
+  other.Renderer->GetActiveCamera()->Azimuth(10.0);
+  other.Window->Render();
+  other.Renderer->GetActiveCamera()->Azimuth(-10.0);
+  EXPECT_EQ(InkTestImage(other.Window).CountDifferent(before), 0)
+    << "the other window's drawing is untouched";
+  EXPECT_GT(InkTestImage(scene.Window).CountDark(), 100) << "a picture after that";
 }

@@ -2,7 +2,6 @@
 // vtkInkStippleActor: the picture of vtkActor, by another way; among other actors, in selections.
 #include "StippleScene.h"
 
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestStipples.h"
 #include "vtkInkStippleActor.h"
@@ -24,6 +23,8 @@
 #include "vtkTranslucentPass.h"
 #include "vtkVolume.h"
 #include "vtkVolumetricPass.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
@@ -69,99 +70,6 @@ public:
   vtkNew<vtkActor> Sphere;
 };
 
-void TestPicture(InkTestChecks& check)
-{
-  for (const bool peeled : { false, true })
-  {
-    for (const double opacity : { 1.0, 0.4 })
-    {
-      Scene usual(false);
-      usual.Actor->GetProperty()->SetOpacity(opacity);
-      const InkTestImage expected(usual.Window);
-      Scene scene(true);
-      scene.Renderer->SetUseDepthPeeling(peeled);
-      scene.Straight->GetProperty()->SetOpacity(opacity);
-      const InkTestImage picture(scene.Window);
-      check(!scene.Straight->HasTranslucentPolygonalGeometry(), "nothing for the translucent pass");
-      check(expected.Ink() > 100.0 && picture.CountDifferent(expected, 24) < 40,
-        "vtkActor's picture, opacity ", opacity, peeled ? ", peeled: " : ": ",
-        picture.CountDifferent(expected, 24), " pixels differ");
-      check(std::abs(picture.Ink() / expected.Ink() - 1.0) < 0.02, "its ink ", expected.Ink(), ", found ",
-        picture.Ink());
-    }
-  }
-}
-
-/// Whatever the order in which actors were added.
-void TestBehindSurfaces(InkTestChecks& check)
-{
-  Scene usual(false);
-  usual.AddSphere(1.02, 1.0);
-  const InkTestImage expected(usual.Window);
-  Scene scene(true);
-  scene.AddSphere(1.02, 1.0);
-  check(InkTestImage(scene.Window).CountDifferent(expected, 24) < 40, "hidden by a surface added later");
-  check(!scene.Straight->HasTranslucentPolygonalGeometry(), "nothing for the translucent pass");
-}
-
-void TestBesideTranslucent(InkTestChecks& check)
-{
-  Scene usual(false);
-  usual.AddSphere(0.5, 0.4);
-  const InkTestImage expected(usual.Window);
-  Scene scene(true);
-  scene.AddSphere(0.5, 0.4);
-  const InkTestImage picture(scene.Window);
-  check(scene.Straight->HasTranslucentPolygonalGeometry(), "a part of the translucent pass");
-  check(picture.CountDifferent(expected) == 0, "vtkActor's picture");
-  scene.Sphere->VisibilityOff();
-  scene.Window->Render();
-  check(!scene.Straight->HasTranslucentPolygonalGeometry(), "alone again");
-
-  // Another of its kind is no reason.
-  vtkNew<vtkInkStippleActor> other;
-  other->SetMapper(scene.Mapper);
-  scene.Renderer->AddActor(other);
-  check(!scene.Straight->HasTranslucentPolygonalGeometry(), "beside another");
-
-  // What a volume in front does to stipples is known to the translucent pass only.
-  vtkNew<vtkVolume> volume;
-  scene.Renderer->AddVolume(volume);
-  check(scene.Straight->HasTranslucentPolygonalGeometry(), "a part of the translucent pass beside a volume");
-  scene.Renderer->RemoveVolume(volume);
-  check(!scene.Straight->HasTranslucentPolygonalGeometry(), "alone without the volume");
-
-  // Asks its parts, of which this actor is one.
-  vtkNew<vtkAssembly> assembly;
-  assembly->AddPart(scene.Straight);
-  scene.Renderer->AddActor(assembly);
-  check(scene.Straight->HasTranslucentPolygonalGeometry(), "as vtkActor as a part of an assembly");
-
-  vtkNew<vtkInkStippleActor> nowhere;
-  nowhere->SetMapper(scene.Mapper);
-  check(nowhere->HasTranslucentPolygonalGeometry(), "without a renderer as vtkActor");
-}
-
-void TestSelection(InkTestChecks& check)
-{
-  const auto count = [](Scene& scene)
-  {
-    scene.Window->Render();
-    vtkNew<vtkHardwareSelector> selector;
-    selector->SetRenderer(scene.Renderer);
-    selector->SetArea(0, 0, 199, 199);
-    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
-    vtkSmartPointer<vtkSelection> selection;
-    selection.TakeReference(selector->Select());
-    return selection->GetNumberOfNodes() == 1 ? selection->GetNode(0)->GetSelectionList()->GetNumberOfTuples()
-                                              : 0;
-  };
-  Scene usual(false);
-  Scene scene(true);
-  const vtkIdType expected = count(usual);
-  check(expected > 100 && count(scene) == expected, "all ", expected, " selected stipples, ", count(scene));
-}
-
 /// A pass that knows of none of the others: opaque and translucent props.
 class OwnPass : public vtkRenderPass
 {
@@ -179,8 +87,105 @@ private:
   vtkNew<vtkTranslucentPass> Translucent;
 };
 
+} // namespace
+
+TEST(StippleActor, Picture)
+{
+  for (const bool peeled : { false, true })
+  {
+    for (const double opacity : { 1.0, 0.4 })
+    {
+      Scene usual(false);
+      usual.Actor->GetProperty()->SetOpacity(opacity);
+      const InkTestImage expected(usual.Window);
+      Scene scene(true);
+      scene.Renderer->SetUseDepthPeeling(peeled);
+      scene.Straight->GetProperty()->SetOpacity(opacity);
+      const InkTestImage picture(scene.Window);
+      EXPECT_FALSE(scene.Straight->HasTranslucentPolygonalGeometry()) << "nothing for the translucent pass";
+      EXPECT_TRUE(expected.Ink() > 100.0 && picture.CountDifferent(expected, 24) < 40)
+        << "vtkActor's picture, opacity " << opacity << (peeled ? ", peeled: " : ": ")
+        << picture.CountDifferent(expected, 24) << " pixels differ";
+      EXPECT_LT(std::abs(picture.Ink() / expected.Ink() - 1.0), 0.02)
+        << "its ink " << expected.Ink() << ", found " << picture.Ink();
+    }
+  }
+}
+
+/// Whatever the order in which actors were added.
+TEST(StippleActor, BehindSurfaces)
+{
+  Scene usual(false);
+  usual.AddSphere(1.02, 1.0);
+  const InkTestImage expected(usual.Window);
+  Scene scene(true);
+  scene.AddSphere(1.02, 1.0);
+  EXPECT_LT(InkTestImage(scene.Window).CountDifferent(expected, 24), 40) << "hidden by a surface added later";
+  EXPECT_FALSE(scene.Straight->HasTranslucentPolygonalGeometry()) << "nothing for the translucent pass";
+}
+
+TEST(StippleActor, BesideTranslucent)
+{
+  Scene usual(false);
+  usual.AddSphere(0.5, 0.4);
+  const InkTestImage expected(usual.Window);
+  Scene scene(true);
+  scene.AddSphere(0.5, 0.4);
+  const InkTestImage picture(scene.Window);
+  EXPECT_TRUE(scene.Straight->HasTranslucentPolygonalGeometry()) << "a part of the translucent pass";
+  EXPECT_EQ(picture.CountDifferent(expected), 0) << "vtkActor's picture";
+  scene.Sphere->VisibilityOff();
+  scene.Window->Render();
+  EXPECT_FALSE(scene.Straight->HasTranslucentPolygonalGeometry()) << "alone again";
+
+  // Another of its kind is no reason.
+  vtkNew<vtkInkStippleActor> other;
+  other->SetMapper(scene.Mapper);
+  scene.Renderer->AddActor(other);
+  EXPECT_FALSE(scene.Straight->HasTranslucentPolygonalGeometry()) << "beside another";
+
+  // What a volume in front does to stipples is known to the translucent pass only.
+  vtkNew<vtkVolume> volume;
+  scene.Renderer->AddVolume(volume);
+  EXPECT_TRUE(scene.Straight->HasTranslucentPolygonalGeometry())
+    << "a part of the translucent pass beside a volume";
+  scene.Renderer->RemoveVolume(volume);
+  EXPECT_FALSE(scene.Straight->HasTranslucentPolygonalGeometry()) << "alone without the volume";
+
+  // Asks its parts, of which this actor is one.
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(scene.Straight);
+  scene.Renderer->AddActor(assembly);
+  EXPECT_TRUE(scene.Straight->HasTranslucentPolygonalGeometry()) << "as vtkActor as a part of an assembly";
+
+  vtkNew<vtkInkStippleActor> nowhere;
+  nowhere->SetMapper(scene.Mapper);
+  EXPECT_TRUE(nowhere->HasTranslucentPolygonalGeometry()) << "without a renderer as vtkActor";
+}
+
+TEST(StippleActor, Selection)
+{
+  const auto count = [](Scene& scene)
+  {
+    scene.Window->Render();
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    selector->SetArea(0, 0, 199, 199);
+    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    vtkSmartPointer<vtkSelection> selection;
+    selection.TakeReference(selector->Select());
+    return selection->GetNumberOfNodes() == 1 ? selection->GetNode(0)->GetSelectionList()->GetNumberOfTuples()
+                                              : 0;
+  };
+  Scene usual(false);
+  Scene scene(true);
+  const vtkIdType expected = count(usual);
+  EXPECT_TRUE(expected > 100 && count(scene) == expected)
+    << "all " << expected << " selected stipples, " << count(scene);
+}
+
 /// In every chain of passes that draws vtkActor's stipples, and once where there are passes for both.
-void TestPasses(InkTestChecks& check)
+TEST(StippleActor, Passes)
 {
   Scene usual(false);
   const InkTestImage expected(usual.Window);
@@ -224,29 +229,17 @@ void TestPasses(InkTestChecks& check)
     for (int picture = 0; picture < 2; ++picture)
     {
       const InkTestImage found(scene.Window);
-      check(found.CountDifferent(expected, 24) < 40 && std::abs(found.Ink() / expected.Ink() - 1.0) < 0.02,
-        "vtkActor's picture in the chain ", name, ": ", found.CountDifferent(expected, 24),
-        " pixels differ, ink ", expected.Ink(), ", found ", found.Ink());
+      EXPECT_TRUE(
+        found.CountDifferent(expected, 24) < 40 && std::abs(found.Ink() / expected.Ink() - 1.0) < 0.02)
+        << "vtkActor's picture in the chain " << name << ": " << found.CountDifferent(expected, 24)
+        << " pixels differ, ink " << expected.Ink() << ", found " << found.Ink();
     }
     scene.Renderer->SetPass(nullptr);
-    check(InkTestImage(scene.Window).CountDifferent(expected, 24) < 40, "after the chain ", name);
+    EXPECT_LT(InkTestImage(scene.Window).CountDifferent(expected, 24), 40) << "after the chain " << name;
     for (vtkRenderPass* pass : passes)
     {
       pass->ReleaseGraphicsResources(scene.Window);
     }
     steps->ReleaseGraphicsResources(scene.Window);
   }
-}
-
-} // namespace
-
-int TestStippleActor(int, char*[])
-{
-  InkTestChecks check;
-  TestPicture(check);
-  TestBehindSurfaces(check);
-  TestBesideTranslucent(check);
-  TestSelection(check);
-  TestPasses(check);
-  return check.Result();
 }

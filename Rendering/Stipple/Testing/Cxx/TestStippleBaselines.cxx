@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures that were looked at: a volume and a surface with what most drawings use.
+// Pictures that were checked by eye: a volume and a surface with what most drawings use.
 #include "InkTestBaseline.h"
-#include "InkTestChecks.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 
 #include "vtkLight.h"
+
+#include <gtest/gtest.h>
 
 namespace
 {
@@ -14,7 +15,7 @@ namespace
 constexpr double Tolerance = 30.0;
 
 /// Not a preset: those may be redrawn.
-void Compare(InkTestChecks& check, vtkPolyData* stipples, bool white, const char* name)
+void Compare(vtkPolyData* stipples, bool white, const char* name)
 {
   StippleScene scene(stipples, 240, 240);
   scene.Mapper->SetPixelsPerStipple(5.0);
@@ -32,15 +33,17 @@ void Compare(InkTestChecks& check, vtkPolyData* stipples, bool white, const char
   scene.Renderer->GetActiveCamera()->Azimuth(30.0);
   scene.Renderer->GetActiveCamera()->Elevation(20.0);
   scene.Renderer->ResetCamera();
-  check(InkTestMatchesBaseline(InkTestImage(scene.Window), name, Tolerance), "the baseline ", name);
+  EXPECT_TRUE(InkTestMatchesBaseline(InkTestImage(scene.Window), name, Tolerance)) << "the baseline " << name;
 }
 
 } // namespace
 
-int TestStippleBaselines(int, char*[])
+TEST(StippleBaselines, Volume)
 {
-  InkTestChecks check;
-  Compare(check, InkTestStipples::SphereVoxels(1.0, 0.04, 8), false, "StippleVolume");
-  Compare(check, InkTestStipples::SphereSurface(1.0, 2000, 8), true, "StippleSurfaceOnBlack");
-  return check.Result();
+  Compare(InkTestStipples::SphereVoxels(1.0, 0.04, 8), false, "StippleVolume");
+}
+
+TEST(StippleBaselines, SurfaceOnBlack)
+{
+  Compare(InkTestStipples::SphereSurface(1.0, 2000, 8), true, "StippleSurfaceOnBlack");
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The eye just before the object and in it: the room for stipples is each element's own, wherever the
 // clipping planes are.
-#include "InkTestChecks.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPlaneSource.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +36,11 @@ std::vector<double> FindTones(StippleScene& scene, vtkPolyData* stipples, double
   return tones;
 }
 
+} // namespace
+
 /// Stipples are lifted before the surface that hides others, but no farther than half the way to the eye:
 /// else those close by would be behind it, and not seen.
-void TestHidingSurface(InkTestChecks& check)
+TEST(StippleCloseUp, HidingSurface)
 {
   StippleScene scene(InkTestStipples::PlaneSurface(4.0, 4, 50));
   scene.AllOff();
@@ -77,16 +80,13 @@ void TestHidingSurface(InkTestChecks& check)
   for (const auto& one : cases)
   {
     const double found = seen(one.Offset, one.Part);
-    check(found == one.Seen, "stipples lifted by ", one.Offset, " before a surface at ", one.Part,
-      " of the way: seen ", one.Seen, ", found ", found);
+    EXPECT_EQ(found, one.Seen) << "stipples lifted by " << one.Offset << " before a surface at " << one.Part
+                               << " of the way: seen " << one.Seen << ", found " << found;
   }
 }
 
-} // namespace
-
-int TestStippleCloseUp(int, char*[])
+TEST(StippleCloseUp, RoomIsAboutEven)
 {
-  InkTestChecks check;
   // At the size of this sphere's box the room falls to a ninth at most, where the eye is as far from its
   // nearest point as that is from its middle.
   constexpr double mostUneven = 9.0;
@@ -98,11 +98,11 @@ int TestStippleCloseUp(int, char*[])
     scene.Mapper->GrowWithZoomOff();
     scene.Mapper->SetSlantExponent(0.0);
     vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    for (const double place : { 3.5, 2.0, 1.5, 1.1, 1.0, 0.9, 0.5, 0.0, -0.5 })
+    for (const double z : { 3.5, 2.0, 1.5, 1.1, 1.0, 0.9, 0.5, 0.0, -0.5 })
     {
-      const std::string where = std::string(kind) + " from " + std::to_string(place);
-      camera->SetPosition(0.0, 0.0, place);
-      camera->SetFocalPoint(0.0, 0.0, place - 1.0);
+      const std::string where = std::string(kind) + " from " + std::to_string(z);
+      camera->SetPosition(0.0, 0.0, z);
+      camera->SetFocalPoint(0.0, 0.0, z - 1.0);
       scene.Mapper->ResolutionOn();
       scene.Mapper->SetResolutionExponent(-2.0);
       const std::vector<double> even = FindTones(scene, stipples, 0.01);
@@ -111,18 +111,16 @@ int TestStippleCloseUp(int, char*[])
         scene.Mapper->SetResolution(krc != 0.0);
         scene.Mapper->SetResolutionExponent(krc);
         const std::vector<double> tones = FindTones(scene, stipples, 0.01);
-        check(!tones.empty() && tones == FindTones(scene, stipples, 0.15), where, ", k_rc ", krc,
-          ": the same number of stipples with another clipping range");
+        EXPECT_TRUE(!tones.empty() && tones == FindTones(scene, stipples, 0.15))
+          << where << ", k_rc " << krc << ": the same number of stipples with another clipping range";
         double uneven = 0.0;
         for (std::size_t i = 0; i < tones.size() && i < even.size(); ++i)
         {
           uneven = std::max(uneven, std::max(tones[i] / even[i], even[i] / tones[i]));
         }
-        check(uneven > 0.99 && uneven < mostUneven * 1.01, where, ", k_rc ", krc,
-          ": about the even pattern's, found ", uneven, " times as many");
+        EXPECT_TRUE(uneven > 0.99 && uneven < mostUneven * 1.01)
+          << where << ", k_rc " << krc << ": about the even pattern's, found " << uneven << " times as many";
       }
     }
   }
-  TestHidingSurface(check);
-  return check.Result();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ends of what the mapper accepts: sliders, distances, single stipples and a million of them; that no
 // parameter sends stipples again; and that what a generator makes is hidden by its own input.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 #include "vtkInkStippleControls.h"
@@ -12,6 +12,8 @@
 #include "vtkMath.h"
 #include "vtkSphereSource.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -20,16 +22,13 @@ namespace
 {
 
 /// All that the shader gives is finite, opacities and colors within [0, 1].
-void CheckMarks(InkTestChecks& check, StippleScene& scene, const std::string& what)
+void CheckMarks(StippleScene& scene, const std::string& what)
 {
   vtkNew<InkTestMessages> messages;
   messages->Observe(scene.Mapper);
   scene.Window->Render();
   vtkNew<vtkFloatArray> marks;
-  if (!check(scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks), "marks with ", what))
-  {
-    return;
-  }
+  ASSERT_TRUE(scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks)) << "marks with " << what;
   int wrong = 0;
   for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
   {
@@ -41,11 +40,32 @@ void CheckMarks(InkTestChecks& check, StippleScene& scene, const std::string& wh
     }
     wrong += !good;
   }
-  check(wrong == 0, wrong, " of ", marks->GetNumberOfTuples(), " marks out of range with ", what);
-  check(messages->Messages.empty(), "no message with ", what);
+  EXPECT_EQ(wrong, 0) << wrong << " of " << marks->GetNumberOfTuples() << " marks out of range with " << what;
+  EXPECT_TRUE(messages->Messages.empty()) << "no message with " << what;
 }
 
-void TestSliders(InkTestChecks& check)
+/// The mean tone of a sphere within its outline, at a radius in pixels, over some offsets within pixels: a
+/// window's brightness has 256 steps only.
+double FindTone(StippleScene& scene, double radius)
+{
+  constexpr int offsets = 5;
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetParallelScale(0.5 * scene.Window->GetSize()[1] / radius);
+  double ink = 0.0;
+  for (int offset = 0; offset < offsets; ++offset)
+  {
+    const double x = 0.2 * offset / radius;
+    const double y = 0.2 * (3 * offset % offsets) / radius;
+    camera->SetPosition(x, y, 10.0);
+    camera->SetFocalPoint(x, y, 0.0);
+    ink += InkTestImage(scene.Window).Ink() / offsets;
+  }
+  return ink / (vtkMath::Pi() * radius * radius);
+}
+
+} // namespace
+
+TEST(StippleExtremes, Sliders)
 {
   StippleScene scene(InkTestStipples::SphereVoxels(1.0, 0.15, 8));
   vtkNew<vtkInkStippleControls> controls;
@@ -61,16 +81,16 @@ void TestSliders(InkTestChecks& check)
       controls->SetInterior(ends >> 4 & 1);
       controls->SetColor(ends >> 5 & 1);
       controls->Apply(scene.Mapper);
-      CheckMarks(check, scene, std::string(controls->GetPreset()) + ", ends " + std::to_string(ends));
+      CheckMarks(scene, std::string(controls->GetPreset()) + ", ends " + std::to_string(ends));
     }
   }
 }
 
 /// From inside the object to a hundredth of a pixel.
-void TestDistances(InkTestChecks& check)
+TEST(StippleExtremes, Distances)
 {
-  // The ink found when the pictures were looked at. What the eye is in or right before is all lit or turned
-  // away.
+  // The ink found when the pictures were checked by eye. What the eye is in or right before is all lit or
+  // turned away.
   constexpr std::array distances{ 0.0, 0.5, 1.0, 1.001, 1.05, 2.0, 1e2, 1e3, 1e5, 1e7 };
   using Inks = std::array<double, distances.size()>;
   const struct
@@ -100,39 +120,20 @@ void TestDistances(InkTestChecks& check)
         camera->SetFocalPoint(0.0, 0.0, distance - 1.0);
         camera->SetParallelScale(std::max(1e-3, distance));
         scene.Renderer->ResetCameraClippingRange();
-        CheckMarks(check, scene, "distance " + std::to_string(distance));
+        CheckMarks(scene, "distance " + std::to_string(distance));
         const double ink = InkTestImage(scene.Window).Ink();
         // A few pixels' brightness has few steps.
-        check(std::abs(ink - expected) <= 0.2 * expected + (expected > 0.0 ? 3.0 / 255.0 : 0.0),
-          parallel ? "parallel" : "perspective", " at distance ", distance, ": ink of ", expected, ", found ",
-          ink);
+        EXPECT_LE(std::abs(ink - expected), 0.2 * expected + (expected > 0.0 ? 3.0 / 255.0 : 0.0))
+          << (parallel ? "parallel" : "perspective") << " at distance " << distance << ": ink of " << expected
+          << ", found " << ink;
       }
     }
   }
 }
 
-/// The mean tone of a sphere within its outline, at a radius in pixels, over some places within pixels: a
-/// window's brightness has 256 steps only.
-double FindTone(StippleScene& scene, double radius)
-{
-  constexpr int places = 5;
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  camera->SetParallelScale(0.5 * scene.Window->GetSize()[1] / radius);
-  double ink = 0.0;
-  for (int place = 0; place < places; ++place)
-  {
-    const double x = 0.2 * place / radius;
-    const double y = 0.2 * (3 * place % places) / radius;
-    camera->SetPosition(x, y, 10.0);
-    camera->SetFocalPoint(x, y, 0.0);
-    ink += InkTestImage(scene.Window).Ink() / places;
-  }
-  return ink / (vtkMath::Pi() * radius * radius);
-}
-
 /// The gray of a sphere stays what it is until the sphere is a pixel, also under depth peeling, whose 8 bits
 /// cannot add up as pale stipples as there are then.
-void TestTinySphere(InkTestChecks& check)
+TEST(StippleExtremes, TinySphere)
 {
   const auto voxels = InkTestStipples::SphereVoxels(1.0, 0.04, 12);
   for (const bool preset : { false, true })
@@ -169,27 +170,29 @@ void TestTinySphere(InkTestChecks& check)
       {
         const double tone = FindTone(scene, radius);
         const double tolerance = peeled ? stepped : added;
-        check(std::abs(tone / expected - 1.0) < tolerance, "gray ", expected, " of a sphere of ", radius,
-          " pixels' radius", peeled ? ", peeled" : "", preset ? ", anatomy" : "", ", found ", tone);
+        EXPECT_LT(std::abs(tone / expected - 1.0), tolerance)
+          << "gray " << expected << " of a sphere of " << radius << " pixels' radius"
+          << (peeled ? ", peeled" : "") << (preset ? ", anatomy" : "") << ", found " << tone;
       }
     }
   }
 }
 
-void TestMany(InkTestChecks& check)
+TEST(StippleExtremes, Many)
 {
   auto stipples = InkTestStipples::SphereVoxels(1.0, 0.014, 8);
-  check(stipples->GetNumberOfPoints() > 1000000, "a million stipples, ", stipples->GetNumberOfPoints());
+  EXPECT_GT(stipples->GetNumberOfPoints(), 1000000)
+    << "a million stipples, " << stipples->GetNumberOfPoints();
   StippleScene scene(stipples);
   const double ink = InkTestImage(scene.Window).Ink();
-  // As it was found when the picture was looked at.
-  check(std::abs(ink - 2203.0) < 220.0, "a picture of a million stipples, ink of 2203, found ", ink);
-  check(scene.Mapper->GetNumberOfProcessedStipples() < stipples->GetNumberOfPoints() / 12,
-    "few of them looked at: ", scene.Mapper->GetNumberOfProcessedStipples());
+  // As it was found when the picture was checked by eye.
+  EXPECT_LT(std::abs(ink - 2203.0), 220.0) << "a picture of a million stipples, ink of 2203, found " << ink;
+  EXPECT_LT(scene.Mapper->GetNumberOfProcessedStipples(), stipples->GetNumberOfPoints() / 12)
+    << "few of them processed: " << scene.Mapper->GetNumberOfProcessedStipples();
 }
 
 /// Parameters are uniforms: none sends stipples again. What each does to the picture other tests say.
-void TestUploads(InkTestChecks& check)
+TEST(StippleExtremes, Uploads)
 {
   StippleScene scene(InkTestStipples::SphereVoxels(1.0, 0.1, 8));
   scene.Window->Render();
@@ -229,11 +232,11 @@ void TestUploads(InkTestChecks& check)
   m->SetInkColor(0.5, 0.0, 0.0);
   m->SetWarmColor(1.0, 1.0, 0.0);
   scene.Window->Render();
-  check(m->GetUploadTime() == time, "no upload for any parameter");
+  EXPECT_EQ(m->GetUploadTime(), time) << "no upload for any parameter";
 }
 
 /// Stipples that a generator made of a mesh are hidden by that mesh, unless told otherwise.
-void TestSurfaceFromInput(InkTestChecks& check)
+TEST(StippleExtremes, SurfaceFromInput)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1.0);
@@ -262,30 +265,16 @@ void TestSurfaceFromInput(InkTestChecks& check)
       const double z = stipples->GetPoint(i)[2];
       shown[z < 1.0 / eye] += marks->GetComponent(i, 1) > 0.0 && std::abs(z - 1.0 / eye) > 0.2;
     }
-    check(shown[0] > 500, "stipples on the front, ", shown[0]);
+    EXPECT_GT(shown[0], 500) << "stipples on the front, " << shown[0];
     return shown[1];
   };
-  check(countBehind() == 0, "none behind");
+  EXPECT_EQ(countBehind(), 0) << "none behind";
   // A hole in the surface lets the inside be seen, and only with the mesh is the inside drawn at all.
   sphere->SetStartPhi(60.0);
   generator->Update();
   camera->SetPosition(0.0, 0.0, eye);
   const int inside = countBehind();
-  check(inside > 50, "the inside through a hole, ", inside);
+  EXPECT_GT(inside, 50) << "the inside through a hole, " << inside;
   scene.Mapper->SurfaceFromInputOff();
-  check(countBehind() == 0, "no inside without the mesh");
-}
-
-} // namespace
-
-int TestStippleExtremes(int, char*[])
-{
-  InkTestChecks check;
-  TestSliders(check);
-  TestDistances(check);
-  TestTinySphere(check);
-  TestMany(check);
-  TestUploads(check);
-  TestSurfaceFromInput(check);
-  return check.Result();
+  EXPECT_EQ(countBehind(), 0) << "no inside without the mesh";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What stipples are made from: missing and odd arrays, empty input, values that are not finite.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 
@@ -13,6 +13,8 @@
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
@@ -27,8 +29,36 @@ vtkSmartPointer<vtkPolyData> Voxels()
   return InkTestStipples::SphereVoxels(1.0, 0.15, 6);
 }
 
+/// The elements of stipples in another order, as another number of processes would have them.
+vtkSmartPointer<vtkPolyData> Reorder(vtkPolyData* data, const std::vector<vtkIdType>& order)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(data->GetPoints()->GetDataType());
+  vtkNew<vtkCellArray> cells;
+  result->GetCellData()->CopyAllOn();
+  result->GetCellData()->CopyAllocate(data->GetCellData());
+  for (const vtkIdType id : order)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    data->GetVerts()->GetCellAtId(id, size, ids);
+    result->GetCellData()->CopyData(data->GetCellData(), id, cells->InsertNextCell(static_cast<int>(size)));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(data->GetPoint(ids[i])));
+    }
+  }
+  result->SetPoints(points);
+  result->SetVerts(cells);
+  result->SetFieldData(data->GetFieldData());
+  return result;
+}
+
+} // namespace
+
 /// One message, once for an input, and nothing drawn.
-void TestMessages(InkTestChecks& check)
+TEST(StippleInput, Messages)
 {
   const struct
   {
@@ -64,13 +94,13 @@ void TestMessages(InkTestChecks& check)
     messages->Observe(scene.Mapper);
     const double ink = InkTestImage(scene.Window).Ink();
     scene.Window->Render();
-    check(ink == 0.0, "nothing drawn without ", expected);
-    messages->Expect(check, "spoilt", { expected });
+    EXPECT_EQ(ink, 0.0) << "nothing drawn without " << expected;
+    messages->Expect("spoilt", { expected });
   }
 }
 
 /// Two problems at a time: each is said once, whatever the number of pictures, and again for another input.
-void TestTwoMessages(InkTestChecks& check)
+TEST(StippleInput, TwoMessages)
 {
   auto data = Voxels();
   vtkNew<vtkFloatArray> scalars;
@@ -91,30 +121,33 @@ void TestTwoMessages(InkTestChecks& check)
   {
     scene.Window->Render();
   }
-  check(messages->Messages.size() == 2, "two messages in three pictures, found ", messages->Messages.size());
+  EXPECT_EQ(messages->Messages.size(), 2)
+    << "two messages in three pictures, found " << messages->Messages.size();
   data->Modified();
   scene.Window->Render();
-  check(
-    messages->Messages.size() == 4, "two more for a changed input, found ", messages->Messages.size() - 2);
+  EXPECT_EQ(messages->Messages.size(), 4)
+    << "two more for a changed input, found " << messages->Messages.size() - 2;
 }
 
-void TestEmpty(InkTestChecks& check)
+TEST(StippleInput, Empty)
 {
   vtkNew<vtkPolyData> empty;
   StippleScene scene(empty);
   vtkNew<InkTestMessages> messages;
   messages->Observe(scene.Mapper);
-  check(InkTestImage(scene.Window).Ink() == 0.0 && messages->Messages.empty(), "an empty picture, silently");
+  EXPECT_TRUE(InkTestImage(scene.Window).Ink() == 0.0 && messages->Messages.empty())
+    << "an empty picture, silently";
   vtkNew<vtkFloatArray> marks;
-  check(!scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks) && marks->GetNumberOfTuples() == 0,
-    "no marks");
+  EXPECT_TRUE(
+    !scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks) && marks->GetNumberOfTuples() == 0)
+    << "no marks";
   scene.Mapper->SetInputData(Voxels());
   scene.Renderer->ResetCamera();
-  check(InkTestImage(scene.Window).Ink() > 10.0, "stipples after that");
+  EXPECT_GT(InkTestImage(scene.Window).Ink(), 10.0) << "stipples after that";
 }
 
 /// Elements and points with values that are not finite are passed over, the others are drawn as before.
-void TestPassedOver(InkTestChecks& check)
+TEST(StippleInput, PassedOver)
 {
   auto data = Voxels();
   StippleScene scene(data);
@@ -136,21 +169,35 @@ void TestPassedOver(InkTestChecks& check)
   other.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
   other.Window->Render();
   vtkNew<vtkFloatArray> after;
-  check(other.Mapper->EvaluateMarks(other.Renderer, other.Actor, after), "marks of a spoilt input");
+  EXPECT_TRUE(other.Mapper->EvaluateMarks(other.Renderer, other.Actor, after)) << "marks of a spoilt input";
   int different = 0;
   for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
   {
     const vtkIdType cell = i / 6;
     const bool spoiltPoint = i == 62 || i == 120 || cell == 30 || cell == 40;
-    check(!spoiltPoint || after->GetComponent(i, 1) == 0.0, "stipple ", i, " passed over");
+    EXPECT_TRUE(!spoiltPoint || after->GetComponent(i, 1) == 0.0) << "stipple " << i << " passed over";
     different += !spoiltPoint && std::abs(after->GetComponent(i, 1) - before->GetComponent(i, 1)) > 1e-3;
   }
-  check(different == 0, "the other stipples as before, but for ", different);
-  check(InkTestImage(other.Window).Ink() > 10.0, "ink");
+  EXPECT_EQ(different, 0) << "the other stipples as before, but for " << different;
+  EXPECT_GT(InkTestImage(other.Window).Ink(), 10.0) << "ink";
+}
+
+/// A single stipple, and field data that say nothing of kind and number.
+TEST(StippleInput, Little)
+{
+  auto plane = InkTestStipples::PlaneSurface(1.0, 1, 1);
+  plane->GetFieldData()->RemoveArray("ElementKind");
+  plane->GetFieldData()->RemoveArray("StipplesPerElement");
+  StippleScene scene(plane);
+  scene.AllOff();
+  scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 5.0);
+  scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+  scene.Renderer->ResetCameraClippingRange(-1, 1, -1, 1, -1, 1);
+  EXPECT_GT(InkTestImage(scene.Window).Ink(), 2.0) << "one stipple, " << InkTestImage(scene.Window).Ink();
 }
 
 /// An array of another picture takes the place of one, which all the others are younger than.
-void TestExchangedArrays(InkTestChecks& check)
+TEST(StippleInput, ExchangedArrays)
 {
   auto older = vtkSmartPointer<vtkFloatArray>::New();
   older->SetName("Value");
@@ -163,41 +210,15 @@ void TestExchangedArrays(InkTestChecks& check)
   auto younger = vtkSmartPointer<vtkDataArray>(data->GetCellData()->GetArray("Value"));
   data->GetCellData()->AddArray(older);
   const double pale = InkTestImage(scene.Window).Ink();
-  check(
-    scene.Mapper->GetUploadTime() > time && pale < 0.1 * before, "small values, ink ", before, " to ", pale);
+  EXPECT_TRUE(scene.Mapper->GetUploadTime() > time && pale < 0.1 * before)
+    << "small values, ink " << before << " to " << pale;
   data->GetCellData()->AddArray(younger);
-  check(InkTestImage(scene.Window).Ink() == before, "the first picture again");
-}
-
-/// The elements of stipples in another order, as another number of processes would have them.
-vtkSmartPointer<vtkPolyData> Reorder(vtkPolyData* data, const std::vector<vtkIdType>& order)
-{
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(data->GetPoints()->GetDataType());
-  vtkNew<vtkCellArray> cells;
-  result->GetCellData()->CopyAllOn();
-  result->GetCellData()->CopyAllocate(data->GetCellData());
-  for (const vtkIdType id : order)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    data->GetVerts()->GetCellAtId(id, size, ids);
-    result->GetCellData()->CopyData(data->GetCellData(), id, cells->InsertNextCell(static_cast<int>(size)));
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      cells->InsertCellPoint(points->InsertNextPoint(data->GetPoint(ids[i])));
-    }
-  }
-  result->SetPoints(points);
-  result->SetVerts(cells);
-  result->SetFieldData(data->GetFieldData());
-  return result;
+  EXPECT_EQ(InkTestImage(scene.Window).Ink(), before) << "the first picture again";
 }
 
 /// Pictures are the same to the last pixel whatever the order of the elements, also where chance decides and
 /// where pale dots are drawn more rarely; global ids, where there are any, are what chance goes by.
-void TestOrder(InkTestChecks& check)
+TEST(StippleInput, Order)
 {
   auto data = InkTestStipples::SphereVoxels(1.0, 0.08, 6);
   std::vector<vtkIdType> order;
@@ -222,8 +243,9 @@ void TestOrder(InkTestChecks& check)
     };
     const InkTestImage expected = draw(data);
     const int different = draw(Reorder(data, order)).CountDifferent(expected);
-    check(expected.Ink() > 100.0 && different == 0, "the same picture in another order",
-      peeled ? ", peeled" : "", ", but for ", different, " pixels");
+    EXPECT_TRUE(expected.Ink() > 100.0 && different == 0)
+      << "the same picture in another order" << (peeled ? ", peeled" : "") << ", but for " << different
+      << " pixels";
 
     vtkNew<vtkIdTypeArray> ids;
     ids->SetName("Ids");
@@ -235,7 +257,7 @@ void TestOrder(InkTestChecks& check)
     named->ShallowCopy(data);
     named->GetCellData()->SetGlobalIds(ids);
     const InkTestImage byIds = draw(named);
-    check(byIds.CountDifferent(expected, 30) > 100, "other stipples by global ids");
+    EXPECT_GT(byIds.CountDifferent(expected, 30), 100) << "other stipples by global ids";
     auto reordered = Reorder(data, order);
     vtkNew<vtkIdTypeArray> reorderedIds;
     reorderedIds->SetName("Ids");
@@ -244,35 +266,6 @@ void TestOrder(InkTestChecks& check)
       reorderedIds->InsertNextValue(id);
     }
     reordered->GetCellData()->SetGlobalIds(reorderedIds);
-    check(draw(reordered).CountDifferent(byIds) == 0, "the same picture in another order by global ids");
+    EXPECT_EQ(draw(reordered).CountDifferent(byIds), 0) << "the same picture in another order by global ids";
   }
-}
-
-/// A single stipple, and field data that say nothing of kind and number.
-void TestLittle(InkTestChecks& check)
-{
-  auto plane = InkTestStipples::PlaneSurface(1.0, 1, 1);
-  plane->GetFieldData()->RemoveArray("ElementKind");
-  plane->GetFieldData()->RemoveArray("StipplesPerElement");
-  StippleScene scene(plane);
-  scene.AllOff();
-  scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 5.0);
-  scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
-  scene.Renderer->ResetCameraClippingRange(-1, 1, -1, 1, -1, 1);
-  check(InkTestImage(scene.Window).Ink() > 2.0, "one stipple, ", InkTestImage(scene.Window).Ink());
-}
-
-} // namespace
-
-int TestStippleInput(int, char*[])
-{
-  InkTestChecks check;
-  TestMessages(check);
-  TestTwoMessages(check);
-  TestEmpty(check);
-  TestPassedOver(check);
-  TestLittle(check);
-  TestExchangedArrays(check);
-  TestOrder(check);
-  return check.Result();
 }

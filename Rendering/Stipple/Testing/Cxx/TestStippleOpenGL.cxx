@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stipples hidden by a surface leave OpenGL's state as they found it, and look the same in tiles and under
 // depth peeling.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
@@ -10,6 +9,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
 
 #include <array>
 
@@ -26,8 +27,10 @@ vtkSmartPointer<vtkPolyData> SphereMesh()
   return sphere->GetOutput();
 }
 
+} // namespace
+
 /// The polygon offset is what another mapper of the scene left.
-void TestPolygonOffset(InkTestChecks& check)
+TEST(StippleOpenGL, PolygonOffset)
 {
   StippleScene scene(InkTestStipples::SphereSurface(1.0, 800, 8));
   scene.Mapper->SetSurfaceData(SphereMesh());
@@ -59,8 +62,8 @@ void TestPolygonOffset(InkTestChecks& check)
     const unsigned long last = scene.Mapper->AddObserver(vtkCommand::ProgressEvent, after);
     scene.Renderer->GetActiveCamera()->Azimuth(5.0);
     scene.Window->Render();
-    check(found == std::array{ enabled ? 1.0f : 0.0f, 1.5f, 7.0f }, "the polygon offset as before, found ",
-      found[0], ' ', found[1], ' ', found[2]);
+    EXPECT_EQ(found, (std::array{ enabled ? 1.0f : 0.0f, 1.5f, 7.0f }))
+      << "the polygon offset as before, found " << found[0] << ' ' << found[1] << ' ' << found[2];
     scene.Mapper->RemoveObserver(first);
     scene.Mapper->RemoveObserver(last);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -70,7 +73,7 @@ void TestPolygonOffset(InkTestChecks& check)
 
 /// A picture in tiles is that of a window as large: dots on a seam are whole, also where a surface hides
 /// others.
-void TestTiles(InkTestChecks& check)
+TEST(StippleOpenGL, Tiles)
 {
   const auto stipples = InkTestStipples::SphereSurface(1.0, 800, 8);
   const auto draw = [&](int size, int tiles)
@@ -86,13 +89,13 @@ void TestTiles(InkTestChecks& check)
   const InkTestImage whole = draw(400, 1);
   const InkTestImage tiled = draw(100, 4);
   const int different = tiled.CountDifferent(whole, 2);
-  check(whole.Ink() > 5000.0 && different == 0, "the same picture in sixteen tiles, but for ", different,
-    " pixels, ink ", whole.Ink());
+  EXPECT_TRUE(whole.Ink() > 5000.0 && different == 0)
+    << "the same picture in sixteen tiles, but for " << different << " pixels, ink " << whole.Ink();
 }
 
 /// Depth peeling draws several times, into its own buffers and blending by maxima; the surface's image is
 /// drawn among that.
-void TestPeeled(InkTestChecks& check)
+TEST(StippleOpenGL, Peeled)
 {
   const auto stipples = InkTestStipples::SphereSurface(1.0, 800, 8);
   const auto draw = [&](bool peeled)
@@ -106,16 +109,6 @@ void TestPeeled(InkTestChecks& check)
   };
   const InkTestImage usual = draw(false);
   const int different = draw(true).CountDifferent(usual, 12);
-  check(usual.Ink() > 1000.0 && different == 0, "the same picture peeled, but for ", different, " pixels");
-}
-
-} // namespace
-
-int TestStippleOpenGL(int, char*[])
-{
-  InkTestChecks check;
-  TestPolygonOffset(check);
-  TestTiles(check);
-  TestPeeled(check);
-  return check.Result();
+  EXPECT_TRUE(usual.Ink() > 1000.0 && different == 0)
+    << "the same picture peeled, but for " << different << " pixels";
 }

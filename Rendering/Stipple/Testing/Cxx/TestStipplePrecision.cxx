@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quantized places: the same stipples, each within half a step of where it was, in pictures that look alike;
-// from one voxel in the window to many.
-#include "InkTestChecks.h"
+// Quantized positions: the same stipples, each within half a step of where it was, in pictures that look
+// alike; from one voxel in the window to many.
 #include "InkTestImage.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 
 #include "vtkFloatArray.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +30,15 @@ double Difference(const InkTestImage& a, const InkTestImage& b)
 }
 
 /// The middle of the ink in a square of pixels.
-struct Place
+struct Pixel
 {
   double X;
   double Y;
 };
-Place FindDot(const InkTestImage& image, int middleX, int middleY, int reach)
+Pixel FindDot(const InkTestImage& image, int middleX, int middleY, int reach)
 {
   double ink = 0.0;
-  Place sum{ 0.0, 0.0 };
+  Pixel sum{ 0.0, 0.0 };
   for (int y = middleY - reach; y <= middleY + reach; ++y)
   {
     for (int x = middleX - reach; x <= middleX + reach; ++x)
@@ -51,8 +52,10 @@ Place FindDot(const InkTestImage& image, int middleX, int middleY, int reach)
   return { sum.X / ink, sum.Y / ink };
 }
 
+} // namespace
+
 /// One element of 9 stipples that fills the window: each dot is where it should be, to half a step.
-void TestPlaces(InkTestChecks& check)
+TEST(StipplePrecision, Positions)
 {
   constexpr int size = 400;
   auto stipples = InkTestStipples::PlaneSurface(2.0, 1, 9);
@@ -70,17 +73,18 @@ void TestPlaces(InkTestChecks& check)
   {
     double p[3];
     stipples->GetPoint(i, p);
-    const Place expected{ p[0] * pixels + 0.5 * size - 0.5, p[1] * pixels + 0.5 * size - 0.5 };
-    const Place found =
+    const Pixel expected{ p[0] * pixels + 0.5 * size - 0.5, p[1] * pixels + 0.5 * size - 0.5 };
+    const Pixel found =
       FindDot(image, static_cast<int>(std::lround(expected.X)), static_cast<int>(std::lround(expected.Y)), 8);
     farthest = std::max({ farthest, std::abs(found.X - expected.X), std::abs(found.Y - expected.Y) });
   }
   // A step is a thousandth of some 300 pixels; brightness has 256 steps.
-  check(farthest < 0.2, "dots within half a step of their places, found one off by ", farthest, " pixels");
+  EXPECT_LT(farthest, 0.2) << "dots within half a step of their positions, found one off by " << farthest
+                           << " pixels";
 }
 
 /// The same marks, and a picture that differs by little, at all distances and by either kind.
-void TestPictures(InkTestChecks& check)
+TEST(StipplePrecision, Pictures)
 {
   for (auto data :
     { InkTestStipples::SphereVoxels(1.0, 0.1, 12), InkTestStipples::SphereSurface(1.0, 800, 12) })
@@ -100,7 +104,7 @@ void TestPictures(InkTestChecks& check)
       const vtkMTimeType time = scene.Mapper->GetUploadTime();
       scene.Mapper->SetPositionPrecision(vtkInkStippleMapper::QUANTIZED);
       const InkTestImage packed(scene.Window);
-      check(scene.Mapper->GetUploadTime() > time, "an upload for the other precision");
+      EXPECT_GT(scene.Mapper->GetUploadTime(), time) << "an upload for the other precision";
       vtkNew<vtkFloatArray> packedMarks;
       scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, packedMarks);
       double most = 0.0;
@@ -108,21 +112,12 @@ void TestPictures(InkTestChecks& check)
       {
         most = std::max(most, std::abs(exactMarks->GetComponent(i, 1) - packedMarks->GetComponent(i, 1)));
       }
-      check(exactMarks->GetNumberOfTuples() == packedMarks->GetNumberOfTuples() && most < 0.02,
-        "the same opacities at distance ", distance, ", found a difference of ", most);
+      EXPECT_TRUE(exactMarks->GetNumberOfTuples() == packedMarks->GetNumberOfTuples() && most < 0.02)
+        << "the same opacities at distance " << distance << ", found a difference of " << most;
       const double difference = Difference(exact, packed) / exact.Ink();
-      check(exact.Ink() > 3.0 && difference < 0.02, "like pictures at distance ", distance, ", ink ",
-        exact.Ink(), ", difference ", difference);
+      EXPECT_TRUE(exact.Ink() > 3.0 && difference < 0.02)
+        << "like pictures at distance " << distance << ", ink " << exact.Ink() << ", difference "
+        << difference;
     }
   }
-}
-
-} // namespace
-
-int TestStipplePrecision(int, char*[])
-{
-  InkTestChecks check;
-  TestPlaces(check);
-  TestPictures(check);
-  return check.Result();
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shader and the reference in Common/Tone, on the same stipples: number, opacity, diameter and color.
-#include "InkTestChecks.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 
 #include "Core/Hash.h"
 #include "Tone/Stipple/ProjectedSize.h"
-#include "Tone/Stipple/StippleTone.h"
+#include "Tone/Stipple/Tone.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,6 +14,8 @@
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
@@ -35,9 +36,9 @@ glm::dvec4 Times(vtkMatrix4x4* matrix, const glm::dvec4& v)
 }
 
 /// The tone's parameters, from the mapper's.
-ink::stipple::StippleTone Expected(vtkInkStippleMapper* m, bool surface)
+ink::stipple::Tone Expected(vtkInkStippleMapper* m, bool surface)
 {
-  ink::stipple::StippleTone tone;
+  ink::stipple::Tone tone;
   tone.surface = surface;
   tone.boundary = { m->GetBoundary(), float(m->GetBoundaryBase()), float(m->GetBoundaryGain()),
     float(m->GetBoundaryExponent()) };
@@ -63,19 +64,15 @@ ink::stipple::StippleTone Expected(vtkInkStippleMapper* m, bool surface)
 }
 
 /// @param light the scene's only one, looking at the origin
-void Compare(
-  InkTestChecks& check, StippleScene& scene, vtkPolyData* stipples, vtkLight* light, const std::string& what)
+void Compare(StippleScene& scene, vtkPolyData* stipples, vtkLight* light, const std::string& what)
 {
   scene.Window->Render();
   vtkNew<vtkFloatArray> found;
-  if (!check(scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, found), "marks of ", what) ||
-    !check(found->GetNumberOfTuples() == stipples->GetNumberOfPoints(), "a mark for each point of ", what))
-  {
-    return;
-  }
+  ASSERT_TRUE(scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, found)) << "marks of " << what;
+  ASSERT_EQ(found->GetNumberOfTuples(), stipples->GetNumberOfPoints()) << "a mark for each point of " << what;
   const auto field = [&](const char* name) { return stipples->GetFieldData()->GetArray(name)->GetTuple1(0); };
   const bool surface = field("ElementKind") == 1.0;
-  const ink::stipple::StippleTone tone = Expected(scene.Mapper, surface);
+  const ink::stipple::Tone tone = Expected(scene.Mapper, surface);
 
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   vtkMatrix4x4* toView = camera->GetModelViewTransformMatrix();
@@ -91,7 +88,7 @@ void Compare(
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
-  ink::stipple::StippleTone::View view{};
+  ink::stipple::Tone::View view{};
   view.listed = float(field("StipplesPerElement"));
   view.parallel = camera->GetParallelProjection();
   view.middle = float(0.5 * (nearest + farthest));
@@ -111,7 +108,7 @@ void Compare(
   const double* from = light->GetPosition();
   const glm::dvec3 source(from[0], from[1], from[2]);
   const glm::vec4 towards(Times(toView, glm::dvec4(glm::normalize(source), 0.0)));
-  ink::stipple::StippleLight lights[1] = { { towards, 1.0f } };
+  ink::Light lights[1] = { { towards, 1.0f } };
   if (light->GetPositional())
   {
     lights[0] = { glm::vec4(Times(toView, glm::dvec4(source, 1.0))), 1.0f, -glm::vec3(towards),
@@ -130,9 +127,9 @@ void Compare(
   for (vtkIdType cell = 0; cell < stipples->GetNumberOfCells(); ++cell)
   {
     const vtkIdType length = stipples->GetVerts()->GetCellSize(cell);
-    double place[3];
-    stipples->GetPoint(point, place);
-    const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(place[axis] + 0.0); };
+    double position[3];
+    stipples->GetPoint(point, position);
+    const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(position[axis] + 0.0); };
     const float random = ink::unitFloat(ink::hash(ink::hash(0x5717b1e, bits(0), bits(1)), bits(2)));
     for (int rank = 0; rank < length; ++rank, ++point)
     {
@@ -140,7 +137,7 @@ void Compare(
       double n[3];
       stipples->GetPoint(point, p);
       array("Normals")->GetTuple(cell, n);
-      const ink::stipple::StippleTone::Element element{ glm::vec3(Times(toView, { p[0], p[1], p[2], 1.0 })),
+      const ink::stipple::Tone::Element element{ glm::vec3(Times(toView, { p[0], p[1], p[2], 1.0 })),
         glm::vec3(Times(toView, { n[0], n[1], n[2], 0.0 })),
         surface ? 1.0f : float(array("Value")->GetTuple1(cell)),
         surface ? 1.0f : float(array("GradientMagnitude")->GetTuple1(cell)), float(length), random,
@@ -171,20 +168,20 @@ void Compare(
       }
     }
   }
-  check(visible > 50, "stipples to see of ", what, ": ", visible);
+  EXPECT_GT(visible, 50) << "stipples to see of " << what << ": " << visible;
   const char* parts[4] = { "T", "opacity", "diameter", "color" };
   for (int i = 0; i < 4; ++i)
   {
-    check(worst[i] < (i == 2 ? 5e-3 : 1e-3), parts[i], " of ", what, " within ", worst[i], ", of ", visible,
-      " stipples (", partial, " in part)");
+    EXPECT_LT(worst[i], (i == 2 ? 5e-3 : 1e-3))
+      << parts[i] << " of " << what << " within " << worst[i] << ", of " << visible << " stipples ("
+      << partial << " in part)";
   }
 }
 
 } // namespace
 
-int TestStippleShader(int, char*[])
+TEST(StippleShader, IsTheFormulas)
 {
-  InkTestChecks check;
   auto voxels = InkTestStipples::SphereVoxels(1.0, 0.12, 24);
   auto surface = InkTestStipples::SphereSurface(1.0, 600, 24);
 
@@ -318,8 +315,7 @@ int TestStippleShader(int, char*[])
       scene.Renderer->AddLight(light);
       scene.Renderer->ResetCameraClippingRange();
       change(scene);
-      Compare(check, scene, data, light, std::string(name) + " on " + kind);
+      Compare(scene, data, light, std::string(name) + " on " + kind);
     }
   }
-  return check.Result();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is on the picture: the area of dots, the gray over distance, the sliders' ink, colors.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
+#include "InkTestMessages.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
 #include "vtkInkStippleControls.h"
@@ -11,32 +11,14 @@
 #include "vtkLight.h"
 #include "vtkMath.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace
 {
-
-/// A dot's ink is its area, whatever its size and its place within pixels.
-void TestDotArea(InkTestChecks& check)
-{
-  auto plane = InkTestStipples::PlaneSurface(1.6, 5, 1);
-  for (double size : { 0.4, 1.0, 1.5, 3.3, 8.0 })
-  {
-    StippleScene scene(plane);
-    scene.AllOff();
-    scene.Mapper->GrowWithZoomOff();
-    scene.Mapper->SetPixelsPerStipple(1.0);
-    scene.Mapper->SetStippleSize(size);
-    scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
-    scene.Renderer->GetActiveCamera()->SetParallelScale(1.0);
-    const double expected = 25.0 * vtkMath::Pi() * size * size / 4.0;
-    const double found = InkTestImage(scene.Window).Ink();
-    check(std::abs(found / expected - 1.0) < 0.04, "ink of 25 dots of ", size, " pixels: ", expected,
-      ", found ", found);
-  }
-}
 
 /// The mean tone of a sphere within its outline, at a distance.
 double SphereTone(StippleScene& scene, double distance)
@@ -52,8 +34,30 @@ double SphereTone(StippleScene& scene, double distance)
   return InkTestImage(scene.Window).Ink() / (vtkMath::Pi() * pixels * pixels);
 }
 
+} // namespace
+
+/// A dot's ink is its area, whatever its size and its position within pixels.
+TEST(StippleTones, DotArea)
+{
+  auto plane = InkTestStipples::PlaneSurface(1.6, 5, 1);
+  for (double size : { 0.4, 1.0, 1.5, 3.3, 8.0 })
+  {
+    StippleScene scene(plane);
+    scene.AllOff();
+    scene.Mapper->GrowWithZoomOff();
+    scene.Mapper->SetPixelsPerStipple(1.0);
+    scene.Mapper->SetStippleSize(size);
+    scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+    scene.Renderer->GetActiveCamera()->SetParallelScale(1.0);
+    const double expected = 25.0 * vtkMath::Pi() * size * size / 4.0;
+    const double found = InkTestImage(scene.Window).Ink();
+    EXPECT_LT(std::abs(found / expected - 1.0), 0.04)
+      << "ink of 25 dots of " << size << " pixels: " << expected << ", found " << found;
+  }
+}
+
 /// The same gray over four octaves of distance, from voxels of several pixels to several voxels in a pixel.
-void TestSameGray(InkTestChecks& check)
+TEST(StippleTones, SameGray)
 {
   auto voxels = InkTestStipples::SphereVoxels(1.0, 0.04, 12);
   for (int way : { vtkInkStippleMapper::INTENSITY, vtkInkStippleMapper::PROBABILITY })
@@ -85,13 +89,13 @@ void TestSameGray(InkTestChecks& check)
     }
     // By random values, there are but some hundred stipples in the smallest picture.
     const double tolerance = way == vtkInkStippleMapper::INTENSITY ? 1.10 : 1.25;
-    check(least > 0.02 && most / least < tolerance, "the same gray at all distances, way ", way, ": ", least,
-      " to ", most);
+    EXPECT_TRUE(least > 0.02 && most / least < tolerance)
+      << "the same gray at all distances, way " << way << ": " << least << " to " << most;
   }
 }
 
 /// Close up, where the lists run out, too: until a few elements fill the window.
-void TestSameGrayCloseUp(InkTestChecks& check)
+TEST(StippleTones, SameGrayCloseUp)
 {
   auto plane = InkTestStipples::PlaneSurface(2.0, 40, 16);
   StippleScene scene(plane, 300, 300);
@@ -103,13 +107,13 @@ void TestSameGrayCloseUp(InkTestChecks& check)
   {
     scene.Renderer->GetActiveCamera()->SetParallelScale(scale * 0.98);
     const double found = InkTestImage(scene.Window).Ink() / (300.0 * 300.0);
-    check(std::abs(found / expected - 1.0) < (scale < 0.1 ? 0.12 : 0.06), "gray ", expected, " at scale ",
-      scale, ", found ", found);
+    EXPECT_LT(std::abs(found / expected - 1.0), (scale < 0.1 ? 0.12 : 0.06))
+      << "gray " << expected << " at scale " << scale << ", found " << found;
   }
 }
 
 /// More light, less ink; on dark paper the other way round. Opacity thins.
-void TestPolarity(InkTestChecks& check)
+TEST(StippleTones, Polarity)
 {
   auto voxels = InkTestStipples::SphereVoxels(1.0, 0.06, 12);
   StippleScene scene(voxels);
@@ -128,21 +132,21 @@ void TestPolarity(InkTestChecks& check)
     }
     return sum / 900.0;
   };
-  check(middle(dark) > 0.93, "light where the headlight falls, ", middle(dark));
+  EXPECT_GT(middle(dark), 0.93) << "light where the headlight falls, " << middle(dark);
   scene.Actor->GetProperty()->SetOpacity(0.5);
   const double half = InkTestImage(scene.Window).Ink() / dark.Ink();
-  check(half > 0.45 && half < 0.62, "about half the ink with half the opacity: ", half);
+  EXPECT_TRUE(half > 0.45 && half < 0.62) << "about half the ink with half the opacity: " << half;
   scene.Actor->GetProperty()->SetOpacity(1.0);
   scene.Mapper->SetInkColor(1.0, 1.0, 1.0);
   scene.Mapper->LightInkOn();
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   const InkTestImage light(scene.Window);
-  check(middle(light) > 0.2 && light.Gray(3, 3) == 0, "white stipples where the headlight falls, ",
-    middle(light));
+  EXPECT_TRUE(middle(light) > 0.2 && light.Gray(3, 3) == 0)
+    << "white stipples where the headlight falls, " << middle(light);
 }
 
 /// The controls through the mapper: ink on the picture follows the sliders.
-void TestControls(InkTestChecks& check)
+TEST(StippleTones, Controls)
 {
   auto voxels = InkTestStipples::SphereVoxels(1.0, 0.06, 24);
   StippleScene scene(voxels);
@@ -160,8 +164,8 @@ void TestControls(InkTestChecks& check)
     {
       (controls.Get()->*set)(slider);
       const double now = ink();
-      check(slider == 0.0 || direction * (now - last) > 0.0, name, " to ", slider, ": ink from ", last,
-        " to ", now);
+      EXPECT_TRUE(slider == 0.0 || direction * (now - last) > 0.0)
+        << name << " to " << slider << ": ink from " << last << " to " << now;
       last = now;
     }
   };
@@ -172,29 +176,29 @@ void TestControls(InkTestChecks& check)
   controls->Reset();
   const double reset = ink();
   controls->SetGradient(7.0);
-  check(controls->GetGradient() == 1.0, "a clamped slider");
+  EXPECT_EQ(controls->GetGradient(), 1.0) << "a clamped slider";
   controls->Reset();
-  check(ink() == reset, "the same ink after a reset");
+  EXPECT_EQ(ink(), reset) << "the same ink after a reset";
   vtkNew<InkTestMessages> messages;
   messages->Observe(controls);
-  check(!controls->SetPreset("oil") && messages->Messages.size() == 1 &&
-      messages->Messages[0].find("engineering") != std::string::npos,
-    "one message about an unknown preset");
+  EXPECT_TRUE(!controls->SetPreset("oil") && messages->Messages.size() == 1 &&
+    messages->Messages[0].find("engineering") != std::string::npos)
+    << "one message about an unknown preset";
   for (int i = 0; i < vtkInkStippleControls::GetNumberOfPresets(); ++i)
   {
-    check(controls->SetPreset(vtkInkStippleControls::GetPresetName(i)), "a preset");
+    EXPECT_TRUE(controls->SetPreset(vtkInkStippleControls::GetPresetName(i))) << "a preset";
     double paper[3];
     controls->GetPaperColor(paper);
     scene.Renderer->SetBackground(paper);
     controls->Apply(scene.Mapper);
     const InkTestImage image(scene.Window);
     const double marks = paper[0] == 0.0 ? 200.0 * 200.0 - image.Ink() : image.Ink();
-    check(marks > 300.0 && marks < 15000.0, controls->GetPreset(), ": marks ", marks);
+    EXPECT_TRUE(marks > 300.0 && marks < 15000.0) << controls->GetPreset() << ": marks " << marks;
   }
 }
 
 /// A hundredth of a slider's way is a small step anywhere, at the ends above all, from any preset.
-void TestSlidersAreContinuous(InkTestChecks& check)
+TEST(StippleTones, SlidersAreContinuous)
 {
   auto voxels = InkTestStipples::SphereVoxels(1.0, 0.06, 16);
   StippleScene scene(voxels);
@@ -241,14 +245,15 @@ void TestSlidersAreContinuous(InkTestChecks& check)
         }
         last = ink;
       }
-      check(most > 100.0 && step < 0.045 * most, controls->GetPreset(), ", ", name,
-        ": small steps of ink, found one of ", step, " of ", most);
+      EXPECT_TRUE(most > 100.0 && step < 0.045 * most)
+        << controls->GetPreset() << ", " << name << ": small steps of ink, found one of " << step << " of "
+        << most;
     }
   }
 }
 
 /// Scalars color elements only when asked to.
-void TestColors(InkTestChecks& check)
+TEST(StippleTones, Colors)
 {
   auto plane = InkTestStipples::PlaneSurface(2.0, 10, 16);
   vtkNew<vtkFloatArray> scalars;
@@ -274,25 +279,10 @@ void TestColors(InkTestChecks& check)
     return count;
   };
   const InkTestImage plain(scene.Window);
-  check(colored(plain, 0, 200, 0) == 0 && colored(plain, 0, 200, 2) == 0, "black stipples");
+  EXPECT_TRUE(colored(plain, 0, 200, 0) == 0 && colored(plain, 0, 200, 2) == 0) << "black stipples";
   scene.Mapper->ScalarVisibilityOn();
   scene.Mapper->SetScalarRange(0.0, 1.0);
   const InkTestImage image(scene.Window);
-  check(colored(image, 60, 95, 0) > 200 && colored(image, 105, 140, 0) == 0, "red on the left");
-  check(colored(image, 105, 140, 2) > 200 && colored(image, 60, 95, 2) == 0, "blue on the right");
-}
-
-} // namespace
-
-int TestStippleTones(int, char*[])
-{
-  InkTestChecks check;
-  TestDotArea(check);
-  TestSameGray(check);
-  TestSameGrayCloseUp(check);
-  TestPolarity(check);
-  TestControls(check);
-  TestSlidersAreContinuous(check);
-  TestColors(check);
-  return check.Result();
+  EXPECT_TRUE(colored(image, 60, 95, 0) > 200 && colored(image, 105, 140, 0) == 0) << "red on the left";
+  EXPECT_TRUE(colored(image, 105, 140, 2) > 200 && colored(image, 60, 95, 2) == 0) << "blue on the right";
 }

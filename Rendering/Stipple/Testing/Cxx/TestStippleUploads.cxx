@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is sent to the GPU, and when: stipples once to each window, colors when what makes them changes, and
 // nothing for a slider.
-#include "InkTestChecks.h"
 #include "InkTestImage.h"
 #include "InkTestStipples.h"
 #include "StippleScene.h"
@@ -11,6 +10,8 @@
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
@@ -32,7 +33,9 @@ vtkSmartPointer<vtkPolyData> Voxels()
   return voxels;
 }
 
-void TestColors(InkTestChecks& check)
+} // namespace
+
+TEST(StippleUploads, Colors)
 {
   auto voxels = Voxels();
   vtkDataArray* scalars = voxels->GetCellData()->GetScalars();
@@ -43,7 +46,7 @@ void TestColors(InkTestChecks& check)
   mapper->SetLookupTable(table);
   const InkTestImage plain(scene.Window);
   const vtkMTimeType stipples = mapper->GetUploadTime();
-  check(stipples > 0 && mapper->GetColorUploadTime() == 0, "stipples without colors");
+  EXPECT_TRUE(stipples > 0 && mapper->GetColorUploadTime() == 0) << "stipples without colors";
 
   const struct
   {
@@ -79,14 +82,15 @@ void TestColors(InkTestChecks& check)
   {
     make();
     scene.Window->Render();
-    check(mapper->GetUploadTime() == stipples, "no stipples sent for ", name);
-    check((mapper->GetColorUploadTime() > colors) == sent, sent ? "colors" : "no colors", " sent for ", name);
+    EXPECT_EQ(mapper->GetUploadTime(), stipples) << "no stipples sent for " << name;
+    EXPECT_EQ((mapper->GetColorUploadTime() > colors), sent)
+      << (sent ? "colors" : "no colors") << " sent for " << name;
     colors = mapper->GetColorUploadTime();
   }
 }
 
 /// The colors that are sent later stand where those do that are sent with the stipples.
-void TestOrder(InkTestChecks& check)
+TEST(StippleUploads, Order)
 {
   auto voxels = Voxels();
   StippleScene later(voxels);
@@ -95,7 +99,7 @@ void TestOrder(InkTestChecks& check)
   StippleScene once(voxels);
   once.Mapper->ScalarVisibilityOn();
   const InkTestImage expected(once.Window);
-  check(InkTestImage(later.Window).CountDifferent(expected) == 0, "the same colors later");
+  EXPECT_EQ(InkTestImage(later.Window).CountDifferent(expected), 0) << "the same colors later";
   int blue = 0;
   int red = 0;
   for (int y = 0; y < 200; ++y)
@@ -107,11 +111,11 @@ void TestOrder(InkTestChecks& check)
       blue += x > 140 ? redder < -60 : redder > 60 && x > 100;
     }
   }
-  check(red > 100 && blue > 100, "red to the left, blue to the right, found ", red, ", ", blue);
+  EXPECT_TRUE(red > 100 && blue > 100) << "red to the left, blue to the right, found " << red << ", " << blue;
 }
 
 /// Scalars' opacities act: none for those that are to be clear, half the ink for half.
-void TestAlpha(InkTestChecks& check)
+TEST(StippleUploads, Alpha)
 {
   auto plane = InkTestStipples::PlaneSurface(2.0, 10, 16);
   vtkNew<vtkFloatArray> scalars;
@@ -148,18 +152,20 @@ void TestAlpha(InkTestChecks& check)
     };
     const auto full = halves(1.0, 1.0);
     const auto part = halves(0.0, 0.5);
-    check(full[0] > 500.0 && part[0] == 0.0, "clear stipples, ink ", part[0]);
-    check(part[1] / full[1] > 0.48 && part[1] / full[1] < 0.56, "half the ink, found ", part[1] / full[1]);
+    EXPECT_TRUE(full[0] > 500.0 && part[0] == 0.0) << "clear stipples, ink " << part[0];
+    EXPECT_TRUE(part[1] / full[1] > 0.48 && part[1] / full[1] < 0.56)
+      << "half the ink, found " << part[1] / full[1];
     vtkNew<vtkFloatArray> marks;
     scene.Mapper->EvaluateMarks(scene.Renderer, scene.Actor, marks);
     double range[2];
     marks->GetRange(range, 1);
-    check(range[0] == 0.0 && std::abs(range[1] - 0.5) < 0.01, "opacities up to a half, found ", range[1]);
+    EXPECT_TRUE(range[0] == 0.0 && std::abs(range[1] - 0.5) < 0.01)
+      << "opacities up to a half, found " << range[1];
   }
 }
 
 /// One mapper in two windows: the stipples go to each once, whatever the order of pictures.
-void TestTwoWindows(InkTestChecks& check)
+TEST(StippleUploads, TwoWindows)
 {
   StippleScene scene(Voxels());
   vtkInkStippleMapper* mapper = scene.Mapper;
@@ -184,28 +190,29 @@ void TestTwoWindows(InkTestChecks& check)
     other->SetSize(200, 200);
     other->AddRenderer(renderer);
     renderer->ResetCamera();
-    check(InkTestImage(other).CountDifferent(first) == 0, "the same picture in another window");
+    EXPECT_EQ(InkTestImage(other).CountDifferent(first), 0) << "the same picture in another window";
     both = mapper->GetUploadTime();
     const vtkMTimeType colors = mapper->GetColorUploadTime();
     for (int picture = 0; picture < 3; ++picture)
     {
-      check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first window's picture again");
-      check(InkTestImage(other).CountDifferent(first) == 0, "the other window's picture again");
+      EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the first window's picture again";
+      EXPECT_EQ(InkTestImage(other).CountDifferent(first), 0) << "the other window's picture again";
     }
-    check(mapper->GetUploadTime() == both && mapper->GetColorUploadTime() == colors, "nothing sent again");
+    EXPECT_TRUE(mapper->GetUploadTime() == both && mapper->GetColorUploadTime() == colors)
+      << "nothing sent again";
   }
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the picture without the other window");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the picture without the other window";
 
   // Another input and back: each window has what belongs to the picture.
   auto input = vtkSmartPointer<vtkPolyData>(mapper->GetInput());
   mapper->SetInputData(InkTestStipples::SphereVoxels(0.5, 0.1, 4));
-  check(InkTestImage(scene.Window).CountDifferent(first) > 100, "another input's picture");
+  EXPECT_GT(InkTestImage(scene.Window).CountDifferent(first), 100) << "another input's picture";
   mapper->SetInputData(input);
-  check(InkTestImage(scene.Window).CountDifferent(first) == 0, "the first input's picture again");
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0) << "the first input's picture again";
 }
 
 /// To give the same surface again, as ParaView does before each picture, changes nothing.
-void TestSameSurface(InkTestChecks& check)
+TEST(StippleUploads, SameSurface)
 {
   StippleScene scene(Voxels());
   vtkNew<vtkSphereSource> sphere;
@@ -218,25 +225,12 @@ void TestSameSurface(InkTestChecks& check)
     scene.Mapper->SetSurfaceData(surface);
     return scene.Mapper->GetMTime() > before;
   };
-  check(!modifies(nullptr), "no change from none to none");
-  check(modifies(other), "a surface is a change");
-  check(!modifies(other), "the same surface is none");
-  check(modifies(sphere->GetOutput()), "another surface is a change");
-  check(modifies(nullptr), "none is a change");
+  EXPECT_FALSE(modifies(nullptr)) << "no change from none to none";
+  EXPECT_TRUE(modifies(other)) << "a surface is a change";
+  EXPECT_FALSE(modifies(other)) << "the same surface is none";
+  EXPECT_TRUE(modifies(sphere->GetOutput())) << "another surface is a change";
+  EXPECT_TRUE(modifies(nullptr)) << "none is a change";
   // A filter's output given as data must not run the filter any more.
   scene.Mapper->SetSurfaceConnection(sphere->GetOutputPort());
-  check(modifies(sphere->GetOutput()), "data instead of a connection is a change");
-}
-
-} // namespace
-
-int TestStippleUploads(int, char*[])
-{
-  InkTestChecks check;
-  TestColors(check);
-  TestOrder(check);
-  TestAlpha(check);
-  TestTwoWindows(check);
-  TestSameSurface(check);
-  return check.Result();
+  EXPECT_TRUE(modifies(sphere->GetOutput())) << "data instead of a connection is a change";
 }

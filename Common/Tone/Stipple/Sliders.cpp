@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tone/Stipple/StippleSliders.h"
+#include "Tone/Stipple/Sliders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ std::string lettersOf(std::string_view name)
   return letters;
 }
 
-constexpr StipplePreset presets[] = {
+constexpr Preset presetTable[] = {
   { "anatomy", { 0.5f, 0.5f, 0.5f, 0.15f, 0.15f, 0.0f }, false, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
   { "bone", { 0.65f, 0.6f, 0.5f, 0.15f, 0.35f, 0.0f }, false, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
   { "soft-tissue", { 0.45f, 0.3f, 0.5f, 0.1f, 0.05f, 0.0f }, false, 7.0f, 1.8f, false, 1.0f, 0.25f, false },
@@ -63,7 +63,7 @@ constexpr StipplePreset presets[] = {
 
 } // namespace
 
-void StippleSliders::apply(StippleTone& tone) const
+void Sliders::apply(Tone& tone) const
 {
   const auto limited = [](float slider) { return std::clamp(slider, 0.0f, 1.0f); };
   const float sharp = octaves(limited(this->sharpness));
@@ -93,7 +93,7 @@ void StippleSliders::apply(StippleTone& tone) const
   tone.warmCool.amount = limited(this->color);
 }
 
-void StipplePreset::apply(StippleTone& tone) const
+void Preset::apply(Tone& tone) const
 {
   tone.lighting.lightInk = this->lightInk;
   this->sliders.apply(tone);
@@ -104,17 +104,17 @@ void StipplePreset::apply(StippleTone& tone) const
   tone.valueEffect = this->valueEffect;
 }
 
-std::span<const StipplePreset> stipplePresets()
+std::span<const Preset> presets()
 {
-  return presets;
+  return presetTable;
 }
 
-const StipplePreset* findStipplePreset(std::string_view name)
+const Preset* findPreset(std::string_view name)
 {
   const std::string letters = lettersOf(name);
-  const auto* found = std::find_if(
-    std::begin(presets), std::end(presets), [&](const auto& p) { return lettersOf(p.name) == letters; });
-  return found == std::end(presets) ? nullptr : found;
+  const auto* found = std::find_if(std::begin(presetTable), std::end(presetTable),
+    [&](const auto& p) { return lettersOf(p.name) == letters; });
+  return found == std::end(presetTable) ? nullptr : found;
 }
 
 } // namespace ink::stipple

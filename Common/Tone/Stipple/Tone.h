@@ -16,7 +16,7 @@ namespace ink::stipple
 /// The parameters that determine how many of an element's stipples are drawn, how large and in which color
 /// (Lu et al. 2003, sections 4.3 and 5). The reference for vtkInkStippleMapper's vertex shader, which
 /// computes the same.
-struct StippleTone
+struct Tone
 {
   /// The element's kind. A surface has no boundary, silhouette and interior enhancement.
   bool surface = false;
@@ -80,7 +80,7 @@ struct StippleTone
   /// T = N_max T_b T_s T_r T_l T_d T_i, in this order and as far as each is on, and what follows from it.
   /// N_max is in proportion to the list's length, which is in proportion to the element's size.
   /// @param rank of the stipple in the element's list, from 0
-  Mark mark(const View& view, std::span<const StippleLight> lights, const Element& element, int rank) const;
+  Mark mark(const View& view, std::span<const Light> lights, const Element& element, int rank) const;
 
   /// Whether an element of this orientation is drawn.
   /// @param cosine of the angle between its normal and the eye

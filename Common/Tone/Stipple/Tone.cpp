@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tone/Stipple/StippleTone.h"
+#include "Tone/Stipple/Tone.h"
 
 #include "Tone/Power.h"
 
@@ -16,7 +16,7 @@ namespace
 {
 
 /// The cosine of the angle between a normal and the direction to the eye.
-float eyeCosine(const StippleTone::View& view, const StippleTone::Element& element)
+float eyeCosine(const Tone::View& view, const Tone::Element& element)
 {
   if (view.parallel)
   {
@@ -27,10 +27,10 @@ float eyeCosine(const StippleTone::View& view, const StippleTone::Element& eleme
 }
 
 /// The largest cosine of the angles between a normal and the lights.
-float lightCosine(std::span<const StippleLight> lights, const glm::vec3& position, const glm::vec3& normal)
+float lightCosine(std::span<const Light> lights, const glm::vec3& position, const glm::vec3& normal)
 {
   float most = -1.0f;
-  for (const StippleLight& light : lights)
+  for (const Light& light : lights)
   {
     const glm::vec3 towards = glm::vec3(light.position) - light.position.w * position;
     const float length = glm::length(towards);
@@ -41,8 +41,7 @@ float lightCosine(std::span<const StippleLight> lights, const glm::vec3& positio
 
 } // namespace
 
-StippleTone::Mark StippleTone::mark(
-  const View& view, std::span<const StippleLight> lights, const Element& element, int rank) const
+Tone::Mark Tone::mark(const View& view, std::span<const Light> lights, const Element& element, int rank) const
 {
   const float distanceFromEye = -element.position.z;
   const float depth = (view.middle - distanceFromEye) / view.halfRange;
@@ -88,12 +87,12 @@ StippleTone::Mark StippleTone::mark(
   return mark;
 }
 
-bool StippleTone::isSeen(float cosine) const
+bool Tone::isSeen(float cosine) const
 {
   return this->surface ? this->twoSided || cosine > 0.0f : this->lighting.faces(cosine);
 }
 
-float StippleTone::mostTone(const View& view, float largestValue, float largestGradient, float longestList,
+float Tone::mostTone(const View& view, float largestValue, float largestGradient, float longestList,
   float nearestDistance, float farthestDistance, const Directions& directions) const
 {
   if (!this->isSeen(directions.mostCosine))
@@ -124,7 +123,7 @@ float StippleTone::mostTone(const View& view, float largestValue, float largestG
   return longestList * (this->growWithZoom ? std::min(room, 1.0f) : room) * factors;
 }
 
-float StippleTone::largestDiameter(const View& view) const
+float Tone::largestDiameter(const View& view) const
 {
   float most = this->diameter * this->distance.sizeFactor(1.0f);
   if (this->growWithZoom)

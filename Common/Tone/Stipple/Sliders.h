@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Tone/Stipple/StippleTone.h"
+#include "Tone/Stipple/Tone.h"
 
 #include <span>
 #include <string_view>
@@ -11,7 +11,7 @@ namespace ink::stipple
 
 /// The few controls that set many of the k's at once (Lu et al. 2003, section 6), each 0 to 1. They switch no
 /// enhancement off: at its ends a slider gives what it gives close to them.
-struct StippleSliders
+struct Sliders
 {
   /// Emphasis on boundaries: k_gc, k_gs. More ink.
   float gradient = 0.5f;
@@ -29,14 +29,14 @@ struct StippleSliders
 
   /// Sets the k's named above, k_le as the tone's ink wants it, dark or light, and switches the enhancements
   /// on that they belong to; all else stays.
-  void apply(StippleTone& tone) const;
+  void apply(Tone& tone) const;
 };
 
 /// A kind of drawing to start from.
-struct StipplePreset
+struct Preset
 {
   std::string_view name;
-  StippleSliders sliders;
+  Sliders sliders;
   bool sizesInPixels; ///< the next two, and not in pixels of a picture that is 1000 pixels high
   float pixelsPerStipple;
   float diameter;
@@ -45,14 +45,14 @@ struct StipplePreset
   float valueEffect;
   bool lightInk; ///< white ink on black paper
 
-  void apply(StippleTone& tone) const;
+  void apply(Tone& tone) const;
 };
 
 /// anatomy (the first: the default), bone, soft-tissue, engineering, plate-white-on-black, as-published: all
 /// sliders in the middle, nothing in T but Table 1 and one stipple a pixel, each with a pixel's area.
-std::span<const StipplePreset> stipplePresets();
+std::span<const Preset> presets();
 
 /// The preset of that name, or null; capitals and what separates words do not count.
-const StipplePreset* findStipplePreset(std::string_view name);
+const Preset* findPreset(std::string_view name);
 
 } // namespace ink::stipple
