@@ -39,7 +39,7 @@ struct Discs
 constexpr float coverOfGrid = 0.5f * std::numbers::sqrt3_v<float>;
 
 /// A unit square, as points of a regular grid.
-Discs square(int cells, float height = 0.0f, float up = 1.0f)
+Discs discsOfSquare(int cells, float height = 0.0f, float up = 1.0f)
 {
   Discs discs;
   const float step = 1.0f / static_cast<float>(cells);
@@ -99,7 +99,7 @@ TEST(DiscSamples, EveryBeginningIsBlueNoiseWhateverThePoints)
   const double spacing = 0.012;
   for (const int cells : { 25, 50, 200 })
   {
-    const auto all = positions(square(cells), spacing);
+    const auto all = positions(discsOfSquare(cells), spacing);
     EXPECT_GE(leastDistance(all, all.size()), 0.999 * spacing) << cells;
     const auto middle = inside(all);
     const double expected = 0.81 / ink::areaPerSample(spacing, ink::defaultCandidates);
@@ -131,8 +131,8 @@ TEST(DiscSamples, NumberFollowsTheArea)
 
 TEST(DiscSamples, SidesOfASheetDoNotStarveEachOther)
 {
-  Discs sheet = square(50);
-  const Discs back = square(50, -1e-3f, -1.0f);
+  Discs sheet = discsOfSquare(50);
+  const Discs back = discsOfSquare(50, -1e-3f, -1.0f);
   for (std::size_t i = 0; i < back.centers.size(); ++i)
   {
     sheet.add(back.centers[i], back.normals[i], back.radii[i]);
@@ -141,7 +141,7 @@ TEST(DiscSamples, SidesOfASheetDoNotStarveEachOther)
   const auto above = std::count_if(all.begin(), all.end(), [](const glm::dvec3& p) { return p.z > -5e-4; });
   const double half = 0.5 * static_cast<double>(all.size());
   EXPECT_NEAR(static_cast<double>(above), half, 0.03 * half);
-  EXPECT_NEAR(half, static_cast<double>(positions(square(50), 0.02).size()), 0.03 * half);
+  EXPECT_NEAR(half, static_cast<double>(positions(discsOfSquare(50), 0.02).size()), 0.03 * half);
 }
 
 TEST(DiscSamples, DoesNotDependOnThreadsOrTheOrderOfDiscs)
