@@ -273,22 +273,22 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "Documentation" / "picture-quality.md"
 INTRODUCTION = """# Picture quality
 
-How near pictures of volumes, drawn with nothing but `--style`, come to pictures of the surface that the volume shows. Known
-surfaces become volumes as a scanner would see them: blurred by a point spread of 0.7 voxel, with Gaussian noise of 0 to 10 %
-of the step at the boundary, as uint8 (a step of 160) and int16 (2000), in cubes of 48, 96 and 192 voxels a side and with
-slices as far apart as one voxel or three. Each picture has 1024 x 1024 pixels and is compared with the one that the same style
-draws of the surface's mesh with the same camera. This page is written by
+How near pictures of volumes, drawn with nothing but `--style`, come to pictures of the surface that the volume shows.
+Known surfaces become volumes as a scanner would see them: blurred by a point spread of 0.7 voxel, with Gaussian noise of
+0 to 10 % of the step at the boundary, as uint8 (a step of 160) and int16 (2000), in cubes of 48, 96 and 192 voxels a side
+and with slices as far apart as one voxel or three. Each picture has 1024 x 1024 pixels and is compared with the one that
+the same style draws of the surface's mesh with the same camera. This page is written by
 
     . Utilities/env.sh headless
     $INK_PYTHON Testing/Benchmarks/picture_quality.py --output today.csv --meshes FOLDER
     $INK_PYTHON Testing/Benchmarks/picture_quality.py --page today.csv Testing/Benchmarks/picture-quality-before.csv
 
-`--quick` instead of `--output` measures some cases in minutes. FOLDER holds the Stanford bunny and the Georgia Tech horse as
-bunny.ply and horse.ply; without it these two are left out. [phantoms.py](../Testing/Benchmarks/phantoms.py) makes the volumes,
-[picture_metrics.py](../Testing/Benchmarks/picture_metrics.py) compares.
+`--quick` instead of `--output` measures some cases in minutes. FOLDER holds the Stanford bunny and the Georgia Tech horse
+as bunny.ply and horse.ply; without it these two are left out. [phantoms.py](../Testing/Benchmarks/phantoms.py) makes the
+volumes, [picture_metrics.py](../Testing/Benchmarks/picture_metrics.py) compares.
 
-- precision: the share of the ink that lies within 2 pixels of the mesh picture's ink; recall: the share of the mesh picture's
-  ink that lies within 2 pixels of ink; F: their harmonic mean;
+- precision: the share of the ink that lies within 2 pixels of the mesh picture's ink; recall: the share of the mesh
+  picture's ink that lies within 2 pixels of ink; F: their harmonic mean;
 - tone: the root mean square difference of darkness within the silhouette, after a blur of 12 pixels, in % of full ink;
 - evenness: the mean distance from a dot to the nearest one, in that of a hexagonal lattice of as many dots on the same area:
   how much less it is than in the mesh's picture;
@@ -296,8 +296,9 @@ bunny.ply and horse.ply; without it these two are left out. [phantoms.py](../Tes
 - bare: the share of the silhouette that is bare where the mesh's picture is not;
 - iso-value: how far the one chosen lies from the middle of the outermost boundary, in % of its step.
 
-The tree of vessels tapers from 6 voxels to 1 at every size. A tube that is thinner than 1.65 voxels does not reach half of its
-value after the point spread, so that no iso-surface shows the last fifth of the tree's length without showing noise, too.
+The tree of vessels tapers from 6 voxels to 1 at every size. A tube that is thinner than 1.65 voxels does not reach half of
+its value after the point spread, so that no iso-surface shows the last fifth of the tree's length without showing noise,
+too.
 """
 
 
