@@ -8,8 +8,8 @@ of the values around it, weighted by a Gaussian point spread; then come noise an
     phantom = phantoms.voxelize(surfaces, phantoms.cube(96), "uint8", noise=0.05)
     vtkink.draw(phantoms.image(phantom), "splatting-lines", "knot.png")
 
-Lengths are millimeters; all surfaces lie in the cube of SIDE around the origin, with z up and their front towards -y, which is
-where `ink render` looks from. Arrays of values are indexed [z, y, x].
+Lengths are millimeters; all surfaces lie in the cube of SIDE around the origin, with z up and their front towards -y, where
+`ink render` looks from. Arrays of values are indexed [z, y, x].
 """
 
 import math
@@ -80,8 +80,8 @@ def _cross(a, b):
 
 
 def _jitter(rays):
-    """How far rays lie from the middles of their cells: evenly spread along rows and columns, so that walls along these have no
-    steps (the R2 sequence)."""
+    """How far rays lie from the middles of their cells: evenly spread along rows and columns, so that walls along these
+    have no steps (the R2 sequence)."""
     column, row = rays.T
     a, b = 0.7548776662466927, 0.5698402909980532
     # Not the same along the diagonal, on which edges can lie.

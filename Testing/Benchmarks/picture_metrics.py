@@ -66,7 +66,8 @@ def blur(picture, sigma=BLUR):
 
 def find_dots(picture):
     """The centers (x, y) of dots, (n, 2): peaks of darkness after a slight blur, so that dots that touch are several."""
-    blurred = blur(picture, DOT_BLUR)
+    # Rounded, as the middle of a large dot is all one.
+    blurred = np.round(blur(picture, DOT_BLUR), 6)
     padded = np.pad(blurred, 1)
     height, width = picture.shape
     peaks = blurred >= PALEST_DOT

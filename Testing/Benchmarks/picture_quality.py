@@ -3,8 +3,8 @@
 
     . Utilities/env.sh headless
     $INK_PYTHON Testing/Benchmarks/picture_quality.py --quick              # some cases, in minutes
-    $INK_PYTHON Testing/Benchmarks/picture_quality.py --output after.csv   # all of them
-    $INK_PYTHON Testing/Benchmarks/picture_quality.py --page before.csv after.csv   # Documentation/picture-quality.md
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --output today.csv   # all of them
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --page today.csv     # writes Documentation/picture-quality.md
 
 Each known surface (phantoms.py) becomes volumes of different sizes, types and noise. Each volume is drawn with a style's
 defaults, the iso-value included, and compared (picture_metrics.py) with the surface's mesh drawn by the same style with the
@@ -263,7 +263,8 @@ def read_csv(path):
     kinds = {**dict.fromkeys(Result._fields, float), "surface": str, "type": str, "style": str}
     kinds.update(size=int, slice_distance=int)
     with open(path, newline="", encoding="utf-8") as file:
-        return [Result(**{name: kinds[name](text) if text else "" for name, text in row.items()}) for row in csv.DictReader(file)]
+        rows = list(csv.DictReader(file))
+    return [Result(**{name: kinds[name](text) if text else "" for name, text in row.items()}) for row in rows]
 
 
 # --------------------------------------------------------------------------------------------------------------- page
@@ -272,22 +273,22 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "Documentation" / "picture-quality.md"
 INTRODUCTION = """# Picture quality
 
-How near pictures of volumes, drawn with nothing but `--style`, come to pictures of the surface that the volume shows. Known
-surfaces become volumes as a scanner would see them: blurred by a point spread of 0.7 voxel, with Gaussian noise of 0 to 10 %
-of the step at the boundary, as uint8 (a step of 160) and int16 (2000), in cubes of 48, 96 and 192 voxels a side and with
-slices as far apart as one voxel or three. Each picture has 1024 x 1024 pixels and is compared with the one that the same style
-draws of the surface's mesh with the same camera. This page is written by
+How near pictures of volumes, drawn with nothing but `--style`, come to pictures of the surface that the volume shows.
+Known surfaces become volumes as a scanner would see them: blurred by a point spread of 0.7 voxel, with Gaussian noise of
+0 to 10 % of the step at the boundary, as uint8 (a step of 160) and int16 (2000), in cubes of 48, 96 and 192 voxels a side
+and with slices as far apart as one voxel or three. Each picture has 1024 x 1024 pixels and is compared with the one that
+the same style draws of the surface's mesh with the same camera. This page is written by
 
     . Utilities/env.sh headless
     $INK_PYTHON Testing/Benchmarks/picture_quality.py --output today.csv --meshes FOLDER
-    $INK_PYTHON Testing/Benchmarks/picture_quality.py --page today.csv
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --page today.csv Testing/Benchmarks/picture-quality-before.csv
 
-(`--page before.csv today.csv` shows both, `--quick` measures some cases in minutes.) FOLDER holds the Stanford bunny and the
-Georgia Tech horse as bunny.ply and horse.ply; without it these two are left out. [phantoms.py](../Testing/Benchmarks/phantoms.py)
-makes the volumes, [picture_metrics.py](../Testing/Benchmarks/picture_metrics.py) compares.
+`--quick` instead of `--output` measures some cases in minutes. FOLDER holds the Stanford bunny and the Georgia Tech horse
+as bunny.ply and horse.ply; without it these two are left out. [phantoms.py](../Testing/Benchmarks/phantoms.py) makes the
+volumes, [picture_metrics.py](../Testing/Benchmarks/picture_metrics.py) compares.
 
-- precision: the share of the ink that lies within 2 pixels of the mesh picture's ink; recall: the share of the mesh picture's
-  ink that lies within 2 pixels of ink; F: their harmonic mean;
+- precision: the share of the ink that lies within 2 pixels of the mesh picture's ink; recall: the share of the mesh
+  picture's ink that lies within 2 pixels of ink; F: their harmonic mean;
 - tone: the root mean square difference of darkness within the silhouette, after a blur of 12 pixels, in % of full ink;
 - evenness: the mean distance from a dot to the nearest one, in that of a hexagonal lattice of as many dots on the same area:
   how much less it is than in the mesh's picture;
@@ -295,38 +296,52 @@ makes the volumes, [picture_metrics.py](../Testing/Benchmarks/picture_metrics.py
 - bare: the share of the silhouette that is bare where the mesh's picture is not;
 - iso-value: how far the one chosen lies from the middle of the outermost boundary, in % of its step.
 
-The tree of vessels tapers from 6 voxels to 1 at every size. A tube that is thinner than 1.65 voxels does not reach half of its
-value after the point spread, so that no iso-surface shows the last fifth of the tree's length without showing noise, too.
+The tree of vessels tapers from 6 voxels to 1 at every size. A tube that is thinner than 1.65 voxels does not reach half of
+its value after the point spread, so that no iso-surface shows the last fifth of the tree's length without showing noise,
+too.
 """
 
 
 class Measure(NamedTuple):
     title: str
+    field: str  #: of Result, which is empty where there is no such figure
     value: callable  #: of a result
-    target: callable  #: of a result: whether it is reached
-    target_text: str
+    is_reached: callable  #: the target, of a result
+    target: str
     digits: int
 
 
-def _is_easy(result):
-    return result.size >= 96 and result.noise <= 0.05
+def _f_target(result):
+    return 0.9 if result.size >= 96 and result.noise <= 0.05 else 0.8
 
 
-F = Measure("F", lambda r: r.f, lambda r: r.f >= (0.9 if _is_easy(r) else 0.8), "0.9; 0.8 at 48 or 10 % noise", 2)
-STIPPLE_MEASURES = (
-    Measure("tone, %", lambda r: 100 * r.tone, lambda r: r.tone <= 0.05, "5", 1),
-    Measure("evenness", lambda r: r.evenness - r.reference_evenness,
-            lambda r: abs(r.evenness - r.reference_evenness) <= 0.05, "within 0.05", 2),
-    Measure("outside, %", lambda r: 100 * r.outside, lambda r: r.outside <= 0.01, "1", 1),
-    Measure("bare, %", lambda r: 100 * r.bare, lambda r: r.bare <= 0.01, "1", 1),
-)  # fmt: skip
-ISO = Measure("iso-value, %", lambda r: 100 * r.iso_error, lambda r: abs(r.iso_error) <= 0.25, "within 25", 0)
+def _percent(title, field, most, target, digits):
+    value = lambda result: 100 * getattr(result, field)
+    return Measure(title, field, value, lambda result: abs(value(result)) <= most, target, digits)
+
+
+F = Measure("F", "f", lambda r: r.f, lambda r: r.f >= _f_target(r), "0.9; 0.8 at 48 or 10 % noise", 2)
+EVENNESS = Measure(
+    "evenness",
+    "evenness",
+    lambda r: r.evenness - r.reference_evenness,
+    lambda r: abs(r.evenness - r.reference_evenness) <= 0.05,
+    "within 0.05",
+    2,
+)
+MEASURES = (
+    F,
+    _percent("tone, %", "tone", 5, "5", 1),
+    EVENNESS,
+    _percent("outside, %", "outside", 1, "1", 1),
+    _percent("bare, %", "bare", 1, "1", 1),
+    _percent("iso-value, %", "iso_error", 25, "within 25", 0),
+)
 
 
 def measures_of(results):
     """Those that a style's results have."""
-    has = lambda name: any(getattr(result, name) != "" for result in results)
-    return (F,) * has("f") + STIPPLE_MEASURES * has("tone") + (ISO,) * has("iso_error")
+    return [measure for measure in MEASURES if any(getattr(result, measure.field) != "" for result in results)]
 
 
 def _rows_of_table(*rows):
@@ -334,17 +349,11 @@ def _rows_of_table(*rows):
 
 
 def _values(results, measure):
-    found = []
-    for result in results:
-        try:
-            found.append(measure.value(result))
-        except TypeError:  # empty
-            pass
-    return found
+    return [measure.value(result) for result in results if getattr(result, measure.field) != ""]
 
 
 def _means(sets, measure, keep):
-    """The mean over the results to keep, of each set of results: before -> today."""
+    """The mean over the results to keep, of each set of results."""
     cells = []
     for results in sets:
         values = _values(filter(keep, results), measure)
@@ -353,7 +362,7 @@ def _means(sets, measure, keep):
 
 
 def _summary(sets, measures):
-    """For each measure: its target, the share of pictures that reach it, median and worst."""
+    """For each measure: its target, the share of pictures that reach it, median and worst, of each set of results."""
     rows = [["", "target", "pictures that reach it, %", "median", "worst"]]
     for measure in measures:
         shares, medians, worst = [], [], []
@@ -361,10 +370,10 @@ def _summary(sets, measures):
             kept = [result for result in results if _values([result], measure)]
             values = _values(kept, measure)
             if values:
-                shares.append(f"{100 * np.mean([measure.target(result) for result in kept]):.0f}")
+                shares.append(f"{100 * np.mean([measure.is_reached(result) for result in kept]):.0f}")
                 medians.append(f"{np.median(values):.{measure.digits}f}")
                 worst.append(f"{min(values) if measure is F else max(values, key=abs):.{measure.digits}f}")
-        rows.append([measure.title, measure.target_text, *(" → ".join(column) for column in (shares, medians, worst))])
+        rows.append([measure.title, measure.target, *(" → ".join(column) for column in (shares, medians, worst))])
     return _rows_of_table(*rows)
 
 
@@ -383,16 +392,20 @@ def _details(sets, measures):
     return _rows_of_table(*rows)
 
 
-def page(*sets):
-    """Markdown of one set of results, or of several: before -> today."""
+def page(today, before=()):
+    """Markdown of results; and, of those cases that were measured before, too, what became of the figures."""
     text = INTRODUCTION
-    if len(sets) > 1:
-        text += "\nFigures with an arrow are those before smoothing, finer sampling and surface stipples, and today's.\n"
-    for style in dict.fromkeys(result.style for results in sets for result in results):
-        of_style = [[result for result in results if result.style == style] for results in sets]
-        measures = measures_of([result for results in of_style for result in results])
-        text += f"\n## {style}\n\n{_summary(of_style, measures)}\nMeans over both types"
-        text += " (but for F over noise of 0, 2 and 5 %, too):\n\n" + _details(of_style, measures)
+    for style in dict.fromkeys(result.style for result in today):
+        now = [result for result in today if result.style == style]
+        measures = measures_of(now)
+        text += f"\n## {style}\n\n{_summary([now], measures)}\nMeans over both types"
+        text += " (but for F over noise of 0, 2 and 5 %, too):\n\n" + _details([now], measures)
+        then = [result for result in before if result.style == style]
+        both = {result[:6] for result in then} & {result[:6] for result in now}
+        if both:
+            sets = [[result for result in results if result[:6] in both] for results in (then, now)]
+            text += f"\n{len(both)} of these pictures before smoothing, finer sampling and surface stipples, and today:\n\n"
+            text += _summary(sets, measures)
     return text
 
 
@@ -402,9 +415,12 @@ def cases_table(results):
     for style in dict.fromkeys(result.style for result in results):
         kept = [result for result in results if result.style == style]
         measures = measures_of(kept)
-        extra = (Measure("precision", lambda r: r.precision, None, "", 2), Measure("recall", lambda r: r.recall, None, "", 2))
-        shown = (extra if F in measures else ()) + measures
-        rows = [["case", *(measure.title for measure in shown)], ["target", *(measure.target_text for measure in shown)]]
+        shares = [
+            Measure("precision", "precision", lambda r: r.precision, None, "", 2),
+            Measure("recall", "recall", lambda r: r.recall, None, "", 2),
+        ]
+        shown = (shares if F in measures else []) + measures
+        rows = [["case", *(measure.title for measure in shown)], ["target", *(measure.target for measure in shown)]]
         for result in kept:
             cells = [_values([result], measure) for measure in shown]
             rows.append(
@@ -423,7 +439,12 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--pictures", metavar="FOLDER", help="to write pairs of pictures to: the mesh's and the volume's")
     parser.add_argument("--output", metavar="CSV", help="to write all figures to")
-    parser.add_argument("--page", metavar="CSV", nargs="+", help="write Documentation/picture-quality.md of such files")
+    parser.add_argument(
+        "--page",
+        metavar="CSV",
+        nargs="+",
+        help="write Documentation/picture-quality.md of such a file, and of one from before",
+    )
     arguments = parser.parse_args()
     if arguments.page:
         PAGE.write_text(page(*map(read_csv, arguments.page)), encoding="utf-8")

@@ -111,7 +111,7 @@ def floaters(n=96, noise=4.0, seed=0, count=60):
     place = np.random.default_rng(seed)
     directions = place.normal(size=(count, 3))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    radius = 1.2 / n
+    radius = 1.7 / n
     surfaces = [ellipsoid((0, 0, 0), (0.3, 0.25, 0.3), 120)]
     surfaces += [ellipsoid(0.42 * d, (radius,) * 3, 120, 12, 24) for d in directions]
     return _scan(surfaces, phantoms.cube(n), 30, "uint8", noise, seed, {"body": (30.0, 150.0)})
