@@ -6,6 +6,7 @@
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
+#include "InkSetNumber.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
@@ -263,6 +264,11 @@ void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart,
 const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
 {
   return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
+}
+
+void vtkInkIsoSurfaceSampler::SetSmoothing(double smoothing)
+{
+  InkSetClampedNumber(this, "Smoothing", this->Smoothing, smoothing, 0.0, 8.0);
 }
 
 const char* vtkInkIsoSurfaceSampler::GetSmoothingTargetAsString()
