@@ -111,7 +111,7 @@ public:
 private:
   /// Cells of a tile along each axis, before it is made of whole voxels: the samples of a tile stay in the
   /// cache from one axis to the next.
-  static constexpr glm::ivec3 TileSize = glm::ivec3(64, 16, 16);
+  static constexpr glm::ivec3 TileSize = glm::ivec3(64, 32, 32);
 
   /// The samples of one tile, sorted by iso-value.
   struct Tile

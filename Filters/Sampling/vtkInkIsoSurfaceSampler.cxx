@@ -280,6 +280,11 @@ const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
   return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
 }
 
+void vtkInkIsoSurfaceSampler::SetSmoothing(double smoothing)
+{
+  InkSetClampedNumber(this, "Smoothing", this->Smoothing, smoothing, 0.0, 8.0);
+}
+
 const char* vtkInkIsoSurfaceSampler::GetSmoothingTargetAsString()
 {
   return this->SmoothingTarget == NORMALS ? "Normals" : "Surface";

@@ -119,8 +119,9 @@ public:
    * are. Where voxels are not cubes, cells then are divided until they are about cubes, as with
    * Subdivision. Removes what noise, few grey levels and the distance of slices do to normals, and with it
    * parts thinner than the Gaussian, see SmoothingTarget; Common/Statistics/NoiseEstimate.h suggests a value.
+   * NaN is refused with a warning.
    */
-  vtkSetClampMacro(Smoothing, double, 0.0, 8.0);
+  void SetSmoothing(double smoothing);
   vtkGetMacro(Smoothing, double);
   ///@}
 

@@ -299,6 +299,18 @@ void CheckImage(unsigned seed, int type)
   {
     expectPieces(projected, ", projected");
   }
+
+  // Smoothed and divided.
+  sampler->SetProjectionSteps(random.UpTo(1));
+  sampler->SetSmoothing(0.25 * random.UpTo(6));
+  sampler->SetSmoothingTarget(random.UpTo(1));
+  sampler->SetSubdivision(1 + random.UpTo(2));
+  sampler->UpdatePiece(0, 1, 0);
+  const std::vector<double> smoothed = Numbers(output);
+  if (CheckValidPoints(check, run.Name + ", smoothed", output))
+  {
+    expectPieces(smoothed, ", smoothed");
+  }
 }
 
 void CheckSeed(unsigned seed)
