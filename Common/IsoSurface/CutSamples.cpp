@@ -181,7 +181,7 @@ private:
     const glm::dvec3 surface = length > 0.0 ? along / length : this->Normal;
     for (int n = 1; n <= rimNormals; ++n)
     {
-      const glm::dvec3 between = glm::mix(surface, this->Normal, static_cast<double>(n) / rimNormals);
+      const glm::dvec3 between = glm::mix(surface, this->Normal, static_cast<double>(n) / (rimNormals - 1));
       if (glm::length(between) > 1e-6)
       {
         this->add(this->toWorld(cell, layer, position), glm::normalize(between), own);

@@ -32,9 +32,9 @@ struct CutSamples
 };
 
 /// The samples that a rim has at each position. From one normal to the next it turns by 15 degrees where
-/// surface and side are at right angles, so that from everywhere one of them is seen almost edge-on, as a
-/// contour is.
-constexpr int rimNormals = 6;
+/// surface and side are at right angles, up to a little beyond the side's, so that from everywhere one of
+/// them faces away just so, as a surface does beyond a contour.
+constexpr int rimNormals = 7;
 
 /// Samples where an iso-surface meets the sides of the volume: `rimNormals` of them in each face of a cell
 /// that lies on a side and that the surface crosses, at the mean of its intersections with the face's edges,
