@@ -14,7 +14,9 @@ def drawn(picture):
     """Where there is ink, [row from the top, column]."""
 
     def render(file, *arguments, size="120x120"):
-        return (picture(file, *arguments, size=size)[..., :3] < 160).any(axis=2)
+        # Flat sides have no lines.
+        style = ["--style", "stipple", "--lighting", "off"] if file.suffix == ".ply" else []
+        return (picture(file, *style, *arguments, size=size)[..., :3] < 200).any(axis=2)
 
     return render
 

@@ -276,3 +276,21 @@ def test_all_sliders_at_an_end_and_reset(plain, preset, end):
     plain.controls.Reset()
     plain.apply()
     assert (plain.picture() == first).all()
+
+
+def test_sizes_are_thousandths_of_the_height_by_default(plain):
+    """In a viewport of SIZE pixels; and a choice is to have them in pixels."""
+    assert vtkink.vtkInkStippleMapper().GetSizeUnit() == plain.mapper.THOUSANDTHS
+    plain.mapper.SetStippleSize(10)
+    plain.mapper.SetPixelsPerStipple(400)
+    plain.mapper.SetFadeBySize(False)
+    plain.mapper.SetGrowWithZoom(False)
+    diameters, tones = [], []
+    for unit in (plain.mapper.PIXELS, plain.mapper.THOUSANDTHS):
+        plain.mapper.SetSizeUnit(unit)
+        plain.window.Render()
+        marks = plain.marks()
+        diameters.append(marks[:, 2].max())
+        tones.append(marks[:, 0].max())
+    assert diameters[1] / diameters[0] == pytest.approx(SIZE / 1000, rel=1e-4)
+    assert tones[0] / tones[1] == pytest.approx((SIZE / 1000) ** 2, rel=1e-3)

@@ -23,10 +23,12 @@ struct PictureSize
   static constexpr int supersampling = 2;
   /// OpenGL implementations of today draw 16384 pixels.
   static constexpr int longestWindow = 16384 / supersampling;
-  /// Some OpenGL implementations, Mesa's for the CPU among them, refuse float images of more than 2 GiB.
-  static constexpr int mostPixelsAtOnce = 24'000'000;
+  /// More than about a gigabyte of images should not be needed at once.
+  static constexpr int mostPixelsAtOnce = 4'200'000;
   /// The side of tiles of what is larger, by default.
-  static constexpr int usualTile = 2048;
+  static constexpr int usualTile = 1024;
+  /// In smaller ones the least sizes in pixels that splats have would show, enlarged.
+  static constexpr int shortestTile = 256;
   static constexpr int longestSide = 100'000;
   static constexpr long long mostPixels = 2'000'000'000;
 

@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "RenderCommand.h"
+#include "Validators.h"
 
 #include <CLI/CLI.hpp>
 

@@ -81,16 +81,23 @@ std::string bashCompletion(const CommandLine& commandLine)
     }
     if (!others.empty())
     {
-      cases << "    " << joined(others, "|") << ") COMPREPLY=($(compgen -f -- \"$current\")); return ;;\n";
+      cases << "    " << joined(others, "|") << ") _ink_files \"$current\"; return ;;\n";
     }
     options << "      " << command->get_name() << ") options='" << joined(all, " ") << "'; arguments='"
             << joined(arguments, " ") << "' ;;\n";
   }
   return R"(# bash completion for ink; made by `ink generate bash`
+_ink_files()
+{
+  # Names may have spaces.
+  local IFS=$'\n'
+  COMPREPLY=($(compgen -f -- "$1"))
+}
 _ink()
 {
   local current="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}"
   local command="${COMP_WORDS[1]}" words='' options='' arguments=''
+  local IFS=$' \t\n'
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W ')" +
@@ -110,7 +117,7 @@ _ink()
     esac
   fi
   COMPREPLY=($(compgen -W "$words" -- "$current"))
-  [ "${#COMPREPLY[@]}" -gt 0 ] || COMPREPLY=($(compgen -f -- "$current"))
+  [ "${#COMPREPLY[@]}" -gt 0 ] || _ink_files "$current"
 }
 complete -o filenames -F _ink ink
 )";

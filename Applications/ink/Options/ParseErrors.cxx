@@ -74,7 +74,7 @@ std::string describe(const CLI::ParseError& error, const CLI::App& app)
     { std::regex("(\\S+) was given a disallowed flag override"), "$1: expected without a value" },
     { std::regex("(\\S+): At [Mm]ost (\\d+) required but received (\\d+)"), "$1: expected once, found $3 times" },
     { std::regex("(\\S+): At [Ll]east (\\d+) required but received (\\d+)"), "$1: expected $2 values, found $3" },
-    { std::regex("(\\S+): (\\d+) required (.*) missing"), "$1: expected $3, found nothing" },
+    { std::regex("(\\S+): (\\d+) required ([^:]*).* missing"), "$1: expected $3, found nothing" },
     { std::regex("Expected exactly (\\d+) arguments to (\\S+), got (\\d+)"), "$2: expected $1 values, found $3" },
     { std::regex("Expected at least (\\d+) arguments to (\\S+), got (\\d+)"), "$2: expected $1 values or more, found $3" },
     { std::regex("(\\S+) requires (\\S+)"), "$1: expected with $2" },

@@ -103,7 +103,7 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
         std::to_string(PictureSize::usualTile) + " above " +
         std::to_string(PictureSize::mostPixelsAtOnce / 1'000'000) + "\nmillion pixels)")
     ->type_name("N")
-    ->check(wholeNumber(64, PictureSize::longestWindow));
+    ->check(wholeNumber(PictureSize::shortestTile, PictureSize::longestWindow));
 
   this->addAnimation(command);
   this->input.addReading(command);

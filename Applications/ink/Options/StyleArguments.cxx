@@ -265,7 +265,7 @@ void StyleArguments::addFlags(CLI::App* command, const InkParameter& parameter, 
     Option& added = this->options.emplace_back(Option{ name, &parameter, nullptr, negated });
     // The one that changes something is in the help.
     added.option = command->add_flag(name)
-                     ->description((negated ? "off: " : "") + helpOf(parameter))
+                     ->description((negated ? "switch off that " : "") + helpOf(parameter))
                      ->group(negated == on ? group : unlisted);
   }
 }

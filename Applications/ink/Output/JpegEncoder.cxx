@@ -31,7 +31,7 @@ struct JpegEncoder::Library
   std::vector<unsigned char> bytes;
 
   static Library& of(j_common_ptr any) { return *static_cast<Library*>(any->client_data); }
-  static Library& of(j_compress_ptr compress) { return *static_cast<Library*>(compress->client_data); }
+  static Library& of(j_compress_ptr any) { return *static_cast<Library*>(any->client_data); }
 
   void empty(std::size_t used)
   {
@@ -46,14 +46,14 @@ struct JpegEncoder::Library
     this->errors.error_exit = [](j_common_ptr any) { std::longjmp(of(any).failed, 1); };
     this->errors.output_message = [](j_common_ptr) {};
     this->compress.client_data = this;
-    this->destination.init_destination = [](j_compress_ptr compress) { of(compress).empty(0); };
-    this->destination.empty_output_buffer = [](j_compress_ptr compress) -> boolean
+    this->destination.init_destination = [](j_compress_ptr any) { of(any).empty(0); };
+    this->destination.empty_output_buffer = [](j_compress_ptr any) -> boolean
     {
-      of(compress).empty(of(compress).buffer.size());
+      of(any).empty(of(any).buffer.size());
       return TRUE;
     };
-    this->destination.term_destination = [](j_compress_ptr compress)
-    { of(compress).empty(of(compress).buffer.size() - of(compress).destination.free_in_buffer); };
+    this->destination.term_destination = [](j_compress_ptr any)
+    { of(any).empty(of(any).buffer.size() - of(any).destination.free_in_buffer); };
   }
   ~Library() { jpeg_destroy_compress(&this->compress); }
 };
@@ -106,7 +106,7 @@ void JpegEncoder::add(std::span<const unsigned char> rows)
   {
     // libjpeg does not change what it is given.
     auto* row = const_cast<unsigned char*>(rows.data());
-    this->run([row](j_compress_ptr compress) mutable { jpeg_write_scanlines(compress, &row, 1); });
+    this->run([&row](j_compress_ptr compress) { jpeg_write_scanlines(compress, &row, 1); });
   }
 }
 

@@ -131,7 +131,7 @@ Pose findPose(vtkPolyData* mesh, const std::filesystem::path& file)
   constexpr int z = 2;
   const double usual = io::suffixOf(file) == ".obj" ? 1.0 / clearly : clearly;
   Pose pose;
-  pose.up = baseOf(mesh, y) > usual * baseOf(mesh, z) ? "y" : "z";
+  pose.up.assign(1, baseOf(mesh, y) > usual * baseOf(mesh, z) ? 'y' : 'z');
   std::array<View, 4> views;
   for (std::size_t i = 0; i < views.size(); ++i)
   {

@@ -296,6 +296,12 @@ TEST(StyleParameters, PixelsAreThePicturesOwn)
   style->SetParameter("StippleSize", 3);
   style->SetParameter("PixelsPerStipple", 5);
   style->SetPixelScale(2);
+  // Thousandths of the height are the same ones in any picture.
+  EXPECT_EQ(style->GetStippleMapper()->GetStippleSize(), 3);
+  EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), 5);
+  EXPECT_EQ(style->GetStippleMapper()->GetSizeUnit(), vtkInkStippleMapper::THOUSANDTHS);
+  style->SetParameterAsString("SizeUnit", "pixels");
+  EXPECT_EQ(style->GetStippleMapper()->GetSizeUnit(), vtkInkStippleMapper::PIXELS);
   EXPECT_EQ(style->GetStippleMapper()->GetStippleSize(), 6);
   EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), 20);
   EXPECT_EQ(style->GetParameter("StippleSize"), 3);

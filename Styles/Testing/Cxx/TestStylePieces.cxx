@@ -285,9 +285,19 @@ TEST(StylePieces, StipplesOfMeshesHaveThePicturesRoom)
   vtkNew<vtkInkStippleStyle> style;
   const auto mesh = MakeMesh();
   style->SetPictureSize(300);
+  style->SetParameterAsString("SizeUnit", "pixels");
   ASSERT_TRUE(style->Make(mesh));
   EXPECT_EQ(CountOf(style),
     vtkInkStippleGenerator::CountForPicture(mesh, 300, style->GetParameter("PixelsPerStipple")));
+  // In thousandths of the height, a picture of any size has the same ones.
+  style->SetParameterAsString("SizeUnit", "thousandths");
+  for (const double scale : { 1.0, 8.0 })
+  {
+    style->SetPictureSize(300 * scale);
+    style->SetPictureHeight(200 * scale);
+    ASSERT_TRUE(style->Make(mesh));
+    EXPECT_EQ(CountOf(style), vtkInkStippleGenerator::CountForPicture(mesh, 1500, 6));
+  }
   EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), mesh->GetNumberOfCells());
   const vtkIdType six = CountOf(style);
   style->SetParameter("PixelsPerStipple", 3);
