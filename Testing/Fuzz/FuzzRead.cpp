@@ -4,7 +4,7 @@
 // is sound and took no more memory than its file explains. `make fuzz` runs it with libFuzzer, and the
 // ordinary tests FuzzCorpus.* run it over the files in Corpus/.
 
-#include "InkTestChecks.h"
+#include "InkTestMessages.h"
 #include "VtkMessages.h"
 
 #include "vtkCellArray.h"

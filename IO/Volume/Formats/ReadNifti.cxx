@@ -80,7 +80,7 @@ public:
   std::int32_t size() const { return static_cast<std::int32_t>(this->IsSecond ? sizeOfSecond : sizeOfFirst); }
   bool bigEndian() const { return this->Swapped != (std::endian::native == std::endian::big); }
 
-  /// The i-th of numbers that are real in both versions, from a offset on.
+  /// The i-th of numbers that are real in both versions, from an offset on.
   double real(std::size_t offset, std::size_t i = 0) const
   {
     return this->IsSecond ? this->at<double>(offset + i * sizeof(double))
