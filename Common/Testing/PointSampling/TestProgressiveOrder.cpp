@@ -121,6 +121,34 @@ TEST(ProgressiveOrder, SpreadsOverBothSidesOfASheet)
   EXPECT_GT(ratio(upper, 1.0, 1.0), 0.5);
 }
 
+TEST(ProgressiveOrder, SpreadsOverSheetsThatFaceTheSameWay)
+{
+  // Each point of a lattice has another right above it.
+  constexpr std::uint32_t count = 144;
+  const glm::vec3 normal(0.6f, 0.0f, 0.8f);
+  const glm::vec3 along(0.8f, 0.0f, -0.6f);
+  std::vector<glm::vec3> points;
+  for (std::uint32_t i = 0; i < 2 * count; ++i)
+  {
+    points.push_back(static_cast<float>(i % 12) * along + glm::vec3(0.0f, i % count / 12, 0.0f) +
+      (i < count ? 0.0f : 0.1f) * normal);
+  }
+  const auto pairsAmongFirst = [&](const std::vector<glm::vec3>& normals)
+  {
+    const std::vector<std::uint32_t> order = ink::progressiveOrder(points, normals, {}, 1);
+    std::vector<int> found(count, 0);
+    std::for_each(order.begin(), order.begin() + count / 2, [&](std::uint32_t i) { ++found[i % count]; });
+    return std::count(found.begin(), found.end(), 2);
+  };
+  std::vector<glm::vec3> normals(points.size(), normal);
+  // Both of a pair come at the same radius: of the first 72, nearly all are 36 pairs.
+  EXPECT_GT(pairsAmongFirst(normals), 30);
+  EXPECT_EQ(pairsAmongFirst({}), 0);
+  // Seen from one of them, the other is right above it, but not the other way round: one sheet.
+  std::fill(normals.begin() + count, normals.end(), 0.743f * normal + 0.669f * along);
+  EXPECT_EQ(pairsAmongFirst(normals), 0);
+}
+
 TEST(ProgressiveOrder, KeepsDistancesInProportionToTheRadii)
 {
   const Mesh mesh = square(1);
@@ -147,6 +175,22 @@ TEST(ProgressiveOrder, DoesNotDependOnWhereThePointsAre)
     moved.push_back(points.back() + glm::vec3(256.0f, -512.0f, 1024.0f)); // exact
   }
   EXPECT_EQ(ink::progressiveOrder(moved, {}, {}, 1), ink::progressiveOrder(points, {}, {}, 1));
+}
+
+TEST(ProgressiveOrder, DoesNotDependOnUnits)
+{
+  std::vector<glm::vec3> points;
+  std::vector<glm::vec3> small;
+  std::vector<float> radii;
+  std::vector<float> smallRadii;
+  for (int i = 0; i < 900; ++i)
+  {
+    points.emplace_back(i % 30, i / 30, 0.0f);
+    radii.push_back(i % 7 ? 1.0f : 3.0f);
+    small.push_back(points.back() / 1024.0f); // exact
+    smallRadii.push_back(radii.back() / 1024.0f);
+  }
+  EXPECT_EQ(ink::progressiveOrder(small, {}, smallRadii, 1), ink::progressiveOrder(points, {}, radii, 1));
 }
 
 TEST(ProgressiveOrder, IsTheSameOnAnyNumberOfThreads)

@@ -115,8 +115,8 @@ TEST(SplattingLinesSheets, Planes)
     {
       const View view{ parallel, one.Angle, 0.5 };
       const std::string what = ToString(view) + " with points of radius " + std::to_string(one.Radius);
-      const double apart = ShareOfSecondLayer(one.Radius, 1.1 * one.Apart, view);
-      EXPECT_GT(apart, 0.99) << "two layers of planes " << 1.1 * one.Apart << " radii apart" << what
+      const double apart = ShareOfSecondLayer(one.Radius, 1.03 * one.Apart, view);
+      EXPECT_GT(apart, 0.99) << "two layers of planes " << 1.03 * one.Apart << " radii apart" << what
                              << ", found " << apart << " of the second";
       const double merged = ShareOfSecondLayer(one.Radius, 0.7 * one.Apart, view);
       EXPECT_LT(merged, 0.01) << "one layer of planes " << 0.7 * one.Apart << " radii apart" << what
@@ -174,7 +174,7 @@ TEST(SplattingLinesSheets, NothingShowsThrough)
     const auto draw = [&](double wave)
     {
       // Measured: from 0.93 radii on.
-      auto planes = MakePlanes(radius, 1.05 * radius);
+      auto planes = MakePlanes(radius, radius);
       vtkDataArray* normals = planes->GetPointData()->GetArray("Normals");
       for (vtkIdType i = planes->GetNumberOfPoints() / 2; i < planes->GetNumberOfPoints(); ++i)
       {
