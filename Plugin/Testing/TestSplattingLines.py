@@ -196,7 +196,9 @@ class TestSplattingLines(unittest.TestCase):
     def test_ambient_occlusion_leaves_lines_as_they_are(self):
         self.show(sampled_wavelet())
         ball = Sphere(Radius=4, Center=[5, 0, 14], ThetaResolution=32, PhiResolution=32)
-        Show(ball, self.view)
+        # In a color that no line has: a gray ball has some pixels of the gray of the lines that it hides.
+        color = [1, 0, 0]
+        Show(ball, self.view, AmbientColor=color, DiffuseColor=color)
         plain = picture(self.view)
         Hide(ball, self.view)
         alone = is_background(picture(self.view))
@@ -205,10 +207,7 @@ class TestSplattingLines(unittest.TestCase):
         Show(ball, self.view)
         self.view.UseAmbientOcclusion = True
         shaded = picture(self.view)
-        changed = numpy.abs(shaded[lines] - plain[lines])
-        # Pixels at the border of ball and lines may come out a few levels apart: 3 of 30957 numbers by 6.
-        self.assertLess((changed > 0.01).mean(), 2e-4)
-        self.assertLess(changed.max(), 0.05)
+        numpy.testing.assert_allclose(shaded[lines], plain[lines], atol=0.01)
         self.assertGreater(numpy.abs(shaded - plain).max(), 0.01, "of the ball")
 
     def test_other_representations_take_over_and_give_back(self):

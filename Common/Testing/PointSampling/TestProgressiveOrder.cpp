@@ -233,6 +233,19 @@ TEST(ProgressiveOrder, OfExtremes)
   }
 }
 
+TEST(ProgressiveOrder, TakesEveryPointOfFullAndOfPartBlocks)
+{
+  for (const std::size_t count : { 4095u, 4096u, 4097u, 8193u })
+  {
+    std::vector<glm::vec3> points;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      points.emplace_back(count - i, 0.0f, 0.0f);
+    }
+    EXPECT_TRUE(isPermutation(ink::progressiveOrder(points, {}, {}, 1), count)) << count;
+  }
+}
+
 TEST(ProgressiveOrder, CanBeStopped)
 {
   const std::vector<glm::vec3> points{ { 0, 0, 0 }, { 1, 0, 0 } };
