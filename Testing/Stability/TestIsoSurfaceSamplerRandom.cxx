@@ -307,7 +307,7 @@ void CheckImage(unsigned seed, int type)
   sampler->SetSubdivision(1 + random.UpTo(2));
   sampler->UpdatePiece(0, 1, 0);
   const std::vector<double> smoothed = Numbers(output);
-  if (CheckValidPoints(check, run.Name + ", smoothed", output))
+  if (CheckValidPoints(run.Name + ", smoothed", output))
   {
     expectPieces(smoothed, ", smoothed");
   }
