@@ -200,9 +200,9 @@ def measure(case, style, phantom, reference, silhouette, camera, pictures=None):
         name = f"{case}, {style}".replace(" ", "-").replace(",", "").replace(":", "").replace("%", "")
         write_pair(pathlib.Path(pictures) / f"{name}.png", reference, picture)
     found = {"iso_error": _iso_error(notes, phantom.boundary)}
-    if style != "stipple":
+    if style == "splatting-lines":
         found.update(picture_metrics.compare_lines(picture, reference)._asdict())
-    if style != "splatting-lines":
+    else:
         found.update(picture_metrics.compare_stipples(picture, reference, silhouette)._asdict())
     return Result(*case, style, **found)
 

