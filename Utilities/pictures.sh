@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Draws the pictures of Documentation/stipple.md and Documentation/splatting-lines.md with the headless build, those of
-# one page with its name:  Utilities/pictures.sh [stipple|splatting-lines]
+# one page with its name:  Utilities/pictures.sh [illustration|stipple|splatting-lines]
 # Most are pairs, without and with what they show.
 set -euo pipefail
 
@@ -55,6 +55,11 @@ stipple_pictures() {
     "--preset as-published --stipple-size 2"
 }
 
+illustration_pictures() {
+  ink render Data/engine.nii.gz --iso 80 --view iso --size 1000x800 -o "$images/illustration.png"
+  echo "$images/illustration.png"
+}
+
 lines_pictures() {
   local style=splatting-lines
   local engine="Data/engine.nii.gz --iso 80 --view iso"
@@ -89,7 +94,8 @@ lines_pictures() {
 
 case "${1:-all}" in
   stipple) stipple_pictures ;;
+  illustration) illustration_pictures ;;
   splatting-lines) lines_pictures ;;
   all) stipple_pictures && lines_pictures ;;
-  *) echo "pictures: found '$1', expected stipple or splatting-lines" >&2 && exit 2 ;;
+  *) echo "pictures: found '$1', expected illustration, stipple or splatting-lines" >&2 && exit 2 ;;
 esac
