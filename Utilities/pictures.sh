@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Draws the pictures of Documentation/stipple.md, splatting-lines.md and picture-quality.md with the headless build, those
-# of one page with its name:  Utilities/pictures.sh [stipple|splatting-lines|quality]
+# Draws the pictures of Documentation/illustration.md, stipple.md, splatting-lines.md and picture-quality.md with the
+# headless build, those of one page with its name:
+#   Utilities/pictures.sh [illustration|stipple|splatting-lines|quality]
 # Most are pairs, without and with what they show.
 set -euo pipefail
 
@@ -53,6 +54,11 @@ stipple_pictures() {
     "--preset plate-white-on-black"
   series published "$engine --max-stipples projected" "--preset anatomy" "--preset as-published" \
     "--preset as-published --stipple-size 2"
+}
+
+illustration_pictures() {
+  ink render Data/engine.nii.gz --iso 80 --view iso --size 1000x800 -o "$images/illustration.png"
+  echo "$images/illustration.png"
 }
 
 lines_pictures() {
@@ -107,8 +113,9 @@ quality_pictures() {
 
 case "${1:-all}" in
   stipple) stipple_pictures ;;
+  illustration) illustration_pictures ;;
   splatting-lines) lines_pictures ;;
   quality) quality_pictures ;;
-  all) stipple_pictures && lines_pictures && quality_pictures ;;
-  *) echo "pictures: found '$1', expected stipple, splatting-lines or quality" >&2 && exit 2 ;;
+  all) illustration_pictures && stipple_pictures && lines_pictures && quality_pictures ;;
+  *) echo "pictures: found '$1', expected illustration, stipple, splatting-lines or quality" >&2 && exit 2 ;;
 esac
