@@ -27,8 +27,8 @@ ActiveCellComponents findActiveCellComponents(std::span<const ActiveCellId> cell
 /// Which components of a surface to keep.
 struct ComponentSelection
 {
-  /// As smallestShare: 1/1000, but at least `speckCells` cells as far as that is less than a tenth of the
-  /// largest component.
+  /// As smallestShare, like any negative number: 1/1000, but at least `speckCells` cells as far as that is
+  /// less than a tenth of the largest component.
   static constexpr double automatic = -1.0;
   static constexpr std::size_t speckCells = 27;
 

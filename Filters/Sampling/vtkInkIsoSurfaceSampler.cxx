@@ -269,10 +269,7 @@ void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart,
 
 void vtkInkIsoSurfaceSampler::SetSmallestPart(double share)
 {
-  // Nothing between 0 and automatic.
-  constexpr double automatic = ink::ComponentSelection::automatic;
-  InkSetClampedNumber(
-    this, "SmallestPart", this->SmallestPart, share < 0.0 ? automatic : share, automatic, 1.0);
+  InkSetClampedNumber(this, "SmallestPart", this->SmallestPart, share, -1.0, 1.0);
 }
 
 const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()

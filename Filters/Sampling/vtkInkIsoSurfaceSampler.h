@@ -245,10 +245,10 @@ public:
   ///@{
   /**
    * What is added where a surface leaves the image. OPEN (default): nothing; the surface ends somewhere in
-   * the last voxels, and lines along its edge are broken. RIM: points along the cut, on the image's side and
-   * with its normal, which makes the edge a crease: one clean line. CAP: also points all over the part of the
-   * side that is inside, as if all beyond the image were below the iso-value. The points follow those of
-   * their surface.
+   * the last voxels, and lines along its edge are broken. RIM: points along the cut, with normals from the
+   * surface's to that of the image's side, which makes the edge one clean line. CAP: also points all over
+   * the part of the side that is inside, as if all beyond the image were below the iso-value. The points
+   * follow those of their surface. They are found in the image's values as they are.
    */
   vtkSetClampMacro(Cut, int, OPEN, CAP);
   vtkGetMacro(Cut, int);
@@ -262,8 +262,8 @@ public:
   /**
    * Leave out parts of a surface that have less than this share of its largest part's points: noise and
    * floaters. A part is a connected component of active cells, which are neighbors if they share a face. 0
-   * (default): none; -1: automatic, parts with less than a thousandth, or up to two voxels large. Parts are
-   * those of the piece that is sampled: for those of the whole, sample pieces with ComputeCellIds and put
+   * (default): none; negative: automatic, parts with less than a thousandth, or up to two voxels large. Parts
+   * are those of the piece that is sampled: for those of the whole, sample pieces with ComputeCellIds and put
    * them together first.
    */
   void SetSmallestPart(double share);

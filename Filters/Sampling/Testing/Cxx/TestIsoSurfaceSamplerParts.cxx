@@ -208,7 +208,7 @@ TEST(IsoSurfaceSamplerParts, AreTheSameOnAnyNumberOfThreads)
 TEST(IsoSurfaceSamplerParts, NoNumberIsNoShare)
 {
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
-  sampler->SetSmallestPart(-0.3);
+  sampler->SetSmallestPart(-7.0);
   EXPECT_EQ(sampler->GetSmallestPart(), -1.0);
   sampler->SetSmallestPart(7.0);
   EXPECT_EQ(sampler->GetSmallestPart(), 1.0);
