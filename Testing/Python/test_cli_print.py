@@ -45,7 +45,7 @@ def spots(dark):
 
 
 # Few and large dots, one beside the other.
-APART = ["--stipple-size", 16, "--pixels-per-stipple", 3000, "--parts", "intensity", "--fade", 0, "--lighting", "off"]
+APART = ["--stipple-size", 12, "--pixels-per-stipple", 245, "--parts", "intensity", "--fade", 0, "--lighting", "off"]
 
 
 def test_dots_stay_where_they_are(preview_and_print, mesh_file):

@@ -61,6 +61,7 @@ void TestSliders(InkTestChecks& check)
       controls->SetInterior(ends >> 4 & 1);
       controls->SetColor(ends >> 5 & 1);
       controls->Apply(scene.Mapper);
+      scene.Mapper->SetSizeUnitToPixels();
       CheckMarks(check, scene, std::string(controls->GetPreset()) + ", ends " + std::to_string(ends));
     }
   }
@@ -148,6 +149,7 @@ void TestTinySphere(InkTestChecks& check)
       {
         vtkNew<vtkInkStippleControls> controls;
         controls->Apply(scene.Mapper);
+        scene.Mapper->SetSizeUnitToPixels();
         scene.Mapper->HeadlightOn();
       }
       scene.Renderer->SetUseDepthPeeling(peeled);

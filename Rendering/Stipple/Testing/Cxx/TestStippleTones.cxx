@@ -150,6 +150,7 @@ void TestControls(InkTestChecks& check)
   const auto ink = [&]
   {
     controls->Apply(scene.Mapper);
+    scene.Mapper->SetSizeUnitToPixels();
     return InkTestImage(scene.Window).Ink();
   };
   const auto expect = [&](void (vtkInkStippleControls::*set)(double), double direction, const char* name)
@@ -187,6 +188,7 @@ void TestControls(InkTestChecks& check)
     controls->GetPaperColor(paper);
     scene.Renderer->SetBackground(paper);
     controls->Apply(scene.Mapper);
+    scene.Mapper->SetSizeUnitToPixels();
     const InkTestImage image(scene.Window);
     const double marks = paper[0] == 0.0 ? 200.0 * 200.0 - image.Ink() : image.Ink();
     check(marks > 300.0 && marks < 15000.0, controls->GetPreset(), ": marks ", marks);
@@ -220,6 +222,7 @@ void TestSlidersAreContinuous(InkTestChecks& check)
       {
         (controls.Get()->*set)(slider);
         controls->Apply(scene.Mapper);
+        scene.Mapper->SetSizeUnitToPixels();
         const InkTestImage image(scene.Window);
         double ink = 0.0;
         for (int pixel = 0; pixel < 200 * 200; ++pixel)
