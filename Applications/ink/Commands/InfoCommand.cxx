@@ -34,8 +34,8 @@ namespace
 class Description
 {
 public:
-  /// @param name as people read it; underscores take the place of its spaces in JSON. An empty one continues the line
-  /// before, in the same entry of JSON
+  /// @param name as people read it; underscores take the place of its spaces in JSON. An empty one continues
+  /// the line before, in the same entry of JSON
   void add(const std::string& name, const std::string& line, nlohmann::ordered_json value)
   {
     this->Lines.emplace_back(name, line);
@@ -71,8 +71,8 @@ nlohmann::ordered_json listOf(const double* numbers, int count)
 
 std::string boundsText(const double b[6])
 {
-  return text(b[0]) + " to " + text(b[1]) + ", " + text(b[2]) + " to " + text(b[3]) + ", " + text(b[4]) + " to " +
-    text(b[5]);
+  return text(b[0]) + " to " + text(b[1]) + ", " + text(b[2]) + " to " + text(b[3]) + ", " + text(b[4]) +
+    " to " + text(b[5]);
 }
 
 /// What only all values together tell.
@@ -126,12 +126,14 @@ void describeVolume(
   }
   if (input.surfaceValue)
   {
-    description.add("suggested iso", text(*input.surfaceValue) + " (that of the file's surface)", *input.surfaceValue);
+    description.add(
+      "suggested iso", text(*input.surfaceValue) + " (that of the file's surface)", *input.surfaceValue);
     return;
   }
   if (suggestion)
   {
-    description.add("suggested iso", text(suggestion->value) + " (" + methodText(*suggestion) + ")", suggestion->value);
+    description.add(
+      "suggested iso", text(suggestion->value) + " (" + methodText(*suggestion) + ")", suggestion->value);
   }
   else
   {

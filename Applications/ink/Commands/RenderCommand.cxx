@@ -79,8 +79,7 @@ void render(const RenderOptions& options)
   CameraFit fit = drawing.makeFit();
   fit.add(subject.points->GetPoints(), drawing.view());
   writePicture(output, options.output, drawing.layout(),
-    [&](const RowSink& sink)
-    { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
+    [&](const RowSink& sink) { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
   progress.finish();
 
   if (!options.quiet)

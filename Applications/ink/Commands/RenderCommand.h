@@ -62,8 +62,8 @@ struct RenderOptions
   std::optional<std::array<double, 3>> position;   ///< of the viewer, in place of one from where all is seen
   std::optional<std::array<double, 3>> focalPoint; ///< in the middle of the picture
   double roll = 0;                                 ///< degrees that the picture is turned counterclockwise
-  double azimuth = 0;   ///< degrees
-  double elevation = 0; ///< degrees
+  double azimuth = 0;                              ///< degrees
+  double elevation = 0;                            ///< degrees
   double zoom = 1;
   bool parallel = false;
   PictureSize size;

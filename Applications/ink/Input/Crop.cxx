@@ -25,9 +25,9 @@ namespace
 
 [[noreturn]] void failWithNothing(const double bounds[6])
 {
-  throw Failure("--crop: nothing lies in the box; the data is from " + text(bounds[0]) + " to " + text(bounds[1]) +
-    " in x, " + text(bounds[2]) + " to " + text(bounds[3]) + " in y and " + text(bounds[4]) + " to " +
-    text(bounds[5]) + " in z");
+  throw Failure("--crop: nothing lies in the box; the data is from " + text(bounds[0]) + " to " +
+    text(bounds[1]) + " in x, " + text(bounds[2]) + " to " + text(bounds[3]) + " in y and " +
+    text(bounds[4]) + " to " + text(bounds[5]) + " in z");
 }
 
 /// The voxels whose middles lie in the box, or, of an oblique volume, in the box of voxels around it.
@@ -96,7 +96,8 @@ vtkSmartPointer<vtkPolyData> cropMesh(vtkPolyData* mesh, const std::array<double
     {
       double p[3];
       mesh->GetPoint(i, p);
-      if (p[0] >= box[0] && p[0] <= box[1] && p[1] >= box[2] && p[1] <= box[3] && p[2] >= box[4] && p[2] <= box[5])
+      if (p[0] >= box[0] && p[0] <= box[1] && p[1] >= box[2] && p[1] <= box[3] && p[2] >= box[4] &&
+        p[2] <= box[5])
       {
         kept->InsertNextId(i);
       }

@@ -67,7 +67,8 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   {
     throw UsageError("--grid: only OpenVDB files have grids, '" + file.string() + "' is none");
   }
-  if (contains(vtkInkVolumeReader::GetFileExtensions(), suffix) || vtkInkVolumeReader::IsDicomFile(file.c_str()))
+  if (contains(vtkInkVolumeReader::GetFileExtensions(), suffix) ||
+    vtkInkVolumeReader::IsDicomFile(file.c_str()))
   {
     return readVolume(file, {}, options.memory, progress);
   }

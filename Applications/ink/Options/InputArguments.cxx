@@ -34,7 +34,8 @@ void InputArguments::addReading(CLI::App* command)
 {
   command
     ->add_option("--crop", this->crop,
-      "keep only what lies in a box, in the file's coordinates as 'ink info' has them, of a volume in whole voxels")
+      "keep only what lies in a box, in the file's coordinates as 'ink info' has them, of a volume in whole "
+      "voxels")
     ->delimiter(',')
     ->expected(6)
     ->allow_extra_args(false)
@@ -89,8 +90,8 @@ InputOptions InputArguments::options() const
     {
       if (this->crop[2 * axis] > this->crop[2 * axis + 1])
       {
-        throw UsageError("--crop: expected x0 <= x1, y0 <= y1 and z0 <= z1, found " + text(this->crop[2 * axis]) +
-          " and " + text(this->crop[2 * axis + 1]));
+        throw UsageError("--crop: expected x0 <= x1, y0 <= y1 and z0 <= z1, found " +
+          text(this->crop[2 * axis]) + " and " + text(this->crop[2 * axis + 1]));
       }
     }
   }

@@ -50,14 +50,16 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->type_name("WxH");
   command
     ->add_option("--dpi", this->options.dotsPerInch,
-      "pixels an inch, which says how large the picture is printed (300); lengths in the drawing are parts of\n"
+      "pixels an inch, which says how large the picture is printed (300); lengths in the drawing are parts "
+      "of\n"
       "its height")
     ->check(within(1, 30000));
   command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
 
   const auto angle = within(-360, 360);
   command
-    ->add_option("--up", this->options.up, "axis that is up in the picture (z; of a mesh as it seems to stand)")
+    ->add_option(
+      "--up", this->options.up, "axis that is up in the picture (z; of a mesh as it seems to stand)")
     ->type_name("AXIS")
     ->check(oneOf(upAxes()))
     ->group("Camera");
@@ -165,8 +167,7 @@ void RenderArguments::checkOutput() const
     return;
   }
   static const std::regex numbered(R"([^%]*%(0?[1-9])?d[^%]*)");
-  if (!video &&
-    !(PictureEncoder::isPicture(file) && std::regex_match(file.filename().string(), numbered)))
+  if (!video && !(PictureEncoder::isPicture(file) && std::regex_match(file.filename().string(), numbered)))
   {
     throw UsageError("-o '" + this->output +
       "': expected a name with a number for several frames, as out_%04d.png, or .mp4, .webm or .gif for a "
@@ -187,7 +188,8 @@ void RenderArguments::checkFormat() const
   const std::filesystem::path& file = this->options.output;
   if (this->options.transparent && !PictureEncoder::hasAlpha(file))
   {
-    throw UsageError("--transparent: expected a PNG or TIFF file, found '" + this->output + "', which has no alpha");
+    throw UsageError(
+      "--transparent: expected a PNG or TIFF file, found '" + this->output + "', which has no alpha");
   }
   const int longest = PictureEncoder::longestSide(file);
   if (std::max(this->options.size.width, this->options.size.height) > longest)

@@ -25,8 +25,8 @@ class StyleArguments
 {
 public:
   /// The style that a command line names, where options cannot be parsed yet because they depend on it: after
-  /// --style, in a --style-file, or as the argument of `ink style`; else the one that a --preset is of, or the
-  /// first of all. The name may be wrong.
+  /// --style, in a --style-file, or as the argument of `ink style`; else the one that a --preset is of, or
+  /// the first of all. The name may be wrong.
   static std::string findStyle(int argc, const char* const argv[]);
   static std::vector<std::string> names();
 

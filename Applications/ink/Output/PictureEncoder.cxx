@@ -57,9 +57,10 @@ std::string describe(const fs::path& file, const PictureLayout& layout)
     constexpr double perInch = 25.4;
     return std::to_string(std::lround(pixels * perInch / layout.dotsPerInch));
   };
-  return (file == standardOutput ? "the standard output stream" : file.string()) + ": " + std::to_string(layout.width) + " x " +
-    std::to_string(layout.height) + " pixels, " + text(layout.dotsPerInch) + " dpi, " + millimeters(layout.width) +
-    " x " + millimeters(layout.height) + " mm";
+  return (file == standardOutput ? "the standard output stream" : file.string()) + ": " +
+    std::to_string(layout.width) + " x " + std::to_string(layout.height) + " pixels, " +
+    text(layout.dotsPerInch) + " dpi, " + millimeters(layout.width) + " x " + millimeters(layout.height) +
+    " mm";
 }
 
 std::unique_ptr<PictureEncoder> PictureEncoder::create(
@@ -79,7 +80,10 @@ std::string PictureEncoder::suffixes()
   std::string list;
   for (const Format& format : formats)
   {
-    list += (list.empty() ? "" : &format == std::end(formats) - 1 ? " or " : ", ") + std::string(format.suffix);
+    list += (list.empty()                          ? ""
+                : &format == std::end(formats) - 1 ? " or "
+                                                   : ", ") +
+      std::string(format.suffix);
   }
   return list;
 }
