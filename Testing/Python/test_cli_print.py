@@ -85,17 +85,6 @@ def test_print_sizes_are_full_ink(picture, volume_file, mesh_file, file):
     assert ink[near].sum() > 0.9 * ink.sum()
 
 
-@pytest.mark.parametrize("options", [[], ["--hidden-layers"], ["--line-width", 2]])
-def test_lines_are_as_smooth_as_of_sixteen_times_the_pixels(picture, volume_file, mesh_file, options):
-    """What is drawn with two pixels a side for each of the picture differs little from four a side."""
-    for file in (volume_file, mesh_file):
-        usual = picture(file, "--style", "splatting-lines", *options, size="1024").astype(float)
-        four = picture(file, "--style", "splatting-lines", *options, size="2048").astype(float)
-        four = four.reshape(1024, 2, 1024, 2, 3).mean(axis=(1, 3))
-        assert (usual < 128).any()
-        assert np.sqrt(((usual - four) ** 2).mean()) <= 2
-
-
 def test_thinned_lines_are_black_and_as_wide_in_any_size(preview_and_print, picture, volume_file):
     thin = ["--style", "splatting-lines", "--thin", "--hardness", 1, "--iso", 100]
     ink = 1 - picture(volume_file, *thin, size="1000")[..., 0] / 255
