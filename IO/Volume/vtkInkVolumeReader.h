@@ -5,8 +5,8 @@
  *
  * Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), VTK XML images (.vti), structured
  * points of legacy VTK files (.vtk), a folder of DICOM files, which becomes the series in it that has most
- * slices, one DICOM file (.dcm, or any name), which is a volume by itself or stands for the slices of its series
- * in its folder, and with Raw any file without a header. Which format it is the file's name tells.
+ * slices, one DICOM file (.dcm, or any name), which is a volume by itself or stands for the slices of its
+ * series in its folder, and with Raw any file without a header. Which format it is the file's name tells.
  *
  * The output has one point array of one component: the first of voxels that have several, in the type of the
  * file, or, where the file says that its values are to be rescaled, in short or int if all have room and else

@@ -245,9 +245,8 @@ public:
 
   ///@{
   /**
-   * Thin lines to a thousandth of the height, or to one pixel in viewports lower than 1000 pixels; LineWidth makes
-   * them wider again, all alike.
-   * Default: off.
+   * Thin lines to a thousandth of the height, or to one pixel in viewports lower than 1000 pixels; LineWidth
+   * makes them wider again, all alike. Default: off.
    */
   vtkSetMacro(Thinning, bool);
   vtkGetMacro(Thinning, bool);

@@ -199,8 +199,8 @@ void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
   mapper->SetInteriorSize(Exact(tone.interior.size));
   mapper->SetWarmCool(Exact(tone.warmCool.amount));
   mapper->SetValueEffect(Exact(tone.valueEffect));
-  mapper->SetSizeUnit(this->Internals->Preset->sizesInPixels ? vtkInkStippleMapper::PIXELS
-                                                             : vtkInkStippleMapper::THOUSANDTHS);
+  mapper->SetSizeUnit(
+    this->Internals->Preset->sizesInPixels ? vtkInkStippleMapper::PIXELS : vtkInkStippleMapper::THOUSANDTHS);
   mapper->SetPixelsPerStipple(Exact(tone.pixelsPerStipple));
   mapper->SetStippleSize(Exact(tone.diameter));
   mapper->SetFadeBySize(tone.fadeBySize);

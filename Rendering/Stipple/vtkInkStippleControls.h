@@ -104,8 +104,8 @@ public:
   ///@}
 
   /**
-   * Hands the sliders' k's, and the preset's size and room of stipples with their unit, FadeBySize, ink color and
-   * LightInk, to a mapper.
+   * Hands the sliders' k's, and the preset's size and room of stipples with their unit, FadeBySize, ink color
+   * and LightInk, to a mapper.
    */
   void Apply(vtkInkStippleMapper* mapper);
 

@@ -281,8 +281,8 @@ public:
 
   ///@{
   /**
-   * The unit of StippleSize and PixelsPerStipple. THOUSANDTHS (default), the pixels of a viewport that is 1000
-   * pixels high: a large picture made smaller is the small picture; or PIXELS.
+   * The unit of StippleSize and PixelsPerStipple. THOUSANDTHS (default), the pixels of a viewport that is
+   * 1000 pixels high: a large picture made smaller is the small picture; or PIXELS.
    */
   vtkSetClampMacro(SizeUnit, int, THOUSANDTHS, PIXELS);
   vtkGetMacro(SizeUnit, int);

@@ -34,7 +34,8 @@
 namespace
 {
 
-/// Square thousandths of the picture's height that a stipple of a mesh takes where their number does not depend on the parameter.
+/// Square thousandths of the picture's height that a stipple of a mesh takes where their number does not
+/// depend on the parameter.
 constexpr double UsualRoom = 6.0;
 
 /// Takes a generator's properties that a drawing changes back when it is done.

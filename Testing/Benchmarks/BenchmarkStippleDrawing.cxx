@@ -128,6 +128,7 @@ void Measure(const std::string& name, vtkDataSet* data, int perElement, int fram
   vtkNew<vtkInkStippleControls> controls;
   controls->SetPreset(isVolume ? "anatomy" : "engineering");
   controls->Apply(mapper);
+  mapper->SetSizeUnitToPixels();
   mapper->BoundaryOn();
   mapper->SilhouetteOn();
   mapper->ResolutionOn();

@@ -63,6 +63,7 @@ public:
     this->Mapper->SetPositionPrecision(precision);
     vtkNew<vtkInkStippleControls> controls;
     controls->Apply(this->Mapper);
+    this->Mapper->SetSizeUnitToPixels();
     this->Actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(this->Actor);
     this->Renderer->SetBackground(1.0, 1.0, 1.0);

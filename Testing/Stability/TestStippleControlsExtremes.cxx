@@ -49,6 +49,7 @@ TEST_F(StippleControlsExtremes, Sliders)
         controls->SetInterior(ends >> 4 & 1);
         controls->SetColor(ends >> 5 & 1);
         controls->Apply(scene.Mapper);
+        scene.Mapper->SetSizeUnitToPixels();
         const InkTestImage image(scene.Window);
         const int paperGray = static_cast<int>(255.0 * paper[0]);
         double marks = 0.0;

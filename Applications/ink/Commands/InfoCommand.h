@@ -18,8 +18,8 @@ struct InfoOptions
   bool quiet = false;
 };
 
-/// Prints what files hold to the standard output stream: one after the other with an empty line between them, or as JSON, a
-/// list of one object for each.
+/// Prints what files hold to the standard output stream: one after the other with an empty line between them,
+/// or as JSON, a list of one object for each.
 /// @throws Failure
 void info(const InfoOptions& options);
 

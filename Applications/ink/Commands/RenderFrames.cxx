@@ -132,7 +132,10 @@ void turn(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
     progress.step("drawing frame " + std::to_string(i + 1) + " of " + std::to_string(frames));
     output.write(i, drawing.layout(),
       [&](const RowSink& sink)
-      { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }, angle(i)); });
+      {
+        drawing.draw(
+          subject, fit, sink, [&](double done) { progress.at(done); }, angle(i));
+      });
   }
 }
 

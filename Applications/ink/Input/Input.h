@@ -39,7 +39,8 @@ struct InputOptions
   std::filesystem::path file;
   std::optional<RawLayout> raw; ///< given: the file has no header
   std::string grid;             ///< of an OpenVDB file; empty: the first that can be read
-  std::optional<std::array<double, 6>> crop; ///< the part to keep: x, y and z from and to, in world coordinates
+  std::optional<std::array<double, 6>>
+    crop; ///< the part to keep: x, y and z from and to, in world coordinates
   Memory memory;
 };
 

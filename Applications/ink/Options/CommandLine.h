@@ -29,8 +29,8 @@ public:
   CLI::App& app() { return this->App; }
   const CLI::App& app() const { return this->App; }
 
-  /// Takes options that are not explained out of the help. Only where it is printed: CLI11's messages do not name them
-  /// then.
+  /// Takes options that are not explained out of the help. Only where it is printed: CLI11's messages do not
+  /// name them then.
   void hideUnlisted();
 
   /// Does what the parsed arguments ask for. @throws UsageError, Failure

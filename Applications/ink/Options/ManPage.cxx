@@ -19,8 +19,10 @@ std::string escaped(const std::string& text)
   for (const char c : text)
   {
     const bool first = result.empty() || result.back() == '\n';
-    result += c == '\\' ? "\\e" : c == '-' ? "\\-" : first && (c == '.' || c == '\'') ? "\\&" + std::string(1, c)
-                                                                                     : std::string(1, c);
+    result += c == '\\'                  ? "\\e"
+      : c == '-'                         ? "\\-"
+      : first && (c == '.' || c == '\'') ? "\\&" + std::string(1, c)
+                                         : std::string(1, c);
   }
   return result;
 }
@@ -33,7 +35,8 @@ void writeOption(std::ostream& page, const OptionText& option)
   {
     names += (names.empty() ? "" : ", ") + ("\\fB" + escaped(name) + "\\fR");
   }
-  page << names << (option.value.empty() || option.positional ? "" : " \\fI" + escaped(option.value) + "\\fR") << '\n'
+  page << names << (option.value.empty() || option.positional ? "" : " \\fI" + escaped(option.value) + "\\fR")
+       << '\n'
        << escaped(option.text) << '\n';
 }
 

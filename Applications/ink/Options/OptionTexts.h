@@ -14,7 +14,7 @@ struct OptionText
 {
   std::vector<std::string> names; ///< with their dashes; the only one of an argument without, as FILE
   bool positional = false;
-  std::string value; ///< what follows it, "WxH"; empty: nothing
+  std::string value;              ///< what follows it, "WxH"; empty: nothing
   std::vector<std::string> words; ///< the values it can have; empty: any
   std::string group;
   std::string text; ///< in one line

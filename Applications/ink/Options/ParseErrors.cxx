@@ -52,7 +52,10 @@ std::string describeExtra(const std::string& found, const CLI::App& app)
   const std::string name = found.substr(0, found.find('='));
   const bool command = !option && &commandOf(app) == &app;
   const std::string meant = option || command ? didYouMean(name, knownNames(app, option)) : "";
-  return "'" + found + "': expected no such " + (option ? "option" : command ? "command" : "argument") +
+  return "'" + found + "': expected no such " +
+    (option       ? "option"
+        : command ? "command"
+                  : "argument") +
     (meant.empty() ? helpFor(app) : meant);
 }
 
@@ -72,11 +75,15 @@ std::string describe(const CLI::ParseError& error, const CLI::App& app)
     { std::regex("(\\S+): Should be true/false or a number"), "$1: expected without a value" },
     { std::regex("(\\S+): too many inputs for a flag"), "$1: expected once" },
     { std::regex("(\\S+) was given a disallowed flag override"), "$1: expected without a value" },
-    { std::regex("(\\S+): At [Mm]ost (\\d+) required but received (\\d+)"), "$1: expected once, found $3 times" },
-    { std::regex("(\\S+): At [Ll]east (\\d+) required but received (\\d+)"), "$1: expected $2 values, found $3" },
+    { std::regex("(\\S+): At [Mm]ost (\\d+) required but received (\\d+)"),
+      "$1: expected once, found $3 times" },
+    { std::regex("(\\S+): At [Ll]east (\\d+) required but received (\\d+)"),
+      "$1: expected $2 values, found $3" },
     { std::regex("(\\S+): (\\d+) required ([^:]*).* missing"), "$1: expected $3, found nothing" },
-    { std::regex("Expected exactly (\\d+) arguments to (\\S+), got (\\d+)"), "$2: expected $1 values, found $3" },
-    { std::regex("Expected at least (\\d+) arguments to (\\S+), got (\\d+)"), "$2: expected $1 values or more, found $3" },
+    { std::regex("Expected exactly (\\d+) arguments to (\\S+), got (\\d+)"),
+      "$2: expected $1 values, found $3" },
+    { std::regex("Expected at least (\\d+) arguments to (\\S+), got (\\d+)"),
+      "$2: expected $1 values or more, found $3" },
     { std::regex("(\\S+) requires (\\S+)"), "$1: expected with $2" },
     { std::regex("(\\S+) excludes (\\S+)"), "$1: expected without $2" },
     { std::regex("(--?\\S+): ('[^]*)"), "$1 $2" },

@@ -203,8 +203,8 @@ void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSi
       this->Renderer->SetActiveCamera(camera);
       this->Renderer->ResetCameraClippingRange();
       this->aim(camera, column, row);
-      const WindowPart used{ column.before, this->Grid.windowHeight() - row.before - row.length, column.length,
-        row.length };
+      const WindowPart used{ column.before, this->Grid.windowHeight() - row.before - row.length,
+        column.length, row.length };
       for (std::size_t i = 0; i < backgrounds.size(); ++i)
       {
         Color color = backgrounds[i];

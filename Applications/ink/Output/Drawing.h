@@ -31,8 +31,8 @@ public:
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
 
-  /// Chooses how a subject is looked at, where the options do not say. @return what was chosen, where that is not
-  /// what it is for volumes
+  /// Chooses how a subject is looked at, where the options do not say. @return what was chosen, where that is
+  /// not what it is for volumes
   std::vector<std::string> look(const Input& input, const std::filesystem::path& file);
 
   /// The view that the options ask for.

@@ -35,7 +35,8 @@ struct JpegEncoder::Library
 
   void empty(std::size_t used)
   {
-    this->bytes.insert(this->bytes.end(), this->buffer.begin(), this->buffer.begin() + static_cast<long>(used));
+    this->bytes.insert(
+      this->bytes.end(), this->buffer.begin(), this->buffer.begin() + static_cast<long>(used));
     this->destination.next_output_byte = this->buffer.data();
     this->destination.free_in_buffer = this->buffer.size();
   }

@@ -6,7 +6,8 @@
 namespace ink::cli
 {
 
-/// JPEG of high quality without subsampled colors, since lines are sharp, with the resolution in its JFIF header.
+/// JPEG of high quality without subsampled colors, since lines are sharp, with the resolution in its JFIF
+/// header.
 class JpegEncoder : public PictureEncoder
 {
 public:

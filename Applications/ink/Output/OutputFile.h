@@ -34,7 +34,7 @@ public:
 private:
   std::filesystem::path Given;  ///< for messages
   std::filesystem::path Target; ///< links followed, so that they stay
-  bool Replaces;                ///< false for devices, pipes and the standard output stream, which cannot be renamed over
+  bool Replaces; ///< false for devices, pipes and the standard output stream, which cannot be renamed over
 };
 
 } // namespace ink::cli

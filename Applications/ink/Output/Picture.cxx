@@ -36,8 +36,8 @@ void takePicture(vtkRenderWindow* window, const WindowPart& part, int factor, Pi
     for (int y = first; y < end; ++y)
     {
       // OpenGL's lowest row is the first.
-      unsigned char* target = rows.pixels.data() + static_cast<std::size_t>(height - 1 - y) * rows.rowBytes() +
-        3 * static_cast<std::size_t>(column);
+      unsigned char* target = rows.pixels.data() +
+        static_cast<std::size_t>(height - 1 - y) * rows.rowBytes() + 3 * static_cast<std::size_t>(column);
       for (int x = 0; x < width; ++x, target += 3)
       {
         int sum[3] = { 0, 0, 0 };

@@ -13,8 +13,8 @@
 namespace ink::cli
 {
 
-/// What there is to say of a picture before its pixels. These have 8 bits a component, which are red, green and blue, and
-/// alpha, not multiplied into the colors, where there are four.
+/// What there is to say of a picture before its pixels. These have 8 bits a component, which are red, green
+/// and blue, and alpha, not multiplied into the colors, where there are four.
 struct PictureLayout
 {
   int width = 0;  ///< pixels
@@ -37,7 +37,8 @@ class PictureEncoder
 public:
   virtual ~PictureEncoder() = default;
 
-  /// The encoder for a file by the end of its name, or for PNG where it is "-"; null for a name of another kind.
+  /// The encoder for a file by the end of its name, or for PNG where it is "-"; null for a name of another
+  /// kind.
   /// @param sink takes the bytes of the file
   static std::unique_ptr<PictureEncoder> create(
     const std::filesystem::path& file, const PictureLayout& layout, const ByteSink& sink);

@@ -60,8 +60,8 @@ PngEncoder::PngEncoder(const PictureLayout& layout, const ByteSink& sink)
     {
       // Nobody has to know of a limit of a million pixels a side.
       png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-      png_set_IHDR(png, info, static_cast<png_uint_32>(layout.width), static_cast<png_uint_32>(layout.height), 8,
-        layout.components == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+      png_set_IHDR(png, info, static_cast<png_uint_32>(layout.width), static_cast<png_uint_32>(layout.height),
+        8, layout.components == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
         PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
       constexpr double inchesPerMeter = 1.0 / 0.0254;
       const auto perMeter = static_cast<png_uint_32>(std::lround(layout.dotsPerInch * inchesPerMeter));

@@ -38,7 +38,10 @@ struct Rectangle
     this->high[0] = std::max(this->high[0], a);
     this->high[1] = std::max(this->high[1], b);
   }
-  double area() const { return std::max(this->high[0] - this->low[0], 0.0) * std::max(this->high[1] - this->low[1], 0.0); }
+  double area() const
+  {
+    return std::max(this->high[0] - this->low[0], 0.0) * std::max(this->high[1] - this->low[1], 0.0);
+  }
 };
 
 /// The rectangle around what touches the ground by that around all, with an axis up.

@@ -10,8 +10,8 @@
 namespace ink::cli
 {
 
-/// TIFF, compressed without loss (Deflate), with the resolution in its tags. The library goes back in the file to write
-/// where things are, so it is a temporary one first.
+/// TIFF, compressed without loss (Deflate), with the resolution in its tags. The library goes back in the
+/// file to write where things are, so it is a temporary one first.
 class TiffEncoder : public PictureEncoder
 {
 public:

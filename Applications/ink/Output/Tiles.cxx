@@ -36,8 +36,8 @@ Tiles::Tiles(int width, int height, int longest, int overlap, int factor)
     this->Rows = { { 0, height, 0 } };
     return;
   }
-  // Mappers take lengths from the window's height times the scale. With a scale of one they would take a tile for a whole
-  // picture.
+  // Mappers take lengths from the window's height times the scale. With a scale of one they would take a tile
+  // for a whole picture.
   this->Scale = std::max((height + longest - 1) / longest, 2);
   this->WindowHeight = roundUp((height + this->Scale - 1) / this->Scale, factor);
   this->WindowWidth = roundUp(std::min(width, longest), factor);

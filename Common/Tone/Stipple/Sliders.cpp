@@ -57,7 +57,8 @@ constexpr Preset presetTable[] = {
   { "bone", { 0.65f, 0.6f, 0.5f, 0.15f, 0.35f, 0.0f }, false, 6.0f, 2.2f, true, 1.0f, 0.25f, false },
   { "soft-tissue", { 0.45f, 0.3f, 0.5f, 0.1f, 0.05f, 0.0f }, false, 7.0f, 1.8f, false, 1.0f, 0.25f, false },
   { "engineering", { 0.5f, 0.65f, 0.75f, 0.05f, 0.15f, 0.0f }, false, 7.0f, 2.0f, true, 0.8f, 0.25f, false },
-  { "plate-white-on-black", { 0.6f, 0.5f, 0.5f, 0.2f, 0.15f, 0.0f }, false, 7.0f, 2.2f, true, 1.0f, 0.25f, true },
+  { "plate-white-on-black", { 0.6f, 0.5f, 0.5f, 0.2f, 0.15f, 0.0f }, false, 7.0f, 2.2f, true, 1.0f, 0.25f,
+    true },
   { "as-published", { 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.0f }, true, 1.0f, 1.13f, false, 1.0f, 1.0f, false },
 };
 

@@ -38,7 +38,8 @@ public:
   {
   }
 
-  /// Whether the mark is there, which stands after 128 bytes of anything, or elements are from the beginning on.
+  /// Whether the mark is there, which stands after 128 bytes of anything, or elements are from the beginning
+  /// on.
   bool start()
   {
     std::array<char, 132> bytes{};
@@ -72,7 +73,8 @@ private:
     constexpr std::uint32_t longest = 64;
     const std::uint32_t length = this->integer(bytes.substr(4, 4));
     const bool isLength = length > 0 && length <= longest && length % 2 == 0;
-    return (group == 0x0002 || group == 0x0008) && element <= lastOfFirst && (this->PlainIsExplicit || isLength);
+    return (group == 0x0002 || group == 0x0008) && element <= lastOfFirst &&
+      (this->PlainIsExplicit || isLength);
   }
 
   std::uint64_t position()

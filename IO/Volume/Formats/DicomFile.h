@@ -36,8 +36,8 @@ struct DicomFile
   std::uint64_t pixelOffset = 0;
   std::uint64_t pixelBytes = 0; ///< 0: there are no pixels
 
-  /// Reads all but the pixels. Files of old that begin with their elements, without preamble and mark, are read,
-  /// too. @return nothing if it is no DICOM file
+  /// Reads all but the pixels. Files of old that begin with their elements, without preamble and mark, are
+  /// read, too. @return nothing if it is no DICOM file
   /// @throws ReadError if its elements cannot be told apart.
   static std::optional<DicomFile> read(const std::filesystem::path& file);
 };

@@ -76,7 +76,8 @@ std::vector<DicomFile> readSeriesOf(const fs::path& path, std::vector<std::strin
   std::vector<DicomFile> series = std::move(findSeries(folder)[file->series]);
   if (series.size() > 1)
   {
-    notes.push_back("it is one of " + std::to_string(series.size()) + " slices in its folder; all of them are read");
+    notes.push_back(
+      "it is one of " + std::to_string(series.size()) + " slices in its folder; all of them are read");
   }
   return series;
 }
@@ -93,7 +94,8 @@ void check(const DicomFile& file, bool alone)
   {
     failToRead(file.path, "its pixels are compressed (transfer syntax " + syntax + "); expected plain ones");
   }
-  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames < 1 || (file.frames > 1 && !alone))
+  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames < 1 ||
+    (file.frames > 1 && !alone))
   {
     failToRead(file.path,
       "it says " + std::to_string(file.rows) + " rows, " + std::to_string(file.columns) + " columns, " +
@@ -107,8 +109,7 @@ void check(const DicomFile& file, bool alone)
   const std::uint64_t size = fs::file_size(file.path);
   const std::uint64_t needed = static_cast<std::uint64_t>(file.rows) *
     static_cast<std::uint64_t>(file.columns) * static_cast<std::uint64_t>(file.components) *
-    static_cast<std::uint64_t>(file.frames) *
-    static_cast<std::uint64_t>(file.bits / 8);
+    static_cast<std::uint64_t>(file.frames) * static_cast<std::uint64_t>(file.bits / 8);
   if (size - std::min(size, file.pixelOffset) < needed || file.pixelBytes < needed)
   {
     failToRead(file.path, "the file ends before its " + std::to_string(needed) + " bytes of pixels do");

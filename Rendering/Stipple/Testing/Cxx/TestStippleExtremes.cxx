@@ -81,6 +81,7 @@ TEST(StippleExtremes, Sliders)
       controls->SetInterior(ends >> 4 & 1);
       controls->SetColor(ends >> 5 & 1);
       controls->Apply(scene.Mapper);
+      scene.Mapper->SetSizeUnitToPixels();
       CheckMarks(scene, std::string(controls->GetPreset()) + ", ends " + std::to_string(ends));
     }
   }
@@ -149,6 +150,7 @@ TEST(StippleExtremes, TinySphere)
       {
         vtkNew<vtkInkStippleControls> controls;
         controls->Apply(scene.Mapper);
+        scene.Mapper->SetSizeUnitToPixels();
         scene.Mapper->HeadlightOn();
       }
       scene.Renderer->SetUseDepthPeeling(peeled);

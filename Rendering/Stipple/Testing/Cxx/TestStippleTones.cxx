@@ -154,6 +154,7 @@ TEST(StippleTones, Controls)
   const auto ink = [&]
   {
     controls->Apply(scene.Mapper);
+    scene.Mapper->SetSizeUnitToPixels();
     return InkTestImage(scene.Window).Ink();
   };
   const auto expect = [&](void (vtkInkStippleControls::*set)(double), double direction, const char* name)
@@ -191,6 +192,7 @@ TEST(StippleTones, Controls)
     controls->GetPaperColor(paper);
     scene.Renderer->SetBackground(paper);
     controls->Apply(scene.Mapper);
+    scene.Mapper->SetSizeUnitToPixels();
     const InkTestImage image(scene.Window);
     const double marks = paper[0] == 0.0 ? 200.0 * 200.0 - image.Ink() : image.Ink();
     EXPECT_TRUE(marks > 300.0 && marks < 15000.0) << controls->GetPreset() << ": marks " << marks;
@@ -224,6 +226,7 @@ TEST(StippleTones, SlidersAreContinuous)
       {
         (controls.Get()->*set)(slider);
         controls->Apply(scene.Mapper);
+        scene.Mapper->SetSizeUnitToPixels();
         const InkTestImage image(scene.Window);
         double ink = 0.0;
         for (int pixel = 0; pixel < 200 * 200; ++pixel)
