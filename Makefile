@@ -65,7 +65,7 @@ tradeoff: setup-headless build-headless ## Measure error against time, write Doc
 	@Utilities/setup.sh tradeoff
 	@Utilities/tradeoff.sh
 
-pictures: setup-headless build-headless ## Draw the pictures of stipple.md and splatting-lines.md
+pictures: setup-headless build-headless ## Draw the pictures of stipple.md, splatting-lines.md and picture-quality.md
 	@Utilities/pictures.sh
 
 sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behavior sanitizers

@@ -406,7 +406,20 @@ def page(today, before=()):
             sets = [[result for result in results if result[:6] in both] for results in (then, now)]
             text += f"\n{len(both)} of these pictures before smoothing, finer sampling and surface stipples, and today:\n\n"
             text += _summary(sets, measures)
-    return text
+    return text + _pictures()
+
+
+def _pictures():
+    """Those that Utilities/pictures.sh quality has drawn."""
+    found = sorted((PAGE.parent / "images").glob("*-quality-*.png"))
+    if not found:
+        return ""
+    text = "\n## Pictures\n\nOf phantoms: the mesh, the volume without and with what is chosen automatically; of scans: the "
+    text += "last two."
+    for path in found:
+        style, _, subject = path.stem.partition("-quality-")
+        text += f"\n\n![{subject.replace('-', ' ').capitalize()}, {style}](images/{path.name})"
+    return text + "\n"
 
 
 def cases_table(results):

@@ -95,14 +95,17 @@ def test_a_volume_of_which_nothing_is_drawn_is_a_bare_picture(small, knot, capsy
     assert "splatting-lines: " in capsys.readouterr().err
 
 
-# The least F, and the most of the other figures; measured, and as much as two machines may differ.
+# The least F, and the most of the other figures: as measured (picture_quality.py --cases), and a little for other machines.
 BOUNDS = {
     Case("knot", 48, 1, "uint8", 0.02): {
-        "splatting-lines": {"f": 0.2},
-        "stipple": {"tone": 0.2, "outside": 0.12, "bare": 0.1},
+        "splatting-lines": {"f": 0.25},
+        "stipple": {"tone": 0.13, "outside": 0.1, "bare": 0.02},
     },
-    Case("vessels", 96, 1, "int16", 0.05): {"splatting-lines": {"f": 0.2}},
-    Case("two materials", 96, 3, "uint8", 0.05): {"splatting-lines": {"f": 0.2}},
+    Case("vessels", 96, 1, "int16", 0.05): {"splatting-lines": {"f": 0.05}},
+    Case("two materials", 96, 3, "uint8", 0.05): {
+        "splatting-lines": {"f": 0.3},
+        "stipple": {"tone": 0.21, "outside": 0.11, "bare": 0.27},
+    },
 }
 
 
