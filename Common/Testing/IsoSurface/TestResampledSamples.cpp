@@ -317,7 +317,7 @@ TEST(ResampledSamples, SkippedCellsAreEmpty)
   Setting setting{ 0.5, 2 };
   setting.selection.skipped = { marks, 4 };
   const auto samples = resample(volume.field(), 0.5, setting);
-  setting.selection = { glm::ivec3(0, 0, 10), glm::ivec3(25) };
+  setting.selection = { glm::ivec3(0, 0, 10), glm::ivec3(25), {} };
   EXPECT_EQ(sorted(samples), sorted(resample(volume.field(), 0.5, setting)));
 }
 
