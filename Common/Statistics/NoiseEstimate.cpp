@@ -41,7 +41,7 @@ constexpr double leastSmoothing = 0.3; ///< less does not show
 constexpr double mostSmoothing = 2.0;
 constexpr double pointSpread = 0.7;
 
-/// The noise that steps of one grey level count as.
+/// The noise that steps of one gray level count as.
 constexpr double terraceWeight = 1.5;
 
 /// Longer voxels show their slices.
@@ -229,7 +229,7 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
   double deviation = 0.0;
   if (estimate.step > 0.0)
   {
-    // Noise hides the steps of grey levels; without it their edges are long, and smoothing has to reach
+    // Noise hides the steps of gray levels; without it their edges are long, and smoothing has to reach
     // further.
     const double terraces = terraceWeight * std::max(estimate.quantum - estimate.noise, 0.0);
     const double ratio = (estimate.noise + terraces) / estimate.step;

@@ -14,7 +14,7 @@ struct NoiseEstimate
 {
   double noise = 0.0;   ///< the standard deviation of the noise of a sample, that of rounding included
   double step = 0.0;    ///< the difference between both sides of the surface; 0 if there is no surface
-  double quantum = 0.0; ///< the difference between neighboring grey levels; nearly 0 for continuous values
+  double quantum = 0.0; ///< the difference between neighboring gray levels; nearly 0 for continuous values
 };
 
 /// Estimates the noise around an iso-surface: from the median magnitude of second differences, along all
@@ -31,7 +31,7 @@ NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue);
 
 /// The standard deviation of a Gaussian that makes the normals of an iso-surface smooth enough for lines, and
 /// no more: the smallest with which noise turns normals by no more than .02 radians (standard deviation), at
-/// a boundary that a point spread of .7 samples blurs. Grey levels that no noise hides count as noise of 1.5
+/// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
 /// of them. Where voxels are longer than wide, it is at least half of their length.
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter

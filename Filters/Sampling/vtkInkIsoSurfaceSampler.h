@@ -117,7 +117,7 @@ public:
    * The standard deviation of the Gaussian that values are smoothed with before the surface is sampled, in
    * multiples of the smallest spacing, the same in all world directions; 0 to 8. Default: 0, values as they
    * are. Where voxels are not cubes, cells then are divided until they are about cubes, as with
-   * Subdivision. Removes what noise, few grey levels and the distance of slices do to normals, and with it
+   * Subdivision. Removes what noise, few gray levels and the distance of slices do to normals, and with it
    * parts thinner than the Gaussian, see SmoothingTarget; Common/Statistics/NoiseEstimate.h suggests a value.
    * NaN is refused with a warning.
    */

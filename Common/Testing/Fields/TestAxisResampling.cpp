@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/Resampling/AxisResampling.h"
+#include "Fields/Resampling/TileResampler.h"
+#include "SampledVolume.h"
 
 #include <gtest/gtest.h>
 
@@ -156,6 +158,31 @@ TEST(AxisResampling, GainBoundsOvershoot)
   // Half way between samples: (-1 + 9 + 9 - 1) / 16.
   EXPECT_NEAR(AxisResampling(0.0, 2, 9).gain(), 1.25, 1e-12);
   EXPECT_LT(AxisResampling(1.0, 2, 9).gain(), 1.05);
+}
+
+TEST(AxisResampling, MissingSamplesOfATileDoNotCount)
+{
+  ink::testing::Volume<float> volume(ink::GridGeometry({ 12, 11, 10 }), 7.0f);
+  volume.at({ 5, 5, 5 }) = std::nanf("");
+  volume.at({ 0, 0, 0 }) = std::nanf("");
+  const ink::GridResampling resampling = { AxisResampling(0.7, 2, 12), AxisResampling(0.5, 1, 11),
+    AxisResampling(0.0, 3, 10) };
+  const ink::SampleBox box = { { 1, 0, 0 }, { 23, 11, 28 } };
+  ink::TileResampler<float> tile;
+  tile.read(volume.field(), box, { 2, 1, 3 }, { 4, 4, 4 });
+  EXPECT_TRUE(tile.anyMissing());
+  EXPECT_EQ(tile.least(), 7.0f);
+  EXPECT_EQ(tile.greatest(), 7.0f);
+  std::vector<float> values;
+  tile.resample(resampling, box, values);
+  ASSERT_EQ(values.size(), box.count());
+  std::size_t finite = 0;
+  for (const float value : values)
+  {
+    finite += std::isfinite(value);
+    EXPECT_TRUE(std::isnan(value) || std::abs(value - 7.0f) < 1e-4f) << value;
+  }
+  EXPECT_GT(finite, values.size() * 9 / 10);
 }
 
 TEST(AxisResampling, RefusesWhatIsOutOfRange)

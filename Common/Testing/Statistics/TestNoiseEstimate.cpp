@@ -85,7 +85,7 @@ TEST(NoiseEstimate, OneNoisySideCountsHalf)
   EXPECT_NEAR(found.noise, 0.06, 0.01);
 }
 
-TEST(NoiseEstimate, GreyLevelsAreFound)
+TEST(NoiseEstimate, GrayLevelsAreFound)
 {
   const Sphere ball{ glm::dvec3(0.3), 18.0 };
   EXPECT_EQ(
@@ -113,8 +113,8 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   }
   EXPECT_LE(last, 2.0);
   EXPECT_EQ(ink::suggestSmoothing({}, cubes), 0.0) << "no surface";
-  EXPECT_GT(ink::suggestSmoothing({ 0.4, 40.0, 1.0 }, cubes), 0.5) << "terraces of 40 grey levels";
-  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, cubes), 0.0) << "1000 grey levels";
+  EXPECT_GT(ink::suggestSmoothing({ 0.4, 40.0, 1.0 }, cubes), 0.5) << "terraces of 40 gray levels";
+  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, cubes), 0.0) << "1000 gray levels";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, -1.0, 1.5 }), 0.75) << "slices";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1e-3, 1.0, 1.0 }), 2.0) << "at most";
 }
