@@ -96,6 +96,6 @@ case "${1:-all}" in
   stipple) stipple_pictures ;;
   illustration) illustration_pictures ;;
   splatting-lines) lines_pictures ;;
-  all) stipple_pictures && lines_pictures ;;
+  all) illustration_pictures && stipple_pictures && lines_pictures ;;
   *) echo "pictures: found '$1', expected illustration, stipple or splatting-lines" >&2 && exit 2 ;;
 esac
