@@ -53,9 +53,10 @@ int vtkInkIllustrationRepresentation::ProcessViewRequest(
   auto view = vtkPVView::SafeDownCast(this->GetView());
   if (request == vtkPVView::REQUEST_UPDATE() && view)
   {
-    // The same on all processes.
+    // The same on all processes. Down, as data seldom fills the view and stipples grow better than they
+    // shrink.
     const int pixels = std::max(view->GetSize()[0], view->GetSize()[1]);
-    const double size = std::exp2(std::ceil(std::log2(std::clamp(pixels, 256, 8192))));
+    const double size = std::exp2(std::floor(std::log2(std::clamp(pixels, 256, 8192))));
     this->ChangeStyle([=](vtkInkStyle* style) { style->SetPictureSize(size); });
   }
   return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);

@@ -279,7 +279,8 @@ void main()
     // What its own surface does not hide is not to be hidden by another drawing of the same surface, lines on paper say.
     lift = min(lift + paperDistance * pixelVC * center.w / max(slant, 0.25), max(0.5 * distanceFromEye, 0.0));
     lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
-    dotDepth = lifted.z / lifted.w;
+    // But not before the near plane.
+    dotDepth = max(lifted.z / lifted.w, min(dotDepth, -1.0));
   }
 #endif
   toneVSOutput = vec3(tone, opacity, size);
