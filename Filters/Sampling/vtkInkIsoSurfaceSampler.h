@@ -267,6 +267,8 @@ public:
    * them together first.
    */
   void SetSmallestPart(double share);
+  double GetSmallestPartMinValue() { return -1.0; }
+  double GetSmallestPartMaxValue() { return 1.0; }
   vtkGetMacro(SmallestPart, double);
   ///@}
 
@@ -275,7 +277,7 @@ public:
    * Keep only that many of the largest parts of each surface; a skull without its headrest is 1. 0 (default):
    * all. See SmallestPart for what a part is.
    */
-  vtkSetClampMacro(LargestParts, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(LargestParts, int, 0, 1000000);
   vtkGetMacro(LargestParts, int);
   ///@}
 

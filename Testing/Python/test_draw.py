@@ -114,6 +114,28 @@ def test_the_picture_is_that_of_ink(ink, tmp_path):
     assert max(likeness(other) for other in (ours[:, ::-1], ours[::-1], ours[::-1, ::-1])) < 0.8
 
 
+@pytest.mark.parametrize("size", [(300, 200), (200, 300)])
+def test_pictures_of_all_styles_are_framed_as_ink_frames_them(ink, tmp_path, size):
+    """Of a body whose picture is a full disc, so that the bounds of its ink are those of the subject."""
+    ink_files.write_ply(tmp_path / "m.ply", ink_files.sphere_mesh())
+
+    def bounds(path):
+        dark = ink_files.read_png(path)[..., :3].min(axis=2) < 128
+        return [index for axis in (1, 0) for index in np.flatnonzero(dark.any(axis=axis))[[0, -1]]]
+
+    text = f"{size[0]}x{size[1]}"
+    assert ink("render", tmp_path / "m.ply", "--style", "splatting-lines", "--size", text, "-q", "-o", tmp_path / "i.png").code == 0
+    vtkink.draw(tmp_path / "m.ply", "splatting-lines", tmp_path / "l.png", size=size)
+    vtkink.draw(tmp_path / "m.ply", "stipple", tmp_path / "s.png", size=size)
+    assert bounds(tmp_path / "l.png") == bounds(tmp_path / "i.png")
+    assert np.abs(np.subtract(bounds(tmp_path / "s.png"), bounds(tmp_path / "i.png"))).max() <= 3
+    frames = [vtkink.vtkInkStyle.CreateStyle(name) for name in ("splatting-lines", "stipple")]
+    mesh = vtkink.read(tmp_path / "m.ply")
+    for style in frames:
+        assert style.Make(mesh)
+    assert frames[0].GetFramePoints() is frames[1].GetFramePoints() is mesh.GetPoints()
+
+
 def test_legacy_files_of_other_data(tmp_path):
     """vtkInkVolumeReader takes those of structured points; a title does not say what a file holds."""
     (tmp_path / "mesh.vtk").write_text("# vtk DataFile Version 3.0\nt\nASCII\ndataset polydata\nPOINTS 3 float\n"
