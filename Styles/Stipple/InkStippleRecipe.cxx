@@ -205,10 +205,9 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
 
 bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
 {
-  // Of data that comes from somewhere, in ParaView say, nothing is chosen unasked.
-  const bool automatic = !input.Port || !this->Style->IsoSurface->GetIsoValues().empty();
+  // Of data that comes from a port, in ParaView say, no surface is chosen unasked.
   return this->Style->StippleSource == vtkInkStippleStyle::ISO_SURFACE ||
-    (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && automatic);
+    (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && !input.Port);
 }
 
 bool InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)

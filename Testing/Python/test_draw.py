@@ -103,7 +103,7 @@ def test_the_picture_is_that_of_ink(ink, tmp_path):
     """A body without a mirror plane: turned or mirrored it would be another picture."""
     path = tmp_path / "v.nii"
     ink_files.write_nifti(path, ink_files.blob((40, 40, 40)), AFFINE, slope=2.0, intercept=-100.0)
-    assert ink("render", path, "--iso", 100, "--size", "300x300", "-q", "-o", tmp_path / "ink.png").code == 0
+    assert ink("render", path, "--style", "splatting-lines", "--iso", 100, "--size", "300x300", "-q", "-o", tmp_path / "ink.png").code == 0
     vtkink.draw(path, "splatting-lines", tmp_path / "draw.png", size=(300, 300), iso_values=100)
     ours, theirs = rendered(tmp_path / "draw.png"), rendered(tmp_path / "ink.png")
 
@@ -142,7 +142,7 @@ def test_legacy_files_of_other_data(tmp_path):
                                        "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n")  # fmt: skip
     mesh = vtkink.read(tmp_path / "mesh.vtk")
     assert mesh.IsA("vtkPolyData") and mesh.GetNumberOfPolys() == 1
-    assert vtkink.draw(tmp_path / "mesh.vtk", number_of_surface_stipples=50).GetMapper().GetInput().GetNumberOfPoints() == 50
+    assert vtkink.draw(tmp_path / "mesh.vtk", "stipple", number_of_surface_stipples=50).GetMapper().GetInput().GetNumberOfPoints() == 50
     ink_files.write_legacy(tmp_path / "v.vtk", BLOB)
     content = (tmp_path / "v.vtk").read_bytes().replace(b"\ntest\n", b"\nDATASET POLYDATA\n")
     (tmp_path / "v.vtk").write_bytes(content)
@@ -242,7 +242,7 @@ def test_a_style_file_says_the_style(tmp_path):
     assert style.GetName() == "splatting-lines"
     assert (style.GetParameter("Tau"), style.GetParameter("LineWidth")) == (1.125, 2.5)
     assert vtkink.draw(BLOB, "splatting-lines", style_file=file).style.GetName() == "splatting-lines"
-    assert vtkink.draw(BLOB).style.GetName() == "stipple"
+    assert vtkink.draw(BLOB).style.GetName() == "illustration"
 
 
 @pytest.mark.parametrize("style, content, words", [
