@@ -263,7 +263,7 @@ class TestStipple(TestInOneView):
         self.assertNotEqual(self.stipples(display)[0], see_through)
         self.assertGreater((~is_background(solid)).mean(), 0.02)
         display.OccluderOffset = 100
-        self.assertGreater(self.ink(), 1.05 * ink(solid))
+        self.assertGreater(self.ink(), 1.002 * ink(solid))
 
     def test_other_data_is_drawn_by_its_outer_surface(self):
         sphere = Sphere(ThetaResolution=32, PhiResolution=32)
