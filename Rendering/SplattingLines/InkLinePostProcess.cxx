@@ -33,8 +33,8 @@ InkLinePostProcess::InkLinePostProcess(const InkSplatStyle& style, int layer, co
   this->SpeckleLength = static_cast<float>(style.SpeckleLength * view.TileScale);
   this->Thinning = style.Thinning;
   // Thinned lines are a pixel wide; in large pictures that would be no more than a gray hair.
-  const double width = own.LineWidth * thousandth;
-  this->Growth = static_cast<float>(0.5 * (this->Thinning ? std::max(thousandth + width - 1.0, 0.0) : width));
+  const double beyondPixel = this->Thinning ? std::max(thousandth - 1.0, 0.0) : 0.0;
+  this->Growth = static_cast<float>(0.5 * (beyondPixel + own.LineWidth * thousandth));
   this->DashLength = static_cast<float>(own.DashLength * thousandth);
   // No dashes are the limit of short ones.
   this->GapLength = this->DashLength * static_cast<float>(std::min(own.DashLength / EvenDashes, 1.0));

@@ -72,6 +72,8 @@ TEST(SplattingLinesSelection, Props)
   SplattingLinesScene other(InkTestPoints::Sphere(0.5, 0.05, { 1.0, 0.0, 0.0 }));
   scene.Renderer->AddActor(other.Actor);
   scene.Renderer->ResetCamera();
+  // VTK's selector takes a window that has been drawn.
+  scene.Window->Render();
   for (vtkActor* actor : { scene.Actor.Get(), other.Actor.Get() })
   {
     scene.Renderer->SetWorldPoint(actor->GetCenter()[0], 0.0, 0.0, 1.0);
