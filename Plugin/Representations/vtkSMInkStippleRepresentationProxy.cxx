@@ -30,7 +30,7 @@ namespace
 {
 
 constexpr const char* Prefix = "Stipple";
-constexpr const char* PresetProperty = "Preset";
+constexpr const char* PresetProperty = "StipplePreset";
 constexpr const char* Sliders[] = { "StippleGradient", "StippleSharpness", "StippleOrientation",
   "StippleDistance", "StippleInterior", "StippleColor" };
 

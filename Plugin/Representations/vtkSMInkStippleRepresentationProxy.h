@@ -3,7 +3,7 @@
  * @class   vtkSMInkStippleRepresentationProxy
  * @brief   the two levels of control of stipples, in the panel and in scripts
  *
- * A change of the property Preset sets the six sliders StippleGradient to StippleColor, and what else
+ * A change of the property StipplePreset sets the six sliders StippleGradient to StippleColor, and what else
  * the preset has; a change of a slider sets the mapper's properties that it stands for, as
  * vtkInkStippleStyle has it. These can be changed one by one after that. So it is where a person or a
  * script sets them; where values are brought back (undo, a state, a copy, a person's defaults), every

@@ -60,9 +60,9 @@ class TestPaper(TestInOneView):
 
     def test_is_black_for_the_plate(self):
         display = self.show("Stipple")
-        display.Preset = "Plate, White on Black"
+        display.StipplePreset = "Plate, White on Black"
         self.assertEqual(self.corner(), BLACK)
-        display.Preset = "Bone"
+        display.StipplePreset = "Bone"
         self.assertEqual(self.corner(), WHITE)
 
     def test_covers_gradients_and_leaves_them(self):

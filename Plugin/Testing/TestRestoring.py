@@ -13,7 +13,7 @@ from paraview.modules import vtkRemotingServerManager as manager
 from rendering import *
 
 # By hand after the preset: one that has the default's value again and not Bone's, and others.
-BY_HAND = {"Preset": "Bone", "BoundaryBase": 0.35, "SilhouetteGain": 0.7, "StippleInterior": 0.9, "StippleInkColor": [0, 0, 1]}
+BY_HAND = {"StipplePreset": "Bone", "BoundaryBase": 0.35, "SilhouetteGain": 0.7, "StippleInterior": 0.9, "StippleInkColor": [0, 0, 1]}
 
 # A scene without vtkInk's representations, all that ParaView would trace or save of it.
 PLAIN_SCENE = """
@@ -72,8 +72,8 @@ class TestRestoring(TestInOneView):
         self.assertEqual(assignments(smstate.get_state()), {})
         display = self.show()
         self.assertEqual(assignments(smstate.get_state()), {})
-        display.Preset = "Bone"
-        display.Preset = "Anatomy"
+        display.StipplePreset = "Bone"
+        display.StipplePreset = "Anatomy"
         self.assertEqual(assignments(smstate.get_state()), {})
         display.BoundaryBase = 0.65
         self.assertEqual(assignments(smstate.get_state()), {"BoundaryBase": "0.65"})
@@ -82,16 +82,16 @@ class TestRestoring(TestInOneView):
         display = self.show()
         smtrace.start_trace(preamble="")
         item = smtrace.PropertiesModified(display)  # as the panel records
-        display.Preset = "Bone"
+        display.StipplePreset = "Bone"
         item.finalize()
         script = smtrace.stop_trace()
         found = assignments(script)
-        self.assertEqual(found["Preset"], "'Bone'")
+        self.assertEqual(found["StipplePreset"], "'Bone'")
         self.assertEqual(found["StippleGradient"], "0.65")
         self.assertEqual(found["StippleInterior"], "0.35")
         self.assertEqual([text for text in found.values() if re.search(r"\.\d{9}", text)], [])
         expected = values(display)
-        display.Preset = "Engineering"
+        display.StipplePreset = "Engineering"
         exec("from paraview.simple import *\n" + script, {})
         self.assertEqual(values(display), expected)
 

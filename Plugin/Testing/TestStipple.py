@@ -84,8 +84,8 @@ class TestStipple(TestInOneView):
                 setattr(display, f"Stipple{slider}", position)
                 inks.append(self.ink())
             self.assertEqual(inks, sorted(set(inks), reverse=not more), slider)
-            display.Preset = "Bone"
-            display.Preset = "Anatomy"
+            display.StipplePreset = "Bone"
+            display.StipplePreset = "Anatomy"
         before = picture(self.view)
         for slider in ("Orientation", "Distance", "Color"):
             setattr(display, f"Stipple{slider}", 1.0)
@@ -130,11 +130,11 @@ class TestStipple(TestInOneView):
         self.assertEqual(self.stipples(display), made)
 
     def test_presets_set_the_sliders_and_differ(self):
-        display = self.show_wavelet(Preset="Bone")
+        display = self.show_wavelet(StipplePreset="Bone")
         display.StippleGradient = 0.9
         pictures, sharpness = [], []
-        for preset in display.GetProperty("Preset").GetAvailable():
-            display.Preset = preset
+        for preset in display.GetProperty("StipplePreset").GetAvailable():
+            display.StipplePreset = preset
             self.assertLess(display.StippleGradient, 0.7)
             sharpness.append(display.StippleSharpness)
             pictures.append(picture(self.view))
@@ -142,12 +142,12 @@ class TestStipple(TestInOneView):
         for i, one in enumerate(pictures):
             for other in pictures[:i]:
                 self.assertGreater(numpy.abs(one - other).mean(), 0.001)
-        self.assertEqual((display.Preset, display.ValueEffect, display.PixelsPerStipple), ("As Published", 1.0, 1.0))
-        display.Preset = "Plate, White on Black"
+        self.assertEqual((display.StipplePreset, display.ValueEffect, display.PixelsPerStipple), ("As Published", 1.0, 1.0))
+        display.StipplePreset = "Plate, White on Black"
         self.assertEqual(list(display.StippleInkColor), [1.0, 1.0, 1.0])
         self.assertEqual((display.LightInk, display.FadeBySize), (1, 1))
         self.assertGreater(picture(self.view).min(axis=-1).max(), 0.9)
-        display.Preset = "Anatomy"
+        display.StipplePreset = "Anatomy"
         self.assertEqual(display.LightInk, 0)
         numpy.testing.assert_array_equal(picture(self.view), pictures[0])
 
@@ -288,11 +288,11 @@ class TestStipple(TestInOneView):
             return self.stipples(display)[0]
 
         few, many = count(30), count(120)
-        # Of a ball, pi times the square of its diameter in pixels, six of them for each.
-        self.assertAlmostEqual(many / (numpy.pi * 600**2 / 6), 1.0, delta=0.01)
+        # Of a ball, pi times the square of its diameter in thousandths of the height, six of them for each.
+        self.assertAlmostEqual(many / (numpy.pi * 1000**2 / 6), 1.0, delta=0.01)
         self.assertAlmostEqual(few / many, 1.0, delta=0.02)
         self.assertAlmostEqual(count(120, StipplePictureSize=300) / many, 0.25, delta=0.01)
-        self.assertAlmostEqual(count(120, MaximumStipplesMode="Projected") / many, 6.0, delta=0.01)
+        self.assertAlmostEqual(count(120, MaximumStipplesMode="Projected") / many, 6.0 * 0.6**2, delta=0.01)
 
     def test_the_number_in_a_voxel_can_follow_the_picture(self):
         whole = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
@@ -414,7 +414,7 @@ class TestStipple(TestInOneView):
         self.assertIn("without polygons. It needs an image, a mesh, points with Normals and Radius, or stipples", warnings[0])
 
     def assert_restored(self, save, load):
-        changed = {"Preset": "Engineering", "StippleInterior": 0.9, "SilhouetteGain": 0.7, "StippleInkColor": [0, 0, 1]}
+        changed = {"StipplePreset": "Engineering", "StippleInterior": 0.9, "SilhouetteGain": 0.7, "StippleInkColor": [0, 0, 1]}
         display = self.show_wavelet(**changed)
         names = [name for name in display.ListProperties() if name.startswith(("Stipple", "K", "Gradient"))]
         expected = {name: str(getattr(display, name)) for name in names}

@@ -23,7 +23,7 @@
 namespace
 {
 
-constexpr std::array Names{ "Preset", "StippleGradient", "StippleInterior", "BoundaryBase",
+constexpr std::array Names{ "StipplePreset", "StippleGradient", "StippleInterior", "BoundaryBase",
   "SilhouetteGain", "InteriorExponent" };
 using Values = std::array<double, Names.size()>;
 
@@ -76,7 +76,7 @@ bool Test()
   vtkSMProxyManager::GetProxyManager()->SetUndoStackBuilder(builder);
   vtkSmartPointer<vtkSMProxy> display = MakeDisplay(manager, source);
   const double before = vtkSMPropertyHelper(display, "SilhouetteGain").GetAsDouble();
-  Set(display, "Preset", 3);
+  Set(display, "StipplePreset", 3);
   bool right =
     Check(vtkSMPropertyHelper(display, "SilhouetteGain").GetAsDouble() != before, "a preset sets the others");
   Set(display, "BoundaryBase", 0.35);
@@ -84,7 +84,7 @@ bool Test()
   const Values byHand = ValuesOf(display);
 
   builder->Begin("preset");
-  Set(display, "Preset", 1);
+  Set(display, "StipplePreset", 1);
   builder->End();
   builder->PushToStack();
   const Values preset = ValuesOf(display);

@@ -254,10 +254,10 @@ def test_stipple_has_the_presets_and_sliders_of_the_controls():
     elements = {element.get("name"): element for element in proxy}
     controls = vtkink.vtkInkStippleControls()
     plain = [
-        entry.get("text").lower().replace(",", "").replace(" ", "-") for entry in elements["Preset"].iter("Entry")
+        entry.get("text").lower().replace(",", "").replace(" ", "-") for entry in elements["StipplePreset"].iter("Entry")
     ]
     assert plain == [controls.GetPresetName(i) for i in range(controls.GetNumberOfPresets())]
-    assert elements["Preset"].get("default_values") == "0"
+    assert elements["StipplePreset"].get("default_values") == "0"
     for slider in ("Gradient", "Sharpness", "Orientation", "Distance", "Interior", "Color"):
         element = elements[f"Stipple{slider}"]
         assert element.get("command") is None, "the proxy sets the mapper's properties"
