@@ -32,7 +32,7 @@ NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue);
 /// The standard deviation of a Gaussian that makes the normals of an iso-surface smooth enough for lines, and
 /// no more: the smallest with which noise turns normals by no more than .02 radians (standard deviation), at
 /// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
-/// of them. Where voxels are longer than wide, it is at least half of their length.
+/// of them. Where voxels are longer than wide, it is half of their length, but no more than 2.
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
 /// @return in multiples of the smallest spacing: 0, or from .3 to 2

@@ -167,19 +167,18 @@ void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& reque
     throw std::invalid_argument(
       "there are " + std::to_string(points->GetNumberOfPoints()) + " points; expected fewer than 4294967295");
   }
-  std::vector<ink::DiscSample> samples;
-  double spacing = 0.0;
   const Discs discs(points);
   const double count = request.Count > 0
     ? static_cast<double>(request.Count)
     : static_cast<double>(points->GetNumberOfPoints()) * request.PerPoint;
   InkCheckStippleMemory(count, BytesPerStipple);
-  spacing = ink::spacingForCount(discs.Get(), count, ink::defaultCandidates);
-  if (spacing > 0.0)
+  const double spacing = ink::spacingForCount(discs.Get(), count, ink::defaultCandidates);
+  if (!(spacing > 0.0))
   {
-    samples = ink::sampleDiscs(discs.Get(), spacing, ink::defaultCandidates,
-      static_cast<std::uint64_t>(request.Seed), InkPartOfProgress(request.Progress, 0.0, 0.95));
+    return;
   }
+  const std::vector<ink::DiscSample> samples = ink::sampleDiscs(discs.Get(), spacing, ink::defaultCandidates,
+    static_cast<std::uint64_t>(request.Seed), InkPartOfProgress(request.Progress, 0.0, 0.95));
   if (samples.empty())
   {
     return;

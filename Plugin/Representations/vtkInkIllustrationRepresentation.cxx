@@ -57,7 +57,13 @@ int vtkInkIllustrationRepresentation::ProcessViewRequest(
     // shrink.
     const int pixels = std::max(view->GetSize()[0], view->GetSize()[1]);
     const double size = std::exp2(std::floor(std::log2(std::clamp(pixels, 256, 8192))));
-    this->ChangeStyle([=](vtkInkStyle* style) { style->SetPictureSize(size); });
+    this->ChangeStyle(
+      [=](vtkInkStyle* style)
+      {
+        style->SetPictureSize(size);
+        // Sizes are relative to the height: the same stipples in a view of any size.
+        style->SetPictureHeight(size);
+      });
   }
   return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
 }

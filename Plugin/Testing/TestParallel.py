@@ -97,7 +97,8 @@ class TestParallel(unittest.TestCase):
         difference = numpy.abs(found - expected).max(axis=-1)
         if name.endswith("stipples"):
             self.assertLessEqual(difference.max(), 12)
-            self.assertLess((difference > 0).mean(), 0.004)
+            # Rims of dots: most of the picture of a surface, few pixels of the others.
+            self.assertLess((difference > 0).mean(), 0.02 if name == "solid-stipples" else 0.004)
         else:
             # A pixel where lines meet the ball, of which each process has a part, on four processes.
             self.assertLessEqual(numpy.count_nonzero(difference), 2 if name == "paper" else 0)

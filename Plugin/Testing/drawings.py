@@ -35,6 +35,9 @@ def draw(name, source, style, **properties):
     display = Show(source, view)
     display.SetRepresentationType(style)
     display.ColorArrayName = ["POINTS", ""]
+    if style == "Stipple":
+        # Dots of some pixels in small pictures, too.
+        display.SizeUnit = "Pixels"
     for key, value in properties.items():
         setattr(display, key, value)
     ResetCamera(view)
@@ -94,7 +97,9 @@ for name in ("wavelet", "nii", "pvti"):
     SetActiveSource(volumes[name])
     save_points(f"{name}-projected", InkStippleGenerator(Input=volumes[name], PictureSize=125, **projected))
 draw("projected-stipples", wavelet, "Stipple", StipplePictureSize=125, **projected)
-draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource="Iso-Surface")
+# What is automatic is found from each process's part.
+draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource="Iso-Surface", StippleSmoothing=0,
+    StippleSmallestPart=0)
 
 meshes = {name: OpenDataFile(f"{INPUT}/mesh.{name}") for name in ("vtk", "ply", "vtp", "pvtp")}
 meshes["sphere"] = ball

@@ -17,11 +17,13 @@ view = green_view(120)
 view.UseFXAA = True
 wavelet = Wavelet(WholeExtent=[-16, 14, -13, 15, -12, 14])
 sampler = InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[150.0])
-COLORS = {"StippleInkColor": [0.8, 0.1, 0.3], "StipplePaperColor": [0.9, 0.8, 0.3]}
+# Dots of some pixels in a small picture, too.
+IN_PIXELS = {"SizeUnit": "Pixels"}
+COLORS = {**IN_PIXELS, "StippleInkColor": [0.8, 0.1, 0.3], "StipplePaperColor": [0.9, 0.8, 0.3]}
 for name, source, style, properties in (
-    ("transparent", wavelet, "Stipple", {}),
+    ("transparent", wavelet, "Stipple", IN_PIXELS),
     ("lines", sampler, "Splatting Lines", {}),
-    ("stipples", wavelet, "Stipple", {}),
+    ("stipples", wavelet, "Stipple", IN_PIXELS),
     ("colored-stipples", wavelet, "Stipple", COLORS),
 ):
     display = Show(source, view)

@@ -169,8 +169,17 @@ vtkMTimeType InkIsoSurface::GetMTime()
 std::optional<double> InkIsoSurface::ChooseValue(
   vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
 {
-  const auto own = images.empty() ? std::nullopt : style->ChooseIsoValue(images.front(), array);
-  const double voxels = own ? static_cast<double>(images.front()->GetNumberOfPoints()) : 0.0;
+  // Of the largest image that has values to choose from.
+  std::vector<vtkImageData*> largestFirst(images.begin(), images.end());
+  std::stable_sort(largestFirst.begin(), largestFirst.end(),
+    [](vtkImageData* a, vtkImageData* b) { return a->GetNumberOfPoints() > b->GetNumberOfPoints(); });
+  std::optional<double> own;
+  double voxels = 0.0;
+  for (std::size_t i = 0; i < largestFirst.size() && !own; ++i)
+  {
+    own = style->ChooseIsoValue(largestFirst[i], array);
+    voxels = own ? static_cast<double>(largestFirst[i]->GetNumberOfPoints()) : 0.0;
+  }
   double most = voxels;
   style->GetProcesses().TakeGreatest({ &most, 1 });
   double value = own && voxels == most ? *own : std::numeric_limits<double>::lowest();

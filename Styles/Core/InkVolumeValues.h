@@ -17,7 +17,7 @@ class vtkImageData;
 VTKINKSTYLES_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(
   vtkImageData* image, const std::string& array = {});
 
-/// The smoothing that noise, grey levels and slices around an iso-surface ask for, as
+/// The smoothing that noise, gray levels and slices around an iso-surface ask for, as
 /// vtkInkIsoSurfaceSampler::SetSmoothing takes it; see ink::suggestSmoothing.
 /// @param array a point array of one component; empty: the active scalars
 VTKINKSTYLES_EXPORT double InkSuggestSmoothing(

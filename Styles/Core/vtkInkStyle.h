@@ -61,7 +61,7 @@ public:
 
   ///@{
   /**
-   * All styles there are, by name: "splatting-lines", "stipple". CreateStyle returns null for an unknown
+   * All styles there are, by name: "illustration", "splatting-lines", "stipple". CreateStyle returns null for an unknown
    * name.
    */
   static int GetNumberOfStyles();

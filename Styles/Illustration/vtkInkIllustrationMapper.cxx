@@ -13,10 +13,15 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 vtkStandardNewMacro(vtkInkIllustrationMapper);
 
-vtkInkIllustrationMapper::vtkInkIllustrationMapper() = default;
+vtkInkIllustrationMapper::vtkInkIllustrationMapper()
+  : Lines(vtkSmartPointer<vtkInkSplattingLinesMapper>::New())
+  , Stipples(vtkSmartPointer<vtkInkStippleMapper>::New())
+{
+}
 
 vtkInkIllustrationMapper::~vtkInkIllustrationMapper() = default;
 
@@ -34,6 +39,11 @@ void vtkInkIllustrationMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
     if (mapper->GetClippingPlanes() != this->GetClippingPlanes())
     {
       mapper->SetClippingPlanes(this->GetClippingPlanes());
+    }
+    if (this->LookupTable)
+    {
+      mapper->SetLookupTable(this->LookupTable);
+      mapper->SetColorMode(this->ColorMode);
     }
   }
   if (this->Lines->GetInput())
@@ -81,8 +91,7 @@ bool vtkInkIllustrationMapper::HasTranslucentPolygonalGeometry()
 
 vtkMTimeType vtkInkIllustrationMapper::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Lines ? std::max({ own, this->Lines->GetMTime(), this->Stipples->GetMTime() }) : own;
+  return std::max({ this->Superclass::GetMTime(), this->Lines->GetMTime(), this->Stipples->GetMTime() });
 }
 
 void vtkInkIllustrationMapper::PrintSelf(ostream& os, vtkIndent indent)

@@ -142,9 +142,14 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
       { mesh ? vtkSmartPointer<vtkPolyData>(mesh) : vtkSmartPointer<vtkPolyData>::New() });
     own = { whole };
   }
-  const bool others = whole && whole->GetNumberOfPoints() == 0;
-  std::string problem = others ? std::string() : this->MakeMarksOf(this->Lines, own);
-  if (!others)
+  // All processes take part, also those that have no points.
+  const bool isEmpty = whole && whole->GetNumberOfPoints() == 0;
+  std::string problem = this->MakeMarksOf(this->Lines, own);
+  if (isEmpty)
+  {
+    problem.clear();
+  }
+  else
   {
     this->GetPiece(0)->ShallowCopy(this->Lines->GetPiece(0));
     this->SetFramePoints(this->Lines->GetFramePoints());
@@ -194,8 +199,8 @@ bool vtkInkIllustrationStyle::GetColorByScalars()
 
 void vtkInkIllustrationStyle::SetPreset(int preset)
 {
-  this->Preset = preset;
-  const Subject& values = Presets[preset];
+  this->Preset = std::clamp(preset, 0, static_cast<int>(std::size(Presets)) - 1);
+  const Subject& values = Presets[this->Preset];
   vtkInkStippleMapper* stipples = this->Stipples->GetStippleMapper();
   stipples->SetLightingExponent(values.LightingExponent);
   this->Stipples->SetDistance(values.Distance);

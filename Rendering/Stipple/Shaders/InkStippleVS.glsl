@@ -39,7 +39,7 @@ uniform float occluderMargin; // pixels that it shows on each side of the viewpo
 uniform float occluderOffset; // view units towards the eye
 const float paperDistance = 4.0; // pixels
 
-// StippleTone::View
+// ink::stipple::Tone::View
 uniform float listed;
 uniform float maximumStipples;
 uniform float smallness;
@@ -47,7 +47,7 @@ uniform float nearest;
 uniform float middle;
 uniform float halfRange;
 
-// StippleTone
+// ink::stipple::Tone
 uniform bool surface;
 uniform bool twoSided;
 uniform bool boundaryOn;
