@@ -15,7 +15,7 @@ def drawn(picture):
 
     def render(file, *arguments, size="120x120"):
         # Flat sides have no lines.
-        style = ["--style", "stipple", "--lighting", "off"] if file.suffix == ".ply" else []
+        style = ["--style", "stipple", "--lighting", "off"] if file.suffix == ".ply" else ["--style", "splatting-lines"]
         return (picture(file, *style, *arguments, size=size)[..., :3] < 200).any(axis=2)
 
     return render

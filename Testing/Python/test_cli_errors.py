@@ -72,7 +72,8 @@ def test_unknown_arguments_are_named(ink, arguments):
     (["render", "v.nii", "-o", "a.png", "--siz=80"], "--size"), (["render", "v.nii", "-o", "a.png", "--azimut", "80"], "--azimuth"),
     (["render", "v.nii", "-o", "a.png", "--elevaiton", "80"], "--elevation"), (["render", "v.nii", "-o", "a.png", "--view", "fornt"], "front"),
     (["render", "v.nii", "-o", "a.png", "--style", "stiple"], "stipple"), (["style", "splating-lines"], "splatting-lines"),
-    (["render", "v.nii", "-o", "a.png", "--preset", "enginering"], "engineering"), (["render", "v.nii", "-o", "a.png", "--preset", "q"], None),
+    (["render", "v.nii", "-o", "a.png", "--preset", "specimn"], "specimen"),
+    (["render", "v.nii", "-o", "a.png", "--style", "stipple", "--preset", "enginering"], "engineering"), (["render", "v.nii", "-o", "a.png", "--preset", "q"], None),
     (["sample", "v.nii", "a.vtp", "--arrays", "normals"], "Normals"), (["render", "v.nii", "-o", "a.png", "--xyzzy"], None)])  # fmt: skip
 def test_what_was_meant(ink, arguments, meant):
     result = ink(*arguments)

@@ -14,7 +14,7 @@ import pytest
 def options(ink):
     """The options that the whole help of `ink render` names, of all styles."""
     found = set()
-    for style in ("splatting-lines", "stipple"):
+    for style in ("illustration", "splatting-lines", "stipple"):
         found |= set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", ink("render", "--style", style, "--help-all").out, re.M))
     assert len(found) > 80
     return found
@@ -65,9 +65,16 @@ def test_the_manual_page(ink, options):
     assert all(f"\\fB{option}\\fR" in plain for option in options)
     for heading in ("NAME", "SYNOPSIS", '"INK render"', '"INK info"', '"EXIT STATUS"'):
         assert f".SH {heading}" in page
-    # Every option is there once for a command.
+    # Every option is there once for a command, or once for each style that has it.
     render = plain.split('.SH "INK render"')[1].split(".SH")[0]
-    assert render.count("\\fB--tau\\fR") == 1 and render.count("\\fB--size\\fR") == 1
+    assert render.count("\\fB--size\\fR") == 1
+    found = {}
+    for group in render.split(".PP\n"):
+        style = re.match(r"(Illustration|Splatting Lines|Stipple)\b|", group)[0]
+        found.setdefault(style, []).extend(re.findall(r"^(?:\\fB-\w\\fR, )?\\fB(--[\w-]+)\\fR", group, re.M))
+    for style, names in found.items():
+        assert len(names) == len(set(names)) > 10, (style, sorted(names))
+    assert {style for style, names in found.items() if "--tau" in names} == {"Illustration", "Splatting Lines"}
     # A line that begins with a dot or a quote would be a request.
     requests = {line.split()[0] for line in page.splitlines() if line[:1] in ".'"}
     assert requests <= {".TH", ".SH", ".TP", ".PP", ".B", ".RI", ".br"}
