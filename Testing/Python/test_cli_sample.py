@@ -141,10 +141,13 @@ def test_vtk_reads_it(sampled, volume_file, tmp_path, suffix, reader, precision)
 def test_ink_draws_its_own_points(ink, sampled, volume_file, tmp_path):
     sampled(volume_file, "--iso", 100, name="points.vtp")
     pictures = []
-    for source, arguments in ((volume_file, ["--iso", 100]), (tmp_path / "points.vtp", [])):
+    # As `ink sample` samples: points are not smoothed and subdivided before they are drawn.
+    for source, arguments in (
+        (volume_file, ["--iso", 100, "--smoothing", 0, "--subdivision", 1]), (tmp_path / "points.vtp", [])):
         out = tmp_path / "picture.png"
-        assert ink("render", source, *arguments, "--size", "150x150", "-q", "-o", out).code == 0
+        assert ink("render", source, *arguments, "--style", "splatting-lines", "--size", "150x150", "-q", "-o", out).code == 0
         pictures.append(ink_files.read_png(out))
+    assert pictures[0].min() < 100
     assert np.array_equal(*pictures)
 
 
@@ -186,7 +189,8 @@ def test_bad_files(refused, ink, volume_file, tmp_path):
     ink_files.write_vti(tmp_path / "nan.vti", np.full((4, 4, 4), np.nan, np.float32))
     assert "no voxel has a finite value" in refused(1, tmp_path / "nan.vti")
     ink_files.write_vti(tmp_path / "slice.vti", ink_files.blob()[15:16])
-    assert "no cells" in refused(1, tmp_path / "slice.vti", "--iso", 50)
+    message = refused(1, tmp_path / "slice.vti", "--iso", 50)
+    assert "single slice, 32 x 32 x 1 voxels: expected two slices or more" in message
     assert "no directory" in ink("sample", volume_file, tmp_path / "absent" / "out.vtp").error
     assert ink("sample", volume_file).code == 2
     (tmp_path / "full.vtp").symlink_to("/dev/full")

@@ -132,7 +132,8 @@ def cases():
                 row = rows.get(element.get("initial_string"))
                 if row:
                     style = next(one for one in objects if isinstance(one, vtkink.vtkInkStyle))
-                    owner = getattr(style, row["object"])() if row["object"] else style
+                    # InkIsoSurface is not wrapped: what is its own is the style's parameter.
+                    owner = getattr(style, row["object"])() if hasattr(style, row["object"]) else style
                 yield pytest.param(element, owner, name, id=f"{file}:{name}")
 
 
@@ -140,9 +141,16 @@ def numbers(text):
     return [float(number) for number in text.split()]
 
 
+def is_parameter_alone(owner, name):
+    """Of what is not wrapped."""
+    return isinstance(owner, vtkink.vtkInkStyle) and not hasattr(owner, f"Get{name}")
+
+
 def value(owner, name):
     if name == "HiddenColor":  # of any number of layers
         return [float(number) for number in owner.GetParameterAsString(name).split(",")]
+    if is_parameter_alone(owner, name):
+        return [owner.GetParameter(name)]
     got = getattr(owner, f"Get{name}")()
     return [float(number) for number in (got if isinstance(got, tuple) else (got,))]
 
@@ -156,6 +164,9 @@ def test_defaults_are_equal(element, owner, name):
 @pytest.mark.parametrize("element, owner, name", list(cases()))
 def test_ranges_are_equal(element, owner, name):
     clamps = hasattr(owner, f"Get{name}MinValue")
+    if is_parameter_alone(owner, name) or (isinstance(owner, vtkink.vtkInkStyle) and list(element.iter("Entry")) and not clamps):
+        check_range_of_parameter(element, owner, name)
+        return
     domain = next(
         (one for kind in ("Double", "Int") for one in element.iter(f"{kind}RangeDomain")), None
     )
@@ -189,6 +200,21 @@ def test_ranges_are_equal(element, owner, name):
 class Errors(list):
     def __init__(self, owner):
         owner.AddObserver("ErrorEvent", lambda *_: self.append(owner))
+
+
+def check_range_of_parameter(element, style, name):
+    """SetParameter of a style, which is what the panel calls, refuses what other classes clamp."""
+    errors = Errors(style)
+    default = style.GetParameter(name)
+    domain = next((one for kind in ("Double", "Int") for one in element.iter(f"{kind}RangeDomain")), None)
+    choices = [float(entry.get("value")) for entry in element.iter("Entry")]
+    low, high = (float(domain.get(end)) for end in ("min", "max")) if domain is not None else (choices[0], choices[-1])
+    assert not choices or choices == [low + i for i in range(len(choices))]
+    for count, (limit, outwards) in enumerate(((low, -1), (high, 1)), start=1):
+        assert style.SetParameter(name, limit) and value(style, name) == [limit]
+        assert not style.SetParameter(name, limit + outwards)
+        assert value(style, name) == [limit] and len(errors) == count
+    assert style.SetParameter(name, default)
 
 
 @pytest.mark.parametrize("file", STYLES)
