@@ -99,7 +99,7 @@ def test_samples_are_moved_and_not_made_anew(ink, tmp_path):
         for i in range(3):
             moved = (points * (1 + i / 500, 1, 1)).astype("<f4")
             ink_files.write_ply(folder / f"s_{i}.ply", (moved, normals, np.roll(triangles, turn * 100 * i, axis=0)))
-        images = frames_of(ink, folder / "s_%d.ply", folder, "--tau", 1.02)
+        images = frames_of(ink, folder / "s_%d.ply", folder, "--style", "splatting-lines", "--tau", 1.02)
         changes.append(sum(np.abs(a - b).mean() for a, b in zip(images, images[1:])))
     assert changes[0] < 0.3 * changes[1], changes
 

@@ -12,6 +12,9 @@ import pytest
 import ink_files
 from conftest import TIME_LIMIT
 
+# What only this style has: illustration, the default, has stipples beside its lines.
+LINES = ["--style", "splatting-lines"]
+
 
 def ink_bounds(image):
     """First and last row and column with a dark pixel."""
@@ -59,8 +62,10 @@ def test_the_subject_fits_with_a_margin(picture, volume_file, size, projection):
 
 
 def test_large_pictures_show_the_same(picture, volume_file):
-    small = picture(volume_file, "--iso", 100).mean(axis=2)
-    large = picture(volume_file, "--iso", 100, size="1000x1000").mean(axis=2).reshape(200, 5, 200, 5).mean(axis=(1, 3))
+    """Of the same cells: where they are not given, a large picture has finer ones, and they set the width of lines."""
+    options = [*LINES, "--iso", 100, "--subdivision", 1]
+    small = picture(volume_file, *options).mean(axis=2)
+    large = picture(volume_file, *options, size="1000x1000").mean(axis=2).reshape(200, 5, 200, 5).mean(axis=(1, 3))
     assert np.abs(small - large).mean() < 4
 
 
@@ -115,7 +120,8 @@ def test_several_iso_values(picture, tmp_path):
 
 
 def test_colors(picture, volume_file):
-    image = picture(volume_file, "--iso", 100, "--ink-color", "#f00", "--paper-color", "#00ff00", "--background", "blue")
+    image = picture(volume_file, *LINES, "--iso", 100, "--ink-color", "#f00", "--paper-color", "#00ff00", "--background",
+                    "blue")
     pixels = set(map(tuple, image.reshape(-1, 3)))
     assert tuple(image[0, 0]) == (0, 0, 255)
     assert (0, 255, 0) in pixels
@@ -134,7 +140,7 @@ def test_transparent(picture, volume_file):
 
 
 def test_transparent_without_paper_is_ink_alone(picture, volume_file):
-    image = picture(volume_file, "--iso", 100, "--transparent", "--paper-color", "none", "--ink-color", "navy")
+    image = picture(volume_file, *LINES, "--iso", 100, "--transparent", "--paper-color", "none", "--ink-color", "navy")
     assert 0 < image[..., 3].mean() < 60
     strong = image[image[..., 3] > 100]
     assert np.abs(strong[:, :3].astype(int) - [0, 0, 128]).max() < 6
@@ -149,13 +155,13 @@ def test_more_ink_with_larger_values(picture, volume_file, option, low, high):
 
 @pytest.mark.parametrize("option, values", [("--lambda", (1, 4)), ("--sigma", (0.2, 0.8))])
 def test_other_parameters_change_the_lines(picture, volume_file, option, values):
-    a, b = (picture(volume_file, "--iso", 100, option, value).astype(int) for value in values)
+    a, b = (picture(volume_file, *LINES, "--iso", 100, option, value).astype(int) for value in values)
     assert np.abs(a - b).mean() > 0.5
 
 
 def test_lines_become_wider_and_thinner(picture, volume_file):
     plain, wide, thin, thin_wide = (
-        255 - picture(volume_file, "--iso", 100, *options).mean()
+        255 - picture(volume_file, *LINES, "--iso", 100, *options).mean()
         for options in ([], ["--line-width", 8], ["--thin"], ["--thin", "--line-width", 8])
     )
     assert thin < 0.7 * plain < plain < 0.9 * wide
@@ -164,7 +170,7 @@ def test_lines_become_wider_and_thinner(picture, volume_file):
 
 def test_hardness_leaves_no_grays(picture, volume_file):
     def grays(*options):
-        image = picture(volume_file, "--iso", 100, "--phi", 20, *options, size="400x400")
+        image = picture(volume_file, *LINES, "--iso", 100, "--phi", 20, *options, size="400x400")
         return ((image > 20) & (image < 235)).sum()
 
     # What is left is the edges of lines.
@@ -178,7 +184,7 @@ def test_speckles_go(picture, tmp_path):
     small[22:26, 22:26, 6:10] = 200
     ink_files.write_vti(tmp_path / "balls.vti", np.concatenate([ball, small], axis=2))
     columns = [
-        np.flatnonzero((picture(tmp_path / "balls.vti", "--iso", 100, *options)[..., 0] < 160).any(axis=0))
+        np.flatnonzero((picture(tmp_path / "balls.vti", *LINES, "--iso", 100, *options)[..., 0] < 160).any(axis=0))
         for options in ([], ["--speckles", 40])
     ]
     assert columns[1].max() < columns[0].max() - 20
@@ -197,7 +203,7 @@ def nested(tmp_path):
 def test_layers_show_what_is_hidden(picture, nested):
     def inside(*options):
         """The ink in the middle of the picture, where the visible ball is paper."""
-        return 255 - picture(*nested, *options)[60:140, 60:140].astype(int)
+        return 255 - picture(*nested, *LINES, *options)[60:140, 60:140].astype(int)
 
     none, faint, strong, dashed, colored = (
         inside(*options)
@@ -216,14 +222,14 @@ def test_layers_show_what_is_hidden(picture, nested):
 
 
 def test_hidden_lines_need_layers(ink, nested, tmp_path):
-    result = ink("render", *nested, "--hidden-dashes", 5, "-o", tmp_path / "out.png")
+    result = ink("render", *nested, *LINES, "--hidden-dashes", 5, "-o", tmp_path / "out.png")
     assert result.code == 2
     assert "--hidden-dashes" in result.err and "--layers" in result.err
 
 
 def test_tone_colors_lines_by_how_the_surface_lies(picture, volume_file):
-    plain = picture(volume_file, "--iso", 100, "--tau", 1.01)
-    toned = picture(volume_file, "--iso", 100, "--tau", 1.01, "--tone-color", "red")
+    plain = picture(volume_file, *LINES, "--iso", 100, "--tau", 1.01)
+    toned = picture(volume_file, *LINES, "--iso", 100, "--tau", 1.01, "--tone-color", "red")
     assert (plain[..., 0] == plain[..., 1]).all()
     red = toned[..., 0].astype(int) - toned[..., 1]
     assert red.max() > 60, "some lines lie where the surface faces the viewer"
@@ -232,9 +238,9 @@ def test_tone_colors_lines_by_how_the_surface_lies(picture, volume_file):
 
 
 def test_speed_costs_little_accuracy(picture, volume_file):
-    exact = picture(volume_file, "--iso", 100, "--maximum-downsampling", 1, "--lambda", 6).astype(int)
+    exact = picture(volume_file, *LINES, "--iso", 100, "--maximum-downsampling", 1, "--lambda", 6).astype(int)
     for options, most in (([], 6), (["--half-floats"], 6), (["--point-fraction", 0.7], 20)):
-        quick = picture(volume_file, "--iso", 100, "--lambda", 6, *options)
+        quick = picture(volume_file, *LINES, "--iso", 100, "--lambda", 6, *options)
         assert 0 < np.abs(quick - exact).mean() < most, options
 
 
@@ -262,10 +268,12 @@ def run_on_terminal(arguments):
 def test_progress_on_a_terminal(volume_file, tmp_path):
     code, text = run_on_terminal(["render", volume_file, "--iso", 100, "--size", "64x64", "-o", tmp_path / "out.png"])
     assert code == 0
-    for step in ("reading blob.vti", "sampling the surface", "drawing", "writing out.png"):
-        assert step in text
-    assert "\n" not in text, "progress is one line"
-    assert text.endswith("\r\x1b[K"), "the line is taken away"
+    progress, cleared, last = text.rpartition("\r\x1b[K")
+    for step in ("reading blob.vti", "sampling the surface", "placing stipples", "drawing"):
+        assert step in progress
+    assert "\n" not in progress, "progress is one line"
+    assert cleared, "the line is taken away"
+    assert re.fullmatch(r"ink: wrote \S*/out\.png: [^\r\n]*\r\n", last), last
 
 
 def test_errors_on_a_terminal_start_a_clean_line(volume_file, tmp_path):

@@ -62,7 +62,8 @@ def judge(image):
 
 def test_a_scan_is_drawn_as_its_surface(ink, cloud, tmp_path):
     path, points, ball, outliers = cloud
-    result = ink("render", path, "--parallel", "--neighbors", 32, "--size", f"{SIZE}x{SIZE}", "-o", tmp_path / "out.png")
+    result = ink("render", path, "--style", "splatting-lines", "--parallel", "--neighbors", 32, "--size", f"{SIZE}x{SIZE}",
+                 "-o", tmp_path / "out.png")
     assert result.code == 0 and "estimated" in result.err, result
     contour, smooth, hole = judge(ink_files.read_png(tmp_path / "out.png"))
     assert contour > 0.95
