@@ -133,7 +133,7 @@ def cases():
                 if row:
                     style = next(one for one in objects if isinstance(one, vtkink.vtkInkStyle))
                     # InkIsoSurface is not wrapped: what is its own is the style's parameter.
-                    owner = getattr(style, row["object"])() if hasattr(style, row["object"]) else style
+                    owner = style if row["object"] in ("", "GetIsoSurface") else getattr(style, row["object"])()
                 yield pytest.param(element, owner, name, id=f"{file}:{name}")
 
 
