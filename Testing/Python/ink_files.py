@@ -219,7 +219,7 @@ def write_ply(path, mesh, form="binary_little_endian", normals=False):
     header += "".join(f"property float {name}\n" for name in names)
     header += f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
     if form == "ascii":
-        data = "".join(" ".join(f"{v:.7g}" for v in row) + "\n" for row in columns)
+        data = "".join(" ".join(f"{v:.9g}" for v in row) + "\n" for row in columns)
         data += "".join("3 %d %d %d\n" % tuple(t) for t in triangles)
         path.write_bytes(header.encode() + data.encode())
         return
@@ -237,7 +237,7 @@ def write_stl(path, mesh, ascii=False):
         lines = ["solid test"]
         for triangle in corners:
             lines += ["facet normal 0 0 0", "outer loop"]
-            lines += ["vertex %.7g %.7g %.7g" % tuple(p) for p in triangle]
+            lines += ["vertex %.9g %.9g %.9g" % tuple(p) for p in triangle]
             lines += ["endloop", "endfacet"]
         path.write_text("\n".join(lines + ["endsolid test", ""]))
         return
@@ -248,7 +248,8 @@ def write_stl(path, mesh, ascii=False):
 
 def write_obj(path, mesh):
     points, _, triangles = mesh
-    lines = ["v %.7g %.7g %.7g" % tuple(p) for p in points]
+    # Enough digits for a reader that makes doubles of them to find the very floats.
+    lines = ["v %.17g %.17g %.17g" % tuple(p) for p in points]
     lines += ["f %d %d %d" % tuple(t + 1) for t in triangles]
     path.write_text("\n".join(lines) + "\n")
 
