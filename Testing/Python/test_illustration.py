@@ -97,15 +97,19 @@ def evenness(actor):
     return np.mean(nearest) / np.sqrt(2 * area / (np.sqrt(3) * len(points)))
 
 
+# Dots of two pixels. Those of two thousandths of so small a picture are finer than its pixels and than the points of a volume.
+IN_PIXELS = {"size_unit": "pixels"}
+
+
 @pytest.fixture(scope="module")
 def mesh_stipples():
-    return draw(sphere(), "stipple")
+    return draw(sphere(), "stipple", **IN_PIXELS)
 
 
 @pytest.mark.parametrize("cells, options", [
     (24, {}), (48, {}), (96, {}), (48, {"spacing": (1.0, 1.0, 3.0)}), (48, {"noise": 0.03})])
 def test_stipples_of_a_volume_are_as_those_of_its_mesh(mesh_stipples, cells, options):
-    actor, drawn = draw(ball(cells, **options), "stipple")
+    actor, drawn = draw(ball(cells, **options), "stipple", **IN_PIXELS)
     mesh_actor, of_mesh = mesh_stipples
     assert drawn.sum() == pytest.approx(of_mesh.sum(), rel=0.05)
     assert np.abs(blurred(drawn) - blurred(of_mesh)).mean() < 0.05 * blurred(of_mesh).max()
@@ -135,7 +139,7 @@ def test_what_lies_behind_is_hidden():
         for hides in (True, False):
             # Distance is relative to the range of depths.
             actor = draw(image, "stipple", surface_hides=hides, distance_enhancement=False, stipple_size=4,
-                         pixels_per_stipple=30, smoothing=0)[0]  # fmt: skip
+                         pixels_per_stipple=30, smoothing=0, **IN_PIXELS)[0]  # fmt: skip
             ink[name, hides] = picture(actor).sum()
     assert ink["both", True] == pytest.approx(ink["front", True], rel=0.05)
     assert ink["both", False] > 1.2 * ink["both", True]
