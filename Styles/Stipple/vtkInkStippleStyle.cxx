@@ -293,7 +293,7 @@ void vtkInkStippleStyle::SetPaperColor(double red, double green, double blue)
 
 void vtkInkStippleStyle::SetSizeUnit(int unit)
 {
-  this->SizeUnit = unit;
+  this->SizeUnit = std::clamp<int>(unit, vtkInkStippleMapper::THOUSANDTHS, vtkInkStippleMapper::PIXELS);
   this->UpdatePixels();
 }
 
