@@ -141,7 +141,7 @@ EXACT = ["--maximum-downsampling", 1]
 @pytest.mark.parametrize("style, options", [
     ("splatting-lines", EXACT), ("splatting-lines", [*EXACT, "--hidden-layers"]),
     ("splatting-lines", [*EXACT, "--thin", "--line-width", 3]), ("splatting-lines", [*EXACT, "--speckles", 6]),
-    ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.7]), ("stipple", []), ("stipple", ["--size-unit", "pixels"]),
+    ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.3]), ("stipple", []), ("stipple", ["--size-unit", "pixels"]),
     ("stipple", ["--zoom", 1.7, "--view", "iso"]), ("stipple", ["--transparent"])])  # fmt: skip
 @pytest.mark.parametrize("size, tile", [("768x768", 256), ("1100x600", 300), ("400x1024", 512)])
 def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, size, tile):
