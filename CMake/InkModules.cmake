@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The VTK modules: found by their vtk.module files, built against vtkInk::Common.
 set(_ink_module_files
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Contours/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Core/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Fields/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Sampling/vtk.module"
@@ -10,6 +11,7 @@ set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Core/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Stipple/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Strokes/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Styles/vtk.module")
 if (VTKINK_ENABLE_OPENVDB)
   list(APPEND _ink_module_files "${CMAKE_CURRENT_SOURCE_DIR}/IO/VDB/vtk.module")

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Draws the pictures of Documentation/illustration.md, stipple.md, splatting-lines.md and picture-quality.md with the
+# Draws the pictures of Documentation/contours.md, illustration.md, stipple.md, splatting-lines.md and picture-quality.md with the
 # headless build, those of one page with its name:
-#   Utilities/pictures.sh [illustration|stipple|splatting-lines|quality]
+#   Utilities/pictures.sh [contours|illustration|stipple|splatting-lines|quality]
 # Most are pairs, without and with what they show.
 set -euo pipefail
 
@@ -54,6 +54,13 @@ stipple_pictures() {
     "--preset plate-white-on-black"
   series published "$engine --max-stipples projected" "--preset anatomy" "--preset as-published" \
     "--preset as-published --stipple-size 2"
+}
+
+contours_pictures() {
+  local style=contours
+  series presets "Data/engine.nii.gz --iso 80 --view iso" "--preset pen" "--preset technical" "--preset hidden-lines" \
+    "--preset glass" "--preset brush"
+  series hidden "Data/bonsai.nii.gz --iso 40 --elevation 12" "" "--hidden-lines faint" "--hidden-lines dashed"
 }
 
 illustration_pictures() {
@@ -112,10 +119,11 @@ quality_pictures() {
 }
 
 case "${1:-all}" in
+  contours) contours_pictures ;;
   stipple) stipple_pictures ;;
   illustration) illustration_pictures ;;
   splatting-lines) lines_pictures ;;
   quality) quality_pictures ;;
-  all) illustration_pictures && stipple_pictures && lines_pictures && quality_pictures ;;
-  *) echo "pictures: found '$1', expected illustration, stipple, splatting-lines or quality" >&2 && exit 2 ;;
+  all) contours_pictures && illustration_pictures && stipple_pictures && lines_pictures && quality_pictures ;;
+  *) echo "pictures: found '$1', expected contours, illustration, stipple, splatting-lines or quality" >&2 && exit 2 ;;
 esac

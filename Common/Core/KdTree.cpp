@@ -108,10 +108,10 @@ KdTree::KdTree(std::span<const glm::vec3> points)
 
 KdTree::~KdTree() = default;
 
-void KdTree::find(const glm::vec3& place, std::span<std::uint32_t> result) const
+void KdTree::find(const glm::vec3& position, std::span<std::uint32_t> result) const
 {
   Nearest nearest(result.size());
-  this->Index->index.findNeighbors(nearest, &place.x, {});
+  this->Index->index.findNeighbors(nearest, &position.x, {});
   for (std::size_t i = 0; i < result.size(); ++i)
   {
     result[i] = nearest[i];

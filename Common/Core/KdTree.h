@@ -24,7 +24,7 @@ public:
 
   /// The indices of the points nearest to a position, the nearest first; ties are broken by index.
   /// @param result its size is the number of neighbors: at most `most`, and no more than there are points
-  void find(const glm::vec3& place, std::span<std::uint32_t> result) const;
+  void find(const glm::vec3& position, std::span<std::uint32_t> result) const;
 
 private:
   struct Tree;

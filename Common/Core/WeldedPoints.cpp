@@ -38,8 +38,8 @@ WeldedPoints::WeldedPoints(std::span<const glm::vec3> points)
   {
     if (this->of[i] == i)
     {
-      this->of[i] = static_cast<std::uint32_t>(this->places.size());
-      this->places.push_back(points[i]);
+      this->of[i] = static_cast<std::uint32_t>(this->positions.size());
+      this->positions.push_back(points[i]);
       this->first.push_back(i);
     }
     else if (this->of[i] != none)

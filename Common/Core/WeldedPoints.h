@@ -19,7 +19,7 @@ struct WeldedPoints
 
   explicit WeldedPoints(std::span<const glm::vec3> points);
 
-  std::vector<glm::vec3> places;    ///< distinct positions, in the order of their first points
+  std::vector<glm::vec3> positions; ///< distinct positions, in the order of their first points
   std::vector<std::uint32_t> first; ///< for each position, its first point
   std::vector<std::uint32_t> of;    ///< for each point, the index of its position; `none` if it is not finite
 };

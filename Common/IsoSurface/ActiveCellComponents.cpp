@@ -136,7 +136,7 @@ std::vector<char> selectComponents(std::span<const std::size_t> counts, const Co
   }
   const auto greatest = static_cast<double>(*std::max_element(counts.begin(), counts.end()));
   const double least = selection.smallestShare < 0.0
-    ? std::max(0.001 * greatest, std::min<double>(ComponentSelection::speckCells, 0.1 * greatest))
+    ? std::max(0.001 * greatest, std::min(static_cast<double>(selection.speck), 0.1 * greatest))
     : selection.smallestShare * greatest;
   std::vector<std::size_t> order(counts.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

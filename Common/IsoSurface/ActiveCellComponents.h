@@ -27,13 +27,20 @@ ActiveCellComponents findActiveCellComponents(std::span<const ActiveCellId> cell
 /// Which components of a surface to keep.
 struct ComponentSelection
 {
-  /// As smallestShare, like any negative number: 1/1000, but at least `speckCells` cells as far as that is
-  /// less than a tenth of the largest component.
+  /// As smallestShare, like any negative number: 1/1000, but at least `speck` cells as far as that is less
+  /// than a tenth of the largest component.
   static constexpr double automatic = -1.0;
   static constexpr std::size_t speckCells = 27;
 
-  double smallestShare = 0.0; ///< those with at least this share of the largest one's cells; or automatic
-  std::size_t largest = 0;    ///< so many of the largest, the first ones among equals; 0: all
+  double smallestShare = 0.0;     ///< those with at least this share of the largest one's cells; or automatic
+  std::size_t largest = 0;        ///< so many of the largest, the first ones among equals; 0: all
+  std::size_t speck = speckCells; ///< more where cells are parts of a voxel, see inDividedCells
+
+  /// The same selection where voxels are divided into so many cells along each axis.
+  ComponentSelection inDividedCells(int subdivision) const
+  {
+    return { this->smallestShare, this->largest, this->speck * subdivision * subdivision };
+  }
 
   bool keepsAll() const { return this->smallestShare == 0.0 && this->largest == 0; }
 };

@@ -30,7 +30,7 @@ void SegmentLister::enterRun(const CellRun& run)
   this->Rest = run.cells;
   const int sides =
     (first.y == 0) | (first.y == last.y) << 1 | (first.z == 0) << 2 | (first.z == last.z) << 3;
-  this->Place = { first.x, first.y, first.z, sides, first.x * x + first.y * y + first.z * z, x };
+  this->Position = { first.x, first.y, first.z, sides, first.x * x + first.y * y + first.z * z, x };
   const int toLast = last.x - first.x;
   this->Border = sides != 0 ? ~std::uint64_t(0)
                             : std::uint64_t(first.x == 0) | (toLast < 64 ? std::uint64_t(1) << toLast : 0);
@@ -49,7 +49,7 @@ void SegmentLister::next(SegmentBatch& batch)
     }
     const int listed = batch.segmentCount;
     const bool border = (this->Rest & this->Border) != 0;
-    this->Rest = this->Kernels.listCells(this->Rest, this->Place, batch);
+    this->Rest = this->Kernels.listCells(this->Rest, this->Position, batch);
     if (border)
     {
       this->markBorder(listed, batch);

@@ -62,7 +62,7 @@ private:
   const SamplingKernels& Kernels;
   std::size_t Entered = 0; ///< runs
   std::uint64_t Rest = 0;  ///< cells of the run that were not listed yet
-  RunPlace Place = {};
+  RunPosition Position = {};
   std::uint64_t Border = 0; ///< a bit for each cell of the run that lies at the grid's border
 };
 

@@ -74,8 +74,8 @@ public:
     this->Narrow = field.geometry().dimensions().x <= StencilReach;
     for (int n = 0; n < WideStencilSize; ++n)
     {
-      const glm::ivec3& place = this->Shape.places[n];
-      this->Offsets[n] = place.x * this->Steps[0] + place.y * this->Steps[1] + place.z * this->Steps[2];
+      const glm::ivec3& offset = this->Shape.offsets[n];
+      this->Offsets[n] = offset.x * this->Steps[0] + offset.y * this->Steps[1] + offset.z * this->Steps[2];
     }
   }
 
@@ -297,7 +297,7 @@ private:
     {
       const T value = inside
         ? corner[this->Offsets[n]]
-        : this->Field.at(glm::clamp(cell + this->Shape.places[n], glm::ivec3(0), this->Last + 1));
+        : this->Field.at(glm::clamp(cell + this->Shape.offsets[n], glm::ivec3(0), this->Last + 1));
       batch.values[n][lane] = this->toWork(value);
     }
   }
@@ -340,7 +340,7 @@ private:
     bool found = false;
     for (int n = 0; n < this->Shape.size; ++n)
     {
-      const glm::ivec3 sample = glm::clamp(cell + this->Shape.places[n], glm::ivec3(0), this->Last + 1);
+      const glm::ivec3 sample = glm::clamp(cell + this->Shape.offsets[n], glm::ivec3(0), this->Last + 1);
       found |= this->Field.hidden()[this->Field.geometry().offset(sample)];
     }
     return found;
@@ -374,7 +374,7 @@ private:
         const int low = lowCorner(axis, n);
         glm::ivec3 sample = cell + glm::ivec3(low & 1, low >> 1 & 1, low >> 2);
         sample[axis] -= 1;
-        const auto take = [&](int place) { stencil.values[place] = this->Relative(this->Field.at(sample)); };
+        const auto take = [&](int row) { stencil.values[row] = this->Relative(this->Field.at(sample)); };
         this->Field.has(sample) ? take(neighborBefore(axis, n)) : stencil.extrapolateBefore(axis, n);
         sample[axis] += 3;
         this->Field.has(sample) ? take(neighborAfter(axis, n)) : stencil.extrapolateAfter(axis, n);

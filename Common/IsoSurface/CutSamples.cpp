@@ -2,7 +2,9 @@
 #include "IsoSurface/CutSamples.h"
 
 #include "Fields/Grid/GridField.h"
+#include "Fields/Resampling/TileResampler.h"
 #include "Fields/ScalarDifference.h"
+#include "IsoSurface/ResampledSampler.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -55,52 +57,62 @@ std::optional<glm::dvec2> meanCrossing(const Face& face, double isoValue)
   return crossings > 0 ? std::optional(sum / static_cast<double>(crossings)) : std::nullopt;
 }
 
-/// Samples one side of the volume.
+/// A side of the volume, and the axes along it.
+struct CutSide
+{
+  CutSide(int across, bool isUpper)
+    : axis(across)
+    , u(across == 0 ? 1 : 0)
+    , v(across == 2 ? 1 : 2)
+    , upper(isUpper)
+  {
+  }
+  int axis;
+  int u;
+  int v;
+  bool upper;
+};
+
+/// Samples the faces on one side of the volume.
 template <class T>
 class SideSampler
 {
 public:
-  SideSampler(const GridField<T>& field, double isoValue, CutSurface kind, const CellSelection& selection,
-    const glm::ivec3& divisions, int axis, bool upper, CutSamples& samples)
+  SideSampler(
+    const GridField<T>& field, double isoValue, CutSurface kind, const CutSide& side, CutSamples& samples)
     : Field(field)
     , IsoValue(isoValue)
     , Kind(kind)
-    , Selection(selection)
-    , Divisions(divisions)
-    , Axis(axis)
-    , U(axis == 0 ? 1 : 0)
-    , V(axis == 2 ? 1 : 2)
-    , Upper(upper)
+    , Axis(side.axis)
+    , U(side.u)
+    , V(side.v)
+    , Upper(side.upper)
     , Samples(samples)
   {
     glm::dvec3 outwards(0.0);
-    outwards[axis] = upper ? 1.0 : -1.0;
+    outwards[side.axis] = side.upper ? 1.0 : -1.0;
     this->Normal = glm::normalize(field.geometry().gradientDirection() * outwards);
   }
 
+  bool hasFace(const glm::ivec3& cell, int layer) const { return this->faceOf(cell, layer).has_value(); }
+
   /// @param layer the index of the side's samples along its axis
-  void sample(int layer)
+  void sampleFace(const glm::ivec3& cell, int layer)
   {
-    const glm::ivec3 dimensions = this->Field.geometry().dimensions();
-    const GridGeometry cells(glm::max(dimensions - 1, glm::ivec3(0)));
-    const glm::ivec3 begin = glm::max(this->Selection.begin, glm::ivec3(0));
-    const glm::ivec3 end = glm::min(this->Selection.end, dimensions - 1);
-    glm::ivec3 cell(0);
-    cell[this->Axis] = this->Upper ? layer - 1 : layer;
-    if (cell[this->Axis] < begin[this->Axis] || cell[this->Axis] >= end[this->Axis])
+    const std::optional<Face> face = this->faceOf(cell, layer);
+    // NaN is on no side.
+    if (!face || std::isnan(this->IsoValue))
     {
       return;
     }
-    for (cell[this->V] = begin[this->V]; cell[this->V] < end[this->V]; ++cell[this->V])
+    const ActiveCellId own = activeCellId(this->Field.geometry().first() + cell);
+    if (const auto crossing = meanCrossing(*face, this->IsoValue))
     {
-      for (cell[this->U] = begin[this->U]; cell[this->U] < end[this->U]; ++cell[this->U])
-      {
-        const auto& skipped = this->Selection.skipped;
-        if (skipped.empty() || !skipped[cells.offset(cell)])
-        {
-          this->sampleFace(cell, layer);
-        }
-      }
+      this->addRim(cell, layer, *face, *crossing, own);
+    }
+    else if (this->Kind == CutSurface::Cap && face->values[0] >= this->IsoValue)
+    {
+      this->add(this->toWorld(cell, layer, glm::dvec2(0.5)), this->Normal, own);
     }
   }
 
@@ -122,43 +134,6 @@ private:
       face.values[n] = static_cast<double>(this->Field.at(sample));
     }
     return face;
-  }
-
-  void sampleFace(const glm::ivec3& cell, int layer)
-  {
-    const std::optional<Face> whole = this->faceOf(cell, layer);
-    if (!whole)
-    {
-      return;
-    }
-    const auto [least, most] = std::minmax_element(whole->values, whole->values + 4);
-    // Also for NaN.
-    if (!(*most >= this->IsoValue) || (this->Kind == CutSurface::Rim && *least >= this->IsoValue))
-    {
-      return;
-    }
-    const glm::dvec2 parts(this->Divisions[this->U], this->Divisions[this->V]);
-    for (int j = 0; j < this->Divisions[this->V]; ++j)
-    {
-      for (int i = 0; i < this->Divisions[this->U]; ++i)
-      {
-        const auto place = [&](const glm::dvec2& p) { return (glm::dvec2(i, j) + p) / parts; };
-        const Face part{ { whole->at(place({ 0, 0 })), whole->at(place({ 1, 0 })), whole->at(place({ 1, 1 })),
-          whole->at(place({ 0, 1 })) } };
-        glm::ivec3 own = (this->Field.geometry().first() + cell) * this->Divisions;
-        own[this->Axis] += this->Upper ? this->Divisions[this->Axis] - 1 : 0;
-        own[this->U] += i;
-        own[this->V] += j;
-        if (const auto crossing = meanCrossing(part, this->IsoValue))
-        {
-          this->addRim(cell, layer, *whole, place(*crossing), activeCellId(own));
-        }
-        else if (this->Kind == CutSurface::Cap && part.values[0] >= this->IsoValue)
-        {
-          this->add(this->toWorld(cell, layer, place(glm::dvec2(0.5))), this->Normal, activeCellId(own));
-        }
-      }
-    }
   }
 
   void addRim(
@@ -211,8 +186,6 @@ private:
   const GridField<T>& Field;
   double IsoValue;
   CutSurface Kind;
-  const CellSelection& Selection;
-  glm::ivec3 Divisions;
   int Axis;
   int U; ///< the side's own axes
   int V;
@@ -221,22 +194,131 @@ private:
   CutSamples& Samples;
 };
 
+/// Calls work with each selected cell on a side, in a part of them along its second axis.
+template <class Work>
+void forEachCell(const GridGeometry& geometry, const CellSelection& selection, const CutSide& side, int layer,
+  int beginV, int endV, const Work& work)
+{
+  const GridGeometry cells(glm::max(geometry.dimensions() - 1, glm::ivec3(0)));
+  const glm::ivec3 begin = glm::max(selection.begin, glm::ivec3(0));
+  const glm::ivec3 end = glm::min(selection.end, geometry.dimensions() - 1);
+  glm::ivec3 cell(0);
+  cell[side.axis] = side.upper ? layer - 1 : layer;
+  if (cell[side.axis] < begin[side.axis] || cell[side.axis] >= end[side.axis])
+  {
+    return;
+  }
+  for (cell[side.v] = std::max(begin[side.v], beginV); cell[side.v] < std::min(end[side.v], endV);
+       ++cell[side.v])
+  {
+    for (cell[side.u] = begin[side.u]; cell[side.u] < end[side.u]; ++cell[side.u])
+    {
+      if (selection.skipped.empty() || !selection.skipped[cells.offset(cell)])
+      {
+        work(cell);
+      }
+    }
+  }
+}
+
+/// Samples a side's own faces.
+template <class T>
+void sampleSide(const GridField<T>& field, double isoValue, CutSurface kind, const CutSide& side, int layer,
+  const CellSelection& selection, CutSamples& samples)
+{
+  SideSampler sampler(field, isoValue, kind, side, samples);
+  const int all = field.geometry().dimensions()[side.v];
+  forEachCell(field.geometry(), selection, side, layer, 0, all,
+    [&](const glm::ivec3& cell) { sampler.sampleFace(cell, layer); });
+}
+
+/// Samples faces of the resampled grid, a strip of the side at a time.
+template <class T>
+void sampleResampledSide(const GridField<T>& field, double isoValue, CutSurface kind, const CutSide& side,
+  int layer, const CellSelection& selection, const IsoSurfaceResampling& resampling, CutSamples& samples)
+{
+  constexpr int stripCells = 32;
+  // So that no difference overflows; a power of two rounds nothing.
+  constexpr double scale = 1.0 / 256.0;
+  const GridGeometry& own = field.geometry();
+  const glm::ivec3& parts = resampling.subdivision;
+  const GridResampling ofSurface = resamplingOfSurface(resampling, own.dimensions());
+  const GridGeometry all = resampledGeometry(own, parts);
+  SideSampler ownFaces(field, isoValue, kind, side, samples);
+  TileResampler<double> resampler;
+  std::vector<double> values;
+  for (int strip = 0; strip < own.dimensions()[side.v] - 1; strip += stripCells)
+  {
+    const int end = std::min(strip + stripCells, own.dimensions()[side.v] - 1);
+    // The side's positions, and those next to them.
+    SampleBox box{ glm::ivec3(0), all.dimensions() };
+    box.begin[side.axis] = layer * parts[side.axis] - (side.upper ? 1 : 0);
+    box.end[side.axis] = box.begin[side.axis] + 2;
+    box.begin[side.v] = strip * parts[side.v];
+    box.end[side.v] = end * parts[side.v] + 1;
+    const int around = std::max({ ofSurface[0].reach(), ofSurface[1].reach(), ofSurface[2].reach() });
+    resampler.read(field, box, parts, glm::ivec3(around));
+    if (!(resampler.greatest() >= resampler.least()))
+    {
+      continue;
+    }
+    resampler.scale(scale);
+    resampler.resample(ofSurface, box, values);
+    const GridField<double> fine(
+      GridGeometry(box.size(), all.origin(), all.spacing(), all.direction(), all.first() + box.begin),
+      values);
+    SideSampler faces(fine, scale * isoValue, kind, side, samples);
+    forEachCell(own, selection, side, layer, strip, end,
+      [&](const glm::ivec3& cell)
+      {
+        if (!ownFaces.hasFace(cell, layer))
+        {
+          return;
+        }
+        glm::ivec3 part = cell * parts - box.begin;
+        part[side.axis] = 0;
+        const glm::ivec3 first = part;
+        for (part[side.v] = first[side.v]; part[side.v] < first[side.v] + parts[side.v]; ++part[side.v])
+        {
+          for (part[side.u] = first[side.u]; part[side.u] < first[side.u] + parts[side.u]; ++part[side.u])
+          {
+            faces.sampleFace(part, side.upper ? 1 : 0);
+          }
+        }
+      });
+  }
+}
+
 } // namespace
 
 template <class T>
 CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind, const glm::ivec3& first,
-  const glm::ivec3& last, const CellSelection& selection, const glm::ivec3& divisions)
+  const glm::ivec3& last, const CellSelection& selection, const IsoSurfaceResampling& resampling)
 {
   CutSamples samples;
   const GridGeometry& geometry = field.geometry();
-  for (int axis = 0; kind != CutSurface::Open && axis < 3; ++axis)
+  const glm::ivec3& dimensions = geometry.dimensions();
+  if (kind == CutSurface::Open || std::min({ dimensions.x, dimensions.y, dimensions.z }) < 2)
+  {
+    return samples;
+  }
+  for (int axis = 0; axis < 3; ++axis)
   {
     for (const bool upper : { false, true })
     {
+      const CutSide side(axis, upper);
       const int layer = (upper ? last : first)[axis] - geometry.first()[axis];
-      if (layer >= 0 && layer < geometry.dimensions()[axis])
+      if (layer < (upper ? 1 : 0) || layer >= dimensions[axis] - (upper ? 0 : 1))
       {
-        SideSampler(field, isoValue, kind, selection, divisions, axis, upper, samples).sample(layer);
+        continue;
+      }
+      if (resampling.isIdentity())
+      {
+        sampleSide(field, isoValue, kind, side, layer, selection, samples);
+      }
+      else
+      {
+        sampleResampledSide(field, isoValue, kind, side, layer, selection, resampling, samples);
       }
     }
   }
@@ -245,7 +327,7 @@ CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind
 
 #define INK_INSTANTIATE(T)                                                                                   \
   template CutSamples sampleCut(const GridField<T>&, double, CutSurface, const glm::ivec3&,                  \
-    const glm::ivec3&, const CellSelection&, const glm::ivec3&);
+    const glm::ivec3&, const CellSelection&, const IsoSurfaceResampling&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 #undef INK_INSTANTIATE
 

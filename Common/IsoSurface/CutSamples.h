@@ -3,6 +3,7 @@
 
 #include "IsoSurface/ActiveCellId.h"
 #include "IsoSurface/ActiveCells.h"
+#include "IsoSurface/ResampledSamples.h"
 
 #include <glm/vec3.hpp>
 
@@ -45,10 +46,10 @@ constexpr int rimNormals = 7;
 ///
 /// @param first, last the global indices of the whole volume's first and last sample: its sides
 /// @param selection the cells to process
-/// @param divisions along each axis: faces are divided into so many, with bilinear values, and cells are
-///   those of the divided grid
+/// @param resampling as for sampleResampledIsoSurfaces: samples are those of faces of the resampled grid, of
+///   the values that the surface lies at
 template <class T>
 CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind, const glm::ivec3& first,
-  const glm::ivec3& last, const CellSelection& selection = {}, const glm::ivec3& divisions = glm::ivec3(1));
+  const glm::ivec3& last, const CellSelection& selection = {}, const IsoSurfaceResampling& resampling = {});
 
 } // namespace ink

@@ -33,8 +33,29 @@
 namespace ink
 {
 
-/// Of the Gaussian's deviation, for the kernel of fourth order of SmoothingTarget::Normals.
-inline constexpr double fourthOrderShare = 0.7071067811865476;
+inline GridResampling resamplingOf(const IsoSurfaceResampling& resampling, const glm::dvec3& deviation,
+  const glm::ivec3& samples, SmoothingKernel kernel)
+{
+  const glm::ivec3& subdivision = resampling.subdivision;
+  return { AxisResampling(deviation.x, subdivision.x, samples.x, kernel),
+    AxisResampling(deviation.y, subdivision.y, samples.y, kernel),
+    AxisResampling(deviation.z, subdivision.z, samples.z, kernel) };
+}
+
+/// What makes of a grid of so many samples the values that normals belong to.
+inline GridResampling resamplingOfNormals(const IsoSurfaceResampling& resampling, const glm::ivec3& samples)
+{
+  return resamplingOf(resampling, resampling.deviation, samples, SmoothingKernel::Gaussian);
+}
+
+/// The same of the values that the surface lies at.
+inline GridResampling resamplingOfSurface(const IsoSurfaceResampling& resampling, const glm::ivec3& samples)
+{
+  return resampling.target == SmoothingTarget::Surface
+    ? resamplingOfNormals(resampling, samples)
+    : resamplingOf(
+        resampling, fourthOrderShare * resampling.deviation, samples, SmoothingKernel::FourthOrder);
+}
 
 /// The arguments of sampleResampledIsoSurfaces, whatever the type of the grid's values.
 template <class Work>
@@ -66,10 +87,8 @@ public:
     , End(glm::clamp(request.selection.end, glm::ivec3(0), this->ownCells()))
     , OwnTile(glm::max(TileSize / this->Subdivision, glm::ivec3(4)))
     , Counts(glm::max((this->End - this->Begin + this->OwnTile - 1) / this->OwnTile, glm::ivec3(0)))
-    , OfNormals(resamplingOf(request.resampling.deviation, SmoothingKernel::Gaussian))
-    , OfSurface(this->onlyNormals()
-          ? resamplingOf(fourthOrderShare * request.resampling.deviation, SmoothingKernel::FourthOrder)
-          : this->OfNormals)
+    , OfNormals(resamplingOfNormals(request.resampling, request.geometry.dimensions()))
+    , OfSurface(resamplingOfSurface(request.resampling, request.geometry.dimensions()))
     , Ranges(ranges ? *ranges : this->OwnRanges)
   {
     const std::size_t count = static_cast<std::size_t>(this->Counts.x) * this->Counts.y * this->Counts.z;
@@ -137,13 +156,6 @@ private:
   glm::ivec3 ownCells() const { return glm::max(this->Request.geometry.dimensions() - 1, glm::ivec3(0)); }
   bool onlyNormals() const { return this->Request.resampling.target == SmoothingTarget::Normals; }
 
-  GridResampling resamplingOf(const glm::dvec3& deviation, SmoothingKernel kernel) const
-  {
-    const glm::ivec3& samples = this->Request.geometry.dimensions();
-    return { AxisResampling(deviation.x, this->Subdivision.x, samples.x, kernel),
-      AxisResampling(deviation.y, this->Subdivision.y, samples.y, kernel),
-      AxisResampling(deviation.z, this->Subdivision.z, samples.z, kernel) };
-  }
   glm::ivec3 reach() const
   {
     glm::ivec3 most;

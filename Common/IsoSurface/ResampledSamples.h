@@ -27,6 +27,9 @@ enum class SmoothingTarget
   Normals
 };
 
+/// Of the Gaussian's deviation, for the kernel of fourth order of SmoothingTarget::Normals.
+inline constexpr double fourthOrderShare = 0.7071067811865476;
+
 /// How a grid is resampled before samples are placed, see AxisResampling.
 struct IsoSurfaceResampling
 {

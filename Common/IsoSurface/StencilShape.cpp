@@ -8,7 +8,7 @@ namespace ink
 namespace
 {
 
-glm::ivec3 placeOf(int n, NormalMethod method)
+glm::ivec3 offsetOf(int n, NormalMethod method)
 {
   if (method == NormalMethod::Regression)
   {
@@ -24,9 +24,9 @@ glm::ivec3 placeOf(int n, NormalMethod method)
   }
   const int axis = (n - Corners) % Edges / 4;
   const int corner = lowCorner(axis, n % 4);
-  glm::ivec3 place(corner & 1, corner >> 1 & 1, corner >> 2);
-  place[axis] += n < Corners + Edges ? -1 : 2;
-  return place;
+  glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2);
+  offset[axis] += n < Corners + Edges ? -1 : 2;
+  return offset;
 }
 
 } // namespace
@@ -38,7 +38,7 @@ StencilShape::StencilShape(NormalMethod method)
 {
   for (int n = 0; n < WideStencilSize; ++n)
   {
-    this->places[n] = placeOf(n, method);
+    this->offsets[n] = offsetOf(n, method);
   }
   for (int axis = 0; axis < 3; ++axis)
   {

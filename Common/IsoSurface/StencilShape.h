@@ -11,7 +11,7 @@
 namespace ink
 {
 
-/// The positions of a batch's rows around a cell, for a method to estimate normals.
+/// The offsets of a batch's rows from a cell, for a method to estimate normals.
 struct StencilShape
 {
   /// A row outside the grid, and the two that it is extrapolated from.
@@ -25,7 +25,7 @@ struct StencilShape
   explicit StencilShape(NormalMethod method);
 
   int size; ///< rows in use
-  glm::ivec3 places[WideStencilSize];
+  glm::ivec3 offsets[WideStencilSize];
   /// For rows before the first cell along an axis, and after the last.
   std::vector<Continuation> continuations[3][2];
 };

@@ -98,9 +98,9 @@ GeodesicUnfolding::GeodesicUnfolding(std::span<const glm::vec3> points, std::spa
 }
 
 void GeodesicUnfolding::join(
-  std::size_t pointCount, std::span<const Triangle> triangles, std::span<const std::uint32_t> pointNames)
+  std::size_t pointCount, std::span<const Triangle> triangles, std::span<const std::uint32_t> pointIds)
 {
-  const auto name = [&](std::uint32_t point) { return pointNames.empty() ? point : pointNames[point]; };
+  const auto id = [&](std::uint32_t point) { return pointIds.empty() ? point : pointIds[point]; };
   // For each point, a list of the edges with it as the lower index, one per upper index.
   struct Link
   {
@@ -112,11 +112,11 @@ void GeodesicUnfolding::join(
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
   {
     const Triangle& corners = triangles[t];
-    const std::uint32_t names[3] = { name(corners[0]), name(corners[1]), name(corners[2]) };
+    const std::uint32_t ids[3] = { id(corners[0]), id(corners[1]), id(corners[2]) };
     for (std::uint32_t e = 0; e < 3; ++e)
     {
-      const std::uint32_t a = names[e];
-      const std::uint32_t b = names[e == 2 ? 0 : e + 1];
+      const std::uint32_t a = ids[e];
+      const std::uint32_t b = ids[e == 2 ? 0 : e + 1];
       const std::uint32_t upper = std::max(a, b);
       std::uint32_t& head = heads[std::min(a, b)];
       const std::uint32_t edge = 3 * t + e;

@@ -29,7 +29,7 @@ namespace ink
 class GeodesicUnfolding
 {
 public:
-  struct Place
+  struct SurfacePoint
   {
     glm::vec3 position;
     std::uint32_t triangle;
@@ -56,16 +56,16 @@ public:
     bool enter(std::uint32_t triangle)
     {
       const std::size_t mask = this->Slots.size() - 1;
-      std::size_t place = (triangle * 0x9e3779b1u >> 8) & mask;
-      while (this->Slots[place].round == this->Round)
+      std::size_t slot = (triangle * 0x9e3779b1u >> 8) & mask;
+      while (this->Slots[slot].round == this->Round)
       {
-        if (this->Slots[place].triangle == triangle)
+        if (this->Slots[slot].triangle == triangle)
         {
           return false;
         }
-        place = (place + 1) & mask;
+        slot = (slot + 1) & mask;
       }
-      this->Slots[place] = { triangle, this->Round };
+      this->Slots[slot] = { triangle, this->Round };
       if (2 * ++this->Entered > this->Slots.size())
       {
         this->grow();
@@ -100,7 +100,7 @@ public:
   /// Calls visit(triangle, facet, image, squares) once for each triangle reached, starting with the
   /// position's own; `squares` are the squared distances of the corners to the image.
   template <class Visit>
-  void visitAround(const Place& place, float radius, Front& front, const Visit& visit) const;
+  void visitAround(const SurfacePoint& start, float radius, Front& front, const Visit& visit) const;
 
   std::span<Facet> facets() { return this->Facets; }
   std::span<const Facet> facets() const { return this->Facets; }
@@ -111,7 +111,7 @@ private:
   static constexpr float nearlyFlat = 0.966f;
 
   void join(
-    std::size_t pointCount, std::span<const Triangle> triangles, std::span<const std::uint32_t> pointNames);
+    std::size_t pointCount, std::span<const Triangle> triangles, std::span<const std::uint32_t> pointIds);
   Front::Entry turn(const Front::Entry& from, std::uint32_t exit, std::uint32_t entry) const;
   const glm::vec3& corner(std::uint32_t edge, std::uint32_t further) const
   {
@@ -137,11 +137,12 @@ private:
 };
 
 template <class Visit>
-void GeodesicUnfolding::visitAround(const Place& place, float radius, Front& front, const Visit& visit) const
+void GeodesicUnfolding::visitAround(
+  const SurfacePoint& start, float radius, Front& front, const Visit& visit) const
 {
   front.begin();
-  front.enter(place.triangle);
-  front.Entries.push_back({ place.triangle, place.position, this->Facets[place.triangle].normal });
+  front.enter(start.triangle);
+  front.Entries.push_back({ start.triangle, start.position, this->Facets[start.triangle].normal });
   const float limit = radius * radius;
   for (std::size_t i = 0; i < front.Entries.size(); ++i)
   {
@@ -162,8 +163,8 @@ void GeodesicUnfolding::visitAround(const Place& place, float radius, Front& fro
       }
       // No path is shorter than the Euclidean distance.
       if (!isNear(offsets[e], offsets[f], limit) ||
-        (here.image != place.position &&
-          !isNear(facet.corners[e] - place.position, facet.corners[f] - place.position, limit)))
+        (here.image != start.position &&
+          !isNear(facet.corners[e] - start.position, facet.corners[f] - start.position, limit)))
       {
         continue;
       }

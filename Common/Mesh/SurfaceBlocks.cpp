@@ -68,7 +68,7 @@ SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const
     {
       last = cells[i];
       const auto [entry, isNew] =
-        this->Names.emplace(key(last), static_cast<std::uint32_t>(this->Cells.size()));
+        this->Ids.emplace(key(last), static_cast<std::uint32_t>(this->Cells.size()));
       if (isNew)
       {
         this->Cells.push_back(last);

@@ -64,7 +64,7 @@ public:
     for (int direction = 0; direction < 27; ++direction)
     {
       const glm::ivec3 offset(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
-      if (const auto found = this->Names.find(key(this->Cells[block] + offset)); found != this->Names.end())
+      if (const auto found = this->Ids.find(key(this->Cells[block] + offset)); found != this->Ids.end())
       {
         visit(found->second);
       }
@@ -75,7 +75,7 @@ private:
   static std::uint64_t key(const glm::ivec3& cell);
 
   std::vector<glm::ivec3> Cells;
-  std::unordered_map<std::uint64_t, std::uint32_t> Names;
+  std::unordered_map<std::uint64_t, std::uint32_t> Ids;
   std::vector<std::uint32_t> Pieces; // block after block
   std::vector<double> Areas;
   std::vector<std::size_t> FirstPiece;

@@ -23,7 +23,7 @@ constexpr std::uint32_t whole = ~0u;
 
 struct Piece
 {
-  std::uint64_t place;
+  std::uint64_t mortonCode;
   glm::vec3 middle;
   std::uint32_t triangle;
   std::uint32_t cut; // its corners in the part's list
@@ -121,9 +121,9 @@ SurfacePieces::SurfacePieces(const TriangleMesh& mesh, std::span<const glm::vec3
   parallelSort(pieces.begin(), pieces.end(),
     [](const Piece& a, const Piece& b)
     {
-      return a.place != b.place    ? a.place < b.place
-        : a.triangle != b.triangle ? a.triangle < b.triangle
-                                   : a.cut < b.cut;
+      return a.mortonCode != b.mortonCode ? a.mortonCode < b.mortonCode
+        : a.triangle != b.triangle        ? a.triangle < b.triangle
+                                          : a.cut < b.cut;
     });
   this->Order.resize(pieces.size());
   this->Cut.resize(isCut ? pieces.size() : 0);
@@ -167,7 +167,7 @@ SurfacePieces::Frame SurfacePieces::frame(std::size_t piece) const
   if (!this->Cut.empty() && this->Cut[piece] != whole)
   {
     const Corners& corners = this->CutCorners[this->Cut[piece]];
-    const auto at = [&](const glm::vec2& place) { return place.x * side1 + place.y * side2; };
+    const auto at = [&](const glm::vec2& weights) { return weights.x * side1 + weights.y * side2; };
     frame.origin += at(corners[0]);
     frame.along1 = at(corners[1] - corners[0]);
     frame.along2 = at(corners[2] - corners[0]);
@@ -181,9 +181,9 @@ SurfaceSample SurfacePieces::sample(std::size_t piece, float b1, float b2) const
   if (!this->Cut.empty() && this->Cut[piece] != whole)
   {
     const Corners& corners = this->CutCorners[this->Cut[piece]];
-    const glm::vec2 place = corners[0] + b1 * (corners[1] - corners[0]) + b2 * (corners[2] - corners[0]);
-    result.b1 = place.x;
-    result.b2 = place.y;
+    const glm::vec2 weights = corners[0] + b1 * (corners[1] - corners[0]) + b2 * (corners[2] - corners[0]);
+    result.b1 = weights.x;
+    result.b2 = weights.y;
   }
   return result;
 }

@@ -54,7 +54,7 @@ double areaPerSample(double spacing, double candidates);
 /// surface by at most its curvature times half the square of a radius.
 /// @param spacing the least distance of neighbors, in the unit of the centers, above 0
 /// @param candidates per sample, see sampleProgressively
-/// @param seed random choices hash it with the disc's place among all discs, not with its index: their order
+/// @param seed random choices hash it with the disc's rank among all discs, not with its index: their order
 ///   does not matter
 /// @return the samples; none when stopped
 /// @throws std::invalid_argument if the surface is wider than 2^24 times the spacing

@@ -91,7 +91,7 @@ public:
       return this->LastName;
     }
     const auto [entry, isNew] =
-      this->Names.emplace(key(block), static_cast<std::uint32_t>(this->Blocks.size()));
+      this->Ids.emplace(key(block), static_cast<std::uint32_t>(this->Blocks.size()));
     if (isNew)
     {
       this->Blocks.push_back(block);
@@ -110,7 +110,7 @@ private:
     return std::uint64_t(positive.x) << (2 * bits) | std::uint64_t(positive.y) << bits | positive.z;
   }
 
-  std::unordered_map<std::uint64_t, std::uint32_t> Names;
+  std::unordered_map<std::uint64_t, std::uint32_t> Ids;
   std::vector<glm::ivec3> Blocks;
   glm::ivec3 LastBlock{ std::numeric_limits<int>::max() };
   std::uint32_t LastName = 0;
@@ -182,15 +182,15 @@ public:
     std::vector<std::uint32_t> blocks(this->Order.size());
     for (std::size_t t = 0; t < this->Order.size(); ++t)
     {
-      const glm::vec3 place = points[mesh.triangles[t][0]] / block;
-      blocks[t] = glm::all(glm::lessThan(glm::abs(place), glm::vec3(0x1p20f)))
-        ? table.at(glm::ivec3(glm::floor(place)))
+      const glm::vec3 corner = points[mesh.triangles[t][0]] / block;
+      blocks[t] = glm::all(glm::lessThan(glm::abs(corner), glm::vec3(0x1p20f)))
+        ? table.at(glm::ivec3(glm::floor(corner)))
         : 0;
     }
     std::vector<std::uint32_t> next(table.blocks().size() + 2);
-    for (const std::uint32_t name : blocks)
+    for (const std::uint32_t id : blocks)
     {
-      ++next[name + 1];
+      ++next[id + 1];
     }
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (std::uint32_t t = 0; t < this->Order.size(); ++t)
@@ -212,7 +212,7 @@ public:
 
   const TriangleMesh& view() const { return this->View; }
   /// A triangle's index in the original mesh.
-  std::uint32_t nameOf(std::uint32_t triangle) const { return this->Order[triangle]; }
+  std::uint32_t idOf(std::uint32_t triangle) const { return this->Order[triangle]; }
 
 private:
   std::vector<Triangle> Triangles;
@@ -301,25 +301,24 @@ bool Sampling::inBlocks(const BlockLists<Thing>& lists, const Body& body, const 
     }
   }
   double done = 0.0;
-  for (const std::vector<std::uint32_t>& names : ofColor)
+  for (const std::vector<std::uint32_t>& ids : ofColor)
   {
-    const double share = static_cast<double>(names.size()) / static_cast<double>(blocks.size());
-    std::vector<std::vector<SurfaceSample>> made(names.size());
+    const double share = static_cast<double>(ids.size()) / static_cast<double>(blocks.size());
+    std::vector<std::vector<SurfaceSample>> made(ids.size());
     const auto fill = [&](std::size_t i)
     {
       this->Bins.with(
         [&](PoissonDiskBins::Workspace& workspace)
         {
-          body(lists.of(names[i]),
+          body(lists.of(ids[i]),
             [&](const PoissonDiskDart& dart)
             {
-              made[i].push_back(
-                { this->Sorted.nameOf(dart.sample.triangle), dart.sample.b1, dart.sample.b2 });
+              made[i].push_back({ this->Sorted.idOf(dart.sample.triangle), dart.sample.b1, dart.sample.b2 });
               this->Bins.add({ dart.position, dart.sample.triangle }, dart.radius, workspace);
             });
         });
     };
-    if (!parallelFor(names.size(), fill,
+    if (!parallelFor(ids.size(), fill,
           progress ? [&](double part) { return progress(done + share * part); } : Progress()))
     {
       return false;
@@ -349,9 +348,8 @@ bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress
       std::uint32_t triangle = 0;
       for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i)
       {
-        const double place =
-          std::min((static_cast<double>(i) + unitDouble(hash(alongSeed ^ i))) * step, last);
-        triangle = i == c * chunk ? findTriangle(weights, place) : findTriangle(weights, place, triangle);
+        const double sum = std::min((static_cast<double>(i) + unitDouble(hash(alongSeed ^ i))) * step, last);
+        triangle = i == c * chunk ? findTriangle(weights, sum) : findTriangle(weights, sum, triangle);
         if (this->Bins.isCovered(triangle))
         {
           continue;
@@ -383,9 +381,9 @@ bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress
     {
       // Neighbors in the list are neighbors on the mesh: a long stride keeps consecutive tries apart.
       const std::size_t stride = strideThrough(darts.size());
-      for (std::size_t i = 0, place = 0; i < darts.size(); ++i, place = (place + stride) % darts.size())
+      for (std::size_t i = 0, next = 0; i < darts.size(); ++i, next = (next + stride) % darts.size())
       {
-        const PoissonDiskDart& dart = darts[place];
+        const PoissonDiskDart& dart = darts[next];
         if (!this->Bins.isTaken(dart.sample.triangle, dart.position, dart.radius))
         {
           make(dart);
@@ -417,12 +415,12 @@ bool Sampling::fillGaps(float smallest, const Progress& progress)
   {
     for (auto& [block, bin] : part)
     {
-      block = this->blockAt(this->Bins.placeOf(bin));
+      block = this->blockAt(this->Bins.cornerOf(bin));
     }
   }
   const BlockLists<PoissonDiskBins::Open> lists(found, this->Table.blocks().size());
-  const PoissonDiskGaps::RadiusAt radiusAt = this->Mesh.hasDensity() ? [this](const SurfaceSample& place)
-  { return this->radiusAt(place); }
+  const PoissonDiskGaps::RadiusAt radiusAt = this->Mesh.hasDensity() ? [this](const SurfaceSample& sample)
+  { return this->radiusAt(sample); }
                                                                      : PoissonDiskGaps::RadiusAt();
   return this->inBlocks(
     lists,

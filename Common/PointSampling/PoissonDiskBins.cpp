@@ -84,13 +84,13 @@ PoissonDiskBins::PoissonDiskBins(
   this->Heads.assign(bins, nothing);
 }
 
-std::uint32_t PoissonDiskBins::binAt(std::uint32_t place, const glm::vec3& position) const
+std::uint32_t PoissonDiskBins::binAt(std::uint32_t tag, const glm::vec3& position) const
 {
-  if (!(place & isGrid))
+  if (!(tag & isGrid))
   {
-    return place & ~isSmall;
+    return tag & ~isSmall;
   }
-  const Grid& grid = this->Grids[place & ~isGrid];
+  const Grid& grid = this->Grids[tag & ~isGrid];
   const glm::vec3 offset = position - grid.origin;
   const auto index = [&](const glm::vec3& axis, std::uint32_t count)
   {
@@ -102,31 +102,31 @@ std::uint32_t PoissonDiskBins::binAt(std::uint32_t place, const glm::vec3& posit
 
 bool PoissonDiskBins::isTaken(std::uint32_t triangle, const glm::vec3& position, float radius) const
 {
-  const std::uint32_t head = this->Heads[this->binAt(this->place(triangle), position)];
+  const std::uint32_t head = this->Heads[this->binAt(this->tagOf(triangle), position)];
   if (head == covered)
   {
     return true;
   }
-  for (std::uint32_t name = head; name != nothing;)
+  for (std::uint32_t id = head; id != nothing;)
   {
-    const Disc& near = this->disc(name);
+    const Disc& near = this->disc(id);
     const glm::vec3 offset = position - near.center;
     const float limit = std::min(radius, near.radius);
     if (glm::dot(offset, offset) < limit * limit)
     {
       return true;
     }
-    name = near.next;
+    id = near.next;
   }
   return false;
 }
 
 void PoissonDiskBins::addTo(std::uint32_t bin, const glm::vec3& center, float radius, Workspace& workspace)
 {
-  std::uint32_t name = workspace.FreeDiscs;
-  if (name != nothing)
+  std::uint32_t id = workspace.FreeDiscs;
+  if (id != nothing)
   {
-    workspace.FreeDiscs = this->disc(name).next;
+    workspace.FreeDiscs = this->disc(id).next;
   }
   else
   {
@@ -141,10 +141,10 @@ void PoissonDiskBins::addTo(std::uint32_t bin, const glm::vec3& center, float ra
       workspace.NextDisc = this->DiscBlocks++ << discBits;
       workspace.EndOfDiscs = workspace.NextDisc + (1u << discBits);
     }
-    name = workspace.NextDisc++;
+    id = workspace.NextDisc++;
   }
-  this->disc(name) = { center, radius, this->Heads[bin] };
-  this->Heads[bin] = name;
+  this->disc(id) = { center, radius, this->Heads[bin] };
+  this->Heads[bin] = id;
 }
 
 void PoissonDiskBins::cover(std::uint32_t bin, Workspace& workspace)
@@ -164,9 +164,9 @@ void PoissonDiskBins::cover(std::uint32_t bin, Workspace& workspace)
   workspace.FreeDiscs = first;
 }
 
-void PoissonDiskBins::add(const GeodesicUnfolding::Place& place, float radius, Workspace& workspace)
+void PoissonDiskBins::add(const GeodesicUnfolding::SurfacePoint& center, float radius, Workspace& workspace)
 {
-  this->Unfolding.visitAround(place, radius, workspace.Front,
+  this->Unfolding.visitAround(center, radius, workspace.Front,
     [&](std::uint32_t triangle, const GeodesicUnfolding::Facet& facet, const glm::vec3& image,
       const float squares[3])
     {
@@ -222,12 +222,12 @@ void PoissonDiskBins::addToGrid(
     return;
   }
   const float wide = std::sqrt(reach);
-  const auto range = [&](float place, std::uint32_t count)
+  const auto range = [&](float coordinate, std::uint32_t count)
   {
     const auto last = static_cast<std::int32_t>(count - 1);
     const auto at = [&](float edge)
     { return std::clamp(static_cast<std::int32_t>(std::floor(edge / grid.cell)), -1, last + 1); };
-    return std::pair(std::max(at(place - wide), 0), std::min(at(place + wide), last));
+    return std::pair(std::max(at(coordinate - wide), 0), std::min(at(coordinate + wide), last));
   };
   const auto [left, right] = range(x, grid.columns);
   const auto [bottom, top] = range(y, grid.rows);
@@ -264,20 +264,20 @@ void PoissonDiskBins::addToGrid(
 
 void PoissonDiskBins::listOpen(std::uint32_t triangle, std::vector<Open>& open) const
 {
-  const std::uint32_t place = this->place(triangle);
-  if (place == nothing)
+  const std::uint32_t tag = this->tagOf(triangle);
+  if (tag == nothing)
   {
     return;
   }
-  if (!(place & isGrid))
+  if (!(tag & isGrid))
   {
-    if (this->Heads[place & ~isSmall] != covered)
+    if (this->Heads[tag & ~isSmall] != covered)
     {
-      open.push_back({ triangle, place & ~isSmall });
+      open.push_back({ triangle, tag & ~isSmall });
     }
     return;
   }
-  const Grid& grid = this->Grids[place & ~isGrid];
+  const Grid& grid = this->Grids[tag & ~isGrid];
   for (std::uint32_t bin = grid.firstBin; bin < grid.firstBin + grid.columns * grid.rows; ++bin)
   {
     if (this->Heads[bin] != covered)
@@ -290,10 +290,9 @@ void PoissonDiskBins::listOpen(std::uint32_t triangle, std::vector<Open>& open) 
 void PoissonDiskBins::listDiscs(const Open& bin, std::vector<Disc>& discs) const
 {
   discs.clear();
-  for (std::uint32_t name = this->Heads[bin.bin]; name != nothing && name != covered;
-       name = this->disc(name).next)
+  for (std::uint32_t id = this->Heads[bin.bin]; id != nothing && id != covered; id = this->disc(id).next)
   {
-    discs.push_back(this->disc(name));
+    discs.push_back(this->disc(id));
   }
 }
 
@@ -305,12 +304,12 @@ PoissonDiskBins::Outline PoissonDiskBins::outline(const Open& bin) const
     result.corners[result.count++] = corner;
   }
   result.barycentric = { glm::vec2(0.0f), glm::vec2(1.0f, 0.0f), glm::vec2(0.0f, 1.0f) };
-  const std::uint32_t place = this->place(bin.triangle);
-  if (!(place & isGrid))
+  const std::uint32_t tag = this->tagOf(bin.triangle);
+  if (!(tag & isGrid))
   {
     return result;
   }
-  const Grid& grid = this->Grids[place & ~isGrid];
+  const Grid& grid = this->Grids[tag & ~isGrid];
   const std::uint32_t index = bin.bin - grid.firstBin;
   const std::uint32_t column = index % grid.columns;
   const std::uint32_t row = index / grid.columns;
@@ -355,14 +354,14 @@ PoissonDiskBins::Outline PoissonDiskBins::outline(const Open& bin) const
   return result;
 }
 
-glm::vec3 PoissonDiskBins::placeOf(const Open& bin) const
+glm::vec3 PoissonDiskBins::cornerOf(const Open& bin) const
 {
-  const std::uint32_t place = this->place(bin.triangle);
-  if (!(place & isGrid))
+  const std::uint32_t tag = this->tagOf(bin.triangle);
+  if (!(tag & isGrid))
   {
     return this->Unfolding.facets()[bin.triangle].corners[0];
   }
-  const Grid& grid = this->Grids[place & ~isGrid];
+  const Grid& grid = this->Grids[tag & ~isGrid];
   const std::uint32_t index = bin.bin - grid.firstBin;
   const std::uint32_t column = index % grid.columns;
   const std::uint32_t row = index / grid.columns;

@@ -57,15 +57,15 @@ public:
   /// Whether all of a triangle is known to be covered; if not, its bins may still be.
   bool isCovered(std::uint32_t triangle) const
   {
-    const std::uint32_t place = this->place(triangle);
-    return place == nothing || (!(place & isGrid) && this->Heads[place & ~isSmall] == covered);
+    const std::uint32_t tag = this->tagOf(triangle);
+    return tag == nothing || (!(tag & isGrid) && this->Heads[tag & ~isSmall] == covered);
   }
 
   /// Whether a sample of that radius at that position would be too close to others.
   bool isTaken(std::uint32_t triangle, const glm::vec3& position, float radius) const;
 
   /// Adds a sample's disc to all bins that it overlaps.
-  void add(const GeodesicUnfolding::Place& place, float radius, Workspace& workspace);
+  void add(const GeodesicUnfolding::SurfacePoint& center, float radius, Workspace& workspace);
 
   /// A bin that is not covered.
   struct Open
@@ -87,9 +87,9 @@ public:
   };
   Outline outline(const Open& bin) const;
   /// A position in or next to a bin.
-  glm::vec3 placeOf(const Open& bin) const;
+  glm::vec3 cornerOf(const Open& bin) const;
   /// Whether a bin is narrower than `smallest`.
-  bool isTiny(std::uint32_t triangle) const { return (this->place(triangle) & isSmall) != 0; }
+  bool isTiny(std::uint32_t triangle) const { return (this->tagOf(triangle) & isSmall) != 0; }
 
   /// Calls body(workspace) with a workspace that no other thread uses meanwhile.
   template <class Body>
@@ -120,18 +120,15 @@ private:
     std::uint32_t rows;
   };
 
-  Disc& disc(std::uint32_t name) const
-  {
-    return this->Discs[name >> discBits][name & ((1u << discBits) - 1)];
-  }
-  std::uint32_t binAt(std::uint32_t place, const glm::vec3& position) const;
+  Disc& disc(std::uint32_t id) const { return this->Discs[id >> discBits][id & ((1u << discBits) - 1)]; }
+  std::uint32_t binAt(std::uint32_t tag, const glm::vec3& position) const;
   void addTo(std::uint32_t bin, const glm::vec3& center, float radius, Workspace& workspace);
   void cover(std::uint32_t bin, Workspace& workspace);
   void addToGrid(const Grid& grid, float least, const glm::vec3& center, float radius, Workspace& workspace);
   std::unique_ptr<Workspace> takeWorkspace();
   void giveBack(std::unique_ptr<Workspace> workspace);
 
-  std::uint32_t place(std::uint32_t triangle) const { return this->Unfolding.facets()[triangle].tag; }
+  std::uint32_t tagOf(std::uint32_t triangle) const { return this->Unfolding.facets()[triangle].tag; }
 
   std::span<const float> Radii;
   GeodesicUnfolding Unfolding; // each facet's tag locates its bins

@@ -114,11 +114,11 @@ void PoissonDiskGaps::fill(Part part, std::size_t known, std::uint64_t random)
     const float b1 = root * (1.0f - unitFloat(random, 1));
     const float b2 = root - b1;
     const float far = isSmallest ? 0.0f : 0.5f;
-    const glm::vec2 places[4] = { { b1, b2 }, { far * b1, far * b2 }, { 1.0f - far * (b1 + b2), far * b2 },
-      { far * b1, 1.0f - far * (b1 + b2) } };
+    const glm::vec2 candidates[4] = { { b1, b2 }, { far * b1, far * b2 },
+      { 1.0f - far * (b1 + b2), far * b2 }, { far * b1, 1.0f - far * (b1 + b2) } };
     for (std::size_t i = 0; i < 4; ++i)
     {
-      if ((i == 0 || (part[i - 1].discs == 0)) && this->tryAt(part, places[i]))
+      if ((i == 0 || (part[i - 1].discs == 0)) && this->tryAt(part, candidates[i]))
       {
         catchUp();
         if (isCovered())
@@ -144,12 +144,12 @@ void PoissonDiskGaps::fill(Part part, std::size_t known, std::uint64_t random)
   this->fill(half, known, hash(random, 1));
 }
 
-bool PoissonDiskGaps::tryAt(const Part& part, const glm::vec2& place)
+bool PoissonDiskGaps::tryAt(const Part& part, const glm::vec2& weights)
 {
   const auto mix = [&](const auto member)
   {
-    return part[0].*member + place.x * (part[1].*member - part[0].*member) +
-      place.y * (part[2].*member - part[0].*member);
+    return part[0].*member + weights.x * (part[1].*member - part[0].*member) +
+      weights.y * (part[2].*member - part[0].*member);
   };
   PoissonDiskDart dart;
   const glm::vec2 barycentric = mix(&Corner::barycentric);

@@ -26,7 +26,7 @@ struct PoissonDiskDart
 class PoissonDiskGaps
 {
 public:
-  using RadiusAt = std::function<float(const SurfaceSample& place)>;
+  using RadiusAt = std::function<float(const SurfaceSample& sample)>;
   using Make = std::function<void(const PoissonDiskDart& dart)>;
 
   /// @param radiusAt the radius of a sample at a position, at least 1; 0: no sample allowed
@@ -50,7 +50,7 @@ private:
   void fill(Part part, std::size_t known, std::uint64_t random);
   /// Makes a sample at a position in a part, in coordinates from (0, 0) to (1, 0) and (0, 1), unless another
   /// is too close.
-  bool tryAt(const Part& part, const glm::vec2& place);
+  bool tryAt(const Part& part, const glm::vec2& weights);
   void findDiscs(Corner& corner, std::size_t first, float radius) const;
 
   const PoissonDiskBins& Bins;

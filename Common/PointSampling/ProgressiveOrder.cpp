@@ -51,7 +51,7 @@ bool isFinite(const glm::vec3& point)
 }
 
 /// A point's Morton code.
-std::uint64_t placeOf(const glm::vec3& position) // from 0 to 1
+std::uint64_t mortonCodeOf(const glm::vec3& position) // from 0 to 1
 {
   return mortonOf(glm::uvec3(position * static_cast<float>(1 << (mortonBits - 1))));
 }
@@ -79,9 +79,9 @@ consteval bool areColorsApart(std::uint64_t colors)
 class ChosenPoints
 {
 public:
-  ChosenPoints(std::span<const Point> points, std::span<const std::uint64_t> places)
+  ChosenPoints(std::span<const Point> points, std::span<const std::uint64_t> mortonCodes)
     : Points(points)
-    , Places(places)
+    , MortonCodes(mortonCodes)
     , CellOf(points.size())
     , Next(points.size(), none)
   {
@@ -105,7 +105,7 @@ public:
 
   /// The block of four cells along each axis that contains a point; its lowest bits are its color. Blocks of
   /// one color are far enough apart to add points to them concurrently.
-  std::uint64_t blockOf(std::uint32_t point) const { return this->Places[point] >> this->Shift >> 6; }
+  std::uint64_t blockOf(std::uint32_t point) const { return this->MortonCodes[point] >> this->Shift >> 6; }
   static constexpr std::uint64_t colors = 8;
   static_assert(areColorsApart(colors));
 
@@ -113,7 +113,7 @@ private:
   void findNeighbors(const std::vector<bool>& wanted);
 
   std::span<const Point> Points;
-  std::span<const std::uint64_t> Places;
+  std::span<const std::uint64_t> MortonCodes;
   int Shift = 0;
   float Width = 2.0f;
   std::vector<std::uint32_t> CellOf; // of each point
@@ -133,9 +133,9 @@ void ChosenPoints::setOctave(int octave, std::span<const std::uint32_t> chosen, 
   this->Width = std::ldexp(2.0f, -octave);
   this->Cells.clear();
   std::vector<bool> wanted;
-  for (std::uint32_t i = 0; i < this->Places.size(); ++i)
+  for (std::uint32_t i = 0; i < this->MortonCodes.size(); ++i)
   {
-    const std::uint64_t cell = this->Places[i] >> this->Shift;
+    const std::uint64_t cell = this->MortonCodes[i] >> this->Shift;
     if (this->Cells.empty() || this->Cells.back() != cell)
     {
       this->Cells.push_back(cell);
@@ -184,9 +184,9 @@ void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
           // Negative values wrap around to out of range.
           const glm::uvec3 other = (cell + glm::uvec3(direction % 3, direction / 3 % 3, direction / 9) - 1u) &
             ((1u << mortonBits) - 1u);
-          if (const std::uint32_t name = table[slotOf(mortonOf(other))]; name != none)
+          if (const std::uint32_t neighbor = table[slotOf(mortonOf(other))]; neighbor != none)
           {
-            found[block].emplace_back(name, direction);
+            found[block].emplace_back(neighbor, direction);
           }
         }
         this->Begin[i + 1] = static_cast<std::uint32_t>(found[block].size() - before);
@@ -198,11 +198,11 @@ void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
   parallelFor(blocks,
     [&](std::size_t block)
     {
-      std::size_t place = this->Begin[block * blockSize];
-      for (const auto& [name, direction] : found[block])
+      std::size_t next = this->Begin[block * blockSize];
+      for (const auto& [neighbor, direction] : found[block])
       {
-        this->Neighbors[place] = name;
-        this->Directions[place++] = direction;
+        this->Neighbors[next] = neighbor;
+        this->Directions[next++] = direction;
       }
     });
 }
@@ -247,8 +247,8 @@ float ChosenPoints::distance(std::uint32_t index, float width) const
 struct SortedPoints
 {
   std::vector<Point> points;
-  std::vector<std::uint64_t> places;
-  std::vector<std::uint32_t> names;   // their original indices
+  std::vector<std::uint64_t> mortonCodes;
+  std::vector<std::uint32_t> ids;     // their original indices
   std::vector<std::uint32_t> chances; // random
   std::vector<std::uint32_t> rest;    // points that are not finite
 };
@@ -267,7 +267,7 @@ SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::
       low = glm::min(low, points[i]);
       high = glm::max(high, points[i]);
       largest = std::max(largest, radii.empty() ? 1.0f : radii[i]);
-      sorted.names.push_back(i);
+      sorted.ids.push_back(i);
     }
     else
     {
@@ -280,7 +280,7 @@ SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::
   const auto scaled = [&](std::uint32_t point)
   { return glm::clamp((points[point] - low) * scale, 0.0f, 1.0f); };
 
-  const std::size_t count = sorted.names.size();
+  const std::size_t count = sorted.ids.size();
   const std::size_t blocks = (count + blockSize - 1) / blockSize;
   const auto forAll = [&](const auto& body)
   {
@@ -294,24 +294,23 @@ SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::
       });
   };
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(count);
-  forAll([&](std::size_t i) { keys[i] = { placeOf(scaled(sorted.names[i])), sorted.names[i] }; });
+  forAll([&](std::size_t i) { keys[i] = { mortonCodeOf(scaled(sorted.ids[i])), sorted.ids[i] }; });
   parallelSort(keys.begin(), keys.end());
   sorted.points.resize(count);
-  sorted.places.resize(count);
+  sorted.mortonCodes.resize(count);
   sorted.chances.resize(count);
   forAll(
     [&](std::size_t i)
     {
-      const auto [place, name] = keys[i];
-      sorted.places[i] = place;
-      sorted.names[i] = name;
-      sorted.chances[i] = static_cast<std::uint32_t>(hash(seed, name, 5) >> 32);
+      const auto [mortonCode, id] = keys[i];
+      sorted.mortonCodes[i] = mortonCode;
+      sorted.ids[i] = id;
+      sorted.chances[i] = static_cast<std::uint32_t>(hash(seed, id, 5) >> 32);
       Point& point = sorted.points[i];
-      point.position = scaled(name);
-      point.normal = normals.empty() || !isFinite(normals[name]) ? glm::vec3(0.0f) : normals[name];
+      point.position = scaled(id);
+      point.normal = normals.empty() || !isFinite(normals[id]) ? glm::vec3(0.0f) : normals[id];
       // A larger ratio of radii would search too many cells.
-      point.radius =
-        radii.empty() || !(largest > 0.0f) ? 1.0f : std::clamp(radii[name] / largest, 1e-3f, 1.0f);
+      point.radius = radii.empty() || !(largest > 0.0f) ? 1.0f : std::clamp(radii[id] / largest, 1e-3f, 1.0f);
     });
   return sorted;
 }
@@ -322,7 +321,7 @@ class Chooser
 public:
   explicit Chooser(const SortedPoints& sorted)
     : Sorted(sorted)
-    , Chosen(sorted.points, sorted.places)
+    , Chosen(sorted.points, sorted.mortonCodes)
     , Due(sorted.points.size(), 0)
   {
   }
@@ -493,7 +492,7 @@ std::vector<std::uint32_t> progressiveOrder(std::span<const glm::vec3> points,
   std::vector<bool> isOrdered(sorted.points.size());
   for (const std::uint32_t point : chooser.order())
   {
-    order.push_back(sorted.names[point]);
+    order.push_back(sorted.ids[point]);
     isOrdered[point] = true;
   }
   // Coincident with chosen points.
@@ -501,7 +500,7 @@ std::vector<std::uint32_t> progressiveOrder(std::span<const glm::vec3> points,
   {
     if (!isOrdered[i])
     {
-      order.push_back(sorted.names[i]);
+      order.push_back(sorted.ids[i]);
     }
   }
   order.insert(order.end(), sorted.rest.begin(), sorted.rest.end());

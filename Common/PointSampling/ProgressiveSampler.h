@@ -106,14 +106,14 @@ void ProgressiveSampler<Pieces>::fill(const SurfaceBlocks& blocks, std::size_t b
   for (auto i = static_cast<std::uint64_t>(areas.front() / step); i <= last; ++i)
   {
     const std::uint64_t random = hash(seed ^ i);
-    const double place = (static_cast<double>(i) + unitFloat(random, 1)) * step;
-    if (!(place >= areas.front() && place < areas.back()))
+    const double area = (static_cast<double>(i) + unitFloat(random, 1)) * step;
+    if (!(area >= areas.front() && area < areas.back()))
     {
       continue;
     }
-    if (areas[piece + 1] <= place)
+    if (areas[piece + 1] <= area)
     {
-      piece = findTriangle(areas, place, piece);
+      piece = findTriangle(areas, area, piece);
       frame = this->Surface.frame(pieces[piece]);
     }
     const std::uint64_t more = hash(random);

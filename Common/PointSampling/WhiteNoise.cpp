@@ -117,8 +117,8 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
       std::uint32_t triangle = 0;
       for (std::size_t i = begin; i < end; ++i)
       {
-        const double place = std::min((before[block] + sums[i]) * scale, std::nextafter(total, 0.0));
-        triangle = i == begin ? findTriangle(weights, place) : findTriangle(weights, place, triangle);
+        const double sum = std::min((before[block] + sums[i]) * scale, std::nextafter(total, 0.0));
+        triangle = i == begin ? findTriangle(weights, sum) : findTriangle(weights, sum, triangle);
         samples[i] = placeInTriangle(mesh, triangle, hash(placeSeed ^ i));
       }
     },
@@ -126,24 +126,23 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
   return going ? samples : std::vector<SurfaceSample>();
 }
 
-std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, std::span<const std::uint64_t> names,
+std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, std::span<const std::uint64_t> ids,
   double perArea, std::uint64_t seed, const Progress& progress)
 {
-  const std::size_t blocks = (names.size() + blockSize - 1) / blockSize;
+  const std::size_t blocks = (ids.size() + blockSize - 1) / blockSize;
   std::vector<std::vector<SurfaceSample>> found(blocks);
   const bool going = parallelFor(
     blocks,
     [&](std::size_t block)
     {
-      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, names.size()); ++t)
+      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, ids.size()); ++t)
       {
         const double exact = areaOf(mesh, t) * perArea;
-        const auto count =
-          static_cast<std::uint64_t>(std::floor(exact + unitDouble(hash(seed, names[t], 1))));
+        const auto count = static_cast<std::uint64_t>(std::floor(exact + unitDouble(hash(seed, ids[t], 1))));
         for (std::uint64_t i = 0; i < count; ++i)
         {
           SurfaceSample sample{ static_cast<std::uint32_t>(t), 0.0f, 0.0f };
-          placeEvenly(hash(hash(seed, names[t], 2), i), sample);
+          placeEvenly(hash(hash(seed, ids[t], 2), i), sample);
           found[block].push_back(sample);
         }
       }

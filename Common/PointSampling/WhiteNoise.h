@@ -27,28 +27,28 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
 /// White-noise samples of a mesh that may be a piece of a larger one: uniform in each triangle, their number
 /// proportional to its area and rounded up or down at random. A triangle's samples depend only on the
 /// triangle, so all pieces together have the samples of the whole.
-/// @param names an id per triangle that does not depend on the piece it is in
+/// @param ids an id per triangle that does not depend on the piece it is in
 /// @param perArea samples per unit area
 /// @param seed random choices hash it with the triangle's id and the sample's index in the triangle
 /// @return the samples, sorted by triangle; none when stopped
-std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, std::span<const std::uint64_t> names,
+std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, std::span<const std::uint64_t> ids,
   double perArea, std::uint64_t seed, const Progress& progress = {});
 
 /// A random position in a triangle: uniform, or by the density at its points if there is one.
 SurfaceSample placeInTriangle(const TriangleMesh& mesh, std::uint32_t triangle, std::uint64_t random);
 
-/// The triangle in which the cumulative weight reaches `place`: never one without weight.
+/// The triangle in which the cumulative weight reaches `sum`: never one without weight.
 /// @param sums CumulativeArea::weights()
-/// @param place in [0, last sum)
-inline std::uint32_t findTriangle(std::span<const double> sums, double place)
+/// @param sum in [0, last sum)
+inline std::uint32_t findTriangle(std::span<const double> sums, double sum)
 {
-  return static_cast<std::uint32_t>(std::upper_bound(sums.begin(), sums.end(), place) - sums.begin() - 1);
+  return static_cast<std::uint32_t>(std::upper_bound(sums.begin(), sums.end(), sum) - sums.begin() - 1);
 }
 
 /// The same, if it is known not to be before `triangle`.
-inline std::uint32_t findTriangle(std::span<const double> sums, double place, std::uint32_t triangle)
+inline std::uint32_t findTriangle(std::span<const double> sums, double sum, std::uint32_t triangle)
 {
-  while (sums[triangle + 1] <= place)
+  while (sums[triangle + 1] <= sum)
   {
     ++triangle;
   }

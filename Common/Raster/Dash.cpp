@@ -26,14 +26,14 @@ struct DashPoint
 };
 
 /// The coverage by dashes of the pixel around a position along a line.
-float coverageByDashes(double place, double dash, double period)
+float coverageByDashes(double along, double dash, double period)
 {
   const auto dashesUpTo = [&](double end)
   {
     const double periods = std::floor(end / period);
     return periods * dash + std::min(end - periods * period, dash);
   };
-  return static_cast<float>(std::clamp(dashesUpTo(place + 0.5) - dashesUpTo(place - 0.5), 0.0, 1.0));
+  return static_cast<float>(std::clamp(dashesUpTo(along + 0.5) - dashesUpTo(along - 0.5), 0.0, 1.0));
 }
 
 std::vector<DashPoint> dashPoints(std::span<const TracedLine> lines, float dash, float gap)
@@ -63,7 +63,7 @@ std::vector<DashPoint> dashPoints(std::span<const TracedLine> lines, float dash,
 /// time, each pixel taking the nearest of its neighbors' points.
 std::vector<std::uint32_t> nearestPoints(const CoverageImage& image, std::span<const DashPoint> points)
 {
-  const auto placeOf = [&](glm::ivec2 p)
+  const auto indexOf = [&](glm::ivec2 p)
   {
     return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(image.width) +
       static_cast<std::size_t>(p.x);
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> nearestPoints(const CoverageImage& image, std::span<c
     {
       throw std::invalid_argument("a line to be dashed leaves the picture");
     }
-    std::uint32_t& here = nearest[placeOf(p)];
+    std::uint32_t& here = nearest[indexOf(p)];
     if (here == none)
     {
       here = i;
@@ -94,13 +94,13 @@ std::vector<std::uint32_t> nearestPoints(const CoverageImage& image, std::span<c
     next.clear();
     for (const glm::ivec2 from : ring)
     {
-      const std::uint32_t point = nearest[placeOf(from)];
+      const std::uint32_t point = nearest[indexOf(from)];
       for (int y = std::max(from.y - 1, 0); y <= std::min(from.y + 1, image.height - 1); ++y)
       {
         for (int x = std::max(from.x - 1, 0); x <= std::min(from.x + 1, image.width - 1); ++x)
         {
           const glm::ivec2 to(x, y);
-          std::uint32_t& there = nearest[placeOf(to)];
+          std::uint32_t& there = nearest[indexOf(to)];
           if (image.row(y)[x] == 0 || there == point)
           {
             continue;

@@ -67,20 +67,20 @@ public:
 
   /// Removes one layer; returns false if nothing was removed.
   bool peel();
-  bool isInk(int x, int y) const { return this->Flags[this->placeOf(x, y)] & inky; }
+  bool isInk(int x, int y) const { return this->Flags[this->indexOf(x, y)] & inky; }
 
 private:
   static constexpr unsigned char inky = 1;
   static constexpr unsigned char due = 2; // in the list of the next layer
 
-  std::size_t placeOf(int x, int y) const
+  std::size_t indexOf(int x, int y) const
   {
     return static_cast<std::size_t>(y + 1) * this->Stride + static_cast<std::size_t>(x + 1);
   }
 
-  unsigned neighborsOf(std::size_t place) const
+  unsigned neighborsOf(std::size_t pixel) const
   {
-    const unsigned char* const p = this->Flags.data() + place;
+    const unsigned char* const p = this->Flags.data() + pixel;
     const auto stride = static_cast<std::ptrdiff_t>(this->Stride);
     const auto bit = [&](std::ptrdiff_t offset, int n) { return (p[offset] & 1u) << n; };
     return bit(1, 0) | bit(stride + 1, 1) | bit(stride, 2) | bit(stride - 1, 3) | bit(-1, 4) |
@@ -115,20 +115,20 @@ Ink::Ink(const CoverageImage& image, unsigned char threshold)
           for (int x = skipEmpty(row, 0, image.width); x < image.width;
                x = skipEmpty(row, x + 1, image.width))
           {
-            body(task, row[x], this->placeOf(x, y));
+            body(task, row[x], this->indexOf(x, y));
           }
         }
       });
   };
-  forRows([&](std::size_t, unsigned char value, std::size_t place)
-    { this->Flags[place] = value >= threshold ? inky : 0; });
+  forRows([&](std::size_t, unsigned char value, std::size_t pixel)
+    { this->Flags[pixel] = value >= threshold ? inky : 0; });
   this->Found.resize(tasks);
   forRows(
-    [&](std::size_t task, unsigned char, std::size_t place)
+    [&](std::size_t task, unsigned char, std::size_t pixel)
     {
-      if ((this->Flags[place] & inky) && this->neighborsOf(place) != 255)
+      if ((this->Flags[pixel] & inky) && this->neighborsOf(pixel) != 255)
       {
-        this->Found[task].push_back(place);
+        this->Found[task].push_back(pixel);
       }
     });
   for (const std::vector<std::size_t>& found : this->Found)
@@ -149,22 +149,22 @@ void Ink::takeFrom(unsigned side)
       const std::size_t end = std::min((task + 1) * pixelsPerTask, this->Layer.size());
       for (std::size_t i = task * pixelsPerTask; i < end; ++i)
       {
-        const std::size_t place = this->Layer[i];
-        if (this->Flags[place] & inky)
+        const std::size_t pixel = this->Layer[i];
+        if (this->Flags[pixel] & inky)
         {
-          const unsigned neighbors = this->neighborsOf(place);
+          const unsigned neighbors = this->neighborsOf(pixel);
           if (!(neighbors & side) && canGoOf[neighbors])
           {
-            found.push_back(place);
+            found.push_back(pixel);
           }
         }
       }
     });
   for (std::size_t task = 0; task < tasks; ++task)
   {
-    for (const std::size_t place : this->Found[task])
+    for (const std::size_t pixel : this->Found[task])
     {
-      this->Flags[place] = 0;
+      this->Flags[pixel] = 0;
     }
     this->Gone.insert(this->Gone.end(), this->Found[task].begin(), this->Found[task].end());
   }
@@ -180,13 +180,13 @@ bool Ink::peel()
   // Pixels can only become removable next to removed ones.
   this->Next.clear();
   const auto stride = static_cast<std::ptrdiff_t>(this->Stride);
-  for (const std::size_t place : this->Gone)
+  for (const std::size_t pixel : this->Gone)
   {
     for (const std::ptrdiff_t row : { -stride, std::ptrdiff_t(0), stride })
     {
       for (const std::ptrdiff_t column : { -1, 0, 1 })
       {
-        const std::size_t near = place + static_cast<std::size_t>(row + column);
+        const std::size_t near = pixel + static_cast<std::size_t>(row + column);
         if (this->Flags[near] == inky)
         {
           this->Flags[near] |= due;
@@ -195,9 +195,9 @@ bool Ink::peel()
       }
     }
   }
-  for (const std::size_t place : this->Next)
+  for (const std::size_t pixel : this->Next)
   {
-    this->Flags[place] &= static_cast<unsigned char>(~due);
+    this->Flags[pixel] &= static_cast<unsigned char>(~due);
   }
   std::swap(this->Layer, this->Next);
   return !this->Layer.empty();

@@ -27,11 +27,11 @@ public:
   /// Follows a line from a pixel in a direction up to its end.
   TracedLine follow(glm::ivec2 pixel, int direction);
 
-  unsigned char all(glm::ivec2 pixel) const { return this->All[this->placeOf(pixel)]; }
-  unsigned char left(glm::ivec2 pixel) const { return this->Left[this->placeOf(pixel)]; }
+  unsigned char all(glm::ivec2 pixel) const { return this->All[this->indexOf(pixel)]; }
+  unsigned char left(glm::ivec2 pixel) const { return this->Left[this->indexOf(pixel)]; }
 
 private:
-  std::size_t placeOf(glm::ivec2 pixel) const
+  std::size_t indexOf(glm::ivec2 pixel) const
   {
     return static_cast<std::size_t>(pixel.y) * this->Width + static_cast<std::size_t>(pixel.x);
   }
@@ -64,7 +64,7 @@ Ways::Ways(const CoverageImage& image)
           ways &= ~(1u << d);
         }
       }
-      this->All[this->placeOf({ x, y })] = static_cast<unsigned char>(ways);
+      this->All[this->indexOf({ x, y })] = static_cast<unsigned char>(ways);
     }
   }
   this->Left = this->All;
@@ -76,9 +76,9 @@ TracedLine Ways::follow(glm::ivec2 pixel, int direction)
   TracedLine line{ pixel };
   while (true)
   {
-    this->Left[this->placeOf(pixel)] &= static_cast<unsigned char>(~(1u << direction));
+    this->Left[this->indexOf(pixel)] &= static_cast<unsigned char>(~(1u << direction));
     pixel += steps[static_cast<std::size_t>(direction)];
-    this->Left[this->placeOf(pixel)] &= static_cast<unsigned char>(~(1u << (direction + 4) % 8));
+    this->Left[this->indexOf(pixel)] &= static_cast<unsigned char>(~(1u << (direction + 4) % 8));
     line.push_back(pixel);
     if (pixel == first || std::popcount(this->all(pixel)) != 2)
     {

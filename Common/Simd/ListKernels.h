@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From bits to lists of cells. Included inside a namespace without a name.
 
-std::uint64_t listCells(std::uint64_t cells, const RunPlace& run, SegmentList& list)
+std::uint64_t listCells(std::uint64_t cells, const RunPosition& run, SegmentList& list)
 {
   int count = list.count;
   CellSegment* segment = list.segments + list.segmentCount;

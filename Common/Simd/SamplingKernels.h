@@ -103,7 +103,7 @@ struct CellSegment
 };
 
 /// Up to 64 cells in a row: bit b of a word stands for the cell (x + b, y, z).
-struct RunPlace
+struct RunPosition
 {
   std::int32_t x;
   std::int32_t y;
@@ -223,7 +223,7 @@ struct SamplingKernels
     int words, std::uint64_t* crossed);
   /// Appends cells of a run to a list, up to BatchSize cells in all.
   /// @return the cells that the list had no room for
-  std::uint64_t (*listCells)(std::uint64_t cells, const RunPlace& run, SegmentList& list);
+  std::uint64_t (*listCells)(std::uint64_t cells, const RunPosition& run, SegmentList& list);
   /// Writes where the cells' first corners are, by the world's x of samples by i and so on; these are
   /// readable SegmentSize further.
   void (*findCorners)(

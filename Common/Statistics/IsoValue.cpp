@@ -24,12 +24,19 @@ constexpr std::int64_t fewestEdges = 200;
 // A maximum counts if the sharpness falls by this fraction on both sides of it.
 constexpr double prominence = 0.1;
 // The maximum fraction of a surface's edges at voxels with at most one neighbor inside; above it, the surface
-// is noise.
+// is noise, or so thin that it breaks up.
 constexpr double largestSpeckShare = 0.05;
+// By what factor a material's noise makes the edges at such voxels more; where fine parts break up, they
+// become hardly more while the others become fewer.
+constexpr std::int64_t noiseGrowth = 4;
 // A disc that touches the sides of its square covers 78.5 % of it: the border of a round field of view.
 constexpr double largestKeptShare = 0.75;
 // Thresholds around a maximum with this fraction of its sharpness are as good as it is.
 constexpr double nearlyAsSharp = 0.8;
+// Of these, those with this fraction of the greatest total step leave the surface as whole.
+constexpr double nearlyAsLarge = 0.9;
+// Thresholds with this fraction of the greatest sharpness lie evenly on both sides of a boundary.
+constexpr double asSharp = 0.95;
 // What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
 constexpr double fragmentShare = 0.01;
 constexpr std::size_t mostSuggestions = 3;
@@ -66,23 +73,50 @@ std::vector<double> keptShares(const std::vector<std::int64_t>& voxels)
   return shares;
 }
 
+/// Whether each threshold is noise, or the border of the field of view.
+std::vector<bool> findNoise(
+  const EdgeSums& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
+{
+  const std::size_t count = sums.edges.size();
+  const auto isBorder = [&](std::size_t i) { return kept[i] > largestKeptShare; };
+  const auto hasSpecks = [&](std::size_t i)
+  { return static_cast<double>(speckEdges[i]) > largestSpeckShare * static_cast<double>(sums.edges[i]); };
+  std::vector<bool> noise(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (isBorder(i) || !hasSpecks(i))
+    {
+      noise[i] = isBorder(i);
+      continue;
+    }
+    std::size_t end = i;
+    std::int64_t most = 0;
+    for (; end < count && hasSpecks(end); ++end)
+    {
+      most = std::max(most, speckEdges[end]);
+    }
+    const bool adds = i == 0 || isBorder(i - 1) || most > noiseGrowth * speckEdges[i - 1];
+    std::fill(
+      noise.begin() + static_cast<std::ptrdiff_t>(i), noise.begin() + static_cast<std::ptrdiff_t>(end), adds);
+    i = end - 1;
+  }
+  return noise;
+}
+
 /// The mean step along the edges that cross each threshold. Infinite for noise and the border of the field of
 /// view, so that nothing beside them is a maximum; zero for thresholds that hardly any edge crosses.
 std::vector<double> sharpness(
   const EdgeSums& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
 {
+  const std::vector<bool> noise = findNoise(sums, speckEdges, kept);
   std::vector<double> result(sums.edges.size(), 0.0);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
-    if (sums.edges[i] < fewestEdges)
+    if (sums.edges[i] >= fewestEdges)
     {
-      continue;
+      result[i] = noise[i] ? std::numeric_limits<double>::infinity()
+                           : static_cast<double>(sums.steps[i]) / static_cast<double>(sums.edges[i]);
     }
-    const auto edges = static_cast<double>(sums.edges[i]);
-    const bool noise = static_cast<double>(speckEdges[i]) > largestSpeckShare * edges;
-    const bool border = kept[i] > largestKeptShare;
-    result[i] =
-      noise || border ? std::numeric_limits<double>::infinity() : static_cast<double>(sums.steps[i]) / edges;
   }
   return result;
 }
@@ -139,9 +173,10 @@ struct Boundary
   bool contains(const Boundary& other) const { return other.index >= this->begin && other.index < this->end; }
 };
 
-/// Where the total step is greatest among the thresholds around a maximum of sharpness that are nearly as
-/// sharp; if that is at the edge of them, beside another boundary or noise, at the maximum of sharpness
-/// itself.
+/// The middle of the sharpest thresholds, of those around a maximum of sharpness that are nearly as sharp and
+/// have nearly the greatest total step of these; if that is at the edge of them, beside another boundary or
+/// noise, the maximum of sharpness itself. The total step alone is greatest on the side where a bent surface
+/// has more area.
 Boundary placeBoundary(const Maximum& maximum, const std::vector<double>& sharpness, const EdgeSums& sums)
 {
   // Beyond a valley another boundary begins.
@@ -158,11 +193,25 @@ Boundary placeBoundary(const Maximum& maximum, const std::vector<double>& sharpn
   {
     ++end;
   }
-  const auto steps = sums.steps.begin();
-  const auto greatest = std::max_element(steps + begin, steps + end);
-  const auto after = std::find_if(greatest, steps + end, [&](std::int64_t v) { return v != *greatest; });
-  Maximum found{ static_cast<std::size_t>(greatest - steps), static_cast<std::size_t>(after - steps) - 1 };
-  if (found.first == begin || found.last + 1 == end)
+  const std::int64_t greatest = *std::max_element(sums.steps.begin() + begin, sums.steps.begin() + end);
+  const auto isLarge = [&](std::size_t i)
+  { return static_cast<double>(sums.steps[i]) >= nearlyAsLarge * static_cast<double>(greatest); };
+  double sharpest = 0.0;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    sharpest = isLarge(i) ? std::max(sharpest, sharpness[i]) : sharpest;
+  }
+  const auto isIn = [&](std::size_t i) { return isLarge(i) && sharpness[i] >= asSharp * sharpest; };
+  Maximum found{ begin, end - 1 };
+  while (!isIn(found.first))
+  {
+    ++found.first;
+  }
+  while (!isIn(found.last))
+  {
+    --found.last;
+  }
+  if (sums.steps[begin] == greatest || sums.steps[end - 1] == greatest)
   {
     found = maximum;
   }
@@ -272,7 +321,18 @@ std::vector<IsoSuggestion> suggestIsoValues(
   std::vector<Boundary> boundaries = findBoundaries(*statistics, kept);
   if (boundaries.empty())
   {
-    return { suggestion(otsuThreshold(statistics->voxels), IsoSuggestion::Boundary::None) };
+    std::vector<IsoSuggestion> suggestions;
+    const double zero = std::floor(-statistics->bins.low / statistics->bins.width) - 1.0;
+    if (zero >= 0.0 && zero < static_cast<double>(kept.size()))
+    {
+      const double share = kept[static_cast<std::size_t>(zero)];
+      if (share >= fragmentShare && share <= 1.0 - fragmentShare)
+      {
+        suggestions.push_back({ 0.0, IsoSuggestion::Boundary::Sign, share });
+      }
+    }
+    suggestions.push_back(suggestion(otsuThreshold(statistics->voxels), IsoSuggestion::Boundary::None));
+    return suggestions;
   }
   const double densest = boundaries.back().threshold;
   std::vector<IsoSuggestion> suggestions{ suggestion(

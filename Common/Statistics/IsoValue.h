@@ -18,7 +18,8 @@ struct IsoSuggestion
     Outermost, ///< the lowest clear boundary between two materials
     Inner,     ///< one between the outermost and the densest
     Densest,   ///< the highest clear boundary, if it is not the only one
-    None       ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two
+    Sign, ///< no boundary is clear: 0, where an implicit function, such as a signed distance, has its surface
+    None  ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two
   };
   double value;
   Boundary boundary;
@@ -32,16 +33,17 @@ struct IsoSuggestion
 /// Detection of Meaningful Isosurfaces for Volume Data Visualization", IEEE Visualization 2001). A surface
 /// between two materials is sharpest half way between them, so each local maximum of sharpness is a boundary.
 /// Where a material varies, as bone does, the sharpness rises up to its densest parts; of the values around a
-/// maximum that are nearly as sharp, the one with the greatest total step (Pekar's total gradient) is taken,
-/// which leaves the surface whole.
+/// maximum that are nearly as sharp, the sharpest is taken that has nearly the greatest total step (Pekar's
+/// total gradient), which leaves the surface whole.
 ///
-/// Not suggested are noise (too many single voxels), the border of a scanner's field of view (nearly
-/// everything inside), fragments (less than a hundredth of what a lower boundary keeps), and, as long as
-/// there are other boundaries, the edge of a mask (edges that begin in a region of one value).
+/// Not suggested are noise (too many single voxels, and many more than at lower values), the border of a
+/// scanner's field of view (nearly everything inside), fragments (less than a hundredth of what a lower
+/// boundary keeps), and, as long as there are other boundaries, the edge of a mask (edges that begin in a
+/// region of one value).
 ///
 /// The first suggestion is the outermost boundary, the lowest, as the inside of an object is usually denser;
-/// the others follow by their total step. If there is no boundary, it is Otsu's threshold (IEEE Trans. SMC 9,
-/// 1979).
+/// the others follow by their total step. If there is no boundary, it is 0 where the values have both signs,
+/// and then Otsu's threshold (IEEE Trans. SMC 9, 1979).
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are

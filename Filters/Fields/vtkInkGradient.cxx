@@ -8,7 +8,6 @@
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
-#include "InkSetNumber.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
 
@@ -275,11 +274,6 @@ const char* vtkInkGradient::GetLaplacianScaleUnitAsString()
 const char* vtkInkGradient::GetOutputArraysPrecisionAsString()
 {
   return InkNameOfPrecision(this->OutputArraysPrecision);
-}
-
-void vtkInkGradient::SetLaplacianScale(double scale)
-{
-  InkSetClampedNumber(this, "LaplacianScale", this->LaplacianScale, scale, 0.0, VTK_DOUBLE_MAX);
 }
 
 int vtkInkGradient::RequestUpdateExtent(

@@ -34,6 +34,7 @@
 #ifndef vtkInkGradient_h
 #define vtkInkGradient_h
 
+#include "InkSetters.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkInkFiltersFieldsModule.h" // for the export macro
 #include "vtkSmartPointer.h"           // for arrays that are used again
@@ -151,9 +152,7 @@ public:
    * 0 does not smooth; larger values show broader features and are slower. Clamped to 16 points along each
    * axis. Range: 0 upwards. Default: 1.
    */
-  void SetLaplacianScale(double scale);
-  double GetLaplacianScaleMinValue() { return 0.0; }
-  double GetLaplacianScaleMaxValue() { return VTK_DOUBLE_MAX; }
+  InkSetClampMacro(LaplacianScale, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LaplacianScale, double);
   ///@}
 

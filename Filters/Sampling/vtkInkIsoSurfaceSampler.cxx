@@ -2,15 +2,14 @@
 #include "vtkInkIsoSurfaceSampler.h"
 
 #include "Fields/Grid/GridField.h"
+#include "InkAddCuts.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
-#include "InkSetNumber.h"
 #include "InkSurfaceParts.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
-#include "IsoSurface/CutSamples.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "IsoSurface/MinMaxBricks.h"
 #include "IsoSurface/ProjectSamples.h"
@@ -47,7 +46,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -267,19 +265,9 @@ void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart,
   this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
 }
 
-void vtkInkIsoSurfaceSampler::SetSmallestPart(double share)
-{
-  InkSetClampedNumber(this, "SmallestPart", this->SmallestPart, share, -1.0, 1.0);
-}
-
 const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
 {
   return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
-}
-
-void vtkInkIsoSurfaceSampler::SetSmoothing(double smoothing)
-{
-  InkSetClampedNumber(this, "Smoothing", this->Smoothing, smoothing, 0.0, 8.0);
 }
 
 const char* vtkInkIsoSurfaceSampler::GetSmoothingTargetAsString()
@@ -437,39 +425,43 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     : this->OutputNormalsPrecision == SHORT_PRECISION                     ? VTK_SHORT
                                                                           : VTK_SIGNED_CHAR;
   vtkInternals::Renew(internals.Normals, normalType, 3);
-  vtkDataArray* points = internals.Points->GetData();
-  vtkDataArray* normals = this->ComputeNormals ? internals.Normals.Get() : nullptr;
-  const bool wantsCells = this->ComputeCellIds || !this->SelectedParts().keepsAll();
-  if (wantsCells)
+  const ink::ComponentSelection parts =
+    ink::ComponentSelection{ this->SmallestPart, static_cast<std::size_t>(this->LargestParts) }
+      .inDividedCells(this->Subdivision);
+  const bool needsCells = this->ComputeCellIds || !parts.keepsAll();
+  if (needsCells)
   {
     vtkInternals::Renew(internals.CellIds, VTK_TYPE_INT64, 1);
   }
+  const InkSampleArrays arrays{ internals.Points->GetData(),
+    this->ComputeNormals ? internals.Normals.Get() : nullptr,
+    needsCells ? internals.CellIds.Get() : nullptr };
   const ink::GrowRoom grow = [&](std::size_t count)
   {
-    InkReserve(points, static_cast<vtkIdType>(count));
+    vtkIdType capacity = VTK_ID_MAX;
+    for (vtkDataArray* array : arrays.All())
+    {
+      InkReserve(array, static_cast<vtkIdType>(count));
+      capacity = std::min(capacity, InkGetCapacity(array) / array->GetNumberOfComponents());
+    }
     ink::SampleRoom room;
-    room.points = PointerTo<float, vtkFloatArray>(points);
-    room.doublePoints = PointerTo<double, vtkDoubleArray>(points);
-    if (normals)
-    {
-      InkReserve(normals, static_cast<vtkIdType>(count));
-      room.normals = PointerTo<float, vtkFloatArray>(normals);
-      room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(normals);
-      room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(normals);
-    }
-    vtkIdType capacity = InkGetCapacity(points) / 3;
-    capacity = normals ? std::min(capacity, InkGetCapacity(normals) / 3) : capacity;
-    if (wantsCells)
-    {
-      InkReserve(internals.CellIds, static_cast<vtkIdType>(count));
-      room.cells = static_cast<ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0));
-      capacity = std::min(capacity, InkGetCapacity(internals.CellIds));
-    }
     room.capacity = static_cast<std::size_t>(capacity);
+    room.points = PointerTo<float, vtkFloatArray>(arrays.Points);
+    room.doublePoints = PointerTo<double, vtkDoubleArray>(arrays.Points);
+    if (arrays.Normals)
+    {
+      room.normals = PointerTo<float, vtkFloatArray>(arrays.Normals);
+      room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(arrays.Normals);
+      room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(arrays.Normals);
+    }
+    if (arrays.Cells)
+    {
+      room.cells = static_cast<ink::ActiveCellId*>(arrays.Cells->GetVoidPointer(0));
+    }
     return room;
   };
   int component = this->ArrayComponent;
-  const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(scalars, component);
+  const vtkSmartPointer<vtkDataArray> values = InkMakeContiguous(scalars, component);
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
   const double share = this->ProjectionSteps > 0 && resampling.isIdentity() ? 0.5 : 1.0;
   const auto progressFrom = [this, share](double begin)
@@ -486,7 +478,7 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     for (std::size_t n = 0; this->Cut != OPEN && n < request.IsoValues.size(); ++n)
     {
       cuts.push_back(ink::sampleCut(field, request.IsoValues[n], static_cast<ink::CutSurface>(this->Cut),
-        whole.First, whole.Last, request.Cells, resampling.subdivision));
+        whole.First, whole.Last, request.Cells, resampling));
     }
     if (!resampling.isIdentity())
     {
@@ -500,18 +492,21 @@ void vtkInkIsoSurfaceSampler::SampleImage(
       (this->ProjectionSteps == 0 ||
         Project(field, request, this->ProjectionSteps, grow(0), internals.Counts, progressFrom(share)));
   };
-  if (!WithField(geometry, array, component, hidden, sample))
+  if (!WithField(geometry, values, component, hidden, sample))
   {
     internals.ReleaseArrays();
     return;
   }
   if (std::any_of(cuts.begin(), cuts.end(), [](const ink::CutSamples& cut) { return !cut.points.empty(); }))
   {
-    this->AddCuts(cuts);
+    InkAddCuts(cuts, arrays, internals.Counts);
   }
-  if (!this->SelectedParts().keepsAll())
+  if (!parts.keepsAll())
   {
-    this->KeepParts();
+    const auto* cells = static_cast<const ink::ActiveCellId*>(arrays.Cells->GetVoidPointer(0));
+    const std::size_t count =
+      std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
+    InkKeepParts({ cells, count }, parts, arrays.All(), internals.Counts);
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->FillOutput(radius, output);
@@ -520,86 +515,6 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   {
     this->ReportOutside(scalars);
   }
-}
-
-ink::ComponentSelection vtkInkIsoSurfaceSampler::SelectedParts() const
-{
-  return { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };
-}
-
-void vtkInkIsoSurfaceSampler::AddCuts(const std::vector<ink::CutSamples>& cuts)
-{
-  vtkInternals& internals = *this->Internals;
-  std::size_t total = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
-  std::size_t added = 0;
-  for (const ink::CutSamples& cut : cuts)
-  {
-    added += cut.points.size();
-  }
-  std::vector<vtkDataArray*> arrays{ internals.Points->GetData() };
-  if (this->ComputeNormals)
-  {
-    arrays.push_back(internals.Normals);
-  }
-  const bool wantsCells = this->ComputeCellIds || !this->SelectedParts().keepsAll();
-  if (wantsCells)
-  {
-    arrays.push_back(internals.CellIds);
-  }
-  for (vtkDataArray* array : arrays)
-  {
-    InkReserve(array, static_cast<vtkIdType>(total + added));
-    InkSetNumberOfTuples(array, static_cast<vtkIdType>(total + added));
-  }
-  const int type = internals.Normals->GetDataType();
-  const double scale = type == VTK_FLOAT ? 1.0 : type == VTK_SHORT ? 32767.0 : 127.0;
-  // From the last surface on, so that none is overwritten before it has moved.
-  for (std::size_t n = cuts.size(); n-- > 0;)
-  {
-    const ink::CutSamples& cut = cuts[n];
-    total -= internals.Counts[n];
-    added -= cut.points.size();
-    for (vtkDataArray* array : arrays)
-    {
-      const std::size_t tuple =
-        static_cast<std::size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
-      auto* values = static_cast<unsigned char*>(array->GetVoidPointer(0));
-      std::memmove(values + (total + added) * tuple, values + total * tuple, internals.Counts[n] * tuple);
-    }
-    const std::size_t first = total + added + internals.Counts[n];
-    for (std::size_t i = 0; i < cut.points.size(); ++i)
-    {
-      const auto point = static_cast<vtkIdType>(first + i);
-      internals.Points->GetData()->SetTuple(point, &cut.points[i].x);
-      if (this->ComputeNormals)
-      {
-        const glm::dvec3 normal = scale == 1.0 ? cut.normals[i] : glm::round(scale * cut.normals[i]);
-        internals.Normals->SetTuple(point, &normal.x);
-      }
-      if (wantsCells)
-      {
-        static_cast<ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0))[point] = cut.cells[i];
-      }
-    }
-    internals.Counts[n] += cut.points.size();
-  }
-}
-
-void vtkInkIsoSurfaceSampler::KeepParts()
-{
-  vtkInternals& internals = *this->Internals;
-  std::vector<vtkDataArray*> arrays{ internals.Points->GetData() };
-  if (this->ComputeNormals)
-  {
-    arrays.push_back(internals.Normals);
-  }
-  if (this->ComputeCellIds)
-  {
-    arrays.push_back(internals.CellIds);
-  }
-  const std::size_t count = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
-  const auto* cells = static_cast<const ink::ActiveCellId*>(internals.CellIds->GetVoidPointer(0));
-  InkKeepParts({ cells, count }, this->SelectedParts(), arrays, internals.Counts);
 }
 
 void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
@@ -643,11 +558,7 @@ void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
 void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
 {
   vtkInternals& internals = *this->Internals;
-  std::size_t total = 0;
-  for (const std::size_t one : internals.Counts)
-  {
-    total += one;
-  }
+  const std::size_t total = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
   internals.Expected = total + total / 8;
   const vtkIdType count = static_cast<vtkIdType>(total);
   const auto finish = [count](vtkDataArray* array, const char* name)

@@ -47,22 +47,16 @@
 #ifndef vtkInkIsoSurfaceSampler_h
 #define vtkInkIsoSurfaceSampler_h
 
+#include "InkSetters.h"
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
 #include "vtkNew.h"                      // for the contour values
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for the internals
-#include <vector> // for cuts
 
 class vtkContourValues;
 class vtkDataArray;
 class vtkImageData;
-
-namespace ink
-{
-struct ComponentSelection;
-struct CutSamples;
-}
 
 class VTKINKFILTERSSAMPLING_EXPORT vtkInkIsoSurfaceSampler : public vtkPolyDataAlgorithm
 {
@@ -121,7 +115,7 @@ public:
    * parts thinner than the Gaussian, see SmoothingTarget; Common/Statistics/NoiseEstimate.h suggests a value.
    * NaN is refused with a warning.
    */
-  void SetSmoothing(double smoothing);
+  InkSetClampMacro(Smoothing, 0.0, 8.0);
   vtkGetMacro(Smoothing, double);
   ///@}
 
@@ -266,9 +260,7 @@ public:
    * are those of the piece that is sampled: for those of the whole, sample pieces with ComputeCellIds and put
    * them together first.
    */
-  void SetSmallestPart(double share);
-  double GetSmallestPartMinValue() { return -1.0; }
-  double GetSmallestPartMaxValue() { return 1.0; }
+  InkSetClampMacro(SmallestPart, -1.0, 1.0);
   vtkGetMacro(SmallestPart, double);
   ///@}
 
@@ -386,11 +378,6 @@ private:
   class vtkInternals;
 
   void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
-  ink::ComponentSelection SelectedParts() const;
-  /// Adds the points of each surface's cut after its own.
-  void AddCuts(const std::vector<ink::CutSamples>& cuts);
-  /// Removes the points of parts that are too small or too many.
-  void KeepParts();
   void FillOutput(double radius, vtkPolyData* output);
   /// Warns if no iso-value lies within the range of the values.
   void ReportOutside(vtkDataArray* scalars);

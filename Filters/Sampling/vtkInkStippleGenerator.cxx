@@ -2,6 +2,7 @@
 #include "vtkInkStippleGenerator.h"
 
 #include "InkDiscStipples.h"
+#include "InkHasPolygons.h"
 #include "InkImageGrid.h"
 #include "InkReportException.h"
 #include "InkSurfaceStipples.h"
@@ -173,7 +174,7 @@ int vtkInkStippleGenerator::RequestData(
                            "image of a grid, vtkDataSetSurfaceFilter a mesh of its surface.");
     return 1;
   }
-  const bool hasPolygons = mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  const bool hasPolygons = mesh && InkHasPolygons(mesh);
   const std::string kind = !mesh ? "image" : hasPolygons || !InkHasDiscs(mesh) ? "mesh" : "surface";
   try
   {
@@ -291,7 +292,7 @@ void vtkInkStippleGenerator::ReportNothing(vtkDataArray* scalars)
 void vtkInkStippleGenerator::StippleSurface(
   vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output)
 {
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  if (!InkHasPolygons(mesh))
   {
     throw std::invalid_argument("it has " + std::to_string(mesh->GetNumberOfPoints()) + " points and " +
       std::to_string(mesh->GetNumberOfCells()) +
@@ -377,7 +378,7 @@ vtkIdType vtkInkStippleGenerator::CountForPicture(vtkPolyData* mesh, double pixe
 {
   constexpr double fewest = 20'000;
   constexpr double most = 2'000'000;
-  const bool hasPolygons = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  const bool hasPolygons = InkHasPolygons(mesh);
   if (!hasPolygons && !InkHasDiscs(mesh))
   {
     return 0;

@@ -55,6 +55,7 @@
 #ifndef vtkInkStippleGenerator_h
 #define vtkInkStippleGenerator_h
 
+#include "InkSetters.h"
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -107,9 +108,7 @@ public:
    * 600; range 100 to 100,000. Larger values make longer lists, for larger pictures and close-ups; time and
    * memory grow quadratically.
    */
-  void SetPictureSize(double pixels);
-  double GetPictureSizeMinValue() { return 100.0; }
-  double GetPictureSizeMaxValue() { return 100000.0; }
+  InkSetClampMacro(PictureSize, 100.0, 100000.0);
   vtkGetMacro(PictureSize, double);
   ///@}
 
@@ -159,9 +158,7 @@ public:
    * exact to a hundredth of itself. Default: 95; range 0 to 100. Lower values show weaker boundaries, and
    * more noise.
    */
-  void SetGradientPercentile(double percentile);
-  double GetGradientPercentileMinValue() { return 0.0; }
-  double GetGradientPercentileMaxValue() { return 100.0; }
+  InkSetClampMacro(GradientPercentile, 0.0, 100.0);
   vtkGetMacro(GradientPercentile, double);
   ///@}
 
@@ -170,9 +167,7 @@ public:
    * The smallest gradient magnitude with stipples, in value per world unit. Default: 0, which stipples
    * everything that is not constant; range 0 upwards.
    */
-  void SetGradientThreshold(double threshold);
-  double GetGradientThresholdMinValue() { return 0.0; }
-  double GetGradientThresholdMaxValue() { return VTK_DOUBLE_MAX; }
+  InkSetClampMacro(GradientThreshold, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(GradientThreshold, double);
   ///@}
 
@@ -182,9 +177,7 @@ public:
    * voids between layers of voxels; range 0 (all stipples on the tangent plane) to 2 (from 1.73 on anywhere
    * in the voxel). Thin layers are sharper in profile, but show the voxel grid there.
    */
-  void SetLayerThickness(double thickness);
-  double GetLayerThicknessMinValue() { return 0.0; }
-  double GetLayerThicknessMaxValue() { return 2.0; }
+  InkSetClampMacro(LayerThickness, 0.0, 2.0);
   vtkGetMacro(LayerThickness, double);
   ///@}
 
@@ -243,8 +236,7 @@ public:
    * The lowest and the highest value with stipples, in the scalars' unit. Default: 0 and 0. NaN, and a
    * highest value below the lowest, are refused with a warning.
    */
-  void SetScalarWindow(double lowest, double highest);
-  void SetScalarWindow(const double window[2]) { this->SetScalarWindow(window[0], window[1]); }
+  InkSetRangeMacro(ScalarWindow);
   vtkGetVector2Macro(ScalarWindow, double);
   ///@}
 
@@ -264,8 +256,7 @@ public:
    * The scalars at which Value is 0 and 1; `ScalarRange` of an output has those of its own image. Default: 0
    * and 1. NaN, and a second value below the first, are refused with a warning.
    */
-  void SetReferenceScalarRange(double lowest, double highest);
-  void SetReferenceScalarRange(const double range[2]) { this->SetReferenceScalarRange(range[0], range[1]); }
+  InkSetRangeMacro(ReferenceScalarRange);
   vtkGetVector2Macro(ReferenceScalarRange, double);
   ///@}
 
@@ -274,9 +265,7 @@ public:
    * The gradient magnitude at which GradientMagnitude is 1, in value per world unit; `GradientMagnitudeRange`
    * of an output has that of its own image. Default: 1; range 0 upwards.
    */
-  void SetReferenceGradient(double magnitude);
-  double GetReferenceGradientMinValue() { return 0.0; }
-  double GetReferenceGradientMaxValue() { return VTK_DOUBLE_MAX; }
+  InkSetClampMacro(ReferenceGradient, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ReferenceGradient, double);
   ///@}
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SPDX-License-Identifier: BSD-3-Clause Setters that clamp, names of enumerations, and PrintSelf.
+// Names of enumerations, and PrintSelf.
 #include "vtkInkStippleGenerator.h"
 
 #include "InkPrecision.h"
-#include "InkSetNumber.h"
 
 const char* vtkInkStippleGenerator::GetThresholdModeAsString()
 {
@@ -28,41 +27,6 @@ const char* vtkInkStippleGenerator::GetMaximumStipplesModeAsString()
 const char* vtkInkStippleGenerator::GetOutputPointsPrecisionAsString()
 {
   return InkNameOfPrecision(this->OutputPointsPrecision);
-}
-
-void vtkInkStippleGenerator::SetPictureSize(double pixels)
-{
-  InkSetClampedNumber(this, "PictureSize", this->PictureSize, pixels, 100.0, 100000.0);
-}
-
-void vtkInkStippleGenerator::SetGradientPercentile(double percentile)
-{
-  InkSetClampedNumber(this, "GradientPercentile", this->GradientPercentile, percentile, 0.0, 100.0);
-}
-
-void vtkInkStippleGenerator::SetGradientThreshold(double threshold)
-{
-  InkSetClampedNumber(this, "GradientThreshold", this->GradientThreshold, threshold, 0.0, VTK_DOUBLE_MAX);
-}
-
-void vtkInkStippleGenerator::SetLayerThickness(double thickness)
-{
-  InkSetClampedNumber(this, "LayerThickness", this->LayerThickness, thickness, 0.0, 2.0);
-}
-
-void vtkInkStippleGenerator::SetScalarWindow(double lowest, double highest)
-{
-  InkSetRange(this, "ScalarWindow", this->ScalarWindow, lowest, highest);
-}
-
-void vtkInkStippleGenerator::SetReferenceScalarRange(double lowest, double highest)
-{
-  InkSetRange(this, "ReferenceScalarRange", this->ReferenceScalarRange, lowest, highest);
-}
-
-void vtkInkStippleGenerator::SetReferenceGradient(double magnitude)
-{
-  InkSetClampedNumber(this, "ReferenceGradient", this->ReferenceGradient, magnitude, 0.0, VTK_DOUBLE_MAX);
 }
 
 void vtkInkStippleGenerator::PrintSelf(ostream& os, vtkIndent indent)

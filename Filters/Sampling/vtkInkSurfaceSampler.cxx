@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSurfaceSampler.h"
 
+#include "InkHasPolygons.h"
 #include "InkMeshTriangles.h"
 #include "InkPointCloud.h"
 #include "InkPointOutput.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
-#include "InkSetNumber.h"
 #include "InkSurfaceOf.h"
 #include "InkSurfaceSamples.h"
 #include "InkVTKCompat.h"
@@ -33,11 +33,6 @@ constexpr vtkIdType WhiteNoiseFrom = 500'000;
 bool HasTimeSteps(vtkInformation* info)
 {
   return info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 0;
-}
-
-bool HasFaces(vtkPolyData* mesh)
-{
-  return mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
 }
 
 } // namespace
@@ -74,16 +69,6 @@ const char* vtkInkSurfaceSampler::GetAmountAsString()
 const char* vtkInkSurfaceSampler::GetOutputPointsPrecisionAsString()
 {
   return InkNameOfPrecision(this->OutputPointsPrecision);
-}
-
-void vtkInkSurfaceSampler::SetCoverageSlack(double slack)
-{
-  InkSetClampedNumber(this, "CoverageSlack", this->CoverageSlack, slack, 0.02, 1.0);
-}
-
-void vtkInkSurfaceSampler::SetViewpoint(double x, double y, double z)
-{
-  InkSetPoint(this, "Viewpoint", this->Viewpoint, x, y, z);
 }
 
 void vtkInkSurfaceSampler::SetFirstFrameData(vtkPolyData* samples)
@@ -164,7 +149,7 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
   vtkInformation* outputInfo, vtkPolyData* mesh, vtkPolyData* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const bool hasFaces = HasFaces(mesh);
+  const bool hasFaces = InkHasPolygons(mesh);
   const auto sample = [&]
   {
     auto samples = vtkSmartPointer<vtkPolyData>::New();
@@ -232,7 +217,8 @@ int vtkInkSurfaceSampler::RequestData(
   try
   {
     const vtkSmartPointer<vtkPolyData> mesh = InkSurfaceOf(input);
-    const bool follows = this->FollowDeformation && !firstFrame && (HasFaces(mesh) || this->AtFirstStep);
+    const bool follows =
+      this->FollowDeformation && !firstFrame && (InkHasPolygons(mesh) || this->AtFirstStep);
     // An empty piece or time step is not an error.
     if (mesh->GetNumberOfPoints() == 0 && !follows)
     {
@@ -248,7 +234,7 @@ int vtkInkSurfaceSampler::RequestData(
     {
       return 1;
     }
-    if (!HasFaces(mesh))
+    if (!InkHasPolygons(mesh))
     {
       InkPointCloudOptions options;
       options.Normals = this->ComputeNormals;

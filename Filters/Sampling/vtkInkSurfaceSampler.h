@@ -54,6 +54,7 @@
 #ifndef vtkInkSurfaceSampler_h
 #define vtkInkSurfaceSampler_h
 
+#include "InkSetters.h"
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for samples that are kept
@@ -136,9 +137,7 @@ public:
    * 0.02 to 1; default: 0.06. Larger values give fewer samples with a larger `Radius`, and are faster: 1
    * takes six to eight tenths of the time.
    */
-  void SetCoverageSlack(double slack);
-  double GetCoverageSlackMinValue() { return 0.02; }
-  double GetCoverageSlackMaxValue() { return 1.0; }
+  InkSetClampMacro(CoverageSlack, 0.02, 1.0);
   vtkGetMacro(CoverageSlack, double);
   ///@}
 
@@ -232,8 +231,7 @@ public:
    * The position of the scanner, in world coordinates. Default: the origin. Coordinates that are not finite
    * are refused with a warning.
    */
-  void SetViewpoint(double x, double y, double z);
-  void SetViewpoint(const double point[3]) { this->SetViewpoint(point[0], point[1], point[2]); }
+  InkSetPointMacro(Viewpoint);
   vtkGetVector3Macro(Viewpoint, double);
   ///@}
 

@@ -10,8 +10,8 @@
 namespace ink::io
 {
 
-/// A regular expression in ECMAScript's grammar. A source that includes <regex> takes seconds more to compile, and there
-/// are many that ask for a match.
+/// A regular expression in ECMAScript's grammar. A source that includes <regex> takes seconds more to
+/// compile, and there are many that ask for a match.
 class VTKINKIOCORE_EXPORT Pattern
 {
 public:
@@ -21,14 +21,16 @@ public:
   Pattern(const Pattern&) = delete;
   Pattern& operator=(const Pattern&) = delete;
 
-  /// @return where the expression matches all of a text: the text, then what each group matched, which is empty for a
+  /// @return where the expression matches all of a text: the text, then what each group matched, which is
+  /// empty for a
   ///   group that is not in it; otherwise nothing
   std::vector<std::string> match(const std::string& text) const;
 
   /// As match(), for the first part of a text that the expression matches.
   std::vector<std::string> search(const std::string& text) const;
 
-  /// A text with another one in place of each part that the expression matches.
+  /// A text with another one, in which $1 is what the first group matched, in place of each part that the
+  /// expression matches.
   std::string replace(const std::string& text, const std::string& replacement) const;
 
 private:

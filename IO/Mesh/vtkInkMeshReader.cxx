@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkMeshReader.h"
 
+#include "Core/FormatNumber.h"
 #include "FileFormats.h"
-#include "FormatNumber.h"
 #include "InkReportReadError.h"
 #include "InkVTKCompat.h"
 #include "MeshFiles.h"

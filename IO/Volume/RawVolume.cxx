@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RawVolume.h"
 
-#include "FormatNumber.h"
+#include "Core/FormatNumber.h"
 #include "Inflater.h"
 #include "ReadError.h"
 

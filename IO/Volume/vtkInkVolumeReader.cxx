@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkVolumeReader.h"
 
+#include "Core/FormatNumber.h"
 #include "DicomFile.h"
 #include "FileFormats.h"
-#include "FormatNumber.h"
 #include "InkReportReadError.h"
-#include "InkSetNumber.h"
 #include "InkVTKCompat.h"
 #include "RawVolume.h"
 #include "ReadError.h"
@@ -239,11 +238,6 @@ vtkInkVolumeReader::vtkInkVolumeReader()
 vtkInkVolumeReader::~vtkInkVolumeReader()
 {
   this->SetFileName(nullptr);
-}
-
-void vtkInkVolumeReader::SetRawSpacing(double x, double y, double z)
-{
-  InkSetPoint(this, "RawSpacing", this->RawSpacing, x, y, z);
 }
 
 int vtkInkVolumeReader::CanReadFile(const char* fileName)

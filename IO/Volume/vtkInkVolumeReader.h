@@ -27,6 +27,7 @@
 #ifndef vtkInkVolumeReader_h
 #define vtkInkVolumeReader_h
 
+#include "InkSetters.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkInkIOVolumeModule.h" // for the export macro
 
@@ -103,8 +104,7 @@ public:
    * amount is taken, of 0 it is 1. Numbers that are not finite are refused with a warning. Default: (1, 1,
    * 1).
    */
-  void SetRawSpacing(double x, double y, double z);
-  void SetRawSpacing(const double spacing[3]) { this->SetRawSpacing(spacing[0], spacing[1], spacing[2]); }
+  InkSetPointMacro(RawSpacing);
   vtkGetVector3Macro(RawSpacing, double);
   ///@}
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkAddNormals.h"
 
+#include "InkHasPolygons.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkNew.h"
@@ -14,8 +15,7 @@ namespace
 bool LacksNormals(vtkPolyData* mesh)
 {
   vtkPointData* points = mesh->GetPointData();
-  return mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 && !points->GetNormals() &&
-    !points->GetArray("Normals");
+  return InkHasPolygons(mesh) && !points->GetNormals() && !points->GetArray("Normals");
 }
 
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* mesh)

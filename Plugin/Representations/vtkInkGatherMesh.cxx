@@ -2,6 +2,7 @@
 #include "vtkInkGatherMesh.h"
 
 #include "Core/ParallelSort.h"
+#include "InkHasPolygons.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -142,7 +143,7 @@ vtkSmartPointer<vtkPolyData> vtkInkGatherMesh(const std::vector<vtkSmartPointer<
     return vtkSmartPointer<vtkPolyData>::New();
   }
   const vtkSmartPointer<vtkPolyData> mesh = own.size() == 1 ? own.front() : Append(own);
-  const bool hasFaces = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  const bool hasFaces = InkHasPolygons(mesh);
   if (hasFaces && (common == vtkInkCommonPoints::All || mesh->GetPointData()->GetNormals()))
   {
     const std::vector<vtkIdType> firsts = FindFirsts(mesh);

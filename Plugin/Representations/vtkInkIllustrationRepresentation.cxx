@@ -3,11 +3,15 @@
 
 #include "vtkInkIllustrationStyle.h"
 
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVView.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkInkIllustrationRepresentation);
 
@@ -19,51 +23,46 @@ vtkInkIllustrationRepresentation::vtkInkIllustrationRepresentation()
 
 vtkInkIllustrationRepresentation::~vtkInkIllustrationRepresentation() = default;
 
-void vtkInkIllustrationRepresentation::SetAutomaticIsoValue(bool automatic)
+void vtkInkIllustrationRepresentation::SetAutomaticOuterIsoValue(bool automatic)
 {
-  this->AutomaticIsoValue = automatic;
-  this->UpdateIsoValue();
+  this->OuterIsoValue.Automatic = automatic;
+  this->ApplyChoice("OuterIsoValue", this->OuterIsoValue);
 }
 
-void vtkInkIllustrationRepresentation::SetIsoValue(double value)
+void vtkInkIllustrationRepresentation::SetOuterIsoValue(double value)
 {
-  this->IsoValue = value;
-  this->UpdateIsoValue();
+  this->OuterIsoValue.Value = value;
+  this->ApplyChoice("OuterIsoValue", this->OuterIsoValue);
 }
 
-void vtkInkIllustrationRepresentation::UpdateIsoValue()
+bool vtkInkIllustrationRepresentation::BlendsMarks()
 {
-  this->ChangeStyle(
-    [this](vtkInkStyle* style)
-    {
-      if (this->AutomaticIsoValue)
-      {
-        style->SetParameterAsString("IsoValues", "");
-      }
-      else
-      {
-        style->SetParameter("IsoValues", this->IsoValue);
-      }
-    });
+  return vtkInkIllustrationStyle::SafeDownCast(this->GetStyle())->GetSeeThrough() ||
+    this->Superclass::BlendsMarks();
+}
+
+int vtkInkIllustrationRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  vtkInformation* info =
+    inputVector[0]->GetNumberOfInformationObjects() == 1 ? inputVector[0]->GetInformationObject(0) : nullptr;
+  if (info && !vtkPolyData::GetData(info) && !vtkImageData::GetData(info))
+  {
+    // They tell the outer surface of a grid.
+    using SDDP = vtkStreamingDemandDrivenPipeline;
+    info->Set(
+      SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), std::max(1, info->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS())));
+  }
+  return 1;
 }
 
 int vtkInkIllustrationRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  auto view = vtkPVView::SafeDownCast(this->GetView());
-  if (request == vtkPVView::REQUEST_UPDATE() && view)
+  if (request == vtkPVView::REQUEST_UPDATE())
   {
-    // The same on all processes. Down, as data seldom fills the view and stipples grow better than they
-    // shrink.
-    const int pixels = std::max(view->GetSize()[0], view->GetSize()[1]);
-    const double size = std::exp2(std::floor(std::log2(std::clamp(pixels, 256, 8192))));
-    this->ChangeStyle(
-      [=](vtkInkStyle* style)
-      {
-        style->SetPictureSize(size);
-        // Sizes are relative to the height: the same stipples in a view of any size.
-        style->SetPictureHeight(size);
-      });
+    this->UpdatePictureSize();
   }
   return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkIllustrationRepresentation
- * @brief   "Illustration": shows images, meshes and points as stipples with lines in ParaView's render views
+ * @brief   "Illustration": shows images, meshes, grids and points as stipples with lines in ParaView's render
+ * views
  *
  * What a vtkInkIllustrationStyle makes of them and how it draws that, on all processes as on one: each
  * samples its part of an image's surface; meshes, points and stipples are those of the first process.
@@ -24,9 +25,9 @@ public:
   vtkTypeMacro(vtkInkIllustrationRepresentation, vtkInkRepresentation);
 
   ///@{
-  /// The surface of an image: at a value that suits it (default), or at this one.
-  void SetAutomaticIsoValue(bool automatic);
-  void SetIsoValue(double value);
+  /// See-through, the outer surface: at a value that suits the image (default), or at this one.
+  void SetAutomaticOuterIsoValue(bool automatic);
+  void SetOuterIsoValue(double value);
   ///@}
 
   int ProcessViewRequest(
@@ -36,14 +37,17 @@ protected:
   vtkInkIllustrationRepresentation();
   ~vtkInkIllustrationRepresentation() override;
 
+  /// Also before the outer surface of a see-through one is known.
+  bool BlendsMarks() override;
+
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
 private:
   vtkInkIllustrationRepresentation(const vtkInkIllustrationRepresentation&) = delete;
   void operator=(const vtkInkIllustrationRepresentation&) = delete;
 
-  void UpdateIsoValue();
-
-  bool AutomaticIsoValue = true;
-  double IsoValue = 0.0;
+  Choice OuterIsoValue;
 };
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkProcesses.h"
 
+#include "vtkInkGatherImages.h"
 #include "vtkInkGatherMesh.h"
 
 #include "Stippling/StippledVoxels.h"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 
 namespace
 {
@@ -23,10 +25,40 @@ vtkMultiProcessController* All()
 
 } // namespace
 
+int vtkInkProcesses::GetNumber()
+{
+  return All()->GetNumberOfProcesses();
+}
+
 void vtkInkProcesses::TakeGreatest(std::span<double> numbers)
 {
   const std::vector<double> own(numbers.begin(), numbers.end());
   All()->AllReduce(own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MAX_OP);
+}
+
+void vtkInkProcesses::TakeOfFirst(std::vector<double>& numbers)
+{
+  auto count = static_cast<vtkIdType>(numbers.size());
+  All()->Broadcast(&count, 1, 0);
+  numbers.resize(static_cast<std::size_t>(count));
+  if (count > 0)
+  {
+    All()->Broadcast(numbers.data(), count, 0);
+  }
+}
+
+std::vector<std::int64_t> vtkInkProcesses::GatherAll(std::span<const std::int64_t> own, std::size_t& begin)
+{
+  const auto count = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> counts(static_cast<std::size_t>(this->GetNumber()));
+  All()->AllGather(&count, counts.data(), 1);
+  std::vector<vtkIdType> offsets(counts.size());
+  std::exclusive_scan(counts.begin(), counts.end(), offsets.begin(), vtkIdType{ 0 });
+  begin = static_cast<std::size_t>(offsets[static_cast<std::size_t>(All()->GetLocalProcessId())]);
+  std::vector<std::int64_t> all(static_cast<std::size_t>(offsets.back() + counts.back()));
+  const std::vector<std::int64_t> sent(own.begin(), own.end());
+  All()->AllGatherV(sent.data(), all.data(), count, counts.data(), offsets.data());
+  return all;
 }
 
 void vtkInkProcesses::AddUp(ink::stipple::VolumeStatistics& statistics)
@@ -46,6 +78,12 @@ void vtkInkProcesses::AddUp(ink::stipple::VolumeStatistics& statistics)
 vtkSmartPointer<vtkPolyData> vtkInkProcesses::Gather(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
 {
   return vtkInkGatherMesh(parts, vtkInkCommonPoints::All, All());
+}
+
+InkWholeImages vtkInkProcesses::GatherImages(std::span<vtkImageData* const> images, const std::string& array)
+{
+  const InkWholeImages own = this->InkStyleProcesses::GatherImages(images, array);
+  return this->GetNumber() > 1 ? vtkInkGatherImages(own, array, All()) : own;
 }
 
 void vtkInkProcesses::AgreeOnArray(std::string& name, int& association)

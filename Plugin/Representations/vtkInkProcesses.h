@@ -8,10 +8,14 @@
 class vtkInkProcesses : public InkStyleProcesses
 {
 public:
+  int GetNumber() override;
   void TakeGreatest(std::span<double> numbers) override;
+  void TakeOfFirst(std::vector<double>& numbers) override;
+  std::vector<std::int64_t> GatherAll(std::span<const std::int64_t> own, std::size_t& begin) override;
   void AddUp(ink::stipple::VolumeStatistics& statistics) override;
   /// See vtkInkGatherMesh.
   vtkSmartPointer<vtkPolyData> Gather(const std::vector<vtkSmartPointer<vtkPolyData>>& parts) override;
+  InkWholeImages GatherImages(std::span<vtkImageData* const> images, const std::string& array) override;
   void AgreeOnArray(std::string& name, int& association) override;
 };
 

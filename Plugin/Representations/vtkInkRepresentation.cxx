@@ -5,6 +5,7 @@
 #include "vtkInkProcesses.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
@@ -25,6 +26,8 @@
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace
@@ -96,6 +99,12 @@ int vtkInkRepresentation::RequestData(
     vtkWarningMacro(<< problem << '.');
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+bool vtkInkRepresentation::BlendsMarks()
+{
+  return this->Style->GetActor()->HasTranslucentPolygonalGeometry() ||
+    this->Style->GetMapper()->HasTranslucentPolygonalGeometry();
 }
 
 std::string vtkInkRepresentation::MakeMarks(const vtkInkStyle::Input& input)
@@ -216,15 +225,22 @@ void vtkInkRepresentation::Deliver(vtkInformation* inInfo, vtkInformation* outIn
   }
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-  const bool blended = this->Style->GetActor()->HasTranslucentPolygonalGeometry() ||
-    this->Style->GetMapper()->HasTranslucentPolygonalGeometry();
   // ParaView's processes abort where they have to put nothing into an order.
-  const bool ordered = HasPoints(vtkPVView::GetPiece(inInfo, this)) && blended;
+  const bool ordered = HasPoints(vtkPVView::GetPiece(inInfo, this)) && this->BlendsMarks();
   outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), ordered ? 1 : 0);
   // What the view holds for the current time; the first piece may be of another while it plays from its
   // cache.
+  vtkBoundingBox box;
+  for (int piece = 0; piece < static_cast<int>(this->Pieces.size()); ++piece)
+  {
+    auto* marks = vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this, piece));
+    if (marks && marks->GetNumberOfPoints() > 0)
+    {
+      box.AddBounds(marks->GetBounds());
+    }
+  }
   double bounds[6];
-  vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this))->GetBounds(bounds);
+  box.GetBounds(bounds);
   vtkNew<vtkMatrix4x4> matrix;
   this->Style->GetActor()->GetMatrix(matrix);
   vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
@@ -297,6 +313,54 @@ void vtkInkRepresentation::SetParameter(const char* name, double first, double s
   {
     this->Paper->SetColor(first, second, third);
   }
+}
+
+void vtkInkRepresentation::SetAutomaticIsoValue(bool automatic)
+{
+  this->IsoValue.Automatic = automatic;
+  this->ApplyChoice("IsoValues", this->IsoValue);
+}
+
+void vtkInkRepresentation::SetIsoValue(double value)
+{
+  this->IsoValue.Value = value;
+  this->ApplyChoice("IsoValues", this->IsoValue);
+}
+
+void vtkInkRepresentation::ApplyChoice(const char* parameter, const Choice& choice)
+{
+  this->ChangeStyle(
+    [&](vtkInkStyle* style)
+    {
+      if (choice.Automatic)
+      {
+        style->SetParameterAsString(parameter, "");
+      }
+      else
+      {
+        style->SetParameter(parameter, choice.Value);
+      }
+    });
+}
+
+void vtkInkRepresentation::UpdatePictureSize()
+{
+  auto view = vtkPVView::SafeDownCast(this->GetView());
+  if (!view)
+  {
+    return;
+  }
+  // The same on all processes. Down, as data seldom fills the view and stipples grow better than they
+  // shrink.
+  const int pixels = std::max(view->GetSize()[0], view->GetSize()[1]);
+  const double size = std::exp2(std::floor(std::log2(std::clamp(pixels, 256, 8192))));
+  this->ChangeStyle(
+    [=](vtkInkStyle* style)
+    {
+      style->SetPictureSize(size);
+      // Sizes are relative to the height: the same stipples in a view of any size.
+      style->SetPictureHeight(size);
+    });
 }
 
 void vtkInkRepresentation::SetLookupTable(vtkScalarsToColors* table)

@@ -47,6 +47,12 @@ public:
   ///@}
 
   ///@{
+  /// The surface of an image: at a value that suits it (default), or at this one. Of styles with IsoValues.
+  void SetAutomaticIsoValue(bool automatic);
+  void SetIsoValue(double value);
+  ///@}
+
+  ///@{
   /**
    * The actor's state: opacity of all that is drawn (0 to 1), and where it stands, as vtkProp3D defines it.
    */
@@ -98,6 +104,12 @@ protected:
   /// Makes the pieces of this process, on all processes at once. Here: as the style does. @return what is
   /// wrong with the data, said once; empty if nothing is
   virtual std::string MakeMarks(const vtkInkStyle::Input& input);
+
+  vtkInkStyle* GetStyle() const { return this->Style; }
+
+  /// Whether marks are blended, so that those of several processes have to be put into an order. The same on
+  /// all of them, and before there is a picture.
+  virtual bool BlendsMarks();
   /// Hands the pieces of all processes, each where it has been delivered, else null, to the style. Here: as
   /// they are.
   virtual void Show(const std::vector<vtkPolyData*>& delivered);
@@ -115,6 +127,19 @@ protected:
   std::string GetColorArray();
   int GetColorAssociation();
   ///@}
+
+  /// A number that may be automatic.
+  struct Choice
+  {
+    bool Automatic = true;
+    double Value = 0.0;
+  };
+  /// Sets a parameter of the style that is automatic without a number.
+  void ApplyChoice(const char* parameter, const Choice& choice);
+
+  /// Lets the style make marks for a picture of the view's size, in steps of two: nothing is made again while
+  /// the camera moves, and seldom when the size changes. For REQUEST_UPDATE.
+  void UpdatePictureSize();
 
   /// Calls a function that changes the style; marks are made again where they depend on what it changes.
   template <class Change>
@@ -142,6 +167,7 @@ private:
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   const std::unique_ptr<vtkInkPaper> Paper;
   std::string ColoredBy; ///< what the pieces were made with; empty before there are any
+  Choice IsoValue;
   bool Pickable = true;
   bool PointIdsAreInputs = false;
 };

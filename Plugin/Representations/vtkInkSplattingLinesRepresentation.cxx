@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesRepresentation.h"
 
+#include "InkLeaves.h"
 #include "vtkInkAddNormals.h"
 #include "vtkInkGatherPoints.h"
+#include "vtkInkProcesses.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
 
@@ -57,6 +59,12 @@ vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = defa
 
 std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {
+  double images = InkLeaves(input.Data).Images.empty() ? 0.0 : 1.0;
+  vtkInkProcesses().TakeGreatest({ &images, 1 });
+  if (images > 0.0)
+  {
+    return this->Superclass::MakeMarks(input);
+  }
   // A dense mesh's own points are drawn, those of all leaves together.
   const vtkInkGatheredPoints gathered =
     vtkInkGatherPoints(vtkInkAddNormals(input.Data), this->GetColorArray(), this->GetColorAssociation());
@@ -83,6 +91,10 @@ void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& d
 int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->UpdatePictureSize();
+  }
   // Ambient occlusion is worked out of what the opaque pass draws, the surfaces' normals and positions: lines
   // are none of it, and come after it.
   auto view = vtkPVRenderView::SafeDownCast(this->GetView());

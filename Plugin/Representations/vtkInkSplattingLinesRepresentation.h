@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkSplattingLinesRepresentation
- * @brief   "Splatting Lines": shows points with normals as a line drawing in ParaView's render views
+ * @brief   "Splatting Lines": shows images, and points with normals, as a line drawing in ParaView's render
+ *          views
  *
- * Takes any vtkPointSet, or a composite dataset of them, whose points carry the array `Normals` (or other
- * active normals), and draws it as vtkInkSplattingLinesStyle does. A point array `Radius` is used if there is
- * one. The leaves of a composite dataset are drawn as one set of points, so that lines run across them; ghost
- * points are left out. Points without normals draw nothing and give one warning.
+ * Of images, also several in a composite dataset, iso-surfaces are drawn: at values that suit them or that
+ * are given, sampled more finely in larger views, in steps of two. Otherwise it takes any vtkPointSet, or a
+ * composite dataset of them, whose points carry the array `Normals` (or other active normals), and draws it
+ * as vtkInkSplattingLinesStyle does. A point array `Radius` is used if there is one. The leaves of a
+ * composite dataset are drawn as one set of points, so that lines run across them; ghost points are left out.
+ * Points without normals draw nothing and give one warning.
  *
  * Colors: the array that is chosen for the representation, of points or cells; none: the ink. While ParaView
  * renders with a lower level of detail, as many points are drawn as PointsWhileMoving says, with larger

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMInkDoubleVectorProperty.h"
 
+#include "vtkSMInkPresetRepresentationProxy.h"
 #include "vtkSMInkRestoring.h"
-#include "vtkSMInkStippleRepresentationProxy.h"
 
 #include "vtkObjectFactory.h"
 
@@ -26,7 +26,7 @@ void vtkSMInkDoubleVectorProperty::ResetToXMLDefaults()
 
 bool vtkSMInkDoubleVectorProperty::IsValueDefault()
 {
-  return this->IsUnset() && vtkSMInkStippleRepresentationProxy::IsAsFollowed(this);
+  return this->IsUnset() && vtkSMInkPresetRepresentationProxy::IsAsFollowed(this);
 }
 
 bool vtkSMInkDoubleVectorProperty::IsUnset()

@@ -3,10 +3,10 @@
  * @class   vtkSMInkDoubleVectorProperty
  * @brief   a property that others follow, or that follows others, where a person sets it
  *
- * A vtkSMDoubleVectorProperty of a vtkSMInkStippleRepresentationProxy. What brings back values that were
+ * A vtkSMDoubleVectorProperty of a vtkSMInkPresetRepresentationProxy. What brings back values that were
  * there before (undo, a state, a copy, the defaults) sets this property only, and none that follows it.
  *
- * @sa vtkSMInkStippleRepresentationProxy
+ * @sa vtkSMInkPresetRepresentationProxy
  */
 #ifndef vtkSMInkDoubleVectorProperty_h
 #define vtkSMInkDoubleVectorProperty_h

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMInkIntVectorProperty.h"
 
+#include "vtkSMInkPresetRepresentationProxy.h"
 #include "vtkSMInkRestoring.h"
-#include "vtkSMInkStippleRepresentationProxy.h"
 
 #include "vtkObjectFactory.h"
 
@@ -26,7 +26,7 @@ void vtkSMInkIntVectorProperty::ResetToXMLDefaults()
 
 bool vtkSMInkIntVectorProperty::IsValueDefault()
 {
-  return this->Superclass::IsValueDefault() && vtkSMInkStippleRepresentationProxy::IsAsFollowed(this);
+  return this->Superclass::IsValueDefault() && vtkSMInkPresetRepresentationProxy::IsAsFollowed(this);
 }
 
 void vtkSMInkIntVectorProperty::ReadFrom(const vtkSMMessage* message, int offset, vtkSMProxyLocator* locator)

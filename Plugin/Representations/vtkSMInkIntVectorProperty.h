@@ -3,10 +3,10 @@
  * @class   vtkSMInkIntVectorProperty
  * @brief   a property that others follow, or that follows others, where a person sets it
  *
- * A vtkSMIntVectorProperty of a vtkSMInkStippleRepresentationProxy. What brings back values that were there
+ * A vtkSMIntVectorProperty of a vtkSMInkPresetRepresentationProxy. What brings back values that were there
  * before (undo, a state, a copy, the defaults) sets this property only, and none that follows it.
  *
- * @sa vtkSMInkStippleRepresentationProxy
+ * @sa vtkSMInkPresetRepresentationProxy
  */
 #ifndef vtkSMInkIntVectorProperty_h
 #define vtkSMInkIntVectorProperty_h

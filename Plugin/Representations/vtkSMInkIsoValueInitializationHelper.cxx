@@ -64,3 +64,12 @@ std::optional<double> vtkSMInkIsoValueInitializationHelper::Suggest(
   }
   return information->GetFound() ? std::optional<double>(information->GetValue()) : std::nullopt;
 }
+
+void vtkSMInkIsoValueInitializationHelper::SetSuggested(
+  vtkSMProxy* proxy, const char* property, const char* arrayProperty)
+{
+  if (const std::optional<double> value = Suggest(proxy, arrayProperty))
+  {
+    vtkSMPropertyHelper(proxy, property).Set(*value);
+  }
+}

@@ -29,6 +29,8 @@ public:
   /// What suits the proxy's Input, by the array that one of its properties chooses: nothing where there is no
   /// image, or no two different values. Makes the input up to date.
   static std::optional<double> Suggest(vtkSMProxy* proxy, const char* arrayProperty);
+  /// Sets a property to that, if there is such a value.
+  static void SetSuggested(vtkSMProxy* proxy, const char* property, const char* arrayProperty);
 #endif
 
 protected:

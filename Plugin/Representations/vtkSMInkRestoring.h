@@ -2,7 +2,7 @@
 #ifndef vtkSMInkRestoring_h
 #define vtkSMInkRestoring_h
 
-#include "vtkSMInkStippleRepresentationProxy.h"
+#include "vtkSMInkPresetRepresentationProxy.h"
 #include "vtkSMProperty.h"
 
 /// While it lives, changes of the property's proxy bring back what was there before: none makes others
@@ -11,10 +11,10 @@ class vtkSMInkRestoring
 {
 public:
   explicit vtkSMInkRestoring(vtkSMProperty* property)
-    : vtkSMInkRestoring(vtkSMInkStippleRepresentationProxy::SafeDownCast(property->GetParent()))
+    : vtkSMInkRestoring(vtkSMInkPresetRepresentationProxy::SafeDownCast(property->GetParent()))
   {
   }
-  explicit vtkSMInkRestoring(vtkSMInkStippleRepresentationProxy* proxy)
+  explicit vtkSMInkRestoring(vtkSMInkPresetRepresentationProxy* proxy)
     : Proxy(proxy)
   {
     if (this->Proxy)
@@ -33,7 +33,7 @@ public:
   void operator=(const vtkSMInkRestoring&) = delete;
 
 private:
-  vtkSMInkStippleRepresentationProxy* const Proxy;
+  vtkSMInkPresetRepresentationProxy* const Proxy;
 };
 
 #endif

@@ -3,9 +3,11 @@
 
 import unittest
 
+import numpy
+
 from paraview.simple import *
 
-from rendering import TestInOneView, is_background, picture
+from rendering import TestInOneView, Warnings, is_background, picture
 
 
 class TestIllustration(TestInOneView):
@@ -51,6 +53,42 @@ class TestIllustration(TestInOneView):
         display.IllustrationPixelsPerStipple = 40
         self.assertLess(self.ink(), 0.8 * drawn)
         self.assertEqual(self.marks(display), before)
+
+    def test_a_preset_sets_what_goes_with_it(self):
+        display = self.show(Sphere(ThetaResolution=64, PhiResolution=64))
+        before = self.marks(display)
+        drawn = self.ink()
+        display.IllustrationPreset = "Skin"
+        self.assertEqual((display.IllustrationStippleSize, display.IllustrationPhi), (1.8, 60))
+        self.assertLess(self.ink(), 0.9 * drawn)
+        self.assertEqual(self.marks(display), before)
+
+    def test_see_through_shows_two_surfaces(self):
+        display = self.show(Wavelet(), IllustrationAutomaticIsoValue=0, IllustrationIsoValue=200)
+        inner = picture(self.view)
+        display.IllustrationSeeThrough = 1
+        display.IllustrationAutomaticOuterIsoValue = 0
+        display.IllustrationOuterIsoValue = 120
+        both = picture(self.view)
+        # The outer one is around the inner one: measured 2.4 times its picture.
+        self.assertGreater((~is_background(both)).mean(), 1.5 * (~is_background(inner)).mean())
+        display.IllustrationOuterStrength = 0
+        numpy.testing.assert_array_equal(picture(self.view), inner)
+
+    def test_grids_and_composites_are_drawn(self):
+        wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
+        unstructured = AppendDatasets(Input=[wavelet])
+        structured = Transform(Input=Plane(XResolution=9, YResolution=9))
+        groups = [GroupDatasets(Input=[Sphere(), Cone()]), GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])]
+        for source in (unstructured, structured, *groups):
+            self.show(source)
+            self.assertGreater((~is_background(picture(self.view))).mean(), 0.05, source)
+            Hide(source, self.view)
+        mixed = GroupDatasets(Input=[wavelet, Sphere()])
+        with Warnings() as warnings:
+            self.show(mixed)
+            self.assertGreater((~is_background(picture(self.view))).mean(), 0.05)
+        self.assertIn("1 datasets beside images", "".join(warnings))
 
     def test_nothing_is_made_again_while_the_camera_moves(self):
         display = self.show(Wavelet())

@@ -13,7 +13,12 @@ from paraview.modules import vtkRemotingServerManager as manager
 from rendering import *
 
 # By hand after the preset: one that has the default's value again and not Bone's, and others.
-BY_HAND = {"StipplePreset": "Bone", "BoundaryBase": 0.35, "SilhouetteGain": 0.7, "StippleInterior": 0.9, "StippleInkColor": [0, 0, 1]}
+BY_HAND = {
+    "Stipple": {"StipplePreset": "Bone", "BoundaryBase": 0.35, "SilhouetteGain": 0.7, "StippleInterior": 0.9, "StippleInkColor": [0, 0, 1]},
+    "Illustration": {"IllustrationPreset": "Bone", "IllustrationDistance": 0.15, "IllustrationTau": 0.95, "IllustrationStippleSize": 3.3,
+                     "IllustrationInkColor": [0, 0, 1], "IllustrationSeeThrough": 1},
+}
+OWN = {"Stipple": "(?:Stipple|K|Gradient|.*Enhancement|ScalarWindow)", "Illustration": "Illustration"}
 
 # A scene without vtkInk's representations, all that ParaView would trace or save of it.
 PLAIN_SCENE = """
@@ -30,43 +35,49 @@ print(smstate.get_state())
 
 
 def values(display):
-    names = [name for name in display.ListProperties() if re.match("Stipple|K|Gradient|.*Enhancement|ScalarWindow", name)]
+    # A property compares as its value, but is no key.
+    own = next(pattern for style, pattern in OWN.items() if display.Representation == style)
+    names = [name for name in display.ListProperties() if re.match(own, name)]
     return {name: repr(getattr(display, name)) for name in names}
 
 
 def assignments(script):
     """Of the drawing's own properties, by name."""
-    return dict(re.findall(r"^\w+Display\.((?:Stipple\w*|\w+(?:Base|Gain|Exponent|Enhancement)|\w*ScalarWindow\w*)) = (.*)$", script, re.M))
+    return dict(re.findall(r"^\w+Display\.((?:Stipple\w*|Illustration\w*|Lines\w*|\w+(?:Base|Gain|Exponent|Enhancement)|\w*ScalarWindow\w*)) = (.*)$", script, re.M))
 
 
 class TestRestoring(TestInOneView):
-    def show(self, **properties):
+    def show(self, style="Stipple", **properties):
         display = Show(Wavelet(), self.view)
-        display.SetRepresentationType("Stipple")
+        display.SetRepresentationType(style)
         for name, value in properties.items():
             setattr(display, name, value)
         return display
 
     def test_own_defaults(self):
-        display = self.show(**BY_HAND)
-        settings = manager.vtkSMSettings.GetInstance()
-        settings.AddCollectionFromString("{}", 10.0)
-        settings.SetProxySettings(display.SMProxy)
-        try:
-            self.assertEqual(values(self.show()), values(display))
-        finally:
-            settings.ClearAllSettings()
+        for style, by_hand in BY_HAND.items():
+            with self.subTest(style):
+                display = self.show(style, **by_hand)
+                settings = manager.vtkSMSettings.GetInstance()
+                settings.AddCollectionFromString("{}", 10.0)
+                settings.SetProxySettings(display.SMProxy)
+                try:
+                    self.assertEqual(values(self.show(style)), values(display))
+                finally:
+                    settings.ClearAllSettings()
 
     def test_the_defaults(self):
-        display = self.show()
-        expected = values(display)
-        for name, value in BY_HAND.items():
-            setattr(display, name, value)
-        self.assertNotEqual(values(display), expected)
-        for name in expected:
-            display.GetProperty(name).ResetToXMLDefaults()
-        display.UpdateVTKObjects()
-        self.assertEqual(values(display), expected)
+        for style, by_hand in BY_HAND.items():
+            with self.subTest(style):
+                display = self.show(style)
+                expected = values(display)
+                for name, value in by_hand.items():
+                    setattr(display, name, value)
+                self.assertNotEqual(values(display), expected)
+                for name in expected:
+                    display.GetProperty(name).ResetToXMLDefaults()
+                display.UpdateVTKObjects()
+                self.assertEqual(values(display), expected)
 
     def test_a_script_says_what_differs_and_no_more(self):
         self.assertEqual(assignments(smstate.get_state()), {})
@@ -77,6 +88,29 @@ class TestRestoring(TestInOneView):
         self.assertEqual(assignments(smstate.get_state()), {})
         display.BoundaryBase = 0.65
         self.assertEqual(assignments(smstate.get_state()), {"BoundaryBase": "0.65"})
+
+    def test_a_script_of_an_illustration_says_what_differs_and_no_more(self):
+        display = self.show("Illustration")
+        self.assertEqual(assignments(smstate.get_state()), {})
+        display.IllustrationPreset = "Vessel"
+        self.assertEqual(display.IllustrationTau, 0.995)
+        display.IllustrationPreset = "Specimen"
+        self.assertEqual(assignments(smstate.get_state()), {})
+        display.IllustrationTau = 0.95
+        self.assertEqual(assignments(smstate.get_state()), {"IllustrationTau": "0.95"})
+
+    def test_a_state_brings_an_illustration_back(self):
+        display = self.show("Illustration", **BY_HAND["Illustration"])
+        expected = values(display)
+        with tempfile.TemporaryDirectory() as folder:
+            file = str(pathlib.Path(folder) / "state.pvsm")
+            SaveState(file)
+            for source in GetSources().values():
+                Delete(source)
+            LoadState(file)
+        source = next(iter(GetSources().values()))
+        self.view = next(view for view in GetViews() if GetRepresentation(source, view))
+        self.assertEqual(values(GetRepresentation(source, self.view)), expected)
 
     def test_a_trace_has_numbers_as_they_are_meant(self):
         display = self.show()
@@ -108,6 +142,14 @@ class TestRestoring(TestInOneView):
         display.StippleIsoValue = 100.0
         display.StippleSource = "Iso-Surface"
         self.assertEqual(display.StippleIsoValue, 100.0)
+        for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines")):
+            other = self.show(style)
+            self.assertEqual(assignments(smstate.get_state()).keys() & {f"{prefix}IsoValue", f"{prefix}Scalars"}, set())
+            setattr(other, f"{prefix}AutomaticIsoValue", 0)
+            self.assertTrue(low < getattr(other, f"{prefix}IsoValue") < high, style)
+            limits = other.GetProperty(f"{prefix}IsoValue").SMProperty.GetDomain("range")
+            self.assertAlmostEqual(limits.GetMinimum(0), low, delta=0.1)
+            self.assertAlmostEqual(limits.GetMaximum(0), high, delta=0.1)
         display.StippleIsoValue = 0.0
         self.assertEqual(assignments(smstate.get_state())["StippleIsoValue"], "0.0")
 

@@ -54,6 +54,20 @@ class TestSplattingLines(unittest.TestCase):
         self.assertGreater(numpy.all(pixels > 0.99, axis=-1).mean(), 0.1)
         self.assertGreater(numpy.all(pixels < 0.5, axis=-1).mean(), 0.01)
 
+    def test_images_are_drawn_by_their_iso_surface(self):
+        wavelet = Wavelet()
+        display = self.show(wavelet, Phi=100)
+        automatic = picture(self.view)
+        self.assertGreater(numpy.all(automatic < 0.5, axis=-1).mean(), 0.005)
+        display.LinesIsoValue = 250.0
+        numpy.testing.assert_array_equal(picture(self.view), automatic)
+        display.LinesAutomaticIsoValue = 0
+        self.assertGreater(numpy.abs(picture(self.view) - automatic).max(), 0.5)
+        # Meshes have none.
+        Hide(wavelet, self.view)
+        self.show(Sphere(), LinesAutomaticIsoValue=0, LinesIsoValue=1e6)
+        self.assertGreater((~is_background(picture(self.view))).mean(), 0.1)
+
     def test_more_tau_phi_and_lambda_change_the_ink(self):
         display = self.show(sampled_wavelet())
         by_tau, by_phi = [], []

@@ -16,23 +16,29 @@
 #include "vtkSMUndoStackBuilder.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <iostream>
-#include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
 
-constexpr std::array Names{ "StipplePreset", "StippleGradient", "StippleInterior", "BoundaryBase",
-  "SilhouetteGain", "InteriorExponent" };
-using Values = std::array<double, Names.size()>;
-
-Values ValuesOf(vtkSMProxy* display)
+/// A representation's preset, what follows it, and what is set by hand after it.
+struct Drawing
 {
-  Values values;
-  for (std::size_t i = 0; i < Names.size(); ++i)
+  const char* Preset;
+  std::vector<const char*> Followers;
+  std::vector<std::pair<const char*, double>> ByHand;
+};
+
+using Values = std::vector<double>;
+
+Values ValuesOf(vtkSMProxy* display, const Drawing& drawing)
+{
+  Values values{ vtkSMPropertyHelper(display, drawing.Preset).GetAsDouble() };
+  for (const char* name : drawing.Followers)
   {
-    values[i] = vtkSMPropertyHelper(display, Names[i]).GetAsDouble();
+    values.push_back(vtkSMPropertyHelper(display, name).GetAsDouble());
   }
   return values;
 }
@@ -60,6 +66,46 @@ bool Check(bool right, const char* what)
   return right;
 }
 
+bool TestOne(vtkSMSessionProxyManager* manager, vtkSMProxy* source, const Drawing& drawing)
+{
+  std::cout << drawing.Preset << "\n";
+  vtkNew<vtkSMUndoStack> stack;
+  vtkNew<vtkSMUndoStackBuilder> builder;
+  builder->SetUndoStack(stack);
+  vtkSMProxyManager::GetProxyManager()->SetUndoStackBuilder(builder);
+  vtkSmartPointer<vtkSMProxy> display = MakeDisplay(manager, source);
+  const char* last = drawing.Followers.back();
+  const double before = vtkSMPropertyHelper(display, last).GetAsDouble();
+  Set(display, drawing.Preset, 3);
+  bool right = Check(vtkSMPropertyHelper(display, last).GetAsDouble() != before, "a preset sets the others");
+  for (const auto& [name, value] : drawing.ByHand)
+  {
+    Set(display, name, value);
+  }
+  const Values byHand = ValuesOf(display, drawing);
+
+  builder->Begin("preset");
+  Set(display, drawing.Preset, 1);
+  builder->End();
+  builder->PushToStack();
+  const Values preset = ValuesOf(display, drawing);
+  right &= Check(preset != byHand, "another preset sets them anew");
+  stack->Undo();
+  right &= Check(ValuesOf(display, drawing) == byHand, "undo brings back what was set by hand");
+  stack->Redo();
+  right &= Check(ValuesOf(display, drawing) == preset, "redo brings back the preset");
+  vtkSMProxyManager::GetProxyManager()->SetUndoStackBuilder(nullptr);
+  stack->Clear();
+
+  vtkSmartPointer<vtkSMProxy> other = MakeDisplay(manager, source);
+  Set(display, last, vtkSMPropertyHelper(other, last).GetAsDouble());
+  vtkNew<vtkSMProxyClipboard> clipboard;
+  right &= Check(clipboard->Copy(display) && clipboard->Paste(other), "copy and paste");
+  right &= Check(ValuesOf(other, drawing) == ValuesOf(display, drawing), "paste sets what was copied");
+  clipboard->Clear();
+  return right;
+}
+
 bool Test()
 {
   vtkNew<vtkSMParaViewPipelineController> controller;
@@ -67,45 +113,20 @@ bool Test()
   vtkProcessModule::GetProcessModule()->RegisterSession(session);
   controller->InitializeSession(session);
   vtkSMSessionProxyManager* manager = session->GetSessionProxyManager();
-  auto source = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("sources", "SphereSource"));
-  source->UpdateVTKObjects();
-
-  vtkNew<vtkSMUndoStack> stack;
-  vtkNew<vtkSMUndoStackBuilder> builder;
-  builder->SetUndoStack(stack);
-  vtkSMProxyManager::GetProxyManager()->SetUndoStackBuilder(builder);
-  vtkSmartPointer<vtkSMProxy> display = MakeDisplay(manager, source);
-  const double before = vtkSMPropertyHelper(display, "SilhouetteGain").GetAsDouble();
-  Set(display, "StipplePreset", 3);
-  bool right =
-    Check(vtkSMPropertyHelper(display, "SilhouetteGain").GetAsDouble() != before, "a preset sets the others");
-  Set(display, "BoundaryBase", 0.35);
-  Set(display, "StippleInterior", 0.9);
-  const Values byHand = ValuesOf(display);
-
-  builder->Begin("preset");
-  Set(display, "StipplePreset", 1);
-  builder->End();
-  builder->PushToStack();
-  const Values preset = ValuesOf(display);
-  right &= Check(preset != byHand, "another preset sets them anew");
-  stack->Undo();
-  right &= Check(ValuesOf(display) == byHand, "undo brings back what was set by hand");
-  stack->Redo();
-  right &= Check(ValuesOf(display) == preset, "redo brings back the preset");
-  vtkSMProxyManager::GetProxyManager()->SetUndoStackBuilder(nullptr);
-  stack->Clear();
-
-  vtkSmartPointer<vtkSMProxy> other = MakeDisplay(manager, source);
-  Set(display, "SilhouetteGain", vtkSMPropertyHelper(other, "SilhouetteGain").GetAsDouble());
-  vtkNew<vtkSMProxyClipboard> clipboard;
-  right &= Check(clipboard->Copy(display) && clipboard->Paste(other), "copy and paste");
-  right &= Check(ValuesOf(other) == ValuesOf(display), "paste sets what was copied");
-
-  clipboard->Clear();
-  other = nullptr;
-  display = nullptr;
-  source = nullptr;
+  bool right = true;
+  {
+    const auto source = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("sources", "SphereSource"));
+    source->UpdateVTKObjects();
+    right &= TestOne(manager, source,
+      { "StipplePreset",
+        { "StippleGradient", "StippleInterior", "BoundaryBase", "InteriorExponent", "SilhouetteGain" },
+        { { "BoundaryBase", 0.35 }, { "StippleInterior", 0.9 } } });
+    right &= TestOne(manager, source,
+      { "IllustrationPreset",
+        { "IllustrationDistance", "IllustrationStippleSize", "IllustrationPixelsPerStipple",
+          "IllustrationLightingExponent", "IllustrationPhi", "IllustrationTau" },
+        { { "IllustrationStippleSize", 3.5 }, { "IllustrationTau", 0.9 } } });
+  }
   vtkProcessModule::GetProcessModule()->UnRegisterSession(session);
   session->Delete();
   return right;

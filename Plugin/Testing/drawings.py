@@ -97,9 +97,13 @@ for name in ("wavelet", "nii", "pvti"):
     SetActiveSource(volumes[name])
     save_points(f"{name}-projected", InkStippleGenerator(Input=volumes[name], PictureSize=125, **projected))
 draw("projected-stipples", wavelet, "Stipple", StipplePictureSize=125, **projected)
-# What is automatic is found from each process's part.
-draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource="Iso-Surface", StippleSmoothing=0,
-    StippleSmallestPart=0)
+draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource="Iso-Surface")
+# All of what is automatic.
+for name in ("wavelet", "nii", "pvti"):
+    draw(f"{name}-solid-illustration", volumes[name], "Illustration")
+draw("see-through-solid-illustration", wavelet, "Illustration", IllustrationSeeThrough=1, IllustrationAutomaticIsoValue=0,
+    IllustrationIsoValue=200.0, IllustrationAutomaticOuterIsoValue=0, IllustrationOuterIsoValue=120.0)
+draw("image-lines", volumes["nii"], "Splatting Lines", Phi=100)
 
 meshes = {name: OpenDataFile(f"{INPUT}/mesh.{name}") for name in ("vtk", "ply", "vtp", "pvtp")}
 meshes["sphere"] = ball
@@ -113,6 +117,8 @@ for name, mesh in meshes.items():
 for name in ("sphere", "contour"):
     SetActiveSource(meshes[name])
     save_points(f"{name}-generator", InkStippleGenerator(Input=meshes[name], NumberOfSurfaceStipples=2000))
+for name in ("pvtp", "contour-of-file"):
+    draw(f"{name}-solid-illustration", meshes[name], "Illustration")
 for name in ("ply", "pvtp", "sphere", "contour", "contour-of-file"):
     draw(f"{name}-stipples", meshes[name], "Stipple", NumberOfSurfaceStipples=5000)
 

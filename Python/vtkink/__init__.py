@@ -59,6 +59,7 @@ _check_vtk_version()
 _warn_of_other_vtks()
 _vtk_module("vtkRenderingOpenGL2")
 
+from .vtkInkFiltersContours import *
 from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
 from .vtkInkIOMesh import *
@@ -73,6 +74,7 @@ except ModuleNotFoundError as error:
 
 from .vtkInkRenderingSplattingLines import *
 from .vtkInkRenderingStipple import *
+from .vtkInkRenderingStrokes import *
 from .vtkInkStyles import *
 
 

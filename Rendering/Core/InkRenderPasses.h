@@ -19,6 +19,7 @@ class VTKINKRENDERINGCORE_EXPORT InkRenderPasses
 {
 public:
   InkRenderPasses(vtkAbstractMapper* mapper, vtkActor* actor);
+  bool IsEmpty() const { return this->Passes.empty(); }
 
   void ReplaceShaderValues(
     std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const;

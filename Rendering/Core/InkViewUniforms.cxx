@@ -118,6 +118,13 @@ void InkViewUniforms::Widen(int margin)
   this->Margin += margin;
 }
 
+void InkViewUniforms::Refine(int factor)
+{
+  this->Size = { factor * this->Size[0], factor * this->Size[1] };
+  this->Margin *= factor;
+  this->Pixel /= static_cast<float>(factor);
+}
+
 std::string InkViewUniforms::FindFeatures() const
 {
   return this->NumberOfClippingPlanes > 0

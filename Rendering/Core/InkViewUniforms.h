@@ -28,6 +28,10 @@ struct VTKINKRENDERINGCORE_EXPORT InkViewUniforms
   /// @param margin pixels
   void Widen(int margin);
 
+  /// Shows the same with more pixels.
+  /// @param factor for one of before, on each axis
+  void Refine(int factor);
+
   /// The height in pixels of what is shown: lengths on the picture are relative to it.
   int GetShownHeight() const { return this->Size[1] - 2 * this->Margin; }
 

@@ -5,7 +5,7 @@
 #include "InkActorResources.h"
 #include "InkMarks.h"
 #include "InkStippleInput.h"
-#include "InkStippleOccluder.h"
+#include "InkOccluder.h"
 #include "InkStipplePasses.h"
 
 #include <memory>
@@ -34,8 +34,8 @@ public:
   InkStipplePasses Passes;
   std::optional<Source> Stipples;    ///< what those of Passes were made from
   std::optional<std::string> Colors; ///< as InkScalarColors describes those of Passes
-  InkStippleOccluder Occluder;
-  InkActorResources<std::unique_ptr<InkStippleDepth>> Depths; ///< null before they are first drawn
+  InkOccluder Occluder;
+  InkActorResources<std::unique_ptr<InkOccluderDepth>> Depths; ///< null before they are first drawn
 };
 
 #endif

@@ -10,7 +10,7 @@
 #include "InkRenderTarget.h"
 #include "InkScopedState.h"
 #include "InkShader.h"
-#include "InkStippleOccluder.h"
+#include "InkOccluder.h"
 #include "InkStipplePoints.h"
 #include "InkStippleUniforms.h"
 #include "InkStippleView.h"

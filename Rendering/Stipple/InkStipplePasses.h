@@ -17,7 +17,7 @@
 class InkRenderPasses;
 struct InkFrame;
 class InkStipplePoints;
-struct InkStippleDepth;
+struct InkOccluderDepth;
 struct InkStippleView;
 struct InkViewUniforms;
 class vtkOpenGLBufferObject;
@@ -52,7 +52,7 @@ public:
     const InkStipplePoints& Points;
     const ink::stipple::Tone& Tone;
     const InkStippleView& ToneView;
-    InkStippleDepth* Occluder; ///< null: nothing hides stipples
+    InkOccluderDepth* Occluder; ///< null: nothing hides stipples
     float OccluderOffset;      ///< view units
     const double* InkColor;
   };

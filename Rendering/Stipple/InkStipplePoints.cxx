@@ -4,6 +4,7 @@
 #include "InkStippleInput.h"
 
 #include "Core/Hash.h"
+#include "Core/MortonOrder.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -36,21 +37,17 @@ constexpr std::uint64_t RandomSeed = 0x5717b1e;
 /// Along each axis; ten bits.
 constexpr double MortonCells = 1024.0;
 
-/// Positions along a curve that keeps close together what is close: the bits of x, y and z in turn.
+/// A position in Morton order.
 std::uint64_t MortonCode(const float position[3])
 {
-  std::uint64_t code = 0;
+  glm::uvec3 cell;
   for (int axis = 0; axis < 3; ++axis)
   {
     // The local frame's box lies within -1/2 .. 1/2.
-    const double cell = std::clamp((position[axis] + 0.5) * MortonCells, 0.0, MortonCells - 1.0);
-    auto bits = static_cast<std::uint64_t>(cell);
-    for (int i = 0; i < 10; ++i, bits >>= 1)
-    {
-      code |= (bits & 1u) << (3 * i + axis);
-    }
+    cell[axis] =
+      static_cast<unsigned int>(std::clamp((position[axis] + 0.5) * MortonCells, 0.0, MortonCells - 1.0));
   }
-  return code;
+  return ink::mortonOf(cell);
 }
 
 /// A number for each of the 98 directions to the outer cells of a grid of 5^3, the nearest to a direction: so

@@ -5,49 +5,25 @@
 
 #include "InkOpenGLCompat.h"
 
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <sstream>
 
 InkStippleTextures::InkStippleTextures(vtkOpenGLRenderWindow* window)
   : Window(window)
+  , Shapes(window)
+  , Values(window)
+  , Ids(window)
+  , Boxes(window)
+  , Colors(window)
 {
-}
-
-InkStippleTextures::~InkStippleTextures()
-{
-  for (Buffer* buffer : { &this->Shapes, &this->Values, &this->Ids, &this->Boxes, &this->Colors })
-  {
-    buffer->Texture->ReleaseGraphicsResources(this->Window);
-    buffer->Data->ReleaseGraphicsResources();
-  }
-}
-
-template <typename T>
-void InkStippleTextures::Fill(
-  Buffer& buffer, const std::vector<T>& values, int components, int type, unsigned int internalFormat)
-{
-  buffer.Texture->ReleaseGraphicsResources(this->Window);
-  buffer.Filled = !values.empty();
-  if (buffer.Filled)
-  {
-    buffer.Data->Upload(values, vtkOpenGLBufferObject::TextureBuffer);
-    buffer.Texture->SetContext(this->Window);
-    buffer.Texture->SetInternalFormat(internalFormat);
-    buffer.Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(values.size()), components, type, buffer.Data);
-  }
 }
 
 std::string InkStippleTextures::Upload(
   const InkStipplePoints& points, const std::vector<ink::stipple::QuantizationBox>& boxes)
 {
-  int most = 0;
-  this->Window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  const int most = InkTextureBuffer::FindMostTexels(this->Window);
   const std::size_t count = points.GetShapes().size();
   if (count > static_cast<std::size_t>(most))
   {
@@ -55,44 +31,36 @@ std::string InkStippleTextures::Upload(
     message << "This OpenGL can look up " << most << " elements; the input has " << count << '.';
     return message.str();
   }
-  this->Fill(this->Shapes, points.GetShapes(), 4, VTK_FLOAT, GL_RGBA32F);
-  this->Fill(this->Values, points.GetValues(), 2, VTK_FLOAT, GL_RG32F);
-  this->Fill(this->Ids, points.GetIds(), 2, VTK_UNSIGNED_INT, GL_RG32UI);
-  this->Fill(this->Boxes, boxes, 4, VTK_FLOAT, GL_RGBA32F);
+  this->Shapes.Fill(points.GetShapes(), 4, VTK_FLOAT, GL_RGBA32F);
+  this->Values.Fill(points.GetValues(), 2, VTK_FLOAT, GL_RG32F);
+  this->Ids.Fill(points.GetIds(), 2, VTK_UNSIGNED_INT, GL_RG32UI);
+  this->Boxes.Fill(boxes, 4, VTK_FLOAT, GL_RGBA32F);
   return {};
 }
 
 void InkStippleTextures::UploadColors(const std::vector<std::uint32_t>& colors)
 {
-  this->Fill(this->Colors, colors, 4, VTK_UNSIGNED_CHAR, GL_RGBA8);
+  this->Colors.Fill(colors, 4, VTK_UNSIGNED_CHAR, GL_RGBA8);
 }
 
 void InkStippleTextures::Activate(vtkShaderProgram* program)
 {
-  const auto activate = [&](Buffer& buffer, const char* name)
+  this->Shapes.Activate(program, "elementShapes");
+  this->Values.Activate(program, "elementValues");
+  this->Ids.Activate(program, "elementIds");
+  if (this->Boxes.IsFilled())
   {
-    buffer.Texture->Activate();
-    program->SetUniformi(name, buffer.Texture->GetTextureUnit());
-  };
-  activate(this->Shapes, "elementShapes");
-  activate(this->Values, "elementValues");
-  activate(this->Ids, "elementIds");
-  if (this->Boxes.Filled)
-  {
-    activate(this->Boxes, "elementBoxes");
+    this->Boxes.Activate(program, "elementBoxes");
   }
   // A sampler needs a texture of its kind, also if it is not read.
-  activate(this->Colors.Filled ? this->Colors : this->Shapes, "elementColors");
-  program->SetUniformi("ownColors", this->Colors.Filled);
+  (this->Colors.IsFilled() ? this->Colors : this->Shapes).Activate(program, "elementColors");
+  program->SetUniformi("ownColors", this->Colors.IsFilled());
 }
 
 void InkStippleTextures::Deactivate()
 {
-  for (Buffer* buffer : { &this->Shapes, &this->Values, &this->Ids, &this->Boxes, &this->Colors })
+  for (InkTextureBuffer* buffer : { &this->Shapes, &this->Values, &this->Ids, &this->Boxes, &this->Colors })
   {
-    if (buffer->Filled)
-    {
-      buffer->Texture->Deactivate();
-    }
+    buffer->Deactivate();
   }
 }

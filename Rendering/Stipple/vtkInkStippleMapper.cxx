@@ -105,7 +105,7 @@ public:
   void operator=(const vtkPicture&) = delete;
 
 private:
-  InkStippleDepth* FindOccluder(
+  InkOccluderDepth* FindOccluder(
     vtkInkStippleMapper* mapper, InkStippleMarks& marks, vtkRenderer* renderer, vtkActor* actor) const
   {
     vtkPolyData* surface = mapper->FindSurface();
@@ -118,7 +118,7 @@ private:
     {
       return nullptr;
     }
-    std::unique_ptr<InkStippleDepth>& depth = marks.Depths.Get(renderer, actor);
+    std::unique_ptr<InkOccluderDepth>& depth = marks.Depths.Get(renderer, actor);
     marks.Occluder.Draw(this->View, marks.Passes.FindReach(this->View, this->Tone, this->ToneView), depth);
     if (!depth->Image.IsComplete())
     {
@@ -143,7 +143,7 @@ private:
   const InkViewUniforms View;
   ink::stipple::Tone Tone;
   const InkStippleView ToneView;
-  InkStippleDepth* const Occluder;
+  InkOccluderDepth* const Occluder;
 
 public:
   const InkStipplePasses::Scene Scene;

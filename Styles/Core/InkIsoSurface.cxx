@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkIsoSurface.h"
 
+#include "Core/FormatNumber.h"
+#include "InkDistributedParts.h"
+#include "InkIsoSurfaceMesh.h"
+#include "InkLongestSide.h"
 #include "InkStyleProcesses.h"
 #include "InkVolumeValues.h"
 #include "IsoSurface/ActiveCellComponents.h"
@@ -9,21 +13,23 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 namespace
 {
 
-/// Cells are divided until they measure no more pixels than this on either side, but not into more.
-constexpr double MostPixelsPerCell = 4.0;
+/// Cells are divided until they measure no more thousandths of the picture's height than this on either side,
+/// but not into more. Not pixels: lines are as broad as cells, and a picture of any size is to have the same.
+constexpr double LargestCell = 4.0;
 constexpr int MostSubdivision = 8;
-/// While someone changes the picture's size, what is divided stays so until its cells are smaller than this.
-constexpr double LeastPixelsPerCell = 1.5;
+
+/// More points than this are not made of smaller cells: with what is made of them they take a gigabyte.
+constexpr double MostPoints = 16e6;
 
 } // namespace
 
@@ -105,58 +111,80 @@ void InkIsoSurface::SetSubdivision(int subdivision)
   }
 }
 
-double InkIsoSurface::FindSmoothing(vtkInkStyle* style, std::span<vtkImageData* const> images,
+void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
+{
+  this->SetSmallestPart(other.GetSmallestPart());
+  this->SetLargestParts(other.GetLargestParts());
+  this->SetCut(other.GetCut());
+  this->SetSmoothing(other.GetSmoothing());
+  this->SetSmoothingTarget(other.GetSmoothingTarget());
+  this->SetSubdivision(other.GetSubdivision());
+}
+
+double InkIsoSurface::FindSmoothing(vtkInkStyle* style, const InkWholeImages& images,
   const std::string& array, const std::vector<double>& values) const
 {
-  if (this->Smoothing >= 0.0)
-  {
-    return this->Smoothing;
-  }
-  double smoothing = 0.0;
+  std::vector<double> smoothing(1, 0.0);
   for (vtkImageData* image : images)
   {
     for (const double value : values)
     {
-      smoothing = std::max(smoothing, InkSuggestSmoothing(image, array, value));
+      smoothing[0] = std::max(smoothing[0], InkSuggestSmoothing(image, array, value));
     }
   }
-  style->GetProcesses().TakeGreatest({ &smoothing, 1 });
-  return smoothing;
+  style->GetProcesses().TakeOfFirst(smoothing);
+  return smoothing[0];
 }
 
-int InkIsoSurface::FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images) const
+int InkIsoSurface::FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images,
+  const std::string& array, const std::vector<double>& values) const
 {
   if (this->Subdivision > 0)
   {
     return this->Subdivision;
   }
-  // Of all images of all processes, the lower corner, negated, the upper one, and the finest spacing,
-  // negated.
-  std::array<double, 7> most;
-  most.fill(std::numeric_limits<double>::lowest());
+  // The finest of all processes, negated.
+  double finest = std::numeric_limits<double>::lowest();
   for (vtkImageData* image : images)
   {
-    const double* box = image->GetBounds();
-    const double* spacing = image->GetSpacing();
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double spacing : std::span<const double, 3>(image->GetSpacing(), 3))
     {
-      most[axis] = std::max(most[axis], -box[2 * axis]);
-      most[3 + axis] = std::max(most[3 + axis], box[2 * axis + 1]);
-      most[6] = std::max(most[6], -std::abs(spacing[axis]));
+      finest = std::max(finest, -std::abs(spacing));
     }
   }
-  style->GetProcesses().TakeGreatest(most);
-  const double longest = std::max({ most[0] + most[3], most[1] + most[4], most[2] + most[5] });
-  const double pixels = longest > 0.0 ? style->GetPictureSize() * -most[6] / longest : 0.0;
-  // The sampler's, from the last time.
-  int subdivision = style->GetInteractive() ? this->Sampler->GetSubdivision() : 1;
-  while (subdivision < MostSubdivision && pixels > MostPixelsPerCell * subdivision)
+  style->GetProcesses().TakeGreatest({ &finest, 1 });
+  const double longest = InkLongestSide(images, style->GetProcesses());
+  const double size = 1e3 * style->GetPictureSize() / style->GetPictureHeight();
+  const double cell = longest > 0.0 ? size * -finest / longest : 0.0;
+  int wanted = 1;
+  while (wanted < MostSubdivision && cell > LargestCell * wanted)
   {
-    subdivision *= 2;
+    wanted *= 2;
   }
-  while (subdivision > 1 && pixels < LeastPixelsPerCell * subdivision)
+  if (wanted == 1)
+  {
+    return 1;
+  }
+  // Of the process that has most.
+  double points = 0.0;
+  for (vtkImageData* image : images)
+  {
+    for (const double value : values)
+    {
+      points += InkBoundSurfacePoints(image, array, value);
+    }
+  }
+  style->GetProcesses().TakeGreatest({ &points, 1 });
+  int subdivision = wanted;
+  while (subdivision > 1 && points * subdivision * subdivision > MostPoints)
   {
     subdivision /= 2;
+  }
+  if (subdivision < wanted)
+  {
+    style->AddNote("voxels are divided by " + std::to_string(subdivision) + ", not " +
+      std::to_string(wanted) + ", along each axis, as the surface lies in " +
+      std::to_string(static_cast<long long>(points)) + " of them (Subdivision)");
   }
   return subdivision;
 }
@@ -166,39 +194,56 @@ vtkMTimeType InkIsoSurface::GetMTime()
   return std::max(this->Changed.GetMTime(), this->Sampler->GetMTime());
 }
 
-std::optional<double> InkIsoSurface::ChooseValue(
+std::vector<ink::IsoSuggestion> InkIsoSurface::Suggest(
   vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
 {
+  return SuggestOf(style, style->GetProcesses().GatherImages(images, array), array);
+}
+
+std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(
+  vtkInkStyle* style, const InkWholeImages& images, const std::string& array)
+{
   // Of the largest image that has values to choose from.
-  std::vector<vtkImageData*> largestFirst(images.begin(), images.end());
+  InkWholeImages largestFirst(images);
   std::stable_sort(largestFirst.begin(), largestFirst.end(),
-    [](vtkImageData* a, vtkImageData* b) { return a->GetNumberOfPoints() > b->GetNumberOfPoints(); });
-  std::optional<double> own;
-  double voxels = 0.0;
-  for (std::size_t i = 0; i < largestFirst.size() && !own; ++i)
+    [](const auto& a, const auto& b) { return a->GetNumberOfPoints() > b->GetNumberOfPoints(); });
+  std::vector<ink::IsoSuggestion> suggestions;
+  for (std::size_t i = 0; i < largestFirst.size() && suggestions.empty(); ++i)
   {
-    own = style->ChooseIsoValue(largestFirst[i], array);
-    voxels = own ? static_cast<double>(largestFirst[i]->GetNumberOfPoints()) : 0.0;
+    suggestions = InkSuggestIsoValues(largestFirst[i], array);
   }
-  double most = voxels;
-  style->GetProcesses().TakeGreatest({ &most, 1 });
-  double value = own && voxels == most ? *own : std::numeric_limits<double>::lowest();
-  style->GetProcesses().TakeGreatest({ &value, 1 });
-  return most > 0.0 ? std::optional(value) : std::nullopt;
+  std::vector<double> numbers;
+  for (const ink::IsoSuggestion& one : suggestions)
+  {
+    numbers.insert(numbers.end(), { one.value, static_cast<double>(one.boundary), one.keptShare });
+  }
+  style->GetProcesses().TakeOfFirst(numbers);
+  suggestions.clear();
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+  {
+    const auto boundary = static_cast<ink::IsoSuggestion::Boundary>(static_cast<int>(numbers[i + 1]));
+    suggestions.push_back({ numbers[i], boundary, numbers[i + 2] });
+  }
+  return suggestions;
 }
 
 std::string InkIsoSurface::Prepare(
   vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
 {
   std::vector<double> values = this->IsoValues;
+  // What is automatic is found from the whole, so that it does not show how many processes there are.
+  const bool measures = values.empty() || this->Smoothing < 0.0;
+  const InkWholeImages whole =
+    measures ? style->GetProcesses().GatherImages(images, array) : InkWholeImages();
   if (values.empty())
   {
-    const auto chosen = ChooseValue(style, images, array);
-    if (!chosen)
+    const std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole, array);
+    if (suggestions.empty())
     {
       return "expected an image with two different finite values or more, found none";
     }
-    values.push_back(*chosen);
+    style->AddNote(InkDescribeChoice(suggestions));
+    values.push_back(suggestions.front().value);
   }
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
   if (array.empty())
@@ -215,8 +260,9 @@ std::string InkIsoSurface::Prepare(
   {
     sampler->SetValue(static_cast<int>(i), values[i]);
   }
-  sampler->SetSmoothing(this->FindSmoothing(style, images, array, values));
-  sampler->SetSubdivision(this->FindSubdivision(style, images));
+  sampler->SetSmoothing(
+    this->Smoothing < 0.0 ? this->FindSmoothing(style, whole, array, values) : this->Smoothing);
+  sampler->SetSubdivision(this->FindSubdivision(style, images, array, values));
   return {};
 }
 
@@ -233,6 +279,15 @@ std::string InkIsoSurface::Sample(
   {
     sampler->SetInputData(image);
   }
+  // Parts that go on in other processes are judged by KeepParts.
+  const ink::ComponentSelection selection = this->GetSelection();
+  const bool judgesLater = part && style->GetProcesses().GetNumber() > 1 && !selection.keepsAll();
+  sampler->SetComputeCellIds(judgesLater);
+  if (judgesLater)
+  {
+    sampler->SetSmallestPart(0.0);
+    sampler->SetLargestParts(0);
+  }
   vtkNew<vtkInformation> whole;
   vtkInformation* request = part && input.Request ? input.Request : whole.Get();
   const std::string problem =
@@ -241,9 +296,58 @@ std::string InkIsoSurface::Sample(
   points->ShallowCopy(sampler->GetOutput());
   style->SetFramePoints(points->GetPoints());
   sampler->SetInputConnection(nullptr);
-  if (problem.empty() && !input.Port && points->GetNumberOfPoints() == 0)
+  sampler->SetSmallestPart(selection.smallestShare);
+  sampler->SetLargestParts(static_cast<int>(selection.largest));
+  if (problem.empty() && !input.Port)
   {
-    style->AddNote("nothing to draw: no surface at iso-value " + InkFormatShort(sampler->GetValue(0)));
+    this->NoteWhereEmpty(style, points);
   }
   return problem;
+}
+
+ink::ComponentSelection InkIsoSurface::GetSelection() const
+{
+  return { this->GetSmallestPart(), static_cast<std::size_t>(this->GetLargestParts()) };
+}
+
+void InkIsoSurface::KeepParts(
+  vtkInkStyle* style, const vtkInkStyle::Input& input, std::span<const vtkSmartPointer<vtkPolyData>> points)
+{
+  const ink::ComponentSelection selection =
+    this->GetSelection().inDividedCells(this->Sampler->GetSubdivision());
+  if (!input.Port || style->GetProcesses().GetNumber() < 2 || selection.keepsAll())
+  {
+    return;
+  }
+  // A process has a part of one image, or whole images, whose parts were judged then.
+  vtkPolyData* own = points.size() == 1 ? points.front().Get() : nullptr;
+  InkKeepPartsOfAll(
+    style->GetProcesses(), selection, static_cast<int>(this->Sampler->GetNumberOfContours()), own);
+  if (own)
+  {
+    style->SetFramePoints(own->GetPoints());
+  }
+}
+
+std::string InkIsoSurface::Mesh(
+  vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array)
+{
+  const std::string problem = InkMakeIsoSurfaceMesh(
+    image, InkFindScalars(image, array), this->Sampler,
+    [style](vtkAlgorithm* algorithm) { return style->Follow(algorithm, "meshing the surface"); }, mesh);
+  style->SetFramePoints(mesh->GetPoints());
+  if (problem.empty())
+  {
+    this->NoteWhereEmpty(style, mesh);
+  }
+  return problem;
+}
+
+void InkIsoSurface::NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface)
+{
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    style->AddNote(
+      "nothing to draw: no surface at iso-value " + ink::formatNumber(this->Sampler->GetValue(0)));
+  }
 }

@@ -2,13 +2,16 @@
 #ifndef InkIsoSurface_h
 #define InkIsoSurface_h
 
+#include "InkStyleProcesses.h"
 #include "vtkInkStyle.h"
 #include "vtkInkStylesModule.h" // for the export macro
+
+#include "IsoSurface/ActiveCellComponents.h"
+#include "Statistics/IsoValue.h"
 
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,6 +53,17 @@ public:
   /// When something changed last that the points depend on.
   vtkMTimeType GetMTime();
 
+  /// All of another one's parameters but its iso-values.
+  void CopyParameters(const InkIsoSurface& other);
+
+  /**
+   * The iso-values that suit the images of all processes, the best first; all processes call it at once, also
+   * without images.
+   * @param array the point array to sample; empty: the active scalars
+   */
+  static std::vector<ink::IsoSuggestion> Suggest(
+    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array);
+
   /**
    * Finds what the images of all processes are sampled with; all processes call it at once, also without
    * images.
@@ -69,18 +83,37 @@ public:
   std::string Sample(
     vtkInkStyle* style, const vtkInkStyle::Input& input, vtkImageData* image, vtkPolyData* points);
 
+  /**
+   * Leaves out the parts of surfaces that are not wanted, where they may go on in other processes; all
+   * processes call it at once after Sample.
+   * @param points of each image of this process
+   */
+  void KeepParts(vtkInkStyle* style, const vtkInkStyle::Input& input,
+    std::span<const vtkSmartPointer<vtkPolyData>> points);
+
+  /**
+   * The same surfaces as triangles with Normals, see InkIsoSurfaceMesh.h; after Prepare with the same array.
+   * @param image that is sampled as a whole
+   * @param mesh becomes them
+   * @return what is wrong; empty if nothing is
+   */
+  std::string Mesh(vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array = {});
+
 private:
-  /// That of the process with the largest image, where they hold parts.
-  static std::optional<double> ChooseValue(
-    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array);
-  double FindSmoothing(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
+  ink::ComponentSelection GetSelection() const;
+  static std::vector<ink::IsoSuggestion> SuggestOf(
+    vtkInkStyle* style, const InkWholeImages& images, const std::string& array);
+  double FindSmoothing(vtkInkStyle* style, const InkWholeImages& images, const std::string& array,
     const std::vector<double>& values) const;
-  int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images) const;
+  int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
+    const std::vector<double>& values) const;
+  /// Says so if there is no surface.
+  void NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface);
 
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   std::vector<double> IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
-  int Subdivision = 0;     ///< 0: as the picture's size asks for
+  int Subdivision = 0;     ///< 0: until cells are a small part of the picture
   vtkTimeStamp Changed;
 };
 

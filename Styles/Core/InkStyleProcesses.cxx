@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStyleProcesses.h"
 
+#include "InkVolumeValues.h"
+
 #include "vtkAppendPolyData.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -10,11 +13,33 @@ InkStyleProcesses::~InkStyleProcesses() = default;
 
 void InkStyleProcesses::TakeGreatest(std::span<double>) {}
 
+void InkStyleProcesses::TakeOfFirst(std::vector<double>&) {}
+
+std::vector<std::int64_t> InkStyleProcesses::GatherAll(std::span<const std::int64_t> own, std::size_t& begin)
+{
+  begin = 0;
+  return { own.begin(), own.end() };
+}
+
 void InkStyleProcesses::AddUp(ink::stipple::VolumeStatistics&) {}
 
 vtkSmartPointer<vtkPolyData> InkStyleProcesses::Gather(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
 {
   return InkAppend(parts);
+}
+
+InkWholeImages InkStyleProcesses::GatherImages(
+  std::span<vtkImageData* const> images, const std::string& array)
+{
+  InkWholeImages found;
+  for (vtkImageData* image : images)
+  {
+    if (InkFindScalars(image, array))
+    {
+      found.push_back(image);
+    }
+  }
+  return found;
 }
 
 void InkStyleProcesses::AgreeOnArray(std::string&, int&) {}

@@ -10,16 +10,21 @@
 #include "vtkInkStylesModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkPolyData;
 
 namespace ink::stipple
 {
 struct VolumeStatistics;
 } // namespace ink::stipple
+
+using InkWholeImages = std::vector<vtkSmartPointer<vtkImageData>>;
 
 class VTKINKSTYLES_EXPORT InkStyleProcesses
 {
@@ -29,14 +34,30 @@ public:
   InkStyleProcesses(const InkStyleProcesses&) = delete;
   InkStyleProcesses& operator=(const InkStyleProcesses&) = delete;
 
+  virtual int GetNumber() { return 1; }
+
   /// The greatest of all processes' numbers, in place of each.
   virtual void TakeGreatest(std::span<double> numbers);
+
+  /// The first process's numbers, however many, in place of each process's.
+  virtual void TakeOfFirst(std::vector<double>& numbers);
+
+  /// All processes' numbers, one process after the other.
+  /// @param begin output: where this one's begin
+  virtual std::vector<std::int64_t> GatherAll(std::span<const std::int64_t> own, std::size_t& begin);
 
   /// All processes' statistics added up, in place of this one's.
   virtual void AddUp(ink::stipple::VolumeStatistics& statistics);
 
   /// All processes' parts of a mesh as one, on the first process; an empty one on the others.
   virtual vtkSmartPointer<vtkPolyData> Gather(const std::vector<vtkSmartPointer<vtkPolyData>>& parts);
+
+  /**
+   * All processes' images, with one point array, on the first process, which needs memory for them; none on
+   * the others. Parts of one image, of which every process has one at most, are put together.
+   * @param array its name; empty: the active scalars. Images without it are left out
+   */
+  virtual InkWholeImages GatherImages(std::span<vtkImageData* const> images, const std::string& array);
 
   /// An array's name and association as the first process has them that has a name.
   virtual void AgreeOnArray(std::string& name, int& association);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All styles. A new one is added here and in CMakeLists.txt.
+#include "vtkInkContoursStyle.h"
 #include "vtkInkIllustrationStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleStyle.h"
@@ -15,8 +16,10 @@ struct Registered
   vtkInkStyle* (*Create)();
 };
 
+/// The first is the default of programs.
 constexpr Registered Styles[] = {
   { "illustration", []() -> vtkInkStyle* { return vtkInkIllustrationStyle::New(); } },
+  { "contours", []() -> vtkInkStyle* { return vtkInkContoursStyle::New(); } },
   { "splatting-lines", []() -> vtkInkStyle* { return vtkInkSplattingLinesStyle::New(); } },
   { "stipple", []() -> vtkInkStyle* { return vtkInkStippleStyle::New(); } },
 };

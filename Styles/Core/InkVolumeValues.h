@@ -10,7 +10,11 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkImageData;
+
+/// A point array of the image: the active scalars without a name; null if there is none.
+VTKINKSTYLES_EXPORT vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array);
 
 /// The iso-values that suit a point array of the image, of one component; see ink::suggestIsoValues.
 /// @param array its name; empty: the active scalars
@@ -23,6 +27,12 @@ VTKINKSTYLES_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(
 VTKINKSTYLES_EXPORT double InkSuggestSmoothing(
   vtkImageData* image, const std::string& array, double isoValue);
 
+/// At most so many points lie on an iso-surface, as vtkInkIsoSurfaceSampler makes them; see
+/// ink::boundActiveCells.
+/// @param array a point array of one component; empty: the active scalars
+VTKINKSTYLES_EXPORT double InkBoundSurfacePoints(
+  vtkImageData* image, const std::string& array, double isoValue);
+
 /// What the surface at an iso-value is, in a few words: "the outermost clear boundary, keeps 12 % of the
 /// volume".
 VTKINKSTYLES_EXPORT std::string InkDescribe(const ink::IsoSuggestion& suggestion);
@@ -30,8 +40,5 @@ VTKINKSTYLES_EXPORT std::string InkDescribe(const ink::IsoSuggestion& suggestion
 /// That the first of some iso-values was chosen, and which ones are next, in a sentence without its dot.
 /// @param suggestions one or more
 VTKINKSTYLES_EXPORT std::string InkDescribeChoice(const std::vector<ink::IsoSuggestion>& suggestions);
-
-/// A number as people write it: up to 7 significant digits.
-VTKINKSTYLES_EXPORT std::string InkFormatShort(double number);
 
 #endif

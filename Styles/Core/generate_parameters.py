@@ -33,7 +33,7 @@ A row of parameters.json is one parameter. Its entries:
               the client, where what it sets are properties
     from      a folder of Styles: the row is that of the same name, or of the one that `of` names, in its table, with what
               stands here in place of its entries. Its setter is that of the style that "styles" has a method for, {FOLDER:
-              METHOD}, or without one of this style itself
+              METHOD}, or without one of this style itself, unless it `sets` another
 
 The table's "prefix" comes before the names of ParaView's properties that `panel` gives none: all styles' stand side by side.
 
@@ -106,7 +106,9 @@ def read(path):
             name = row["name"]
             given = {}
             if "from" in row:
+                sets = row.get("sets")
                 row, given["object"], given["method"] = inherited(document, path, row)
+                given = {} if sets else given
                 group["parameters"][index] = row
             unknown = set(row) - KEYS
             if unknown or name in rows or row["type"] not in TYPES:

@@ -3,7 +3,6 @@
 
 #include "InkParameter.h"
 #include "InkStyleProcesses.h"
-#include "InkVolumeValues.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -152,17 +151,6 @@ std::string vtkInkStyle::MakeMarksOf(vtkInkStyle* part, const Input& input)
 void vtkInkStyle::AddNote(const std::string& note)
 {
   this->Notes.push_back(note);
-}
-
-std::optional<double> vtkInkStyle::ChooseIsoValue(vtkImageData* image, const std::string& array)
-{
-  const std::vector<ink::IsoSuggestion> suggestions = InkSuggestIsoValues(image, array);
-  if (suggestions.empty())
-  {
-    return std::nullopt;
-  }
-  this->AddNote(InkDescribeChoice(suggestions));
-  return suggestions.front().value;
 }
 
 int vtkInkStyle::GetNumberOfNotes()

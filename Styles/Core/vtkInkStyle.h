@@ -27,11 +27,10 @@
 #include "vtkPoints.h"       // for the frame
 #include "vtkSmartPointer.h" // for the pieces
 
-#include <memory>   // for std::shared_ptr
-#include <optional> // for iso-values
-#include <string>   // for messages
-#include <utility>  // for std::pair
-#include <vector>   // for the pieces
+#include <memory>  // for std::shared_ptr
+#include <string>  // for messages
+#include <utility> // for std::pair
+#include <vector>  // for the pieces
 
 class InkStyleProcesses;
 class vtkActor;
@@ -61,8 +60,8 @@ public:
 
   ///@{
   /**
-   * All styles there are, by name: "illustration", "splatting-lines", "stipple". CreateStyle returns null for an unknown
-   * name.
+   * All styles there are, the default first: "illustration", "contours", "splatting-lines", "stipple".
+   * CreateStyle returns null for an unknown name.
    */
   static int GetNumberOfStyles();
   static const char* GetStyleName(int style); ///< null out of range
@@ -296,9 +295,6 @@ protected:
   void AddNote(const std::string& note);
   /// Where the frame is not that of the first piece's points; for MakePieces.
   void SetFramePoints(vtkPoints* points) { this->FramePoints = points; }
-  /// Chooses an iso-value for a point array of an image (empty: the active scalars), and notes it. None if
-  /// its finite values are all the same.
-  std::optional<double> ChooseIsoValue(vtkImageData* image, const std::string& array = {});
   InkStyleProcesses& GetProcesses();
   /// Lets another style make its marks for this one: for the same picture and processes, with its progress
   /// and its notes as this style's. @return what is wrong

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkIllustrationStyle.h"
 
+#include "Core/FormatNumber.h"
+#include "InkHasPolygons.h"
+#include "InkHasSurface.h"
 #include "InkIsoSurface.h"
+#include "InkLeaves.h"
 #include "InkParameter.h"
 #include "InkStyleProcesses.h"
-#include "InkSurfaceKind.h"
+#include "InkVolumeValues.h"
 #include "vtkInkIllustrationMapper.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
@@ -50,6 +54,11 @@ constexpr Subject Presets[] = {
   { 1.1, 0.05, 2.0, 9.0, 0.995, 150.0, 2.0 } // machine-part
 };
 
+/// The pieces of a surface: the points that lines are drawn of, and those of its stipples.
+constexpr const char* PieceNames[] = { "Points", "Stipples", "Surface", "Numbers", "Outer points",
+  "Outer stipples", "Outer surface", "Outer numbers" };
+constexpr int PiecesPerSurface = 4;
+
 bool IsMesh(vtkDataObject* data)
 {
   auto* mesh = vtkPolyData::SafeDownCast(data);
@@ -61,6 +70,7 @@ bool IsMesh(vtkDataObject* data)
 vtkInkIllustrationStyle::vtkInkIllustrationStyle()
 {
   this->Mapper->SetMappers(this->Lines->GetLinesMapper(), this->Stipples->GetStippleMapper());
+  this->Mapper->SetOuterMappers(this->OuterLines->GetLinesMapper(), this->OuterStipples->GetStippleMapper());
   this->Actor->SetMapper(this->Mapper);
   this->SetPreset(0);
 }
@@ -112,66 +122,137 @@ std::string vtkInkIllustrationStyle::GetReasonAgainst(vtkDataObject* data)
   return this->Lines->GetReasonAgainst(data);
 }
 
+vtkInkIllustrationMapper* vtkInkIllustrationStyle::GetIllustrationMapper()
+{
+  return this->Mapper;
+}
+
 int vtkInkIllustrationStyle::GetNumberOfPieces()
 {
-  return this->Lines->GetNumberOfPieces() + this->Stipples->GetNumberOfPieces();
+  return 2 * PiecesPerSurface;
 }
 
 const char* vtkInkIllustrationStyle::GetPieceName(int piece)
 {
-  const int lines = this->Lines->GetNumberOfPieces();
-  return piece < lines ? this->Lines->GetPieceName(piece) : this->Stipples->GetPieceName(piece - lines);
-}
-
-bool vtkInkIllustrationStyle::FindImages(vtkDataObject* data)
-{
-  auto* image = vtkImageData::SafeDownCast(data);
-  double images = image && image->GetNumberOfPoints() > 0 ? 1.0 : 0.0;
-  this->GetProcesses().TakeGreatest({ &images, 1 });
-  return images > 0.0;
+  return piece >= 0 && piece < this->GetNumberOfPieces() ? PieceNames[piece] : nullptr;
 }
 
 std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
 {
-  Input own = input;
-  vtkSmartPointer<vtkPolyData> whole;
-  if (auto* mesh = vtkPolyData::SafeDownCast(input.Data); input.Port && !this->FindImages(input.Data))
+  const InkLeaves leaves(input.Data);
+  double images = leaves.Images.empty() ? 0.0 : 1.0;
+  this->GetProcesses().TakeGreatest({ &images, 1 });
+  this->GetIsoSurface()->SetIsoValues(this->IsoValues);
+  if (images == 0.0)
   {
-    // Meshes and points of several processes are put together on the first one.
-    whole = this->GetProcesses().Gather(
-      { mesh ? vtkSmartPointer<vtkPolyData>(mesh) : vtkSmartPointer<vtkPolyData>::New() });
-    own = { whole };
+    return this->MakeMesh(input, leaves);
   }
-  // All processes take part, also those that have no points.
-  const bool isEmpty = whole && whole->GetNumberOfPoints() == 0;
-  std::string problem = this->MakeMarksOf(this->Lines, own);
-  if (isEmpty)
+  if (!this->SeeThrough)
   {
-    problem.clear();
+    return this->MakeSurface(this->Lines, this->Stipples, 0, input);
   }
-  else
+  if (const std::string problem = this->ChooseSurfaces(leaves); !problem.empty())
   {
-    this->GetPiece(0)->ShallowCopy(this->Lines->GetPiece(0));
-    this->SetFramePoints(this->Lines->GetFramePoints());
+    return problem;
   }
+  const std::string inner = this->MakeSurface(this->Lines, this->Stipples, 0, input);
+  const std::string outer = this->MakeSurface(this->OuterLines, this->OuterStipples, PiecesPerSurface, input);
+  // It is around the other.
+  this->SetFramePoints(this->OuterLines->GetFramePoints());
+  return inner.empty() ? outer : inner;
+}
+
+std::string vtkInkIllustrationStyle::MakeMesh(const Input& input, const InkLeaves& leaves)
+{
+  const std::string reason = this->GetReasonAgainst(input.Data);
+  if (!input.Port && !reason.empty())
+  {
+    return reason;
+  }
+  if (const std::string grids = leaves.DescribeGrids(); !grids.empty())
+  {
+    this->AddNote(grids);
+  }
+  // Those of several processes are put together on the first one; all take part.
+  const vtkSmartPointer<vtkPolyData> whole = this->GetProcesses().Gather(leaves.MakeMeshes());
+  const std::string problem = this->MakeSurface(this->Lines, this->Stipples, 0, { whole, input.Port });
+  return !leaves.Problem.empty() ? reason : whole->GetNumberOfPoints() == 0 ? std::string() : problem;
+}
+
+std::string vtkInkIllustrationStyle::MakeSurface(
+  vtkInkSplattingLinesStyle* lines, vtkInkStippleStyle* stipples, int firstPiece, const Input& input)
+{
+  std::string problem = this->MakeMarksOf(lines, input);
+  this->GetPiece(firstPiece)->ShallowCopy(lines->GetPiece(0));
+  this->SetFramePoints(lines->GetFramePoints());
   // All processes take part where there are several.
-  if (input.Port || (problem.empty() && this->GetPiece(0)->GetNumberOfPoints() > 0))
+  if (input.Port || this->GetPiece(firstPiece)->GetNumberOfPoints() > 0)
   {
     const std::string ofStipples =
-      this->MakeMarksOf(this->Stipples, { IsMesh(own.Data) ? own.Data : this->GetPiece(0) });
+      this->MakeMarksOf(stipples, { IsMesh(input.Data) ? input.Data : this->GetPiece(firstPiece) });
     problem = problem.empty() ? ofStipples : problem;
-    for (int piece = 0; piece < this->Stipples->GetNumberOfPieces(); ++piece)
+    for (int piece = 0; piece < stipples->GetNumberOfPieces(); ++piece)
     {
-      this->GetPiece(1 + piece)->ShallowCopy(this->Stipples->GetPiece(piece));
+      this->GetPiece(firstPiece + 1 + piece)->ShallowCopy(stipples->GetPiece(piece));
     }
   }
   return problem;
 }
 
+std::string vtkInkIllustrationStyle::ChooseSurfaces(const InkLeaves& leaves)
+{
+  InkIsoSurface* inner = this->GetIsoSurface();
+  InkIsoSurface* outer = this->OuterLines->GetIsoSurface();
+  outer->CopyParameters(*inner);
+  std::vector<double> outerValue = this->OuterIsoValue;
+  std::vector<double> innerValues = this->IsoValues;
+  if (outerValue.empty() || innerValues.empty())
+  {
+    std::vector<ink::IsoSuggestion> suggestions = InkIsoSurface::Suggest(this, leaves.Images, {});
+    std::sort(
+      suggestions.begin(), suggestions.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+    // The surface at the lower value is around that at the higher one.
+    const auto choose = [&](std::vector<double>& values, const char* which, const auto& suits)
+    {
+      const auto found = std::find_if(suggestions.begin(), suggestions.end(), suits);
+      if (values.empty() && found != suggestions.end())
+      {
+        values = { found->value };
+        this->AddNote(which + (" iso-value " + ink::formatNumber(found->value)) + ": " + InkDescribe(*found));
+      }
+    };
+    choose(outerValue, "outer",
+      [&](const auto& one) {
+        return innerValues.empty() || one.value < *std::min_element(innerValues.begin(), innerValues.end());
+      });
+    choose(innerValues, "inner",
+      [&](const auto& one) { return !outerValue.empty() && one.value > outerValue.front(); });
+  }
+  if (outerValue.empty() || innerValues.empty())
+  {
+    return "see-through: expected an image with two clear boundaries, found " +
+      std::string(outerValue.empty() && innerValues.empty() ? "none" : "no second one") +
+      "; an inner and an outer iso-value can be given";
+  }
+  inner->SetIsoValues(innerValues);
+  outer->SetIsoValues(outerValue);
+  this->OuterStipples->SetNumberOfSurfaceStipples(this->Stipples->GetNumberOfSurfaceStipples());
+  this->OuterStipples->SetSizeUnit(this->Stipples->GetSizeUnit());
+  this->OuterStipples->SetStippleSize(this->Stipples->GetStippleSize());
+  this->OuterStipples->SetPixelsPerStipple(this->Stipples->GetPixelsPerStipple());
+  return {};
+}
+
 void vtkInkIllustrationStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
-  this->Lines->ShowPieces({ pieces[0] });
-  this->Stipples->ShowPieces({ pieces.begin() + 1, pieces.end() });
+  const auto show = [&](vtkInkSplattingLinesStyle* lines, vtkInkStippleStyle* stipples, int first)
+  {
+    const auto begin = pieces.begin() + first;
+    lines->ShowPieces({ *begin });
+    stipples->ShowPieces({ begin + 1, begin + PiecesPerSurface });
+  };
+  show(this->Lines, this->Stipples, 0);
+  show(this->OuterLines, this->OuterStipples, PiecesPerSurface);
   this->Mapper->SetInputDataObject(pieces[0]);
 }
 
@@ -210,6 +291,24 @@ void vtkInkIllustrationStyle::SetPreset(int preset)
   lines->SetTau(values.Tau);
   lines->SetPhi(values.Phi);
   lines->SetLambda(values.Lambda);
+}
+
+void vtkInkIllustrationStyle::SetIsoValues(const std::vector<double>& values)
+{
+  if (this->IsoValues != values)
+  {
+    this->IsoValues = values;
+    this->Modified();
+  }
+}
+
+void vtkInkIllustrationStyle::SetOuterIsoValue(const std::vector<double>& value)
+{
+  if (this->OuterIsoValue != value)
+  {
+    this->OuterIsoValue = value;
+    this->Modified();
+  }
 }
 
 void vtkInkIllustrationStyle::SetInkColor(double red, double green, double blue)

@@ -9,7 +9,10 @@
  * here, and their inks are one. A preset sets light, size and density of stipples, and number, darkness and
  * width of lines.
  *
- * Pieces: the points that lines are drawn of, and those of vtkInkStippleStyle.
+ * See-through, there are two surfaces of an image: an inner one, and a faint one around it, at OuterIsoValue.
+ *
+ * Pieces: the points that lines are drawn of, and those of vtkInkStippleStyle; then the same of the outer
+ * surface, empty without one.
  *
  * @sa vtkInkSplattingLinesStyle vtkInkStippleStyle vtkInkIllustrationMapper
  */
@@ -23,6 +26,7 @@ class InkIsoSurface;
 class vtkInkIllustrationMapper;
 class vtkInkSplattingLinesStyle;
 class vtkInkStippleStyle;
+struct InkLeaves;
 
 class VTKINKSTYLES_EXPORT vtkInkIllustrationStyle : public vtkInkStyle
 {
@@ -54,6 +58,9 @@ public:
   InkIsoSurface* GetIsoSurface();
   ///@}
 
+  /// What draws both.
+  vtkInkIllustrationMapper* GetIllustrationMapper();
+
   ///@{
   /// Parameters; see their table.
   void SetPreset(int preset);
@@ -62,6 +69,13 @@ public:
   double* GetInkColor() VTK_SIZEHINT(3);
   void SetPaperColor(double red, double green, double blue);
   double* GetPaperColor() VTK_SIZEHINT(3);
+  void SetIsoValues(const std::vector<double>& values);
+  const std::vector<double>& GetIsoValues() { return this->IsoValues; }
+  vtkSetMacro(SeeThrough, bool);
+  vtkGetMacro(SeeThrough, bool);
+  /// One value, or none.
+  void SetOuterIsoValue(const std::vector<double>& value);
+  const std::vector<double>& GetOuterIsoValue() { return this->OuterIsoValue; }
   ///@}
 
   const InkParameterTable& GetParameterTable() override;
@@ -78,15 +92,25 @@ private:
   vtkInkIllustrationStyle(const vtkInkIllustrationStyle&) = delete;
   void operator=(const vtkInkIllustrationStyle&) = delete;
 
-  /// Whether any process has an image.
-  bool FindImages(vtkDataObject* data);
+  /// Finds the values of both surfaces where there are to be two. @return what is wrong
+  std::string ChooseSurfaces(const InkLeaves& leaves);
+  /// Of what is no image. @return what is wrong
+  std::string MakeMesh(const Input& input, const InkLeaves& leaves);
+  /// Makes the marks of one surface, as pieces from the given one on.
+  std::string MakeSurface(
+    vtkInkSplattingLinesStyle* lines, vtkInkStippleStyle* stipples, int firstPiece, const Input& input);
   void UpdateLightInk();
 
   vtkNew<vtkInkSplattingLinesStyle> Lines;
   vtkNew<vtkInkStippleStyle> Stipples;
+  vtkNew<vtkInkSplattingLinesStyle> OuterLines;
+  vtkNew<vtkInkStippleStyle> OuterStipples;
   vtkNew<vtkInkIllustrationMapper> Mapper;
   vtkNew<vtkActor> Actor;
   int Preset = 0;
+  std::vector<double> IsoValues;
+  bool SeeThrough = false;
+  std::vector<double> OuterIsoValue;
 };
 
 #endif

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesStyle.h"
 
+#include "InkDiscStipples.h"
+#include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
+#include "InkLeaves.h"
 #include "InkParameter.h"
 #include "InkStyleProcesses.h"
-#include "InkSurfaceKind.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
@@ -87,44 +89,50 @@ void vtkInkSplattingLinesStyle::GetBackgroundColor(double color[3])
 std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
 {
   const std::string wanted = "expected an image, a mesh or points, found ";
-  if (auto* image = vtkImageData::SafeDownCast(data))
+  const InkLeaves leaves(data);
+  if (!leaves.Problem.empty())
+  {
+    return wanted + leaves.Problem;
+  }
+  for (vtkImageData* image : leaves.Images)
   {
     vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    return !scalars ? wanted + "an image without point scalars"
-      : scalars->GetNumberOfComponents() != 1
-      ? wanted + "an image with " + std::to_string(scalars->GetNumberOfComponents()) + " scalars a point"
-      : std::string();
+    if (!scalars)
+    {
+      return wanted + "an image without point scalars";
+    }
+    if (scalars->GetNumberOfComponents() != 1)
+    {
+      return wanted + "an image with " + std::to_string(scalars->GetNumberOfComponents()) +
+        " scalars a point";
+    }
   }
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  return !mesh                       ? wanted + (data ? "a " + std::string(data->GetClassName()) : "nothing")
-    : mesh->GetNumberOfPoints() == 0 ? wanted + "no points"
-                                     : std::string();
+  return !data                                                                  ? wanted + "nothing"
+    : leaves.Images.empty() && leaves.Stipples.empty() && leaves.Others.empty() ? wanted + "no points"
+                                                                                : std::string();
 }
 
 std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
 {
-  std::vector<vtkImageData*> images;
-  if (auto* image = vtkImageData::SafeDownCast(input.Data); image && image->GetNumberOfPoints() > 0)
-  {
-    images.push_back(image);
-  }
+  const InkLeaves leaves(input.Data);
   // Processes without a part of the image take part, too.
-  double hasImages = images.empty() ? 0.0 : 1.0;
+  double hasImages = leaves.Images.empty() ? 0.0 : 1.0;
   this->GetProcesses().TakeGreatest({ &hasImages, 1 });
-  std::string reason = hasImages > 0.0 && images.empty() ? std::string() : this->GetReasonAgainst(input.Data);
+  const bool isEmptyPart = hasImages > 0.0 && leaves.Images.empty();
+  const std::string reason = isEmptyPart ? std::string() : this->GetReasonAgainst(input.Data);
   if (hasImages > 0.0)
   {
-    const std::string problem = this->IsoSurface->Prepare(this, images, {});
-    reason = reason.empty() ? problem : reason;
-    return reason.empty() && !images.empty()
-      ? this->IsoSurface->Sample(this, input, images.front(), this->GetPiece(0))
-      : reason;
+    return this->SampleImages(input, leaves, reason);
   }
   if (!reason.empty())
   {
     return reason;
   }
-  auto* mesh = vtkPolyData::SafeDownCast(input.Data);
+  if (const std::string grids = leaves.DescribeGrids(); !grids.empty())
+  {
+    this->AddNote(grids);
+  }
+  const vtkSmartPointer<vtkPolyData> mesh = InkAppend(leaves.MakeMeshes());
   if (InkHasPolygons(mesh))
   {
     this->SetFramePoints(mesh->GetPoints());
@@ -137,6 +145,30 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
   }
   return this->NumberOfSamples == 0 && InkHasPolygons(mesh) ? this->TakeVertices(mesh)
                                                             : this->SampleMesh(mesh);
+}
+
+std::string vtkInkSplattingLinesStyle::SampleImages(
+  const Input& input, const InkLeaves& leaves, const std::string& reason)
+{
+  // All processes take part, also those whose image cannot be drawn.
+  std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  problem = reason.empty() ? problem : reason;
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
+  {
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    problem = this->IsoSurface->Sample(this, input, leaves.Images[i], parts.back());
+  }
+  this->IsoSurface->KeepParts(this, input, parts);
+  if (!parts.empty())
+  {
+    this->GetPiece(0)->ShallowCopy(InkAppend(parts));
+    this->SetFramePoints(this->GetPiece(0)->GetPoints());
+  }
+  const std::size_t left = leaves.Stipples.size() + leaves.Others.size();
+  return problem.empty() && left > 0
+    ? "nothing is drawn of " + std::to_string(left) + " datasets beside images; expected images alone"
+    : problem;
 }
 
 vtkIdType vtkInkSplattingLinesStyle::CountForMesh(vtkPolyData* mesh)

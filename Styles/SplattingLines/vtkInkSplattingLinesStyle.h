@@ -23,6 +23,7 @@
 class InkIsoSurface;
 class vtkInkSplattingLinesMapper;
 class vtkInkSurfaceSampler;
+struct InkLeaves;
 
 class VTKINKSTYLES_EXPORT vtkInkSplattingLinesStyle : public vtkInkStyle
 {
@@ -100,6 +101,10 @@ private:
 
   std::string SampleMesh(vtkPolyData* mesh);
   std::string TakeVertices(vtkPolyData* mesh);
+  /// The points of all images' surfaces.
+  /// @param reason against the data; empty if there is none
+  /// @return what is wrong
+  std::string SampleImages(const Input& input, const InkLeaves& leaves, const std::string& reason);
   void UpdateColors();
 
   std::unique_ptr<InkIsoSurface> IsoSurface;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleRecipe.h"
 
+#include "InkHasPolygons.h"
+#include "InkHasSurface.h"
 #include "InkIsoSurface.h"
-#include "InkStippleLeaves.h"
+#include "InkLeaves.h"
+#include "InkLongestSide.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
-#include "InkSurfaceKind.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
@@ -16,7 +18,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkGeometryFilter.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -27,7 +28,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -68,45 +68,18 @@ private:
   const int Mode;
 };
 
-std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(const std::vector<vtkDataSet*>& leaves)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  for (vtkDataSet* data : leaves)
-  {
-    vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
-    if (!surface)
-    {
-      vtkNew<vtkGeometryFilter> outside;
-      outside->SetInputData(data);
-      outside->Update();
-      surface = outside->GetOutput();
-    }
-    surfaces.push_back(surface);
-  }
-  return surfaces;
-}
-
 /// Of images of all processes, as many stipples a voxel as it measures pixels in a picture of them all.
 int ProjectedListLength(const std::vector<vtkImageData*>& images, double pixels, InkStyleProcesses& processes)
 {
-  // The lower corner of all images, negated, the upper one, and a voxel's edge.
-  std::array<double, 7> most;
-  most.fill(std::numeric_limits<double>::lowest());
+  double edge = 0.0;
   for (vtkImageData* image : images)
   {
-    const double* box = image->GetBounds();
     const double* steps = image->GetSpacing();
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      most[axis] = std::max(most[axis], -box[2 * axis]);
-      most[3 + axis] = std::max(most[3 + axis], box[2 * axis + 1]);
-    }
-    most[6] = std::max(most[6], std::cbrt(std::abs(steps[0] * steps[1] * steps[2])));
+    edge = std::max(edge, std::cbrt(std::abs(steps[0] * steps[1] * steps[2])));
   }
-  processes.TakeGreatest(most);
-  const double edge = most[6];
+  processes.TakeGreatest({ &edge, 1 });
   // Bounds end at the middles of the outermost voxels.
-  const double longest = std::max({ most[0] + most[3], most[1] + most[4], most[2] + most[5] }) + edge;
+  const double longest = InkLongestSide(images, processes) + edge;
   return ink::stipple::projectedListLength(static_cast<float>(edge / longest),
     static_cast<float>(1.0 / pixels), ink::stipple::maximumStipplesPerVoxel);
 }
@@ -130,12 +103,15 @@ void InkStippleRecipe::Say(const std::string& problem)
 std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
-  const InkStippleLeaves leaves(input.Data);
+  const InkLeaves leaves(input.Data);
   style->IdsAreInputs = false;
   style->MadeColorArray.clear();
   style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   this->Generator->SetPictureSize(style->GetPictureSize());
-  this->Say(leaves.Problem.empty() ? "" : "Stipple draws nothing for " + leaves.Problem);
+  if (!leaves.Problem.empty())
+  {
+    this->Say("Stipple draws nothing for " + leaves.Problem + ". It needs images, meshes or stipples");
+  }
   std::array found{ leaves.Images.empty() ? 0.0 : 1.0, leaves.Stipples.empty() ? 0.0 : 1.0 };
   style->GetProcesses().TakeGreatest(found);
   const bool images = found[0] > 0.0;
@@ -210,7 +186,7 @@ bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
     (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && !input.Port);
 }
 
-bool InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
+bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
   const std::string problem = style->IsoSurface->Prepare(style, leaves.Images, style->Scalars);
@@ -226,6 +202,7 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkStippleLeaves& leaves, const 
     this->Say(style->IsoSurface->Sample(style, input, leaves.Images[i], parts.back()));
     this->AddColorsOf(leaves.Images[i], parts.back());
   }
+  style->IsoSurface->KeepParts(style, input, parts);
   const vtkSmartPointer<vtkPolyData> points = style->GetProcesses().Gather(parts);
   if (points->GetNumberOfPoints() > 0)
   {
@@ -254,7 +231,7 @@ void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
   points->GetPointData()->SetScalars(probe->GetOutput()->GetPointData()->GetArray(colors->GetName()));
 }
 
-void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input)
+void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
@@ -333,10 +310,10 @@ void InkStippleRecipe::StippleImages(const InkStippleLeaves& leaves, const vtkIn
   style->GetPiece(vtkInkStippleStyle::STIPPLES)->ShallowCopy(InkAppend(stipples));
 }
 
-void InkStippleRecipe::StippleSurfaces(const InkStippleLeaves& leaves)
+void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)
 {
   vtkInkStippleStyle* style = this->Style;
-  const vtkSmartPointer<vtkPolyData> mesh = style->GetProcesses().Gather(MakeMeshes(leaves.Others));
+  const vtkSmartPointer<vtkPolyData> mesh = style->GetProcesses().Gather(leaves.MakeMeshes());
   if (mesh->GetNumberOfPoints() == 0)
   {
     return;
@@ -400,7 +377,7 @@ void InkStippleRecipe::ColorStipples(vtkCellData* cells)
   }
 }
 
-void InkStippleRecipe::TakeStipples(const InkStippleLeaves& leaves)
+void InkStippleRecipe::TakeStipples(const InkLeaves& leaves)
 {
   vtkInkStippleStyle* style = this->Style;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;

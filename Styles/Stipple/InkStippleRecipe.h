@@ -18,7 +18,7 @@ class vtkCellData;
 class vtkDataSet;
 class vtkImageData;
 class vtkPolyData;
-struct InkStippleLeaves;
+struct InkLeaves;
 
 class InkStippleRecipe
 {
@@ -29,15 +29,15 @@ public:
   std::string Make(const vtkInkStyle::Input& input);
 
 private:
-  void StippleImages(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input);
+  void StippleImages(const InkLeaves& leaves, const vtkInkStyle::Input& input);
   /// @return false if that is not asked for and there is no iso-value
-  bool StippleIsoSurfaces(const InkStippleLeaves& leaves, const vtkInkStyle::Input& input);
+  bool StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input);
   /// Gives points of an image's surface its values of the array to color by, as scalars.
   void AddColorsOf(vtkImageData* image, vtkPolyData* points);
-  void StippleSurfaces(const InkStippleLeaves& leaves);
+  void StippleSurfaces(const InkLeaves& leaves);
   /// Stipples polygons, or points with normals.
   void StippleSurface(vtkPolyData* surface);
-  void TakeStipples(const InkStippleLeaves& leaves);
+  void TakeStipples(const InkLeaves& leaves);
   /// Lets the generator pass on the array to color by, where the data has it.
   void TakeColors(vtkDataSet* data, bool cells);
   /// Whether images are stippled by their iso-surfaces; the same on all processes.

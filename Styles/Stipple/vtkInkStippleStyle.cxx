@@ -2,9 +2,10 @@
 #include "vtkInkStippleStyle.h"
 
 #include "InkColorMap.h"
+#include "InkHasSurface.h"
 #include "InkIsoSurface.h"
+#include "InkLeaves.h"
 #include "InkParameter.h"
-#include "InkStippleLeaves.h"
 #include "InkStippleNumbers.h"
 #include "InkStippleRecipe.h"
 #include "vtkInkStippleActor.h"
@@ -109,7 +110,17 @@ bool vtkInkStippleStyle::GetColorByScalars()
 
 std::string vtkInkStippleStyle::GetReasonAgainst(vtkDataObject* data)
 {
-  return InkReasonAgainstStipples(data);
+  const std::string wanted = "expected an image, a mesh, points with Normals and Radius or stipples, found ";
+  const InkLeaves leaves(data);
+  if (!leaves.Problem.empty())
+  {
+    return wanted + leaves.Problem;
+  }
+  const std::size_t count = leaves.Images.size() + leaves.Stipples.size() + leaves.Others.size();
+  auto* only = count == 1 && !leaves.Others.empty() ? vtkPolyData::SafeDownCast(leaves.Others[0]) : nullptr;
+  return count == 0                ? wanted + "data without points"
+    : only && !InkHasSurface(only) ? wanted + "points without polygons"
+                                   : std::string();
 }
 
 std::string vtkInkStippleStyle::MakePieces(const Input& input)

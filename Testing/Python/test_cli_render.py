@@ -62,8 +62,7 @@ def test_the_subject_fits_with_a_margin(picture, volume_file, size, projection):
 
 
 def test_large_pictures_show_the_same(picture, volume_file):
-    """Of the same cells: where they are not given, a large picture has finer ones, and they set the width of lines."""
-    options = [*LINES, "--iso", 100, "--subdivision", 1]
+    options = [*LINES, "--iso", 100]
     small = picture(volume_file, *options).mean(axis=2)
     large = picture(volume_file, *options, size="1000x1000").mean(axis=2).reshape(200, 5, 200, 5).mean(axis=(1, 3))
     assert np.abs(small - large).mean() < 4
@@ -156,7 +155,8 @@ def test_more_ink_with_larger_values(picture, volume_file, option, low, high):
 @pytest.mark.parametrize("option, values", [("--lambda", (1, 4)), ("--sigma", (0.2, 0.8))])
 def test_other_parameters_change_the_lines(picture, volume_file, option, values):
     a, b = (picture(volume_file, *LINES, "--iso", 100, option, value).astype(int) for value in values)
-    assert np.abs(a - b).mean() > 0.5
+    # Much of the ink of lines that are thinner than a pixel.
+    assert np.abs(a - b).mean() > 0.1 * (255 - a).mean()
 
 
 def test_lines_become_wider_and_thinner(picture, volume_file):

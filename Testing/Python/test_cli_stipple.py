@@ -118,8 +118,8 @@ def test_light_comes_from_its_side(stippled, volume_file):
 
 def test_projected_lists_are_long_enough(stippled, volume_file, mesh_file):
     """With shorter ones stipples have to grow to keep the gray; the mesh's polygons are small enough for these."""
-    for file, zoom in ((volume_file, 0.6), (mesh_file, 1)):
-        published = ["--zoom", zoom, "--preset", "as-published"]
+    for file, zoom, source in ((volume_file, 0.6, ["--stipple-source", "volume"]), (mesh_file, 1, [])):
+        published = ["--zoom", zoom, "--preset", "as-published", *source]
         grown, kept = ([stippled(file, *published, *lists, *way).mean() for way in ([], ["--no-grow-with-zoom"])]
                        for lists in (["--max-stipples", 1], ["--max-stipples", "projected"]))
         assert file == mesh_file or grown[1] < 0.8 * grown[0]

@@ -122,4 +122,4 @@ def test_a_cut_is_one_line(picture, tmp_path, view):
 
     assert drawn("open") < 0.5
     assert drawn("rim") == 1
-    assert drawn("cap") == 1
+    assert drawn("cap") > 0.99

@@ -14,7 +14,7 @@ import pytest
 def options(ink):
     """The options that the whole help of `ink render` names, of all styles."""
     found = set()
-    for style in ("illustration", "splatting-lines", "stipple"):
+    for style in ("illustration", "contours", "splatting-lines", "stipple"):
         found |= set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", ink("render", "--style", style, "--help-all").out, re.M))
     assert len(found) > 80
     return found
@@ -70,7 +70,7 @@ def test_the_manual_page(ink, options):
     assert render.count("\\fB--size\\fR") == 1
     found = {}
     for group in render.split(".PP\n"):
-        style = re.match(r"(Illustration|Splatting Lines|Stipple)\b|", group)[0]
+        style = re.match(r"(Contours|Illustration|Splatting Lines|Stipple)\b|", group)[0]
         found.setdefault(style, []).extend(re.findall(r"^(?:\\fB-\w\\fR, )?\\fB(--[\w-]+)\\fR", group, re.M))
     for style, names in found.items():
         assert len(names) == len(set(names)) > 10, (style, sorted(names))

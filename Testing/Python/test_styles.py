@@ -17,8 +17,8 @@ vtk = vtkink.vtk
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Styles/Core"))
 import generate_parameters  # noqa: E402
-TABLES = {"illustration": "Illustration", "stipple": "Stipple", "splatting-lines": "SplattingLines"}
-PAGES = {"illustration": "illustration.md", "stipple": "stipple.md", "splatting-lines": "splatting-lines.md"}
+TABLES = {"contours": "Contours", "illustration": "Illustration", "stipple": "Stipple", "splatting-lines": "SplattingLines"}
+PAGES = {"contours": "contours.md", "illustration": "illustration.md", "stipple": "stipple.md", "splatting-lines": "splatting-lines.md"}
 STYLES = vtkink.styles()
 CASES = [pytest.param(style, parameter, id=f"{style}.{parameter.name}")
          for style, described in STYLES.items() for parameter in described.parameters.values()]  # fmt: skip
@@ -96,7 +96,8 @@ def test_every_option_is_the_parameter(ink, style, tmp_path):
         row = rows(style)[parameter.name]
         # What excludes another one, or what would switch it off.
         switch = parameter.type == "bool" and value is False and any(parameter.name in one.get("if", {}) for one in rows(style).values())
-        if switch or parameter.name in ("GradientThreshold", "ThresholdMode", "MaximumStipplesMode", "GradientMethod"):
+        if switch or parameter.name in ("GradientThreshold", "ThresholdMode", "MaximumStipplesMode", "GradientMethod", "HiddenLines",
+                                         "HiddenOpacity"):
             continue
         option = option_of(style, parameter)
         if parameter.type == "bool":
@@ -181,7 +182,9 @@ def test_draw_returns_an_actor_and_writes_a_picture(volume, style, tmp_path):
     assert actor.IsA("vtkActor") and actor.GetMapper().GetInput().GetNumberOfPoints() > 100
     assert actor.style.GetName() == style
     output = tmp_path / "out.png"
-    vtkink.draw(volume, style, output, size=np.array([120, 80]), ink_color="red", iso_values=100)
+    # A contour of 2.5 thousandths of so small a picture is a shadow.
+    broad = {"line_width": 20} if style == "contours" else {}
+    vtkink.draw(volume, style, output, size=np.array([120, 80]), ink_color="red", iso_values=100, **broad)
     image = ink_of(output).astype(int)
     assert image.shape == (80, 120, 3) and (image[0, 0] == 255).all()
     assert 0.005 < (image[..., 1] < 200).mean() < 0.9, "there is ink"

@@ -74,7 +74,7 @@ def point_priority():
 def splatting_lines():
     style = vtkink.vtkInkSplattingLinesStyle()
     objects = [style.GetLinesMapper(), style.GetActor(), style.GetActor().GetProperty(), style]
-    return representation_of("SplattingLines.xml", "InkRepresentationProxy"), objects
+    return representation_of("SplattingLines.xml", "InkSplattingLinesRepresentationProxy"), objects
 
 
 def stipple():
@@ -124,7 +124,7 @@ def cases():
         rows = rows_of(file)
         for element in proxy:
             # Iso-values have no default and UserTransform's is null in C++; MaximumDownsampling has a test of its own.
-            left_out = element.get("name") in ("ContourValues", "StippleIsoValue", "UserTransform", "MaximumDownsampling")
+            left_out = element.get("name") in ("ContourValues", "StippleIsoValue", "LinesIsoValue", "LinesAutomaticIsoValue", "UserTransform", "MaximumDownsampling")
             command = method_of(element, rows)
             if element.tag in PROPERTIES and command and not left_out and command not in OWN:
                 name = command[len("Set") :]

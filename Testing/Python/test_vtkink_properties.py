@@ -72,6 +72,7 @@ def test_a_wrong_value_is_clamped():
 
 
 NUMBERS = [
+    ("vtkInkContours", "FeatureAngle"),
     ("vtkInkGradient", "LaplacianScale"),
     ("vtkInkStippleGenerator", "GradientPercentile"),
     ("vtkInkStippleGenerator", "GradientThreshold"),

@@ -83,11 +83,11 @@ inline void ExpectInk(
     << name << ": ink of " << least << " to " << most << ", found " << ink;
 }
 
-/// Ink as it was found when the picture was checked by eye, to a quarter; none is exactly none.
+/// Ink as it was found when the picture was checked by eye; none is exactly none.
 inline void ExpectAbout(
   const std::string& name, vtkPolyData* data, double ink, const Change& change = [](StippleScene&) {})
 {
-  ExpectInk(name, data, 0.8 * ink, 1.25 * ink, change);
+  ExpectInk(name, data, 0.97 * ink, 1.03 * ink, change);
 }
 
 /// Where a pixel is a part of it, in which window's brightness has 256 steps.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConvertCommand.h"
 
+#include "Core/FormatNumber.h"
 #include "Errors.h"
-#include "FormatNumber.h"
 #include "OutputFile.h"
 #include "Progress.h"
 #include "Volume.h"

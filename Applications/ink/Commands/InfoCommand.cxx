@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoCommand.h"
 
-#include "FormatNumber.h"
+#include "Core/FormatNumber.h"
 #include "Progress.h"
 #include "Volume.h"
 #include "VolumeSlices.h"

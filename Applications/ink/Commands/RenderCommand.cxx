@@ -10,8 +10,6 @@
 #include "Progress.h"
 #include "RenderFrames.h"
 
-#include "InkIsoSurface.h"
-
 #include "vtkCamera.h"
 #include "vtkInkCameraFit.h"
 #include "vtkInkSplattingLinesStyle.h"
@@ -50,10 +48,10 @@ PictureSize PictureSize::parse(const std::string& text)
 
 Wanted wantedOf(const RenderOptions& options)
 {
-  vtkInkSplattingLinesStyle* lines = linesOf(options.style);
-  return !lines                                      ? Wanted::Values
-    : lines->GetIsoSurface()->GetIsoValues().empty() ? Wanted::Surface
-                                                     : Wanted::GivenSurfaces;
+  vtkInkStyle* style = options.style;
+  return !linesOf(style)                               ? Wanted::Values
+    : style->GetParameterAsString("IsoValues").empty() ? Wanted::Surface
+                                                       : Wanted::GivenSurfaces;
 }
 
 void requireGraphics()

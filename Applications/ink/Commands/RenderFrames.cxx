@@ -2,6 +2,7 @@
 #include "RenderFrames.h"
 
 #include "Drawing.h"
+#include "InkHasPolygons.h"
 #include "OutputFile.h"
 #include "PictureEncoder.h"
 #include "Progress.h"
@@ -170,7 +171,7 @@ void play(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
     notes.add(chosen);
     auto* mesh = vtkPolyData::SafeDownCast(input.data);
     // The samples of a mesh lie between its points. A cloud may have points that are left out.
-    const bool hasFaces = mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+    const bool hasFaces = mesh && InkHasPolygons(mesh);
     fit->AddPoints(
       hasFaces ? mesh->GetPoints() : subjects.make(input, progress).frame.Get(), drawing.camera());
   }

@@ -2,6 +2,7 @@
 #include "SampleMesh.h"
 
 #include "Errors.h"
+#include "InkHasPolygons.h"
 #include "MakeMarks.h"
 
 #include "vtkInkSplattingLinesStyle.h"
@@ -16,7 +17,7 @@ vtkSmartPointer<vtkPolyData> sampleMesh(
   vtkPolyData* mesh, const MeshSampling& sampling, std::vector<std::string>& notes, Progress& progress)
 {
   const CloudSampling& cloud = sampling.cloud;
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 && !cloud.given.empty())
+  if (InkHasPolygons(mesh) && !cloud.given.empty())
   {
     throw UsageError(cloud.given + ": expected points without polygons, found a mesh");
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleVdb.h"
 
+#include "Core/FormatNumber.h"
 #include "Errors.h"
-#include "FormatNumber.h"
 #include "Memory.h"
 #include "Pattern.h"
 #include "Progress.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleVolume.h"
 
+#include "Core/FormatNumber.h"
 #include "Errors.h"
-#include "FormatNumber.h"
 #include "Input.h"
 #include "Memory.h"
 #include "Progress.h"
@@ -11,6 +11,7 @@
 #include "VtkMessages.h"
 
 #include "InkVolumeValues.h"
+#include "IsoSurface/ResampledSamples.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -59,6 +60,8 @@ public:
     : Volume(volume)
     , WithIndex(sampling.surfaceIndex)
     , MostPoints(memory.forNewPoints() / bytesPerPoint)
+    , Reach(reachOf(sampling))
+    , PointsPerCell(static_cast<std::uint64_t>(sampling.subdivision) * sampling.subdivision)
   {
     setUp(this->Sampler.Get(), sampling);
     // Parts of the volume are seen once, and points that are kept should take no more memory than they need.
@@ -66,12 +69,21 @@ public:
     this->Sampler->ReuseArraysOff();
     this->Sampler->SetCut(sampling.cut);
     this->Sampler->SetComputeCellIds(sampling.cellIds);
+    this->Sampler->SetSmoothing(sampling.smoothing);
+    this->Sampler->SetSmoothingTarget(sampling.smoothingTarget);
+    this->Sampler->SetSubdivision(sampling.subdivision);
     this->Sampler->SetInputConnection(this->Producer->GetOutputPort());
     this->Producer->SetWholeExtent(volume.frame()->GetExtent());
     progress.step("sampling the surface", this->Sampler);
   }
 
-  /// Samples layers whose slices are loaded, with one more on either side.
+  /// The slices on either side of a layer's that its points depend on.
+  static int reachOf(const VolumeSampling& sampling)
+  {
+    return isoSurfaceResamplingReach(sampling.smoothing, sampling.subdivision);
+  }
+
+  /// Samples layers whose slices are loaded, with as many more on either side as they reach.
   void sample(const Layers& layers, int surface, double isoValue, const PointSink& sink)
   {
     this->Sampler->SetValue(0, isoValue);
@@ -104,7 +116,8 @@ private:
     const std::uint64_t layerCells =
       static_cast<std::uint64_t>(std::max(this->Volume.dimensions()[0] - 1, 0)) *
       static_cast<std::uint64_t>(std::max(this->Volume.dimensions()[1] - 1, 0));
-    if (layerCells * static_cast<std::uint64_t>(layers.end - layers.begin) <= this->MostPoints)
+    if (this->PointsPerCell * layerCells * static_cast<std::uint64_t>(layers.end - layers.begin) <=
+      this->MostPoints)
     {
       return { layers };
     }
@@ -112,7 +125,7 @@ private:
       ? CrossingRule::Strict
       : CrossingRule::HalfOpen;
     const auto counts = boundActiveCells(this->Volume.get(layers.begin, layers.end + 1), isoValue, rule);
-    const std::uint64_t most = *std::max_element(counts.begin(), counts.end());
+    const std::uint64_t most = this->PointsPerCell * *std::max_element(counts.begin(), counts.end());
     if (most > this->MostPoints)
     {
       throw Failure("a layer of the volume has up to " + std::to_string(most) +
@@ -122,9 +135,10 @@ private:
     std::uint64_t sum = 0;
     for (int layer = layers.begin; layer < layers.end; ++layer)
     {
-      const std::uint64_t count = counts[static_cast<std::size_t>(layer - layers.begin)];
-      // Layers without any are left out.
-      if (count == 0)
+      const std::uint64_t count =
+        this->PointsPerCell * counts[static_cast<std::size_t>(layer - layers.begin)];
+      // Layers without any are left out, but for those that smoothing may move the surface to.
+      if (count == 0 && this->Reach == 1)
       {
         continue;
       }
@@ -142,8 +156,8 @@ private:
   /// The slices that some layers need, with their neighbors, whose cells are marked as not ours.
   vtkSmartPointer<vtkImageData> imageOf(const Layers& layers)
   {
-    const int first = std::max(layers.begin - 1, 0);
-    const int end = std::min(layers.end + 2, this->Volume.dimensions()[2]);
+    const int first = std::max(layers.begin - this->Reach, 0);
+    const int end = std::min(layers.end + 1 + this->Reach, this->Volume.dimensions()[2]);
     vtkSmartPointer<vtkImageData> image = this->Volume.get(first, end);
     if (end - first == this->Volume.dimensions()[2] && layers.end - layers.begin == end - first - 1)
     {
@@ -166,6 +180,8 @@ private:
   VolumeSlices& Volume;
   bool WithIndex;
   std::uint64_t MostPoints;
+  int Reach;
+  std::uint64_t PointsPerCell; ///< about, where voxels are divided
   vtkIdType Count = 0;
   vtkNew<vtkTrivialProducer> Producer;
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
@@ -217,6 +233,11 @@ std::vector<double> chooseIsoValue(const Input& input, std::vector<std::string>&
 std::vector<std::string> sampleVolume(const Input& input, VolumeSampling sampling, const Memory& memory,
   const PointSink& sink, Progress& progress)
 {
+  if (!input.volume && (sampling.smoothing > 0.0 || sampling.subdivision > 1))
+  {
+    throw UsageError("--smoothing and --subdivision are for volumes of voxels; found an OpenVDB grid, whose "
+                     "surface is drawn as it is");
+  }
   std::vector<std::string> notes;
   takeSurfaceValue(input, sampling.isoValues, notes);
   const std::vector<std::string> more = input.volume
@@ -243,19 +264,27 @@ std::vector<std::string> sampleVolume(VolumeSlices& volume, const VolumeSampling
   }
 
   const int slices = volume.dimensions()[2];
-  const int atOnce = volume.atOnce() == slices ? slices : volume.atOnce() - 3;
+  const int reach = LayerSampler::reachOf(sampling);
+  const int atOnce = volume.atOnce() == slices ? slices : volume.atOnce() - 1 - 2 * reach;
+  if (atOnce < 1)
+  {
+    throw Failure("the smoothed surface needs " + std::to_string(2 + 2 * reach) +
+      " slices at a time, and there is memory for " + std::to_string(volume.atOnce()) +
+      ": expected more --memory than " + memoryText(memory.limit) + ", or less --smoothing");
+  }
   LayerSampler sampler(volume, sampling, memory, progress);
   for (int begin = 0; begin == 0 || begin < slices - 1; begin += atOnce)
   {
     const Layers layers{ begin, std::min(begin + atOnce, slices - 1) };
     progress.part(static_cast<double>(begin) / slices, static_cast<double>(layers.end) / slices);
     const FiniteRange here =
-      findFiniteRange(volume.get(std::max(begin - 1, 0), std::min(layers.end + 2, slices)));
+      findFiniteRange(volume.get(std::max(begin - reach, 0), std::min(layers.end + 1 + reach, slices)));
     values.add(here);
     for (std::size_t i = 0; i < isoValues.size(); ++i)
     {
-      // Most parts of a large volume are air or all inside.
-      if (layers.begin < layers.end && isoValues[i] >= here.least && isoValues[i] <= here.greatest)
+      // Most parts of a large volume are air or all inside; smoothed values may overshoot a little.
+      const bool inRange = isoValues[i] >= here.least && isoValues[i] <= here.greatest;
+      if (layers.begin < layers.end && (inRange || reach > 1))
       {
         sampler.sample(layers, static_cast<int>(i), isoValues[i], sink);
       }

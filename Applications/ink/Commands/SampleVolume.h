@@ -32,6 +32,9 @@ struct VolumeSampling
   bool surfaceIndex = false; ///< an array of this name: which of the iso-values a point belongs to
   int cut = 0;               ///< of volumes that are images
   bool cellIds = false;      ///< the array CellId, of volumes that are images
+  double smoothing = 0.0;    ///< of volumes that are images, as the two that follow
+  int smoothingTarget = 0;
+  int subdivision = 1;
 };
 
 /// Sets what both samplers of iso-surfaces have in common; one surface at a time.

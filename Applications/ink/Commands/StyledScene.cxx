@@ -2,6 +2,7 @@
 #include "StyledScene.h"
 
 #include "Errors.h"
+#include "InkHasPolygons.h"
 #include "MakeMarks.h"
 #include "PointStore.h"
 #include "RenderCommand.h"
@@ -36,6 +37,11 @@ std::vector<double> isoValuesOf(vtkInkStyle* style)
 {
   const InkParameter* parameter = style->GetParameterTable().Find("IsoValues");
   return parameter ? parameter->Get(style).Numbers : std::vector<double>();
+}
+
+bool isSeeThrough(vtkInkStyle* style)
+{
+  return vtkInkIllustrationStyle::SafeDownCast(style) && style->GetParameter("SeeThrough") != 0.0;
 }
 
 ink::ComponentSelection partsOf(vtkInkStyle* style)
@@ -83,9 +89,9 @@ bool isWithoutIsoValues(vtkInkStyle* style, const StyleArguments& parameters)
 InkParameterData kindOf(const Input& input)
 {
   auto* mesh = vtkPolyData::SafeDownCast(input.data);
-  return input.isVolume()                                              ? InkParameterData::Image
-    : mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 ? InkParameterData::Mesh
-                                                                       : InkParameterData::Points;
+  return input.isVolume()          ? InkParameterData::Image
+    : mesh && InkHasPolygons(mesh) ? InkParameterData::Mesh
+                                   : InkParameterData::Points;
 }
 
 const char* nameOf(InkParameterData kind)
@@ -115,7 +121,8 @@ SceneMaker::SceneMaker(const RenderOptions& options, bool follow)
 void SceneMaker::keepIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress)
 {
   requireSlices(input);
-  if (isoValuesOf(this->Options.style).empty() && input.isVolume())
+  // See-through, a volume has two, which are chosen together.
+  if (isoValuesOf(this->Options.style).empty() && input.isVolume() && !isSeeThrough(this->Options.style))
   {
     setIsoValues(this->Options.style, chooseIsoValue(input, notes, progress));
   }
@@ -163,12 +170,21 @@ void SceneMaker::requireMemoryFor(vtkIdType points) const
 vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
   const Input& input, std::vector<std::string>& notes, Progress& progress)
 {
+  if (isSeeThrough(this->Options.style))
+  {
+    throw Failure("--see-through needs the whole volume in memory: expected a volume of voxels and more "
+                  "--memory, or one surface");
+  }
   const Memory& memory = this->Options.input.memory;
   VolumeSampling sampling;
   sampling.isoValues = isoValuesOf(this->Options.style);
   const ink::ComponentSelection parts = partsOf(this->Options.style);
   sampling.cut = static_cast<int>(this->Options.style->GetParameter("Cut"));
   sampling.cellIds = input.volume && !parts.keepsAll();
+  // What is automatic needs the whole volume.
+  sampling.smoothing = std::max(this->Options.style->GetParameter("Smoothing"), 0.0);
+  sampling.smoothingTarget = static_cast<int>(this->Options.style->GetParameter("SmoothingTarget"));
+  sampling.subdivision = std::max(static_cast<int>(this->Options.style->GetParameter("Subdivision")), 1);
   PointStore points(memory.limit, {});
   std::vector<std::size_t> counts;
   const auto keep = [&](int index, vtkPolyData* part)

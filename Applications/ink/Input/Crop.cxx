@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crop.h"
 
+#include "Core/FormatNumber.h"
 #include "Errors.h"
-#include "FormatNumber.h"
+#include "InkHasPolygons.h"
 #include "Input.h"
 
 #include "vtkBox.h"
@@ -78,7 +79,7 @@ vtkSmartPointer<vtkImageData> cropImage(vtkImageData* image, const std::array<do
 vtkSmartPointer<vtkPolyData> cropMesh(vtkPolyData* mesh, const std::array<double, 6>& box)
 {
   auto cropped = vtkSmartPointer<vtkPolyData>::New();
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0)
+  if (InkHasPolygons(mesh))
   {
     vtkNew<vtkBox> inside;
     inside->SetBounds(box.data());

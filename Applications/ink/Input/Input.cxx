@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input.h"
 
+#include "Core/FormatNumber.h"
 #include "Crop.h"
 #include "Errors.h"
-#include "FormatNumber.h"
 #include "ReadError.h"
 #include "ReadFile.h"
 #include "Series.h"

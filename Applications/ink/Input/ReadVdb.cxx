@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadFile.h"
 
+#include "Core/FormatNumber.h"
 #include "Errors.h"
-#include "FormatNumber.h"
 #include "Progress.h"
 #include "SampleVdb.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Series.h"
 
-#include "FormatNumber.h"
+#include "Core/FormatNumber.h"
 #include "ReadFile.h"
 #include "VtkMessages.h"
 

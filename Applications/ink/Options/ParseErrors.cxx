@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ParseErrors.h"
 
+#include "Pattern.h"
 #include "Suggestion.h"
 
-#include <regex>
-#include <utility>
+#include <string>
 #include <vector>
 
 namespace ink::cli
@@ -68,31 +68,36 @@ std::string describe(const CLI::ParseError& error, const CLI::App& app)
   {
     return describeExtra(app.remaining(true).front(), app);
   }
-  static const std::vector<std::pair<std::regex, std::string>> sentences{
-    { std::regex("(.+) is required"), "$1: expected, found nothing" },
-    { std::regex("Could not convert: (\\S+) = (.*)"), "$1 '$2': expected another kind of value" },
-    { std::regex("The value (.*) is not an allowed value for (\\S+)"), "$2 '$1': expected another value" },
-    { std::regex("(\\S+): Should be true/false or a number"), "$1: expected without a value" },
-    { std::regex("(\\S+): too many inputs for a flag"), "$1: expected once" },
-    { std::regex("(\\S+) was given a disallowed flag override"), "$1: expected without a value" },
-    { std::regex("(\\S+): At [Mm]ost (\\d+) required but received (\\d+)"),
-      "$1: expected once, found $3 times" },
-    { std::regex("(\\S+): At [Ll]east (\\d+) required but received (\\d+)"),
-      "$1: expected $2 values, found $3" },
-    { std::regex("(\\S+): (\\d+) required ([^:]*).* missing"), "$1: expected $3, found nothing" },
-    { std::regex("Expected exactly (\\d+) arguments to (\\S+), got (\\d+)"),
-      "$2: expected $1 values, found $3" },
-    { std::regex("Expected at least (\\d+) arguments to (\\S+), got (\\d+)"),
-      "$2: expected $1 values or more, found $3" },
-    { std::regex("(\\S+) requires (\\S+)"), "$1: expected with $2" },
-    { std::regex("(\\S+) excludes (\\S+)"), "$1: expected without $2" },
-    { std::regex("(--?\\S+): ('[^]*)"), "$1 $2" },
-  };
-  for (const auto& [pattern, sentence] : sentences)
+  struct Sentence
   {
-    if (std::regex_match(text, pattern))
+    io::Pattern found;
+    std::string ours;
+  };
+  static const Sentence sentences[] = {
+    { io::Pattern("(.+) is required"), "$1: expected, found nothing" },
+    { io::Pattern("Could not convert: (\\S+) = (.*)"), "$1 '$2': expected another kind of value" },
+    { io::Pattern("The value (.*) is not an allowed value for (\\S+)"), "$2 '$1': expected another value" },
+    { io::Pattern("(\\S+): Should be true/false or a number"), "$1: expected without a value" },
+    { io::Pattern("(\\S+): too many inputs for a flag"), "$1: expected once" },
+    { io::Pattern("(\\S+) was given a disallowed flag override"), "$1: expected without a value" },
+    { io::Pattern("(\\S+): At [Mm]ost (\\d+) required but received (\\d+)"),
+      "$1: expected once, found $3 times" },
+    { io::Pattern("(\\S+): At [Ll]east (\\d+) required but received (\\d+)"),
+      "$1: expected $2 values, found $3" },
+    { io::Pattern("(\\S+): (\\d+) required ([^:]*).* missing"), "$1: expected $3, found nothing" },
+    { io::Pattern("Expected exactly (\\d+) arguments to (\\S+), got (\\d+)"),
+      "$2: expected $1 values, found $3" },
+    { io::Pattern("Expected at least (\\d+) arguments to (\\S+), got (\\d+)"),
+      "$2: expected $1 values or more, found $3" },
+    { io::Pattern("(\\S+) requires (\\S+)"), "$1: expected with $2" },
+    { io::Pattern("(\\S+) excludes (\\S+)"), "$1: expected without $2" },
+    { io::Pattern("(--?\\S+): ('[^]*)"), "$1 $2" },
+  };
+  for (const Sentence& sentence : sentences)
+  {
+    if (!sentence.found.match(text).empty())
     {
-      return std::regex_replace(text, pattern, sentence) +
+      return sentence.found.replace(text, sentence.ours) +
         (dynamic_cast<const CLI::RequiredError*>(&error) ? helpFor(app) : "");
     }
   }

@@ -3,7 +3,7 @@
 
 #include "Suggestion.h"
 
-#include "FormatNumber.h"
+#include "Core/FormatNumber.h"
 
 #include <algorithm>
 #include <cmath>

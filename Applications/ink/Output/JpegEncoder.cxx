@@ -73,8 +73,7 @@ void JpegEncoder::run(const Work& work)
 }
 
 JpegEncoder::JpegEncoder(const PictureLayout& layout, const ByteSink& sink)
-  : Layout(layout)
-  , Sink(sink)
+  : PictureEncoder(layout, sink)
   , Jpeg(std::make_unique<Library>())
 {
   this->run(

@@ -13,8 +13,6 @@ class JpegEncoder : public PictureEncoder
 public:
   JpegEncoder(const PictureLayout& layout, const ByteSink& sink);
   ~JpegEncoder() override;
-  JpegEncoder(const JpegEncoder&) = delete;
-  JpegEncoder& operator=(const JpegEncoder&) = delete;
 
   void add(std::span<const unsigned char> rows) override;
   void finish() override;
@@ -26,8 +24,6 @@ private:
   template <class Work>
   void run(const Work& work);
 
-  PictureLayout Layout;
-  ByteSink Sink;
   std::unique_ptr<Library> Jpeg;
 };
 

@@ -5,8 +5,8 @@
 #include "PngEncoder.h"
 #include "TiffEncoder.h"
 
+#include "Core/FormatNumber.h"
 #include "FileFormats.h"
-#include "FormatNumber.h"
 
 #include <cmath>
 #include <limits>

@@ -36,6 +36,8 @@ class PictureEncoder
 {
 public:
   virtual ~PictureEncoder() = default;
+  PictureEncoder(const PictureEncoder&) = delete;
+  PictureEncoder& operator=(const PictureEncoder&) = delete;
 
   /// The encoder for a file by the end of its name, or for PNG where it is "-"; null for a name of another
   /// kind.
@@ -55,6 +57,16 @@ public:
   virtual void add(std::span<const unsigned char> rows) = 0;
   /// Once all rows were added.
   virtual void finish() = 0;
+
+protected:
+  PictureEncoder(const PictureLayout& layout, const ByteSink& sink)
+    : Layout(layout)
+    , Sink(sink)
+  {
+  }
+
+  PictureLayout Layout;
+  ByteSink Sink;
 };
 
 /// Writes a picture as the name of a file says.

@@ -35,8 +35,7 @@ void PngEncoder::run(const Work& work)
 }
 
 PngEncoder::PngEncoder(const PictureLayout& layout, const ByteSink& sink)
-  : Layout(layout)
-  , Sink(sink)
+  : PictureEncoder(layout, sink)
   , Png(std::make_unique<Library>())
 {
   Library& library = *this->Png;

@@ -14,8 +14,6 @@ class PngEncoder : public PictureEncoder
 public:
   PngEncoder(const PictureLayout& layout, const ByteSink& sink);
   ~PngEncoder() override;
-  PngEncoder(const PngEncoder&) = delete;
-  PngEncoder& operator=(const PngEncoder&) = delete;
 
   void add(std::span<const unsigned char> rows) override;
   void finish() override;
@@ -27,8 +25,6 @@ private:
   template <class Work>
   void run(const Work& work);
 
-  PictureLayout Layout;
-  ByteSink Sink;
   std::unique_ptr<Library> Png;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pose.h"
 
+#include "InkHasPolygons.h"
 #include "View.h"
 
 #include "ReadError.h"
@@ -141,7 +142,7 @@ Pose findPose(vtkPolyData* mesh, const std::filesystem::path& file)
     views[i] = namedViews().at(sides[i]);
     views[i].stand(pose.up);
   }
-  const bool hasFaces = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  const bool hasFaces = InkHasPolygons(mesh);
   const auto areas = hasFaces ? seenAreas(mesh, views) : seenRectangles(mesh, views);
   double best = areas[0];
   for (std::size_t i = 1; i < areas.size(); ++i)

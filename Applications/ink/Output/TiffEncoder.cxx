@@ -73,8 +73,7 @@ struct TiffEncoder::Library
 };
 
 TiffEncoder::TiffEncoder(const PictureLayout& layout, const ByteSink& sink)
-  : Layout(layout)
-  , Sink(sink)
+  : PictureEncoder(layout, sink)
   , Tiff(std::make_unique<Library>())
 {
   const std::uint64_t bytes = layout.rowBytes() * static_cast<std::uint64_t>(layout.height);

@@ -17,8 +17,6 @@ class TiffEncoder : public PictureEncoder
 public:
   TiffEncoder(const PictureLayout& layout, const ByteSink& sink);
   ~TiffEncoder() override;
-  TiffEncoder(const TiffEncoder&) = delete;
-  TiffEncoder& operator=(const TiffEncoder&) = delete;
 
   void add(std::span<const unsigned char> rows) override;
   void finish() override;
@@ -26,8 +24,6 @@ public:
 private:
   struct Library;
 
-  PictureLayout Layout;
-  ByteSink Sink;
   std::unique_ptr<Library> Tiff;
 };
 

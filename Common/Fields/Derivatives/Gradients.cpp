@@ -3,10 +3,7 @@
 
 #include "Core/ParallelFor.h"
 #include "Fields/Derivatives/GradientRows.h"
-#include "Fields/Derivatives/RegressionStencils.h"
-#include "Fields/Grid/GridField.h"
-#include "Fields/Grid/RowReader.h"
-#include "Fields/ScalarDifference.h"
+#include "Fields/Derivatives/GradientSource.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -16,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -76,18 +72,18 @@ Real bounded(double value)
 }
 
 /// One pass over a box, with row sums in Work.
-template <class T, class Work, class Real>
+template <class Work, class Real>
 class Estimate
 {
 public:
-  Estimate(const GridField<T>& field, const SampleBox& box, const GradientOptions& options,
+  Estimate(const GradientSource<Work>& source, const SampleBox& box, const GradientOptions& options,
     const GradientArrays<Real>& arrays, const glm::dmat3& toWorld)
-    : Field(field)
+    : Source(source)
     , Box(box)
     , Options(options)
     , Arrays(arrays)
     , Reach(gradientReach(options))
-    , Dimensions(field.geometry().dimensions())
+    , Dimensions(source.geometry().dimensions())
     , ToWorld(toWorld)
     , WorkToWorld(toWorld)
     , Limit(static_cast<Work>(static_cast<double>(std::numeric_limits<Work>::max()) / 1e4 /
@@ -95,11 +91,9 @@ public:
     , RowBegin(std::max(0, box.begin.x - Reach))
     , RowSize(static_cast<std::size_t>(std::min(Dimensions.x, box.end.x + Reach) - RowBegin))
   {
-    if (options.method == GradientMethod::Regression)
+    if (source.stencils())
     {
-      this->Kernels =
-        std::make_unique<RegressionStencils<Work>>(field.geometry(), options.radius, options.weighting);
-      this->chooseRowKernel();
+      this->chooseRowKernel(*source.stencils());
     }
     const std::size_t rowBytes = (2 * this->Reach + 1) * this->RowSize * sizeof(Work);
     this->TileRows =
@@ -142,13 +136,13 @@ private:
     }
   };
 
-  void chooseRowKernel()
+  void chooseRowKernel(const RegressionStencils<Work>& stencils)
   {
     this->Mirrored = this->Options.weighting == RegressionWeighting::InverseDistance;
     // The kernel inside the grid, where neighborhoods are complete.
-    const RegressionKernel kernel(this->Kernels->offsets(), this->Kernels->weights());
-    const std::vector<glm::ivec3>& offsets = this->Kernels->offsets();
-    const std::vector<double>& weights = this->Kernels->weights();
+    const std::vector<glm::ivec3>& offsets = stencils.offsets();
+    const std::vector<double>& weights = stencils.weights();
+    const RegressionKernel kernel(offsets, weights);
     const int width = 2 * this->Reach + 1;
     for (std::size_t n = 0; n < offsets.size(); ++n)
     {
@@ -187,7 +181,7 @@ private:
         for (int j = cache.firstRow; j < cache.firstRow + cache.rows; ++j)
         {
           const std::size_t row = cache.index(j, read);
-          cache.marked[row] = readRow<T, Work>(this->Field, j, read, this->RowBegin, this->Limit,
+          cache.marked[row] = this->Source.readRow(j, read, this->RowBegin, this->Limit,
             { cache.samples.data() + row * cache.pitch, cache.pitch },
             { cache.marks.data() + row * cache.pitch, cache.pitch });
         }
@@ -257,7 +251,8 @@ private:
       }
       else
       {
-        convolveRows<Work>(this->Kernels->taps({ i, j, k }), shifted(rows, i - this->RowBegin), 1, gradients);
+        convolveRows<Work>(
+          this->Source.stencils()->taps({ i, j, k }), shifted(rows, i - this->RowBegin), 1, gradients);
         this->store(gradients, 1, { i, j, k });
       }
     }
@@ -278,7 +273,7 @@ private:
       }
       else if (!complete || !(uniform || this->Mirrored))
       {
-        convolveRows<Work>(this->Kernels->taps({ from, j, k }), chunk, count, gradients);
+        convolveRows<Work>(this->Source.stencils()->taps({ from, j, k }), chunk, count, gradients);
       }
       else if (uniform)
       {
@@ -341,20 +336,7 @@ private:
   /// One sample, in double precision. `mayMiss`: some neighbors on the grid may be missing.
   void estimateSample(const glm::ivec3& sample, bool mayMiss) const
   {
-    glm::dvec3 gradient(0.0);
-    double value = 0.0;
-    if (!mayMiss || this->Field.has(sample))
-    {
-      if (this->Options.method == GradientMethod::CentralDifference)
-      {
-        gradient = this->Field.gradientAt(sample);
-        value = static_cast<double>(this->Field.at(sample));
-      }
-      else
-      {
-        this->fitSample(sample, mayMiss, gradient, value);
-      }
-    }
+    auto [gradient, value] = this->Source.at(sample, mayMiss);
     // Relative to its largest component, so that intermediate sums over the axes do not overflow when the
     // result does not.
     double size = 0.0;
@@ -382,69 +364,6 @@ private:
     }
   }
 
-  void fitSample(const glm::ivec3& sample, bool mayMiss, glm::dvec3& gradient, double& value) const
-  {
-    const std::vector<glm::ivec3>& offsets = this->Kernels->offsets();
-    std::array<std::uint8_t, 125> used{};
-    bool all = true;
-    bool large = false;
-    for (std::size_t n = 0; n < offsets.size(); ++n)
-    {
-      const glm::ivec3 neighbor = sample + offsets[n];
-      const bool onGrid = glm::all(glm::greaterThanEqual(neighbor, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(neighbor, this->Dimensions));
-      used[n] = onGrid && (!mayMiss || this->Field.has(neighbor));
-      all = all && used[n] == onGrid;
-      if constexpr (std::is_same_v<T, double>)
-      {
-        large = large || (used[n] && std::abs(this->Field.at(neighbor)) > 1e300);
-      }
-    }
-    // Differences from the sample itself are exact even where large integers are not exact in double.
-    // Differences of doubles that would overflow are scaled down.
-    const double scale = large ? 0x1p-10 : 1.0;
-    const T middle = this->Field.at(sample);
-    const auto relative = [&](std::size_t n)
-    {
-      const T other = this->Field.at(sample + offsets[n]);
-      return large ? static_cast<double>(other) * scale - static_cast<double>(middle) * scale
-                   : difference(other, middle);
-    };
-    double rise = 0.0;
-    if (all)
-    {
-      const RegressionKernel& kernel = (*this->Kernels)[sample];
-      for (std::size_t n = 0; n < offsets.size(); ++n)
-      {
-        if (used[n])
-        {
-          const double d = relative(n);
-          gradient += kernel.gradient[n] * d;
-          rise += kernel.value[n] * d;
-        }
-      }
-    }
-    else
-    {
-      const std::vector<double>& weights = this->Kernels->weights();
-      const PlaneFit fit(offsets, weights, { used.data(), offsets.size() });
-      glm::dvec3 moment(0.0);
-      for (std::size_t n = 0; n < offsets.size(); ++n)
-      {
-        if (used[n])
-        {
-          const double d = weights[n] * relative(n);
-          moment += d * (glm::dvec3(offsets[n]) - fit.mean);
-          rise += d / fit.total;
-        }
-      }
-      gradient = fit.inverse * moment;
-      rise -= glm::dot(gradient, fit.mean);
-    }
-    gradient /= scale;
-    value = (static_cast<double>(middle) * scale + rise) / scale;
-  }
-
   std::size_t outputIndex(const glm::ivec3& sample) const
   {
     const glm::ivec3 size = this->Box.size();
@@ -452,7 +371,7 @@ private:
     return p.x + static_cast<std::size_t>(size.x) * (p.y + static_cast<std::size_t>(size.y) * p.z);
   }
 
-  const GridField<T>& Field;
+  const GradientSource<Work>& Source;
   SampleBox Box;
   GradientOptions Options;
   GradientArrays<Real> Arrays;
@@ -464,7 +383,6 @@ private:
   int RowBegin;
   std::size_t RowSize;
   int TileRows;
-  std::unique_ptr<RegressionStencils<Work>> Kernels;
   bool Mirrored = false;
   MirroredKernel<Work> MirrorKernel;
 };
@@ -505,14 +423,19 @@ bool estimateGradients(const GridField<T>& field, const SampleBox& box, const Gr
     throw std::invalid_argument("gradients are asked for outside the grid");
   }
   const glm::dmat3 toWorld = stepsToWorld(field.geometry());
+  const auto run = [&]<class Work>()
+  {
+    const FieldGradientSource<T, Work> source(field, options);
+    return Estimate<Work, Real>(source, box, options, arrays, toWorld).run(progress);
+  };
   if constexpr (std::is_same_v<Real, float> && (std::is_same_v<T, float> || sizeof(T) <= 2))
   {
     if (suitsFloat(toWorld))
     {
-      return Estimate<T, float, Real>(field, box, options, arrays, toWorld).run(progress);
+      return run.template operator()<float>();
     }
   }
-  return Estimate<T, double, Real>(field, box, options, arrays, toWorld).run(progress);
+  return run.template operator()<double>();
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

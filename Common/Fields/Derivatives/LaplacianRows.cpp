@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/Derivatives/LaplacianRows.h"
 
+#include "Core/RowGroups.h"
+
 #include <algorithm>
 
 namespace ink
 {
 namespace
 {
-
-/// Pairs of rows added per pass, each of which loads and stores the sums once.
-constexpr int groupSize = 4;
 
 /// The outputs to compute.
 enum class Part
@@ -19,7 +18,7 @@ enum class Part
   Both
 };
 
-template <Part part, int pairs>
+template <Part part, std::size_t pairs>
 void addPairs(const double* __restrict middle, const double* const* before, const double* const* after,
   const double* smooth, const double* second, std::size_t count, double* __restrict value,
   double* __restrict curve)
@@ -28,7 +27,7 @@ void addPairs(const double* __restrict middle, const double* const* before, cons
   const double* high[pairs];
   double weight[pairs];
   double bend[pairs];
-  for (int n = 0; n < pairs; ++n)
+  for (std::size_t n = 0; n < pairs; ++n)
   {
     low[n] = before[n];
     high[n] = after[n];
@@ -40,7 +39,7 @@ void addPairs(const double* __restrict middle, const double* const* before, cons
     const double own = middle[i];
     double mean = part == Part::Bend ? 0.0 : value[i];
     double curvature = part == Part::Mean ? 0.0 : curve[i];
-    for (int n = 0; n < pairs; ++n)
+    for (std::size_t n = 0; n < pairs; ++n)
     {
       const double d = (high[n][i] - own) + (low[n][i] - own);
       if constexpr (part != Part::Bend)
@@ -67,29 +66,12 @@ template <Part part>
 void addAllPairs(const RowPairs& rows, const double* smooth, const double* second, std::size_t count,
   double* value, double* curve)
 {
-  const std::size_t all = rows.before.size();
-  for (std::size_t n = 0; n < all; n += groupSize)
+  const auto add = [&]<std::size_t pairs>(std::size_t first)
   {
-    const auto add = [&]<int pairs>()
-    {
-      addPairs<part, pairs>(rows.middle, rows.before.data() + n, rows.after.data() + n,
-        smooth ? smooth + n : nullptr, second ? second + n : nullptr, count, value, curve);
-    };
-    switch (std::min<std::size_t>(all - n, groupSize))
-    {
-      case 1:
-        add.template operator()<1>();
-        break;
-      case 2:
-        add.template operator()<2>();
-        break;
-      case 3:
-        add.template operator()<3>();
-        break;
-      default:
-        add.template operator()<groupSize>();
-    }
-  }
+    addPairs<part, pairs>(rows.middle, rows.before.data() + first, rows.after.data() + first,
+      smooth ? smooth + first : nullptr, second ? second + first : nullptr, count, value, curve);
+  };
+  forEachRowGroup(rows.before.size(), add);
 }
 
 } // namespace

@@ -27,12 +27,12 @@ public:
     , Offsets(neighborhood(radius))
     , Weights(regressionWeights(geometry, radius, weighting))
   {
-    this->Places = glm::min(this->Dimensions, glm::ivec3(2 * this->Radius + 1));
-    for (int c = 0; c < this->Places.z; ++c)
+    this->Positions = glm::min(this->Dimensions, glm::ivec3(2 * this->Radius + 1));
+    for (int c = 0; c < this->Positions.z; ++c)
     {
-      for (int b = 0; b < this->Places.y; ++b)
+      for (int b = 0; b < this->Positions.y; ++b)
       {
-        for (int a = 0; a < this->Places.x; ++a)
+        for (int a = 0; a < this->Positions.x; ++a)
         {
           this->Kernels.push_back(this->kernelAt({ a, b, c }));
           this->Taps.push_back(this->tapsOf(this->Kernels.back()));
@@ -58,8 +58,8 @@ public:
 private:
   std::size_t index(const glm::ivec3& sample) const
   {
-    const glm::ivec3 p(this->place(sample, 0), this->place(sample, 1), this->place(sample, 2));
-    return p.x + static_cast<std::size_t>(this->Places.x) * (p.y + this->Places.y * p.z);
+    const glm::ivec3 p(this->positionOf(sample, 0), this->positionOf(sample, 1), this->positionOf(sample, 2));
+    return p.x + static_cast<std::size_t>(this->Positions.x) * (p.y + this->Positions.y * p.z);
   }
 
   std::vector<RowTap<Work>> tapsOf(const RegressionKernel& kernel) const
@@ -76,30 +76,30 @@ private:
     return taps;
   }
 
-  int place(const glm::ivec3& sample, int axis) const
+  int positionOf(const glm::ivec3& sample, int axis) const
   {
     const int n = this->Dimensions[axis];
     const int fromEnd = n - 1 - sample[axis];
-    return this->Places[axis] == n || sample[axis] < this->Radius ? sample[axis]
-      : fromEnd < this->Radius                                    ? 2 * this->Radius - fromEnd
-                                                                  : this->Radius;
+    return this->Positions[axis] == n || sample[axis] < this->Radius ? sample[axis]
+      : fromEnd < this->Radius                                       ? 2 * this->Radius - fromEnd
+                                                                     : this->Radius;
   }
 
-  RegressionKernel kernelAt(const glm::ivec3& place) const
+  RegressionKernel kernelAt(const glm::ivec3& position) const
   {
     std::vector<std::uint8_t> used;
     for (const glm::ivec3& offset : this->Offsets)
     {
-      const glm::ivec3 neighbor = place + offset;
+      const glm::ivec3 neighbor = position + offset;
       used.push_back(glm::all(glm::greaterThanEqual(neighbor, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(neighbor, this->Places)));
+        glm::all(glm::lessThan(neighbor, this->Positions)));
     }
     return RegressionKernel(this->Offsets, this->Weights, used);
   }
 
   int Radius;
   glm::ivec3 Dimensions;
-  glm::ivec3 Places;
+  glm::ivec3 Positions;
   std::vector<glm::ivec3> Offsets;
   std::vector<double> Weights;
   std::vector<RegressionKernel> Kernels;

@@ -110,13 +110,13 @@ SeparableKernels::SeparableKernels(double deviation, int samples)
   , Samples(samples)
 {
   const int reach = this->Reach;
-  const int places = std::min(samples, 2 * reach + 1);
-  for (int place = 0; place < places; ++place)
+  const int positions = std::min(samples, 2 * reach + 1);
+  for (int position = 0; position < positions; ++position)
   {
     std::vector<std::uint8_t> used;
     for (int offset = -reach; offset <= reach; ++offset)
     {
-      used.push_back(place + offset >= 0 && place + offset < places);
+      used.push_back(position + offset >= 0 && position + offset < positions);
     }
     this->Kernels.emplace_back(deviation, used);
   }
@@ -125,10 +125,10 @@ SeparableKernels::SeparableKernels(double deviation, int samples)
 const SeparableKernel& SeparableKernels::operator[](int sample) const
 {
   const int fromEnd = this->Samples - 1 - sample;
-  const int place = this->Samples <= 2 * this->Reach + 1 || sample < this->Reach ? sample
-    : fromEnd < this->Reach                                                      ? 2 * this->Reach - fromEnd
-                                                                                 : this->Reach;
-  return this->Kernels[place];
+  const int position = this->Samples <= 2 * this->Reach + 1 || sample < this->Reach ? sample
+    : fromEnd < this->Reach ? 2 * this->Reach - fromEnd
+                            : this->Reach;
+  return this->Kernels[position];
 }
 
 } // namespace ink

@@ -2,11 +2,11 @@
 #include "Fields/Grid/GridField.h"
 
 #include "Fields/Field.h"
-#include "Fields/ScalarDifference.h"
 
 #include <glm/common.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -118,7 +118,7 @@ double GridField<T>::twistAt(const glm::ivec3& sample, int axisA, int axisB) con
 }
 
 template <class T>
-glm::dvec3 GridField<T>::gradientAt(const glm::ivec3& sample) const
+glm::dvec3 GridField<T>::gradientNearMissing(const glm::ivec3& sample) const
 {
   return { this->slopeAt(sample, 0), this->slopeAt(sample, 1), this->slopeAt(sample, 2) };
 }
@@ -127,6 +127,30 @@ template <class T>
 glm::dmat3 GridField<T>::hessianAt(const glm::ivec3& sample) const
 {
   glm::dmat3 h;
+  if (this->Hidden.empty() && this->isInner(sample))
+  {
+    // As gradientAt: most samples have all neighbors.
+    const T* const middle = this->Values.data() + this->Geometry.offset(sample) * this->Stride;
+    const glm::ivec3& n = this->Geometry.dimensions();
+    const auto column = static_cast<std::ptrdiff_t>(this->Stride);
+    const std::ptrdiff_t steps[] = { column, column * n.x, column * n.x * n.y };
+    const auto slope = [](const T* at, std::ptrdiff_t to)
+    { return 0.5 * difference(at[to], *at) + 0.5 * difference(*at, at[-to]); };
+    double sum = 0.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const int b = (a + 1) % 3;
+      h[a][a] = difference(middle[steps[a]], *middle) - difference(*middle, middle[-steps[a]]);
+      const double twistA = (slope(middle + steps[b], steps[a]) - slope(middle - steps[b], steps[a])) / 2;
+      const double twistB = (slope(middle + steps[a], steps[b]) - slope(middle - steps[a], steps[b])) / 2;
+      h[a][b] = h[b][a] = 0.5 * (twistA + twistB);
+      sum += h[a][a] + h[a][b];
+    }
+    if (std::is_integral_v<T> || sum - sum == 0.0)
+    {
+      return h;
+    }
+  }
   for (int a = 0; a < 3; ++a)
   {
     h[a][a] = this->bendAt(sample, a);

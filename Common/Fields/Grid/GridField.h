@@ -3,9 +3,11 @@
 
 #include "Fields/Grid/ElementMarks.h"
 #include "Fields/Grid/GridGeometry.h"
+#include "Fields/ScalarDifference.h"
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 namespace ink
 {
@@ -38,7 +40,25 @@ public:
   bool has(const glm::ivec3& sample) const;
   T at(const glm::ivec3& sample) const { return this->Values[this->Geometry.offset(sample) * this->Stride]; }
   /// First derivatives at a sample, per sample step.
-  glm::dvec3 gradientAt(const glm::ivec3& sample) const;
+  glm::dvec3 gradientAt(const glm::ivec3& sample) const
+  {
+    if (this->Hidden.empty() && this->isInner(sample))
+    {
+      // Most samples: all neighbors are there and need not be looked up one by one.
+      const T* const middle = this->Values.data() + this->Geometry.offset(sample) * this->Stride;
+      const glm::ivec3& n = this->Geometry.dimensions();
+      const auto slope = [middle](std::ptrdiff_t step)
+      { return 0.5 * difference(middle[step], *middle) + 0.5 * difference(*middle, middle[-step]); };
+      const auto column = static_cast<std::ptrdiff_t>(this->Stride);
+      const glm::dvec3 gradient(slope(column), slope(column * n.x), slope(column * n.x * n.y));
+      // Neighbors that are floating-point numbers may be missing, and differences of doubles overflow.
+      if (std::is_integral_v<T> || gradient - gradient == glm::dvec3(0.0))
+      {
+        return gradient;
+      }
+    }
+    return this->gradientNearMissing(sample);
+  }
   /// Second derivatives at a sample, per sample step.
   glm::dmat3 hessianAt(const glm::ivec3& sample) const;
 
@@ -47,6 +67,14 @@ public:
   glm::dmat3 hessian(const glm::dvec3& world) const;
 
 private:
+  /// Whether it has neighbors on all sides.
+  bool isInner(const glm::ivec3& sample) const
+  {
+    const glm::ivec3& n = this->Geometry.dimensions();
+    return sample.x > 0 && sample.x < n.x - 1 && sample.y > 0 && sample.y < n.y - 1 && sample.z > 0 &&
+      sample.z < n.z - 1;
+  }
+  glm::dvec3 gradientNearMissing(const glm::ivec3& sample) const;
   double slopeAt(const glm::ivec3& sample, int axis) const;
   double bendAt(const glm::ivec3& sample, int axis) const;
   double twistAt(const glm::ivec3& sample, int axisA, int axisB) const;

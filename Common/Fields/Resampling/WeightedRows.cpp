@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/Resampling/WeightedRows.h"
 
+#include "Core/RowGroups.h"
+
 namespace ink
 {
 namespace
 {
-
-/// Rows added per pass, each of which loads and stores the sums once.
-constexpr std::size_t groupSize = 4;
 
 /// @param first whether `to` has no sums yet
 template <std::size_t rows, bool first, class Work>
@@ -43,28 +42,12 @@ void sumAcross(const Work* middle, const std::vector<const Work*>& rows, const s
   {
     std::copy_n(middle, count, to);
   }
-  for (std::size_t n = 0; n < rows.size(); n += groupSize)
+  const auto add = [&]<std::size_t some>(std::size_t first)
   {
-    const auto add = [&]<std::size_t some>()
-    {
-      const auto addSome = n == 0 ? addRows<some, true, Work> : addRows<some, false, Work>;
-      addSome(middle, rows.data() + n, weights.data() + n, count, to);
-    };
-    switch (std::min(rows.size() - n, groupSize))
-    {
-      case 1:
-        add.template operator()<1>();
-        break;
-      case 2:
-        add.template operator()<2>();
-        break;
-      case 3:
-        add.template operator()<3>();
-        break;
-      default:
-        add.template operator()<groupSize>();
-    }
-  }
+    const auto addSome = first == 0 ? addRows<some, true, Work> : addRows<some, false, Work>;
+    addSome(middle, rows.data() + first, weights.data() + first, count, to);
+  };
+  forEachRowGroup(rows.size(), add);
 }
 
 template <class Work>

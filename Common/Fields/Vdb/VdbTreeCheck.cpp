@@ -109,7 +109,7 @@ private:
     std::sort(origins.begin(), origins.end());
     if (std::adjacent_find(origins.begin(), origins.end()) != origins.end())
     {
-      throw VdbError("two nodes in it lie at the same place");
+      throw VdbError("two of its nodes have the same origin");
     }
   }
 

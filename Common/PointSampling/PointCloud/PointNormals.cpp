@@ -146,22 +146,23 @@ std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int ne
   const Progress& progress, const std::optional<glm::vec3>& viewpoint)
 {
   const WeldedPoints distinct(points);
-  const std::span<const glm::vec3> places(distinct.places);
-  const KdTree tree(places);
+  const std::span<const glm::vec3> positions(distinct.positions);
+  const KdTree tree(positions);
   const auto count = static_cast<std::size_t>(std::clamp(neighbors, 3, KdTree::most));
-  const std::size_t found = std::min(count, places.size());
+  const std::size_t found = std::min(count, positions.size());
   const std::size_t joined = viewpoint ? 0 : std::min(found, mostEdges);
-  std::vector<glm::vec3> normals(places.size());
-  std::vector<std::uint32_t> near(joined * places.size());
-  if (!parallelFor((places.size() + blockSize - 1) / blockSize,
+  std::vector<glm::vec3> normals(positions.size());
+  std::vector<std::uint32_t> near(joined * positions.size());
+  if (!parallelFor((positions.size() + blockSize - 1) / blockSize,
         [&](std::size_t block)
         {
           std::array<std::uint32_t, KdTree::most> all;
           const std::span<std::uint32_t> mine(all.data(), found);
-          for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, places.size()); ++i)
+          for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, positions.size());
+               ++i)
           {
-            tree.find(places[i], mine);
-            normals[i] = pcaNormal(places, mine);
+            tree.find(positions[i], mine);
+            normals[i] = pcaNormal(positions, mine);
             std::copy_n(mine.begin(), joined, near.begin() + static_cast<std::ptrdiff_t>(i * joined));
           }
         },
@@ -171,16 +172,16 @@ std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int ne
   }
   if (viewpoint)
   {
-    for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t i = 0; i < positions.size(); ++i)
     {
-      normals[i] *= glm::dot(normals[i], *viewpoint - places[i]) < 0.0f ? -1.0f : 1.0f;
+      normals[i] *= glm::dot(normals[i], *viewpoint - positions[i]) < 0.0f ? -1.0f : 1.0f;
     }
   }
   else
   {
     std::vector<Edge> edges;
     edges.reserve(near.size());
-    for (std::uint32_t i = 0; i < places.size(); ++i)
+    for (std::uint32_t i = 0; i < positions.size(); ++i)
     {
       for (std::size_t n = 0; n < joined; ++n)
       {
@@ -191,7 +192,7 @@ std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int ne
         }
       }
     }
-    orient(places, edges, normals);
+    orient(positions, edges, normals);
   }
   std::vector<glm::vec3> result(points.size(), glm::vec3(0.0f));
   for (std::size_t i = 0; i < points.size(); ++i)

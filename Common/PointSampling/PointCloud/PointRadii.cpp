@@ -52,7 +52,7 @@ float median(std::span<float> values)
 /// position's entries.
 struct Neighborhoods
 {
-  const std::vector<glm::vec3>& places;
+  const std::vector<glm::vec3>& positions;
   std::vector<glm::vec3> normals;
   bool oneSided; // whether normals distinguish the sides of a surface
   KdTree tree;
@@ -65,21 +65,21 @@ struct Neighborhoods
   std::vector<float> cover;
   std::vector<float> wide; // the largest covering radius nearby
 
-  Neighborhoods(const std::vector<glm::vec3>& thePlaces, std::vector<glm::vec3> theNormals)
-    : places(thePlaces)
+  Neighborhoods(const std::vector<glm::vec3>& thePositions, std::vector<glm::vec3> theNormals)
+    : positions(thePositions)
     , normals(std::move(theNormals))
     , oneSided(!this->normals.empty())
-    , tree(places)
-    , count(std::min(mostNeighbors, places.size() - 1))
-    , found(count * places.size())
-    , spacing(places.size())
-    , isolated(places.size())
-    , middle(places.size())
-    , farthest(places.size())
-    , cover(places.size())
-    , wide(places.size())
+    , tree(positions)
+    , count(std::min(mostNeighbors, positions.size() - 1))
+    , found(count * positions.size())
+    , spacing(positions.size())
+    , isolated(positions.size())
+    , middle(positions.size())
+    , farthest(positions.size())
+    , cover(positions.size())
+    , wide(positions.size())
   {
-    this->normals.resize(places.size(), glm::vec3(0.0f));
+    this->normals.resize(positions.size(), glm::vec3(0.0f));
   }
 
   std::span<std::uint32_t> near(std::size_t i) { return { &this->found[i * this->count], this->count }; }
@@ -92,12 +92,12 @@ struct Neighborhoods
   {
     std::array<std::uint32_t, mostNeighbors + 1> nearest;
     const std::span<std::uint32_t> wanted(nearest.data(), this->count + 1);
-    this->tree.find(this->places[i], wanted);
+    this->tree.find(this->positions[i], wanted);
     // The position itself is the nearest, except for others whose distance rounds to 0.
     const auto self = std::find(wanted.begin(), wanted.end() - 1, static_cast<std::uint32_t>(i));
     std::copy(self + 1, wanted.end(), std::copy(wanted.begin(), self, this->near(i).begin()));
     const std::uint32_t other = this->near(i)[std::min(spacingAt, this->count) - 1];
-    this->spacing[i] = glm::distance(this->places[i], this->places[other]);
+    this->spacing[i] = glm::distance(this->positions[i], this->positions[other]);
   }
 
   /// Isolated points are single points and small groups among others, and those of volumetric clouds.
@@ -114,19 +114,19 @@ struct Neighborhoods
     this->isolated[i] = apart > isolatedAnyway;
     if (!this->isolated[i] && (sparse || apart > isolatedAbove))
     {
-      const glm::vec3 normal = pcaNormal(this->places, all);
+      const glm::vec3 normal = pcaNormal(this->positions, all);
       glm::vec3 middleOfAll(0.0f);
       for (const std::uint32_t n : all)
       {
-        middleOfAll += this->places[n] / static_cast<float>(this->count);
+        middleOfAll += this->positions[n] / static_cast<float>(this->count);
       }
       float thickness = 0.0f;
       for (const std::uint32_t n : all)
       {
-        const float height = glm::dot(this->places[n] - middleOfAll, normal);
+        const float height = glm::dot(this->positions[n] - middleOfAll, normal);
         thickness += height * height / static_cast<float>(this->count);
       }
-      const float height = std::abs(glm::dot(this->places[i] - middleOfAll, normal));
+      const float height = std::abs(glm::dot(this->positions[i] - middleOfAll, normal));
       this->isolated[i] = (apart > isolatedAbove && height > outOfPlane * this->spacing[i]) ||
         (sparse && std::sqrt(thickness) > thickCloud * this->spacing[i]);
     }
@@ -152,15 +152,15 @@ struct Neighborhoods
   {
     const auto all = this->near(i);
     const glm::vec3 normal =
-      this->normals[i] != glm::vec3(0.0f) ? this->normals[i] : pcaNormal(this->places, all);
+      this->normals[i] != glm::vec3(0.0f) ? this->normals[i] : pcaNormal(this->positions, all);
     const glm::vec3 aside = std::abs(normal.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     const glm::vec3 u = glm::normalize(glm::cross(normal, aside));
     const glm::vec3 v = glm::cross(normal, u);
-    VoronoiCell2D cell(glm::distance(this->places[i], this->places[all.back()]));
+    VoronoiCell2D cell(glm::distance(this->positions[i], this->positions[all.back()]));
     float extent = cell.extent();
     for (const std::uint32_t other : all)
     {
-      const glm::vec3 offset = this->places[other] - this->places[i];
+      const glm::vec3 offset = this->positions[other] - this->positions[i];
       const float distance = glm::length(offset);
       if (distance >= 2.0f * extent)
       {
@@ -189,11 +189,11 @@ struct Neighborhoods
   {
     std::array<float, mostNeighbors + 1> middles;
     std::size_t measured = 0;
-    const auto add = [&](std::size_t place)
+    const auto add = [&](std::size_t point)
     {
-      if (std::isfinite(this->middle[place]))
+      if (std::isfinite(this->middle[point]))
       {
-        middles[measured++] = this->middle[place];
+        middles[measured++] = this->middle[point];
       }
     };
     add(i);
@@ -207,7 +207,7 @@ struct Neighborhoods
     if (measured == 0)
     {
       const std::uint32_t other = this->near(i)[std::min(onALine, this->count) - 1];
-      this->cover[i] = glm::distance(this->places[i], this->places[other]);
+      this->cover[i] = glm::distance(this->positions[i], this->positions[other]);
       return;
     }
     const float around = median(std::span(middles).first(measured));
@@ -282,27 +282,27 @@ PointRadii pointRadii(
 {
   PointRadii result{ std::vector<float>(points.size()), std::vector<char>(points.size()) };
   WeldedPoints distinct(points);
-  if (distinct.places.size() < 2)
+  if (distinct.positions.size() < 2)
   {
     return result;
   }
   // In units of their extent, squared distances neither underflow nor overflow.
-  glm::vec3 low = distinct.places.front();
+  glm::vec3 low = distinct.positions.front();
   glm::vec3 high = low;
-  for (const glm::vec3& place : distinct.places)
+  for (const glm::vec3& position : distinct.positions)
   {
-    low = glm::min(low, place);
-    high = glm::max(high, place);
+    low = glm::min(low, position);
+    high = glm::max(high, position);
   }
   const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
   const double unit = std::max({ size.x, size.y, size.z });
-  for (glm::vec3& place : distinct.places)
+  for (glm::vec3& position : distinct.positions)
   {
-    place = glm::vec3((glm::dvec3(place) - glm::dvec3(low)) / unit);
+    position = glm::vec3((glm::dvec3(position) - glm::dvec3(low)) / unit);
   }
 
-  Neighborhoods all(distinct.places, normalsOf(distinct, normals));
-  std::vector<float> radius(distinct.places.size());
+  Neighborhoods all(distinct.positions, normalsOf(distinct, normals));
+  std::vector<float> radius(distinct.positions.size());
   // Finding the neighbors takes about half of the time, the cells most of the rest.
   double done = 0.0;
   const auto run = [&](double share, const auto& step)
@@ -310,10 +310,10 @@ PointRadii pointRadii(
     const double before = done;
     done += share;
     const Progress part = [&](double of) { return !progress || progress(before + share * of); };
-    return parallelFor((distinct.places.size() + blockSize - 1) / blockSize,
+    return parallelFor((distinct.positions.size() + blockSize - 1) / blockSize,
       [&](std::size_t block)
       {
-        const std::size_t end = std::min((block + 1) * blockSize, distinct.places.size());
+        const std::size_t end = std::min((block + 1) * blockSize, distinct.positions.size());
         for (std::size_t i = block * blockSize; i < end; ++i)
         {
           step(i);
@@ -335,7 +335,7 @@ PointRadii pointRadii(
   {
     std::vector<float> spacings = all.spacing;
     const float usual = median(spacings);
-    std::vector<char> more(distinct.places.size());
+    std::vector<char> more(distinct.positions.size());
     if (!run(0.08, [&](std::size_t i) { all.findIsolated(i, usual); }) ||
       !run(0.02, [&](std::size_t i) { more[i] = all.isolated[i] || all.isAmongIsolated(i); }))
     {
@@ -355,11 +355,11 @@ PointRadii pointRadii(
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (const std::uint32_t place = distinct.of[i]; place != WeldedPoints::none)
+    if (const std::uint32_t welded = distinct.of[i]; welded != WeldedPoints::none)
     {
-      result.radius[i] = radius[place];
-      result.isolated[i] = all.isolated[place];
-      result.isolatedCount += all.isolated[place] ? 1 : 0;
+      result.radius[i] = radius[welded];
+      result.isolated[i] = all.isolated[welded];
+      result.isolatedCount += all.isolated[welded] ? 1 : 0;
     }
   }
   return result;

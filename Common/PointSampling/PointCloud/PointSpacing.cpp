@@ -37,9 +37,9 @@ float distanceToNeighbors(std::span<const glm::vec3> points, std::size_t query)
     // triangles.
     if (squared > 0.0f && squared < nearest.back())
     {
-      const auto place = std::upper_bound(nearest.begin(), nearest.end(), squared);
-      std::move_backward(place, nearest.end() - 1, nearest.end());
-      *place = squared;
+      const auto slot = std::upper_bound(nearest.begin(), nearest.end(), squared);
+      std::move_backward(slot, nearest.end() - 1, nearest.end());
+      *slot = squared;
     }
   }
   const auto found = std::find(nearest.begin(), nearest.end(), infinity);

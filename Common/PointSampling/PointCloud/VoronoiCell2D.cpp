@@ -26,8 +26,8 @@ void VoronoiCell2D::cut(const glm::vec2& neighbor)
   {
     const Corner& here = this->Corners[i];
     const Corner& next = this->Corners[i + 1 < this->Count ? i + 1 : 0];
-    const float beyond = glm::dot(here.place, neighbor) - limit;
-    const float nextBeyond = glm::dot(next.place, neighbor) - limit;
+    const float beyond = glm::dot(here.position, neighbor) - limit;
+    const float nextBeyond = glm::dot(next.position, neighbor) - limit;
     if (beyond <= 0.0f && count < kept.size())
     {
       kept[count++] = here;
@@ -36,7 +36,8 @@ void VoronoiCell2D::cut(const glm::vec2& neighbor)
     if ((beyond <= 0.0f) != (nextBeyond <= 0.0f) && count < kept.size())
     {
       const float part = beyond / (beyond - nextBeyond);
-      kept[count++] = { here.place + part * (next.place - here.place), beyond <= 0.0f || here.cutAfter };
+      kept[count++] = { here.position + part * (next.position - here.position),
+        beyond <= 0.0f || here.cutAfter };
     }
   }
   this->Corners = kept;
@@ -48,7 +49,7 @@ float VoronoiCell2D::extent() const
   float farthest = 0.0f;
   for (std::size_t i = 0; i < this->Count; ++i)
   {
-    farthest = std::max(farthest, glm::dot(this->Corners[i].place, this->Corners[i].place));
+    farthest = std::max(farthest, glm::dot(this->Corners[i].position, this->Corners[i].position));
   }
   return std::sqrt(farthest);
 }
@@ -60,7 +61,7 @@ std::size_t VoronoiCell2D::corners(std::span<float, mostCorners> distances) cons
   {
     if (this->Corners[i].cutAfter && this->Corners[i > 0 ? i - 1 : this->Count - 1].cutAfter)
     {
-      distances[found++] = glm::length(this->Corners[i].place);
+      distances[found++] = glm::length(this->Corners[i].position);
     }
   }
   return found;

@@ -35,7 +35,7 @@ public:
 private:
   struct Corner
   {
-    glm::vec2 place;
+    glm::vec2 position;
     bool cutAfter; // whether the edge to the next corner is part of a bisector
   };
   std::array<Corner, mostCorners> Corners;

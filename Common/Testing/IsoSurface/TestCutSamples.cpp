@@ -77,8 +77,9 @@ TEST(CutSamples, OfFinerFacesAreNearerToTheCircle)
   const ink::GridGeometry geometry(size);
   const auto cutOf = [&](CutSurface kind)
   {
+    const ink::IsoSurfaceResampling finer{ .subdivision = glm::ivec3(3, 3, 2) };
     return ink::sampleCut(
-      ink::GridField<float>(geometry, values), 100.0, kind, glm::ivec3(0), size - 1, {}, glm::ivec3(3, 3, 2));
+      ink::GridField<float>(geometry, values), 100.0, kind, glm::ivec3(0), size - 1, {}, finer);
   };
   const auto rim = cutOf(CutSurface::Rim);
   EXPECT_NEAR(
@@ -92,6 +93,34 @@ TEST(CutSamples, OfFinerFacesAreNearerToTheCircle)
   EXPECT_NEAR(static_cast<double>(cap.points.size()) -
       (1.0 - 0.5 / ink::rimNormals) * static_cast<double>(rim.points.size()),
     9 * std::numbers::pi * radius * radius, 30.0);
+}
+
+TEST(CutSamples, OfNoiseLieOnTheSmoothedSurface)
+{
+  auto values = halfBall(glm::ivec3(0), size);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    // A checkerboard of two fifths of a voxel's step, which a Gaussian of one voxel takes away.
+    const int parity = static_cast<int>(i % 25 + i / 25 % 27 + i / (25 * 27)) % 2;
+    values[i] += parity == 0 ? 4.0F : -4.0F;
+  }
+  const ink::GridField<float> field(ink::GridGeometry(size), values);
+  const auto farthest = [&](const ink::IsoSurfaceResampling& resampling)
+  {
+    double most = 0.0;
+    for (const glm::dvec3& point :
+      ink::sampleCut(field, 100.0, CutSurface::Rim, glm::ivec3(0), size - 1, {}, resampling).points)
+    {
+      most = std::max(most, std::abs(glm::length(point - glm::dvec3(12, 13, 0)) - radius));
+    }
+    return most;
+  };
+  EXPECT_GT(farthest({}), 0.3);
+  for (const auto target : { ink::SmoothingTarget::Surface, ink::SmoothingTarget::Normals })
+  {
+    const double found = farthest({ glm::dvec3(1.0), glm::ivec3(2), target });
+    EXPECT_LT(found, target == ink::SmoothingTarget::Surface ? 0.3 : 0.15);
+  }
 }
 
 TEST(CutSamples, OfACapFillTheCircle)

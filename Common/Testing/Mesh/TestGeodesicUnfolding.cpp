@@ -21,7 +21,7 @@ struct Unfolder
   }
 
   /// The position in the triangle whose center is nearest.
-  ink::GeodesicUnfolding::Place at(const glm::vec3& position) const
+  ink::GeodesicUnfolding::SurfacePoint at(const glm::vec3& position) const
   {
     std::uint32_t best = 0;
     float least = 1e30f;
@@ -39,8 +39,8 @@ struct Unfolder
     return { (this->points[a] + this->points[b] + this->points[c]) / 3.0f, best };
   }
 
-  float distance(
-    const ink::GeodesicUnfolding::Place& a, const ink::GeodesicUnfolding::Place& b, float limit) const
+  float distance(const ink::GeodesicUnfolding::SurfacePoint& a, const ink::GeodesicUnfolding::SurfacePoint& b,
+    float limit) const
   {
     float distance = far;
     ink::GeodesicUnfolding::Front front;

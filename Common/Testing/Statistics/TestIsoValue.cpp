@@ -231,6 +231,32 @@ TEST(IsoValue, IsNotLedAstrayByNoiseInTheAir)
   EXPECT_LT(suggestion->value, 100.0);
 }
 
+TEST(IsoValue, FindsThinVesselsThatBreakUpAtHigherValues)
+{
+  // Nine tubes along z that taper from six voxels to one, less than two percent of the volume: where they are
+  // thinner than the blur, they do not reach the full value.
+  std::size_t i = 0;
+  std::vector<float> values;
+  for (int z = 0; z < size; ++z)
+  {
+    const double radius = 3.0 - 2.5 * z / (size - 1);
+    for (int y = 0; y < size; ++y)
+    {
+      for (int x = 0; x < size; ++x)
+      {
+        const double d = std::hypot(x % 16 - 7.5, y % 16 - 7.5);
+        const double height = 1.0 - std::exp(-radius * radius);
+        values.push_back(static_cast<float>(100 * height * blurredSphere(d, radius) + 8 * noise(i++)));
+      }
+    }
+  }
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_GT(suggestion->value, 20.0);
+  EXPECT_LT(suggestion->value, 60.0);
+}
+
 TEST(IsoValue, PassesOverTheBorderOfTheFieldOfView)
 {
   // A scanner's padding around its round field of view.
@@ -294,10 +320,35 @@ TEST(IsoValue, IsNotSqueezedByOutliers)
 TEST(IsoValue, SplitsAHistogramWithoutBoundaries)
 {
   // Noise only: no surface is worth anything, but a value within the range is still given.
-  const auto suggestion = suggest(volume<float>([](double, std::size_t i) { return noise(i); }));
+  const auto suggestion = suggest(volume<float>([](double, std::size_t i) { return 3.0 + noise(i); }));
   ASSERT_TRUE(suggestion);
   EXPECT_EQ(suggestion->boundary, Boundary::None);
-  EXPECT_NEAR(suggestion->value, 0.0, 0.05);
+  EXPECT_NEAR(suggestion->value, 3.0, 0.05);
+}
+
+TEST(IsoValue, IsWhereASignedDistanceChangesItsSign)
+{
+  for (const double unit : { 1.0, 300.0 })
+  {
+    const auto distances = suggestAll(
+      volume<float>([unit](double d, std::size_t i) { return unit * (18.0 - d + 0.1 * noise(i)); }));
+    ASSERT_FALSE(distances.empty());
+    EXPECT_EQ(distances.front().boundary, Boundary::Sign);
+    EXPECT_EQ(distances.front().value, 0.0);
+    // The ball's share of the cube.
+    EXPECT_NEAR(distances.front().keptShare, 4.0 / 3.0 * M_PI * 18 * 18 * 18 / (48.0 * 48 * 48), 0.01);
+    EXPECT_EQ(distances.back().boundary, Boundary::None);
+  }
+}
+
+TEST(IsoValue, IsAClearBoundaryRatherThanWhereTheSignChanges)
+{
+  // As a CT's air, fat and water.
+  const auto suggestion = suggest(
+    volume<float>([](double d, std::size_t i) { return 1040 * blurredSphere(d, 18) - 1000 + 2 * noise(i); }));
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_NEAR(suggestion->value, -480.0, 100.0);
 }
 
 TEST(IsoValue, WorksOnOneSliceAndOneRow)

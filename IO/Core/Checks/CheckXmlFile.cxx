@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckXmlFile.h"
 
-#include "FormatNumber.h"
+#include "Core/FormatNumber.h"
 #include "PromptXmlParser.h"
 #include "ReadError.h"
 #include "VtkMessages.h"

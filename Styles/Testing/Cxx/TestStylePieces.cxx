@@ -3,8 +3,10 @@
 // process and of several.
 #include "StyleErrors.h"
 
+#include "InkIsoSurface.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkIllustrationStyle.h"
+#include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleGenerator.h"
@@ -12,20 +14,26 @@
 #include "vtkInkStippleStyle.h"
 
 #include "vtkActor.h"
+#include "vtkAppendFilter.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -249,7 +257,7 @@ TEST(StylePieces, IllustrationsPutBothOnOneSurface)
   }
   EXPECT_STREQ(style->GetPieceName(0), "Points");
   EXPECT_STREQ(style->GetPieceName(1), "Stipples");
-  EXPECT_EQ(style->GetPieceName(4), nullptr);
+  EXPECT_STREQ(style->GetPieceName(4), "Outer points");
   // Light ink shows light.
   style->SetParameterAsString("InkColor", "white");
   style->SetParameterAsString("PaperColor", "black");
@@ -340,6 +348,51 @@ TEST(StylePieces, ProjectedListsFollowThePicture)
   ASSERT_TRUE(style->Make(MakeMesh()));
   // Projected: one stipple a pixel; fixed: one in six of a picture that is 1000 pixels high.
   EXPECT_NEAR(static_cast<double>(projected) / static_cast<double>(CountOf(style)), 6 * 0.6 * 0.6, 0.05);
+}
+
+/// Into how many cells a style divides a voxel's edge.
+int SubdivisionOf(vtkInkStyle* style, vtkImageData* image)
+{
+  InkIsoSurface surface;
+  surface.SetIsoValues({ 100.0 });
+  EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+  return surface.GetSampler()->GetSubdivision();
+}
+
+TEST(StylePieces, CellsAreAPartOfThePictureWhateverItsPixels)
+{
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  for (const double height : { 1.0, 200.0, 2000.0, 20000.0 })
+  {
+    style->SetPictureSize(height);
+    style->SetPictureHeight(height);
+    // 1 / 15 and 1 / 100 of the picture; a twenty-fifth of a hundredth is small enough.
+    EXPECT_EQ(SubdivisionOf(style, MakeBall(16)), 8) << height;
+    EXPECT_EQ(SubdivisionOf(style, MakeBall(101)), 4) << height;
+  }
+  // The data fills twice the picture's height.
+  style->SetPictureHeight(10000.0);
+  EXPECT_EQ(SubdivisionOf(style, MakeBall(101)), 8);
+  EXPECT_EQ(style->GetNumberOfNotes(), 0);
+}
+
+TEST(StylePieces, ManyPointsAreNotDivided)
+{
+  // The surface lies in all cells of 63^3.
+  const auto image = MakeBall(64);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, 200.0 * static_cast<double>((i + i / 64 + i / 4096) % 2));
+  }
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  EXPECT_EQ(SubdivisionOf(style, image), 4);
+  EXPECT_EQ(style->GetNumberOfNotes(), 0);
+  style->SetPictureSize(2.0 * style->GetPictureHeight());
+  EXPECT_EQ(SubdivisionOf(style, image), 4) << "8 would make 63^3 * 64 points, more than 16 million";
+  ASSERT_EQ(style->GetNumberOfNotes(), 1);
+  EXPECT_STREQ(style->GetNote(0),
+    "voxels are divided by 4, not 8, along each axis, as the surface lies in 250047 of them (Subdivision)");
 }
 
 TEST(StylePieces, StipplesAreTakenAsTheyAre)
@@ -434,6 +487,152 @@ TEST(StylePieces, NothingToDrawIsNoted)
   const StyleErrors errors(lines);
   EXPECT_FALSE(lines->Draw(even));
   EXPECT_EQ(errors.All.size(), 1u);
+}
+
+/// Two materials, the one around the other, blurred as a scanner does.
+vtkSmartPointer<vtkImageData> MakeNested(int side = 40)
+{
+  const auto image = MakeBall(side);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    const double middle = (side - 1) / 2.0;
+    const double r = std::hypot(p[0] - middle, p[1] - middle, p[2] - middle) / side;
+    const auto step = [&](double radius) { return 1.0 / (1.0 + std::exp((r - radius) * 2.0 * side)); };
+    values->SetComponent(i, 0, 60.0 * step(0.4) + 120.0 * step(0.2));
+  }
+  return image;
+}
+
+double LargestRadius(vtkPolyData* points, const double center[3])
+{
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    largest = std::max(largest, std::sqrt(vtkMath::Distance2BetweenPoints(p, center)));
+  }
+  return largest;
+}
+
+TEST(StylePieces, SeeThroughHasASurfaceAroundAnother)
+{
+  constexpr int outer = 4;
+  const auto image = MakeNested();
+  vtkNew<vtkInkIllustrationStyle> style;
+  ASSERT_TRUE(style->Draw(image));
+  ASSERT_EQ(style->GetNumberOfPieces(), 2 * outer);
+  EXPECT_EQ(style->GetPieceName(2 * outer), nullptr);
+  EXPECT_NEAR(LargestRadius(style->GetPiece(0), image->GetCenter()), 16, 0.5);
+  for (int piece = outer; piece < 2 * outer; ++piece)
+  {
+    EXPECT_EQ(style->GetPiece(piece)->GetNumberOfPoints(), 0) << style->GetPieceName(piece);
+  }
+  EXPECT_FALSE(style->GetMapper()->HasTranslucentPolygonalGeometry());
+  double alone[6];
+  style->GetActor()->GetBounds(alone);
+
+  style->SetParameter("SeeThrough", 1);
+  ASSERT_TRUE(style->Draw(image));
+  EXPECT_NEAR(LargestRadius(style->GetPiece(0), image->GetCenter()), 8, 0.5);
+  EXPECT_NEAR(LargestRadius(style->GetPiece(outer), image->GetCenter()), 16, 0.5);
+  EXPECT_GT(style->GetPiece(outer + 1)->GetNumberOfPoints(), 10000);
+  ASSERT_EQ(style->GetNumberOfNotes(), 2);
+  EXPECT_EQ(std::string(style->GetNote(0)).find("outer iso-value "), 0u);
+  EXPECT_EQ(std::string(style->GetNote(1)).find("inner iso-value "), 0u);
+  // What was chosen is no parameter, and the frame is around both.
+  EXPECT_EQ(style->GetParameterAsString("IsoValues"), "");
+  EXPECT_EQ(style->GetFramePoints(), style->GetPiece(outer)->GetPoints());
+  EXPECT_TRUE(style->GetMapper()->HasOpaqueGeometry());
+  EXPECT_TRUE(style->GetMapper()->HasTranslucentPolygonalGeometry());
+  double both[6];
+  style->GetActor()->GetBounds(both);
+  EXPECT_NEAR(both[0], alone[0], 0.5);
+
+  // One of the values, or both, can be given.
+  style->SetParameter("IsoValues", 150);
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_EQ(style->GetNumberOfNotes(), 1);
+  const double inner = LargestRadius(style->GetPiece(0), image->GetCenter());
+  EXPECT_LT(inner, 7.9);
+  style->SetParameter("OuterIsoValue", 100);
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_EQ(style->GetNumberOfNotes(), 0);
+  EXPECT_EQ(LargestRadius(style->GetPiece(0), image->GetCenter()), inner);
+  EXPECT_NEAR(LargestRadius(style->GetPiece(outer), image->GetCenter()), 8.3, 0.4);
+  style->SetParameter("SeeThrough", 0);
+  ASSERT_TRUE(style->Draw(image));
+  EXPECT_EQ(style->GetPiece(outer)->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(style->GetMapper()->HasTranslucentPolygonalGeometry());
+}
+
+TEST(StylePieces, SeeThroughNeedsTwoBoundaries)
+{
+  vtkNew<vtkInkIllustrationStyle> style;
+  style->SetParameter("SeeThrough", 1);
+  const StyleErrors errors(style);
+  EXPECT_FALSE(style->Draw(MakeBall()));
+  ASSERT_EQ(errors.All.size(), 1u);
+  EXPECT_NE(errors.All[0].find("two clear boundaries"), std::string::npos) << errors.All[0];
+  // Of a mesh there is one surface.
+  EXPECT_TRUE(style->Draw(MakeMesh()));
+  EXPECT_GT(CountOf(style), 0);
+}
+
+TEST(StylePieces, GridsAndCompositesAreDrawnByTheirSurfaces)
+{
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(5, 6, 7);
+  for (const auto& [axis, count] : { std::pair{ 0, 5 }, { 1, 6 }, { 2, 7 } })
+  {
+    vtkNew<vtkDoubleArray> coordinates;
+    for (int i = 0; i < count; ++i)
+    {
+      coordinates->InsertNextValue(i * i);
+    }
+    axis == 0     ? grid->SetXCoordinates(coordinates)
+      : axis == 1 ? grid->SetYCoordinates(coordinates)
+                  : grid->SetZCoordinates(coordinates);
+  }
+  vtkNew<vtkAppendFilter> toUnstructured;
+  toUnstructured->AddInputData(grid);
+  toUnstructured->Update();
+  vtkDataObject* unstructured = toUnstructured->GetOutput();
+  vtkNew<vtkMultiBlockDataSet> meshes;
+  meshes->SetBlock(0, MakeMesh());
+  meshes->SetBlock(1, grid);
+  vtkNew<vtkMultiBlockDataSet> images;
+  images->SetBlock(0, MakeBall(16));
+  images->SetBlock(2, MakeBall(20));
+  vtkNew<vtkInkIllustrationStyle> illustration;
+  vtkNew<vtkInkSplattingLinesStyle> lines;
+  for (vtkInkStyle* style : std::initializer_list<vtkInkStyle*>{ illustration, lines })
+  {
+    for (vtkDataObject* data : std::initializer_list<vtkDataObject*>{ grid, unstructured, meshes, images })
+    {
+      EXPECT_TRUE(style->Draw(data)) << style->GetName() << ' ' << data->GetClassName();
+      EXPECT_GT(CountOf(style), 1000) << style->GetName() << ' ' << data->GetClassName();
+      EXPECT_EQ(style->GetNumberOfNotes(), 1) << style->GetName() << ' ' << data->GetClassName();
+    }
+    ASSERT_TRUE(style->Draw(grid));
+    EXPECT_NE(
+      std::string(style->GetNote(0)).find("outer surface of a vtkRectilinearGrid"), std::string::npos);
+    ASSERT_TRUE(style->Draw(images));
+    const vtkIdType together = CountOf(style);
+    ASSERT_TRUE(style->Draw(MakeBall(20)));
+    EXPECT_GT(together, CountOf(style));
+    images->SetBlock(1, MakeMesh());
+    const StyleErrors errors(style);
+    EXPECT_FALSE(style->Draw(images));
+    ASSERT_EQ(errors.All.size(), 1u);
+    EXPECT_NE(errors.All[0].find("1 datasets beside images"), std::string::npos) << errors.All[0];
+    EXPECT_EQ(CountOf(style), together);
+    images->SetBlock(1, nullptr);
+  }
+  EXPECT_GT(illustration->GetPiece(1)->GetNumberOfPoints(), 1000);
 }
 
 /// What another process says of its part.

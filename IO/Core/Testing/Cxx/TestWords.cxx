@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FormatNumber.h"
 #include "Words.h"
 
 #include <gtest/gtest.h>
@@ -45,12 +44,4 @@ TEST(Words, AreShortenedAndMadePrintable)
   EXPECT_EQ(ink::io::shortened("a\tb\x01"), "a?b?");
   EXPECT_EQ(ink::io::shortened(std::string(40, 'x')), std::string(40, 'x'));
   EXPECT_EQ(ink::io::shortened(std::string(41, 'x')), std::string(40, 'x') + "...");
-}
-
-TEST(FormatNumber, HasSevenDigitsAndNoMinusZero)
-{
-  EXPECT_EQ(ink::formatNumber(-0.0), "0");
-  EXPECT_EQ(ink::formatNumber(1.0 / 3.0), "0.3333333");
-  const int dimensions[3] = { 2, 30, 400 };
-  EXPECT_EQ(ink::formatDimensions(dimensions), "2 x 30 x 400");
 }

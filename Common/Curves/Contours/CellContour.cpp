@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/Contours/CellContour.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ink
+{
+namespace
+{
+
+/// The edge between two corners of a cell, the first of them the lower one.
+struct Edge
+{
+  std::uint8_t low;
+  std::uint8_t high;
+};
+
+/// The polygon in which the surface intersects a tetrahedron: the edges that it intersects, counterclockwise
+/// as seen from where values are lower.
+struct SurfacePolygon
+{
+  std::array<Edge, 4> edges{};
+  int count = 0;
+};
+
+/// The corners of the six tetrahedra: corner 0, plus one axis, plus another, corner 7. Every other pair of
+/// axes is in cyclic order, so that the tetrahedron is right-handed.
+constexpr int Tetrahedra = 6;
+constexpr std::array<std::array<std::uint8_t, 4>, Tetrahedra> TetrahedronCorners{ {
+  { 0, 1, 3, 7 }, { 0, 2, 6, 7 }, { 0, 4, 5, 7 }, // x y, y z, z x
+  { 0, 2, 3, 7 }, { 0, 4, 6, 7 }, { 0, 1, 5, 7 }, // y x, z y, x z
+} };
+constexpr int RightHanded = 3;
+
+/// Even permutations of a tetrahedron's corners that bring each corner, and each pair, to the front.
+constexpr std::array<std::array<int, 4>, 4> CornerFirst{ { { 0, 1, 2, 3 }, { 1, 0, 3, 2 }, { 2, 3, 0, 1 },
+  { 3, 2, 1, 0 } } };
+constexpr std::array<std::array<int, 4>, 6> PairFirst{ { { 0, 1, 2, 3 }, { 0, 2, 3, 1 }, { 0, 3, 1, 2 },
+  { 1, 2, 0, 3 }, { 1, 3, 2, 0 }, { 2, 3, 0, 1 } } };
+
+/// @param inside bit c: the tetrahedron's corner c is inside the surface
+constexpr SurfacePolygon polygonOf(const std::array<std::uint8_t, 4>& corners, bool rightHanded, int inside)
+{
+  SurfacePolygon polygon;
+  const auto add = [&](int a, int b)
+  {
+    const std::uint8_t first = corners[a];
+    const std::uint8_t second = corners[b];
+    polygon.edges[polygon.count++] = first < second ? Edge{ first, second } : Edge{ second, first };
+  };
+  bool outward = rightHanded;
+  for (const auto& [i, j, k, l] : CornerFirst)
+  {
+    // Seen from the side without i, the edges to j, k and l are counterclockwise.
+    if (inside == 1 << i || inside == (15 ^ 1 << i))
+    {
+      add(i, j);
+      add(i, k);
+      add(i, l);
+      outward = (inside == 1 << i) == rightHanded;
+    }
+  }
+  for (const auto& [i, j, k, l] : PairFirst)
+  {
+    if (inside == (1 << i | 1 << j))
+    {
+      add(i, k);
+      add(i, l);
+      add(j, l);
+      add(j, k);
+    }
+  }
+  if (!outward)
+  {
+    for (int n = 0; n < polygon.count / 2; ++n)
+    {
+      const Edge edge = polygon.edges[n];
+      polygon.edges[n] = polygon.edges[polygon.count - 1 - n];
+      polygon.edges[polygon.count - 1 - n] = edge;
+    }
+  }
+  return polygon;
+}
+
+constexpr std::array<std::array<SurfacePolygon, 16>, Tetrahedra> makePolygons()
+{
+  std::array<std::array<SurfacePolygon, 16>, Tetrahedra> polygons;
+  for (int t = 0; t < Tetrahedra; ++t)
+  {
+    for (int inside = 0; inside < 16; ++inside)
+    {
+      polygons[t][inside] = polygonOf(TetrahedronCorners[t], t < RightHanded, inside);
+    }
+  }
+  return polygons;
+}
+
+constexpr std::array<std::array<SurfacePolygon, 16>, Tetrahedra> Polygons = makePolygons();
+
+/// Where the surface intersects an edge, as a share of it from its low end.
+double shareAt(const CellCorners& cell, const Edge& edge)
+{
+  const double low = std::abs(cell.offsets[edge.low]);
+  const double high = std::abs(cell.offsets[edge.high]);
+  return low / (low + high);
+}
+
+double facingAt(const CellCorners& cell, const Edge& edge)
+{
+  const double share = shareAt(cell, edge);
+  return (1.0 - share) * cell.facing[edge.low] + share * cell.facing[edge.high];
+}
+
+glm::dvec3 cornerPosition(int corner)
+{
+  return { corner & 1, corner >> 1 & 1, corner >> 2 };
+}
+
+glm::dvec3 positionAt(const CellCorners& cell, const Edge& edge)
+{
+  const glm::dvec3 low = cornerPosition(edge.low);
+  return low + shareAt(cell, edge) * (cornerPosition(edge.high) - low);
+}
+
+/// The node on the face that two edges of a tetrahedron share. The same for any order of the two.
+CellContourNode nodeBetween(const CellCorners& cell, Edge a, Edge b)
+{
+  if (b.low < a.low || (b.low == a.low && b.high < a.high))
+  {
+    std::swap(a, b);
+  }
+  CellContourNode node;
+  // Two of the four ends are the same corner; corners of a tetrahedron are nested, so their numbers ascend.
+  const std::uint8_t first = std::min(a.low, b.low);
+  const std::uint8_t last = std::max(a.high, b.high);
+  const std::uint8_t middle = a.high != last ? a.high
+    : b.high != last                         ? b.high
+    : a.low != first                         ? a.low
+                                             : b.low;
+  node.corners = { first, middle, last };
+  const double facingA = std::abs(facingAt(cell, a));
+  const double facingB = std::abs(facingAt(cell, b));
+  const glm::dvec3 from = positionAt(cell, a);
+  node.position = from + facingA / (facingA + facingB) * (positionAt(cell, b) - from);
+  return node;
+}
+
+} // namespace
+
+CellContour findCellContour(const CellCorners& cell)
+{
+  CellContour contour;
+  int insideCell = 0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    insideCell |= (cell.offsets[corner] >= 0.0) << corner;
+  }
+  for (int t = 0; t < Tetrahedra; ++t)
+  {
+    int inside = 0;
+    for (int n = 0; n < 4; ++n)
+    {
+      inside |= (insideCell >> TetrahedronCorners[t][n] & 1) << n;
+    }
+    const SurfacePolygon& polygon = Polygons[t][inside];
+    int faces = 0; // the eye: bit n for edge n
+    for (int n = 0; n < polygon.count; ++n)
+    {
+      faces |= (facingAt(cell, polygon.edges[n]) >= 0.0) << n;
+    }
+    if (faces == 0 || faces == (1 << polygon.count) - 1)
+    {
+      continue;
+    }
+    // From where a walk around the polygon leaves what faces the eye to where it comes back.
+    const auto nodeAfter = [&](int n)
+    { return nodeBetween(cell, polygon.edges[n], polygon.edges[(n + 1) % polygon.count]); };
+    const auto facesEye = [&](int n) { return (faces >> n % polygon.count & 1) != 0; };
+    for (int n = 0; n < polygon.count; ++n)
+    {
+      if (facesEye(n) && !facesEye(n + 1))
+      {
+        int back = n + 1;
+        while (!facesEye(back + 1))
+        {
+          ++back;
+        }
+        contour.segments[contour.count++] = { nodeAfter(n), nodeAfter(back % polygon.count) };
+      }
+    }
+  }
+  return contour;
+}
+
+} // namespace ink

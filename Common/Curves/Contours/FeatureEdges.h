@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Curves/Contours/ContourSegments.h"
+#include "Curves/Contours/ContourSurface.h"
+
+#include <vector>
+
+namespace ink
+{
+
+/// The edges of a surface that are contours for every eye, by what they are, in the order of their sites.
+struct FeatureEdges
+{
+  std::vector<ContourSegment> creases;     ///< between two faces at an angle
+  std::vector<ContourSegment> borders;     ///< of one face
+  std::vector<ContourSegment> nonManifold; ///< of more than two faces
+
+  /// @param creaseAngle between the faces' normals, in degrees; an edge of a larger one is a crease
+  FeatureEdges(const ContourSurface& surface, double creaseAngle);
+};
+
+} // namespace ink

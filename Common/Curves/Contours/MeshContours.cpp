@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/Contours/MeshContours.h"
+
+#include "Curves/Contours/ContourSegments.h"
+#include "Curves/Contours/FeatureEdges.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace ink
+{
+
+namespace
+{
+
+MeshContourOptions checked(const MeshContourOptions& options, bool hasNormals)
+{
+  if (options.silhouettes && !options.faceted && !hasNormals)
+  {
+    throw std::invalid_argument(
+      "the mesh has no normals, expected one per point for interpolated silhouettes; faceted ones need none");
+  }
+  if (!(options.creaseAngle >= 0.0 && options.creaseAngle <= 180.0))
+  {
+    throw std::invalid_argument(
+      "the angle of creases is " + std::to_string(options.creaseAngle) + " degrees, expected from 0 to 180");
+  }
+  return options;
+}
+
+/// Appends one array if it is wanted.
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from, bool wanted = true)
+{
+  if (wanted)
+  {
+    to.insert(to.end(), from.begin(), from.end());
+  }
+}
+
+void append(Contours& to, const Contours& from, const ContourArrays& arrays)
+{
+  const std::size_t points = to.positions.size();
+  for (std::size_t chain = 0; chain < from.chains.size(); ++chain)
+  {
+    to.chains.offsets.push_back(points + from.chains.offsets[chain + 1]);
+  }
+  append(to.chains.closed, from.chains.closed);
+  append(to.kinds, from.kinds);
+  append(to.positions, from.positions);
+  append(to.normals, from.normals, arrays.normals);
+  append(to.radialCurvature, from.radialCurvature, arrays.radialCurvature);
+  append(to.arcLength, from.arcLength, arrays.arcLength);
+  append(to.elements, from.elements, arrays.elements);
+}
+
+constexpr ContourArrays allArrays{ true, true, true, true };
+
+} // namespace
+
+MeshContours::MeshContours(
+  const TriangleMesh& mesh, std::span<const glm::vec3> normals, const MeshContourOptions& options)
+  : Options(checked(options, !normals.empty() || mesh.points.empty()))
+  , Surface(mesh, normals)
+{
+  if (options.silhouettes && options.faceted)
+  {
+    this->Faceted.emplace(this->Surface);
+  }
+  else if (options.silhouettes)
+  {
+    this->Interpolated.emplace(this->Surface);
+  }
+  if (options.creases || options.borders || options.nonManifold)
+  {
+    const FeatureEdges edges(this->Surface, options.creaseAngle);
+    const auto add = [&](bool wanted, const std::vector<ContourSegment>& segments, ContourKind kind)
+    {
+      if (wanted)
+      {
+        append(this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
+      }
+    };
+    add(options.creases, edges.creases, ContourKind::Crease);
+    add(options.borders, edges.borders, ContourKind::Border);
+    add(options.nonManifold, edges.nonManifold, ContourKind::NonManifold);
+  }
+}
+
+Contours MeshContours::find(const Eye& eye, const ContourArrays& arrays, SilhouetteSearch search) const
+{
+  eye.check();
+  Contours result;
+  if (this->Options.silhouettes)
+  {
+    const std::vector<ContourSegment> segments =
+      this->Faceted ? this->Faceted->find(eye, search) : this->Interpolated->find(this->Surface, eye, search);
+    result = chainContours(this->Surface, segments, ContourKind::Silhouette, eye, arrays);
+  }
+  append(result, this->Features, arrays);
+  return result;
+}
+
+} // namespace ink

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Curves/Contours/ContourSurface.h"
+#include "Curves/Contours/Contours.h"
+#include "Curves/Contours/Eye.h"
+#include "Curves/Contours/FacetedSilhouettes.h"
+#include "Curves/Contours/InterpolatedSilhouettes.h"
+#include "Curves/Contours/SilhouetteSearch.h"
+#include "Mesh/TriangleMesh.h"
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <span>
+
+namespace ink
+{
+
+/// Which contours of a mesh are found.
+struct MeshContourOptions
+{
+  bool silhouettes = true;
+  /// Whether silhouettes are edges between a face seen from its front and one seen from its back, instead of
+  /// the zero set of n.v with normals interpolated across faces, which is smooth and lies near these edges.
+  bool faceted = false;
+  bool creases = false;
+  double creaseAngle = 30.0; ///< in degrees, between the normals of the faces at an edge
+  bool borders = false;
+  bool nonManifold = false;
+
+  bool operator==(const MeshContourOptions&) const = default;
+};
+
+/// Finds the contours of a mesh for any eye. What does not depend on the eye, above all a hierarchy of cones
+/// of normals that leaves out faces without a silhouette, is made once; so an eye costs time for the
+/// contours' length and not for the number of faces.
+///
+/// Interpolated silhouettes: Hertzmann and Zorin 2000, section 4.1. The mesh needs neither be closed nor
+/// manifold nor oriented. Points of equal position count as one; where normals differ there, the silhouette
+/// follows the edge as far as one side is seen from its front and the other one from its back. Faces with a
+/// point that is not finite are ignored. Results are the same for any number of threads.
+class MeshContours
+{
+public:
+  /// @param normals one per point, of any length, all to the same side of the surface; may be empty if
+  ///   silhouettes are faceted or not wanted. Those that are zero or not finite are replaced by the mean of
+  ///   those around.
+  /// @throws std::invalid_argument if normals are needed and missing, or not one per point, or for an angle
+  ///   that is not from 0 to 180
+  MeshContours(
+    const TriangleMesh& mesh, std::span<const glm::vec3> normals, const MeshContourOptions& options = {});
+
+  /// Contours by kind, in the order of the enumeration. `elements` are indices of the mesh's triangles; of
+  /// the two at an edge, one.
+  /// @throws std::invalid_argument for an eye that is not finite, or with a direction of zero
+  Contours find(const Eye& eye, const ContourArrays& arrays = {},
+    SilhouetteSearch search = SilhouetteSearch::Hierarchy) const;
+
+private:
+  MeshContourOptions Options;
+  ContourSurface Surface;
+  std::optional<InterpolatedSilhouettes> Interpolated;
+  std::optional<FacetedSilhouettes> Faceted;
+  Contours Features; ///< creases, borders and non-manifold edges, with all their arrays
+};
+
+} // namespace ink

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Curves/Contours/Eye.h"
+#include "Curves/Contours/NormalCone.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace ink
+{
+
+/// Finds where n.v may change sign without looking at everything: clusters of elements (faces, or edges) that
+/// follow each other, each bounded by a cone of its normals n, and a tree over these (Sander et al. 2000,
+/// "Silhouette clipping", section 3). With v = e - p for an eye e and a point p, and a cluster's center c,
+/// n.v = n.(e - c) - n.(p - c): the cone bounds the first term, the second has been bounded exactly.
+class NormalClusters
+{
+public:
+  static constexpr std::size_t clusterSize = 8; ///< elements, unless told otherwise
+
+  /// Appends the items of elements `begin` to `end` - 1.
+  using ItemsOf =
+    std::function<void(std::size_t begin, std::size_t end, std::vector<NormalCone::Item>& items)>;
+
+  NormalClusters() = default;
+  /// @param size elements of a cluster
+  NormalClusters(std::size_t elements, const ItemsOf& itemsOf, std::size_t size = clusterSize);
+
+  std::size_t size() const { return this->Clusters; }
+
+  /// The clusters that may have items with n.v < 0 and n.v >= 0, in order: all that do, and few others.
+  std::vector<std::uint32_t> straddling(const Eye& eye) const;
+
+private:
+  static constexpr std::size_t width = 8;
+
+  /// Eight cones, in float. Positions are relative to Center, in units of Scale.
+  struct Block
+  {
+    float center[3][width];
+    float axis[3][width];
+    float cosine[width];
+    float sine[width];
+    float lower[width];
+    float upper[width];
+  };
+
+  static void store(const NormalCone& cone, Block& block, std::size_t lane);
+  static NormalCone load(const Block& block, std::size_t lane);
+
+  std::size_t Clusters = 0;
+  glm::dvec3 Center = glm::dvec3(0.0);
+  double Scale = 1.0;
+  /// From the clusters up: node i of a level bounds block i of the level below.
+  std::vector<std::vector<Block>> Levels;
+  std::vector<std::size_t> Sizes; ///< of the levels, in nodes
+};
+
+} // namespace ink

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Visibility/CurveVisibility.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ink
+{
+
+namespace
+{
+
+/// How much nearer in pixels a surface is than what it hides, whatever is beside it: a silhouette's own
+/// surface is nearer by sqrt(2 r d) within d pixels, of a sphere of r.
+constexpr double farBehind = 48.0;
+/// How much nearer in pixels all of the neighborhood is: what rounding leaves.
+constexpr double behind = 0.05;
+
+struct Sample
+{
+  double position; ///< on the curve, as CurveRun's
+  double length;   ///< pixels from the curve's begin, as far as the image shows it
+  bool hidden;
+};
+
+class Sampler
+{
+public:
+  explicit Sampler(const CurveOccluders& occluders)
+    : Occluders(occluders)
+  {
+  }
+
+  /// Appends the samples of a segment, its first point and not its last, as far as the image shows it.
+  void addSegment(const CurvePoint& a, const CurvePoint& b, double position)
+  {
+    // The part before the near plane, then within the image.
+    double from = 0.0;
+    double to = 1.0;
+    if (!clip(a.clip.z + a.clip.w, b.clip.z + b.clip.w, from, to))
+    {
+      return;
+    }
+    const glm::dvec4 first = glm::mix(a.clip, b.clip, from);
+    const glm::dvec4 last = glm::mix(a.clip, b.clip, to);
+    if (!(first.w > 0.0) || !(last.w > 0.0))
+    {
+      return;
+    }
+    const glm::dvec2 p = this->toPixel(first);
+    const glm::dvec2 q = this->toPixel(last);
+    double begin = 0.0;
+    double end = 1.0;
+    if (!clip(p.x, q.x, begin, end) || !clip(p.y, q.y, begin, end) ||
+      !clip(this->Occluders.image.width - p.x, this->Occluders.image.width - q.x, begin, end) ||
+      !clip(this->Occluders.image.height - p.y, this->Occluders.image.height - q.y, begin, end))
+    {
+      return;
+    }
+    const double length = (end - begin) * glm::distance(p, q);
+    const int steps = static_cast<int>(std::ceil(std::max(length, 1.0)));
+    for (int step = 0; step < steps; ++step)
+    {
+      const double share = static_cast<double>(step) / steps;
+      // Even steps on the picture are uneven ones in space.
+      const double onPicture = begin + (end - begin) * share;
+      const double inSpace = onPicture * first.w / (last.w + onPicture * (first.w - last.w));
+      const double t = from + (to - from) * inSpace;
+      const double curvature = a.radialCurvature + t * (b.radialCurvature - a.radialCurvature);
+      const bool hidden = curvature < 0.0 || this->isHidden(glm::mix(a.clip, b.clip, t));
+      this->samples.push_back({ position + t, this->Length + share * length, hidden });
+    }
+    this->Length += length;
+  }
+
+  double length() const { return this->Length; }
+
+  std::vector<Sample> samples;
+
+private:
+  /// Narrows the part of a segment to where a linear function is positive.
+  static bool clip(double a, double b, double& from, double& to)
+  {
+    if (!std::isfinite(a) || !std::isfinite(b))
+    {
+      return false;
+    }
+    if (a < 0.0 || b < 0.0)
+    {
+      const double zero = a / (a - b);
+      if (a < 0.0)
+      {
+        from = b < 0.0 ? 1.0 : std::max(from, zero);
+      }
+      else
+      {
+        to = std::min(to, zero);
+      }
+    }
+    return from < to;
+  }
+
+  glm::dvec2 toPixel(const glm::dvec4& clip) const
+  {
+    return { (0.5 * clip.x / clip.w + 0.5) * this->Occluders.image.width,
+      (0.5 * clip.y / clip.w + 0.5) * this->Occluders.image.height };
+  }
+
+  /// Distance from the eye along the view.
+  double toDistance(double depth) const
+  {
+    const double* m = this->Occluders.depthToClip;
+    const double ndc = 2.0 * depth - 1.0;
+    return (m[1] - ndc * m[3]) / (m[0] - ndc * m[2]);
+  }
+
+  bool isHidden(const glm::dvec4& clip) const
+  {
+    const DepthImage& image = this->Occluders.image;
+    const glm::dvec2 pixel = this->toPixel(clip);
+    const int x = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, image.width - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, image.height - 1);
+    const double own = this->toDistance(0.5 * clip.z / clip.w + 0.5);
+    const double size = this->Occluders.pixel * clip.w;
+    if (this->toDistance(image.at(x, y)) < own - farBehind * size)
+    {
+      return true;
+    }
+    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, image.height - 1); ++row)
+    {
+      for (int column = std::max(x - 1, 0); column <= std::min(x + 1, image.width - 1); ++column)
+      {
+        if (!(this->toDistance(image.at(column, row)) < own - behind * size))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  const CurveOccluders& Occluders;
+  double Length = 0.0;
+};
+
+/// Runs of samples in one state, from one sample to before another.
+struct SampleRun
+{
+  std::size_t first;
+  double length; ///< pixels
+  bool hidden;
+};
+
+std::vector<SampleRun> findSampleRuns(const std::vector<Sample>& samples, double length)
+{
+  std::vector<SampleRun> runs;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (runs.empty() || runs.back().hidden != samples[i].hidden)
+    {
+      runs.push_back({ i, 0.0, samples[i].hidden });
+    }
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    const double end = i + 1 < runs.size() ? samples[runs[i + 1].first].length : length;
+    runs[i].length = end - samples[runs[i].first].length;
+  }
+  return runs;
+}
+
+/// Leaves only those that are long enough, one state after the other.
+std::vector<SampleRun> joinShortRuns(const std::vector<SampleRun>& runs, double leastRun)
+{
+  double balance = 0.0; // of lengths, if none is long enough
+  std::vector<SampleRun> kept;
+  for (const SampleRun& run : runs)
+  {
+    balance += run.hidden ? run.length : -run.length;
+    if (run.length >= leastRun && (kept.empty() || kept.back().hidden != run.hidden))
+    {
+      kept.push_back(run);
+    }
+  }
+  if (kept.empty())
+  {
+    kept.push_back({ 0, 0.0, balance > 0.0 });
+  }
+  return kept;
+}
+
+} // namespace
+
+std::vector<CurveRun> findVisibleRuns(
+  std::span<const CurvePoint> points, bool closed, const CurveOccluders& occluders, double leastRun)
+{
+  occluders.image.check();
+  if (points.size() < 2)
+  {
+    return {};
+  }
+  const std::size_t segments = closed ? points.size() : points.size() - 1;
+  Sampler sampler(occluders);
+  for (std::size_t i = 0; i < segments; ++i)
+  {
+    sampler.addSegment(points[i], points[(i + 1) % points.size()], static_cast<double>(i));
+  }
+  const std::vector<Sample>& samples = sampler.samples;
+  const double whole = static_cast<double>(segments);
+  if (samples.empty())
+  {
+    return { { 0.0, whole, false } };
+  }
+
+  std::vector<SampleRun> runs = findSampleRuns(samples, sampler.length());
+  if (closed && runs.size() > 1)
+  {
+    if (runs.front().hidden == runs.back().hidden)
+    {
+      // One run, which the begin of the curve divides.
+      runs.back().length += runs.front().length;
+      runs.erase(runs.begin());
+    }
+    // The longest is sure to be kept, so that the others join the same wherever the curve begins.
+    std::rotate(runs.begin(),
+      std::max_element(
+        runs.begin(), runs.end(), [](const SampleRun& a, const SampleRun& b) { return a.length < b.length; }),
+      runs.end());
+  }
+  std::vector<SampleRun> kept = joinShortRuns(runs, leastRun);
+  if (closed && kept.size() > 1 && kept.front().hidden == kept.back().hidden)
+  {
+    kept.pop_back();
+  }
+  if (kept.size() == 1)
+  {
+    return { { 0.0, whole, kept.front().hidden } };
+  }
+
+  // A change lies between two samples.
+  const auto begin = [&](const SampleRun& run)
+  {
+    const Sample& first = samples[run.first];
+    const double before = run.first > 0 ? samples[run.first - 1].position
+      : closed                          ? samples.back().position - whole
+                                        : 0.0;
+    const double between = run.first == 0 && !closed ? 0.0 : 0.5 * (before + first.position);
+    return between < 0.0 ? between + whole : between;
+  };
+  std::vector<CurveRun> result;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    const bool last = i + 1 == kept.size();
+    const double from = i == 0 && !closed ? 0.0 : begin(kept[i]);
+    double to = last ? (closed ? begin(kept.front()) : whole) : begin(kept[i + 1]);
+    to += closed && to <= from ? whole : 0.0;
+    result.push_back({ from, to, kept[i].hidden });
+  }
+  return result;
+}
+
+} // namespace ink

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Visibility/DepthImage.h"
+
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ink
+{
+
+/// The surfaces that hide curves, as a camera sees them.
+struct CurveOccluders
+{
+  DepthImage image;
+  /// clip z = [0] * view z + [1], clip w = [2] * view z + [3]; view z is negative in front of the eye
+  double depthToClip[4] = { -1.0, 0.0, 0.0, 1.0 };
+  double pixel = 1.0; ///< view units per pixel of the image where clip w is 1
+};
+
+/// A point of a curve as the same camera sees it.
+struct CurvePoint
+{
+  glm::dvec4 clip;              ///< OpenGL's clip coordinates
+  double radialCurvature = 0.0; ///< of a surface's silhouette: negative where the surface itself hides it
+};
+
+/// A part of a curve between two positions on it. Position n + t lies at the fraction t of segment n, from
+/// point n to the next; beyond the number of segments a closed curve goes on with its first.
+struct CurveRun
+{
+  double from;
+  double to;
+  bool hidden;
+};
+
+/// Which parts of a curve surfaces hide, decided along the curve: samples a pixel apart are compared with the
+/// depth image, each with the 8 neighbors of its pixel, too (Isenberg et al. 2002, section 4): a silhouette
+/// lies where a pixel beside it may show its own surface a little nearer. A sample is hidden where all nine
+/// are nearer, or its own pixel is nearer by far. Runs of samples shorter than `leastRun` join their
+/// neighbors, so that a curve that grazes a surface is not dotted.
+///
+/// @param closed the last point is connected to the first, which is not repeated
+/// @param leastRun pixels of the image
+/// @return runs in the curve's order that cover all of it, alternately visible and hidden; what the image
+///   does not show goes on as what it is connected to, or else is visible. Empty for less than two points.
+/// @throws std::invalid_argument as DepthImage::check
+std::vector<CurveRun> findVisibleRuns(
+  std::span<const CurvePoint> points, bool closed, const CurveOccluders& occluders, double leastRun);
+
+} // namespace ink

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkContours
+ * @brief silhouettes, creases and borders of a mesh for a camera, as polylines
+ *
+ * Silhouettes (occluding contours) are where a surface turns away from the eye: the zero set of n.v, with the
+ * normals n interpolated across faces (Hertzmann and Zorin 2000), which is smooth; or, with Faceted, edges
+ * between a face seen from its front and one seen from its back. Creases, borders and non-manifold edges do
+ * not depend on the eye. All are chained to polylines; what is hidden by the surface is not left out.
+ *
+ * Input: a vtkPolyData with polygons or strips. Normals are its point normals, or an array `Normals`; if it
+ * has none, the mean over the faces around each point is used, and the filter warns once. Points of equal
+ * position count as one. Faces with a point that is not finite, and ghost and hidden cells, are left out.
+ *
+ * The eye is that of a vtkCamera, or given as a position or, for a parallel projection, as a direction.
+ *
+ * Output: lines, one polyline for each chain; a closed one ends with the id of its first point. The cell
+ * array `ContourKind` says what each is (SILHOUETTE, CREASE, BORDER, NON_MANIFOLD_EDGE); point arrays are
+ * made on request. Points have the precision of the input's. Chains are in a defined order, the same for any
+ * number of threads.
+ *
+ * What does not depend on the eye, among it an index by which a new eye costs time for the contours' length
+ * instead of the number of faces, is kept until the input or an option that it depends on changes.
+ *
+ * Errors, each with an empty output: no camera where one is expected, a face with a point that does not
+ * exist, faces without area only, a camera whose position is not finite. An input without polygons gives a
+ * warning.
+ *
+ * @sa vtkPolyDataSilhouette vtkFeatureEdges
+ */
+#ifndef vtkInkContours_h
+#define vtkInkContours_h
+
+#include "InkSetters.h"
+#include "vtkInkFiltersContoursModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the camera
+
+#include <memory>
+
+class vtkCamera;
+
+class VTKINKFILTERSCONTOURS_EXPORT vtkInkContours : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkInkContours* New();
+  vtkTypeMacro(vtkInkContours, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What a line of the output is: the values of the cell array `ContourKind`.
+  enum KindType
+  {
+    SILHOUETTE = 0,
+    CREASE = 1,
+    BORDER = 2,
+    NON_MANIFOLD_EDGE = 3
+  };
+
+  /// What the eye is taken from, see SetEye.
+  enum EyeType
+  {
+    CAMERA = 0,
+    POSITION = 1,
+    DIRECTION = 2
+  };
+
+  ///@{
+  /**
+   * From where the mesh is looked at. CAMERA (default): Camera, with its projection. POSITION: EyePosition.
+   * DIRECTION: a parallel projection along EyeDirection.
+   */
+  vtkSetClampMacro(Eye, int, CAMERA, DIRECTION);
+  vtkGetMacro(Eye, int);
+  void SetEyeToCamera() { this->SetEye(CAMERA); }
+  void SetEyeToPosition() { this->SetEye(POSITION); }
+  void SetEyeToDirection() { this->SetEye(DIRECTION); }
+  const char* GetEyeAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The camera, when Eye is CAMERA; the filter runs again whenever it has changed. Default: none.
+   */
+  void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera();
+  ///@}
+
+  ///@{
+  /**
+   * The eye's position in world coordinates, when Eye is POSITION. Default: (0, 0, 1). Coordinates that are
+   * not finite are refused with a warning.
+   */
+  InkSetPointMacro(EyePosition);
+  vtkGetVector3Macro(EyePosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * The direction from the eye into the scene, of any length, when Eye is DIRECTION. Default: (0, 0, -1).
+   * Coordinates that are not finite are refused with a warning.
+   */
+  InkSetPointMacro(EyeDirection);
+  vtkGetVector3Macro(EyeDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Find silhouettes. Default: on.
+   */
+  vtkSetMacro(Silhouettes, bool);
+  vtkGetMacro(Silhouettes, bool);
+  vtkBooleanMacro(Silhouettes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Find silhouettes along edges, between faces seen from front and back, instead of across faces. They need
+   * no normals, and zigzag. Default: off.
+   */
+  vtkSetMacro(Faceted, bool);
+  vtkGetMacro(Faceted, bool);
+  vtkBooleanMacro(Faceted, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Find creases: edges whose two faces enclose more than FeatureAngle. Default: off.
+   */
+  vtkSetMacro(Creases, bool);
+  vtkGetMacro(Creases, bool);
+  vtkBooleanMacro(Creases, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle between the normals of two faces, in degrees, beyond which their edge is a crease. Larger ones
+   * leave only sharper edges. 0 to 180; default: 30. NaN is refused with a warning.
+   */
+  InkSetClampMacro(FeatureAngle, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Find borders: edges of one face. Default: on.
+   */
+  vtkSetMacro(Borders, bool);
+  vtkGetMacro(Borders, bool);
+  vtkBooleanMacro(Borders, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Find non-manifold edges: those of more than two faces. Default: off.
+   */
+  vtkSetMacro(NonManifoldEdges, bool);
+  vtkGetMacro(NonManifoldEdges, bool);
+  vtkBooleanMacro(NonManifoldEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make the point array `Normals`: the surface's unit normal. Default: off.
+   */
+  vtkSetMacro(ComputeNormals, bool);
+  vtkGetMacro(ComputeNormals, bool);
+  vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make the point array `RadialCurvature`: of silhouettes, the surface's normal curvature in the direction
+   * to the eye, in 1 / world unit; where it is negative, the surface itself hides the contour. 0 on other
+   * lines. Default: off.
+   */
+  vtkSetMacro(ComputeRadialCurvature, bool);
+  vtkGetMacro(ComputeRadialCurvature, bool);
+  vtkBooleanMacro(ComputeRadialCurvature, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make the point array `ArcLength`: along the line from its first point, in world units. Default: off.
+   */
+  vtkSetMacro(ComputeArcLength, bool);
+  vtkGetMacro(ComputeArcLength, bool);
+  vtkBooleanMacro(ComputeArcLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make the point array `CellId`: the input's cell that the segment to the line's next point lies in.
+   * Default: off.
+   */
+  vtkSetMacro(ComputeCellIds, bool);
+  vtkGetMacro(ComputeCellIds, bool);
+  vtkBooleanMacro(ComputeCellIds, bool);
+  ///@}
+
+  /**
+   * The number of times that the filter has prepared a mesh, which it does not when only the eye changes.
+   */
+  int GetNumberOfIndexBuilds();
+
+  /**
+   * That of the camera included.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkInkContours();
+  ~vtkInkContours() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkInkContours(const vtkInkContours&) = delete;
+  void operator=(const vtkInkContours&) = delete;
+
+  class vtkInternals;
+
+  void FindContours(vtkPolyData* mesh, vtkPolyData* output);
+
+  std::unique_ptr<vtkInternals> Internals;
+  vtkSmartPointer<vtkCamera> Camera;
+  int Eye = CAMERA;
+  double EyePosition[3] = { 0.0, 0.0, 1.0 };
+  double EyeDirection[3] = { 0.0, 0.0, -1.0 };
+  bool Silhouettes = true;
+  bool Faceted = false;
+  bool Creases = false;
+  double FeatureAngle = 30.0;
+  bool Borders = true;
+  bool NonManifoldEdges = false;
+  bool ComputeNormals = false;
+  bool ComputeRadialCurvature = false;
+  bool ComputeArcLength = false;
+  bool ComputeCellIds = false;
+};
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkStrokeMarks_h
+#define InkStrokeMarks_h
+
+#include "InkActorResources.h"
+#include "InkMarks.h"
+#include "InkOccluder.h"
+#include "InkShiftScale.h"
+#include "InkStrokePasses.h"
+#include "InkStrokePoints.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+/// The strokes on the GPU, for one window, what they were made from, and the surface that hides them.
+class InkStrokeMarks : public InkMarks
+{
+public:
+  explicit InkStrokeMarks(vtkOpenGLRenderWindow* window)
+    : Passes(window)
+    , Occluder(window, false)
+    , Window(window)
+  {
+  }
+
+  vtkMTimeType GetUploadTime() const override { return this->Passes.GetUploadTime(); }
+
+  InkStrokePasses Passes;
+  InkStrokePoints Strokes;
+  std::optional<InkStrokeArrays::Key> Source; ///< of Strokes
+  std::optional<std::string> Colors;          ///< as InkScalarColors describes those of Passes
+
+  InkOccluder Occluder;
+  InkShiftScale SurfaceFrame;
+  vtkMTimeType SurfaceTime = 0; ///< of the surface that SurfaceFrame is of
+
+  /// What an actor in a renderer shows of the strokes.
+  struct View
+  {
+    /// What the runs were made from.
+    struct Source
+    {
+      vtkMTimeType Strokes;
+      vtkMTimeType Surface; ///< 0: none hides them
+      std::optional<InkViewUniforms> Shown;
+      bool WithHidden;
+      double LeastRun;
+      bool operator==(const Source&) const = default;
+    };
+    std::optional<Source> RunsSource;
+    std::unique_ptr<InkStrokeRunBuffers> Runs;
+    std::unique_ptr<InkOccluderDepth> Depth;
+  };
+  InkActorResources<View> Views;
+
+  vtkOpenGLRenderWindow* const Window;
+};
+
+#endif

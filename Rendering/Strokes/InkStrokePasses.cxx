@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStrokePasses.h"
+
+#include "InkFrame.h"
+#include "InkOccluder.h"
+#include "InkPointSize.h"
+#include "InkRenderPasses.h"
+#include "InkScopedState.h"
+#include "InkShader.h"
+#include "InkStrokePoints.h"
+#include "InkStrokeRuns.h"
+#include "InkStrokeStyle.h"
+#include "InkViewUniforms.h"
+
+#include "InkStrokeFS.h"
+#include "InkStrokePointFS.h"
+#include "InkStrokePointVS.h"
+#include "InkStrokeVS.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace
+{
+
+/// Of the image with a pixel for each point, as the shaders have it.
+constexpr int ImageWidth = 2048;
+
+/// A stroke hides what is behind it where it covers so much of a pixel.
+constexpr float HidingCoverage = 0.5f;
+
+} // namespace
+
+InkStrokeRunBuffers::InkStrokeRunBuffers(vtkOpenGLRenderWindow* window)
+  : Points(window)
+  , Runs(window)
+{
+}
+
+void InkStrokeRunBuffers::Upload(const InkStrokeRuns& runs)
+{
+  this->Points.Fill(runs.Points, 4, VTK_UNSIGNED_INT, GL_RGBA32UI);
+  this->Runs.Fill(runs.Runs, 4, VTK_INT, GL_RGBA32I);
+  this->NumberOfPoints = static_cast<int>(runs.Points.size());
+}
+
+InkStrokePasses::InkStrokePasses(vtkOpenGLRenderWindow* window)
+  : Window(window)
+  , Points(window)
+  , Shapes(window)
+  , Strokes(window)
+  , Ids(window)
+  , Colors(window)
+{
+}
+
+std::string InkStrokePasses::Upload(const InkStrokePoints& points)
+{
+  vtkTimeStamp now;
+  now.Modified();
+  this->UploadTime = now.GetMTime();
+  const std::size_t count = points.GetPoints().size();
+  const int most = InkTextureBuffer::FindMostTexels(this->Window);
+  if (count > static_cast<std::size_t>(most))
+  {
+    std::ostringstream message;
+    message << "This OpenGL can look up " << most << " points of strokes; the input has " << count << '.';
+    return message.str();
+  }
+  std::vector<std::array<float, 4>> strokes;
+  strokes.reserve(points.GetStrokes().size());
+  for (const InkStrokePoints::Stroke& stroke : points.GetStrokes())
+  {
+    strokes.push_back({ stroke.ArcBegin, stroke.ArcLength, stroke.Priority, stroke.Closed ? 1.0f : 0.0f });
+  }
+  this->Points.Fill(points.GetPoints(), 4, VTK_FLOAT, GL_RGBA32F);
+  this->Shapes.Fill(points.GetShapes(), 4, VTK_FLOAT, GL_RGBA32F);
+  this->Strokes.Fill(strokes, 4, VTK_FLOAT, GL_RGBA32F);
+  this->Ids.Fill(points.GetIds(), 1, VTK_UNSIGNED_INT, GL_R32UI);
+  return {};
+}
+
+void InkStrokePasses::UploadColors(const std::vector<std::uint32_t>& colors)
+{
+  this->Colors.Fill(colors, 4, VTK_UNSIGNED_CHAR, GL_RGBA8);
+}
+
+bool InkStrokePasses::FindPoints(const Scene& scene)
+{
+  const int rows = (scene.Runs.NumberOfPoints + ImageWidth - 1) / ImageWidth;
+  if (!this->PointPlaces || this->PointPlaces->GetHeight() < rows)
+  {
+    using Format = InkRenderTarget::Format;
+    // With room for a growing number of points.
+    const int height = rows + rows / 2;
+    this->PointPlaces.reset();
+    this->PointShapes = std::make_unique<InkRenderTarget>(this->Window, Format::Float4, ImageWidth, height);
+    this->PointPlaces = std::make_unique<InkRenderTarget>(
+      this->Window, Format::Float4, ImageWidth, height, this->PointShapes.get());
+  }
+  if (!this->PointPlaces->IsComplete())
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  const InkScopedState scoped(state);
+  this->PointPlaces->Bind();
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  InkShaderPass& pass = this->Passes.Find(InkStrokePointVS, "", InkStrokePointFS);
+  vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime, [](auto*, auto*) {});
+  if (!program)
+  {
+    return false;
+  }
+  scene.View.SetUniforms(program);
+  const InkStrokeStyle& style = scene.Style;
+  const float size[2] = { static_cast<float>(ImageWidth),
+    static_cast<float>(this->PointPlaces->GetHeight()) };
+  program->SetUniform2f("imageSize", size);
+  program->SetUniform2f("halfWidth", style.HalfWidth.data());
+  program->SetUniformf("depthWidth", style.DepthWidth);
+  program->SetUniform2f("distances", style.Distances.data());
+  program->SetUniformf("lift", style.Lift);
+  scene.Runs.Points.Activate(program, "drawnPoints");
+  scene.Runs.Runs.Activate(program, "runs");
+  this->Points.Activate(program, "sourcePoints");
+  this->Shapes.Activate(program, "sourceShapes");
+  this->Strokes.Activate(program, "strokes");
+  const InkPointSizeByShader pointSize;
+  glDrawArrays(GL_POINTS, 0, scene.Runs.NumberOfPoints);
+  this->DeactivateTextures(scene);
+  pass.End();
+  return true;
+}
+
+void InkStrokePasses::ActivateTextures(vtkShaderProgram* program, const Scene& scene, bool ids)
+{
+  const auto activate = [&](vtkTextureObject* texture, const char* sampler)
+  {
+    texture->Activate();
+    program->SetUniformi(sampler, texture->GetTextureUnit());
+  };
+  activate(this->PointPlaces->GetTexture(), "pointPlaces");
+  activate(this->PointShapes->GetTexture(), "pointShapes");
+  scene.Runs.Points.Activate(program, "drawnPoints");
+  scene.Runs.Runs.Activate(program, "runs");
+  this->Strokes.Activate(program, "strokes");
+  if (scene.View.NumberOfClippingPlanes > 0)
+  {
+    this->Points.Activate(program, "sourcePoints");
+  }
+  if (ids)
+  {
+    this->Ids.Activate(program, "pointIds");
+  }
+  else if (this->Colors.IsFilled())
+  {
+    this->Colors.Activate(program, "pointColors");
+  }
+  if (scene.Occluder)
+  {
+    activate(scene.Occluder->Image.GetTexture(), "occluder");
+  }
+}
+
+void InkStrokePasses::DeactivateTextures(const Scene& scene)
+{
+  this->PointPlaces->GetTexture()->Deactivate();
+  this->PointShapes->GetTexture()->Deactivate();
+  if (scene.Occluder)
+  {
+    scene.Occluder->Image.GetTexture()->Deactivate();
+  }
+  for (InkTextureBuffer* buffer : { &this->Points, &this->Shapes, &this->Strokes, &this->Ids, &this->Colors,
+         &scene.Runs.Points, &scene.Runs.Runs })
+  {
+    buffer->Deactivate();
+  }
+}
+
+void InkStrokePasses::SetUniforms(
+  vtkShaderProgram* program, const Scene& scene, const InkFrame& frame, double opacity)
+{
+  const InkStrokeStyle& style = scene.Style;
+  scene.View.SetUniforms(program);
+  frame.SetOrigin(program);
+  program->SetUniformf("density", style.Density);
+  program->SetUniformf("taper", style.Taper);
+  program->SetUniformi("miter", style.Miter);
+  program->SetUniformf("miterLimit", style.MiterLimit);
+  program->SetUniformi("butt", style.Butt);
+  program->SetUniformi("dashed", style.Dashed);
+  program->SetUniformi("hiddenDashed", style.HiddenDashed);
+  program->SetUniform2f("dash", style.Dash.data());
+  program->SetUniformf("lift", style.Lift);
+  program->SetUniformf("hiddenOpacity", style.HiddenOpacity);
+  program->SetUniformf("actorOpacity", static_cast<float>(opacity));
+  InkSetColorUniform(program, "inkColor", style.Color.data());
+  if (scene.Occluder)
+  {
+    const InkViewUniforms& shown = *scene.Occluder->View;
+    program->SetUniformf("occluderScale",
+      static_cast<float>(shown.Size[0] - 2 * shown.Margin) / static_cast<float>(scene.View.Size[0]));
+    program->SetUniformf("occluderMargin", static_cast<float>(shown.Margin));
+  }
+}
+
+bool InkStrokePasses::Draw(
+  const Scene& scene, const InkFrame& frame, double opacity, const InkRenderPasses& renderPasses)
+{
+  if (scene.Runs.NumberOfPoints == 0)
+  {
+    return true;
+  }
+  if (!this->FindPoints(scene))
+  {
+    return false;
+  }
+  const bool colors = this->Colors.IsFilled() && !frame.Ids;
+  const std::string features = scene.View.FindFeatures() + (frame.Ids ? InkDefine("INK_IDS") : "") +
+    (colors ? InkDefine("INK_COLORS") : "") + (scene.Occluder ? InkDefine("INK_OCCLUDED") : "");
+  std::string vertexShader = InkStrokeVS;
+  std::string geometryShader;
+  std::string fragmentShader = InkWithFeatures(InkStrokeFS, features);
+  if (!frame.Ids)
+  {
+    renderPasses.ReplaceShaderValues(vertexShader, geometryShader, fragmentShader);
+  }
+  InkShaderPass& pass = this->Passes.Find(vertexShader, geometryShader, fragmentShader);
+  vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime, [](auto*, auto*) {});
+  if (!program)
+  {
+    return true;
+  }
+  this->SetUniforms(program, scene, frame, opacity);
+  this->ActivateTextures(program, scene, frame.Ids.has_value());
+  const int vertices = 6 * (scene.Runs.NumberOfPoints - 1);
+  const auto draw = [&](float leastCoverage)
+  {
+    program->SetUniformf("leastCoverage", leastCoverage);
+    glDrawArrays(GL_TRIANGLES, 0, vertices);
+  };
+  if (frame.Ids)
+  {
+    frame.Ids->SetUniforms(program);
+    draw(0.0f);
+  }
+  else
+  {
+    renderPasses.SetShaderParameters(program, pass.GetVertexArray());
+    draw(0.0f);
+    if (renderPasses.IsEmpty())
+    {
+      vtkOpenGLState* state = this->Window->GetState();
+      const vtkOpenGLState::ScopedglDepthMask depthMask(state);
+      const vtkOpenGLState::ScopedglColorMask colorMask(state);
+      state->vtkglDepthMask(GL_TRUE);
+      state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+      draw(HidingCoverage);
+    }
+  }
+  this->DeactivateTextures(scene);
+  pass.End();
+  return true;
+}

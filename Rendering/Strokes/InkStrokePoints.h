@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkStrokePoints_h
+#define InkStrokePoints_h
+
+#include "InkShiftScale.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkIdTypeArray;
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+/// The arrays of strokes that the mapper reads; null for what the data lacks.
+struct InkStrokeArrays
+{
+  /// Looks for them.
+  /// @param widths what the user chose
+  InkStrokeArrays(vtkPolyData* data, vtkDataArray* widths);
+
+  vtkPolyData* Data;
+  vtkDataArray* Normals;         ///< of the points, 3 components: of the surface that they lie on
+  vtkDataArray* Widths;          ///< of the points, 1 component: factors of the line width
+  vtkDataArray* ArcLengths;      ///< of the points, 1 component: from the stroke's begin, in the data's unit
+  vtkDataArray* RadialCurvature; ///< of the points, 1 component: negative where their surface hides them
+  vtkIdTypeArray* OriginalIds;   ///< of the points, 1 component: what selection finds; null: their own
+  vtkDataArray* Priorities;      ///< of the cells or of the points, 1 component
+  bool CellPriorities;
+
+  /// Why they cannot be drawn, for the user: what was expected and what was found; empty if they can.
+  std::string FindProblem() const;
+
+  /// Modification times, which no other objects ever have.
+  using Key = std::array<vtkMTimeType, 8>;
+  Key GetKey() const;
+};
+
+/// Strokes in the form that the shader reads, one stroke's points after the other's.
+class InkStrokePoints
+{
+public:
+  struct Point
+  {
+    float Position[3]; ///< in the local frame
+    float ArcLength;   ///< in the local frame's unit
+  };
+  struct Shape
+  {
+    float Normal[3]; ///< zero: none
+    float Width;     ///< a factor
+  };
+  struct Stroke
+  {
+    int First;       ///< of the points
+    int Last;        ///< the last point, in a closed stroke a repetition of the first
+    vtkIdType Cell;  ///< in the input
+    float ArcBegin;  ///< arc length at the first point
+    float ArcLength; ///< of all of the stroke
+    float Priority;
+    bool Closed;
+  };
+
+  /// Reads arrays without problems. Points that are not finite divide strokes; points that repeat the one
+  /// before and strokes of a single point are left out.
+  void Read(const InkStrokeArrays& arrays);
+
+  /// RGBA of each point here, from colors of the input's points or cells.
+  std::vector<std::uint32_t> OrderColors(vtkUnsignedCharArray* colors, bool ofCells) const;
+
+  const InkShiftScale& GetFrame() const { return this->Frame; }
+  const std::array<double, 6>& GetLocalBounds() const { return this->LocalBounds; }
+  const std::vector<Point>& GetPoints() const { return this->Points; }
+  const std::vector<Shape>& GetShapes() const { return this->Shapes; }
+  const std::vector<std::uint32_t>& GetIds() const { return this->Ids; }                 ///< for selection
+  const std::vector<float>& GetRadialCurvature() const { return this->RadialCurvature; } ///< may be empty
+  const std::vector<Stroke>& GetStrokes() const { return this->Strokes; }
+
+private:
+  void AddPoint(const InkStrokeArrays& arrays, vtkIdType id, const float local[3], double arcLength);
+  void EndStroke(const InkStrokeArrays& arrays, int first, vtkIdType cell, vtkIdType line, bool closed);
+
+  InkShiftScale Frame;
+  std::array<double, 6> LocalBounds{};
+  std::vector<Point> Points;
+  std::vector<Shape> Shapes;
+  std::vector<vtkIdType> Sources; ///< points of the input
+  std::vector<std::uint32_t> Ids;
+  std::vector<float> RadialCurvature;
+  std::vector<Stroke> Strokes;
+};
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkStrokeRuns.h"
+
+#include "InkStrokePoints.h"
+#include "InkViewUniforms.h"
+
+#include "Core/ParallelFor.h"
+#include "Visibility/CurveVisibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+void InkStrokeRuns::Add(const InkStrokePoints& strokes, int stroke, double from, double to, bool hidden)
+{
+  const InkStrokePoints::Stroke& own = strokes.GetStrokes()[static_cast<std::size_t>(stroke)];
+  const int segments = own.Last - own.First;
+  const auto run = static_cast<std::uint32_t>(this->Runs.size());
+  const auto first = static_cast<std::int32_t>(this->Points.size());
+  const bool whole = from == 0.0 && to == segments;
+  const auto addPoint = [&](int point, double fraction)
+  {
+    const auto source = static_cast<std::uint32_t>(own.First + point);
+    this->Points.push_back({ source, static_cast<std::uint32_t>(fraction * 0x1p32), run, 0 });
+  };
+  const auto addCut = [&](double position)
+  {
+    const int segment = static_cast<int>(position);
+    addPoint(segment % segments, position - segment);
+  };
+
+  if (from != std::floor(from))
+  {
+    addCut(from);
+  }
+  for (int point = static_cast<int>(std::ceil(from)); point <= to; ++point)
+  {
+    if (point == segments && to > segments)
+    {
+      // Here arc length begins again.
+      addPoint(segments, 0.0);
+    }
+    addPoint(point > segments || (point == segments && to > segments) ? point - segments : point, 0.0);
+  }
+  if (to != std::floor(to))
+  {
+    addCut(to);
+  }
+  const bool cutBegin = !whole && (from > 0.0 || own.Closed);
+  const bool cutEnd = !whole && (to < segments || own.Closed);
+  const int flags = (whole && own.Closed ? Closed : 0) | (cutBegin ? CutBegin : 0) | (cutEnd ? CutEnd : 0) |
+    (hidden ? Hidden : 0);
+  this->Runs.push_back({ first, static_cast<std::int32_t>(this->Points.size()) - 1, stroke, flags });
+}
+
+InkStrokeRuns InkStrokeRuns::FindWhole(const InkStrokePoints& strokes)
+{
+  InkStrokeRuns runs;
+  int stroke = 0;
+  for (const InkStrokePoints::Stroke& own : strokes.GetStrokes())
+  {
+    runs.Add(strokes, stroke++, 0.0, own.Last - own.First, false);
+  }
+  return runs;
+}
+
+InkStrokeRuns InkStrokeRuns::FindVisible(const InkStrokePoints& strokes, const InkViewUniforms& view,
+  const std::vector<float>& depths, double leastRun, bool withHidden)
+{
+  ink::CurveOccluders occluders{ { depths, view.Size[0], view.Size[1] } };
+  std::copy(view.DepthToClip.begin(), view.DepthToClip.end(), occluders.depthToClip);
+  occluders.pixel = view.Pixel;
+  const glm::dmat4 toClip =
+    glm::dmat4(glm::make_mat4(view.VCDC.data())) * glm::dmat4(glm::make_mat4(view.MCVC.data()));
+
+  std::vector<std::vector<ink::CurveRun>> found(strokes.GetStrokes().size());
+  ink::parallelFor(found.size(),
+    [&](std::size_t stroke)
+    {
+      const InkStrokePoints::Stroke& own = strokes.GetStrokes()[stroke];
+      std::vector<ink::CurvePoint> points;
+      for (int i = own.First; i <= own.Last - (own.Closed ? 1 : 0); ++i)
+      {
+        const auto index = static_cast<std::size_t>(i);
+        const float* p = strokes.GetPoints()[index].Position;
+        const float curvature =
+          strokes.GetRadialCurvature().empty() ? 0.0f : strokes.GetRadialCurvature()[index];
+        points.push_back({ toClip * glm::dvec4(p[0], p[1], p[2], 1.0), curvature });
+      }
+      found[stroke] = findVisibleRuns(points, own.Closed, occluders, leastRun);
+    });
+
+  InkStrokeRuns runs;
+  for (const bool hidden : { true, false })
+  {
+    for (std::size_t stroke = 0; stroke < found.size(); ++stroke)
+    {
+      for (const ink::CurveRun& run : found[stroke])
+      {
+        if (run.hidden == hidden && (withHidden || !hidden))
+        {
+          runs.Add(strokes, static_cast<int>(stroke), run.from, run.to, hidden);
+        }
+      }
+    }
+  }
+  return runs;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkStrokeStyle_h
+#define InkStrokeStyle_h
+
+#include <array>
+
+/// How strokes are drawn, in the units of the shader.
+struct InkStrokeStyle
+{
+  std::array<float, 2> HalfWidth{}; ///< pixels, and view units in addition
+  float Taper = 0.0f;               ///< share of a stroke's length
+  float DepthWidth = 0.0f;          ///< how much narrower the farthest strokes are
+  std::array<float, 2> Distances{}; ///< from the eye to the nearest and the farthest stroke, view units
+  bool Miter = false;
+  float MiterLimit = 1.0f;
+  bool Butt = false;
+  bool Dashed = false;
+  bool HiddenDashed = false;
+  std::array<float, 2> Dash{}; ///< lengths of a dash and of a dash with a gap, the local frame's unit
+  float Density = 1.0f;
+  float Lift = 0.0f; ///< pixels towards the eye
+  float HiddenOpacity = 1.0f;
+  std::array<double, 3> Color{};
+};
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//VTK::System::Dec
+
+// Where the picture has a point of a stroke and how wide the stroke is there: a pixel of an image for each.
+
+#include "InkViewUniforms.glsl"
+
+uniform usamplerBuffer drawnPoints; // source point, share of the way to the next * 2^32, run
+uniform isamplerBuffer runs;        // first, last, stroke, flags
+uniform samplerBuffer sourcePoints; // position in the local frame, arc length
+uniform samplerBuffer sourceShapes; // normal, factor of the width
+uniform samplerBuffer strokes;      // arc length at its begin, arc length, priority, whether closed
+
+uniform vec2 imageSize;
+uniform vec2 halfWidth; // pixels, and view units in addition
+uniform float depthWidth;
+uniform vec2 distances; // of the nearest and the farthest stroke, view units
+uniform float lift;     // pixels
+
+flat out vec4 placeVSOutput; // clip coordinates, lifted
+flat out vec4 shapeVSOutput; // half width in pixels, arc length, the stroke's length if it is open
+
+// The lift is larger on a slanted surface, up to this; without a normal, too.
+const float leastSlant = 0.25;
+
+void main()
+{
+  uvec4 drawn = texelFetch(drawnPoints, gl_VertexID);
+  int source = int(drawn.x);
+  vec4 point = texelFetch(sourcePoints, source);
+  vec4 shape = texelFetch(sourceShapes, source);
+  if (drawn.y > 0u)
+  {
+    float share = float(drawn.y) / 4294967296.0;
+    point = mix(point, texelFetch(sourcePoints, source + 1), share);
+    shape = mix(shape, texelFetch(sourceShapes, source + 1), share);
+  }
+
+  vec4 position = MCVCMatrix * vec4(point.xyz, 1.0);
+  vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
+  toEye = toEye == vec3(0.0) ? vec3(0.0, 0.0, 1.0) : normalize(toEye);
+  vec3 normal = normalMatrix * shape.xyz;
+  float slant = normal == vec3(0.0) ? leastSlant : max(abs(dot(normalize(normal), toEye)), leastSlant);
+  vec4 place = VCDCMatrix * position;
+  float pixel = pixelVC * place.w;
+  if (place.w > 0.0 && place.z > -place.w)
+  {
+    // Not behind the eye nor before the near plane.
+    float towards = min(lift * pixel / slant, eyeVC.w == 0.0 ? lift * pixel / slant : 0.5 * length(position.xyz));
+    vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * towards, 1.0);
+    place.z = max(lifted.z / lifted.w, -1.0) * place.w;
+  }
+
+  vec4 stroke = texelFetch(strokes, texelFetch(runs, int(drawn.z)).z);
+  float along = point.w - stroke.x;
+  float width = shape.w;
+  width *= 1.0 - depthWidth * clamp((-position.z - distances.x) / (distances.y - distances.x), 0.0, 1.0);
+
+  placeVSOutput = place;
+  shapeVSOutput = vec4(width * (halfWidth.x + halfWidth.y / abs(pixel)), along, stroke.w == 0.0 ? stroke.y : 0.0, 0.0);
+  int row = int(imageSize.x);
+  vec2 texel = vec2(float(gl_VertexID % row), float(gl_VertexID / row)) + 0.5;
+  gl_Position = vec4(2.0 * texel / imageSize - 1.0, 0.0, 1.0);
+  gl_PointSize = 1.0;
+}

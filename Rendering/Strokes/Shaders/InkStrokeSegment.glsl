@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkViewUniforms.glsl"
+
+// Segments of strokes on the picture, by the index of their first point.
+
+uniform sampler2D pointPlaces; // clip coordinates
+uniform sampler2D pointShapes; // half width in pixels, arc length, the stroke's length if it is open
+
+struct Segment
+{
+  vec4 places[2]; // clip coordinates, cut at the near plane
+  vec4 shapes[2];
+  vec2 ends[2];   // pixels
+  vec2 cut;       // the shares of the whole segment that are left
+};
+
+vec4 pointTexel(sampler2D image, int point)
+{
+  int row = textureSize(image, 0).x;
+  return texelFetch(image, ivec2(point % row, point / row), 0);
+}
+
+vec2 pixelOf(vec4 place)
+{
+  return (0.5 * place.xy / place.w + 0.5) * viewportSize;
+}
+
+// False if nothing of it lies behind the near plane.
+bool findSegment(int first, out Segment segment)
+{
+  vec4 a = pointTexel(pointPlaces, first);
+  vec4 b = pointTexel(pointPlaces, first + 1);
+  vec4 shapeA = pointTexel(pointShapes, first);
+  vec4 shapeB = pointTexel(pointShapes, first + 1);
+  float before = a.z + a.w;
+  float after = b.z + b.w;
+  bool seen = before >= 0.0 || after >= 0.0;
+  vec2 cut = vec2(before < 0.0 ? before / (before - after) : 0.0, after < 0.0 ? before / (before - after) : 1.0);
+  segment.cut = cut;
+  segment.places[0] = cut.x > 0.0 ? mix(a, b, cut.x) : a;
+  segment.places[1] = cut.y < 1.0 ? mix(a, b, cut.y) : b;
+  // Points behind the eye have no width.
+  segment.shapes[0] = cut.x > 0.0 ? vec4(shapeB.x, mix(shapeA.yzw, shapeB.yzw, cut.x)) : shapeA;
+  segment.shapes[1] = cut.y < 1.0 ? vec4(shapeA.x, mix(shapeA.yzw, shapeB.yzw, cut.y)) : shapeB;
+  segment.ends[0] = pixelOf(segment.places[0]);
+  segment.ends[1] = pixelOf(segment.places[1]);
+  return seen && segment.places[0].w > 0.0 && segment.places[1].w > 0.0;
+}

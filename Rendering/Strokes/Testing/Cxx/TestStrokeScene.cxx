@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Strokes among other things: before and behind surfaces, clipped, in windows of all kinds, selected, far
+// from the origin, colored.
+#include "InkTestImage.h"
+#include "StrokeScene.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkLookupTable.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace
+{
+
+/// Turns the order-independent pass for translucent things off, which VTK can since 9.3.
+/// @return whether it can
+template <class Renderer>
+bool BlendInOrder(Renderer* renderer)
+{
+  if constexpr (requires { renderer->SetUseOIT(false); })
+  {
+    renderer->SetUseOIT(false);
+    return true;
+  }
+  return false;
+}
+
+/// A spiral around z from the origin, 100 in radius and 200 high.
+StrokePolyline Spiral(double scale = 1.0, double shift = 0.0)
+{
+  StrokePolyline spiral;
+  for (int i = 0; i <= 300; ++i)
+  {
+    const double angle = i * 6.0 * std::numbers::pi / 300.0;
+    const double radius = i / 3.0;
+    spiral.push_back({ scale * radius * std::cos(angle) + shift, scale * radius * std::sin(angle) + shift,
+      scale * (i * 2.0 / 3.0 - 100.0) + shift });
+  }
+  return spiral;
+}
+
+StrokePolyline HorizontalLine(double y, double z = 0.0)
+{
+  return { { 20.0, y, z }, { 100.0, y, z }, { 180.0, y, z } };
+}
+
+/// A square of x and y from 0 to 200, at a height that may differ between left and right.
+void AddSurface(StrokeScene& scene, vtkActor* actor, double left, double right, double opacity = 1.0)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.0, 0.0, left);
+  plane->SetPoint1(200.0, 0.0, right);
+  plane->SetPoint2(0.0, 200.0, left);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetLighting(false);
+  actor->GetProperty()->SetColor(0.9, 0.9, 0.9);
+  actor->GetProperty()->SetOpacity(opacity);
+  scene.Renderer->AddActor(actor);
+}
+
+vtkSmartPointer<vtkFloatArray> Values(const char* name, const std::vector<float>& values)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  for (const float value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
+} // namespace
+
+/// A surface cuts a stroke where it goes through it, and not where the stroke lies on it, slanted or not.
+TEST(StrokeScene, Surfaces)
+{
+  for (const double slope : { 0.0, 1.0, 5.0 })
+  {
+    StrokeScene scene(MakeStrokes({ { { 20.0, 100.0, -80.0 * slope }, { 180.0, 100.0, 80.0 * slope } } }));
+    scene.LookAtPixels();
+    scene.Mapper->SetLineWidth(4.0);
+    scene.Mapper->SetCapToButt();
+    const double free = InkTestImage(scene.Window).Ink();
+    vtkNew<vtkActor> actor;
+    AddSurface(scene, actor, -100.0 * slope, 100.0 * slope);
+    const InkTestImage on(scene.Window);
+    EXPECT_EQ(on.CountDark(), 4 * 160) << "all of it on a surface with slope " << slope;
+    EXPECT_NEAR(free, 4.0 * 160.0, 1.0);
+  }
+  StrokeScene scene(MakeStrokes({ { { 20.0, 100.0, -80.0 }, { 180.0, 100.0, 80.0 } } }));
+  scene.LookAtPixels();
+  scene.Mapper->SetLineWidth(4.0);
+  scene.Mapper->SetLift(0.0);
+  vtkNew<vtkActor> actor;
+  AddSurface(scene, actor, 0.0, 0.0);
+  const InkTestImage through(scene.Window);
+  EXPECT_TRUE(through.CountDark(0, 0, 98, 200) == 0 && through.CountDark(102, 0, 200, 200) > 4 * 75)
+    << "the half in front of the surface";
+  EXPECT_NEAR(through.CountDark(), 4 * 80, 14);
+}
+
+/// The depth of a stroke hides what is drawn after it and lies behind, and not what lies before.
+TEST(StrokeScene, Depth)
+{
+  StrokeScene scene(MakeStrokes({ HorizontalLine(100.0) }));
+  scene.LookAtPixels();
+  scene.Mapper->SetLineWidth(6.0);
+  if (!BlendInOrder(scene.Renderer.Get()))
+  {
+    GTEST_SKIP() << "this VTK has no way but its order-independent pass, which keeps no depth";
+  }
+  scene.Window->Render();
+  const float* depth = scene.Window->GetZbufferData(100, 100, 100, 100);
+  const double expected = (1000.0 - 2.0 * 4.0 - 1.0) / 1999.0;
+  EXPECT_NEAR(depth[0], expected, 1e-4) << "lifted by 2 pixels, as on a slanted surface";
+  delete[] depth;
+  depth = scene.Window->GetZbufferData(100, 110, 100, 110);
+  EXPECT_EQ(depth[0], 1.0) << "no depth beside it";
+  delete[] depth;
+}
+
+TEST(StrokeScene, ClippingPlanes)
+{
+  StrokeScene scene(MakeStrokes({ HorizontalLine(100.0) }));
+  scene.LookAtPixels();
+  scene.Mapper->SetLineWidth(4.0);
+  vtkNew<vtkPlane> right;
+  right->SetOrigin(70.0, 0.0, 0.0);
+  right->SetNormal(1.0, 0.0, 0.0);
+  scene.Mapper->AddClippingPlane(right);
+  const InkTestImage image(scene.Window);
+  EXPECT_TRUE(image.CountDark(0, 0, 69, 200) == 0 && image.CountDark(71, 0, 200, 200) > 4 * 109)
+    << "right of a plane";
+  vtkNew<vtkPlane> left;
+  left->SetOrigin(130.0, 0.0, 0.0);
+  left->SetNormal(-1.0, 0.0, 0.0);
+  scene.Mapper->AddClippingPlane(left);
+  EXPECT_EQ(InkTestImage(scene.Window).CountDark(), 4 * 60) << "between two, each of which cuts an end off";
+}
+
+/// The same picture with depth peeling, without the order-independent pass, and with multisampling.
+TEST(StrokeScene, Passes)
+{
+  const auto strokes = MakeStrokes({ Spiral() });
+  StrokeScene usual(strokes);
+  usual.Mapper->SetLineWidth(3.0);
+  const InkTestImage expected(usual.Window);
+  EXPECT_GT(expected.CountDark(), 1000);
+
+  StrokeScene peeled(strokes);
+  peeled.Mapper->SetLineWidth(3.0);
+  peeled.Renderer->SetUseDepthPeeling(true);
+  peeled.Renderer->SetMaximumNumberOfPeels(20);
+  peeled.Renderer->SetOcclusionRatio(0.0);
+  EXPECT_LT(InkTestImage(peeled.Window).CountDifferent(expected, 12), 20) << "with depth peeling";
+
+  StrokeScene blended(strokes);
+  blended.Mapper->SetLineWidth(3.0);
+  BlendInOrder(blended.Renderer.Get());
+  EXPECT_LT(InkTestImage(blended.Window).CountDifferent(expected, 3), 5) << "blended";
+
+  StrokeScene smooth(strokes);
+  smooth.Mapper->SetLineWidth(3.0);
+  smooth.Window->SetMultiSamples(4);
+  EXPECT_LT(InkTestImage(smooth.Window).CountDifferent(expected, 40), 60) << "with multisampling";
+}
+
+/// A picture in tiles is the large picture, and one in a viewport that of a window of its size.
+TEST(StrokeScene, TilesAndViewports)
+{
+  const auto strokes = MakeStrokes({ Spiral() });
+  for (const bool pixels : { false, true })
+  {
+    StrokeScene large(strokes, 400, 400);
+    StrokeScene tiled(strokes, 200, 200);
+    for (StrokeScene* scene : { &large, &tiled })
+    {
+      scene->Mapper->SetSizeUnit(pixels ? vtkInkStrokeMapper::PIXELS : vtkInkStrokeMapper::THOUSANDTHS);
+      scene->Mapper->SetLineWidth(pixels ? 3.0 : 15.0);
+      scene->Mapper->DashedOn();
+      scene->Mapper->SetDashLength(pixels ? 8.0 : 40.0);
+      scene->Mapper->SetGapLength(pixels ? 4.0 : 20.0);
+      scene->Mapper->SetTaper(0.3);
+    }
+    if (pixels)
+    {
+      // Pixels are those of the window that is shown in tiles.
+      large.Mapper->SetLineWidth(6.0);
+      large.Mapper->SetDashLength(16.0);
+      large.Mapper->SetGapLength(8.0);
+    }
+    const InkTestImage expected(large.Window);
+    const InkTestImage tiles(tiled.Window, 2);
+    EXPECT_EQ(tiles.CountDifferent(expected, 6), 0) << "in " << tiled.Mapper->GetSizeUnitAsString();
+    EXPECT_GT(expected.CountDark(), 3000);
+  }
+
+  StrokeScene alone(strokes, 100, 200);
+  const InkTestImage expected(alone.Window);
+  StrokeScene both(strokes);
+  both.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> right;
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  right->SetBackground(1.0, 1.0, 1.0);
+  right->AddActor(both.Actor);
+  both.Window->AddRenderer(right);
+  both.Renderer->ResetCamera();
+  right->ResetCamera();
+  const InkTestImage two(both.Window);
+  int different = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 100; ++x)
+    {
+      different += std::abs(two.Gray(x, y) - expected.Gray(x, y)) > 2;
+      different += std::abs(two.Gray(x + 100, y) - expected.Gray(x, y)) > 2;
+    }
+  }
+  EXPECT_EQ(different, 0) << "two viewports like one";
+}
+
+/// Strokes, shifted and scaled together with the camera, are the same, also when the camera is among them.
+TEST(StrokeScene, ScaleAndShift)
+{
+  for (const bool inside : { false, true })
+  {
+    StrokeScene reference(MakeStrokes({ Spiral() }));
+    vtkCamera* from = reference.Renderer->GetActiveCamera();
+    if (inside)
+    {
+      from->SetPosition(20.0, 5.0, -10.0);
+      from->SetFocalPoint(100.0, 40.0, 20.0);
+      from->SetViewAngle(100.0);
+      from->SetClippingRange(1.0, 400.0);
+    }
+    const InkTestImage expected(reference.Window);
+    EXPECT_GT(expected.CountDark(), 100);
+    for (const auto& [scale, shift] :
+      { std::pair{ 1.0, 1e7 }, std::pair{ 1e-9, 0.0 }, std::pair{ 1e9, 1e9 } })
+    {
+      StrokeScene scene(MakeStrokes({ Spiral(scale, shift) }));
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      double place[2][3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        place[0][axis] = scale * from->GetPosition()[axis] + shift;
+        place[1][axis] = scale * from->GetFocalPoint()[axis] + shift;
+      }
+      camera->SetViewAngle(from->GetViewAngle());
+      camera->SetPosition(place[0]);
+      camera->SetFocalPoint(place[1]);
+      camera->SetClippingRange(scale * from->GetClippingRange()[0], scale * from->GetClippingRange()[1]);
+      const int different = InkTestImage(scene.Window).CountDifferent(expected, 30);
+      EXPECT_LT(different, 12) << "scale " << scale << ", shift " << shift << ", inside " << inside;
+    }
+  }
+}
+
+TEST(StrokeScene, Selection)
+{
+  StrokeScene scene(MakeStrokes({ HorizontalLine(60.0), HorizontalLine(140.0) }));
+  scene.LookAtPixels();
+  scene.Mapper->SetLineWidth(1.0);
+  const InkTestImage before(scene.Window);
+  const auto select = [&](int x0, int y0, int x1, int y1)
+  {
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    selector->SetArea(static_cast<unsigned int>(x0), static_cast<unsigned int>(y0),
+      static_cast<unsigned int>(x1), static_cast<unsigned int>(y1));
+    const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    std::set<vtkIdType> found;
+    for (unsigned int node = 0; node < selection->GetNumberOfNodes(); ++node)
+    {
+      auto* ids = vtkIdTypeArray::SafeDownCast(selection->GetNode(node)->GetSelectionList());
+      found.insert(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples());
+    }
+    return found;
+  };
+  EXPECT_EQ(select(0, 0, 199, 199), (std::set<vtkIdType>{ 0, 1, 2, 3, 4, 5 })) << "all points";
+  EXPECT_EQ(select(70, 50, 110, 70), (std::set<vtkIdType>{ 1 })) << "the nearer point of a segment";
+  EXPECT_EQ(select(150, 130, 190, 150), (std::set<vtkIdType>{ 5 }));
+  EXPECT_TRUE(select(0, 80, 199, 120).empty()) << "nothing between the strokes";
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(before), 0) << "the same picture afterwards";
+}
+
+TEST(StrokeScene, Colors)
+{
+  const auto strokes = MakeStrokes({ HorizontalLine(60.0), HorizontalLine(140.0) });
+  strokes->GetPointData()->SetScalars(Values("Heat", { 0.0f, 0.5f, 1.0f, 1.0f, 1.0f, 1.0f }));
+  strokes->GetCellData()->AddArray(Values("Stroke", { 0.0f, 1.0f }));
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  for (int i = 0; i < 256; ++i)
+  {
+    table->SetTableValue(i, i / 255.0, 0.0, 1.0 - i / 255.0, 1.0);
+  }
+  StrokeScene scene(strokes);
+  scene.LookAtPixels();
+  scene.Mapper->SetLineWidth(6.0);
+  scene.Mapper->SetLookupTable(table);
+  scene.Mapper->SetScalarRange(0.0, 1.0);
+  scene.Mapper->SetInkColor(0.0, 0.4, 0.0);
+  EXPECT_NEAR(InkTestImage(scene.Window).Channel(100, 60, 1), 102, 1) << "the ink's color";
+  scene.Mapper->ScalarVisibilityOn();
+  const InkTestImage points(scene.Window);
+  for (const int x : { 30, 60, 100, 140, 170 })
+  {
+    EXPECT_NEAR(points.Channel(x, 60, 0), 255.0 * (x + 0.5 - 20.0) / 160.0, 2.0) << "interpolated at " << x;
+    EXPECT_NEAR(points.Channel(x, 140, 0), 255, 1);
+  }
+  scene.Mapper->SetScalarModeToUseCellFieldData();
+  scene.Mapper->SelectColorArray("Stroke");
+  const vtkMTimeType upload = scene.Mapper->GetUploadTime();
+  const InkTestImage cells(scene.Window);
+  EXPECT_EQ(cells.Channel(100, 60, 0), 0);
+  EXPECT_EQ(cells.Channel(100, 60, 2), 255);
+  EXPECT_EQ(cells.Channel(100, 140, 0), 255);
+  EXPECT_EQ(scene.Mapper->GetUploadTime(), upload) << "new colors only";
+}
+
+/// Width by the distance, by an array, in the world's unit.
+TEST(StrokeScene, Widths)
+{
+  const auto strokes = MakeStrokes({ HorizontalLine(60.0, 100.0), HorizontalLine(140.0, -100.0) });
+  StrokeScene scene(strokes);
+  scene.LookAtPixels();
+  scene.Mapper->SetCapToButt();
+  scene.Mapper->SetLineWidth(8.0);
+  const auto ink = [&](int y)
+  {
+    const InkTestImage image(scene.Window);
+    double sum = 0.0;
+    for (int row = y - 20; row < y + 20; ++row)
+    {
+      sum += 1.0 - image.Gray(100, row) / 255.0;
+    }
+    return sum;
+  };
+  EXPECT_NEAR(ink(60), 8.0, 0.05);
+  scene.Mapper->SetDepthWidth(0.75);
+  EXPECT_NEAR(ink(60), 8.0, 0.05) << "the nearest";
+  EXPECT_NEAR(ink(140), 2.0, 0.05) << "the farthest";
+  scene.Mapper->SetDepthWidth(0.0);
+
+  strokes->GetPointData()->AddArray(Values("Width", { 1.0f, 1.0f, 1.0f, 0.0f, 0.5f, NAN }));
+  EXPECT_NEAR(ink(60), 8.0, 0.05);
+  EXPECT_NEAR(ink(140), 4.0, 0.1) << "by the array";
+  strokes->GetPointData()->AddArray(Values("Own", { 2.0f, 2.0f, 2.0f, 1.0f, 1.0f, 1.0f }));
+  scene.Mapper->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Own");
+  EXPECT_NEAR(ink(60), 16.0, 0.05) << "by another array";
+
+  scene.Mapper->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+  scene.Mapper->SetSizeUnitToWorld();
+  scene.Mapper->SetLineWidth(5.0);
+  EXPECT_NEAR(ink(60), 5.0, 0.05) << "5 units of a pixel";
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+  scene.Renderer->GetActiveCamera()->SetViewAngle(2.0 * std::atan(0.1) * 180.0 / std::numbers::pi);
+  EXPECT_NEAR(ink(56), 5.0 * 1000.0 / 900.0, 0.05) << "nearer";
+  EXPECT_NEAR(ink(136), 5.0 * 1000.0 / 1100.0, 0.05) << "farther";
+}
+
+/// Strokes are only dropped as the density falls.
+TEST(StrokeScene, Density)
+{
+  std::vector<StrokePolyline> lines;
+  std::vector<float> priorities;
+  for (int i = 0; i < 18; ++i)
+  {
+    lines.push_back(HorizontalLine(10.0 * i + 10.5));
+    priorities.push_back(static_cast<float>((i * 7) % 18) / 18.0f);
+  }
+  const auto strokes = MakeStrokes(lines);
+  for (const bool ordered : { false, true })
+  {
+    if (ordered)
+    {
+      strokes->GetCellData()->AddArray(Values("Priority", priorities));
+    }
+    StrokeScene scene(strokes);
+    scene.LookAtPixels();
+    scene.Mapper->SetLineWidth(2.0);
+    std::set<int> before;
+    for (int i = 0; i < 18; ++i)
+    {
+      before.insert(i);
+    }
+    for (const double density : { 1.0, 0.75, 0.5, 0.2, 0.0 })
+    {
+      scene.Mapper->SetDensity(density);
+      const InkTestImage image(scene.Window);
+      std::set<int> drawn;
+      for (int i = 0; i < 18; ++i)
+      {
+        if (image.IsDark(100, 10 * i + 10))
+        {
+          drawn.insert(i);
+          EXPECT_TRUE(before.count(i)) << "only dropped";
+          EXPECT_TRUE(!ordered || priorities[static_cast<std::size_t>(i)] < density) << i;
+        }
+      }
+      const double expected = density * 18.0;
+      EXPECT_NEAR(static_cast<double>(drawn.size()), expected, ordered ? 1.0 : 7.0) << "density " << density;
+      before = drawn;
+    }
+    EXPECT_TRUE(before.empty());
+  }
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which parts of contours are drawn: those that the surface does not hide.
+#include "InkTestImage.h"
+#include "InkTestScene.h"
+#include "TubeSurfaces.h"
+#include "vtkInkSilhouetteMapper.h"
+
+#include "Curves/Contours/MeshContours.h"
+
+#include "vtkPolyDataMapper.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+
+struct Sample
+{
+  double X; ///< pixels
+  double Y;
+  bool Hidden;
+};
+
+/// A view on which pixels of a square picture are known by heart.
+void LookAt(vtkRenderer* renderer, const glm::dvec3& eye)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(eye.x, eye.y, eye.z);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.1);
+  camera->SetViewAngle(30.0);
+  renderer->ResetCameraClippingRange();
+}
+
+/// Points of the exact surface's contour, of a much finer mesh, evenly spaced on the picture: in space a
+/// contour runs along the view where it ends in a cusp.
+std::vector<Sample> FindTruth(
+  const TubeSurface& surface, vtkRenderer* renderer, const glm::dvec3& eye, int size)
+{
+  const auto mesh = surface.Mesh(600, 300);
+  std::vector<glm::dvec3> points;
+  std::vector<glm::vec3> normals;
+  std::vector<ink::Triangle> triangles;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    points.emplace_back(p[0], p[1], p[2]);
+    mesh->GetPointData()->GetNormals()->GetTuple(i, p);
+    normals.emplace_back(p[0], p[1], p[2]);
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    mesh->GetPolys()->GetCellAtId(i, count, ids);
+    triangles.push_back({ static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
+      static_cast<std::uint32_t>(ids[2]) });
+  }
+  const ink::MeshContours finder({ points, triangles, {}, {} }, normals);
+  const ink::Contours contours = finder.find(ink::Eye::at(eye));
+  std::vector<Sample> samples;
+  const double spacing = size / 500.0;
+  for (std::size_t i = 0; i < contours.positions.size(); ++i)
+  {
+    glm::dvec3 p = contours.positions[i];
+    // Onto the exact surface.
+    const double step = 1e-6;
+    const glm::dvec3 gradient(
+      surface.Distance(p + glm::dvec3(step, 0, 0)) - surface.Distance(p - glm::dvec3(step, 0, 0)),
+      surface.Distance(p + glm::dvec3(0, step, 0)) - surface.Distance(p - glm::dvec3(0, step, 0)),
+      surface.Distance(p + glm::dvec3(0, 0, step)) - surface.Distance(p - glm::dvec3(0, 0, step)));
+    p -= surface.Distance(p) * glm::normalize(gradient);
+    renderer->SetWorldPoint(p.x, p.y, p.z, 1.0);
+    renderer->WorldToDisplay();
+    const double* display = renderer->GetDisplayPoint();
+    const bool apart =
+      samples.empty() || std::hypot(display[0] - samples.back().X, display[1] - samples.back().Y) >= spacing;
+    if (apart && display[0] > 3 && display[1] > 3 && display[0] < size - 3 && display[1] < size - 3)
+    {
+      samples.push_back({ display[0], display[1], surface.Hides(p, eye) });
+    }
+  }
+  return samples;
+}
+
+/// Whether there is ink within so many pixels.
+bool HasInk(const InkTestImage& image, const Sample& sample, double reach)
+{
+  for (int y = static_cast<int>(sample.Y - reach); y <= sample.Y + reach; ++y)
+  {
+    for (int x = static_cast<int>(sample.X - reach); x <= sample.X + reach; ++x)
+    {
+      if (std::hypot(x + 0.5 - sample.X, y + 0.5 - sample.Y) <= reach && image.Gray(x, y) < 150)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool IsNearVisible(const std::vector<Sample>& samples, const Sample& sample, double reach)
+{
+  for (const Sample& other : samples)
+  {
+    if (!other.Hidden && std::hypot(other.X - sample.X, other.Y - sample.Y) < reach)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+/// Of the exact contours no less than 99 % of the visible part is drawn, and of the hidden part is not.
+TEST(StrokeVisibility, ShareOfTheContour)
+{
+  constexpr double width = 3.0;
+  const struct
+  {
+    TubeSurface Surface;
+    std::vector<glm::dvec3> Eyes;
+  } cases[] = {
+    { MakeTorus(), { { 1.0, -4.7, 1.5 }, { 0.3, -4.0, 2.0 } } },
+    { MakeKnot(), { { 1.0, -4.0, 3.0 }, { 0.5, 1.5, 5.5 } } },
+    { MakeSpheres(), { { 0.5, 1.5, 5.5 }, { -1.5, 1.0, 5.0 } } },
+  };
+  for (const auto& [surface, eyes] : cases)
+  {
+    for (const glm::dvec3& eye : eyes)
+    {
+      for (const int size : { 512, 2048 })
+      {
+        InkTestScene<vtkInkSilhouetteMapper> scene(surface.Mesh(240, 120), size, size);
+        scene.Mapper->SetSizeUnitToPixels();
+        scene.Mapper->SetLineWidth(width);
+        scene.Mapper->BordersOff();
+        LookAt(scene.Renderer, eye);
+        // The surface itself is drawn, too, and hides nothing of its contours.
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputData(scene.Mapper->GetInput());
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(mapper);
+        actor->GetProperty()->SetLighting(false);
+        scene.Renderer->AddActor(actor);
+        const InkTestImage image(scene.Window);
+        const std::vector<Sample> truth = FindTruth(surface, scene.Renderer, eye, size);
+        int visible = 0;
+        int drawn = 0;
+        int hidden = 0;
+        int omitted = 0;
+        for (const Sample& sample : truth)
+        {
+          if (!sample.Hidden)
+          {
+            ++visible;
+            drawn += HasInk(image, sample, 1.5);
+          }
+          else if (!IsNearVisible(truth, sample, 0.5 * width + 1.5))
+          {
+            ++hidden;
+            omitted += !HasInk(image, sample, 0.7);
+          }
+        }
+        const std::string name =
+          surface.Name + " from z = " + std::to_string(eye.z) + " at " + std::to_string(size);
+        RecordProperty(name,
+          std::to_string(drawn) + " of " + std::to_string(visible) + ", " + std::to_string(omitted) + " of " +
+            std::to_string(hidden));
+        EXPECT_GT(visible, 500) << name;
+        EXPECT_GT(hidden, 100) << name;
+        EXPECT_GE(drawn, 0.99 * visible) << name << ": visible " << visible;
+        EXPECT_GE(omitted, 0.99 * hidden) << name << ": hidden " << hidden;
+      }
+    }
+  }
+}

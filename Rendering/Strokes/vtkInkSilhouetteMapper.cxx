@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkSilhouetteMapper.h"
+
+#include "InkActorResources.h"
+#include "InkContourLines.h"
+#include "InkFrame.h"
+#include "InkHasPolygons.h"
+#include "InkMeshTriangles.h"
+
+#include "Curves/Contours/MeshContours.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkInkSilhouetteMapper);
+
+namespace
+{
+
+/// The eye in the coordinates of an actor's data.
+ink::Eye FindEye(vtkCamera* camera, vtkActor* actor)
+{
+  vtkNew<vtkMatrix4x4> toView;
+  actor->GetModelToWorldMatrix(toView);
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), toView, toView);
+  vtkNew<vtkMatrix4x4> fromView;
+  vtkMatrix4x4::Invert(toView, fromView);
+  const bool parallel = camera->GetParallelProjection();
+  const double inView[4] = { 0.0, 0.0, parallel ? -1.0 : 0.0, parallel ? 0.0 : 1.0 };
+  double eye[4];
+  fromView->MultiplyPoint(inView, eye);
+  const glm::dvec3 found(eye[0], eye[1], eye[2]);
+  return parallel ? ink::Eye::along(found) : ink::Eye::at(found);
+}
+
+/// Lines with all their arrays, and as ids for selection a point of the surface beside each.
+vtkSmartPointer<vtkPolyData> MakeLines(const ink::Contours& contours, const InkMeshTriangles& surface)
+{
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  InkMakeContourLines(contours, VTK_DOUBLE, surface.FaceIds, lines);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("vtkOriginalPointIds");
+  ids->SetNumberOfTuples(static_cast<vtkIdType>(contours.elements.size()));
+  for (std::size_t i = 0; i < contours.elements.size(); ++i)
+  {
+    ids->SetValue(
+      static_cast<vtkIdType>(i), surface.Triangles[static_cast<std::size_t>(contours.elements[i])][0]);
+  }
+  lines->GetPointData()->AddArray(ids);
+  return lines;
+}
+
+} // namespace
+
+class vtkInkSilhouetteMapper::vtkInternals
+{
+public:
+  /// What the contours depend on beside the eye.
+  struct Key
+  {
+    vtkMTimeType Surface;
+    bool Silhouettes;
+    bool Faceted;
+    bool Creases;
+    double FeatureAngle;
+    bool Borders;
+    bool NonManifoldEdges;
+    bool operator==(const Key&) const = default;
+  };
+  std::optional<Key> Source;
+  std::optional<InkMeshTriangles> Mesh;
+  std::optional<ink::MeshContours> Finder;
+
+  struct Drawn
+  {
+    std::optional<Key> Source;
+    ink::Eye Eye;
+    vtkSmartPointer<vtkPolyData> Lines;
+  };
+  InkActorResources<Drawn> Views;
+};
+
+vtkInkSilhouetteMapper::vtkInkSilhouetteMapper()
+  : Internals(std::make_unique<vtkInternals>())
+{
+}
+
+vtkInkSilhouetteMapper::~vtkInkSilhouetteMapper() = default;
+
+vtkPolyData* vtkInkSilhouetteMapper::FindSurface()
+{
+  vtkPolyData* other = this->Superclass::FindSurface();
+  return other ? other : this->GetInput();
+}
+
+bool vtkInkSilhouetteMapper::UpdateSurface()
+{
+  vtkInternals& internals = *this->Internals;
+  vtkPolyData* surface = this->GetInput();
+  const vtkInternals::Key source{ surface->GetMTime(), this->Silhouettes, this->Faceted, this->Creases,
+    this->FeatureAngle, this->Borders, this->NonManifoldEdges };
+  if (internals.Source == source)
+  {
+    return internals.Finder.has_value();
+  }
+  internals.Finder.reset();
+  if (!InkHasPolygons(surface))
+  {
+    std::ostringstream message;
+    message << "Contours need a surface of polygons or strips; found none among "
+            << surface->GetNumberOfPoints() << " points and " << surface->GetNumberOfCells() << " cells.";
+    this->ReportOnce(message.str());
+    return false;
+  }
+  if (!internals.Mesh || !internals.Source || internals.Source->Surface != source.Surface)
+  {
+    internals.Mesh.emplace(surface, true, InkMeshTriangles::Order::OfMesh);
+    vtkPointData* points = surface->GetPointData();
+    if (!points->GetNormals() && !points->GetArray("Normals"))
+    {
+      vtkWarningMacro("The surface has no point normals with 3 components: contours are those of computed "
+                      "ones, which join all polygons at a point.");
+    }
+  }
+  internals.Finder.emplace(internals.Mesh->GetMesh(), internals.Mesh->Normals,
+    ink::MeshContourOptions{ this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle,
+      this->Borders, this->NonManifoldEdges });
+  internals.Source = source;
+  return true;
+}
+
+bool vtkInkSilhouetteMapper::UpdateMarks(InkMarks&)
+{
+  try
+  {
+    return this->UpdateSurface();
+  }
+  catch (const std::exception& error)
+  {
+    this->ReportOnce(std::string("The contours of the surface cannot be found: ") + error.what());
+    return false;
+  }
+}
+
+void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkInternals::Drawn& drawn = internals.Views.Get(frame.Renderer, frame.Actor);
+  const ink::Eye eye = FindEye(frame.Renderer->GetActiveCamera(), frame.Actor);
+  const bool same = drawn.Source == internals.Source && drawn.Eye.parallel == eye.parallel &&
+    drawn.Eye.position == eye.position && drawn.Eye.direction == eye.direction;
+  if (!same)
+  {
+    try
+    {
+      const ink::ContourArrays arrays{ true, true, true, true };
+      drawn.Lines = MakeLines(internals.Finder->find(eye, arrays), *internals.Mesh);
+    }
+    catch (const std::exception& error)
+    {
+      this->ReportOnce(std::string("The contours of the surface cannot be found: ") + error.what());
+      return;
+    }
+    drawn.Source = internals.Source;
+    drawn.Eye = eye;
+  }
+  if (drawn.Lines->GetNumberOfLines() > 0 && this->UpdateStrokes(own, drawn.Lines))
+  {
+    this->Superclass::DrawMarks(own, frame);
+  }
+}
+
+vtkPolyData* vtkInkSilhouetteMapper::GetContours(vtkRenderer* renderer, vtkActor* actor)
+{
+  const vtkInternals::Drawn* drawn = this->Internals->Views.Find(renderer, actor);
+  return drawn ? drawn->Lines.Get() : nullptr;
+}
+
+void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  auto* from = vtkInkSilhouetteMapper::SafeDownCast(mapper);
+  if (from && from != this)
+  {
+    this->SetSilhouettes(from->GetSilhouettes());
+    this->SetFaceted(from->GetFaceted());
+    this->SetCreases(from->GetCreases());
+    this->SetFeatureAngle(from->GetFeatureAngle());
+    this->SetBorders(from->GetBorders());
+    this->SetNonManifoldEdges(from->GetNonManifoldEdges());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Silhouettes: " << (this->Silhouettes ? "On" : "Off") << "\n";
+  os << indent << "Faceted: " << (this->Faceted ? "On" : "Off") << "\n";
+  os << indent << "Creases: " << (this->Creases ? "On" : "Off") << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Borders: " << (this->Borders ? "On" : "Off") << "\n";
+  os << indent << "NonManifoldEdges: " << (this->NonManifoldEdges ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkStrokeMapper.h"
+
+#include "InkFrame.h"
+#include "InkRenderPasses.h"
+#include "InkScalarColors.h"
+#include "InkStrokeMarks.h"
+#include "InkStrokeRuns.h"
+#include "InkStrokeStyle.h"
+
+#include "InkOpenGLCompat.h"
+
+#include "vtkActor.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <vector>
+
+vtkStandardNewMacro(vtkInkStrokeMapper);
+
+namespace
+{
+
+/// The height in pixels that the image has at least in which the surface's depth decides what is hidden: in
+/// a smaller one too much of a stroke lies within a pixel of an edge of the surface.
+constexpr int LeastDepthHeight = 1024;
+
+/// Further than that from the picture nothing matters to what is hidden in it, pixels.
+constexpr float DepthMargin = 16.0f;
+
+std::vector<float> ReadDepth(const InkOccluderDepth& depth)
+{
+  std::vector<float> depths(
+    static_cast<std::size_t>(depth.Image.GetWidth()) * static_cast<std::size_t>(depth.Image.GetHeight()));
+  const InkRenderTarget::Reading reading(*depth.Image.GetTexture());
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  return depths;
+}
+
+} // namespace
+
+vtkInkStrokeMapper::vtkInkStrokeMapper()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Width");
+  this->ScalarVisibility = 0;
+}
+
+vtkInkStrokeMapper::~vtkInkStrokeMapper() = default;
+
+int vtkInkStrokeMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkInkStrokeMapper::SetSurfaceData(vtkPolyData* surface)
+{
+  this->SetInputDataObject(1, surface);
+}
+
+void vtkInkStrokeMapper::SetSurfaceConnection(vtkAlgorithmOutput* surface)
+{
+  this->SetInputConnection(1, surface);
+}
+
+std::unique_ptr<InkMarks> vtkInkStrokeMapper::MakeMarks(vtkOpenGLRenderWindow* window)
+{
+  return std::make_unique<InkStrokeMarks>(window);
+}
+
+vtkPolyData* vtkInkStrokeMapper::FindSurface()
+{
+  return this->GetNumberOfInputConnections(1) > 0 ? vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0))
+                                                  : nullptr;
+}
+
+bool vtkInkStrokeMapper::UpdateMarks(InkMarks& own)
+{
+  return this->UpdateStrokes(own, this->GetInput());
+}
+
+bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  const InkStrokeArrays arrays(strokes, this->GetInputArrayToProcess(0, strokes));
+  if (marks.Source != arrays.GetKey())
+  {
+    marks.Source.reset();
+    marks.Colors.reset();
+    std::string problem = arrays.FindProblem();
+    if (problem.empty())
+    {
+      marks.Strokes.Read(arrays);
+      problem = marks.Passes.Upload(marks.Strokes);
+    }
+    if (!problem.empty())
+    {
+      this->ReportOnce(problem);
+      return false;
+    }
+    marks.Source = arrays.GetKey();
+  }
+  if (marks.Strokes.GetStrokes().empty())
+  {
+    this->ReportOnce("None of the lines has two different points that are finite.");
+    return false;
+  }
+  const InkScalarColors ofPoints(this, strokes, InkScalarColors::Of::Points);
+  const InkScalarColors ofCells(this, strokes, InkScalarColors::Of::Cells);
+  const InkScalarColors& colors = ofCells.Exist() ? ofCells : ofPoints;
+  if (!colors.GetProblem().empty())
+  {
+    this->ReportOnce(colors.GetProblem());
+  }
+  std::string description = colors.Describe();
+  if (marks.Colors != description)
+  {
+    marks.Passes.UploadColors(colors.Exist() ? marks.Strokes.OrderColors(colors.Map(), ofCells.Exist())
+                                             : std::vector<std::uint32_t>());
+    marks.Colors = std::move(description);
+  }
+  return true;
+}
+
+InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const
+{
+  const auto number = [](double value) { return static_cast<float>(value); };
+  InkStrokeStyle style;
+  const glm::mat4 toView = glm::make_mat4(view.MCVC.data());
+  const std::array<double, 6>& box = marks.Strokes.GetLocalBounds();
+  style.Distances = { INFINITY, -INFINITY };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::vec4 point(box[corner & 1 ? 1 : 0], box[corner & 2 ? 3 : 2], box[corner & 4 ? 5 : 4], 1.0);
+    const float distance = -(toView * point).z;
+    style.Distances[0] = std::min(style.Distances[0], distance);
+    style.Distances[1] = std::max(style.Distances[1], distance);
+  }
+  const float middle = 0.5f * (style.Distances[0] + style.Distances[1]);
+  style.Distances[1] = std::max(style.Distances[1], style.Distances[0] + 1e-6f * view.Unit);
+
+  const double scale = view.TileScale * (this->SizeUnit == THOUSANDTHS ? 1e-3 * view.GetShownHeight() : 1.0);
+  const bool world = this->SizeUnit == WORLD;
+  style.HalfWidth = { world ? 0.0f : number(0.5 * scale * this->LineWidth),
+    world ? number(0.5 * this->LineWidth) : 0.0f };
+  const double pixel = view.Pixel * (view.Eye[3] == 0.0f ? 1.0f : std::max(middle, view.DepthRange[0]));
+  const double local = (world ? 1.0 : scale * pixel) / view.Unit;
+  style.Dash = { number(local * this->DashLength), number(local * (this->DashLength + this->GapLength)) };
+  const bool dashes = this->GapLength > 0.0;
+  style.Dashed = dashes && this->Dashed;
+  style.HiddenDashed = dashes && this->HiddenParts == DASHED;
+  style.HiddenOpacity = this->HiddenParts == FAINT ? number(this->HiddenOpacity) : 1.0f;
+
+  style.Taper = number(this->Taper);
+  style.DepthWidth = number(this->DepthWidth);
+  style.Miter = this->Join == MITER_JOIN;
+  style.MiterLimit = number(this->MiterLimit);
+  style.Butt = this->Cap == BUTT_CAP;
+  style.Density = number(this->Density);
+  style.Lift = number(this->Lift);
+  std::copy_n(this->InkColor, 3, style.Color.begin());
+  return style;
+}
+
+void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame)
+{
+  InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
+  InkStrokeMarks::View::Source source{ marks.GetUploadTime(), 0, {}, this->HiddenParts != OMITTED,
+    this->ShortestPart };
+  vtkPolyData* surface = this->FindSurface();
+  if (surface && surface->GetNumberOfPoints() > 0)
+  {
+    if (marks.SurfaceTime != surface->GetMTime())
+    {
+      double bounds[6];
+      InkShiftScale::FindFiniteBounds(surface->GetPoints(), bounds);
+      marks.SurfaceFrame = InkShiftScale::FromBounds(bounds);
+      marks.SurfaceTime = surface->GetMTime();
+    }
+    marks.Occluder.Update(surface, marks.SurfaceFrame);
+  }
+  if (!surface || surface->GetNumberOfPoints() == 0 || marks.Occluder.IsEmpty())
+  {
+    shown.Depth.reset();
+  }
+  else
+  {
+    const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, marks.SurfaceFrame, frame.GetSize());
+    const int finer = (LeastDepthHeight - 1) / std::max(view.Size[1], 1) + 1;
+    marks.Occluder.Draw(ofSurface, DepthMargin, shown.Depth, finer);
+    if (!shown.Depth->Image.IsComplete())
+    {
+      this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");
+      shown.Depth.reset();
+    }
+    else
+    {
+      source.Surface = shown.Depth->UploadTime;
+      source.Shown = shown.Depth->View;
+    }
+  }
+  if (shown.RunsSource == source)
+  {
+    return;
+  }
+  InkStrokeRuns runs;
+  if (shown.Depth)
+  {
+    InkViewUniforms finer = view;
+    finer.VCDC = shown.Depth->View->VCDC;
+    finer.Size = shown.Depth->View->Size;
+    finer.Pixel = shown.Depth->View->Pixel;
+    const double factor = view.Pixel / finer.Pixel;
+    runs = InkStrokeRuns::FindVisible(
+      marks.Strokes, finer, ReadDepth(*shown.Depth), factor * this->ShortestPart, source.WithHidden);
+  }
+  else
+  {
+    runs = InkStrokeRuns::FindWhole(marks.Strokes);
+  }
+  if (!shown.Runs)
+  {
+    shown.Runs = std::make_unique<InkStrokeRunBuffers>(marks.Window);
+  }
+  shown.Runs->Upload(runs);
+  shown.RunsSource = source;
+}
+
+void vtkInkStrokeMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
+  this->UpdateView(marks, view, frame);
+  const InkStrokeMarks::View& shown = *marks.Views.Find(frame.Renderer, frame.Actor);
+  const InkStrokeStyle style = this->MakeStyle(marks, view);
+  const InkStrokePasses::Scene scene{ view, style, *shown.Runs, shown.Depth.get() };
+  if (!marks.Passes.Draw(
+        scene, frame, frame.Actor->GetProperty()->GetOpacity(), InkRenderPasses(this, frame.Actor)))
+  {
+    this->ReportOnce("This OpenGL cannot draw into 32-bit float images, which strokes need.");
+  }
+}

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkStrokeMapper
+ * @brief   draws polylines as strokes of a pen
+ *
+ * Strokes have a width in pixels, in thousandths of the picture's height or in world units, which may taper
+ * towards their ends, fall with the distance and follow an array; round or mitered corners without gaps or
+ * spikes; round or flat ends; dashes; and edges that are smooth without multisampling: a pixel gets as much
+ * ink as the stroke covers of it, once where segments meet, also of a translucent stroke.
+ *
+ * Input: lines; one that ends at the point that it begins with is closed. Optional arrays: of the points,
+ * `Normals` (3) of the surface that the strokes lie on, `ArcLength` (1) for dashes that stay where they are
+ * while strokes change, `RadialCurvature` (1) of silhouettes, negative where their own surface hides them,
+ * and the width's factor (SetInputArrayToProcess(0, ...), by default `Width`); of the cells or the points,
+ * `Priority` (1) in [0, 1), without which Density drops strokes by chance. With ScalarVisibility on (it is
+ * off by default) scalars of the points or cells color the strokes through the lookup table.
+ *
+ * Strokes are tested against what is drawn already, lifted a little towards the eye, more where their surface
+ * is slanted. Given a surface (SetSurfaceConnection, SetSurfaceData), what it hides is decided along each
+ * stroke instead of pixel by pixel, so that nothing is dotted where a stroke grazes its own surface: see
+ * HiddenParts. Strokes then lie on the surface, whether or not an actor shows it.
+ *
+ * Strokes are blended over what lies behind them, in the renderer's translucent pass. They write depth where
+ * they cover half a pixel, unless render passes for translucent things keep a depth of their own. Hardware
+ * selection finds the actor and the strokes' points. Up to 6 clipping planes. Numbers are kept within their
+ * ranges; what is no number is refused with a warning.
+ *
+ * @sa vtkInkSplattingLinesMapper vtkInkStippleMapper
+ */
+#ifndef vtkInkStrokeMapper_h
+#define vtkInkStrokeMapper_h
+
+#include "InkSetters.h" // for the setters
+#include "vtkInkMapper.h"
+#include "vtkInkRenderingStrokesModule.h" // for the export macro
+
+class InkStrokeMarks;
+struct InkStrokeStyle;
+struct InkViewUniforms;
+class vtkPolyData;
+
+class VTKINKRENDERINGSTROKES_EXPORT vtkInkStrokeMapper : public vtkInkMapper
+{
+public:
+  static vtkInkStrokeMapper* New();
+  vtkTypeMacro(vtkInkStrokeMapper, vtkInkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// All parameters and both inputs of another mapper, as far as it has them.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  ///@{
+  /**
+   * The surface that hides strokes behind it: polygons and strips, or where it has none, discs around its
+   * points, of the point arrays `Normals` and `Radius`. Default: none.
+   */
+  void SetSurfaceData(vtkPolyData* surface);
+  void SetSurfaceConnection(vtkAlgorithmOutput* surface);
+  ///@}
+
+  /// What LineWidth, DashLength and GapLength are in.
+  enum SizeUnits
+  {
+    THOUSANDTHS = 0, ///< of the viewport's height: the same drawing in a picture of any size
+    PIXELS = 1,
+    WORLD = 2 ///< the world's unit: strokes grow as the camera comes closer
+  };
+
+  ///@{
+  /**
+   * The unit of LineWidth, DashLength and GapLength. THOUSANDTHS (default), the pixels of a viewport that is
+   * 1000 pixels high: a large picture made smaller is the small picture; PIXELS; or WORLD.
+   */
+  vtkSetClampMacro(SizeUnit, int, THOUSANDTHS, WORLD);
+  vtkGetMacro(SizeUnit, int);
+  void SetSizeUnitToThousandths() { this->SetSizeUnit(THOUSANDTHS); }
+  void SetSizeUnitToPixels() { this->SetSizeUnit(PIXELS); }
+  void SetSizeUnitToWorld() { this->SetSizeUnit(WORLD); }
+  const char* GetSizeUnitAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The strokes' width, as SizeUnit has it. 0 (nothing) to 1e12; default: 2.
+   */
+  InkSetClampMacro(LineWidth, 0.0, 1e12);
+  vtkGetMacro(LineWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much of an open stroke's length is needed to grow from a point to the full width and to shrink to a
+   * point again. 0 (default: the same width everywhere) to 1 (full in the middle only).
+   */
+  InkSetClampMacro(Taper, 0.0, 1.0);
+  vtkGetMacro(Taper, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much narrower the farthest strokes are than the nearest. 0 (default: not at all) to 1 (altogether).
+   */
+  InkSetClampMacro(DepthWidth, 0.0, 1.0);
+  vtkGetMacro(DepthWidth, double);
+  ///@}
+
+  /// The shape of corners.
+  enum Joins
+  {
+    ROUND_JOIN = 0,
+    MITER_JOIN = 1
+  };
+
+  ///@{
+  /**
+   * ROUND_JOIN (default), or MITER_JOIN: pointed corners, but round ones beyond MiterLimit.
+   */
+  vtkSetClampMacro(Join, int, ROUND_JOIN, MITER_JOIN);
+  vtkGetMacro(Join, int);
+  void SetJoinToRound() { this->SetJoin(ROUND_JOIN); }
+  void SetJoinToMiter() { this->SetJoin(MITER_JOIN); }
+  const char* GetJoinAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How far a pointed corner reaches at most, in widths, as in SVG. 1 to 20; default: 4.
+   */
+  InkSetClampMacro(MiterLimit, 1.0, 20.0);
+  vtkGetMacro(MiterLimit, double);
+  ///@}
+
+  /// The shape of ends.
+  enum Caps
+  {
+    ROUND_CAP = 0,
+    BUTT_CAP = 1
+  };
+
+  ///@{
+  /**
+   * ROUND_CAP (default): ends are half discs around a stroke's first and last point; or BUTT_CAP: they are
+   * flat. Where a surface hides the rest of a stroke, its end is flat always.
+   */
+  vtkSetClampMacro(Cap, int, ROUND_CAP, BUTT_CAP);
+  vtkGetMacro(Cap, int);
+  void SetCapToRound() { this->SetCap(ROUND_CAP); }
+  void SetCapToButt() { this->SetCap(BUTT_CAP); }
+  const char* GetCapAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Whether strokes are dashed, by their arc length: dashes stay where they are when the camera turns. A
+   * closed stroke has a whole number of them. Default: off.
+   */
+  vtkSetMacro(Dashed, bool);
+  vtkGetMacro(Dashed, bool);
+  vtkBooleanMacro(Dashed, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The length of a dash, as SizeUnit has it, in the middle of the strokes. 0 to 1e12; default: 8.
+   */
+  InkSetClampMacro(DashLength, 0.0, 1e12);
+  vtkGetMacro(DashLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * The length of a gap between dashes, the same way. 0 to 1e12; default: 5.
+   */
+  InkSetClampMacro(GapLength, 0.0, 1e12);
+  vtkGetMacro(GapLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * The share of the strokes that are drawn: those whose priority is less. Strokes are only dropped, never
+   * changed, as it falls. 0 to 1; default: 1.
+   */
+  InkSetClampMacro(Density, 0.0, 1.0);
+  vtkGetMacro(Density, double);
+  ///@}
+
+  ///@{
+  /**
+   * Color of the strokes where ScalarVisibility is off, as it is by default; RGB in 0..1. Default: black.
+   */
+  InkSetColorMacro(InkColor);
+  vtkGetVector3Macro(InkColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far strokes are lifted towards the eye, in pixels, so that the surface that they lie on does not hide
+   * them; up to four times as far where it is slanted. 0 to 100; default: 2.
+   */
+  InkSetClampMacro(Lift, 0.0, 100.0);
+  vtkGetMacro(Lift, double);
+  ///@}
+
+  /// How the parts are drawn that the surface hides.
+  enum HiddenPartStyles
+  {
+    OMITTED = 0,
+    FAINT = 1,
+    DASHED = 2
+  };
+
+  ///@{
+  /**
+   * What becomes of the parts that the surface hides: OMITTED (default), FAINT (with HiddenOpacity) or DASHED
+   * (with DashLength and GapLength).
+   */
+  vtkSetClampMacro(HiddenParts, int, OMITTED, DASHED);
+  vtkGetMacro(HiddenParts, int);
+  void SetHiddenPartsToOmitted() { this->SetHiddenParts(OMITTED); }
+  void SetHiddenPartsToFaint() { this->SetHiddenParts(FAINT); }
+  void SetHiddenPartsToDashed() { this->SetHiddenParts(DASHED); }
+  const char* GetHiddenPartsAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The opacity of hidden parts with HiddenParts FAINT. 0 to 1; default: 0.3.
+   */
+  InkSetClampMacro(HiddenOpacity, 0.0, 1.0);
+  vtkGetMacro(HiddenOpacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Visible and hidden parts of a stroke that are shorter join their neighbors; pixels. 0 to 100; default: 4.
+   */
+  InkSetClampMacro(ShortestPart, 0.0, 100.0);
+  vtkGetMacro(ShortestPart, double);
+  ///@}
+
+  /// Smooth edges are blended over what lies behind them.
+  bool HasOpaqueGeometry() override { return false; }
+  bool HasTranslucentPolygonalGeometry() override { return true; }
+
+protected:
+  vtkInkStrokeMapper();
+  ~vtkInkStrokeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  std::unique_ptr<InkMarks> MakeMarks(vtkOpenGLRenderWindow* window) override;
+  bool UpdateMarks(InkMarks& own) override;
+  void DrawMarks(InkMarks& own, const InkFrame& frame) override;
+
+  /// Brings marks up to date with strokes, as UpdateMarks does with those of the input.
+  bool UpdateStrokes(InkMarks& own, vtkPolyData* strokes);
+  /// The surface that hides strokes, or null.
+  virtual vtkPolyData* FindSurface();
+
+private:
+  vtkInkStrokeMapper(const vtkInkStrokeMapper&) = delete;
+  void operator=(const vtkInkStrokeMapper&) = delete;
+
+  InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
+  /// The depth of the surface in a view, null without one; and the runs of the strokes there.
+  void UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame);
+
+  int SizeUnit = THOUSANDTHS;
+  double LineWidth = 2.0;
+  double Taper = 0.0;
+  double DepthWidth = 0.0;
+  int Join = ROUND_JOIN;
+  double MiterLimit = 4.0;
+  int Cap = ROUND_CAP;
+  bool Dashed = false;
+  double DashLength = 8.0;
+  double GapLength = 5.0;
+  double Density = 1.0;
+  double InkColor[3] = { 0.0, 0.0, 0.0 };
+  double Lift = 2.0;
+  int HiddenParts = OMITTED;
+  double HiddenOpacity = 0.3;
+  double ShortestPart = 4.0;
+};
+
+#endif

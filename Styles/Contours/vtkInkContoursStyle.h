@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkContoursStyle
+ * @brief   line drawings of the contours of surfaces: silhouettes, creases and borders
+ *
+ * A mesh is drawn as it is; where it has no normals they are computed from its polygons, also split at edges
+ * of more than 30 degrees, which a note says. Of an image the iso-surfaces at IsoValues are drawn, or that at
+ * the iso-value that suits the image, which is noted: as a mesh, with normals of the smoothed image; what
+ * creases it has are the voxels', and are not drawn. Points without polygons have no contours.
+ *
+ * Contours follow the camera: the mapper finds them. One piece: the surface's mesh.
+ *
+ * @sa vtkInkSilhouetteMapper
+ */
+#ifndef vtkInkContoursStyle_h
+#define vtkInkContoursStyle_h
+
+#include "vtkInkStyle.h"
+#include "vtkNew.h" // for what the style owns
+
+#include <memory> // for what the style owns
+
+class InkIsoSurface;
+class vtkInkSilhouetteMapper;
+
+class VTKINKSTYLES_EXPORT vtkInkContoursStyle : public vtkInkStyle
+{
+public:
+  static vtkInkContoursStyle* New();
+  vtkTypeMacro(vtkInkContoursStyle, vtkInkStyle);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetName() override { return "contours"; }
+  const char* GetLabel() override { return "Contours"; }
+  const char* GetDescription() override;
+  std::string GetReasonAgainst(vtkDataObject* data) override;
+
+  int GetNumberOfPieces() override { return 1; }
+  const char* GetPieceName(int piece) override { return piece == 0 ? "Surface" : nullptr; }
+  void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
+
+  vtkMapper* GetMapper() override;
+  vtkActor* GetActor() override { return this->Actor; }
+  void GetBackgroundColor(double color[3]) override;
+
+  ///@{
+  /// Never: contours have no scalars.
+  void SetColorByScalars(bool) override {}
+  bool GetColorByScalars() override { return false; }
+  ///@}
+
+  ///@{
+  /// What the style draws with; properties that are parameters are set as such.
+  InkIsoSurface* GetIsoSurface();
+  vtkInkSilhouetteMapper* GetSilhouetteMapper();
+  ///@}
+
+  ///@{
+  /// Parameters; see their table.
+  void SetPreset(int preset);
+  vtkGetMacro(Preset, int);
+  void SetCreases(bool creases);
+  vtkGetMacro(Creases, bool);
+  void SetPaperColor(double red, double green, double blue);
+  vtkGetVector3Macro(PaperColor, double);
+  void SetShortestPart(double pixels);
+  vtkGetMacro(ShortestPart, double);
+  ///@}
+
+  const InkParameterTable& GetParameterTable() override;
+
+protected:
+  vtkInkContoursStyle();
+  ~vtkInkContoursStyle() override;
+
+  vtkMTimeType GetRecipeMTime() override;
+  std::string MakePieces(const Input& input) override;
+  void UpdatePixels() override;
+
+private:
+  vtkInkContoursStyle(const vtkInkContoursStyle&) = delete;
+  void operator=(const vtkInkContoursStyle&) = delete;
+
+  std::string TakeMesh(vtkPolyData* mesh);
+
+  std::unique_ptr<InkIsoSurface> IsoSurface;
+  vtkNew<vtkInkSilhouetteMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  int Preset = 0;
+  bool Creases = true;
+  bool OfImage = false; ///< the surface that is drawn
+  double PaperColor[3] = { 1.0, 1.0, 1.0 };
+  double ShortestPart = 4.0; ///< in the picture's pixels
+};
+
+#endif

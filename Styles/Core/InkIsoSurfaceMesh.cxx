@@ -1,0 +1,445 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkIsoSurfaceMesh.h"
+
+#include "InkImageGrid.h"
+#include "vtkInkIsoSurfaceSampler.h"
+
+#include "Core/ParallelFor.h"
+#include "Fields/Grid/GridField.h"
+#include "Fields/Resampling/ResampleGrid.h"
+#include "IsoSurface/ActiveCellComponents.h"
+#include "IsoSurface/ResampledSamples.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace
+{
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A surface in the index space of a grid.
+struct IndexMesh
+{
+  std::vector<glm::dvec3> Points;
+  std::vector<Triangle> Triangles;
+};
+
+ink::IsoSurfaceResampling FindResampling(const ink::GridGeometry& grid, vtkInkIsoSurfaceSampler* settings)
+{
+  constexpr std::size_t mostValues = std::size_t(1) << 27;
+  const auto with = [&](int subdivision)
+  {
+    return ink::makeIsoSurfaceResampling(grid, settings->GetSmoothing(), subdivision,
+      static_cast<ink::SmoothingTarget>(settings->GetSmoothingTarget()));
+  };
+  int subdivision = settings->GetSubdivision();
+  while (
+    subdivision > 1 && ink::resampledGeometry(grid, with(subdivision).subdivision).sampleCount() > mostValues)
+  {
+    subdivision /= 2;
+  }
+  ink::IsoSurfaceResampling resampling = with(subdivision);
+  if (ink::resampledGeometry(grid, resampling.subdivision).sampleCount() > mostValues)
+  {
+    resampling.subdivision = glm::ivec3(1);
+  }
+  return resampling;
+}
+
+/// Resampled values of an image, and the iso-surfaces in them.
+template <class Work>
+class ResampledImage
+{
+public:
+  ResampledImage(const ink::GridField<Work>& field, const ink::IsoSurfaceResampling& resampling)
+    : Geometry(ink::resampledGeometry(field.geometry(), resampling.subdivision))
+  {
+    const bool onlyNormals =
+      resampling.target == ink::SmoothingTarget::Normals && resampling.deviation != glm::dvec3(0.0);
+    this->Smooth = this->Resample(field, resampling, 1.0, ink::SmoothingKernel::Gaussian);
+    if (onlyNormals)
+    {
+      this->Surface =
+        this->Resample(field, resampling, ink::fourthOrderShare, ink::SmoothingKernel::FourthOrder);
+    }
+  }
+
+  const ink::GridGeometry& GetGeometry() const { return this->Geometry; }
+
+  /// A surface as vtkFlyingEdges3D finds it.
+  /// @param cap whether it is closed where it leaves the image
+  std::string FindSurface(
+    double isoValue, bool cap, const std::function<std::string(vtkAlgorithm*)>& update, IndexMesh& mesh)
+  {
+    std::vector<Work>& values = this->Surface.empty() ? this->Smooth : this->Surface;
+    const glm::ivec3 size = this->Geometry.dimensions();
+    std::vector<Work> closed = cap ? Surround(values, size, isoValue) : std::vector<Work>();
+    const glm::ivec3 margin(cap ? 1 : 0);
+    vtkNew<vtkAOSDataArrayTemplate<Work>> array;
+    std::vector<Work>& used = cap ? closed : values;
+    // The vector keeps its memory.
+    array->SetArray(used.data(), static_cast<vtkIdType>(used.size()), 1);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(&(size + 2 * margin)[0]);
+    image->GetPointData()->SetScalars(array);
+    vtkNew<vtkFlyingEdges3D> edges;
+    edges->SetInputData(image);
+    edges->SetValue(0, isoValue);
+    edges->ComputeNormalsOff();
+    edges->ComputeScalarsOff();
+    const std::string problem = update(edges);
+    vtkPolyData* found = edges->GetOutput();
+    mesh.Points.resize(static_cast<std::size_t>(found->GetNumberOfPoints()));
+    for (std::size_t n = 0; n < mesh.Points.size(); ++n)
+    {
+      found->GetPoint(static_cast<vtkIdType>(n), &mesh.Points[n][0]);
+      mesh.Points[n] -= margin;
+    }
+    mesh.Triangles.reserve(static_cast<std::size_t>(found->GetNumberOfPolys()));
+    for (vtkIdType n = 0; n < found->GetNumberOfPolys(); ++n)
+    {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      found->GetPolys()->GetCellAtId(n, count, ids);
+      mesh.Triangles.push_back({ static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
+        static_cast<std::uint32_t>(ids[2]) });
+    }
+    return problem;
+  }
+
+  /// Out of the image's side on whose cap a point lies; zero for those within the image.
+  glm::ivec3 FindSide(const glm::dvec3& index) const
+  {
+    const glm::dvec3 last = this->Geometry.dimensions() - 1;
+    return glm::ivec3(glm::greaterThan(index, last)) - glm::ivec3(glm::lessThan(index, glm::dvec3(0.0)));
+  }
+
+  /// The unit normal at a point of a surface, along the negative gradient; on a cap, out of the image. Zero
+  /// where there is no gradient.
+  glm::vec3 FindNormal(const glm::dvec3& index) const
+  {
+    const glm::ivec3 side = this->FindSide(index);
+    if (side != glm::ivec3(0))
+    {
+      return glm::vec3(Unit(this->Geometry.gradientDirection() * glm::dvec3(side)));
+    }
+    const glm::dvec3 last = this->Geometry.dimensions() - 1;
+    const glm::ivec3 cell = glm::min(glm::ivec3(index), glm::ivec3(last));
+    const glm::dvec3 share = index - glm::dvec3(cell);
+    const ink::GridField<Work> field(this->Geometry, this->Smooth);
+    glm::dvec3 sum(0.0);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+      const glm::dvec3 factors = glm::mix(1.0 - share, share, glm::dvec3(step));
+      const double weight = factors.x * factors.y * factors.z;
+      // Points lie on edges, so that few corners count.
+      if (weight > 0.0)
+      {
+        sum -= weight * Unit(this->Geometry.gradientDirection() * field.gradientAt(cell + step));
+      }
+    }
+    return glm::vec3(Unit(sum));
+  }
+
+private:
+  static glm::dvec3 Unit(const glm::dvec3& vector)
+  {
+    const double length = glm::length(vector);
+    return length > 0.0 && std::isfinite(length) ? vector / length : glm::dvec3(0.0);
+  }
+
+  std::vector<Work> Resample(const ink::GridField<Work>& field, const ink::IsoSurfaceResampling& resampling,
+    double share, ink::SmoothingKernel kernel) const
+  {
+    const auto along = [&](int axis)
+    {
+      return ink::AxisResampling(share * resampling.deviation[axis], resampling.subdivision[axis],
+        field.geometry().dimensions()[axis], kernel);
+    };
+    std::vector<Work> values(this->Geometry.sampleCount());
+    ink::resampleGrid(field, { along(0), along(1), along(2) }, std::span<Work>(values));
+    return values;
+  }
+
+  /// Values with a layer around them that is below the iso-value, so that a surface ends at the image's
+  /// sides: where values are above it, 1/256 of a cell beyond.
+  static std::vector<Work> Surround(const std::vector<Work>& values, const glm::ivec3& size, double isoValue)
+  {
+    constexpr Work steepness = 255;
+    const Work iso = static_cast<Work>(isoValue);
+    const glm::ivec3 wider = size + 2;
+    std::vector<Work> all;
+    all.reserve(static_cast<std::size_t>(wider.x) * wider.y * wider.z);
+    for (int k = 0; k < wider.z; ++k)
+    {
+      for (int j = 0; j < wider.y; ++j)
+      {
+        for (int i = 0; i < wider.x; ++i)
+        {
+          const glm::ivec3 at = glm::ivec3(i, j, k) - 1;
+          const glm::ivec3 nearest = glm::clamp(at, glm::ivec3(0), size - 1);
+          const Work value = values[static_cast<std::size_t>(nearest.x) +
+            static_cast<std::size_t>(size.x) *
+              (static_cast<std::size_t>(nearest.y) + static_cast<std::size_t>(size.y) * nearest.z)];
+          const Work below = std::min(
+            iso - steepness * (value - iso), std::nextafter(iso, std::numeric_limits<Work>::lowest()));
+          all.push_back(at == nearest || value < iso ? value : below);
+        }
+      }
+    }
+    return all;
+  }
+
+  ink::GridGeometry Geometry;
+  std::vector<Work> Surface; ///< what the surface lies in; empty: Smooth
+  std::vector<Work> Smooth;  ///< what normals are of
+};
+
+/// The parts of a surface that are kept: for each point whether it is.
+std::vector<char> SelectParts(const IndexMesh& mesh, const ink::ComponentSelection& selection)
+{
+  std::vector<std::uint32_t> parents(mesh.Points.size());
+  std::iota(parents.begin(), parents.end(), 0u);
+  const auto root = [&](std::uint32_t point)
+  {
+    while (parents[point] != point)
+    {
+      point = parents[point] = parents[parents[point]];
+    }
+    return point;
+  };
+  for (const Triangle& triangle : mesh.Triangles)
+  {
+    for (int corner = 1; corner < 3; ++corner)
+    {
+      const std::uint32_t a = root(triangle[0]);
+      const std::uint32_t b = root(triangle[corner]);
+      parents[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  // A closed surface has about as many points as it has active cells.
+  std::vector<std::uint32_t> labels(mesh.Points.size());
+  std::vector<std::size_t> counts;
+  for (std::uint32_t point = 0; point < labels.size(); ++point)
+  {
+    const std::uint32_t first = root(point);
+    if (first == point)
+    {
+      labels[point] = static_cast<std::uint32_t>(counts.size());
+      counts.push_back(0);
+    }
+    labels[point] = labels[first];
+    ++counts[labels[point]];
+  }
+  const std::vector<char> selected = ink::selectComponents(counts, selection);
+  std::vector<char> kept(labels.size());
+  std::transform(
+    labels.begin(), labels.end(), kept.begin(), [&](std::uint32_t label) { return selected[label]; });
+  return kept;
+}
+
+/// Removes triangles with a point that is not finite, and those in cells that are skipped, with the points
+/// that are left over.
+class MeshCleaner
+{
+public:
+  MeshCleaner(const ink::GridGeometry& grid, const glm::ivec3& subdivision, vtkImageData* image)
+    : Cells(glm::max(grid.dimensions() - 1, glm::ivec3(1)))
+    , Subdivision(subdivision)
+    , Skipped(InkGetMarks(image->GetCellData(),
+        vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+          vtkDataSetAttributes::REFINEDCELL))
+  {
+  }
+
+  bool IsKept(const IndexMesh& mesh, const Triangle& triangle) const
+  {
+    const glm::dvec3 middle =
+      (mesh.Points[triangle[0]] + mesh.Points[triangle[1]] + mesh.Points[triangle[2]]) / 3.0;
+    if (!std::isfinite(middle.x + middle.y + middle.z))
+    {
+      return false;
+    }
+    if (this->Skipped.empty())
+    {
+      return true;
+    }
+    const glm::ivec3 cell =
+      glm::clamp(glm::ivec3(middle / glm::dvec3(this->Subdivision)), glm::ivec3(0), this->Cells - 1);
+    return !this->Skipped[cell.x +
+      static_cast<std::size_t>(this->Cells.x) * (cell.y + static_cast<std::size_t>(this->Cells.y) * cell.z)];
+  }
+
+  static void RemoveUnusedPoints(IndexMesh& mesh)
+  {
+    constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> ids(mesh.Points.size(), unused);
+    for (const Triangle& triangle : mesh.Triangles)
+    {
+      for (const std::uint32_t point : triangle)
+      {
+        ids[point] = 0;
+      }
+    }
+    std::uint32_t count = 0;
+    for (std::size_t n = 0; n < ids.size(); ++n)
+    {
+      if (ids[n] != unused)
+      {
+        mesh.Points[count] = mesh.Points[n];
+        ids[n] = count++;
+      }
+    }
+    mesh.Points.resize(count);
+    for (Triangle& triangle : mesh.Triangles)
+    {
+      for (std::uint32_t& point : triangle)
+      {
+        point = ids[point];
+      }
+    }
+  }
+
+private:
+  glm::ivec3 Cells;
+  glm::ivec3 Subdivision;
+  ink::ElementMarks Skipped;
+};
+
+void Append(const IndexMesh& surface, IndexMesh& all)
+{
+  const auto first = static_cast<std::uint32_t>(all.Points.size());
+  all.Points.insert(all.Points.end(), surface.Points.begin(), surface.Points.end());
+  for (const auto& [a, b, c] : surface.Triangles)
+  {
+    all.Triangles.push_back({ first + a, first + b, first + c });
+  }
+}
+
+/// The surfaces of an image in world coordinates.
+template <class Work>
+void FillMesh(const IndexMesh& surfaces, const ResampledImage<Work>& image, vtkPolyData* mesh)
+{
+  const auto count = static_cast<vtkIdType>(surfaces.Points.size());
+  vtkPoints* points = mesh->GetPoints();
+  auto* normals = vtkFloatArray::SafeDownCast(mesh->GetPointData()->GetNormals());
+  points->SetNumberOfPoints(count);
+  normals->SetNumberOfTuples(count);
+  constexpr std::size_t chunk = 4096;
+  ink::parallelFor((surfaces.Points.size() + chunk - 1) / chunk,
+    [&](std::size_t part)
+    {
+      for (std::size_t n = part * chunk; n < std::min((part + 1) * chunk, surfaces.Points.size()); ++n)
+      {
+        const auto id = static_cast<vtkIdType>(n);
+        const glm::dvec3 world = image.GetGeometry().toWorld(surfaces.Points[n]);
+        const glm::vec3 normal = image.FindNormal(surfaces.Points[n]);
+        points->SetPoint(id, &world[0]);
+        normals->SetTypedTuple(id, &normal[0]);
+      }
+    });
+  mesh->GetPolys()->AllocateExact(
+    static_cast<vtkIdType>(surfaces.Triangles.size()), static_cast<vtkIdType>(3 * surfaces.Triangles.size()));
+  for (const Triangle& triangle : surfaces.Triangles)
+  {
+    mesh->GetPolys()->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
+  }
+}
+
+} // namespace
+
+std::string InkMakeIsoSurfaceMesh(vtkImageData* image, vtkDataArray* scalars,
+  vtkInkIsoSurfaceSampler* settings, const std::function<std::string(vtkAlgorithm*)>& update,
+  vtkPolyData* mesh)
+{
+  const ink::GridGeometry grid = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  mesh->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(InkNeedsDoublePrecision(grid) ? VTK_DOUBLE : VTK_FLOAT);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  mesh->SetPoints(points);
+  mesh->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  mesh->GetPointData()->SetNormals(normals);
+  const glm::ivec3& samples = grid.dimensions();
+  if (std::min({ samples.x, samples.y, samples.z }) < 2)
+  {
+    return "expected an image with at least 2 samples along each axis, found " + std::to_string(samples.x) +
+      " x " + std::to_string(samples.y) + " x " + std::to_string(samples.z);
+  }
+  const ink::IsoSurfaceResampling resampling = FindResampling(grid, settings);
+  const MeshCleaner cleaner(grid, resampling.subdivision, image);
+  const ink::ComponentSelection parts = ink::ComponentSelection{ settings->GetSmallestPart(),
+    static_cast<std::size_t>(settings->GetLargestParts()) }
+                                          .inDividedCells(settings->GetSubdivision());
+  const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
+  const auto make = [&](auto zero)
+  {
+    using Work = decltype(zero);
+    vtkNew<vtkAOSDataArrayTemplate<Work>> values;
+    values->DeepCopy(scalars);
+    const std::span<const Work> all(
+      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
+    ResampledImage<Work> resampled(ink::GridField<Work>(grid, all, 1, hidden), resampling);
+    IndexMesh surfaces;
+    std::string problem;
+    for (int n = 0; n < settings->GetNumberOfContours() && problem.empty(); ++n)
+    {
+      IndexMesh surface;
+      problem = resampled.FindSurface(
+        settings->GetValue(n), settings->GetCut() == vtkInkIsoSurfaceSampler::CAP, update, surface);
+      std::erase_if(
+        surface.Triangles, [&](const Triangle& triangle) { return !cleaner.IsKept(surface, triangle); });
+      if (!parts.keepsAll())
+      {
+        MeshCleaner::RemoveUnusedPoints(surface);
+        const std::vector<char> kept = SelectParts(surface, parts);
+        std::erase_if(surface.Triangles, [&](const Triangle& triangle) { return !kept[triangle[0]]; });
+      }
+      // Where a surface and its caps meet, each has a border: slivers between them would join their normals.
+      std::erase_if(surface.Triangles,
+        [&](const Triangle& triangle)
+        {
+          const auto side = [&](std::size_t corner)
+          { return resampled.FindSide(surface.Points[triangle[corner]]); };
+          return side(0) != side(1) || side(0) != side(2);
+        });
+      MeshCleaner::RemoveUnusedPoints(surface);
+      Append(surface, surfaces);
+    }
+    FillMesh(surfaces, resampled, mesh);
+    return problem;
+  };
+  // Numbers that float holds, as floats.
+  const bool isSmall = scalars->GetDataType() == VTK_FLOAT || scalars->GetDataTypeSize() <= 2;
+  return isSmall ? make(0.0f) : make(0.0);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkLeaves.h"
+
+#include "InkHasSurface.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkGeometryFilter.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace
+{
+
+bool AreStipples(vtkPolyData* data)
+{
+  return data->GetFieldData()->GetArray("StipplesPerElement") && data->GetNumberOfCells() > 0 &&
+    data->GetNumberOfVerts() == data->GetNumberOfCells();
+}
+
+} // namespace
+
+InkLeaves::InkLeaves(vtkDataObject* input)
+{
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    this->Composite = true;
+    auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      this->Add(leaves->GetCurrentDataObject());
+    }
+  }
+  else if (input)
+  {
+    this->Add(input);
+  }
+}
+
+void InkLeaves::Add(vtkDataObject* leaf)
+{
+  auto data = vtkDataSet::SafeDownCast(leaf);
+  if (!data)
+  {
+    this->Problem = std::string("a ") + leaf->GetClassName();
+    return;
+  }
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  auto polyData = vtkPolyData::SafeDownCast(data);
+  if (auto image = vtkImageData::SafeDownCast(data))
+  {
+    this->Images.push_back(image);
+  }
+  else if (polyData && AreStipples(polyData))
+  {
+    this->Stipples.push_back(polyData);
+  }
+  else
+  {
+    this->Others.push_back(data);
+  }
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> InkLeaves::MakeMeshes() const
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  for (vtkDataSet* data : this->Others)
+  {
+    vtkSmartPointer<vtkPolyData> mesh = vtkPolyData::SafeDownCast(data);
+    if (!mesh)
+    {
+      vtkNew<vtkGeometryFilter> outside;
+      outside->SetInputData(data);
+      outside->Update();
+      mesh = outside->GetOutput();
+    }
+    meshes.push_back(mesh);
+  }
+  meshes.insert(meshes.end(), this->Stipples.begin(), this->Stipples.end());
+  return meshes;
+}
+
+std::string InkLeaves::DescribeGrids() const
+{
+  const auto grid = std::find_if(this->Others.begin(), this->Others.end(),
+    [](vtkDataSet* data) { return !vtkPolyData::SafeDownCast(data) && data->GetNumberOfCells() > 0; });
+  return grid == this->Others.end() ? std::string()
+                                    : "the outer surface of a " + std::string((*grid)->GetClassName()) +
+      " is drawn; vtkResampleToImage makes an image of it, whose iso-surfaces can be drawn";
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A data object's leaves by how they are drawn: of composite data all of them, otherwise the data itself.
+#ifndef InkLeaves_h
+#define InkLeaves_h
+
+#include "vtkInkStylesModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkImageData;
+class vtkPolyData;
+
+struct VTKINKSTYLES_EXPORT InkLeaves
+{
+  /// @param input null: none
+  explicit InkLeaves(vtkDataObject* input);
+
+  /// Their surfaces, and stipples' points as they are: of grids the outer surface.
+  std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes() const;
+  /// What becomes of grids, in a sentence without its dot; empty if there is none.
+  std::string DescribeGrids() const;
+
+  std::vector<vtkImageData*> Images;
+  std::vector<vtkPolyData*> Stipples; ///< made before
+  std::vector<vtkDataSet*> Others;    ///< meshes, points and grids
+  bool Composite = false;
+  std::string Problem; ///< what of it is no dataset, "a vtkTable"; empty if all are
+
+private:
+  void Add(vtkDataObject* leaf);
+};
+
+#endif

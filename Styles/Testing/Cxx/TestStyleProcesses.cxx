@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What several processes make of parts of an image is what one makes of the whole: also what is automatic.
+#include "InkIsoSurface.h"
+#include "InkStyleProcesses.h"
+#include "vtkInkSplattingLinesStyle.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <barrier>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+
+constexpr std::array<int, 3> Size = { 40, 36, 48 };
+/// As many as smoothing and division into smaller cells need.
+constexpr int Ghosts = 14;
+
+/// Two materials in balls around the given middle slices, with noise.
+vtkSmartPointer<vtkImageData> MakeWhole()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Size.data());
+  vtkNew<vtkFloatArray> values;
+  values->SetName("density");
+  unsigned int random = 1;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    const double large = std::hypot(p[0] - 14, p[1] - 17, p[2] - 14) - 10;
+    const double small = std::hypot(p[0] - 31, p[1] - 17, p[2] - 24) - 5;
+    const double core = std::hypot(p[0] - 14, p[1] - 17, p[2] - 14) - 5;
+    random = 1664525U * random + 1013904223U;
+    const double noise = static_cast<double>(random >> 8) / 0x1p24 - 0.5;
+    const auto step = [](double distance) { return 1.0 / (1.0 + std::exp(2.0 * distance)); };
+    values->InsertNextValue(
+      static_cast<float>(100 * step(std::min(large, small)) + 150 * step(core) + 12 * noise));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+/// Layers of cells along z, with ghost cells around them.
+vtkSmartPointer<vtkImageData> MakePart(vtkImageData* whole, int begin, int end)
+{
+  const int first = std::max(begin - Ghosts, 0);
+  const int last = std::min(end + Ghosts, Size[2] - 1);
+  auto part = vtkSmartPointer<vtkImageData>::New();
+  part->SetExtent(0, Size[0] - 1, 0, Size[1] - 1, first, last);
+  const vtkIdType slice = static_cast<vtkIdType>(Size[0]) * Size[1];
+  auto* source = vtkFloatArray::SafeDownCast(whole->GetPointData()->GetScalars());
+  vtkNew<vtkFloatArray> values;
+  values->SetName("density");
+  for (vtkIdType i = first * slice; i < (last + 1) * slice; ++i)
+  {
+    values->InsertNextValue(source->GetValue(i));
+  }
+  part->GetPointData()->SetScalars(values);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  const int layer = (Size[0] - 1) * (Size[1] - 1);
+  for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
+  {
+    const auto z = first + static_cast<int>(cell / layer);
+    ghosts->InsertNextValue(z >= begin && z < end ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  part->GetCellData()->AddArray(ghosts);
+  return part;
+}
+
+/// Threads that wait for each other, in place of processes.
+struct Team
+{
+  explicit Team(int count)
+    : Barrier(count)
+    , Numbers(static_cast<std::size_t>(count))
+    , Ids(static_cast<std::size_t>(count))
+    , Images(static_cast<std::size_t>(count))
+  {
+  }
+  std::barrier<> Barrier;
+  std::vector<std::vector<double>> Numbers;
+  std::vector<std::vector<std::int64_t>> Ids;
+  std::vector<std::vector<vtkImageData*>> Images;
+};
+
+class Member : public InkStyleProcesses
+{
+public:
+  Member(Team& team, int rank)
+    : All(team)
+    , Rank(static_cast<std::size_t>(rank))
+  {
+  }
+  int GetNumber() override { return static_cast<int>(this->All.Numbers.size()); }
+  void TakeGreatest(std::span<double> numbers) override
+  {
+    this->All.Numbers[this->Rank].assign(numbers.begin(), numbers.end());
+    this->All.Barrier.arrive_and_wait();
+    for (const auto& one : this->All.Numbers)
+    {
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+      {
+        numbers[i] = std::max(numbers[i], one[i]);
+      }
+    }
+    this->All.Barrier.arrive_and_wait();
+  }
+  void TakeOfFirst(std::vector<double>& numbers) override
+  {
+    this->All.Numbers[this->Rank] = numbers;
+    this->All.Barrier.arrive_and_wait();
+    numbers = this->All.Numbers[0];
+    this->All.Barrier.arrive_and_wait();
+  }
+  std::vector<std::int64_t> GatherAll(std::span<const std::int64_t> own, std::size_t& begin) override
+  {
+    this->All.Ids[this->Rank].assign(own.begin(), own.end());
+    this->All.Barrier.arrive_and_wait();
+    std::vector<std::int64_t> all;
+    for (std::size_t rank = 0; rank < this->All.Ids.size(); ++rank)
+    {
+      begin = rank == this->Rank ? all.size() : begin;
+      all.insert(all.end(), this->All.Ids[rank].begin(), this->All.Ids[rank].end());
+    }
+    this->All.Barrier.arrive_and_wait();
+    return all;
+  }
+  InkWholeImages GatherImages(std::span<vtkImageData* const> images, const std::string&) override
+  {
+    this->All.Images[this->Rank].assign(images.begin(), images.end());
+    this->All.Barrier.arrive_and_wait();
+    InkWholeImages result;
+    if (this->Rank == 0)
+    {
+      auto whole = vtkSmartPointer<vtkImageData>::New();
+      whole->SetDimensions(Size.data());
+      whole->AllocateScalars(VTK_FLOAT, 1);
+      for (const auto& parts : this->All.Images)
+      {
+        for (vtkImageData* part : parts)
+        {
+          whole->GetPointData()->GetScalars()->InsertTuples(
+            static_cast<vtkIdType>(part->GetExtent()[4]) * Size[0] * Size[1], part->GetNumberOfPoints(), 0,
+            part->GetPointData()->GetScalars());
+        }
+      }
+      result.push_back(whole);
+    }
+    this->All.Barrier.arrive_and_wait();
+    return result;
+  }
+
+private:
+  Team& All;
+  const std::size_t Rank;
+};
+
+using Point = std::array<double, 3>;
+
+void AddPoints(vtkPolyData* data, std::vector<Point>& points)
+{
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    Point point;
+    data->GetPoint(i, point.data());
+    points.push_back(point);
+  }
+}
+
+struct Result
+{
+  std::vector<Point> Points; ///< of all, in order
+  std::vector<std::string> Notes;
+  std::vector<std::string> Problems;
+};
+
+/// What lines of the image are made of by so many processes, the last of which has no part where there are
+/// three or more.
+template <class SetUp>
+Result MakeWith(int processes, const SetUp& setUp)
+{
+  const auto whole = MakeWhole();
+  Team team(processes);
+  std::vector<vtkSmartPointer<vtkInkSplattingLinesStyle>> styles;
+  std::vector<vtkSmartPointer<vtkTrivialProducer>> producers;
+  const int parts = processes > 2 ? processes - 1 : processes;
+  for (int rank = 0; rank < processes; ++rank)
+  {
+    styles.push_back(vtkSmartPointer<vtkInkSplattingLinesStyle>::New());
+    setUp(styles.back().Get());
+    styles.back()->SetProcesses(std::make_shared<Member>(team, rank));
+    producers.push_back(vtkSmartPointer<vtkTrivialProducer>::New());
+    if (rank < parts)
+    {
+      producers.back()->SetOutput(
+        MakePart(whole, rank * (Size[2] - 1) / parts, (rank + 1) * (Size[2] - 1) / parts));
+      producers.back()->SetWholeExtent(0, Size[0] - 1, 0, Size[1] - 1, 0, Size[2] - 1);
+    }
+  }
+  Result result;
+  result.Problems.resize(static_cast<std::size_t>(processes));
+  std::vector<std::thread> threads;
+  for (int rank = 0; rank < processes; ++rank)
+  {
+    threads.emplace_back(
+      [&, n = static_cast<std::size_t>(rank)]
+      {
+        vtkTrivialProducer* producer = producers[n];
+        vtkDataObject* data = producer->GetOutputDataObject(0);
+        result.Problems[n] = styles[n]->MakeMarks({ data, producer->GetOutputPort(), nullptr });
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const auto& style : styles)
+  {
+    AddPoints(style->GetPiece(0), result.Points);
+  }
+  for (int note = 0; note < styles[0]->GetNumberOfNotes(); ++note)
+  {
+    result.Notes.emplace_back(styles[0]->GetNote(note));
+  }
+  std::sort(result.Points.begin(), result.Points.end());
+  return result;
+}
+
+template <class SetUp>
+void ExpectSame(const SetUp& setUp)
+{
+  const Result one = MakeWith(1, setUp);
+  EXPECT_GT(one.Points.size(), 1000u);
+  for (const int processes : { 2, 4 })
+  {
+    const Result several = MakeWith(processes, setUp);
+    EXPECT_EQ(several.Points, one.Points) << processes;
+    EXPECT_EQ(several.Notes, one.Notes) << processes;
+    for (const std::string& problem : several.Problems)
+    {
+      EXPECT_EQ(problem, "");
+    }
+  }
+}
+
+TEST(StyleProcesses, AutomaticIsoValueAndSmoothingAreThoseOfTheWhole)
+{
+  ExpectSame([](vtkInkStyle*) {});
+  // There is something to choose, and to smooth.
+  EXPECT_EQ(MakeWith(1, [](vtkInkStyle*) {}).Notes.size(), 1u);
+  EXPECT_NE(MakeWith(1, [](vtkInkStyle* style) { style->SetParameter("Smoothing", 0); }).Points,
+    MakeWith(1, [](vtkInkStyle*) {}).Points);
+}
+
+TEST(StyleProcesses, PartsAreJudgedAsAWhole)
+{
+  // The small ball, which the border between two processes divides, is kept or left out by its whole size.
+  const auto count = [](int processes, double share)
+  {
+    return MakeWith(processes,
+      [&](vtkInkStyle* style)
+      {
+        style->SetParameterAsString("IsoValues", "50");
+        style->SetParameter("SmallestPart", share);
+      })
+      .Points.size();
+  };
+  const std::size_t both = count(1, 0.15);
+  const std::size_t large = count(1, 0.5);
+  EXPECT_GT(both, large + large / 8);
+  for (const int processes : { 2, 4 })
+  {
+    EXPECT_EQ(count(processes, 0.15), both);
+    EXPECT_EQ(count(processes, 0.5), large);
+  }
+  ExpectSame(
+    [](vtkInkStyle* style)
+    {
+      // Of each of two surfaces.
+      style->SetParameterAsString("IsoValues", "50,175");
+      style->SetParameter("LargestParts", 1);
+    });
+}
+
+TEST(StyleProcesses, TheirPointsCarryNothingMore)
+{
+  Team team(2);
+  std::vector<std::thread> threads;
+  const auto whole = MakeWhole();
+  vtkNew<vtkInkSplattingLinesStyle> styles[2];
+  for (int rank = 0; rank < 2; ++rank)
+  {
+    styles[rank]->SetProcesses(std::make_shared<Member>(team, rank));
+    threads.emplace_back(
+      [&, rank]
+      {
+        vtkNew<vtkTrivialProducer> producer;
+        producer->SetOutput(MakePart(whole, rank * 20, rank == 0 ? 20 : Size[2] - 1));
+        producer->SetWholeExtent(0, Size[0] - 1, 0, Size[1] - 1, 0, Size[2] - 1);
+        styles[rank]->MakeMarks({ producer->GetOutputDataObject(0), producer->GetOutputPort(), nullptr });
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const auto& one : styles)
+  {
+    vtkPointData* data = one->GetPiece(0)->GetPointData();
+    EXPECT_EQ(data->GetNumberOfArrays(), 2);
+    EXPECT_NE(data->GetNormals(), nullptr);
+    EXPECT_NE(data->GetArray("Radius"), nullptr);
+    EXPECT_EQ(one->GetFramePoints(), one->GetPiece(0)->GetPoints());
+  }
+}
+
+} // namespace

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contours of meshes and volumes as ink: where it is, how much of it, what is hidden; hard cases."""
+
+import importlib
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import ink_files
+
+vtkink = pytest.importorskip("vtkink")
+vtk = vtkink.vtk
+numpy_support = importlib.import_module(f"{vtkink.VTK_PACKAGE}.util.numpy_support")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SIZE = 400
+# Four pixels, the same at all depths.
+PLAIN = {"line_width": 10, "depth_width": 0, "shortest_part": 2}
+RADIUS = 0.8
+ISO = (1, 1, 1)
+
+
+def sphere(radius=RADIUS, middle=(0, 0, 0)):
+    source = vtk.vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetCenter(middle)
+    source.SetThetaResolution(120)
+    source.SetPhiResolution(60)
+    source.Update()
+    return source.GetOutput()
+
+
+def cube():
+    source = vtk.vtkCubeSource()
+    source.Update()
+    return source.GetOutput()
+
+
+def ball(cells=48, scale=1.0, origin=0.0):
+    """A distance from a middle, as an image of the cube of side 2."""
+    z, y, x = np.meshgrid(*[np.linspace(-1, 1, cells)] * 3, indexing="ij")
+    image = vtk.vtkImageData()
+    image.SetDimensions([cells] * 3)
+    image.SetSpacing([2 * scale / (cells - 1)] * 3)
+    image.SetOrigin([origin - scale] * 3)
+    values = (100 * (1 + RADIUS - np.sqrt(x * x + y * y + z * z))).astype("f4")
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values.ravel(), deep=True))
+    return image
+
+
+def draw(data, direction=(0, 0, 1), scale=1.0, origin=0.0, **parameters):
+    """Darkness, 0 to 1, from below up, of what is seen along a direction in a frame of two units."""
+    plain = {} if "preset" in parameters else PLAIN
+    actor = vtkink.draw(data, "contours", size=(SIZE, SIZE), **{**plain, **parameters})
+    renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor)
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(scale)
+    camera.SetFocalPoint([origin] * 3)
+    camera.SetPosition([origin + 5 * scale * step for step in direction])
+    camera.SetViewUp(0, 1, 0)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    pixels = vtk.vtkUnsignedCharArray()
+    window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
+    drawn = 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)[..., 0] / 255
+    renderer.RemoveActor(actor)
+    return drawn
+
+
+def pixel_of(points, direction):
+    """Where points are in the picture, x and y."""
+    back = np.array(direction) / np.linalg.norm(direction)
+    right = np.cross((0, 1, 0), back)
+    right /= np.linalg.norm(right)
+    points = np.atleast_2d(np.array(points, float))
+    return np.stack([points @ right, points @ np.cross(back, right)], axis=1) * SIZE / 2 + SIZE / 2
+
+
+def edges_of_cube(direction):
+    """The twelve edges, as pairs of pixels: those with a corner that is farthest from the viewer come last."""
+    corners = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+    edges = [(a, b) for a in range(8) for b in range(a) if np.abs(corners[a] - corners[b]).sum() == 1]
+    farthest = np.argmin(corners @ np.array(direction))
+    edges.sort(key=lambda edge: farthest in edge)
+    pixels = pixel_of(corners, direction)
+    return [(pixels[a], pixels[b]) for a, b in edges]
+
+
+def ink_along(drawn, edge):
+    """The share of an edge that has ink, but for its ends."""
+    shares = np.linspace(0.05, 0.95, 200)[:, None]
+    x, y = ((1 - shares) * edge[0] + shares * edge[1]).T
+    return (drawn[np.floor(y).astype(int), np.floor(x).astype(int)] > 0.5).mean()
+
+
+def length(edge):
+    return np.linalg.norm(edge[0] - edge[1])
+
+
+def assert_circle(drawn, radius, width=4.0):
+    """One closed circle of ink."""
+    y, x = np.mgrid[:SIZE, :SIZE] + 0.5 - SIZE / 2
+    distance = np.hypot(x, y)
+    assert drawn.sum() == pytest.approx(2 * np.pi * radius * width, rel=0.03)
+    assert (drawn * distance).sum() / drawn.sum() == pytest.approx(radius, abs=0.3)
+    assert drawn[np.abs(distance - radius) > width / 2 + 1.5].max() == 0
+    assert drawn[np.abs(distance - radius) < width / 2 - 1].min() > 0.9
+
+
+@pytest.mark.parametrize("direction", [(0, 0, 1), (0.3, -0.2, 1), (1, 0.5, 0.2)])
+def test_a_sphere_is_one_circle(direction):
+    assert_circle(draw(sphere(), direction), RADIUS * SIZE / 2)
+
+
+def test_a_ball_of_voxels_is_the_same_circle():
+    assert_circle(draw(ball(), iso_values=100), RADIUS * SIZE / 2)
+    assert_circle(draw(ball(), iso_values=100, line_width=20), RADIUS * SIZE / 2, 8)
+
+
+@pytest.mark.parametrize("scale, origin", [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e5)])
+def test_size_and_place_do_not_matter(scale, origin):
+    assert_circle(draw(ball(scale=scale, origin=origin), scale=scale, origin=origin, iso_values=100), RADIUS * SIZE / 2)
+
+
+def test_a_cube_shows_nine_edges():
+    edges = edges_of_cube(ISO)
+    drawn = draw(cube(), ISO)
+    assert [ink_along(drawn, edge) for edge in edges] == [1] * 9 + [0] * 3
+    # The outline's edges are silhouettes and creases, so their smooth sides are blended twice.
+    assert drawn.sum() == pytest.approx(4 * sum(map(length, edges[:9])), rel=0.08)
+    # Without creases, what separates faces that are seen from those that are not.
+    outline = draw(cube(), ISO, creases=False)
+    assert outline.sum() == pytest.approx(4 * sum(map(length, edges[:9])) * 6 / 9, rel=0.05)
+
+
+def test_hidden_edges_are_dashed_or_faint():
+    edges = edges_of_cube(ISO)
+    dashed = draw(cube(), ISO, dash_length=20, gap_length=20)
+    assert [ink_along(dashed, edge) for edge in edges[:9]] == [1] * 9
+    assert np.mean([ink_along(dashed, edge) for edge in edges[9:]]) == pytest.approx(0.5, abs=0.12)
+    faint = draw(cube(), ISO, hidden_opacity=0.4)
+    for begin, end in edges[9:]:
+        x, y = np.floor(0.3 * begin + 0.7 * end).astype(int)
+        assert faint[y, x] == pytest.approx(0.4, abs=0.03)
+
+
+def test_what_lies_behind_is_hidden():
+    both = vtk.vtkAppendPolyData()
+    both.AddInputData(sphere(0.5))
+    both.AddInputData(sphere(0.3, (0, 0, -0.6)))
+    both.Update()
+    assert_circle(draw(both.GetOutput()), 0.5 * SIZE / 2)
+    assert draw(both.GetOutput(), hidden_lines="faint").sum() > 1.1 * draw(both.GetOutput()).sum()
+
+
+def test_borders_of_an_open_mesh():
+    source = vtk.vtkPlaneSource()
+    source.SetResolution(8, 8)
+    source.Update()
+    drawn = draw(source.GetOutput())
+    assert drawn.sum() == pytest.approx(4 * 4 * SIZE / 2, rel=0.03)
+    assert drawn[SIZE // 4 + 5 : -SIZE // 4 - 5, SIZE // 4 + 5 : -SIZE // 4 - 5].max() == 0
+    assert draw(source.GetOutput(), borders=False).sum() == 0
+
+
+def test_what_leaves_the_image_has_a_line_along_the_cut():
+    half = ball(49)
+    half.SetDimensions(49, 49, 25)
+    values = numpy_support.vtk_to_numpy(ball(49).GetPointData().GetScalars())[: 49 * 49 * 25]
+    half.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values, deep=True))
+    for cut in ("rim", "cap"):
+        # From the side, the flat one is an edge.
+        drawn = draw(half, (1, 0, 0), iso_values=100, cut=cut)
+        assert drawn.sum() == pytest.approx(4 * (np.pi + 2) * RADIUS * SIZE / 2, rel=0.06), cut
+
+
+def test_parts_are_left_out():
+    z, y, x = np.meshgrid(*[np.linspace(-1, 1, 40)] * 3, indexing="ij")
+    balls = [radius - np.sqrt((x - middle) ** 2 + y * y + z * z) for middle, radius in ((-0.4, 0.45), (0.6, 0.25))]
+    both, one = (vtkink.draw(np.maximum(*balls), "contours", iso_values=0.0, largest_parts=parts).GetBounds() for parts in (0, 1))
+    assert both[1] == pytest.approx(39 * (1 + 0.85) / 2, abs=0.1)
+    assert one[1] == pytest.approx(39 * (1 + 0.05) / 2, abs=0.1) and one[0] == both[0]
+
+
+def test_presets_differ():
+    drawn = {name: draw(cube(), ISO, preset=name) for name in vtkink.styles()["contours"].presets}
+    assert list(drawn) == ["pen", "technical", "hidden-lines", "glass", "brush"]
+    for name, one in drawn.items():
+        assert 0.002 < one.mean() < 0.2, name
+        assert all((one != other).any() for key, other in drawn.items() if key != name), name
+
+
+def test_volumes_that_are_no_balls():
+    wavelet = vtk.vtkRTAnalyticSource()
+    wavelet.Update()
+    for data, scale, direction in ((wavelet.GetOutput(), 14, (0, 0.3, 1)), (vtkink.read(ROOT / "Data/bonsai.nii.gz"), 130, (0, -1, 0.1))):
+        middle = data.GetCenter()
+        data.SetOrigin([a - b for a, b in zip(data.GetOrigin(), middle)])
+        drawn = draw(data, direction, scale=scale, line_width=3)
+        assert 0.01 < drawn.mean() < 0.15
+
+
+def test_the_same_with_one_thread_and_two(ink, tmp_path):
+    file = tmp_path / "ball.nrrd"
+    ink_files.write_nrrd(file, ink_files.blob())
+    pictures = []
+    for threads in (1, 2):
+        out = tmp_path / f"{threads}.png"
+        result = ink("render", file, "--style", "contours", "--iso", 100, "--line-width", 10, "-q", "--size", "200x200", "-o", out,
+                     env={"VTK_SMP_MAX_THREADS": str(threads)})  # fmt: skip
+        assert (result.code, result.err) == (0, ""), result
+        pictures.append(ink_files.read_png(out))
+    assert (pictures[0] == pictures[1]).all()
+    assert 0.005 < (pictures[0][..., 0] < 128).mean() < 0.1
+
+
+def test_what_is_wrong_is_said(ink, tmp_path):
+    cloud = vtk.vtkPolyData()
+    cloud.SetPoints(sphere().GetPoints())
+    for data, words in ((cloud, "points without polygons"), (vtk.vtkPolyData(), "no points"), (vtk.vtkTable(), "vtkTable"),
+                        (np.ones((8, 8, 8)), "different finite values")):  # fmt: skip
+        with pytest.raises(ValueError, match=words):
+            vtkink.draw(data, "contours")
+    with pytest.raises(ValueError, match="no surface"):
+        vtkink.draw(ink_files.blob(), "contours", iso_values=5000)
+    file = tmp_path / "ball.nrrd"
+    ink_files.write_nrrd(file, ink_files.blob())
+    result = ink("render", file, "--style", "contours", "--creases", "-o", tmp_path / "a.png")
+    assert result.code != 0 and "--creases" in result.error and "a volume" in result.error
+
+
+def test_the_example_draws(tmp_path):
+    nifti = ROOT / "Data" / "engine.nii.gz"
+    done = subprocess.run([sys.executable, ROOT / "Python/Examples/contours.py", nifti], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0, done
+    assert 0.005 < (ink_files.read_png(tmp_path / "contours.png") < 128).mean() < 0.2
