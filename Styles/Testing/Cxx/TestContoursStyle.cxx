@@ -128,7 +128,7 @@ TEST(ContoursStyle, PartsAndSeveralSurfaces)
 {
   const auto two = MakeImage(40,
     [](double x, double y, double z)
-    { return std::max(0.7 - std::hypot(x - 0.3, y, z), 0.45 - std::hypot(x + 0.7, y, z)); });
+    { return std::max(0.7 - std::hypot(x - 0.3, y, z), 0.5 - std::hypot(x + 0.65, y, z)); });
   const auto style = MakeStyle();
   ASSERT_TRUE(style->Make(two));
   double both[6];
