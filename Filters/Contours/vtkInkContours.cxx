@@ -5,6 +5,7 @@
 #include "InkContourLines.h"
 #include "InkHasPolygons.h"
 #include "InkMeshTriangles.h"
+#include "InkPointNormals.h"
 #include "InkReportException.h"
 
 #include "vtkCamera.h"
@@ -140,9 +141,7 @@ void vtkInkContours::FindContours(vtkPolyData* mesh, vtkPolyData* output)
     kept.Index.reset();
     // Those of a mesh without normals are made from its faces.
     InkMeshTriangles triangles(mesh, true, InkMeshTriangles::Order::OfMesh);
-    vtkPointData* points = mesh->GetPointData();
-    if (options.silhouettes && !options.faceted && !points->GetNormals() && !points->GetArray("Normals") &&
-      !kept.HasWarnedOfNormals)
+    if (options.silhouettes && !options.faceted && !InkPointNormals(mesh) && !kept.HasWarnedOfNormals)
     {
       kept.HasWarnedOfNormals = true;
       vtkWarningMacro("The input has no point normals; expected a point array \"Normals\" for smooth "

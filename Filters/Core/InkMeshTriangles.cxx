@@ -2,6 +2,7 @@
 #include "InkMeshTriangles.h"
 
 #include "InkAllocate.h"
+#include "InkPointNormals.h"
 
 #include "Core/Hash.h"
 #include "Mesh/FaceOrder.h"
@@ -166,10 +167,9 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
   {
     return;
   }
-  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
-  normals = normals ? normals : mesh->GetPointData()->GetArray("Normals");
+  vtkDataArray* normals = InkPointNormals(mesh);
   this->Normals.assign(this->Points.size(), glm::vec3(0.0f));
-  if (normals && normals->GetNumberOfComponents() == 3 && normals->GetNumberOfTuples() == pointCount)
+  if (normals && normals->GetNumberOfTuples() == pointCount)
   {
     for (vtkIdType i = 0; i < pointCount; ++i)
     {

@@ -2,6 +2,7 @@
 #include "InkDiscStipples.h"
 
 #include "InkAllocate.h"
+#include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkStippleOutput.h"
 #include "InkVTKCompat.h"
@@ -36,12 +37,6 @@ namespace
 /// Memory per stipple while they are made.
 constexpr double BytesPerStipple = 160.0;
 
-vtkDataArray* FindNormals(vtkPolyData* points)
-{
-  vtkDataArray* active = points->GetPointData()->GetNormals();
-  return active ? active : points->GetPointData()->GetArray("Normals");
-}
-
 bool Fits(vtkDataArray* array, int components, vtkIdType count)
 {
   return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == count;
@@ -60,7 +55,7 @@ struct Discs
     , Normals(this->Centers.size())
     , Radii(this->Centers.size())
   {
-    vtkDataArray* normals = FindNormals(points);
+    vtkDataArray* normals = InkPointNormals(points);
     vtkDataArray* radii = points->GetPointData()->GetArray("Radius");
     constexpr unsigned char marks = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
     vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
@@ -145,7 +140,8 @@ vtkSmartPointer<vtkDataArray> ColorsOf(const std::vector<ink::DiscSample>& sampl
 bool InkHasDiscs(vtkPolyData* points)
 {
   const vtkIdType count = points->GetNumberOfPoints();
-  return Fits(FindNormals(points), 3, count) && Fits(points->GetPointData()->GetArray("Radius"), 1, count);
+  return Fits(InkPointNormals(points), 3, count) &&
+    Fits(points->GetPointData()->GetArray("Radius"), 1, count);
 }
 
 double InkAreaOfDiscs(vtkPolyData* points)

@@ -2,6 +2,7 @@
 #include "InkPointCloud.h"
 
 #include "InkAllocate.h"
+#include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkVTKCompat.h"
 #include "PointSampling/PointCloud/PointNormals.h"
@@ -153,8 +154,7 @@ vtkIdType InkPreparePointCloud(
   glm::dvec3 origin(0.0);
   std::vector<glm::vec3> positions = GetLocalPositions(input, unit, origin);
 
-  vtkDataArray* given = input->GetPointData()->GetNormals();
-  given = given ? given : GetPointArray(input, "Normals", 3);
+  vtkDataArray* given = InkPointNormals(input);
   std::vector<glm::vec3> normals;
   const bool estimated = !given && options.Normals;
   next(0.4);

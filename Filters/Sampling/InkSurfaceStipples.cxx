@@ -3,6 +3,7 @@
 
 #include "InkAllocate.h"
 #include "InkMeshTriangles.h"
+#include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkStippleOutput.h"
 #include "InkSurfaceSamples.h"
@@ -169,8 +170,7 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
   {
     return;
   }
-  vtkPointData* meshData = mesh->GetPointData();
-  const bool smooth = meshData->GetNormals() || meshData->GetArray("Normals");
+  const bool smooth = InkPointNormals(mesh) != nullptr;
   const Polygons polygons(triangles, smooth);
 
   InkSampleRequest sampling;

@@ -2,6 +2,7 @@
 #include "vtkInkAddNormals.h"
 
 #include "InkHasPolygons.h"
+#include "InkPointNormals.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkNew.h"
@@ -14,8 +15,7 @@ namespace
 
 bool LacksNormals(vtkPolyData* mesh)
 {
-  vtkPointData* points = mesh->GetPointData();
-  return InkHasPolygons(mesh) && !points->GetNormals() && !points->GetArray("Normals");
+  return InkHasPolygons(mesh) && !InkPointNormals(mesh);
 }
 
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* mesh)

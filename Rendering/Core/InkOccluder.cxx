@@ -2,6 +2,7 @@
 #include "InkOccluder.h"
 
 #include "InkHasPolygons.h"
+#include "InkPointNormals.h"
 #include "InkPointSize.h"
 #include "InkScopedState.h"
 #include "InkShader.h"
@@ -29,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace
@@ -135,10 +137,10 @@ void InkOccluder::Upload(const std::vector<float>& numbers, int numbersPerVertex
 void InkOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
 {
   vtkPointData* data = points->GetPointData();
-  vtkDataArray* normals = data->GetNormals() ? data->GetNormals() : data->GetArray("Normals");
+  vtkDataArray* normals = InkPointNormals(points);
   vtkDataArray* radii = data->GetArray("Radius");
   const vtkIdType count = points->GetNumberOfPoints();
-  if (!normals || !radii || normals->GetNumberOfComponents() != 3 || radii->GetNumberOfComponents() != 1)
+  if (!normals || !radii || radii->GetNumberOfComponents() != 1)
   {
     return;
   }
@@ -270,8 +272,9 @@ void InkOccluder::DrawDiscs(const InkViewUniforms& view)
 
 void InkOccluder::DrawTriangles(const InkViewUniforms& view)
 {
-  InkShaderPass& pass =
-    this->Passes.Find(InkWithFeatures(InkOccluderVS, view.FindFeatures()), "", InkOccluderFS);
+  const std::string features = view.FindFeatures();
+  InkShaderPass& pass = this->Passes.Find(
+    InkWithFeatures(InkOccluderVS, features), "", InkWithFeatures(InkOccluderFS, features));
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,
     [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
     {

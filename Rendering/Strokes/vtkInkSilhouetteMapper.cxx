@@ -6,6 +6,7 @@
 #include "InkFrame.h"
 #include "InkHasPolygons.h"
 #include "InkMeshTriangles.h"
+#include "InkPointNormals.h"
 
 #include "Curves/Contours/MeshContours.h"
 
@@ -71,12 +72,7 @@ public:
   struct Key
   {
     vtkMTimeType Surface;
-    bool Silhouettes;
-    bool Faceted;
-    bool Creases;
-    double FeatureAngle;
-    bool Borders;
-    bool NonManifoldEdges;
+    ink::MeshContourOptions Options;
     bool operator==(const Key&) const = default;
   };
   std::optional<Key> Source;
@@ -109,8 +105,9 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
 {
   vtkInternals& internals = *this->Internals;
   vtkPolyData* surface = this->GetInput();
-  const vtkInternals::Key source{ surface->GetMTime(), this->Silhouettes, this->Faceted, this->Creases,
-    this->FeatureAngle, this->Borders, this->NonManifoldEdges };
+  const vtkInternals::Key source{ surface->GetMTime(),
+    { this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle, this->Borders,
+      this->NonManifoldEdges } };
   if (internals.Source == source)
   {
     return internals.Finder.has_value();
@@ -127,16 +124,13 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
   if (!internals.Mesh || !internals.Source || internals.Source->Surface != source.Surface)
   {
     internals.Mesh.emplace(surface, true, InkMeshTriangles::Order::OfMesh);
-    vtkPointData* points = surface->GetPointData();
-    if (!points->GetNormals() && !points->GetArray("Normals"))
+    if (!InkPointNormals(surface))
     {
       vtkWarningMacro("The surface has no point normals with 3 components: contours are those of computed "
                       "ones, which join all polygons at a point.");
     }
   }
-  internals.Finder.emplace(internals.Mesh->GetMesh(), internals.Mesh->Normals,
-    ink::MeshContourOptions{ this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle,
-      this->Borders, this->NonManifoldEdges });
+  internals.Finder.emplace(internals.Mesh->GetMesh(), internals.Mesh->Normals, source.Options);
   internals.Source = source;
   return true;
 }
@@ -159,9 +153,7 @@ void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
   vtkInternals& internals = *this->Internals;
   vtkInternals::Drawn& drawn = internals.Views.Get(frame.Renderer, frame.Actor);
   const ink::Eye eye = FindEye(frame.Renderer->GetActiveCamera(), frame.Actor);
-  const bool same = drawn.Source == internals.Source && drawn.Eye.parallel == eye.parallel &&
-    drawn.Eye.position == eye.position && drawn.Eye.direction == eye.direction;
-  if (!same)
+  if (drawn.Source != internals.Source || drawn.Eye != eye)
   {
     try
     {

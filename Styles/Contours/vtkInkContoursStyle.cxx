@@ -4,14 +4,13 @@
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
 #include "InkParameter.h"
+#include "InkVolumeValues.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 
 #include <algorithm>
 
@@ -97,11 +96,8 @@ std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
   const std::string wanted = "expected an image, a mesh with polygons, found ";
   if (auto* image = vtkImageData::SafeDownCast(data))
   {
-    vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    return !scalars ? wanted + "an image without point scalars"
-      : scalars->GetNumberOfComponents() != 1
-      ? wanted + "an image with " + std::to_string(scalars->GetNumberOfComponents()) + " scalars a point"
-      : std::string();
+    const std::string problem = InkFindScalarsProblem(image);
+    return problem.empty() ? problem : wanted + problem;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
   return !mesh                       ? wanted + (data ? "a " + std::string(data->GetClassName()) : "nothing")
@@ -121,35 +117,13 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
   this->OfImage = !mesh;
   if (mesh)
   {
-    return this->TakeMesh(mesh);
+    this->SetFramePoints(mesh->GetPoints());
+    return this->TakeMeshWithNormals(mesh, true);
   }
   auto* image = vtkImageData::SafeDownCast(input.Data);
   vtkImageData* const images[] = { image };
   const std::string problem = this->IsoSurface->Prepare(this, images, {});
   return problem.empty() ? this->IsoSurface->Mesh(this, image, this->GetPiece(0)) : problem;
-}
-
-std::string vtkInkContoursStyle::TakeMesh(vtkPolyData* mesh)
-{
-  vtkPolyData* surface = this->GetPiece(0);
-  this->SetFramePoints(mesh->GetPoints());
-  surface->ShallowCopy(mesh);
-  vtkPointData* pointData = surface->GetPointData();
-  vtkDataArray* named = pointData->GetArray("Normals");
-  if (named && named->GetNumberOfComponents() == 3 && !pointData->GetNormals())
-  {
-    pointData->SetNormals(named);
-  }
-  if (pointData->GetNormals())
-  {
-    return {};
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  const std::string problem = this->Follow(normals, "computing normals");
-  surface->ShallowCopy(normals->GetOutput());
-  this->AddNote("the mesh has no normals; they are computed from its polygons");
-  return problem;
 }
 
 void vtkInkContoursStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)

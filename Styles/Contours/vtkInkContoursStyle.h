@@ -81,8 +81,6 @@ private:
   vtkInkContoursStyle(const vtkInkContoursStyle&) = delete;
   void operator=(const vtkInkContoursStyle&) = delete;
 
-  std::string TakeMesh(vtkPolyData* mesh);
-
   std::unique_ptr<InkIsoSurface> IsoSurface;
   vtkNew<vtkInkSilhouetteMapper> Mapper;
   vtkNew<vtkActor> Actor;

@@ -2,13 +2,16 @@
 #include "vtkInkStyle.h"
 
 #include "InkParameter.h"
+#include "InkPointNormals.h"
 #include "InkStyleProcesses.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
 
 #include <algorithm>
 #include <exception>
@@ -247,6 +250,25 @@ std::shared_ptr<void> vtkInkStyle::StartFollowing(vtkAlgorithm* algorithm, const
 std::string vtkInkStyle::Follow(vtkAlgorithm* algorithm, const char* text)
 {
   return this->Follow(algorithm, text, [algorithm] { algorithm->Update(); });
+}
+
+std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, bool split)
+{
+  vtkPolyData* piece = this->GetPiece(0);
+  piece->ShallowCopy(mesh);
+  if (vtkDataArray* given = InkPointNormals(mesh))
+  {
+    piece->GetPointData()->SetNormals(given);
+    return {};
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(mesh);
+  normals->SetSplitting(split);
+  normals->SetConsistency(split);
+  const std::string problem = this->Follow(normals, "computing normals");
+  piece->ShallowCopy(normals->GetOutput());
+  this->AddNote("the mesh has no normals; they are computed from its polygons");
+  return problem;
 }
 
 void vtkInkStyle::PrintSelf(ostream& os, vtkIndent indent)

@@ -7,18 +7,17 @@
 #include "InkLeaves.h"
 #include "InkParameter.h"
 #include "InkStyleProcesses.h"
+#include "InkVolumeValues.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
 #include "IsoSurface/ActiveCellComponents.h"
 
 #include "vtkActor.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
@@ -96,15 +95,10 @@ std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
   }
   for (vtkImageData* image : leaves.Images)
   {
-    vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    if (!scalars)
+    const std::string problem = InkFindScalarsProblem(image);
+    if (!problem.empty())
     {
-      return wanted + "an image without point scalars";
-    }
-    if (scalars->GetNumberOfComponents() != 1)
-    {
-      return wanted + "an image with " + std::to_string(scalars->GetNumberOfComponents()) +
-        " scalars a point";
+      return wanted + problem;
     }
   }
   return !data                                                                  ? wanted + "nothing"
@@ -143,7 +137,7 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
     this->GetPiece(0)->ShallowCopy(mesh);
     return {};
   }
-  return this->NumberOfSamples == 0 && InkHasPolygons(mesh) ? this->TakeVertices(mesh)
+  return this->NumberOfSamples == 0 && InkHasPolygons(mesh) ? this->TakeMeshWithNormals(mesh, false)
                                                             : this->SampleMesh(mesh);
 }
 
@@ -199,31 +193,6 @@ std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
   {
     this->AddNote("nothing to draw: no point was made on the mesh");
   }
-  return problem;
-}
-
-std::string vtkInkSplattingLinesStyle::TakeVertices(vtkPolyData* mesh)
-{
-  vtkPolyData* points = this->GetPiece(0);
-  points->ShallowCopy(mesh);
-  vtkPointData* pointData = points->GetPointData();
-  vtkDataArray* named = pointData->GetArray("Normals");
-  if (named && named->GetNumberOfComponents() == 3 && !pointData->GetNormals())
-  {
-    pointData->SetNormals(named);
-  }
-  if (pointData->GetNormals())
-  {
-    return {};
-  }
-  // The points stay what they are.
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  const std::string problem = this->Follow(normals, "computing normals");
-  points->ShallowCopy(normals->GetOutput());
-  this->AddNote("the mesh has no normals; they are computed from its polygons");
   return problem;
 }
 

@@ -100,7 +100,6 @@ private:
   void operator=(const vtkInkSplattingLinesStyle&) = delete;
 
   std::string SampleMesh(vtkPolyData* mesh);
-  std::string TakeVertices(vtkPolyData* mesh);
   /// The points of all images' surfaces.
   /// @param reason against the data; empty if there is none
   /// @return what is wrong

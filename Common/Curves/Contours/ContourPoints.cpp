@@ -5,46 +5,71 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace ink
 {
 
+namespace
+{
+
+/// Leaves the named values of an array, in ascending order, if it has any.
+template <typename Value>
+void keep(std::vector<Value>& values, const std::vector<std::size_t>& kept)
+{
+  if (values.empty())
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    values[i] = values[kept[i]];
+  }
+  values.resize(kept.size());
+}
+
+} // namespace
+
 void joinCoincidentPoints(Contours& contours)
 {
-  Contours joined;
-  joined.positions.reserve(contours.positions.size());
-  joined.elements.reserve(contours.elements.size());
+  std::vector<std::size_t> kept; // points
+  kept.reserve(contours.positions.size());
+  Polylines chains;
+  std::vector<ContourKind> kinds;
   for (std::size_t chain = 0; chain < contours.chains.size(); ++chain)
   {
     const std::size_t begin = contours.chains.offsets[chain];
     const std::size_t end = contours.chains.offsets[chain + 1];
     const bool closed = contours.chains.closed[chain] != 0;
-    const std::size_t first = joined.positions.size();
+    const std::size_t first = kept.size();
     for (std::size_t n = begin; n < end; ++n)
     {
       // The last of those that coincide, whose segment leads on.
       const std::size_t next = n + 1 < end ? n + 1 : begin;
       if ((n + 1 == end && !closed) || contours.positions[n] != contours.positions[next])
       {
-        joined.positions.push_back(contours.positions[n]);
-        joined.elements.push_back(contours.elements[n]);
+        kept.push_back(n);
       }
     }
-    if (joined.positions.size() < first + 2)
+    if (kept.size() < first + 2)
     {
-      joined.positions.resize(first);
-      joined.elements.resize(first);
+      kept.resize(first);
       continue;
     }
-    if (!closed)
+    if (!closed && !contours.elements.empty())
     {
-      joined.elements.back() = joined.elements[joined.elements.size() - 2];
+      contours.elements[kept.back()] = contours.elements[kept[kept.size() - 2]];
     }
-    joined.chains.offsets.push_back(joined.positions.size());
-    joined.chains.closed.push_back(closed);
-    joined.kinds.push_back(contours.kinds[chain]);
+    chains.offsets.push_back(kept.size());
+    chains.closed.push_back(closed);
+    kinds.push_back(contours.kinds[chain]);
   }
-  contours = std::move(joined);
+  contours.chains = std::move(chains);
+  contours.kinds = std::move(kinds);
+  keep(contours.positions, kept);
+  keep(contours.normals, kept);
+  keep(contours.radialCurvature, kept);
+  keep(contours.elements, kept);
 }
 
 void measureArcLength(Contours& contours)

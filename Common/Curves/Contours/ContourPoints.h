@@ -6,8 +6,9 @@
 namespace ink
 {
 
-/// Points that follow each other at one position become one; a chain that is left with one point is left out.
-/// @param contours with positions, kinds and elements
+/// Points that follow each other at one position become one, the last of them; a chain that is left with one
+/// point is left out. All arrays but `arcLength` follow; an open chain's last element repeats the one before.
+/// @param contours without arc length
 void joinCoincidentPoints(Contours& contours);
 
 /// Fills `arcLength`.

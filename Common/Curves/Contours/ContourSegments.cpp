@@ -4,6 +4,7 @@
 #include "Core/KeyNumbers.h"
 #include "Core/ParallelFor.h"
 #include "Curves/ChainSegments.h"
+#include "Curves/Contours/ContourPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,66 +141,42 @@ Contours chainContours(const ContourSurface& surface, std::span<const ContourSeg
                                            : foldCurvature(surface, face, other, v);
     return surface.isInsideOut ? -curvature : curvature;
   };
-  const auto add = [&](std::size_t point, std::uint32_t before)
+  result.chains = chains.polylines;
+  result.kinds.assign(result.chains.size(), kind);
+  for (std::size_t chain = 0; chain < result.chains.size(); ++chain)
   {
-    const std::uint32_t node = chains.nodes[point];
-    const std::uint32_t segment = chains.segments[point];
-    result.positions.push_back(nodes.positions[node]);
-    if (arrays.normals)
-    {
-      result.normals.emplace_back(nodes.normals[node]);
-    }
-    if (arrays.radialCurvature)
-    {
-      result.radialCurvature.push_back(wantCurvature
-          ? static_cast<float>(0.5 * (curvatureOf(node, before) + curvatureOf(node, segment)))
-          : 0.0f);
-    }
-    if (arrays.elements)
-    {
-      result.elements.push_back(surface.faceIds[segments[segment].face]);
-    }
-  };
-  for (std::size_t chain = 0; chain < chains.polylines.size(); ++chain)
-  {
-    const std::size_t begin = chains.polylines.offsets[chain];
-    const std::size_t end = chains.polylines.offsets[chain + 1];
-    const bool closed = chains.polylines.closed[chain] != 0;
-    const std::size_t first = result.positions.size();
+    const std::size_t begin = result.chains.offsets[chain];
+    const std::size_t end = result.chains.offsets[chain + 1];
     for (std::size_t point = begin; point < end; ++point)
     {
-      const bool isLast = point + 1 == end;
-      const std::size_t next = isLast ? (closed ? begin : point) : point + 1;
-      // The later one of two, whose segment leads on.
-      if ((isLast && !closed) || nodes.positions[chains.nodes[point]] != nodes.positions[chains.nodes[next]])
+      const std::uint32_t node = chains.nodes[point];
+      const std::uint32_t segment = chains.segments[point];
+      result.positions.push_back(nodes.positions[node]);
+      if (arrays.normals)
       {
-        add(point, chains.segments[point > begin ? point - 1 : closed ? end - 1 : point]);
+        result.normals.emplace_back(nodes.normals[node]);
+      }
+      if (wantCurvature)
+      {
+        const bool closed = result.chains.closed[chain] != 0;
+        const std::uint32_t before = chains.segments[point > begin ? point - 1 : closed ? end - 1 : point];
+        result.radialCurvature.push_back(
+          static_cast<float>(0.5 * (curvatureOf(node, before) + curvatureOf(node, segment))));
+      }
+      if (arrays.elements)
+      {
+        result.elements.push_back(surface.faceIds[segments[segment].face]);
       }
     }
-    if (result.positions.size() < first + 2)
-    {
-      result.positions.resize(first);
-      result.normals.resize(std::min(result.normals.size(), first));
-      result.radialCurvature.resize(std::min(result.radialCurvature.size(), first));
-      result.elements.resize(std::min(result.elements.size(), first));
-      continue;
-    }
-    if (arrays.elements && !closed)
-    {
-      result.elements.back() = result.elements[result.elements.size() - 2];
-    }
-    if (arrays.arcLength)
-    {
-      result.arcLength.push_back(0.0);
-      for (std::size_t point = first + 1; point < result.positions.size(); ++point)
-      {
-        result.arcLength.push_back(
-          result.arcLength.back() + glm::distance(result.positions[point - 1], result.positions[point]));
-      }
-    }
-    result.chains.offsets.push_back(result.positions.size());
-    result.chains.closed.push_back(closed);
-    result.kinds.push_back(kind);
+  }
+  if (arrays.radialCurvature && !wantCurvature)
+  {
+    result.radialCurvature.assign(result.positions.size(), 0.0f);
+  }
+  joinCoincidentPoints(result);
+  if (arrays.arcLength)
+  {
+    measureArcLength(result);
   }
   return result;
 }

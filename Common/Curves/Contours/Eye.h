@@ -14,6 +14,8 @@ struct Eye
   glm::dvec3 direction = glm::dvec3(0.0); ///< from the eye into the scene, of any length; only if parallel
   bool parallel = false;
 
+  bool operator==(const Eye&) const = default;
+
   static Eye at(const glm::dvec3& position) { return { position, glm::dvec3(0.0), false }; }
   static Eye along(const glm::dvec3& direction) { return { glm::dvec3(0.0), direction, true }; }
 

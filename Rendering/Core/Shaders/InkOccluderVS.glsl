@@ -4,16 +4,19 @@
 
 // The surface that hides marks: only its depth counts.
 
-#include "InkClipping.glsl"
 #include "InkViewUniforms.glsl"
 
 in vec3 pointMC;
 
-out float keptVSOutput; // negative: cut off by a clipping plane
+#ifdef INK_PLANES
+out vec3 positionVSOutput; // in view coordinates
+#endif
 
 void main()
 {
   vec4 position = MCVCMatrix * vec4(pointMC, 1.0);
-  keptVSOutput = clipDistance(position);
+#ifdef INK_PLANES
+  positionVSOutput = position.xyz;
+#endif
   gl_Position = VCDCMatrix * position;
 }

@@ -156,6 +156,34 @@ TEST(StrokeScene, ClippingPlanes)
   EXPECT_EQ(InkTestImage(scene.Window).CountDark(), 4 * 60) << "between two, each of which cuts an end off";
 }
 
+/// A polygon far larger than the picture, 50 in front of a line, and slanted planes that cut both: of the
+/// line, what lies from 30 to 180; of the polygon, what lies from 80 to 130.
+TEST(StrokeScene, ClippingPlanesCutLargePolygonsWhereTheyAre)
+{
+  StrokeScene scene(MakeStrokes({ HorizontalLine(100.0) }));
+  scene.LookAtPixels();
+  scene.Mapper->SetLineWidth(4.0);
+  vtkNew<vtkPlaneSource> polygon;
+  polygon->SetOrigin(-2000.0, -3000.0, 50.0);
+  polygon->SetPoint1(5000.0, -3000.0, 50.0);
+  polygon->SetPoint2(-2000.0, 3000.0, 50.0);
+  polygon->Update();
+  scene.Mapper->SetSurfaceData(polygon->GetOutput());
+  EXPECT_EQ(InkTestImage(scene.Window).CountDark(), 0) << "hidden";
+  for (const auto& [origin, side] : { std::pair(30.0, 1.0), std::pair(180.0, -1.0) })
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(origin, 0.0, 0.0);
+    plane->SetNormal(side, 0.0, -1.0);
+    scene.Mapper->AddClippingPlane(plane);
+  }
+  const InkTestImage image(scene.Window);
+  EXPECT_EQ(image.CountDark(0, 0, 29, 200) + image.CountDark(181, 0, 200, 200), 0) << "cut off";
+  EXPECT_EQ(image.CountDark(82, 0, 128, 200), 0) << "behind what is left of the polygon";
+  EXPECT_NEAR(image.CountDark(30, 0, 80, 200), 4 * 50, 8);
+  EXPECT_NEAR(image.CountDark(130, 0, 180, 200), 4 * 50, 8);
+}
+
 /// The same picture with depth peeling, without the order-independent pass, and with multisampling.
 TEST(StrokeScene, Passes)
 {
