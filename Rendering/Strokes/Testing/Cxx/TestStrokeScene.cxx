@@ -157,7 +157,7 @@ TEST(StrokeScene, ClippingPlanes)
 }
 
 /// A polygon far larger than the picture, 50 in front of a line, and slanted planes that cut both: of the
-/// line, what lies from 30 to 180; of the polygon, what lies from 80 to 130.
+/// line, what lies from 30 to 170; of the polygon, what lies from 80 to 120.
 TEST(StrokeScene, ClippingPlanesCutLargePolygonsWhereTheyAre)
 {
   StrokeScene scene(MakeStrokes({ HorizontalLine(100.0) }));
@@ -170,7 +170,7 @@ TEST(StrokeScene, ClippingPlanesCutLargePolygonsWhereTheyAre)
   polygon->Update();
   scene.Mapper->SetSurfaceData(polygon->GetOutput());
   EXPECT_EQ(InkTestImage(scene.Window).CountDark(), 0) << "hidden";
-  for (const auto& [origin, side] : { std::pair(30.0, 1.0), std::pair(180.0, -1.0) })
+  for (const auto& [origin, side] : { std::pair(30.0, 1.0), std::pair(170.0, -1.0) })
   {
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(origin, 0.0, 0.0);
@@ -178,10 +178,10 @@ TEST(StrokeScene, ClippingPlanesCutLargePolygonsWhereTheyAre)
     scene.Mapper->AddClippingPlane(plane);
   }
   const InkTestImage image(scene.Window);
-  EXPECT_EQ(image.CountDark(0, 0, 29, 200) + image.CountDark(181, 0, 200, 200), 0) << "cut off";
-  EXPECT_EQ(image.CountDark(82, 0, 128, 200), 0) << "behind what is left of the polygon";
+  EXPECT_EQ(image.CountDark(0, 0, 29, 200) + image.CountDark(171, 0, 200, 200), 0) << "cut off";
+  EXPECT_EQ(image.CountDark(82, 0, 118, 200), 0) << "behind what is left of the polygon";
   EXPECT_NEAR(image.CountDark(30, 0, 80, 200), 4 * 50, 8);
-  EXPECT_NEAR(image.CountDark(130, 0, 180, 200), 4 * 50, 8);
+  EXPECT_NEAR(image.CountDark(120, 0, 170, 200), 4 * 50, 8);
 }
 
 /// The same picture with depth peeling, without the order-independent pass, and with multisampling.
