@@ -7,7 +7,7 @@ set(_ink_test_labels
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components)|CutSamples|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
   "sampling:KdTree|DiscSamples|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
   "stippling:Stippl|QuantizedPosition"
-  "tone:Tone|DotCoverage|HlsColor|SmallElements|WarmCool"
+  "tone:Tone|Hatching|DotCoverage|HlsColor|SmallElements|WarmCool"
   "lines:SplattingLines"
   "strokes:Stroke|CurveVisibility"
   "contours:Contours|ChainSegments|NormalClusters|SilhouetteVoxels"
