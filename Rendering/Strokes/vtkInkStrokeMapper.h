@@ -317,8 +317,9 @@ public:
 
   ///@{
   /**
-   * Hatching is left out where the surface faces away from the eye by more than this cosine. 0 to 1 (nothing
-   * is left out: surfaces are seen from both sides); default: 0.2, as published.
+   * Hatching is left out where the surface faces away from the eye by more than this cosine. 0 to 1; default:
+   * 0.2, as published. 1: nowhere; surfaces are seen, and lit, from both sides, whatever their normals'
+   * orientation.
    */
   InkSetClampMacro(CullingCosine, 0.0, 1.0);
   vtkGetMacro(CullingCosine, double);

@@ -9,13 +9,11 @@ uniform float silhouetteWeight;
 uniform vec2 truncations; // of the diffuse and the silhouette term
 uniform float toneBias;
 uniform float darkest;
-uniform float cullingCosine; // what faces away from the eye by more is not drawn
+uniform float cullingCosine; // what faces away from the eye by more is not drawn; 1: both sides are
 
 // As in Common/Tone/Hatching.
 const float leastBias = 0.02;
 const float fading = 0.25;
-// A surface that faces away by more than that is seen from behind, not at a silhouette: Rossl's epsilon.
-const float turnedAway = 0.2;
 
 float truncated(float intensity, float level)
 {
@@ -26,7 +24,8 @@ float truncated(float intensity, float level)
 float hatchTone(vec3 position, vec3 normal, float cosine)
 {
   float largestCosine;
-  float lit = lightOn(position, cosine < -turnedAway ? -normal : normal, 1.0, largestCosine);
+  bool fromBehind = cosine < 0.0 && cullingCosine >= 1.0;
+  float lit = lightOn(position, fromBehind ? -normal : normal, 1.0, largestCosine);
   float diffuse = truncated(1.0 - lit, truncations.x);
   float silhouette = truncated(1.0 - min(abs(cosine), 1.0), truncations.y);
   float combined = mix(diffuse, silhouette, silhouetteWeight);
