@@ -21,13 +21,18 @@ enum class CurvatureEstimator : std::uint8_t
   ExponentialMap, ///< Rössl et al. 2000, section 2.1: a Taylor polynomial of the 1-ring, unfolded
 };
 
+inline constexpr int mostCurvatureRings = 10;
+
 struct CurvatureOptions
 {
   CurvatureEstimator estimator = CurvatureEstimator::Jet;
-  /// Of Jet: how many rings of edges around a point are fitted, 1 to 10. More smooth out noise and detail.
-  int rings = 3;
-  /// Of Jet: the degree of the polynomial, 2 or 3. Derivatives of curvature need 3.
-  int degree = 2;
+  /// Of Jet: how many rings of edges around a point are fitted, 1 to mostCurvatureRings; the most if
+  /// `adaptive`. More smooth out noise, and detail.
+  int rings = 5;
+  /// Of Jet: take as few rings, from 2 on, as noise allows, which is told from the residuals.
+  bool adaptive = true;
+  /// Of Jet: the degree of the polynomial, 2 or 3. 3 is better where points are irregular.
+  int degree = 3;
   /// Whether `derivatives` are estimated; Jet with degree 3 only.
   bool derivatives = false;
 };
