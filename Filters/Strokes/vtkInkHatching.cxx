@@ -71,6 +71,25 @@ struct Lines
   vtkPolyData* Data;
 };
 
+/// A part of a line with no more points than tones need: its ends, and others that are about half a spacing
+/// apart.
+void AddStroke(vtkCellArray* strokes, std::span<const vtkIdType> points, std::span<const double> arcLengths,
+  double spacing)
+{
+  std::vector<vtkIdType> kept{ points.front() };
+  double before = arcLengths.front();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+  {
+    if (arcLengths[i] - before >= 0.5 * spacing)
+    {
+      kept.push_back(points[i]);
+      before = arcLengths[i];
+    }
+  }
+  kept.push_back(points.back());
+  strokes->InsertNextCell(static_cast<vtkIdType>(kept.size()), kept.data());
+}
+
 vtkDataArray* FindCellArray(vtkPolyData* data, const char* name)
 {
   vtkDataArray* array = data->GetCellData()->GetArray(name);
@@ -200,13 +219,16 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
     const auto index = static_cast<std::size_t>(line);
     const double whole = wholes[static_cast<std::size_t>(families[index])];
     const double spacing = this->Spacing > 0.0 ? this->Spacing : whole > 0.0 ? area / whole : 0.0;
-    const std::vector<std::size_t> cuts = ink::cutStroke(lines.FindArcLengths(line), this->StrokeLength,
+    const std::vector<double> arcLengths = lines.FindArcLengths(line);
+    const std::vector<std::size_t> cuts = ink::cutStroke(arcLengths, this->StrokeLength,
       ink::hash(static_cast<std::uint64_t>(this->Seed), static_cast<std::uint64_t>(line)));
     const std::span<const vtkIdType> points = lines.GetPoints(line);
     for (std::size_t cut = 1; cut < cuts.size(); ++cut)
     {
-      const vtkIdType cell = strokes->InsertNextCell(
-        static_cast<vtkIdType>(cuts[cut] - cuts[cut - 1] + 1), points.data() + cuts[cut - 1]);
+      const std::size_t first = cuts[cut - 1];
+      const std::size_t count = cuts[cut] - first + 1;
+      const vtkIdType cell = strokes->GetNumberOfCells();
+      AddStroke(strokes, points.subspan(first, count), std::span(arcLengths).subspan(first, count), spacing);
       cellData->CopyData(data->GetCellData(), lines.GetCell(line), cell);
       outPriorities->InsertNextValue(static_cast<float>(
         givenPriorities ? givenPriorities->GetComponent(lines.GetCell(line), 0) : priorities[index]));

@@ -3,6 +3,7 @@
 
 #include "InkAimLight.h"
 #include "InkIsoSurface.h"
+#include "InkMeshTriangles.h"
 #include "InkParameter.h"
 #include "vtkInkContoursStyle.h"
 #include "vtkInkHatching.h"
@@ -14,10 +15,12 @@
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 
 vtkStandardNewMacro(vtkInkLineArtStyle);
 
@@ -36,9 +39,6 @@ double SpacingOf(double density)
   return WidestSpacing * std::pow(ClosestSpacing / WidestSpacing, density);
 }
 
-/// Lines are so much closer to each other, so that there are enough where strokes fade.
-constexpr double CloserLines = 0.7;
-
 /// What strokes are not narrower than, as shares of their distance: by number, and by width.
 constexpr double OneWidth = 0.6;
 constexpr double LeastWidth = 0.12;
@@ -53,14 +53,50 @@ struct Way
   double Length;
   double Taper;
   double ContourWidth;
+  bool Creases;
 };
 
 /// In the order of the table's entries.
 constexpr Way Presets[] = {
-  { 0.6, 0.5, 0.5, 1.0, 0.0, 0.0, 2.0 },   // engraving
-  { 0.4, 0.45, 0.6, 0.3, 60.0, 0.5, 2.5 }, // sketch
-  { 0.75, 0.4, 0.0, 0.7, 0.0, 0.0, 1.5 },  // technical
+  { 0.6, 0.5, 0.5, 1.0, 0.0, 0.0, 2.0, false },   // engraving
+  { 0.4, 0.45, 0.6, 0.3, 60.0, 0.5, 2.5, false }, // sketch
+  { 0.75, 0.4, 0.0, 0.7, 0.0, 0.0, 1.5, true },   // technical
 };
+
+/// Turns computed normals of a closed surface outwards: maximum and minimum curvature change places otherwise.
+void FaceOutward(vtkPolyData* surface)
+{
+  const InkMeshTriangles triangles(surface, false, InkMeshTriangles::Order::OfMesh);
+  double bounds[6];
+  surface->GetBounds(bounds);
+  const glm::dvec3 middle(
+    0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
+  double volume = 0.0;
+  for (const ink::Triangle& triangle : triangles.Triangles)
+  {
+    const auto corner = [&](std::size_t i) { return triangles.Points[triangle[i]] - middle; };
+    const double part = glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+    volume += std::isfinite(part) ? part : 0.0;
+  }
+  if (volume >= 0.0)
+  {
+    return;
+  }
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  auto turned = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
+  turned->DeepCopy(normals);
+  for (vtkIdType i = 0; i < turned->GetNumberOfTuples(); ++i)
+  {
+    const double* normal = normals->GetTuple3(i);
+    turned->SetTuple3(i, -normal[0], -normal[1], -normal[2]);
+  }
+  surface->GetPointData()->SetNormals(turned);
+}
+
+bool HasNormals(vtkPolyData* mesh)
+{
+  return mesh->GetPointData()->GetNormals() || mesh->GetPointData()->GetArray("Normals");
+}
 
 constexpr const char* PieceNames[] = { "Surface", "Strokes" };
 
@@ -155,10 +191,14 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   {
     return problem;
   }
+  if (auto* mesh = vtkPolyData::SafeDownCast(input.Data); mesh && !HasNormals(mesh))
+  {
+    FaceOutward(surface);
+  }
   const double thousandth = this->FindThousandth();
   // Those of a style that is changed while it is shown suit the middle of its sliders.
   const double shown = SpacingOf(this->GetInteractive() ? 0.5 : this->Density);
-  const double spacing = this->LineSpacing > 0.0 ? this->LineSpacing : CloserLines * shown;
+  const double spacing = this->LineSpacing > 0.0 ? this->LineSpacing : shown;
   this->Lines->SetInputData(surface);
   this->Lines->SetSpacing(spacing * thousandth);
   const bool crossed = this->GetInteractive() || this->Strokes->GetCrosshatching() > 0.0;
@@ -199,6 +239,7 @@ void vtkInkLineArtStyle::SetPreset(int preset)
   this->Strokes->SetCrosshatching(way.Crosshatching);
   this->Strokes->SetTaper(way.Taper);
   this->Contours->GetSilhouetteMapper()->SetLineWidth(way.ContourWidth);
+  this->Contours->SetCreases(way.Creases);
   this->SetLength(way.Length);
   this->Density = way.Density;
   this->Width = way.Width;

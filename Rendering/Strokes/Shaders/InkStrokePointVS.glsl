@@ -38,11 +38,15 @@ vec3 positionOf(int drawnPoint)
   return (MCVCMatrix * vec4(texelFetch(sourcePoints, int(texelFetch(drawnPoints, drawnPoint).x)).xyz, 1.0)).xyz;
 }
 
+// Rossl's epsilon: beyond, a surface is seen from behind; up to there, it is just behind its silhouette.
+const float behindSilhouette = 0.2;
+
 // The width in pixels that the tone at a point of a stroke asks for.
 float toneWidth(vec3 position, vec3 normal, vec3 toEye, float pixel, ivec4 run, float priority)
 {
   float cosine = normal == vec3(0.0) ? 1.0 : dot(normal, toEye);
-  if (cosine < -cullingCosine)
+  bool twoSided = cullingCosine >= 1.0;
+  if (cosine < -cullingCosine || (twoSided && cosine < 0.0 && cosine > -behindSilhouette))
   {
     return 0.0;
   }
@@ -73,13 +77,18 @@ void main()
   vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
   toEye = toEye == vec3(0.0) ? vec3(0.0, 0.0, 1.0) : normalize(toEye);
   vec3 normal = normalMatrix * shape.xyz;
-  float slant = normal == vec3(0.0) ? leastSlant : max(abs(dot(normalize(normal), toEye)), leastSlant);
+  float cosine = normal == vec3(0.0) ? 0.0 : dot(normalize(normal), toEye);
+  float slant = max(abs(cosine), leastSlant);
   vec4 place = VCDCMatrix * position;
   float pixel = pixelVC * place.w;
   if (place.w > 0.0 && place.z > -place.w)
   {
     // Not behind the eye nor before the near plane.
     float towards = min(lift * pixel / slant, eyeVC.w == 0.0 ? lift * pixel / slant : 0.5 * length(position.xyz));
+#ifdef INK_HATCHING
+    // What lies just behind a silhouette would reach over it.
+    towards = cosine < 0.0 && cullingCosine < 1.0 ? 0.0 : towards;
+#endif
     vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * towards, 1.0);
     place.z = max(lifted.z / lifted.w, -1.0) * place.w;
   }
