@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Curvature/PrincipalCurvature.h"
+#include "Fields/Field.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace ink
+{
+
+/// The principal curvatures of the level set of a field through a point, from gradient and Hessian there. The
+/// shape operator of the normal -grad f / |grad f| is, in tangent directions u and w, - u . H w / |grad f|
+/// (Kindlmann et al. 2003, section 2), the sign of PrincipalCurvature.
+/// @return nothing where it is not defined: the gradient is zero, or a derivative is not finite
+template <Field F>
+std::optional<PrincipalCurvature> fieldCurvature(const F& field, const glm::dvec3& position)
+{
+  const glm::dvec3 gradient = field.gradient(position);
+  const double slope = glm::length(gradient);
+  if (!(slope > 0.0) || !std::isfinite(slope))
+  {
+    return std::nullopt;
+  }
+  const glm::dmat3 hessian = field.hessian(position);
+  const auto [axis1, axis2] = tangentAxes(-gradient / slope);
+  const TangentForm form{ -glm::dot(axis1, hessian * axis1) / slope,
+    -glm::dot(axis1, hessian * axis2) / slope, -glm::dot(axis2, hessian * axis2) / slope };
+  if (!std::isfinite(form.l) || !std::isfinite(form.m) || !std::isfinite(form.n))
+  {
+    return std::nullopt;
+  }
+  return principalCurvature(form, axis1, axis2);
+}
+
+} // namespace ink
