@@ -62,6 +62,7 @@ _vtk_module("vtkRenderingOpenGL2")
 from .vtkInkFiltersContours import *
 from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
+from .vtkInkFiltersStrokes import *
 from .vtkInkIOMesh import *
 from .vtkInkIOVolume import *
 
