@@ -29,9 +29,10 @@
  * | `Priority`    | lines  | float         | in [0, 1): the share of the family's total length before it |
  * | `LineFamily`  | lines  | unsigned char | 0 along maximum, 1 along minimum curvature |
  *
- * The result is the same for any number of threads. Errors, each with an empty output: a face with a point
- * that does not exist, faces without area only, curvature arrays of a wrong size. A surface whose directions
- * are undefined everywhere, and an input without polygons, give a warning.
+ * Lines can be dropped by `Priority` with vtkInkStrokeMapper's Density. The result is the same for any number
+ * of threads; pieces of a mesh that is spread over processes have lines of their own. Errors, each with an empty output: a face with a point
+ * that does not exist, faces without area only, curvature arrays of a wrong size, a spacing that makes too many
+ * lines. An input without polygons, and a surface without lines, give a warning.
  *
  * @sa vtkInkPrincipalCurvature vtkInkHatching vtkInkStrokeMapper
  */
@@ -179,7 +180,8 @@ public:
   ///@{
   /**
    * The step's length as a share of the paper's, which adapts to a triangle's size and the turn of the
-   * directions in it (eq. 15). 0.01 to 10; default: 1.
+   * directions in it (eq. 15); no step of an evenly spaced line is longer than a quarter of the spacing.
+   * 0.01 to 10; default: 0.5; 1 as published.
    */
   InkSetClampMacro(StepFactor, 0.01, 10.0);
   vtkGetMacro(StepFactor, double);
@@ -263,7 +265,7 @@ private:
   double MaximumLength = 0.0;
   double MinimumLength = 2.0;
   int Integrator = RUNGE_KUTTA_4;
-  double StepFactor = 1.0;
+  double StepFactor = 0.5;
   double FeatureAngle = 45.0;
   double UmbilicLimit = 1.0;
   bool SmoothDirections = true;

@@ -18,12 +18,17 @@ namespace
 
 constexpr std::size_t fewestSlots = 1024;
 
-/// 21 bits of each coordinate: cells that share them are 2 million cells apart, which only costs time.
-std::uint64_t keyOf(int x, int y, int z)
+/// 21 bits of each coordinate: bricks that share them are 2 million bricks apart, which only costs time.
+std::uint64_t brickOf(const glm::ivec3& cell)
 {
   constexpr std::uint64_t mask = (1u << 21) - 1;
-  return (static_cast<std::uint64_t>(x) & mask) | (static_cast<std::uint64_t>(y) & mask) << 21 |
-    (static_cast<std::uint64_t>(z) & mask) << 42;
+  return (static_cast<std::uint64_t>(cell.x >> 2) & mask) | (static_cast<std::uint64_t>(cell.y >> 2) & mask) << 21 |
+    (static_cast<std::uint64_t>(cell.z >> 2) & mask) << 42;
+}
+
+std::size_t indexInBrick(const glm::ivec3& cell)
+{
+  return static_cast<std::size_t>((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4);
 }
 
 } // namespace
@@ -47,11 +52,11 @@ LineSampleGrid::LineSampleGrid(float cellSize)
 {
 }
 
-std::size_t LineSampleGrid::slotOf(std::uint64_t cell) const
+std::size_t LineSampleGrid::slotOf(std::uint64_t key) const
 {
   const std::size_t mask = this->Slots.size() - 1;
-  std::size_t slot = hash(cell) & mask;
-  while (this->Slots[slot].block != none && this->Slots[slot].cell != cell)
+  std::size_t slot = hash(key) & mask;
+  while (this->Slots[slot].brick != none && this->Slots[slot].key != key)
   {
     slot = (slot + 1) & mask;
   }
@@ -64,9 +69,9 @@ void LineSampleGrid::grow()
   std::swap(slots, this->Slots);
   for (const Slot& slot : slots)
   {
-    if (slot.block != none)
+    if (slot.brick != none)
     {
-      this->Slots[this->slotOf(slot.cell)] = slot;
+      this->Slots[this->slotOf(slot.key)] = slot;
     }
   }
 }
@@ -74,20 +79,25 @@ void LineSampleGrid::grow()
 void LineSampleGrid::insert(const LineSample& sample)
 {
   const glm::ivec3 cell(glm::floor(sample.position * this->Scale));
-  const std::uint64_t key = keyOf(cell.x, cell.y, cell.z);
-  Slot* slot = &this->Slots[this->slotOf(key)];
-  if (slot->block == none && 2 * ++this->Used > this->Slots.size())
+  const std::uint64_t key = brickOf(cell);
+  std::size_t slot = this->slotOf(key);
+  if (this->Slots[slot].brick == none)
   {
-    this->grow();
-    slot = &this->Slots[this->slotOf(key)];
+    if (2 * (this->Bricks.size() + 1) > this->Slots.size())
+    {
+      this->grow();
+      slot = this->slotOf(key);
+    }
+    this->Slots[slot] = { key, static_cast<std::uint32_t>(this->Bricks.size()) };
+    this->Bricks.emplace_back().fill(none);
   }
-  slot->cell = key;
-  if (slot->block == none || this->Blocks[slot->block].count == blockSize)
+  std::uint32_t& first = this->Bricks[this->Slots[slot].brick][indexInBrick(cell)];
+  if (first == none || this->Blocks[first].count == blockSize)
   {
-    this->Blocks.push_back({ {}, 0, slot->block });
-    slot->block = static_cast<std::uint32_t>(this->Blocks.size() - 1);
+    this->Blocks.push_back({ {}, 0, first });
+    first = static_cast<std::uint32_t>(this->Blocks.size() - 1);
   }
-  Block& block = this->Blocks[slot->block];
+  Block& block = this->Blocks[first];
   block.samples[block.count++] = sample;
 }
 
@@ -95,14 +105,24 @@ bool LineSampleGrid::isNear(const LineSample& sample, float distance) const
 {
   const glm::ivec3 low(glm::floor((sample.position - distance) * this->Scale));
   const glm::ivec3 high(glm::floor((sample.position + distance) * this->Scale));
+  std::uint64_t key = 0;
+  const Brick* brick = nullptr;
+  bool isKnown = false;
   for (int z = low.z; z <= high.z; ++z)
   {
     for (int y = low.y; y <= high.y; ++y)
     {
       for (int x = low.x; x <= high.x; ++x)
       {
-        std::uint32_t next = this->Slots[this->slotOf(keyOf(x, y, z))].block;
-        while (next != none)
+        const glm::ivec3 cell(x, y, z);
+        if (const std::uint64_t own = brickOf(cell); !isKnown || own != key)
+        {
+          const std::uint32_t found = this->Slots[this->slotOf(own)].brick;
+          brick = found == none ? nullptr : &this->Bricks[found];
+          key = own;
+          isKnown = true;
+        }
+        for (std::uint32_t next = brick ? (*brick)[indexInBrick(cell)] : none; next != none;)
         {
           const Block& block = this->Blocks[next];
           for (std::uint32_t i = 0; i < block.count; ++i)
@@ -122,11 +142,11 @@ bool LineSampleGrid::isNear(const LineSample& sample, float distance) const
 
 void LineSampleGrid::clear()
 {
-  if (this->Used > 0)
+  if (!this->Bricks.empty())
   {
     std::fill(this->Slots.begin(), this->Slots.end(), Slot());
+    this->Bricks.clear();
     this->Blocks.clear();
-    this->Used = 0;
   }
 }
 

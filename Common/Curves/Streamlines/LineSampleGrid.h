@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,8 +22,8 @@ struct LineSample
 /// samples on two sides of a thin wall, or on sheets above each other (ink::areApart), are never near.
 bool areNear(const LineSample& a, const LineSample& b, float distance);
 
-/// Samples of lines in a uniform grid of cubic cells, kept by their hash: what is near a position is found in
-/// a time that does not depend on the number of lines.
+/// Samples of lines in a uniform grid of cubic cells, kept in bricks of 4 x 4 x 4 cells that are found by their
+/// hash: what is near a position is found in a time that does not depend on the number of lines.
 class LineSampleGrid
 {
 public:
@@ -33,7 +34,7 @@ public:
   /// Whether a sample of the grid is within a distance, no more than the cell size, on the surface.
   bool isNear(const LineSample& sample, float distance) const;
   void clear();
-  bool isEmpty() const { return this->Used == 0; }
+  bool isEmpty() const { return this->Bricks.empty(); }
 
 private:
   static constexpr std::uint32_t none = ~0u;
@@ -45,19 +46,21 @@ private:
     std::uint32_t count;
     std::uint32_t next; ///< with more of the same cell
   };
+  /// The first block of each cell.
+  using Brick = std::array<std::uint32_t, 64>;
   struct Slot
   {
-    std::uint64_t cell;
-    std::uint32_t block = none;
+    std::uint64_t key;
+    std::uint32_t brick = none;
   };
 
-  std::size_t slotOf(std::uint64_t cell) const;
+  std::size_t slotOf(std::uint64_t key) const;
   void grow();
 
   float Scale;
   std::vector<Slot> Slots;
+  std::vector<Brick> Bricks;
   std::vector<Block> Blocks;
-  std::size_t Used = 0; ///< slots
 };
 
 } // namespace ink

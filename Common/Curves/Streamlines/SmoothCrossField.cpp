@@ -193,8 +193,9 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
       const glm::dvec3 second = glm::cross(normal, first);
       const double along = glm::dot(first, directions[i]);
       const double across = glm::dot(second, directions[i]);
-      result[i] = std::abs(along) >= std::abs(across) ? (along < 0.0 ? -first : first)
-                                                      : (across < 0.0 ? -second : second);
+      // Normals are of single precision, so lengths are not quite 1.
+      result[i] = glm::normalize(std::abs(along) >= std::abs(across) ? (along < 0.0 ? -first : first)
+                                                                     : (across < 0.0 ? -second : second));
     });
   return result;
 }

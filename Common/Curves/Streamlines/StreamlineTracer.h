@@ -24,7 +24,7 @@ enum class StreamlineIntegrator : std::uint8_t
 struct TraceOptions
 {
   StreamlineIntegrator integrator = StreamlineIntegrator::RungeKutta4;
-  double stepFactor = 1.0; ///< of the step that Rössl et al. 2000, equation 15, takes in each triangle
+  double stepFactor = 0.5; ///< of the step that Rössl et al. 2000, equation 15, takes in each triangle
   double maximumStep = std::numeric_limits<double>::infinity(); ///< in world units
   /// Of a line; each of its halves, from the seed, has half of it.
   double maximumLength = std::numeric_limits<double>::infinity();
