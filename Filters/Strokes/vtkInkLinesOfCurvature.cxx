@@ -39,7 +39,7 @@ namespace
 {
 
 constexpr double DefaultSpacing = 0.01;          ///< of the diagonal of the bounds
-constexpr double NegligibleCurvature = 0.1;      ///< over the diagonal: less counts as flat
+constexpr double DefaultNegligible = 0.1;        ///< over the diagonal: less counts as flat
 constexpr double DefaultScatterLength = 0.25;    ///< of the root of the area
 constexpr double ScatterCloseDistance = 0.001;   ///< of the root of the area
 constexpr const char* CurvatureNames[] = { "k1", "k2", "PrincipalDirection1", "PrincipalDirection2" };
@@ -259,7 +259,9 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
       " triangles have no area; expected faces with three different points that are finite");
   }
   const double diagonal = glm::distance(navigation.lower(), navigation.upper());
-  Curvatures curvatures = CurvaturesOf(mesh, triangles, NegligibleCurvature / diagonal, progress);
+  const double negligible =
+    this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;
+  Curvatures curvatures = CurvaturesOf(mesh, triangles, negligible, progress);
   begun = 0.1;
   if (curvatures.Umbilics.empty() || !progress(0.0))
   {
@@ -354,6 +356,7 @@ void vtkInkLinesOfCurvature::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "UmbilicLimit: " << this->UmbilicLimit << "\n";
   os << indent << "SmoothDirections: " << this->SmoothDirections << "\n";
+  os << indent << "NegligibleCurvature: " << this->NegligibleCurvature << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
   os << indent << "ComputeCurvatures: " << this->ComputeCurvatures << "\n";
   os << indent << "Seed: " << this->Seed << "\n";

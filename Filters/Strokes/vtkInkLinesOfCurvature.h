@@ -218,6 +218,16 @@ public:
 
   ///@{
   /**
+   * A curvature that counts as none, in 1 / world unit: where maximum and minimum differ by less, directions
+   * are hardly defined, and are smoothed. More makes longer, more even lines that follow the form at large
+   * only. 0 (default) to 1e300; 0: a tenth of one over the diagonal of the bounds.
+   */
+  InkSetClampMacro(NegligibleCurvature, 0.0, 1e300);
+  vtkGetMacro(NegligibleCurvature, double);
+  ///@}
+
+  ///@{
+  /**
    * How many times directions are averaged with those of neighbors, with SmoothDirections. More reach farther
    * into spheres and planes. 1 to 1000; default: 30.
    */
@@ -269,6 +279,7 @@ private:
   double FeatureAngle = 45.0;
   double UmbilicLimit = 1.0;
   bool SmoothDirections = true;
+  double NegligibleCurvature = 0.0;
   int SmoothingIterations = 30;
   bool ComputeCurvatures = false;
   int Seed = 0;

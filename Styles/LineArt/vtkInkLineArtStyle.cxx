@@ -39,6 +39,14 @@ double SpacingOf(double density)
   return WidestSpacing * std::pow(ClosestSpacing / WidestSpacing, density);
 }
 
+/// Curvature that bends a surface by so little over the distance of two strokes does not direct them: they
+/// follow the form at large instead, in long even lines.
+constexpr double NegligibleBend = 0.06;
+constexpr int SmoothingIterations = 200;
+/// For longer lines than the filter's own, which are more even.
+constexpr double StopDistance = 0.35;
+constexpr double MinimumLength = 4.0;
+
 /// What strokes are not narrower than, as shares of their distance: by number, and by width.
 constexpr double OneWidth = 0.6;
 constexpr double LeastWidth = 0.12;
@@ -104,6 +112,9 @@ constexpr const char* PieceNames[] = { "Surface", "Strokes" };
 
 vtkInkLineArtStyle::vtkInkLineArtStyle()
 {
+  this->Lines->SetSmoothingIterations(SmoothingIterations);
+  this->Lines->SetStopDistance(StopDistance);
+  this->Lines->SetMinimumLength(MinimumLength);
   this->Strokes->HatchingOn();
   this->Mapper->SetMappers(this->Strokes, this->Contours->GetSilhouetteMapper());
   this->Actor->SetMapper(this->Mapper);
@@ -201,6 +212,7 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   const double spacing = this->LineSpacing > 0.0 ? this->LineSpacing : shown;
   this->Lines->SetInputData(surface);
   this->Lines->SetSpacing(spacing * thousandth);
+  this->Lines->SetNegligibleCurvature(NegligibleBend / (spacing * thousandth));
   const bool crossed = this->GetInteractive() || this->Strokes->GetCrosshatching() > 0.0;
   this->Lines->SetFamilies(crossed ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
   if (std::string failed = this->Follow(this->Lines, "tracing lines of curvature"); !failed.empty())
