@@ -64,18 +64,6 @@ MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
   , Usable(mesh.triangles.size())
 {
   const std::size_t count = mesh.triangles.size();
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
-  const auto forBlocks = [&](const auto& body)
-  {
-    parallelFor(blocks,
-      [&](std::size_t block)
-      {
-        for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, count); ++t)
-        {
-          body(static_cast<std::uint32_t>(t));
-        }
-      });
-  };
   for (const Triangle& triangle : mesh.triangles)
   {
     const std::uint32_t largest = std::max({ triangle[0], triangle[1], triangle[2] });
@@ -85,12 +73,11 @@ MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
         std::to_string(static_cast<std::ptrdiff_t>(mesh.points.size()) - 1));
     }
   }
-  forBlocks(
-    [&](std::uint32_t t)
-    {
-      const auto& [a, b, c] = mesh.triangles[t];
-      this->Usable[t] = hasArea(mesh.points[a], mesh.points[b], mesh.points[c]);
-    });
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    this->Usable[t] = hasArea(mesh.points[a], mesh.points[b], mesh.points[c]);
+  }
   const CumulativeArea areas = cumulateArea(mesh);
   this->Area = areas.area.back();
   glm::dvec3 low(std::numeric_limits<double>::infinity());
@@ -113,30 +100,55 @@ MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
   this->Lower = low;
   this->Upper = high;
   const double extent = std::max({ high.x - low.x, high.y - low.y, high.z - low.z });
-  // Only its rings of triangles around edges are used: who is whose neighbor.
-  const GeodesicUnfolding rings(scalePoints(mesh, areas, 1e-6 * extent).points, mesh.triangles);
-  const double leastCosine = std::cos(featureAngle * std::numbers::pi / 180.0);
-  forBlocks(
-    [&](std::uint32_t t)
+  // Points closer than a millionth of the mesh are one, so that seams are closed and slivers along them are
+  // edges. Rounded off coordinates that are round themselves.
+  std::vector<glm::vec3> welded = scalePoints(mesh, areas, 1e-6 * extent).points;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> ids;
+  for (glm::vec3& point : welded)
+  {
+    point = glm::floor(point + 0.37f);
+  }
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (this->isUsable(t) && welded[a] != welded[b] && welded[b] != welded[c] && welded[c] != welded[a])
     {
-      for (std::uint32_t edge = 0; edge < 3; ++edge)
+      triangles.push_back(mesh.triangles[t]);
+      ids.push_back(t);
+    }
+    else
+    {
+      this->Usable[t] = 0;
+    }
+  }
+  // Only its rings of triangles around edges are used: who is whose neighbor.
+  const GeodesicUnfolding rings(welded, triangles);
+  const double leastCosine = std::cos(featureAngle * std::numbers::pi / 180.0);
+  parallelFor((ids.size() + blockSize - 1) / blockSize,
+    [&](std::size_t block)
+    {
+      for (std::size_t n = block * blockSize; n < std::min((block + 1) * blockSize, ids.size()); ++n)
       {
-        const std::uint32_t link = rings.facets()[t].across[edge];
-        if (link == border || rings.facets()[link / 3].across[link % 3] != 3 * t + edge || !this->isUsable(t) ||
-          !this->isUsable(link / 3))
+        for (std::uint32_t edge = 0; edge < 3; ++edge)
         {
-          continue;
-        }
-        const std::uint32_t other = link / 3;
-        const auto corner = [&](std::uint32_t triangle, std::uint32_t c)
-        { return mesh.points[mesh.triangles[triangle][c % 3]]; };
-        const bool opposed =
-          glm::distance(corner(t, edge), corner(other, link % 3 + 1)) <= glm::distance(corner(t, edge), corner(other, link % 3));
-        const double likeness =
-          (opposed ? 1.0 : -1.0) * glm::dot(this->chart(t).normal(), this->chart(other).normal());
-        if (featureAngle >= 180.0 || likeness >= leastCosine)
-        {
-          this->Links[3 * std::size_t(t) + edge] = 6 * other + 2 * (link % 3) + (opposed ? 1 : 0);
+          const std::uint32_t link = rings.facets()[n].across[edge];
+          if (link == border || rings.facets()[link / 3].across[link % 3] != 3 * n + edge)
+          {
+            continue;
+          }
+          const std::uint32_t t = ids[n];
+          const std::uint32_t other = ids[link / 3];
+          const auto corner = [&](std::uint32_t triangle, std::uint32_t c)
+          { return mesh.points[mesh.triangles[triangle][c % 3]]; };
+          const bool opposed = glm::distance(corner(t, edge), corner(other, link % 3 + 1)) <=
+            glm::distance(corner(t, edge), corner(other, link % 3));
+          const double likeness =
+            (opposed ? 1.0 : -1.0) * glm::dot(this->chart(t).normal(), this->chart(other).normal());
+          if (featureAngle >= 180.0 || likeness >= leastCosine)
+          {
+            this->Links[3 * std::size_t(t) + edge] = 6 * other + 2 * (link % 3) + (opposed ? 1 : 0);
+          }
         }
       }
     });
@@ -176,7 +188,7 @@ bool MeshNavigation::cross(MeshPoint& point, std::uint32_t edge, glm::dvec3& vec
   return true;
 }
 
-std::optional<MeshPoint> MeshNavigation::walk(
+std::optional<MeshNavigation::Arrival> MeshNavigation::walk(
   MeshPoint from, const glm::dvec3& direction, double distance) const
 {
   if (!this->isUsable(from.triangle))
@@ -212,7 +224,7 @@ std::optional<MeshPoint> MeshNavigation::walk(
     if (exit < 0)
     {
       from.weights = glm::max(from.weights, 0.0);
-      return from;
+      return Arrival{ from, x * chart.axisX + y * chart.axisY };
     }
     from.weights[exit] = 0.0;
     // Next to a vertex rather than on it, so that there is one way to go on.

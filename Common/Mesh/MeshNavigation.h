@@ -52,9 +52,9 @@ struct TriangleChart
 
 /// A mesh to move about on: which triangle lies across an edge, and what bounds it.
 ///
-/// Edges are numbered by triangle: edge e of a triangle runs from its corner e to the next one. Points of equal
-/// position count as one. One cannot cross borders, edges of more than two triangles, feature edges, and the
-/// edges of triangles without area.
+/// Edges are numbered by triangle: edge e of a triangle runs from its corner e to the next one. Points closer to
+/// each other than a millionth of the mesh's extent may count as one; triangles with two such corners, and those
+/// without area, are left out. One cannot cross borders, edges of more than two triangles, and feature edges.
 class MeshNavigation
 {
 public:
@@ -106,10 +106,15 @@ public:
   /// @return false, and nothing changed, if the edge cannot be crossed
   bool cross(MeshPoint& point, std::uint32_t edge, glm::dvec3& vector) const;
 
+  struct Arrival
+  {
+    MeshPoint at;
+    glm::dvec3 heading; ///< in the triangle's plane
+  };
   /// Where one gets going straight on along the surface, as on a geodesic.
   /// @param direction of any length; its part in the triangle's plane counts
   /// @return nothing if the surface ends on the way
-  std::optional<MeshPoint> walk(MeshPoint from, const glm::dvec3& direction, double distance) const;
+  std::optional<Arrival> walk(MeshPoint from, const glm::dvec3& direction, double distance) const;
 
 private:
   TriangleMesh Mesh;

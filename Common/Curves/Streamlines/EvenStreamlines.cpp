@@ -31,6 +31,9 @@ constexpr double testDistance = 0.0625; ///< between points that are tested agai
 constexpr double startDistance = 0.9;   ///< chords are shorter than the walks that starts are found by
 constexpr double closeDistance = 0.1;
 
+/// From which umbilic measure on it means little which of two directions is called which.
+constexpr float leastUmbilic = 0.5f;
+
 /// Where a line may start, and which way.
 struct Candidate
 {
@@ -84,6 +87,24 @@ private:
   {
     return { glm::vec3((position - this->Center) / this->Options.spacing),
       normalAt(this->Mesh, this->Normals, at) };
+  }
+
+  /// The mesh's point at the corner of a triangle with the largest weight.
+  std::uint32_t nearestPoint(const MeshPoint& at) const
+  {
+    const glm::dvec3& w = at.weights;
+    const std::size_t corner = w.x >= w.y ? (w.x >= w.z ? 0 : 2) : (w.y >= w.z ? 1 : 2);
+    return this->Mesh.mesh().triangles[at.triangle][corner];
+  }
+
+  /// Which way a line beside another one starts: that of the field's name, or where names mean little, that of
+  /// the other line.
+  glm::dvec3 headingAt(const MeshPoint& at, const glm::dvec3& other) const
+  {
+    const std::uint32_t point = this->nearestPoint(at);
+    const glm::dvec3& own = this->Field.directions[point];
+    const bool isUmbilic = !this->Field.umbilics.empty() && this->Field.umbilics[point] > leastUmbilic;
+    return isUmbilic || own == glm::dvec3(0.0) ? other : own;
   }
 
   /// Fills the surface with lines at 2^halvings spacings.
@@ -162,10 +183,13 @@ private:
           const glm::dvec3 across = glm::cross(this->Mesh.chart(points[i].at.triangle).normal(), along);
           for (std::uint64_t side = 0; side < 2; ++side)
           {
-            const auto at = this->Mesh.walk(points[i].at, side == 0 ? across : -across, gap);
-            if (at && !this->Grid.isNear(this->sampleOf(*at, this->Mesh.position(*at)), this->Start))
+            const auto reached = this->Mesh.walk(points[i].at, side == 0 ? across : -across, gap);
+            if (reached &&
+              !this->Grid.isNear(this->sampleOf(reached->at, this->Mesh.position(reached->at)), this->Start))
             {
-              found[n].push_back({ hash(this->Options.seed, begin + n, 2 * i + side), *at, along });
+              const glm::dvec3 heading = glm::cross(this->Mesh.chart(reached->at.triangle).normal(), reached->heading);
+              found[n].push_back({ hash(this->Options.seed, begin + n, 2 * i + side), reached->at,
+                this->headingAt(reached->at, heading) });
             }
           }
         }
@@ -196,9 +220,7 @@ private:
         {
           return;
         }
-        const int corner = at.weights.x >= at.weights.y ? (at.weights.x >= at.weights.z ? 0 : 2)
-                                                        : (at.weights.y >= at.weights.z ? 1 : 2);
-        const std::uint32_t point = this->Mesh.mesh().triangles[at.triangle][static_cast<std::size_t>(corner)];
+        const std::uint32_t point = this->nearestPoint(at);
         if (this->Grid.isNear(this->sampleOf(at, this->Mesh.position(at)), this->Start))
         {
           return;

@@ -410,14 +410,15 @@ TracedLine StreamlineTracer::trace(
   }
   const double near = this->Options.closeDistance;
   std::vector<TracedPoint> halves[2];
-  glm::dvec3 before = start;
+  glm::dvec3 before;
+  double lastArc = 0.0;
   const auto isBack = [&](const TracedPoint& point)
   {
     // The segment from the point before passes the plane through the start at right angles to the line.
     const glm::dvec3 segment = point.position - before;
     const double from = glm::dot(start - before, forward);
     const double to = glm::dot(point.position - start, forward);
-    if (point.arc < 4.0 * near || from < 0.0 || to < 0.0 || !(from + to > 0.5 * glm::length(segment)))
+    if (lastArc == 0.0 || point.arc < 4.0 * near || from < 0.0 || to < 0.0 || !(from + to > 0.5 * glm::length(segment)))
     {
       return false;
     }
@@ -426,6 +427,7 @@ TracedLine StreamlineTracer::trace(
   for (int half = 0; half < 2; ++half)
   {
     before = start;
+    lastArc = 0.0;
     line.ends[static_cast<std::size_t>(half)] = this->follow(seed, half == 0 ? forward : -forward,
       0.5 * this->Options.maximumLength,
       [&](const TracedPoint& point)
@@ -440,6 +442,7 @@ TracedLine StreamlineTracer::trace(
           return false;
         }
         before = point.position;
+        lastArc = point.arc;
         halves[half].push_back(point);
         return true;
       });
