@@ -3,8 +3,10 @@
 set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Contours/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Core/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Curvature/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Fields/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Sampling/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Strokes/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/IO/Core/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/IO/Mesh/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/IO/Volume/vtk.module"

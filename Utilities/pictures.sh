@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Draws the pictures of Documentation/contours.md, illustration.md, stipple.md, splatting-lines.md and picture-quality.md with the
-# headless build, those of one page with its name:
-#   Utilities/pictures.sh [contours|illustration|stipple|splatting-lines|quality]
+# Draws the pictures of Documentation/contours.md, illustration.md, line-art.md, stipple.md, splatting-lines.md and
+# picture-quality.md with the headless build, those of one page with its name:
+#   Utilities/pictures.sh [contours|illustration|line-art|stipple|splatting-lines|quality]
 # Most are pairs, without and with what they show.
 set -euo pipefail
 
@@ -120,10 +120,11 @@ quality_pictures() {
 
 case "${1:-all}" in
   contours) contours_pictures ;;
+  line-art) line_art_pictures ;;
   stipple) stipple_pictures ;;
   illustration) illustration_pictures ;;
   splatting-lines) lines_pictures ;;
   quality) quality_pictures ;;
-  all) contours_pictures && illustration_pictures && stipple_pictures && lines_pictures && quality_pictures ;;
-  *) echo "pictures: found '$1', expected contours, illustration, stipple, splatting-lines or quality" >&2 && exit 2 ;;
+  all) contours_pictures && illustration_pictures && line_art_pictures && stipple_pictures && lines_pictures && quality_pictures ;;
+  *) echo "pictures: found '$1', expected contours, illustration, line-art, stipple, splatting-lines or quality" >&2 && exit 2 ;;
 esac

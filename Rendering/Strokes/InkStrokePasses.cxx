@@ -2,6 +2,7 @@
 #include "InkStrokePasses.h"
 
 #include "InkFrame.h"
+#include "InkLights.h"
 #include "InkOccluder.h"
 #include "InkPointSize.h"
 #include "InkRenderPasses.h"
@@ -58,6 +59,7 @@ InkStrokePasses::InkStrokePasses(vtkOpenGLRenderWindow* window)
   , Points(window)
   , Shapes(window)
   , Strokes(window)
+  , Hatches(window)
   , Ids(window)
   , Colors(window)
 {
@@ -77,14 +79,18 @@ std::string InkStrokePasses::Upload(const InkStrokePoints& points)
     return message.str();
   }
   std::vector<std::array<float, 4>> strokes;
+  std::vector<std::array<float, 2>> hatches;
   strokes.reserve(points.GetStrokes().size());
+  hatches.reserve(points.GetStrokes().size());
   for (const InkStrokePoints::Stroke& stroke : points.GetStrokes())
   {
     strokes.push_back({ stroke.ArcBegin, stroke.ArcLength, stroke.Priority, stroke.Closed ? 1.0f : 0.0f });
+    hatches.push_back({ stroke.Spacing, static_cast<float>(stroke.Family) });
   }
   this->Points.Fill(points.GetPoints(), 4, VTK_FLOAT, GL_RGBA32F);
   this->Shapes.Fill(points.GetShapes(), 4, VTK_FLOAT, GL_RGBA32F);
   this->Strokes.Fill(strokes, 4, VTK_FLOAT, GL_RGBA32F);
+  this->Hatches.Fill(hatches, 2, VTK_FLOAT, GL_RG32F);
   this->Ids.Fill(points.GetIds(), 1, VTK_UNSIGNED_INT, GL_R32UI);
   return {};
 }
@@ -96,7 +102,7 @@ void InkStrokePasses::UploadColors(const std::vector<std::uint32_t>& colors)
 
 bool InkStrokePasses::FindPoints(const Scene& scene)
 {
-  const int rows = (scene.Runs.NumberOfPoints + ImageWidth - 1) / ImageWidth;
+  const int rows = (scene.NumberOfPoints + ImageWidth - 1) / ImageWidth;
   if (!this->PointPlaces || this->PointPlaces->GetHeight() < rows)
   {
     using Format = InkRenderTarget::Format;
@@ -120,14 +126,17 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   state->vtkglDisable(GL_STENCIL_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
-  InkShaderPass& pass = this->Passes.Find(InkStrokePointVS, "", InkStrokePointFS);
+  const InkStrokeStyle& style = scene.Style;
+  const std::string features =
+    style.Hatching ? InkDefine("INK_HATCHING") + InkFindLightFeatures(style.Hatching->Lights) : "";
+  InkShaderPass& pass =
+    this->Passes.Find(InkWithFeatures(InkStrokePointVS, features), "", InkStrokePointFS);
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime, [](auto*, auto*) {});
   if (!program)
   {
     return false;
   }
   scene.View.SetUniforms(program);
-  const InkStrokeStyle& style = scene.Style;
   const float size[2] = { static_cast<float>(ImageWidth),
     static_cast<float>(this->PointPlaces->GetHeight()) };
   program->SetUniform2f("imageSize", size);
@@ -140,11 +149,31 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   this->Points.Activate(program, "sourcePoints");
   this->Shapes.Activate(program, "sourceShapes");
   this->Strokes.Activate(program, "strokes");
+  if (style.Hatching)
+  {
+    program->SetUniformf("taper", style.Taper);
+    this->SetHatchingUniforms(program, *style.Hatching);
+  }
   const InkPointSizeByShader pointSize;
-  glDrawArrays(GL_POINTS, 0, scene.Runs.NumberOfPoints);
+  glDrawArrays(GL_POINTS, 0, scene.NumberOfPoints);
   this->DeactivateTextures(scene);
   pass.End();
   return true;
+}
+
+void InkStrokePasses::SetHatchingUniforms(vtkShaderProgram* program, const InkHatching& hatching)
+{
+  const ink::hatching::Intensity& intensity = hatching.Intensity;
+  program->SetUniform2f("hatchSpacing", hatching.Spacing.data());
+  program->SetUniformf("crosshatching", hatching.Crosshatching);
+  program->SetUniformf("silhouetteWeight", intensity.silhouetteWeight);
+  const float truncations[2] = { intensity.diffuseTruncation, intensity.silhouetteTruncation };
+  program->SetUniform2f("truncations", truncations);
+  program->SetUniformf("toneBias", intensity.bias);
+  program->SetUniformf("darkest", intensity.darkest);
+  program->SetUniformf("cullingCosine", hatching.CullingCosine);
+  InkSetLightUniforms(program, hatching.Lights);
+  this->Hatches.Activate(program, "hatches");
 }
 
 void InkStrokePasses::ActivateTextures(vtkShaderProgram* program, const Scene& scene, bool ids)
@@ -185,7 +214,7 @@ void InkStrokePasses::DeactivateTextures(const Scene& scene)
   {
     scene.Occluder->Image.GetTexture()->Deactivate();
   }
-  for (InkTextureBuffer* buffer : { &this->Points, &this->Shapes, &this->Strokes, &this->Ids, &this->Colors,
+  for (InkTextureBuffer* buffer : { &this->Points, &this->Shapes, &this->Strokes, &this->Hatches, &this->Ids, &this->Colors,
          &scene.Runs.Points, &scene.Runs.Runs })
   {
     buffer->Deactivate();
@@ -222,7 +251,7 @@ void InkStrokePasses::SetUniforms(
 bool InkStrokePasses::Draw(
   const Scene& scene, const InkFrame& frame, double opacity, const InkRenderPasses& renderPasses)
 {
-  if (scene.Runs.NumberOfPoints == 0)
+  if (scene.NumberOfPoints == 0)
   {
     return true;
   }
@@ -232,7 +261,8 @@ bool InkStrokePasses::Draw(
   }
   const bool colors = this->Colors.IsFilled() && !frame.Ids;
   const std::string features = scene.View.FindFeatures() + (frame.Ids ? InkDefine("INK_IDS") : "") +
-    (colors ? InkDefine("INK_COLORS") : "") + (scene.Occluder ? InkDefine("INK_OCCLUDED") : "");
+    (colors ? InkDefine("INK_COLORS") : "") + (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
+    (scene.Occluder && scene.Style.Hatching ? InkDefine("INK_HIDDEN") : "");
   std::string vertexShader = InkStrokeVS;
   std::string geometryShader;
   std::string fragmentShader = InkWithFeatures(InkStrokeFS, features);
@@ -248,7 +278,7 @@ bool InkStrokePasses::Draw(
   }
   this->SetUniforms(program, scene, frame, opacity);
   this->ActivateTextures(program, scene, frame.Ids.has_value());
-  const int vertices = 6 * (scene.Runs.NumberOfPoints - 1);
+  const int vertices = 6 * (scene.NumberOfPoints - 1);
   const auto draw = [&](float leastCoverage)
   {
     program->SetUniformf("leastCoverage", leastCoverage);

@@ -18,6 +18,7 @@ class InkStrokePoints;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 struct InkFrame;
+struct InkHatching;
 struct InkOccluderDepth;
 struct InkStrokeRuns;
 struct InkStrokeStyle;
@@ -57,6 +58,7 @@ public:
     const InkStrokeStyle& Style;
     InkStrokeRunBuffers& Runs;
     InkOccluderDepth* Occluder; ///< the surface that the strokes lie on, or null
+    int NumberOfPoints;         ///< of the runs, from the first, that are drawn
   };
 
   /// Draws the strokes, and their depth where they cover half a pixel and no render pass asks for depth
@@ -67,6 +69,7 @@ public:
 private:
   /// @return whether this OpenGL can do it
   bool FindPoints(const Scene& scene);
+  void SetHatchingUniforms(vtkShaderProgram* program, const InkHatching& hatching);
   void SetUniforms(vtkShaderProgram* program, const Scene& scene, const InkFrame& frame, double opacity);
   void ActivateTextures(vtkShaderProgram* program, const Scene& scene, bool ids);
   void DeactivateTextures(const Scene& scene);
@@ -75,6 +78,7 @@ private:
   InkTextureBuffer Points;
   InkTextureBuffer Shapes;
   InkTextureBuffer Strokes;
+  InkTextureBuffer Hatches;
   InkTextureBuffer Ids;
   InkTextureBuffer Colors;
   std::unique_ptr<InkRenderTarget> PointShapes; ///< half width, arc length, length

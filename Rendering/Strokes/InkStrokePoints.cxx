@@ -15,9 +15,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
-InkStrokeArrays::InkStrokeArrays(vtkPolyData* data, vtkDataArray* widths)
+InkStrokeArrays::InkStrokeArrays(vtkPolyData* data, vtkDataArray* widths, bool hatching)
   : Data(data)
   , Normals(data->GetPointData()->GetNormals() ? data->GetPointData()->GetNormals()
                                                : data->GetPointData()->GetArray("Normals"))
@@ -27,6 +28,9 @@ InkStrokeArrays::InkStrokeArrays(vtkPolyData* data, vtkDataArray* widths)
   , OriginalIds(vtkIdTypeArray::SafeDownCast(data->GetPointData()->GetArray("vtkOriginalPointIds")))
   , Priorities(data->GetCellData()->GetArray("Priority"))
   , CellPriorities(this->Priorities != nullptr)
+  , Hatching(hatching)
+  , Spacings(hatching ? data->GetCellData()->GetArray("Spacing") : nullptr)
+  , Families(hatching ? data->GetCellData()->GetArray("LineFamily") : nullptr)
 {
   if (!this->Priorities)
   {
@@ -53,14 +57,26 @@ std::string InkStrokeArrays::FindProblem() const
               << array->GetNumberOfTuples() << " with " << array->GetNumberOfComponents() << " components.";
     }
   };
+  if (this->Hatching && !(this->Normals && this->Priorities && this->Spacings))
+  {
+    message << "Hatching needs strokes with the point array \"Normals\" and the cell arrays \"Priority\" and "
+               "\"Spacing\", as of vtkInkHatching; found none of the name \""
+            << (!this->Normals      ? "Normals"
+                   : !this->Spacings ? "Spacing"
+                                     : "Priority")
+            << "\".";
+    return message.str();
+  }
   const vtkIdType points = this->Data->GetNumberOfPoints();
+  const vtkIdType cells = this->Data->GetNumberOfCells();
   check(this->Normals, 3, points, "point");
   check(this->Widths, 1, points, "point");
   check(this->ArcLengths, 1, points, "point");
   check(this->RadialCurvature, 1, points, "point");
   check(this->OriginalIds, 1, points, "point");
-  check(this->Priorities, 1, this->CellPriorities ? this->Data->GetNumberOfCells() : points,
-    this->CellPriorities ? "cell" : "point");
+  check(this->Priorities, 1, this->CellPriorities ? cells : points, this->CellPriorities ? "cell" : "point");
+  check(this->Spacings, 1, cells, "cell");
+  check(this->Families, 1, cells, "cell");
   // Positions on the GPU are ints, and each point is there once for each stroke that it belongs to.
   const vtkIdType ends = this->Data->GetLines()->GetNumberOfConnectivityIds();
   if (ends > std::numeric_limits<int>::max() / 6 && message.str().empty())
@@ -71,12 +87,20 @@ std::string InkStrokeArrays::FindProblem() const
   return message.str();
 }
 
+float InkStrokeArrays::FindPriority(vtkIdType cell, vtkIdType line, vtkIdType point) const
+{
+  // Without an order, strokes are dropped by chance.
+  const double priority = !this->Priorities ? ink::unitDouble(ink::hash(static_cast<std::uint64_t>(line)))
+                                            : this->Priorities->GetComponent(this->CellPriorities ? cell : point, 0);
+  return static_cast<float>(std::isfinite(priority) ? std::clamp(priority, 0.0, 1.0) : 1.0);
+}
+
 InkStrokeArrays::Key InkStrokeArrays::GetKey() const
 {
   const auto time = [](vtkObject* object) { return object ? object->GetMTime() : 0; };
   return { time(this->Data->GetPoints()), time(this->Data->GetLines()), time(this->Normals),
     time(this->Widths), time(this->ArcLengths), time(this->RadialCurvature), time(this->OriginalIds),
-    time(this->Priorities) };
+    time(this->Priorities), time(this->Spacings), time(this->Families), this->Hatching };
 }
 
 void InkStrokePoints::AddPoint(
@@ -132,12 +156,13 @@ void InkStrokePoints::EndStroke(
   Stroke stroke{ first, first + count - 1, cell, 0.0f, 0.0f, 0.0f, closed && count > 3 };
   stroke.ArcBegin = this->Points[static_cast<std::size_t>(first)].ArcLength;
   stroke.ArcLength = this->Points.back().ArcLength - stroke.ArcBegin;
-  // Without an order, strokes are dropped by chance.
-  const double priority = !arrays.Priorities ? ink::unitDouble(ink::hash(static_cast<std::uint64_t>(line)))
-    : arrays.CellPriorities
-    ? arrays.Priorities->GetComponent(cell, 0)
-    : arrays.Priorities->GetComponent(this->Sources[static_cast<std::size_t>(first)], 0);
-  stroke.Priority = static_cast<float>(std::isfinite(priority) ? std::clamp(priority, 0.0, 1.0) : 1.0);
+  stroke.Priority = arrays.FindPriority(cell, line, this->Sources[static_cast<std::size_t>(first)]);
+  if (arrays.Hatching)
+  {
+    const double spacing = arrays.Spacings->GetComponent(cell, 0) / this->Frame.Unit;
+    stroke.Spacing = spacing > 0.0 && std::isfinite(spacing) ? static_cast<float>(spacing) : 0.0f;
+    stroke.Family = arrays.Families && arrays.Families->GetComponent(cell, 0) > 0.0 ? 1 : 0;
+  }
   this->Strokes.push_back(stroke);
 }
 
@@ -149,47 +174,76 @@ void InkStrokePoints::Read(const InkStrokeArrays& arrays)
   this->Frame = InkShiftScale::FromBounds(bounds);
   this->LocalBounds = { INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY };
   vtkCellArray* lines = arrays.Data->GetLines();
-  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  std::vector<vtkIdType> order(static_cast<std::size_t>(lines->GetNumberOfCells()));
+  std::iota(order.begin(), order.end(), 0);
+  if (arrays.Hatching)
   {
-    vtkIdType size;
-    const vtkIdType* ids;
-    lines->GetCellAtId(line, size, ids);
-    const vtkIdType cell = arrays.Data->GetNumberOfVerts() + line;
-    int first = static_cast<int>(this->Points.size());
-    bool closed = size > 3 && ids[0] == ids[size - 1];
-    double arcLength = 0.0; // found here
-    double own = 0.0;       // from the array
-    double before[3] = { 0.0, 0.0, 0.0 };
-    for (vtkIdType i = 0; i < size; ++i)
+    std::vector<float> priorities(order.size());
+    for (const vtkIdType line : order)
     {
-      double p[3];
-      float local[3];
-      arrays.Data->GetPoint(ids[i], p);
-      this->Frame.ToLocal(p, local);
-      if (!std::isfinite(local[0]) || !std::isfinite(local[1]) || !std::isfinite(local[2]))
-      {
-        closed = false;
-        this->EndStroke(arrays, first, cell, line, false);
-        first = static_cast<int>(this->Points.size());
-        continue;
-      }
-      const bool starts = first == static_cast<int>(this->Points.size());
-      if (!starts && std::equal(local, local + 3, this->Points.back().Position))
-      {
-        continue;
-      }
-      const double step =
-        starts ? 0.0 : std::hypot(p[0] - before[0], p[1] - before[1], p[2] - before[2]) / this->Frame.Unit;
-      arcLength += step;
-      // The last point of a closed stroke is its first, with the arc length there.
-      const double given = arrays.ArcLengths ? arrays.ArcLengths->GetComponent(ids[i], 0) / this->Frame.Unit
-                                             : std::numeric_limits<double>::quiet_NaN();
-      own = (closed && i == size - 1) || !std::isfinite(given) ? own + step : given;
-      this->AddPoint(arrays, ids[i], local, arrays.ArcLengths ? own : arcLength);
-      std::copy_n(p, 3, before);
+      vtkIdType size;
+      const vtkIdType* ids;
+      lines->GetCellAtId(line, size, ids);
+      priorities[static_cast<std::size_t>(line)] =
+        arrays.FindPriority(arrays.Data->GetNumberOfVerts() + line, line, size > 0 ? ids[0] : 0);
     }
-    this->EndStroke(arrays, first, cell, line, closed);
+    std::stable_sort(order.begin(), order.end(),
+      [&](vtkIdType a, vtkIdType b)
+      { return priorities[static_cast<std::size_t>(a)] < priorities[static_cast<std::size_t>(b)]; });
   }
+  for (const vtkIdType line : order)
+  {
+    this->ReadLine(arrays, line);
+  }
+}
+
+void InkStrokePoints::ReadLine(const InkStrokeArrays& arrays, vtkIdType line)
+{
+  vtkIdType size;
+  const vtkIdType* ids;
+  arrays.Data->GetLines()->GetCellAtId(line, size, ids);
+  const vtkIdType cell = arrays.Data->GetNumberOfVerts() + line;
+  int first = static_cast<int>(this->Points.size());
+  bool closed = size > 3 && ids[0] == ids[size - 1];
+  double arcLength = 0.0; // found here
+  double own = 0.0;       // from the array
+  double before[3] = { 0.0, 0.0, 0.0 };
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    double p[3];
+    float local[3];
+    arrays.Data->GetPoint(ids[i], p);
+    this->Frame.ToLocal(p, local);
+    if (!std::isfinite(local[0]) || !std::isfinite(local[1]) || !std::isfinite(local[2]))
+    {
+      closed = false;
+      this->EndStroke(arrays, first, cell, line, false);
+      first = static_cast<int>(this->Points.size());
+      continue;
+    }
+    const bool starts = first == static_cast<int>(this->Points.size());
+    if (!starts && std::equal(local, local + 3, this->Points.back().Position))
+    {
+      continue;
+    }
+    const double step =
+      starts ? 0.0 : std::hypot(p[0] - before[0], p[1] - before[1], p[2] - before[2]) / this->Frame.Unit;
+    arcLength += step;
+    // The last point of a closed stroke is its first, with the arc length there.
+    const double given = arrays.ArcLengths ? arrays.ArcLengths->GetComponent(ids[i], 0) / this->Frame.Unit
+                                           : std::numeric_limits<double>::quiet_NaN();
+    own = (closed && i == size - 1) || !std::isfinite(given) ? own + step : given;
+    this->AddPoint(arrays, ids[i], local, arrays.ArcLengths ? own : arcLength);
+    std::copy_n(p, 3, before);
+  }
+  this->EndStroke(arrays, first, cell, line, closed);
+}
+
+int InkStrokePoints::CountPoints(float priority) const
+{
+  const auto end = std::upper_bound(this->Strokes.begin(), this->Strokes.end(), priority,
+    [](float value, const Stroke& stroke) { return value < stroke.Priority; });
+  return end == this->Strokes.begin() ? 0 : std::prev(end)->Last + 1;
 }
 
 std::vector<std::uint32_t> InkStrokePoints::OrderColors(vtkUnsignedCharArray* colors, bool ofCells) const

@@ -21,7 +21,8 @@ struct InkStrokeArrays
 {
   /// Looks for them.
   /// @param widths what the user chose
-  InkStrokeArrays(vtkPolyData* data, vtkDataArray* widths);
+  /// @param hatching whether the strokes are to be hatching, which needs more of them
+  InkStrokeArrays(vtkPolyData* data, vtkDataArray* widths, bool hatching);
 
   vtkPolyData* Data;
   vtkDataArray* Normals;         ///< of the points, 3 components: of the surface that they lie on
@@ -31,12 +32,20 @@ struct InkStrokeArrays
   vtkIdTypeArray* OriginalIds;   ///< of the points, 1 component: what selection finds; null: their own
   vtkDataArray* Priorities;      ///< of the cells or of the points, 1 component
   bool CellPriorities;
+  bool Hatching;
+  vtkDataArray* Spacings; ///< of the cells, 1 component; only of hatching
+  vtkDataArray* Families; ///< of the cells, 1 component: 0, or 1 for the second; only of hatching
 
   /// Why they cannot be drawn, for the user: what was expected and what was found; empty if they can.
   std::string FindProblem() const;
 
+  /// In [0, 1]; without an array by chance.
+  /// @param line among the lines
+  /// @param point the line's first
+  float FindPriority(vtkIdType cell, vtkIdType line, vtkIdType point) const;
+
   /// Modification times, which no other objects ever have.
-  using Key = std::array<vtkMTimeType, 8>;
+  using Key = std::array<vtkMTimeType, 11>;
   Key GetKey() const;
 };
 
@@ -63,11 +72,17 @@ public:
     float ArcLength; ///< of all of the stroke
     float Priority;
     bool Closed;
+    float Spacing = 0.0f; ///< of hatching: of all strokes of the family, in the local frame's unit
+    int Family = 0;       ///< of hatching
   };
 
   /// Reads arrays without problems. Points that are not finite divide strokes; points that repeat the one
-  /// before and strokes of a single point are left out.
+  /// before and strokes of a single point are left out. Strokes are in the order of the lines, or if they
+  /// are hatching in that of their priorities.
   void Read(const InkStrokeArrays& arrays);
+
+  /// Up to which point strokes with no larger priority go, where that is their order.
+  int CountPoints(float priority) const;
 
   /// RGBA of each point here, from colors of the input's points or cells.
   std::vector<std::uint32_t> OrderColors(vtkUnsignedCharArray* colors, bool ofCells) const;
@@ -81,6 +96,7 @@ public:
   const std::vector<Stroke>& GetStrokes() const { return this->Strokes; }
 
 private:
+  void ReadLine(const InkStrokeArrays& arrays, vtkIdType line);
   void AddPoint(const InkStrokeArrays& arrays, vtkIdType id, const float local[3], double arcLength);
   void EndStroke(const InkStrokeArrays& arrays, int first, vtkIdType cell, vtkIdType line, bool closed);
 

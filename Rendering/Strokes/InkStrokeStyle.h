@@ -2,7 +2,22 @@
 #ifndef InkStrokeStyle_h
 #define InkStrokeStyle_h
 
+#include "Tone/Hatching/Intensity.h"
+#include "Tone/Light.h"
+
 #include <array>
+#include <optional>
+#include <vector>
+
+/// How strokes make tones; their HalfWidth is the least.
+struct InkHatching
+{
+  ink::hatching::Intensity Intensity;
+  float Crosshatching = 0.0f;
+  std::array<float, 2> Spacing{}; ///< pixels, and view units in addition
+  float CullingCosine = 1.0f;     ///< what faces away from the eye by more is not drawn
+  std::vector<ink::Light> Lights;
+};
 
 /// How strokes are drawn, in the units of the shader.
 struct InkStrokeStyle
@@ -21,6 +36,7 @@ struct InkStrokeStyle
   float Lift = 0.0f; ///< pixels towards the eye
   float HiddenOpacity = 1.0f;
   std::array<double, 3> Color{};
+  std::optional<InkHatching> Hatching;
 };
 
 #endif

@@ -2,11 +2,14 @@
 #include "vtkInkStrokeMapper.h"
 
 #include "InkFrame.h"
+#include "InkLights.h"
 #include "InkRenderPasses.h"
 #include "InkScalarColors.h"
 #include "InkStrokeMarks.h"
 #include "InkStrokeRuns.h"
 #include "InkStrokeStyle.h"
+
+#include "Tone/Hatching/StrokeWidth.h"
 
 #include "InkOpenGLCompat.h"
 
@@ -44,6 +47,22 @@ std::vector<float> ReadDepth(const InkOccluderDepth& depth)
   const InkRenderTarget::Reading reading(*depth.Image.GetTexture());
   glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   return depths;
+}
+
+/// Strokes of hatching with a larger priority are drawn nowhere in a view.
+float FindMostPriority(const InkStrokePoints& strokes, const InkViewUniforms& view, const InkStrokeStyle& style)
+{
+  float widest = 0.0f;
+  for (const InkStrokePoints::Stroke& stroke : strokes.GetStrokes())
+  {
+    widest = std::max(widest, stroke.Spacing);
+  }
+  const bool parallel = view.Eye[3] == 0.0f;
+  const float pixel = view.Pixel * (parallel ? 1.0f : std::max(style.Distances[0], view.DepthRange[0]));
+  const std::array<float, 2>& spacing = style.Hatching->Spacing;
+  const ink::hatching::StrokeWidth widths{ spacing[0] + spacing[1] / pixel, 0.0f,
+    style.Hatching->Crosshatching };
+  return widths.mostPriority(widest * view.Unit / pixel);
 }
 
 } // namespace
@@ -97,7 +116,7 @@ bool vtkInkStrokeMapper::UpdateMarks(InkMarks& own)
 bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
 {
   auto& marks = static_cast<InkStrokeMarks&>(own);
-  const InkStrokeArrays arrays(strokes, this->GetInputArrayToProcess(0, strokes));
+  const InkStrokeArrays arrays(strokes, this->GetInputArrayToProcess(0, strokes), this->Hatching);
   if (marks.Source != arrays.GetKey())
   {
     marks.Source.reset();
@@ -177,6 +196,22 @@ InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const 
   return style;
 }
 
+InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const
+{
+  const auto number = [](double value) { return static_cast<float>(value); };
+  InkHatching hatching;
+  hatching.Intensity = { number(this->SilhouetteWeight), number(this->DiffuseTruncation),
+    number(this->SilhouetteTruncation), number(this->Tone), number(this->DarkestTone) };
+  hatching.Crosshatching = number(this->Crosshatching);
+  const double scale = view.TileScale * (this->SizeUnit == THOUSANDTHS ? 1e-3 * view.GetShownHeight() : 1.0);
+  const bool world = this->SizeUnit == WORLD;
+  hatching.Spacing = { world ? 0.0f : number(scale * this->HatchSpacing),
+    world ? number(this->HatchSpacing) : 0.0f };
+  hatching.CullingCosine = number(this->CullingCosine);
+  hatching.Lights = InkFindLights(renderer);
+  return hatching;
+}
+
 void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame)
 {
   InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
@@ -208,7 +243,7 @@ void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms
       this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");
       shown.Depth.reset();
     }
-    else
+    else if (!this->Hatching)
     {
       source.Surface = shown.Depth->UploadTime;
       source.Shown = shown.Depth->View;
@@ -219,7 +254,7 @@ void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms
     return;
   }
   InkStrokeRuns runs;
-  if (shown.Depth)
+  if (source.Shown)
   {
     InkViewUniforms finer = view;
     finer.VCDC = shown.Depth->View->VCDC;
@@ -247,8 +282,14 @@ void vtkInkStrokeMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
   const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
   this->UpdateView(marks, view, frame);
   const InkStrokeMarks::View& shown = *marks.Views.Find(frame.Renderer, frame.Actor);
-  const InkStrokeStyle style = this->MakeStyle(marks, view);
-  const InkStrokePasses::Scene scene{ view, style, *shown.Runs, shown.Depth.get() };
+  InkStrokeStyle style = this->MakeStyle(marks, view);
+  int points = shown.Runs->NumberOfPoints;
+  if (this->Hatching)
+  {
+    style.Hatching = this->MakeHatching(view, frame.Renderer);
+    points = marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style));
+  }
+  const InkStrokePasses::Scene scene{ view, style, *shown.Runs, shown.Depth.get(), points };
   if (!marks.Passes.Draw(
         scene, frame, frame.Actor->GetProperty()->GetOpacity(), InkRenderPasses(this, frame.Actor)))
   {

@@ -35,6 +35,7 @@
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
 
 class InkStrokeMarks;
+struct InkHatching;
 struct InkStrokeStyle;
 struct InkViewUniforms;
 class vtkPolyData;
@@ -238,6 +239,92 @@ public:
   vtkGetMacro(ShortestPart, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether strokes are hatching, which shows by its density and width how much light of the renderer falls
+   * on their surface (Rössl et al. 2000, section 3.2). Their input is vtkInkHatching's: `Normals`, `Priority`
+   * and the cell arrays `Spacing`, the distance between all strokes of a family, and `LineFamily`. As many
+   * are drawn as HatchSpacing asks for, wider in the dark, and no narrower than LineWidth: lighter tones have
+   * fewer strokes. The gray is the same at any distance. Given a surface, what it hides is left out pixel by
+   * pixel, whatever HiddenParts says. Default: off.
+   */
+  vtkSetMacro(Hatching, bool);
+  vtkGetMacro(Hatching, bool);
+  vtkBooleanMacro(Hatching, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The distance between strokes of hatching in the picture, as SizeUnit has it: fewer and wider ones, with
+   * the same gray, with a larger one. 1e-3 to 1e12; default: 6.
+   */
+  InkSetClampMacro(HatchSpacing, 1e-3, 1e12);
+  vtkGetMacro(HatchSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * How dark middle tones are. 0 (all but the darkest are white) to 1 (all but the lightest are dark); default:
+   * 0.5, as the light falls.
+   */
+  InkSetClampMacro(Tone, 0.0, 1.0);
+  vtkGetMacro(Tone, double);
+  ///@}
+
+  ///@{
+  /**
+   * The share of the paper that is covered in the deepest shadow. 0 to 1; default: 0.85.
+   */
+  InkSetClampMacro(DarkestTone, 0.0, 1.0);
+  vtkGetMacro(DarkestTone, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much hatching is dark where the surface turns away from the eye in place of where there is no light. 0
+   * to 1 (only there); default: 0.3.
+   */
+  InkSetClampMacro(SilhouetteWeight, 0.0, 1.0);
+  vtkGetMacro(SilhouetteWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much of the light may be missing without any strokes: larger highlights with a larger one. 0 to 1;
+   * default: 0.1.
+   */
+  InkSetClampMacro(DiffuseTruncation, 0.0, 1.0);
+  vtkGetMacro(DiffuseTruncation, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the surface may be turned away from the eye before that makes it dark: 1 minus the cosine. 0 to
+   * 1; default: 0.5.
+   */
+  InkSetClampMacro(SilhouetteTruncation, 0.0, 1.0);
+  vtkGetMacro(SilhouetteTruncation, double);
+  ///@}
+
+  ///@{
+  /**
+   * From which tones on the second family of lines crosses the first one. 0: never; 1: in all tones, both
+   * alike; between: in tones above 1 - Crosshatching. Default: 0.5.
+   */
+  InkSetClampMacro(Crosshatching, 0.0, 1.0);
+  vtkGetMacro(Crosshatching, double);
+  ///@}
+
+  ///@{
+  /**
+   * Hatching is left out where the surface faces away from the eye by more than this cosine. 0 to 1; default:
+   * 0.2, as published. 1: nowhere; surfaces are seen, and lit, from both sides, whatever their normals'
+   * orientation.
+   */
+  InkSetClampMacro(CullingCosine, 0.0, 1.0);
+  vtkGetMacro(CullingCosine, double);
+  ///@}
+
   /// Smooth edges are blended over what lies behind them.
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
@@ -261,6 +348,7 @@ private:
   void operator=(const vtkInkStrokeMapper&) = delete;
 
   InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
+  InkHatching MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const;
   /// The depth of the surface in a view, null without one; and the runs of the strokes there.
   void UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame);
 
@@ -280,6 +368,15 @@ private:
   int HiddenParts = OMITTED;
   double HiddenOpacity = 0.3;
   double ShortestPart = 4.0;
+  bool Hatching = false;
+  double HatchSpacing = 6.0;
+  double Tone = 0.5;
+  double DarkestTone = 0.85;
+  double SilhouetteWeight = 0.3;
+  double DiffuseTruncation = 0.1;
+  double SilhouetteTruncation = 0.5;
+  double Crosshatching = 0.5;
+  double CullingCosine = 0.2;
 };
 
 #endif

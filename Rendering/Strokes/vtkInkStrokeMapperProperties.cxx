@@ -51,6 +51,15 @@ void vtkInkStrokeMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetHiddenParts(from->GetHiddenParts());
     this->SetHiddenOpacity(from->GetHiddenOpacity());
     this->SetShortestPart(from->GetShortestPart());
+    this->SetHatching(from->GetHatching());
+    this->SetHatchSpacing(from->GetHatchSpacing());
+    this->SetTone(from->GetTone());
+    this->SetDarkestTone(from->GetDarkestTone());
+    this->SetSilhouetteWeight(from->GetSilhouetteWeight());
+    this->SetDiffuseTruncation(from->GetDiffuseTruncation());
+    this->SetSilhouetteTruncation(from->GetSilhouetteTruncation());
+    this->SetCrosshatching(from->GetCrosshatching());
+    this->SetCullingCosine(from->GetCullingCosine());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -75,4 +84,13 @@ void vtkInkStrokeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HiddenParts: " << this->GetHiddenPartsAsString() << "\n";
   os << indent << "HiddenOpacity: " << this->HiddenOpacity << "\n";
   os << indent << "ShortestPart: " << this->ShortestPart << "\n";
+  os << indent << "Hatching: " << (this->Hatching ? "On" : "Off") << "\n";
+  os << indent << "HatchSpacing: " << this->HatchSpacing << "\n";
+  os << indent << "Tone: " << this->Tone << "\n";
+  os << indent << "DarkestTone: " << this->DarkestTone << "\n";
+  os << indent << "SilhouetteWeight: " << this->SilhouetteWeight << "\n";
+  os << indent << "DiffuseTruncation: " << this->DiffuseTruncation << "\n";
+  os << indent << "SilhouetteTruncation: " << this->SilhouetteTruncation << "\n";
+  os << indent << "Crosshatching: " << this->Crosshatching << "\n";
+  os << indent << "CullingCosine: " << this->CullingCosine << "\n";
 }

@@ -2,6 +2,7 @@
 // All styles. A new one is added here and in CMakeLists.txt.
 #include "vtkInkContoursStyle.h"
 #include "vtkInkIllustrationStyle.h"
+#include "vtkInkLineArtStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleStyle.h"
 
@@ -20,6 +21,7 @@ struct Registered
 constexpr Registered Styles[] = {
   { "illustration", []() -> vtkInkStyle* { return vtkInkIllustrationStyle::New(); } },
   { "contours", []() -> vtkInkStyle* { return vtkInkContoursStyle::New(); } },
+  { "line-art", []() -> vtkInkStyle* { return vtkInkLineArtStyle::New(); } },
   { "splatting-lines", []() -> vtkInkStyle* { return vtkInkSplattingLinesStyle::New(); } },
   { "stipple", []() -> vtkInkStyle* { return vtkInkStippleStyle::New(); } },
 };

@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * All styles there are, the default first: "illustration", "contours", "splatting-lines", "stipple".
-   * CreateStyle returns null for an unknown name.
+   * All styles there are, the default first: "illustration", "contours", "line-art", "splatting-lines",
+   * "stipple". CreateStyle returns null for an unknown name.
    */
   static int GetNumberOfStyles();
   static const char* GetStyleName(int style); ///< null out of range

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleStyle.h"
 
+#include "InkAimLight.h"
 #include "InkColorMap.h"
 #include "InkHasSurface.h"
 #include "InkIsoSurface.h"
@@ -17,7 +18,6 @@
 
 #include "vtkCellData.h"
 #include "vtkLight.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkScalarsToColors.h"
@@ -38,8 +38,6 @@ vtkInkStippleStyle::vtkInkStippleStyle()
   this->Mapper->UseLookupTableScalarRangeOn();
   // Bytes, too: VTK takes them for colors otherwise.
   this->Mapper->SetColorModeToMapScalars();
-  this->Light->SetLightTypeToCameraLight();
-  this->Light->SetFocalPoint(0, 0, 0);
   this->SetLightDirection(this->LightDirection[0], this->LightDirection[1]);
   this->SetPreset(0);
 }
@@ -290,9 +288,7 @@ void vtkInkStippleStyle::SetLightDirection(double azimuth, double elevation)
 {
   this->LightDirection[0] = azimuth;
   this->LightDirection[1] = elevation;
-  const double right = vtkMath::RadiansFromDegrees(azimuth);
-  const double up = vtkMath::RadiansFromDegrees(elevation);
-  this->Light->SetPosition(std::sin(right) * std::cos(up), std::sin(up), std::cos(right) * std::cos(up));
+  InkAimLight(this->Light, this->LightDirection);
 }
 
 void vtkInkStippleStyle::SetPaperColor(double red, double green, double blue)

@@ -70,7 +70,7 @@ def test_the_manual_page(ink, options):
     assert render.count("\\fB--size\\fR") == 1
     found = {}
     for group in render.split(".PP\n"):
-        style = re.match(r"(Contours|Illustration|Splatting Lines|Stipple)\b|", group)[0]
+        style = re.match(r"(Contours|Illustration|Line Art|Splatting Lines|Stipple)\b|", group)[0]
         found.setdefault(style, []).extend(re.findall(r"^(?:\\fB-\w\\fR, )?\\fB(--[\w-]+)\\fR", group, re.M))
     for style, names in found.items():
         assert len(names) == len(set(names)) > 10, (style, sorted(names))

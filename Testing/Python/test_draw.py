@@ -248,8 +248,8 @@ def test_a_style_file_says_the_style(tmp_path):
 
 @pytest.mark.parametrize("style, content, words", [
     ("stipple", {"style": "splatting-lines", "parameters": {}}, ['expected "stipple", found "splatting-lines"']),
-    (None, {"style": "oil", "parameters": {}}, ['expected one of illustration, contours, splatting-lines, stipple, found "oil"']),
-    ("stipple", {"style": "oil", "parameters": {}}, ['expected one of illustration, contours, splatting-lines, stipple, found "oil"']),
+    (None, {"style": "oil", "parameters": {}}, ['expected one of illustration, contours, line-art, splatting-lines, stipple, found "oil"']),
+    ("stipple", {"style": "oil", "parameters": {}}, ['expected one of illustration, contours, line-art, splatting-lines, stipple, found "oil"']),
     (None, {"parameters": {}}, ['expected {"style"']),
     (None, {"style": "splatting-lines", "parameters": {"Tau": "x"}}, ["Tau: expected a number", "x"]),
     (None, b"\xff\xfe", ["UTF-8"]),

@@ -17,8 +17,8 @@ vtk = vtkink.vtk
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Styles/Core"))
 import generate_parameters  # noqa: E402
-TABLES = {"contours": "Contours", "illustration": "Illustration", "stipple": "Stipple", "splatting-lines": "SplattingLines"}
-PAGES = {"contours": "contours.md", "illustration": "illustration.md", "stipple": "stipple.md", "splatting-lines": "splatting-lines.md"}
+TABLES = {"contours": "Contours", "illustration": "Illustration", "line-art": "LineArt", "stipple": "Stipple", "splatting-lines": "SplattingLines"}
+PAGES = {"contours": "contours.md", "illustration": "illustration.md", "line-art": "line-art.md", "stipple": "stipple.md", "splatting-lines": "splatting-lines.md"}
 STYLES = vtkink.styles()
 CASES = [pytest.param(style, parameter, id=f"{style}.{parameter.name}")
          for style, described in STYLES.items() for parameter in described.parameters.values()]  # fmt: skip

@@ -30,9 +30,8 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->type_name("OUT.png");
   command
     ->add_option("--style", this->style,
-      "way of drawing: illustration, contours, splatting-lines or stipple (illustration); 'ink render "
-      "--style "
-      "NAME --help' shows its options")
+      "way of drawing: illustration, contours, line-art, splatting-lines or stipple (illustration);\n"
+      "'ink render --style NAME --help' shows its options")
     ->type_name("NAME")
     ->check(oneOf(StyleArguments::names()));
   std::vector<std::string> views;

@@ -220,6 +220,22 @@ vec4 positionOf(int point)
 #endif
 
 #ifdef INK_OCCLUDED
+#ifdef INK_HIDDEN
+// The share of a pixel that the surface leaves to a stroke of some depth.
+float visibleShare(vec2 pixel, float depth)
+{
+  ivec2 last = textureSize(occluder, 0) - 1;
+  float visible = 0.0;
+  for (int quarter = 0; quarter < 4; ++quarter)
+  {
+    vec2 at = pixel + 0.5 * vec2(float(quarter & 1), float(quarter >> 1)) - 0.25;
+    ivec2 texel = clamp(ivec2(at * occluderScale + occluderMargin), ivec2(0), last);
+    visible += depth <= texelFetch(occluder, texel, 0).r ? 0.25 : 0.0;
+  }
+  return visible;
+}
+#endif
+
 // The depth of the surface around a pixel, lifted: the stroke lies on it, where it is nearer.
 float surfaceDepth(vec2 pixel)
 {
@@ -275,6 +291,9 @@ bool findInk(out vec4 ink, out float depth)
 #ifdef INK_PLANES
   vec4 position = mix(positionOf(segmentVSOutput), positionOf(segmentVSOutput + 1), mix(own.cut.x, own.cut.y, share));
   coverage = clipDistance(position) < 0.0 ? 0.0 : coverage;
+#endif
+#ifdef INK_HIDDEN
+  coverage *= visibleShare(pixel, 0.5 * depth + 0.5);
 #endif
   if (!(coverage * opacity > leastCoverage) || depth > 1.0 || !coversMost(nearest.inside, pixel))
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
+//INK::Features
 
 // Where the picture has a point of a stroke and how wide the stroke is there: a pixel of an image for each.
 
@@ -16,12 +17,48 @@ uniform vec2 halfWidth; // pixels, and view units in addition
 uniform float depthWidth;
 uniform vec2 distances; // of the nearest and the farthest stroke, view units
 uniform float lift;     // pixels
+#ifdef INK_HATCHING
+uniform float taper; // share of a stroke's length
+#endif
+
+#ifdef INK_HATCHING
+#include "InkHatching.glsl"
+uniform samplerBuffer hatches; // distance of all strokes of the family in the local frame, family
+#endif
 
 flat out vec4 placeVSOutput; // clip coordinates, lifted
 flat out vec4 shapeVSOutput; // half width in pixels, arc length, the stroke's length if it is open
 
 // The lift is larger on a slanted surface, up to this; without a normal, too.
 const float leastSlant = 0.25;
+
+#ifdef INK_HATCHING
+vec3 positionOf(int drawnPoint)
+{
+  return (MCVCMatrix * vec4(texelFetch(sourcePoints, int(texelFetch(drawnPoints, drawnPoint).x)).xyz, 1.0)).xyz;
+}
+
+// Rossl's epsilon: beyond, a surface is seen from behind; up to there, it is just behind its silhouette.
+const float behindSilhouette = 0.2;
+
+// The width in pixels that the tone at a point of a stroke asks for.
+float toneWidth(vec3 position, vec3 normal, vec3 toEye, float pixel, ivec4 run, float priority)
+{
+  float cosine = normal == vec3(0.0) ? 1.0 : dot(normal, toEye);
+  bool twoSided = cullingCosine >= 1.0;
+  if (cosine < -cullingCosine || (twoSided && cosine < 0.0 && cosine > -behindSilhouette))
+  {
+    return 0.0;
+  }
+  vec3 way = positionOf(min(gl_VertexID + 1, run.y)) - positionOf(max(gl_VertexID - 1, run.x));
+  vec2 hatch = texelFetch(hatches, run.z).xy;
+  float allSpacing = hatch.x * unitVC * foreshortening(cosine, way, toEye) / pixel;
+  float spacing = hatchSpacing.x + hatchSpacing.y / pixel;
+  float least = 2.0 * (halfWidth.x + halfWidth.y / pixel);
+  float coverage = hatchCoverage(hatchTone(position, normal, cosine), hatch.y);
+  return strokeWidth(coverage, allSpacing, priority, spacing, least);
+}
+#endif
 
 void main()
 {
@@ -40,24 +77,39 @@ void main()
   vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
   toEye = toEye == vec3(0.0) ? vec3(0.0, 0.0, 1.0) : normalize(toEye);
   vec3 normal = normalMatrix * shape.xyz;
-  float slant = normal == vec3(0.0) ? leastSlant : max(abs(dot(normalize(normal), toEye)), leastSlant);
+  float cosine = normal == vec3(0.0) ? 0.0 : dot(normalize(normal), toEye);
+  float slant = max(abs(cosine), leastSlant);
   vec4 place = VCDCMatrix * position;
   float pixel = pixelVC * place.w;
   if (place.w > 0.0 && place.z > -place.w)
   {
     // Not behind the eye nor before the near plane.
     float towards = min(lift * pixel / slant, eyeVC.w == 0.0 ? lift * pixel / slant : 0.5 * length(position.xyz));
+#ifdef INK_HATCHING
+    // What lies just behind a silhouette would reach over it.
+    towards = cosine < 0.0 && cullingCosine < 1.0 ? 0.0 : towards;
+#endif
     vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * towards, 1.0);
     place.z = max(lifted.z / lifted.w, -1.0) * place.w;
   }
 
-  vec4 stroke = texelFetch(strokes, texelFetch(runs, int(drawn.z)).z);
+  ivec4 run = texelFetch(runs, int(drawn.z));
+  vec4 stroke = texelFetch(strokes, run.z);
   float along = point.w - stroke.x;
   float width = shape.w;
   width *= 1.0 - depthWidth * clamp((-position.z - distances.x) / (distances.y - distances.x), 0.0, 1.0);
 
+#ifdef INK_HATCHING
+  vec3 unitNormal = normal == vec3(0.0) ? normal : normalize(normal);
+  float halfOfTone = 0.5 * toneWidth(position.xyz, unitNormal, toEye, abs(pixel), run, stroke.z);
+  // What tapering takes away at the ends.
+  width *= stroke.w == 0.0 && stroke.y > 0.0 ? halfOfTone / (1.0 - 0.5 * taper) : halfOfTone;
+#else
+  width *= halfWidth.x + halfWidth.y / abs(pixel);
+#endif
+
   placeVSOutput = place;
-  shapeVSOutput = vec4(width * (halfWidth.x + halfWidth.y / abs(pixel)), along, stroke.w == 0.0 ? stroke.y : 0.0, 0.0);
+  shapeVSOutput = vec4(width, along, stroke.w == 0.0 ? stroke.y : 0.0, 0.0);
   int row = int(imageSize.x);
   vec2 texel = vec2(float(gl_VertexID % row), float(gl_VertexID / row)) + 0.5;
   gl_Position = vec4(2.0 * texel / imageSize - 1.0, 0.0, 1.0);

@@ -115,9 +115,9 @@ TEST(StyleFiles, WhatIsWrongIsNamedAndNothingIsSet)
   problem(R"({"style": "stipple"})", { "parameters" });
   problem(R"({"style": "stipple", "parameters": [1]})", { "parameters" });
   problem(R"({"style": "oil", "parameters": {}})",
-    { "style", "one of illustration, contours, splatting-lines, stipple, found \"oil\"" });
+    { "style", "one of illustration, contours, line-art, splatting-lines, stipple, found \"oil\"" });
   problem(R"({"style": 1, "parameters": {}})",
-    { "style", "one of illustration, contours, splatting-lines, stipple, found 1" });
+    { "style", "one of illustration, contours, line-art, splatting-lines, stipple, found 1" });
   problem(R"({"style": "splatting-lines", "parameters": {}})",
     { R"(style: expected "stipple", found "splatting-lines")" });
   problem(R"({"style": "stipple", "parameters": {}, "author": 1})", { "'author'" });

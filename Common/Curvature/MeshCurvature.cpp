@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curvature/MeshCurvature.h"
+
+#include "Core/ParallelFor.h"
+#include "Curvature/ExponentialMapFit.h"
+#include "Curvature/RingFit.h"
+#include "Curvature/SurfaceRings.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr std::size_t pointsAtOnce = 512;
+
+/// Calls body(first, end) for parts of 0 ... count - 1, in parallel.
+template <class Body>
+bool forEachPart(std::size_t count, const Body& body, const Progress& progress = {})
+{
+  return parallelFor((count + pointsAtOnce - 1) / pointsAtOnce,
+    [&](std::size_t part) { body(part * pointsAtOnce, std::min(count, (part + 1) * pointsAtOnce)); },
+    progress);
+}
+
+glm::dvec3 unitOrZero(const glm::dvec3& v)
+{
+  const double length = glm::length(v);
+  return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+}
+
+/// The unit normals of sites, zero where unknown.
+std::vector<glm::dvec3> siteNormals(
+  const TriangleMesh& mesh, const SurfaceRings& rings, std::span<const glm::vec3> normals)
+{
+  std::vector<glm::dvec3> result(mesh.points.size(), glm::dvec3(0.0));
+  // Several points of a site add up.
+  for (std::size_t point = 0; point < normals.size(); ++point)
+  {
+    result[rings.site(point)] += unitOrZero(normals[point]);
+  }
+  forEachPart(result.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t site = begin; site < end; ++site)
+      {
+        // Opposite ones cancel out up to rounding.
+        constexpr double rounding = 1e-6;
+        glm::dvec3& normal = result[site];
+        normal = unitOrZero(glm::length(normal) > rounding ? normal : rings.areaVector(mesh.points, site));
+      }
+    });
+  return result;
+}
+
+bool isKnown(CurvatureSource source)
+{
+  return source != CurvatureSource::None;
+}
+
+/// The mean of what is known of the neighbors, as forms in the tangent plane of a site.
+/// @param normal of the site, or zero: the mean of the neighbors'
+std::pair<PrincipalCurvature, CurvatureSource> meanOfNeighbors(
+  std::span<const std::uint32_t> ring, const glm::dvec3& normal, const MeshCurvature& known)
+{
+  glm::dmat3 sum(0.0);
+  glm::dvec3 up(0.0);
+  int count = 0;
+  for (const std::uint32_t neighbor : ring)
+  {
+    if (isKnown(known.sources[neighbor]))
+    {
+      const PrincipalCurvature& c = known.points[neighbor];
+      sum += c.k1 * glm::outerProduct(c.direction1, c.direction1) +
+        c.k2 * glm::outerProduct(c.direction2, c.direction2);
+      up += c.normal();
+      ++count;
+    }
+  }
+  up = glm::dot(normal, normal) > 0.0 ? normal : unitOrZero(up);
+  const auto [axis1, axis2] = tangentAxes(glm::dot(up, up) > 0.0 ? up : glm::dvec3(0.0, 0.0, 1.0));
+  const double share = 1.0 / std::max(count, 1);
+  const TangentForm form{ share * glm::dot(axis1, sum * axis1), share * glm::dot(axis1, sum * axis2),
+    share * glm::dot(axis2, sum * axis2) };
+  return { principalCurvature(form, axis1, axis2),
+    count > 0 ? CurvatureSource::Neighbors : CurvatureSource::None };
+}
+
+void fillUnknown(const SurfaceRings& rings, std::span<const glm::dvec3> normals, MeshCurvature& result)
+{
+  // Sites that are filled do not count as known before all are.
+  std::vector<std::pair<std::size_t, std::pair<PrincipalCurvature, CurvatureSource>>> filled;
+  for (std::size_t site = 0; site < result.sources.size(); ++site)
+  {
+    if (!isKnown(result.sources[site]))
+    {
+      filled.emplace_back(site, meanOfNeighbors(rings.ring(site), normals[site], result));
+    }
+  }
+  for (const auto& [site, found] : filled)
+  {
+    std::tie(result.points[site], result.sources[site]) = found;
+  }
+}
+
+void checkOptions(
+  const TriangleMesh& mesh, std::span<const glm::vec3> normals, const CurvatureOptions& options)
+{
+  if (!normals.empty() && normals.size() != mesh.points.size())
+  {
+    throw std::invalid_argument("there are " + std::to_string(normals.size()) +
+      " normals; expected one for each of " + std::to_string(mesh.points.size()) + " points, or none");
+  }
+  if (options.rings < 1 || options.rings > mostCurvatureRings)
+  {
+    throw std::invalid_argument("the number of rings is " + std::to_string(options.rings) +
+      "; expected 1 to " + std::to_string(mostCurvatureRings));
+  }
+  if (options.degree != 2 && options.degree != 3)
+  {
+    throw std::invalid_argument("the degree is " + std::to_string(options.degree) + "; expected 2 or 3");
+  }
+  if (options.derivatives && (options.degree != 3 || options.estimator != CurvatureEstimator::Jet))
+  {
+    throw std::invalid_argument(
+      "derivatives of curvature are asked for; expected the estimator Jet of degree 3");
+  }
+}
+
+/// What one thread needs.
+struct Scratch
+{
+  explicit Scratch(std::size_t sites)
+    : front(sites)
+  {
+  }
+  RingFit::Front front;
+  std::vector<glm::dvec3> ring;
+  std::vector<UnfoldedPoint> unfolded;
+};
+
+} // namespace
+
+MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
+  const CurvatureOptions& options, const Progress& progress)
+{
+  checkOptions(mesh, normals, options);
+  const SurfaceRings rings(mesh);
+  const std::size_t count = rings.size();
+  const std::vector<glm::dvec3> up = siteNormals(mesh, rings, normals);
+  MeshCurvature result;
+  result.points.resize(count);
+  result.sources.assign(count, CurvatureSource::None);
+  result.derivatives.resize(options.derivatives ? count : 0);
+
+  const RingFit fitter(mesh.points, rings, up, options);
+  const auto fitJetAt = [&](std::uint32_t site, Scratch& scratch)
+  {
+    const std::optional<JetFit> fit = fitter.fit(site, scratch.front);
+    if (fit)
+    {
+      result.points[site] = fit->curvature;
+      if (options.derivatives)
+      {
+        result.derivatives[site] = fit->derivative;
+      }
+      return true;
+    }
+    const std::optional<PrincipalCurvature> pinned = fitter.fitPinned(site, scratch.front);
+    result.points[site] = pinned.value_or(PrincipalCurvature());
+    return pinned.has_value();
+  };
+  const auto fitPaperAt = [&](std::uint32_t site, Scratch& scratch)
+  {
+    scratch.ring.clear();
+    for (const std::uint32_t neighbor : rings.ring(site))
+    {
+      scratch.ring.push_back(mesh.points[neighbor] - mesh.points[site]);
+    }
+    // The ring runs as its first triangle does, which may be seen from inside.
+    glm::dvec3 area(0.0);
+    for (std::size_t i = 0; i < scratch.ring.size(); ++i)
+    {
+      area += glm::cross(scratch.ring[i], scratch.ring[(i + 1) % scratch.ring.size()]);
+    }
+    if (glm::dot(area, up[site]) < 0.0)
+    {
+      std::reverse(scratch.ring.begin(), scratch.ring.end());
+    }
+    return rings.shape(site) == RingShape::Closed &&
+      fitExponentialMap(scratch.ring, scratch.unfolded, result.points[site]);
+  };
+  tbb::enumerable_thread_specific<Scratch> scratches(count);
+  const bool finished = forEachPart(
+    count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      Scratch& scratch = scratches.local();
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto site = static_cast<std::uint32_t>(i);
+        const RingShape shape = rings.shape(site);
+        if (shape == RingShape::Isolated || glm::dot(up[site], up[site]) == 0.0)
+        {
+          continue;
+        }
+        if (options.estimator == CurvatureEstimator::Jet ? fitJetAt(site, scratch)
+                                                         : fitPaperAt(site, scratch))
+        {
+          result.sources[site] =
+            shape == RingShape::Closed ? CurvatureSource::Surface : CurvatureSource::Border;
+        }
+      }
+    },
+    progress);
+  if (!finished)
+  {
+    return {};
+  }
+  fillUnknown(rings, up, result);
+  for (std::size_t point = 0; point < count; ++point)
+  {
+    if (const std::uint32_t site = rings.site(point); site != point)
+    {
+      result.points[point] = result.points[site];
+      result.sources[point] = result.sources[site];
+      if (options.derivatives)
+      {
+        result.derivatives[point] = result.derivatives[site];
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace ink

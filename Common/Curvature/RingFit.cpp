@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curvature/RingFit.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ink
+{
+
+namespace
+{
+
+/// Whether noise changes the curvature little, compared to its size or, where the surface is nearly flat, to
+/// a bend that can hardly be seen.
+bool isQuiet(const JetFit& fit)
+{
+  constexpr double share = 0.02;
+  constexpr double flat = 0.01; // an angle, within the reach
+  const double size = std::max(std::abs(fit.curvature.k1), std::abs(fit.curvature.k2));
+  return fit.noise() <= share * std::max(size, flat / fit.reach);
+}
+
+} // namespace
+
+RingFit::RingFit(std::span<const glm::dvec3> points, const SurfaceRings& rings,
+  std::span<const glm::dvec3> normals, const CurvatureOptions& options)
+  : Points(points)
+  , Rings(rings)
+  , Normals(normals)
+  , Options(options)
+{
+}
+
+void RingFit::start(std::uint32_t site, Front& front) const
+{
+  const auto [axisU, axisV] = tangentAxes(this->Normals[site]);
+  front.points.start({ this->Points[site], axisU, axisV, this->Normals[site] });
+  front.points.add(this->Points[site]);
+  front.sites.assign(1, site);
+  front.begin = 0;
+  front.reachedFrom[site] = site;
+}
+
+/// Adds the sites of the next rings that face to the start's side, as far as there is room.
+void RingFit::addRings(int count, Front& front) const
+{
+  constexpr std::size_t mostNeighbors = 64;
+  const glm::dvec3 up = front.points.frame.normal;
+  const std::uint32_t start = front.sites[0];
+  for (; count > 0; --count)
+  {
+    const std::size_t end = front.sites.size();
+    for (; front.begin < end; ++front.begin)
+    {
+      const std::span<const std::uint32_t> neighbors = this->Rings.ring(front.sites[front.begin]);
+      // Of very many neighbors some all around: otherwise all of a large fan would be visited from each of
+      // its points.
+      const std::size_t step = 1 + neighbors.size() / mostNeighbors;
+      for (std::size_t i = 0; i < neighbors.size(); i += step)
+      {
+        const std::uint32_t site = neighbors[i];
+        if (front.reachedFrom[site] == start)
+        {
+          continue;
+        }
+        front.reachedFrom[site] = start;
+        if (glm::dot(this->Normals[site], up) > 0.0)
+        {
+          if (front.points.isFull())
+          {
+            return;
+          }
+          front.sites.push_back(site);
+          front.points.add(this->Points[site]);
+        }
+      }
+    }
+  }
+}
+
+std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
+{
+  // Of two residuals; that of few points is not known better.
+  constexpr double muchLarger = 3.0;
+  const auto fitPoints = [&front](int degree) { return fitJet(front.points, front.points.count, degree); };
+  const int most = this->Options.rings;
+  std::optional<JetFit> best;
+  this->start(site, front);
+  int collected = 0;
+  for (const int step : { 2, 3, 5, mostCurvatureRings })
+  {
+    const int rings = this->Options.adaptive ? std::min(step, most) : most;
+    this->addRings(rings - collected, front);
+    collected = rings;
+    const std::optional<JetFit> next = fitPoints(this->Options.degree);
+    if (next && best && next->residual > muchLarger * best->residual)
+    {
+      break;
+    }
+    best = next ? next : best;
+    if (rings == most || (best && isQuiet(*best)))
+    {
+      break;
+    }
+  }
+  return best || this->Options.degree == 2 ? best : fitPoints(2);
+}
+
+std::optional<PrincipalCurvature> RingFit::fitPinned(std::uint32_t site, Front& front) const
+{
+  this->start(site, front);
+  for (const std::uint32_t neighbor : this->Rings.ring(site))
+  {
+    if (!front.points.isFull())
+    {
+      front.points.add(this->Points[neighbor]);
+    }
+  }
+  return fitPinnedQuadric(front.points);
+}
+
+} // namespace ink

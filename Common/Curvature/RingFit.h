@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Curvature/JetFit.h"
+#include "Curvature/MeshCurvature.h"
+#include "Curvature/SurfaceRings.h"
+#include "Curvature/TangentPoints.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ink
+{
+
+/// Fits polynomials to the rings around sites of a mesh.
+class RingFit
+{
+public:
+  /// One thread's state. Each site is fitted once.
+  struct Front
+  {
+    explicit Front(std::size_t siteCount)
+      : reachedFrom(siteCount, none)
+    {
+    }
+
+  private:
+    friend class RingFit;
+    static constexpr std::uint32_t none = ~0u;
+    TangentPoints points;                   // of the last fit, in the order of rings
+    std::vector<std::uint32_t> reachedFrom; // of each site, the start of the last search that reached it
+    std::vector<std::uint32_t> sites;       // of this search
+    std::size_t begin = 0;                  // of them, where the last ring begins
+  };
+
+  /// Keeps references to all of these.
+  /// @param normals one per site, unit length
+  RingFit(std::span<const glm::dvec3> points, const SurfaceRings& rings, std::span<const glm::dvec3> normals,
+    const CurvatureOptions& options);
+
+  /// The fit to the rings around a site. With adaptive rings, to the fewest in which noise changes curvature
+  /// little; where more would leave much larger residuals, the surface and not its noise makes them, and the
+  /// fewer are taken.
+  /// @return nothing if no number of rings determines one
+  std::optional<JetFit> fit(std::uint32_t site, Front& front) const;
+
+  /// The same of fitPinnedQuadric to the first ring, whichever way its sites face: for what has too few
+  /// points for a polynomial, as small polyhedra.
+  std::optional<PrincipalCurvature> fitPinned(std::uint32_t site, Front& front) const;
+
+private:
+  void start(std::uint32_t site, Front& front) const;
+  void addRings(int count, Front& front) const;
+
+  std::span<const glm::dvec3> Points;
+  const SurfaceRings& Rings;
+  std::span<const glm::dvec3> Normals;
+  const CurvatureOptions& Options;
+};
+
+} // namespace ink

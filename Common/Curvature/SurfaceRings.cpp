@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curvature/SurfaceRings.h"
+
+#include "Core/ParallelFor.h"
+#include "Core/ParallelSort.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr std::size_t sitesAtOnce = 2048;
+
+std::size_t blocksOf(std::size_t sites)
+{
+  return (sites + sitesAtOnce - 1) / sitesAtOnce;
+}
+
+bool isFinite(const glm::dvec3& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+bool hasTwice(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+} // namespace
+
+SurfaceRings::SurfaceRings(const TriangleMesh& mesh)
+{
+  this->Triangles.reserve(mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles)
+  {
+    const std::uint32_t last = std::max({ triangle[0], triangle[1], triangle[2] });
+    if (last >= mesh.points.size())
+    {
+      throw std::invalid_argument("a triangle names point " + std::to_string(last) + "; expected less than " +
+        std::to_string(mesh.points.size()) + ", the number of points");
+    }
+    if (!hasTwice(triangle) && isFinite(mesh.points[triangle[0]]) && isFinite(mesh.points[triangle[1]]) &&
+      isFinite(mesh.points[triangle[2]]))
+    {
+      this->Triangles.push_back(triangle);
+    }
+  }
+  this->connect(mesh.points.size());
+  this->fillRings();
+  if (this->weldBorders(mesh.points))
+  {
+    this->connect(mesh.points.size());
+    this->fillRings();
+  }
+}
+
+void SurfaceRings::connect(std::size_t pointCount)
+{
+  this->FirstCorner.assign(pointCount + 1, 0);
+  for (const Triangle& triangle : this->Triangles)
+  {
+    for (const std::uint32_t site : triangle)
+    {
+      ++this->FirstCorner[site];
+    }
+  }
+  std::exclusive_scan(
+    this->FirstCorner.begin(), this->FirstCorner.end(), this->FirstCorner.begin(), std::size_t(0));
+  this->Corners.resize(3 * this->Triangles.size());
+  // Each offset runs to the next site's, which the last loop sets back.
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    for (const std::uint32_t site : this->Triangles[t])
+    {
+      this->Corners[this->FirstCorner[site]++] = static_cast<std::uint32_t>(t);
+    }
+  }
+  std::shift_right(this->FirstCorner.begin(), this->FirstCorner.end(), 1);
+  this->FirstCorner[0] = 0;
+}
+
+template <class Visit>
+void SurfaceRings::visitLinks(std::size_t site, const Visit& visit) const
+{
+  for (std::size_t i = this->FirstCorner[site]; i < this->FirstCorner[site + 1]; ++i)
+  {
+    const Triangle& t = this->Triangles[this->Corners[i]];
+    const int corner = t[0] == site ? 0 : t[1] == site ? 1 : 2;
+    visit(LinkEdge{ t[corner == 2 ? 0 : corner + 1], t[corner == 0 ? 2 : corner - 1], this->Corners[i] });
+  }
+}
+
+void SurfaceRings::fillRings()
+{
+  const std::size_t count = this->FirstCorner.size() - 1;
+  this->Shapes.resize(count);
+  this->FirstNeighbor.assign(count + 1, 0);
+  std::vector<std::vector<std::uint32_t>> rings(blocksOf(count));
+  parallelFor(rings.size(),
+    [&](std::size_t block)
+    {
+      std::vector<LinkEdge> links;
+      std::vector<std::uint32_t>& ring = rings[block];
+      ring.reserve(6 * sitesAtOnce);
+      for (std::size_t site = block * sitesAtOnce; site < std::min(count, (block + 1) * sitesAtOnce); ++site)
+      {
+        links.clear();
+        this->visitLinks(site, [&links](const LinkEdge& link) { links.push_back(link); });
+        const std::size_t before = ring.size();
+        this->Shapes[site] = appendRing(links, ring);
+        this->FirstNeighbor[site + 1] = ring.size() - before;
+      }
+    });
+  std::partial_sum(this->FirstNeighbor.begin(), this->FirstNeighbor.end(), this->FirstNeighbor.begin());
+  this->Neighbors.resize(this->FirstNeighbor.back());
+  parallelFor(rings.size(),
+    [&](std::size_t block)
+    {
+      std::copy(rings[block].begin(), rings[block].end(),
+        this->Neighbors.begin() + static_cast<std::ptrdiff_t>(this->FirstNeighbor[block * sitesAtOnce]));
+    });
+}
+
+bool SurfaceRings::weldBorders(std::span<const glm::dvec3> points)
+{
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t site = 0; site < this->size(); ++site)
+  {
+    if (this->Shapes[site] == RingShape::Open || this->Shapes[site] == RingShape::NonManifold)
+    {
+      open.push_back(site);
+    }
+  }
+  const auto key = [&points](std::uint32_t site)
+  {
+    const glm::dvec3& p = points[site];
+    return std::tuple(p.x, p.y, p.z);
+  };
+  parallelSort(open.begin(), open.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  bool welded = false;
+  for (std::size_t i = 1, first = 0; i < open.size(); ++i)
+  {
+    if (key(open[i]) != key(open[first]))
+    {
+      first = i;
+      continue;
+    }
+    if (!welded)
+    {
+      welded = true;
+      this->Sites.resize(this->size());
+      std::iota(this->Sites.begin(), this->Sites.end(), 0u);
+    }
+    this->Sites[open[i]] = open[first];
+  }
+  if (!welded)
+  {
+    return false;
+  }
+  for (Triangle& triangle : this->Triangles)
+  {
+    for (std::uint32_t& corner : triangle)
+    {
+      corner = this->Sites[corner];
+    }
+  }
+  std::erase_if(this->Triangles, hasTwice);
+  return true;
+}
+
+glm::dvec3 SurfaceRings::areaVector(std::span<const glm::dvec3> points, std::size_t site) const
+{
+  glm::dvec3 sum(0.0);
+  double size = 0.0;
+  const glm::dvec3 origin = points[site];
+  this->visitLinks(site,
+    [&](const LinkEdge& link)
+    {
+      const glm::dvec3 area = glm::cross(points[link.from] - origin, points[link.to] - origin);
+      sum += area;
+      size += glm::dot(area, area);
+    });
+  // False for what is not finite.
+  constexpr double rounding = 1e-24;
+  return glm::dot(sum, sum) > rounding * size ? sum : glm::dvec3(0.0);
+}
+
+} // namespace ink

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/Streamlines/ScatteredStreamlines.h"
+
+#include "Core/Hash.h"
+#include "Core/ParallelFor.h"
+#include "Core/ParallelSort.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace ink
+{
+
+std::vector<MeshPoint> areaSeeds(const MeshNavigation& mesh, const AreaSeedOptions& options)
+{
+  const TriangleMesh& triangles = mesh.mesh();
+  if (!options.curvature.empty() && options.curvature.size() != triangles.points.size())
+  {
+    throw std::invalid_argument("there are " + std::to_string(options.curvature.size()) + " curvatures for " +
+      std::to_string(triangles.points.size()) + " points, expected one per point");
+  }
+  if (!(options.count >= 0.0 && std::isfinite(options.count)) || options.mostInTriangle < 1 ||
+    !(options.factor >= 0.0))
+  {
+    throw std::invalid_argument("there are to be " + std::to_string(options.count) + " seeds, " +
+      std::to_string(options.mostInTriangle) + " in a triangle at most, " + std::to_string(options.factor) +
+      " times as many where the surface is curved; expected 0, 1 and 0 or more");
+  }
+  std::vector<MeshPoint> seeds;
+  const auto most = static_cast<std::uint64_t>(options.mostInTriangle);
+  for (std::uint32_t t = 0; t < triangles.triangles.size(); ++t)
+  {
+    if (!mesh.isUsable(t))
+    {
+      continue;
+    }
+    double probability =
+      areaOf(triangles, t) / mesh.area() * options.count / static_cast<double>(options.mostInTriangle);
+    if (!options.curvature.empty())
+    {
+      const auto& [a, b, c] = triangles.triangles[t];
+      const double mean = (static_cast<double>(options.curvature[a]) + static_cast<double>(options.curvature[b]) +
+                            static_cast<double>(options.curvature[c])) /
+        3.0;
+      probability *= mean >= options.threshold ? options.factor : 1.0;
+    }
+    for (std::uint64_t i = 0; i < most; ++i)
+    {
+      const std::uint64_t random = hash(options.seed, t, i);
+      if (unitDouble(random) < probability)
+      {
+        double first = unitDouble(hash(random, 1));
+        double second = unitDouble(hash(random, 2));
+        if (first + second > 1.0)
+        {
+          first = 1.0 - first;
+          second = 1.0 - second;
+        }
+        seeds.push_back({ t, { 1.0 - first - second, first, second } });
+      }
+    }
+  }
+  return seeds;
+}
+
+Streamlines scatteredStreamlines(const MeshNavigation& mesh, const LineField& field,
+  std::span<const MeshPoint> seeds, const TraceOptions& options, std::uint64_t seed, const Progress& progress)
+{
+  if (field.directions.size() != mesh.mesh().points.size())
+  {
+    throw std::invalid_argument("there are " + std::to_string(field.directions.size()) + " directions for " +
+      std::to_string(mesh.mesh().points.size()) + " points, expected one per point");
+  }
+  const StreamlineTracer tracer(mesh, field, options);
+  std::vector<TracedLine> lines(seeds.size());
+  const bool going = parallelFor(
+    seeds.size(),
+    [&](std::size_t i)
+    {
+      const Triangle& points = mesh.mesh().triangles[seeds[i].triangle];
+      const glm::dvec3& weights = seeds[i].weights;
+      const std::size_t corner = weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2)
+                                                        : (weights.y >= weights.z ? 1 : 2);
+      lines[i] = tracer.trace(seeds[i], field.directions[points[corner]], {});
+    },
+    progress);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  for (std::uint32_t i = 0; going && i < lines.size(); ++i)
+  {
+    if (lines[i].points.size() > 1)
+    {
+      keys.emplace_back(hash(seed, i), i);
+    }
+  }
+  parallelSort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  std::transform(keys.begin(), keys.end(), std::back_inserter(order), [](const auto& key) { return key.second; });
+  return joinLines(lines, order);
+}
+
+} // namespace ink

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/Streamlines/Streamlines.h"
+
+#include "Core/ParallelFor.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr std::size_t blockSize = 1 << 12;
+
+} // namespace
+
+Streamlines joinLines(std::span<const TracedLine> lines, std::span<const std::uint32_t> order)
+{
+  Streamlines result;
+  const auto lengthOf = [](const TracedLine& line)
+  {
+    const double open = line.points.empty() ? 0.0 : line.points.back().arc;
+    return line.closed ? open + glm::distance(line.points.back().position, line.points.front().position) : open;
+  };
+  double whole = 0.0;
+  for (const std::uint32_t n : order)
+  {
+    whole += lengthOf(lines[n]);
+  }
+  double before = 0.0;
+  for (const std::uint32_t n : order)
+  {
+    const TracedLine& line = lines[n];
+    for (const TracedPoint& point : line.points)
+    {
+      result.points.push_back(point.at);
+      result.positions.push_back(point.position);
+      result.arcLength.push_back(point.arc - line.points.front().arc);
+    }
+    result.lines.offsets.push_back(result.points.size());
+    result.lines.closed.push_back(line.closed ? 1 : 0);
+    result.priorities.push_back(std::min(static_cast<float>(before / whole), std::nextafter(1.0f, 0.0f)));
+    before += lengthOf(line);
+  }
+  return result;
+}
+
+glm::vec3 normalAt(const MeshNavigation& mesh, std::span<const glm::vec3> normals, const MeshPoint& point)
+{
+  glm::dvec3 normal(0.0);
+  if (!normals.empty())
+  {
+    const auto& [a, b, c] = mesh.mesh().triangles[point.triangle];
+    normal = point.weights.x * glm::dvec3(normals[a]) + point.weights.y * glm::dvec3(normals[b]) +
+      point.weights.z * glm::dvec3(normals[c]);
+  }
+  const double length = glm::length(normal);
+  // Unit normals of opposite sides cancel out up to rounding. False for NaN.
+  return length > 1e-3 ? glm::vec3(normal / length) : glm::vec3(mesh.chart(point.triangle).normal());
+}
+
+std::vector<glm::vec3> normalsAt(
+  const MeshNavigation& mesh, std::span<const glm::vec3> normals, std::span<const MeshPoint> points)
+{
+  std::vector<glm::vec3> result(points.size());
+  parallelFor((points.size() + blockSize - 1) / blockSize,
+    [&](std::size_t block)
+    {
+      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, points.size()); ++i)
+      {
+        result[i] = normalAt(mesh, normals, points[i]);
+      }
+    });
+  return result;
+}
+
+} // namespace ink

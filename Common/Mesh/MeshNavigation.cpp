@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshNavigation.h"
+
+#include "Core/ParallelFor.h"
+#include "Core/ScaledPoints.h"
+#include "Mesh/GeodesicUnfolding.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace ink
+{
+
+namespace
+{
+
+constexpr std::size_t blockSize = 1 << 13;
+/// A triangle that is flatter than this, relative to its longest side, has no area: rounding alone would say
+/// where its third corner is.
+constexpr double leastHeight = 1e-10;
+
+bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  const double longest = std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+  // Scaled, so that squares neither overflow nor vanish. False for NaN.
+  const double doubleArea = glm::length(glm::cross((b - a) / longest, (c - a) / longest));
+  return longest > 0.0 && std::isfinite(longest) && doubleArea > leastHeight;
+}
+
+} // namespace
+
+TriangleChart::TriangleChart(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+  : origin(a)
+{
+  const glm::dvec3 second = b - a;
+  const glm::dvec3 third = c - a;
+  this->length = glm::length(second);
+  this->axisX = second / this->length;
+  this->x2 = glm::dot(third, this->axisX);
+  const glm::dvec3 up = third - this->x2 * this->axisX;
+  this->y2 = glm::length(up);
+  this->axisY = up / this->y2;
+}
+
+glm::dvec3 TriangleChart::normal() const
+{
+  return glm::cross(this->axisX, this->axisY);
+}
+
+double TriangleChart::perimeter() const
+{
+  return this->length + std::hypot(this->x2, this->y2) + std::hypot(this->x2 - this->length, this->y2);
+}
+
+MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
+  : Mesh(mesh)
+  , Links(3 * mesh.triangles.size(), border)
+  , Usable(mesh.triangles.size())
+{
+  const std::size_t count = mesh.triangles.size();
+  for (const Triangle& triangle : mesh.triangles)
+  {
+    const std::uint32_t largest = std::max({ triangle[0], triangle[1], triangle[2] });
+    if (largest >= mesh.points.size())
+    {
+      throw std::invalid_argument("a triangle has the point " + std::to_string(largest) + "; expected 0 to " +
+        std::to_string(static_cast<std::ptrdiff_t>(mesh.points.size()) - 1));
+    }
+  }
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    this->Usable[t] = hasArea(mesh.points[a], mesh.points[b], mesh.points[c]);
+  }
+  const CumulativeArea areas = cumulateArea(mesh);
+  this->Area = areas.area.back();
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-low);
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    for (const std::uint32_t point : mesh.triangles[t])
+    {
+      if (this->isUsable(t))
+      {
+        low = glm::min(low, mesh.points[point]);
+        high = glm::max(high, mesh.points[point]);
+      }
+    }
+  }
+  if (!(low.x <= high.x))
+  {
+    return;
+  }
+  this->Lower = low;
+  this->Upper = high;
+  const double extent = std::max({ high.x - low.x, high.y - low.y, high.z - low.z });
+  // Points closer than a millionth of the mesh are one, so that seams are closed and slivers along them are
+  // edges. Rounded off coordinates that are round themselves.
+  std::vector<glm::vec3> welded = scalePoints(mesh, areas, 1e-6 * extent).points;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> ids;
+  for (glm::vec3& point : welded)
+  {
+    point = glm::floor(point + 0.37f);
+  }
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (this->isUsable(t) && welded[a] != welded[b] && welded[b] != welded[c] && welded[c] != welded[a])
+    {
+      triangles.push_back(mesh.triangles[t]);
+      ids.push_back(t);
+    }
+    else
+    {
+      this->Usable[t] = 0;
+    }
+  }
+  // Only its rings of triangles around edges are used: who is whose neighbor.
+  const GeodesicUnfolding rings(welded, triangles);
+  const double leastCosine = std::cos(featureAngle * std::numbers::pi / 180.0);
+  parallelFor((ids.size() + blockSize - 1) / blockSize,
+    [&](std::size_t block)
+    {
+      for (std::size_t n = block * blockSize; n < std::min((block + 1) * blockSize, ids.size()); ++n)
+      {
+        for (std::uint32_t edge = 0; edge < 3; ++edge)
+        {
+          const std::uint32_t link = rings.facets()[n].across[edge];
+          if (link == border || rings.facets()[link / 3].across[link % 3] != 3 * n + edge)
+          {
+            continue;
+          }
+          const std::uint32_t t = ids[n];
+          const std::uint32_t other = ids[link / 3];
+          const auto corner = [&](std::uint32_t triangle, std::uint32_t c)
+          { return mesh.points[mesh.triangles[triangle][c % 3]]; };
+          const bool opposed = glm::distance(corner(t, edge), corner(other, link % 3 + 1)) <=
+            glm::distance(corner(t, edge), corner(other, link % 3));
+          const double likeness =
+            (opposed ? 1.0 : -1.0) * glm::dot(this->chart(t).normal(), this->chart(other).normal());
+          if (featureAngle >= 180.0 || likeness >= leastCosine)
+          {
+            this->Links[3 * std::size_t(t) + edge] = 6 * other + 2 * (link % 3) + (opposed ? 1 : 0);
+          }
+        }
+      }
+    });
+}
+
+glm::dvec3 MeshNavigation::position(const MeshPoint& point) const
+{
+  const auto& [a, b, c] = this->Mesh.triangles[point.triangle];
+  const glm::dvec3& origin = this->Mesh.points[a];
+  return origin + point.weights.y * (this->Mesh.points[b] - origin) +
+    point.weights.z * (this->Mesh.points[c] - origin);
+}
+
+bool MeshNavigation::cross(MeshPoint& point, std::uint32_t edge, glm::dvec3& vector) const
+{
+  const std::optional<Neighbor> next = this->across(point.triangle, edge);
+  if (!next)
+  {
+    return false;
+  }
+  const auto corner = [&](std::uint32_t triangle, std::uint32_t c)
+  { return this->Mesh.points[this->Mesh.triangles[triangle][c % 3]]; };
+  const glm::dvec3 start = corner(point.triangle, edge);
+  const glm::dvec3 along = glm::normalize(corner(point.triangle, edge + 1) - start);
+  const auto away = [&](const glm::dvec3& offset)
+  { return glm::normalize(offset - glm::dot(offset, along) * along); };
+  const glm::dvec3 inwards = away(corner(point.triangle, edge + 2) - start);
+  const glm::dvec3 onwards = away(corner(next->triangle, next->edge + 2) - start);
+  vector = glm::dot(vector, along) * along - glm::dot(vector, inwards) * onwards;
+
+  const double first = std::max(point.weights[edge], 0.0);
+  const double second = std::max(point.weights[(edge + 1) % 3], 0.0);
+  point.triangle = next->triangle;
+  point.weights = glm::dvec3(0.0);
+  point.weights[next->corner(0)] = first / (first + second);
+  point.weights[next->corner(1)] = second / (first + second);
+  return true;
+}
+
+std::optional<MeshNavigation::Arrival> MeshNavigation::walk(
+  MeshPoint from, const glm::dvec3& direction, double distance) const
+{
+  if (!this->isUsable(from.triangle))
+  {
+    return std::nullopt;
+  }
+  glm::dvec3 heading = direction;
+  // A straight line meets an edge of a triangle once; more crossings than this only fit around a vertex.
+  constexpr int mostCrossings = 100000;
+  for (int n = 0; n < mostCrossings; ++n)
+  {
+    const TriangleChart chart = this->chart(from.triangle);
+    const double x = glm::dot(heading, chart.axisX);
+    const double y = glm::dot(heading, chart.axisY);
+    const double size = std::hypot(x, y);
+    if (!(size > 0.0))
+    {
+      return std::nullopt;
+    }
+    const glm::dvec3 rates = chart.rates(x / size, y / size);
+    double step = distance;
+    int exit = -1;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      if (rates[corner] < 0.0 && from.weights[corner] < -rates[corner] * step)
+      {
+        step = std::max(from.weights[corner], 0.0) / -rates[corner];
+        exit = corner;
+      }
+    }
+    from.weights += step * rates;
+    distance -= step;
+    if (exit < 0)
+    {
+      from.weights = glm::max(from.weights, 0.0);
+      return Arrival{ from, x * chart.axisX + y * chart.axisY };
+    }
+    from.weights[exit] = 0.0;
+    // Next to a vertex rather than on it, so that there is one way to go on.
+    for (int corner = 1; corner < 3; ++corner)
+    {
+      double& weight = from.weights[(exit + corner) % 3];
+      weight = std::clamp(weight, 1e-9, 1.0 - 1e-9);
+    }
+    if (!this->cross(from, static_cast<std::uint32_t>(exit + 1) % 3, heading))
+    {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace ink

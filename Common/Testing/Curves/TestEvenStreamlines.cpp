@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evenly spaced lines: their distances, each prefix, both sides of a wall, threads, meshes without a line.
+
+#include "Curves/Streamlines/EvenStreamlines.h"
+
+#include "PointSampling/WhiteNoise.h"
+#include "StreamlineShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+using namespace ink;
+using namespace ink::test;
+
+EvenStreamlineOptions spaced(double spacing)
+{
+  EvenStreamlineOptions options;
+  options.spacing = spacing;
+  return options;
+}
+
+Streamlines linesOf(const Shape& shape, bool maximum, const EvenStreamlineOptions& options)
+{
+  const MeshNavigation navigation(shape.mesh.view(), 180.0);
+  return evenStreamlines(navigation, shape.normals, fieldOf(shape, maximum), options);
+}
+
+/// The unit square, with directions along x but for a turn.
+Shape field(int cells, double turn = 0.0)
+{
+  Shape shape{ square(cells), {}, {}, {} };
+  for (const glm::dvec3& p : shape.mesh.points)
+  {
+    const double angle = turn * p.y;
+    shape.normals.emplace_back(0.0f, 0.0f, 1.0f);
+    shape.maximum.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    shape.minimum.emplace_back(-std::sin(angle), std::cos(angle), 0.0);
+  }
+  return shape;
+}
+
+double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b)
+{
+  const glm::dvec3 along = b - a;
+  const double size = glm::dot(along, along);
+  const double share = size > 0.0 ? std::clamp(glm::dot(p - a, along) / size, 0.0, 1.0) : 0.0;
+  const glm::dvec3 offset = p - a - share * along;
+  return glm::dot(offset, offset);
+}
+
+/// Slow and obvious: the distance of a position to the nearest of the first lines, but for one.
+double nearest(const Streamlines& lines, std::size_t count, const glm::dvec3& p, std::size_t other)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const std::size_t end = lines.lines.offsets[n + 1];
+    for (std::size_t i = lines.lines.offsets[n]; n != other && i + 1 < end; ++i)
+    {
+      least = std::min(least, squaredDistance(p, lines.positions[i], lines.positions[i + 1]));
+    }
+  }
+  return std::sqrt(least);
+}
+
+double lengthOf(const Streamlines& lines, std::size_t count)
+{
+  double sum = 0.0;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    sum += lines.arcLength[lines.lines.offsets[n + 1] - 1];
+  }
+  return sum;
+}
+
+/// How even the first lines are: the largest and the mean distance of the surface from them, as a share of the
+/// distance at which parallel lines of their length would be, and the least between two of them.
+struct Evenness
+{
+  double spacing; ///< area over length
+  double farthest;
+  double mean;
+  double closest;
+};
+
+Evenness evenness(const Shape& shape, const Streamlines& lines, std::size_t count)
+{
+  const TriangleMesh mesh = shape.mesh.view();
+  const CumulativeArea areas = cumulateArea(mesh);
+  Evenness result{ areas.area.back() / lengthOf(lines, count), 0.0, 0.0, 1e300 };
+  const std::vector<glm::dvec3> places = positionsOf(mesh, sampleWhiteNoise(mesh, areas, 500, 7));
+  for (const glm::dvec3& place : places)
+  {
+    const double distance = nearest(lines, count, place, ~std::size_t(0)) / result.spacing;
+    result.farthest = std::max(result.farthest, distance);
+    result.mean += distance / static_cast<double>(places.size());
+  }
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    for (std::size_t i = lines.lines.offsets[n]; i < lines.lines.offsets[n + 1]; i += 5)
+    {
+      result.closest = std::min(result.closest, nearest(lines, count, lines.positions[i], n));
+    }
+  }
+  return result;
+}
+
+bool areSame(const Streamlines& a, const Streamlines& b)
+{
+  return a.positions == b.positions && a.lines.offsets == b.lines.offsets && a.lines.closed == b.lines.closed &&
+    a.priorities == b.priorities && a.arcLength == b.arcLength;
+}
+
+} // namespace
+
+TEST(EvenStreamlines, ParallelLinesHaveTheirSpacing)
+{
+  const Shape shape = field(20);
+  const Streamlines lines = linesOf(shape, true, spaced(0.03));
+  const Evenness all = evenness(shape, lines, lines.lines.size());
+  EXPECT_EQ(lines.lines.size(), 33u);
+  EXPECT_NEAR(all.mean, 0.25, 0.01); // exactly .25 between lines at equal distances
+  EXPECT_GT(all.closest, 0.9 * 0.03);
+  for (std::size_t n = 0; n < lines.lines.size(); ++n)
+  {
+    EXPECT_NEAR(lines.arcLength[lines.lines.offsets[n + 1] - 1], 1.0, 1e-9) << n; // from border to border
+  }
+}
+
+TEST(EvenStreamlines, EachPrefixIsEven)
+{
+  struct Scene
+  {
+    std::string name;
+    Shape shape;
+    bool maximum;
+    double spacing;
+  };
+  const Scene scenes[] = { { "turning directions on a square", field(20, 1.5), true, 0.025 },
+    { "torus, maximum", TorusShape().sample(60, 20), true, 0.12 },
+    { "torus, minimum", TorusShape().sample(60, 20), false, 0.12 },
+    { "ellipsoid, maximum", EllipsoidShape().sample(60, 31), true, 0.12 } };
+  for (const auto& [name, shape, maximum, spacing] : scenes)
+  {
+    const Streamlines lines = linesOf(shape, maximum, spaced(spacing));
+    ASSERT_TRUE(std::is_sorted(lines.priorities.begin(), lines.priorities.end()));
+    ASSERT_EQ(lines.priorities.front(), 0.0f);
+    ASSERT_LT(lines.priorities.back(), 1.0f);
+    for (const double share : { 0.1, 0.25, 0.5, 0.75, 1.0 })
+    {
+      const auto end = std::lower_bound(lines.priorities.begin(), lines.priorities.end(), share);
+      const auto count = static_cast<std::size_t>(end - lines.priorities.begin());
+      const Evenness even = evenness(shape, lines, count);
+      const std::string where = name + ", up to " + std::to_string(share);
+      // Equal distances would have a mean of .25 and a largest one of .5 and more where lines end.
+      EXPECT_LT(even.mean, 0.33) << where;
+      EXPECT_LT(even.farthest, 1.35) << where;
+      EXPECT_GT(even.closest, 0.46 * spacing) << where;
+      // Priority is the share of ink, but for one line.
+      EXPECT_NEAR(lengthOf(lines, count) / lengthOf(lines, lines.lines.size()), share, 0.08) << where;
+    }
+    const double density = evenness(shape, lines, lines.lines.size()).spacing / spacing;
+    EXPECT_GT(density, 0.85) << name;
+    EXPECT_LT(density, 1.05) << name;
+  }
+}
+
+TEST(EvenStreamlines, SidesOfAThinWallDoNotDisturbEachOther)
+{
+  constexpr double spacing = 0.05;
+  const Shape sheet = field(20);
+  Shape wall = sheet;
+  const auto half = static_cast<std::uint32_t>(sheet.mesh.points.size());
+  for (std::uint32_t i = 0; i < half; ++i)
+  {
+    wall.mesh.points.push_back(sheet.mesh.points[i] - glm::dvec3(0.0, 0.0, 0.1 * spacing));
+    wall.normals.push_back(-sheet.normals[i]);
+    wall.maximum.push_back(sheet.maximum[i]);
+    wall.minimum.push_back(sheet.minimum[i]);
+  }
+  for (const auto& [a, b, c] : sheet.mesh.triangles)
+  {
+    wall.mesh.triangles.push_back({ a + half, c + half, b + half });
+  }
+  const Streamlines both = linesOf(wall, true, spaced(spacing));
+  double front = 0.0;
+  double back = 0.0;
+  for (std::size_t n = 0; n < both.lines.size(); ++n)
+  {
+    const std::size_t begin = both.lines.offsets[n];
+    (both.positions[begin].z < -1e-6 ? back : front) += both.arcLength[both.lines.offsets[n + 1] - 1];
+  }
+  // The borders leave room for 18 to 21 lines on each side; disturbed, both together would have that many.
+  EXPECT_NEAR(front, 19.5, 1.6);
+  EXPECT_NEAR(back, 19.5, 1.6);
+}
+
+TEST(EvenStreamlines, LinesOfATorusAreClosed)
+{
+  const Shape shape = TorusShape().sample(150, 50);
+  const Streamlines lines = linesOf(shape, true, spaced(0.1));
+  const auto whole = std::count(lines.lines.closed.begin(), lines.lines.closed.end(), 1);
+  // At least those of the first spacings, before what is between them is too narrow on the inside.
+  EXPECT_GT(whole, 40);
+}
+
+TEST(EvenStreamlines, OptionsAreLimits)
+{
+  const Shape shape = field(20);
+  EvenStreamlineOptions options = spaced(0.05);
+  options.trace.maximumLength = 0.2;
+  const Streamlines shorter = linesOf(shape, true, options);
+  EXPECT_GT(shorter.lines.size(), 80u);
+  for (std::size_t n = 0; n < shorter.lines.size(); ++n)
+  {
+    const double length = shorter.arcLength[shorter.lines.offsets[n + 1] - 1];
+    EXPECT_LT(length, 0.2 + 1e-9);
+    EXPECT_GE(length, options.minimumLength * options.spacing);
+  }
+  options = spaced(0.05);
+  options.seed = 1;
+  EXPECT_FALSE(areSame(linesOf(shape, true, spaced(0.05)), linesOf(shape, true, options)));
+}
+
+TEST(EvenStreamlines, AMeshWithoutLinesHasNone)
+{
+  Shape shape = field(4);
+  shape.maximum.assign(shape.maximum.size(), glm::dvec3(0.0)); // a plane: nothing tells directions
+  EXPECT_EQ(linesOf(shape, true, spaced(0.1)).lines.size(), 0u);
+
+  EXPECT_EQ(linesOf(Shape(), true, spaced(0.1)).lines.size(), 0u);
+
+  Shape flat = field(4);
+  for (glm::dvec3& p : flat.mesh.points)
+  {
+    p.y = 0.0; // no area
+  }
+  EXPECT_EQ(linesOf(flat, true, spaced(0.1)).lines.size(), 0u);
+}
+
+TEST(EvenStreamlines, BrokenPartsOfAMeshAreLeftOut)
+{
+  Shape shape = field(20);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  shape.mesh.points[100] = glm::dvec3(nan, 0.0, 0.0);
+  shape.mesh.points[250] = shape.mesh.points[251];
+  shape.maximum[130] = glm::dvec3(0.0);
+  shape.mesh.triangles.push_back({ 5, 5, 5 });
+  shape.mesh.triangles.push_back(shape.mesh.triangles[30]); // an edge of three triangles
+  const Streamlines lines = linesOf(shape, true, spaced(0.05));
+  EXPECT_GT(lengthOf(lines, lines.lines.size()), 12.0);
+  for (const glm::dvec3& p : lines.positions)
+  {
+    ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  }
+}
+
+TEST(EvenStreamlines, WhatIsWrongIsNamed)
+{
+  const Shape shape = field(4);
+  const auto message = [&](const EvenStreamlineOptions& options, std::size_t directions)
+  {
+    const MeshNavigation navigation(shape.mesh.view(), 180.0);
+    try
+    {
+      evenStreamlines(
+        navigation, shape.normals, { std::span(shape.maximum).first(directions), {}, {} }, options);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::size_t all = shape.maximum.size();
+  EXPECT_EQ(message(spaced(0.1), all), "");
+  EXPECT_NE(message(spaced(0.1), 3).find("3 directions for 25 points"), std::string::npos);
+  EXPECT_NE(message(spaced(0.0), all).find("spacing is 0.0"), std::string::npos);
+  EXPECT_NE(message(spaced(1e-6), all).find("larger spacing"), std::string::npos);
+}
+
+TEST(EvenStreamlines, StopsWhenAsked)
+{
+  const Shape shape = field(20);
+  const MeshNavigation navigation(shape.mesh.view(), 180.0);
+  const Streamlines lines = evenStreamlines(
+    navigation, shape.normals, fieldOf(shape), spaced(0.01), [](double done) { return done < 0.1; });
+  EXPECT_EQ(lines.lines.size(), 0u);
+}
+
+TEST(EvenStreamlines, TheSameForAnyNumberOfThreads)
+{
+  const Shape shape = EllipsoidShape().sample(80, 41);
+  const auto run = [&] { return linesOf(shape, true, spaced(0.1)); };
+  const Streamlines one = onThreads(1, run);
+  const Streamlines two = onThreads(2, run);
+  EXPECT_GT(one.lines.size(), 50u);
+  EXPECT_TRUE(areSame(one, two));
+}

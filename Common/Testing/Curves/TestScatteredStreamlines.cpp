@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The paper's seeds: as many as asked for, inside triangles, more where the surface is curved.
+
+#include "Curves/Streamlines/ScatteredStreamlines.h"
+
+#include "StreamlineShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+
+using namespace ink;
+using namespace ink::test;
+
+/// A square of small triangles left of x = .5 and large ones right of it.
+Mesh unevenSquare()
+{
+  Mesh mesh;
+  mesh.addPatch(40, 80, [](double u, double v) { return glm::dvec3(0.5 * u, v, 0.0); });
+  mesh.addPatch(4, 8, [](double u, double v) { return glm::dvec3(0.5 + 0.5 * u, v, 0.0); });
+  return mesh;
+}
+
+} // namespace
+
+TEST(ScatteredStreamlines, SeedsAreByArea)
+{
+  const Mesh mesh = unevenSquare();
+  const MeshNavigation navigation(mesh.view(), 180.0);
+  AreaSeedOptions options;
+  options.count = 4000.0;
+  options.mostInTriangle = 1000;
+  const std::vector<MeshPoint> seeds = areaSeeds(navigation, options);
+  // The standard deviation of the number is below its root, 63.
+  EXPECT_NEAR(static_cast<double>(seeds.size()), 4000.0, 200.0);
+  double left = 0.0;
+  glm::dvec3 mean(0.0);
+  for (const MeshPoint& seed : seeds)
+  {
+    EXPECT_GE(std::min({ seed.weights.x, seed.weights.y, seed.weights.z }), 0.0);
+    EXPECT_NEAR(seed.weights.x + seed.weights.y + seed.weights.z, 1.0, 1e-12);
+    left += navigation.position(seed).x < 0.5 ? 1.0 : 0.0;
+    mean += seed.weights / static_cast<double>(seeds.size());
+  }
+  EXPECT_NEAR(left, 2000.0, 150.0);
+  EXPECT_NEAR(mean.x, 1.0 / 3.0, 0.015); // folded, not clamped: no corner is favored
+  EXPECT_NEAR(mean.y, 1.0 / 3.0, 0.015);
+
+  // No triangle gets more than m: of the 64 large ones.
+  options.mostInTriangle = 3;
+  const std::vector<MeshPoint> few = areaSeeds(navigation, options);
+  std::vector<int> counts(mesh.triangles.size());
+  for (const MeshPoint& seed : few)
+  {
+    ++counts[seed.triangle];
+  }
+  EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 3);
+}
+
+TEST(ScatteredStreamlines, SeedsAreDenserWhereTheSurfaceIsCurved)
+{
+  const Mesh mesh = square(40);
+  const MeshNavigation navigation(mesh.view(), 180.0);
+  std::vector<float> curvature;
+  for (const glm::dvec3& p : mesh.points)
+  {
+    curvature.push_back(p.x < 0.5 ? 2.0f : 0.5f);
+  }
+  AreaSeedOptions options;
+  options.count = 2000.0;
+  options.curvature = curvature;
+  options.threshold = 1.0;
+  options.factor = 3.0;
+  double left = 0.0;
+  const std::vector<MeshPoint> seeds = areaSeeds(navigation, options);
+  for (const MeshPoint& seed : seeds)
+  {
+    left += navigation.position(seed).x < 0.5 ? 1.0 : 0.0;
+  }
+  EXPECT_NEAR(left, 3000.0, 200.0);
+  EXPECT_NEAR(static_cast<double>(seeds.size()) - left, 1000.0, 150.0);
+  options.curvature = std::span(curvature).first(3);
+  EXPECT_THROW(areaSeeds(navigation, options), std::invalid_argument);
+}
+
+TEST(ScatteredStreamlines, LinesAreThoseOfTheirSeeds)
+{
+  const TorusShape torus;
+  const Shape shape = torus.sample(90, 30);
+  const MeshNavigation navigation(shape.mesh.view(), 180.0);
+  const LineField field = fieldOf(shape);
+  TraceOptions trace;
+  trace.maximumLength = 0.6;
+  AreaSeedOptions options;
+  options.count = 500.0;
+  const std::vector<MeshPoint> seeds = areaSeeds(navigation, options);
+  const auto run = [&] { return scatteredStreamlines(navigation, field, seeds, trace, 3); };
+  const Streamlines lines = onThreads(1, run);
+  EXPECT_EQ(lines.lines.size(), seeds.size());
+  EXPECT_EQ(lines.positions, onThreads(2, run).positions);
+  for (std::size_t n = 0; n < lines.lines.size(); ++n)
+  {
+    EXPECT_NEAR(lines.arcLength[lines.lines.offsets[n + 1] - 1], 0.6, 1e-6);
+    // All lines are equally long, so their order says their priority.
+    EXPECT_NEAR(static_cast<double>(lines.priorities[n]),
+      static_cast<double>(n) / static_cast<double>(lines.lines.size()), 1e-4);
+  }
+  EXPECT_NE(scatteredStreamlines(navigation, field, seeds, trace, 4).positions, lines.positions);
+}

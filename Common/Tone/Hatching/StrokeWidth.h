@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace ink::hatching
+{
+
+/// How strokes make a tone: which of them are drawn, and how wide. Of evenly spaced strokes with priorities,
+/// of which every prefix is evenly spaced, as large a fraction is drawn as the picture has room for (Rössl et
+/// al. 2000, section 3.2, has one for all of a surface), and their widths make up the tone. The reference for
+/// Rendering/Strokes/Shaders/InkHatching.glsl, which computes the same.
+struct StrokeWidth
+{
+  float spacing = 6.0f;    ///< of the strokes that are drawn, pixels; positive
+  float leastWidth = 0.8f; ///< lighter tones have fewer strokes of this width instead of thinner ones, pixels
+  /// 0: all ink is the first family's; 1: half is the second's in all tones; between: in tones above
+  /// 1 - crosshatching.
+  float crosshatching = 0.5f;
+
+  /// The share of the paper that strokes of a family are to cover: both together cover `tone` of it where they
+  /// cross at random, 1 - tone = (1 - first) (1 - second). Both grow with the tone.
+  /// @param family 0, or 1 for the second
+  float coverage(float tone, int family) const;
+
+  /// A stroke's width in pixels at a point; 0: it is not drawn there. It falls smoothly to that over a range
+  /// of priorities, so that strokes taper, and none pops.
+  /// @param coverage as above
+  /// @param allSpacing the distance of all strokes of the family from each other there, pixels
+  /// @param priority of the stroke: the share of the family's length that comes before it
+  float width(float coverage, float allSpacing, float priority) const;
+
+  /// No stroke with a larger priority is drawn where all strokes are that far from each other, or less.
+  float mostPriority(float allSpacing) const;
+};
+
+} // namespace ink::hatching

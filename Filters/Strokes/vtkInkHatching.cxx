@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkHatching.h"
+
+#include "Core/Hash.h"
+#include "Curves/Strokes/CutStroke.h"
+#include "InkMeshTriangles.h"
+#include "InkReportException.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkInkHatching);
+
+namespace
+{
+
+using FamilyValues = std::array<double, 2>;
+
+/// The lines as the filter needs them.
+struct Lines
+{
+  explicit Lines(vtkPolyData* data)
+    : Data(data)
+  {
+  }
+
+  vtkIdType GetNumber() const { return this->Data->GetNumberOfLines(); }
+  vtkIdType GetCell(vtkIdType line) const { return this->Data->GetNumberOfVerts() + line; }
+
+  std::span<const vtkIdType> GetPoints(vtkIdType line) const
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    this->Data->GetLines()->GetCellAtId(line, size, ids);
+    return { ids, static_cast<std::size_t>(size) };
+  }
+
+  /// From the line's begin, world units; what is not finite adds nothing.
+  std::vector<double> FindArcLengths(vtkIdType line) const
+  {
+    std::vector<double> lengths;
+    double before[3] = { 0.0, 0.0, 0.0 };
+    for (const vtkIdType id : this->GetPoints(line))
+    {
+      double p[3];
+      this->Data->GetPoint(id, p);
+      const double step = lengths.empty() ? 0.0 : std::hypot(p[0] - before[0], p[1] - before[1], p[2] - before[2]);
+      lengths.push_back((lengths.empty() ? 0.0 : lengths.back()) + (std::isfinite(step) ? step : 0.0));
+      std::copy_n(p, 3, before);
+    }
+    return lengths;
+  }
+
+  vtkPolyData* Data;
+};
+
+/// A part of a line with no more points than tones need: its ends, and others that are about half a spacing
+/// apart.
+void AddStroke(vtkCellArray* strokes, std::span<const vtkIdType> points, std::span<const double> arcLengths,
+  double spacing)
+{
+  std::vector<vtkIdType> kept{ points.front() };
+  double before = arcLengths.front();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+  {
+    if (arcLengths[i] - before >= 0.5 * spacing)
+    {
+      kept.push_back(points[i]);
+      before = arcLengths[i];
+    }
+  }
+  kept.push_back(points.back());
+  strokes->InsertNextCell(static_cast<vtkIdType>(kept.size()), kept.data());
+}
+
+vtkDataArray* FindCellArray(vtkPolyData* data, const char* name)
+{
+  vtkDataArray* array = data->GetCellData()->GetArray(name);
+  if (array &&
+    (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != data->GetNumberOfCells()))
+  {
+    std::ostringstream message;
+    message << "expected " << data->GetNumberOfCells() << " values with 1 component in the cell array \"" << name
+            << "\", found " << array->GetNumberOfTuples() << " with " << array->GetNumberOfComponents();
+    throw std::invalid_argument(message.str());
+  }
+  return array;
+}
+
+double FindArea(vtkPolyData* surface)
+{
+  if (!surface)
+  {
+    return 0.0;
+  }
+  const InkMeshTriangles triangles(surface, false, InkMeshTriangles::Order::OfMesh);
+  return ink::cumulateArea(triangles.GetMesh()).area.back();
+}
+
+/// Priorities of lines in a random order: the share of their family's length that comes before each.
+std::vector<double> ShufflePriorities(
+  const std::vector<double>& lengths, const std::vector<int>& families, const FamilyValues& wholes, int seed)
+{
+  const auto key = [seed](std::size_t line)
+  { return ink::hash(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(line)); };
+  std::vector<std::size_t> order(lengths.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  std::vector<double> priorities(lengths.size());
+  FamilyValues before{};
+  for (const std::size_t line : order)
+  {
+    const auto family = static_cast<std::size_t>(families[line]);
+    priorities[line] = wholes[family] > 0.0 ? before[family] / wholes[family] : 0.0;
+    before[family] += lengths[line];
+  }
+  return priorities;
+}
+
+} // namespace
+
+vtkInkHatching::vtkInkHatching()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkInkHatching::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkInkHatching::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  try
+  {
+    this->MakeStrokes(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]), output);
+  }
+  catch (...)
+  {
+    InkReportException(this, output, "Lines cannot be made into hatching");
+  }
+  return 1;
+}
+
+void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPolyData* output)
+{
+  const Lines lines(data);
+  if (lines.GetNumber() == 0)
+  {
+    return;
+  }
+  vtkDataArray* givenFamilies = FindCellArray(data, "LineFamily");
+  vtkDataArray* givenPriorities = FindCellArray(data, "Priority");
+  const double area = this->Spacing > 0.0 ? 0.0 : FindArea(surface);
+  if (!(this->Spacing > 0.0 || area > 0.0))
+  {
+    throw std::invalid_argument("expected a surface with an area on the second input, or a Spacing; found " +
+      std::string(surface ? "a surface without area" : "neither"));
+  }
+
+  const auto number = static_cast<std::size_t>(lines.GetNumber());
+  std::vector<double> lengths(number);
+  std::vector<int> families(number);
+  FamilyValues wholes{};
+  for (std::size_t line = 0; line < number; ++line)
+  {
+    const auto id = static_cast<vtkIdType>(line);
+    const std::vector<double> arcLengths = lines.FindArcLengths(id);
+    lengths[line] = arcLengths.empty() ? 0.0 : arcLengths.back();
+    families[line] = givenFamilies && givenFamilies->GetComponent(lines.GetCell(id), 0) > 0.0 ? 1 : 0;
+    wholes[static_cast<std::size_t>(families[line])] += lengths[line];
+  }
+  std::vector<double> priorities;
+  if (!givenPriorities)
+  {
+    priorities = ShufflePriorities(lengths, families, wholes, this->Seed);
+  }
+
+  vtkNew<vtkCellArray> strokes;
+  vtkNew<vtkFloatArray> outPriorities;
+  outPriorities->SetName("Priority");
+  vtkNew<vtkFloatArray> spacings;
+  spacings->SetName("Spacing");
+  vtkNew<vtkUnsignedCharArray> outFamilies;
+  outFamilies->SetName("LineFamily");
+  vtkCellData* cellData = output->GetCellData();
+  for (const char* name : { "Priority", "Spacing", "LineFamily" })
+  {
+    cellData->CopyFieldOff(name);
+  }
+  cellData->CopyAllocate(data->GetCellData(), lines.GetNumber());
+  for (vtkIdType line = 0; line < lines.GetNumber(); ++line)
+  {
+    const auto index = static_cast<std::size_t>(line);
+    const double whole = wholes[static_cast<std::size_t>(families[index])];
+    const double spacing = this->Spacing > 0.0 ? this->Spacing : whole > 0.0 ? area / whole : 0.0;
+    const std::vector<double> arcLengths = lines.FindArcLengths(line);
+    const std::vector<std::size_t> cuts = ink::cutStroke(arcLengths, this->StrokeLength,
+      ink::hash(static_cast<std::uint64_t>(this->Seed), static_cast<std::uint64_t>(line)));
+    const std::span<const vtkIdType> points = lines.GetPoints(line);
+    for (std::size_t cut = 1; cut < cuts.size(); ++cut)
+    {
+      const std::size_t first = cuts[cut - 1];
+      const std::size_t count = cuts[cut] - first + 1;
+      const vtkIdType cell = strokes->GetNumberOfCells();
+      AddStroke(strokes, points.subspan(first, count), std::span(arcLengths).subspan(first, count), spacing);
+      cellData->CopyData(data->GetCellData(), lines.GetCell(line), cell);
+      outPriorities->InsertNextValue(static_cast<float>(
+        givenPriorities ? givenPriorities->GetComponent(lines.GetCell(line), 0) : priorities[index]));
+      spacings->InsertNextValue(static_cast<float>(spacing));
+      outFamilies->InsertNextValue(static_cast<unsigned char>(families[index]));
+    }
+  }
+  cellData->AddArray(outPriorities);
+  cellData->AddArray(spacings);
+  cellData->AddArray(outFamilies);
+  output->SetPoints(data->GetPoints());
+  output->GetPointData()->PassData(data->GetPointData());
+  output->SetLines(strokes);
+}
+
+void vtkInkHatching::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Spacing: " << this->Spacing << "\n"
+     << indent << "StrokeLength: " << this->StrokeLength << "\n"
+     << indent << "Seed: " << this->Seed << "\n";
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkHatching
+ * @brief   makes lines on a surface into strokes of hatching
+ *
+ * Gives lines what vtkInkStrokeMapper needs to make tones of them, whatever the camera and the light: how far
+ * all lines of a family are from each other, so that a gray is the same at any zoom; and an order in which
+ * they are dropped. Lines can be cut into shorter strokes, as a hand draws them.
+ *
+ * Input: lines, as vtkInkLinesOfCurvature makes them, with the cell arrays `Priority` (the share of the
+ * family's total length that comes before a line; without it, lines are dropped by chance, as in Rössl et al.
+ * 2000, section 3.2) and `LineFamily` (without it, all are of one). Second input: the surface that they
+ * cover; only its area counts, and it is not needed where Spacing is set.
+ *
+ * Output: the lines' points with their arrays; lines, of points that are about half a spacing apart where the
+ * input's are closer, with their cell arrays, `Priority`, `LineFamily`, and
+ * `Spacing` (float), the distance between all lines of the family in world units: the surface's area divided
+ * by their length. Vertices, polygons and strips are left out. The result is the same for any number of
+ * threads. Errors, each with an empty output: no surface with an area and no Spacing, arrays of a wrong size.
+ *
+ * @sa vtkInkLinesOfCurvature vtkInkStrokeMapper
+ */
+#ifndef vtkInkHatching_h
+#define vtkInkHatching_h
+
+#include "InkSetters.h"                 // for the setters
+#include "vtkInkFiltersStrokesModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKINKFILTERSSTROKES_EXPORT vtkInkHatching : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkInkHatching* New();
+  vtkTypeMacro(vtkInkHatching, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The surface that the lines cover.
+  void SetSurfaceData(vtkPolyData* surface) { this->SetInputData(1, surface); }
+  void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(1, surface); }
+  ///@}
+
+  ///@{
+  /**
+   * The distance between all lines of each family, in world units. 0 (default) to 1e300; 0: the surface's area
+   * divided by their length.
+   */
+  InkSetClampMacro(Spacing, 0.0, 1e300);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * About how long strokes are at most, in world units: longer lines are cut, at points that they have. Shorter
+   * strokes look more like sketched by hand. 0 (default) to 1e300; 0: lines are not cut.
+   */
+  InkSetClampMacro(StrokeLength, 0.0, 1e300);
+  vtkGetMacro(StrokeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Another seed gives other cuts, and other lines that are dropped where these have no `Priority`. Default: 0.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+protected:
+  vtkInkHatching();
+  ~vtkInkHatching() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkInkHatching(const vtkInkHatching&) = delete;
+  void operator=(const vtkInkHatching&) = delete;
+
+  void MakeStrokes(vtkPolyData* lines, vtkPolyData* surface, vtkPolyData* output);
+
+  double Spacing = 0.0;
+  double StrokeLength = 0.0;
+  int Seed = 0;
+};
+
+#endif

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkLinesOfCurvature.h"
+
+#include "Core/Hash.h"
+#include "Curvature/MeshCurvature.h"
+#include "Curves/Streamlines/EvenStreamlines.h"
+#include "Curves/Streamlines/ScatteredStreamlines.h"
+#include "Curves/Streamlines/SmoothCrossField.h"
+#include "InkAllocate.h"
+#include "InkHasPolygons.h"
+#include "InkMeshTriangles.h"
+#include "InkReportException.h"
+#include "InkVTKCompat.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+constexpr double DefaultSpacing = 0.01;          ///< of the diagonal of the bounds
+constexpr double DefaultNegligible = 0.1;        ///< over the diagonal: less counts as flat
+constexpr double DefaultScatterLength = 0.25;    ///< of the root of the area
+constexpr double ScatterCloseDistance = 0.001;   ///< of the root of the area
+constexpr const char* CurvatureNames[] = { "k1", "k2", "PrincipalDirection1", "PrincipalDirection2" };
+
+/// The principal curvatures and directions of a mesh's points.
+struct Curvatures
+{
+  std::array<std::vector<glm::dvec3>, 2> Directions; ///< of maximum and minimum curvature
+  std::array<std::vector<float>, 2> Values;
+  std::vector<float> Umbilics;
+
+  /// @param negligible a curvature that counts as none
+  void Add(const ink::PrincipalCurvature& point, double negligible)
+  {
+    const bool isFinite = std::isfinite(point.k1) && std::isfinite(point.k2);
+    this->Values[0].push_back(isFinite ? static_cast<float>(point.k1) : 0.0f);
+    this->Values[1].push_back(isFinite ? static_cast<float>(point.k2) : 0.0f);
+    this->Umbilics.push_back(isFinite ? static_cast<float>(point.umbilicMeasure(negligible)) : 1.0f);
+    const auto unit = [](const glm::dvec3& v)
+    {
+      const double length = glm::length(v);
+      return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+    };
+    this->Directions[0].push_back(unit(point.direction1));
+    this->Directions[1].push_back(unit(point.direction2));
+  }
+};
+
+/// Those of arrays of the mesh.
+void ReadCurvatures(vtkPolyData* mesh, double negligible, Curvatures& result)
+{
+  vtkDataArray* arrays[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    arrays[i] = mesh->GetPointData()->GetArray(CurvatureNames[i]);
+    const int components = i < 2 ? 1 : 3;
+    if (arrays[i]->GetNumberOfComponents() != components ||
+      arrays[i]->GetNumberOfTuples() != mesh->GetNumberOfPoints())
+    {
+      throw std::invalid_argument(std::string("the point array \"") + CurvatureNames[i] + "\" has " +
+        std::to_string(arrays[i]->GetNumberOfTuples()) + " tuples of " +
+        std::to_string(arrays[i]->GetNumberOfComponents()) + " components; expected " +
+        std::to_string(mesh->GetNumberOfPoints()) + " of " + std::to_string(components));
+    }
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    ink::PrincipalCurvature point;
+    point.k1 = arrays[0]->GetComponent(i, 0);
+    point.k2 = arrays[1]->GetComponent(i, 0);
+    arrays[2]->GetTuple(i, &point.direction1.x);
+    arrays[3]->GetTuple(i, &point.direction2.x);
+    result.Add(point, negligible);
+  }
+}
+
+Curvatures CurvaturesOf(
+  vtkPolyData* mesh, const InkMeshTriangles& triangles, double negligible, const ink::Progress& progress)
+{
+  Curvatures result;
+  if (std::all_of(std::begin(CurvatureNames), std::end(CurvatureNames),
+        [&](const char* name) { return mesh->GetPointData()->GetArray(name) != nullptr; }))
+  {
+    ReadCurvatures(mesh, negligible, result);
+    return result;
+  }
+  for (const ink::PrincipalCurvature& point :
+    ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, {}, progress).points)
+  {
+    result.Add(point, negligible);
+  }
+  return result;
+}
+
+/// The lines of both families.
+class LineWriter
+{
+public:
+  explicit LineWriter(int pointType)
+  {
+    this->Points->SetDataType(pointType);
+    this->Normals->SetName("Normals");
+    this->Normals->SetNumberOfComponents(3);
+    this->ArcLength->SetName("ArcLength");
+    this->Priority->SetName("Priority");
+    this->Family->SetName("LineFamily");
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      this->Values[k]->SetName(CurvatureNames[k]);
+    }
+  }
+
+  void Add(const ink::Streamlines& lines, int family, const ink::MeshNavigation& mesh,
+    const std::vector<glm::vec3>& normals, const Curvatures* curvatures)
+  {
+    const vtkIdType first = this->Points->GetNumberOfPoints();
+    const auto count = static_cast<vtkIdType>(lines.positions.size());
+    InkReserve(this->Points->GetData(), first + count);
+    this->Points->SetNumberOfPoints(first + count);
+    const std::vector<glm::vec3> ownNormals = ink::normalsAt(mesh, normals, lines.points);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const auto n = static_cast<std::size_t>(i);
+      this->Points->SetPoint(first + i, &lines.positions[n].x);
+      this->Normals->InsertNextTypedTuple(&ownNormals[n].x);
+      this->ArcLength->InsertNextValue(lines.arcLength[n]);
+      for (std::size_t k = 0; curvatures && k < 2; ++k)
+      {
+        const auto& [a, b, c] = mesh.mesh().triangles[lines.points[n].triangle];
+        const std::vector<float>& values = curvatures->Values[k];
+        const glm::dvec3 corners(values[a], values[b], values[c]);
+        this->Values[k]->InsertNextValue(static_cast<float>(glm::dot(corners, lines.points[n].weights)));
+      }
+    }
+    for (std::size_t line = 0; line < lines.lines.size(); ++line)
+    {
+      const auto begin = first + static_cast<vtkIdType>(lines.lines.offsets[line]);
+      const auto end = first + static_cast<vtkIdType>(lines.lines.offsets[line + 1]);
+      const bool closed = lines.lines.closed[line] != 0;
+      this->Lines->InsertNextCell(static_cast<int>(end - begin + (closed ? 1 : 0)));
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        this->Lines->InsertCellPoint(point);
+      }
+      if (closed)
+      {
+        this->Lines->InsertCellPoint(begin);
+      }
+      this->Priority->InsertNextValue(lines.priorities[line]);
+      this->Family->InsertNextValue(static_cast<unsigned char>(family));
+    }
+  }
+
+  void Write(vtkPolyData* output, bool hasCurvatures)
+  {
+    output->SetPoints(this->Points);
+    output->SetLines(this->Lines);
+    output->GetPointData()->SetNormals(this->Normals);
+    output->GetPointData()->AddArray(this->ArcLength);
+    for (std::size_t k = 0; hasCurvatures && k < 2; ++k)
+    {
+      output->GetPointData()->AddArray(this->Values[k]);
+    }
+    output->GetCellData()->AddArray(this->Priority);
+    output->GetCellData()->AddArray(this->Family);
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkFloatArray> Normals;
+  vtkNew<vtkDoubleArray> ArcLength;
+  vtkNew<vtkFloatArray> Values[2];
+  vtkNew<vtkFloatArray> Priority;
+  vtkNew<vtkUnsignedCharArray> Family;
+};
+
+} // namespace
+
+vtkStandardNewMacro(vtkInkLinesOfCurvature);
+
+const char* vtkInkLinesOfCurvature::GetFamiliesAsString()
+{
+  return this->Families == MAXIMUM ? "Maximum" : this->Families == MINIMUM ? "Minimum" : "Both";
+}
+
+const char* vtkInkLinesOfCurvature::GetSeedingAsString()
+{
+  return this->Seeding == EVENLY_SPACED ? "EvenlySpaced" : "AreaScatter";
+}
+
+const char* vtkInkLinesOfCurvature::GetIntegratorAsString()
+{
+  return this->Integrator == EULER ? "Euler" : "RungeKutta4";
+}
+
+int vtkInkLinesOfCurvature::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  try
+  {
+    this->MakeLines(vtkPolyData::GetData(inputVector[0]), output);
+  }
+  catch (...)
+  {
+    InkReportException(this, output, "The lines of curvature of the mesh cannot be made");
+  }
+  return 1;
+}
+
+void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
+{
+  if (!InkHasPolygons(mesh))
+  {
+    if (mesh->GetNumberOfPoints() > 0)
+    {
+      vtkWarningMacro("The input has " << mesh->GetNumberOfPoints() << " points and no polygons or strips; "
+                                       << "expected a surface. There are no lines.");
+    }
+    return;
+  }
+  // The work's shares: curvature and smoothing a fifth, and the families the rest.
+  double begun = 0.0;
+  double share = 0.1;
+  const ink::Progress progress = [&](double done)
+  {
+    this->UpdateProgress(begun + share * done);
+    return !InkCheckAbort(this);
+  };
+  const InkMeshTriangles triangles(mesh, true);
+  const ink::TriangleMesh surface = triangles.GetMesh();
+  const ink::MeshNavigation navigation(surface, this->FeatureAngle);
+  if (!(navigation.area() > 0.0))
+  {
+    throw std::invalid_argument("its " + std::to_string(triangles.Triangles.size()) +
+      " triangles have no area; expected faces with three different points that are finite");
+  }
+  const double diagonal = glm::distance(navigation.lower(), navigation.upper());
+  const double negligible =
+    this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;
+  Curvatures curvatures = CurvaturesOf(mesh, triangles, negligible, progress);
+  begun = 0.1;
+  if (curvatures.Umbilics.empty() || !progress(0.0))
+  {
+    return;
+  }
+  if (this->SmoothDirections)
+  {
+    std::array<std::vector<glm::dvec3>, 2>& directions = curvatures.Directions;
+    directions[0] = ink::smoothCrossField(surface, triangles.Normals, directions[0], curvatures.Umbilics,
+      this->SmoothingIterations, progress);
+    for (std::size_t i = 0; i < directions[0].size(); ++i)
+    {
+      directions[1][i] = glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]);
+    }
+  }
+
+  ink::TraceOptions trace;
+  trace.integrator =
+    this->Integrator == EULER ? ink::StreamlineIntegrator::Euler : ink::StreamlineIntegrator::RungeKutta4;
+  trace.stepFactor = this->StepFactor;
+  trace.umbilicLimit = this->UmbilicLimit;
+  trace.stopAtSingularities = this->SmoothDirections;
+  const auto seed = static_cast<std::uint64_t>(this->Seed);
+  const double spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
+  const auto make = [&](int family)
+  {
+    const auto own = static_cast<std::size_t>(family);
+    ink::LineField field{ curvatures.Directions[own], {}, curvatures.Umbilics };
+    if (this->SmoothDirections)
+    {
+      field.others = curvatures.Directions[1 - own];
+    }
+    if (this->Seeding == EVENLY_SPACED)
+    {
+      ink::EvenStreamlineOptions options{ trace, spacing, this->StopDistance, this->MinimumLength, seed };
+      if (this->MaximumLength > 0.0)
+      {
+        options.trace.maximumLength = this->MaximumLength;
+      }
+      return ink::evenStreamlines(navigation, triangles.Normals, field, options, progress);
+    }
+    const double size = std::sqrt(navigation.area());
+    trace.maximumLength = this->MaximumLength > 0.0 ? this->MaximumLength : DefaultScatterLength * size;
+    trace.closeDistance = ScatterCloseDistance * size;
+    std::vector<float> largest(curvatures.Umbilics.size());
+    std::transform(curvatures.Values[0].begin(), curvatures.Values[0].end(), curvatures.Values[1].begin(),
+      largest.begin(), [](float k1, float k2) { return std::max(std::abs(k1), std::abs(k2)); });
+    const ink::AreaSeedOptions seeds{ static_cast<double>(this->NumberOfSeeds), this->SeedsPerTriangle,
+      ink::hash(seed, static_cast<std::uint64_t>(family)), largest, this->CurvatureThreshold,
+      this->CurvatureFactor };
+    return ink::scatteredStreamlines(
+      navigation, field, ink::areaSeeds(navigation, seeds), trace, seeds.seed, progress);
+  };
+  LineWriter writer(mesh->GetPoints()->GetDataType());
+  const int first = this->Families == MINIMUM ? 1 : 0;
+  const int last = this->Families == MAXIMUM ? 0 : 1;
+  share = 0.8 / (last - first + 1);
+  begun = 0.2;
+  for (int family = first; family <= last; ++family, begun += share)
+  {
+    const ink::Streamlines lines = make(family);
+    if (InkCheckAbort(this))
+    {
+      return;
+    }
+    writer.Add(lines, family, navigation, triangles.Normals, this->ComputeCurvatures ? &curvatures : nullptr);
+  }
+  writer.Write(output, this->ComputeCurvatures);
+  if (output->GetNumberOfLines() == 0)
+  {
+    vtkWarningMacro("The surface has no lines: its directions are undefined everywhere, or it is smaller than "
+      << "the least length of lines. Its bounds' diagonal is " << diagonal << "; expected more than "
+      << (this->Seeding == EVENLY_SPACED ? this->MinimumLength * spacing : 0.0) << ".");
+  }
+}
+
+void vtkInkLinesOfCurvature::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Families: " << this->GetFamiliesAsString() << "\n";
+  os << indent << "Seeding: " << this->GetSeedingAsString() << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "StopDistance: " << this->StopDistance << "\n";
+  os << indent << "NumberOfSeeds: " << this->NumberOfSeeds << "\n";
+  os << indent << "SeedsPerTriangle: " << this->SeedsPerTriangle << "\n";
+  os << indent << "CurvatureThreshold: " << this->CurvatureThreshold << "\n";
+  os << indent << "CurvatureFactor: " << this->CurvatureFactor << "\n";
+  os << indent << "MaximumLength: " << this->MaximumLength << "\n";
+  os << indent << "MinimumLength: " << this->MinimumLength << "\n";
+  os << indent << "Integrator: " << this->GetIntegratorAsString() << "\n";
+  os << indent << "StepFactor: " << this->StepFactor << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "UmbilicLimit: " << this->UmbilicLimit << "\n";
+  os << indent << "SmoothDirections: " << this->SmoothDirections << "\n";
+  os << indent << "NegligibleCurvature: " << this->NegligibleCurvature << "\n";
+  os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
+  os << indent << "ComputeCurvatures: " << this->ComputeCurvatures << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}

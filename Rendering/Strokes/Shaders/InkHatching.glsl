@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkLighting.glsl"
+
+// The tone of a surface and the strokes that make it, as Common/Tone/Hatching has them.
+
+uniform vec2 hatchSpacing; // pixels, and view units in addition
+uniform float crosshatching;
+uniform float silhouetteWeight;
+uniform vec2 truncations; // of the diffuse and the silhouette term
+uniform float toneBias;
+uniform float darkest;
+uniform float cullingCosine; // what faces away from the eye by more is not drawn; 1: both sides are
+
+// As in Common/Tone/Hatching.
+const float leastBias = 0.02;
+const float fading = 0.25;
+
+float truncated(float intensity, float level)
+{
+  return level < 1.0 ? max(intensity - level, 0.0) / (1.0 - level) : 0.0;
+}
+
+// The share of the paper that ink is to cover.
+float hatchTone(vec3 position, vec3 normal, float cosine)
+{
+  float largestCosine;
+  bool fromBehind = cosine < 0.0 && cullingCosine >= 1.0;
+  float lit = lightOn(position, fromBehind ? -normal : normal, 1.0, largestCosine);
+  float diffuse = truncated(1.0 - lit, truncations.x);
+  float silhouette = truncated(1.0 - min(abs(cosine), 1.0), truncations.y);
+  float combined = mix(diffuse, silhouette, silhouetteWeight);
+  float b = clamp(toneBias, leastBias, 1.0 - leastBias);
+  return darkest * combined / ((1.0 / b - 2.0) * (1.0 - combined) + 1.0);
+}
+
+// The part of it that is a family's, the second one if that is positive.
+float hatchCoverage(float tone, float family)
+{
+  float single = 1.0 - crosshatching;
+  if (tone <= single)
+  {
+    return family > 0.0 ? 0.0 : tone;
+  }
+  float left = sqrt(max(1.0 - tone, 0.0) / (1.0 - single));
+  return family > 0.0 ? 1.0 - left : 1.0 - (1.0 - single) * left;
+}
+
+// How much nearer to each other strokes are in the picture than on a surface: it makes areas smaller by the cosine, and
+// lengths along the strokes by less.
+float foreshortening(float cosine, vec3 way, vec3 toEye)
+{
+  float whole = length(way);
+  float along = whole > 0.0 ? length(cross(way, toEye)) / whole : 1.0;
+  return min(abs(cosine) / max(along, 1e-6), 1.0);
+}
+
+float strokeWidth(float coverage, float allSpacing, float priority, float spacing, float leastWidth)
+{
+  if (!(coverage > 0.0 && allSpacing > 0.0 && spacing > 0.0))
+  {
+    return 0.0;
+  }
+  float fraction = allSpacing / max(spacing, leastWidth / coverage);
+  float from = (1.0 - fading) * fraction;
+  float to = (1.0 + fading) * fraction;
+  float range = to - from;
+  float beyond = max(to - 1.0, 0.0);
+  float drawn = from >= 1.0 ? 1.0 : fraction - 0.5 * beyond * beyond / range;
+  return coverage * allSpacing / drawn * clamp((to - priority) / range, 0.0, 1.0);
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkLineArtMapper.h"
+
+#include "vtkInkSilhouetteMapper.h"
+
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+vtkStandardNewMacro(vtkInkLineArtMapper);
+
+vtkInkLineArtMapper::vtkInkLineArtMapper()
+  : Strokes(vtkSmartPointer<vtkInkStrokeMapper>::New())
+  , Contours(vtkSmartPointer<vtkInkSilhouetteMapper>::New())
+{
+}
+
+vtkInkLineArtMapper::~vtkInkLineArtMapper() = default;
+
+void vtkInkLineArtMapper::SetMappers(vtkInkStrokeMapper* strokes, vtkInkSilhouetteMapper* contours)
+{
+  this->Strokes = strokes;
+  this->Contours = contours;
+  this->Modified();
+}
+
+void vtkInkLineArtMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  for (vtkInkStrokeMapper* mapper : std::initializer_list<vtkInkStrokeMapper*>{ this->Strokes, this->Contours })
+  {
+    if (mapper->GetClippingPlanes() != this->GetClippingPlanes())
+    {
+      mapper->SetClippingPlanes(this->GetClippingPlanes());
+    }
+    const bool chosen = mapper == this->Contours || !renderer->GetSelector();
+    if (mapper->GetInput() && chosen)
+    {
+      mapper->RenderPiece(renderer, actor);
+    }
+  }
+}
+
+void vtkInkLineArtMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Strokes->ReleaseGraphicsResources(window);
+  this->Contours->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+double* vtkInkLineArtMapper::GetBounds()
+{
+  // Hatching lies on the surface.
+  const double* bounds = this->Contours->GetBounds();
+  if (bounds)
+  {
+    std::copy_n(bounds, 6, this->Bounds);
+  }
+  else
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+  }
+  return this->Bounds;
+}
+
+vtkMTimeType vtkInkLineArtMapper::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->Strokes->GetMTime(), this->Contours->GetMTime() });
+}
+
+void vtkInkLineArtMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Strokes: " << this->Strokes.Get() << "\n";
+  os << indent << "Contours: " << this->Contours.Get() << "\n";
+}

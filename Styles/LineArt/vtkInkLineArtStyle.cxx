@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkLineArtStyle.h"
+
+#include "InkAimLight.h"
+#include "InkIsoSurface.h"
+#include "InkMeshTriangles.h"
+#include "InkParameter.h"
+#include "vtkInkContoursStyle.h"
+#include "vtkInkHatching.h"
+#include "vtkInkLineArtMapper.h"
+#include "vtkInkLinesOfCurvature.h"
+#include "vtkInkSilhouetteMapper.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+vtkStandardNewMacro(vtkInkLineArtStyle);
+
+/// Generated from parameters.json.
+const InkParameterTable& InkLineArtParameters();
+
+namespace
+{
+
+/// The distance between strokes in thousandths of the picture's height, with the least and the greatest density.
+constexpr double WidestSpacing = 16.0;
+constexpr double ClosestSpacing = 2.0;
+
+double SpacingOf(double density)
+{
+  return WidestSpacing * std::pow(ClosestSpacing / WidestSpacing, density);
+}
+
+/// Curvature that bends a surface by so little over the distance of two strokes does not direct them: they
+/// follow the form at large instead, in long even lines.
+constexpr double NegligibleBend = 0.06;
+constexpr int SmoothingIterations = 200;
+/// For longer lines than the filter's own, which are more even.
+constexpr double StopDistance = 0.35;
+constexpr double MinimumLength = 4.0;
+
+/// What strokes are not narrower than, as shares of their distance: by number, and by width.
+constexpr double OneWidth = 0.6;
+constexpr double LeastWidth = 0.12;
+
+/// A way of drawing.
+struct Way
+{
+  double Density;
+  double Tone;
+  double Crosshatching;
+  double Width;
+  double Length;
+  double Taper;
+  double ContourWidth;
+  bool Creases;
+};
+
+/// In the order of the table's entries.
+constexpr Way Presets[] = {
+  { 0.6, 0.5, 0.5, 1.0, 0.0, 0.0, 2.0, false },   // engraving
+  { 0.4, 0.45, 0.6, 0.3, 60.0, 0.5, 2.5, false }, // sketch
+  { 0.75, 0.4, 0.0, 0.7, 0.0, 0.0, 1.5, true },   // technical
+};
+
+/// Turns computed normals of a closed surface outwards: maximum and minimum curvature change places otherwise.
+void FaceOutward(vtkPolyData* surface)
+{
+  const InkMeshTriangles triangles(surface, false, InkMeshTriangles::Order::OfMesh);
+  double bounds[6];
+  surface->GetBounds(bounds);
+  const glm::dvec3 middle(
+    0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
+  double volume = 0.0;
+  for (const ink::Triangle& triangle : triangles.Triangles)
+  {
+    const auto corner = [&](std::size_t i) { return triangles.Points[triangle[i]] - middle; };
+    const double part = glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+    volume += std::isfinite(part) ? part : 0.0;
+  }
+  if (volume >= 0.0)
+  {
+    return;
+  }
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  auto turned = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
+  turned->DeepCopy(normals);
+  for (vtkIdType i = 0; i < turned->GetNumberOfTuples(); ++i)
+  {
+    const double* normal = normals->GetTuple3(i);
+    turned->SetTuple3(i, -normal[0], -normal[1], -normal[2]);
+  }
+  surface->GetPointData()->SetNormals(turned);
+}
+
+bool HasNormals(vtkPolyData* mesh)
+{
+  return mesh->GetPointData()->GetNormals() || mesh->GetPointData()->GetArray("Normals");
+}
+
+constexpr const char* PieceNames[] = { "Surface", "Strokes" };
+
+} // namespace
+
+vtkInkLineArtStyle::vtkInkLineArtStyle()
+{
+  this->Lines->SetSmoothingIterations(SmoothingIterations);
+  this->Lines->SetStopDistance(StopDistance);
+  this->Lines->SetMinimumLength(MinimumLength);
+  this->Strokes->HatchingOn();
+  this->Mapper->SetMappers(this->Strokes, this->Contours->GetSilhouetteMapper());
+  this->Actor->SetMapper(this->Mapper);
+  this->Contours->GetSilhouetteMapper()->SetDepthWidth(0.3);
+  InkAimLight(this->Light, this->LightDirection);
+  this->SetPreset(0);
+}
+
+vtkInkLineArtStyle::~vtkInkLineArtStyle() = default;
+
+const char* vtkInkLineArtStyle::GetDescription()
+{
+  return "hatching along lines of curvature, and contours, of iso-surfaces and meshes (Rössl, Kobbelt and "
+         "Seidel 2000)";
+}
+
+const InkParameterTable& vtkInkLineArtStyle::GetParameterTable()
+{
+  return InkLineArtParameters();
+}
+
+vtkMTimeType vtkInkLineArtStyle::GetRecipeMTime()
+{
+  return std::max({ this->Contours->GetMTime(), this->Lines->GetMTime(), this->Hatching->GetMTime() });
+}
+
+vtkMapper* vtkInkLineArtStyle::GetMapper()
+{
+  return this->Mapper;
+}
+
+InkIsoSurface* vtkInkLineArtStyle::GetIsoSurface()
+{
+  return this->Contours->GetIsoSurface();
+}
+
+vtkInkContoursStyle* vtkInkLineArtStyle::GetContoursStyle()
+{
+  return this->Contours;
+}
+
+vtkInkLinesOfCurvature* vtkInkLineArtStyle::GetLinesOfCurvature()
+{
+  return this->Lines;
+}
+
+vtkInkStrokeMapper* vtkInkLineArtStyle::GetStrokeMapper()
+{
+  return this->Strokes;
+}
+
+const char* vtkInkLineArtStyle::GetPieceName(int piece)
+{
+  return piece >= 0 && piece < this->GetNumberOfPieces() ? PieceNames[piece] : nullptr;
+}
+
+void vtkInkLineArtStyle::GetBackgroundColor(double color[3])
+{
+  this->Contours->GetBackgroundColor(color);
+}
+
+std::string vtkInkLineArtStyle::GetReasonAgainst(vtkDataObject* data)
+{
+  return this->Contours->GetReasonAgainst(data);
+}
+
+double vtkInkLineArtStyle::FindThousandth()
+{
+  double bounds[6];
+  this->GetFramePoints()->GetBounds(bounds);
+  const double longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  return longest * this->GetPictureHeight() / (1e3 * this->GetPictureSize());
+}
+
+std::string vtkInkLineArtStyle::MakePieces(const Input& input)
+{
+  this->OfImage = vtkImageData::SafeDownCast(input.Data) != nullptr;
+  const std::string problem = this->MakeMarksOf(this->Contours, input);
+  vtkPolyData* surface = this->GetPiece(0);
+  vtkPolyData* strokes = this->GetPiece(1);
+  surface->ShallowCopy(this->Contours->GetPiece(0));
+  strokes->Initialize();
+  this->SetFramePoints(this->Contours->GetFramePoints());
+  if (!problem.empty() || surface->GetNumberOfPoints() == 0)
+  {
+    return problem;
+  }
+  if (auto* mesh = vtkPolyData::SafeDownCast(input.Data); mesh && !HasNormals(mesh))
+  {
+    FaceOutward(surface);
+  }
+  const double thousandth = this->FindThousandth();
+  // Those of a style that is changed while it is shown suit the middle of its sliders.
+  const double shown = SpacingOf(this->GetInteractive() ? 0.5 : this->Density);
+  const double spacing = this->LineSpacing > 0.0 ? this->LineSpacing : shown;
+  this->Lines->SetInputData(surface);
+  this->Lines->SetSpacing(spacing * thousandth);
+  this->Lines->SetNegligibleCurvature(NegligibleBend / (spacing * thousandth));
+  const bool crossed = this->GetInteractive() || this->Strokes->GetCrosshatching() > 0.0;
+  this->Lines->SetFamilies(crossed ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
+  if (std::string failed = this->Follow(this->Lines, "tracing lines of curvature"); !failed.empty())
+  {
+    return failed;
+  }
+  this->Hatching->SetInputData(this->Lines->GetOutput());
+  this->Hatching->SetSurfaceData(surface);
+  this->Hatching->SetStrokeLength(this->Length * thousandth);
+  const std::string failed = this->Follow(this->Hatching, "cutting strokes");
+  strokes->ShallowCopy(this->Hatching->GetOutput());
+  return failed;
+}
+
+void vtkInkLineArtStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
+{
+  this->Contours->ShowPieces({ pieces[0] });
+  this->UpdateCulling();
+  const auto usable = [](vtkPolyData* piece)
+  { return piece && piece->GetNumberOfCells() > 0 ? piece : nullptr; };
+  this->Strokes->SetInputDataObject(usable(pieces[1]));
+  this->Strokes->SetSurfaceData(usable(pieces[0]));
+  this->Mapper->SetInputDataObject(usable(pieces[0]));
+}
+
+void vtkInkLineArtStyle::UpdatePixels()
+{
+  this->Contours->SetPixelScale(this->GetPixelScale());
+}
+
+void vtkInkLineArtStyle::SetPreset(int preset)
+{
+  this->Preset = std::clamp(preset, 0, static_cast<int>(std::size(Presets)) - 1);
+  const Way& way = Presets[this->Preset];
+  this->Strokes->SetTone(way.Tone);
+  this->Strokes->SetCrosshatching(way.Crosshatching);
+  this->Strokes->SetTaper(way.Taper);
+  this->Contours->GetSilhouetteMapper()->SetLineWidth(way.ContourWidth);
+  this->Contours->SetCreases(way.Creases);
+  this->SetLength(way.Length);
+  this->Density = way.Density;
+  this->Width = way.Width;
+  this->UpdateWidths();
+}
+
+void vtkInkLineArtStyle::SetInkColor(double red, double green, double blue)
+{
+  this->Strokes->SetInkColor(red, green, blue);
+  this->Contours->GetSilhouetteMapper()->SetInkColor(red, green, blue);
+}
+
+double* vtkInkLineArtStyle::GetInkColor()
+{
+  return this->Strokes->GetInkColor();
+}
+
+void vtkInkLineArtStyle::SetLightDirection(double azimuth, double elevation)
+{
+  this->LightDirection[0] = azimuth;
+  this->LightDirection[1] = elevation;
+  InkAimLight(this->Light, this->LightDirection);
+}
+
+void vtkInkLineArtStyle::SetDensity(double density)
+{
+  this->Density = density;
+  this->UpdateWidths();
+}
+
+void vtkInkLineArtStyle::SetWidth(double width)
+{
+  this->Width = width;
+  this->UpdateWidths();
+}
+
+void vtkInkLineArtStyle::UpdateWidths()
+{
+  const double spacing = SpacingOf(this->Density);
+  this->Strokes->SetHatchSpacing(spacing);
+  this->Strokes->SetLineWidth(spacing * (OneWidth + this->Width * (LeastWidth - OneWidth)));
+}
+
+void vtkInkLineArtStyle::SetCullingCosine(double cosine)
+{
+  this->CullingCosine = cosine;
+  this->UpdateCulling();
+}
+
+void vtkInkLineArtStyle::UpdateCulling()
+{
+  this->Strokes->SetCullingCosine(this->OfImage ? this->CullingCosine : 1.0);
+}
+
+void vtkInkLineArtStyle::SetSeed(int seed)
+{
+  this->Lines->SetSeed(seed);
+  this->Hatching->SetSeed(seed);
+}
+
+int vtkInkLineArtStyle::GetSeed()
+{
+  return this->Lines->GetSeed();
+}
+
+void vtkInkLineArtStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Contours:\n";
+  this->Contours->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Strokes:\n";
+  this->Strokes->PrintSelf(os, indent.GetNextIndent());
+}

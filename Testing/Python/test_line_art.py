@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hatching with contours: its gray by the light, the same at any zoom, sliders, what is hidden; hard cases."""
+
+import importlib
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import ink_files
+
+vtkink = pytest.importorskip("vtkink")
+vtk = vtkink.vtk
+numpy_support = importlib.import_module(f"{vtkink.VTK_PACKAGE}.util.numpy_support")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SIZE = 400
+# Light from where the viewer stands, and nothing but hatching by it.
+FROM_VIEWER = {"light_direction": (0, 0), "silhouette_weight": 0, "diffuse_truncation": 0, "darkest_tone": 1, "contour_width": 0}
+
+
+def surface(source):
+    source.Update()
+    return source.GetOutput()
+
+
+def torus(radius=0.6, tube=0.3):
+    function = vtk.vtkParametricTorus()
+    function.SetRingRadius(radius)
+    function.SetCrossSectionRadius(tube)
+    source = vtk.vtkParametricFunctionSource()
+    source.SetParametricFunction(function)
+    source.SetUResolution(96)
+    source.SetVResolution(48)
+    source.SetWResolution(1)
+    clean = vtk.vtkCleanPolyData()
+    clean.SetInputConnection(source.GetOutputPort())
+    return surface(clean)
+
+
+def ball(cells=40, radius=0.8):
+    """A distance from the middle, as an image of the cube of side 2, with iso-value 100 at a radius."""
+    z, y, x = np.meshgrid(*[np.linspace(-1, 1, cells)] * 3, indexing="ij")
+    image = vtk.vtkImageData()
+    image.SetDimensions([cells] * 3)
+    image.SetSpacing([2 / (cells - 1)] * 3)
+    image.SetOrigin([-1] * 3)
+    values = (100 * (1 + radius - np.sqrt(x * x + y * y + z * z))).astype("f4")
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values.ravel(), deep=True))
+    return image
+
+
+class Scene:
+    """Darkness, 0 to 1, from below up, of what is seen along a direction in a frame of two units."""
+
+    def __init__(self, data, **parameters):
+        self.actor = vtkink.draw(data, "line-art", size=(SIZE, SIZE), **parameters)
+        self.style = self.actor.style
+        self.renderer, self.window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
+        self.renderer.SetBackground(1, 1, 1)
+        self.renderer.AddActor(self.actor)
+        self.renderer.AddLight(self.style.GetLight())
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(SIZE, SIZE)
+        self.window.AddRenderer(self.renderer)
+
+    def draw(self, direction=(0, 0, 1), scale=1.0):
+        camera = self.renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(scale)
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetPosition([5 * step for step in direction])
+        camera.SetViewUp(0, 1, 0)
+        self.renderer.ResetCameraClippingRange()
+        self.window.Render()
+        pixels = vtk.vtkUnsignedCharArray()
+        self.window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
+        return 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)[..., 0] / 255
+
+
+def draw(data, direction=(0, 0, 1), scale=1.0, **parameters):
+    return Scene(data, **parameters).draw(direction, scale)
+
+
+def distances():
+    """From the picture's middle, pixels."""
+    y, x = np.mgrid[:SIZE, :SIZE] + 0.5 - SIZE / 2
+    return np.hypot(x, y)
+
+
+def test_the_gray_is_that_of_the_light():
+    """A torus from above, lit from there: 1 - N.L on its tube."""
+    drawn = draw(torus(), crosshatch=0, **FROM_VIEWER)
+    across = np.abs(distances() * 2 / SIZE - 0.6) / 0.3
+    expected = 1 - np.sqrt(np.clip(1 - across**2, 0, 1))
+    for least, most in ((0.0, 0.3), (0.3, 0.5), (0.5, 0.7), (0.7, 0.85), (0.85, 0.95)):
+        ring = (across >= least) & (across < most)
+        assert drawn[ring].mean() == pytest.approx(expected[ring].mean(), abs=0.05), (least, most)
+    assert drawn[across > 1.05].max() == 0
+
+
+def test_the_gray_is_the_same_at_any_zoom():
+    scene = Scene(torus(), **FROM_VIEWER)
+    grays = []
+    for scale in (2.0, 1.0, 0.5):
+        drawn = scene.draw((0, 0, 1), scale)
+        ring = np.abs(distances() * 2 * scale / SIZE - 0.6) / 0.3 < 0.9
+        grays.append(drawn[ring].mean())
+    assert max(grays) / min(grays) < 1.12, grays
+
+
+def test_shade_and_light():
+    """Lit from the upper left, a ball of voxels is white there and dark at the lower right."""
+    drawn = draw(ball(), iso_values=100, light_direction=(-45, 45))
+    y, x = np.mgrid[:SIZE, :SIZE] * 2 / SIZE - 1
+    lit = np.hypot(x + 0.35, y - 0.5) < 0.15
+    shaded = np.hypot(x - 0.4, y + 0.4) < 0.15
+    assert drawn[lit].mean() < 0.02 and drawn[shaded].mean() > 0.4
+    # The contour closes the outline, also where nothing is hatched.
+    rim = np.abs(distances() * 2 / SIZE - 0.8) < 0.01
+    angles = np.round(np.degrees(np.arctan2(y, x)[rim]) / 6)
+    assert all(drawn[rim][angles == angle].max() > 0.5 for angle in np.unique(angles))
+
+
+def test_sliders():
+    data = torus()
+    ink = lambda **one: draw(data, (0.3, 0.4, 1), **{"contour_width": 0, **one}).sum()  # noqa: E731
+    usual = ink()
+    tones = [ink(tone=tone) for tone in (0.1, 0.3, 0.5, 0.7, 0.9)]
+    assert all(a < b for a, b in zip(tones, tones[1:])), tones
+    # What makes the tone changes, and not the tone.
+    for name, values in (("density", (0.2, 0.5, 0.8)), ("width", (0, 0.5, 1)), ("crosshatch", (0, 0.5, 1)), ("length", (40, 200))):
+        for value in values:
+            assert ink(**{name: value}) == pytest.approx(usual, rel=0.12), (name, value)
+    strokes = [Scene(data, length=length).style.GetPiece(1).GetNumberOfCells() for length in (0, 100, 30)]
+    assert strokes[0] < strokes[1] < strokes[2]
+
+
+def test_what_lies_behind_is_hidden():
+    both = vtk.vtkAppendPolyData()
+    both.AddInputData(torus())
+    plane = vtk.vtkPlaneSource()
+    plane.SetOrigin(-1, -1, 0.5)
+    plane.SetPoint1(1, -1, 0.5)
+    plane.SetPoint2(-1, 1, 0.5)
+    plane.SetResolution(20, 20)
+    both.AddInputData(surface(plane))
+    both.Update()
+    drawn = draw(both.GetOutput(), **FROM_VIEWER)
+    assert drawn.max() == 0, "a lit plane that hides a torus"
+    assert draw(both.GetOutput(), (0, 0, -1), **FROM_VIEWER).sum() > 1000
+
+
+def test_presets_differ():
+    data = torus()
+    drawn = {name: draw(data, (0.3, 0.4, 1), preset=name) for name in vtkink.styles()["line-art"].presets}
+    assert list(drawn) == ["engraving", "sketch", "technical"]
+    for name, one in drawn.items():
+        assert 0.02 < one.mean() < 0.4, name
+        assert all((one != other).any() for key, other in drawn.items() if key != name), name
+
+
+def test_the_same_with_one_thread_and_two(ink, tmp_path):
+    file = tmp_path / "ball.nrrd"
+    ink_files.write_nrrd(file, ink_files.blob())
+    pictures = []
+    for threads in (1, 2):
+        out = tmp_path / f"{threads}.png"
+        result = ink("render", file, "--style", "line-art", "--iso", 100, "-q", "--size", "200x200", "-o", out,
+                     env={"VTK_SMP_MAX_THREADS": str(threads)})  # fmt: skip
+        assert (result.code, result.err) == (0, ""), result
+        pictures.append(ink_files.read_png(out))
+    assert (pictures[0] == pictures[1]).all()
+    assert 0.02 < (pictures[0][..., 0] < 128).mean() < 0.4
+
+
+def test_what_is_wrong_is_said():
+    cloud = vtk.vtkPolyData()
+    cloud.SetPoints(torus().GetPoints())
+    for data, words in ((cloud, "points without polygons"), (vtk.vtkPolyData(), "no points"), (vtk.vtkTable(), "vtkTable"),
+                        (np.ones((8, 8, 8)), "different finite values")):  # fmt: skip
+        with pytest.raises(ValueError, match=words):
+            vtkink.draw(data, "line-art")
+    with pytest.raises(ValueError, match="no surface"):
+        vtkink.draw(ink_files.blob(), "line-art", iso_values=5000)
+
+
+def test_the_example_draws(tmp_path):
+    nifti = ROOT / "Data" / "engine.nii.gz"
+    done = subprocess.run([sys.executable, ROOT / "Python/Examples/line_art.py", nifti], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0, done
+    assert 0.02 < (ink_files.read_png(tmp_path / "line_art.png") < 128).mean() < 0.4
