@@ -2,6 +2,7 @@
 #include "Statistics/IsoValue.h"
 
 #include "Fields/ScalarDifference.h"
+#include "Statistics/SmoothedSlices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,10 @@ constexpr double asSharp = 0.95;
 // What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
 constexpr double fragmentShare = 0.01;
 constexpr std::size_t mostSuggestions = 3;
+// At rare values noise has up to this many times the steps that it has at common ones.
+constexpr double sharperThanNoise = 3.0;
+// Slices that are smoothed at once: enough for all threads, few enough for the memory.
+constexpr int mostSmoothedAtOnce = 66;
 
 /// The edges that cross each threshold and the sums of their steps.
 struct EdgeSums
@@ -300,6 +305,75 @@ double otsuThreshold(const std::vector<std::int64_t>& histogram)
   return (static_cast<double>(first) + static_cast<double>(last)) / 2;
 }
 
+/// What a position between bins is as a value.
+double valueAt(const ValueBins& bins, double threshold)
+{
+  return bins.low + (threshold + 1.0) * bins.width;
+}
+
+/// Whether steps at a threshold are much larger than where they are smallest, within a material: smoothed
+/// noise has maxima of sharpness of its own, where values are rare.
+bool isSharperThanNoise(const IsoStatistics& statistics, std::size_t threshold)
+{
+  const auto meanStep = [&](std::size_t i)
+  { return static_cast<double>(statistics.steps[i]) / static_cast<double>(statistics.edges[i]); };
+  double least = meanStep(threshold);
+  for (std::size_t i = 0; i < statistics.edges.size(); ++i)
+  {
+    least = statistics.edges[i] >= fewestEdges ? std::min(least, meanStep(i)) : least;
+  }
+  return meanStep(threshold) >= sharperThanNoise * least;
+}
+
+/// The iso-values of clear boundaries, the best first.
+std::vector<IsoSuggestion> suggestBoundaries(const IsoStatistics& statistics, bool smoothed)
+{
+  const std::vector<double> kept = keptShares(statistics.voxels);
+  std::vector<Boundary> boundaries = findBoundaries(statistics, kept);
+  if (smoothed)
+  {
+    std::erase_if(
+      boundaries, [&](const Boundary& one) { return !isSharperThanNoise(statistics, one.index); });
+  }
+  if (boundaries.empty())
+  {
+    return {};
+  }
+  const double densest = boundaries.back().threshold;
+  std::stable_sort(boundaries.begin() + 1, boundaries.end(),
+    [](const Boundary& a, const Boundary& b) { return a.totalStep > b.totalStep; });
+  boundaries.resize(std::min(boundaries.size(), mostSuggestions));
+  std::vector<IsoSuggestion> suggestions;
+  for (const Boundary& one : boundaries)
+  {
+    const IsoSuggestion::Boundary kind = suggestions.empty() ? IsoSuggestion::Boundary::Outermost
+      : one.threshold == densest                             ? IsoSuggestion::Boundary::Densest
+                                                             : IsoSuggestion::Boundary::Inner;
+    suggestions.push_back({ valueAt(statistics.bins, one.threshold), kind, kept[one.index] });
+  }
+  return suggestions;
+}
+
+/// Of a volume without a boundary.
+std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics)
+{
+  const std::vector<double> kept = keptShares(statistics.voxels);
+  std::vector<IsoSuggestion> suggestions;
+  const double zero = std::floor(-statistics.bins.low / statistics.bins.width) - 1.0;
+  if (zero >= 0.0 && zero < static_cast<double>(kept.size()))
+  {
+    const double share = kept[static_cast<std::size_t>(zero)];
+    if (share >= fragmentShare && share <= 1.0 - fragmentShare)
+    {
+      suggestions.push_back({ 0.0, IsoSuggestion::Boundary::Sign, share });
+    }
+  }
+  const double otsu = otsuThreshold(statistics.voxels);
+  suggestions.push_back(
+    { valueAt(statistics.bins, otsu), IsoSuggestion::Boundary::None, kept[static_cast<std::size_t>(otsu)] });
+  return suggestions;
+}
+
 } // namespace
 
 template <typename T>
@@ -311,42 +385,17 @@ std::vector<IsoSuggestion> suggestIsoValues(
   {
     return {};
   }
-  const std::vector<double> kept = keptShares(statistics->voxels);
-  const auto suggestion = [&](double threshold, IsoSuggestion::Boundary boundary)
+  std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics, false);
+  if (!suggestions.empty())
   {
-    return IsoSuggestion{ statistics->bins.low + (threshold + 1.0) * statistics->bins.width, boundary,
-      kept[static_cast<std::size_t>(threshold)] };
-  };
-
-  std::vector<Boundary> boundaries = findBoundaries(*statistics, kept);
-  if (boundaries.empty())
-  {
-    std::vector<IsoSuggestion> suggestions;
-    const double zero = std::floor(-statistics->bins.low / statistics->bins.width) - 1.0;
-    if (zero >= 0.0 && zero < static_cast<double>(kept.size()))
-    {
-      const double share = kept[static_cast<std::size_t>(zero)];
-      if (share >= fragmentShare && share <= 1.0 - fragmentShare)
-      {
-        suggestions.push_back({ 0.0, IsoSuggestion::Boundary::Sign, share });
-      }
-    }
-    suggestions.push_back(suggestion(otsuThreshold(statistics->voxels), IsoSuggestion::Boundary::None));
     return suggestions;
   }
-  const double densest = boundaries.back().threshold;
-  std::vector<IsoSuggestion> suggestions{ suggestion(
-    boundaries.front().threshold, IsoSuggestion::Boundary::Outermost) };
-  std::stable_sort(boundaries.begin() + 1, boundaries.end(),
-    [](const Boundary& a, const Boundary& b) { return a.totalStep > b.totalStep; });
-  boundaries.resize(std::min(boundaries.size(), mostSuggestions));
-  for (std::size_t i = 1; i < boundaries.size(); ++i)
-  {
-    const double threshold = boundaries[i].threshold;
-    suggestions.push_back(suggestion(
-      threshold, threshold == densest ? IsoSuggestion::Boundary::Densest : IsoSuggestion::Boundary::Inner));
-  }
-  return suggestions;
+  // Noise may hide them.
+  const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
+  const std::optional<IsoStatistics> smoothed =
+    makeIsoStatistics(readSmoothed, dimensions, std::min(slicesAtOnce, mostSmoothedAtOnce));
+  suggestions = smoothed ? suggestBoundaries(*smoothed, true) : suggestions;
+  return suggestions.empty() ? suggestThresholds(*statistics) : suggestions;
 }
 
 template <typename T>

@@ -41,6 +41,8 @@ struct IsoSuggestion
 /// boundary keeps), and, as long as there are other boundaries, the edge of a mask (edges that begin in a
 /// region of one value).
 ///
+/// Where noise hides all boundaries, they are those of the smoothed volume, see smoothedSlices.
+///
 /// The first suggestion is the outermost boundary, the lowest, as the inside of an object is usually denser;
 /// the others follow by their total step. If there is no boundary, it is 0 where the values have both signs,
 /// and then Otsu's threshold (IEEE Trans. SMC 9, 1979).
@@ -55,8 +57,8 @@ struct IsoSuggestion
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::array<int, 3> dimensions);
 
-/// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, from
-/// the first on, at most `slicesAtOnce` (3 or more) per call.
+/// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, four
+/// times if it is smoothed, from the first on, at most `slicesAtOnce` (3 or more) per call.
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(
