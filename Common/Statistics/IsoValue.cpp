@@ -2,6 +2,7 @@
 #include "Statistics/IsoValue.h"
 
 #include "Fields/ScalarDifference.h"
+#include "Statistics/MaterialValues.h"
 #include "Statistics/SmoothedSlices.h"
 
 #include <algorithm>
@@ -241,13 +242,17 @@ std::vector<Boundary> findBoundaries(
   return boundaries;
 }
 
+/// Whether most of the edges that cross a threshold lie at the edge of a mask.
+bool isMask(const IsoStatistics& statistics, std::size_t threshold)
+{
+  return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
+}
+
 /// The clear boundaries, from the lowest to the highest, those of masks only if there are no others.
 std::vector<Boundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept)
 {
-  const auto isMask = [&](const Boundary& one)
-  { return 2 * statistics.maskEdges[one.index] > statistics.edges[one.index]; };
   std::vector<Boundary> boundaries = findBoundaries(withoutMasks(statistics), statistics.speckEdges, kept);
-  std::erase_if(boundaries, isMask);
+  std::erase_if(boundaries, [&](const Boundary& one) { return isMask(statistics, one.index); });
   const std::size_t unmasked = boundaries.size();
   // A mask hides boundaries; without what looks like its edge, others may no longer be prominent.
   for (const Boundary& one :
@@ -255,7 +260,7 @@ std::vector<Boundary> findBoundaries(const IsoStatistics& statistics, const std:
   {
     const bool known = std::any_of(boundaries.begin(), boundaries.end(),
       [&one](const Boundary& other) { return one.contains(other) || other.contains(one); });
-    if (!known && !(isMask(one) && unmasked > 0))
+    if (!known && !(isMask(statistics, one.index) && unmasked > 0))
     {
       boundaries.push_back(one);
     }
@@ -325,6 +330,34 @@ bool isSharperThanNoise(const IsoStatistics& statistics, std::size_t threshold)
   return meanStep(threshold) >= sharperThanNoise * least;
 }
 
+/// Moves boundaries half way between the values of the materials on both sides, as far as they stay nearly as
+/// sharp. Where a denser material touches the surface, too, the sharpness is greatest somewhat nearer to its
+/// value.
+void center(const IsoStatistics& statistics, std::vector<Boundary>& boundaries)
+{
+  const std::vector<Boundary> found = boundaries;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const std::size_t own = found[i].index + 1;
+    // What lies beyond a mask's edge is not beside this one.
+    std::size_t before = own - 1;
+    while (before > 0 && (i == 0 || before > found[i - 1].index + 1) && !isMask(statistics, before - 1))
+    {
+      --before;
+    }
+    const std::size_t after = i + 1 < found.size() ? found[i + 1].index + 1 : statistics.voxels.size();
+    const std::optional<double> low = findMaterialValue(statistics.voxels, { before, own }, true);
+    const std::optional<double> high = findMaterialValue(statistics.voxels, { own, after }, false);
+    if (low && high)
+    {
+      // Threshold i lies at the end of bin i, half a bin after its middle.
+      boundaries[i].threshold = std::clamp(0.5 * (*low + *high) - 0.5, static_cast<double>(found[i].begin),
+        static_cast<double>(found[i].end - 1));
+      boundaries[i].index = static_cast<std::size_t>(boundaries[i].threshold);
+    }
+  }
+}
+
 /// The iso-values of clear boundaries, the best first.
 std::vector<IsoSuggestion> suggestBoundaries(const IsoStatistics& statistics, bool smoothed)
 {
@@ -339,6 +372,7 @@ std::vector<IsoSuggestion> suggestBoundaries(const IsoStatistics& statistics, bo
   {
     return {};
   }
+  center(statistics, boundaries);
   const double densest = boundaries.back().threshold;
   std::stable_sort(boundaries.begin() + 1, boundaries.end(),
     [](const Boundary& a, const Boundary& b) { return a.totalStep > b.totalStep; });

@@ -136,6 +136,21 @@ TEST(IsoValue, ListsThreeNestedSurfacesAndWhatTheyKeep)
   EXPECT_NE(all[1].boundary, all[2].boundary);
 }
 
+TEST(IsoValue, LiesHalfWayAlsoWhereADenserMaterialTouchesTheSurface)
+{
+  // Inside of the ball a dense part reaches its surface.
+  const auto values = volume<float>(
+    [](double d, std::size_t i)
+    {
+      const double dense = i % size > 2 * size / 3 ? 1.0 : 0.0;
+      return (100 + 100 * dense) * blurredSphere(d, 18) + noise(i);
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_NEAR(suggestion->value, 50.0, 2.0);
+}
+
 /// A head in Hounsfield units: skin with fat, soft tissue, a skull that varies from spongy to dense, as bone
 /// does, a headrest beside it, and air.
 double headInHounsfield(std::size_t index)
