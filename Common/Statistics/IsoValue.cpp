@@ -2,6 +2,8 @@
 #include "Statistics/IsoValue.h"
 
 #include "Fields/ScalarDifference.h"
+#include "Statistics/MaterialValues.h"
+#include "Statistics/SmoothedSlices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +42,10 @@ constexpr double asSharp = 0.95;
 // What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
 constexpr double fragmentShare = 0.01;
 constexpr std::size_t mostSuggestions = 3;
+// At rare values noise has up to this many times the steps that it has at common ones.
+constexpr double sharperThanNoise = 3.0;
+// Slices that are smoothed at once: enough for all threads, few enough for the memory.
+constexpr int mostSmoothedAtOnce = 66;
 
 /// The edges that cross each threshold and the sums of their steps.
 struct EdgeSums
@@ -236,13 +242,17 @@ std::vector<Boundary> findBoundaries(
   return boundaries;
 }
 
+/// Whether most of the edges that cross a threshold lie at the edge of a mask.
+bool isMask(const IsoStatistics& statistics, std::size_t threshold)
+{
+  return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
+}
+
 /// The clear boundaries, from the lowest to the highest, those of masks only if there are no others.
 std::vector<Boundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept)
 {
-  const auto isMask = [&](const Boundary& one)
-  { return 2 * statistics.maskEdges[one.index] > statistics.edges[one.index]; };
   std::vector<Boundary> boundaries = findBoundaries(withoutMasks(statistics), statistics.speckEdges, kept);
-  std::erase_if(boundaries, isMask);
+  std::erase_if(boundaries, [&](const Boundary& one) { return isMask(statistics, one.index); });
   const std::size_t unmasked = boundaries.size();
   // A mask hides boundaries; without what looks like its edge, others may no longer be prominent.
   for (const Boundary& one :
@@ -250,7 +260,7 @@ std::vector<Boundary> findBoundaries(const IsoStatistics& statistics, const std:
   {
     const bool known = std::any_of(boundaries.begin(), boundaries.end(),
       [&one](const Boundary& other) { return one.contains(other) || other.contains(one); });
-    if (!known && !(isMask(one) && unmasked > 0))
+    if (!known && !(isMask(statistics, one.index) && unmasked > 0))
     {
       boundaries.push_back(one);
     }
@@ -300,6 +310,104 @@ double otsuThreshold(const std::vector<std::int64_t>& histogram)
   return (static_cast<double>(first) + static_cast<double>(last)) / 2;
 }
 
+/// What a position between bins is as a value.
+double valueAt(const ValueBins& bins, double threshold)
+{
+  return bins.low + (threshold + 1.0) * bins.width;
+}
+
+/// Whether steps at a threshold are much larger than where they are smallest, within a material: smoothed
+/// noise has maxima of sharpness of its own, where values are rare.
+bool isSharperThanNoise(const IsoStatistics& statistics, std::size_t threshold)
+{
+  const auto meanStep = [&](std::size_t i)
+  { return static_cast<double>(statistics.steps[i]) / static_cast<double>(statistics.edges[i]); };
+  double least = meanStep(threshold);
+  for (std::size_t i = 0; i < statistics.edges.size(); ++i)
+  {
+    least = statistics.edges[i] >= fewestEdges ? std::min(least, meanStep(i)) : least;
+  }
+  return meanStep(threshold) >= sharperThanNoise * least;
+}
+
+/// Moves boundaries half way between the values of the materials on both sides, as far as they stay nearly as
+/// sharp. Where a denser material touches the surface, too, the sharpness is greatest somewhat nearer to its
+/// value.
+void center(const IsoStatistics& statistics, std::vector<Boundary>& boundaries)
+{
+  const std::vector<Boundary> found = boundaries;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const std::size_t own = found[i].index + 1;
+    // What lies beyond a mask's edge is not beside this one.
+    std::size_t before = own - 1;
+    while (before > 0 && (i == 0 || before > found[i - 1].index + 1) && !isMask(statistics, before - 1))
+    {
+      --before;
+    }
+    const std::size_t after = i + 1 < found.size() ? found[i + 1].index + 1 : statistics.voxels.size();
+    const std::optional<double> low = findMaterialValue(statistics.voxels, { before, own }, true);
+    const std::optional<double> high = findMaterialValue(statistics.voxels, { own, after }, false);
+    if (low && high)
+    {
+      // Threshold i lies at the end of bin i, half a bin after its middle.
+      boundaries[i].threshold = std::clamp(0.5 * (*low + *high) - 0.5, static_cast<double>(found[i].begin),
+        static_cast<double>(found[i].end - 1));
+      boundaries[i].index = static_cast<std::size_t>(boundaries[i].threshold);
+    }
+  }
+}
+
+/// The iso-values of clear boundaries, the best first.
+std::vector<IsoSuggestion> suggestBoundaries(const IsoStatistics& statistics, bool smoothed)
+{
+  const std::vector<double> kept = keptShares(statistics.voxels);
+  std::vector<Boundary> boundaries = findBoundaries(statistics, kept);
+  if (smoothed)
+  {
+    std::erase_if(
+      boundaries, [&](const Boundary& one) { return !isSharperThanNoise(statistics, one.index); });
+  }
+  if (boundaries.empty())
+  {
+    return {};
+  }
+  center(statistics, boundaries);
+  const double densest = boundaries.back().threshold;
+  std::stable_sort(boundaries.begin() + 1, boundaries.end(),
+    [](const Boundary& a, const Boundary& b) { return a.totalStep > b.totalStep; });
+  boundaries.resize(std::min(boundaries.size(), mostSuggestions));
+  std::vector<IsoSuggestion> suggestions;
+  for (const Boundary& one : boundaries)
+  {
+    const IsoSuggestion::Boundary kind = suggestions.empty() ? IsoSuggestion::Boundary::Outermost
+      : one.threshold == densest                             ? IsoSuggestion::Boundary::Densest
+                                                             : IsoSuggestion::Boundary::Inner;
+    suggestions.push_back({ valueAt(statistics.bins, one.threshold), kind, kept[one.index] });
+  }
+  return suggestions;
+}
+
+/// Of a volume without a boundary.
+std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics)
+{
+  const std::vector<double> kept = keptShares(statistics.voxels);
+  std::vector<IsoSuggestion> suggestions;
+  const double zero = std::floor(-statistics.bins.low / statistics.bins.width) - 1.0;
+  if (zero >= 0.0 && zero < static_cast<double>(kept.size()))
+  {
+    const double share = kept[static_cast<std::size_t>(zero)];
+    if (share >= fragmentShare && share <= 1.0 - fragmentShare)
+    {
+      suggestions.push_back({ 0.0, IsoSuggestion::Boundary::Sign, share });
+    }
+  }
+  const double otsu = otsuThreshold(statistics.voxels);
+  suggestions.push_back(
+    { valueAt(statistics.bins, otsu), IsoSuggestion::Boundary::None, kept[static_cast<std::size_t>(otsu)] });
+  return suggestions;
+}
+
 } // namespace
 
 template <typename T>
@@ -311,42 +419,17 @@ std::vector<IsoSuggestion> suggestIsoValues(
   {
     return {};
   }
-  const std::vector<double> kept = keptShares(statistics->voxels);
-  const auto suggestion = [&](double threshold, IsoSuggestion::Boundary boundary)
+  std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics, false);
+  if (!suggestions.empty())
   {
-    return IsoSuggestion{ statistics->bins.low + (threshold + 1.0) * statistics->bins.width, boundary,
-      kept[static_cast<std::size_t>(threshold)] };
-  };
-
-  std::vector<Boundary> boundaries = findBoundaries(*statistics, kept);
-  if (boundaries.empty())
-  {
-    std::vector<IsoSuggestion> suggestions;
-    const double zero = std::floor(-statistics->bins.low / statistics->bins.width) - 1.0;
-    if (zero >= 0.0 && zero < static_cast<double>(kept.size()))
-    {
-      const double share = kept[static_cast<std::size_t>(zero)];
-      if (share >= fragmentShare && share <= 1.0 - fragmentShare)
-      {
-        suggestions.push_back({ 0.0, IsoSuggestion::Boundary::Sign, share });
-      }
-    }
-    suggestions.push_back(suggestion(otsuThreshold(statistics->voxels), IsoSuggestion::Boundary::None));
     return suggestions;
   }
-  const double densest = boundaries.back().threshold;
-  std::vector<IsoSuggestion> suggestions{ suggestion(
-    boundaries.front().threshold, IsoSuggestion::Boundary::Outermost) };
-  std::stable_sort(boundaries.begin() + 1, boundaries.end(),
-    [](const Boundary& a, const Boundary& b) { return a.totalStep > b.totalStep; });
-  boundaries.resize(std::min(boundaries.size(), mostSuggestions));
-  for (std::size_t i = 1; i < boundaries.size(); ++i)
-  {
-    const double threshold = boundaries[i].threshold;
-    suggestions.push_back(suggestion(
-      threshold, threshold == densest ? IsoSuggestion::Boundary::Densest : IsoSuggestion::Boundary::Inner));
-  }
-  return suggestions;
+  // Noise may hide them.
+  const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
+  const std::optional<IsoStatistics> smoothed =
+    makeIsoStatistics(readSmoothed, dimensions, std::min(slicesAtOnce, mostSmoothedAtOnce));
+  suggestions = smoothed ? suggestBoundaries(*smoothed, true) : suggestions;
+  return suggestions.empty() ? suggestThresholds(*statistics) : suggestions;
 }
 
 template <typename T>

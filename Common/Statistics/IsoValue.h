@@ -36,10 +36,15 @@ struct IsoSuggestion
 /// maximum that are nearly as sharp, the sharpest is taken that has nearly the greatest total step (Pekar's
 /// total gradient), which leaves the surface whole.
 ///
+/// Where the materials on both sides have peaks in the histogram, the value half way between these is taken,
+/// as far as it is nearly as sharp.
+///
 /// Not suggested are noise (too many single voxels, and many more than at lower values), the border of a
 /// scanner's field of view (nearly everything inside), fragments (less than a hundredth of what a lower
 /// boundary keeps), and, as long as there are other boundaries, the edge of a mask (edges that begin in a
 /// region of one value).
+///
+/// Where noise hides all boundaries, they are those of the smoothed volume, see smoothedSlices.
 ///
 /// The first suggestion is the outermost boundary, the lowest, as the inside of an object is usually denser;
 /// the others follow by their total step. If there is no boundary, it is 0 where the values have both signs,
@@ -55,8 +60,8 @@ struct IsoSuggestion
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::array<int, 3> dimensions);
 
-/// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, from
-/// the first on, at most `slicesAtOnce` (3 or more) per call.
+/// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, four
+/// times if it is smoothed, from the first on, at most `slicesAtOnce` (3 or more) per call.
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(

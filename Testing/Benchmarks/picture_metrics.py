@@ -79,15 +79,31 @@ def find_dots(picture):
 
 
 def nearest_distances(points):
-    """Of each point the distance to the nearest other one."""
-    squares = (points**2).sum(axis=1)
-    found = []
-    for first in range(0, len(points), 1000):
-        some = points[first : first + 1000]
-        distances = squares[first : first + 1000, None] + squares - 2 * some @ points.T
-        distances[np.arange(len(some)), first + np.arange(len(some))] = np.inf
-        found.append(np.sqrt(np.maximum(distances.min(axis=1), 0)))
-    return np.concatenate(found)
+    """Of each point (n, 2), from two on, the distance to the nearest other one."""
+    low, extent = points.min(axis=0), np.ptp(points, axis=0)
+    # About two points in a square.
+    side = max(np.sqrt(2 * extent.prod() / len(points)), extent.max() / len(points), 1e-9)
+    squares = np.floor((points - low) / side).astype(np.int64) + 1
+    columns = squares[:, 0].max() + 2
+    index = squares[:, 1] * columns + squares[:, 0]
+    order = np.argsort(index, kind="stable")
+    points, index = points[order], index[order]
+    starts = np.searchsorted(index, np.arange(columns * (squares[:, 1].max() + 2) + 1))
+    nearest = np.full(len(points), np.inf)
+    for neighbor in (dy * columns + dx for dy in (-1, 0, 1) for dx in (-1, 0, 1)):
+        first, end = starts[index + neighbor], starts[index + neighbor + 1]
+        for rank in range((end - first).max()):
+            near = np.flatnonzero((first + rank < end) & (first + rank != np.arange(len(points))))
+            offsets = points[first[near] + rank] - points[near]
+            nearest[near] = np.minimum(nearest[near], np.hypot(*offsets.T))
+    # What is farther than a square may lie beyond the squares around.
+    for alone in np.flatnonzero(nearest > side):
+        distances = np.hypot(*(points - points[alone]).T)
+        distances[alone] = np.inf
+        nearest[alone] = distances.min()
+    found = np.empty(len(points))
+    found[order] = nearest
+    return found
 
 
 def measure_evenness(dots, area):

@@ -189,10 +189,11 @@ def _iso_error(notes, boundary):
     return (float(named[1]) - (outside + inside) / 2) / (inside - outside) if named else ""
 
 
-def measure(case, style, phantom, reference, silhouette, camera, pictures=None):
-    """:param reference: the darkness of the mesh's picture"""
+def measure(case, style, phantom, references, pictures=None):
+    """:param pictures: a folder, for a PNG file of both pictures"""
+    reference = references.pictures[style]
     try:
-        picture, notes = draw(phantoms.image(phantom), style, camera)
+        picture, notes = draw(phantoms.image(phantom), style, references.camera)
     except ValueError as nothing:
         print(f"{case}, {style}: {nothing}", file=sys.stderr)
         picture, notes = np.zeros((SIZE, SIZE)), []
@@ -203,12 +204,27 @@ def measure(case, style, phantom, reference, silhouette, camera, pictures=None):
     if style == "splatting-lines":
         found.update(picture_metrics.compare_lines(picture, reference)._asdict())
     else:
-        found.update(picture_metrics.compare_stipples(picture, reference, silhouette)._asdict())
+        found.update(picture_metrics.compare_stipples(picture, reference, references.silhouette)._asdict())
     return Result(*case, style, **found)
 
 
+class References(NamedTuple):
+    """What pictures of a surface's volumes are compared with."""
+
+    points: np.ndarray  #: of the mesh that it is
+    camera: object
+    silhouette: np.ndarray
+    pictures: dict  #: by style: the mesh's, as darkness
+
+
+def draw_references(surface, styles):
+    mesh, camera = phantoms.mesh(surface), fit_camera(surface.points)
+    pictures = {style: draw(mesh, style, camera)[0] for style in styles}
+    return References(surface.points, camera, find_silhouette(mesh, camera), pictures)
+
+
 class Group(NamedTuple):
-    """Cases that share their grid and their surfaces."""
+    """Cases of one surface, those with the same grid one after the other."""
 
     cases: list
     styles: tuple
@@ -216,19 +232,18 @@ class Group(NamedTuple):
     pictures: str
 
     def __call__(self):
-        case = self.cases[0]
-        grid = phantoms.cube(case.size, case.slice_distance)
-        surfaces = phantoms.with_scans(self.meshes)[case.surface](grid)
-        mesh = phantoms.mesh(surfaces[0])
-        camera = fit_camera(surfaces[0].points)
-        silhouette = find_silhouette(mesh, camera)
-        references = {style: draw(mesh, style, camera)[0] for style in self.styles}
-        values = phantoms.blurred(surfaces, grid)
-        results = []
-        for case in self.cases:
-            phantom = phantoms.scan(surfaces, values, grid, case.type, case.noise)
-            for style in self.styles:
-                results.append(measure(case, style, phantom, references[style], silhouette, camera, self.pictures))
+        results, of = [], None
+        for (name, *grid), cases in itertools.groupby(self.cases, key=lambda case: case[:3]):
+            grid = phantoms.cube(*grid)
+            surfaces = phantoms.with_scans(self.meshes)[name](grid)
+            # Most meshes are the same for any grid, and then so are their pictures.
+            if of is None or not np.array_equal(of.points, surfaces[0].points):
+                of = draw_references(surfaces[0], self.styles)
+            values = phantoms.blurred(surfaces, grid)
+            for case in cases:
+                phantom = phantoms.scan(surfaces, values, grid, case.type, case.noise)
+                for style in self.styles:
+                    results.append(measure(case, style, phantom, of, self.pictures))
         return results
 
 
@@ -238,10 +253,11 @@ def _run(group):
 
 def run(cases, styles, meshes, pictures, jobs):
     groups = {}
-    for case in cases:
-        groups.setdefault(case[:3], []).append(case)
-    # The largest first, so that no process is left alone with them.
-    groups = [Group(group, styles, meshes, pictures) for _, group in sorted(groups.items(), key=lambda item: -item[0][1])]
+    for case in sorted(cases, key=lambda case: case[:3]):
+        groups.setdefault(case.surface, []).append(case)
+    # The longest first, so that no process is left alone with it.
+    groups = [Group(group, styles, meshes, pictures) for group in groups.values()]
+    groups.sort(key=lambda group: -sum(case.size for case in group.cases))
     results = []
     start = time.monotonic()
     with multiprocessing.get_context("spawn").Pool(jobs) as pool:

@@ -87,10 +87,8 @@ def test_a_volume_of_which_nothing_is_drawn_is_a_bare_picture(small, knot, capsy
     grid = phantoms.cube(48)
     phantom = phantoms.voxelize([knot], grid)
     nothing = phantom._replace(values=np.zeros_like(phantom.values))
-    camera = quality.fit_camera(knot.points)
-    mesh = phantoms.mesh(knot)
-    reference = quality.draw(mesh, "splatting-lines", camera)[0]
-    found = quality.measure(Case("knot", 48, 1, "uint8", 0.0), "splatting-lines", nothing, reference, None, camera)
+    references = quality.draw_references(knot, ("splatting-lines",))
+    found = quality.measure(Case("knot", 48, 1, "uint8", 0.0), "splatting-lines", nothing, references)
     assert (found.precision, found.recall, found.f, found.iso_error) == (0, 0, 0, "")
     assert "splatting-lines: " in capsys.readouterr().err
 

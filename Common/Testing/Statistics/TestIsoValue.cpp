@@ -136,6 +136,21 @@ TEST(IsoValue, ListsThreeNestedSurfacesAndWhatTheyKeep)
   EXPECT_NE(all[1].boundary, all[2].boundary);
 }
 
+TEST(IsoValue, LiesHalfWayAlsoWhereADenserMaterialTouchesTheSurface)
+{
+  // Inside of the ball a dense part reaches its surface.
+  const auto values = volume<float>(
+    [](double d, std::size_t i)
+    {
+      const double dense = i % size > 2 * size / 3 ? 1.0 : 0.0;
+      return (100 + 100 * dense) * blurredSphere(d, 18) + noise(i);
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_NEAR(suggestion->value, 50.0, 2.0);
+}
+
 /// A head in Hounsfield units: skin with fat, soft tissue, a skull that varies from spongy to dense, as bone
 /// does, a headrest beside it, and air.
 double headInHounsfield(std::size_t index)
@@ -409,6 +424,28 @@ TEST(IsoValue, IsTheSameFromAFewSlicesAtATime)
     }
     EXPECT_LE(most, atOnce);
   }
+}
+
+TEST(IsoValue, FindsBoundariesThatNoiseHides)
+{
+  // A fifth of the lower step, as a standard deviation: the sum of three numbers in [-1, 1] has one of 1.
+  const auto noisy = [](std::size_t i) { return noise(3 * i) + noise(3 * i + 1) + noise(3 * i + 2); };
+  const auto values = volume<unsigned char>(
+    [&](double d, std::size_t i)
+    {
+      return std::clamp(
+        60 + 80 * blurredSphere(d, 20) + 80 * blurredSphere(d, 10) + 16 * noisy(i), 0.0, 255.0);
+    });
+  const auto all = suggestAll(values);
+  ASSERT_GE(all.size(), 1U);
+  EXPECT_EQ(all[0].boundary, Boundary::Outermost);
+  EXPECT_NEAR(all[0].value, 100.0, 6.0);
+  EXPECT_NEAR(all[0].keptShare, 4.0 / 3.0 * 3.14159265 * std::pow(20.0 / size, 3), 0.03);
+  const ink::SliceReader<unsigned char> read = [&](int first, int last)
+  { return std::span(values).subspan(first * size * size, (last - first) * size * size); };
+  const auto parts = ink::suggestIsoValues(read, cube, 7);
+  ASSERT_EQ(parts.size(), all.size());
+  EXPECT_EQ(parts[0].value, all[0].value);
 }
 
 TEST(IsoValue, RefusesSlicesOfAnotherSize)
