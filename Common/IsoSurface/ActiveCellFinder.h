@@ -374,7 +374,7 @@ private:
     if (!this->Strict)
     {
       const std::size_t first = this->rowOffset(begin);
-      this->Kernels.crossRows(&lower.above[first], &upper.above[first], this->Words + 1, end - begin,
+      this->Kernels.activeRows(&lower.above[first], &upper.above[first], this->Words + 1, end - begin,
         this->Words, scratch.crossed.data());
       return;
     }

@@ -396,8 +396,8 @@ int judge(const T* low, const T* high, int count, T lowest, std::uint8_t* states
 
 /// Some words of the rows of cells between two layers of samples.
 template <class W>
-INK_INLINE void crossWords(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach,
-  int rows, std::uint64_t* crossed)
+INK_INLINE void activeWords(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach,
+  int rows, std::uint64_t* active)
 {
   const auto load = [](const std::uint64_t* from)
   {
@@ -419,22 +419,22 @@ INK_INLINE void crossWords(const std::uint64_t* lower, const std::uint64_t* uppe
     if (r > 0)
     {
       const W found = (any[0] | any[1]) & ~(all[0] & all[1]);
-      __builtin_memcpy(crossed + (r - 1) * reach, &found, sizeof found);
+      __builtin_memcpy(active + (r - 1) * reach, &found, sizeof found);
     }
   }
 }
 
-void crossRows(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach, int rows,
-  int words, std::uint64_t* crossed)
+void activeRows(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach, int rows,
+  int words, std::uint64_t* active)
 {
   constexpr int several = BlockBytes / 8;
   int w = 0;
   for (; w + several <= words; w += several)
   {
-    crossWords<Block<std::uint64_t>>(lower + w, upper + w, reach, rows, crossed + w);
+    activeWords<Block<std::uint64_t>>(lower + w, upper + w, reach, rows, active + w);
   }
   for (; w < words; ++w)
   {
-    crossWords<std::uint64_t>(lower + w, upper + w, reach, rows, crossed + w);
+    activeWords<std::uint64_t>(lower + w, upper + w, reach, rows, active + w);
   }
 }

@@ -65,6 +65,6 @@ const SamplingKernels INK_KERNEL_SET = { INK_TEXT(INK_KERNEL_NAME), typedKernels
   typedKernels<std::uint8_t>(), typedKernels<std::int16_t>(), typedKernels<std::uint16_t>(),
   typedKernels<std::int32_t>(), typedKernels<std::uint32_t>(), typedKernels<std::int64_t>(),
   typedKernels<std::uint64_t>(), typedKernels<float>(), typedKernels<double>(), placeKernels<float>(),
-  placeKernels<double>(), crossRows, listCells, findCorners, interleave, fillVoxel };
+  placeKernels<double>(), activeRows, listCells, findCorners, interleave, fillVoxel };
 
 } // namespace ink

@@ -219,8 +219,8 @@ struct SamplingKernels
 
   /// The cells of `rows` rows between two layers of samples that have corners on both sides. From row to row
   /// lie `reach` words, more than `words`; of the samples one more row and one more word are read.
-  void (*crossRows)(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach, int rows,
-    int words, std::uint64_t* crossed);
+  void (*activeRows)(const std::uint64_t* lower, const std::uint64_t* upper, std::ptrdiff_t reach, int rows,
+    int words, std::uint64_t* active);
   /// Appends cells of a run to a list, up to BatchSize cells in all.
   /// @return the cells that the list had no room for
   std::uint64_t (*listCells)(std::uint64_t cells, const RunPosition& run, SegmentList& list);

@@ -248,18 +248,20 @@ INK_INLINE void fillAlong(const VoxelFill& voxel)
     // Hardly ever are all of them outside. In a thin layer at a voxel's corner the middle is then as good.
     for (int tries = 0; tries < 4 && widest < 0.0f; ++tries)
     {
-      Eight place[3];
-      place[axisA] = centered(next[0]);
-      place[axisB] = centered(next[1]);
-      place[solved] =
-        voxel.height * centered(next[2]) - voxel.slope[0] * place[axisA] - voxel.slope[1] * place[axisB];
+      Eight position[3];
+      position[axisA] = centered(next[0]);
+      position[axisB] = centered(next[1]);
+      position[solved] = voxel.height * centered(next[2]) - voxel.slope[0] * position[axisA] -
+        voxel.slope[1] * position[axisB];
       for (int i = 0; i < 3; ++i)
       {
         next[i] += static_cast<std::uint32_t>(EightLanes) * step[i];
       }
-      const Eight x = voxel.planeX[0] * place[0] + voxel.planeX[1] * place[1] + voxel.planeX[2] * place[2];
-      const Eight y = voxel.planeY[0] * place[0] + voxel.planeY[1] * place[1] + voxel.planeY[2] * place[2];
-      const EightInts inside = (place[solved] <= 0.5f) & (place[solved] >= -0.5f);
+      const Eight x =
+        voxel.planeX[0] * position[0] + voxel.planeX[1] * position[1] + voxel.planeX[2] * position[2];
+      const Eight y =
+        voxel.planeY[0] * position[0] + voxel.planeY[1] * position[1] + voxel.planeY[2] * position[2];
+      const EightInts inside = (position[solved] <= 0.5f) & (position[solved] >= -0.5f);
       // -1 where it is outside.
       const Eight outside = Eight{} - 1.0f;
       const Eight spacing = near.leastSpacing(x, y, static_cast<float>(rank + 1));
@@ -276,9 +278,9 @@ INK_INLINE void fillAlong(const VoxelFill& voxel)
         // Of equal ones the first.
         const int best = __builtin_ctz(bitsOfEight(judged == widest));
         alignas(32) float rows[5][EightLanes];
-        storeEight(rows[0], place[0]);
-        storeEight(rows[1], place[1]);
-        storeEight(rows[2], place[2]);
+        storeEight(rows[0], position[0]);
+        storeEight(rows[1], position[1]);
+        storeEight(rows[2], position[2]);
         storeEight(rows[3], x);
         storeEight(rows[4], y);
         chosen[0] = rows[0][best];

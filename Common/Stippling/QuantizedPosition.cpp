@@ -29,13 +29,13 @@ QuantizationBox fitQuantizationBox(const glm::vec3& low, const glm::vec3& high, 
   return box;
 }
 
-std::uint32_t quantizePosition(const glm::vec3& place, const QuantizationBox& box, const glm::vec3& edges)
+std::uint32_t quantizePosition(const glm::vec3& position, const QuantizationBox& box, const glm::vec3& edges)
 {
   std::uint32_t packed = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const float length = box.scale * edges[axis];
-    const float share = length > 0.0f ? (place[axis] - box.low[axis]) / length : 0.0f;
+    const float share = length > 0.0f ? (position[axis] - box.low[axis]) / length : 0.0f;
     const auto step =
       static_cast<std::uint32_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * quantizationSteps));
     packed |= step << (bitsPerAxis * axis);

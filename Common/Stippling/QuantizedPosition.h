@@ -27,7 +27,7 @@ QuantizationBox fitQuantizationBox(const glm::vec3& low, const glm::vec3& high, 
 
 /// Quantizes a position to ten bits per axis, x in the lowest. The error along an axis is at most half a
 /// step, scale * edge / (2 * quantizationSteps). Positions outside the box are clamped to it.
-std::uint32_t quantizePosition(const glm::vec3& place, const QuantizationBox& box, const glm::vec3& edges);
+std::uint32_t quantizePosition(const glm::vec3& position, const QuantizationBox& box, const glm::vec3& edges);
 
 /// The quantized position; the same formula as in vtkInkStippleMapper's vertex shader.
 glm::vec3 dequantizePosition(std::uint32_t packed, const QuantizationBox& box, const glm::vec3& edges);

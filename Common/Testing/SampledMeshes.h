@@ -29,15 +29,15 @@ struct Mesh
     return { this->points, this->triangles, this->pointDensity, this->triangleDensity };
   }
 
-  /// Adds a grid of columns x rows quads, cut in two, at place(u, v) with u and v from 0 to 1.
-  void addPatch(int columns, int rows, const std::function<glm::dvec3(double, double)>& place)
+  /// Adds a grid of columns x rows quads, cut in two, at position(u, v) with u and v from 0 to 1.
+  void addPatch(int columns, int rows, const std::function<glm::dvec3(double, double)>& position)
   {
     const auto first = static_cast<std::uint32_t>(this->points.size());
     for (int row = 0; row <= rows; ++row)
     {
       for (int column = 0; column <= columns; ++column)
       {
-        this->points.push_back(place(double(column) / columns, double(row) / rows));
+        this->points.push_back(position(double(column) / columns, double(row) / rows));
       }
     }
     const auto stride = static_cast<std::uint32_t>(columns + 1);
@@ -118,15 +118,15 @@ inline double leastDistance(std::span<const glm::dvec3> points, std::size_t coun
 
 /// Brute force: the largest distance from one of the positions to the nearest of the first `count` points.
 inline double largestGap(
-  std::span<const glm::dvec3> places, std::span<const glm::dvec3> points, std::size_t count)
+  std::span<const glm::dvec3> probes, std::span<const glm::dvec3> points, std::size_t count)
 {
   double largest = 0.0;
-  for (const glm::dvec3& place : places)
+  for (const glm::dvec3& probe : probes)
   {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i)
     {
-      const glm::dvec3 offset = points[i] - place;
+      const glm::dvec3 offset = points[i] - probe;
       least = std::min(least, glm::dot(offset, offset));
     }
     largest = std::max(largest, least);

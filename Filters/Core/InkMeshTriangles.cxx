@@ -128,8 +128,8 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     corners->GetCurrentCell(size, points);
-    const vtkIdType place = corners->GetCurrentCellId();
-    const vtkIdType face = ids ? static_cast<vtkIdType>(ids->GetTuple1(place)) : cell + place;
+    const vtkIdType id = corners->GetCurrentCellId();
+    const vtkIdType face = ids ? static_cast<vtkIdType>(ids->GetTuple1(id)) : cell + id;
     if (size == 3 && !isLeftOut(face))
     {
       this->Triangles.push_back({ static_cast<std::uint32_t>(points[0]),
@@ -233,8 +233,8 @@ void InkMeshTriangles::SetDensity(vtkDataArray* density, bool ofCells)
   values.resize(ofCells ? this->Triangles.size() : this->Points.size());
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    const vtkIdType place = ofCells ? this->FaceIds[i] : static_cast<vtkIdType>(i);
-    values[i] = static_cast<float>(density->GetComponent(place, 0));
+    const vtkIdType id = ofCells ? this->FaceIds[i] : static_cast<vtkIdType>(i);
+    values[i] = static_cast<float>(density->GetComponent(id, 0));
   }
 }
 

@@ -163,8 +163,8 @@ vtkIdType InkPreparePointCloud(
     std::optional<glm::vec3> viewpoint;
     if (options.Viewpoint)
     {
-      const glm::dvec3 place(options.Viewpoint[0], options.Viewpoint[1], options.Viewpoint[2]);
-      viewpoint = glm::vec3((place - origin) / unit);
+      const glm::dvec3 position(options.Viewpoint[0], options.Viewpoint[1], options.Viewpoint[2]);
+      viewpoint = glm::vec3((position - origin) / unit);
     }
     normals = ink::estimateNormals(positions, options.NormalNeighbors, progress, viewpoint);
     if (normals.size() != positions.size())
@@ -222,15 +222,15 @@ vtkIdType InkPreparePointCloud(
   next(0.4);
   if (options.Priority)
   {
-    const auto places = ink::progressiveOrder(positions, normals,
+    const auto sorted = ink::progressiveOrder(positions, normals,
       AreRadii(radii) ? radii : std::vector<float>(), static_cast<std::uint64_t>(options.Seed), progress);
-    if (places.size() != positions.size())
+    if (sorted.size() != positions.size())
     {
       return 0;
     }
-    order = Pick(order, places);
-    normals = Pick(normals, places);
-    radii = Pick(radii, places);
+    order = Pick(order, sorted);
+    normals = Pick(normals, sorted);
+    radii = Pick(radii, sorted);
   }
   InkReorderPoints(input, order, output);
   const auto count = static_cast<vtkIdType>(order.size());

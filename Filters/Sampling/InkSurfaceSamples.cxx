@@ -455,10 +455,10 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
   const std::vector<float> stretch = radius ? GetStretch(triangles, samples, radius) : std::vector<float>();
   // Each sample has its own triangle.
   triangles.Triangles.resize(static_cast<std::size_t>(count));
-  std::vector<ink::SurfaceSample> places(static_cast<std::size_t>(count));
+  std::vector<ink::SurfaceSample> positions(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto place = static_cast<std::size_t>(i);
+    const auto sample = static_cast<std::size_t>(i);
     for (int corner = 0; corner < 3; ++corner)
     {
       const double point = corners->GetComponent(i, corner);
@@ -467,16 +467,16 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
         throw std::invalid_argument("the first frame's sample " + std::to_string(i) + " is on the point " +
           Text(point) + "; expected 0 to " + std::to_string(points - 1));
       }
-      triangles.Triangles[place][static_cast<std::size_t>(corner)] = static_cast<std::uint32_t>(point);
+      triangles.Triangles[sample][static_cast<std::size_t>(corner)] = static_cast<std::uint32_t>(point);
     }
-    places[place] = { static_cast<std::uint32_t>(i), static_cast<float>(weights->GetComponent(i, 1)),
+    positions[sample] = { static_cast<std::uint32_t>(i), static_cast<float>(weights->GetComponent(i, 1)),
       static_cast<float>(weights->GetComponent(i, 2)) };
   }
   output->ShallowCopy(samples);
-  output->SetPoints(PlacePoints(triangles.GetMesh(), places, type));
+  output->SetPoints(PlacePoints(triangles.GetMesh(), positions, type));
   if (normals)
   {
-    output->GetPointData()->SetNormals(PlaceNormals(triangles.GetMesh(), triangles.Normals, places));
+    output->GetPointData()->SetNormals(PlaceNormals(triangles.GetMesh(), triangles.Normals, positions));
   }
   if (!stretch.empty())
   {
@@ -484,10 +484,10 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
     grown->DeepCopy(radius);
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const auto place = static_cast<std::size_t>(i);
-      const auto& [a, b, c] = triangles.Triangles[place];
-      const double b1 = static_cast<double>(places[place].b1);
-      const double b2 = static_cast<double>(places[place].b2);
+      const auto sample = static_cast<std::size_t>(i);
+      const auto& [a, b, c] = triangles.Triangles[sample];
+      const double b1 = static_cast<double>(positions[sample].b1);
+      const double b2 = static_cast<double>(positions[sample].b2);
       const double here = (1.0 - b1 - b2) * stretch[a] + b1 * stretch[b] + b2 * stretch[c];
       grown->SetComponent(i, 0, here * radius->GetComponent(i, 0));
     }

@@ -12,6 +12,7 @@
 // up to 10^6 triangles; it is single-threaded.
 
 #include "Curves/Contours/MeshContours.h"
+#include "ProcessorTime.h"
 
 #ifdef INK_HAS_SILHOUETTE
 #  include "vtkCamera.h"
@@ -28,7 +29,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -97,9 +97,7 @@ double Now(bool wall)
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
       .count();
   }
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+  return ProcessorTime();
 }
 
 glm::dvec3 EyeOf(int frame)

@@ -11,20 +11,17 @@
 #include "Curves/Contours/GridContours.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "IsoSurface/MinMaxBricks.h"
+#include "ProcessorTime.h"
 #include "SampledVolume.h"
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -37,24 +34,6 @@ using namespace ink::testing;
 using ink::Eye;
 
 constexpr int Eyes = 12;
-
-/// Processor time in ms: of all threads, and so hardly touched by what else the machine does.
-double timeOf(int runs, const std::function<void()>& body)
-{
-  double least = std::numeric_limits<double>::max();
-  for (int run = 0; run < runs; ++run)
-  {
-    timespec begin;
-    timespec end;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begin);
-    body();
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
-    least = std::min(least,
-      1e3 * static_cast<double>(end.tv_sec - begin.tv_sec) +
-        1e-6 * static_cast<double>(end.tv_nsec - begin.tv_nsec));
-  }
-  return least;
-}
 
 /// On a circle around the volume that leaves out its symmetry axes; every other one at infinity.
 Eye eyeAround(const ink::GridGeometry& grid, int n)
@@ -73,7 +52,7 @@ void measure(const std::string& name, const ink::GridField<T>& field, double iso
   std::vector<float> points;
   std::vector<float> normals;
   std::size_t cells = 0;
-  const double cold = timeOf(5,
+  const double cold = LeastProcessorTime(5,
     [&]
     {
       ink::MinMaxBricks ranges;
@@ -87,7 +66,7 @@ void measure(const std::string& name, const ink::GridField<T>& field, double iso
     });
   std::unique_ptr<const ink::GridContours<T>> contours;
   const double build =
-    timeOf(2, [&] { contours = std::make_unique<const ink::GridContours<T>>(field, isoValue); });
+    LeastProcessorTime(2, [&] { contours = std::make_unique<const ink::GridContours<T>>(field, isoValue); });
   std::size_t count = 0;
   std::size_t chains = 0;
   std::size_t bricks = 0;
@@ -99,7 +78,7 @@ void measure(const std::string& name, const ink::GridField<T>& field, double iso
     {
       const Eye eye = eyeAround(field.geometry(), n);
       ink::Contours found;
-      sum += timeOf(runs, [&] { found = contours->find(eye, {}, options); });
+      sum += LeastProcessorTime(runs, [&] { found = contours->find(eye, {}, options); });
       count += found.positions.size();
       chains += found.chains.size();
       bricks += contours->searchedBrickCount(eye);

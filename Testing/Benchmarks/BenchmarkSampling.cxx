@@ -20,6 +20,7 @@
 // Rows are best whose samples fill words of 64: bonsai-250, -302 and -500 have others, bonsai and bonsai-512
 // these.
 
+#include "ProcessorTime.h"
 #include "Simd/SamplingKernels.h"
 
 #include "vtkInkIsoSurfaceSampler.h"
@@ -38,7 +39,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -145,9 +145,7 @@ double Milliseconds(bool wall)
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double, std::milli>(now).count();
   }
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+  return ProcessorTime();
 }
 
 double Time(vtkAlgorithm* filter, bool wall)

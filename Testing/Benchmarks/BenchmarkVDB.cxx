@@ -7,14 +7,11 @@
 #include "Fields/Grid/GridField.h"
 #include "Fields/Vdb/VdbWrite.h"
 #include "IsoSurface/Vdb/VdbSamples.h"
+#include "ProcessorTime.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
-#include <functional>
 #include <iostream>
-#include <limits>
 #include <span>
 #include <sstream>
 #include <string>
@@ -24,24 +21,6 @@ namespace
 {
 
 constexpr int Runs = 7;
-
-/// Processor time in ms: of all threads, and so hardly touched by what else the machine does.
-double timeOf(const std::function<void()>& body)
-{
-  double least = std::numeric_limits<double>::max();
-  for (int run = 0; run < Runs; ++run)
-  {
-    timespec begin;
-    timespec end;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begin);
-    body();
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
-    least = std::min(least,
-      1e3 * static_cast<double>(end.tv_sec - begin.tv_sec) +
-        1e-6 * static_cast<double>(end.tv_nsec - begin.tv_nsec));
-  }
-  return least;
-}
 
 void print(const std::string& what, double milliseconds, std::size_t bytes)
 {
@@ -85,21 +64,25 @@ int main(int argc, char* argv[])
   ink::ActiveCells denseCells;
   ink::VdbActiveCells sparseCells;
   const ink::CrossingRule rule = ink::CrossingRule::HalfOpen;
-  const double findDense = timeOf([&] { denseCells = ink::findActiveCells(volume, 0.0, rule); });
-  const double findSparse = timeOf([&] { sparseCells = ink::findActiveCells(grid, 0.0, rule, false); });
+  const double findDense =
+    LeastProcessorTime(Runs, [&] { denseCells = ink::findActiveCells(volume, 0.0, rule); });
+  const double findSparse =
+    LeastProcessorTime(Runs, [&] { sparseCells = ink::findActiveCells(grid, 0.0, rule, false); });
   std::vector<float> points(3 * sparseCells.count);
   std::vector<float> normals(3 * sparseCells.count);
   const auto spans = [&] { return std::span<float>(points); };
-  const double placeDense = timeOf([&]
+  const double placeDense = LeastProcessorTime(Runs,
+    [&]
     { ink::placeIsoSurfaceSamples(volume, 0.0, { rule }, denseCells, spans(), std::span<float>(normals)); });
-  const double placeSparse = timeOf(
+  const double placeSparse = LeastProcessorTime(Runs,
     [&]
     {
       ink::placeIsoSurfaceSamples(
         grid, 0.0, { rule }, false, sparseCells, spans(), std::span<float>(normals));
     });
-  const double read = timeOf([&] { ink::VdbGrid::read(in, list, list.find("")); });
-  const double densify = timeOf([&] { grid.copyTo(grid.domain(), false, std::span<float>(values)); });
+  const double read = LeastProcessorTime(Runs, [&] { ink::VdbGrid::read(in, list, list.find("")); });
+  const double densify =
+    LeastProcessorTime(Runs, [&] { grid.copyTo(grid.domain(), false, std::span<float>(values)); });
 
   std::cout << denseCells.count << " points dense, " << sparseCells.count << " sparse, in " << size
             << "^3 voxels, file of " << static_cast<double>(file.size()) / (1 << 20) << " MiB\n";

@@ -9,9 +9,10 @@
 #ifndef Tradeoff_h
 #define Tradeoff_h
 
+#include "ProcessorTime.h"
+
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <iostream>
 #include <string>
@@ -59,7 +60,7 @@ public:
       {
         const double begin = ProcessorTime();
         setting.Run();
-        const double milliseconds = 1e3 * (ProcessorTime() - begin);
+        const double milliseconds = ProcessorTime() - begin;
         if (turn > 0)
         {
           setting.Times.push_back(milliseconds);
@@ -90,13 +91,6 @@ private:
     Tradeoff::Role Role;
     std::vector<double> Times;
   };
-
-  static double ProcessorTime()
-  {
-    timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  }
 
   static std::string Quoted(const std::string& text)
   {

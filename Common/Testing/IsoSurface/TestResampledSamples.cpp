@@ -158,7 +158,7 @@ TEST(ResampledSamples, SmoothingRemovesNoiseFromNormals)
   EXPECT_LT(after.distance, 1.4 / sphere.radius);
   EXPECT_LT(after.distance, before.distance);
   EXPECT_LT(normals.angle, 0.35 * before.angle);
-  EXPECT_LT(normals.distance, 0.7 * before.distance) << "the surface keeps its place";
+  EXPECT_LT(normals.distance, 0.7 * before.distance) << "the surface keeps its position";
 }
 
 TEST(ResampledSamples, NormalsAloneKeepAThinTube)

@@ -43,17 +43,17 @@ TEST(KdTree, AreThoseOfASearchThroughAll)
   auto points = randomPoints(700);
   points.insert(points.end(), points.begin(), points.begin() + 50); // copies
   const ink::KdTree tree(points);
-  for (const glm::vec3& place : randomPoints(100))
+  for (const glm::vec3& query : randomPoints(100))
   {
     std::vector<std::pair<float, std::uint32_t>> all;
     for (std::uint32_t i = 0; i < points.size(); ++i)
     {
-      const glm::vec3 offset = points[i] - place;
+      const glm::vec3 offset = points[i] - query;
       all.emplace_back(glm::dot(offset, offset), i);
     }
     std::sort(all.begin(), all.end());
     std::vector<std::uint32_t> found(20);
-    tree.find(place, found);
+    tree.find(query, found);
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       EXPECT_EQ(found[i], all[i].second);

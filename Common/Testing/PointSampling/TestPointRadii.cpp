@@ -47,23 +47,23 @@ std::vector<glm::vec3> scatter(std::size_t count, const std::function<float(glm:
   std::vector<glm::vec3> points;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const glm::vec2 place(ink::unitFloat(ink::hash(1, i)), ink::unitFloat(ink::hash(2, i)));
-    if (ink::unitFloat(ink::hash(3, i)) < density(place))
+    const glm::vec2 position(ink::unitFloat(ink::hash(1, i)), ink::unitFloat(ink::hash(2, i)));
+    if (ink::unitFloat(ink::hash(3, i)) < density(position))
     {
-      points.emplace_back(place, 0.0f);
+      points.emplace_back(position, 0.0f);
     }
   }
   return points;
 }
 
 // Twenty times as dense on the left as on the right, all at once and little by little.
-float step(glm::vec2 place)
+float step(glm::vec2 position)
 {
-  return place.x < 0.5f ? 1.0f : 0.05f;
+  return position.x < 0.5f ? 1.0f : 0.05f;
 }
-float slope(glm::vec2 place)
+float slope(glm::vec2 position)
 {
-  return std::pow(0.05f, place.x);
+  return std::pow(0.05f, position.x);
 }
 
 /// The number of grid positions in the square, at least `border` from its boundary, that no disc covers.
@@ -76,11 +76,11 @@ int holes(const std::vector<glm::vec3>& points, const std::vector<float>& radii,
     for (int x = 0; x < side; ++x)
     {
       const glm::vec2 share = (glm::vec2(x, y) + 0.5f) / static_cast<float>(side);
-      const glm::vec3 place(border + (1.0f - 2.0f * border) * share, 0.0f);
+      const glm::vec3 position(border + (1.0f - 2.0f * border) * share, 0.0f);
       bool covered = false;
       for (std::size_t i = 0; i < points.size() && !covered; ++i)
       {
-        covered = glm::distance(points[i], place) <= radii[i];
+        covered = glm::distance(points[i], position) <= radii[i];
       }
       found += covered ? 0 : 1;
     }
@@ -173,8 +173,8 @@ TEST(PointRadii, LeaveHolesOpen)
   for (const auto& density : { step, slope })
   {
     const auto points = scatter(12000,
-      [&](glm::vec2 place)
-      { return glm::distance(glm::vec3(place, 0.0f), middle) < hole ? 0.0f : density(place); });
+      [&](glm::vec2 position)
+      { return glm::distance(glm::vec3(position, 0.0f), middle) < hole ? 0.0f : density(position); });
     const auto result = ink::pointRadii(points, {});
     EXPECT_EQ(result.isolatedCount, 0u);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -210,13 +210,13 @@ TEST(PointRadii, OfACurvedSurfaceCoverIt)
   const auto exact = positionsOf(mesh.view(), ink::sampleWhiteNoise(mesh.view(), areas, 6000, 3));
   const std::vector<glm::vec3> points(exact.begin(), exact.end());
   const auto radii = radiiOf(points);
-  for (const glm::dvec3& place :
+  for (const glm::dvec3& position :
     positionsOf(mesh.view(), ink::sampleWhiteNoise(mesh.view(), areas, 4000, 99)))
   {
     bool covered = false;
     for (std::size_t i = 0; i < points.size() && !covered; ++i)
     {
-      covered = glm::distance(points[i], glm::vec3(place)) <= radii[i];
+      covered = glm::distance(points[i], glm::vec3(position)) <= radii[i];
     }
     EXPECT_TRUE(covered);
   }

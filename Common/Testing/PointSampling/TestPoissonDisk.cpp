@@ -247,15 +247,15 @@ TEST(PoissonDisk, KeepsTheSmallerRadiusWhereDensityVaries)
   EXPECT_NEAR(static_cast<double>(right.size()) / static_cast<double>(left.size()), 4.0, 0.5);
   for (const bool isRight : { false, true })
   {
-    std::vector<glm::dvec3> places;
+    std::vector<glm::dvec3> inside;
     for (const glm::dvec3& p : probes(square(1), 10000))
     {
       if ((p.x > 0.5) == isRight)
       {
-        places.push_back(p);
+        inside.push_back(p);
       }
     }
-    EXPECT_LE(largestGap(places, points, points.size()),
+    EXPECT_LE(largestGap(inside, points, points.size()),
       ink::poissonDiskCover(local.at(isRight ? 4.0f : 1.0f), ink::defaultCoverageSlack));
   }
 }
@@ -310,7 +310,7 @@ TEST(PoissonDisk, MakesTheNumberAskedFor)
   for (const Mesh& mesh : meshes)
   {
     const auto areas = ink::cumulateArea(mesh.view());
-    const auto places = probes(mesh, 5000);
+    const auto probed = probes(mesh, 5000);
     for (const std::size_t count : { 1u, 2u, 7u, 100u, 2000u })
     {
       const auto result =
@@ -322,7 +322,7 @@ TEST(PoissonDisk, MakesTheNumberAskedFor)
         // Through space it is shorter from one side of the torus to the other.
         const double chord = &mesh == &meshes[2] ? 0.6 : 0.98;
         EXPECT_GE(leastDistance(points, count), chord * result.radius) << count;
-        EXPECT_LE(largestGap(places, points, count),
+        EXPECT_LE(largestGap(probed, points, count),
           ink::poissonDiskCover(areas.area.back(), double(count), ink::defaultCoverageSlack))
           << count;
       }

@@ -57,14 +57,14 @@ TEST(ProgressiveBlueNoise, EveryBeginningIsBlueNoise)
     const Mesh mesh = square(cells);
     const auto all = points(mesh, 8000);
     ASSERT_EQ(all.size(), 8000u);
-    const auto places = probes(mesh, 5000);
+    const auto probed = probes(mesh, 5000);
     for (const double share : { 0.01, 0.05, 0.1, 0.17, 0.25, 0.37, 0.5, 0.75, 1.0 })
     {
       const std::size_t count = part(share, all);
       const double lattice = ink::hexagonalDistance(1.0, static_cast<double>(count));
       // A random packing at its limit has 0.8.
       EXPECT_GT(leastDistance(all, count), 0.62 * lattice) << share;
-      EXPECT_LT(largestGap(places, all, count), 1.05 * lattice) << share;
+      EXPECT_LT(largestGap(probed, all, count), 1.05 * lattice) << share;
     }
   }
 }
@@ -102,14 +102,14 @@ TEST(ProgressiveBlueNoise, MakesTheNumberAskedFor)
 {
   for (const Mesh& mesh : { square(1), sphere(60, 30), torus(1.0, 0.3, 100, 30) })
   {
-    const auto places = probes(mesh, 5000);
+    const auto probed = probes(mesh, 5000);
     for (const std::size_t count : { 1u, 2u, 7u, 100u, 2000u })
     {
       const auto all = points(mesh, count);
       ASSERT_EQ(all.size(), count);
       if (count >= 100)
       {
-        EXPECT_LE(largestGap(places, all, count),
+        EXPECT_LE(largestGap(probed, all, count),
           ink::progressiveCover(areaOf(mesh), double(count), ink::defaultCandidates))
           << count;
         EXPECT_GT(leastDistance(all, count), 0.6 * ink::hexagonalDistance(areaOf(mesh), double(count)))

@@ -54,14 +54,14 @@ TEST(ProgressiveOrder, MakesEveryBeginningOfBlueNoiseBlueNoise)
   const std::vector<std::uint32_t> order = ink::progressiveOrder(toFloat(points), {}, {}, 1);
   ASSERT_TRUE(isPermutation(order, points.size()));
   const auto sorted = inOrder(points, order);
-  const auto places =
+  const auto probed =
     positionsOf(mesh.view(), ink::sampleWhiteNoise(mesh.view(), ink::cumulateArea(mesh.view()), 5000, 9));
   for (const double share : { 0.05, 0.1, 0.17, 0.25, 0.37, 0.5, 0.75, 1.0 })
   {
     // 0.8 is what a random packing has at its limit, here 0.1 of independent points.
     EXPECT_GT(ratio(sorted, share, 1.0), 0.58) << share;
     const auto count = static_cast<std::size_t>(share * static_cast<double>(sorted.size()));
-    EXPECT_LT(largestGap(places, sorted, count), 1.05 * ink::hexagonalDistance(1.0, double(count))) << share;
+    EXPECT_LT(largestGap(probed, sorted, count), 1.05 * ink::hexagonalDistance(1.0, double(count))) << share;
   }
 }
 

@@ -214,7 +214,8 @@ TEST(WhiteNoise, OfNamedTrianglesDependsOnThemAlone)
     ASSERT_GE(one.triangle, last);
     last = one.triangle;
     inTriangle[last].push_back(one);
-    // An even place's root squared and its way along the edge opposite to the first corner are even, too.
+    // An evenly distributed position's root squared and its way along the edge opposite to the first corner
+    // are even, too.
     const float root = one.b1 + one.b2;
     const auto bin = [](float even) { return std::min(static_cast<int>(5.0f * even), 4); };
     ++cells[5 * bin(root * root) + bin(root > 0.0f ? one.b2 / root : 0.0f)];

@@ -16,7 +16,7 @@ namespace
 using namespace ink;
 using namespace ink::stipple;
 
-glm::vec3 randomPlace(std::uint64_t n, const glm::vec3& low, const glm::vec3& edges)
+glm::vec3 randomPosition(std::uint64_t n, const glm::vec3& low, const glm::vec3& edges)
 {
   return low +
     edges *
@@ -39,22 +39,22 @@ TEST(QuantizedPosition, IsWithinHalfAStep)
   {
     for (const float size : { 1.0f, 0.25f, 1e-3f })
     {
-      std::vector<glm::vec3> places;
+      std::vector<glm::vec3> positions;
       glm::vec3 least(INFINITY);
       glm::vec3 most(-INFINITY);
       for (std::uint64_t n = 0; n < 500; ++n)
       {
-        places.push_back(randomPlace(n, low, size * edges));
-        least = glm::min(least, places.back());
-        most = glm::max(most, places.back());
+        positions.push_back(randomPosition(n, low, size * edges));
+        least = glm::min(least, positions.back());
+        most = glm::max(most, positions.back());
       }
       const QuantizationBox box = fitQuantizationBox(least, most, edges);
       EXPECT_LE(box.scale, 1.001f * size + 1e-5f / std::max(edges.x, 1e-5f));
       const glm::vec3 allowed = bound(box, edges);
-      for (const glm::vec3& place : places)
+      for (const glm::vec3& position : positions)
       {
         const glm::vec3 off =
-          glm::abs(dequantizePosition(quantizePosition(place, box, edges), box, edges) - place);
+          glm::abs(dequantizePosition(quantizePosition(position, box, edges), box, edges) - position);
         EXPECT_TRUE(off.x <= allowed.x && off.y <= allowed.y && off.z <= allowed.z)
           << off.x << ' ' << off.y << ' ' << off.z << " in a box of " << edges.x << " times " << box.scale;
       }

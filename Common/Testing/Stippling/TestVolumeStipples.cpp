@@ -92,20 +92,20 @@ Square squareOf(const std::vector<glm::dvec3>& points, const glm::dvec3& normal,
   std::vector<glm::dvec3> outer;
   for (const glm::dvec3& point : points)
   {
-    const glm::dvec2 place(glm::dot(point, u), glm::dot(point, v));
+    const glm::dvec2 position(glm::dot(point, u), glm::dot(point, v));
     // Beside the plane lies the border of the grid.
     if (std::abs(glm::dot(point, normal)) > 5.0)
     {
       continue;
     }
-    if (std::max(std::abs(place.x), std::abs(place.y)) < half)
+    if (std::max(std::abs(position.x), std::abs(position.y)) < half)
     {
-      square.inner.push_back(place);
-      square.all.emplace_back(place, 0.0);
+      square.inner.push_back(position);
+      square.all.emplace_back(position, 0.0);
     }
     else
     {
-      outer.emplace_back(place, 0.0);
+      outer.emplace_back(position, 0.0);
     }
   }
   square.density = static_cast<double>(square.inner.size()) / (4.0 * half * half);
@@ -319,13 +319,13 @@ TEST(VolumeStipples, DoNotDependOnWhereTheGridBegins)
   { return static_cast<float>(glm::dot(p - 2.5, p - 2.5) < 25.0); };
   const auto inSome = Volume<float>::from(some, value);
   const auto inMore = Volume<float>::from(more, value);
-  const auto place = [](const Volume<float>& volume)
+  const auto stippled = [](const Volume<float>& volume)
   {
     const StippledVoxels voxels = voxelsOf(volume, wholeOf(volume));
     return positions(
       volume.geometry, voxels, placeVolumeStipples(volume.geometry, voxels, { perVoxel }), perVoxel);
   };
-  EXPECT_EQ(place(inSome), place(inMore));
+  EXPECT_EQ(stippled(inSome), stippled(inMore));
 }
 
 TEST(VolumeStipples, AreFiniteAtTheExtremes)

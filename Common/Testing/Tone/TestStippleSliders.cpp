@@ -63,8 +63,8 @@ Ink draw(const ink::stipple::Tone& tone)
 }
 
 /// Checks that a measure never falls (or rises) along a slider and moves by at least a tenth altogether.
-void expectMonotone(float ink::stipple::Sliders::*slider, double direction,
-  const std::function<double(const Ink&)>& measure)
+void expectMonotone(
+  float ink::stipple::Sliders::*slider, double direction, const std::function<double(const Ink&)>& measure)
 {
   for (const ink::stipple::Preset& preset : ink::stipple::presets())
   {
@@ -108,8 +108,7 @@ TEST(StippleSliders, SharpnessAndInteriorTakeInkAway)
 /// Light ink shows the light: less of it, in a smaller region.
 TEST(StippleSliders, LightInkHasLessInkWithSharperLight)
 {
-  for (const auto slider :
-    { &ink::stipple::Sliders::sharpness, &ink::stipple::Sliders::orientation })
+  for (const auto slider : { &ink::stipple::Sliders::sharpness, &ink::stipple::Sliders::orientation })
   {
     double last = 0.0;
     for (int step = 0; step <= 20; ++step)
@@ -185,13 +184,13 @@ TEST(StippleSliders, StandForTheirKs)
     float slider;
     float gain;
     float octaves;
-  } places[] = { { 0.0f, 0.0f, 0.25f }, { 0.25f, 0.5f, 0.5f }, { 0.5f, 1.0f, 1.0f }, { 0.75f, 2.5f, 2.0f },
+  } positions[] = { { 0.0f, 0.0f, 0.25f }, { 0.25f, 0.5f, 0.5f }, { 0.5f, 1.0f, 1.0f }, { 0.75f, 2.5f, 2.0f },
     { 1.0f, 4.0f, 4.0f } };
-  for (const auto& gradient : places)
+  for (const auto& gradient : positions)
   {
-    for (const auto& sharpness : places)
+    for (const auto& sharpness : positions)
     {
-      for (const auto& orientation : places)
+      for (const auto& orientation : positions)
       {
         for (const bool lightInk : { false, true })
         {
@@ -211,16 +210,17 @@ TEST(StippleSliders, StandForTheirKs)
       }
     }
   }
-  for (const auto& place : places)
+  for (const auto& position : positions)
   {
     ink::stipple::Tone tone;
-    const ink::stipple::Sliders sliders{ 0.5f, 0.5f, 0.5f, place.slider, place.slider, place.slider };
+    const ink::stipple::Sliders sliders{ 0.5f, 0.5f, 0.5f, position.slider, position.slider,
+      position.slider };
     sliders.apply(tone);
-    EXPECT_FLOAT_EQ(tone.distance.exponent, std::min(0.5f / place.slider, 20.0f));
-    EXPECT_EQ(tone.distance.size, place.slider);
-    EXPECT_FLOAT_EQ(tone.interior.exponent, 2.0f * place.slider);
-    EXPECT_EQ(tone.interior.size, place.slider);
-    EXPECT_EQ(tone.warmCool.amount, place.slider);
+    EXPECT_FLOAT_EQ(tone.distance.exponent, std::min(0.5f / position.slider, 20.0f));
+    EXPECT_EQ(tone.distance.size, position.slider);
+    EXPECT_FLOAT_EQ(tone.interior.exponent, 2.0f * position.slider);
+    EXPECT_EQ(tone.interior.size, position.slider);
+    EXPECT_EQ(tone.warmCool.amount, position.slider);
   }
 }
 

@@ -69,8 +69,7 @@ TEST(StippleTone, OneFactorAtATime)
   };
   // Table 1 with the defaults.
   EXPECT_NEAR(ratio(&ink::stipple::Tone::boundary), 0.7 * (0.2 + 1.0 * 0.4), 1e-5);
-  EXPECT_NEAR(
-    ratio(&ink::stipple::Tone::silhouette), 0.7 * (0.3 + 2.0 * (1.0 - std::sqrt(0.8))), 1e-5);
+  EXPECT_NEAR(ratio(&ink::stipple::Tone::silhouette), 0.7 * (0.3 + 2.0 * (1.0 - std::sqrt(0.8))), 1e-5);
   EXPECT_NEAR(ratio(&ink::stipple::Tone::resolution), 0.64 * 0.8, 1e-5);
   EXPECT_NEAR(ratio(&ink::stipple::Tone::lighting), 0.2, 1e-5);
   EXPECT_NEAR(ratio(&ink::stipple::Tone::distance), 1.5, 1e-5);
@@ -292,14 +291,14 @@ TEST(StippleTone, SameGrayAtAnyDistance)
       const float far = 8.0f * std::exp2(float(octave));
       const float pixel = 1.0f / 800.0f; // view units at distance 1
       const float voxel = 0.02f;
-      ink::stipple::Tone::View place{};
-      place.listed = 32.0f;
-      place.nearest = place.closest = far - 1.0f;
-      place.middle = far;
-      place.halfRange = 1.0f;
-      place.maximumStipples =
-        ink::stipple::maximumStipples(voxel, pixel * place.nearest, tone.pixelsPerStipple);
-      place.smallness =
+      ink::stipple::Tone::View view{};
+      view.listed = 32.0f;
+      view.nearest = view.closest = far - 1.0f;
+      view.middle = far;
+      view.halfRange = 1.0f;
+      view.maximumStipples =
+        ink::stipple::maximumStipples(voxel, pixel * view.nearest, tone.pixelsPerStipple);
+      view.smallness =
         tone.smallElements.weight(ink::stipple::maximumStipples(voxel, pixel * far, tone.pixelsPerStipple));
       const ink::Light lampAtEye{ { 0.0f, 0.0f, 0.0f, 1.0f }, 1.0f };
       double ink = 0.0;
@@ -311,11 +310,11 @@ TEST(StippleTone, SameGrayAtAnyDistance)
         const double r = std::sqrt(1.0 - z * z);
         const glm::vec3 normal(r * std::cos(angle), r * std::sin(angle), z);
         const double u = i * 0.618033988749895;
-        const ink::stipple::Tone::Element one{ normal - glm::vec3(0.0f, 0.0f, far), normal, 1.0f, 1.0f,
-          32.0f, float(u - std::floor(u)), glm::vec3(0.0f) };
+        const ink::stipple::Tone::Element one{ normal - glm::vec3(0.0f, 0.0f, far), normal, 1.0f, 1.0f, 32.0f,
+          float(u - std::floor(u)), glm::vec3(0.0f) };
         for (int rank = 0; rank < 32; ++rank)
         {
-          const auto mark = tone.mark(place, { &lampAtEye, 1 }, one, rank);
+          const auto mark = tone.mark(view, { &lampAtEye, 1 }, one, rank);
           ink += mark.opacity * mark.diameter * mark.diameter;
           if (mark.opacity == 0.0f)
           {

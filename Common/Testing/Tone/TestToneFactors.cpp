@@ -90,8 +90,7 @@ TEST(ToneFactors, Lighting)
   EXPECT_EQ(lighting.lit({ &sun, 1 }, glm::vec3(0.0f), -normal), 0.0f);
   EXPECT_EQ(lighting.factor(0.0f), 1.0f);
   // A lamp, and more light than full light.
-  const ink::Light lamps[2] = { { { 1.0f, 2.0f, 5.0f, 1.0f }, 0.4f },
-    { { 1.0f, 2.0f, 5.0f, 1.0f }, 3.0f } };
+  const ink::Light lamps[2] = { { { 1.0f, 2.0f, 5.0f, 1.0f }, 0.4f }, { { 1.0f, 2.0f, 5.0f, 1.0f }, 3.0f } };
   EXPECT_FLOAT_EQ(lighting.lit({ lamps, 1 }, { 1.0f, 2.0f, -3.0f }, normal), 0.4f);
   EXPECT_EQ(lighting.lit(lamps, { 1.0f, 2.0f, -3.0f }, normal), 1.0f);
   EXPECT_EQ(lighting.lit({}, { 1.0f, 2.0f, -3.0f }, normal), 0.0f);
@@ -338,12 +337,12 @@ TEST(DotCoverage, AreaIsExactOnAverage)
   {
     const ink::DotShape dot = ink::dotShape(diameter);
     double sum = 0.0;
-    const int places = 32;
+    const int positions = 32;
     const int reach = 8;
-    for (int place = 0; place < places * places; ++place)
+    for (int position = 0; position < positions * positions; ++position)
     {
-      const float x = (place % places + 0.5f) / places;
-      const float y = (place / places + 0.5f) / places;
+      const float x = (position % positions + 0.5f) / positions;
+      const float y = (position / positions + 0.5f) / positions;
       for (int j = -reach; j <= reach; ++j)
       {
         for (int i = -reach; i <= reach; ++i)
@@ -353,7 +352,7 @@ TEST(DotCoverage, AreaIsExactOnAverage)
       }
     }
     const double area = 0.25 * std::numbers::pi * diameter * diameter;
-    EXPECT_NEAR(sum / (places * places) / area, 1.0, 2e-3) << "diameter " << diameter;
+    EXPECT_NEAR(sum / (positions * positions) / area, 1.0, 2e-3) << "diameter " << diameter;
   }
   EXPECT_EQ(ink::dotShape(0.0f).intensity, 0.0f);
 }

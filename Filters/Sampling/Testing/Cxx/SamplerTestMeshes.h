@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
-/// A grid of columns x rows quads, or twice as many triangles, at place(u, v, position).
+/// A grid of columns x rows quads, or twice as many triangles, at locate(u, v, position).
 inline vtkSmartPointer<vtkPolyData> MakePatch(int columns, int rows, bool triangles,
-  const std::function<void(double, double, double[3])>& place, int type = VTK_FLOAT)
+  const std::function<void(double, double, double[3])>& locate, int type = VTK_FLOAT)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(type);
@@ -29,7 +29,7 @@ inline vtkSmartPointer<vtkPolyData> MakePatch(int columns, int rows, bool triang
     for (int column = 0; column <= columns; ++column)
     {
       double p[3];
-      place(static_cast<double>(column) / columns, static_cast<double>(row) / rows, p);
+      locate(static_cast<double>(column) / columns, static_cast<double>(row) / rows, p);
       points->InsertNextPoint(p);
     }
   }

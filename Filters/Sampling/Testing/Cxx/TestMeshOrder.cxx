@@ -44,14 +44,14 @@ vtkSmartPointer<vtkPolyData> MakeSheet(bool triangles)
 vtkSmartPointer<vtkPolyData> Shuffle(vtkPolyData* mesh)
 {
   std::mt19937 random(1);
-  std::vector<vtkIdType> places(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  std::iota(places.begin(), places.end(), vtkIdType(0));
-  std::shuffle(places.begin(), places.end(), random);
+  std::vector<vtkIdType> newIds(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  std::iota(newIds.begin(), newIds.end(), vtkIdType(0));
+  std::shuffle(newIds.begin(), newIds.end(), random);
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(mesh->GetNumberOfPoints());
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    points->SetPoint(places[static_cast<std::size_t>(i)], mesh->GetPoint(i));
+    points->SetPoint(newIds[static_cast<std::size_t>(i)], mesh->GetPoint(i));
   }
   std::vector<vtkIdType> cells(static_cast<std::size_t>(mesh->GetNumberOfCells()));
   std::iota(cells.begin(), cells.end(), vtkIdType(0));
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> Shuffle(vtkPolyData* mesh)
     mesh->GetCellPoints(cell, corners);
     for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
     {
-      corners->SetId(i, places[static_cast<std::size_t>(corners->GetId(i))]);
+      corners->SetId(i, newIds[static_cast<std::size_t>(corners->GetId(i))]);
     }
     polys->InsertNextCell(corners);
     which->InsertNextValue(static_cast<float>(mesh->GetCellData()->GetScalars()->GetTuple1(cell)));

@@ -127,13 +127,13 @@ TEST(PointClouds, OfFewOrExtremePointsStayWhole)
     { { 0, 0, 0 }, { 1, 0, 0 } }, std::vector<std::array<double, 3>>(50, { 4, 4, 4 }),
     { { nan, 0, 0 }, { 1, nan, 0 } }, { { -1e300, 0, 0 }, { 1e300, 0, 0 }, { 0, 1e-300, 0 } },
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } } };
-  for (const auto& places : clouds)
+  for (const auto& positions : clouds)
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    for (const auto& place : places)
+    for (const auto& position : positions)
     {
-      points->InsertNextPoint(place.data());
+      points->InsertNextPoint(position.data());
     }
     vtkNew<vtkPolyData> cloud;
     cloud->SetPoints(points);
@@ -144,7 +144,8 @@ TEST(PointClouds, OfFewOrExtremePointsStayWhole)
     sampler->Update();
     vtkPolyData* output = sampler->GetOutput();
     EXPECT_TRUE(messages->Messages.empty()) << "no message";
-    EXPECT_EQ(output->GetNumberOfPoints(), static_cast<vtkIdType>(places.size())) << "all of few points stay";
+    EXPECT_EQ(output->GetNumberOfPoints(), static_cast<vtkIdType>(positions.size()))
+      << "all of few points stay";
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
       const double radius = output->GetPointData()->GetArray("Radius")->GetComponent(i, 0);

@@ -119,7 +119,7 @@ TEST(SurfaceSampler, ArraysDescribeEachSample)
         }
       }
       EXPECT_LT(std::hypot(expected[0] - p[0], expected[1] - p[1], expected[2] - p[2]), 1e-5)
-        << "point " << i << " at its barycentric place";
+        << "point " << i << " at its barycentric position";
     }
     // A length, not an area: a ball ten times as large has ten times the radius.
     const auto larger =
@@ -364,13 +364,13 @@ TEST(SurfaceSampler, PiecesHaveTheSamplesOfTheWhole)
         sampler->SetSampleRadius(0.04);
         sampler->SetSeed(3);
       });
-    std::vector<std::array<double, 3>> places(static_cast<std::size_t>(points->GetNumberOfPoints()));
-    for (std::size_t i = 0; i < places.size(); ++i)
+    std::vector<std::array<double, 3>> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < positions.size(); ++i)
     {
-      points->GetPoint(static_cast<vtkIdType>(i), places[i].data());
+      points->GetPoint(static_cast<vtkIdType>(i), positions[i].data());
     }
-    std::sort(places.begin(), places.end());
-    return places;
+    std::sort(positions.begin(), positions.end());
+    return positions;
   };
   const auto whole = sample(CutOut(ball, [](vtkIdType) { return true; }));
   const double expected = 0.697 * 4.0 * std::acos(-1.0) / (0.04 * 0.04);
