@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkContoursStyle.h"
 
+#include "InkContourSurface.h"
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
+#include "InkLeaves.h"
 #include "InkParameter.h"
+#include "InkStyleProcesses.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
+#include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 
 #include <algorithm>
 
@@ -95,61 +97,71 @@ void vtkInkContoursStyle::GetBackgroundColor(double color[3])
 std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
 {
   const std::string wanted = "expected an image, a mesh with polygons, found ";
-  if (auto* image = vtkImageData::SafeDownCast(data))
+  const InkLeaves leaves(data);
+  const std::string problem = leaves.Problem.empty() ? leaves.FindImageProblem() : leaves.Problem;
+  if (!data || !problem.empty())
   {
-    vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    return !scalars ? wanted + "an image without point scalars"
-      : scalars->GetNumberOfComponents() != 1
-      ? wanted + "an image with " + std::to_string(scalars->GetNumberOfComponents()) + " scalars a point"
-      : std::string();
+    return wanted + (data ? problem : "nothing");
   }
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  return !mesh                       ? wanted + (data ? "a " + std::string(data->GetClassName()) : "nothing")
-    : mesh->GetNumberOfPoints() == 0 ? wanted + "no points"
-    : !InkHasPolygons(mesh)          ? wanted + "points without polygons"
-                                     : std::string();
+  const auto isPoints = [](vtkDataSet* leaf)
+  {
+    auto* mesh = vtkPolyData::SafeDownCast(leaf);
+    return mesh && !InkHasPolygons(mesh);
+  };
+  const bool hasPoints = !leaves.Stipples.empty() || !leaves.Others.empty();
+  const bool onlyPoints =
+    leaves.Images.empty() && std::all_of(leaves.Others.begin(), leaves.Others.end(), isPoints);
+  return !onlyPoints ? std::string() : wanted + (hasPoints ? "points without polygons" : "no points");
 }
 
 std::string vtkInkContoursStyle::MakePieces(const Input& input)
 {
-  const std::string reason = this->GetReasonAgainst(input.Data);
-  if (!reason.empty())
+  const InkLeaves leaves(input.Data);
+  // Processes without a part of the image take part, too.
+  double images = leaves.Images.empty() ? 0.0 : 1.0;
+  this->GetProcesses().TakeGreatest({ &images, 1 });
+  // Where others have a part of the data, none is no mistake.
+  const std::string reason =
+    input.Port && !input.Data ? std::string() : this->GetReasonAgainst(input.Data);
+  if (images == 0.0)
+  {
+    return this->TakeMesh(input, leaves, reason);
+  }
+  const std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  vtkPolyData* surface = this->GetPiece(0);
+  const std::string ofSurface =
+    InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, surface);
+  if (ofSurface.empty() && !input.Port)
+  {
+    this->IsoSurface->NoteWhereEmpty(this, surface);
+  }
+  return leaves.Images.empty() || reason.empty() ? ofSurface : reason;
+}
+
+std::string vtkInkContoursStyle::TakeMesh(
+  const Input& input, const InkLeaves& leaves, const std::string& reason)
+{
+  if (!input.Port && !reason.empty())
   {
     return reason;
   }
-  auto* mesh = vtkPolyData::SafeDownCast(input.Data);
-  this->OfImage = !mesh;
-  if (mesh)
+  if (const std::string grids = leaves.DescribeGrids(); !grids.empty())
   {
-    return this->TakeMesh(mesh);
+    this->AddNote(grids);
   }
-  auto* image = vtkImageData::SafeDownCast(input.Data);
-  vtkImageData* const images[] = { image };
-  const std::string problem = this->IsoSurface->Prepare(this, images, {});
-  return problem.empty() ? this->IsoSurface->Mesh(this, image, this->GetPiece(0)) : problem;
-}
-
-std::string vtkInkContoursStyle::TakeMesh(vtkPolyData* mesh)
-{
-  vtkPolyData* surface = this->GetPiece(0);
-  this->SetFramePoints(mesh->GetPoints());
-  surface->ShallowCopy(mesh);
-  vtkPointData* pointData = surface->GetPointData();
-  vtkDataArray* named = pointData->GetArray("Normals");
-  if (named && named->GetNumberOfComponents() == 3 && !pointData->GetNormals())
+  // Those of several processes are put together on the first one; all take part.
+  const vtkSmartPointer<vtkPolyData> whole = this->GetProcesses().Gather(leaves.MakeMeshes());
+  if (!InkHasPolygons(whole))
   {
-    pointData->SetNormals(named);
+    return !leaves.Problem.empty() || whole->GetNumberOfPoints() > 0 ? reason : std::string();
   }
-  if (pointData->GetNormals())
-  {
-    return {};
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  const std::string problem = this->Follow(normals, "computing normals");
-  surface->ShallowCopy(normals->GetOutput());
-  this->AddNote("the mesh has no normals; they are computed from its polygons");
-  return problem;
+  this->SetFramePoints(whole->GetPoints());
+  const std::string problem = InkContourSurface(this).MakeOfMesh(whole, this->GetPiece(0));
+  return leaves.Problem.empty() ? problem : reason;
 }
 
 void vtkInkContoursStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
@@ -179,7 +191,8 @@ void vtkInkContoursStyle::SetPreset(int preset)
 void vtkInkContoursStyle::SetCreases(bool creases)
 {
   this->Creases = creases;
-  this->Mapper->SetCreases(creases && !this->OfImage);
+  vtkPolyData* surface = this->Mapper->GetInput();
+  this->Mapper->SetCreases(creases && !(surface && InkContourSurface::IsOfImage(surface)));
 }
 
 void vtkInkContoursStyle::SetPaperColor(double red, double green, double blue)

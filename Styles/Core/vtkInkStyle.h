@@ -315,6 +315,7 @@ protected:
   std::string Follow(vtkAlgorithm* algorithm, const char* text);
 
 private:
+  friend class InkContourSurface;
   friend class InkIsoSurface;
   vtkInkStyle(const vtkInkStyle&) = delete;
   void operator=(const vtkInkStyle&) = delete;

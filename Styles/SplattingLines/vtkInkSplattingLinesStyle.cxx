@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesStyle.h"
 
+#include "InkContourSurface.h"
 #include "InkDiscStipples.h"
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
+#include "InkSilhouettes.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
@@ -37,6 +39,7 @@ constexpr int MostLayers = 8;
 
 vtkInkSplattingLinesStyle::vtkInkSplattingLinesStyle()
   : IsoSurface(std::make_unique<InkIsoSurface>())
+  , Silhouettes(std::make_unique<InkSilhouettes>(this->Mapper))
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->UseLookupTableScalarRangeOn();
@@ -58,7 +61,14 @@ const InkParameterTable& vtkInkSplattingLinesStyle::GetParameterTable()
 
 vtkMTimeType vtkInkSplattingLinesStyle::GetRecipeMTime()
 {
-  return std::max(this->IsoSurface->GetMTime(), this->SurfaceSampler->GetMTime());
+  return std::max(
+    { this->IsoSurface->GetMTime(), this->SurfaceSampler->GetMTime(), this->Silhouettes->GetMTime() });
+}
+
+const char* vtkInkSplattingLinesStyle::GetPieceName(int piece)
+{
+  static const char* const names[] = { "Points", "Silhouettes' surface" };
+  return piece >= 0 && piece < this->GetNumberOfPieces() ? names[piece] : nullptr;
 }
 
 vtkMapper* vtkInkSplattingLinesStyle::GetMapper()
@@ -69,6 +79,11 @@ vtkMapper* vtkInkSplattingLinesStyle::GetMapper()
 InkIsoSurface* vtkInkSplattingLinesStyle::GetIsoSurface()
 {
   return this->IsoSurface.get();
+}
+
+InkSilhouettes* vtkInkSplattingLinesStyle::GetSilhouettes()
+{
+  return this->Silhouettes.get();
 }
 
 vtkInkSurfaceSampler* vtkInkSplattingLinesStyle::GetSurfaceSampler()
@@ -94,18 +109,9 @@ std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
   {
     return wanted + leaves.Problem;
   }
-  for (vtkImageData* image : leaves.Images)
+  if (const std::string problem = leaves.FindImageProblem(); !problem.empty())
   {
-    vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    if (!scalars)
-    {
-      return wanted + "an image without point scalars";
-    }
-    if (scalars->GetNumberOfComponents() != 1)
-    {
-      return wanted + "an image with " + std::to_string(scalars->GetNumberOfComponents()) +
-        " scalars a point";
-    }
+    return wanted + problem;
   }
   return !data                                                                  ? wanted + "nothing"
     : leaves.Images.empty() && leaves.Stipples.empty() && leaves.Others.empty() ? wanted + "no points"
@@ -137,6 +143,14 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
   {
     this->SetFramePoints(mesh->GetPoints());
   }
+  if (this->Silhouettes->GetSilhouettes())
+  {
+    const std::string problem = InkContourSurface(this).MakeOfMesh(mesh, this->GetPiece(SILHOUETTES));
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
   if (!InkHasPolygons(mesh) && InkHasDiscs(mesh))
   {
     // As a sampler made them.
@@ -152,6 +166,11 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
 {
   // All processes take part, also those whose image cannot be drawn.
   std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  if (problem.empty() && this->Silhouettes->GetSilhouettes())
+  {
+    problem =
+      InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, this->GetPiece(SILHOUETTES));
+  }
   problem = reason.empty() ? problem : reason;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
   for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
@@ -229,13 +248,15 @@ std::string vtkInkSplattingLinesStyle::TakeVertices(vtkPolyData* mesh)
 
 void vtkInkSplattingLinesStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
-  this->Mapper->SetInputDataObject(pieces[0]);
+  this->Mapper->SetInputDataObject(pieces[POINTS]);
+  this->Silhouettes->Show(pieces[SILHOUETTES]);
   this->UpdateColors();
 }
 
 void vtkInkSplattingLinesStyle::UpdatePixels()
 {
   this->Mapper->SetSpeckleLength(this->GetPixelScale() * this->SpeckleLength);
+  this->Silhouettes->SetPixelScale(this->GetPixelScale());
 }
 
 void vtkInkSplattingLinesStyle::UpdateColors()
@@ -264,6 +285,17 @@ void vtkInkSplattingLinesStyle::SetColorByScalars(bool byScalars)
 {
   this->ByScalars = byScalars;
   this->UpdateColors();
+}
+
+void vtkInkSplattingLinesStyle::SetInkColor(double red, double green, double blue)
+{
+  this->Mapper->SetInkColor(red, green, blue);
+  this->Silhouettes->SetInkColor(this->Mapper->GetInkColor());
+}
+
+double* vtkInkSplattingLinesStyle::GetInkColor()
+{
+  return this->Mapper->GetInkColor();
 }
 
 void vtkInkSplattingLinesStyle::SetBackground(double red, double green, double blue)

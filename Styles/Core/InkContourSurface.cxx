@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkContourSurface.h"
+
+#include "InkHasPolygons.h"
+#include "InkIsoSurface.h"
+
+#include "vtkCellData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <vector>
+
+namespace
+{
+
+/// The cell array that surfaces of images have. Of field data less is left when pieces are put together.
+constexpr const char* OfImage = "OfImage";
+
+} // namespace
+
+bool InkContourSurface::IsOfImage(vtkPolyData* surface)
+{
+  return surface->GetCellData()->HasArray(OfImage);
+}
+
+std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface,
+  std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* surface)
+{
+  std::string problem;
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (vtkImageData* image : this->Style->GetProcesses().GatherImages(images, array))
+  {
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    problem = isoSurface.Mesh(this->Style, image, parts.back(), array);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  if (!parts.empty())
+  {
+    surface->ShallowCopy(InkAppend(parts));
+    vtkNew<vtkUnsignedCharArray> mark;
+    mark->SetName(OfImage);
+    mark->SetNumberOfTuples(surface->GetNumberOfCells());
+    mark->Fill(1);
+    surface->GetCellData()->AddArray(mark);
+  }
+  return {};
+}
+
+std::string InkContourSurface::MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface)
+{
+  if (!InkHasPolygons(mesh))
+  {
+    this->Style->AddNote("there are no silhouettes, as the points have no polygons between them");
+    return {};
+  }
+  surface->ShallowCopy(mesh);
+  vtkPointData* pointData = surface->GetPointData();
+  vtkDataArray* named = pointData->GetArray("Normals");
+  if (named && named->GetNumberOfComponents() == 3 && !pointData->GetNormals())
+  {
+    pointData->SetNormals(named);
+  }
+  if (pointData->GetNormals())
+  {
+    return {};
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(mesh);
+  const std::string problem = this->Style->Follow(normals, "computing normals");
+  surface->ShallowCopy(normals->GetOutput());
+  this->Style->AddNote("the mesh has no normals; they are computed from its polygons");
+  return problem;
+}
