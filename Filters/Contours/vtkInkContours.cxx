@@ -4,21 +4,34 @@
 #include "Curves/Contours/MeshContours.h"
 #include "InkContourLines.h"
 #include "InkHasPolygons.h"
+#include "InkImageContours.h"
+#include "InkImageGrid.h"
 #include "InkMeshTriangles.h"
+#include "InkOutsideRange.h"
 #include "InkPointNormals.h"
 #include "InkReportException.h"
+#include "InkVTKCompat.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkContourValues.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 /// What is kept between eyes: an index of the last mesh, and what it was made from.
@@ -30,8 +43,12 @@ public:
   vtkPolyData* Mesh = nullptr; ///< only compared
   vtkMTimeType MeshTime = 0;
   ink::MeshContourOptions Options;
+  InkImageContours Image;
   int Builds = 0;
   bool HasWarnedOfNormals = false;
+
+  static ink::Eye FindEye(vtkInkContours* self);
+  static ink::ContourArrays FindArrays(vtkInkContours* self);
 
   bool IsOf(vtkPolyData* mesh, const ink::MeshContourOptions& options) const
   {
@@ -45,6 +62,10 @@ vtkStandardNewMacro(vtkInkContours);
 vtkInkContours::vtkInkContours()
   : Internals(std::make_unique<vtkInternals>())
 {
+  // vtkContourValues initially holds one value.
+  this->ContourValues->SetNumberOfContours(0);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 vtkInkContours::~vtkInkContours() = default;
@@ -83,33 +104,95 @@ int vtkInkContours::GetNumberOfIndexBuilds()
 
 vtkMTimeType vtkInkContours::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
+  const vtkMTimeType own = std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
   return this->Eye == CAMERA && this->Camera ? std::max(own, this->Camera->GetMTime()) : own;
+}
+
+void vtkInkContours::SetValue(int i, double value)
+{
+  this->ContourValues->SetValue(i, value);
+}
+
+double vtkInkContours::GetValue(int i)
+{
+  return this->ContourValues->GetValue(i);
+}
+
+void vtkInkContours::SetNumberOfContours(int number)
+{
+  this->ContourValues->SetNumberOfContours(number);
+}
+
+vtkIdType vtkInkContours::GetNumberOfContours()
+{
+  return this->ContourValues->GetNumberOfContours();
+}
+
+void vtkInkContours::GenerateValues(int numContours, double rangeStart, double rangeEnd)
+{
+  this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+}
+
+int vtkInkContours::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
 }
 
 int vtkInkContours::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   try
   {
-    this->FindContours(mesh, output);
+    if (mesh)
+    {
+      this->FindContoursOfMesh(mesh, output);
+    }
+    else
+    {
+      this->FindContoursOfImage(inputVector, outputVector);
+    }
   }
   catch (...)
   {
-    InkReportException(this, output, "The contours of the mesh cannot be found");
+    // What is half made must not be used again.
+    this->Internals->Image.Clear();
+    InkReportException(
+      this, output, std::string("The contours of the ") + (mesh ? "mesh" : "image") + " cannot be found");
   }
   return 1;
 }
 
-void vtkInkContours::FindContours(vtkPolyData* mesh, vtkPolyData* output)
+ink::Eye vtkInkContours::vtkInternals::FindEye(vtkInkContours* self)
 {
-  if (this->Eye == CAMERA && !this->Camera)
+  if (self->Eye != CAMERA)
+  {
+    const double* v = self->Eye == POSITION ? self->EyePosition : self->EyeDirection;
+    return self->Eye == POSITION ? ink::Eye::at({ v[0], v[1], v[2] }) : ink::Eye::along({ v[0], v[1], v[2] });
+  }
+  if (!self->Camera)
   {
     throw std::invalid_argument(
       "there is no camera; expected one by SetCamera, or EyePosition or EyeDirection by SetEye");
   }
+  double vector[3];
+  const bool parallel = self->Camera->GetParallelProjection() != 0;
+  parallel ? self->Camera->GetDirectionOfProjection(vector) : self->Camera->GetPosition(vector);
+  const glm::dvec3 v(vector[0], vector[1], vector[2]);
+  return parallel ? ink::Eye::along(v) : ink::Eye::at(v);
+}
+
+ink::ContourArrays vtkInkContours::vtkInternals::FindArrays(vtkInkContours* self)
+{
+  return { self->ComputeNormals, self->ComputeRadialCurvature, self->ComputeArcLength, self->ComputeCellIds };
+}
+
+void vtkInkContours::FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output)
+{
+  const ink::Eye eye = vtkInternals::FindEye(this);
   if (!InkHasPolygons(mesh))
   {
     if (mesh->GetNumberOfPoints() > 0)
@@ -118,20 +201,6 @@ void vtkInkContours::FindContours(vtkPolyData* mesh, vtkPolyData* output)
                                        << "expected a surface. There are no contours.");
     }
     return;
-  }
-  ink::Eye eye;
-  if (this->Eye == CAMERA)
-  {
-    double vector[3];
-    const bool parallel = this->Camera->GetParallelProjection() != 0;
-    parallel ? this->Camera->GetDirectionOfProjection(vector) : this->Camera->GetPosition(vector);
-    const glm::dvec3 v(vector[0], vector[1], vector[2]);
-    eye = parallel ? ink::Eye::along(v) : ink::Eye::at(v);
-  }
-  else
-  {
-    const double* v = this->Eye == POSITION ? this->EyePosition : this->EyeDirection;
-    eye = this->Eye == POSITION ? ink::Eye::at({ v[0], v[1], v[2] }) : ink::Eye::along({ v[0], v[1], v[2] });
   }
   const ink::MeshContourOptions options{ this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle,
     this->Borders, this->NonManifoldEdges };
@@ -156,9 +225,78 @@ void vtkInkContours::FindContours(vtkPolyData* mesh, vtkPolyData* output)
     ++kept.Builds;
     this->UpdateProgress(0.9);
   }
-  const ink::ContourArrays arrays{ this->ComputeNormals, this->ComputeRadialCurvature, this->ComputeArcLength,
-    this->ComputeCellIds };
-  InkMakeContourLines(kept.Index->find(eye, arrays), mesh->GetPoints()->GetDataType(), kept.CellIds, output);
+  InkMakeContourLines(kept.Index->find(eye, vtkInternals::FindArrays(this)),
+    mesh->GetPoints()->GetDataType(), kept.CellIds, output);
+}
+
+void vtkInkContours::FindContoursOfImage(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const ink::Eye eye = vtkInternals::FindEye(this);
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  // An empty piece is not an error.
+  if (image->GetNumberOfPoints() == 0 || !this->Silhouettes)
+  {
+    return;
+  }
+  const InkExtent whole = InkGetWholeExtent(info, image);
+  const glm::ivec3 samples = whole.GetDimensions();
+  if (std::min({ samples.x, samples.y, samples.z }) < 2)
+  {
+    vtkWarningMacro("The image has " << samples.x << " x " << samples.y << " x " << samples.z
+                                     << " samples. An iso-surface needs at least 2 along each axis.");
+    return;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
+  vtkDataArray* scalars = InkChooseScalars(this, image, found, association, this->ArrayComponent);
+  if (!scalars)
+  {
+    return;
+  }
+  const std::span<const double> isoValues(
+    this->ContourValues->GetValues(), static_cast<std::size_t>(this->ContourValues->GetNumberOfContours()));
+  if (std::any_of(isoValues.begin(), isoValues.end(), [](double value) { return std::isnan(value); }))
+  {
+    vtkWarningMacro("An iso-value is not a number (NaN) and has no contours.");
+  }
+  vtkInternals& kept = *this->Internals;
+  const auto progress = [this](double done)
+  {
+    this->UpdateProgress(0.9 * done);
+    return !InkCheckAbort(this);
+  };
+  kept.Builds += kept.Image.Update(
+    { image, scalars, this->ArrayComponent, InkSelectCells(info, outInfo, image) }, isoValues, progress);
+  if (InkCheckAbort(this))
+  {
+    kept.Image.Clear();
+    return;
+  }
+  ink::GridContourOptions options;
+  options.projectionSteps = this->ProjectionSteps;
+  std::vector<int> surfaces;
+  const ink::Contours contours = kept.Image.Find(eye, vtkInternals::FindArrays(this), options, surfaces);
+  const bool doubles = InkNeedsDoublePrecision(InkMakeGrid(image, whole));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  InkMakeContourLines(contours, doubles ? VTK_DOUBLE : VTK_FLOAT, {}, output);
+  if (isoValues.size() > 1)
+  {
+    vtkNew<vtkIntArray> indices;
+    indices->SetName("SurfaceIndex");
+    indices->SetNumberOfTuples(static_cast<vtkIdType>(surfaces.size()));
+    std::copy(surfaces.begin(), surfaces.end(), indices->GetPointer(0));
+    output->GetCellData()->AddArray(indices);
+  }
+  const std::string outside = output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image)
+    ? InkDescribeOutside(isoValues, scalars, this->ArrayComponent, "contours")
+    : std::string();
+  if (!outside.empty())
+  {
+    vtkWarningMacro(<< outside);
+  }
 }
 
 void vtkInkContours::PrintSelf(ostream& os, vtkIndent indent)
@@ -170,6 +308,10 @@ void vtkInkContours::PrintSelf(ostream& os, vtkIndent indent)
      << this->EyePosition[2] << "\n";
   os << indent << "EyeDirection: " << this->EyeDirection[0] << ", " << this->EyeDirection[1] << ", "
      << this->EyeDirection[2] << "\n";
+  os << indent << "ContourValues:\n";
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
+  os << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n";
   os << indent << "Silhouettes: " << this->Silhouettes << "\n";
   os << indent << "Faceted: " << this->Faceted << "\n";
   os << indent << "Creases: " << this->Creases << "\n";

@@ -1,44 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkContours
- * @brief silhouettes, creases and borders of a mesh for a camera, as polylines
+ * @brief silhouettes, creases and borders of a mesh, or silhouettes of an image, for a camera, as polylines
  *
  * Silhouettes (occluding contours) are where a surface turns away from the eye: the zero set of n.v, with the
  * normals n interpolated across faces (Hertzmann and Zorin 2000), which is smooth; or, with Faceted, edges
  * between a face seen from its front and one seen from its back. Creases, borders and non-manifold edges do
  * not depend on the eye. All are chained to polylines; what is hidden by the surface is not left out.
  *
- * Input: a vtkPolyData with polygons or strips. Normals are its point normals, or an array `Normals`; if it
+ * Input: a vtkPolyData with polygons or strips, or a vtkImageData. Of a mesh normals are its point normals, or an array `Normals`; if it
  * has none, the mean over the faces around each point is used, and the filter warns once. Points of equal
  * position count as one. Faces with a point that is not finite, and ghost and hidden cells, are left out.
+ *
+ * Of an image the silhouettes of the iso-surfaces at its iso-values are found straight from the samples, cell
+ * by cell, without a mesh (Burns et al. 2005): where f is the iso-value and grad f . v = 0. The input array is
+ * set with SetInputArrayToProcess(0, ...); by default it is the active point scalars. Cells that are ghosts,
+ * hidden or refined, and those with a corner that is hidden or not finite, are left out. Faceted, Creases,
+ * Borders and NonManifoldEdges are of no effect.
  *
  * The eye is that of a vtkCamera, or given as a position or, for a parallel projection, as a direction.
  *
  * Output: lines, one polyline for each chain; a closed one ends with the id of its first point. The cell
- * array `ContourKind` says what each is (SILHOUETTE, CREASE, BORDER, NON_MANIFOLD_EDGE); point arrays are
- * made on request. Points have the precision of the input's. Chains are in a defined order, the same for any
- * number of threads.
+ * array `ContourKind` says what each is (SILHOUETTE, CREASE, BORDER, NON_MANIFOLD_EDGE), and with several
+ * iso-values the cell array `SurfaceIndex` (int) the index of its own; point arrays are made on request.
+ * Points have the precision of the mesh's; of an image they are floats where these do for its coordinates.
+ * Chains are in a defined order, the same for any number of threads.
  *
  * What does not depend on the eye, among it an index by which a new eye costs time for the contours' length
  * instead of the number of faces, is kept until the input or an option that it depends on changes.
  *
  * Errors, each with an empty output: no camera where one is expected, a face with a point that does not
- * exist, faces without area only, a camera whose position is not finite. An input without polygons gives a
- * warning.
+ * exist, faces without area only, a camera whose position is not finite, no such point array of an image. A
+ * mesh without polygons, no iso-value, one that is not a number, iso-values that are nowhere in the image, and
+ * an image of fewer than two samples along an axis give a warning.
  *
- * @sa vtkPolyDataSilhouette vtkFeatureEdges
+ * @sa vtkPolyDataSilhouette vtkFeatureEdges vtkInkIsoSurfaceSampler
  */
 #ifndef vtkInkContours_h
 #define vtkInkContours_h
 
 #include "InkSetters.h"
 #include "vtkInkFiltersContoursModule.h" // for the export macro
+#include "vtkNew.h"                      // for the contour values
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the camera
 
 #include <memory>
 
 class vtkCamera;
+class vtkContourValues;
 
 class VTKINKFILTERSCONTOURS_EXPORT vtkInkContours : public vtkPolyDataAlgorithm
 {
@@ -101,6 +111,35 @@ public:
    */
   InkSetPointMacro(EyeDirection);
   vtkGetVector3Macro(EyeDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * The iso-values of an image, as in vtkContourFilter. Default: none, which yields no contours.
+   */
+  void SetValue(int i, double value);
+  double GetValue(int i);
+  void SetNumberOfContours(int number);
+  vtkIdType GetNumberOfContours();
+  void GenerateValues(int numContours, double rangeStart, double rangeEnd);
+  ///@}
+
+  ///@{
+  /**
+   * The component of an image's array that is contoured; from 0. Default: 0.
+   */
+  vtkSetClampMacro(ArrayComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(ArrayComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Newton steps with which the points of an image's silhouettes are projected onto those of the interpolated
+   * field; no point moves farther than a cell's diagonal. 0 (default: points stay where the silhouette of the
+   * surface that is linear in tetrahedra passes their faces) to 20.
+   */
+  vtkSetClampMacro(ProjectionSteps, int, 0, 20);
+  vtkGetMacro(ProjectionSteps, int);
   ///@}
 
   ///@{
@@ -198,12 +237,13 @@ public:
   ///@}
 
   /**
-   * The number of times that the filter has prepared a mesh, which it does not when only the eye changes.
+   * The number of times that the filter has prepared a mesh, or an iso-surface of an image, which it does not
+   * when only the eye changes.
    */
   int GetNumberOfIndexBuilds();
 
   /**
-   * That of the camera included.
+   * Those of the camera and the iso-values included.
    */
   vtkMTimeType GetMTime() override;
 
@@ -211,6 +251,7 @@ protected:
   vtkInkContours();
   ~vtkInkContours() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -219,13 +260,17 @@ private:
 
   class vtkInternals;
 
-  void FindContours(vtkPolyData* mesh, vtkPolyData* output);
+  void FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output);
+  void FindContoursOfImage(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   std::unique_ptr<vtkInternals> Internals;
   vtkSmartPointer<vtkCamera> Camera;
   int Eye = CAMERA;
   double EyePosition[3] = { 0.0, 0.0, 1.0 };
   double EyeDirection[3] = { 0.0, 0.0, -1.0 };
+  vtkNew<vtkContourValues> ContourValues;
+  int ArrayComponent = 0;
+  int ProjectionSteps = 0;
   bool Silhouettes = true;
   bool Faceted = false;
   bool Creases = false;

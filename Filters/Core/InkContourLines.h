@@ -15,7 +15,7 @@ class vtkPolyData;
 /// array `ContourKind`, and a point array for each that the contours have: `Normals`, `RadialCurvature`,
 /// `ArcLength`, `CellId`.
 /// @param pointType VTK_FLOAT or VTK_DOUBLE
-/// @param cellIds the cell of each element of the surface
+/// @param cellIds the cell of each element of the surface; empty: elements are cells
 VTKINKFILTERSCORE_EXPORT void InkMakeContourLines(
   const ink::Contours& contours, int pointType, std::span<const vtkIdType> cellIds, vtkPolyData* output);
 

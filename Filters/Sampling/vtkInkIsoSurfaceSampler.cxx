@@ -5,11 +5,13 @@
 #include "InkAddCuts.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
+#include "InkOutsideRange.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkSurfaceParts.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
+#include "InkWithGridField.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "IsoSurface/MinMaxBricks.h"
 #include "IsoSurface/ProjectSamples.h"
@@ -171,26 +173,6 @@ struct SampleRequest
   ink::CellSelection Cells;
   std::size_t Expected;
 };
-
-/// Calls work(field) with the field of an array whose type is not known; `array` is contiguous.
-template <class Work>
-bool WithField(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
-  const ink::ElementMarks& hidden, const Work& work)
-{
-  const auto withValues = [&](auto* values)
-  {
-    using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
-    const std::span<const T> all(
-      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
-    return work(ink::GridField<T>(geometry, all.subspan(static_cast<std::size_t>(component)),
-      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden));
-  };
-  switch (array->GetDataType())
-  {
-    vtkTemplateMacro(return withValues(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
-  }
-  throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
-}
 
 /// Moves the samples of each iso-value, which come one after the other. Returns false when aborted.
 template <class T>
@@ -492,7 +474,7 @@ void vtkInkIsoSurfaceSampler::SampleImage(
       (this->ProjectionSteps == 0 ||
         Project(field, request, this->ProjectionSteps, grow(0), internals.Counts, progressFrom(share)));
   };
-  if (!WithField(geometry, values, component, hidden, sample))
+  if (!InkWithGridField(geometry, values, component, hidden, sample))
   {
     internals.ReleaseArrays();
     return;
@@ -513,46 +495,13 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   // A part of an image may legitimately have no points.
   if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image))
   {
-    this->ReportOutside(scalars);
-  }
-}
-
-void vtkInkIsoSurfaceSampler::ReportOutside(vtkDataArray* scalars)
-{
-  const int count = this->ContourValues->GetNumberOfContours();
-  if (count == 0)
-  {
-    vtkWarningMacro("No iso-value is set, so there are no points. Expected one or more (SetValue).");
-    return;
-  }
-  double range[2];
-  scalars->GetFiniteRange(range, this->ArrayComponent);
-  std::ostringstream found;
-  for (int i = 0; i < count; ++i)
-  {
-    const double value = this->GetValue(i);
-    // NaN has a warning of its own.
-    if ((value > range[0] && value <= range[1]) || std::isnan(value))
+    const std::string outside =
+      InkDescribeOutside(request.IsoValues, scalars, this->ArrayComponent, "points");
+    if (!outside.empty())
     {
-      return;
+      vtkWarningMacro(<< outside);
     }
-    found << (i > 0 ? ", " : "") << value;
   }
-  std::ostringstream expected;
-  if (range[0] == range[1])
-  {
-    expected << "All of the image's values are " << range[0] << '.';
-  }
-  else if (range[0] < range[1])
-  {
-    expected << "Expected a value above " << range[0] << " and up to " << range[1]
-             << ", which the image has.";
-  }
-  else
-  {
-    expected << "None of the image's values is finite.";
-  }
-  vtkWarningMacro("No voxel lies on the iso-surface of " << found.str() << ". " << expected.str());
 }
 
 void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)

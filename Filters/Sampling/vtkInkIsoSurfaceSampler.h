@@ -380,7 +380,6 @@ private:
   void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
   void FillOutput(double radius, vtkPolyData* output);
   /// Warns if no iso-value lies within the range of the values.
-  void ReportOutside(vtkDataArray* scalars);
 
   vtkNew<vtkContourValues> ContourValues;
   int CrossingRule = HALF_OPEN;

@@ -3,15 +3,8 @@
 
 #include "vtkInkIllustrationStyle.h"
 
-#include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVView.h"
-#include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
-
-#include <algorithm>
 
 vtkStandardNewMacro(vtkInkIllustrationRepresentation);
 
@@ -45,15 +38,7 @@ int vtkInkIllustrationRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  vtkInformation* info =
-    inputVector[0]->GetNumberOfInformationObjects() == 1 ? inputVector[0]->GetInformationObject(0) : nullptr;
-  if (info && !vtkPolyData::GetData(info) && !vtkImageData::GetData(info))
-  {
-    // They tell the outer surface of a grid.
-    using SDDP = vtkStreamingDemandDrivenPipeline;
-    info->Set(
-      SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), std::max(1, info->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS())));
-  }
+  AskForGhostsOfGrids(inputVector);
   return 1;
 }
 

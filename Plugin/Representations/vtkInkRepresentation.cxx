@@ -10,6 +10,7 @@
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
@@ -361,6 +362,18 @@ void vtkInkRepresentation::UpdatePictureSize()
       // Sizes are relative to the height: the same stipples in a view of any size.
       style->SetPictureHeight(size);
     });
+}
+
+void vtkInkRepresentation::AskForGhostsOfGrids(vtkInformationVector** inputVector)
+{
+  vtkInformation* info =
+    inputVector[0]->GetNumberOfInformationObjects() == 1 ? inputVector[0]->GetInformationObject(0) : nullptr;
+  if (info && !vtkPolyData::GetData(info) && !vtkImageData::GetData(info))
+  {
+    using SDDP = vtkStreamingDemandDrivenPipeline;
+    info->Set(
+      SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), std::max(1, info->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS())));
+  }
 }
 
 void vtkInkRepresentation::SetLookupTable(vtkScalarsToColors* table)

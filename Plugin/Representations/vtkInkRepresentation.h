@@ -141,6 +141,9 @@ protected:
   /// the camera moves, and seldom when the size changes. For REQUEST_UPDATE.
   void UpdatePictureSize();
 
+  /// Asks for the ghost cells that tell the outer surface of a grid. For RequestUpdateExtent.
+  static void AskForGhostsOfGrids(vtkInformationVector** inputVector);
+
   /// Calls a function that changes the style; marks are made again where they depend on what it changes.
   template <class Change>
   void ChangeStyle(const Change& change)

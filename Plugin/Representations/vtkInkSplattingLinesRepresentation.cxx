@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesRepresentation.h"
 
+#include "InkContourSurface.h"
+#include "InkHasPolygons.h"
 #include "InkLeaves.h"
+#include "InkSilhouettes.h"
 #include "vtkInkAddNormals.h"
 #include "vtkInkGatherPoints.h"
 #include "vtkInkProcesses.h"
@@ -59,11 +62,20 @@ vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = defa
 
 std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {
-  double images = InkLeaves(input.Data).Images.empty() ? 0.0 : 1.0;
+  const InkLeaves leaves(input.Data);
+  double images = leaves.Images.empty() ? 0.0 : 1.0;
   vtkInkProcesses().TakeGreatest({ &images, 1 });
   if (images > 0.0)
   {
     return this->Superclass::MakeMarks(input);
+  }
+  vtkPolyData* outlined = this->GetPiece(vtkInkSplattingLinesStyle::SILHOUETTES);
+  outlined->Initialize();
+  std::string problem;
+  if (this->Style->GetSilhouettes()->GetSilhouettes())
+  {
+    const vtkSmartPointer<vtkPolyData> whole = vtkInkProcesses().Gather(leaves.MakeMeshes());
+    problem = InkHasPolygons(whole) ? InkContourSurface(this->Style).MakeOfMesh(whole, outlined) : "";
   }
   // A dense mesh's own points are drawn, those of all leaves together.
   const vtkInkGatheredPoints gathered =
@@ -73,19 +85,20 @@ std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Inp
   {
     this->MarkIdsAsInputs();
   }
-  return gathered.Problem.empty() ? "" : "Splatting Lines draws nothing for " + gathered.Problem;
+  return gathered.Problem.empty() ? problem : "Splatting Lines draws nothing for " + gathered.Problem;
 }
 
 void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
 {
-  vtkPolyData* points = delivered[0];
+  vtkPolyData* points = delivered[vtkInkSplattingLinesStyle::POINTS];
   if (points && this->DrawnTime != points->GetMTime())
   {
     this->Drawn->ShallowCopy(points);
     this->Drawn->SetVerts(MakeVertex(points->GetNumberOfPoints()));
     this->DrawnTime = points->GetMTime();
   }
-  this->Superclass::Show({ points ? this->Drawn.Get() : nullptr });
+  this->Superclass::Show(
+    { points ? this->Drawn.Get() : nullptr, delivered[vtkInkSplattingLinesStyle::SILHOUETTES] });
 }
 
 int vtkInkSplattingLinesRepresentation::ProcessViewRequest(

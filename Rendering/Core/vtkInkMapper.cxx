@@ -19,6 +19,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,7 @@ class vtkInkMapper::vtkInternals
 public:
   InkReportedMessages Reported;
   InkWindowResources<InkMarks> Windows;
+  vtkSmartPointer<vtkInkMapper> Overlay;
 };
 
 vtkInkMapper::vtkInkMapper()
@@ -42,6 +44,27 @@ void vtkInkMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UploadTime: " << this->GetUploadTime() << "\n";
+  os << indent << "Overlay: " << this->GetOverlay() << "\n";
+}
+
+void vtkInkMapper::SetOverlay(vtkInkMapper* overlay)
+{
+  if (this->Internals->Overlay != overlay)
+  {
+    this->Internals->Overlay = overlay;
+    this->Modified();
+  }
+}
+
+vtkInkMapper* vtkInkMapper::GetOverlay()
+{
+  return this->Internals->Overlay;
+}
+
+vtkMTimeType vtkInkMapper::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->GetOverlay() ? std::max(own, this->GetOverlay()->GetMTime()) : own;
 }
 
 void vtkInkMapper::ReportOnce(const std::string& error)
@@ -157,11 +180,33 @@ void vtkInkMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     selector->EndRenderProp();
   }
+  else if (this->GetOverlay())
+  {
+    this->RenderOverlay(renderer, actor);
+  }
   this->UpdateProgress(1.0);
+}
+
+void vtkInkMapper::RenderOverlay(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInkMapper* overlay = this->GetOverlay();
+  if (overlay->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  if (overlay->GetClippingPlanes() != this->GetClippingPlanes())
+  {
+    overlay->SetClippingPlanes(this->GetClippingPlanes());
+  }
+  overlay->RenderPiece(renderer, actor);
 }
 
 void vtkInkMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Windows.Release(window);
+  if (this->GetOverlay())
+  {
+    this->GetOverlay()->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -8,6 +8,8 @@
  * culling does not concern ink: the back faces that an actor culls are left out by the marks themselves. Up
  * to 6 clipping planes.
  *
+ * Another mapper can draw over one's marks, see SetOverlay: as strokes over stipples.
+ *
  * A subclass makes its InkMarks for a window, brings them up to date, and draws them.
  *
  * @sa vtkInkSplattingLinesMapper vtkInkStippleMapper
@@ -39,6 +41,18 @@ public:
    * sends them again: no other parameter, and no camera.
    */
   vtkMTimeType GetUploadTime();
+
+  ///@{
+  /**
+   * Another mapper, which draws over this one's marks: for the same actor, with the same clipping planes, and
+   * not where ids are drawn. Default: none.
+   */
+  void SetOverlay(vtkInkMapper* overlay);
+  vtkInkMapper* GetOverlay();
+  ///@}
+
+  /// That of the overlay included.
+  vtkMTimeType GetMTime() override;
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -77,6 +91,8 @@ protected:
 private:
   vtkInkMapper(const vtkInkMapper&) = delete;
   void operator=(const vtkInkMapper&) = delete;
+
+  void RenderOverlay(vtkRenderer* renderer, vtkActor* actor);
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

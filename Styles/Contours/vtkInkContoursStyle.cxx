@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkContoursStyle.h"
 
+#include "InkContourSurface.h"
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
+#include "InkLeaves.h"
 #include "InkParameter.h"
-#include "InkVolumeValues.h"
+#include "InkStyleProcesses.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
+#include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -94,36 +97,71 @@ void vtkInkContoursStyle::GetBackgroundColor(double color[3])
 std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
 {
   const std::string wanted = "expected an image, a mesh with polygons, found ";
-  if (auto* image = vtkImageData::SafeDownCast(data))
+  const InkLeaves leaves(data);
+  const std::string problem = leaves.Problem.empty() ? leaves.FindImageProblem() : leaves.Problem;
+  if (!data || !problem.empty())
   {
-    const std::string problem = InkFindScalarsProblem(image);
-    return problem.empty() ? problem : wanted + problem;
+    return wanted + (data ? problem : "nothing");
   }
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  return !mesh                       ? wanted + (data ? "a " + std::string(data->GetClassName()) : "nothing")
-    : mesh->GetNumberOfPoints() == 0 ? wanted + "no points"
-    : !InkHasPolygons(mesh)          ? wanted + "points without polygons"
-                                     : std::string();
+  const auto isPoints = [](vtkDataSet* leaf)
+  {
+    auto* mesh = vtkPolyData::SafeDownCast(leaf);
+    return mesh && !InkHasPolygons(mesh);
+  };
+  const bool hasPoints = !leaves.Stipples.empty() || !leaves.Others.empty();
+  const bool onlyPoints =
+    leaves.Images.empty() && std::all_of(leaves.Others.begin(), leaves.Others.end(), isPoints);
+  return !onlyPoints ? std::string() : wanted + (hasPoints ? "points without polygons" : "no points");
 }
 
 std::string vtkInkContoursStyle::MakePieces(const Input& input)
 {
-  const std::string reason = this->GetReasonAgainst(input.Data);
-  if (!reason.empty())
+  const InkLeaves leaves(input.Data);
+  // Processes without a part of the image take part, too.
+  double images = leaves.Images.empty() ? 0.0 : 1.0;
+  this->GetProcesses().TakeGreatest({ &images, 1 });
+  // Where others have a part of the data, none is no mistake.
+  const std::string reason =
+    input.Port && !input.Data ? std::string() : this->GetReasonAgainst(input.Data);
+  if (images == 0.0)
+  {
+    return this->TakeMesh(input, leaves, reason);
+  }
+  const std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  vtkPolyData* surface = this->GetPiece(0);
+  const std::string ofSurface =
+    InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, surface);
+  if (ofSurface.empty() && !input.Port)
+  {
+    this->IsoSurface->NoteWhereEmpty(this, surface);
+  }
+  return leaves.Images.empty() || reason.empty() ? ofSurface : reason;
+}
+
+std::string vtkInkContoursStyle::TakeMesh(
+  const Input& input, const InkLeaves& leaves, const std::string& reason)
+{
+  if (!input.Port && !reason.empty())
   {
     return reason;
   }
-  auto* mesh = vtkPolyData::SafeDownCast(input.Data);
-  this->OfImage = !mesh;
-  if (mesh)
+  if (const std::string grids = leaves.DescribeGrids(); !grids.empty())
   {
-    this->SetFramePoints(mesh->GetPoints());
-    return this->TakeMeshWithNormals(mesh, true);
+    this->AddNote(grids);
   }
-  auto* image = vtkImageData::SafeDownCast(input.Data);
-  vtkImageData* const images[] = { image };
-  const std::string problem = this->IsoSurface->Prepare(this, images, {});
-  return problem.empty() ? this->IsoSurface->Mesh(this, image, this->GetPiece(0)) : problem;
+  // Those of several processes are put together on the first one; all take part.
+  const vtkSmartPointer<vtkPolyData> whole = this->GetProcesses().Gather(leaves.MakeMeshes());
+  if (!InkHasPolygons(whole))
+  {
+    return !leaves.Problem.empty() || whole->GetNumberOfPoints() > 0 ? reason : std::string();
+  }
+  this->SetFramePoints(whole->GetPoints());
+  const std::string problem = InkContourSurface(this).MakeOfMesh(whole, this->GetPiece(0));
+  return leaves.Problem.empty() ? problem : reason;
 }
 
 void vtkInkContoursStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
@@ -153,7 +191,8 @@ void vtkInkContoursStyle::SetPreset(int preset)
 void vtkInkContoursStyle::SetCreases(bool creases)
 {
   this->Creases = creases;
-  this->Mapper->SetCreases(creases && !this->OfImage);
+  vtkPolyData* surface = this->Mapper->GetInput();
+  this->Mapper->SetCreases(creases && !(surface && InkContourSurface::IsOfImage(surface)));
 }
 
 void vtkInkContoursStyle::SetPaperColor(double red, double green, double blue)

@@ -8,6 +8,9 @@
  * the iso-value that suits the image, which is noted: as a mesh, with normals of the smoothed image; what
  * creases it has are the voxels', and are not drawn. Points without polygons have no contours.
  *
+ * The surfaces of all leaves of composite data are one, and so are those of all processes: on the first one,
+ * so that no contour ends where a process's part does. Of grids the outer surface is drawn.
+ *
  * Contours follow the camera: the mapper finds them. One piece: the surface's mesh.
  *
  * @sa vtkInkSilhouetteMapper
@@ -22,6 +25,7 @@
 
 class InkIsoSurface;
 class vtkInkSilhouetteMapper;
+struct InkLeaves;
 
 class VTKINKSTYLES_EXPORT vtkInkContoursStyle : public vtkInkStyle
 {
@@ -81,12 +85,16 @@ private:
   vtkInkContoursStyle(const vtkInkContoursStyle&) = delete;
   void operator=(const vtkInkContoursStyle&) = delete;
 
+  /// Of what is no image.
+  /// @param reason against this process's data; empty if there is none
+  /// @return what is wrong
+  std::string TakeMesh(const Input& input, const InkLeaves& leaves, const std::string& reason);
+
   std::unique_ptr<InkIsoSurface> IsoSurface;
   vtkNew<vtkInkSilhouetteMapper> Mapper;
   vtkNew<vtkActor> Actor;
   int Preset = 0;
   bool Creases = true;
-  bool OfImage = false; ///< the surface that is drawn
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   double ShortestPart = 4.0; ///< in the picture's pixels
 };

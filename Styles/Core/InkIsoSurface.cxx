@@ -332,15 +332,9 @@ void InkIsoSurface::KeepParts(
 std::string InkIsoSurface::Mesh(
   vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array)
 {
-  const std::string problem = InkMakeIsoSurfaceMesh(
+  return InkMakeIsoSurfaceMesh(
     image, InkFindScalars(image, array), this->Sampler,
     [style](vtkAlgorithm* algorithm) { return style->Follow(algorithm, "meshing the surface"); }, mesh);
-  style->SetFramePoints(mesh->GetPoints());
-  if (problem.empty())
-  {
-    this->NoteWhereEmpty(style, mesh);
-  }
-  return problem;
 }
 
 void InkIsoSurface::NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface)

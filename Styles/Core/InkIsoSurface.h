@@ -93,11 +93,15 @@ public:
 
   /**
    * The same surfaces as triangles with Normals, see InkIsoSurfaceMesh.h; after Prepare with the same array.
+   * For what is drawn beside their points, it neither changes the frame nor says that there is none.
    * @param image that is sampled as a whole
    * @param mesh becomes them
    * @return what is wrong; empty if nothing is
    */
   std::string Mesh(vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array = {});
+
+  /// Notes it if there is no surface.
+  void NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface);
 
 private:
   ink::ComponentSelection GetSelection() const;
@@ -107,9 +111,6 @@ private:
     const std::vector<double>& values) const;
   int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
     const std::vector<double>& values) const;
-  /// Says so if there is no surface.
-  void NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface);
-
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   std::vector<double> IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for

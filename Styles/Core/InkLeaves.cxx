@@ -10,6 +10,7 @@
 #include "vtkGeometryFilter.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -86,6 +87,23 @@ std::vector<vtkSmartPointer<vtkPolyData>> InkLeaves::MakeMeshes() const
   }
   meshes.insert(meshes.end(), this->Stipples.begin(), this->Stipples.end());
   return meshes;
+}
+
+std::string InkLeaves::FindImageProblem() const
+{
+  for (vtkImageData* image : this->Images)
+  {
+    vtkDataArray* scalars = image->GetPointData()->GetScalars();
+    if (!scalars)
+    {
+      return "an image without point scalars";
+    }
+    if (scalars->GetNumberOfComponents() != 1)
+    {
+      return "an image with " + std::to_string(scalars->GetNumberOfComponents()) + " scalars a point";
+    }
+  }
+  return {};
 }
 
 std::string InkLeaves::DescribeGrids() const

@@ -21,6 +21,8 @@ struct VTKINKSTYLES_EXPORT InkLeaves
 
   /// Their surfaces, and stipples' points as they are: of grids the outer surface.
   std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes() const;
+  /// Why images cannot be drawn, as "an image without point scalars"; empty if they can.
+  std::string FindImageProblem() const;
   /// What becomes of grids, in a sentence without its dot; empty if there is none.
   std::string DescribeGrids() const;
 

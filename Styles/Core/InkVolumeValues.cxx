@@ -55,15 +55,6 @@ vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array)
   return array.empty() ? data->GetScalars() : data->GetArray(array.c_str());
 }
 
-std::string InkFindScalarsProblem(vtkImageData* image)
-{
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  return !scalars ? "an image without point scalars"
-    : scalars->GetNumberOfComponents() != 1
-    ? "an image with " + std::to_string(scalars->GetNumberOfComponents()) + " scalars a point"
-    : std::string();
-}
-
 double InkSuggestSmoothing(vtkImageData* image, const std::string& array, double isoValue)
 {
   const ink::GridGeometry grid = InkMakeGrid(image, InkExtent(image->GetExtent()));

@@ -16,10 +16,6 @@ class vtkImageData;
 /// A point array of the image: the active scalars without a name; null if there is none.
 VTKINKSTYLES_EXPORT vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array);
 
-/// What keeps an image from having a surface, "an image without point scalars"; empty if its active scalars
-/// have one component.
-VTKINKSTYLES_EXPORT std::string InkFindScalarsProblem(vtkImageData* image);
-
 /// The iso-values that suit a point array of the image, of one component; see ink::suggestIsoValues.
 /// @param array its name; empty: the active scalars
 VTKINKSTYLES_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(

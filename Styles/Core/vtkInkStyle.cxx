@@ -252,9 +252,8 @@ std::string vtkInkStyle::Follow(vtkAlgorithm* algorithm, const char* text)
   return this->Follow(algorithm, text, [algorithm] { algorithm->Update(); });
 }
 
-std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, bool split)
+std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, bool split, vtkPolyData* piece)
 {
-  vtkPolyData* piece = this->GetPiece(0);
   piece->ShallowCopy(mesh);
   if (vtkDataArray* given = InkPointNormals(mesh))
   {

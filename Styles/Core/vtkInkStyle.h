@@ -315,15 +315,17 @@ protected:
   std::string Follow(vtkAlgorithm* algorithm, const char* text);
 
   /**
-   * Makes a mesh the first piece, with point normals: its own ones, or an array "Normals", or, with a note,
+   * Takes a mesh with point normals: its own ones, or an array "Normals", or, with a note,
    * those of its polygons.
    * @param split whether points at sharp edges are split, so that each side has normals of its own, and
    *   polygons turned to one side; otherwise the points stay what they are
+   * @param piece becomes the mesh
    * @return what is wrong; empty if nothing is
    */
-  std::string TakeMeshWithNormals(vtkPolyData* mesh, bool split);
+  std::string TakeMeshWithNormals(vtkPolyData* mesh, bool split, vtkPolyData* piece);
 
 private:
+  friend class InkContourSurface;
   friend class InkIsoSurface;
   vtkInkStyle(const vtkInkStyle&) = delete;
   void operator=(const vtkInkStyle&) = delete;

@@ -54,10 +54,12 @@ constexpr Subject Presets[] = {
   { 1.1, 0.05, 2.0, 9.0, 0.995, 150.0, 2.0 } // machine-part
 };
 
-/// The pieces of a surface: the points that lines are drawn of, and those of its stipples.
-constexpr const char* PieceNames[] = { "Points", "Stipples", "Surface", "Numbers", "Outer points",
-  "Outer stipples", "Outer surface", "Outer numbers" };
-constexpr int PiecesPerSurface = 4;
+/// The pieces of a surface: those of its lines, and those of its stipples but for silhouettes.
+constexpr const char* PieceNames[] = { "Points", "Silhouettes' surface", "Stipples", "Surface", "Numbers",
+  "Outer points", "Outer silhouettes' surface", "Outer stipples", "Outer surface", "Outer numbers" };
+constexpr int PiecesOfLines = vtkInkSplattingLinesStyle::SILHOUETTES + 1;
+constexpr int PiecesOfStipples = vtkInkStippleStyle::SILHOUETTES;
+constexpr int PiecesPerSurface = PiecesOfLines + PiecesOfStipples;
 
 bool IsMesh(vtkDataObject* data)
 {
@@ -115,6 +117,11 @@ vtkInkStippleStyle* vtkInkIllustrationStyle::GetStippleStyle()
 InkIsoSurface* vtkInkIllustrationStyle::GetIsoSurface()
 {
   return this->Lines->GetIsoSurface();
+}
+
+InkSilhouettes* vtkInkIllustrationStyle::GetSilhouettes()
+{
+  return this->Lines->GetSilhouettes();
 }
 
 std::string vtkInkIllustrationStyle::GetReasonAgainst(vtkDataObject* data)
@@ -183,7 +190,10 @@ std::string vtkInkIllustrationStyle::MakeSurface(
   vtkInkSplattingLinesStyle* lines, vtkInkStippleStyle* stipples, int firstPiece, const Input& input)
 {
   std::string problem = this->MakeMarksOf(lines, input);
-  this->GetPiece(firstPiece)->ShallowCopy(lines->GetPiece(0));
+  for (int piece = 0; piece < PiecesOfLines; ++piece)
+  {
+    this->GetPiece(firstPiece + piece)->ShallowCopy(lines->GetPiece(piece));
+  }
   this->SetFramePoints(lines->GetFramePoints());
   // All processes take part where there are several.
   if (input.Port || this->GetPiece(firstPiece)->GetNumberOfPoints() > 0)
@@ -191,9 +201,9 @@ std::string vtkInkIllustrationStyle::MakeSurface(
     const std::string ofStipples =
       this->MakeMarksOf(stipples, { IsMesh(input.Data) ? input.Data : this->GetPiece(firstPiece) });
     problem = problem.empty() ? ofStipples : problem;
-    for (int piece = 0; piece < stipples->GetNumberOfPieces(); ++piece)
+    for (int piece = 0; piece < PiecesOfStipples; ++piece)
     {
-      this->GetPiece(firstPiece + 1 + piece)->ShallowCopy(stipples->GetPiece(piece));
+      this->GetPiece(firstPiece + PiecesOfLines + piece)->ShallowCopy(stipples->GetPiece(piece));
     }
   }
   return problem;
@@ -248,8 +258,10 @@ void vtkInkIllustrationStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces
   const auto show = [&](vtkInkSplattingLinesStyle* lines, vtkInkStippleStyle* stipples, int first)
   {
     const auto begin = pieces.begin() + first;
-    lines->ShowPieces({ *begin });
-    stipples->ShowPieces({ begin + 1, begin + PiecesPerSurface });
+    lines->ShowPieces(std::vector<vtkPolyData*>(begin, begin + PiecesOfLines));
+    std::vector<vtkPolyData*> ofStipples(begin + PiecesOfLines, begin + PiecesPerSurface);
+    ofStipples.push_back(nullptr);
+    stipples->ShowPieces(ofStipples);
   };
   show(this->Lines, this->Stipples, 0);
   show(this->OuterLines, this->OuterStipples, PiecesPerSurface);
@@ -313,8 +325,8 @@ void vtkInkIllustrationStyle::SetOuterIsoValue(const std::vector<double>& value)
 
 void vtkInkIllustrationStyle::SetInkColor(double red, double green, double blue)
 {
-  this->Lines->GetLinesMapper()->SetInkColor(red, green, blue);
-  this->Stipples->GetStippleMapper()->SetInkColor(red, green, blue);
+  this->Lines->SetInkColor(red, green, blue);
+  this->Stipples->SetInkColor(red, green, blue);
   this->UpdateLightInk();
 }
 

@@ -11,8 +11,8 @@
  *
  * See-through, there are two surfaces of an image: an inner one, and a faint one around it, at OuterIsoValue.
  *
- * Pieces: the points that lines are drawn of, and those of vtkInkStippleStyle; then the same of the outer
- * surface, empty without one.
+ * Pieces: those of vtkInkSplattingLinesStyle, silhouettes being drawn with its lines, and those of
+ * vtkInkStippleStyle; then the same of the outer surface, empty without one, which has no silhouettes.
  *
  * @sa vtkInkSplattingLinesStyle vtkInkStippleStyle vtkInkIllustrationMapper
  */
@@ -23,6 +23,7 @@
 #include "vtkNew.h" // for what the style owns
 
 class InkIsoSurface;
+class InkSilhouettes;
 class vtkInkIllustrationMapper;
 class vtkInkSplattingLinesStyle;
 class vtkInkStippleStyle;
@@ -56,6 +57,7 @@ public:
   vtkInkSplattingLinesStyle* GetLinesStyle();
   vtkInkStippleStyle* GetStippleStyle();
   InkIsoSurface* GetIsoSurface();
+  InkSilhouettes* GetSilhouettes();
   ///@}
 
   /// What draws both.

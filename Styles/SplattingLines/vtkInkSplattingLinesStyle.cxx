@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesStyle.h"
 
+#include "InkContourSurface.h"
 #include "InkDiscStipples.h"
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
+#include "InkSilhouettes.h"
 #include "InkStyleProcesses.h"
-#include "InkVolumeValues.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
@@ -36,6 +37,7 @@ constexpr int MostLayers = 8;
 
 vtkInkSplattingLinesStyle::vtkInkSplattingLinesStyle()
   : IsoSurface(std::make_unique<InkIsoSurface>())
+  , Silhouettes(std::make_unique<InkSilhouettes>(this->Mapper))
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->UseLookupTableScalarRangeOn();
@@ -57,7 +59,14 @@ const InkParameterTable& vtkInkSplattingLinesStyle::GetParameterTable()
 
 vtkMTimeType vtkInkSplattingLinesStyle::GetRecipeMTime()
 {
-  return std::max(this->IsoSurface->GetMTime(), this->SurfaceSampler->GetMTime());
+  return std::max(
+    { this->IsoSurface->GetMTime(), this->SurfaceSampler->GetMTime(), this->Silhouettes->GetMTime() });
+}
+
+const char* vtkInkSplattingLinesStyle::GetPieceName(int piece)
+{
+  static const char* const names[] = { "Points", "Silhouettes' surface" };
+  return piece >= 0 && piece < this->GetNumberOfPieces() ? names[piece] : nullptr;
 }
 
 vtkMapper* vtkInkSplattingLinesStyle::GetMapper()
@@ -68,6 +77,11 @@ vtkMapper* vtkInkSplattingLinesStyle::GetMapper()
 InkIsoSurface* vtkInkSplattingLinesStyle::GetIsoSurface()
 {
   return this->IsoSurface.get();
+}
+
+InkSilhouettes* vtkInkSplattingLinesStyle::GetSilhouettes()
+{
+  return this->Silhouettes.get();
 }
 
 vtkInkSurfaceSampler* vtkInkSplattingLinesStyle::GetSurfaceSampler()
@@ -93,13 +107,9 @@ std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
   {
     return wanted + leaves.Problem;
   }
-  for (vtkImageData* image : leaves.Images)
+  if (const std::string problem = leaves.FindImageProblem(); !problem.empty())
   {
-    const std::string problem = InkFindScalarsProblem(image);
-    if (!problem.empty())
-    {
-      return wanted + problem;
-    }
+    return wanted + problem;
   }
   return !data                                                                  ? wanted + "nothing"
     : leaves.Images.empty() && leaves.Stipples.empty() && leaves.Others.empty() ? wanted + "no points"
@@ -131,13 +141,21 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
   {
     this->SetFramePoints(mesh->GetPoints());
   }
+  if (this->Silhouettes->GetSilhouettes())
+  {
+    const std::string problem = InkContourSurface(this).MakeOfMesh(mesh, this->GetPiece(SILHOUETTES));
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
   if (!InkHasPolygons(mesh) && InkHasDiscs(mesh))
   {
     // As a sampler made them.
     this->GetPiece(0)->ShallowCopy(mesh);
     return {};
   }
-  return this->NumberOfSamples == 0 && InkHasPolygons(mesh) ? this->TakeMeshWithNormals(mesh, false)
+  return this->NumberOfSamples == 0 && InkHasPolygons(mesh) ? this->TakeMeshWithNormals(mesh, false, this->GetPiece(POINTS))
                                                             : this->SampleMesh(mesh);
 }
 
@@ -146,6 +164,11 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
 {
   // All processes take part, also those whose image cannot be drawn.
   std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  if (problem.empty() && this->Silhouettes->GetSilhouettes())
+  {
+    problem =
+      InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, this->GetPiece(SILHOUETTES));
+  }
   problem = reason.empty() ? problem : reason;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
   for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
@@ -198,13 +221,15 @@ std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
 
 void vtkInkSplattingLinesStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
-  this->Mapper->SetInputDataObject(pieces[0]);
+  this->Mapper->SetInputDataObject(pieces[POINTS]);
+  this->Silhouettes->Show(pieces[SILHOUETTES]);
   this->UpdateColors();
 }
 
 void vtkInkSplattingLinesStyle::UpdatePixels()
 {
   this->Mapper->SetSpeckleLength(this->GetPixelScale() * this->SpeckleLength);
+  this->Silhouettes->SetPixelScale(this->GetPixelScale());
 }
 
 void vtkInkSplattingLinesStyle::UpdateColors()
@@ -233,6 +258,17 @@ void vtkInkSplattingLinesStyle::SetColorByScalars(bool byScalars)
 {
   this->ByScalars = byScalars;
   this->UpdateColors();
+}
+
+void vtkInkSplattingLinesStyle::SetInkColor(double red, double green, double blue)
+{
+  this->Mapper->SetInkColor(red, green, blue);
+  this->Silhouettes->SetInkColor(this->Mapper->GetInkColor());
+}
+
+double* vtkInkSplattingLinesStyle::GetInkColor()
+{
+  return this->Mapper->GetInkColor();
 }
 
 void vtkInkSplattingLinesStyle::SetBackground(double red, double green, double blue)

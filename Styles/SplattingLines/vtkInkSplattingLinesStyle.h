@@ -8,7 +8,8 @@
  * without polygons are taken as they are, with normals estimated where they have none. The leaves of other
  * data and of composite datasets are not put together: see what the plugin's representation does.
  *
- * One piece: the points, with the arrays Normals and, as far as they were made here, Radius.
+ * Pieces: the points, with the arrays Normals and, as far as they were made here, Radius; and the surface
+ * whose silhouettes are drawn over them, empty without Silhouettes.
  *
  * @sa vtkInkIsoSurfaceSampler vtkInkSurfaceSampler vtkInkSplattingLinesMapper
  */
@@ -21,6 +22,7 @@
 #include <memory> // for what the style owns
 
 class InkIsoSurface;
+class InkSilhouettes;
 class vtkInkSplattingLinesMapper;
 class vtkInkSurfaceSampler;
 struct InkLeaves;
@@ -37,8 +39,13 @@ public:
   const char* GetDescription() override;
   std::string GetReasonAgainst(vtkDataObject* data) override;
 
-  int GetNumberOfPieces() override { return 1; }
-  const char* GetPieceName(int piece) override { return piece == 0 ? "Points" : nullptr; }
+  enum PieceType
+  {
+    POINTS = 0,
+    SILHOUETTES = 1 ///< the surface that has them
+  };
+  int GetNumberOfPieces() override { return SILHOUETTES + 1; }
+  const char* GetPieceName(int piece) override;
   void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
 
   vtkMapper* GetMapper() override;
@@ -50,6 +57,7 @@ public:
   ///@{
   /// What the style draws with; properties that are parameters are set as such.
   InkIsoSurface* GetIsoSurface();
+  InkSilhouettes* GetSilhouettes();
   vtkInkSurfaceSampler* GetSurfaceSampler();
   vtkInkSplattingLinesMapper* GetLinesMapper();
   ///@}
@@ -59,6 +67,8 @@ public:
 
   ///@{
   /// Parameters; see their table.
+  void SetInkColor(double red, double green, double blue);
+  double* GetInkColor() VTK_SIZEHINT(3);
   void SetBackground(double red, double green, double blue);
   vtkGetVector3Macro(Background, double);
   void SetLineWidth(double width);
@@ -109,6 +119,7 @@ private:
   std::unique_ptr<InkIsoSurface> IsoSurface;
   vtkNew<vtkInkSurfaceSampler> SurfaceSampler;
   vtkNew<vtkInkSplattingLinesMapper> Mapper;
+  std::unique_ptr<InkSilhouettes> Silhouettes;
   vtkNew<vtkActor> Actor;
   double Background[3] = { 1.0, 1.0, 1.0 };
   double SpeckleLength = 0.0; ///< in the picture's pixels

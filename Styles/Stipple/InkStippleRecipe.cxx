@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleRecipe.h"
 
+#include "InkContourSurface.h"
 #include "InkHasPolygons.h"
 #include "InkHasSurface.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkLongestSide.h"
+#include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkStippleGenerator.h"
@@ -195,6 +197,10 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
     return false;
   }
   this->Say(problem);
+  if (problem.empty())
+  {
+    this->OutlineImages(leaves);
+  }
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
   for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
   {
@@ -209,6 +215,16 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
     this->StippleSurface(points);
   }
   return true;
+}
+
+void InkStippleRecipe::OutlineImages(const InkLeaves& leaves)
+{
+  vtkInkStippleStyle* style = this->Style;
+  if (style->Silhouettes->GetSilhouettes())
+  {
+    this->Say(InkContourSurface(style).MakeOfImages(*style->IsoSurface, leaves.Images, style->Scalars,
+      style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
+  }
 }
 
 void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
@@ -236,6 +252,12 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
   vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
+  // Silhouettes are those of a surface, though no surface is stippled.
+  if (style->Silhouettes->GetSilhouettes() &&
+    style->IsoSurface->Prepare(style, leaves.Images, style->Scalars).empty())
+  {
+    this->OutlineImages(leaves);
+  }
   const char* scalars = style->Scalars.c_str();
   if (style->Scalars.empty())
   {
@@ -326,6 +348,11 @@ void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)
     return;
   }
   style->SetFramePoints(mesh->GetPoints());
+  if (style->Silhouettes->GetSilhouettes())
+  {
+    this->Say(
+      InkContourSurface(style).MakeOfMesh(mesh, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
+  }
   this->StippleSurface(mesh);
 }
 

@@ -34,6 +34,8 @@ private:
   bool StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input);
   /// Gives points of an image's surface its values of the array to color by, as scalars.
   void AddColorsOf(vtkImageData* image, vtkPolyData* points);
+  /// The surface of images whose silhouettes are asked for; after InkIsoSurface::Prepare.
+  void OutlineImages(const InkLeaves& leaves);
   void StippleSurfaces(const InkLeaves& leaves);
   /// Stipples polygons, or points with normals.
   void StippleSurface(vtkPolyData* surface);

@@ -7,6 +7,7 @@
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
+#include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStippleRecipe.h"
 #include "vtkInkStippleActor.h"
@@ -31,7 +32,8 @@ vtkStandardNewMacro(vtkInkStippleStyle);
 const InkParameterTable& InkStippleParameters();
 
 vtkInkStippleStyle::vtkInkStippleStyle()
-  : IsoSurface(std::make_unique<InkIsoSurface>())
+  : Silhouettes(std::make_unique<InkSilhouettes>(this->Mapper))
+  , IsoSurface(std::make_unique<InkIsoSurface>())
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetScalarModeToUseCellData();
@@ -57,7 +59,7 @@ const InkParameterTable& vtkInkStippleStyle::GetParameterTable()
 
 const char* vtkInkStippleStyle::GetPieceName(int piece)
 {
-  static const char* const names[] = { "Stipples", "Surface", "Numbers" };
+  static const char* const names[] = { "Stipples", "Surface", "Numbers", "Silhouettes' surface" };
   return piece >= 0 && piece < this->GetNumberOfPieces() ? names[piece] : nullptr;
 }
 
@@ -86,9 +88,15 @@ InkIsoSurface* vtkInkStippleStyle::GetIsoSurface()
   return this->IsoSurface.get();
 }
 
+InkSilhouettes* vtkInkStippleStyle::GetSilhouettes()
+{
+  return this->Silhouettes.get();
+}
+
 vtkMTimeType vtkInkStippleStyle::GetRecipeMTime()
 {
-  return std::max(this->Generator->GetMTime(), this->IsoSurface->GetMTime());
+  return std::max(
+    { this->Generator->GetMTime(), this->IsoSurface->GetMTime(), this->Silhouettes->GetMTime() });
 }
 
 void vtkInkStippleStyle::GetBackgroundColor(double color[3])
@@ -131,6 +139,7 @@ void vtkInkStippleStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
   vtkPolyData* stipples = pieces[STIPPLES];
   vtkPolyData* surface = pieces[SURFACE];
   vtkPolyData* numbers = pieces[NUMBERS];
+  this->Silhouettes->Show(pieces[SILHOUETTES]);
   if (!stipples || !numbers || numbers->GetNumberOfPoints() == 0)
   {
     this->Drawn->Initialize();
@@ -155,6 +164,7 @@ void vtkInkStippleStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 void vtkInkStippleStyle::UpdatePixels()
 {
   const double scale = this->SizeUnit == vtkInkStippleMapper::PIXELS ? this->GetPixelScale() : 1.0;
+  this->Silhouettes->SetPixelScale(this->GetPixelScale());
   this->Mapper->SetSizeUnit(this->SizeUnit);
   this->Mapper->SetStippleSize(scale * this->StippleSize);
   this->Mapper->SetPixelsPerStipple(scale * scale * this->PixelsPerStipple);
@@ -189,6 +199,7 @@ void vtkInkStippleStyle::SetPreset(int preset)
   this->Controls->SetPreset(vtkInkStippleControls::GetPresetName(preset));
   this->Controls->Apply(this->Mapper);
   this->Controls->GetPaperColor(this->PaperColor);
+  this->Silhouettes->SetInkColor(this->Mapper->GetInkColor());
   this->SizeUnit = this->Mapper->GetSizeUnit();
   this->StippleSize = this->Mapper->GetStippleSize();
   this->PixelsPerStipple = this->Mapper->GetPixelsPerStipple();
@@ -289,6 +300,17 @@ void vtkInkStippleStyle::SetLightDirection(double azimuth, double elevation)
   this->LightDirection[0] = azimuth;
   this->LightDirection[1] = elevation;
   InkAimLight(this->Light, this->LightDirection);
+}
+
+void vtkInkStippleStyle::SetInkColor(double red, double green, double blue)
+{
+  this->Mapper->SetInkColor(red, green, blue);
+  this->Silhouettes->SetInkColor(this->Mapper->GetInkColor());
+}
+
+double* vtkInkStippleStyle::GetInkColor()
+{
+  return this->Mapper->GetInkColor();
 }
 
 void vtkInkStippleStyle::SetPaperColor(double red, double green, double blue)

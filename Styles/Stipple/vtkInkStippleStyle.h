@@ -13,7 +13,8 @@
  * mapper's parameters that it stands for. What is set one by one after that stays.
  *
  * Pieces: the stipples, the surface that hides them, and numbers that go with them: on several processes each
- * has its part, of an image's gradients, or all are on the first one, of surfaces.
+ * has its part, of an image's gradients, or all are on the first one, of surfaces; and the surface whose
+ * silhouettes are drawn over them, empty without Silhouettes.
  *
  * @sa vtkInkStippleGenerator vtkInkStippleControls vtkInkStippleMapper
  */
@@ -26,6 +27,7 @@
 #include <memory> // for what the style owns
 
 class InkIsoSurface;
+class InkSilhouettes;
 class vtkInkStippleActor;
 class vtkInkStippleControls;
 class vtkInkStippleGenerator;
@@ -55,9 +57,10 @@ public:
   {
     STIPPLES = 0,
     SURFACE = 1,
-    NUMBERS = 2 ///< one point of each process that has stipples, with what their field data says
+    NUMBERS = 2,    ///< one point of each process that has stipples, with what their field data says
+    SILHOUETTES = 3 ///< the surface that has them
   };
-  int GetNumberOfPieces() override { return NUMBERS + 1; }
+  int GetNumberOfPieces() override { return SILHOUETTES + 1; }
   const char* GetPieceName(int piece) override;
   void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
 
@@ -73,6 +76,7 @@ public:
   vtkInkStippleGenerator* GetGenerator();
   vtkInkStippleMapper* GetStippleMapper();
   InkIsoSurface* GetIsoSurface();
+  InkSilhouettes* GetSilhouettes();
   ///@}
 
   ///@{
@@ -110,6 +114,8 @@ public:
   double GetColor();
   void SetLightDirection(double azimuth, double elevation);
   vtkGetVector2Macro(LightDirection, double);
+  void SetInkColor(double red, double green, double blue);
+  double* GetInkColor() VTK_SIZEHINT(3);
   void SetPaperColor(double red, double green, double blue);
   vtkGetVector3Macro(PaperColor, double);
   void SetSizeUnit(int unit);
@@ -155,6 +161,7 @@ private:
   vtkNew<vtkInkStippleControls> Controls;
   vtkNew<vtkInkStippleGenerator> Generator;
   vtkNew<vtkInkStippleMapper> Mapper;
+  std::unique_ptr<InkSilhouettes> Silhouettes;
   vtkNew<vtkInkStippleMapper> Wanted; ///< draws nothing; has what the controls say
   vtkNew<vtkInkStippleActor> Actor;
   vtkNew<vtkLight> Light;

@@ -51,10 +51,10 @@ def ball(cells=48, scale=1.0, origin=0.0):
     return image
 
 
-def draw(data, direction=(0, 0, 1), scale=1.0, origin=0.0, **parameters):
+def draw(data, direction=(0, 0, 1), scale=1.0, origin=0.0, style="contours", **parameters):
     """Darkness, 0 to 1, from below up, of what is seen along a direction in a frame of two units."""
-    plain = {} if "preset" in parameters else PLAIN
-    actor = vtkink.draw(data, "contours", size=(SIZE, SIZE), **{**plain, **parameters})
+    plain = PLAIN if style == "contours" and "preset" not in parameters else {}
+    actor = vtkink.draw(data, style, size=(SIZE, SIZE), **{**plain, **parameters})
     renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(actor)
@@ -208,6 +208,33 @@ def test_volumes_that_are_no_balls():
         data.SetOrigin([a - b for a, b in zip(data.GetOrigin(), middle)])
         drawn = draw(data, direction, scale=scale, line_width=3)
         assert 0.01 < drawn.mean() < 0.15
+
+
+@pytest.mark.parametrize("style", ["illustration", "splatting-lines", "stipple"])
+@pytest.mark.parametrize("data", [sphere, ball], ids=["mesh", "image"])
+def test_silhouettes_are_drawn_over_other_styles(style, data):
+    """A closed ring of ink of the width that is asked for, in the style's ink, and nothing else than that is new."""
+    y, x = np.mgrid[:SIZE, :SIZE] + 0.5 - SIZE / 2
+    away = np.abs(np.hypot(x, y) - RADIUS * SIZE / 2)
+    iso = {"iso_values": 100.0} if data is ball else {}
+    plain = draw(data(), style=style, **iso)
+    outlined = draw(data(), style=style, silhouette_width=20, silhouette_depth_width=0, **iso)
+    assert outlined[away < 3].min() > 0.9
+    assert (outlined != plain)[away > 6].mean() < 0.002
+    colored = draw(data(), style=style, silhouette_width=20, ink_color="white", **iso)
+    assert colored[away < 3].max() < 0.1
+
+
+def test_silhouettes_follow_the_viewer_and_hide_behind_their_surface():
+    both = vtk.vtkAppendPolyData()
+    both.AddInputData(sphere(0.5))
+    both.AddInputData(sphere(0.3, (0, 0, -0.6)))
+    both.Update()
+    alone, hidden = (draw(mesh, style="splatting-lines", tau=0.8, phi=0, silhouettes=True, silhouette_width=10)
+                     for mesh in (sphere(0.5), both.GetOutput()))  # fmt: skip
+    assert hidden.sum() == pytest.approx(alone.sum(), rel=0.05)
+    beside = draw(both.GetOutput(), (1, 0, 0), style="splatting-lines", tau=0.8, phi=0, silhouettes=True, silhouette_width=10)
+    assert beside.sum() > 1.2 * alone.sum()
 
 
 def test_the_same_with_one_thread_and_two(ink, tmp_path):

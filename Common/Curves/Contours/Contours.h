@@ -47,4 +47,7 @@ struct Contours
               ///< an open chain's last point repeats the one before
 };
 
+/// Appends contours, with those of their arrays that are asked for, which both have.
+void appendContours(Contours& to, const Contours& from, const ContourArrays& arrays);
+
 } // namespace ink

@@ -28,32 +28,6 @@ MeshContourOptions checked(const MeshContourOptions& options, bool hasNormals)
   return options;
 }
 
-/// Appends one array if it is wanted.
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from, bool wanted = true)
-{
-  if (wanted)
-  {
-    to.insert(to.end(), from.begin(), from.end());
-  }
-}
-
-void append(Contours& to, const Contours& from, const ContourArrays& arrays)
-{
-  const std::size_t points = to.positions.size();
-  for (std::size_t chain = 0; chain < from.chains.size(); ++chain)
-  {
-    to.chains.offsets.push_back(points + from.chains.offsets[chain + 1]);
-  }
-  append(to.chains.closed, from.chains.closed);
-  append(to.kinds, from.kinds);
-  append(to.positions, from.positions);
-  append(to.normals, from.normals, arrays.normals);
-  append(to.radialCurvature, from.radialCurvature, arrays.radialCurvature);
-  append(to.arcLength, from.arcLength, arrays.arcLength);
-  append(to.elements, from.elements, arrays.elements);
-}
-
 constexpr ContourArrays allArrays{ true, true, true, true };
 
 } // namespace
@@ -78,7 +52,7 @@ MeshContours::MeshContours(
     {
       if (wanted)
       {
-        append(this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
+        appendContours(this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
       }
     };
     add(options.creases, edges.creases, ContourKind::Crease);
@@ -97,7 +71,7 @@ Contours MeshContours::find(const Eye& eye, const ContourArrays& arrays, Silhoue
       this->Faceted ? this->Faceted->find(eye, search) : this->Interpolated->find(this->Surface, eye, search);
     result = chainContours(this->Surface, segments, ContourKind::Silhouette, eye, arrays);
   }
-  append(result, this->Features, arrays);
+  appendContours(result, this->Features, arrays);
   return result;
 }
 

@@ -11,8 +11,10 @@
 #include "vtkFeatureEdges.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
@@ -130,6 +132,7 @@ TEST(ContoursStyle, PartsAndSeveralSurfaces)
     [](double x, double y, double z)
     { return std::max(0.7 - std::hypot(x - 0.3, y, z), 0.5 - std::hypot(x + 0.65, y, z)); });
   const auto style = MakeStyle();
+  ASSERT_TRUE(style->SetParameter("SmallestPart", 0));
   ASSERT_TRUE(style->Make(two));
   double both[6];
   style->GetPiece(0)->GetBounds(both);
@@ -235,6 +238,39 @@ TEST(ContoursStyle, MeshesWithoutNormalsGetSome)
     }
     EXPECT_NEAR(range, 1.0, 1e-6);
   }
+}
+
+TEST(ContoursStyle, CompositesAndGridsAreDrawnByTheirSurfaces)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkNew<vtkMultiBlockDataSet> meshes;
+  meshes->SetBlock(0, sphere->GetOutput());
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(2, 2, 2);
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->InsertNextValue(2.0);
+  coordinates->InsertNextValue(3.0);
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
+  meshes->SetBlock(2, grid);
+  const auto style = MakeStyle();
+  ASSERT_TRUE(style->Draw(meshes));
+  double bounds[6];
+  style->GetPiece(0)->GetBounds(bounds);
+  EXPECT_NEAR(bounds[0], -0.5, 0.03);
+  EXPECT_NEAR(bounds[1], 3.0, 1e-6);
+  ASSERT_GE(style->GetNumberOfNotes(), 1);
+  EXPECT_NE(std::string(style->GetNote(0)).find("outer surface of a vtkRectilinearGrid"), std::string::npos);
+  vtkNew<vtkMultiBlockDataSet> images;
+  images->SetBlock(0, MakeImage(24, Ball));
+  images->SetBlock(1, MakeImage(24, Ball, 2.0));
+  ASSERT_TRUE(style->Draw(images));
+  style->GetPiece(0)->GetBounds(bounds);
+  EXPECT_NEAR(bounds[1], 1.2, 0.02);
+  EXPECT_EQ(CountBorders(style->GetPiece(0)), 0);
+  EXPECT_FALSE(style->GetSilhouetteMapper()->GetCreases());
 }
 
 TEST(ContoursStyle, CreasesAreThoseOfMeshes)

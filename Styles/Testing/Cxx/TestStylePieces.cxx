@@ -4,9 +4,11 @@
 #include "StyleErrors.h"
 
 #include "InkIsoSurface.h"
+#include "InkSilhouettes.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkIllustrationStyle.h"
 #include "vtkInkIsoSurfaceSampler.h"
+#include "vtkInkSilhouetteMapper.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleGenerator.h"
@@ -165,8 +167,9 @@ TEST(StylePieces, StipplesOfImagesAreTheGenerators)
   EXPECT_TRUE(style->GetOfImage());
   EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), style->GetPixelsPerStipple());
   EXPECT_STREQ(style->GetPieceName(2), "Numbers");
-  EXPECT_EQ(style->GetPieceName(3), nullptr);
-  EXPECT_EQ(style->GetPiece(3), nullptr);
+  EXPECT_STREQ(style->GetPieceName(3), "Silhouettes' surface");
+  EXPECT_EQ(style->GetPieceName(4), nullptr);
+  EXPECT_EQ(style->GetPiece(4), nullptr);
 }
 
 TEST(StylePieces, IsoSurfacesAreStippledThemselves)
@@ -241,14 +244,14 @@ TEST(StylePieces, IllustrationsPutBothOnOneSurface)
   {
     ASSERT_TRUE(style->Draw(data));
     EXPECT_GT(style->GetPiece(0)->GetNumberOfPoints(), 50);
-    EXPECT_GT(style->GetPiece(1)->GetNumberOfPoints(), 1000);
+    EXPECT_GT(style->GetPiece(2)->GetNumberOfPoints(), 1000);
     EXPECT_EQ(
-      style->GetPiece(1)->GetNumberOfPoints(), style->GetStippleStyle()->GetPiece(0)->GetNumberOfPoints());
+      style->GetPiece(2)->GetNumberOfPoints(), style->GetStippleStyle()->GetPiece(0)->GetNumberOfPoints());
     EXPECT_EQ(style->GetActor()->GetMapper(), style->GetMapper());
     double lines[6];
     double stipples[6];
     style->GetPiece(0)->GetBounds(lines);
-    style->GetPiece(1)->GetBounds(stipples);
+    style->GetPiece(2)->GetBounds(stipples);
     const double size = lines[1] - lines[0];
     for (int i = 0; i < 6; ++i)
     {
@@ -256,8 +259,9 @@ TEST(StylePieces, IllustrationsPutBothOnOneSurface)
     }
   }
   EXPECT_STREQ(style->GetPieceName(0), "Points");
-  EXPECT_STREQ(style->GetPieceName(1), "Stipples");
-  EXPECT_STREQ(style->GetPieceName(4), "Outer points");
+  EXPECT_STREQ(style->GetPieceName(1), "Silhouettes' surface");
+  EXPECT_STREQ(style->GetPieceName(2), "Stipples");
+  EXPECT_STREQ(style->GetPieceName(5), "Outer points");
   // Light ink shows light.
   style->SetParameterAsString("InkColor", "white");
   style->SetParameterAsString("PaperColor", "black");
@@ -520,7 +524,7 @@ double LargestRadius(vtkPolyData* points, const double center[3])
 
 TEST(StylePieces, SeeThroughHasASurfaceAroundAnother)
 {
-  constexpr int outer = 4;
+  constexpr int outer = 5;
   const auto image = MakeNested();
   vtkNew<vtkInkIllustrationStyle> style;
   ASSERT_TRUE(style->Draw(image));
@@ -539,7 +543,7 @@ TEST(StylePieces, SeeThroughHasASurfaceAroundAnother)
   ASSERT_TRUE(style->Draw(image));
   EXPECT_NEAR(LargestRadius(style->GetPiece(0), image->GetCenter()), 8, 0.5);
   EXPECT_NEAR(LargestRadius(style->GetPiece(outer), image->GetCenter()), 16, 0.5);
-  EXPECT_GT(style->GetPiece(outer + 1)->GetNumberOfPoints(), 10000);
+  EXPECT_GT(style->GetPiece(outer + 2)->GetNumberOfPoints(), 10000);
   ASSERT_EQ(style->GetNumberOfNotes(), 2);
   EXPECT_EQ(std::string(style->GetNote(0)).find("outer iso-value "), 0u);
   EXPECT_EQ(std::string(style->GetNote(1)).find("inner iso-value "), 0u);
@@ -632,7 +636,76 @@ TEST(StylePieces, GridsAndCompositesAreDrawnByTheirSurfaces)
     EXPECT_EQ(CountOf(style), together);
     images->SetBlock(1, nullptr);
   }
-  EXPECT_GT(illustration->GetPiece(1)->GetNumberOfPoints(), 1000);
+  EXPECT_GT(illustration->GetPiece(2)->GetNumberOfPoints(), 1000);
+}
+
+TEST(StylePieces, SilhouettesAreOfTheSurfaceThatIsDrawn)
+{
+  vtkNew<vtkInkSplattingLinesStyle> lines;
+  vtkNew<vtkInkStippleStyle> stipple;
+  vtkNew<vtkInkIllustrationStyle> illustration;
+  struct Case
+  {
+    vtkInkStyle* Style;
+    int Piece;
+    vtkInkSilhouetteMapper* Mapper;
+  };
+  for (const auto& [style, piece, mapper] : { Case{ lines, vtkInkSplattingLinesStyle::SILHOUETTES,
+                                                lines->GetSilhouettes()->GetMapper() },
+         Case{ stipple, vtkInkStippleStyle::SILHOUETTES, stipple->GetSilhouettes()->GetMapper() },
+         Case{ illustration, vtkInkSplattingLinesStyle::SILHOUETTES,
+           illustration->GetSilhouettes()->GetMapper() } })
+  {
+    for (const auto& data :
+      { vtkSmartPointer<vtkDataObject>(MakeBall()), vtkSmartPointer<vtkDataObject>(MakeMesh()) })
+    {
+      SCOPED_TRACE(std::string(style->GetName()) + ' ' + data->GetClassName());
+      const bool ofImage = vtkImageData::SafeDownCast(data) != nullptr;
+      style->ResetParameters();
+      ASSERT_TRUE(style->Draw(data));
+      EXPECT_EQ(style->GetPiece(piece)->GetNumberOfPoints(), 0);
+      EXPECT_EQ(mapper->GetInput(), nullptr);
+      const int notes = style->GetNumberOfNotes();
+      vtkPoints* frame = style->GetFramePoints();
+      const vtkIdType framed = frame->GetNumberOfPoints();
+      const vtkMTimeType before = style->GetMTime();
+      ASSERT_TRUE(style->SetParameter("Silhouettes", 1));
+      EXPECT_GT(style->GetMTime(), before) << "a surface has to be made";
+      ASSERT_TRUE(style->SetParameter("SilhouetteCreases", 1));
+      ASSERT_TRUE(style->SetParameter("InkColor", 0.1, 0.2, 0.3));
+      ASSERT_TRUE(style->Draw(data));
+      vtkPolyData* surface = style->GetPiece(piece);
+      EXPECT_GT(surface->GetNumberOfPolys(), 100);
+      EXPECT_NE(surface->GetPointData()->GetNormals(), nullptr);
+      EXPECT_EQ(style->GetNumberOfNotes(), notes);
+      EXPECT_EQ(style->GetFramePoints()->GetNumberOfPoints(), framed);
+      EXPECT_EQ(mapper->GetInput(), surface);
+      EXPECT_EQ(mapper->GetInkColor()[1], 0.2);
+      EXPECT_EQ(mapper->GetCreases(), !ofImage) << "those of an image are its voxels'";
+      EXPECT_EQ(style->GetParameter("SilhouetteCreases"), 1.0);
+      // Pixels are the picture's.
+      style->SetPixelScale(2.0);
+      EXPECT_EQ(mapper->GetShortestPart(), 8.0);
+      style->SetPixelScale(1.0);
+      ASSERT_TRUE(style->SetParameter("Silhouettes", 0));
+      ASSERT_TRUE(style->Draw(data));
+      EXPECT_EQ(mapper->GetInput(), nullptr);
+    }
+  }
+  // Points have none; stipples of gradients have those of the iso-surface that suits the image.
+  ASSERT_TRUE(lines->SetParameter("Silhouettes", 1));
+  ASSERT_TRUE(lines->Draw(MakeCloud()));
+  EXPECT_NE(std::string(lines->GetNote(0)).find("no silhouettes"), std::string::npos);
+  EXPECT_EQ(lines->GetSilhouettes()->GetMapper()->GetInput(), nullptr);
+  stipple->ResetParameters();
+  ASSERT_TRUE(stipple->SetParameterAsString("StippleSource", "volume"));
+  ASSERT_TRUE(stipple->SetParameter("Silhouettes", 1));
+  ASSERT_TRUE(stipple->Draw(MakeBall()));
+  EXPECT_GT(stipple->GetPiece(vtkInkStippleStyle::SILHOUETTES)->GetNumberOfPolys(), 100);
+  EXPECT_EQ(stipple->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfPoints(), 0);
+  // A preset's ink is theirs.
+  stipple->ApplyPreset("plate-white-on-black");
+  EXPECT_EQ(stipple->GetSilhouettes()->GetMapper()->GetInkColor()[0], 1.0);
 }
 
 /// What another process says of its part.

@@ -89,6 +89,41 @@ TEST(InkMapper, Dots)
   EXPECT_TRUE(FindDrawn(scene).empty()) << "no dots of what is not visible";
 }
 
+TEST(InkMapper, AnotherDrawsOverIt)
+{
+  Scene scene(Row(7));
+  vtkNew<DotsMapper> over;
+  over->SetInputData(Row(3));
+  over->InkColor[0] = over->InkColor[1] = over->InkColor[2] = 1.0;
+  scene.Mapper->SetOverlay(over);
+  EXPECT_EQ(FindDrawn(scene), (std::set<int>{ 1, 2, 4, 5 })) << "white dots over the first, middle and last";
+  const vtkMTimeType before = scene.Mapper->GetMTime();
+  over->Modified();
+  EXPECT_GT(scene.Mapper->GetMTime(), before);
+  vtkNew<vtkPlane> left;
+  left->SetOrigin(1e6 - 0.5, 0.0, 0.0);
+  left->SetNormal(1.0, 0.0, 0.0);
+  scene.Mapper->AddClippingPlane(left);
+  EXPECT_EQ(FindDrawn(scene), (std::set<int>{ 2, 4, 5 }));
+  EXPECT_EQ(over->GetClippingPlanes(), scene.Mapper->GetClippingPlanes());
+  scene.Mapper->RemoveAllClippingPlanes();
+  over->SetInputDataObject(nullptr);
+  EXPECT_EQ(FindDrawn(scene), Ids(0, 6)) << "nothing over it";
+  // Ids are those of the points below.
+  over->SetInputData(Row(3));
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  const int* size = scene.Window->GetSize();
+  selector->SetArea(
+    0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  ASSERT_EQ(selection->GetNumberOfNodes(), 1u);
+  EXPECT_EQ(selection->GetNode(0)->GetSelectionList()->GetNumberOfTuples(), 7);
+  scene.Mapper->SetOverlay(nullptr);
+  EXPECT_EQ(FindDrawn(scene), Ids(0, 6));
+}
+
 TEST(InkMapper, Clipping)
 {
   Scene scene(Row(7));

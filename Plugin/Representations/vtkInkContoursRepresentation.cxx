@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkContoursRepresentation.h"
+
+#include "vtkInkContoursStyle.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPVView.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkInkContoursRepresentation);
+
+vtkInkContoursRepresentation::vtkInkContoursRepresentation()
+  : vtkInkRepresentation(vtkSmartPointer<vtkInkContoursStyle>::New())
+{
+  this->SetProgressText("Making contours");
+}
+
+vtkInkContoursRepresentation::~vtkInkContoursRepresentation() = default;
+
+std::string vtkInkContoursRepresentation::MakeMarks(const vtkInkStyle::Input& input)
+{
+  std::string problem = this->Superclass::MakeMarks(input);
+  // As a mesh without normals gets some, points at its edges are split.
+  auto* mesh = vtkPolyData::SafeDownCast(input.Data);
+  if (mesh && mesh->GetNumberOfPoints() > 0 && mesh->GetPoints() == this->GetPiece(0)->GetPoints())
+  {
+    this->MarkIdsAsInputs();
+  }
+  return problem;
+}
+
+int vtkInkContoursRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  AskForGhostsOfGrids(inputVector);
+  return 1;
+}
+
+int vtkInkContoursRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->UpdatePictureSize();
+  }
+  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+}

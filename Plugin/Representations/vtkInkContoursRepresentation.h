@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkContoursRepresentation
+ * @brief   "Contours": shows images, meshes and grids as line drawings of their contours in ParaView's render
+ * views
+ *
+ * What a vtkInkContoursStyle makes of them and how it draws that, on all processes as on one: parts of an
+ * image, and of a mesh, are put together on the first process, so that no line ends where a part does. Lines
+ * are found again for each camera where they are drawn. Points of a mesh that has normals can be picked
+ * beside its lines.
+ *
+ * How finely an image is sampled goes by the size of the view, in steps of two: nothing is made again while
+ * the camera moves, and seldom when the view's size changes.
+ *
+ * @sa vtkInkContoursStyle
+ */
+#ifndef vtkInkContoursRepresentation_h
+#define vtkInkContoursRepresentation_h
+
+#include "vtkInkPluginRepresentationsModule.h" // for the export macro
+#include "vtkInkRepresentation.h"
+
+class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkContoursRepresentation : public vtkInkRepresentation
+{
+public:
+  static vtkInkContoursRepresentation* New();
+  vtkTypeMacro(vtkInkContoursRepresentation, vtkInkRepresentation);
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+protected:
+  vtkInkContoursRepresentation();
+  ~vtkInkContoursRepresentation() override;
+
+  std::string MakeMarks(const vtkInkStyle::Input& input) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
+private:
+  vtkInkContoursRepresentation(const vtkInkContoursRepresentation&) = delete;
+  void operator=(const vtkInkContoursRepresentation&) = delete;
+};
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkContourSurface_h
+#define InkContourSurface_h
+
+#include "InkStyleProcesses.h"
+#include "vtkInkStyle.h"
+#include "vtkInkStylesModule.h" // for the export macro
+
+#include <span>
+#include <string>
+
+class InkIsoSurface;
+class vtkImageData;
+class vtkPolyData;
+
+/// The surface that styles draw contours of, as a mesh with normals: for vtkInkSilhouetteMapper.
+class VTKINKSTYLES_EXPORT InkContourSurface
+{
+public:
+  explicit InkContourSurface(vtkInkStyle* style)
+    : Style(style)
+  {
+  }
+
+  /**
+   * The iso-surfaces of the images of all processes, put together on the first one, so that no contour ends
+   * where a process's part does; all processes call it at once, after InkIsoSurface::Prepare.
+   * @param array the point array to sample; empty: the active scalars
+   * @param surface becomes them
+   * @return what is wrong; empty if nothing is
+   */
+  std::string MakeOfImages(InkIsoSurface& isoSurface, std::span<vtkImageData* const> images,
+    const std::string& array, vtkPolyData* surface);
+
+  /**
+   * A mesh as it is; where it has no normals they are computed from its polygons, also split at edges of more
+   * than 30 degrees, which is noted. Of points without polygons none, which is noted, too.
+   * @param surface becomes it
+   * @return what is wrong; empty if nothing is
+   */
+  std::string MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface);
+
+  /// Whether a surface, wherever it was delivered to, is an image's: what creases it has are its voxels'.
+  static bool IsOfImage(vtkPolyData* surface);
+
+private:
+  vtkInkStyle* const Style;
+};
+
+#endif
