@@ -109,7 +109,8 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
     // few points are not known well.
     constexpr double margin = 1.25;
     const double wanted = std::ceil(margin * rings * std::cbrt(excess));
-    rings = static_cast<int>(std::clamp(wanted, rings + 1.0, static_cast<double>(most)));
+    // Residuals without degrees of freedom say nothing.
+    rings = std::isfinite(wanted) ? static_cast<int>(std::clamp<double>(wanted, rings + 1, most)) : rings + 1;
   }
   return best || this->Options.degree == 2 ? best : fitPoints(2);
 }
