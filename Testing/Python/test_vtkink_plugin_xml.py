@@ -80,6 +80,10 @@ def contours():
     return representation_of("Contours.xml", "InkContoursRepresentationProxy"), objects
 
 
+def principal_curvature():
+    return proxy_of("PrincipalCurvature.xml", "SourceProxy"), [vtkink.vtkInkPrincipalCurvature()]
+
+
 def splatting_lines():
     style = vtkink.vtkInkSplattingLinesStyle()
     objects = [style.GetLinesMapper(), style.GetActor(), style.GetActor().GetProperty(), style]
@@ -101,6 +105,7 @@ PROXIES = {
     "Gradient.xml": gradient,
     "IsoSurfaceSampler.xml": sampler,
     "PointPriority.xml": point_priority,
+    "PrincipalCurvature.xml": principal_curvature,
     "SplattingLines.xml": splatting_lines,
     "Stipple.xml": stipple,
     "StippleGenerator.xml": stipple_generator,
