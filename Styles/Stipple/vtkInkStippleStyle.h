@@ -72,6 +72,7 @@ public:
   /// What the style draws with; properties that are parameters are set as such.
   vtkInkStippleGenerator* GetGenerator();
   vtkInkStippleMapper* GetStippleMapper();
+  vtkInkStippleControls* GetControls();
   InkIsoSurface* GetIsoSurface();
   ///@}
 
@@ -96,18 +97,6 @@ public:
   /// Parameters; see their table.
   void SetPreset(int preset);
   int GetPreset();
-  void SetGradient(double gradient);
-  double GetGradient();
-  void SetSharpness(double sharpness);
-  double GetSharpness();
-  void SetOrientation(double orientation);
-  double GetOrientation();
-  void SetDistance(double distance);
-  double GetDistance();
-  void SetInterior(double interior);
-  double GetInterior();
-  void SetColor(double color);
-  double GetColor();
   void SetLightDirection(double azimuth, double elevation);
   vtkGetVector2Macro(LightDirection, double);
   void SetPaperColor(double red, double green, double blue);
@@ -155,7 +144,6 @@ private:
   vtkNew<vtkInkStippleControls> Controls;
   vtkNew<vtkInkStippleGenerator> Generator;
   vtkNew<vtkInkStippleMapper> Mapper;
-  vtkNew<vtkInkStippleMapper> Wanted; ///< draws nothing; has what the controls say
   vtkNew<vtkInkStippleActor> Actor;
   vtkNew<vtkLight> Light;
   double LightDirection[2] = { -30.0, 30.0 };
