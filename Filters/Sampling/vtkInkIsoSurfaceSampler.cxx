@@ -225,7 +225,8 @@ const char* vtkInkIsoSurfaceSampler::GetArithmeticPrecisionAsString()
 
 vtkIdType vtkInkIsoSurfaceSampler::GetIndexMemory()
 {
-  return static_cast<vtkIdType>(this->Internals->Ranges.bytes() + this->Internals->TileRanges.bytes());
+  const std::size_t bytes = this->Internals->Ranges.bytes() + this->Internals->TileRanges.bytes();
+  return static_cast<vtkIdType>(bytes);
 }
 
 void vtkInkIsoSurfaceSampler::ReleaseIndex()
