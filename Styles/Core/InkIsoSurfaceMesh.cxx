@@ -234,8 +234,8 @@ void FillMesh(const InkIndexMesh& surfaces, const ResampledImage<Work>& image, v
         normals->SetTypedTuple(id, &normal[0]);
       }
     });
-  mesh->GetPolys()->AllocateExact(
-    static_cast<vtkIdType>(surfaces.Triangles.size()), static_cast<vtkIdType>(3 * surfaces.Triangles.size()));
+  const auto triangles = static_cast<vtkIdType>(surfaces.Triangles.size());
+  mesh->GetPolys()->AllocateExact(triangles, 3 * triangles);
   for (const InkIndexMesh::Triangle& triangle : surfaces.Triangles)
   {
     mesh->GetPolys()->InsertNextCell({ triangle[0], triangle[1], triangle[2] });

@@ -36,7 +36,7 @@ private:
   void AddColorsOf(vtkImageData* image, vtkPolyData* points);
   void StippleSurfaces(const InkLeaves& leaves);
   /// Stipples polygons, or points with normals.
-  void StippleSurface(vtkPolyData* surface);
+  void StippleSurface(vtkPolyData* mesh);
   void TakeStipples(const InkLeaves& leaves);
   /// Lets the generator pass on the array to color by, where the data has it.
   void TakeColors(vtkDataSet* data, bool cells);
