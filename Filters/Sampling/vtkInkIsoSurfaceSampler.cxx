@@ -3,13 +3,12 @@
 
 #include "Fields/Grid/GridField.h"
 #include "InkAddCuts.h"
-#include "InkAllocate.h"
 #include "InkImageGrid.h"
+#include "InkKeptSamples.h"
 #include "InkOutsideRange.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkSurfaceParts.h"
-#include "InkTrimArray.h"
 #include "InkVTKCompat.h"
 #include "InkWithGridField.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
@@ -18,38 +17,28 @@
 #include "IsoSurface/ResampledSamples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
-#include "vtkCellArray.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkShortArray.h"
-#include "vtkSignedCharArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -70,42 +59,9 @@ public:
   vtkMTimeType RangesTime = 0;
   int RangesComponent = 0;
 
-  /// The output's arrays.
-  vtkSmartPointer<vtkPoints> Points;
-  vtkSmartPointer<vtkDataArray> Normals;
-  vtkSmartPointer<vtkDataArray> Radii;
-  vtkSmartPointer<vtkDataArray> SurfaceIndex;
-  vtkSmartPointer<vtkDataArray> CellIds;
-  vtkSmartPointer<vtkDataArray> Vertices;
-  /// The number of samples per iso-value in the last run.
-  std::vector<std::size_t> Counts;
-  std::size_t Expected = 0;
+  InkKeptSamples Samples;
+  std::size_t Expected = 0; ///< samples of the next run
 
-  void ReleaseArrays()
-  {
-    this->Points = nullptr;
-    this->Normals = this->Radii = this->SurfaceIndex = this->CellIds = this->Vertices = nullptr;
-  }
-
-  /// The kept array if nobody else references it and it has the right type, otherwise a new one.
-  static void Renew(vtkSmartPointer<vtkDataArray>& array, int type, int components)
-  {
-    if (!array || array->GetReferenceCount() > 1 || array->GetDataType() != type ||
-      array->GetNumberOfComponents() != components)
-    {
-      array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-      array->SetNumberOfComponents(components);
-    }
-  }
-  void RenewPoints(int type)
-  {
-    if (!this->Points || this->Points->GetReferenceCount() > 1 || this->Points->GetDataType() != type ||
-      this->Points->GetData()->GetReferenceCount() > 1)
-    {
-      this->Points = vtkSmartPointer<vtkPoints>::New();
-      this->Points->SetDataType(type);
-    }
-  }
   void ClearRanges()
   {
     this->Ranges.clear();
@@ -127,43 +83,6 @@ public:
 
 namespace
 {
-
-template <class T, class Array>
-T* PointerTo(vtkDataArray* array)
-{
-  auto* typed = Array::SafeDownCast(array);
-  return typed ? typed->GetPointer(0) : nullptr;
-}
-
-template <class IdArray>
-void NumberFrom0(vtkDataArray* array, vtkIdType count)
-{
-  auto* ids = IdArray::SafeDownCast(array);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, typename IdArray::ValueType(0));
-}
-
-template <class IdArray>
-vtkSmartPointer<vtkDataArray> MakeOffsets(vtkIdType count)
-{
-  auto offsets = vtkSmartPointer<IdArray>::New();
-  offsets->SetNumberOfValues(2);
-  offsets->SetValue(0, 0);
-  offsets->SetValue(1, static_cast<typename IdArray::ValueType>(count));
-  return offsets;
-}
-
-/// One VTK_POLY_VERTEX cell over points 0 ... count - 1, with the connectivity array `ids`.
-template <class IdArray>
-vtkSmartPointer<vtkCellArray> MakePolyVertex(vtkDataArray* ids, vtkIdType count)
-{
-  InkSetNumberOfTuples(ids, count);
-  InkTrimArray(ids);
-  NumberFrom0<IdArray>(ids, count);
-  ids->Modified();
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(IdArray::SafeDownCast(MakeOffsets<IdArray>(count)), IdArray::SafeDownCast(ids));
-  return cells;
-}
 
 /// One run over all iso-values.
 struct SampleRequest
@@ -288,7 +207,8 @@ const char* vtkInkIsoSurfaceSampler::GetArithmeticPrecisionAsString()
 
 vtkIdType vtkInkIsoSurfaceSampler::GetIndexMemory()
 {
-  return static_cast<vtkIdType>(this->Internals->Ranges.bytes() + this->Internals->TileRanges.bytes());
+  const std::size_t bytes = this->Internals->Ranges.bytes() + this->Internals->TileRanges.bytes();
+  return static_cast<vtkIdType>(bytes);
 }
 
 void vtkInkIsoSurfaceSampler::ReleaseIndex()
@@ -330,7 +250,7 @@ int vtkInkIsoSurfaceSampler::RequestData(
   catch (...)
   {
     // Partially filled ranges must not be reused.
-    this->Internals->ReleaseArrays();
+    this->Internals->Samples.Release();
     this->ReleaseIndex();
     InkReportException(this, vtkPolyData::GetData(outputVector), "The image cannot be sampled");
   }
@@ -402,46 +322,17 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
     geometry, this->Smoothing, this->Subdivision, static_cast<ink::SmoothingTarget>(this->SmoothingTarget));
   const double radius = ink::isoSurfaceSampleRadius(ink::resampledGeometry(geometry, resampling.subdivision));
-  internals.RenewPoints(doubles ? VTK_DOUBLE : VTK_FLOAT);
-  const int normalType = this->OutputNormalsPrecision == SINGLE_PRECISION ? VTK_FLOAT
-    : this->OutputNormalsPrecision == SHORT_PRECISION                     ? VTK_SHORT
-                                                                          : VTK_SIGNED_CHAR;
-  vtkInternals::Renew(internals.Normals, normalType, 3);
+  const int normalType = !this->ComputeNormals         ? VTK_VOID
+    : this->OutputNormalsPrecision == SINGLE_PRECISION ? VTK_FLOAT
+    : this->OutputNormalsPrecision == SHORT_PRECISION  ? VTK_SHORT
+                                                       : VTK_SIGNED_CHAR;
   const ink::ComponentSelection parts =
     ink::ComponentSelection{ this->SmallestPart, static_cast<std::size_t>(this->LargestParts) }
       .inDividedCells(this->Subdivision);
-  const bool needsCells = this->ComputeCellIds || !parts.keepsAll();
-  if (needsCells)
-  {
-    vtkInternals::Renew(internals.CellIds, VTK_TYPE_INT64, 1);
-  }
-  const InkSampleArrays arrays{ internals.Points->GetData(),
-    this->ComputeNormals ? internals.Normals.Get() : nullptr,
-    needsCells ? internals.CellIds.Get() : nullptr };
-  const ink::GrowRoom grow = [&](std::size_t count)
-  {
-    vtkIdType capacity = VTK_ID_MAX;
-    for (vtkDataArray* array : arrays.All())
-    {
-      InkReserve(array, static_cast<vtkIdType>(count));
-      capacity = std::min(capacity, InkGetCapacity(array) / array->GetNumberOfComponents());
-    }
-    ink::SampleRoom room;
-    room.capacity = static_cast<std::size_t>(capacity);
-    room.points = PointerTo<float, vtkFloatArray>(arrays.Points);
-    room.doublePoints = PointerTo<double, vtkDoubleArray>(arrays.Points);
-    if (arrays.Normals)
-    {
-      room.normals = PointerTo<float, vtkFloatArray>(arrays.Normals);
-      room.shortNormals = PointerTo<std::int16_t, vtkShortArray>(arrays.Normals);
-      room.byteNormals = PointerTo<std::int8_t, vtkSignedCharArray>(arrays.Normals);
-    }
-    if (arrays.Cells)
-    {
-      room.cells = static_cast<ink::ActiveCellId*>(arrays.Cells->GetVoidPointer(0));
-    }
-    return room;
-  };
+  const InkSampleArrays arrays = internals.Samples.Renew(
+    doubles ? VTK_DOUBLE : VTK_FLOAT, normalType, this->ComputeCellIds || !parts.keepsAll());
+  const ink::GrowRoom grow = [&](std::size_t count) { return InkKeptSamples::Grow(arrays, count); };
+  std::vector<std::size_t>& counts = internals.Samples.Counts;
   int component = this->ArrayComponent;
   const vtkSmartPointer<vtkDataArray> values = InkMakeContiguous(scalars, component);
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
@@ -465,33 +356,41 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     if (!resampling.isIdentity())
     {
       return ink::sampleResampledIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
-        resampling, this->ProjectionSteps, this->UseIndex ? &internals.TileRanges : nullptr, grow,
-        internals.Counts, progressFrom(0.0));
+        resampling, this->ProjectionSteps, this->UseIndex ? &internals.TileRanges : nullptr, grow, counts,
+        progressFrom(0.0));
     }
     return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
-             this->UseIndex ? &internals.Ranges : nullptr, grow, request.Expected, internals.Counts,
+             this->UseIndex ? &internals.Ranges : nullptr, grow, request.Expected, counts,
              progressFrom(0.0)) &&
       (this->ProjectionSteps == 0 ||
-        Project(field, request, this->ProjectionSteps, grow(0), internals.Counts, progressFrom(share)));
+        Project(field, request, this->ProjectionSteps, grow(0), counts, progressFrom(share)));
   };
   if (!InkWithGridField(geometry, values, component, hidden, sample))
   {
-    internals.ReleaseArrays();
+    internals.Samples.Release();
     return;
   }
   if (std::any_of(cuts.begin(), cuts.end(), [](const ink::CutSamples& cut) { return !cut.points.empty(); }))
   {
-    InkAddCuts(cuts, arrays, internals.Counts);
+    InkAddCuts(cuts, arrays, counts);
   }
   if (!parts.keepsAll())
   {
     const auto* cells = static_cast<const ink::ActiveCellId*>(arrays.Cells->GetVoidPointer(0));
-    const std::size_t count =
-      std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
-    InkKeepParts({ cells, count }, parts, arrays.All(), internals.Counts);
+    const std::size_t count = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+    InkKeepParts({ cells, count }, parts, arrays.All(), counts);
   }
+  const std::size_t total = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+  internals.Expected = total + total / 8;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->FillOutput(radius, output);
+  internals.Samples.Fill(
+    { this->ComputeNormals, this->ComputeSurfaceIndex, this->ComputeCellIds, this->GenerateVertices,
+      this->ComputeRadius ? std::optional(radius) : std::nullopt },
+    output);
+  if (!this->ReuseArrays)
+  {
+    internals.Samples.Release();
+  }
   // A part of an image may legitimately have no points.
   if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image))
   {
@@ -501,65 +400,6 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     {
       vtkWarningMacro(<< outside);
     }
-  }
-}
-
-void vtkInkIsoSurfaceSampler::FillOutput(double radius, vtkPolyData* output)
-{
-  vtkInternals& internals = *this->Internals;
-  const std::size_t total = std::accumulate(internals.Counts.begin(), internals.Counts.end(), std::size_t(0));
-  internals.Expected = total + total / 8;
-  const vtkIdType count = static_cast<vtkIdType>(total);
-  const auto finish = [count](vtkDataArray* array, const char* name)
-  {
-    InkSetNumberOfTuples(array, count);
-    InkTrimArray(array);
-    array->SetName(name);
-    array->Modified();
-  };
-
-  finish(internals.Points->GetData(), nullptr);
-  internals.Points->Modified();
-  output->SetPoints(internals.Points);
-  if (this->ComputeNormals)
-  {
-    finish(internals.Normals, "Normals");
-    output->GetPointData()->SetNormals(internals.Normals);
-  }
-  if (this->ComputeRadius)
-  {
-    // The precision of the points: where float is too coarse for the points, it may be for the radius, too.
-    vtkInternals::Renew(internals.Radii, internals.Points->GetDataType(), 1);
-    finish(internals.Radii, "Radius");
-    internals.Radii->Fill(radius);
-    output->GetPointData()->AddArray(internals.Radii);
-  }
-  if (this->ComputeSurfaceIndex && internals.Counts.size() > 1)
-  {
-    vtkInternals::Renew(internals.SurfaceIndex, VTK_INT, 1);
-    finish(internals.SurfaceIndex, "SurfaceIndex");
-    int* index = PointerTo<int, vtkIntArray>(internals.SurfaceIndex);
-    for (std::size_t n = 0; n < internals.Counts.size(); ++n)
-    {
-      index = std::fill_n(index, internals.Counts[n], static_cast<int>(n));
-    }
-    output->GetPointData()->AddArray(internals.SurfaceIndex);
-  }
-  if (this->ComputeCellIds)
-  {
-    finish(internals.CellIds, "CellId");
-    output->GetPointData()->AddArray(internals.CellIds);
-  }
-  if (this->GenerateVertices && count > 0)
-  {
-    const bool small = count <= std::numeric_limits<vtkTypeInt32>::max();
-    vtkInternals::Renew(internals.Vertices, small ? VTK_TYPE_INT32 : VTK_TYPE_INT64, 1);
-    output->SetVerts(small ? MakePolyVertex<vtkTypeInt32Array>(internals.Vertices, count)
-                           : MakePolyVertex<vtkTypeInt64Array>(internals.Vertices, count));
-  }
-  if (!this->ReuseArrays)
-  {
-    internals.ReleaseArrays();
   }
 }
 

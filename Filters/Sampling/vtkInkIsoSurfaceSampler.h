@@ -378,7 +378,6 @@ private:
   class vtkInternals;
 
   void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
-  void FillOutput(double radius, vtkPolyData* output);
   /// Warns if no iso-value lies within the range of the values.
 
   vtkNew<vtkContourValues> ContourValues;

@@ -6,6 +6,7 @@
 #include "Tone/Stipple/Sliders.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -42,12 +43,51 @@ double Exact(float number)
   return Rounded(number, std::chars_format::general, std::numeric_limits<float>::digits10);
 }
 
+/// What each slider stands for.
+using Part = void (*)(const ink::stipple::Tone&, vtkInkStippleMapper*);
+
+void ApplyGradient(const ink::stipple::Tone& tone, vtkInkStippleMapper* mapper)
+{
+  mapper->SetBoundaryBase(Exact(tone.boundary.base));
+  mapper->SetBoundaryGain(Exact(tone.boundary.gain));
+}
+
+void ApplySharpness(const ink::stipple::Tone& tone, vtkInkStippleMapper* mapper)
+{
+  mapper->SetBoundaryExponent(Exact(tone.boundary.exponent));
+  mapper->SetSilhouetteExponent(Exact(tone.silhouette.exponent));
+  mapper->SetLightingExponent(Exact(tone.lighting.exponent));
+}
+
+void ApplyOrientation(const ink::stipple::Tone& tone, vtkInkStippleMapper* mapper)
+{
+  mapper->SetSilhouetteGain(Exact(tone.silhouette.gain));
+  mapper->SetLightingExponent(Exact(tone.lighting.exponent));
+}
+
+void ApplyDistance(const ink::stipple::Tone& tone, vtkInkStippleMapper* mapper)
+{
+  mapper->SetDistanceExponent(Exact(tone.distance.exponent));
+  mapper->SetDistanceSize(Exact(tone.distance.size));
+}
+
+void ApplyInterior(const ink::stipple::Tone& tone, vtkInkStippleMapper* mapper)
+{
+  mapper->SetInteriorExponent(Exact(tone.interior.exponent));
+  mapper->SetInteriorSize(Exact(tone.interior.size));
+}
+
+void ApplyColor(const ink::stipple::Tone& tone, vtkInkStippleMapper* mapper)
+{
+  mapper->SetWarmCool(Exact(tone.warmCool.amount));
+}
+
 } // namespace
 
 class vtkInkStippleControls::vtkInternals
 {
 public:
-  void Set(vtkInkStippleControls* self, float ink::stipple::Sliders::*slider, double value)
+  void Set(vtkInkStippleControls* self, float ink::stipple::Sliders::*slider, double value, Part apply)
   {
     if (std::isnan(value))
     {
@@ -60,10 +100,23 @@ public:
       this->Sliders.*slider = limited;
       self->Modified();
     }
+    if (this->Mapper)
+    {
+      apply(this->FindTone(), this->Mapper);
+    }
+  }
+
+  ink::stipple::Tone FindTone() const
+  {
+    ink::stipple::Tone tone;
+    this->Preset->apply(tone);
+    this->Sliders.apply(tone);
+    return tone;
   }
 
   const ink::stipple::Preset* Preset = &ink::stipple::presets().front();
   ink::stipple::Sliders Sliders = this->Preset->sliders;
+  vtkSmartPointer<vtkInkStippleMapper> Mapper;
 };
 
 vtkInkStippleControls::vtkInkStippleControls()
@@ -110,11 +163,15 @@ void vtkInkStippleControls::Reset()
 {
   this->Internals->Sliders = this->Internals->Preset->sliders;
   this->Modified();
+  if (this->Internals->Mapper)
+  {
+    this->Apply(this->Internals->Mapper);
+  }
 }
 
 void vtkInkStippleControls::SetGradient(double gradient)
 {
-  this->Internals->Set(this, &ink::stipple::Sliders::gradient, gradient);
+  this->Internals->Set(this, &ink::stipple::Sliders::gradient, gradient, ApplyGradient);
 }
 
 double vtkInkStippleControls::GetGradient()
@@ -124,7 +181,7 @@ double vtkInkStippleControls::GetGradient()
 
 void vtkInkStippleControls::SetSharpness(double sharpness)
 {
-  this->Internals->Set(this, &ink::stipple::Sliders::sharpness, sharpness);
+  this->Internals->Set(this, &ink::stipple::Sliders::sharpness, sharpness, ApplySharpness);
 }
 
 double vtkInkStippleControls::GetSharpness()
@@ -134,7 +191,7 @@ double vtkInkStippleControls::GetSharpness()
 
 void vtkInkStippleControls::SetOrientation(double orientation)
 {
-  this->Internals->Set(this, &ink::stipple::Sliders::orientation, orientation);
+  this->Internals->Set(this, &ink::stipple::Sliders::orientation, orientation, ApplyOrientation);
 }
 
 double vtkInkStippleControls::GetOrientation()
@@ -144,7 +201,7 @@ double vtkInkStippleControls::GetOrientation()
 
 void vtkInkStippleControls::SetDistance(double distance)
 {
-  this->Internals->Set(this, &ink::stipple::Sliders::distance, distance);
+  this->Internals->Set(this, &ink::stipple::Sliders::distance, distance, ApplyDistance);
 }
 
 double vtkInkStippleControls::GetDistance()
@@ -154,7 +211,7 @@ double vtkInkStippleControls::GetDistance()
 
 void vtkInkStippleControls::SetInterior(double interior)
 {
-  this->Internals->Set(this, &ink::stipple::Sliders::interior, interior);
+  this->Internals->Set(this, &ink::stipple::Sliders::interior, interior, ApplyInterior);
 }
 
 double vtkInkStippleControls::GetInterior()
@@ -164,7 +221,7 @@ double vtkInkStippleControls::GetInterior()
 
 void vtkInkStippleControls::SetColor(double color)
 {
-  this->Internals->Set(this, &ink::stipple::Sliders::color, color);
+  this->Internals->Set(this, &ink::stipple::Sliders::color, color, ApplyColor);
 }
 
 double vtkInkStippleControls::GetColor()
@@ -172,32 +229,38 @@ double vtkInkStippleControls::GetColor()
   return Shortest(this->Internals->Sliders.color);
 }
 
+void vtkInkStippleControls::SetMapper(vtkInkStippleMapper* mapper)
+{
+  if (this->Internals->Mapper != mapper)
+  {
+    this->Internals->Mapper = mapper;
+    this->Modified();
+  }
+}
+
+vtkInkStippleMapper* vtkInkStippleControls::GetMapper()
+{
+  return this->Internals->Mapper;
+}
+
 void vtkInkStippleControls::Apply(vtkInkStippleMapper* mapper)
 {
-  ink::stipple::Tone tone;
-  this->Internals->Preset->apply(tone);
-  this->Internals->Sliders.apply(tone);
+  const ink::stipple::Tone tone = this->Internals->FindTone();
+  for (const Part apply :
+    { ApplyGradient, ApplySharpness, ApplyOrientation, ApplyDistance, ApplyInterior, ApplyColor })
+  {
+    apply(tone, mapper);
+  }
   mapper->SetBoundary(tone.boundary.on);
-  mapper->SetBoundaryBase(Exact(tone.boundary.base));
-  mapper->SetBoundaryGain(Exact(tone.boundary.gain));
-  mapper->SetBoundaryExponent(Exact(tone.boundary.exponent));
   mapper->SetSilhouette(tone.silhouette.on);
   mapper->SetSilhouetteBase(Exact(tone.silhouette.base));
-  mapper->SetSilhouetteGain(Exact(tone.silhouette.gain));
-  mapper->SetSilhouetteExponent(Exact(tone.silhouette.exponent));
   mapper->SetResolution(tone.resolution.on);
   mapper->SetResolutionExponent(Exact(tone.resolution.exponent));
   mapper->SetSlantExponent(Exact(tone.resolution.slantExponent));
   mapper->SetLighting(tone.lighting.on);
-  mapper->SetLightingExponent(Exact(tone.lighting.exponent));
   mapper->SetLightInk(tone.lighting.lightInk);
   mapper->SetDistance(tone.distance.on);
-  mapper->SetDistanceExponent(Exact(tone.distance.exponent));
-  mapper->SetDistanceSize(Exact(tone.distance.size));
   mapper->SetInterior(tone.interior.on);
-  mapper->SetInteriorExponent(Exact(tone.interior.exponent));
-  mapper->SetInteriorSize(Exact(tone.interior.size));
-  mapper->SetWarmCool(Exact(tone.warmCool.amount));
   mapper->SetValueEffect(Exact(tone.valueEffect));
   mapper->SetSizeUnit(
     this->Internals->Preset->sizesInPixels ? vtkInkStippleMapper::PIXELS : vtkInkStippleMapper::THOUSANDTHS);
@@ -223,4 +286,5 @@ void vtkInkStippleControls::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Distance: " << this->GetDistance() << "\n";
   os << indent << "Interior: " << this->GetInterior() << "\n";
   os << indent << "Color: " << this->GetColor() << "\n";
+  os << indent << "Mapper: " << this->Internals->Mapper.Get() << "\n";
 }

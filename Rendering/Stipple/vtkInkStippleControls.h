@@ -4,10 +4,10 @@
  * @brief   a few sliders for the many parameters of a vtkInkStippleMapper
  *
  * The higher of two levels of control (Lu et al. 2003, section 6): each slider sets several of the mapper's
- * k's, and a preset sets all sliders and what goes with them. Apply hands the result to a mapper; its k's can
- * be changed one by one after that. Sliders switch no enhancement off, so pictures change little by little
- * all the way; the mapper's own switches do. Positions of sliders are kept within 0..1; what is
- * no number is refused with an error.
+ * k's, and a preset sets all sliders and what goes with them. Apply hands the result to a mapper, or
+ * SetMapper makes one follow; its k's can be changed one by one after that. Sliders switch no enhancement
+ * off, so pictures change little by little all the way; the mapper's own switches do. Positions of sliders
+ * are kept within 0..1; what is no number is refused with an error.
  *
  * @sa vtkInkStippleMapper
  */
@@ -108,6 +108,15 @@ public:
    * and LightInk, to a mapper.
    */
   void Apply(vtkInkStippleMapper* mapper);
+
+  ///@{
+  /**
+   * A mapper that follows: a slider sets what it stands for at once, and nothing else, so that the rest stays
+   * as it was chosen; SetPreset and Reset hand over all that Apply does. Default: none.
+   */
+  void SetMapper(vtkInkStippleMapper* mapper);
+  vtkInkStippleMapper* GetMapper();
+  ///@}
 
   /// The color of the paper that goes with the preset, for the renderer's background: white or black.
   void GetPaperColor(double rgb[3]);

@@ -2,6 +2,7 @@
 #include "InkIsoSurfaceMesh.h"
 
 #include "InkImageGrid.h"
+#include "InkIndexMesh.h"
 #include "vtkInkIsoSurfaceSampler.h"
 
 #include "Core/ParallelFor.h"
@@ -12,7 +13,6 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -30,26 +30,15 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <vector>
 
 namespace
 {
-
-using Triangle = std::array<std::uint32_t, 3>;
-
-/// A surface in the index space of a grid.
-struct IndexMesh
-{
-  std::vector<glm::dvec3> Points;
-  std::vector<Triangle> Triangles;
-};
 
 ink::IsoSurfaceResampling FindResampling(const ink::GridGeometry& grid, vtkInkIsoSurfaceSampler* settings)
 {
@@ -96,7 +85,7 @@ public:
   /// A surface as vtkFlyingEdges3D finds it.
   /// @param cap whether it is closed where it leaves the image
   std::string FindSurface(
-    double isoValue, bool cap, const std::function<std::string(vtkAlgorithm*)>& update, IndexMesh& mesh)
+    double isoValue, bool cap, const std::function<std::string(vtkAlgorithm*)>& update, InkIndexMesh& mesh)
   {
     std::vector<Work>& values = this->Surface.empty() ? this->Smooth : this->Surface;
     const glm::ivec3 size = this->Geometry.dimensions();
@@ -223,130 +212,9 @@ private:
   std::vector<Work> Smooth;  ///< what normals are of
 };
 
-/// The parts of a surface that are kept: for each point whether it is.
-std::vector<char> SelectParts(const IndexMesh& mesh, const ink::ComponentSelection& selection)
-{
-  std::vector<std::uint32_t> parents(mesh.Points.size());
-  std::iota(parents.begin(), parents.end(), 0u);
-  const auto root = [&](std::uint32_t point)
-  {
-    while (parents[point] != point)
-    {
-      point = parents[point] = parents[parents[point]];
-    }
-    return point;
-  };
-  for (const Triangle& triangle : mesh.Triangles)
-  {
-    for (int corner = 1; corner < 3; ++corner)
-    {
-      const std::uint32_t a = root(triangle[0]);
-      const std::uint32_t b = root(triangle[corner]);
-      parents[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  // A closed surface has about as many points as it has active cells.
-  std::vector<std::uint32_t> labels(mesh.Points.size());
-  std::vector<std::size_t> counts;
-  for (std::uint32_t point = 0; point < labels.size(); ++point)
-  {
-    const std::uint32_t first = root(point);
-    if (first == point)
-    {
-      labels[point] = static_cast<std::uint32_t>(counts.size());
-      counts.push_back(0);
-    }
-    labels[point] = labels[first];
-    ++counts[labels[point]];
-  }
-  const std::vector<char> selected = ink::selectComponents(counts, selection);
-  std::vector<char> kept(labels.size());
-  std::transform(
-    labels.begin(), labels.end(), kept.begin(), [&](std::uint32_t label) { return selected[label]; });
-  return kept;
-}
-
-/// Removes triangles with a point that is not finite, and those in cells that are skipped, with the points
-/// that are left over.
-class MeshCleaner
-{
-public:
-  MeshCleaner(const ink::GridGeometry& grid, const glm::ivec3& subdivision, vtkImageData* image)
-    : Cells(glm::max(grid.dimensions() - 1, glm::ivec3(1)))
-    , Subdivision(subdivision)
-    , Skipped(InkGetMarks(image->GetCellData(),
-        vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-          vtkDataSetAttributes::REFINEDCELL))
-  {
-  }
-
-  bool IsKept(const IndexMesh& mesh, const Triangle& triangle) const
-  {
-    const glm::dvec3 middle =
-      (mesh.Points[triangle[0]] + mesh.Points[triangle[1]] + mesh.Points[triangle[2]]) / 3.0;
-    if (!std::isfinite(middle.x + middle.y + middle.z))
-    {
-      return false;
-    }
-    if (this->Skipped.empty())
-    {
-      return true;
-    }
-    const glm::ivec3 cell =
-      glm::clamp(glm::ivec3(middle / glm::dvec3(this->Subdivision)), glm::ivec3(0), this->Cells - 1);
-    return !this->Skipped[cell.x +
-      static_cast<std::size_t>(this->Cells.x) * (cell.y + static_cast<std::size_t>(this->Cells.y) * cell.z)];
-  }
-
-  static void RemoveUnusedPoints(IndexMesh& mesh)
-  {
-    constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> ids(mesh.Points.size(), unused);
-    for (const Triangle& triangle : mesh.Triangles)
-    {
-      for (const std::uint32_t point : triangle)
-      {
-        ids[point] = 0;
-      }
-    }
-    std::uint32_t count = 0;
-    for (std::size_t n = 0; n < ids.size(); ++n)
-    {
-      if (ids[n] != unused)
-      {
-        mesh.Points[count] = mesh.Points[n];
-        ids[n] = count++;
-      }
-    }
-    mesh.Points.resize(count);
-    for (Triangle& triangle : mesh.Triangles)
-    {
-      for (std::uint32_t& point : triangle)
-      {
-        point = ids[point];
-      }
-    }
-  }
-
-private:
-  glm::ivec3 Cells;
-  glm::ivec3 Subdivision;
-  ink::ElementMarks Skipped;
-};
-
-void Append(const IndexMesh& surface, IndexMesh& all)
-{
-  const auto first = static_cast<std::uint32_t>(all.Points.size());
-  all.Points.insert(all.Points.end(), surface.Points.begin(), surface.Points.end());
-  for (const auto& [a, b, c] : surface.Triangles)
-  {
-    all.Triangles.push_back({ first + a, first + b, first + c });
-  }
-}
-
 /// The surfaces of an image in world coordinates.
 template <class Work>
-void FillMesh(const IndexMesh& surfaces, const ResampledImage<Work>& image, vtkPolyData* mesh)
+void FillMesh(const InkIndexMesh& surfaces, const ResampledImage<Work>& image, vtkPolyData* mesh)
 {
   const auto count = static_cast<vtkIdType>(surfaces.Points.size());
   vtkPoints* points = mesh->GetPoints();
@@ -366,9 +234,9 @@ void FillMesh(const IndexMesh& surfaces, const ResampledImage<Work>& image, vtkP
         normals->SetTypedTuple(id, &normal[0]);
       }
     });
-  mesh->GetPolys()->AllocateExact(
-    static_cast<vtkIdType>(surfaces.Triangles.size()), static_cast<vtkIdType>(3 * surfaces.Triangles.size()));
-  for (const Triangle& triangle : surfaces.Triangles)
+  const auto triangles = static_cast<vtkIdType>(surfaces.Triangles.size());
+  mesh->GetPolys()->AllocateExact(triangles, 3 * triangles);
+  for (const InkIndexMesh::Triangle& triangle : surfaces.Triangles)
   {
     mesh->GetPolys()->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
   }
@@ -397,7 +265,7 @@ std::string InkMakeIsoSurfaceMesh(vtkImageData* image, vtkDataArray* scalars,
       " x " + std::to_string(samples.y) + " x " + std::to_string(samples.z);
   }
   const ink::IsoSurfaceResampling resampling = FindResampling(grid, settings);
-  const MeshCleaner cleaner(grid, resampling.subdivision, image);
+  const InkCellFilter cells(grid.dimensions(), resampling.subdivision, image);
   const ink::ComponentSelection parts = ink::ComponentSelection{ settings->GetSmallestPart(),
     static_cast<std::size_t>(settings->GetLargestParts()) }
                                           .inDividedCells(settings->GetSubdivision());
@@ -410,31 +278,30 @@ std::string InkMakeIsoSurfaceMesh(vtkImageData* image, vtkDataArray* scalars,
     const std::span<const Work> all(
       values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
     ResampledImage<Work> resampled(ink::GridField<Work>(grid, all, 1, hidden), resampling);
-    IndexMesh surfaces;
+    InkIndexMesh surfaces;
     std::string problem;
     for (int n = 0; n < settings->GetNumberOfContours() && problem.empty(); ++n)
     {
-      IndexMesh surface;
+      InkIndexMesh surface;
       problem = resampled.FindSurface(
         settings->GetValue(n), settings->GetCut() == vtkInkIsoSurfaceSampler::CAP, update, surface);
-      std::erase_if(
-        surface.Triangles, [&](const Triangle& triangle) { return !cleaner.IsKept(surface, triangle); });
+      std::erase_if(surface.Triangles,
+        [&](const InkIndexMesh::Triangle& triangle) { return !cells.IsKept(surface, triangle); });
       if (!parts.keepsAll())
       {
-        MeshCleaner::RemoveUnusedPoints(surface);
-        const std::vector<char> kept = SelectParts(surface, parts);
-        std::erase_if(surface.Triangles, [&](const Triangle& triangle) { return !kept[triangle[0]]; });
+        surface.RemoveUnusedPoints();
+        surface.KeepParts(parts);
       }
       // Where a surface and its caps meet, each has a border: slivers between them would join their normals.
       std::erase_if(surface.Triangles,
-        [&](const Triangle& triangle)
+        [&](const InkIndexMesh::Triangle& triangle)
         {
           const auto side = [&](std::size_t corner)
           { return resampled.FindSide(surface.Points[triangle[corner]]); };
           return side(0) != side(1) || side(0) != side(2);
         });
-      MeshCleaner::RemoveUnusedPoints(surface);
-      Append(surface, surfaces);
+      surface.RemoveUnusedPoints();
+      surfaces.Append(surface);
     }
     FillMesh(surfaces, resampled, mesh);
     return problem;

@@ -12,6 +12,7 @@
 #include "vtkInkIllustrationMapper.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
+#include "vtkInkStippleControls.h"
 #include "vtkInkStippleMapper.h"
 #include "vtkInkStippleStyle.h"
 
@@ -296,7 +297,7 @@ void vtkInkIllustrationStyle::SetPreset(int preset)
   const Subject& values = Presets[this->Preset];
   vtkInkStippleMapper* stipples = this->Stipples->GetStippleMapper();
   stipples->SetLightingExponent(values.LightingExponent);
-  this->Stipples->SetDistance(values.Distance);
+  this->Stipples->GetControls()->SetDistance(values.Distance);
   this->Stipples->SetStippleSize(values.StippleSize);
   this->Stipples->SetPixelsPerStipple(values.PixelsPerStipple);
   vtkInkSplattingLinesMapper* lines = this->Lines->GetLinesMapper();

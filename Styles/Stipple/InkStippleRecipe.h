@@ -38,7 +38,7 @@ private:
   void OutlineImages(const InkLeaves& leaves);
   void StippleSurfaces(const InkLeaves& leaves);
   /// Stipples polygons, or points with normals.
-  void StippleSurface(vtkPolyData* surface);
+  void StippleSurface(vtkPolyData* mesh);
   void TakeStipples(const InkLeaves& leaves);
   /// Lets the generator pass on the array to color by, where the data has it.
   void TakeColors(vtkDataSet* data, bool cells);

@@ -41,6 +41,8 @@ vtkInkStippleStyle::vtkInkStippleStyle()
   // Bytes, too: VTK takes them for colors otherwise.
   this->Mapper->SetColorModeToMapScalars();
   this->SetLightDirection(this->LightDirection[0], this->LightDirection[1]);
+  // A slider sets what it stands for, and nothing else: what was chosen for the rest stays.
+  this->Controls->SetMapper(this->Mapper);
   this->SetPreset(0);
 }
 
@@ -81,6 +83,11 @@ vtkInkStippleGenerator* vtkInkStippleStyle::GetGenerator()
 vtkInkStippleMapper* vtkInkStippleStyle::GetStippleMapper()
 {
   return this->Mapper;
+}
+
+vtkInkStippleControls* vtkInkStippleStyle::GetControls()
+{
+  return this->Controls;
 }
 
 InkIsoSurface* vtkInkStippleStyle::GetIsoSurface()
@@ -197,7 +204,6 @@ void vtkInkStippleStyle::FollowParameters(const Settings& given)
 void vtkInkStippleStyle::SetPreset(int preset)
 {
   this->Controls->SetPreset(vtkInkStippleControls::GetPresetName(preset));
-  this->Controls->Apply(this->Mapper);
   this->Controls->GetPaperColor(this->PaperColor);
   this->Silhouettes->SetInkColor(this->Mapper->GetInkColor());
   this->SizeUnit = this->Mapper->GetSizeUnit();
@@ -214,85 +220,6 @@ int vtkInkStippleStyle::GetPreset()
     ++preset;
   }
   return preset;
-}
-
-// A slider sets what it stands for, and nothing else: what was chosen for the rest stays.
-
-void vtkInkStippleStyle::SetGradient(double gradient)
-{
-  this->Controls->SetGradient(gradient);
-  this->Controls->Apply(this->Wanted);
-  this->Mapper->SetBoundaryBase(this->Wanted->GetBoundaryBase());
-  this->Mapper->SetBoundaryGain(this->Wanted->GetBoundaryGain());
-}
-
-double vtkInkStippleStyle::GetGradient()
-{
-  return this->Controls->GetGradient();
-}
-
-void vtkInkStippleStyle::SetSharpness(double sharpness)
-{
-  this->Controls->SetSharpness(sharpness);
-  this->Controls->Apply(this->Wanted);
-  this->Mapper->SetBoundaryExponent(this->Wanted->GetBoundaryExponent());
-  this->Mapper->SetSilhouetteExponent(this->Wanted->GetSilhouetteExponent());
-  this->Mapper->SetLightingExponent(this->Wanted->GetLightingExponent());
-}
-
-double vtkInkStippleStyle::GetSharpness()
-{
-  return this->Controls->GetSharpness();
-}
-
-void vtkInkStippleStyle::SetOrientation(double orientation)
-{
-  this->Controls->SetOrientation(orientation);
-  this->Controls->Apply(this->Wanted);
-  this->Mapper->SetSilhouetteGain(this->Wanted->GetSilhouetteGain());
-  this->Mapper->SetLightingExponent(this->Wanted->GetLightingExponent());
-}
-
-double vtkInkStippleStyle::GetOrientation()
-{
-  return this->Controls->GetOrientation();
-}
-
-void vtkInkStippleStyle::SetDistance(double distance)
-{
-  this->Controls->SetDistance(distance);
-  this->Controls->Apply(this->Wanted);
-  this->Mapper->SetDistanceExponent(this->Wanted->GetDistanceExponent());
-  this->Mapper->SetDistanceSize(this->Wanted->GetDistanceSize());
-}
-
-double vtkInkStippleStyle::GetDistance()
-{
-  return this->Controls->GetDistance();
-}
-
-void vtkInkStippleStyle::SetInterior(double interior)
-{
-  this->Controls->SetInterior(interior);
-  this->Controls->Apply(this->Wanted);
-  this->Mapper->SetInteriorExponent(this->Wanted->GetInteriorExponent());
-  this->Mapper->SetInteriorSize(this->Wanted->GetInteriorSize());
-}
-
-double vtkInkStippleStyle::GetInterior()
-{
-  return this->Controls->GetInterior();
-}
-
-void vtkInkStippleStyle::SetColor(double color)
-{
-  this->Controls->SetColor(color);
-  this->Mapper->SetWarmCool(this->Controls->GetColor());
-}
-
-double vtkInkStippleStyle::GetColor()
-{
-  return this->Controls->GetColor();
 }
 
 void vtkInkStippleStyle::SetLightDirection(double azimuth, double elevation)

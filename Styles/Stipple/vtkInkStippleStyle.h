@@ -75,6 +75,7 @@ public:
   /// What the style draws with; properties that are parameters are set as such.
   vtkInkStippleGenerator* GetGenerator();
   vtkInkStippleMapper* GetStippleMapper();
+  vtkInkStippleControls* GetControls();
   InkIsoSurface* GetIsoSurface();
   InkSilhouettes* GetSilhouettes();
   ///@}
@@ -100,18 +101,6 @@ public:
   /// Parameters; see their table.
   void SetPreset(int preset);
   int GetPreset();
-  void SetGradient(double gradient);
-  double GetGradient();
-  void SetSharpness(double sharpness);
-  double GetSharpness();
-  void SetOrientation(double orientation);
-  double GetOrientation();
-  void SetDistance(double distance);
-  double GetDistance();
-  void SetInterior(double interior);
-  double GetInterior();
-  void SetColor(double color);
-  double GetColor();
   void SetLightDirection(double azimuth, double elevation);
   vtkGetVector2Macro(LightDirection, double);
   void SetInkColor(double red, double green, double blue);
@@ -162,7 +151,6 @@ private:
   vtkNew<vtkInkStippleGenerator> Generator;
   vtkNew<vtkInkStippleMapper> Mapper;
   std::unique_ptr<InkSilhouettes> Silhouettes;
-  vtkNew<vtkInkStippleMapper> Wanted; ///< draws nothing; has what the controls say
   vtkNew<vtkInkStippleActor> Actor;
   vtkNew<vtkLight> Light;
   double LightDirection[2] = { -30.0, 30.0 };

@@ -200,7 +200,8 @@ private:
       return;
     }
     // Each sample as often as it has positions, so that for each tap all positions read consecutive numbers.
-    this->Repeated.resize(static_cast<std::size_t>(count + steps * (axis.taps() - 1)));
+    const int repeated = count + steps * (axis.taps() - 1);
+    this->Repeated.resize(static_cast<std::size_t>(repeated));
     int left = steps - positions.begin.x % steps;
     for (Work& value : this->Repeated)
     {

@@ -86,6 +86,20 @@ const Ending ending;
 
 } // namespace
 
+VdbGrid::Tree::Tree(bool isDouble, double background)
+{
+  if (isDouble)
+  {
+    this->values.emplace<openvdb::DoubleTree>(background);
+  }
+  else
+  {
+    this->values.emplace<openvdb::FloatTree>(static_cast<float>(background));
+  }
+}
+
+VdbGrid::Tree::~Tree() = default;
+
 void VdbGrid::freeTree(const Tree* tree)
 {
   // Programs such as ParaView delete objects as late as that, and freeing a tree uses threads.
@@ -117,11 +131,7 @@ VdbGrid VdbGrid::read(std::istream& in, const VdbFile& file, const VdbGridInfo& 
     throw VdbTooLarge(
       "grid '" + grid.name + "' takes " + mebibytes(needed) + " of memory; allowed are " + mebibytes(memory));
   }
-  auto tree = std::make_unique<Tree>();
-  if (grid.isDouble)
-  {
-    tree->values.emplace<openvdb::DoubleTree>();
-  }
+  auto tree = std::make_unique<Tree>(grid.isDouble);
   try
   {
     std::visit([&](auto& values) { readTree(in, file, grid, values); }, tree->values);

@@ -14,8 +14,13 @@
 namespace ink
 {
 
+/// Made and freed in VdbGrid.cpp alone: a source that does so compiles all virtual functions of both trees.
 struct VdbGrid::Tree
 {
+  /// Of double or else float; holds nothing but the background.
+  explicit Tree(bool isDouble, double background = 0.0);
+  ~Tree();
+
   std::variant<openvdb::FloatTree, openvdb::DoubleTree> values;
 };
 

@@ -302,14 +302,15 @@ VdbGrid makeVdbGrid(const GridField<T>& volume, const VdbConversion& conversion)
   {
     info.direction[axis] = geometry.direction()[axis];
   }
-  auto tree = std::make_unique<VdbGrid::Tree>();
+  std::unique_ptr<VdbGrid::Tree> tree;
   tbb::task_arena(threadCount())
     .execute(
       [&]
       {
         using Builder = TreeBuilder<T>;
         const Builder builder(volume, conversion);
-        builder.build(tree->values.template emplace<typename Builder::TreeType>(builder.background()));
+        tree = std::make_unique<VdbGrid::Tree>(info.isDouble, static_cast<double>(builder.background()));
+        builder.build(std::get<typename Builder::TreeType>(tree->values));
       });
   return VdbGrid(std::move(info), std::move(tree));
 }
@@ -325,9 +326,10 @@ std::string serializeVdb(const VdbGrid& grid)
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
-      // Grids require mutable trees; writing does not modify them.
-      const typename TreeType::Ptr shared(const_cast<TreeType*>(&tree), [](TreeType*) {});
-      const auto written = openvdb::Grid<TreeType>::create(shared);
+      // By its name, as Grid<TreeType> would compile all of the tree. Grids require mutable trees; writing
+      // does not modify them.
+      const openvdb::GridBase::Ptr written = openvdb::GridBase::createGrid(TreeType::treeType());
+      written->setTree(openvdb::TreeBase::Ptr(const_cast<TreeType*>(&tree), [](TreeType*) {}));
       written->setName(info.name);
       written->setTransform(makeTransform(info));
       if (info.domain)

@@ -185,6 +185,24 @@ TEST(StrokeScene, ClippingPlanesCutLargePolygonsWhereTheyAre)
   EXPECT_NEAR(image.CountDark(120, 0, 170, 200), 4 * 50, 8);
 }
 
+/// Of a stroke that runs through the nearest or the farthest distance that the camera shows, what lies
+/// between.
+TEST(StrokeScene, ClippingRange)
+{
+  for (const double middle : { 999.0, -1000.0 })
+  {
+    const double towards = middle > 0.0 ? 500.0 : -500.0;
+    StrokeScene scene(
+      MakeStrokes({ { { 20.0, 100.0, middle - towards }, { 180.0, 100.0, middle + towards } } }));
+    scene.LookAtPixels();
+    scene.Mapper->SetLineWidth(4.0);
+    scene.Mapper->SetCapToButt();
+    const InkTestImage image(scene.Window);
+    EXPECT_NEAR(image.CountDark(0, 0, 100, 200), 4 * 80, 4) << middle;
+    EXPECT_EQ(image.CountDark(101, 0, 200, 200, 255), 0) << middle;
+  }
+}
+
 /// The same picture with depth peeling, without the order-independent pass, and with multisampling.
 TEST(StrokeScene, Passes)
 {
