@@ -75,6 +75,7 @@ public:
     bool Faceted;
     bool Creases;
     double FeatureAngle;
+    double ShortestCrease;
     bool Borders;
     bool NonManifoldEdges;
     bool operator==(const Key&) const = default;
@@ -110,7 +111,7 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
   vtkInternals& internals = *this->Internals;
   vtkPolyData* surface = this->GetInput();
   const vtkInternals::Key source{ surface->GetMTime(), this->Silhouettes, this->Faceted, this->Creases,
-    this->FeatureAngle, this->Borders, this->NonManifoldEdges };
+    this->FeatureAngle, this->ShortestCrease, this->Borders, this->NonManifoldEdges };
   if (internals.Source == source)
   {
     return internals.Finder.has_value();
@@ -136,7 +137,7 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
   }
   internals.Finder.emplace(internals.Mesh->GetMesh(), internals.Mesh->Normals,
     ink::MeshContourOptions{ this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle,
-      this->Borders, this->NonManifoldEdges });
+      this->Borders, this->NonManifoldEdges, this->ShortestCrease, true });
   internals.Source = source;
   return true;
 }
@@ -197,6 +198,7 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetFaceted(from->GetFaceted());
     this->SetCreases(from->GetCreases());
     this->SetFeatureAngle(from->GetFeatureAngle());
+    this->SetShortestCrease(from->GetShortestCrease());
     this->SetBorders(from->GetBorders());
     this->SetNonManifoldEdges(from->GetNonManifoldEdges());
   }
@@ -210,6 +212,7 @@ void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Faceted: " << (this->Faceted ? "On" : "Off") << "\n";
   os << indent << "Creases: " << (this->Creases ? "On" : "Off") << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
   os << indent << "Borders: " << (this->Borders ? "On" : "Off") << "\n";
   os << indent << "NonManifoldEdges: " << (this->NonManifoldEdges ? "On" : "Off") << "\n";
 }

@@ -252,11 +252,17 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
   vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
-  // Silhouettes are those of a surface, though no surface is stippled.
-  if (style->Silhouettes->GetSilhouettes() &&
-    style->IsoSurface->Prepare(style, leaves.Images, style->Scalars).empty())
+  if (style->Silhouettes->GetSilhouettes())
   {
-    this->OutlineImages(leaves);
+    // They are those of a surface, though no surface is stippled. A panel always has an iso-value, which counts
+    // where its surface is.
+    const std::vector<double> given = style->IsoSurface->GetIsoValues();
+    style->IsoSurface->SetIsoValues(style->GetInteractive() ? std::vector<double>() : given);
+    if (style->IsoSurface->Prepare(style, leaves.Images, style->Scalars).empty())
+    {
+      this->OutlineImages(leaves);
+    }
+    style->IsoSurface->SetIsoValues(given);
   }
   const char* scalars = style->Scalars.c_str();
   if (style->Scalars.empty())
