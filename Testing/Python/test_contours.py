@@ -127,6 +127,16 @@ def test_a_ball_of_voxels_is_the_same_circle():
     assert_circle(draw(ball(), iso_values=100, line_width=20), RADIUS * SIZE / 2, 8)
 
 
+@pytest.mark.parametrize("pixels", [0.1, 0.3, 0.7])
+def test_lines_of_less_than_a_pixel_fade_evenly(pixels):
+    """Along the circle each tenth of it has the ink of its length. Measured: 3 % less or more."""
+    drawn = draw(sphere(), line_width=1000 * pixels / SIZE)
+    y, x = np.mgrid[:SIZE, :SIZE] + 0.5 - SIZE / 2
+    part = np.floor((np.arctan2(y, x) / (2 * np.pi) + 0.5) * 10).astype(int).clip(0, 9)
+    ink = np.bincount(part.ravel(), drawn.ravel())
+    np.testing.assert_allclose(ink, 2 * np.pi * RADIUS * SIZE / 2 * pixels / 10, rtol=0.05)
+
+
 @pytest.mark.parametrize("scale, origin", [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e5)])
 def test_size_and_place_do_not_matter(scale, origin):
     assert_circle(draw(ball(scale=scale, origin=origin), scale=scale, origin=origin, iso_values=100), RADIUS * SIZE / 2)
