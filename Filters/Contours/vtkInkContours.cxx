@@ -226,8 +226,8 @@ void vtkInkContours::FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output)
     ++kept.Builds;
     this->UpdateProgress(0.9);
   }
-  InkMakeContourLines(kept.Index->find(eye, vtkInternals::FindArrays(this)),
-    mesh->GetPoints()->GetDataType(), kept.CellIds, output);
+  InkMakeContourLines(kept.Index->find(eye, vtkInternals::FindArrays(this)), mesh->GetPoints()->GetDataType(),
+    kept.CellIds, output);
 }
 
 void vtkInkContours::FindContoursOfImage(

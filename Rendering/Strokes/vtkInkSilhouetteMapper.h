@@ -74,8 +74,9 @@ public:
   ///@{
   /**
    * Creases that end within the surface, and with all creases and borders that they join are no longer than
-   * this share of its diagonal, are left out: specks, as the noise of scans makes them. Edges of a machine part,
-   * however short, end at others and stay. 0 (default: none is left out) to 1. NaN is refused with a warning.
+   * this share of its diagonal, are left out: specks, as the noise of scans makes them. Edges of a machine
+   * part, however short, end at others and stay. 0 (default: none is left out) to 1. NaN is refused with a
+   * warning.
    */
   InkSetClampMacro(ShortestCrease, 0.0, 1.0);
   vtkGetMacro(ShortestCrease, double);

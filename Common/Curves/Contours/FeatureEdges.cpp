@@ -135,8 +135,7 @@ FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle, do
   }
   networks.measure(surface, this->creases);
   const double longest = shortestCrease * diagonalOf(surface);
-  std::erase_if(
-    this->creases, [&](const ContourSegment& edge) { return networks.isSpeck(edge, longest); });
+  std::erase_if(this->creases, [&](const ContourSegment& edge) { return networks.isSpeck(edge, longest); });
 }
 
 } // namespace ink

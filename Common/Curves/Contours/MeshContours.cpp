@@ -66,7 +66,8 @@ MeshContours::MeshContours(
     {
       if (wanted)
       {
-        appendContours(this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
+        appendContours(
+          this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
       }
     };
     add(options.creases, edges.creases, ContourKind::Crease);

@@ -70,7 +70,7 @@ private:
   ContourSurface Surface;
   std::optional<InterpolatedSilhouettes> Interpolated;
   std::optional<FacetedSilhouettes> Faceted;
-  Contours Features; ///< creases, borders and non-manifold edges, with all their arrays
+  Contours Features;                  ///< creases, borders and non-manifold edges, with all their arrays
   std::vector<std::uint64_t> Creases; ///< by the two faces at each edge, ascending; for `once`
 };
 

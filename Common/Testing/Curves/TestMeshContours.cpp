@@ -425,7 +425,8 @@ TEST(MeshContours, LeavesOutCreasesThatAreSpecks)
   {
     for (int i = 0; i < side; ++i)
     {
-      mesh.points.push_back({ double(i), double(j), i == 15 || (i == 5 && std::abs(j - 5) <= 1) ? 2.0 : 0.0 });
+      mesh.points.push_back(
+        { double(i), double(j), i == 15 || (i == 5 && std::abs(j - 5) <= 1) ? 2.0 : 0.0 });
     }
   }
   for (std::uint32_t j = 0; j + 1 < side; ++j)
@@ -444,7 +445,8 @@ TEST(MeshContours, LeavesOutCreasesThatAreSpecks)
   const auto bounds = [&](double shortest)
   {
     options.shortestCrease = shortest;
-    const ink::Contours contours = ink::MeshContours(mesh.view(), {}, options).find(ink::Eye::at({ 4, 5, 6 }));
+    const ink::Contours contours =
+      ink::MeshContours(mesh.view(), {}, options).find(ink::Eye::at({ 4, 5, 6 }));
     double left = 1e9;
     double right = -1e9;
     for (const glm::dvec3& p : contours.positions)
