@@ -58,7 +58,7 @@ test-paraview: ## Run the tests of the ParaView build
 test-aarch64: setup-aarch64 build-aarch64 ## Run Common's tests as programs of 64-bit ARM, under QEMU
 	@ctest --preset aarch64 --parallel "$$(Utilities/jobs.sh)"
 
-bench: setup-headless build-headless ## Measure vtkInk against VTK's own, and the temporal coherence of stipples
+bench: setup-headless build-headless ## Measure vtkInk against VTK's own, and the temporal coherence of marks
 	@Utilities/bench.sh
 
 tradeoff: setup-headless build-headless ## Measure error against time, write Documentation/accuracy-and-speed.md

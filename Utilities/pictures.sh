@@ -61,6 +61,15 @@ contours_pictures() {
   series presets "Data/engine.nii.gz --iso 80 --view iso" "--preset pen" "--preset technical" "--preset hidden-lines" \
     "--preset glass" "--preset brush"
   series hidden "Data/bonsai.nii.gz --iso 40 --elevation 12" "" "--hidden-lines faint" "--hidden-lines dashed"
+  local parts=() one
+  for style in stipple splatting-lines illustration; do
+    for one in "" "--silhouettes"; do
+      picture "silhouettes-${#parts[@]}" "Data/engine.nii.gz --iso 80 --view iso" "$one"
+      parts+=("$work/$style-silhouettes-${#parts[@]}.png")
+    done
+  done
+  "$INK_PYTHON" Utilities/pictures.py join "$images/contours-silhouettes.png" "${parts[@]}"
+  echo "$images/contours-silhouettes.png"
 }
 
 illustration_pictures() {

@@ -203,7 +203,7 @@ void vtkInkContours::FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output)
     return;
   }
   const ink::MeshContourOptions options{ this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle,
-    this->Borders, this->NonManifoldEdges };
+    this->Borders, this->NonManifoldEdges, this->ShortestCrease };
   vtkInternals& kept = *this->Internals;
   if (!kept.IsOf(mesh, options))
   {
@@ -225,8 +225,8 @@ void vtkInkContours::FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output)
     ++kept.Builds;
     this->UpdateProgress(0.9);
   }
-  InkMakeContourLines(kept.Index->find(eye, vtkInternals::FindArrays(this)),
-    mesh->GetPoints()->GetDataType(), kept.CellIds, output);
+  InkMakeContourLines(kept.Index->find(eye, vtkInternals::FindArrays(this)), mesh->GetPoints()->GetDataType(),
+    kept.CellIds, output);
 }
 
 void vtkInkContours::FindContoursOfImage(
@@ -316,6 +316,7 @@ void vtkInkContours::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Faceted: " << this->Faceted << "\n";
   os << indent << "Creases: " << this->Creases << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
   os << indent << "Borders: " << this->Borders << "\n";
   os << indent << "NonManifoldEdges: " << this->NonManifoldEdges << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";

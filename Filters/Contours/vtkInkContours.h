@@ -8,15 +8,16 @@
  * between a face seen from its front and one seen from its back. Creases, borders and non-manifold edges do
  * not depend on the eye. All are chained to polylines; what is hidden by the surface is not left out.
  *
- * Input: a vtkPolyData with polygons or strips, or a vtkImageData. Of a mesh normals are its point normals, or an array `Normals`; if it
- * has none, the mean over the faces around each point is used, and the filter warns once. Points of equal
- * position count as one. Faces with a point that is not finite, and ghost and hidden cells, are left out.
+ * Input: a vtkPolyData with polygons or strips, or a vtkImageData. Of a mesh normals are its point normals,
+ * or an array `Normals`; if it has none, the mean over the faces around each point is used, and the filter
+ * warns once. Points of equal position count as one. Faces with a point that is not finite, and ghost and
+ * hidden cells, are left out.
  *
  * Of an image the silhouettes of the iso-surfaces at its iso-values are found straight from the samples, cell
- * by cell, without a mesh (Burns et al. 2005): where f is the iso-value and grad f . v = 0. The input array is
- * set with SetInputArrayToProcess(0, ...); by default it is the active point scalars. Cells that are ghosts,
- * hidden or refined, and those with a corner that is hidden or not finite, are left out. Faceted, Creases,
- * Borders and NonManifoldEdges are of no effect.
+ * by cell, without a mesh (Burns et al. 2005): where f is the iso-value and grad f . v = 0. The input array
+ * is set with SetInputArrayToProcess(0, ...); by default it is the active point scalars. Cells that are
+ * ghosts, hidden or refined, and those with a corner that is hidden or not finite, are left out. Faceted,
+ * Creases, Borders and NonManifoldEdges are of no effect.
  *
  * The eye is that of a vtkCamera, or given as a position or, for a parallel projection, as a direction.
  *
@@ -31,8 +32,8 @@
  *
  * Errors, each with an empty output: no camera where one is expected, a face with a point that does not
  * exist, faces without area only, a camera whose position is not finite, no such point array of an image. A
- * mesh without polygons, no iso-value, one that is not a number, iso-values that are nowhere in the image, and
- * an image of fewer than two samples along an axis give a warning.
+ * mesh without polygons, no iso-value, one that is not a number, iso-values that are nowhere in the image,
+ * and an image of fewer than two samples along an axis give a warning.
  *
  * @sa vtkPolyDataSilhouette vtkFeatureEdges vtkInkIsoSurfaceSampler
  */
@@ -181,6 +182,17 @@ public:
 
   ///@{
   /**
+   * Creases that end within the surface, and with all creases and borders that they join are no longer than
+   * this share of its diagonal, are left out: specks, as the noise of scans makes them. Edges of a machine
+   * part, however short, end at others and stay. 0 (default: none is left out) to 1. NaN is refused with a
+   * warning.
+   */
+  InkSetClampMacro(ShortestCrease, 0.0, 1.0);
+  vtkGetMacro(ShortestCrease, double);
+  ///@}
+
+  ///@{
+  /**
    * Find borders: edges of one face. Default: on.
    */
   vtkSetMacro(Borders, bool);
@@ -275,6 +287,7 @@ private:
   bool Faceted = false;
   bool Creases = false;
   double FeatureAngle = 30.0;
+  double ShortestCrease = 0.0;
   bool Borders = true;
   bool NonManifoldEdges = false;
   bool ComputeNormals = false;

@@ -28,6 +28,8 @@ struct Ink
 };
 
 constexpr Ink Inks[] = {
+  { "Contours", "ContoursInkColor" },
+  { "Illustration", "IllustrationInkColor" },
   { "Splatting Lines", "InkColor" },
   { "Stipple", "StippleInkColor" },
 };

@@ -95,7 +95,7 @@ class TestParallel(unittest.TestCase):
         """Pictures: lines to the bit. Blended dots are put together from processes' pictures of 8 bits, with
         other rounding than one picture has."""
         difference = numpy.abs(found - expected).max(axis=-1)
-        if name.endswith(("stipples", "illustration")):
+        if name.endswith(("stipples", "illustration", "contours")):
             # Measured: 14, of an illustration.
             self.assertLessEqual(difference.max(), 20 if name.endswith("illustration") else 12)
             # Rims of dots: most of the picture of a surface, few pixels of the others.
@@ -116,7 +116,7 @@ class TestParallel(unittest.TestCase):
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
             self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + (3 if INK else 0))
-            self.assertEqual(len(expected_pictures), 1 + 3 * 2 + 2 + 5 + 5 + 2 + 2)
+            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 4 + 5 + 5 + 2 + 2 + 5)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)
             for name, picture in expected_pictures.items():

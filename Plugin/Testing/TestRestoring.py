@@ -17,8 +17,10 @@ BY_HAND = {
     "Stipple": {"StipplePreset": "Bone", "BoundaryBase": 0.35, "SilhouetteGain": 0.7, "StippleInterior": 0.9, "StippleInkColor": [0, 0, 1]},
     "Illustration": {"IllustrationPreset": "Bone", "IllustrationDistance": 0.15, "IllustrationTau": 0.95, "IllustrationStippleSize": 3.3,
                      "IllustrationInkColor": [0, 0, 1], "IllustrationSeeThrough": 1},
+    "Contours": {"ContoursPreset": "Glass", "ContoursLineWidth": 2.5, "ContoursTaper": 0.4, "ContoursHiddenLines": "Dashed",
+                 "ContoursInkColor": [0, 0, 1], "ContoursFaceted": 1},
 }
-OWN = {"Stipple": "(?:Stipple|K|Gradient|.*Enhancement|ScalarWindow)", "Illustration": "Illustration"}
+OWN = {"Stipple": "(?:Stipple|K|Gradient|.*Enhancement|ScalarWindow)", "Illustration": "Illustration", "Contours": "Contours"}
 
 # A scene without vtkInk's representations, all that ParaView would trace or save of it.
 PLAIN_SCENE = """
@@ -43,7 +45,7 @@ def values(display):
 
 def assignments(script):
     """Of the drawing's own properties, by name."""
-    return dict(re.findall(r"^\w+Display\.((?:Stipple\w*|Illustration\w*|Lines\w*|\w+(?:Base|Gain|Exponent|Enhancement)|\w*ScalarWindow\w*)) = (.*)$", script, re.M))
+    return dict(re.findall(r"^\w+Display\.((?:Stipple\w*|Contours\w*|Illustration\w*|Lines\w*|\w+(?:Base|Gain|Exponent|Enhancement)|\w*ScalarWindow\w*)) = (.*)$", script, re.M))
 
 
 class TestRestoring(TestInOneView):
@@ -99,18 +101,31 @@ class TestRestoring(TestInOneView):
         display.IllustrationTau = 0.95
         self.assertEqual(assignments(smstate.get_state()), {"IllustrationTau": "0.95"})
 
-    def test_a_state_brings_an_illustration_back(self):
-        display = self.show("Illustration", **BY_HAND["Illustration"])
-        expected = values(display)
-        with tempfile.TemporaryDirectory() as folder:
-            file = str(pathlib.Path(folder) / "state.pvsm")
-            SaveState(file)
-            for source in GetSources().values():
+    def test_a_script_of_contours_says_what_differs_and_no_more(self):
+        display = self.show("Contours")
+        self.assertEqual(assignments(smstate.get_state()), {})
+        display.ContoursPreset = "Brush"
+        self.assertEqual(display.ContoursLineWidth, 6.0)
+        display.ContoursPreset = "Pen"
+        self.assertEqual(assignments(smstate.get_state()), {})
+        display.ContoursTaper = 0.5
+        self.assertEqual(assignments(smstate.get_state()), {"ContoursTaper": "0.5"})
+
+    def test_a_state_brings_a_drawing_back(self):
+        for style in ("Illustration", "Contours"):
+            with self.subTest(style):
+                display = self.show(style, **BY_HAND[style])
+                expected = values(display)
+                with tempfile.TemporaryDirectory() as folder:
+                    file = str(pathlib.Path(folder) / "state.pvsm")
+                    SaveState(file)
+                    for source in GetSources().values():
+                        Delete(source)
+                    LoadState(file)
+                source = next(iter(GetSources().values()))
+                self.view = next(view for view in GetViews() if GetRepresentation(source, view))
+                self.assertEqual(values(GetRepresentation(source, self.view)), expected)
                 Delete(source)
-            LoadState(file)
-        source = next(iter(GetSources().values()))
-        self.view = next(view for view in GetViews() if GetRepresentation(source, view))
-        self.assertEqual(values(GetRepresentation(source, self.view)), expected)
 
     def test_a_trace_has_numbers_as_they_are_meant(self):
         display = self.show()
@@ -142,7 +157,7 @@ class TestRestoring(TestInOneView):
         display.StippleIsoValue = 100.0
         display.StippleSource = "Iso-Surface"
         self.assertEqual(display.StippleIsoValue, 100.0)
-        for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines")):
+        for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines"), ("Contours", "Contours")):
             other = self.show(style)
             self.assertEqual(assignments(smstate.get_state()).keys() & {f"{prefix}IsoValue", f"{prefix}Scalars"}, set())
             setattr(other, f"{prefix}AutomaticIsoValue", 0)

@@ -126,6 +126,11 @@ bool Test()
         { "IllustrationDistance", "IllustrationStippleSize", "IllustrationPixelsPerStipple",
           "IllustrationLightingExponent", "IllustrationPhi", "IllustrationTau" },
         { { "IllustrationStippleSize", 3.5 }, { "IllustrationTau", 0.9 } } });
+    right &= TestOne(manager, source,
+      { "ContoursPreset",
+        { "ContoursTaper", "ContoursDepthWidth", "ContoursJoin", "ContoursCreases", "ContoursHiddenLines",
+          "ContoursLineWidth" },
+        { { "ContoursTaper", 0.3 }, { "ContoursLineWidth", 7.0 } } });
   }
   vtkProcessModule::GetProcessModule()->UnRegisterSession(session);
   session->Delete();

@@ -101,6 +101,9 @@ draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource=
 # All of what is automatic.
 for name in ("wavelet", "nii", "pvti"):
     draw(f"{name}-solid-illustration", volumes[name], "Illustration")
+    draw(f"{name}-contours", volumes[name], "Contours", ContoursLineWidth=10)
+draw("outlined-solid-illustration", wavelet, "Illustration", IllustrationSilhouettes=1)
+draw("outlined-lines", wavelet, "Splatting Lines", Phi=100, LinesSilhouettes=1)
 draw("see-through-solid-illustration", wavelet, "Illustration", IllustrationSeeThrough=1, IllustrationAutomaticIsoValue=0,
     IllustrationIsoValue=200.0, IllustrationAutomaticOuterIsoValue=0, IllustrationOuterIsoValue=120.0)
 draw("image-lines", volumes["nii"], "Splatting Lines", Phi=100)
@@ -119,6 +122,9 @@ for name in ("sphere", "contour"):
     save_points(f"{name}-generator", InkStippleGenerator(Input=meshes[name], NumberOfSurfaceStipples=2000))
 for name in ("pvtp", "contour-of-file"):
     draw(f"{name}-solid-illustration", meshes[name], "Illustration")
+for name in ("pvtp", "sphere", "contour", "blocks"):
+    draw(f"{name}-contours", meshes[name], "Contours", ContoursLineWidth=10, ContoursHiddenLines="Dashed")
+draw("outlined-stipples", meshes["contour"], "Stipple", NumberOfSurfaceStipples=5000, StippleSilhouettes=1)
 for name in ("ply", "pvtp", "sphere", "contour", "contour-of-file"):
     draw(f"{name}-stipples", meshes[name], "Stipple", NumberOfSurfaceStipples=5000)
 

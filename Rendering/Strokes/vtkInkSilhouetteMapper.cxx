@@ -107,7 +107,7 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
   vtkPolyData* surface = this->GetInput();
   const vtkInternals::Key source{ surface->GetMTime(),
     { this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle, this->Borders,
-      this->NonManifoldEdges } };
+      this->NonManifoldEdges, this->ShortestCrease, true } };
   if (internals.Source == source)
   {
     return internals.Finder.has_value();
@@ -189,6 +189,7 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetFaceted(from->GetFaceted());
     this->SetCreases(from->GetCreases());
     this->SetFeatureAngle(from->GetFeatureAngle());
+    this->SetShortestCrease(from->GetShortestCrease());
     this->SetBorders(from->GetBorders());
     this->SetNonManifoldEdges(from->GetNonManifoldEdges());
   }
@@ -202,6 +203,7 @@ void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Faceted: " << (this->Faceted ? "On" : "Off") << "\n";
   os << indent << "Creases: " << (this->Creases ? "On" : "Off") << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
   os << indent << "Borders: " << (this->Borders ? "On" : "Off") << "\n";
   os << indent << "NonManifoldEdges: " << (this->NonManifoldEdges ? "On" : "Off") << "\n";
 }

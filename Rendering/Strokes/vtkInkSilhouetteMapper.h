@@ -9,6 +9,8 @@
  * vtkInkStrokeMapper draws strokes, with all its parameters. The surface hides what lies behind it, whether
  * or not an actor shows it; SetSurfaceConnection and SetSurfaceData give another surface to do that.
  *
+ * An edge that is a crease and a silhouette is drawn once, as a crease.
+ *
  * Hardware selection finds points of the surface beside a contour. With ScalarVisibility on, the cell array
  * `ContourKind` (0 silhouette, 1 crease, 2 border, 3 non-manifold edge) can color the strokes.
  *
@@ -71,6 +73,17 @@ public:
 
   ///@{
   /**
+   * Creases that end within the surface, and with all creases and borders that they join are no longer than
+   * this share of its diagonal, are left out: specks, as the noise of scans makes them. Edges of a machine
+   * part, however short, end at others and stay. 0 (default: none is left out) to 1. NaN is refused with a
+   * warning.
+   */
+  InkSetClampMacro(ShortestCrease, 0.0, 1.0);
+  vtkGetMacro(ShortestCrease, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether borders are drawn: edges of one polygon only. Default: on.
    */
   vtkSetMacro(Borders, bool);
@@ -112,6 +125,7 @@ private:
   bool Faceted = false;
   bool Creases = false;
   double FeatureAngle = 30.0;
+  double ShortestCrease = 0.0;
   bool Borders = true;
   bool NonManifoldEdges = false;
 

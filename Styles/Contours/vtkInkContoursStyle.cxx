@@ -54,6 +54,7 @@ vtkInkContoursStyle::vtkInkContoursStyle()
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetFeatureAngle(40.0);
+  this->Mapper->SetShortestCrease(0.05);
   this->SetPreset(0);
 }
 
@@ -121,8 +122,7 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
   double images = leaves.Images.empty() ? 0.0 : 1.0;
   this->GetProcesses().TakeGreatest({ &images, 1 });
   // Where others have a part of the data, none is no mistake.
-  const std::string reason =
-    input.Port && !input.Data ? std::string() : this->GetReasonAgainst(input.Data);
+  const std::string reason = input.Port && !input.Data ? std::string() : this->GetReasonAgainst(input.Data);
   if (images == 0.0)
   {
     return this->TakeMesh(input, leaves, reason);

@@ -25,8 +25,8 @@ bool InkContourSurface::IsOfImage(vtkPolyData* surface)
   return surface->GetCellData()->HasArray(OfImage);
 }
 
-std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface,
-  std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* surface)
+std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span<vtkImageData* const> images,
+  const std::string& array, vtkPolyData* surface)
 {
   std::string problem;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;

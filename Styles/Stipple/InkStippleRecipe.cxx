@@ -222,8 +222,8 @@ void InkStippleRecipe::OutlineImages(const InkLeaves& leaves)
   vtkInkStippleStyle* style = this->Style;
   if (style->Silhouettes->GetSilhouettes())
   {
-    this->Say(InkContourSurface(style).MakeOfImages(*style->IsoSurface, leaves.Images, style->Scalars,
-      style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
+    this->Say(InkContourSurface(style).MakeOfImages(
+      *style->IsoSurface, leaves.Images, style->Scalars, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
   }
 }
 
@@ -252,11 +252,17 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
   vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
-  // Silhouettes are those of a surface, though no surface is stippled.
-  if (style->Silhouettes->GetSilhouettes() &&
-    style->IsoSurface->Prepare(style, leaves.Images, style->Scalars).empty())
+  if (style->Silhouettes->GetSilhouettes())
   {
-    this->OutlineImages(leaves);
+    // They are those of a surface, though no surface is stippled. A panel always has an iso-value, which
+    // counts where its surface is.
+    const std::vector<double> given = style->IsoSurface->GetIsoValues();
+    style->IsoSurface->SetIsoValues(style->GetInteractive() ? std::vector<double>() : given);
+    if (style->IsoSurface->Prepare(style, leaves.Images, style->Scalars).empty())
+    {
+      this->OutlineImages(leaves);
+    }
+    style->IsoSurface->SetIsoValues(given);
   }
   const char* scalars = style->Scalars.c_str();
   if (style->Scalars.empty())
@@ -350,8 +356,7 @@ void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)
   style->SetFramePoints(mesh->GetPoints());
   if (style->Silhouettes->GetSilhouettes())
   {
-    this->Say(
-      InkContourSurface(style).MakeOfMesh(mesh, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
+    this->Say(InkContourSurface(style).MakeOfMesh(mesh, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
   }
   this->StippleSurface(mesh);
 }

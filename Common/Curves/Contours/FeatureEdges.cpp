@@ -3,9 +3,16 @@
 
 #include "Curves/Contours/SurfaceEdges.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <span>
 
 namespace ink
 {
@@ -21,9 +28,78 @@ double angleBetween(const ContourSurface& surface, const FaceEdge& a, const Face
   return std::atan2(glm::length(glm::cross(normalA, normalB)), glm::dot(normalA, normalB));
 }
 
+double diagonalOf(const ContourSurface& surface)
+{
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (const ContourSurface::Corner& corner : surface.corners)
+  {
+    low = glm::min(low, corner.position);
+    high = glm::max(high, corner.position);
+  }
+  return glm::distance(low, high);
+}
+
+/// Edges that have ends in common, by the sites of their ends.
+class EdgeNetworks
+{
+public:
+  explicit EdgeNetworks(std::size_t sites)
+    : Parents(sites)
+    , Degrees(sites)
+    , Lengths(sites)
+    , HasFreeEnd(sites)
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), 0u);
+  }
+
+  void join(const ContourSegment& edge)
+  {
+    const std::uint32_t a = this->rootOf(edge.from.corner0);
+    const std::uint32_t b = this->rootOf(edge.to.corner0);
+    this->Parents[std::max(a, b)] = std::min(a, b);
+    ++this->Degrees[edge.from.corner0];
+    ++this->Degrees[edge.to.corner0];
+  }
+
+  /// After all of them are joined.
+  void measure(const ContourSurface& surface, std::span<const ContourSegment> edges)
+  {
+    for (const ContourSegment& edge : edges)
+    {
+      const std::uint32_t from = edge.from.corner0;
+      const std::uint32_t to = edge.to.corner0;
+      const std::uint32_t root = this->rootOf(from);
+      this->Lengths[root] += glm::distance(surface.corners[from].position, surface.corners[to].position);
+      this->HasFreeEnd[root] |= this->Degrees[from] == 1 || this->Degrees[to] == 1;
+    }
+  }
+
+  bool isSpeck(const ContourSegment& edge, double longest)
+  {
+    const std::uint32_t root = this->rootOf(edge.from.corner0);
+    return this->HasFreeEnd[root] && this->Lengths[root] <= longest;
+  }
+
+private:
+  std::uint32_t rootOf(std::uint32_t site)
+  {
+    while (this->Parents[site] != site)
+    {
+      site = this->Parents[site] = this->Parents[this->Parents[site]];
+    }
+    return site;
+  }
+
+  std::vector<std::uint32_t> Parents;
+  std::vector<std::uint32_t> Degrees;
+  std::vector<double> Lengths;
+  std::vector<std::uint8_t> HasFreeEnd;
+};
+
 } // namespace
 
-FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle)
+FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease)
 {
   const double least = glm::radians(creaseAngle);
   visitEdges(
@@ -45,6 +121,21 @@ FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle)
         this->creases.push_back(segment);
       }
     });
+  if (shortestCrease <= 0.0 || this->creases.empty())
+  {
+    return;
+  }
+  EdgeNetworks networks(surface.corners.size());
+  for (const auto* edges : { &this->creases, &this->borders, &this->nonManifold })
+  {
+    for (const ContourSegment& edge : *edges)
+    {
+      networks.join(edge);
+    }
+  }
+  networks.measure(surface, this->creases);
+  const double longest = shortestCrease * diagonalOf(surface);
+  std::erase_if(this->creases, [&](const ContourSegment& edge) { return networks.isSpeck(edge, longest); });
 }
 
 } // namespace ink

@@ -17,7 +17,10 @@ struct FeatureEdges
   std::vector<ContourSegment> nonManifold; ///< of more than two faces
 
   /// @param creaseAngle between the faces' normals, in degrees; an edge of a larger one is a crease
-  FeatureEdges(const ContourSurface& surface, double creaseAngle);
+  /// @param shortestCrease of the surface's diagonal: creases that end within the surface, and with all that
+  ///   they join are no longer than that, are left out. Noise makes such; the edges of a machine part,
+  ///   however short, end at others.
+  FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease = 0.0);
 };
 
 } // namespace ink

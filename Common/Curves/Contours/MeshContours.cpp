@@ -4,8 +4,10 @@
 #include "Curves/Contours/ContourSegments.h"
 #include "Curves/Contours/FeatureEdges.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace ink
 {
@@ -25,7 +27,19 @@ MeshContourOptions checked(const MeshContourOptions& options, bool hasNormals)
     throw std::invalid_argument(
       "the angle of creases is " + std::to_string(options.creaseAngle) + " degrees, expected from 0 to 180");
   }
+  if (!(options.shortestCrease >= 0.0 && options.shortestCrease <= 1.0))
+  {
+    throw std::invalid_argument("the length of the shortest crease is " +
+      std::to_string(options.shortestCrease) + " of the diagonal, expected from 0 to 1");
+  }
   return options;
+}
+
+/// The two faces at the edge that a segment lies on, which tell the edge.
+std::uint64_t facesAt(const ContourSegment& segment)
+{
+  const auto [low, high] = std::minmax(segment.face, segment.otherFace);
+  return std::uint64_t(low) << 32 | high;
 }
 
 constexpr ContourArrays allArrays{ true, true, true, true };
@@ -47,15 +61,24 @@ MeshContours::MeshContours(
   }
   if (options.creases || options.borders || options.nonManifold)
   {
-    const FeatureEdges edges(this->Surface, options.creaseAngle);
+    const FeatureEdges edges(this->Surface, options.creaseAngle, options.shortestCrease);
     const auto add = [&](bool wanted, const std::vector<ContourSegment>& segments, ContourKind kind)
     {
       if (wanted)
       {
-        appendContours(this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
+        appendContours(
+          this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
       }
     };
     add(options.creases, edges.creases, ContourKind::Crease);
+    if (options.creases && options.once)
+    {
+      for (const ContourSegment& crease : edges.creases)
+      {
+        this->Creases.push_back(facesAt(crease));
+      }
+      std::sort(this->Creases.begin(), this->Creases.end());
+    }
     add(options.borders, edges.borders, ContourKind::Border);
     add(options.nonManifold, edges.nonManifold, ContourKind::NonManifold);
   }
@@ -67,8 +90,18 @@ Contours MeshContours::find(const Eye& eye, const ContourArrays& arrays, Silhoue
   Contours result;
   if (this->Options.silhouettes)
   {
-    const std::vector<ContourSegment> segments =
+    std::vector<ContourSegment> segments =
       this->Faceted ? this->Faceted->find(eye, search) : this->Interpolated->find(this->Surface, eye, search);
+    if (!this->Creases.empty())
+    {
+      std::erase_if(segments,
+        [&](const ContourSegment& segment)
+        {
+          // Within a face there is no crease.
+          return segment.face != segment.otherFace &&
+            std::binary_search(this->Creases.begin(), this->Creases.end(), facesAt(segment));
+        });
+    }
     result = chainContours(this->Surface, segments, ContourKind::Silhouette, eye, arrays);
   }
   appendContours(result, this->Features, arrays);

@@ -11,8 +11,10 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace ink
 {
@@ -28,6 +30,12 @@ struct MeshContourOptions
   double creaseAngle = 30.0; ///< in degrees, between the normals of the faces at an edge
   bool borders = false;
   bool nonManifold = false;
+  /// Of the surface's diagonal, 0 to 1: creases that end within the surface, and with all that they join are
+  /// no longer, are left out: specks, as noise makes them.
+  double shortestCrease = 0.0;
+  /// Whether silhouettes leave out edges that are creases, which are contours already: what is drawn twice is
+  /// darker. Then silhouettes end where such an edge begins.
+  bool once = false;
 
   bool operator==(const MeshContourOptions&) const = default;
 };
@@ -62,7 +70,8 @@ private:
   ContourSurface Surface;
   std::optional<InterpolatedSilhouettes> Interpolated;
   std::optional<FacetedSilhouettes> Faceted;
-  Contours Features; ///< creases, borders and non-manifold edges, with all their arrays
+  Contours Features;                  ///< creases, borders and non-manifold edges, with all their arrays
+  std::vector<std::uint64_t> Creases; ///< by the two faces at each edge, ascending; for `once`
 };
 
 } // namespace ink

@@ -416,6 +416,81 @@ TEST(MeshContours, FindsCreasesByTheirAngle)
   }
 }
 
+TEST(MeshContours, LeavesOutCreasesThatAreSpecks)
+{
+  // A square of 20 x 20 steps with a ridge across and another one of two steps.
+  Mesh mesh;
+  constexpr int side = 21;
+  for (int j = 0; j < side; ++j)
+  {
+    for (int i = 0; i < side; ++i)
+    {
+      mesh.points.push_back(
+        { double(i), double(j), i == 15 || (i == 5 && std::abs(j - 5) <= 1) ? 2.0 : 0.0 });
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < side; ++j)
+  {
+    for (std::uint32_t i = 0; i + 1 < side; ++i)
+    {
+      const std::uint32_t a = i + side * j;
+      mesh.triangles.push_back({ a, a + 1, a + side });
+      mesh.triangles.push_back({ a + 1, a + side + 1, a + side });
+    }
+  }
+  ink::MeshContourOptions options;
+  options.silhouettes = false;
+  options.creases = true;
+  options.creaseAngle = 100.0;
+  const auto bounds = [&](double shortest)
+  {
+    options.shortestCrease = shortest;
+    const ink::Contours contours =
+      ink::MeshContours(mesh.view(), {}, options).find(ink::Eye::at({ 4, 5, 6 }));
+    double left = 1e9;
+    double right = -1e9;
+    for (const glm::dvec3& p : contours.positions)
+    {
+      left = std::min(left, p.x);
+      right = std::max(right, p.x);
+    }
+    return std::pair(left, right);
+  };
+  EXPECT_LT(bounds(0.0).first, 5.5) << "the short one";
+  EXPECT_LT(bounds(0.05).first, 5.5) << "2 of a diagonal of 28.4";
+  EXPECT_GT(bounds(0.3).first, 13.5);
+  EXPECT_GT(bounds(1.0).second, 14.5) << "the other one ends at borders";
+  for (const double wrong : { -0.1, 1.1, std::nan("") })
+  {
+    options.shortestCrease = wrong;
+    EXPECT_THROW(ink::MeshContours(mesh.view(), {}, options), std::invalid_argument);
+  }
+}
+
+TEST(MeshContours, AreDrawnOnceWhereACreaseIsASilhouette)
+{
+  std::vector<glm::vec3> normals;
+  const Mesh mesh = splitCube(normals);
+  for (const bool faceted : { false, true })
+  {
+    ink::MeshContourOptions options;
+    options.faceted = faceted;
+    options.creases = true;
+    const auto count = [&](ink::ContourKind kind)
+    {
+      const ink::Contours contours =
+        ink::MeshContours(mesh.view(), normals, options).find(ink::Eye::at({ 4, 5, 6 }));
+      return std::count(contours.kinds.begin(), contours.kinds.end(), kind);
+    };
+    EXPECT_EQ(count(ink::ContourKind::Silhouette), 1) << "around the cube";
+    options.once = true;
+    EXPECT_EQ(count(ink::ContourKind::Silhouette), 0);
+    EXPECT_EQ(count(ink::ContourKind::Crease), 12);
+    options.creaseAngle = 100.0;
+    EXPECT_EQ(count(ink::ContourKind::Silhouette), 1) << "no creases, no gaps";
+  }
+}
+
 TEST(MeshContours, DoNotDependOnHowFacesRun)
 {
   Mesh mesh = torus(1.0, 0.4, 40, 20);

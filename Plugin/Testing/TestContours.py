@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contours of images, meshes and grids in ParaView's view, and silhouettes over the other drawings."""
+
+import unittest
+
+import numpy
+
+from paraview.simple import *
+
+from rendering import TestInOneView, Warnings, ink, is_background, picture
+
+STYLES = {"Illustration": "Illustration", "Splatting Lines": "Lines", "Stipple": "Stipple"}
+
+
+def sphere():
+    return Sphere(ThetaResolution=120, PhiResolution=60)
+
+
+class TestContours(TestInOneView):
+    def show(self, source, style="Contours", **properties):
+        display = Show(source, self.view)
+        display.SetRepresentationType(style)
+        display.ColorArrayName = ["POINTS", ""]
+        for name, value in properties.items():
+            setattr(display, name, value)
+        self.view.CameraParallelProjection = 1
+        ResetCamera(self.view)
+        return display
+
+    def marks(self, display):
+        """How many points the surface has, and when it was made."""
+        points = display.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0).GetPoints()
+        return (points.GetNumberOfPoints(), points.GetMTime()) if points else (0, 0)
+
+    def circle(self, pixels, width):
+        """The radius of the circle that the ink is; there is no other."""
+        size = pixels.shape[0]
+        y, x = numpy.mgrid[:size, :size] + 0.5 - size / 2
+        away = numpy.hypot(x, y)
+        dark = 1 - pixels[..., 0]
+        radius = float((dark * away).sum() / dark.sum())
+        self.assertLess(dark[numpy.abs(away - radius) > width / 2 + 2].sum(), 0.001 * dark.sum())
+        self.assertAlmostEqual(dark.sum() / (2 * numpy.pi * radius * width), 1.0, delta=0.1)
+        return radius
+
+    def test_a_sphere_is_a_circle_on_paper_or_without(self):
+        # Two hundredths of 200 pixels.
+        display = self.show(sphere(), ContoursLineWidth=20, ContoursDepthWidth=0)
+        drawn = picture(self.view)
+        self.assertFalse(is_background(drawn).any())
+        radius = self.circle(drawn, 4)
+        numpy.testing.assert_array_equal(drawn[2, 2], 1.0)
+        display.ContoursPaper = 0
+        bare = picture(self.view)
+        self.assertGreater(is_background(bare).mean(), 0.8)
+        # Of green there is as much in the background as in white paper.
+        self.assertAlmostEqual((1 - bare[..., 1]).sum(), (1 - drawn[..., 1]).sum(), delta=1)
+        display.ContoursPaper = 1
+        display.ContoursPaperColor = [1.0, 1.0, 0.0]
+        display.ContoursInkColor = [0.0, 0.0, 1.0]
+        numpy.testing.assert_array_equal(picture(self.view)[2, 2], (1.0, 1.0, 0.0))
+        GetActiveCamera().Azimuth(60)
+        display.ContoursPaperColor = [1.0, 1.0, 1.0]
+        display.ContoursInkColor = [0.0, 0.0, 0.0]
+        self.assertAlmostEqual(self.circle(picture(self.view), 4), radius, delta=0.3)
+
+    def test_an_image_is_drawn_at_a_value_that_suits_it_or_that_is_given(self):
+        display = self.show(Wavelet(), ContoursLineWidth=10)
+        self.assertEqual(display.ContoursAutomaticIsoValue, 1)
+        drawn = picture(self.view)
+        self.assertGreater((drawn[..., 0] < 0.5).mean(), 0.005)
+        automatic = self.marks(display)
+        self.assertGreater(automatic[0], 1000)
+        display.ContoursIsoValue = 250.0
+        picture(self.view)
+        self.assertEqual(self.marks(display), automatic)
+        display.ContoursAutomaticIsoValue = 0
+        picture(self.view)
+        self.assertNotEqual(self.marks(display)[0], automatic[0])
+        # Beyond the data there is none.
+        display.ContoursIsoValue = 1e6
+        self.assertEqual(ink(picture(self.view)), 0)
+
+    def test_lines_are_what_is_asked_for(self):
+        display = self.show(Box(), ContoursLineWidth=10, ContoursDepthWidth=0)
+        GetActiveCamera().Azimuth(35)
+        GetActiveCamera().Elevation(30)
+        whole = ink(picture(self.view))
+        marks = self.marks(display)
+        display.ContoursCreases = 0
+        outline = ink(picture(self.view))
+        # Six of nine edges, which are of different lengths.
+        self.assertTrue(0.5 * whole < outline < 0.8 * whole, (outline, whole))
+        display.ContoursCreases = 1
+        display.ContoursHiddenLines = "Dashed"
+        dashed = ink(picture(self.view))
+        self.assertTrue(1.05 * whole < dashed < 1.5 * whole, (dashed, whole))
+        display.ContoursHiddenLines = "Faint"
+        display.ContoursHiddenOpacity = 1.0
+        self.assertGreater(ink(picture(self.view)), dashed)
+        display.ContoursSilhouettes = display.ContoursBorders = display.ContoursCreases = 0
+        self.assertEqual(ink(picture(self.view)), 0)
+        # All of that without another surface.
+        self.assertEqual(self.marks(display), marks)
+
+    def test_a_preset_sets_what_goes_with_it(self):
+        display = self.show(sphere())
+        before = self.marks(display)
+        drawn = ink(picture(self.view))
+        display.ContoursPreset = "Brush"
+        found = (display.ContoursLineWidth, display.ContoursTaper, display.ContoursCreases)
+        self.assertEqual(found, (6.0, 0.8, 0))
+        self.assertGreater(ink(picture(self.view)), 1.2 * drawn)
+        display.ContoursPreset = "Hidden Lines"
+        self.assertEqual((display.ContoursHiddenLines, display.ContoursJoin), ("Dashed", "Pointed"))
+        self.assertEqual(self.marks(display), before)
+
+    def test_grids_and_composites_are_drawn(self):
+        wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
+        unstructured = AppendDatasets(Input=[wavelet])
+        structured = Transform(Input=Plane(XResolution=9, YResolution=9))
+        groups = [GroupDatasets(Input=[Sphere(), Cone()]), GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])]
+        for source in (unstructured, structured, *groups):
+            self.show(source)
+            self.assertGreater(ink(picture(self.view)), 50, source)
+            Hide(source, self.view)
+        with Warnings() as warnings:
+            self.show(PointSource(NumberOfPoints=50))
+            self.assertEqual(ink(picture(self.view)), 0)
+        self.assertIn("points without polygons", "".join(warnings))
+
+    def test_nothing_is_made_again_while_the_camera_moves(self):
+        display = self.show(Wavelet())
+        first = picture(self.view)
+        before = self.marks(display)
+        camera = GetActiveCamera()
+        camera.Azimuth(40)
+        camera.Zoom(4)
+        self.assertTrue((picture(self.view) != first).any())
+        self.assertEqual(self.marks(display), before)
+
+    def test_points_of_a_mesh_are_picked_beside_its_lines(self):
+        self.show(sphere(), ContoursLineWidth=20)
+        picture(self.view)
+        SelectSurfacePoints(Rectangle=[0, 0, 199, 199], View=self.view)
+        source = GetActiveSource()
+        found = servermanager.Fetch(ExtractSelection(Input=source))
+        # Of 6962 points those about the circle, of 120 sides.
+        self.assertTrue(60 < found.GetNumberOfPoints() < 600, found.GetNumberOfPoints())
+        ClearSelection(source)
+
+    def test_silhouettes_over_the_other_drawings(self):
+        for style, prefix in STYLES.items():
+            for make, properties in ((sphere, {}), (lambda: Wavelet(), {})):
+                with self.subTest(style, source=make):
+                    source = make()
+                    display = self.show(source, style, **properties)
+                    self.assertEqual(getattr(display, f"{prefix}Silhouettes"), 0)
+                    plain = picture(self.view)
+                    setattr(display, f"{prefix}Silhouettes", 1)
+                    setattr(display, f"{prefix}SilhouetteWidth", 30)
+                    outlined = picture(self.view)
+                    self.assertGreater(ink(outlined), ink(plain) + 200)
+                    setattr(display, f"{prefix}Silhouettes", 0)
+                    numpy.testing.assert_array_equal(picture(self.view), plain)
+                    Hide(source, self.view)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
