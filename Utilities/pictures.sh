@@ -117,7 +117,7 @@ quality_pictures() {
     file="$work/${name// /-}"
     "$INK_PYTHON" Utilities/pictures.py phantom "$name" 64 1 uint8 0.05 "$file.vti" "$file.vtp"
     for style in splatting-lines stipple; do
-      series "quality-${name// /-}" "--azimuth 30 --elevation 15" "$file.vtp" "$file.vti $before" "$file.vti"
+      series "quality-${name// /-}" "--up z --view front --azimuth 30 --elevation 15" "$file.vtp" "$file.vti $before" "$file.vti"
     done
   done
   "$INK_PYTHON" Utilities/pictures.py scan head_ct "$work/head.vti"

@@ -42,6 +42,9 @@ constexpr double asSharp = 0.95;
 // What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
 constexpr double fragmentShare = 0.01;
 constexpr std::size_t mostSuggestions = 3;
+// Closer to the middle of two materials, by this fraction of their difference, a boundary stays where it is
+// sharpest: that makes up for what a point spread takes off from convex parts.
+constexpr double farFromMiddle = 0.08;
 // At rare values noise has up to this many times the steps that it has at common ones.
 constexpr double sharperThanNoise = 3.0;
 // Slices that are smoothed at once: enough for all threads, few enough for the memory.
@@ -316,6 +319,23 @@ double valueAt(const ValueBins& bins, double threshold)
   return bins.low + (threshold + 1.0) * bins.width;
 }
 
+/// Whether most of the steps lie at thresholds that are noise, which may hide boundaries.
+bool isNoisy(const IsoStatistics& statistics)
+{
+  const std::vector<double> kept = keptShares(statistics.voxels);
+  const std::vector<bool> noise =
+    findNoise({ statistics.edges, statistics.steps }, statistics.speckEdges, kept);
+  double all = 0.0;
+  double hidden = 0.0;
+  for (std::size_t i = 0; i < noise.size(); ++i)
+  {
+    const double edges = kept[i] > largestKeptShare ? 0.0 : static_cast<double>(statistics.edges[i]);
+    all += edges;
+    hidden += noise[i] ? edges : 0.0;
+  }
+  return hidden > 0.5 * all;
+}
+
 /// Whether steps at a threshold are much larger than where they are smallest, within a material: smoothed
 /// noise has maxima of sharpness of its own, where values are rare.
 bool isSharperThanNoise(const IsoStatistics& statistics, std::size_t threshold)
@@ -348,11 +368,16 @@ void center(const IsoStatistics& statistics, std::vector<Boundary>& boundaries)
     const std::size_t after = i + 1 < found.size() ? found[i + 1].index + 1 : statistics.voxels.size();
     const std::optional<double> low = findMaterialValue(statistics.voxels, { before, own }, true);
     const std::optional<double> high = findMaterialValue(statistics.voxels, { own, after }, false);
-    if (low && high)
+    if (!low || !high)
     {
-      // Threshold i lies at the end of bin i, half a bin after its middle.
-      boundaries[i].threshold = std::clamp(0.5 * (*low + *high) - 0.5, static_cast<double>(found[i].begin),
-        static_cast<double>(found[i].end - 1));
+      continue;
+    }
+    // Threshold i lies at the end of bin i, half a bin after its middle.
+    const double middle = std::round(0.5 * (*low + *high) - 0.5);
+    if (std::abs(middle - found[i].threshold) >= farFromMiddle * (*high - *low))
+    {
+      boundaries[i].threshold =
+        std::clamp(middle, static_cast<double>(found[i].begin), static_cast<double>(found[i].end - 1));
       boundaries[i].index = static_cast<std::size_t>(boundaries[i].threshold);
     }
   }
@@ -420,15 +445,13 @@ std::vector<IsoSuggestion> suggestIsoValues(
     return {};
   }
   std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics, false);
-  if (!suggestions.empty())
+  if (suggestions.empty() && isNoisy(*statistics))
   {
-    return suggestions;
+    const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
+    const std::optional<IsoStatistics> smoothed =
+      makeIsoStatistics(readSmoothed, dimensions, std::min(slicesAtOnce, mostSmoothedAtOnce));
+    suggestions = smoothed ? suggestBoundaries(*smoothed, true) : suggestions;
   }
-  // Noise may hide them.
-  const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
-  const std::optional<IsoStatistics> smoothed =
-    makeIsoStatistics(readSmoothed, dimensions, std::min(slicesAtOnce, mostSmoothedAtOnce));
-  suggestions = smoothed ? suggestBoundaries(*smoothed, true) : suggestions;
   return suggestions.empty() ? suggestThresholds(*statistics) : suggestions;
 }
 

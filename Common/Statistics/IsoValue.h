@@ -36,8 +36,8 @@ struct IsoSuggestion
 /// maximum that are nearly as sharp, the sharpest is taken that has nearly the greatest total step (Pekar's
 /// total gradient), which leaves the surface whole.
 ///
-/// Where the materials on both sides have peaks in the histogram, the value half way between these is taken,
-/// as far as it is nearly as sharp.
+/// Where the materials on both sides have peaks in the histogram and the boundary is far from the middle of
+/// these, it is moved there as far as it is nearly as sharp.
 ///
 /// Not suggested are noise (too many single voxels, and many more than at lower values), the border of a
 /// scanner's field of view (nearly everything inside), fragments (less than a hundredth of what a lower

@@ -169,8 +169,12 @@ _VIEWS = {
     "bottom": ((0, 0, 1), (0, -1, 0)),
     "iso": ((-1, 1, -1), (-1, 1, 2)),
 }
-_SUPERSAMPLING = 2
 _DEFAULT_STYLE = "illustration"
+
+
+def _supersampling(size):
+    """By how much what is rendered is larger, as ``ink render`` has it: small pictures would get broader lines."""
+    return min(max(math.ceil(500 / size[1]), 2), 4) if max(size) < 500 else 2
 
 
 def _write_picture(style, output, size, view):
@@ -178,7 +182,8 @@ def _write_picture(style, output, size, view):
     renderer, window = rendering.vtkRenderer(), rendering.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
-    window.SetSize(*(_SUPERSAMPLING * side for side in size))
+    factor = _supersampling(size)
+    window.SetSize(*(factor * side for side in size))
     window.AddRenderer(renderer)
     renderer.AddActor(style.GetActor())
     background = [0.0, 0.0, 0.0]
@@ -197,12 +202,12 @@ def _write_picture(style, output, size, view):
     fit.AddPoints(style.GetFramePoints(), camera)
     fit.Apply(camera)
     renderer.ResetCameraClippingRange()
-    style.SetPixelScale(_SUPERSAMPLING)
+    style.SetPixelScale(factor)
     picture, smaller, writer = rendering.vtkWindowToImageFilter(), core.vtkImageShrink3D(), writing.vtkPNGWriter()
     picture.SetInput(window)
     picture.ReadFrontBufferOff()
     smaller.SetInputConnection(picture.GetOutputPort())
-    smaller.SetShrinkFactors(_SUPERSAMPLING, _SUPERSAMPLING, 1)
+    smaller.SetShrinkFactors(factor, factor, 1)
     smaller.SetMean(True)
     writer.SetInputConnection(smaller.GetOutputPort())
     writer.SetFileName(os.fspath(output))

@@ -100,3 +100,9 @@ def test_thinned_lines_are_black_and_as_wide_in_any_size(preview_and_print, pict
     assert ink.max() > 0.7
     large = 1 - picture(volume_file, *thin, size="2000")[..., 0] / 255
     assert large.mean() == pytest.approx(ink.mean(), rel=0.25)
+
+
+@pytest.mark.parametrize("side", [150, 200])
+def test_lines_of_previews_are_as_broad(preview_and_print, volume_file, side):
+    small, smaller, _ = preview_and_print(volume_file, "--style", "splatting-lines", "--iso", 100, side=side)
+    assert small.mean() == pytest.approx(smaller.mean(), rel=0.03)

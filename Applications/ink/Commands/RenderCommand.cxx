@@ -20,6 +20,14 @@
 
 namespace ink::cli
 {
+int PictureSize::supersampling() const
+{
+  // Only small pictures, whatever their shape.
+  const int wanted =
+    std::max(this->width, this->height) < leastHeight ? (leastHeight - 1) / this->height + 1 : 0;
+  return std::clamp(wanted, leastSupersampling, mostSupersampling);
+}
+
 int PictureSize::longestTile() const
 {
   const bool atOnce = std::max(this->width, this->height) <= longestWindow &&

@@ -27,7 +27,7 @@ void StyleCommand::add(CLI::App* command, const std::string& styleName, bool all
 
 void StyleCommand::run()
 {
-  std::cout << this->parameters.make(PictureSize::supersampling)->GetParametersAsJSON();
+  std::cout << this->parameters.make(PictureSize().supersampling())->GetParametersAsJSON();
 }
 
 } // namespace ink::cli

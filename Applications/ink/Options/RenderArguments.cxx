@@ -208,7 +208,7 @@ void RenderArguments::run()
   this->options.output = this->output;
   this->options.size = PictureSize::parse(this->size);
   this->options.size.tile = this->tile;
-  this->options.style = this->parameters.make(PictureSize::supersampling);
+  this->options.style = this->parameters.make(this->options.size.supersampling());
   this->options.parameters = &this->parameters;
   this->options.style->SetPictureSize(
     this->options.zoom * std::max(this->options.size.width, this->options.size.height));

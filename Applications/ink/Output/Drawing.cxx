@@ -35,8 +35,9 @@ using Color = std::array<double, 3>;
 
 Tiles tilesOf(const RenderOptions& options)
 {
-  return { options.size.width * PictureSize::supersampling, options.size.height * PictureSize::supersampling,
-    PictureSize::supersampling * options.size.longestTile(), tileOverlap, PictureSize::supersampling };
+  const int factor = options.size.supersampling();
+  return { options.size.width * factor, options.size.height * factor, factor * options.size.longestTile(),
+    tileOverlap, factor };
 }
 
 } // namespace
@@ -58,7 +59,7 @@ Drawing::Drawing(const RenderOptions& options)
     this->Window->SetTileViewport(0.0, 0.0, part, part);
   }
   // Mappers enlarge what is in pixels by the tiles' scale.
-  options.style->SetPixelScale(static_cast<double>(PictureSize::supersampling) / this->Grid.scale());
+  options.style->SetPixelScale(static_cast<double>(options.size.supersampling()) / this->Grid.scale());
 }
 
 Drawing::~Drawing() = default;
@@ -154,8 +155,8 @@ vtkSmartPointer<vtkCamera> Drawing::placedCamera(vtkInkCameraFit* fit, double tu
 
 void Drawing::aim(vtkCamera* camera, const Tiles::Strip& column, const Tiles::Strip& row) const
 {
-  const int width = this->Options.size.width * PictureSize::supersampling;
-  const int height = this->Options.size.height * PictureSize::supersampling;
+  const int width = this->Options.size.width * this->Options.size.supersampling();
+  const int height = this->Options.size.height * this->Options.size.supersampling();
   const int tileWidth = this->Grid.windowWidth();
   const int tileHeight = this->Grid.windowHeight();
   const double part = static_cast<double>(tileHeight) / height;
@@ -187,6 +188,7 @@ void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSi
   const std::vector<Color> backgrounds =
     transparent ? std::vector<Color>{ { 0, 0, 0 }, { 1, 1, 1 } } : std::vector<Color>{ background };
   std::vector<PictureRows> pictures(backgrounds.size());
+  const int factor = this->Options.size.supersampling();
   const auto& columns = this->Grid.columns();
   const auto& rows = this->Grid.rows();
   std::size_t done = 0;
@@ -194,7 +196,7 @@ void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSi
   {
     for (PictureRows& picture : pictures)
     {
-      picture.resize(this->Options.size.width, row.length / PictureSize::supersampling);
+      picture.resize(this->Options.size.width, row.length / factor);
     }
     for (const Tiles::Strip& column : columns)
     {
@@ -210,8 +212,7 @@ void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSi
         Color color = backgrounds[i];
         this->Renderer->SetBackground(color.data());
         this->Window->Render();
-        takePicture(this->Window, used, PictureSize::supersampling, pictures[i],
-          column.first / PictureSize::supersampling);
+        takePicture(this->Window, used, factor, pictures[i], column.first / factor);
       }
     }
     if (const std::string problem = messages.error(); !problem.empty())
