@@ -63,6 +63,12 @@ contours_pictures() {
   series hidden "Data/bonsai.nii.gz --iso 40 --elevation 12" "" "--hidden-lines faint" "--hidden-lines dashed"
 }
 
+line_art_pictures() {
+  local style=line-art
+  local engine="Data/engine.nii.gz --iso 80 --view iso"
+  series tone "$engine" "--tone 0.3" "--tone 0.7" "--crosshatch 0" "--crosshatch 1"
+}
+
 illustration_pictures() {
   ink render Data/engine.nii.gz --iso 80 --view iso --size 1000x800 -o "$images/illustration.png"
   echo "$images/illustration.png"
