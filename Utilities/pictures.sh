@@ -67,6 +67,7 @@ line_art_pictures() {
   local style=line-art
   local engine="Data/engine.nii.gz --iso 80 --view iso"
   series tone "$engine" "--tone 0.3" "--tone 0.7" "--crosshatch 0" "--crosshatch 1"
+  series presets "$engine" "--preset engraving" "--preset sketch" "--preset technical"
 }
 
 illustration_pictures() {

@@ -35,7 +35,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The surface that the lines cover.
+  /**
+   * The surface that the lines cover. Default: none.
+   */
   void SetSurfaceData(vtkPolyData* surface) { this->SetInputData(1, surface); }
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(1, surface); }
   ///@}
