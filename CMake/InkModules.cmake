@@ -3,6 +3,7 @@
 set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Contours/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Core/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Curvature/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Fields/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Sampling/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Strokes/vtk.module"

@@ -3,6 +3,7 @@
 # test's name. Read where tests are added, and once more by ctest, which finds the tests of GoogleTest in their programs.
 # The test TestLabels fails where a test has no label.
 set(_ink_test_labels
+  "curvature:Curvature|SurfaceRings|JetFit|ExponentialMap"
   "fields:AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Laplacian|NormalMethods|ResampleGrid|SampleBox|VdbField"
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components)|CutSamples|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
   "sampling:KdTree|DiscSamples|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"

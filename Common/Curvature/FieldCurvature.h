@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/ParallelFor.h"
+#include "Curvature/MeshCurvature.h"
 #include "Curvature/PrincipalCurvature.h"
 #include "Fields/Field.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <span>
 
 namespace ink
 {
@@ -35,6 +40,32 @@ std::optional<PrincipalCurvature> fieldCurvature(const F& field, const glm::dvec
     return std::nullopt;
   }
   return principalCurvature(form, axis1, axis2);
+}
+
+/// The same at many points, with the source None, and zero curvature, where it is not defined.
+/// @param progress when it asks to stop, the result is empty
+template <Field F>
+MeshCurvature fieldCurvatures(
+  const F& field, std::span<const glm::dvec3> points, const Progress& progress = {})
+{
+  MeshCurvature result;
+  result.points.resize(points.size());
+  result.sources.assign(points.size(), CurvatureSource::None);
+  constexpr std::size_t pointsAtOnce = 256;
+  const bool finished = parallelFor((points.size() + pointsAtOnce - 1) / pointsAtOnce,
+    [&](std::size_t part)
+    {
+      for (std::size_t i = part * pointsAtOnce; i < std::min(points.size(), (part + 1) * pointsAtOnce); ++i)
+      {
+        if (const std::optional<PrincipalCurvature> found = fieldCurvature(field, points[i]))
+        {
+          result.points[i] = *found;
+          result.sources[i] = CurvatureSource::Surface;
+        }
+      }
+    },
+    progress);
+  return finished ? result : MeshCurvature();
 }
 
 } // namespace ink

@@ -259,6 +259,12 @@ std::optional<JetFit> fit(const TangentPoints& points, std::size_t count)
   }
   const double freedom = static_cast<double>(count - size) / static_cast<double>(count);
   result.residual = result.reach * std::sqrt(std::max(left, 0.0) / (moments.powers[0] * freedom));
+  // Steeper ones are no surface over the tangent plane, and have directions of few digits.
+  constexpr double steepest = 100.0;
+  if (!(std::hypot(polynomial[monomial(1, 0)], polynomial[monomial(1, 1)]) < steepest))
+  {
+    return std::nullopt;
+  }
   findCurvature(polynomial, points.frame, degree == 3, result);
   return isFinite(result) ? std::optional(result) : std::nullopt;
 }

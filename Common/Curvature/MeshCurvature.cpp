@@ -180,7 +180,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
       }
       return true;
     }
-    const std::optional<PrincipalCurvature> pinned = fitPinnedQuadric(scratch.front.points);
+    const std::optional<PrincipalCurvature> pinned = fitter.fitPinned(site, scratch.front);
     result.points[site] = pinned.value_or(PrincipalCurvature());
     return pinned.has_value();
   };

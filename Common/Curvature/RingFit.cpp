@@ -108,4 +108,17 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
   return best || this->Options.degree == 2 ? best : fitPoints(2);
 }
 
+std::optional<PrincipalCurvature> RingFit::fitPinned(std::uint32_t site, Front& front) const
+{
+  this->start(site, front);
+  for (const std::uint32_t neighbor : this->Rings.ring(site))
+  {
+    if (!front.points.isFull())
+    {
+      front.points.add(this->Points[neighbor]);
+    }
+  }
+  return fitPinnedQuadric(front.points);
+}
+
 } // namespace ink

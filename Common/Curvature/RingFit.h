@@ -28,11 +28,11 @@ public:
       : reachedFrom(siteCount, none)
     {
     }
-    TangentPoints points; ///< of the last fit, in the order of rings
 
   private:
     friend class RingFit;
     static constexpr std::uint32_t none = ~0u;
+    TangentPoints points;                   // of the last fit, in the order of rings
     std::vector<std::uint32_t> reachedFrom; // of each site, the start of the last search that reached it
     std::vector<std::uint32_t> sites;       // of this search
     std::size_t begin = 0;                  // of them, where the last ring begins
@@ -48,6 +48,10 @@ public:
   /// fewer are taken.
   /// @return nothing if no number of rings determines one
   std::optional<JetFit> fit(std::uint32_t site, Front& front) const;
+
+  /// The same of fitPinnedQuadric to the first ring, whichever way its sites face: for what has too few
+  /// points for a polynomial, as small polyhedra.
+  std::optional<PrincipalCurvature> fitPinned(std::uint32_t site, Front& front) const;
 
 private:
   void start(std::uint32_t site, Front& front) const;

@@ -60,6 +60,7 @@ _warn_of_other_vtks()
 _vtk_module("vtkRenderingOpenGL2")
 
 from .vtkInkFiltersContours import *
+from .vtkInkFiltersCurvature import *
 from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
 from .vtkInkFiltersStrokes import *

@@ -71,6 +71,10 @@ def point_priority():
     return proxy_of("PointPriority.xml", "SourceProxy"), [vtkink.vtkInkPointPriority()]
 
 
+def principal_curvature():
+    return proxy_of("PrincipalCurvature.xml", "SourceProxy"), [vtkink.vtkInkPrincipalCurvature()]
+
+
 def splatting_lines():
     style = vtkink.vtkInkSplattingLinesStyle()
     objects = [style.GetLinesMapper(), style.GetActor(), style.GetActor().GetProperty(), style]
@@ -91,6 +95,7 @@ PROXIES = {
     "Gradient.xml": gradient,
     "IsoSurfaceSampler.xml": sampler,
     "PointPriority.xml": point_priority,
+    "PrincipalCurvature.xml": principal_curvature,
     "SplattingLines.xml": splatting_lines,
     "Stipple.xml": stipple,
     "StippleGenerator.xml": stipple_generator,

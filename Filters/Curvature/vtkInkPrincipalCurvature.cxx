@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInkPrincipalCurvature.h"
+
+#include "Curvature/FieldCurvature.h"
+#include "Curvature/MeshCurvature.h"
+#include "Fields/Grid/GridField.h"
+#include "InkAllocate.h"
+#include "InkHasPolygons.h"
+#include "InkImageGrid.h"
+#include "InkMeshTriangles.h"
+#include "InkPrecision.h"
+#include "InkReportException.h"
+#include "InkVTKCompat.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkInkPrincipalCurvature);
+
+namespace
+{
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+/// The mesh, with ghost cells as any others, but without hidden ones.
+vtkSmartPointer<vtkPolyData> WithGhosts(vtkPolyData* mesh)
+{
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  if (!ghosts)
+  {
+    return mesh;
+  }
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(mesh);
+  vtkNew<vtkUnsignedCharArray> hidden;
+  hidden->DeepCopy(ghosts);
+  for (vtkIdType cell = 0; cell < hidden->GetNumberOfTuples(); ++cell)
+  {
+    hidden->SetValue(
+      cell, static_cast<unsigned char>(hidden->GetValue(cell) & ~vtkDataSetAttributes::DUPLICATECELL));
+  }
+  copy->GetCellData()->AddArray(hidden);
+  return copy;
+}
+
+ink::MeshCurvature OfMesh(
+  vtkPolyData* mesh, const ink::CurvatureOptions& options, const ink::Progress& progress)
+{
+  vtkPointData* points = mesh->GetPointData();
+  const bool hasNormals = points->GetNormals() || points->GetArray("Normals");
+  const InkMeshTriangles triangles(WithGhosts(mesh), hasNormals, InkMeshTriangles::Order::OfMesh);
+  return ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, options, progress);
+}
+
+/// A field of an image, undefined beyond it, where the field itself continues what is at its border.
+template <class T>
+struct WithinImage
+{
+  ink::GridField<T> Field;
+
+  bool Holds(const glm::dvec3& p) const
+  {
+    // Points on the border are inside however their index is rounded.
+    constexpr double rounding = 1e-3;
+    const ink::GridGeometry& grid = this->Field.geometry();
+    const glm::dvec3 index = grid.toGlobalIndex(p) - glm::dvec3(grid.first());
+    return glm::all(glm::greaterThanEqual(index, glm::dvec3(-rounding))) &&
+      glm::all(glm::lessThanEqual(index, glm::dvec3(grid.dimensions() - 1) + rounding));
+  }
+  double value(const glm::dvec3& p) const
+  {
+    return this->Holds(p) ? this->Field.value(p) : std::numeric_limits<double>::quiet_NaN();
+  }
+  glm::dvec3 gradient(const glm::dvec3& p) const
+  {
+    return this->Holds(p) ? this->Field.gradient(p) : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+  }
+  glm::dmat3 hessian(const glm::dvec3& p) const { return this->Field.hessian(p); }
+};
+
+/// @param scalars contiguous
+ink::MeshCurvature OfField(vtkPolyData* points, vtkImageData* image, vtkDataArray* scalars, int component,
+  const ink::Progress& progress)
+{
+  std::vector<glm::dvec3> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    points->GetPoint(static_cast<vtkIdType>(i), &positions[i].x);
+  }
+  const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
+  const auto compute = [&](auto* values)
+  {
+    using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
+    const std::span<const T> all(
+      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
+    const WithinImage<T> field{ ink::GridField<T>(geometry, all.subspan(static_cast<std::size_t>(component)),
+      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden) };
+    return ink::fieldCurvatures(field, positions, progress);
+  };
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(return compute(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(scalars)));
+  }
+  throw std::invalid_argument(
+    std::string("the image's values have the type ") + scalars->GetDataTypeAsString());
+}
+
+/// Adds the point arrays of a result.
+class ArrayWriter
+{
+public:
+  ArrayWriter(vtkPolyData* output, int type)
+    : Output(output)
+    , Type(type)
+  {
+  }
+
+  /// @param value(i, c): component c at point i
+  template <class Value>
+  void Add(const char* name, int components, const Value& value)
+  {
+    const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->Type));
+    this->Fill(array, name, components, value);
+  }
+  template <class Value>
+  void AddFlags(const char* name, const Value& value)
+  {
+    this->Fill(vtkNew<vtkUnsignedCharArray>(), name, 1, value);
+  }
+
+private:
+  template <class Value>
+  void Fill(vtkDataArray* array, const char* name, int components, const Value& value)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    InkSetNumberOfTuples(array, this->Output->GetNumberOfPoints());
+    // What is too large for the type becomes its largest value.
+    const double most = array->GetDataTypeMax();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        array->SetComponent(i, c, std::clamp<double>(value(static_cast<std::size_t>(i), c), -most, most));
+      }
+    }
+    this->Output->GetPointData()->AddArray(array);
+  }
+
+  vtkPolyData* Output;
+  int Type;
+};
+
+} // namespace
+
+vtkInkPrincipalCurvature::vtkInkPrincipalCurvature()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkInkPrincipalCurvature::~vtkInkPrincipalCurvature() = default;
+
+const char* vtkInkPrincipalCurvature::GetEstimatorAsString()
+{
+  return this->Estimator == JET ? "Jet" : "ExponentialMap";
+}
+
+const char* vtkInkPrincipalCurvature::GetOutputArraysPrecisionAsString()
+{
+  return InkNameOfPrecision(this->OutputArraysPrecision);
+}
+
+int vtkInkPrincipalCurvature::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  if (port == 1)
+  {
+    info->Set(INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkInkPrincipalCurvature::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Superclass::RequestUpdateExtent(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkInformation* mesh = inputVector[0]->GetInformationObject(0);
+  vtkInformation* image = inputVector[1]->GetInformationObject(0);
+  if (image)
+  {
+    // A piece of points may lie anywhere in the image.
+    image->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    image->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    image->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    int whole[6];
+    image->Get(SDDP::WHOLE_EXTENT(), whole);
+    image->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+  }
+  else if (mesh && outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    const int rings = this->Estimator == JET ? this->NumberOfRings : 1;
+    // One more, for the normals of the last ring.
+    mesh->Set(
+      SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + rings + 1);
+  }
+  return 1;
+}
+
+int vtkInkPrincipalCurvature::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
+  vtkImageData* image = vtkImageData::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const ink::Progress progress = [this](double share)
+  {
+    this->UpdateProgress(share);
+    return !InkCheckAbort(this);
+  };
+  try
+  {
+    ink::MeshCurvature found;
+    if (image)
+    {
+      int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputVector, association);
+      scalars = InkChooseScalars(this, image, scalars, association, 0);
+      if (!scalars)
+      {
+        return 1;
+      }
+      int component = 0;
+      const vtkSmartPointer<vtkDataArray> contiguous = InkMakeContiguous(scalars, component);
+      found = OfField(mesh, image, contiguous, component, progress);
+      if (!found.sources.empty() &&
+        std::all_of(found.sources.begin(), found.sources.end(),
+          [](ink::CurvatureSource source) { return source == ink::CurvatureSource::None; }))
+      {
+        vtkWarningMacro("None of the input's "
+          << mesh->GetNumberOfPoints()
+          << " points lies in the image, where it has a gradient; expected points on its iso-surfaces. All "
+             "curvatures are 0.");
+      }
+    }
+    else if (!InkHasPolygons(mesh))
+    {
+      if (mesh->GetNumberOfPoints() > 0)
+      {
+        vtkWarningMacro("The input has " << mesh->GetNumberOfPoints() << " points and no polygons or strips; "
+                                         << "expected a surface, or an image at the second input.");
+      }
+      return 1;
+    }
+    else
+    {
+      const bool isJet = this->Estimator == JET;
+      const bool derivatives = this->ComputeDerivative && isJet && this->Degree == 3;
+      found = OfMesh(mesh,
+        { isJet ? ink::CurvatureEstimator::Jet : ink::CurvatureEstimator::ExponentialMap, this->NumberOfRings,
+          this->Adaptive, this->Degree, derivatives },
+        progress);
+    }
+    if (found.points.size() != static_cast<std::size_t>(mesh->GetNumberOfPoints()))
+    {
+      return 1; // aborted
+    }
+    output->ShallowCopy(mesh);
+    ArrayWriter arrays(output, this->OutputArraysPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
+    const std::vector<ink::PrincipalCurvature>& at = found.points;
+    arrays.Add("k1", 1, [&](std::size_t i, int) { return at[i].k1; });
+    arrays.Add("k2", 1, [&](std::size_t i, int) { return at[i].k2; });
+    arrays.Add("PrincipalDirection1", 3, [&](std::size_t i, int c) { return at[i].direction1[c]; });
+    arrays.Add("PrincipalDirection2", 3, [&](std::size_t i, int c) { return at[i].direction2[c]; });
+    if (this->ComputeMeanCurvature)
+    {
+      arrays.Add("MeanCurvature", 1, [&](std::size_t i, int) { return at[i].mean(); });
+    }
+    if (this->ComputeGaussCurvature)
+    {
+      arrays.Add("GaussCurvature", 1, [&](std::size_t i, int) { return at[i].gauss(); });
+    }
+    if (this->ComputeUmbilicMeasure)
+    {
+      constexpr double flat = 1e-6;
+      const double size = mesh->GetLength();
+      const double negligible = size > 0.0 && std::isfinite(size) ? flat / size : 0.0;
+      arrays.Add("UmbilicMeasure", 1, [&](std::size_t i, int) { return at[i].umbilicMeasure(negligible); });
+    }
+    if (!found.derivatives.empty())
+    {
+      arrays.Add("CurvatureDerivative", 4,
+        [&](std::size_t i, int c)
+        {
+          const ink::CurvatureDerivative& d = found.derivatives[i];
+          return c == 0 ? d.c111 : c == 1 ? d.c112 : c == 2 ? d.c122 : d.c222;
+        });
+    }
+    if (this->ComputeSource)
+    {
+      arrays.AddFlags("CurvatureSource", [&](std::size_t i, int) { return double(found.sources[i]); });
+    }
+  }
+  catch (...)
+  {
+    InkReportException(this, output, "The curvature cannot be computed");
+  }
+  return 1;
+}
+
+void vtkInkPrincipalCurvature::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Estimator: " << this->GetEstimatorAsString() << "\n";
+  os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
+  os << indent << "Adaptive: " << this->Adaptive << "\n";
+  os << indent << "Degree: " << this->Degree << "\n";
+  os << indent << "ComputeMeanCurvature: " << this->ComputeMeanCurvature << "\n";
+  os << indent << "ComputeGaussCurvature: " << this->ComputeGaussCurvature << "\n";
+  os << indent << "ComputeUmbilicMeasure: " << this->ComputeUmbilicMeasure << "\n";
+  os << indent << "ComputeDerivative: " << this->ComputeDerivative << "\n";
+  os << indent << "ComputeSource: " << this->ComputeSource << "\n";
+  os << indent << "OutputArraysPrecision: " << this->GetOutputArraysPrecisionAsString() << "\n";
+}
