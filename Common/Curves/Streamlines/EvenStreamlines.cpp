@@ -97,8 +97,8 @@ private:
     return this->Mesh.mesh().triangles[at.triangle][corner];
   }
 
-  /// Which way a line beside another one starts: that of the field's name, or where names mean little, that of
-  /// the other line.
+  /// Which way a line beside another one starts: that of the field's name, or where names mean little, that
+  /// of the other line.
   glm::dvec3 headingAt(const MeshPoint& at, const glm::dvec3& other) const
   {
     const std::uint32_t point = this->nearestPoint(at);
@@ -187,7 +187,8 @@ private:
             if (reached &&
               !this->Grid.isNear(this->sampleOf(reached->at, this->Mesh.position(reached->at)), this->Start))
             {
-              const glm::dvec3 heading = glm::cross(this->Mesh.chart(reached->at.triangle).normal(), reached->heading);
+              const glm::dvec3 heading =
+                glm::cross(this->Mesh.chart(reached->at.triangle).normal(), reached->heading);
               found[n].push_back({ hash(this->Options.seed, begin + n, 2 * i + side), reached->at,
                 this->headingAt(reached->at, heading) });
             }
@@ -207,8 +208,8 @@ private:
   {
     const double gap = this->Gap * this->Options.spacing;
     const auto count = static_cast<std::size_t>(std::ceil(4.0 * this->Mesh.area() / (gap * gap)));
-    const std::vector<SurfaceSample> samples = sampleWhiteNoise(this->Mesh.mesh(), this->Areas, count,
-      hash(this->Options.seed, static_cast<std::uint64_t>(level)));
+    const std::vector<SurfaceSample> samples = sampleWhiteNoise(
+      this->Mesh.mesh(), this->Areas, count, hash(this->Options.seed, static_cast<std::uint64_t>(level)));
     std::vector<std::optional<Candidate>> found(samples.size());
     parallelFor(samples.size(),
       [&](std::size_t i)
@@ -227,8 +228,8 @@ private:
         }
         const float umbilic = this->Field.umbilics.empty() ? 0.0f : this->Field.umbilics[point];
         const auto undefined = static_cast<std::uint64_t>(15.0f * std::clamp(umbilic, 0.0f, 1.0f));
-        found[i] = { undefined << 60 | hash(this->Options.seed, static_cast<std::uint64_t>(level), i) >> 4, at,
-          this->Field.directions[point] };
+        found[i] = { undefined << 60 | hash(this->Options.seed, static_cast<std::uint64_t>(level), i) >> 4,
+          at, this->Field.directions[point] };
       });
     std::vector<Candidate> result;
     for (const std::optional<Candidate>& candidate : found)
@@ -247,15 +248,14 @@ private:
   {
     parallelSort(candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b)
-      {
-        return a.order != b.order ? a.order < b.order : a.at.triangle < b.at.triangle;
-      });
+      { return a.order != b.order ? a.order < b.order : a.at.triangle < b.at.triangle; });
     LineSampleGrid batch(static_cast<float>(this->Gap));
     std::vector<std::optional<Attempt>> attempts;
     for (std::size_t begin = 0; begin < candidates.size();)
     {
       if (this->Report &&
-        !this->Report(this->Done * (0.5 + 0.5 * static_cast<double>(begin) / static_cast<double>(candidates.size()))))
+        !this->Report(
+          this->Done * (0.5 + 0.5 * static_cast<double>(begin) / static_cast<double>(candidates.size()))))
       {
         return false;
       }
@@ -356,7 +356,8 @@ private:
     result.points = this->samplePoints(result.line);
     for (const std::size_t point : result.points)
     {
-      result.samples.push_back(this->sampleOf(result.line.points[point].at, result.line.points[point].position));
+      result.samples.push_back(
+        this->sampleOf(result.line.points[point].at, result.line.points[point].position));
     }
     return result;
   }
@@ -490,13 +491,15 @@ Streamlines evenStreamlines(const MeshNavigation& mesh, std::span<const glm::vec
   check(field.directions.size() == count,
     "there are " + std::to_string(field.directions.size()) + " directions for " + std::to_string(count) +
       " points, expected one per point");
-  check((normals.empty() || normals.size() == count) && (field.others.empty() || field.others.size() == count) &&
+  check((normals.empty() || normals.size() == count) &&
+      (field.others.empty() || field.others.size() == count) &&
       (field.umbilics.empty() || field.umbilics.size() == count),
     "normals, other directions and umbilic measures: expected none or one per point");
   check(options.spacing > 0.0 && std::isfinite(options.spacing),
     "the spacing is " + std::to_string(options.spacing) + ", expected more than 0");
   check(options.stopDistance > 0.0 && options.stopDistance <= 0.9,
-    "the stop distance is " + std::to_string(options.stopDistance) + ", expected more than 0 and no more than 0.9");
+    "the stop distance is " + std::to_string(options.stopDistance) +
+      ", expected more than 0 and no more than 0.9");
   const double samples = mesh.area() / options.spacing / options.spacing / sampleDistance;
   check(samples < 0x1p28,
     "the surface needs " + std::to_string(samples) + " samples of lines at a spacing of " +

@@ -188,8 +188,7 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
       }
       const double angle = 0.25 * std::arg(std::complex<double>(now[i]));
       const glm::dvec3 normal(normals[i]);
-      const glm::dvec3 first =
-        std::cos(angle) * axes[i] + std::sin(angle) * glm::cross(normal, axes[i]);
+      const glm::dvec3 first = std::cos(angle) * axes[i] + std::sin(angle) * glm::cross(normal, axes[i]);
       const glm::dvec3 second = glm::cross(normal, first);
       const double along = glm::dot(first, directions[i]);
       const double across = glm::dot(second, directions[i]);

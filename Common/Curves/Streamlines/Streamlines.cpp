@@ -24,7 +24,8 @@ Streamlines joinLines(std::span<const TracedLine> lines, std::span<const std::ui
   const auto lengthOf = [](const TracedLine& line)
   {
     const double open = line.points.empty() ? 0.0 : line.points.back().arc;
-    return line.closed ? open + glm::distance(line.points.back().position, line.points.front().position) : open;
+    return line.closed ? open + glm::distance(line.points.back().position, line.points.front().position)
+                       : open;
   };
   double whole = 0.0;
   for (const std::uint32_t n : order)
