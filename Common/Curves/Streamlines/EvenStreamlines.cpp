@@ -117,11 +117,21 @@ private:
     this->Done = 1.0 / this->Gap;
     this->Grid = LineSampleGrid(static_cast<float>(this->Gap));
     const std::size_t first = this->Lines.size();
-    for (const TracedLine& line : this->Lines)
-    {
-      for (const std::size_t point : this->samplePoints(line))
+    std::vector<std::vector<LineSample>> samples(first);
+    parallelFor(first,
+      [&](std::size_t n)
       {
-        this->Grid.insert(this->sampleOf(line.points[point].at, line.points[point].position));
+        const std::vector<TracedPoint>& points = this->Lines[n].points;
+        for (const std::size_t i : this->samplePoints(this->Lines[n]))
+        {
+          samples[n].push_back(this->sampleOf(points[i].at, points[i].position));
+        }
+      });
+    for (const std::vector<LineSample>& ofLine : samples)
+    {
+      for (const LineSample& sample : ofLine)
+      {
+        this->Grid.insert(sample);
       }
     }
     std::size_t next = 0;

@@ -161,8 +161,9 @@ TEST(EvenStreamlines, EachPrefixIsEven)
       const auto count = static_cast<std::size_t>(end - lines.priorities.begin());
       const Evenness even = evenness(shape, lines, count);
       const std::string where = name + ", up to " + std::to_string(share);
-      // Equal distances would have a mean of .25 and a largest one of .5 and more where lines end.
-      EXPECT_LT(even.mean, 0.33) << where;
+      // Equal distances would have a mean of .25 and a largest one of .5 and more where lines end; the first
+      // tenth are half a dozen lines.
+      EXPECT_LT(even.mean, share < 0.2 ? 0.38 : 0.33) << where;
       EXPECT_LT(even.farthest, 1.35) << where;
       EXPECT_GT(even.closest, 0.46 * spacing) << where;
       // Priority is the share of ink, but for one line.
