@@ -49,10 +49,10 @@ Streamlines joinLines(std::span<const TracedLine> lines, std::span<const std::ui
       const std::vector<TracedPoint>& points = lines[order[i]].points;
       for (std::size_t k = 0; k < points.size(); ++k)
       {
-        const std::size_t place = result.lines.offsets[i] + k;
-        result.points[place] = points[k].at;
-        result.positions[place] = points[k].position;
-        result.arcLength[place] = points[k].arc - points.front().arc;
+        const std::size_t index = result.lines.offsets[i] + k;
+        result.points[index] = points[k].at;
+        result.positions[index] = points[k].position;
+        result.arcLength[index] = points[k].arc - points.front().arc;
       }
     });
   return result;
