@@ -93,12 +93,12 @@ bool fitExponentialMap(
   if (std::abs(found.k1) >= std::abs(found.k2))
   {
     found.direction1 = inSpace(found.direction1);
-    found.direction2 = glm::cross(normal, found.direction1);
+    found.direction2 = glm::normalize(glm::cross(normal, found.direction1));
   }
   else
   {
     found.direction2 = inSpace(found.direction2);
-    found.direction1 = glm::cross(found.direction2, normal);
+    found.direction1 = glm::normalize(glm::cross(found.direction2, normal));
   }
   if (!std::isfinite(found.k1) || !std::isfinite(found.k2))
   {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ink
 {
@@ -258,7 +259,15 @@ std::optional<JetFit> fit(const TangentPoints& points, std::size_t count)
     left -= polynomial[i] * moments.heights[i];
   }
   const double freedom = static_cast<double>(count - size) / static_cast<double>(count);
-  result.residual = result.reach * std::sqrt(std::max(left, 0.0) / (moments.powers[0] * freedom));
+  result.residual = count == size
+    ? std::numeric_limits<double>::infinity()
+    : result.reach * std::sqrt(std::max(left, 0.0) / (moments.powers[0] * freedom));
+  // Steeper ones are no surface over the tangent plane, and have directions of few digits.
+  constexpr double steepest = 100.0;
+  if (!(std::hypot(polynomial[monomial(1, 0)], polynomial[monomial(1, 1)]) < steepest))
+  {
+    return std::nullopt;
+  }
   findCurvature(polynomial, points.frame, degree == 3, result);
   return isFinite(result) ? std::optional(result) : std::nullopt;
 }

@@ -96,8 +96,10 @@ std::pair<PrincipalCurvature, CurvatureSource> meanOfNeighbors(
   const double share = 1.0 / std::max(count, 1);
   const TangentForm form{ share * glm::dot(axis1, sum * axis1), share * glm::dot(axis1, sum * axis2),
     share * glm::dot(axis2, sum * axis2) };
-  return { principalCurvature(form, axis1, axis2),
-    count > 0 ? CurvatureSource::Neighbors : CurvatureSource::None };
+  // Sums of the largest numbers may be none.
+  const bool isUsable = count > 0 && std::isfinite(form.l) && std::isfinite(form.m) && std::isfinite(form.n);
+  return { principalCurvature(isUsable ? form : TangentForm(), axis1, axis2),
+    isUsable ? CurvatureSource::Neighbors : CurvatureSource::None };
 }
 
 void fillUnknown(const SurfaceRings& rings, std::span<const glm::dvec3> normals, MeshCurvature& result)

@@ -12,14 +12,14 @@ namespace ink
 namespace
 {
 
-/// Whether noise changes the curvature little, compared to its size or, where the surface is nearly flat, to
-/// a bend that can hardly be seen.
-bool isQuiet(const JetFit& fit)
+/// How much noise may change the curvature: little, compared to its size or, where the surface is nearly
+/// flat, to a bend that can hardly be seen.
+double tolerableNoise(const JetFit& fit)
 {
   constexpr double share = 0.02;
   constexpr double flat = 0.01; // an angle, within the reach
   const double size = std::max(std::abs(fit.curvature.k1), std::abs(fit.curvature.k2));
-  return fit.noise() <= share * std::max(size, flat / fit.reach);
+  return share * std::max(size, flat / fit.reach);
 }
 
 } // namespace
@@ -88,10 +88,10 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
   const int most = this->Options.rings;
   std::optional<JetFit> best;
   this->start(site, front);
+  constexpr int fewest = 2;
   int collected = 0;
-  for (const int step : { 2, 3, 5, mostCurvatureRings })
+  for (int rings = this->Options.adaptive ? std::min(fewest, most) : most;;)
   {
-    const int rings = this->Options.adaptive ? std::min(step, most) : most;
     this->addRings(rings - collected, front);
     collected = rings;
     const std::optional<JetFit> next = fitPoints(this->Options.degree);
@@ -100,10 +100,17 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
       break;
     }
     best = next ? next : best;
-    if (rings == most || (best && isQuiet(*best)))
+    const double excess = best ? best->noise() / tolerableNoise(*best) : 0.0;
+    if (rings == most || (best && excess <= 1.0))
     {
       break;
     }
+    // Reach and number of points divide noise by the third power of the rings. Some more, since residuals of
+    // few points are not known well.
+    constexpr double margin = 1.25;
+    const double wanted = std::ceil(margin * rings * std::cbrt(excess));
+    // Residuals without degrees of freedom say nothing.
+    rings = std::isfinite(wanted) ? static_cast<int>(std::clamp<double>(wanted, rings + 1, most)) : rings + 1;
   }
   return best || this->Options.degree == 2 ? best : fitPoints(2);
 }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -19,11 +20,11 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t sitesAtOnce = 2048;
+constexpr std::size_t itemsAtOnce = 2048;
 
-std::size_t blocksOf(std::size_t sites)
+std::size_t blocksOf(std::size_t items)
 {
-  return (sites + sitesAtOnce - 1) / sitesAtOnce;
+  return (items + itemsAtOnce - 1) / itemsAtOnce;
 }
 
 bool isFinite(const glm::dvec3& p)
@@ -40,20 +41,36 @@ bool hasTwice(const Triangle& t)
 
 SurfaceRings::SurfaceRings(const TriangleMesh& mesh)
 {
-  this->Triangles.reserve(mesh.triangles.size());
-  for (const Triangle& triangle : mesh.triangles)
+  const auto isUsable = [&mesh](const Triangle& t)
   {
-    const std::uint32_t last = std::max({ triangle[0], triangle[1], triangle[2] });
-    if (last >= mesh.points.size())
+    return !hasTwice(t) && isFinite(mesh.points[t[0]]) && isFinite(mesh.points[t[1]]) &&
+      isFinite(mesh.points[t[2]]);
+  };
+  const auto lastOf = [](const Triangle& t) { return std::max({ t[0], t[1], t[2] }); };
+  std::atomic<bool> allUsable = true;
+  parallelFor(blocksOf(mesh.triangles.size()),
+    [&](std::size_t block)
     {
-      throw std::invalid_argument("a triangle names point " + std::to_string(last) + "; expected less than " +
-        std::to_string(mesh.points.size()) + ", the number of points");
-    }
-    if (!hasTwice(triangle) && isFinite(mesh.points[triangle[0]]) && isFinite(mesh.points[triangle[1]]) &&
-      isFinite(mesh.points[triangle[2]]))
+      const auto part = mesh.triangles.subspan(
+        block * itemsAtOnce, std::min(itemsAtOnce, mesh.triangles.size() - block * itemsAtOnce));
+      if (!std::all_of(part.begin(), part.end(),
+            [&](const Triangle& t) { return lastOf(t) < mesh.points.size() && isUsable(t); }))
+      {
+        allUsable = false;
+      }
+    });
+  this->Triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+  if (!allUsable)
+  {
+    for (const Triangle& triangle : this->Triangles)
     {
-      this->Triangles.push_back(triangle);
+      if (lastOf(triangle) >= mesh.points.size())
+      {
+        throw std::invalid_argument("a triangle names point " + std::to_string(lastOf(triangle)) +
+          "; expected less than " + std::to_string(mesh.points.size()) + ", the number of points");
+      }
     }
+    std::erase_if(this->Triangles, [&](const Triangle& t) { return !isUsable(t); });
   }
   this->connect(mesh.points.size());
   this->fillRings();
@@ -111,8 +128,8 @@ void SurfaceRings::fillRings()
     {
       std::vector<LinkEdge> links;
       std::vector<std::uint32_t>& ring = rings[block];
-      ring.reserve(6 * sitesAtOnce);
-      for (std::size_t site = block * sitesAtOnce; site < std::min(count, (block + 1) * sitesAtOnce); ++site)
+      ring.reserve(6 * itemsAtOnce);
+      for (std::size_t site = block * itemsAtOnce; site < std::min(count, (block + 1) * itemsAtOnce); ++site)
       {
         links.clear();
         this->visitLinks(site, [&links](const LinkEdge& link) { links.push_back(link); });
@@ -127,7 +144,7 @@ void SurfaceRings::fillRings()
     [&](std::size_t block)
     {
       std::copy(rings[block].begin(), rings[block].end(),
-        this->Neighbors.begin() + static_cast<std::ptrdiff_t>(this->FirstNeighbor[block * sitesAtOnce]));
+        this->Neighbors.begin() + static_cast<std::ptrdiff_t>(this->FirstNeighbor[block * itemsAtOnce]));
     });
 }
 

@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * The optional image whose level sets have the curvature, instead of the mesh.
+   * The optional image whose level sets have the curvature, instead of the mesh. Default: none.
    */
   void SetFieldConnection(vtkAlgorithmOutput* field) { this->SetInputConnection(1, field); }
   void SetFieldData(vtkDataObject* field) { this->SetInputData(1, field); }
@@ -160,6 +160,8 @@ public:
    */
   vtkSetClampMacro(OutputArraysPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(OutputArraysPrecision, int);
+  void SetOutputArraysPrecisionToSingle() { this->SetOutputArraysPrecision(SINGLE_PRECISION); }
+  void SetOutputArraysPrecisionToDouble() { this->SetOutputArraysPrecision(DOUBLE_PRECISION); }
   const char* GetOutputArraysPrecisionAsString();
   ///@}
 

@@ -2,12 +2,13 @@
 // Principal curvatures of meshes: ink::estimateCurvature, by default and as Rössl et al. (2000) estimate it,
 // against igl::principal_curvature with its radius of 5 and vtkCurvatures, which has no directions.
 //
-//   BenchmarkCurvature [--wall] [--repetitions N]
+//   BenchmarkCurvature [--wall] [--repetitions N] [--convergence]
 //
 // For each mesh and estimator: the root mean square error of k1 and k2 in 1 / world unit, that of direction 1
 // in degrees where k1 and k2 differ, and the least time of N runs in milliseconds: the process's CPU time on
 // one thread, or with --wall wall-clock time on as many threads as VTK_SMP_MAX_THREADS says. Meshes have
-// sizes about 1; noise moves points along normals. libigl takes part where CMake finds its headers
+// sizes about 1; noise moves points along normals. With --convergence errors on finer and finer tori are
+// printed instead. libigl takes part where CMake finds its headers
 // (-DIGL_INCLUDE_DIR=...), vtkCurvatures where VTK has its module.
 
 #include "Curvature/MeshCurvature.h"
@@ -21,6 +22,7 @@
 #  include "vtkCurvatures.h"
 #  include "vtkDataArray.h"
 #  include "vtkNew.h"
+#  include "vtkObject.h"
 #  include "vtkPointData.h"
 #  include "vtkPoints.h"
 #  include "vtkPolyData.h"
@@ -46,6 +48,7 @@ struct Options
 {
   bool Wall = false;
   int Repetitions = 3;
+  bool Convergence = false;
 };
 
 struct Scene
@@ -128,6 +131,7 @@ void MeasureIgl(const Scene& scene, const Options& options)
 #ifdef INK_HAS_CURVATURES
 void MeasureVtk(const Scene& scene, const Options& options)
 {
+  vtkObject::GlobalWarningDisplayOff(); // one for each point that it finds doubtful
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const glm::dvec3& p : scene.Mesh.mesh.points)
@@ -161,6 +165,36 @@ void MeasureVtk(const Scene& scene, const Options& options)
 }
 #endif
 
+ink::CurvatureOptions OfThePaper()
+{
+  ink::CurvatureOptions options;
+  options.estimator = ink::CurvatureEstimator::ExponentialMap;
+  return options;
+}
+
+/// Errors on tori whose edges are half as long from row to row.
+void PrintConvergence()
+{
+  std::printf(
+    "%-22s %14s %10s %14s %10s\n", "torus, points around", "vtkInk, k", "angle", "paper, k", "angle");
+  for (const double jitter : { 0.0, 0.45 })
+  {
+    for (const std::uint32_t columns : { 45u, 90u, 180u, 360u, 720u })
+    {
+      const ink::test::CurvedMesh torus = ink::test::closedTorus(1.0, 0.4, columns, columns / 2, jitter);
+      const auto errors = [&torus](const ink::CurvatureOptions& own)
+      {
+        return ink::test::curvatureErrors(
+          torus.exact, ink::estimateCurvature(torus.mesh.view(), {}, own).points);
+      };
+      const ink::test::CurvatureErrors jet = errors({});
+      const ink::test::CurvatureErrors paper = errors(OfThePaper());
+      std::printf("%-10s %11u %14.2e %10.2e %14.2e %10.2e\n", jitter > 0.0 ? "irregular" : "regular", columns,
+        jet.curvature, jet.angle, paper.curvature, paper.angle);
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -173,19 +207,28 @@ int main(int argc, char* argv[])
     {
       options.Wall = true;
     }
+    else if (word == "--convergence")
+    {
+      options.Convergence = true;
+    }
     else if (word == "--repetitions" && i + 1 < argc)
     {
       options.Repetitions = std::max(std::atoi(argv[++i]), 1);
     }
     else
     {
-      std::fprintf(stderr, "usage: BenchmarkCurvature [--wall] [--repetitions N]\n");
+      std::fprintf(stderr, "usage: BenchmarkCurvature [--wall] [--repetitions N] [--convergence]\n");
       return 2;
     }
   }
   if (!options.Wall)
   {
     setenv("VTK_SMP_MAX_THREADS", "1", 1);
+  }
+  if (options.Convergence)
+  {
+    PrintConvergence();
+    return 0;
   }
   const Scene scenes[] = {
     { "torus, 131k points", ink::test::closedTorus(1.0, 0.4, 512, 256), true },
@@ -206,9 +249,7 @@ int main(int argc, char* argv[])
         [&](Curvatures& found) { found = ink::estimateCurvature(scene.Mesh.mesh.view(), {}, own).points; });
     };
     measureOwn("vtkInk", {});
-    ink::CurvatureOptions paper;
-    paper.estimator = ink::CurvatureEstimator::ExponentialMap;
-    measureOwn("Rössl et al. 2000", paper);
+    measureOwn("Rössl et al. 2000", OfThePaper());
 #ifdef INK_HAS_IGL
     MeasureIgl(scene, options);
 #endif

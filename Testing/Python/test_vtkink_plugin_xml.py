@@ -67,8 +67,16 @@ def surface_sampler():
     return proxy_of("SurfaceSampler.xml", "SourceProxy"), [vtkink.vtkInkSurfaceSampler()]
 
 
+def lines_of_curvature():
+    return proxy_of("LinesOfCurvature.xml", "SourceProxy"), [vtkink.vtkInkLinesOfCurvature()]
+
+
 def point_priority():
     return proxy_of("PointPriority.xml", "SourceProxy"), [vtkink.vtkInkPointPriority()]
+
+
+def principal_curvature():
+    return proxy_of("PrincipalCurvature.xml", "SourceProxy"), [vtkink.vtkInkPrincipalCurvature()]
 
 
 def splatting_lines():
@@ -90,7 +98,9 @@ def stipple_generator():
 PROXIES = {
     "Gradient.xml": gradient,
     "IsoSurfaceSampler.xml": sampler,
+    "LinesOfCurvature.xml": lines_of_curvature,
     "PointPriority.xml": point_priority,
+    "PrincipalCurvature.xml": principal_curvature,
     "SplattingLines.xml": splatting_lines,
     "Stipple.xml": stipple,
     "StippleGenerator.xml": stipple_generator,

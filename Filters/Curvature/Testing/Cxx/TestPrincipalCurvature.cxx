@@ -210,8 +210,8 @@ TEST(PrincipalCurvature, StripsAndPolygonsAreSurfaces)
   for (int i = 0; i < 36; ++i)
   {
     // A cylinder of radius 2 around the y axis.
-    const double angle = 0.1 * (i % 6);
-    points->InsertNextPoint(2.0 * std::sin(angle), 0.2 * (i / 6), 2.0 * std::cos(angle));
+    const double angle = 0.05 * (i % 6);
+    points->InsertNextPoint(2.0 * std::sin(angle), 0.1 * (i / 6), 2.0 * std::cos(angle));
   }
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkCellArray> strips;
