@@ -72,6 +72,13 @@ contours_pictures() {
   echo "$images/contours-silhouettes.png"
 }
 
+line_art_pictures() {
+  local style=line-art
+  local engine="Data/engine.nii.gz --iso 80 --view iso"
+  series tone "$engine" "--tone 0.3" "--tone 0.7" "--crosshatch 0" "--crosshatch 1"
+  series presets "$engine" "--preset engraving" "--preset sketch" "--preset technical"
+}
+
 illustration_pictures() {
   ink render Data/engine.nii.gz --iso 80 --view iso --size 1000x800 -o "$images/illustration.png"
   echo "$images/illustration.png"

@@ -52,9 +52,10 @@ struct TriangleChart
 
 /// A mesh to move about on: which triangle lies across an edge, and what bounds it.
 ///
-/// Edges are numbered by triangle: edge e of a triangle runs from its corner e to the next one. Points closer to
-/// each other than a millionth of the mesh's extent may count as one; triangles with two such corners, and those
-/// without area, are left out. One cannot cross borders, edges of more than two triangles, and feature edges.
+/// Edges are numbered by triangle: edge e of a triangle runs from its corner e to the next one. Points closer
+/// to each other than a millionth of the mesh's extent may count as one; triangles with two such corners, and
+/// those without area, are left out. One cannot cross borders, edges of more than two triangles, and feature
+/// edges.
 class MeshNavigation
 {
 public:
@@ -84,7 +85,7 @@ public:
   {
     std::uint32_t triangle;
     std::uint32_t edge; ///< the same edge there
-    bool opposed; ///< whether that triangle runs along the edge the other way, as on oriented surfaces
+    bool opposed;       ///< whether that triangle runs along the edge the other way, as on oriented surfaces
     /// The corner there that is the corner `edge` here (`second` 0) or the next one (1).
     std::uint32_t corner(std::uint32_t second) const
     {
@@ -101,8 +102,8 @@ public:
     return Neighbor{ link / 6, link / 2 % 3, link % 2 != 0 };
   }
 
-  /// Moves a point on an edge to the triangle across it, and turns a vector in the plane of the first triangle
-  /// about the edge into that of the second.
+  /// Moves a point on an edge to the triangle across it, and turns a vector in the plane of the first
+  /// triangle about the edge into that of the second.
   /// @return false, and nothing changed, if the edge cannot be crossed
   bool cross(MeshPoint& point, std::uint32_t edge, glm::dvec3& vector) const;
 

@@ -48,10 +48,7 @@ struct TorusShape
     }
     return shape;
   }
-  double across(const glm::dvec3& p) const
-  {
-    return std::atan2(p.z, std::hypot(p.x, p.y) - this->radius);
-  }
+  double across(const glm::dvec3& p) const { return std::atan2(p.z, std::hypot(p.x, p.y) - this->radius); }
   static double difference(double a, double b)
   {
     return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
@@ -96,8 +93,8 @@ struct EllipsoidShape
       const glm::dvec3 s = this->axes * this->axes;
       // The second fundamental form of x^2 / a^2 + y^2 / b^2 + z^2 / c^2 = 1, but for a factor.
       const glm::dvec3 normal = glm::normalize(p / s);
-      const glm::dvec3 axis1 =
-        glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+      const glm::dvec3 axis1 = glm::normalize(
+        glm::cross(normal, std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
       const glm::dvec3 axis2 = glm::cross(normal, axis1);
       const double l = glm::dot(axis1 / s, axis1);
       const double m = glm::dot(axis1 / s, axis2);

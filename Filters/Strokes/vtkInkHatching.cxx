@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <numeric>
 #include <span>
 #include <sstream>
@@ -71,23 +72,34 @@ struct Lines
   vtkPolyData* Data;
 };
 
-/// A part of a line with no more points than tones need: its ends, and others that are about half a spacing
-/// apart.
-void AddStroke(vtkCellArray* strokes, std::span<const vtkIdType> points, std::span<const double> arcLengths,
-  double spacing)
+/// The points of a part of a line that are enough for tones and bends: its ends, and others that are two
+/// spacings apart, or half a spacing where it turns.
+std::vector<vtkIdType> ThinOut(
+  vtkPolyData* data, std::span<const vtkIdType> points, std::span<const double> arcLengths, double spacing)
 {
+  constexpr double straight = 0.995; // cosine of the turn
+  const auto position = [&](std::size_t i)
+  {
+    double p[3];
+    data->GetPoint(points[i], p);
+    return glm::dvec3(p[0], p[1], p[2]);
+  };
   std::vector<vtkIdType> kept{ points.front() };
-  double before = arcLengths.front();
+  std::size_t last = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
   {
-    if (arcLengths[i] - before >= 0.5 * spacing)
+    const double way = arcLengths[i] - arcLengths[last];
+    const glm::dvec3 before = position(i) - position(last);
+    const glm::dvec3 after = position(i + 1) - position(i);
+    const bool turns = !(glm::dot(before, after) >= straight * glm::length(before) * glm::length(after));
+    if (way >= 2.0 * spacing || (way >= 0.5 * spacing && turns))
     {
       kept.push_back(points[i]);
-      before = arcLengths[i];
+      last = i;
     }
   }
   kept.push_back(points.back());
-  strokes->InsertNextCell(static_cast<vtkIdType>(kept.size()), kept.data());
+  return kept;
 }
 
 vtkDataArray* FindCellArray(vtkPolyData* data, const char* name)
@@ -228,7 +240,9 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
       const std::size_t first = cuts[cut - 1];
       const std::size_t count = cuts[cut] - first + 1;
       const vtkIdType cell = strokes->GetNumberOfCells();
-      AddStroke(strokes, points.subspan(first, count), std::span(arcLengths).subspan(first, count), spacing);
+      const std::vector<vtkIdType> kept =
+        ThinOut(data, points.subspan(first, count), std::span(arcLengths).subspan(first, count), spacing);
+      strokes->InsertNextCell(static_cast<vtkIdType>(kept.size()), kept.data());
       cellData->CopyData(data->GetCellData(), lines.GetCell(line), cell);
       outPriorities->InsertNextValue(static_cast<float>(
         givenPriorities ? givenPriorities->GetComponent(lines.GetCell(line), 0) : priorities[index]));

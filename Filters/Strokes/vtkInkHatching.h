@@ -12,8 +12,8 @@
  * 2000, section 3.2) and `LineFamily` (without it, all are of one). Second input: the surface that they
  * cover; only its area counts, and it is not needed where Spacing is set.
  *
- * Output: the lines' points with their arrays; lines, of points that are about half a spacing apart where the
- * input's are closer, with their cell arrays, `Priority`, `LineFamily`, and
+ * Output: the lines' points with their arrays; lines, of points that are about two spacings apart where the
+ * input's are closer, or half a spacing where lines turn, with their cell arrays, `Priority`, `LineFamily`, and
  * `Spacing` (float), the distance between all lines of the family in world units: the surface's area divided
  * by their length. Vertices, polygons and strips are left out. The result is the same for any number of
  * threads. Errors, each with an empty output: no surface with an area and no Spacing, arrays of a wrong size.
@@ -35,7 +35,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The surface that the lines cover.
+  /**
+   * The surface that the lines cover. Default: none.
+   */
   void SetSurfaceData(vtkPolyData* surface) { this->SetInputData(1, surface); }
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(1, surface); }
   ///@}

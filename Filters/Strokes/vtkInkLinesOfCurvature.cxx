@@ -38,10 +38,10 @@
 namespace
 {
 
-constexpr double DefaultSpacing = 0.01;          ///< of the diagonal of the bounds
-constexpr double DefaultNegligible = 0.1;        ///< over the diagonal: less counts as flat
-constexpr double DefaultScatterLength = 0.25;    ///< of the root of the area
-constexpr double ScatterCloseDistance = 0.001;   ///< of the root of the area
+constexpr double DefaultSpacing = 0.01;        ///< of the diagonal of the bounds
+constexpr double DefaultNegligible = 0.1;      ///< over the diagonal: less counts as flat
+constexpr double DefaultScatterLength = 0.25;  ///< of the root of the area
+constexpr double ScatterCloseDistance = 0.001; ///< of the root of the area
 constexpr const char* CurvatureNames[] = { "k1", "k2", "PrincipalDirection1", "PrincipalDirection2" };
 
 /// The principal curvatures and directions of a mesh's points.
@@ -270,8 +270,8 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   if (this->SmoothDirections)
   {
     std::array<std::vector<glm::dvec3>, 2>& directions = curvatures.Directions;
-    directions[0] = ink::smoothCrossField(surface, triangles.Normals, directions[0], curvatures.Umbilics,
-      this->SmoothingIterations, progress);
+    directions[0] = ink::smoothCrossField(
+      surface, triangles.Normals, directions[0], curvatures.Umbilics, this->SmoothingIterations, progress);
     for (std::size_t i = 0; i < directions[0].size(); ++i)
     {
       directions[1][i] = glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]);
@@ -332,7 +332,8 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   writer.Write(output, this->ComputeCurvatures);
   if (output->GetNumberOfLines() == 0)
   {
-    vtkWarningMacro("The surface has no lines: its directions are undefined everywhere, or it is smaller than "
+    vtkWarningMacro(
+      "The surface has no lines: its directions are undefined everywhere, or it is smaller than "
       << "the least length of lines. Its bounds' diagonal is " << diagonal << "; expected more than "
       << (this->Seeding == EVENLY_SPACED ? this->MinimumLength * spacing : 0.0) << ".");
   }

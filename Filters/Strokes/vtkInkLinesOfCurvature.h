@@ -30,9 +30,10 @@
  * | `LineFamily`  | lines  | unsigned char | 0 along maximum, 1 along minimum curvature |
  *
  * Lines can be dropped by `Priority` with vtkInkStrokeMapper's Density. The result is the same for any number
- * of threads; pieces of a mesh that is spread over processes have lines of their own. Errors, each with an empty output: a face with a point
- * that does not exist, faces without area only, curvature arrays of a wrong size, a spacing that makes too many
- * lines. An input without polygons, and a surface without lines, give a warning.
+ * of threads; pieces of a mesh that is spread over processes have lines of their own. Errors, each with an
+ * empty output: a face with a point that does not exist, faces without area only, curvature arrays of a wrong
+ * size, a spacing that makes too many lines. An input without polygons, and a surface without lines, give a
+ * warning.
  *
  * @sa vtkInkPrincipalCurvature vtkInkHatching vtkInkStrokeMapper
  */

@@ -3,8 +3,8 @@
 //
 //   BenchmarkStreamlines [--triangles N] [--spacing S] [--wall]
 //
-// By default half a million triangles and a spacing that makes about 10,000 lines. Times are the least of three
-// runs: the process's CPU time on one thread, or with --wall the wall-clock time on as many threads as
+// By default half a million triangles and a spacing that makes about 10,000 lines. Times are the least of
+// three runs: the process's CPU time on one thread, or with --wall the wall-clock time on as many threads as
 // VTK_SMP_MAX_THREADS says.
 
 #include "StreamlineShapes.h"
@@ -96,8 +96,7 @@ int main(int argc, char* argv[])
 
   const std::vector<float> umbilics(mesh.points.size(), 0.9f);
   std::printf("  smoothing, 30 iterations on all points: %.3f s\n",
-    LeastTime(wall,
-      [&] { ink::smoothCrossField(mesh, shape.normals, shape.maximum, umbilics, 30); }));
+    LeastTime(wall, [&] { ink::smoothCrossField(mesh, shape.normals, shape.maximum, umbilics, 30); }));
 
   for (const bool maximum : { true, false })
   {
@@ -105,8 +104,8 @@ int main(int argc, char* argv[])
     options.spacing = spacing;
     options.trace.maximumLength = 40.0 * spacing;
     ink::Streamlines lines;
-    const double time = LeastTime(
-      wall, [&] { lines = ink::evenStreamlines(*navigation, shape.normals, fieldOf(shape, maximum), options); });
+    const double time = LeastTime(wall,
+      [&] { lines = ink::evenStreamlines(*navigation, shape.normals, fieldOf(shape, maximum), options); });
     std::printf("  evenly spaced, %s curvature: %.3f s, %zu lines of %zu points\n",
       maximum ? "maximum" : "minimum", time, lines.lines.size(), lines.points.size());
   }
@@ -121,6 +120,7 @@ int main(int argc, char* argv[])
       lines = ink::scatteredStreamlines(
         *navigation, fieldOf(shape), ink::areaSeeds(*navigation, seeds), options, 0);
     });
-  std::printf("  area scatter: %.3f s, %zu lines of %zu points\n", time, lines.lines.size(), lines.points.size());
+  std::printf(
+    "  area scatter: %.3f s, %zu lines of %zu points\n", time, lines.lines.size(), lines.points.size());
   return EXIT_SUCCESS;
 }

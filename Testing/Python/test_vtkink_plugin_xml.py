@@ -70,6 +70,10 @@ def surface_sampler():
     return proxy_of("SurfaceSampler.xml", "SourceProxy"), [vtkink.vtkInkSurfaceSampler()]
 
 
+def lines_of_curvature():
+    return proxy_of("LinesOfCurvature.xml", "SourceProxy"), [vtkink.vtkInkLinesOfCurvature()]
+
+
 def point_priority():
     return proxy_of("PointPriority.xml", "SourceProxy"), [vtkink.vtkInkPointPriority()]
 
@@ -104,6 +108,7 @@ PROXIES = {
     "Contours.xml": contours,
     "Gradient.xml": gradient,
     "IsoSurfaceSampler.xml": sampler,
+    "LinesOfCurvature.xml": lines_of_curvature,
     "PointPriority.xml": point_priority,
     "PrincipalCurvature.xml": principal_curvature,
     "SplattingLines.xml": splatting_lines,

@@ -74,6 +74,12 @@ def test_a_wrong_value_is_clamped():
 NUMBERS = [
     ("vtkInkContours", "FeatureAngle"),
     ("vtkInkGradient", "LaplacianScale"),
+    ("vtkInkLinesOfCurvature", "FeatureAngle"),
+    ("vtkInkLinesOfCurvature", "MinimumLength"),
+    ("vtkInkLinesOfCurvature", "Spacing"),
+    ("vtkInkLinesOfCurvature", "StepFactor"),
+    ("vtkInkLinesOfCurvature", "StopDistance"),
+    ("vtkInkLinesOfCurvature", "UmbilicLimit"),
     ("vtkInkStippleGenerator", "GradientPercentile"),
     ("vtkInkStippleGenerator", "GradientThreshold"),
     ("vtkInkStippleGenerator", "LayerThickness"),

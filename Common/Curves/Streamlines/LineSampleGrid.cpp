@@ -22,7 +22,8 @@ constexpr std::size_t fewestSlots = 1024;
 std::uint64_t brickOf(const glm::ivec3& cell)
 {
   constexpr std::uint64_t mask = (1u << 21) - 1;
-  return (static_cast<std::uint64_t>(cell.x >> 2) & mask) | (static_cast<std::uint64_t>(cell.y >> 2) & mask) << 21 |
+  return (static_cast<std::uint64_t>(cell.x >> 2) & mask) |
+    (static_cast<std::uint64_t>(cell.y >> 2) & mask) << 21 |
     (static_cast<std::uint64_t>(cell.z >> 2) & mask) << 42;
 }
 

@@ -22,8 +22,8 @@ struct LineSample
 /// samples on two sides of a thin wall, or on sheets above each other (ink::areApart), are never near.
 bool areNear(const LineSample& a, const LineSample& b, float distance);
 
-/// Samples of lines in a uniform grid of cubic cells, kept in bricks of 4 x 4 x 4 cells that are found by their
-/// hash: what is near a position is found in a time that does not depend on the number of lines.
+/// Samples of lines in a uniform grid of cubic cells, kept in bricks of 4 x 4 x 4 cells that are found by
+/// their hash: what is near a position is found in a time that does not depend on the number of lines.
 class LineSampleGrid
 {
 public:

@@ -42,8 +42,9 @@ std::vector<MeshPoint> areaSeeds(const MeshNavigation& mesh, const AreaSeedOptio
     if (!options.curvature.empty())
     {
       const auto& [a, b, c] = triangles.triangles[t];
-      const double mean = (static_cast<double>(options.curvature[a]) + static_cast<double>(options.curvature[b]) +
-                            static_cast<double>(options.curvature[c])) /
+      const double mean =
+        (static_cast<double>(options.curvature[a]) + static_cast<double>(options.curvature[b]) +
+          static_cast<double>(options.curvature[c])) /
         3.0;
       probability *= mean >= options.threshold ? options.factor : 1.0;
     }
@@ -82,8 +83,8 @@ Streamlines scatteredStreamlines(const MeshNavigation& mesh, const LineField& fi
     {
       const Triangle& points = mesh.mesh().triangles[seeds[i].triangle];
       const glm::dvec3& weights = seeds[i].weights;
-      const std::size_t corner = weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2)
-                                                        : (weights.y >= weights.z ? 1 : 2);
+      const std::size_t corner =
+        weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2) : (weights.y >= weights.z ? 1 : 2);
       lines[i] = tracer.trace(seeds[i], field.directions[points[corner]], {});
     },
     progress);
@@ -97,7 +98,8 @@ Streamlines scatteredStreamlines(const MeshNavigation& mesh, const LineField& fi
   }
   parallelSort(keys.begin(), keys.end());
   std::vector<std::uint32_t> order;
-  std::transform(keys.begin(), keys.end(), std::back_inserter(order), [](const auto& key) { return key.second; });
+  std::transform(
+    keys.begin(), keys.end(), std::back_inserter(order), [](const auto& key) { return key.second; });
   return joinLines(lines, order);
 }
 

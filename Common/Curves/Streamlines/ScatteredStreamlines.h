@@ -13,8 +13,8 @@ namespace ink
 
 struct AreaSeedOptions
 {
-  double count = 5000.0;    ///< about how many seeds there are on the whole mesh: n in the paper
-  int mostInTriangle = 10;  ///< m in the paper
+  double count = 5000.0;   ///< about how many seeds there are on the whole mesh: n in the paper
+  int mostInTriangle = 10; ///< m in the paper
   std::uint64_t seed = 0;
   /// Empty, or one per point of the mesh: triangles whose mean is at least `threshold` get `factor` times as
   /// many seeds.

@@ -2,6 +2,8 @@
 #include "Curves/Streamlines/SmoothCrossField.h"
 
 #include "Core/ParallelFor.h"
+#include "Curvature/PrincipalCurvature.h"
+#include "Curvature/SurfaceRings.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -38,56 +40,12 @@ Complex fourfold(const glm::dvec3& direction, const glm::dvec3& axisX, const glm
   return Complex(squared * squared);
 }
 
-glm::dvec3 anyTangent(const glm::dvec3& normal)
-{
-  const glm::dvec3 size = glm::abs(normal);
-  const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
-    : size.y <= size.z                                         ? glm::dvec3(0, 1, 0)
-                                                               : glm::dvec3(0, 0, 1);
-  return glm::normalize(glm::cross(normal, axis));
-}
-
 /// A tangent vector turned by the smallest turn that brings its unit normal to another.
 glm::dvec3 turned(const glm::dvec3& tangent, const glm::dvec3& from, const glm::dvec3& to)
 {
   const double cosine = glm::dot(from, to);
   return cosine > -0.999 ? tangent - glm::dot(tangent, to) / (1.0 + cosine) * (from + to) : tangent;
 }
-
-/// For each point those that it has an edge with.
-struct Neighbors
-{
-  std::vector<std::size_t> offsets;
-  std::vector<std::uint32_t> points;
-
-  explicit Neighbors(const TriangleMesh& mesh)
-    : offsets(mesh.points.size() + 1)
-  {
-    // Both ends of a triangle's edges, so edges of two triangles count twice, as weights do.
-    for (const Triangle& triangle : mesh.triangles)
-    {
-      for (const std::uint32_t point : triangle)
-      {
-        this->offsets[point + 1] += 2;
-      }
-    }
-    for (std::size_t i = 1; i < this->offsets.size(); ++i)
-    {
-      this->offsets[i] += this->offsets[i - 1];
-    }
-    this->points.resize(this->offsets.back());
-    std::vector<std::size_t> next(this->offsets.begin(), this->offsets.end() - 1);
-    for (const auto& [a, b, c] : mesh.triangles)
-    {
-      const std::uint32_t corners[3] = { a, b, c };
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        this->points[next[corners[i]]++] = corners[(i + 1) % 3];
-        this->points[next[corners[i]]++] = corners[(i + 2) % 3];
-      }
-    }
-  }
-};
 
 void checkSize(std::size_t found, std::size_t expected, const char* what)
 {
@@ -108,11 +66,17 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
   checkSize(normals.size(), count, "normals");
   checkSize(directions.size(), count, "directions");
   checkSize(umbilics.size(), count, "umbilic measures");
-  const Neighbors neighbors(mesh);
+  const SurfaceRings rings(mesh);
+  const auto ringOf = [&](std::size_t point) { return rings.ring(rings.site(point)); };
+  std::vector<std::size_t> offsets(count + 1); // of each point's turns
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    offsets[i + 1] = offsets[i] + ringOf(i).size();
+  }
   std::vector<glm::dvec3> axes(count); // x axis of each tangent plane
   std::vector<Complex> now(count);
   std::vector<float> share(count); // of the neighbors in the mean
-  std::vector<Complex> turns(neighbors.points.size());
+  std::vector<Complex> turns(offsets.back());
   const std::size_t blocks = (count + blockSize - 1) / blockSize;
   const auto forPoints = [&](const auto& body)
   {
@@ -133,7 +97,7 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
       {
         return;
       }
-      axes[i] = anyTangent(normal);
+      axes[i] = tangentAxes(normal)[0];
       const float defined = directions[i] == glm::dvec3(0.0) || !std::isfinite(umbilics[i])
         ? 0.0f
         : std::clamp((1.0f - umbilics[i]) / (1.0f - firstSmoothed), 0.0f, 1.0f);
@@ -144,37 +108,38 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
     [&](std::size_t i)
     {
       const glm::dvec3 normal(normals[i]);
-      for (std::size_t n = neighbors.offsets[i]; share[i] > 0.0f && n < neighbors.offsets[i + 1]; ++n)
+      const std::span<const std::uint32_t> ring = ringOf(i);
+      for (std::size_t n = 0; share[i] > 0.0f && n < ring.size(); ++n)
       {
-        const std::uint32_t other = neighbors.points[n];
+        const std::uint32_t other = ring[n];
         if (axes[other] != glm::dvec3(0.0))
         {
-          turns[n] = fourfold(
+          turns[offsets[i] + n] = fourfold(
             turned(axes[other], glm::dvec3(normals[other]), normal), axes[i], glm::cross(normal, axes[i]));
         }
       }
     });
   std::vector<Complex> next = now;
-  for (int n = 0; n < iterations; ++n)
+  for (int iteration = 0; iteration < iterations; ++iteration)
   {
-    if (progress && !progress(static_cast<double>(n) / iterations))
+    if (progress && !progress(static_cast<double>(iteration) / iterations))
     {
       return { directions.begin(), directions.end() };
     }
     forPoints(
       [&](std::size_t i)
       {
-        if (!(share[i] > 0.0f) || neighbors.offsets[i] == neighbors.offsets[i + 1])
+        const std::span<const std::uint32_t> ring = ringOf(i);
+        if (!(share[i] > 0.0f) || ring.empty())
         {
           return;
         }
         Complex sum;
-        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+        for (std::size_t n = 0; n < ring.size(); ++n)
         {
-          sum += turns[e] * now[neighbors.points[e]];
+          sum += turns[offsets[i] + n] * now[ring[n]];
         }
-        const auto edges = static_cast<float>(neighbors.offsets[i + 1] - neighbors.offsets[i]);
-        next[i] = (1.0f - share[i]) * now[i] + share[i] / edges * sum;
+        next[i] = (1.0f - share[i]) * now[i] + share[i] / static_cast<float>(ring.size()) * sum;
       });
     std::swap(now, next);
   }
@@ -188,8 +153,7 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
       }
       const double angle = 0.25 * std::arg(std::complex<double>(now[i]));
       const glm::dvec3 normal(normals[i]);
-      const glm::dvec3 first =
-        std::cos(angle) * axes[i] + std::sin(angle) * glm::cross(normal, axes[i]);
+      const glm::dvec3 first = std::cos(angle) * axes[i] + std::sin(angle) * glm::cross(normal, axes[i]);
       const glm::dvec3 second = glm::cross(normal, first);
       const double along = glm::dot(first, directions[i]);
       const double across = glm::dot(second, directions[i]);

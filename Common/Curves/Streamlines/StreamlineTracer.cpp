@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Streamlines/StreamlineTracer.h"
 
+#include "Curves/Streamlines/StreamlineCell.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -23,68 +25,12 @@ constexpr int mostSteps = 2'000'000;
 
 } // namespace
 
-/// A triangle with the directions of its corners, turned to that of the line.
-struct StreamlineTracer::Cell
-{
-  TriangleChart chart;
-  std::array<glm::dvec2, 3> corners; ///< directions, projected
-  double adaptiveStep;               ///< Rössl et al. 2000, equation 15
-  bool isSingular;
-
-  Cell(const MeshNavigation& mesh, const LineField& field, std::uint32_t triangle, const glm::dvec3& heading)
-    : chart(mesh.chart(triangle))
-  {
-    const Triangle& points = mesh.mesh().triangles[triangle];
-    std::array<glm::dvec3, 3> directions;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      directions[i] = field.along(points[i], heading);
-      this->corners[i] = { glm::dot(directions[i], this->chart.axisX),
-        glm::dot(directions[i], this->chart.axisY) };
-    }
-    double turns = 0.0;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      turns += std::acos(std::clamp(glm::dot(directions[i], directions[(i + 1) % 3]), 0.0, 1.0));
-    }
-    this->adaptiveStep = this->chart.perimeter() / (2.0 * (1.0 + turns) * (1.0 + turns));
-    const glm::dvec3 around =
-      field.along(points[0], field.along(points[2], field.along(points[1], directions[0])));
-    this->isSingular = around != directions[0];
-  }
-
-  /// Equation 12; zero where it is not defined.
-  glm::dvec2 direction(const glm::dvec3& weights) const
-  {
-    const glm::dvec2 sum =
-      weights.x * this->corners[0] + weights.y * this->corners[1] + weights.z * this->corners[2];
-    const double size = glm::length(sum);
-    return size > 1e-6 ? sum / size : glm::dvec2(0.0);
-  }
-
-  glm::dvec3 lift(const glm::dvec2& v) const { return v.x * this->chart.axisX + v.y * this->chart.axisY; }
-
-  glm::dvec3 moved(const glm::dvec3& weights, const glm::dvec2& by) const
-  {
-    return weights + this->chart.rates(by.x, by.y);
-  }
-
-  /// The classical Runge-Kutta step.
-  glm::dvec2 rungeKutta(const glm::dvec3& weights, const glm::dvec2& first, double step) const
-  {
-    const glm::dvec2 second = this->direction(this->moved(weights, 0.5 * step * first));
-    const glm::dvec2 third = this->direction(this->moved(weights, 0.5 * step * second));
-    const glm::dvec2 fourth = this->direction(this->moved(weights, step * third));
-    return step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth);
-  }
-};
-
 /// A line on its way.
 struct StreamlineTracer::Walk
 {
   const StreamlineTracer& tracer;
   MeshPoint at;
-  Cell cell;
+  StreamlineCell cell;
   /// The corner opposite the edge that the line came in by; an edge that leads back there is followed.
   int entry = -1;
 
@@ -134,8 +80,9 @@ struct StreamlineTracer::Walk
     auto [share, corner] = this->exit(next);
     if (this->tracer.Options.integrator == StreamlineIntegrator::RungeKutta4)
     {
-      const auto curve = [&](double size)
-      { return this->cell.moved(this->at.weights, this->cell.rungeKutta(this->at.weights, direction, size)); };
+      const auto curve = [&](double size) {
+        return this->cell.moved(this->at.weights, this->cell.rungeKutta(this->at.weights, direction, size));
+      };
       glm::dvec3 curved = curve(length);
       auto [curvedShare, curvedCorner] = this->exit(curved);
       // The length after which the curve meets the edge, by secants. A curve that turns back to the edge that
@@ -248,7 +195,7 @@ struct StreamlineTracer::Walk
     this->at.triangle = best.triangle;
     this->at.weights = glm::dvec3(0.0);
     this->at.weights[best.corner] = 1.0;
-    this->cell = Cell(this->tracer.Mesh, this->tracer.Field, best.triangle, heading);
+    this->cell = StreamlineCell(this->tracer.Mesh, this->tracer.Field, best.triangle, heading);
     this->entry = isInside ? -1 : best.behind;
     return std::nullopt;
   }
@@ -264,7 +211,7 @@ struct StreamlineTracer::Walk
       return LineEnd::Border;
     }
     this->entry = static_cast<int>((next->edge + 2) % 3);
-    this->cell = Cell(this->tracer.Mesh, this->tracer.Field, this->at.triangle, heading);
+    this->cell = StreamlineCell(this->tracer.Mesh, this->tracer.Field, this->at.triangle, heading);
     return std::nullopt;
   }
 
@@ -291,7 +238,7 @@ StreamlineTracer::StreamlineTracer(
 
 glm::dvec3 StreamlineTracer::direction(const MeshPoint& point, const glm::dvec3& heading) const
 {
-  const Cell cell(this->Mesh, this->Field, point.triangle, heading);
+  const StreamlineCell cell(this->Mesh, this->Field, point.triangle, heading);
   return cell.lift(cell.direction(point.weights));
 }
 
@@ -329,7 +276,8 @@ LineEnd StreamlineTracer::follow(
       return LineEnd::Umbilic;
     }
     const double left = length - arc;
-    const double step = std::min({ this->Options.stepFactor * walk.cell.adaptiveStep, this->Options.maximumStep, left });
+    const double step =
+      std::min({ this->Options.stepFactor * walk.cell.adaptiveStep, this->Options.maximumStep, left });
     int exit = walk.cornerBehind(direction);
     if (exit < 0 || exit == walk.entry)
     {
@@ -376,7 +324,8 @@ LineEnd StreamlineTracer::follow(
     std::optional<LineEnd> end;
     if (const int vertex = walk.vertex(); vertex >= 0)
     {
-      const std::uint32_t point = this->Mesh.mesh().triangles[walk.at.triangle][static_cast<std::size_t>(vertex)];
+      const std::uint32_t point =
+        this->Mesh.mesh().triangles[walk.at.triangle][static_cast<std::size_t>(vertex)];
       const glm::dvec3 own = this->Field.along(point, walk.cell.lift(direction));
       end = walk.leaveVertex(vertex, own == glm::dvec3(0.0) ? walk.cell.lift(direction) : own);
     }
@@ -418,7 +367,8 @@ TracedLine StreamlineTracer::trace(
     const glm::dvec3 segment = point.position - before;
     const double from = glm::dot(start - before, forward);
     const double to = glm::dot(point.position - start, forward);
-    if (lastArc == 0.0 || point.arc < 4.0 * near || from < 0.0 || to < 0.0 || !(from + to > 0.5 * glm::length(segment)))
+    if (lastArc == 0.0 || point.arc < 4.0 * near || from < 0.0 || to < 0.0 ||
+      !(from + to > 0.5 * glm::length(segment)))
     {
       return false;
     }
@@ -428,24 +378,24 @@ TracedLine StreamlineTracer::trace(
   {
     before = start;
     lastArc = 0.0;
-    line.ends[static_cast<std::size_t>(half)] = this->follow(seed, half == 0 ? forward : -forward,
-      0.5 * this->Options.maximumLength,
-      [&](const TracedPoint& point)
-      {
-        if (half == 0 && near > 0.0 && isBack(point))
+    line.ends[static_cast<std::size_t>(half)] =
+      this->follow(seed, half == 0 ? forward : -forward, 0.5 * this->Options.maximumLength,
+        [&](const TracedPoint& point)
         {
-          line.closed = true;
-          return false;
-        }
-        if (accept && !accept({ point.at, point.position, half == 0 ? point.arc : -point.arc }))
-        {
-          return false;
-        }
-        before = point.position;
-        lastArc = point.arc;
-        halves[half].push_back(point);
-        return true;
-      });
+          if (half == 0 && near > 0.0 && isBack(point))
+          {
+            line.closed = true;
+            return false;
+          }
+          if (accept && !accept({ point.at, point.position, half == 0 ? point.arc : -point.arc }))
+          {
+            return false;
+          }
+          before = point.position;
+          lastArc = point.arc;
+          halves[half].push_back(point);
+          return true;
+        });
     if (line.closed)
     {
       line.ends = { LineEnd::Closed, LineEnd::Closed };

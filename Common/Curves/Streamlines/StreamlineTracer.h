@@ -55,8 +55,8 @@ struct TracedPoint
 struct TracedLine
 {
   std::vector<TracedPoint> points;
-  std::size_t seed = 0; ///< the point that it started at
-  bool closed = false;  ///< then the last point is joined to the first
+  std::size_t seed = 0;          ///< the point that it started at
+  bool closed = false;           ///< then the last point is joined to the first
   std::array<LineEnd, 2> ends{}; ///< of the half along the seed's direction, and of the other one
 };
 
@@ -80,8 +80,7 @@ public:
   /// One half of a line.
   /// @param heading of the field's directions, the one closest to it is followed
   /// @param length at most, in world units
-  LineEnd follow(
-    const MeshPoint& seed, const glm::dvec3& heading, double length, const Accept& accept) const;
+  LineEnd follow(const MeshPoint& seed, const glm::dvec3& heading, double length, const Accept& accept) const;
 
   /// Both halves: first along the heading and then, unless it is closed, against it; there `arc` is negative
   /// for `accept`, which may be empty.
@@ -92,7 +91,6 @@ public:
   glm::dvec3 direction(const MeshPoint& point, const glm::dvec3& heading) const;
 
 private:
-  struct Cell;
   struct Walk;
 
   const MeshNavigation& Mesh;

@@ -24,7 +24,8 @@ Streamlines joinLines(std::span<const TracedLine> lines, std::span<const std::ui
   const auto lengthOf = [](const TracedLine& line)
   {
     const double open = line.points.empty() ? 0.0 : line.points.back().arc;
-    return line.closed ? open + glm::distance(line.points.back().position, line.points.front().position) : open;
+    return line.closed ? open + glm::distance(line.points.back().position, line.points.front().position)
+                       : open;
   };
   double whole = 0.0;
   for (const std::uint32_t n : order)
@@ -34,18 +35,26 @@ Streamlines joinLines(std::span<const TracedLine> lines, std::span<const std::ui
   double before = 0.0;
   for (const std::uint32_t n : order)
   {
-    const TracedLine& line = lines[n];
-    for (const TracedPoint& point : line.points)
-    {
-      result.points.push_back(point.at);
-      result.positions.push_back(point.position);
-      result.arcLength.push_back(point.arc - line.points.front().arc);
-    }
-    result.lines.offsets.push_back(result.points.size());
-    result.lines.closed.push_back(line.closed ? 1 : 0);
+    result.lines.offsets.push_back(result.lines.pointCount() + lines[n].points.size());
+    result.lines.closed.push_back(lines[n].closed ? 1 : 0);
     result.priorities.push_back(std::min(static_cast<float>(before / whole), std::nextafter(1.0f, 0.0f)));
-    before += lengthOf(line);
+    before += lengthOf(lines[n]);
   }
+  result.points.resize(result.lines.pointCount());
+  result.positions.resize(result.lines.pointCount());
+  result.arcLength.resize(result.lines.pointCount());
+  parallelFor(order.size(),
+    [&](std::size_t i)
+    {
+      const std::vector<TracedPoint>& points = lines[order[i]].points;
+      for (std::size_t k = 0; k < points.size(); ++k)
+      {
+        const std::size_t index = result.lines.offsets[i] + k;
+        result.points[index] = points[k].at;
+        result.positions[index] = points[k].position;
+        result.arcLength[index] = points[k].arc - points.front().arc;
+      }
+    });
   return result;
 }
 

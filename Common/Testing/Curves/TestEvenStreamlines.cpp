@@ -82,8 +82,8 @@ double lengthOf(const Streamlines& lines, std::size_t count)
   return sum;
 }
 
-/// How even the first lines are: the largest and the mean distance of the surface from them, as a share of the
-/// distance at which parallel lines of their length would be, and the least between two of them.
+/// How even the first lines are: the largest and the mean distance of the surface from them, as a share of
+/// the distance at which parallel lines of their length would be, and the least between two of them.
 struct Evenness
 {
   double spacing; ///< area over length
@@ -97,7 +97,7 @@ Evenness evenness(const Shape& shape, const Streamlines& lines, std::size_t coun
   const TriangleMesh mesh = shape.mesh.view();
   const CumulativeArea areas = cumulateArea(mesh);
   Evenness result{ areas.area.back() / lengthOf(lines, count), 0.0, 0.0, 1e300 };
-  const std::vector<glm::dvec3> places = positionsOf(mesh, sampleWhiteNoise(mesh, areas, 500, 7));
+  const std::vector<glm::dvec3> places = positionsOf(mesh, sampleWhiteNoise(mesh, areas, 300, 7));
   for (const glm::dvec3& place : places)
   {
     const double distance = nearest(lines, count, place, ~std::size_t(0)) / result.spacing;
@@ -106,7 +106,7 @@ Evenness evenness(const Shape& shape, const Streamlines& lines, std::size_t coun
   }
   for (std::size_t n = 0; n < count; ++n)
   {
-    for (std::size_t i = lines.lines.offsets[n]; i < lines.lines.offsets[n + 1]; i += 5)
+    for (std::size_t i = lines.lines.offsets[n]; i < lines.lines.offsets[n + 1]; i += 10)
     {
       result.closest = std::min(result.closest, nearest(lines, count, lines.positions[i], n));
     }
@@ -116,8 +116,8 @@ Evenness evenness(const Shape& shape, const Streamlines& lines, std::size_t coun
 
 bool areSame(const Streamlines& a, const Streamlines& b)
 {
-  return a.positions == b.positions && a.lines.offsets == b.lines.offsets && a.lines.closed == b.lines.closed &&
-    a.priorities == b.priorities && a.arcLength == b.arcLength;
+  return a.positions == b.positions && a.lines.offsets == b.lines.offsets &&
+    a.lines.closed == b.lines.closed && a.priorities == b.priorities && a.arcLength == b.arcLength;
 }
 
 } // namespace
@@ -161,8 +161,9 @@ TEST(EvenStreamlines, EachPrefixIsEven)
       const auto count = static_cast<std::size_t>(end - lines.priorities.begin());
       const Evenness even = evenness(shape, lines, count);
       const std::string where = name + ", up to " + std::to_string(share);
-      // Equal distances would have a mean of .25 and a largest one of .5 and more where lines end.
-      EXPECT_LT(even.mean, 0.33) << where;
+      // Equal distances would have a mean of .25 and a largest one of .5 and more where lines end; the first
+      // tenth are half a dozen lines.
+      EXPECT_LT(even.mean, share < 0.2 ? 0.38 : 0.33) << where;
       EXPECT_LT(even.farthest, 1.35) << where;
       EXPECT_GT(even.closest, 0.46 * spacing) << where;
       // Priority is the share of ink, but for one line.

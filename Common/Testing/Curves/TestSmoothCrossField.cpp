@@ -40,7 +40,8 @@ struct Disturbed
       if (this->isInBand(i))
       {
         const double angle = 2.0 * std::numbers::pi * unitDouble(hash(5, i));
-        this->directions[i] = std::cos(angle) * this->shape.maximum[i] + std::sin(angle) * this->shape.minimum[i];
+        this->directions[i] =
+          std::cos(angle) * this->shape.maximum[i] + std::sin(angle) * this->shape.minimum[i];
         this->umbilics[i] = 1.0f;
       }
       else if (hash(6, i) & 1)

@@ -3,7 +3,7 @@
 
 #include "Curves/Streamlines/StreamlineTracer.h"
 
-#include "StreamlineShapes.h"
+#include "StreamlineDeviation.h"
 
 #include <gtest/gtest.h>
 
@@ -24,53 +24,6 @@ using namespace ink::test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool isRegular(const TorusShape&, const TracedLine&, bool)
-{
-  return true;
-}
-
-/// Whether a line stays away from the four umbilics, where directions turn at once, and from the planes of
-/// symmetry that are lines of curvature themselves, where a parameter's slope is zero.
-bool isRegular(const EllipsoidShape& ellipsoid, const TracedLine& line, bool maximum)
-{
-  const glm::dvec3 squares = ellipsoid.axes * ellipsoid.axes;
-  return std::all_of(line.points.begin(), line.points.end(),
-    [&](const TracedPoint& point)
-    {
-      const glm::dvec2 both = ellipsoid.parameters(ellipsoid.onto(point.position));
-      return both.y - both.x > 1.0 && (maximum ? squares.x - both.y : both.x - squares.z) > 0.5;
-    });
-}
-
-/// The largest deviation of lines from some triangles.
-template <class Known>
-double worstDeviation(
-  const Known& known, const Shape& shape, bool maximum, const TraceOptions& options)
-{
-  const TriangleMesh mesh = shape.mesh.view();
-  const MeshNavigation navigation(mesh, 180.0);
-  const LineField field = fieldOf(shape, maximum);
-  const StreamlineTracer tracer(navigation, field, options);
-  double worst = 0.0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); t += 97)
-  {
-    if (!navigation.isUsable(t))
-    {
-      continue;
-    }
-    const TracedLine line = tracer.trace({ t, { 0.3, 0.45, 0.25 } }, field.directions[mesh.triangles[t][0]], {});
-    if (!isRegular(known, line, maximum))
-    {
-      continue;
-    }
-    for (const TracedPoint& point : line.points)
-    {
-      worst = std::max(worst, known.deviation(point.position, line.points[line.seed].position, maximum));
-    }
-  }
-  return worst;
-}
-
 } // namespace
 
 TEST(StreamlineTracer, LinesOfATorusAreItsCircles)
@@ -84,7 +37,7 @@ TEST(StreamlineTracer, LinesOfATorusAreItsCircles)
       const Shape shape = torus.sample(3 * rows, rows);
       TraceOptions options;
       options.maximumLength = 10.0;
-      const double worst = worstDeviation(torus, shape, maximum, options);
+      const double worst = largestDeviation(torus, shape, maximum, options);
       EXPECT_LT(worst, before / 2.0) << rows << " rows";
       before = worst;
     }
@@ -94,7 +47,8 @@ TEST(StreamlineTracer, LinesOfATorusAreItsCircles)
 
 TEST(StreamlineTracer, DeviationFallsWithTheStep)
 {
-  // First order with Euler; with Runge and Kutta it is that of the mesh from a quarter of the published step on.
+  // First order with Euler; with Runge and Kutta it is that of the mesh from a quarter of the published step
+  // on.
   const EllipsoidShape ellipsoid;
   const Shape shape = ellipsoid.sample(130, 65);
   for (const bool maximum : { true, false })
@@ -106,9 +60,9 @@ TEST(StreamlineTracer, DeviationFallsWithTheStep)
       TraceOptions options;
       options.maximumLength = 4.0;
       options.stepFactor = factor;
-      rungeKutta.push_back(worstDeviation(ellipsoid, shape, maximum, options));
+      rungeKutta.push_back(largestDeviation(ellipsoid, shape, maximum, options));
       options.integrator = StreamlineIntegrator::Euler;
-      euler.push_back(worstDeviation(ellipsoid, shape, maximum, options));
+      euler.push_back(largestDeviation(ellipsoid, shape, maximum, options));
     }
     EXPECT_LT(euler[0], 0.07);
     EXPECT_LT(euler[3], euler[2] / 1.6);
@@ -280,7 +234,8 @@ TEST(StreamlineTracer, CrossesDoNotCareForNamesAndSigns)
   const MeshNavigation navigation(shape.mesh.view(), 180.0);
   const LineField field{ shape.maximum, shape.minimum, {} };
   const glm::dvec3 heading = glm::normalize(glm::dvec3(1.0, 0.3, 0.0));
-  const TracedLine line = StreamlineTracer(navigation, field, {}).trace({ 90, { 0.3, 0.3, 0.4 } }, heading, {});
+  const TracedLine line =
+    StreamlineTracer(navigation, field, {}).trace({ 90, { 0.3, 0.3, 0.4 } }, heading, {});
   EXPECT_EQ(line.ends[0], LineEnd::Border);
   for (const TracedPoint& point : line.points)
   {
@@ -297,14 +252,17 @@ TEST(StreamlineTracer, EndsOnBrokenMeshes)
     Shape shape;
     for (std::uint64_t i = 0; i < 12; ++i)
     {
-      const auto coordinate = [&](std::uint64_t n) { return std::floor(4.0 * unitDouble(hash(seed, i, n))) / 4.0; };
+      const auto coordinate = [&](std::uint64_t n)
+      { return std::floor(4.0 * unitDouble(hash(seed, i, n))) / 4.0; };
       shape.mesh.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
-      const glm::dvec3 v(unitDouble(hash(seed, i, 3)) - 0.5, unitDouble(hash(seed, i, 4)) - 0.5, unitDouble(hash(seed, i, 5)) - 0.5);
+      const glm::dvec3 v(unitDouble(hash(seed, i, 3)) - 0.5, unitDouble(hash(seed, i, 4)) - 0.5,
+        unitDouble(hash(seed, i, 5)) - 0.5);
       shape.maximum.push_back(hash(seed, i, 6) % 8 == 0 ? glm::dvec3(0.0) : glm::normalize(v));
     }
     for (std::uint64_t t = 0; t < 30; ++t)
     {
-      const auto corner = [&](std::uint64_t n) { return static_cast<std::uint32_t>(hash(seed, 100 + t, n) % 12); };
+      const auto corner = [&](std::uint64_t n)
+      { return static_cast<std::uint32_t>(hash(seed, 100 + t, n) % 12); };
       shape.mesh.triangles.push_back({ corner(0), corner(1), corner(2) });
     }
     TraceOptions options;
@@ -315,7 +273,8 @@ TEST(StreamlineTracer, EndsOnBrokenMeshes)
       const TracedLine line = traceOn(shape, { t, { 0.2, 0.5, 0.3 } }, options);
       for (const TracedPoint& point : line.points)
       {
-        ASSERT_TRUE(std::isfinite(glm::dot(point.position, point.position))) << "mesh " << seed << " triangle " << t;
+        ASSERT_TRUE(std::isfinite(glm::dot(point.position, point.position)))
+          << "mesh " << seed << " triangle " << t;
       }
     }
   }

@@ -96,8 +96,9 @@ TEST(LinesOfCurvature, OfATorusWithTheirArrays)
     {
       const vtkIdType point = points->GetId(i);
       // Meridians have a constant angle around the axis, parallels around the tube.
-      const double turn = std::remainder(
-        Coordinate(lines, point, maximum) - Coordinate(lines, points->GetId(0), maximum), 2.0 * std::numbers::pi);
+      const double turn =
+        std::remainder(Coordinate(lines, point, maximum) - Coordinate(lines, points->GetId(0), maximum),
+          2.0 * std::numbers::pi);
       largest = std::max(largest, std::abs(turn) * (maximum ? Radius : Tube));
       EXPECT_NEAR(std::hypot(normals->GetComponent(point, 0), normals->GetComponent(point, 1),
                     normals->GetComponent(point, 2)),
@@ -172,7 +173,9 @@ TEST(LinesOfCurvature, OfSpheresAndPlanesAreSmoothed)
     for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
     {
       lines->GetCellPoints(line, points);
-      sum += lines->GetPointData()->GetArray("ArcLength")->GetComponent(points->GetId(points->GetNumberOfIds() - 1), 0);
+      sum += lines->GetPointData()
+               ->GetArray("ArcLength")
+               ->GetComponent(points->GetId(points->GetNumberOfIds() - 1), 0);
     }
     return sum;
   };
