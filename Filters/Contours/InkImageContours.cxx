@@ -55,8 +55,8 @@ int InkImageContours::Update(
     surfaces.back().Find = InkWithGridField(geometry, this->Values, this->ComponentToRead, hidden,
       [&]<class T>(const ink::GridField<T>& field) -> Finder
       {
-        const auto contours = std::make_shared<const ink::GridContours<T>>(
-          field, isoValue, input.Cells, &this->Ranges, progress);
+        const auto contours =
+          std::make_shared<const ink::GridContours<T>>(field, isoValue, input.Cells, &this->Ranges, progress);
         return [contours](const ink::Eye& eye, const ink::ContourArrays& arrays,
                  const ink::GridContourOptions& options) { return contours->find(eye, arrays, options); };
       });

@@ -86,8 +86,7 @@ void InkMakeContourLines(
   AddArray<vtkFloatArray>("RadialCurvature", contours.radialCurvature, output, same);
   AddArray<vtkDoubleArray>("ArcLength", contours.arcLength, output, same);
   AddArray<vtkIdTypeArray>("CellId", contours.elements, output,
-    [&](std::int64_t element)
-    {
+    [&](std::int64_t element) {
       return cellIds.empty() ? static_cast<vtkIdType>(element) : cellIds[static_cast<std::size_t>(element)];
     });
 }

@@ -62,7 +62,8 @@ struct Lines
     {
       double p[3];
       this->Data->GetPoint(id, p);
-      const double step = lengths.empty() ? 0.0 : std::hypot(p[0] - before[0], p[1] - before[1], p[2] - before[2]);
+      const double step =
+        lengths.empty() ? 0.0 : std::hypot(p[0] - before[0], p[1] - before[1], p[2] - before[2]);
       lengths.push_back((lengths.empty() ? 0.0 : lengths.back()) + (std::isfinite(step) ? step : 0.0));
       std::copy_n(p, 3, before);
     }
@@ -109,8 +110,9 @@ vtkDataArray* FindCellArray(vtkPolyData* data, const char* name)
     (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != data->GetNumberOfCells()))
   {
     std::ostringstream message;
-    message << "expected " << data->GetNumberOfCells() << " values with 1 component in the cell array \"" << name
-            << "\", found " << array->GetNumberOfTuples() << " with " << array->GetNumberOfComponents();
+    message << "expected " << data->GetNumberOfCells() << " values with 1 component in the cell array \""
+            << name << "\", found " << array->GetNumberOfTuples() << " with "
+            << array->GetNumberOfComponents();
     throw std::invalid_argument(message.str());
   }
   return array;

@@ -13,10 +13,11 @@
  * cover; only its area counts, and it is not needed where Spacing is set.
  *
  * Output: the lines' points with their arrays; lines, of points that are about two spacings apart where the
- * input's are closer, or half a spacing where lines turn, with their cell arrays, `Priority`, `LineFamily`, and
- * `Spacing` (float), the distance between all lines of the family in world units: the surface's area divided
- * by their length. Vertices, polygons and strips are left out. The result is the same for any number of
- * threads. Errors, each with an empty output: no surface with an area and no Spacing, arrays of a wrong size.
+ * input's are closer, or half a spacing where lines turn, with their cell arrays, `Priority`, `LineFamily`,
+ * and `Spacing` (float), the distance between all lines of the family in world units: the surface's area
+ * divided by their length. Vertices, polygons and strips are left out. The result is the same for any number
+ * of threads. Errors, each with an empty output: no surface with an area and no Spacing, arrays of a wrong
+ * size.
  *
  * @sa vtkInkLinesOfCurvature vtkInkStrokeMapper
  */
@@ -44,8 +45,8 @@ public:
 
   ///@{
   /**
-   * The distance between all lines of each family, in world units. 0 (default) to 1e300; 0: the surface's area
-   * divided by their length.
+   * The distance between all lines of each family, in world units. 0 (default) to 1e300; 0: the surface's
+   * area divided by their length.
    */
   InkSetClampMacro(Spacing, 0.0, 1e300);
   vtkGetMacro(Spacing, double);
@@ -53,8 +54,8 @@ public:
 
   ///@{
   /**
-   * About how long strokes are at most, in world units: longer lines are cut, at points that they have. Shorter
-   * strokes look more like sketched by hand. 0 (default) to 1e300; 0: lines are not cut.
+   * About how long strokes are at most, in world units: longer lines are cut, at points that they have.
+   * Shorter strokes look more like sketched by hand. 0 (default) to 1e300; 0: lines are not cut.
    */
   InkSetClampMacro(StrokeLength, 0.0, 1e300);
   vtkGetMacro(StrokeLength, double);
@@ -62,7 +63,8 @@ public:
 
   ///@{
   /**
-   * Another seed gives other cuts, and other lines that are dropped where these have no `Priority`. Default: 0.
+   * Another seed gives other cuts, and other lines that are dropped where these have no `Priority`. Default:
+   * 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);

@@ -273,8 +273,8 @@ void InkOccluder::DrawDiscs(const InkViewUniforms& view)
 void InkOccluder::DrawTriangles(const InkViewUniforms& view)
 {
   const std::string features = view.FindFeatures();
-  InkShaderPass& pass = this->Passes.Find(
-    InkWithFeatures(InkOccluderVS, features), "", InkWithFeatures(InkOccluderFS, features));
+  InkShaderPass& pass =
+    this->Passes.Find(InkWithFeatures(InkOccluderVS, features), "", InkWithFeatures(InkOccluderFS, features));
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,
     [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
     {

@@ -129,8 +129,7 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   const InkStrokeStyle& style = scene.Style;
   const std::string features =
     style.Hatching ? InkDefine("INK_HATCHING") + InkFindLightFeatures(style.Hatching->Lights) : "";
-  InkShaderPass& pass =
-    this->Passes.Find(InkWithFeatures(InkStrokePointVS, features), "", InkStrokePointFS);
+  InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkStrokePointVS, features), "", InkStrokePointFS);
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime, [](auto*, auto*) {});
   if (!program)
   {
@@ -214,8 +213,8 @@ void InkStrokePasses::DeactivateTextures(const Scene& scene)
   {
     scene.Occluder->Image.GetTexture()->Deactivate();
   }
-  for (InkTextureBuffer* buffer : { &this->Points, &this->Shapes, &this->Strokes, &this->Hatches, &this->Ids, &this->Colors,
-         &scene.Runs.Points, &scene.Runs.Runs })
+  for (InkTextureBuffer* buffer : { &this->Points, &this->Shapes, &this->Strokes, &this->Hatches, &this->Ids,
+         &this->Colors, &scene.Runs.Points, &scene.Runs.Runs })
   {
     buffer->Deactivate();
   }

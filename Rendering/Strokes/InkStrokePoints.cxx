@@ -61,7 +61,7 @@ std::string InkStrokeArrays::FindProblem() const
   {
     message << "Hatching needs strokes with the point array \"Normals\" and the cell arrays \"Priority\" and "
                "\"Spacing\", as of vtkInkHatching; found none of the name \""
-            << (!this->Normals      ? "Normals"
+            << (!this->Normals       ? "Normals"
                    : !this->Spacings ? "Spacing"
                                      : "Priority")
             << "\".";
@@ -90,8 +90,9 @@ std::string InkStrokeArrays::FindProblem() const
 float InkStrokeArrays::FindPriority(vtkIdType cell, vtkIdType line, vtkIdType point) const
 {
   // Without an order, strokes are dropped by chance.
-  const double priority = !this->Priorities ? ink::unitDouble(ink::hash(static_cast<std::uint64_t>(line)))
-                                            : this->Priorities->GetComponent(this->CellPriorities ? cell : point, 0);
+  const double priority = !this->Priorities
+    ? ink::unitDouble(ink::hash(static_cast<std::uint64_t>(line)))
+    : this->Priorities->GetComponent(this->CellPriorities ? cell : point, 0);
   return static_cast<float>(std::isfinite(priority) ? std::clamp(priority, 0.0, 1.0) : 1.0);
 }
 

@@ -50,7 +50,8 @@ std::vector<float> ReadDepth(const InkOccluderDepth& depth)
 }
 
 /// Strokes of hatching with a larger priority are drawn nowhere in a view.
-float FindMostPriority(const InkStrokePoints& strokes, const InkViewUniforms& view, const InkStrokeStyle& style)
+float FindMostPriority(
+  const InkStrokePoints& strokes, const InkViewUniforms& view, const InkStrokeStyle& style)
 {
   float widest = 0.0f;
   for (const InkStrokePoints::Stroke& stroke : strokes.GetStrokes())

@@ -152,8 +152,9 @@ public:
 
   ///@{
   /**
-   * Whether strokes are dashed, by their arc length: dashes stay where they are when the camera turns. A
-   * closed stroke has a whole number of them. Default: off.
+   * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
+   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number of
+   * them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);
@@ -264,8 +265,8 @@ public:
 
   ///@{
   /**
-   * How dark middle tones are. 0 (all but the darkest are white) to 1 (all but the lightest are dark); default:
-   * 0.5, as the light falls.
+   * How dark middle tones are. 0 (all but the darkest are white) to 1 (all but the lightest are dark);
+   * default: 0.5, as the light falls.
    */
   InkSetClampMacro(Tone, 0.0, 1.0);
   vtkGetMacro(Tone, double);
@@ -281,8 +282,8 @@ public:
 
   ///@{
   /**
-   * How much hatching is dark where the surface turns away from the eye in place of where there is no light. 0
-   * to 1 (only there); default: 0.3.
+   * How much hatching is dark where the surface turns away from the eye in place of where there is no light.
+   * 0 to 1 (only there); default: 0.3.
    */
   InkSetClampMacro(SilhouetteWeight, 0.0, 1.0);
   vtkGetMacro(SilhouetteWeight, double);

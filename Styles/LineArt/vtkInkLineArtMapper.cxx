@@ -29,7 +29,8 @@ void vtkInkLineArtMapper::SetMappers(vtkInkStrokeMapper* strokes, vtkInkSilhouet
 
 void vtkInkLineArtMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
-  for (vtkInkStrokeMapper* mapper : std::initializer_list<vtkInkStrokeMapper*>{ this->Strokes, this->Contours })
+  for (vtkInkStrokeMapper* mapper :
+    std::initializer_list<vtkInkStrokeMapper*>{ this->Strokes, this->Contours })
   {
     if (mapper->GetClippingPlanes() != this->GetClippingPlanes())
     {

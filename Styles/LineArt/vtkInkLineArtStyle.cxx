@@ -5,6 +5,7 @@
 #include "InkIsoSurface.h"
 #include "InkMeshTriangles.h"
 #include "InkParameter.h"
+#include "InkPointNormals.h"
 #include "vtkInkContoursStyle.h"
 #include "vtkInkHatching.h"
 #include "vtkInkLineArtMapper.h"
@@ -30,7 +31,8 @@ const InkParameterTable& InkLineArtParameters();
 namespace
 {
 
-/// The distance between strokes in thousandths of the picture's height, with the least and the greatest density.
+/// The distance between strokes in thousandths of the picture's height, with the least and the greatest
+/// density.
 constexpr double WidestSpacing = 16.0;
 constexpr double ClosestSpacing = 2.0;
 
@@ -71,7 +73,8 @@ constexpr Way Presets[] = {
   { 0.75, 0.4, 0.0, 0.7, 0.0, 0.0, 1.5, true },   // technical
 };
 
-/// Turns computed normals of a closed surface outwards: maximum and minimum curvature change places otherwise.
+/// Turns computed normals of a closed surface outwards: maximum and minimum curvature change places
+/// otherwise.
 void FaceOutward(vtkPolyData* surface)
 {
   const InkMeshTriangles triangles(surface, false, InkMeshTriangles::Order::OfMesh);
@@ -99,11 +102,6 @@ void FaceOutward(vtkPolyData* surface)
     turned->SetTuple3(i, -normal[0], -normal[1], -normal[2]);
   }
   surface->GetPointData()->SetNormals(turned);
-}
-
-bool HasNormals(vtkPolyData* mesh)
-{
-  return mesh->GetPointData()->GetNormals() || mesh->GetPointData()->GetArray("Normals");
 }
 
 constexpr const char* PieceNames[] = { "Surface", "Strokes" };
@@ -202,7 +200,7 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   {
     return problem;
   }
-  if (auto* mesh = vtkPolyData::SafeDownCast(input.Data); mesh && !HasNormals(mesh))
+  if (auto* mesh = vtkPolyData::SafeDownCast(input.Data); mesh && !InkPointNormals(mesh))
   {
     FaceOutward(surface);
   }

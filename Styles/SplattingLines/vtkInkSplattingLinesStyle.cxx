@@ -155,8 +155,9 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
     this->GetPiece(0)->ShallowCopy(mesh);
     return {};
   }
-  return this->NumberOfSamples == 0 && InkHasPolygons(mesh) ? this->TakeMeshWithNormals(mesh, false, this->GetPiece(POINTS))
-                                                            : this->SampleMesh(mesh);
+  return this->NumberOfSamples == 0 && InkHasPolygons(mesh)
+    ? this->TakeMeshWithNormals(mesh, false, this->GetPiece(POINTS))
+    : this->SampleMesh(mesh);
 }
 
 std::string vtkInkSplattingLinesStyle::SampleImages(

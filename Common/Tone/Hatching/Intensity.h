@@ -4,8 +4,8 @@
 namespace ink::hatching
 {
 
-/// How dark a surface is to be drawn (Rössl et al. 2000, section 3.2): the convex combination of a diffuse and
-/// a silhouette term, each with a truncation level, so that nothing is drawn where there is hardly any.
+/// How dark a surface is to be drawn (Rössl et al. 2000, section 3.2): the convex combination of a diffuse
+/// and a silhouette term, each with a truncation level, so that nothing is drawn where there is hardly any.
 /// The reference for Rendering/Strokes/Shaders/InkHatching.glsl, which computes the same.
 struct Intensity
 {

@@ -16,8 +16,8 @@ struct StrokeWidth
   /// 1 - crosshatching.
   float crosshatching = 0.5f;
 
-  /// The share of the paper that strokes of a family are to cover: both together cover `tone` of it where they
-  /// cross at random, 1 - tone = (1 - first) (1 - second). Both grow with the tone.
+  /// The share of the paper that strokes of a family are to cover: both together cover `tone` of it where
+  /// they cross at random, 1 - tone = (1 - first) (1 - second). Both grow with the tone.
   /// @param family 0, or 1 for the second
   float coverage(float tone, int family) const;
 

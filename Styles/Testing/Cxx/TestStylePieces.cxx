@@ -650,11 +650,11 @@ TEST(StylePieces, SilhouettesAreOfTheSurfaceThatIsDrawn)
     int Piece;
     vtkInkSilhouetteMapper* Mapper;
   };
-  for (const auto& [style, piece, mapper] : { Case{ lines, vtkInkSplattingLinesStyle::SILHOUETTES,
-                                                lines->GetSilhouettes()->GetMapper() },
-         Case{ stipple, vtkInkStippleStyle::SILHOUETTES, stipple->GetSilhouettes()->GetMapper() },
-         Case{ illustration, vtkInkSplattingLinesStyle::SILHOUETTES,
-           illustration->GetSilhouettes()->GetMapper() } })
+  for (const auto& [style, piece, mapper] :
+    { Case{ lines, vtkInkSplattingLinesStyle::SILHOUETTES, lines->GetSilhouettes()->GetMapper() },
+      Case{ stipple, vtkInkStippleStyle::SILHOUETTES, stipple->GetSilhouettes()->GetMapper() },
+      Case{
+        illustration, vtkInkSplattingLinesStyle::SILHOUETTES, illustration->GetSilhouettes()->GetMapper() } })
   {
     for (const auto& data :
       { vtkSmartPointer<vtkDataObject>(MakeBall()), vtkSmartPointer<vtkDataObject>(MakeMesh()) })

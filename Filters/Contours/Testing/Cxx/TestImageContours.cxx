@@ -116,8 +116,7 @@ TEST(ImageContours, OfABallAreACircle)
     double q[3];
     lines->GetPoint(ids->GetId(i + 1), q);
     double bounds[6];
-    image->GetCellBounds(
-      static_cast<vtkIdType>(arrays->GetArray("CellId")->GetTuple1(i)), bounds);
+    image->GetCellBounds(static_cast<vtkIdType>(arrays->GetArray("CellId")->GetTuple1(i)), bounds);
     for (int axis = 0; axis < 3; ++axis)
     {
       const double middle = 0.5 * (p[axis] + q[axis]);

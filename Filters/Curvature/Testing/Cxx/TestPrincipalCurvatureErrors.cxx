@@ -100,7 +100,8 @@ TEST(PrincipalCurvatureErrors, ImageWithoutScalars)
   image->SetDimensions(3, 3, 3);
   Checked run;
   run.Filter->SetFieldData(image);
-  run.Expect(sphere->GetOutput(), "no scalars", { "No point scalars in the image. Its point arrays: none." }, 0);
+  run.Expect(
+    sphere->GetOutput(), "no scalars", { "No point scalars in the image. Its point arrays: none." }, 0);
 }
 
 TEST(PrincipalCurvatureErrors, PointsBesideTheImage)

@@ -114,8 +114,7 @@ TEST(InkMapper, AnotherDrawsOverIt)
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(scene.Renderer);
   const int* size = scene.Window->GetSize();
-  selector->SetArea(
-    0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
+  selector->SetArea(0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
   selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
   const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   ASSERT_EQ(selection->GetNumberOfNodes(), 1u);

@@ -39,7 +39,8 @@ public:
       {
         reversed |= ((line >> bit) & 1) << (bits - 1 - bit);
       }
-      this->Priorities->InsertNextValue((static_cast<float>(reversed) + 0.5f) / static_cast<float>(1 << bits));
+      this->Priorities->InsertNextValue(
+        (static_cast<float>(reversed) + 0.5f) / static_cast<float>(1 << bits));
       this->Spacings->InsertNextValue(static_cast<float>(spacing));
       this->Families->InsertNextValue(static_cast<unsigned char>(family));
     }
@@ -53,16 +54,17 @@ public:
       const std::array<double, 3> p{ 2.0 * u - 1.0, 2.0 * v - 1.0, 0.0 };
       return family == 0 ? p : std::array<double, 3>{ p[1], p[0], 0.0 };
     };
-    this->Add(
-      bits, 2.0 / (1 << bits), family, point, [](double, double) { return std::array<double, 3>{ 0, 0, 1 }; });
+    this->Add(bits, 2.0 / (1 << bits), family, point,
+      [](double, double) {
+        return std::array<double, 3>{ 0, 0, 1 };
+      });
   }
 
   /// The side of a cylinder around y with radius 1 from y = -2 to 2 that is seen along -z, without its rims:
   /// lines around it, or along it.
   void AddCylinder(int bits, bool around)
   {
-    const auto angle = [around](double u, double v)
-    { return std::numbers::pi * ((around ? u : v) - 0.5); };
+    const auto angle = [around](double u, double v) { return std::numbers::pi * ((around ? u : v) - 0.5); };
     const auto point = [=](double u, double v)
     {
       const double a = angle(u, v);

@@ -162,7 +162,8 @@ TEST(StrokeHatching, Sliders)
     {
       (scene.Mapper.Get()->*set)(least + 0.2 * i * (most - least));
       const double ink = InkTestImage(scene.Window).Ink();
-      EXPECT_TRUE(i == 0 || (direction == 0 ? std::abs(ink / before - 1.0) < 0.05 : direction * (ink - before) > 0.0))
+      EXPECT_TRUE(
+        i == 0 || (direction == 0 ? std::abs(ink / before - 1.0) < 0.05 : direction * (ink - before) > 0.0))
         << name << " at step " << i << ": ink from " << before << " to " << ink;
       before = ink;
     }
@@ -209,8 +210,8 @@ TEST(StrokeHatching, Surface)
   scene.Mapper->SetSurfaceConnection(plane->GetOutputPort());
   for (const double slant : { 0.0, 45.0, 70.0 })
   {
-    scene.Renderer->GetActiveCamera()->SetPosition(
-      5.0 * std::sin(slant * std::numbers::pi / 180.0), 0.0, 5.0 * std::cos(slant * std::numbers::pi / 180.0));
+    scene.Renderer->GetActiveCamera()->SetPosition(5.0 * std::sin(slant * std::numbers::pi / 180.0), 0.0,
+      5.0 * std::cos(slant * std::numbers::pi / 180.0));
     scene.Renderer->ResetCameraClippingRange();
     const int half = static_cast<int>(130.0 * std::cos(slant * std::numbers::pi / 180.0));
     scene.Mapper->SetSurfaceConnection(nullptr);
