@@ -14,7 +14,7 @@ set(_ink_test_labels
   "streamlines:Streamline|LineSampleGrid|CrossField|MeshNavigation|LinesOfCurvature"
   "contours:Contours|ChainSegments|NormalClusters|SilhouetteVoxels"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
-  "statistics:IsoValue|NoiseEstimate|Histogram|FiniteRange"
+  "statistics:IsoValue|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SmoothedSlices"
   "vdb:Vdb|VDB|vdb"
   "reading:FormatNumber|FuzzCorpus|^IO(Core|Mesh|Volume)"
   "styles:^Styles"

@@ -145,6 +145,32 @@ TEST(StrokeHatching, Light)
   EXPECT_EQ(InkTestImage(scene.Window).Ink(), 0.0) << "a tone that is truncated";
 }
 
+/// A lamp beside the plane, from which light falls at another angle everywhere.
+TEST(StrokeHatching, Lamp)
+{
+  HatchedSurfaces surface;
+  surface.AddPlane(8);
+  HatchingScene scene(surface.Make());
+  scene.SetView(1.9, true);
+  scene.Mapper->SetDarkestTone(1.0);
+  const vtkSmartPointer<vtkLight> lamp = AddHeadlight(scene, 1.0);
+  lamp->SetLightTypeToSceneLight();
+  lamp->PositionalOn();
+  lamp->SetConeAngle(180.0);
+  lamp->SetPosition(2.0, 0.0, 1.0);
+  lamp->SetFocalPoint(0.0, 0.0, 0.0);
+  double dark = 0.0;
+  for (int y = -140; y < 140; ++y)
+  {
+    for (int x = -140; x < 140; ++x)
+    {
+      const double unit = 1.9 / 300.0;
+      dark += 1.0 - 1.0 / std::hypot((x + 0.5) * unit - 2.0, (y + 0.5) * unit, 1.0);
+    }
+  }
+  EXPECT_NEAR(Tone(InkTestImage(scene.Window), 140, 140), dark / (280.0 * 280.0), 0.025);
+}
+
 /// Each slider moves the ink one way, or leaves it as it is.
 TEST(StrokeHatching, Sliders)
 {
