@@ -47,8 +47,19 @@ constexpr std::size_t mostSuggestions = 3;
 constexpr double farFromMiddle = 0.08;
 // At rare values noise has up to this many times the steps that it has at common ones.
 constexpr double sharperThanNoise = 3.0;
-// Slices that are smoothed at once: enough for all threads, few enough for the memory.
+// Slices that are smoothed at once: enough for all threads, and few enough for this memory in bytes, as far
+// as three take less.
 constexpr int mostSmoothedAtOnce = 66;
+constexpr double smoothingMemory = 0x1p28;
+
+/// How many slices are smoothed at once, of at least 3 that are read at once.
+int countSmoothedAtOnce(const std::array<int, 3>& dimensions, int slicesAtOnce)
+{
+  // See smoothedSlices.
+  const double bytes = 24.0 * std::max(dimensions[0], 1) * std::max(dimensions[1], 1);
+  const int most = std::min(slicesAtOnce, mostSmoothedAtOnce);
+  return static_cast<int>(std::clamp(smoothingMemory / bytes, 3.0, std::max(static_cast<double>(most), 3.0)));
+}
 
 /// The edges that cross each threshold and the sums of their steps.
 struct EdgeSums
@@ -449,7 +460,7 @@ std::vector<IsoSuggestion> suggestIsoValues(
   {
     const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
     const std::optional<IsoStatistics> smoothed =
-      makeIsoStatistics(readSmoothed, dimensions, std::min(slicesAtOnce, mostSmoothedAtOnce));
+      makeIsoStatistics(readSmoothed, dimensions, countSmoothedAtOnce(dimensions, slicesAtOnce));
     suggestions = smoothed ? suggestBoundaries(*smoothed, true) : suggestions;
   }
   return suggestions.empty() ? suggestThresholds(*statistics) : suggestions;

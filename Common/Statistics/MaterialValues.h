@@ -23,8 +23,7 @@ struct BinRange
 /// @param range the bins on that side, up to the next boundary
 /// @param boundaryAtEnd whether the boundary is at the range's end rather than at its begin
 /// @return a position in bins; nothing without a peak that stands clear of the boundary, as of thin parts,
-/// which
-///   never reach their material's value, or of one that varies, as bone does
+///   which never reach their material's value, or of one that varies, as bone does
 std::optional<double> findMaterialValue(
   std::span<const std::int64_t> histogram, const BinRange& range, bool boundaryAtEnd);
 

@@ -25,6 +25,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +138,22 @@ int vtkInkContours::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkInkContours::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  if (vtkImageData::GetData(info))
+  {
+    // A gradient at a piece's border depends on values across it, and that at a point that has moved by up to
+    // a cell on those beyond.
+    info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1 +
+        (this->ProjectionSteps > 0 ? 1 : 0));
+  }
   return 1;
 }
 

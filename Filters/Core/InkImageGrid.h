@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SPDX-License-Identifier: BSD-3-Clause Converts a vtkImageData to the grids, masks and arrays of vtkInk's
-// Common.
+
+// Converts a vtkImageData to the grids, masks and arrays of vtkInk's Common.
 #ifndef InkImageGrid_h
 #define InkImageGrid_h
 

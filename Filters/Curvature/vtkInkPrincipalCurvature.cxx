@@ -8,6 +8,7 @@
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
 #include "InkMeshTriangles.h"
+#include "InkPointNormals.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
@@ -71,8 +72,7 @@ vtkSmartPointer<vtkPolyData> WithGhosts(vtkPolyData* mesh)
 ink::MeshCurvature OfMesh(
   vtkPolyData* mesh, const ink::CurvatureOptions& options, const ink::Progress& progress)
 {
-  vtkPointData* points = mesh->GetPointData();
-  const bool hasNormals = points->GetNormals() || points->GetArray("Normals");
+  const bool hasNormals = InkPointNormals(mesh) != nullptr;
   const InkMeshTriangles triangles(WithGhosts(mesh), hasNormals, InkMeshTriangles::Order::OfMesh);
   return ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, options, progress);
 }
@@ -224,9 +224,10 @@ int vtkInkPrincipalCurvature::RequestUpdateExtent(
     image->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
     image->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
     image->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    int whole[6];
-    image->Get(SDDP::WHOLE_EXTENT(), whole);
-    image->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    if (int* whole = image->Get(SDDP::WHOLE_EXTENT()))
+    {
+      image->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    }
   }
   else if (mesh && outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1)
   {

@@ -117,9 +117,9 @@ public:
 
   ///@{
   /**
-   * How many seeds AREA_SCATTER makes at most in one triangle (m in the paper). 1 to 1e6; default: 10.
+   * How many seeds AREA_SCATTER makes at most in one triangle (m in the paper). 1 to 1000; default: 10.
    */
-  vtkSetClampMacro(SeedsPerTriangle, int, 1, 1000000);
+  vtkSetClampMacro(SeedsPerTriangle, int, 1, 1000);
   vtkGetMacro(SeedsPerTriangle, int);
   ///@}
 

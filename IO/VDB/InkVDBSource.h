@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SPDX-License-Identifier: BSD-3-Clause Shared by the readers of .vdb files: a file's list of grids and the
-// grid that was read last.
+
+// Shared by the readers of .vdb files: a file's list of grids and the grid that was read last.
 #ifndef InkVDBSource_h
 #define InkVDBSource_h
 

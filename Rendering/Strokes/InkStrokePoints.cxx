@@ -57,7 +57,7 @@ std::string InkStrokeArrays::FindProblem() const
               << array->GetNumberOfTuples() << " with " << array->GetNumberOfComponents() << " components.";
     }
   };
-  if (this->Hatching && !(this->Normals && this->Priorities && this->Spacings))
+  if (this->Hatching && !(this->Normals && this->Priorities && this->CellPriorities && this->Spacings))
   {
     message << "Hatching needs strokes with the point array \"Normals\" and the cell arrays \"Priority\" and "
                "\"Spacing\", as of vtkInkHatching; found none of the name \""

@@ -112,7 +112,13 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
   {
     return internals.Finder.has_value();
   }
+  const bool newSurface = !internals.Source || internals.Source->Surface != source.Surface;
+  internals.Source.reset();
   internals.Finder.reset();
+  if (newSurface)
+  {
+    internals.Mesh.reset();
+  }
   if (!InkHasPolygons(surface))
   {
     std::ostringstream message;
@@ -121,7 +127,7 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
     this->ReportOnce(message.str());
     return false;
   }
-  if (!internals.Mesh || !internals.Source || internals.Source->Surface != source.Surface)
+  if (!internals.Mesh)
   {
     internals.Mesh.emplace(surface, true, InkMeshTriangles::Order::OfMesh);
     if (!InkPointNormals(surface))

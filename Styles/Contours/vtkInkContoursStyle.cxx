@@ -139,7 +139,9 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
   {
     this->IsoSurface->NoteWhereEmpty(this, surface);
   }
-  return leaves.Images.empty() || reason.empty() ? ofSurface : reason;
+  return !leaves.Images.empty() && !reason.empty() ? reason
+    : ofSurface.empty()                            ? leaves.FindBesideImages()
+                                                   : ofSurface;
 }
 
 std::string vtkInkContoursStyle::TakeMesh(

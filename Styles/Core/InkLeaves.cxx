@@ -89,6 +89,14 @@ std::vector<vtkSmartPointer<vtkPolyData>> InkLeaves::MakeMeshes() const
   return meshes;
 }
 
+std::string InkLeaves::FindBesideImages() const
+{
+  const std::size_t left = this->Stipples.size() + this->Others.size();
+  return this->Images.empty() || left == 0
+    ? std::string()
+    : "nothing is drawn of " + std::to_string(left) + " datasets beside images; expected images alone";
+}
+
 std::string InkLeaves::FindImageProblem() const
 {
   for (vtkImageData* image : this->Images)

@@ -23,6 +23,8 @@ struct VTKINKSTYLES_EXPORT InkLeaves
   std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes() const;
   /// Why images cannot be drawn, as "an image without point scalars"; empty if they can.
   std::string FindImageProblem() const;
+  /// That what is no image is not drawn beside images, as an error; empty if all are images or none is.
+  std::string FindBesideImages() const;
   /// What becomes of grids, in a sentence without its dot; empty if there is none.
   std::string DescribeGrids() const;
 

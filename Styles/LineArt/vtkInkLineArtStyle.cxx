@@ -2,10 +2,13 @@
 #include "vtkInkLineArtStyle.h"
 
 #include "InkAimLight.h"
+#include "InkContourSurface.h"
 #include "InkIsoSurface.h"
+#include "InkLeaves.h"
 #include "InkMeshTriangles.h"
 #include "InkParameter.h"
 #include "InkPointNormals.h"
+#include "InkStyleProcesses.h"
 #include "vtkInkContoursStyle.h"
 #include "vtkInkHatching.h"
 #include "vtkInkLineArtMapper.h"
@@ -189,7 +192,15 @@ double vtkInkLineArtStyle::FindThousandth()
 
 std::string vtkInkLineArtStyle::MakePieces(const Input& input)
 {
-  this->OfImage = vtkImageData::SafeDownCast(input.Data) != nullptr;
+  // Processes without a part take part, too.
+  const InkLeaves leaves(input.Data);
+  double hasNormals = std::any_of(leaves.Others.begin(), leaves.Others.end(),
+    [](vtkDataSet* leaf)
+    {
+      auto* mesh = vtkPolyData::SafeDownCast(leaf);
+      return mesh && InkPointNormals(mesh);
+    });
+  this->GetProcesses().TakeGreatest({ &hasNormals, 1 });
   const std::string problem = this->MakeMarksOf(this->Contours, input);
   vtkPolyData* surface = this->GetPiece(0);
   vtkPolyData* strokes = this->GetPiece(1);
@@ -200,7 +211,7 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   {
     return problem;
   }
-  if (auto* mesh = vtkPolyData::SafeDownCast(input.Data); mesh && !InkPointNormals(mesh))
+  if (hasNormals == 0.0 && !InkContourSurface::IsOfImage(surface))
   {
     FaceOutward(surface);
   }
@@ -211,8 +222,6 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   this->Lines->SetInputData(surface);
   this->Lines->SetSpacing(spacing * thousandth);
   this->Lines->SetNegligibleCurvature(NegligibleBend / (spacing * thousandth));
-  const bool crossed = this->GetInteractive() || this->Strokes->GetCrosshatching() > 0.0;
-  this->Lines->SetFamilies(crossed ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
   if (std::string failed = this->Follow(this->Lines, "tracing lines of curvature"); !failed.empty())
   {
     return failed;
@@ -228,6 +237,7 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
 void vtkInkLineArtStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
   this->Contours->ShowPieces({ pieces[0] });
+  this->OfImage = pieces[0] && InkContourSurface::IsOfImage(pieces[0]);
   this->UpdateCulling();
   const auto usable = [](vtkPolyData* piece)
   { return piece && piece->GetNumberOfCells() > 0 ? piece : nullptr; };
@@ -251,9 +261,8 @@ void vtkInkLineArtStyle::SetPreset(int preset)
   this->Contours->GetSilhouetteMapper()->SetLineWidth(way.ContourWidth);
   this->Contours->SetCreases(way.Creases);
   this->SetLength(way.Length);
-  this->Density = way.Density;
   this->Width = way.Width;
-  this->UpdateWidths();
+  this->SetDensity(way.Density);
 }
 
 void vtkInkLineArtStyle::SetInkColor(double red, double green, double blue)
@@ -276,6 +285,11 @@ void vtkInkLineArtStyle::SetLightDirection(double azimuth, double elevation)
 
 void vtkInkLineArtStyle::SetDensity(double density)
 {
+  if (this->Density != density && !this->GetInteractive() && this->LineSpacing == 0.0)
+  {
+    // Lines are as dense as they are drawn.
+    this->Modified();
+  }
   this->Density = density;
   this->UpdateWidths();
 }

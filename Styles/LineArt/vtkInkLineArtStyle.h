@@ -116,7 +116,7 @@ private:
   double Length = 0.0;
   double LineSpacing = 0.0;
   double CullingCosine = 0.2;
-  bool OfImage = false; ///< the surface that is drawn: its outside is known
+  bool OfImage = false; ///< the surface that is shown: its outside is known
 };
 
 #endif

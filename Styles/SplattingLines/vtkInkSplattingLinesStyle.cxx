@@ -183,10 +183,7 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
     this->GetPiece(0)->ShallowCopy(InkAppend(parts));
     this->SetFramePoints(this->GetPiece(0)->GetPoints());
   }
-  const std::size_t left = leaves.Stipples.size() + leaves.Others.size();
-  return problem.empty() && left > 0
-    ? "nothing is drawn of " + std::to_string(left) + " datasets beside images; expected images alone"
-    : problem;
+  return problem.empty() ? leaves.FindBesideImages() : problem;
 }
 
 vtkIdType vtkInkSplattingLinesStyle::CountForMesh(vtkPolyData* mesh)

@@ -51,13 +51,14 @@ std::vector<IsoSuggestion> suggestIsoValues(VolumeSlices& volume, Progress& prog
       {
         return ink::suggestIsoValues(valuesOf<T>(volume.frame()), volume.dimensions());
       }
-      // The slices are read twice, each time from the first on.
+      // The slices are read twice, each time from the first on; and twice more if they have to be smoothed.
       constexpr double passes = 2.0;
       double pass = -1.0;
       const SliceReader<T> read = [&](int first, int end)
       {
         pass += first == 0 ? 1.0 : 0.0;
-        progress.part((pass + static_cast<double>(first) / volume.dimensions()[2]) / passes, 1.0);
+        const double done = (pass + static_cast<double>(first) / volume.dimensions()[2]) / passes;
+        progress.part(std::min(done, 1.0), 1.0);
         // The slices themselves stay where they are when the image that shows them goes.
         return valuesOf<T>(volume.get(first, end));
       };

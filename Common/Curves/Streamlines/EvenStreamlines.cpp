@@ -178,34 +178,41 @@ private:
     const auto count = static_cast<std::size_t>(std::ceil(4.0 * this->Mesh.area() / (gap * gap)));
     const std::vector<SurfaceSample> samples = sampleWhiteNoise(
       this->Mesh.mesh(), this->Areas, count, hash(this->Options.seed, static_cast<std::uint64_t>(level)));
-    std::vector<std::optional<StreamlineCandidate>> found(samples.size());
-    parallelFor(samples.size(),
-      [&](std::size_t i)
-      {
-        const SurfaceSample& sample = samples[i];
-        const MeshPoint at{ sample.triangle,
-          { 1.0 - static_cast<double>(sample.b1) - static_cast<double>(sample.b2), sample.b1, sample.b2 } };
-        if (!this->Mesh.isUsable(at.triangle))
-        {
-          return;
-        }
-        const std::uint32_t point = this->nearestPoint(at);
-        if (this->Grid.isNear(
-              this->Tracer.sampleOf(at, this->Mesh.position(at)), this->Tracer.startDistance()))
-        {
-          return;
-        }
-        const float umbilic = this->Field.umbilics.empty() ? 0.0f : this->Field.umbilics[point];
-        const auto undefined = static_cast<std::uint64_t>(15.0f * std::clamp(umbilic, 0.0f, 1.0f));
-        found[i] = { undefined << 60 | hash(this->Options.seed, static_cast<std::uint64_t>(level), i) >> 4,
-          at, this->Field.directions[point] };
-      });
     std::vector<StreamlineCandidate> result;
-    for (const std::optional<StreamlineCandidate>& candidate : found)
+    std::vector<std::optional<StreamlineCandidate>> found;
+    // Most have no room.
+    constexpr std::size_t most = 1 << 18;
+    for (std::size_t first = 0; first < samples.size(); first += most)
     {
-      if (candidate)
+      found.assign(std::min(most, samples.size() - first), std::nullopt);
+      parallelFor(found.size(),
+        [&](std::size_t n)
+        {
+          const std::size_t i = first + n;
+          const SurfaceSample& sample = samples[i];
+          const MeshPoint at{ sample.triangle,
+            { 1.0 - static_cast<double>(sample.b1) - static_cast<double>(sample.b2), sample.b1, sample.b2 } };
+          if (!this->Mesh.isUsable(at.triangle))
+          {
+            return;
+          }
+          const std::uint32_t point = this->nearestPoint(at);
+          if (this->Grid.isNear(
+                this->Tracer.sampleOf(at, this->Mesh.position(at)), this->Tracer.startDistance()))
+          {
+            return;
+          }
+          const float umbilic = this->Field.umbilics.empty() ? 0.0f : this->Field.umbilics[point];
+          const auto undefined = static_cast<std::uint64_t>(15.0f * std::clamp(umbilic, 0.0f, 1.0f));
+          found[n] = { undefined << 60 | hash(this->Options.seed, static_cast<std::uint64_t>(level), i) >> 4,
+            at, this->Field.directions[point] };
+        });
+      for (const std::optional<StreamlineCandidate>& candidate : found)
       {
-        result.push_back(*candidate);
+        if (candidate)
+        {
+          result.push_back(*candidate);
+        }
       }
     }
     return result;

@@ -28,9 +28,8 @@ namespace ink
 ///   way to its neighbors'
 /// @return one per point, tangent and of unit length, or zero; `directions` when stopped. The same for any
 ///   number of threads.
-/// @throws std::invalid_argument if a span has not one entry per point, or a triangle names a point that does
-/// not
-///   exist
+/// @throws std::invalid_argument if a span has not one entry per point, or a triangle names a point that
+///   does not exist
 std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   std::span<const glm::dvec3> directions, std::span<const float> umbilics, int iterations,
   const Progress& progress = {});

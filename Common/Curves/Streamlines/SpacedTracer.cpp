@@ -145,8 +145,10 @@ bool SpacedTracer::isLongEnough(const TracedLine& line) const
 
 bool SpacedTracer::meetsItself(const ArcSamples& own, double arc, const LineSample& sample) const
 {
-  // Neighboring samples are no farther apart, so a distant one lets as many be left out.
-  const double most = sampleDistance * (this->Gap + 1.0);
+  // In spacings. Neighboring samples are no farther apart, so a distant one lets as many be left out: a
+  // sample is the first point that is tested beyond the distance of samples, and points are steps apart.
+  const double most =
+    (sampleDistance + testDistance) * this->Gap + this->Options.trace.maximumStep / this->Options.spacing;
   const double least = 3.0 * this->Options.stopDistance * this->Gap * this->Options.spacing;
   for (std::size_t i = 0; i < own.size();)
   {

@@ -23,7 +23,7 @@ Streamlines joinLines(std::span<const TracedLine> lines, std::span<const std::ui
   Streamlines result;
   const auto lengthOf = [](const TracedLine& line)
   {
-    const double open = line.points.empty() ? 0.0 : line.points.back().arc;
+    const double open = line.points.empty() ? 0.0 : line.points.back().arc - line.points.front().arc;
     return line.closed ? open + glm::distance(line.points.back().position, line.points.front().position)
                        : open;
   };
