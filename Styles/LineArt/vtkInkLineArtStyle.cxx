@@ -2,6 +2,7 @@
 #include "vtkInkLineArtStyle.h"
 
 #include "InkAimLight.h"
+#include "InkContourSurface.h"
 #include "InkIsoSurface.h"
 #include "InkMeshTriangles.h"
 #include "InkParameter.h"
@@ -13,7 +14,6 @@
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -189,7 +189,6 @@ double vtkInkLineArtStyle::FindThousandth()
 
 std::string vtkInkLineArtStyle::MakePieces(const Input& input)
 {
-  this->OfImage = vtkImageData::SafeDownCast(input.Data) != nullptr;
   const std::string problem = this->MakeMarksOf(this->Contours, input);
   vtkPolyData* surface = this->GetPiece(0);
   vtkPolyData* strokes = this->GetPiece(1);
@@ -228,6 +227,7 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
 void vtkInkLineArtStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
   this->Contours->ShowPieces({ pieces[0] });
+  this->OfImage = pieces[0] && InkContourSurface::IsOfImage(pieces[0]);
   this->UpdateCulling();
   const auto usable = [](vtkPolyData* piece)
   { return piece && piece->GetNumberOfCells() > 0 ? piece : nullptr; };
