@@ -30,6 +30,7 @@ struct Ink
 constexpr Ink Inks[] = {
   { "Contours", "ContoursInkColor" },
   { "Illustration", "IllustrationInkColor" },
+  { "Line Art", "LineArtInkColor" },
   { "Splatting Lines", "InkColor" },
   { "Stipple", "StippleInkColor" },
 };

@@ -7,12 +7,19 @@
 #include "vtkPVView.h"
 #include "vtkPolyData.h"
 
+#include <utility>
+
 vtkStandardNewMacro(vtkInkContoursRepresentation);
 
 vtkInkContoursRepresentation::vtkInkContoursRepresentation()
-  : vtkInkRepresentation(vtkSmartPointer<vtkInkContoursStyle>::New())
+  : vtkInkContoursRepresentation(vtkSmartPointer<vtkInkContoursStyle>::New())
 {
   this->SetProgressText("Making contours");
+}
+
+vtkInkContoursRepresentation::vtkInkContoursRepresentation(vtkSmartPointer<vtkInkStyle> style)
+  : vtkInkRepresentation(std::move(style))
+{
 }
 
 vtkInkContoursRepresentation::~vtkInkContoursRepresentation() = default;

@@ -31,6 +31,8 @@ public:
 
 protected:
   vtkInkContoursRepresentation();
+  /// Of a style whose first piece is the surface that contours are drawn of.
+  explicit vtkInkContoursRepresentation(vtkSmartPointer<vtkInkStyle> style);
   ~vtkInkContoursRepresentation() override;
 
   std::string MakeMarks(const vtkInkStyle::Input& input) override;

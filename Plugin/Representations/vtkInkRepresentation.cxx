@@ -95,7 +95,8 @@ int vtkInkRepresentation::RequestData(
   // An earlier run may have been stopped.
   this->SetAbortExecute(0);
   const std::string problem = this->MakeMarks(input);
-  if (!problem.empty())
+  // A server's client has no input.
+  if (input.Port && !problem.empty())
   {
     vtkWarningMacro(<< problem << '.');
   }

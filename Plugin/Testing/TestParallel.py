@@ -116,7 +116,7 @@ class TestParallel(unittest.TestCase):
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
             self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + (3 if INK else 0))
-            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 4 + 5 + 5 + 2 + 2 + 5)
+            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 4 + 5 + 5 + 2 + 2 + 2 + 5)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)
             for name, picture in expected_pictures.items():

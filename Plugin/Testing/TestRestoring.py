@@ -19,8 +19,10 @@ BY_HAND = {
                      "IllustrationInkColor": [0, 0, 1], "IllustrationSeeThrough": 1},
     "Contours": {"ContoursPreset": "Glass", "ContoursLineWidth": 2.5, "ContoursTaper": 0.4, "ContoursHiddenLines": "Dashed",
                  "ContoursInkColor": [0, 0, 1], "ContoursFaceted": 1},
+    "Line Art": {"LineArtPreset": "Sketch", "LineArtDensity": 0.6, "LineArtTone": 0.7, "LineArtLength": 25.0, "LineArtDepthWidth": 0.6,
+                 "LineArtInkColor": [0, 0, 1], "LineArtSeeding": 1},
 }
-OWN = {"Stipple": "(?:Stipple|K|Gradient|.*Enhancement|ScalarWindow)", "Illustration": "Illustration", "Contours": "Contours"}
+OWN = {"Stipple": "(?:Stipple|K|Gradient|.*Enhancement|ScalarWindow)", "Illustration": "Illustration", "Contours": "Contours", "Line Art": "LineArt"}
 
 # A scene without vtkInk's representations, all that ParaView would trace or save of it.
 PLAIN_SCENE = """
@@ -45,7 +47,7 @@ def values(display):
 
 def assignments(script):
     """Of the drawing's own properties, by name."""
-    return dict(re.findall(r"^\w+Display\.((?:Stipple\w*|Contours\w*|Illustration\w*|Lines\w*|\w+(?:Base|Gain|Exponent|Enhancement)|\w*ScalarWindow\w*)) = (.*)$", script, re.M))
+    return dict(re.findall(r"^\w+Display\.((?:Stipple\w*|Contours\w*|Illustration\w*|LineArt\w*|Lines\w*|\w+(?:Base|Gain|Exponent|Enhancement)|\w*ScalarWindow\w*)) = (.*)$", script, re.M))
 
 
 class TestRestoring(TestInOneView):
@@ -111,8 +113,18 @@ class TestRestoring(TestInOneView):
         display.ContoursTaper = 0.5
         self.assertEqual(assignments(smstate.get_state()), {"ContoursTaper": "0.5"})
 
+    def test_a_script_of_line_art_says_what_differs_and_no_more(self):
+        display = self.show("Line Art")
+        self.assertEqual(assignments(smstate.get_state()), {})
+        display.LineArtPreset = "Technical"
+        self.assertEqual(display.LineArtDensity, 0.75)
+        display.LineArtPreset = "Engraving"
+        self.assertEqual(assignments(smstate.get_state()), {})
+        display.LineArtTone = 0.7
+        self.assertEqual(assignments(smstate.get_state()), {"LineArtTone": "0.7"})
+
     def test_a_state_brings_a_drawing_back(self):
-        for style in ("Illustration", "Contours"):
+        for style in ("Illustration", "Contours", "Line Art"):
             with self.subTest(style):
                 display = self.show(style, **BY_HAND[style])
                 expected = values(display)
@@ -157,7 +169,8 @@ class TestRestoring(TestInOneView):
         display.StippleIsoValue = 100.0
         display.StippleSource = "Iso-Surface"
         self.assertEqual(display.StippleIsoValue, 100.0)
-        for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines"), ("Contours", "Contours")):
+        for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines"), ("Contours", "Contours"),
+                              ("Line Art", "LineArt")):
             other = self.show(style)
             self.assertEqual(assignments(smstate.get_state()).keys() & {f"{prefix}IsoValue", f"{prefix}Scalars"}, set())
             setattr(other, f"{prefix}AutomaticIsoValue", 0)

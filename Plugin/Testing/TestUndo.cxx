@@ -23,10 +23,12 @@
 namespace
 {
 
-/// A representation's preset, what follows it, and what is set by hand after it.
+/// A representation's preset, one that is neither the first nor the second, what follows it, and what is set
+/// by hand after it.
 struct Drawing
 {
   const char* Preset;
+  int Other;
   std::vector<const char*> Followers;
   std::vector<std::pair<const char*, double>> ByHand;
 };
@@ -76,7 +78,7 @@ bool TestOne(vtkSMSessionProxyManager* manager, vtkSMProxy* source, const Drawin
   vtkSmartPointer<vtkSMProxy> display = MakeDisplay(manager, source);
   const char* last = drawing.Followers.back();
   const double before = vtkSMPropertyHelper(display, last).GetAsDouble();
-  Set(display, drawing.Preset, 3);
+  Set(display, drawing.Preset, drawing.Other);
   bool right = Check(vtkSMPropertyHelper(display, last).GetAsDouble() != before, "a preset sets the others");
   for (const auto& [name, value] : drawing.ByHand)
   {
@@ -118,19 +120,24 @@ bool Test()
     const auto source = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("sources", "SphereSource"));
     source->UpdateVTKObjects();
     right &= TestOne(manager, source,
-      { "StipplePreset",
+      { "StipplePreset", 3,
         { "StippleGradient", "StippleInterior", "BoundaryBase", "InteriorExponent", "SilhouetteGain" },
         { { "BoundaryBase", 0.35 }, { "StippleInterior", 0.9 } } });
     right &= TestOne(manager, source,
-      { "IllustrationPreset",
+      { "IllustrationPreset", 3,
         { "IllustrationDistance", "IllustrationStippleSize", "IllustrationPixelsPerStipple",
           "IllustrationLightingExponent", "IllustrationPhi", "IllustrationTau" },
         { { "IllustrationStippleSize", 3.5 }, { "IllustrationTau", 0.9 } } });
     right &= TestOne(manager, source,
-      { "ContoursPreset",
+      { "ContoursPreset", 3,
         { "ContoursTaper", "ContoursDepthWidth", "ContoursJoin", "ContoursCreases", "ContoursHiddenLines",
           "ContoursLineWidth" },
         { { "ContoursTaper", 0.3 }, { "ContoursLineWidth", 7.0 } } });
+    right &= TestOne(manager, source,
+      { "LineArtPreset", 2,
+        { "LineArtTone", "LineArtCrosshatch", "LineArtWidth", "LineArtLength", "LineArtTaper",
+          "LineArtContourWidth", "LineArtCreases", "LineArtDensity" },
+        { { "LineArtTone", 0.8 }, { "LineArtDensity", 0.2 } } });
   }
   vtkProcessModule::GetProcessModule()->UnRegisterSession(session);
   session->Delete();

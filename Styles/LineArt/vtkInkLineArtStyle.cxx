@@ -16,7 +16,6 @@
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"

@@ -22,7 +22,7 @@ PROPERTIES = (*INTEGERS, "DoubleVectorProperty", "InkDoubleVectorProperty")
 ELSEWHERE = {"Value", "NumberOfContours", "ArrayComponent"}
 # What "Stipple" decides by itself, or has under another name.
 STIPPLE_ELSEWHERE = {"SurfaceFromInput", "PassScalars", "OutputPointsPrecision"}
-# What only the representations have; TestContours.py, TestStipple.py and TestSplattingLines.py look at it.
+# What only the representations have; TestContours.py, TestLineArt.py, TestStipple.py and TestSplattingLines.py look at it.
 OWN = {"SetMapScalars", "SetPaper", "SetPointsWhileMoving"}
 # Of splatting lines: what its panel sets for all hidden layers together, or decides by itself.
 LINES_ELSEWHERE = {
@@ -31,8 +31,8 @@ LINES_ELSEWHERE = {
 # Sliders that offer what is useful; what C++ takes beyond can be typed in.
 NARROWER = {"StippleSize", "PixelsPerStipple"}
 # What the strokes' mapper takes beyond is for the world's units, which the style does not have.
-NARROWER_STROKES = {"ContoursLineWidth", "ContoursDashLength", "ContoursGapLength"}
-STYLES = {"Contours": "vtkInkContoursStyle", "SplattingLines": "vtkInkSplattingLinesStyle", "Stipple": "vtkInkStippleStyle"}
+NARROWER_STROKES = {"ContoursLineWidth", "ContoursDashLength", "ContoursGapLength", "LineArtContourWidth"}
+STYLES = {"Contours": "vtkInkContoursStyle", "LineArt": "vtkInkLineArtStyle", "SplattingLines": "vtkInkSplattingLinesStyle", "Stipple": "vtkInkStippleStyle"}
 
 
 def table_of(style):
@@ -88,6 +88,12 @@ def principal_curvature():
     return proxy_of("PrincipalCurvature.xml", "SourceProxy"), [vtkink.vtkInkPrincipalCurvature()]
 
 
+def line_art():
+    style = vtkink.vtkInkLineArtStyle()
+    objects = [style.GetActor(), style.GetActor().GetProperty(), style]
+    return representation_of("LineArt.xml", "InkLineArtRepresentationProxy"), objects
+
+
 def splatting_lines():
     style = vtkink.vtkInkSplattingLinesStyle()
     objects = [style.GetLinesMapper(), style.GetActor(), style.GetActor().GetProperty(), style]
@@ -108,6 +114,7 @@ PROXIES = {
     "Contours.xml": contours,
     "Gradient.xml": gradient,
     "IsoSurfaceSampler.xml": sampler,
+    "LineArt.xml": line_art,
     "LinesOfCurvature.xml": lines_of_curvature,
     "PointPriority.xml": point_priority,
     "PrincipalCurvature.xml": principal_curvature,
@@ -144,7 +151,7 @@ def cases():
         rows = rows_of(file)
         for element in proxy:
             # Iso-values have no default and UserTransform's is null in C++; MaximumDownsampling has a test of its own.
-            left_out = re.fullmatch("ContourValues|[A-Z][a-z]+(Automatic)?IsoValue|UserTransform|MaximumDownsampling", element.get("name", ""))
+            left_out = re.fullmatch("ContourValues|[A-Z][A-Za-z]+IsoValue|UserTransform|MaximumDownsampling", element.get("name", ""))
             command = method_of(element, rows)
             if element.tag in PROPERTIES and command and not left_out and command not in OWN:
                 name = command[len("Set") :]
@@ -156,7 +163,9 @@ def cases():
                     if row["object"].startswith(("GetIsoSurface", "GetSilhouettes")):
                         owner, name = style, row["name"]
                     else:
-                        owner = getattr(style, row["object"])() if row["object"] else style
+                        owner = style
+                        for step in filter(None, row["object"].split("()->")):
+                            owner = getattr(owner, step)()
                 yield pytest.param(element, owner, name, id=f"{file}:{name}")
 
 

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Line art of images, meshes and grids in ParaView's view."""
+
+import unittest
+
+import numpy
+
+from paraview.simple import *
+
+from rendering import TestInOneView, Warnings, ink, is_background, picture
+
+
+def sphere():
+    return Sphere(ThetaResolution=64, PhiResolution=32)
+
+
+class TestLineArt(TestInOneView):
+    def show(self, source, **properties):
+        display = Show(source, self.view)
+        display.SetRepresentationType("Line Art")
+        display.ColorArrayName = ["POINTS", ""]
+        for name, value in properties.items():
+            setattr(display, name, value)
+        self.view.CameraParallelProjection = 1
+        ResetCamera(self.view)
+        return display
+
+    def marks(self, display):
+        """How many points the surface has, and when it was made; a mesh's points are those of the input."""
+        surface = display.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
+        return surface.GetNumberOfPoints(), surface.GetMTime()
+
+    def test_a_mesh_is_hatched_on_paper_or_without(self):
+        display = self.show(sphere(), LineArtDensity=0.1)
+        drawn = picture(self.view)
+        self.assertFalse(is_background(drawn).any())
+        self.assertTrue(0.02 < (drawn[..., 0] < 0.5).mean() < 0.2)
+        display.LineArtPaper = 0
+        bare = picture(self.view)
+        self.assertGreater(is_background(bare).mean(), 0.3)
+        # Of green there is as much in the background as in white paper.
+        self.assertAlmostEqual((1 - bare[..., 1]).sum(), (1 - drawn[..., 1]).sum(), delta=1)
+        display.LineArtPaper = 1
+        display.LineArtPaperColor = [1.0, 1.0, 0.0]
+        display.LineArtInkColor = [0.0, 0.0, 1.0]
+        numpy.testing.assert_array_equal(picture(self.view)[2, 2], (1.0, 1.0, 0.0))
+        # Strokes and contours: of blue ink, of which nothing is black on yellow paper.
+        self.assertGreater(picture(self.view).max(axis=-1).min(), 0.4)
+
+    def test_sliders_change_the_ink_and_make_nothing_again(self):
+        display = self.show(sphere(), LineArtDensity=0.1, LineArtContourWidth=0)
+        usual = ink(picture(self.view))
+        marks = self.marks(display)
+        tones = []
+        for tone in (0.1, 0.3, 0.5, 0.7, 0.9):
+            display.LineArtTone = tone
+            tones.append(ink(picture(self.view)))
+        self.assertTrue(all(a < b for a, b in zip(tones, tones[1:])), tones)
+        display.LineArtTone = 0.5
+        self.assertEqual(ink(picture(self.view)), usual)
+        # What makes the tone changes, and not the tone.
+        first = picture(self.view)
+        for name, values in (("Density", (0.0, 0.8)), ("Width", (0.0, 0.5)), ("Crosshatch", (1.0,))):
+            before = getattr(display, f"LineArt{name}")
+            for value in values:
+                setattr(display, f"LineArt{name}", value)
+                drawn = picture(self.view)
+                self.assertGreater(numpy.abs(drawn - first).mean(), 0.01, (name, value))
+                self.assertAlmostEqual(ink(drawn) / usual, 1.0, delta=0.1, msg=(name, value))
+            setattr(display, f"LineArt{name}", before)
+        display.LineArtContourWidth = 20
+        self.assertGreater(ink(picture(self.view)), 1.1 * usual)
+        self.assertEqual(self.marks(display), marks)
+        # The length of strokes is cut anew.
+        display.LineArtLength = 30
+        picture(self.view)
+        self.assertNotEqual(self.marks(display), marks)
+
+    def test_an_image_is_drawn_at_a_value_that_suits_it_or_that_is_given(self):
+        display = self.show(Wavelet())
+        self.assertEqual(display.LineArtAutomaticIsoValue, 1)
+        self.assertGreater((picture(self.view)[..., 0] < 0.5).mean(), 0.02)
+        automatic = self.marks(display)
+        self.assertGreater(automatic[0], 1000)
+        display.LineArtIsoValue = 250.0
+        picture(self.view)
+        self.assertEqual(self.marks(display), automatic)
+        display.LineArtAutomaticIsoValue = 0
+        picture(self.view)
+        self.assertNotEqual(self.marks(display)[0], automatic[0])
+        # Beyond the data there is none.
+        display.LineArtIsoValue = 1e6
+        self.assertEqual(ink(picture(self.view)), 0)
+
+    def test_an_image_has_strokes_on_its_outside_alone(self):
+        # Through its cuts the surface is seen from within, too.
+        display = self.show(Wavelet(), LineArtAutomaticIsoValue=0, LineArtIsoValue=100, LineArtContourWidth=0)
+        outside = ink(picture(self.view))
+        display.LineArtCullingCosine = 1.0
+        self.assertGreater(ink(picture(self.view)), 1.02 * outside)
+
+    def test_a_preset_sets_what_goes_with_it(self):
+        display = self.show(sphere())
+        drawn = picture(self.view)
+        display.LineArtPreset = "Sketch"
+        found = (display.LineArtDensity, display.LineArtLength, display.LineArtTaper, display.LineArtContourWidth)
+        self.assertEqual(found, (0.4, 60.0, 0.5, 2.5))
+        sketch = picture(self.view)
+        self.assertGreater(numpy.abs(sketch - drawn).mean(), 0.01)
+        display.LineArtDepthWidth = 0.7
+        display.LineArtPreset = "Technical"
+        self.assertEqual((display.LineArtCrosshatch, display.LineArtCreases, display.LineArtLength), (0.0, 1, 0.0))
+        # No preset has this.
+        self.assertEqual(display.LineArtDepthWidth, 0.7)
+
+    def test_grids_and_composites_are_drawn(self):
+        wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
+        unstructured = AppendDatasets(Input=[wavelet])
+        structured = Transform(Input=Plane(XResolution=9, YResolution=9))
+        groups = [GroupDatasets(Input=[Sphere(), Cone()]), GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])]
+        for source in (unstructured, structured, *groups):
+            self.show(source)
+            self.assertGreater(ink(picture(self.view)), 50, source)
+            Hide(source, self.view)
+        with Warnings() as warnings:
+            self.show(PointSource(NumberOfPoints=50))
+            self.assertEqual(ink(picture(self.view)), 0)
+        self.assertIn("points without polygons", "".join(warnings))
+
+    def test_nothing_is_made_again_while_the_camera_moves(self):
+        display = self.show(Wavelet())
+        first = picture(self.view)
+        before = self.marks(display)
+        camera = GetActiveCamera()
+        camera.Azimuth(40)
+        camera.Zoom(4)
+        self.assertTrue((picture(self.view) != first).any())
+        self.assertEqual(self.marks(display), before)
+
+    def test_points_of_a_mesh_are_picked_beside_its_lines(self):
+        self.show(sphere(), LineArtContourWidth=20)
+        picture(self.view)
+        SelectSurfacePoints(Rectangle=[0, 0, 199, 199], View=self.view)
+        source = GetActiveSource()
+        found = servermanager.Fetch(ExtractSelection(Input=source))
+        # Of 1922 points those about the circle.
+        self.assertTrue(32 < found.GetNumberOfPoints() < 400, found.GetNumberOfPoints())
+        ClearSelection(source)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
