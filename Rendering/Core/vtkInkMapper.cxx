@@ -49,6 +49,11 @@ void vtkInkMapper::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkInkMapper::SetOverlay(vtkInkMapper* overlay)
 {
+  if (overlay == this)
+  {
+    vtkErrorMacro("A mapper does not draw over itself; expected another one.");
+    return;
+  }
   if (this->Internals->Overlay != overlay)
   {
     this->Internals->Overlay = overlay;

@@ -116,6 +116,8 @@ vtkInkLineArtStyle::vtkInkLineArtStyle()
   this->Lines->SetStopDistance(StopDistance);
   this->Lines->SetMinimumLength(MinimumLength);
   this->Strokes->HatchingOn();
+  // The second family, too, for the slider of crosshatching.
+  this->Lines->SetFamiliesToBoth();
   this->Mapper->SetMappers(this->Strokes, this->Contours->GetSilhouetteMapper());
   this->Actor->SetMapper(this->Mapper);
   this->Contours->GetSilhouetteMapper()->SetDepthWidth(0.3);
