@@ -7,7 +7,8 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import TestInOneView, Warnings, ink, is_background, picture
+from rendering import TestInOneView, ink, is_background, picture
+from surface_tests import SurfaceTests
 
 STYLES = {"Illustration": "Illustration", "Splatting Lines": "Lines", "Stipple": "Stipple"}
 
@@ -16,7 +17,10 @@ def sphere():
     return Sphere(ThetaResolution=120, PhiResolution=60)
 
 
-class TestContours(TestInOneView):
+class TestContours(SurfaceTests, TestInOneView):
+    PREFIX = "Contours"
+    SHOWS = {"ContoursLineWidth": 10}
+
     def show(self, source, style="Contours", **properties):
         display = Show(source, self.view)
         display.SetRepresentationType(style)
@@ -64,23 +68,6 @@ class TestContours(TestInOneView):
         display.ContoursInkColor = [0.0, 0.0, 0.0]
         self.assertAlmostEqual(self.circle(picture(self.view), 4), radius, delta=0.3)
 
-    def test_an_image_is_drawn_at_a_value_that_suits_it_or_that_is_given(self):
-        display = self.show(Wavelet(), ContoursLineWidth=10)
-        self.assertEqual(display.ContoursAutomaticIsoValue, 1)
-        drawn = picture(self.view)
-        self.assertGreater((drawn[..., 0] < 0.5).mean(), 0.005)
-        automatic = self.marks(display)
-        self.assertGreater(automatic[0], 1000)
-        display.ContoursIsoValue = 250.0
-        picture(self.view)
-        self.assertEqual(self.marks(display), automatic)
-        display.ContoursAutomaticIsoValue = 0
-        picture(self.view)
-        self.assertNotEqual(self.marks(display)[0], automatic[0])
-        # Beyond the data there is none.
-        display.ContoursIsoValue = 1e6
-        self.assertEqual(ink(picture(self.view)), 0)
-
     def test_lines_are_what_is_asked_for(self):
         display = self.show(Box(), ContoursLineWidth=10, ContoursDepthWidth=0)
         GetActiveCamera().Azimuth(35)
@@ -113,30 +100,6 @@ class TestContours(TestInOneView):
         self.assertGreater(ink(picture(self.view)), 1.2 * drawn)
         display.ContoursPreset = "Hidden Lines"
         self.assertEqual((display.ContoursHiddenLines, display.ContoursJoin), ("Dashed", "Pointed"))
-        self.assertEqual(self.marks(display), before)
-
-    def test_grids_and_composites_are_drawn(self):
-        wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
-        unstructured = AppendDatasets(Input=[wavelet])
-        structured = Transform(Input=Plane(XResolution=9, YResolution=9))
-        groups = [GroupDatasets(Input=[Sphere(), Cone()]), GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])]
-        for source in (unstructured, structured, *groups):
-            self.show(source)
-            self.assertGreater(ink(picture(self.view)), 50, source)
-            Hide(source, self.view)
-        with Warnings() as warnings:
-            self.show(PointSource(NumberOfPoints=50))
-            self.assertEqual(ink(picture(self.view)), 0)
-        self.assertIn("points without polygons", "".join(warnings))
-
-    def test_nothing_is_made_again_while_the_camera_moves(self):
-        display = self.show(Wavelet())
-        first = picture(self.view)
-        before = self.marks(display)
-        camera = GetActiveCamera()
-        camera.Azimuth(40)
-        camera.Zoom(4)
-        self.assertTrue((picture(self.view) != first).any())
         self.assertEqual(self.marks(display), before)
 
     def test_points_of_a_mesh_are_picked_beside_its_lines(self):

@@ -7,14 +7,18 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import TestInOneView, Warnings, ink, is_background, picture
+from rendering import TestInOneView, ink, is_background, picture
+from surface_tests import SurfaceTests
 
 
 def sphere():
     return Sphere(ThetaResolution=64, PhiResolution=32)
 
 
-class TestLineArt(TestInOneView):
+class TestLineArt(SurfaceTests, TestInOneView):
+    PREFIX = "LineArt"
+    SHOWS = {}
+
     def show(self, source, **properties):
         display = Show(source, self.view)
         display.SetRepresentationType("Line Art")
@@ -76,22 +80,6 @@ class TestLineArt(TestInOneView):
         picture(self.view)
         self.assertNotEqual(self.marks(display), marks)
 
-    def test_an_image_is_drawn_at_a_value_that_suits_it_or_that_is_given(self):
-        display = self.show(Wavelet())
-        self.assertEqual(display.LineArtAutomaticIsoValue, 1)
-        self.assertGreater((picture(self.view)[..., 0] < 0.5).mean(), 0.02)
-        automatic = self.marks(display)
-        self.assertGreater(automatic[0], 1000)
-        display.LineArtIsoValue = 250.0
-        picture(self.view)
-        self.assertEqual(self.marks(display), automatic)
-        display.LineArtAutomaticIsoValue = 0
-        picture(self.view)
-        self.assertNotEqual(self.marks(display)[0], automatic[0])
-        # Beyond the data there is none.
-        display.LineArtIsoValue = 1e6
-        self.assertEqual(ink(picture(self.view)), 0)
-
     def test_an_image_has_strokes_on_its_outside_alone(self):
         # Through its cuts the surface is seen from within, too.
         display = self.show(Wavelet(), LineArtAutomaticIsoValue=0, LineArtIsoValue=100, LineArtContourWidth=0)
@@ -112,30 +100,6 @@ class TestLineArt(TestInOneView):
         self.assertEqual((display.LineArtCrosshatch, display.LineArtCreases, display.LineArtLength), (0.0, 1, 0.0))
         # No preset has this.
         self.assertEqual(display.LineArtDepthWidth, 0.7)
-
-    def test_grids_and_composites_are_drawn(self):
-        wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
-        unstructured = AppendDatasets(Input=[wavelet])
-        structured = Transform(Input=Plane(XResolution=9, YResolution=9))
-        groups = [GroupDatasets(Input=[Sphere(), Cone()]), GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])]
-        for source in (unstructured, structured, *groups):
-            self.show(source)
-            self.assertGreater(ink(picture(self.view)), 50, source)
-            Hide(source, self.view)
-        with Warnings() as warnings:
-            self.show(PointSource(NumberOfPoints=50))
-            self.assertEqual(ink(picture(self.view)), 0)
-        self.assertIn("points without polygons", "".join(warnings))
-
-    def test_nothing_is_made_again_while_the_camera_moves(self):
-        display = self.show(Wavelet())
-        first = picture(self.view)
-        before = self.marks(display)
-        camera = GetActiveCamera()
-        camera.Azimuth(40)
-        camera.Zoom(4)
-        self.assertTrue((picture(self.view) != first).any())
-        self.assertEqual(self.marks(display), before)
 
     def test_points_of_a_mesh_are_picked_beside_its_lines(self):
         self.show(sphere(), LineArtContourWidth=20)
