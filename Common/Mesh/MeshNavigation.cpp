@@ -162,6 +162,13 @@ glm::dvec3 MeshNavigation::position(const MeshPoint& point) const
     point.weights.z * (this->Mesh.points[c] - origin);
 }
 
+std::uint32_t MeshNavigation::nearestPoint(const MeshPoint& point) const
+{
+  const glm::dvec3& w = point.weights;
+  const std::size_t corner = w.x >= w.y ? (w.x >= w.z ? 0 : 2) : (w.y >= w.z ? 1 : 2);
+  return this->Mesh.triangles[point.triangle][corner];
+}
+
 bool MeshNavigation::cross(MeshPoint& point, std::uint32_t edge, glm::dvec3& vector) const
 {
   const std::optional<Neighbor> next = this->across(point.triangle, edge);

@@ -79,6 +79,8 @@ public:
     return { this->Mesh.points[a], this->Mesh.points[b], this->Mesh.points[c] };
   }
   glm::dvec3 position(const MeshPoint& point) const;
+  /// The mesh's point at the corner of a triangle with the largest weight.
+  std::uint32_t nearestPoint(const MeshPoint& point) const;
 
   /// What lies across an edge.
   struct Neighbor

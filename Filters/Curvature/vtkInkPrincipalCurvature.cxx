@@ -12,8 +12,8 @@
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
+#include "InkWithGridField.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -34,10 +34,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
-#include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -114,21 +111,9 @@ ink::MeshCurvature OfField(vtkPolyData* points, vtkImageData* image, vtkDataArra
   }
   const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-  const auto compute = [&](auto* values)
-  {
-    using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
-    const std::span<const T> all(
-      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
-    const WithinImage<T> field{ ink::GridField<T>(geometry, all.subspan(static_cast<std::size_t>(component)),
-      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden) };
-    return ink::fieldCurvatures(field, positions, progress);
-  };
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(return compute(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(scalars)));
-  }
-  throw std::invalid_argument(
-    std::string("the image's values have the type ") + scalars->GetDataTypeAsString());
+  return InkWithGridField(geometry, scalars, component, hidden,
+    [&]<class T>(const ink::GridField<T>& field)
+    { return ink::fieldCurvatures(WithinImage<T>{ field }, positions, progress); });
 }
 
 /// Adds the point arrays of a result.

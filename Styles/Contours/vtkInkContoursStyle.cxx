@@ -193,8 +193,7 @@ void vtkInkContoursStyle::SetPreset(int preset)
 void vtkInkContoursStyle::SetCreases(bool creases)
 {
   this->Creases = creases;
-  vtkPolyData* surface = this->Mapper->GetInput();
-  this->Mapper->SetCreases(creases && !(surface && InkContourSurface::IsOfImage(surface)));
+  InkContourSurface::SetCreases(this->Mapper, creases);
 }
 
 void vtkInkContoursStyle::SetPaperColor(double red, double green, double blue)

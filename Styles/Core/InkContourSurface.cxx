@@ -3,6 +3,7 @@
 
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
+#include "vtkInkSilhouetteMapper.h"
 
 #include "vtkCellData.h"
 #include "vtkImageData.h"
@@ -23,6 +24,12 @@ constexpr const char* OfImage = "OfImage";
 bool InkContourSurface::IsOfImage(vtkPolyData* surface)
 {
   return surface->GetCellData()->HasArray(OfImage);
+}
+
+void InkContourSurface::SetCreases(vtkInkSilhouetteMapper* mapper, bool creases)
+{
+  vtkPolyData* surface = mapper->GetInput();
+  mapper->SetCreases(creases && !(surface && IsOfImage(surface)));
 }
 
 std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span<vtkImageData* const> images,

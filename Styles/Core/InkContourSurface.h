@@ -11,6 +11,7 @@
 
 class InkIsoSurface;
 class vtkImageData;
+class vtkInkSilhouetteMapper;
 class vtkPolyData;
 
 /// The surface that styles draw contours of, as a mesh with normals: for vtkInkSilhouetteMapper.
@@ -42,6 +43,8 @@ public:
 
   /// Whether a surface, wherever it was delivered to, is an image's: what creases it has are its voxels'.
   static bool IsOfImage(vtkPolyData* surface);
+  /// Sets whether a mapper draws creases, but for those of its input if that is an image's surface.
+  static void SetCreases(vtkInkSilhouetteMapper* mapper, bool creases);
 
 private:
   vtkInkStyle* const Style;

@@ -48,8 +48,7 @@ void InkSilhouettes::SetSilhouettes(bool silhouettes)
 void InkSilhouettes::SetCreases(bool creases)
 {
   this->Creases = creases;
-  vtkPolyData* surface = this->Mapper->GetInput();
-  this->Mapper->SetCreases(creases && !(surface && InkContourSurface::IsOfImage(surface)));
+  InkContourSurface::SetCreases(this->Mapper, creases);
 }
 
 void InkSilhouettes::SetInkColor(const double color[3])

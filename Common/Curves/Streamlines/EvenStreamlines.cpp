@@ -63,19 +63,11 @@ public:
   }
 
 private:
-  /// The mesh's point at the corner of a triangle with the largest weight.
-  std::uint32_t nearestPoint(const MeshPoint& at) const
-  {
-    const glm::dvec3& w = at.weights;
-    const std::size_t corner = w.x >= w.y ? (w.x >= w.z ? 0 : 2) : (w.y >= w.z ? 1 : 2);
-    return this->Mesh.mesh().triangles[at.triangle][corner];
-  }
-
   /// Which way a line beside another one starts: that of the field's name, or where names mean little, that
   /// of the other line.
   glm::dvec3 headingAt(const MeshPoint& at, const glm::dvec3& other) const
   {
-    const std::uint32_t point = this->nearestPoint(at);
+    const std::uint32_t point = this->Mesh.nearestPoint(at);
     const glm::dvec3& own = this->Field.directions[point];
     const bool isUmbilic = !this->Field.umbilics.empty() && this->Field.umbilics[point] > leastUmbilic;
     return isUmbilic || own == glm::dvec3(0.0) ? other : own;
@@ -196,7 +188,7 @@ private:
           {
             return;
           }
-          const std::uint32_t point = this->nearestPoint(at);
+          const std::uint32_t point = this->Mesh.nearestPoint(at);
           if (this->Grid.isNear(
                 this->Tracer.sampleOf(at, this->Mesh.position(at)), this->Tracer.startDistance()))
           {

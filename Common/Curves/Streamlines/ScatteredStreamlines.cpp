@@ -80,13 +80,7 @@ Streamlines scatteredStreamlines(const MeshNavigation& mesh, const LineField& fi
   const bool going = parallelFor(
     seeds.size(),
     [&](std::size_t i)
-    {
-      const Triangle& points = mesh.mesh().triangles[seeds[i].triangle];
-      const glm::dvec3& weights = seeds[i].weights;
-      const std::size_t corner =
-        weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2) : (weights.y >= weights.z ? 1 : 2);
-      lines[i] = tracer.trace(seeds[i], field.directions[points[corner]], {});
-    },
+    { lines[i] = tracer.trace(seeds[i], field.directions[mesh.nearestPoint(seeds[i])], {}); },
     progress);
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
   for (std::uint32_t i = 0; going && i < lines.size(); ++i)
