@@ -10,6 +10,7 @@
 #include "InkReportException.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
+#include "InkWithGridField.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
@@ -33,7 +34,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 vtkStandardNewMacro(vtkInkGradient);
 
@@ -95,20 +95,10 @@ bool Compute(const ink::GridField<T>& field, const GradientRequest& request, vtk
 bool ComputeFromArray(const ink::GridGeometry& geometry, vtkDataArray* array, int component,
   const ink::ElementMarks& hidden, bool doubles, const GradientRequest& request, vtkAlgorithm* algorithm)
 {
-  const auto compute = [&](auto* values)
-  {
-    using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
-    const std::span<const T> all(
-      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
-    const ink::GridField<T> field(geometry, all.subspan(static_cast<std::size_t>(component)),
-      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden);
-    return doubles ? Compute<double>(field, request, algorithm) : Compute<float>(field, request, algorithm);
-  };
-  switch (array->GetDataType())
-  {
-    vtkTemplateMacro(return compute(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
-  }
-  throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
+  return InkWithGridField(geometry, array, component, hidden,
+    [&](const auto& field) {
+      return doubles ? Compute<double>(field, request, algorithm) : Compute<float>(field, request, algorithm);
+    });
 }
 
 ink::GradientOptions OptionsOf(vtkInkGradient* filter)

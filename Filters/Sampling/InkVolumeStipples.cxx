@@ -6,9 +6,9 @@
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkStippleOutput.h"
+#include "InkWithGridField.h"
 #include "Stippling/StippledVoxels.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -30,10 +30,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace
@@ -113,19 +111,7 @@ bool WithField(vtkImageData* image, const InkVolumeStippleRequest& request, cons
   int component = request.Component;
   const vtkSmartPointer<vtkDataArray> array = InkMakeContiguous(request.Scalars, component);
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-  const auto useValues = [&](auto* values)
-  {
-    using T = typename std::remove_pointer_t<decltype(values)>::ValueType;
-    const std::span<const T> all(
-      values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()));
-    return use(ink::GridField<T>(geometry, all.subspan(static_cast<std::size_t>(component)),
-      static_cast<std::size_t>(values->GetNumberOfComponents()), hidden));
-  };
-  switch (array->GetDataType())
-  {
-    vtkTemplateMacro(return useValues(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array.Get())));
-  }
-  throw std::invalid_argument(std::string("its values have the type ") + array->GetDataTypeAsString());
+  return InkWithGridField(geometry, array, component, hidden, use);
 }
 
 /// The samples whose voxels belong to the piece: those of its cells that are not marked as another piece's.
