@@ -75,8 +75,10 @@ def read(file):
 
 
 def on_processes(count, *command):
-    # Allowed: a test machine may have fewer cores than processes, and its only user may be root.
-    return [MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-n", str(count), *map(str, command)]
+    # Allowed: a test machine may have fewer cores than processes, and its only user may be root. Processes that wait
+    # leave their cores to those that draw.
+    options = ["--allow-run-as-root", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
+    return [MPIEXEC, *options, "-n", str(count), *map(str, command)]
 
 
 def free_port():
