@@ -5,6 +5,7 @@
 #include "Curves/Strokes/CutStroke.h"
 #include "InkMeshTriangles.h"
 #include "InkReportException.h"
+#include "InkVTKCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -33,6 +34,10 @@ namespace
 {
 
 using FamilyValues = std::array<double, 2>;
+
+/// The part of the work that finding the lines' lengths is, and after how many lines progress is told.
+constexpr double LengthsShare = 0.3;
+constexpr vtkIdType ProgressInterval = 64;
 
 /// The lines as the filter needs them.
 struct Lines
@@ -197,6 +202,16 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
       std::string(surface ? "a surface without area" : "neither"));
   }
 
+  // Told before a line; whether to go on.
+  const auto progress = [&](vtkIdType line, double begun, double share)
+  {
+    if (line % ProgressInterval == 0)
+    {
+      this->UpdateProgress(
+        begun + share * static_cast<double>(line) / static_cast<double>(lines.GetNumber()));
+    }
+    return !InkCheckAbort(this);
+  };
   const auto number = static_cast<std::size_t>(lines.GetNumber());
   std::vector<double> lengths(number);
   std::vector<int> families(number);
@@ -204,6 +219,10 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
   for (std::size_t line = 0; line < number; ++line)
   {
     const auto id = static_cast<vtkIdType>(line);
+    if (!progress(id, 0.0, LengthsShare))
+    {
+      return;
+    }
     const std::vector<double> arcLengths = lines.FindArcLengths(id);
     lengths[line] = arcLengths.empty() ? 0.0 : arcLengths.back();
     families[line] = givenFamilies && givenFamilies->GetComponent(lines.GetCell(id), 0) > 0.0 ? 1 : 0;
@@ -230,6 +249,11 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
   cellData->CopyAllocate(data->GetCellData(), lines.GetNumber());
   for (vtkIdType line = 0; line < lines.GetNumber(); ++line)
   {
+    if (!progress(line, LengthsShare, 1.0 - LengthsShare))
+    {
+      output->Initialize();
+      return;
+    }
     const auto index = static_cast<std::size_t>(line);
     const double whole = wholes[static_cast<std::size_t>(families[index])];
     const double spacing = this->Spacing > 0.0 ? this->Spacing : whole > 0.0 ? area / whole : 0.0;

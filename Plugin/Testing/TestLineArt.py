@@ -7,7 +7,7 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import TestInOneView, ink, is_background, picture
+from rendering import TestInOneView, ink, picture
 from surface_tests import SurfaceTests
 
 
@@ -17,7 +17,7 @@ def sphere():
 
 class TestLineArt(SurfaceTests, TestInOneView):
     PREFIX = "LineArt"
-    SHOWS = {}
+    SHOWS = {"LineArtDensity": 0.1}
 
     def show(self, source, **properties):
         display = Show(source, self.view)
@@ -34,22 +34,9 @@ class TestLineArt(SurfaceTests, TestInOneView):
         surface = display.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
         return surface.GetNumberOfPoints(), surface.GetMTime()
 
-    def test_a_mesh_is_hatched_on_paper_or_without(self):
-        display = self.show(sphere(), LineArtDensity=0.1)
-        drawn = picture(self.view)
-        self.assertFalse(is_background(drawn).any())
-        self.assertTrue(0.02 < (drawn[..., 0] < 0.5).mean() < 0.2)
-        display.LineArtPaper = 0
-        bare = picture(self.view)
-        self.assertGreater(is_background(bare).mean(), 0.3)
-        # Of green there is as much in the background as in white paper.
-        self.assertAlmostEqual((1 - bare[..., 1]).sum(), (1 - drawn[..., 1]).sum(), delta=1)
-        display.LineArtPaper = 1
-        display.LineArtPaperColor = [1.0, 1.0, 0.0]
-        display.LineArtInkColor = [0.0, 0.0, 1.0]
-        numpy.testing.assert_array_equal(picture(self.view)[2, 2], (1.0, 1.0, 0.0))
-        # Strokes and contours: of blue ink, of which nothing is black on yellow paper.
-        self.assertGreater(picture(self.view).max(axis=-1).min(), 0.4)
+    def test_a_mesh_is_hatched(self):
+        self.show(sphere(), LineArtDensity=0.1)
+        self.assertTrue(0.02 < (picture(self.view)[..., 0] < 0.5).mean() < 0.2)
 
     def test_sliders_change_the_ink_and_make_nothing_again(self):
         display = self.show(sphere(), LineArtDensity=0.1, LineArtContourWidth=0)

@@ -103,7 +103,10 @@ class TestParallel(unittest.TestCase):
             # Rims of dots: most of the picture of a surface, few pixels of the others.
             self.assertLess((difference > 0).mean(), 0.02 if "solid" in name else 0.004)
         else:
-            # A pixel where lines meet the ball, of which each process has a part, on four processes.
+            # Processes deliver points in another order, and in that the splats' 32-bit floats are summed up, with other
+            # rounding. One process with its points shuffled draws such pixels, too: none or one in a picture, by one
+            # level. Measured here: one, in this picture, on four processes.
+            self.assertLessEqual(difference.max(), 1)
             self.assertLessEqual(numpy.count_nonzero(difference), 2 if name == "paper" else 0)
 
     def drawings(self, processes, inputs):

@@ -1,14 +1,37 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What representations of one surface have in common, as tests for classes of their own."""
 
+import numpy
+
 from paraview.simple import *
 
-from rendering import Warnings, ink, picture
+from rendering import Warnings, ink, is_background, picture
 
 
 class SurfaceTests:
     """Tests that a TestInOneView takes beside its own. It has `show` and `marks`, and
-    PREFIX of its properties' names, and what SHOWS an image clearly, its properties by name."""
+    PREFIX of its properties' names, and what SHOWS lines clearly, its properties by name."""
+
+    def set(self, display, **properties):
+        for name, value in properties.items():
+            setattr(display, self.PREFIX + name, value)
+
+    def test_lines_are_drawn_on_paper_or_without_and_in_any_colors(self):
+        display = self.show(Sphere(ThetaResolution=64, PhiResolution=32), **self.SHOWS)
+        drawn = picture(self.view)
+        self.assertFalse(is_background(drawn).any())
+        numpy.testing.assert_array_equal(drawn[2, 2], 1.0)
+        self.set(display, Paper=0)
+        bare = picture(self.view)
+        self.assertGreater(is_background(bare).mean(), 0.3)
+        # Of green there is as much in the background as in white paper.
+        self.assertAlmostEqual((1 - bare[..., 1]).sum(), (1 - drawn[..., 1]).sum(), delta=1)
+        self.set(display, Paper=1, PaperColor=[1.0, 1.0, 0.0], InkColor=[0.0, 0.0, 1.0])
+        colored = picture(self.view)
+        numpy.testing.assert_array_equal(colored[2, 2], (1.0, 1.0, 0.0))
+        # Blue ink, of which nothing is black on yellow paper.
+        self.assertLess(colored[..., 0].min(), 0.05)
+        self.assertGreater(colored.max(axis=-1).min(), 0.4)
 
     def test_an_image_is_drawn_at_a_value_that_suits_it_or_that_is_given(self):
         display = self.show(Wavelet(), **self.SHOWS)
@@ -16,14 +39,14 @@ class SurfaceTests:
         self.assertGreater((picture(self.view)[..., 0] < 0.5).mean(), 0.005)
         automatic = self.marks(display)
         self.assertGreater(automatic[0], 1000)
-        setattr(display, f"{self.PREFIX}IsoValue", 250.0)
+        self.set(display, IsoValue=250.0)
         picture(self.view)
         self.assertEqual(self.marks(display), automatic)
-        setattr(display, f"{self.PREFIX}AutomaticIsoValue", 0)
+        self.set(display, AutomaticIsoValue=0)
         picture(self.view)
         self.assertNotEqual(self.marks(display)[0], automatic[0])
         # Beyond the data there is none.
-        setattr(display, f"{self.PREFIX}IsoValue", 1e6)
+        self.set(display, IsoValue=1e6)
         self.assertEqual(ink(picture(self.view)), 0)
 
     def test_grids_and_composites_are_drawn(self):

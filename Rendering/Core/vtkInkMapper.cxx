@@ -11,6 +11,7 @@
 #include "InkOpenGLCompat.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
@@ -70,6 +71,19 @@ vtkMTimeType vtkInkMapper::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->GetOverlay() ? std::max(own, this->GetOverlay()->GetMTime()) : own;
+}
+
+double* vtkInkMapper::GetBounds()
+{
+  vtkInkMapper* overlay = this->GetOverlay();
+  const double* own = this->Superclass::GetBounds();
+  if (overlay && overlay->GetInput())
+  {
+    vtkBoundingBox both(own);
+    both.AddBounds(overlay->GetBounds());
+    both.GetBounds(this->Bounds);
+  }
+  return this->Bounds;
 }
 
 void vtkInkMapper::ReportOnce(const std::string& error)

@@ -51,8 +51,12 @@ public:
   vtkInkMapper* GetOverlay();
   ///@}
 
-  /// That of the overlay included.
+  ///@{
+  /// Those of the overlay included.
   vtkMTimeType GetMTime() override;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  using vtkPolyDataMapper::GetBounds;
+  ///@}
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

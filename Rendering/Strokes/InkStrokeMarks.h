@@ -4,22 +4,20 @@
 
 #include "InkActorResources.h"
 #include "InkMarks.h"
-#include "InkOccluder.h"
-#include "InkShiftScale.h"
 #include "InkStrokePasses.h"
 #include "InkStrokePoints.h"
+#include "InkViewUniforms.h"
 
 #include <memory>
 #include <optional>
 #include <string>
 
-/// The strokes on the GPU, for one window, what they were made from, and the surface that hides them.
+/// The strokes on the GPU, for one window, and what they were made from.
 class InkStrokeMarks : public InkMarks
 {
 public:
   explicit InkStrokeMarks(vtkOpenGLRenderWindow* window)
     : Passes(window)
-    , Occluder(window, false)
     , Window(window)
   {
   }
@@ -30,10 +28,6 @@ public:
   InkStrokePoints Strokes;
   std::optional<InkStrokeArrays::Key> Source; ///< of Strokes
   std::optional<std::string> Colors;          ///< as InkScalarColors describes those of Passes
-
-  InkOccluder Occluder;
-  InkShiftScale SurfaceFrame;
-  vtkMTimeType SurfaceTime = 0; ///< of the surface that SurfaceFrame is of
 
   /// What an actor in a renderer shows of the strokes.
   struct View
@@ -50,7 +44,6 @@ public:
     };
     std::optional<Source> RunsSource;
     std::unique_ptr<InkStrokeRunBuffers> Runs;
-    std::unique_ptr<InkOccluderDepth> Depth;
   };
   InkActorResources<View> Views;
 

@@ -8,6 +8,8 @@
 #include "InkStrokeMarks.h"
 #include "InkStrokeRuns.h"
 #include "InkStrokeStyle.h"
+#include "InkStrokeSurface.h"
+#include "InkWindowResources.h"
 
 #include "Tone/Hatching/StrokeWidth.h"
 
@@ -69,6 +71,7 @@ float FindMostPriority(
 } // namespace
 
 vtkInkStrokeMapper::vtkInkStrokeMapper()
+  : Surfaces(std::make_shared<InkWindowResources<InkStrokeSurface>>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Width");
@@ -96,6 +99,21 @@ void vtkInkStrokeMapper::SetSurfaceData(vtkPolyData* surface)
 void vtkInkStrokeMapper::SetSurfaceConnection(vtkAlgorithmOutput* surface)
 {
   this->SetInputConnection(1, surface);
+}
+
+void vtkInkStrokeMapper::ShareSurface(vtkInkStrokeMapper* other)
+{
+  if (this->Surfaces != other->Surfaces)
+  {
+    this->Surfaces = other->Surfaces;
+    this->Modified();
+  }
+}
+
+void vtkInkStrokeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Surfaces->Release(window);
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 std::unique_ptr<InkMarks> vtkInkStrokeMapper::MakeMarks(vtkOpenGLRenderWindow* window)
@@ -213,42 +231,51 @@ InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRen
   return hatching;
 }
 
-void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame)
+InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(
+  const InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame)
+{
+  InkStrokeSurface& shared = this->Surfaces->Get(
+    marks.Window, [](vtkOpenGLRenderWindow* window) { return std::make_unique<InkStrokeSurface>(window); });
+  std::unique_ptr<InkOccluderDepth>& depth = shared.Depths.Get(frame.Renderer, frame.Actor);
+  vtkPolyData* surface = this->FindSurface();
+  const bool any = surface && surface->GetNumberOfPoints() > 0;
+  if (any)
+  {
+    if (shared.Time != surface->GetMTime())
+    {
+      double bounds[6];
+      InkShiftScale::FindFiniteBounds(surface->GetPoints(), bounds);
+      shared.Frame = InkShiftScale::FromBounds(bounds);
+      shared.Time = surface->GetMTime();
+    }
+    shared.Occluder.Update(surface, shared.Frame);
+  }
+  if (!any || shared.Occluder.IsEmpty())
+  {
+    depth.reset();
+    return nullptr;
+  }
+  const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, shared.Frame, frame.GetSize());
+  const int finer = (LeastDepthHeight - 1) / std::max(view.Size[1], 1) + 1;
+  shared.Occluder.Draw(ofSurface, DepthMargin, depth, finer);
+  if (!depth->Image.IsComplete())
+  {
+    this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");
+    depth.reset();
+  }
+  return depth.get();
+}
+
+void vtkInkStrokeMapper::UpdateRuns(
+  InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame, const InkOccluderDepth* depth)
 {
   InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
   InkStrokeMarks::View::Source source{ marks.GetUploadTime(), 0, {}, this->HiddenParts != OMITTED,
     this->ShortestPart };
-  vtkPolyData* surface = this->FindSurface();
-  if (surface && surface->GetNumberOfPoints() > 0)
+  if (depth && !this->Hatching)
   {
-    if (marks.SurfaceTime != surface->GetMTime())
-    {
-      double bounds[6];
-      InkShiftScale::FindFiniteBounds(surface->GetPoints(), bounds);
-      marks.SurfaceFrame = InkShiftScale::FromBounds(bounds);
-      marks.SurfaceTime = surface->GetMTime();
-    }
-    marks.Occluder.Update(surface, marks.SurfaceFrame);
-  }
-  if (!surface || surface->GetNumberOfPoints() == 0 || marks.Occluder.IsEmpty())
-  {
-    shown.Depth.reset();
-  }
-  else
-  {
-    const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, marks.SurfaceFrame, frame.GetSize());
-    const int finer = (LeastDepthHeight - 1) / std::max(view.Size[1], 1) + 1;
-    marks.Occluder.Draw(ofSurface, DepthMargin, shown.Depth, finer);
-    if (!shown.Depth->Image.IsComplete())
-    {
-      this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");
-      shown.Depth.reset();
-    }
-    else if (!this->Hatching)
-    {
-      source.Surface = shown.Depth->UploadTime;
-      source.Shown = shown.Depth->View;
-    }
+    source.Surface = depth->UploadTime;
+    source.Shown = depth->View;
   }
   if (shown.RunsSource == source)
   {
@@ -258,12 +285,12 @@ void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms
   if (source.Shown)
   {
     InkViewUniforms finer = view;
-    finer.VCDC = shown.Depth->View->VCDC;
-    finer.Size = shown.Depth->View->Size;
-    finer.Pixel = shown.Depth->View->Pixel;
+    finer.VCDC = depth->View->VCDC;
+    finer.Size = depth->View->Size;
+    finer.Pixel = depth->View->Pixel;
     const double factor = view.Pixel / finer.Pixel;
     runs = InkStrokeRuns::FindVisible(
-      marks.Strokes, finer, ReadDepth(*shown.Depth), factor * this->ShortestPart, source.WithHidden);
+      marks.Strokes, finer, ReadDepth(*depth), factor * this->ShortestPart, source.WithHidden);
   }
   else
   {
@@ -281,7 +308,8 @@ void vtkInkStrokeMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
 {
   auto& marks = static_cast<InkStrokeMarks&>(own);
   const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
-  this->UpdateView(marks, view, frame);
+  InkOccluderDepth* const depth = this->UpdateDepth(marks, view, frame);
+  this->UpdateRuns(marks, view, frame, depth);
   const InkStrokeMarks::View& shown = *marks.Views.Find(frame.Renderer, frame.Actor);
   InkStrokeStyle style = this->MakeStyle(marks, view);
   int points = shown.Runs->NumberOfPoints;
@@ -290,7 +318,7 @@ void vtkInkStrokeMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
     style.Hatching = this->MakeHatching(view, frame.Renderer);
     points = marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style));
   }
-  const InkStrokePasses::Scene scene{ view, style, *shown.Runs, shown.Depth.get(), points };
+  const InkStrokePasses::Scene scene{ view, style, *shown.Runs, depth, points };
   if (!marks.Passes.Draw(
         scene, frame, frame.Actor->GetProperty()->GetOpacity(), InkRenderPasses(this, frame.Actor)))
   {

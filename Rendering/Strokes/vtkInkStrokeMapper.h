@@ -34,9 +34,15 @@
 #include "vtkInkMapper.h"
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
 
+#include <memory> // for std::shared_ptr
+
 class InkStrokeMarks;
+template <class Resources>
+class InkWindowResources;
 struct InkHatching;
+struct InkOccluderDepth;
 struct InkStrokeStyle;
+struct InkStrokeSurface;
 struct InkViewUniforms;
 class vtkPolyData;
 
@@ -153,8 +159,8 @@ public:
   ///@{
   /**
    * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
-   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number of
-   * them. Default: off.
+   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number
+   * of them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);
@@ -326,6 +332,15 @@ public:
   vtkGetMacro(CullingCosine, double);
   ///@}
 
+  /**
+   * Shares with another mapper what the GPU has of the surface that hides strokes, so that its depth is drawn
+   * once where both draw for one actor: for mappers that have the same surface and the same clipping planes.
+   * Pictures are the same as without.
+   */
+  void ShareSurface(vtkInkStrokeMapper* other);
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
   /// Smooth edges are blended over what lies behind them.
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
@@ -350,9 +365,14 @@ private:
 
   InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
   InkHatching MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const;
-  /// The depth of the surface in a view, null without one; and the runs of the strokes there.
-  void UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame);
+  /// The depth of the surface in a view; null without one.
+  InkOccluderDepth* UpdateDepth(
+    const InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame);
+  /// The runs of the strokes in a view, of which those that are hidden are known by the surface's depth.
+  void UpdateRuns(
+    InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame, const InkOccluderDepth* depth);
 
+  std::shared_ptr<InkWindowResources<InkStrokeSurface>> Surfaces;
   int SizeUnit = THOUSANDTHS;
   double LineWidth = 2.0;
   double Taper = 0.0;

@@ -24,6 +24,8 @@ void vtkInkLineArtMapper::SetMappers(vtkInkStrokeMapper* strokes, vtkInkSilhouet
 {
   this->Strokes = strokes;
   this->Contours = contours;
+  // They lie on one surface.
+  strokes->ShareSurface(contours);
   this->Modified();
 }
 

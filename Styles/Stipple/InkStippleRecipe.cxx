@@ -199,7 +199,7 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
   this->Say(problem);
   if (problem.empty())
   {
-    this->OutlineImages(leaves);
+    this->OutlineImages(leaves, *style->IsoSurface);
   }
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
   for (std::size_t i = 0; i < leaves.Images.size() && problem.empty(); ++i)
@@ -217,13 +217,13 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
   return true;
 }
 
-void InkStippleRecipe::OutlineImages(const InkLeaves& leaves)
+void InkStippleRecipe::OutlineImages(const InkLeaves& leaves, InkIsoSurface& isoSurface)
 {
   vtkInkStippleStyle* style = this->Style;
   if (style->Silhouettes->GetSilhouettes())
   {
     this->Say(InkContourSurface(style).MakeOfImages(
-      *style->IsoSurface, leaves.Images, style->Scalars, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
+      isoSurface, leaves.Images, style->Scalars, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
   }
 }
 
@@ -256,13 +256,21 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
   {
     // They are those of a surface, though no surface is stippled. A panel always has an iso-value, which
     // counts where its surface is.
-    const std::vector<double> given = style->IsoSurface->GetIsoValues();
-    style->IsoSurface->SetIsoValues(style->GetInteractive() ? std::vector<double>() : given);
-    if (style->IsoSurface->Prepare(style, leaves.Images, style->Scalars).empty())
+    InkIsoSurface isoSurface;
+    isoSurface.CopyParameters(*style->IsoSurface);
+    if (!style->GetInteractive())
     {
-      this->OutlineImages(leaves);
+      isoSurface.SetIsoValues(style->IsoSurface->GetIsoValues());
     }
-    style->IsoSurface->SetIsoValues(given);
+    const std::string problem = isoSurface.Prepare(style, leaves.Images, style->Scalars);
+    if (problem.empty())
+    {
+      this->OutlineImages(leaves, isoSurface);
+    }
+    else
+    {
+      style->AddNote("there are no silhouettes: " + problem);
+    }
   }
   const char* scalars = style->Scalars.c_str();
   if (style->Scalars.empty())

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+class InkIsoSurface;
 class vtkCellData;
 class vtkDataSet;
 class vtkImageData;
@@ -34,8 +35,8 @@ private:
   bool StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input);
   /// Gives points of an image's surface its values of the array to color by, as scalars.
   void AddColorsOf(vtkImageData* image, vtkPolyData* points);
-  /// The surface of images whose silhouettes are asked for; after InkIsoSurface::Prepare.
-  void OutlineImages(const InkLeaves& leaves);
+  /// The surface of images whose silhouettes are asked for, of an iso-surface that is prepared.
+  void OutlineImages(const InkLeaves& leaves, InkIsoSurface& isoSurface);
   void StippleSurfaces(const InkLeaves& leaves);
   /// Stipples polygons, or points with normals.
   void StippleSurface(vtkPolyData* mesh);

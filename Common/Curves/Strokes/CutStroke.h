@@ -9,10 +9,12 @@
 namespace ink
 {
 
-/// Cuts a line into strokes as a hand draws them: about as long as is wanted, none more than nine fifths of
-/// that, with ends that lie at random and not beside those of the next line.
+/// Cuts a line into strokes as a hand draws them: about as long as is wanted, with ends that lie at random
+/// and not beside those of the next line. Strokes end at the first point after where they are cut; but for
+/// its last segment, none is longer than nine fifths of the wanted length, or of the mean segment where that
+/// is longer.
 /// @param arcLengths of the line's points, ascending
-/// @param length of a stroke, in the same unit; 0: the line is one stroke
+/// @param length that is wanted, in the same unit; 0: the line is one stroke
 /// @param key lines of other keys are cut elsewhere
 /// @return the points where strokes begin and end, ascending, the first and the last included; empty without
 ///   points

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Hash.h"
 #include "Curves/Strokes/CutStroke.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace
@@ -37,6 +39,37 @@ TEST(CutStroke, PartsCoverTheLine)
         << "stroke " << i << " of key " << key << " is " << length << " long";
     }
   }
+}
+
+/// A stroke goes on to the next point after its cut: by its last segment it may be longer.
+TEST(CutStroke, UnevenSegments)
+{
+  constexpr std::size_t segments = 400;
+  double longest = 0.0;
+  double longestToLastSegment = 0.0;
+  for (std::uint64_t key = 0; key < 300; ++key)
+  {
+    std::vector<double> arcLengths{ 0.0 };
+    for (std::size_t i = 0; i < segments; ++i)
+    {
+      arcLengths.push_back(arcLengths.back() + std::pow(ink::unitDouble(ink::hash(key, i)), 8.0));
+    }
+    const double mean = arcLengths.back() / segments;
+    for (const double wanted : { 0.1 * mean, 2.0 * mean, 10.0 * mean })
+    {
+      const double counted = std::max(wanted, mean);
+      const std::vector<std::size_t> cuts = ink::cutStroke(arcLengths, wanted, key);
+      for (std::size_t i = 1; i < cuts.size(); ++i)
+      {
+        const double begin = arcLengths[cuts[i - 1]];
+        longest = std::max(longest, (arcLengths[cuts[i]] - begin) / counted);
+        longestToLastSegment = std::max(longestToLastSegment, (arcLengths[cuts[i] - 1] - begin) / counted);
+      }
+    }
+  }
+  EXPECT_LT(longestToLastSegment, 1.8);
+  EXPECT_GT(longestToLastSegment, 1.7) << "no less than that is sure";
+  EXPECT_GT(longest, 2.7) << "with the last segment";
 }
 
 /// Ends of neighboring lines lie anywhere.

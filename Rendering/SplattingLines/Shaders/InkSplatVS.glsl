@@ -242,9 +242,9 @@ void main()
   float weight = referenceRadius / radius;
   splatVSOutput = vec4(min(weight * weight, largestWeight), slope, tolerances);
 #ifdef INK_COARSE
-  // Going from texels to pixels blurs by a variance of a sixth of a texel's square. By that the Gaussians are
-  // narrower, and higher, so that each splat weighs as much.
-  vec2 left = 1.0 - texel * texel / (3.0 * width * width) * falloff;
+  // Going from texels to pixels blurs by a variance of a sixth of a texel's square. By that, in the mean of a
+  // disc's two directions, the Gaussians are narrower, and higher, so that each splat weighs as much.
+  vec2 left = 1.0 - texel * texel * middleWidth / (3.0 * area * area) * falloff;
   gaussiansVSOutput = vec4(falloff / left, sumOver(falloff) / sumOver(falloff / left));
 #endif
 #elif defined INK_PEEL

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkInkHatching: spacing of the families, cut strokes, order, errors.
 #include "InkTestMessages.h"
+#include "InkTestProgress.h"
 #include "vtkInkHatching.h"
 
 #include "vtkCellArray.h"
@@ -163,6 +164,15 @@ TEST(Hatching, PriorityByChance)
   before->DeepCopy(hatching->GetOutput());
   hatching->Update();
   EXPECT_NE(Value(before, "Priority", 0), Value(hatching->GetOutput(), "Priority", 0)) << "another seed";
+}
+
+TEST(Hatching, ProgressAndAbort)
+{
+  vtkNew<vtkInkHatching> hatching;
+  hatching->SetInputData(SquareLines(1000, true));
+  hatching->SetSurfaceData(Square());
+  hatching->SetStrokeLength(2.0);
+  InkTestProgressAndAbort(hatching.Get());
 }
 
 TEST(Hatching, Errors)

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -121,6 +122,36 @@ TEST(InkMapper, AnotherDrawsOverIt)
   EXPECT_EQ(selection->GetNode(0)->GetSelectionList()->GetNumberOfTuples(), 7);
   scene.Mapper->SetOverlay(nullptr);
   EXPECT_EQ(FindDrawn(scene), Ids(0, 6));
+}
+
+TEST(InkMapper, BoundsHoldWhatIsDrawnOverIt)
+{
+  Scene scene(Row(7));
+  const vtkSmartPointer<vtkPolyData> far = Row(3);
+  far->GetPoints()->SetPoint(0, 1e6 + 9.0, 4.0, -5.0);
+  vtkNew<DotsMapper> over;
+  scene.Mapper->SetOverlay(over);
+  const auto expect = [&](const std::array<double, 6>& expected, const char* what)
+  {
+    const double* bounds = scene.Mapper->GetBounds();
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), bounds)) << what;
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), scene.Actor->GetBounds())) << what;
+  };
+  expect({ 1e6 - 1.0, 1e6 + 1.0, 0.0, 0.0, 0.0, 0.0 }, "nothing over it");
+  over->SetInputData(far);
+  expect({ 1e6 - 1.0, 1e6 + 9.0, 0.0, 4.0, -5.0, 0.0 }, "both");
+  // A camera that is reset shows what lies beside the marks.
+  scene.Renderer->ResetCamera();
+  const InkTestImage image(scene.Window);
+  vtkNew<vtkCoordinate> coordinate;
+  coordinate->SetCoordinateSystemToWorld();
+  coordinate->SetValue(far->GetPoint(0));
+  const int* pixel = coordinate->GetComputedViewportValue(scene.Renderer);
+  EXPECT_TRUE(image.IsDark(pixel[0], pixel[1])) << pixel[0] << ", " << pixel[1];
+  scene.Mapper->SetInputDataObject(nullptr);
+  expect({ 1e6, 1e6 + 9.0, 0.0, 4.0, -5.0, 0.0 }, "only what is over nothing");
+  over->SetInputData(Row(0));
+  EXPECT_FALSE(vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds())) << "without points";
 }
 
 TEST(InkMapper, Clipping)

@@ -200,7 +200,7 @@ TEST(SplattingLinesResolution, SmallSigma)
   SplattingLinesScene scene(Shape(), 600, 600);
   Turn(scene);
   scene.Mapper->SetLambda(8.0);
-  for (double sigma : { 0.05, 0.1, 0.15, 0.25 })
+  for (double sigma : { 0.05, 0.1, 0.15, 0.25, 0.35, 0.5 })
   {
     scene.Mapper->SetSigma(sigma);
     scene.Mapper->SetMaximumDownsampling(1);
@@ -210,8 +210,8 @@ TEST(SplattingLinesResolution, SmallSigma)
       scene.Mapper->SetMaximumDownsampling(texel);
       const double difference =
         ink::pictureDifference(Shrink(exact, 150), Shrink(InkTestImage(scene.Window), 150));
-      EXPECT_LT(difference, 0.1) << "much the same with sigma " << sigma << " and texels of " << texel << "; "
-                                 << difference << " of the ink differs";
+      EXPECT_LT(difference, 0.05) << "much the same with sigma " << sigma << " and texels of " << texel
+                                  << "; " << difference << " of the ink differs";
     }
   }
 }

@@ -297,6 +297,65 @@ TEST(SplattingLinesStyle, Scalars)
     << "one message that names what colors come from, found " << messages->Messages.size();
 }
 
+/// Lines that reach beyond the surface have the color of the nearest point of it that is seen.
+TEST(SplattingLinesStyle, ScalarsBeyondTheSurface)
+{
+  constexpr int size = 400;
+  auto points = Torus();
+  vtkNew<vtkFloatArray> sector;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double* p = points->GetPoint(i);
+    const double turn = 0.5 + 0.5 * std::atan2(p[1], p[0]) / vtkMath::Pi();
+    sector->InsertNextValue(static_cast<float>(static_cast<int>(40.0 * turn) % 2));
+  }
+  points->GetPointData()->SetScalars(sector);
+  SplattingLinesScene scene(points, size, size);
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(2);
+  table->SetTableValue(0, 0.0, 1.0, 0.0);
+  table->SetTableValue(1, 0.0, 0.0, 1.0);
+  scene.Mapper->SetLookupTable(table);
+  scene.Mapper->SetScalarRange(0.0, 1.0);
+  scene.Mapper->SetInkColorMode(vtkInkSplattingLinesMapper::SCALARS);
+  // All of the surface is ink.
+  scene.Mapper->SetTau(1.2);
+  scene.Mapper->SetPhi(500.0);
+  const InkTestImage surface(scene.Window);
+  scene.Mapper->SetLineWidth(20.0);
+  const InkTestImage wide(scene.Window);
+  /// 0 for paper, 1 and 2 for the colors.
+  const auto colorAt = [](const InkTestImage& image, int x, int y) {
+    return image.Channel(x, y, 0) > 127 ? 0 : image.Channel(x, y, 1) > image.Channel(x, y, 2) ? 1 : 2;
+  };
+  constexpr int reach = 8;
+  int beyond = 0;
+  int others = 0;
+  for (int y = reach; y < size - reach; ++y)
+  {
+    for (int x = reach; x < size - reach; ++x)
+    {
+      if (colorAt(surface, x, y) != 0 || colorAt(wide, x, y) == 0)
+      {
+        continue;
+      }
+      int nearest[3] = { 0, size * size, size * size };
+      for (int dy = -reach; dy <= reach; ++dy)
+      {
+        for (int dx = -reach; dx <= reach; ++dx)
+        {
+          int& best = nearest[colorAt(surface, x + dx, y + dy)];
+          best = std::min(best, dx * dx + dy * dy);
+        }
+      }
+      ++beyond;
+      others += nearest[1] != nearest[2] && (nearest[1] < nearest[2]) != (colorAt(wide, x, y) == 1);
+    }
+  }
+  EXPECT_GT(beyond, 3000);
+  EXPECT_EQ(others, 0) << "of " << beyond;
+}
+
 TEST(SplattingLinesStyle, Tone)
 {
   // A dent's lines lie where the surface faces the viewer, the contour's where it does not.
