@@ -8,7 +8,9 @@
 #include "InkShiftScale.h"
 #include "InkStrokePasses.h"
 #include "InkStrokePoints.h"
+#include "InkToonPass.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,18 +21,23 @@ class InkStrokeMarks : public InkMarks
 public:
   explicit InkStrokeMarks(vtkOpenGLRenderWindow* window)
     : Passes(window)
+    , Toon(window)
     , Occluder(window, false)
     , Window(window)
   {
   }
 
-  vtkMTimeType GetUploadTime() const override { return this->Passes.GetUploadTime(); }
+  vtkMTimeType GetUploadTime() const override
+  {
+    return std::max(this->Passes.GetUploadTime(), this->Toon.GetUploadTime());
+  }
 
   InkStrokePasses Passes;
   InkStrokePoints Strokes;
   std::optional<InkStrokeArrays::Key> Source; ///< of Strokes
   std::optional<std::string> Colors;          ///< as InkScalarColors describes those of Passes
 
+  InkToonPass Toon;
   InkOccluder Occluder;
   InkShiftScale SurfaceFrame;
   vtkMTimeType SurfaceTime = 0; ///< of the surface that SurfaceFrame is of

@@ -36,9 +36,6 @@ namespace
 /// Of the image with a pixel for each point, as the shaders have it.
 constexpr int ImageWidth = 2048;
 
-/// A stroke hides what is behind it where it covers so much of a pixel.
-constexpr float HidingCoverage = 0.5f;
-
 } // namespace
 
 InkStrokeRunBuffers::InkStrokeRunBuffers(vtkOpenGLRenderWindow* window)
@@ -127,8 +124,10 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
   const InkStrokeStyle& style = scene.Style;
-  const std::string features =
-    style.Hatching ? InkDefine("INK_HATCHING") + InkFindLightFeatures(style.Hatching->Lights) : "";
+  const std::string features = style.Voxels ? InkDefine("INK_VOXELS")
+    : style.BackEdges                       ? InkDefine("INK_BACK_EDGES")
+    : style.Hatching ? InkDefine("INK_HATCHING") + InkFindLightFeatures(style.Hatching->Lights)
+                     : "";
   InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkStrokePointVS, features), "", InkStrokePointFS);
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime, [](auto*, auto*) {});
   if (!program)
@@ -152,6 +151,17 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   {
     program->SetUniformf("taper", style.Taper);
     this->SetHatchingUniforms(program, *style.Hatching);
+  }
+  if (style.AreFoundByEye())
+  {
+    program->SetUniform4f("eyeMC", style.Eye.data());
+  }
+  if (style.Voxels)
+  {
+    program->SetUniform2f("valueBounds", style.Voxels->ValueBounds.data());
+    program->SetUniformf("leastGradient", style.Voxels->LeastGradient);
+    program->SetUniformf("largestCosine", style.Voxels->LargestCosine);
+    program->SetUniformf("segmentLength", style.Voxels->SegmentLength);
   }
   const InkPointSizeByShader pointSize;
   glDrawArrays(GL_POINTS, 0, scene.NumberOfPoints);
@@ -240,10 +250,7 @@ void InkStrokePasses::SetUniforms(
   InkSetColorUniform(program, "inkColor", style.Color.data());
   if (scene.Occluder)
   {
-    const InkViewUniforms& shown = *scene.Occluder->View;
-    program->SetUniformf("occluderScale",
-      static_cast<float>(shown.Size[0] - 2 * shown.Margin) / static_cast<float>(scene.View.Size[0]));
-    program->SetUniformf("occluderMargin", static_cast<float>(shown.Margin));
+    scene.Occluder->SetUniforms(program, scene.View);
   }
 }
 
@@ -261,7 +268,7 @@ bool InkStrokePasses::Draw(
   const bool colors = this->Colors.IsFilled() && !frame.Ids;
   const std::string features = scene.View.FindFeatures() + (frame.Ids ? InkDefine("INK_IDS") : "") +
     (colors ? InkDefine("INK_COLORS") : "") + (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
-    (scene.Occluder && scene.Style.Hatching ? InkDefine("INK_HIDDEN") : "");
+    (scene.Occluder && (scene.Style.Hatching || scene.Style.AreFoundByEye()) ? InkDefine("INK_HIDDEN") : "");
   std::string vertexShader = InkStrokeVS;
   std::string geometryShader;
   std::string fragmentShader = InkWithFeatures(InkStrokeFS, features);
@@ -299,7 +306,7 @@ bool InkStrokePasses::Draw(
       const vtkOpenGLState::ScopedglColorMask colorMask(state);
       state->vtkglDepthMask(GL_TRUE);
       state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-      draw(HidingCoverage);
+      draw(InkHidingCoverage);
     }
   }
   this->DeactivateTextures(scene);

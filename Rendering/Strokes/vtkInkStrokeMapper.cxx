@@ -114,34 +114,34 @@ bool vtkInkStrokeMapper::UpdateMarks(InkMarks& own)
   return this->UpdateStrokes(own, this->GetInput());
 }
 
-bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
+template <class Arrays>
+bool vtkInkStrokeMapper::UploadStrokes(InkStrokeMarks& marks, const Arrays& arrays)
 {
-  auto& marks = static_cast<InkStrokeMarks&>(own);
-  const InkStrokeArrays arrays(strokes, this->GetInputArrayToProcess(0, strokes), this->Hatching);
-  if (marks.Source != arrays.GetKey())
+  if (marks.Source == arrays.GetKey())
   {
-    marks.Source.reset();
-    marks.Colors.reset();
-    std::string problem = arrays.FindProblem();
-    if (problem.empty())
-    {
-      marks.Strokes.Read(arrays);
-      problem = marks.Passes.Upload(marks.Strokes);
-    }
-    if (!problem.empty())
-    {
-      this->ReportOnce(problem);
-      return false;
-    }
-    marks.Source = arrays.GetKey();
+    return true;
   }
-  if (marks.Strokes.GetStrokes().empty())
+  marks.Source.reset();
+  marks.Colors.reset();
+  std::string problem = arrays.FindProblem();
+  if (problem.empty())
   {
-    this->ReportOnce("None of the lines has two different points that are finite.");
+    marks.Strokes.Read(arrays);
+    problem = marks.Passes.Upload(marks.Strokes);
+  }
+  if (!problem.empty())
+  {
+    this->ReportOnce(problem);
     return false;
   }
-  const InkScalarColors ofPoints(this, strokes, InkScalarColors::Of::Points);
-  const InkScalarColors ofCells(this, strokes, InkScalarColors::Of::Cells);
+  marks.Source = arrays.GetKey();
+  return true;
+}
+
+void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data)
+{
+  const InkScalarColors ofPoints(this, data, InkScalarColors::Of::Points);
+  const InkScalarColors ofCells(this, data, InkScalarColors::Of::Cells);
   const InkScalarColors& colors = ofCells.Exist() ? ofCells : ofPoints;
   if (!colors.GetProblem().empty())
   {
@@ -154,7 +154,45 @@ bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
                                              : std::vector<std::uint32_t>());
     marks.Colors = std::move(description);
   }
+}
+
+bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  if (!this->UploadStrokes(
+        marks, InkStrokeArrays(strokes, this->GetInputArrayToProcess(0, strokes), this->Hatching)))
+  {
+    return false;
+  }
+  if (marks.Strokes.GetStrokes().empty())
+  {
+    this->ReportOnce("None of the lines has two different points that are finite.");
+    return false;
+  }
+  this->UpdateColors(marks, strokes);
   return true;
+}
+
+bool vtkInkStrokeMapper::UpdateVoxels(InkMarks& own, vtkPolyData* voxels)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  if (!this->UploadStrokes(marks, InkVoxelArrays(voxels)))
+  {
+    return false;
+  }
+  this->UpdateColors(marks, voxels);
+  return !marks.Strokes.GetStrokes().empty();
+}
+
+bool vtkInkStrokeMapper::UpdateEdges(InkMarks& own, vtkPolyData* surface)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  if (!this->UploadStrokes(marks, InkEdgeArrays{ surface }))
+  {
+    return false;
+  }
+  this->UpdateColors(marks, surface);
+  return !marks.Strokes.GetStrokes().empty();
 }
 
 InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const
@@ -213,11 +251,9 @@ InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRen
   return hatching;
 }
 
-void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame)
+const InkOccluderDepth* vtkInkStrokeMapper::UpdateOccluder(InkStrokeMarks& marks, const InkFrame& frame)
 {
-  InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
-  InkStrokeMarks::View::Source source{ marks.GetUploadTime(), 0, {}, this->HiddenParts != OMITTED,
-    this->ShortestPart };
+  std::unique_ptr<InkOccluderDepth>& depth = marks.Views.Get(frame.Renderer, frame.Actor).Depth;
   vtkPolyData* surface = this->FindSurface();
   if (surface && surface->GetNumberOfPoints() > 0)
   {
@@ -232,23 +268,31 @@ void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms
   }
   if (!surface || surface->GetNumberOfPoints() == 0 || marks.Occluder.IsEmpty())
   {
-    shown.Depth.reset();
+    depth.reset();
+    return nullptr;
   }
-  else
+  const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.SurfaceFrame, frame.GetSize());
+  const int finer = (LeastDepthHeight - 1) / std::max(frame.GetSize()[1], 1) + 1;
+  marks.Occluder.Draw(view, DepthMargin, depth, finer);
+  if (!depth->Image.IsComplete())
   {
-    const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, marks.SurfaceFrame, frame.GetSize());
-    const int finer = (LeastDepthHeight - 1) / std::max(view.Size[1], 1) + 1;
-    marks.Occluder.Draw(ofSurface, DepthMargin, shown.Depth, finer);
-    if (!shown.Depth->Image.IsComplete())
-    {
-      this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");
-      shown.Depth.reset();
-    }
-    else if (!this->Hatching)
-    {
-      source.Surface = shown.Depth->UploadTime;
-      source.Shown = shown.Depth->View;
-    }
+    this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");
+    depth.reset();
+  }
+  return depth.get();
+}
+
+void vtkInkStrokeMapper::UpdateView(
+  InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame, bool byPixel)
+{
+  const InkOccluderDepth* depth = this->UpdateOccluder(marks, frame);
+  InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
+  InkStrokeMarks::View::Source source{ marks.GetUploadTime(), 0, {}, this->HiddenParts != OMITTED,
+    this->ShortestPart };
+  if (depth && !byPixel)
+  {
+    source.Surface = depth->UploadTime;
+    source.Shown = depth->View;
   }
   if (shown.RunsSource == source)
   {
@@ -279,13 +323,22 @@ void vtkInkStrokeMapper::UpdateView(InkStrokeMarks& marks, const InkViewUniforms
 
 void vtkInkStrokeMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
 {
-  auto& marks = static_cast<InkStrokeMarks&>(own);
+  this->DrawStrokes(static_cast<InkStrokeMarks&>(own), frame, {});
+}
+
+void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& frame,
+  const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose)
+{
   const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
-  this->UpdateView(marks, view, frame);
+  this->UpdateView(marks, view, frame, this->Hatching || choose);
   const InkStrokeMarks::View& shown = *marks.Views.Find(frame.Renderer, frame.Actor);
   InkStrokeStyle style = this->MakeStyle(marks, view);
   int points = shown.Runs->NumberOfPoints;
-  if (this->Hatching)
+  if (choose)
+  {
+    choose(style, view);
+  }
+  else if (this->Hatching)
   {
     style.Hatching = this->MakeHatching(view, frame.Renderer);
     points = marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style));

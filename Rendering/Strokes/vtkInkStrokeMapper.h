@@ -34,8 +34,11 @@
 #include "vtkInkMapper.h"
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
 
+#include <functional> // for what subclasses draw
+
 class InkStrokeMarks;
 struct InkHatching;
+struct InkOccluderDepth;
 struct InkStrokeStyle;
 struct InkViewUniforms;
 class vtkPolyData;
@@ -153,8 +156,8 @@ public:
   ///@{
   /**
    * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
-   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number of
-   * them. Default: off.
+   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number
+   * of them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);
@@ -341,6 +344,16 @@ protected:
 
   /// Brings marks up to date with strokes, as UpdateMarks does with those of the input.
   bool UpdateStrokes(InkMarks& own, vtkPolyData* strokes);
+  ///@{
+  /// The same with edge voxels, or with the edges of a surface, of which the shader makes strokes for an eye.
+  bool UpdateVoxels(InkMarks& own, vtkPolyData* voxels);
+  bool UpdateEdges(InkMarks& own, vtkPolyData* surface);
+  ///@}
+  /// @param choose sets in the style which strokes the shader makes; null: marks are strokes
+  void DrawStrokes(InkStrokeMarks& marks, const InkFrame& frame,
+    const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose);
+  /// The depth of the surface in a view, which marks get for a renderer and an actor; null without one.
+  const InkOccluderDepth* UpdateOccluder(InkStrokeMarks& marks, const InkFrame& frame);
   /// The surface that hides strokes, or null.
   virtual vtkPolyData* FindSurface();
 
@@ -350,8 +363,13 @@ private:
 
   InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
   InkHatching MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const;
-  /// The depth of the surface in a view, null without one; and the runs of the strokes there.
-  void UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame);
+  /// Uploads strokes or voxels, if they are others than before, and reports what is wrong with them.
+  template <class Arrays>
+  bool UploadStrokes(InkStrokeMarks& marks, const Arrays& arrays);
+  void UpdateColors(InkStrokeMarks& marks, vtkPolyData* data);
+  /// The runs of the strokes in a view.
+  /// @param byPixel what the surface hides is found by each pixel, not along strokes
+  void UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame, bool byPixel);
 
   int SizeUnit = THOUSANDTHS;
   double LineWidth = 2.0;
