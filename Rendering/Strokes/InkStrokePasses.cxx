@@ -59,6 +59,7 @@ InkStrokePasses::InkStrokePasses(vtkOpenGLRenderWindow* window)
   , Hatches(window)
   , Ids(window)
   , Colors(window)
+  , Texture(window)
 {
 }
 
@@ -209,6 +210,10 @@ void InkStrokePasses::ActivateTextures(vtkShaderProgram* program, const Scene& s
   {
     this->Colors.Activate(program, "pointColors");
   }
+  if (this->Texture.IsFilled() && !ids)
+  {
+    this->Texture.Activate(program, "strokeTexture");
+  }
   if (scene.Occluder)
   {
     activate(scene.Occluder->Image.GetTexture(), "occluder");
@@ -219,6 +224,7 @@ void InkStrokePasses::DeactivateTextures(const Scene& scene)
 {
   this->PointPlaces->GetTexture()->Deactivate();
   this->PointShapes->GetTexture()->Deactivate();
+  this->Texture.Deactivate();
   if (scene.Occluder)
   {
     scene.Occluder->Image.GetTexture()->Deactivate();
@@ -244,6 +250,7 @@ void InkStrokePasses::SetUniforms(
   program->SetUniformi("dashed", style.Dashed);
   program->SetUniformi("hiddenDashed", style.HiddenDashed);
   program->SetUniform2f("dash", style.Dash.data());
+  program->SetUniformf("textureLength", style.TextureLength);
   program->SetUniformf("lift", style.Lift);
   program->SetUniformf("hiddenOpacity", style.HiddenOpacity);
   program->SetUniformf("actorOpacity", static_cast<float>(opacity));
@@ -265,9 +272,12 @@ bool InkStrokePasses::Draw(
   {
     return false;
   }
+  const bool textured = this->Texture.IsFilled() && !frame.Ids;
   const bool colors = this->Colors.IsFilled() && !frame.Ids;
   const std::string features = scene.View.FindFeatures() + (frame.Ids ? InkDefine("INK_IDS") : "") +
-    (colors ? InkDefine("INK_COLORS") : "") + (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
+    (colors ? InkDefine("INK_COLORS") : "") + (textured ? InkDefine("INK_TEXTURE") : "") +
+    (textured && this->Texture.HasColors() ? InkDefine("INK_TEXTURE_COLORS") : "") +
+    (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
     (scene.Occluder && (scene.Style.Hatching || scene.Style.AreFoundByEye()) ? InkDefine("INK_HIDDEN") : "");
   std::string vertexShader = InkStrokeVS;
   std::string geometryShader;

@@ -45,6 +45,7 @@ struct InkStrokeStyle
   bool Dashed = false;
   bool HiddenDashed = false;
   std::array<float, 2> Dash{}; ///< lengths of a dash and of a dash with a gap, the local frame's unit
+  float TextureLength = 1.0f;  ///< of arc length, for the width of the image, the local frame's unit
   float Density = 1.0f;
   float Lift = 0.0f; ///< pixels towards the eye
   float HiddenOpacity = 1.0f;

@@ -15,6 +15,7 @@
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -86,6 +87,20 @@ int vtkInkStrokeMapper::FillInputPortInformation(int port, vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+void vtkInkStrokeMapper::SetTexture(vtkImageData* texture)
+{
+  if (this->Texture != texture)
+  {
+    this->Texture = texture;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkInkStrokeMapper::GetTexture()
+{
+  return this->Texture;
 }
 
 void vtkInkStrokeMapper::SetSurfaceData(vtkPolyData* surface)
@@ -219,6 +234,7 @@ InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const 
   const double pixel = view.Pixel * (view.Eye[3] == 0.0f ? 1.0f : std::max(middle, view.DepthRange[0]));
   const double local = (world ? 1.0 : scale * pixel) / view.Unit;
   style.Dash = { number(local * this->DashLength), number(local * (this->DashLength + this->GapLength)) };
+  style.TextureLength = number(std::max(local * this->TextureLength * this->LineWidth, 1e-30));
   const bool dashes = this->GapLength > 0.0;
   style.Dashed = dashes && this->Dashed;
   style.HiddenDashed = dashes && this->HiddenParts == DASHED;
@@ -342,6 +358,10 @@ void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& fram
   {
     style.Hatching = this->MakeHatching(view, frame.Renderer);
     points = marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style));
+  }
+  if (const std::string problem = marks.Passes.UploadTexture(this->Texture); !problem.empty())
+  {
+    this->ReportOnce(problem);
   }
   const InkStrokePasses::Scene scene{ view, style, *shown.Runs, shown.Depth.get(), points };
   if (!marks.Passes.Draw(

@@ -33,6 +33,7 @@
 #include "InkSetters.h" // for the setters
 #include "vtkInkMapper.h"
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
+#include "vtkSmartPointer.h"              // for the texture
 
 #include <functional> // for what subclasses draw
 
@@ -41,6 +42,7 @@ struct InkHatching;
 struct InkOccluderDepth;
 struct InkStrokeStyle;
 struct InkViewUniforms;
+class vtkImageData;
 class vtkPolyData;
 
 class VTKINKRENDERINGSTROKES_EXPORT vtkInkStrokeMapper : public vtkInkMapper
@@ -178,6 +180,27 @@ public:
    */
   InkSetClampMacro(GapLength, 0.0, 1e12);
   vtkGetMacro(GapLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * An image that strokes are drawn with in place of plain ink: along their arc length, repeated, from their
+   * begin, and its height across their width. 2D, of unsigned char; 1 component: how much ink there is, 255
+   * being all; or 4: its color, too, in place of InkColor and scalars. Like dashes it stays where it is on
+   * strokes that do not change with the camera, and a closed stroke has a whole number of repetitions.
+   * Default: none.
+   */
+  void SetTexture(vtkImageData* texture);
+  vtkImageData* GetTexture();
+  ///@}
+
+  ///@{
+  /**
+   * How many widths of a stroke (LineWidth, in the middle of the strokes) the texture's width takes. 1e-3 to
+   * 1e12; default: 4.
+   */
+  InkSetClampMacro(TextureLength, 1e-3, 1e12);
+  vtkGetMacro(TextureLength, double);
   ///@}
 
   ///@{
@@ -381,6 +404,8 @@ private:
   bool Dashed = false;
   double DashLength = 8.0;
   double GapLength = 5.0;
+  vtkSmartPointer<vtkImageData> Texture;
+  double TextureLength = 4.0;
   double Density = 1.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };
   double Lift = 2.0;
