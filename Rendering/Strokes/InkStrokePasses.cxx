@@ -126,7 +126,7 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
 
   const InkStrokeStyle& style = scene.Style;
   const std::string features = style.Voxels ? InkDefine("INK_VOXELS")
-    : style.BackEdges                       ? InkDefine("INK_BACK_EDGES")
+    : style.BackEdges                       ? InkDefine("INK_EDGES")
     : style.Hatching ? InkDefine("INK_HATCHING") + InkFindLightFeatures(style.Hatching->Lights)
                      : "";
   InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkStrokePointVS, features), "", InkStrokePointFS);
@@ -276,7 +276,7 @@ bool InkStrokePasses::Draw(
   const bool colors = this->Colors.IsFilled() && !frame.Ids;
   const std::string features = scene.View.FindFeatures() + (frame.Ids ? InkDefine("INK_IDS") : "") +
     (colors ? InkDefine("INK_COLORS") : "") + (textured ? InkDefine("INK_TEXTURE") : "") +
-    (textured && this->Texture.HasColors() ? InkDefine("INK_TEXTURE_COLORS") : "") +
+    (textured && this->Texture.HasColors() ? InkDefine("INK_TINTED") : "") +
     (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
     (scene.Occluder && (scene.Style.Hatching || scene.Style.AreFoundByEye()) ? InkDefine("INK_HIDDEN") : "");
   std::string vertexShader = InkStrokeVS;

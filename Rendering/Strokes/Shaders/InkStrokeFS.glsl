@@ -304,7 +304,7 @@ bool findInk(out vec4 ink, out float depth)
                                                                : 0.0;
   vec4 texel = strokeTexel(shape.y, stroke.w == 0.0 ? 0.0 : stroke.y, pixelsPerArc(own), max(nearest.width, 1e-3),
     direction, nearest.away, beyond);
-#ifdef INK_TEXTURE_COLORS
+#ifdef INK_TINTED
   color = texel.rgb;
   coverage *= texel.a;
 #else

@@ -28,7 +28,7 @@ uniform samplerBuffer hatches; // distance of all strokes of the family in the l
 #ifdef INK_VOXELS
 #include "InkVoxelSegment.glsl"
 #endif
-#ifdef INK_BACK_EDGES
+#ifdef INK_EDGES
 #include "InkBackEdge.glsl"
 #endif
 
@@ -83,7 +83,7 @@ void main()
   float whole;
   bool found = findSegmentEnd(source % 2, point, shape, whole);
 #endif
-#ifdef INK_BACK_EDGES
+#ifdef INK_EDGES
   bool found = findBackNormal(source, shape.xyz);
 #endif
 
@@ -103,7 +103,7 @@ void main()
     // What lies just behind a silhouette would reach over it.
     towards = cosine < 0.0 && cullingCosine < 1.0 ? 0.0 : towards;
 #endif
-#ifdef INK_BACK_EDGES
+#ifdef INK_EDGES
     // It is to stay behind what faces the eye.
     towards = 0.0;
 #endif
@@ -111,7 +111,7 @@ void main()
     place.z = max(lifted.z / lifted.w, -1.0) * place.w;
   }
 
-#if defined(INK_VOXELS) || defined(INK_BACK_EDGES)
+#if defined(INK_VOXELS) || defined(INK_EDGES)
   // Before the near plane there is nothing.
   place = found ? place : vec4(0.0, 0.0, -2.0, 1.0);
 #endif
