@@ -60,6 +60,8 @@ contours_pictures() {
   local style=contours
   series presets "Data/engine.nii.gz --iso 80 --view iso" "--preset pen" "--preset technical" "--preset hidden-lines" \
     "--preset glass" "--preset brush"
+  series methods "Data/engine.nii.gz --iso 80 --view iso" "" "--method voxel-segments --line-width 1.5" \
+    "--method image-space --line-width 4" "--method toon --largest-cosine 0.3"
   series hidden "Data/bonsai.nii.gz --iso 40 --elevation 12" "" "--hidden-lines faint" "--hidden-lines dashed"
   local parts=() one
   for style in stipple splatting-lines illustration; do

@@ -6,6 +6,7 @@
 #include "InkHasPolygons.h"
 #include "InkImageContours.h"
 #include "InkImageGrid.h"
+#include "InkImageVoxels.h"
 #include "InkMeshTriangles.h"
 #include "InkOutsideRange.h"
 #include "InkPointNormals.h"
@@ -29,6 +30,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -45,6 +48,21 @@ public:
   vtkMTimeType MeshTime = 0;
   ink::MeshContourOptions Options;
   InkImageContours Image;
+  /// Edge voxels, and what they were made from.
+  struct VoxelSource
+  {
+    vtkImageData* Image; ///< only compared
+    vtkMTimeType Time;
+    vtkDataArray* Array; ///< only compared
+    int Component;
+    glm::ivec3 OwnBegin;
+    glm::ivec3 OwnEnd;
+    double Scale;
+    double LeastMagnitude;
+    bool operator==(const VoxelSource&) const = default;
+  };
+  std::optional<VoxelSource> VoxelsFrom;
+  ink::EdgeVoxels Voxels;
   int Builds = 0;
   bool HasWarnedOfNormals = false;
 
@@ -82,6 +100,12 @@ const char* vtkInkContours::GetEyeAsString()
     default:
       return "Camera";
   }
+}
+
+const char* vtkInkContours::GetMethodAsString()
+{
+  static const char* const names[] = { "Chains", "VoxelSegments", "VoxelSearch" };
+  return names[this->Method];
 }
 
 void vtkInkContours::SetCamera(vtkCamera* camera)
@@ -149,10 +173,12 @@ int vtkInkContours::RequestUpdateExtent(
   if (vtkImageData::GetData(info))
   {
     // A gradient at a piece's border depends on values across it, and that at a point that has moved by up to
-    // a cell on those beyond.
+    // a cell on those beyond; whether a voxel is one of an edge, on those around its neighbors.
+    const int levels = this->Method == CHAINS ? 1 + (this->ProjectionSteps > 0 ? 1 : 0)
+      : this->Method == VOXEL_SEGMENTS        ? InkGetVoxelGhostLevels(this->EdgeScale)
+                                              : 2;
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + 1 +
-        (this->ProjectionSteps > 0 ? 1 : 0));
+      output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + levels);
   }
   return 1;
 }
@@ -168,6 +194,10 @@ int vtkInkContours::RequestData(
     {
       this->FindContoursOfMesh(mesh, output);
     }
+    else if (this->Method != CHAINS)
+    {
+      this->FindVoxelSegments(inputVector, outputVector);
+    }
     else
     {
       this->FindContoursOfImage(inputVector, outputVector);
@@ -177,6 +207,7 @@ int vtkInkContours::RequestData(
   {
     // What is half made must not be used again.
     this->Internals->Image.Clear();
+    this->Internals->VoxelsFrom.reset();
     InkReportException(
       this, output, std::string("The contours of the ") + (mesh ? "mesh" : "image") + " cannot be found");
   }
@@ -209,6 +240,11 @@ ink::ContourArrays vtkInkContours::vtkInternals::FindArrays(vtkInkContours* self
 
 void vtkInkContours::FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output)
 {
+  if (this->Method != CHAINS)
+  {
+    throw std::invalid_argument("segments through voxels need an image; found a mesh of " +
+      std::to_string(mesh->GetNumberOfPoints()) + " points");
+  }
   const ink::Eye eye = vtkInternals::FindEye(this);
   if (!InkHasPolygons(mesh))
   {
@@ -316,9 +352,66 @@ void vtkInkContours::FindContoursOfImage(
   }
 }
 
+void vtkInkContours::FindVoxelSegments(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const ink::Eye eye = vtkInternals::FindEye(this);
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
+  const InkVoxelInput input =
+    InkVoxelInput::Take(this, found, association, inputVector, outputVector, this->ArrayComponent);
+  if (!input.Scalars || !this->Silhouettes)
+  {
+    return;
+  }
+  ink::SilhouetteCriteria criteria;
+  criteria.lowest = static_cast<float>(this->LowestValue);
+  criteria.highest = static_cast<float>(this->HighestValue);
+  criteria.leastMagnitude = static_cast<float>(this->LeastGradientMagnitude);
+  criteria.largestCosine = static_cast<float>(this->LargestCosine);
+  vtkInternals& kept = *this->Internals;
+  std::vector<std::uint32_t> selected;
+  if (this->Method == VOXEL_SEARCH)
+  {
+    kept.VoxelsFrom.reset();
+    kept.Voxels = InkSearchSilhouetteVoxels(input, criteria, eye);
+    selected.resize(kept.Voxels.samples.size());
+    std::iota(selected.begin(), selected.end(), 0u);
+  }
+  else
+  {
+    const vtkInternals::VoxelSource source{ input.Image,
+      std::max(input.Image->GetMTime(), input.Array->GetMTime()), input.Array, this->ArrayComponent,
+      input.Own.begin, input.Own.end, this->EdgeScale, this->LeastGradientMagnitude };
+    if (kept.VoxelsFrom != source)
+    {
+      kept.VoxelsFrom.reset();
+      kept.Voxels = InkFindEdgeVoxels(input, this->EdgeScale, this->LeastGradientMagnitude,
+        [this](double done)
+        {
+          this->UpdateProgress(0.9 * done);
+          return !InkCheckAbort(this);
+        });
+      if (InkCheckAbort(this))
+      {
+        return;
+      }
+      kept.VoxelsFrom = source;
+      ++kept.Builds;
+    }
+    selected = ink::selectSilhouetteVoxels(kept.Voxels, criteria, eye);
+  }
+  const double length = this->SegmentLength * 2.0 * std::numbers::inv_sqrt3 * InkGetVoxelRadius(input.Image);
+  const InkExtent whole = InkGetWholeExtent(inputVector[0]->GetInformationObject(0), input.Image);
+  const bool doubles = InkNeedsDoublePrecision(InkMakeGrid(input.Image, whole));
+  InkMakeContourLines(
+    ink::silhouetteSegments(kept.Voxels, selected, eye, length, vtkInternals::FindArrays(this)),
+    doubles ? VTK_DOUBLE : VTK_FLOAT, {}, vtkPolyData::GetData(outputVector));
+}
+
 void vtkInkContours::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "Eye: " << this->GetEyeAsString() << "\n";
   os << indent << "Camera: " << this->Camera.Get() << "\n";
   os << indent << "EyePosition: " << this->EyePosition[0] << ", " << this->EyePosition[1] << ", "
@@ -329,6 +422,12 @@ void vtkInkContours::PrintSelf(ostream& os, vtkIndent indent)
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
   os << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n";
+  os << indent << "EdgeScale: " << this->EdgeScale << "\n";
+  os << indent << "LowestValue: " << this->LowestValue << "\n";
+  os << indent << "HighestValue: " << this->HighestValue << "\n";
+  os << indent << "LeastGradientMagnitude: " << this->LeastGradientMagnitude << "\n";
+  os << indent << "LargestCosine: " << this->LargestCosine << "\n";
+  os << indent << "SegmentLength: " << this->SegmentLength << "\n";
   os << indent << "Silhouettes: " << this->Silhouettes << "\n";
   os << indent << "Faceted: " << this->Faceted << "\n";
   os << indent << "Creases: " << this->Creases << "\n";

@@ -19,6 +19,11 @@
  * ghosts, hidden or refined, and those with a corner that is hidden or not finite, are left out. Faceted,
  * Creases, Borders and NonManifoldEdges are of no effect.
  *
+ * With the Method VOXEL_SEGMENTS an image has the silhouettes of Lu et al. (2003, section 5.6) instead: a
+ * separate segment through the center of each voxel that lies on an edge and is seen from its side, of all
+ * surfaces in the image at once; iso-values and ProjectionSteps are of no effect. A mesh has none, which is
+ * an error.
+ *
  * The eye is that of a vtkCamera, or given as a position or, for a parallel projection, as a direction.
  *
  * Output: lines, one polyline for each chain; a closed one ends with the id of its first point. The cell
@@ -67,6 +72,14 @@ public:
     NON_MANIFOLD_EDGE = 3
   };
 
+  /// How silhouettes are found, see SetMethod.
+  enum MethodType
+  {
+    CHAINS = 0,
+    VOXEL_SEGMENTS = 1,
+    VOXEL_SEARCH = 2
+  };
+
   /// What the eye is taken from, see SetEye.
   enum EyeType
   {
@@ -74,6 +87,23 @@ public:
     POSITION = 1,
     DIRECTION = 2
   };
+
+  ///@{
+  /**
+   * CHAINS (default): exact curves, connected. VOXEL_SEGMENTS, of images: as published by Lu et al. (2003,
+   * section 5.6), a segment along gradient x eye through the center of each voxel where the Laplacian of
+   * Gaussian changes its sign, if value, gradient magnitude and the angle between gradient and eye are within
+   * LowestValue, HighestValue, LeastGradientMagnitude and LargestCosine. VOXEL_SEARCH: the same segments
+   * where the exhaustive search of each voxel's 3 x 3 x 3 neighbors finds a silhouette, which is slow, for
+   * reference; EdgeScale and LargestCosine are of no effect on it.
+   */
+  vtkSetClampMacro(Method, int, CHAINS, VOXEL_SEARCH);
+  vtkGetMacro(Method, int);
+  void SetMethodToChains() { this->SetMethod(CHAINS); }
+  void SetMethodToVoxelSegments() { this->SetMethod(VOXEL_SEGMENTS); }
+  void SetMethodToVoxelSearch() { this->SetMethod(VOXEL_SEARCH); }
+  const char* GetMethodAsString();
+  ///@}
 
   ///@{
   /**
@@ -141,6 +171,61 @@ public:
    */
   vtkSetClampMacro(ProjectionSteps, int, 0, 20);
   vtkGetMacro(ProjectionSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the standard deviation of the Laplacian's Gaussian, in voxels; fewer edges of
+   * noise with a larger one. 0 (not smoothed) to 16; default: 1. NaN is refused with a warning.
+   */
+  InkSetClampMacro(EdgeScale, 0.0, 16.0);
+  vtkGetMacro(EdgeScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the least value of a voxel that has one. -1e38 (default) to 1e38. NaN is refused
+   * with a warning.
+   */
+  InkSetClampMacro(LowestValue, -1e38, 1e38);
+  vtkGetMacro(LowestValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the greatest value of a voxel that has one. -1e38 to 1e38 (default). NaN is
+   * refused with a warning.
+   */
+  InkSetClampMacro(HighestValue, -1e38, 1e38);
+  vtkGetMacro(HighestValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the least gradient magnitude of a voxel that has one, in value per world unit. 0
+   * (default) to 1e38. NaN is refused with a warning.
+   */
+  InkSetClampMacro(LeastGradientMagnitude, 0.0, 1e38);
+  vtkGetMacro(LeastGradientMagnitude, double);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the largest cosine of the angle between a voxel's gradient and the direction to
+   * the eye, regardless of its sign; broader bands of segments with a larger one. 0 to 1; default: 0.1. NaN
+   * is refused with a warning.
+   */
+  InkSetClampMacro(LargestCosine, 0.0, 1.0);
+  vtkGetMacro(LargestCosine, double);
+  ///@}
+
+  ///@{
+  /**
+   * The length of segments through voxels, in edges of a cube with the voxels' diagonal. 0 to 100;
+   * default: 1. NaN is refused with a warning.
+   */
+  InkSetClampMacro(SegmentLength, 0.0, 100.0);
+  vtkGetMacro(SegmentLength, double);
   ///@}
 
   ///@{
@@ -275,15 +360,23 @@ private:
 
   void FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output);
   void FindContoursOfImage(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  void FindVoxelSegments(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   std::unique_ptr<vtkInternals> Internals;
   vtkSmartPointer<vtkCamera> Camera;
+  int Method = CHAINS;
   int Eye = CAMERA;
   double EyePosition[3] = { 0.0, 0.0, 1.0 };
   double EyeDirection[3] = { 0.0, 0.0, -1.0 };
   vtkNew<vtkContourValues> ContourValues;
   int ArrayComponent = 0;
   int ProjectionSteps = 0;
+  double EdgeScale = 1.0;
+  double LowestValue = -1e38;
+  double HighestValue = 1e38;
+  double LeastGradientMagnitude = 0.0;
+  double LargestCosine = 0.1;
+  double SegmentLength = 1.0;
   bool Silhouettes = true;
   bool Faceted = false;
   bool Creases = false;

@@ -4,6 +4,7 @@
 #include "InkDiscStipples.h"
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
+#include "InkOwnedSamples.h"
 #include "InkReportException.h"
 #include "InkSurfaceStipples.h"
 #include "InkVTKCompat.h"
@@ -48,25 +49,6 @@ namespace
 /// The ghost levels that a piece needs: the neighborhood of gradients that a voxel's stipples depend on, plus
 /// the support of these gradients.
 const int GhostLevels = ink::stipple::stippleReach.x + 1;
-
-/// The samples whose voxels the requested piece owns: the lower corners of its cells, and at the upper end of
-/// the whole image the last ones, too. InkMakeVolumeStipples excludes those that the part marks as another
-/// piece's.
-ink::SampleBox OwnedSamples(vtkInformation* input, vtkInformation* output, vtkImageData* image)
-{
-  if (InkIsOfFirstPiece(input, output, image))
-  {
-    return {};
-  }
-  const InkExtent all(image->GetExtent());
-  const InkExtent whole = InkGetWholeExtent(input, image);
-  ink::SampleBox own{ glm::ivec3(0), all.GetDimensions() };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    own.end[axis] -= all.Last[axis] != whole.Last[axis] ? 1 : 0;
-  }
-  return own;
-}
 
 /// N_max of a whole image's voxels in a picture in which its longest side has that many pixels.
 int ProjectedListLength(const ink::GridGeometry& whole, double pixels)
@@ -203,7 +185,7 @@ void vtkInkStippleGenerator::StippleVolume(
 {
   vtkInformation* info = input[0]->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
-  const ink::SampleBox own = OwnedSamples(info, outInfo, image);
+  const ink::SampleBox own = InkGetOwnedSamples(info, outInfo, image);
   if (own.empty())
   {
     this->Measured = nullptr;

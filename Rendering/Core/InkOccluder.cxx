@@ -90,6 +90,14 @@ private:
 
 } // namespace
 
+void InkOccluderDepth::SetUniforms(vtkShaderProgram* program, const InkViewUniforms& view) const
+{
+  const InkViewUniforms& shown = *this->View;
+  program->SetUniformf(
+    "occluderScale", static_cast<float>(shown.Size[0] - 2 * shown.Margin) / static_cast<float>(view.Size[0]));
+  program->SetUniformf("occluderMargin", static_cast<float>(shown.Margin));
+}
+
 InkOccluder::InkOccluder(vtkOpenGLRenderWindow* window, bool offset)
   : Window(window)
   , Offset(offset)

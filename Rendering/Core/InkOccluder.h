@@ -19,6 +19,7 @@ struct InkShiftScale;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkPolyData;
+class vtkShaderProgram;
 
 /// The depth image of a view of the surface that hides marks.
 struct InkOccluderDepth
@@ -27,6 +28,9 @@ struct InkOccluderDepth
     : Image(window, InkRenderTarget::Format::Depth, size[0], size[1])
   {
   }
+
+  /// Where a view's pixels are in the image, for shaders: `occluderScale` and `occluderMargin`.
+  VTKINKRENDERINGCORE_EXPORT void SetUniforms(vtkShaderProgram* program, const InkViewUniforms& view) const;
 
   InkRenderTarget Image;
   std::optional<InkViewUniforms> View; ///< that it shows, with margins

@@ -6,8 +6,10 @@
 #include "InkMarks.h"
 #include "InkStrokePasses.h"
 #include "InkStrokePoints.h"
+#include "InkToonPass.h"
 #include "InkViewUniforms.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,16 +20,22 @@ class InkStrokeMarks : public InkMarks
 public:
   explicit InkStrokeMarks(vtkOpenGLRenderWindow* window)
     : Passes(window)
+    , Toon(window)
     , Window(window)
   {
   }
 
-  vtkMTimeType GetUploadTime() const override { return this->Passes.GetUploadTime(); }
+  vtkMTimeType GetUploadTime() const override
+  {
+    return std::max(this->Passes.GetUploadTime(), this->Toon.GetUploadTime());
+  }
 
   InkStrokePasses Passes;
   InkStrokePoints Strokes;
   std::optional<InkStrokeArrays::Key> Source; ///< of Strokes
   std::optional<std::string> Colors;          ///< as InkScalarColors describes those of Passes
+
+  InkToonPass Toon;
 
   /// What an actor in a renderer shows of the strokes.
   struct View

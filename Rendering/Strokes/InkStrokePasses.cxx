@@ -36,9 +36,6 @@ namespace
 /// Of the image with a pixel for each point, as the shaders have it.
 constexpr int ImageWidth = 2048;
 
-/// A stroke hides what is behind it where it covers so much of a pixel.
-constexpr float HidingCoverage = 0.5f;
-
 } // namespace
 
 InkStrokeRunBuffers::InkStrokeRunBuffers(vtkOpenGLRenderWindow* window)
@@ -62,6 +59,7 @@ InkStrokePasses::InkStrokePasses(vtkOpenGLRenderWindow* window)
   , Hatches(window)
   , Ids(window)
   , Colors(window)
+  , Texture(window)
 {
 }
 
@@ -127,8 +125,10 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
   const InkStrokeStyle& style = scene.Style;
-  const std::string features =
-    style.Hatching ? InkDefine("INK_HATCHING") + InkFindLightFeatures(style.Hatching->Lights) : "";
+  const std::string features = style.Voxels ? InkDefine("INK_VOXELS")
+    : style.BackEdges                       ? InkDefine("INK_EDGES")
+    : style.Hatching ? InkDefine("INK_HATCHING") + InkFindLightFeatures(style.Hatching->Lights)
+                     : "";
   InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkStrokePointVS, features), "", InkStrokePointFS);
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime, [](auto*, auto*) {});
   if (!program)
@@ -152,6 +152,17 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   {
     program->SetUniformf("taper", style.Taper);
     this->SetHatchingUniforms(program, *style.Hatching);
+  }
+  if (style.AreFoundByEye())
+  {
+    program->SetUniform4f("eyeMC", style.Eye.data());
+  }
+  if (style.Voxels)
+  {
+    program->SetUniform2f("valueBounds", style.Voxels->ValueBounds.data());
+    program->SetUniformf("leastGradient", style.Voxels->LeastGradient);
+    program->SetUniformf("largestCosine", style.Voxels->LargestCosine);
+    program->SetUniformf("segmentLength", style.Voxels->SegmentLength);
   }
   const InkPointSizeByShader pointSize;
   glDrawArrays(GL_POINTS, 0, scene.NumberOfPoints);
@@ -199,6 +210,10 @@ void InkStrokePasses::ActivateTextures(vtkShaderProgram* program, const Scene& s
   {
     this->Colors.Activate(program, "pointColors");
   }
+  if (this->Texture.IsFilled() && !ids)
+  {
+    this->Texture.Activate(program, "strokeTexture");
+  }
   if (scene.Occluder)
   {
     activate(scene.Occluder->Image.GetTexture(), "occluder");
@@ -209,6 +224,7 @@ void InkStrokePasses::DeactivateTextures(const Scene& scene)
 {
   this->PointPlaces->GetTexture()->Deactivate();
   this->PointShapes->GetTexture()->Deactivate();
+  this->Texture.Deactivate();
   if (scene.Occluder)
   {
     scene.Occluder->Image.GetTexture()->Deactivate();
@@ -234,16 +250,14 @@ void InkStrokePasses::SetUniforms(
   program->SetUniformi("dashed", style.Dashed);
   program->SetUniformi("hiddenDashed", style.HiddenDashed);
   program->SetUniform2f("dash", style.Dash.data());
+  program->SetUniformf("textureLength", style.TextureLength);
   program->SetUniformf("lift", style.Lift);
   program->SetUniformf("hiddenOpacity", style.HiddenOpacity);
   program->SetUniformf("actorOpacity", static_cast<float>(opacity));
   InkSetColorUniform(program, "inkColor", style.Color.data());
   if (scene.Occluder)
   {
-    const InkViewUniforms& shown = *scene.Occluder->View;
-    program->SetUniformf("occluderScale",
-      static_cast<float>(shown.Size[0] - 2 * shown.Margin) / static_cast<float>(scene.View.Size[0]));
-    program->SetUniformf("occluderMargin", static_cast<float>(shown.Margin));
+    scene.Occluder->SetUniforms(program, scene.View);
   }
 }
 
@@ -258,10 +272,13 @@ bool InkStrokePasses::Draw(
   {
     return false;
   }
+  const bool textured = this->Texture.IsFilled() && !frame.Ids;
   const bool colors = this->Colors.IsFilled() && !frame.Ids;
   const std::string features = scene.View.FindFeatures() + (frame.Ids ? InkDefine("INK_IDS") : "") +
-    (colors ? InkDefine("INK_COLORS") : "") + (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
-    (scene.Occluder && scene.Style.Hatching ? InkDefine("INK_HIDDEN") : "");
+    (colors ? InkDefine("INK_COLORS") : "") + (textured ? InkDefine("INK_TEXTURE") : "") +
+    (textured && this->Texture.HasColors() ? InkDefine("INK_TINTED") : "") +
+    (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
+    (scene.Occluder && (scene.Style.Hatching || scene.Style.AreFoundByEye()) ? InkDefine("INK_HIDDEN") : "");
   std::string vertexShader = InkStrokeVS;
   std::string geometryShader;
   std::string fragmentShader = InkWithFeatures(InkStrokeFS, features);
@@ -299,7 +316,7 @@ bool InkStrokePasses::Draw(
       const vtkOpenGLState::ScopedglColorMask colorMask(state);
       state->vtkglDepthMask(GL_TRUE);
       state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-      draw(HidingCoverage);
+      draw(InkHidingCoverage);
     }
   }
   this->DeactivateTextures(scene);

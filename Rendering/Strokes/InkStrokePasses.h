@@ -4,6 +4,7 @@
 
 #include "InkRenderTarget.h"
 #include "InkShaderPass.h"
+#include "InkStrokeTexture.h"
 #include "InkTextureBuffer.h"
 
 #include "vtkType.h"
@@ -49,6 +50,9 @@ public:
   std::string Upload(const InkStrokePoints& points);
   /// @param colors RGBA of each point; empty: all have the ink's color
   void UploadColors(const std::vector<std::uint32_t>& colors);
+  /// @param image that strokes are drawn with; null: none
+  /// @return what is wrong with it, for the user; empty if nothing is
+  std::string UploadTexture(vtkImageData* image) { return this->Texture.Update(image); }
   vtkMTimeType GetUploadTime() const { return this->UploadTime; } ///< 0: never
 
   /// All that a picture depends on.
@@ -81,6 +85,7 @@ private:
   InkTextureBuffer Hatches;
   InkTextureBuffer Ids;
   InkTextureBuffer Colors;
+  InkStrokeTexture Texture;
   std::unique_ptr<InkRenderTarget> PointShapes; ///< half width, arc length, length
   std::unique_ptr<InkRenderTarget> PointPlaces; ///< clip coordinates; drawn into with PointShapes
   vtkMTimeType UploadTime = 0;

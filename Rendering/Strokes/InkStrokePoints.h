@@ -49,6 +49,35 @@ struct InkStrokeArrays
   Key GetKey() const;
 };
 
+/// The arrays of edge voxels, as vtkInkEdgeVoxels makes them; null for what the data lacks.
+struct InkVoxelArrays
+{
+  explicit InkVoxelArrays(vtkPolyData* data);
+
+  vtkPolyData* Data;
+  vtkDataArray* Gradients; ///< of the points, 3 components
+  vtkDataArray* Values;    ///< of the points, 1 component
+  vtkDataArray* Radii;     ///< of the points, 1 component: half of a voxel's diagonal
+
+  /// Why they cannot be drawn, for the user; empty if they can.
+  std::string FindProblem() const;
+
+  /// As that of strokes.
+  InkStrokeArrays::Key GetKey() const;
+};
+
+/// The edges of a surface's polygons and strips.
+struct InkEdgeArrays
+{
+  vtkPolyData* Surface;
+
+  /// Why they cannot be drawn, for the user; empty if they can.
+  std::string FindProblem() const;
+
+  /// As that of strokes.
+  InkStrokeArrays::Key GetKey() const;
+};
+
 /// Strokes in the form that the shader reads, one stroke's points after the other's.
 class InkStrokePoints
 {
@@ -81,6 +110,17 @@ public:
   /// are hatching in that of their priorities.
   void Read(const InkStrokeArrays& arrays);
 
+  /// Reads voxels without problems: each is a stroke with both points at its center, which the shader moves
+  /// apart. Points have the voxel's value in place of the arc length, shapes its gradient, divided by the
+  /// greatest magnitude, and half the edge of a cube with its diagonal in place of the width. Voxels whose
+  /// position, gradient or radius is zero or not finite are left out.
+  void Read(const InkVoxelArrays& arrays);
+  /// Reads edges without problems: each is a stroke. The shape of its first point has the outward normal of
+  /// one of its polygons, that of its last point the other one's, or of an edge of one the same.
+  void Read(const InkEdgeArrays& arrays);
+  /// Of voxels the greatest gradient magnitude; 1 without voxels.
+  double GetGradientUnit() const { return this->GradientUnit; }
+
   /// Up to which point strokes with no larger priority go, where that is their order.
   int CountPoints(float priority) const;
 
@@ -102,6 +142,7 @@ private:
 
   InkShiftScale Frame;
   std::array<double, 6> LocalBounds{};
+  double GradientUnit = 1.0;
   std::vector<Point> Points;
   std::vector<Shape> Shapes;
   std::vector<vtkIdType> Sources; ///< points of the input

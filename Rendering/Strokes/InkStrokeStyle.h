@@ -9,6 +9,9 @@
 #include <optional>
 #include <vector>
 
+/// Ink hides what is behind it where it covers so much of a pixel.
+inline constexpr float InkHidingCoverage = 0.5f;
+
 /// How strokes make tones; their HalfWidth is the least.
 struct InkHatching
 {
@@ -17,6 +20,16 @@ struct InkHatching
   std::array<float, 2> Spacing{}; ///< pixels, and view units in addition
   float CullingCosine = 1.0f;     ///< what faces away from the eye by more is not drawn
   std::vector<ink::Light> Lights;
+};
+
+/// Which voxels get a segment, and how long it is: in the voxels' local frame, whose gradients are divided by
+/// the greatest of them.
+struct InkVoxelSegments
+{
+  std::array<float, 2> ValueBounds{};
+  float LeastGradient = 0.0f; ///< magnitude
+  float LargestCosine = 0.0f; ///< of the angle between gradient and eye
+  float SegmentLength = 1.0f; ///< of the voxels' own
 };
 
 /// How strokes are drawn, in the units of the shader.
@@ -32,11 +45,18 @@ struct InkStrokeStyle
   bool Dashed = false;
   bool HiddenDashed = false;
   std::array<float, 2> Dash{}; ///< lengths of a dash and of a dash with a gap, the local frame's unit
+  float TextureLength = 1.0f;  ///< of arc length, for the width of the image, the local frame's unit
   float Density = 1.0f;
   float Lift = 0.0f; ///< pixels towards the eye
   float HiddenOpacity = 1.0f;
   std::array<double, 3> Color{};
   std::optional<InkHatching> Hatching;
+  std::optional<InkVoxelSegments> Voxels; ///< strokes are voxels
+  bool BackEdges = false;                 ///< strokes are edges, of which those of back faces are drawn
+  std::array<float, 4> Eye{}; ///< of both: position and 1, or the direction to it and 0; local frame
+
+  /// Whether the GPU finds which strokes there are in a view.
+  bool AreFoundByEye() const { return this->Voxels || this->BackEdges; }
 };
 
 #endif

@@ -7,6 +7,11 @@
 #include "InkHasPolygons.h"
 #include "InkMeshTriangles.h"
 #include "InkPointNormals.h"
+#include "InkRenderPasses.h"
+#include "InkShiftScale.h"
+#include "InkStrokeMarks.h"
+#include "InkStrokeStyle.h"
+#include "InkViewUniforms.h"
 
 #include "Curves/Contours/MeshContours.h"
 
@@ -18,9 +23,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -44,6 +54,24 @@ ink::Eye FindEye(vtkCamera* camera, vtkActor* actor)
   fromView->MultiplyPoint(inView, eye);
   const glm::dvec3 found(eye[0], eye[1], eye[2]);
   return parallel ? ink::Eye::along(found) : ink::Eye::at(found);
+}
+
+/// How high the sphere around a box is in the picture, as a share of the picture's height: 1 at most (Lu et
+/// al. 2003, section 5.6).
+float FindPictureShare(const std::array<double, 6>& box, const InkViewUniforms& view)
+{
+  const glm::dvec3 low(box[0], box[2], box[4]);
+  const glm::dvec3 high(box[1], box[3], box[5]);
+  const double radius = 0.5 * glm::distance(low, high) * view.Unit;
+  const glm::dvec4 center(0.5 * (low + high), 1.0);
+  const double depth = -(glm::dmat4(glm::make_mat4(view.MCVC.data())) * center).z;
+  const bool parallel = view.Eye[3] == 0.0f;
+  if (!parallel && depth <= radius)
+  {
+    return 1.0f;
+  }
+  const double pixels = radius / (view.Pixel * (parallel ? 1.0 : depth));
+  return static_cast<float>(std::min(2.0 * pixels / (view.TileScale * view.GetShownHeight()), 1.0));
 }
 
 /// Lines with all their arrays, and as ids for selection a point of the surface beside each.
@@ -88,6 +116,12 @@ public:
   InkActorResources<Drawn> Views;
 };
 
+const char* vtkInkSilhouetteMapper::GetMethodAsString()
+{
+  static const char* const names[] = { "Chains", "VoxelSegments", "ImageSpace", "Toon" };
+  return names[this->Method];
+}
+
 vtkInkSilhouetteMapper::vtkInkSilhouetteMapper()
   : Internals(std::make_unique<vtkInternals>())
 {
@@ -98,7 +132,30 @@ vtkInkSilhouetteMapper::~vtkInkSilhouetteMapper() = default;
 vtkPolyData* vtkInkSilhouetteMapper::FindSurface()
 {
   vtkPolyData* other = this->Superclass::FindSurface();
-  return other ? other : this->GetInput();
+  return other || this->Method == VOXEL_SEGMENTS ? other : this->GetInput();
+}
+
+bool vtkInkSilhouetteMapper::CheckPolygons()
+{
+  vtkPolyData* surface = this->GetInput();
+  if (!InkHasPolygons(surface))
+  {
+    std::ostringstream message;
+    message << "Contours need a surface of polygons or strips; found none among "
+            << surface->GetNumberOfPoints() << " points and " << surface->GetNumberOfCells() << " cells.";
+    this->ReportOnce(message.str());
+    return false;
+  }
+  return true;
+}
+
+void vtkInkSilhouetteMapper::WarnOfNormals()
+{
+  if (!InkPointNormals(this->GetInput()))
+  {
+    vtkWarningMacro("The surface has no point normals with 3 components: contours are those of computed "
+                    "ones, which join all polygons at a point.");
+  }
 }
 
 bool vtkInkSilhouetteMapper::UpdateSurface()
@@ -119,33 +176,36 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
   {
     internals.Mesh.reset();
   }
-  if (!InkHasPolygons(surface))
+  if (!this->CheckPolygons())
   {
-    std::ostringstream message;
-    message << "Contours need a surface of polygons or strips; found none among "
-            << surface->GetNumberOfPoints() << " points and " << surface->GetNumberOfCells() << " cells.";
-    this->ReportOnce(message.str());
     return false;
   }
   if (!internals.Mesh)
   {
     internals.Mesh.emplace(surface, true, InkMeshTriangles::Order::OfMesh);
-    if (!InkPointNormals(surface))
-    {
-      vtkWarningMacro("The surface has no point normals with 3 components: contours are those of computed "
-                      "ones, which join all polygons at a point.");
-    }
+    this->WarnOfNormals();
   }
   internals.Finder.emplace(internals.Mesh->GetMesh(), internals.Mesh->Normals, source.Options);
   internals.Source = source;
   return true;
 }
 
-bool vtkInkSilhouetteMapper::UpdateMarks(InkMarks&)
+bool vtkInkSilhouetteMapper::UpdateMarks(InkMarks& own)
 {
+  auto& marks = static_cast<InkStrokeMarks&>(own);
   try
   {
-    return this->UpdateSurface();
+    switch (this->Method)
+    {
+      case VOXEL_SEGMENTS:
+        return this->Silhouettes && this->UpdateVoxels(own, this->GetInput());
+      case IMAGE_SPACE:
+        return this->Silhouettes && this->CheckPolygons() && this->UpdateEdges(own, this->GetInput());
+      case TOON:
+        return this->Silhouettes && this->CheckPolygons() && this->UpdateToon(marks);
+      default:
+        return this->UpdateSurface();
+    }
   }
   catch (const std::exception& error)
   {
@@ -154,8 +214,82 @@ bool vtkInkSilhouetteMapper::UpdateMarks(InkMarks&)
   }
 }
 
+bool vtkInkSilhouetteMapper::UpdateToon(InkStrokeMarks& marks)
+{
+  double bounds[6];
+  InkShiftScale::FindFiniteBounds(this->GetInput()->GetPoints(), bounds);
+  const vtkMTimeType before = marks.Toon.GetUploadTime();
+  marks.Toon.Update(this->GetInput(), InkShiftScale::FromBounds(bounds));
+  if (marks.Toon.GetUploadTime() != before)
+  {
+    this->WarnOfNormals();
+  }
+  return true;
+}
+
+void vtkInkSilhouetteMapper::ChooseByEye(
+  const InkStrokeMarks& marks, const InkFrame& frame, const InkViewUniforms& view, InkStrokeStyle& style)
+{
+  const auto number = [](double value) { return static_cast<float>(value); };
+  const ink::Eye eye = FindEye(frame.Renderer->GetActiveCamera(), frame.Actor);
+  if (eye.parallel)
+  {
+    const glm::dvec3 towards = -glm::normalize(eye.direction);
+    style.Eye = { number(towards.x), number(towards.y), number(towards.z), 0.0f };
+  }
+  else
+  {
+    marks.Strokes.GetFrame().ToLocal(&eye.position.x, style.Eye.data());
+    style.Eye[3] = 1.0f;
+  }
+  if (this->Method == IMAGE_SPACE)
+  {
+    style.BackEdges = true;
+    const float share = this->Thinning ? FindPictureShare(marks.Strokes.GetLocalBounds(), view) : 1.0f;
+    style.HalfWidth = { share * style.HalfWidth[0], share * style.HalfWidth[1] };
+    return;
+  }
+  InkVoxelSegments& voxels = style.Voxels.emplace();
+  voxels.ValueBounds = { number(this->LowestValue), number(this->HighestValue) };
+  voxels.LeastGradient = number(this->LeastGradientMagnitude / marks.Strokes.GetGradientUnit());
+  voxels.LargestCosine = number(this->LargestCosine);
+  voxels.SegmentLength = number(this->SegmentLength);
+}
+
+void vtkInkSilhouetteMapper::DrawToon(InkStrokeMarks& marks, const InkFrame& frame)
+{
+  const InkOccluderDepth* depth = this->UpdateDepth(marks, frame);
+  if (!depth)
+  {
+    return;
+  }
+  double bounds[6];
+  InkShiftScale::FindFiniteBounds(this->GetInput()->GetPoints(), bounds);
+  const InkViewUniforms view(
+    frame.Renderer, frame.Actor, this, InkShiftScale::FromBounds(bounds), frame.GetSize());
+  const InkToonPass::Scene scene{ view, *depth, static_cast<float>(this->LargestCosine),
+    static_cast<float>(this->GetLift()), this->GetInkColor(),
+    static_cast<float>(frame.Actor->GetProperty()->GetOpacity()) };
+  marks.Toon.Draw(scene, frame, InkRenderPasses(this, frame.Actor));
+}
+
 void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
 {
+  if (this->Method != CHAINS)
+  {
+    auto& marks = static_cast<InkStrokeMarks&>(own);
+    if (this->Method == TOON)
+    {
+      this->DrawToon(marks, frame);
+    }
+    else
+    {
+      this->DrawStrokes(marks, frame,
+        [&](InkStrokeStyle& style, const InkViewUniforms& view)
+        { this->ChooseByEye(marks, frame, view, style); });
+    }
+    return;
+  }
   vtkInternals& internals = *this->Internals;
   vtkInternals::Drawn& drawn = internals.Views.Get(frame.Renderer, frame.Actor);
   const ink::Eye eye = FindEye(frame.Renderer->GetActiveCamera(), frame.Actor);
@@ -191,6 +325,13 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
   auto* from = vtkInkSilhouetteMapper::SafeDownCast(mapper);
   if (from && from != this)
   {
+    this->SetMethod(from->GetMethod());
+    this->SetLowestValue(from->GetLowestValue());
+    this->SetHighestValue(from->GetHighestValue());
+    this->SetLeastGradientMagnitude(from->GetLeastGradientMagnitude());
+    this->SetLargestCosine(from->GetLargestCosine());
+    this->SetSegmentLength(from->GetSegmentLength());
+    this->SetThinning(from->GetThinning());
     this->SetSilhouettes(from->GetSilhouettes());
     this->SetFaceted(from->GetFaceted());
     this->SetCreases(from->GetCreases());
@@ -205,6 +346,13 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
 void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
+  os << indent << "LowestValue: " << this->LowestValue << "\n";
+  os << indent << "HighestValue: " << this->HighestValue << "\n";
+  os << indent << "LeastGradientMagnitude: " << this->LeastGradientMagnitude << "\n";
+  os << indent << "LargestCosine: " << this->LargestCosine << "\n";
+  os << indent << "SegmentLength: " << this->SegmentLength << "\n";
+  os << indent << "Thinning: " << (this->Thinning ? "On" : "Off") << "\n";
   os << indent << "Silhouettes: " << (this->Silhouettes ? "On" : "Off") << "\n";
   os << indent << "Faceted: " << (this->Faceted ? "On" : "Off") << "\n";
   os << indent << "Creases: " << (this->Creases ? "On" : "Off") << "\n";

@@ -9,6 +9,10 @@
  * vtkInkStrokeMapper draws strokes, with all its parameters. The surface hides what lies behind it, whether
  * or not an actor shows it; SetSurfaceConnection and SetSurfaceData give another surface to do that.
  *
+ * That is the Method CHAINS. Others draw silhouettes as Lu et al. (2003, section 5.6) publish them, of which
+ * the GPU finds what depends on the camera: VOXEL_SEGMENTS, of edge voxels, those that vtkInkEdgeVoxels finds
+ * in an image, as input; IMAGE_SPACE and TOON, of a surface. They draw silhouettes only.
+ *
  * An edge that is a crease and a silhouette is drawn once, as a crease.
  *
  * Hardware selection finds points of the surface beside a contour. With ScalarVisibility on, the cell array
@@ -33,6 +37,92 @@ public:
 
   /// All parameters and both inputs of another mapper, as far as it has them.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  /// How silhouettes are found, see SetMethod.
+  enum Methods
+  {
+    CHAINS = 0,
+    VOXEL_SEGMENTS = 1,
+    IMAGE_SPACE = 2,
+    TOON = 3
+  };
+
+  ///@{
+  /**
+   * CHAINS (default): exact curves. VOXEL_SEGMENTS: the input is points of edge voxels with the arrays
+   * `Gradient`, `Value` and `Radius`; each that passes the test of LowestValue, HighestValue,
+   * LeastGradientMagnitude and LargestCosine gets a segment through its center along gradient x eye. Voxels
+   * are sent to the GPU once. Nothing hides segments but a surface that SetSurfaceConnection gives, pixel by
+   * pixel. IMAGE_SPACE: the edges of polygons that face away from the eye, as broad lines behind those that
+   * face it, past which half of a line reaches (Raskar and Cohen 1999); the outside of a closed surface is
+   * the front, whichever way its polygons run. TOON: the surface is ink where the cosine of the angle between
+   * its normal and the direction to the eye is at most LargestCosine.
+   */
+  vtkSetClampMacro(Method, int, CHAINS, TOON);
+  vtkGetMacro(Method, int);
+  void SetMethodToChains() { this->SetMethod(CHAINS); }
+  void SetMethodToVoxelSegments() { this->SetMethod(VOXEL_SEGMENTS); }
+  void SetMethodToImageSpace() { this->SetMethod(IMAGE_SPACE); }
+  void SetMethodToToon() { this->SetMethod(TOON); }
+  const char* GetMethodAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the least value of a voxel that has one. -1e38 (default) to 1e38. NaN is refused
+   * with a warning.
+   */
+  InkSetClampMacro(LowestValue, -1e38, 1e38);
+  vtkGetMacro(LowestValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the greatest value of a voxel that has one. -1e38 to 1e38 (default). NaN is
+   * refused with a warning.
+   */
+  InkSetClampMacro(HighestValue, -1e38, 1e38);
+  vtkGetMacro(HighestValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels: the least gradient magnitude of a voxel that has one, in value per world unit. 0
+   * (default) to 1e38. NaN is refused with a warning.
+   */
+  InkSetClampMacro(LeastGradientMagnitude, 0.0, 1e38);
+  vtkGetMacro(LeastGradientMagnitude, double);
+  ///@}
+
+  ///@{
+  /**
+   * Segments through voxels and toon shading: the largest cosine of the angle between a voxel's gradient, or
+   * the surface's normal, and the direction to the eye, regardless of its sign; broader bands with a larger
+   * one. 0 to 1; default: 0.1. NaN is refused with a warning.
+   */
+  InkSetClampMacro(LargestCosine, 0.0, 1.0);
+  vtkGetMacro(LargestCosine, double);
+  ///@}
+
+  ///@{
+  /**
+   * The length of segments through voxels, in edges of a cube with the voxels' diagonal. 0 to 100;
+   * default: 1. NaN is refused with a warning.
+   */
+  InkSetClampMacro(SegmentLength, 0.0, 100.0);
+  vtkGetMacro(SegmentLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Image space: whether lines become thinner as the surface becomes smaller in the picture. LineWidth is
+   * then that of a surface whose bounding sphere is as high as the picture, or higher, and of others its
+   * share of the height. Default: on.
+   */
+  vtkSetMacro(Thinning, bool);
+  vtkGetMacro(Thinning, bool);
+  vtkBooleanMacro(Thinning, bool);
+  ///@}
 
   ///@{
   /**
@@ -103,7 +193,7 @@ public:
   /**
    * The contours that an actor in a renderer showed last: lines with the point arrays `Normals`,
    * `RadialCurvature` and `ArcLength` and the cell array `ContourKind`; null before the first picture. Its
-   * modification time tells when they were found.
+   * modification time tells when they were found. Only of the Method CHAINS.
    */
   vtkPolyData* GetContours(vtkRenderer* renderer, vtkActor* actor);
 
@@ -120,7 +210,20 @@ private:
   void operator=(const vtkInkSilhouetteMapper&) = delete;
 
   bool UpdateSurface();
+  bool UpdateToon(InkStrokeMarks& marks);
+  bool CheckPolygons();
+  void WarnOfNormals();
+  void ChooseByEye(
+    const InkStrokeMarks& marks, const InkFrame& frame, const InkViewUniforms& view, InkStrokeStyle& style);
+  void DrawToon(InkStrokeMarks& marks, const InkFrame& frame);
 
+  int Method = CHAINS;
+  double LowestValue = -1e38;
+  double HighestValue = 1e38;
+  double LeastGradientMagnitude = 0.0;
+  double LargestCosine = 0.1;
+  double SegmentLength = 1.0;
+  bool Thinning = true;
   bool Silhouettes = true;
   bool Faceted = false;
   bool Creases = false;

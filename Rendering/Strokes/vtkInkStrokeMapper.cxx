@@ -17,6 +17,7 @@
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -91,6 +92,20 @@ int vtkInkStrokeMapper::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+void vtkInkStrokeMapper::SetTexture(vtkImageData* texture)
+{
+  if (this->Texture != texture)
+  {
+    this->Texture = texture;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkInkStrokeMapper::GetTexture()
+{
+  return this->Texture;
+}
+
 void vtkInkStrokeMapper::SetSurfaceData(vtkPolyData* surface)
 {
   this->SetInputDataObject(1, surface);
@@ -132,34 +147,34 @@ bool vtkInkStrokeMapper::UpdateMarks(InkMarks& own)
   return this->UpdateStrokes(own, this->GetInput());
 }
 
-bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
+template <class Arrays>
+bool vtkInkStrokeMapper::UploadStrokes(InkStrokeMarks& marks, const Arrays& arrays)
 {
-  auto& marks = static_cast<InkStrokeMarks&>(own);
-  const InkStrokeArrays arrays(strokes, this->GetInputArrayToProcess(0, strokes), this->Hatching);
-  if (marks.Source != arrays.GetKey())
+  if (marks.Source == arrays.GetKey())
   {
-    marks.Source.reset();
-    marks.Colors.reset();
-    std::string problem = arrays.FindProblem();
-    if (problem.empty())
-    {
-      marks.Strokes.Read(arrays);
-      problem = marks.Passes.Upload(marks.Strokes);
-    }
-    if (!problem.empty())
-    {
-      this->ReportOnce(problem);
-      return false;
-    }
-    marks.Source = arrays.GetKey();
+    return true;
   }
-  if (marks.Strokes.GetStrokes().empty())
+  marks.Source.reset();
+  marks.Colors.reset();
+  std::string problem = arrays.FindProblem();
+  if (problem.empty())
   {
-    this->ReportOnce("None of the lines has two different points that are finite.");
+    marks.Strokes.Read(arrays);
+    problem = marks.Passes.Upload(marks.Strokes);
+  }
+  if (!problem.empty())
+  {
+    this->ReportOnce(problem);
     return false;
   }
-  const InkScalarColors ofPoints(this, strokes, InkScalarColors::Of::Points);
-  const InkScalarColors ofCells(this, strokes, InkScalarColors::Of::Cells);
+  marks.Source = arrays.GetKey();
+  return true;
+}
+
+void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data)
+{
+  const InkScalarColors ofPoints(this, data, InkScalarColors::Of::Points);
+  const InkScalarColors ofCells(this, data, InkScalarColors::Of::Cells);
   const InkScalarColors& colors = ofCells.Exist() ? ofCells : ofPoints;
   if (!colors.GetProblem().empty())
   {
@@ -172,7 +187,45 @@ bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
                                              : std::vector<std::uint32_t>());
     marks.Colors = std::move(description);
   }
+}
+
+bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  if (!this->UploadStrokes(
+        marks, InkStrokeArrays(strokes, this->GetInputArrayToProcess(0, strokes), this->Hatching)))
+  {
+    return false;
+  }
+  if (marks.Strokes.GetStrokes().empty())
+  {
+    this->ReportOnce("None of the lines has two different points that are finite.");
+    return false;
+  }
+  this->UpdateColors(marks, strokes);
   return true;
+}
+
+bool vtkInkStrokeMapper::UpdateVoxels(InkMarks& own, vtkPolyData* voxels)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  if (!this->UploadStrokes(marks, InkVoxelArrays(voxels)))
+  {
+    return false;
+  }
+  this->UpdateColors(marks, voxels);
+  return !marks.Strokes.GetStrokes().empty();
+}
+
+bool vtkInkStrokeMapper::UpdateEdges(InkMarks& own, vtkPolyData* surface)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  if (!this->UploadStrokes(marks, InkEdgeArrays{ surface }))
+  {
+    return false;
+  }
+  this->UpdateColors(marks, surface);
+  return !marks.Strokes.GetStrokes().empty();
 }
 
 InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const
@@ -199,6 +252,7 @@ InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const 
   const double pixel = view.Pixel * (view.Eye[3] == 0.0f ? 1.0f : std::max(middle, view.DepthRange[0]));
   const double local = (world ? 1.0 : scale * pixel) / view.Unit;
   style.Dash = { number(local * this->DashLength), number(local * (this->DashLength + this->GapLength)) };
+  style.TextureLength = number(std::max(local * this->TextureLength * this->LineWidth, 1e-30));
   const bool dashes = this->GapLength > 0.0;
   style.Dashed = dashes && this->Dashed;
   style.HiddenDashed = dashes && this->HiddenParts == DASHED;
@@ -231,8 +285,7 @@ InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRen
   return hatching;
 }
 
-InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(
-  const InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame)
+InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(const InkStrokeMarks& marks, const InkFrame& frame)
 {
   InkStrokeSurface& shared = this->Surfaces->Get(
     marks.Window, [](vtkOpenGLRenderWindow* window) { return std::make_unique<InkStrokeSurface>(window); });
@@ -256,7 +309,7 @@ InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(
     return nullptr;
   }
   const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, shared.Frame, frame.GetSize());
-  const int finer = (LeastDepthHeight - 1) / std::max(view.Size[1], 1) + 1;
+  const int finer = (LeastDepthHeight - 1) / std::max(frame.GetSize()[1], 1) + 1;
   shared.Occluder.Draw(ofSurface, DepthMargin, depth, finer);
   if (!depth->Image.IsComplete())
   {
@@ -266,13 +319,13 @@ InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(
   return depth.get();
 }
 
-void vtkInkStrokeMapper::UpdateRuns(
-  InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame, const InkOccluderDepth* depth)
+void vtkInkStrokeMapper::UpdateRuns(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame,
+  const InkOccluderDepth* depth, bool byPixel)
 {
   InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
   InkStrokeMarks::View::Source source{ marks.GetUploadTime(), 0, {}, this->HiddenParts != OMITTED,
     this->ShortestPart };
-  if (depth && !this->Hatching)
+  if (depth && !byPixel)
   {
     source.Surface = depth->UploadTime;
     source.Shown = depth->View;
@@ -306,17 +359,30 @@ void vtkInkStrokeMapper::UpdateRuns(
 
 void vtkInkStrokeMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
 {
-  auto& marks = static_cast<InkStrokeMarks&>(own);
+  this->DrawStrokes(static_cast<InkStrokeMarks&>(own), frame, {});
+}
+
+void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& frame,
+  const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose)
+{
   const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
-  InkOccluderDepth* const depth = this->UpdateDepth(marks, view, frame);
-  this->UpdateRuns(marks, view, frame, depth);
+  InkOccluderDepth* const depth = this->UpdateDepth(marks, frame);
+  this->UpdateRuns(marks, view, frame, depth, this->Hatching || choose);
   const InkStrokeMarks::View& shown = *marks.Views.Find(frame.Renderer, frame.Actor);
   InkStrokeStyle style = this->MakeStyle(marks, view);
   int points = shown.Runs->NumberOfPoints;
-  if (this->Hatching)
+  if (choose)
+  {
+    choose(style, view);
+  }
+  else if (this->Hatching)
   {
     style.Hatching = this->MakeHatching(view, frame.Renderer);
     points = marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style));
+  }
+  if (const std::string problem = marks.Passes.UploadTexture(this->Texture); !problem.empty())
+  {
+    this->ReportOnce(problem);
   }
   const InkStrokePasses::Scene scene{ view, style, *shown.Runs, depth, points };
   if (!marks.Passes.Draw(

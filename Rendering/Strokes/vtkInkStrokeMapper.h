@@ -33,8 +33,10 @@
 #include "InkSetters.h" // for the setters
 #include "vtkInkMapper.h"
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
+#include "vtkSmartPointer.h"              // for the texture
 
-#include <memory> // for std::shared_ptr
+#include <functional> // for what subclasses draw
+#include <memory>     // for std::shared_ptr
 
 class InkStrokeMarks;
 template <class Resources>
@@ -44,6 +46,7 @@ struct InkOccluderDepth;
 struct InkStrokeStyle;
 struct InkStrokeSurface;
 struct InkViewUniforms;
+class vtkImageData;
 class vtkPolyData;
 
 class VTKINKRENDERINGSTROKES_EXPORT vtkInkStrokeMapper : public vtkInkMapper
@@ -181,6 +184,27 @@ public:
    */
   InkSetClampMacro(GapLength, 0.0, 1e12);
   vtkGetMacro(GapLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * An image that strokes are drawn with in place of plain ink: along their arc length, repeated, from their
+   * begin, and its height across their width. 2D, of unsigned char; 1 component: how much ink there is, 255
+   * being all; or 4: its color, too, in place of InkColor and scalars. Like dashes it stays where it is on
+   * strokes that do not change with the camera, and a closed stroke has a whole number of repetitions.
+   * Default: none.
+   */
+  void SetTexture(vtkImageData* texture);
+  vtkImageData* GetTexture();
+  ///@}
+
+  ///@{
+  /**
+   * How many widths of a stroke (LineWidth, in the middle of the strokes) the texture's width takes. 1e-3 to
+   * 1e12; default: 4.
+   */
+  InkSetClampMacro(TextureLength, 1e-3, 1e12);
+  vtkGetMacro(TextureLength, double);
   ///@}
 
   ///@{
@@ -356,6 +380,16 @@ protected:
 
   /// Brings marks up to date with strokes, as UpdateMarks does with those of the input.
   bool UpdateStrokes(InkMarks& own, vtkPolyData* strokes);
+  ///@{
+  /// The same with edge voxels, or with the edges of a surface, of which the shader makes strokes for an eye.
+  bool UpdateVoxels(InkMarks& own, vtkPolyData* voxels);
+  bool UpdateEdges(InkMarks& own, vtkPolyData* surface);
+  ///@}
+  /// @param choose sets in the style which strokes the shader makes; null: marks are strokes
+  void DrawStrokes(InkStrokeMarks& marks, const InkFrame& frame,
+    const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose);
+  /// The depth of the surface in a view; null without one.
+  InkOccluderDepth* UpdateDepth(const InkStrokeMarks& marks, const InkFrame& frame);
   /// The surface that hides strokes, or null.
   virtual vtkPolyData* FindSurface();
 
@@ -365,12 +399,15 @@ private:
 
   InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
   InkHatching MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const;
-  /// The depth of the surface in a view; null without one.
-  InkOccluderDepth* UpdateDepth(
-    const InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame);
-  /// The runs of the strokes in a view, of which those that are hidden are known by the surface's depth.
-  void UpdateRuns(
-    InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame, const InkOccluderDepth* depth);
+  /// Uploads strokes or voxels, if they are others than before, and reports what is wrong with them.
+  template <class Arrays>
+  bool UploadStrokes(InkStrokeMarks& marks, const Arrays& arrays);
+  void UpdateColors(InkStrokeMarks& marks, vtkPolyData* data);
+  /// The runs of the strokes in a view.
+  /// @param depth of the surface that hides them, or null
+  /// @param byPixel what the surface hides is found by each pixel, not along strokes
+  void UpdateRuns(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame,
+    const InkOccluderDepth* depth, bool byPixel);
 
   std::shared_ptr<InkWindowResources<InkStrokeSurface>> Surfaces;
   int SizeUnit = THOUSANDTHS;
@@ -383,6 +420,8 @@ private:
   bool Dashed = false;
   double DashLength = 8.0;
   double GapLength = 5.0;
+  vtkSmartPointer<vtkImageData> Texture;
+  double TextureLength = 4.0;
   double Density = 1.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };
   double Lift = 2.0;

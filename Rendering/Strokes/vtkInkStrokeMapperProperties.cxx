@@ -3,6 +3,7 @@
 #include "vtkInkStrokeMapper.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 
 const char* vtkInkStrokeMapper::GetSizeUnitAsString()
@@ -45,6 +46,8 @@ void vtkInkStrokeMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetDashed(from->GetDashed());
     this->SetDashLength(from->GetDashLength());
     this->SetGapLength(from->GetGapLength());
+    this->SetTexture(from->GetTexture());
+    this->SetTextureLength(from->GetTextureLength());
     this->SetDensity(from->GetDensity());
     this->SetInkColor(from->GetInkColor());
     this->SetLift(from->GetLift());
@@ -77,6 +80,8 @@ void vtkInkStrokeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Dashed: " << (this->Dashed ? "On" : "Off") << "\n";
   os << indent << "DashLength: " << this->DashLength << "\n";
   os << indent << "GapLength: " << this->GapLength << "\n";
+  os << indent << "Texture: " << this->Texture.Get() << "\n";
+  os << indent << "TextureLength: " << this->TextureLength << "\n";
   os << indent << "Density: " << this->Density << "\n";
   os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
      << "\n";

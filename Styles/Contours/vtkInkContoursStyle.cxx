@@ -7,12 +7,15 @@
 #include "InkLeaves.h"
 #include "InkParameter.h"
 #include "InkStyleProcesses.h"
+#include "vtkInkEdgeVoxels.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -72,7 +75,7 @@ const InkParameterTable& vtkInkContoursStyle::GetParameterTable()
 
 vtkMTimeType vtkInkContoursStyle::GetRecipeMTime()
 {
-  return this->IsoSurface->GetMTime();
+  return std::max(this->IsoSurface->GetMTime(), this->VoxelsChanged.GetMTime());
 }
 
 vtkMapper* vtkInkContoursStyle::GetMapper()
@@ -127,6 +130,13 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
   {
     return this->TakeMesh(input, leaves, reason);
   }
+  if (this->Method == Mapper::VOXEL_SEGMENTS)
+  {
+    const std::string ofVoxels = this->MakeVoxels(leaves);
+    return !leaves.Images.empty() && !reason.empty() ? reason
+      : ofVoxels.empty()                             ? leaves.FindBesideImages()
+                                                     : ofVoxels;
+  }
   const std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
   if (!problem.empty())
   {
@@ -144,12 +154,39 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
                                                    : ofSurface;
 }
 
+std::string vtkInkContoursStyle::MakeVoxels(const InkLeaves& leaves)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (vtkImageData* image : this->GetProcesses().GatherImages(leaves.Images, {}))
+  {
+    this->EdgeVoxels->SetInputData(image);
+    this->EdgeVoxels->Update();
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    parts.back()->ShallowCopy(this->EdgeVoxels->GetOutput());
+  }
+  this->EdgeVoxels->SetInputData(nullptr);
+  vtkPolyData* voxels = this->GetPiece(0);
+  if (!parts.empty())
+  {
+    voxels->ShallowCopy(InkAppend(parts));
+    if (voxels->GetNumberOfPoints() == 0)
+    {
+      this->AddNote("no voxel of the image lies on an edge");
+    }
+  }
+  return {};
+}
+
 std::string vtkInkContoursStyle::TakeMesh(
   const Input& input, const InkLeaves& leaves, const std::string& reason)
 {
   if (!input.Port && !reason.empty())
   {
     return reason;
+  }
+  if (this->Method == Mapper::VOXEL_SEGMENTS)
+  {
+    return "segments through voxels need an image, found a mesh";
   }
   if (const std::string grids = leaves.DescribeGrids(); !grids.empty())
   {
@@ -170,7 +207,26 @@ void vtkInkContoursStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
   vtkPolyData* surface = pieces[0];
   this->Mapper->SetInputDataObject(surface && surface->GetNumberOfPoints() > 0 ? surface : nullptr);
+  this->UpdateMethod();
   this->SetCreases(this->Creases);
+}
+
+void vtkInkContoursStyle::UpdateMethod()
+{
+  vtkPolyData* piece = this->Mapper->GetInput();
+  vtkDataArray* gradients =
+    piece && !InkHasPolygons(piece) ? piece->GetPointData()->GetArray("Gradient") : nullptr;
+  if (!gradients)
+  {
+    // The piece is a surface until voxels are made.
+    this->Mapper->SetMethod(this->Method == Mapper::VOXEL_SEGMENTS ? Mapper::CHAINS : this->Method);
+    return;
+  }
+  this->Mapper->SetMethodToVoxelSegments();
+  // The magnitudes'.
+  double range[2];
+  gradients->GetFiniteRange(range, -1);
+  this->Mapper->SetLeastGradientMagnitude(this->LeastGradient * range[1]);
 }
 
 void vtkInkContoursStyle::UpdatePixels()
@@ -188,6 +244,46 @@ void vtkInkContoursStyle::SetPreset(int preset)
   this->Mapper->SetJoin(way.Join);
   this->Mapper->SetHiddenParts(way.HiddenParts);
   this->SetCreases(way.Creases);
+}
+
+void vtkInkContoursStyle::SetMethod(int method)
+{
+  const int known = std::clamp<int>(method, Mapper::CHAINS, Mapper::TOON);
+  const bool wanted = known == Mapper::VOXEL_SEGMENTS;
+  if (wanted != (this->Method == Mapper::VOXEL_SEGMENTS))
+  {
+    this->VoxelsChanged.Modified();
+  }
+  this->Method = known;
+  this->UpdateMethod();
+}
+
+void vtkInkContoursStyle::SetEdgeScale(double scale)
+{
+  if (scale != this->GetEdgeScale())
+  {
+    this->EdgeVoxels->SetEdgeScale(scale);
+    this->VoxelsChanged.Modified();
+  }
+}
+
+double vtkInkContoursStyle::GetEdgeScale()
+{
+  return this->EdgeVoxels->GetEdgeScale();
+}
+
+void vtkInkContoursStyle::SetLeastGradient(double share)
+{
+  this->LeastGradient = share;
+  this->UpdateMethod();
+}
+
+void vtkInkContoursStyle::SetValueRange(const std::vector<double>& range)
+{
+  this->ValueRange = range;
+  const bool all = range.size() != 2;
+  this->Mapper->SetLowestValue(all ? -1e38 : range[0]);
+  this->Mapper->SetHighestValue(all ? 1e38 : range[1]);
 }
 
 void vtkInkContoursStyle::SetCreases(bool creases)

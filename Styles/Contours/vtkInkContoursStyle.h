@@ -8,10 +8,15 @@
  * the iso-value that suits the image, which is noted: as a mesh, with normals of the smoothed image; what
  * creases it has are the voxels', and are not drawn. Points without polygons have no contours.
  *
+ * Silhouettes can be found in the ways that Lu et al. (2003, section 5.6) publish, too, see the parameter
+ * Method. Segments through voxels are those of images: edge voxels are their marks, no surface hides them,
+ * and neither iso-values nor smoothing count.
+ *
  * The surfaces of all leaves of composite data are one, and so are those of all processes: on the first one,
  * so that no contour ends where a process's part does. Of grids the outer surface is drawn.
  *
- * Contours follow the camera: the mapper finds them. One piece: the surface's mesh.
+ * Contours follow the camera: the mapper finds them. One piece: the surface's mesh, or edge
+ * voxels.
  *
  * @sa vtkInkSilhouetteMapper
  */
@@ -19,11 +24,14 @@
 #define vtkInkContoursStyle_h
 
 #include "vtkInkStyle.h"
-#include "vtkNew.h" // for what the style owns
+#include "vtkNew.h"       // for what the style owns
+#include "vtkTimeStamp.h" // for when it changed
 
 #include <memory> // for what the style owns
+#include <vector> // for the values of voxels
 
 class InkIsoSurface;
+class vtkInkEdgeVoxels;
 class vtkInkSilhouetteMapper;
 struct InkLeaves;
 
@@ -63,6 +71,14 @@ public:
   /// Parameters; see their table.
   void SetPreset(int preset);
   vtkGetMacro(Preset, int);
+  void SetMethod(int method);
+  vtkGetMacro(Method, int);
+  void SetEdgeScale(double scale);
+  double GetEdgeScale();
+  void SetLeastGradient(double share);
+  vtkGetMacro(LeastGradient, double);
+  void SetValueRange(const std::vector<double>& range);
+  const std::vector<double>& GetValueRange() { return this->ValueRange; }
   void SetCreases(bool creases);
   vtkGetMacro(Creases, bool);
   void SetPaperColor(double red, double green, double blue);
@@ -90,10 +106,20 @@ private:
   /// @return what is wrong
   std::string TakeMesh(const Input& input, const InkLeaves& leaves, const std::string& reason);
 
+  /// Edge voxels of images, those of all processes.
+  std::string MakeVoxels(const InkLeaves& leaves);
+  /// How the mapper draws the piece that it has.
+  void UpdateMethod();
+
   std::unique_ptr<InkIsoSurface> IsoSurface;
+  vtkNew<vtkInkEdgeVoxels> EdgeVoxels;
+  vtkTimeStamp VoxelsChanged; ///< how they are found, or whether they are wanted
   vtkNew<vtkInkSilhouetteMapper> Mapper;
   vtkNew<vtkActor> Actor;
   int Preset = 0;
+  int Method = 0;
+  double LeastGradient = 0.2;     ///< of the greatest
+  std::vector<double> ValueRange; ///< of voxels; empty: all
   bool Creases = true;
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   double ShortestPart = 4.0; ///< in the picture's pixels

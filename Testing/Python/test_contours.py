@@ -127,6 +127,32 @@ def test_a_ball_of_voxels_is_the_same_circle():
     assert_circle(draw(ball(), iso_values=100, line_width=20), RADIUS * SIZE / 2, 8)
 
 
+@pytest.mark.parametrize("data, method", [("sphere", "image-space"), ("sphere", "toon"), ("ball", "image-space"), ("ball", "toon"), ("ball", "voxel-segments")])
+def test_published_methods_draw_the_circle(data, method):
+    """Where exact chains have it, and nowhere else; each as broad as it is."""
+    image = ball()
+    values = numpy_support.vtk_to_numpy(image.GetPointData().GetScalars())
+    values[:] = np.tanh((values - 100) / 8)  # a boundary, blurred
+    drawn = draw(image if data == "ball" else sphere(), method=method, iso_values=0, largest_cosine=0.3)
+    y, x = np.mgrid[:SIZE, :SIZE] + 0.5 - SIZE / 2
+    distance = np.hypot(x, y)
+    radius = RADIUS * SIZE / 2
+    # Lines in image space reach past the surface by half their width, and voxels' centers lie off it by half a voxel.
+    inner, outer = {"image-space": (1, 3.5), "toon": (radius * (1 - 0.91**0.5) + 2, 2), "voxel-segments": (22, 12)}[method]
+    assert drawn[(distance < radius - inner) | (distance > radius + outer)].max() < 0.1
+    around = (np.arctan2(y, x) * 18 / np.pi).astype(int)
+    ring = np.abs(distance - radius) < 12
+    least = 0.3 if method == "voxel-segments" else 1.0
+    assert all(drawn[ring & (around == part)].max() >= 0.9 * least for part in range(-17, 18))
+    if method == "toon":
+        assert drawn.sum() == pytest.approx(0.09 * np.pi * radius**2, rel=0.08)
+
+
+def test_segments_through_voxels_need_an_image():
+    with pytest.raises(ValueError, match="need an image, found a mesh"):
+        draw(sphere(), method="voxel-segments")
+
+
 @pytest.mark.parametrize("pixels", [0.1, 0.3, 0.7])
 def test_lines_of_less_than_a_pixel_fade_evenly(pixels):
     """Along the circle each tenth of it has the ink of its length. Measured: 3 % less or more."""

@@ -73,6 +73,10 @@ def test_a_wrong_value_is_clamped():
 
 NUMBERS = [
     ("vtkInkContours", "FeatureAngle"),
+    ("vtkInkContours", "LargestCosine"),
+    ("vtkInkContours", "LowestValue"),
+    ("vtkInkEdgeVoxels", "EdgeScale"),
+    ("vtkInkEdgeVoxels", "LeastGradientMagnitude"),
     ("vtkInkGradient", "LaplacianScale"),
     ("vtkInkLinesOfCurvature", "FeatureAngle"),
     ("vtkInkLinesOfCurvature", "MinimumLength"),

@@ -57,6 +57,16 @@ struct LaplacianLayers
 };
 
 template <class T>
+void add(EdgeVoxels& voxels, const GridField<T>& field, const glm::ivec3& sample, const glm::dvec3& gradient)
+{
+  const GridGeometry& geometry = field.geometry();
+  voxels.samples.push_back(geometry.offset(sample));
+  voxels.positions.push_back(geometry.toWorld(sample));
+  voxels.gradients.emplace_back(gradient);
+  voxels.values.push_back(static_cast<float>(field.at(sample)));
+}
+
+template <class T>
 bool isZeroCrossing(const GridField<T>& field, const LaplacianLayers& laplacian, const glm::ivec3& sample)
 {
   const float here = laplacian.at(sample);
@@ -118,10 +128,7 @@ EdgeVoxels findEdgeVoxels(
             const double magnitude = glm::length(gradient);
             if (magnitude > 0.0 && magnitude >= leastMagnitude)
             {
-              found.samples.push_back(geometry.offset(sample));
-              found.positions.push_back(geometry.toWorld(sample));
-              found.gradients.emplace_back(gradient);
-              found.values.push_back(static_cast<float>(field.at(sample)));
+              add(found, field, sample, gradient);
             }
           });
       });
@@ -176,6 +183,43 @@ std::array<glm::dvec3, 2> silhouetteSegment(
   const double size = glm::length(along);
   const glm::dvec3 half = size > 0.0 ? 0.5 * length / size * along : glm::dvec3(0.0);
   return { center - half, center + half };
+}
+
+Contours silhouetteSegments(const EdgeVoxels& voxels, std::span<const std::uint32_t> selected, const Eye& eye,
+  double length, const ContourArrays& arrays)
+{
+  Contours contours;
+  contours.kinds.assign(selected.size(), ContourKind::Silhouette);
+  contours.chains.closed.assign(selected.size(), 0);
+  for (const std::uint32_t n : selected)
+  {
+    const glm::dvec3& center = voxels.positions[n];
+    const glm::vec3& gradient = voxels.gradients[n];
+    double along = 0.0;
+    for (const glm::dvec3& end : silhouetteSegment(center, gradient, eye.from(center), length))
+    {
+      contours.positions.push_back(end);
+      if (arrays.normals)
+      {
+        contours.normals.push_back(-glm::normalize(gradient));
+      }
+      if (arrays.radialCurvature)
+      {
+        contours.radialCurvature.push_back(0.0f);
+      }
+      if (arrays.arcLength)
+      {
+        contours.arcLength.push_back(along);
+        along = length;
+      }
+      if (arrays.elements)
+      {
+        contours.elements.push_back(static_cast<std::int64_t>(voxels.samples[n]));
+      }
+    }
+    contours.chains.offsets.push_back(contours.positions.size());
+  }
+  return contours;
 }
 
 template <class T>
@@ -249,10 +293,26 @@ std::vector<std::size_t> searchSilhouetteVoxels(
   return found;
 }
 
+template <class T>
+EdgeVoxels describeVoxels(const GridField<T>& field, std::span<const std::size_t> samples)
+{
+  const GridGeometry& geometry = field.geometry();
+  const glm::ivec3 n = geometry.dimensions();
+  EdgeVoxels voxels;
+  for (const std::size_t offset : samples)
+  {
+    const std::size_t row = offset / n.x;
+    const glm::ivec3 sample(offset % n.x, row % n.y, row / n.y);
+    add(voxels, field, sample, geometry.gradientToWorld(field.gradientAt(sample)));
+  }
+  return voxels;
+}
+
 #define INK_INSTANTIATE(T)                                                                                   \
   template EdgeVoxels findEdgeVoxels(const GridField<T>&, const glm::dvec3&, double, const Progress&);       \
   template std::vector<std::size_t> searchSilhouetteVoxels(                                                  \
-    const GridField<T>&, const SilhouetteCriteria&, const Eye&);
+    const GridField<T>&, const SilhouetteCriteria&, const Eye&);                                             \
+  template EdgeVoxels describeVoxels(const GridField<T>&, std::span<const std::size_t>);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 
 } // namespace ink

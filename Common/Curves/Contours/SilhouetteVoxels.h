@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Progress.h"
+#include "Curves/Contours/Contours.h"
 #include "Curves/Contours/Eye.h"
 
 #include <glm/vec3.hpp>
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace ink
@@ -67,6 +69,13 @@ std::vector<std::uint32_t> selectSilhouetteVoxels(
 std::array<glm::dvec3, 2> silhouetteSegment(
   const glm::dvec3& center, const glm::vec3& gradient, const glm::dvec3& toEye, double length);
 
+/// The segments through some voxels as contours of two points each, in the voxels' order. Normals point along
+/// the negative gradient; elements are the voxels' samples; the radial curvature, which nothing here tells,
+/// is 0.
+/// @param selected indices of `voxels`
+Contours silhouetteSegments(const EdgeVoxels& voxels, std::span<const std::uint32_t> selected, const Eye& eye,
+  double length, const ContourArrays& arrays);
+
 /// The exhaustive search that the edge voxels replace, for reference: for one eye, the voxels within the
 /// bounds of value and gradient magnitude that
 /// - lie on an edge: of the 26 neighbors, the two closest to the line along the gradient have no greater
@@ -78,5 +87,10 @@ std::array<glm::dvec3, 2> silhouetteSegment(
 template <class T>
 std::vector<std::size_t> searchSilhouetteVoxels(
   const GridField<T>& field, const SilhouetteCriteria& criteria, const Eye& eye);
+
+/// Position, gradient and value of voxels.
+/// @param samples indices in the grid
+template <class T>
+EdgeVoxels describeVoxels(const GridField<T>& field, std::span<const std::size_t> samples);
 
 } // namespace ink

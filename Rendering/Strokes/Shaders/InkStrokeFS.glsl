@@ -11,6 +11,10 @@
 uniform usamplerBuffer pointIds;
 #endif
 
+#ifdef INK_TEXTURE
+#include "InkStrokeTexture.glsl"
+#endif
+
 flat in int segmentVSOutput;
 flat in ivec4 runVSOutput; // first, last, stroke, flags
 flat in ivec2 besideVSOutput;
@@ -183,13 +187,19 @@ float coverageAlong(Segment own, vec2 pixel, vec2 direction)
   return coverage;
 }
 
+// Pixels on the picture for each unit of a segment's arc length.
+float pixelsPerArc(Segment own)
+{
+  float arc = abs(own.shapes[1].y - own.shapes[0].y);
+  return arc > 0.0 ? distance(own.ends[0], own.ends[1]) / arc : 0.0;
+}
+
 // How much of a pixel lies in a dash. In a closed stroke there are whole dashes with their gaps.
 float coverageOfDash(Segment own, float arcLength, vec2 direction)
 {
   vec4 stroke = texelFetch(strokes, runVSOutput.z);
   vec2 fitted = dash * (stroke.w == 0.0 ? 1.0 : stroke.y / (dash.y * max(round(stroke.y / dash.y), 1.0)));
-  float arc = abs(own.shapes[1].y - own.shapes[0].y);
-  float scale = arc > 0.0 ? distance(own.ends[0], own.ends[1]) / arc : 0.0;
+  float scale = pixelsPerArc(own);
   float phase = mod(arcLength, fitted.y);
   phase -= phase > 0.5 * (fitted.x + fitted.y) ? fitted.y : 0.0;
   float sharp = behindEdge(phase * scale, direction) + behindEdge((fitted.x - phase) * scale, direction) - 1.0;
@@ -286,6 +296,20 @@ bool findInk(out vec4 ink, out float depth)
   vec4 colored = mix(colorOf(segmentVSOutput), colorOf(segmentVSOutput + 1), mix(own.cut.x, own.cut.y, share));
   color = colored.rgb;
   opacity *= colored.a;
+#endif
+#ifdef INK_TEXTURE
+  vec4 stroke = texelFetch(strokes, runVSOutput.z);
+  float beyond = nearest.share == 0.0 && segmentBeside(-1) < 0 ? min(dot(nearest.away, direction), 0.0)
+    : nearest.share == 1.0 && segmentBeside(1) < 0             ? max(dot(nearest.away, direction), 0.0)
+                                                               : 0.0;
+  vec4 texel = strokeTexel(shape.y, stroke.w == 0.0 ? 0.0 : stroke.y, pixelsPerArc(own), max(nearest.width, 1e-3),
+    direction, nearest.away, beyond);
+#ifdef INK_TINTED
+  color = texel.rgb;
+  coverage *= texel.a;
+#else
+  coverage *= texel.r;
+#endif
 #endif
   depth = mix(own.places[0].z / own.places[0].w, own.places[1].z / own.places[1].w, nearest.share);
 #ifdef INK_PLANES

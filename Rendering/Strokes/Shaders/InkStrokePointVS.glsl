@@ -25,6 +25,12 @@ uniform float taper; // share of a stroke's length
 #include "InkHatching.glsl"
 uniform samplerBuffer hatches; // distance of all strokes of the family in the local frame, family
 #endif
+#ifdef INK_VOXELS
+#include "InkVoxelSegment.glsl"
+#endif
+#ifdef INK_EDGES
+#include "InkBackEdge.glsl"
+#endif
 
 flat out vec4 placeVSOutput; // clip coordinates, lifted
 flat out vec4 shapeVSOutput; // half width in pixels, arc length, the stroke's length if it is open
@@ -73,6 +79,14 @@ void main()
     shape = mix(shape, texelFetch(sourceShapes, source + 1), share);
   }
 
+#ifdef INK_VOXELS
+  float whole;
+  bool found = findSegmentEnd(source % 2, point, shape, whole);
+#endif
+#ifdef INK_EDGES
+  bool found = findBackNormal(source, shape.xyz);
+#endif
+
   vec4 position = MCVCMatrix * vec4(point.xyz, 1.0);
   vec3 toEye = eyeVC.xyz - eyeVC.w * position.xyz;
   toEye = toEye == vec3(0.0) ? vec3(0.0, 0.0, 1.0) : normalize(toEye);
@@ -89,12 +103,24 @@ void main()
     // What lies just behind a silhouette would reach over it.
     towards = cosine < 0.0 && cullingCosine < 1.0 ? 0.0 : towards;
 #endif
+#ifdef INK_EDGES
+    // It is to stay behind what faces the eye.
+    towards = 0.0;
+#endif
     vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * towards, 1.0);
     place.z = max(lifted.z / lifted.w, -1.0) * place.w;
   }
 
+#if defined(INK_VOXELS) || defined(INK_EDGES)
+  // Before the near plane there is nothing.
+  place = found ? place : vec4(0.0, 0.0, -2.0, 1.0);
+#endif
+
   ivec4 run = texelFetch(runs, int(drawn.z));
   vec4 stroke = texelFetch(strokes, run.z);
+#ifdef INK_VOXELS
+  stroke.y = whole;
+#endif
   float along = point.w - stroke.x;
   float width = shape.w;
   width *= 1.0 - depthWidth * clamp((-position.z - distances.x) / (distances.y - distances.x), 0.0, 1.0);

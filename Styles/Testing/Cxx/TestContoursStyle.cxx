@@ -19,9 +19,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -286,6 +288,56 @@ TEST(ContoursStyle, CreasesAreThoseOfMeshes)
   style->ApplyPreset("brush");
   EXPECT_EQ(style->GetParameterAsString("Creases"), "off");
   EXPECT_EQ(style->GetSilhouetteMapper()->GetLineWidth(), 6.0);
+}
+
+/// Segments through voxels are made from an image's edge voxels, and drawn as soon as these are there.
+TEST(ContoursStyle, VoxelSegmentsAreThoseOfEdgeVoxels)
+{
+  const auto image =
+    MakeImage(31, [](double x, double y, double z) { return std::erfc((std::hypot(x, y, z) - 0.6) / 0.1); });
+  vtkNew<vtkInkContoursStyle> style;
+  vtkInkSilhouetteMapper* mapper = style->GetSilhouetteMapper();
+  ASSERT_TRUE(style->Draw(image));
+  ASSERT_TRUE(style->SetParameterAsString("Method", "voxel-segments"));
+  EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::CHAINS) << "the surface is still the piece";
+  ASSERT_TRUE(style->Draw(image));
+  EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::VOXEL_SEGMENTS);
+  vtkPolyData* voxels = style->GetPiece(0);
+  ASSERT_GT(voxels->GetNumberOfPoints(), 500);
+  double greatest = 0.0;
+  for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
+  {
+    const double magnitude = vtkMath::Norm(voxels->GetPointData()->GetArray("Gradient")->GetTuple3(i));
+    greatest = std::max(greatest, magnitude);
+    if (magnitude > 1.0)
+    {
+      EXPECT_NEAR(vtkMath::Norm(voxels->GetPoint(i)), 0.6, 0.09);
+    }
+  }
+  EXPECT_NEAR(mapper->GetLeastGradientMagnitude(), 0.2 * greatest, 1e-4 * greatest);
+  style->SetParameter("LeastGradient", 0.5);
+  EXPECT_NEAR(mapper->GetLeastGradientMagnitude(), 0.5 * greatest, 1e-4 * greatest);
+  const vtkIdType before = voxels->GetNumberOfPoints();
+  style->SetParameter("EdgeScale", 0.0);
+  ASSERT_TRUE(style->Draw(image));
+  EXPECT_NE(style->GetPiece(0)->GetNumberOfPoints(), before);
+
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  {
+    const StyleErrors errors(style);
+    EXPECT_FALSE(style->Draw(sphere->GetOutput()));
+    ASSERT_EQ(errors.All.size(), 1u);
+    EXPECT_NE(errors.All[0].find("need an image, found a mesh"), std::string::npos) << errors.All[0];
+  }
+  for (const auto& [name, method] :
+    { std::pair("image-space", vtkInkSilhouetteMapper::IMAGE_SPACE),
+      std::pair("toon", vtkInkSilhouetteMapper::TOON), std::pair("chains", vtkInkSilhouetteMapper::CHAINS) })
+  {
+    style->SetParameterAsString("Method", name);
+    ASSERT_TRUE(style->Draw(sphere->GetOutput()));
+    EXPECT_EQ(mapper->GetMethod(), method);
+  }
 }
 
 } // namespace
