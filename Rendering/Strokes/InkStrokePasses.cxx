@@ -33,8 +33,8 @@
 namespace
 {
 
-/// Of the image with a pixel for each point, as the shaders have it.
-constexpr int ImageWidth = 2048;
+/// Of the image with a pixel for each point, as InkStrokeSegment.glsl has it.
+constexpr int ImageWidth = 1 << 11;
 
 /// A stroke hides what is behind it where it covers so much of a pixel.
 constexpr float HidingCoverage = 0.5f;
@@ -160,6 +160,25 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   return true;
 }
 
+std::vector<float> InkStrokePasses::FindWidths(const Scene& scene)
+{
+  std::vector<float> widths;
+  if (this->FindPoints(scene))
+  {
+    const InkRenderTarget::Reading reading(*this->PointShapes->GetTexture());
+    std::vector<std::array<float, 4>> texels(
+      static_cast<std::size_t>(this->PointShapes->GetHeight()) * ImageWidth);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
+    texels.resize(static_cast<std::size_t>(scene.NumberOfPoints));
+    widths.reserve(texels.size());
+    for (const std::array<float, 4>& shape : texels)
+    {
+      widths.push_back(2.0f * shape[0]); // half of it is there
+    }
+  }
+  return widths;
+}
+
 void InkStrokePasses::SetHatchingUniforms(vtkShaderProgram* program, const InkHatching& hatching)
 {
   const ink::hatching::Intensity& intensity = hatching.Intensity;
@@ -261,7 +280,9 @@ bool InkStrokePasses::Draw(
   const bool colors = this->Colors.IsFilled() && !frame.Ids;
   const std::string features = scene.View.FindFeatures() + (frame.Ids ? InkDefine("INK_IDS") : "") +
     (colors ? InkDefine("INK_COLORS") : "") + (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
-    (scene.Occluder && scene.Style.Hatching ? InkDefine("INK_HIDDEN") : "");
+    (scene.Occluder && scene.Style.Hatching ? InkDefine("INK_HIDDEN") : "") +
+    (scene.Style.Miter ? InkDefine("INK_MITER") : "") +
+    (scene.Style.Dashed || scene.Style.HiddenDashed ? InkDefine("INK_DASHED") : "");
   std::string vertexShader = InkStrokeVS;
   std::string geometryShader;
   std::string fragmentShader = InkWithFeatures(InkStrokeFS, features);

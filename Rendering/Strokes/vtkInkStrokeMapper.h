@@ -35,6 +35,7 @@
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
 
 class InkStrokeMarks;
+class vtkFloatArray;
 struct InkHatching;
 struct InkStrokeStyle;
 struct InkViewUniforms;
@@ -153,8 +154,8 @@ public:
   ///@{
   /**
    * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
-   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number of
-   * them. Default: off.
+   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number
+   * of them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);
@@ -326,6 +327,14 @@ public:
   vtkGetMacro(CullingCosine, double);
   ///@}
 
+  /**
+   * How wide strokes are at each of the input's points in the renderer's present view, in pixels, as the
+   * shader finds it: 0 where they are not drawn, and the widest's at a point of several strokes. Whether a
+   * surface hides them, dashes, clipping planes and tapering do not count. False and empty where there is
+   * nothing to draw or this OpenGL cannot do it. The window must have been rendered.
+   */
+  bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths);
+
   /// Smooth edges are blended over what lies behind them.
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
@@ -350,6 +359,9 @@ private:
 
   InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
   InkHatching MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const;
+  /// Up to which point strokes may be drawn.
+  int CountPoints(
+    const InkStrokeMarks& marks, const InkViewUniforms& view, const InkStrokeStyle& style, int all) const;
   /// The depth of the surface in a view, null without one; and the runs of the strokes there.
   void UpdateView(InkStrokeMarks& marks, const InkViewUniforms& view, const InkFrame& frame);
 
