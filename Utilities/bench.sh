@@ -27,7 +27,7 @@ for benchmark in "$INK_BUILD/$INK_BUILD_BINDIR"/Benchmark*; do
 done
 
 # Two frames of each motion; more of them change little.
-for script in stipple_coherence.py lines_coherence.py contours_coherence.py; do
+for script in stipple_coherence.py lines_coherence.py contours_coherence.py hatching_coherence.py; do
   if "$INK_PYTHON" -c 'import numpy, vtkink' 2>/dev/null; then
     echo "bench: $script ($preset, VTK $INK_BUILD_VTK_VERSION)"
     on_display "$INK_PYTHON" "Testing/Benchmarks/$script" 2

@@ -3,6 +3,7 @@
 
 #include "Core/Hash.h"
 #include "Curvature/MeshCurvature.h"
+#include "Curves/Streamlines/CombCrossField.h"
 #include "Curves/Streamlines/EvenStreamlines.h"
 #include "Curves/Streamlines/ScatteredStreamlines.h"
 #include "Curves/Streamlines/SmoothCrossField.h"
@@ -41,6 +42,7 @@ namespace
 constexpr double DefaultSpacing = 0.01;        ///< of the diagonal of the bounds
 constexpr double DefaultNegligible = 0.1;      ///< over the diagonal: less counts as flat
 constexpr double DefaultScatterLength = 0.25;  ///< of the root of the area
+constexpr double CombReach = 0.1;              ///< of the diagonal
 constexpr double ScatterCloseDistance = 0.001; ///< of the root of the area
 constexpr const char* CurvatureNames[] = { "k1", "k2", "PrincipalDirection1", "PrincipalDirection2" };
 
@@ -65,6 +67,20 @@ struct Curvatures
     };
     this->Directions[0].push_back(unit(point.direction1));
     this->Directions[1].push_back(unit(point.direction2));
+  }
+
+  /// How much the direction of the first one, 1, or that of the second one, -1, bends more.
+  std::vector<float> FindPreferences(double negligible) const
+  {
+    std::vector<float> preferences;
+    for (std::size_t i = 0; i < this->Umbilics.size(); ++i)
+    {
+      const float first = std::abs(this->Values[0][i]);
+      const float second = std::abs(this->Values[1][i]);
+      const float preference = (first - second) / (first + second + static_cast<float>(negligible));
+      preferences.push_back(preference * std::abs(preference));
+    }
+    return preferences;
   }
 };
 
@@ -276,6 +292,18 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     {
       directions[1][i] = glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]);
     }
+    if (this->CombDirections)
+    {
+      const std::vector<unsigned char> exchanged = ink::combCrossField(surface, triangles.Normals,
+        directions[0], curvatures.FindPreferences(negligible), CombReach * diagonal);
+      for (std::size_t i = 0; i < exchanged.size(); ++i)
+      {
+        if (exchanged[i])
+        {
+          std::swap(directions[0][i], directions[1][i]);
+        }
+      }
+    }
   }
 
   ink::TraceOptions trace;
@@ -357,6 +385,7 @@ void vtkInkLinesOfCurvature::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "UmbilicLimit: " << this->UmbilicLimit << "\n";
   os << indent << "SmoothDirections: " << this->SmoothDirections << "\n";
+  os << indent << "CombDirections: " << this->CombDirections << "\n";
   os << indent << "NegligibleCurvature: " << this->NegligibleCurvature << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
   os << indent << "ComputeCurvatures: " << this->ComputeCurvatures << "\n";

@@ -219,6 +219,18 @@ public:
 
   ///@{
   /**
+   * Whether, with SmoothDirections, the two families are divided so that neighboring lines belong to the same
+   * one, instead of by the sign of curvatures: the first one has the direction that bends more, as published,
+   * where one clearly does, and elsewhere goes on as beside. Without it there are blocks of lines at right
+   * angles to each other where a surface hardly bends, or bends up here and down there. Default: off.
+   */
+  vtkSetMacro(CombDirections, bool);
+  vtkGetMacro(CombDirections, bool);
+  vtkBooleanMacro(CombDirections, bool);
+  ///@}
+
+  ///@{
+  /**
    * A curvature that counts as none, in 1 / world unit: where maximum and minimum differ by less, directions
    * are hardly defined, and are smoothed. More makes longer, more even lines that follow the form at large
    * only. 0 (default) to 1e300; 0: a tenth of one over the diagonal of the bounds.
@@ -280,6 +292,7 @@ private:
   double FeatureAngle = 45.0;
   double UmbilicLimit = 1.0;
   bool SmoothDirections = true;
+  bool CombDirections = false;
   double NegligibleCurvature = 0.0;
   int SmoothingIterations = 30;
   bool ComputeCurvatures = false;

@@ -33,8 +33,8 @@
 namespace
 {
 
-/// Of the image with a pixel for each point, as the shaders have it.
-constexpr int ImageWidth = 2048;
+/// Of the image with a pixel for each point, as InkStrokeSegment.glsl has it.
+constexpr int ImageWidth = 1 << 11;
 
 } // namespace
 
@@ -171,6 +171,25 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   return true;
 }
 
+std::vector<float> InkStrokePasses::FindWidths(const Scene& scene)
+{
+  std::vector<float> widths;
+  if (this->FindPoints(scene))
+  {
+    const InkRenderTarget::Reading reading(*this->PointShapes->GetTexture());
+    std::vector<std::array<float, 4>> texels(
+      static_cast<std::size_t>(this->PointShapes->GetHeight()) * ImageWidth);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
+    texels.resize(static_cast<std::size_t>(scene.NumberOfPoints));
+    widths.reserve(texels.size());
+    for (const std::array<float, 4>& shape : texels)
+    {
+      widths.push_back(2.0f * shape[0]); // half of it is there
+    }
+  }
+  return widths;
+}
+
 void InkStrokePasses::SetHatchingUniforms(vtkShaderProgram* program, const InkHatching& hatching)
 {
   const ink::hatching::Intensity& intensity = hatching.Intensity;
@@ -278,7 +297,9 @@ bool InkStrokePasses::Draw(
     (colors ? InkDefine("INK_COLORS") : "") + (textured ? InkDefine("INK_TEXTURE") : "") +
     (textured && this->Texture.HasColors() ? InkDefine("INK_TINTED") : "") +
     (scene.Occluder ? InkDefine("INK_OCCLUDED") : "") +
-    (scene.Occluder && (scene.Style.Hatching || scene.Style.AreFoundByEye()) ? InkDefine("INK_HIDDEN") : "");
+    (scene.Occluder && (scene.Style.Hatching || scene.Style.AreFoundByEye()) ? InkDefine("INK_HIDDEN") : "") +
+    (scene.Style.Miter ? InkDefine("INK_MITER") : "") +
+    (scene.Style.Dashed || scene.Style.HiddenDashed ? InkDefine("INK_DASHED") : "");
   std::string vertexShader = InkStrokeVS;
   std::string geometryShader;
   std::string fragmentShader = InkWithFeatures(InkStrokeFS, features);

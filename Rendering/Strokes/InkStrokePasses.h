@@ -70,6 +70,9 @@ public:
   /// @return whether this OpenGL can do it
   bool Draw(const Scene& scene, const InkFrame& frame, double opacity, const InkRenderPasses& renderPasses);
 
+  /// How wide strokes are at each of the scene's points, pixels; empty where this OpenGL cannot do it.
+  std::vector<float> FindWidths(const Scene& scene);
+
 private:
   /// @return whether this OpenGL can do it
   bool FindPoints(const Scene& scene);

@@ -131,6 +131,8 @@ public:
   const std::array<double, 6>& GetLocalBounds() const { return this->LocalBounds; }
   const std::vector<Point>& GetPoints() const { return this->Points; }
   const std::vector<Shape>& GetShapes() const { return this->Shapes; }
+  /// The input's point that a point here is.
+  vtkIdType GetSource(int point) const { return this->Sources[static_cast<std::size_t>(point)]; }
   const std::vector<std::uint32_t>& GetIds() const { return this->Ids; }                 ///< for selection
   const std::vector<float>& GetRadialCurvature() const { return this->RadialCurvature; } ///< may be empty
   const std::vector<Stroke>& GetStrokes() const { return this->Strokes; }

@@ -17,11 +17,13 @@
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
@@ -285,6 +287,61 @@ InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRen
   return hatching;
 }
 
+int vtkInkStrokeMapper::CountPoints(
+  const InkStrokeMarks& marks, const InkViewUniforms& view, const InkStrokeStyle& style, int all) const
+{
+  return style.Hatching ? marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style)) : all;
+}
+
+bool vtkInkStrokeMapper::EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths)
+{
+  widths->Initialize();
+  if (!renderer->GetRenderWindow() || !this->GetInput())
+  {
+    return false;
+  }
+  renderer->GetRenderWindow()->MakeCurrent();
+  renderer->UpdateLightsGeometryToFollowCamera();
+  const int* size = renderer->GetSize();
+  InkMarks* own = size[0] > 0 && size[1] > 0 ? this->FindMarksToDraw(renderer) : nullptr;
+  if (!own)
+  {
+    return false;
+  }
+  auto& marks = static_cast<InkStrokeMarks&>(*own);
+  const InkViewUniforms view(renderer, actor, this, marks.Strokes.GetFrame(), size);
+  InkStrokeStyle style = this->MakeStyle(marks, view);
+  if (this->Hatching)
+  {
+    style.Hatching = this->MakeHatching(view, renderer);
+  }
+  InkStrokeRunBuffers runs(marks.Window);
+  runs.Upload(InkStrokeRuns::FindWhole(marks.Strokes));
+  const int points = this->CountPoints(marks, view, style, runs.NumberOfPoints);
+  std::vector<float> found;
+  if (points > 0)
+  {
+    found = marks.Passes.FindWidths({ view, style, runs, nullptr, points });
+    if (found.empty())
+    {
+      return false;
+    }
+  }
+  found.resize(static_cast<std::size_t>(runs.NumberOfPoints));
+  const vtkIdType count = this->GetInput()->GetNumberOfPoints();
+  widths->SetNumberOfTuples(count);
+  std::fill_n(widths->GetPointer(0), count, 0.0f);
+  for (const InkStrokePoints::Stroke& stroke : marks.Strokes.GetStrokes())
+  {
+    for (int point = stroke.First; stroke.Priority < style.Density && point <= stroke.Last; ++point)
+    {
+      float& widest = *widths->GetPointer(marks.Strokes.GetSource(point));
+      widest = std::max(widest, found[static_cast<std::size_t>(point)]);
+    }
+  }
+  return true;
+}
+
 InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(const InkStrokeMarks& marks, const InkFrame& frame)
 {
   InkStrokeSurface& shared = this->Surfaces->Get(
@@ -370,7 +427,6 @@ void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& fram
   this->UpdateRuns(marks, view, frame, depth, this->Hatching || choose);
   const InkStrokeMarks::View& shown = *marks.Views.Find(frame.Renderer, frame.Actor);
   InkStrokeStyle style = this->MakeStyle(marks, view);
-  int points = shown.Runs->NumberOfPoints;
   if (choose)
   {
     choose(style, view);
@@ -378,8 +434,8 @@ void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& fram
   else if (this->Hatching)
   {
     style.Hatching = this->MakeHatching(view, frame.Renderer);
-    points = marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style));
   }
+  const int points = this->CountPoints(marks, view, style, shown.Runs->NumberOfPoints);
   if (const std::string problem = marks.Passes.UploadTexture(this->Texture); !problem.empty())
   {
     this->ReportOnce(problem);

@@ -46,6 +46,7 @@ struct InkOccluderDepth;
 struct InkStrokeStyle;
 struct InkStrokeSurface;
 struct InkViewUniforms;
+class vtkFloatArray;
 class vtkImageData;
 class vtkPolyData;
 
@@ -357,6 +358,14 @@ public:
   ///@}
 
   /**
+   * How wide strokes are at each of the input's points in the renderer's present view, in pixels, as the
+   * shader finds it: 0 where they are not drawn, and the widest's at a point of several strokes. Whether a
+   * surface hides them, dashes, clipping planes and tapering do not count. False and empty where there is
+   * nothing to draw or this OpenGL cannot do it. The window must have been rendered.
+   */
+  bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths);
+
+  /**
    * Shares with another mapper what the GPU has of the surface that hides strokes, so that its depth is drawn
    * once where both draw for one actor: for mappers that have the same surface and the same clipping planes.
    * Pictures are the same as without.
@@ -399,6 +408,9 @@ private:
 
   InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
   InkHatching MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const;
+  /// Up to which point strokes may be drawn.
+  int CountPoints(
+    const InkStrokeMarks& marks, const InkViewUniforms& view, const InkStrokeStyle& style, int all) const;
   /// Uploads strokes or voxels, if they are others than before, and reports what is wrong with them.
   template <class Arrays>
   bool UploadStrokes(InkStrokeMarks& marks, const Arrays& arrays);

@@ -115,6 +115,7 @@ vtkInkLineArtStyle::vtkInkLineArtStyle()
   this->Lines->SetSmoothingIterations(SmoothingIterations);
   this->Lines->SetStopDistance(StopDistance);
   this->Lines->SetMinimumLength(MinimumLength);
+  this->Lines->CombDirectionsOn();
   this->Strokes->HatchingOn();
   // The second family, too, for the slider of crosshatching.
   this->Lines->SetFamiliesToBoth();

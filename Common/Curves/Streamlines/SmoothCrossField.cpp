@@ -4,6 +4,7 @@
 #include "Core/ParallelFor.h"
 #include "Curvature/PrincipalCurvature.h"
 #include "Curvature/SurfaceRings.h"
+#include "Curves/Streamlines/TurnedTangent.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -38,13 +39,6 @@ Complex fourfold(const glm::dvec3& direction, const glm::dvec3& axisX, const glm
   }
   const std::complex<double> squared = (z / size) * (z / size);
   return Complex(squared * squared);
-}
-
-/// A tangent vector turned by the smallest turn that brings its unit normal to another.
-glm::dvec3 turned(const glm::dvec3& tangent, const glm::dvec3& from, const glm::dvec3& to)
-{
-  const double cosine = glm::dot(from, to);
-  return cosine > -0.999 ? tangent - glm::dot(tangent, to) / (1.0 + cosine) * (from + to) : tangent;
 }
 
 void checkSize(std::size_t found, std::size_t expected, const char* what)
@@ -115,7 +109,7 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
         if (axes[other] != glm::dvec3(0.0))
         {
           turns[offsets[i] + n] = fourfold(
-            turned(axes[other], glm::dvec3(normals[other]), normal), axes[i], glm::cross(normal, axes[i]));
+            turnedTangent(axes[other], glm::dvec3(normals[other]), normal), axes[i], glm::cross(normal, axes[i]));
         }
       }
     });

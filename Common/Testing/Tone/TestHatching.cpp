@@ -145,7 +145,7 @@ TEST(Hatching, SameGrayAtAnyZoom)
   {
     const StrokeWidth strokes{ 6.0f, leastWidth, 0.0f };
     double worst = 0.0;
-    for (const float coverage : { 0.1f, 0.2f, 0.4f, 0.6f, 0.8f })
+    for (const float coverage : { 0.03f, 0.1f, 0.2f, 0.4f, 0.6f, 0.8f })
     {
       for (double zoom = 0.05; zoom < 40.0; zoom *= 1.07)
       {
@@ -156,6 +156,24 @@ TEST(Hatching, SameGrayAtAnyZoom)
       }
     }
     RecordProperty("worst", std::to_string(worst));
+  }
+}
+
+/// The last strokes that are left get thinner in the lightest tones, down to nothing: they end in points.
+TEST(Hatching, StrokesEndInPoints)
+{
+  const StrokeWidth strokes{ 6.0f, 3.0f, 0.0f };
+  for (const float priority : { 0.0f, 0.004f, 0.01f })
+  {
+    float before = 0.0f;
+    for (float coverage = 0.002f; coverage < 0.1f; coverage += 0.002f)
+    {
+      const float width = strokes.width(coverage, 0.6f, priority);
+      EXPECT_GE(width, before) << "coverage " << coverage << ", priority " << priority;
+      EXPECT_LT(width - before, 0.1f) << "coverage " << coverage << ", priority " << priority;
+      before = width;
+    }
+    EXPECT_GT(before, 2.0f) << "priority " << priority;
   }
 }
 

@@ -12,6 +12,8 @@ namespace
 
 /// Strokes fade over priorities from 1 - fading to 1 + fading times the fraction that is drawn.
 constexpr float fading = 0.25f;
+/// In lighter tones than this strokes get thinner than the least width, and no fewer: so they end in points.
+constexpr float thinning = 0.1f;
 
 } // namespace
 
@@ -33,7 +35,7 @@ float StrokeWidth::width(float coverage, float allSpacing, float priority) const
   {
     return 0.0f;
   }
-  const float wanted = std::max(this->spacing, this->leastWidth / coverage);
+  const float wanted = std::max(this->spacing, this->leastWidth / std::max(coverage, thinning));
   const float fraction = allSpacing / wanted;
   const float from = (1.0f - fading) * fraction;
   const float to = (1.0f + fading) * fraction;

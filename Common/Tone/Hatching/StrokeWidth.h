@@ -11,7 +11,9 @@ namespace ink::hatching
 struct StrokeWidth
 {
   float spacing = 6.0f;    ///< of the strokes that are drawn, pixels; positive
-  float leastWidth = 0.8f; ///< lighter tones have fewer strokes of this width instead of thinner ones, pixels
+  /// Lighter tones have fewer strokes of this width instead of thinner ones, pixels; but the lightest ones,
+  /// below .1, have thinner ones, so that strokes end in points where they fade.
+  float leastWidth = 0.8f;
   /// 0: all ink is the first family's; 1: half is the second's in all tones; between: in tones above
   /// 1 - crosshatching.
   float crosshatching = 0.5f;

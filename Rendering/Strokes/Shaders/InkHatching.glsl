@@ -14,6 +14,7 @@ uniform float cullingCosine; // what faces away from the eye by more is not draw
 // As in Common/Tone/Hatching.
 const float leastBias = 0.02;
 const float fading = 0.25;
+const float thinning = 0.1;
 
 float truncated(float intensity, float level)
 {
@@ -60,7 +61,7 @@ float strokeWidth(float coverage, float allSpacing, float priority, float spacin
   {
     return 0.0;
   }
-  float fraction = allSpacing / max(spacing, leastWidth / coverage);
+  float fraction = allSpacing / max(spacing, leastWidth / max(coverage, thinning));
   float from = (1.0 - fading) * fraction;
   float to = (1.0 + fading) * fraction;
   float range = to - from;

@@ -34,12 +34,15 @@ uniform float actorOpacity;
 uniform float hiddenOpacity;
 uniform float leastCoverage;
 uniform float taper; // share of a stroke's length
-uniform bool miter;
+#ifdef INK_MITER
 uniform float miterLimit;
+#endif
 uniform bool butt;
+#ifdef INK_DASHED
 uniform bool dashed;
 uniform bool hiddenDashed;
 uniform vec2 dash; // lengths of a dash, and of it with a gap
+#endif
 
 #ifdef INK_OCCLUDED
 uniform sampler2D occluder;
@@ -115,13 +118,15 @@ Nearest findNearest(Segment segment, vec2 pixel)
 // The segment so many steps along the run; -1 if there is none.
 int segmentBeside(int steps)
 {
-  int index = segmentVSOutput + steps - runVSOutput.x;
+  int index = segmentVSOutput + steps;
   int count = runVSOutput.y - runVSOutput.x;
-  if ((runVSOutput.w & closedRun) != 0)
+  bool before = index < runVSOutput.x;
+  if (!before && index < runVSOutput.y)
   {
-    return runVSOutput.x + (index + abs(steps) * count) % count;
+    return index;
   }
-  return index < 0 || index >= count ? -1 : runVSOutput.x + index;
+  // No steps go around a closed run more than once.
+  return (runVSOutput.w & closedRun) == 0 ? -1 : before ? index + count : index - count;
 }
 
 // Whether a segment covers a pixel more than those beside it do, or as much and comes first.
@@ -150,13 +155,14 @@ float coverageAcross(Segment own, Nearest nearest, vec2 pixel, vec2 direction)
   bool begins = nearest.share == 0.0;
   int beyond = begins ? segmentBeside(-1) : nearest.share == 1.0 ? segmentBeside(1) : segmentVSOutput;
   bool cut = (runVSOutput.w & (begins ? cutBegin : cutEnd)) != 0;
-  Segment other;
   if (beyond < 0 && (butt || cut))
   {
     distance = abs(dot(nearest.away, across));
     normal = across;
   }
-  else if (miter && beyond >= 0 && beyond != segmentVSOutput && findSegment(beyond, other) &&
+#ifdef INK_MITER
+  Segment other;
+  if (beyond >= 0 && beyond != segmentVSOutput && findSegment(beyond, other) &&
     other.ends[0] != other.ends[1])
   {
     vec2 turned = normalize(other.ends[1] - other.ends[0]);
@@ -169,6 +175,7 @@ float coverageAcross(Segment own, Nearest nearest, vec2 pixel, vec2 direction)
       normal = distances.x > distances.y ? across : acrossOther;
     }
   }
+#endif
   return behindEdge(nearest.width - distance, normal) + behindEdge(nearest.width + distance, normal) - 1.0;
 }
 
@@ -194,6 +201,7 @@ float pixelsPerArc(Segment own)
   return arc > 0.0 ? distance(own.ends[0], own.ends[1]) / arc : 0.0;
 }
 
+#ifdef INK_DASHED
 // How much of a pixel lies in a dash. In a closed stroke there are whole dashes with their gaps.
 float coverageOfDash(Segment own, float arcLength, vec2 direction)
 {
@@ -206,6 +214,7 @@ float coverageOfDash(Segment own, float arcLength, vec2 direction)
   // Where a period is no more than a pixel, its mean.
   return mix(fitted.x / fitted.y, sharp, clamp(fitted.y * scale - 1.0, 0.0, 1.0));
 }
+#endif
 
 #ifdef INK_COLORS
 vec4 colorOf(int point)
@@ -286,10 +295,12 @@ bool findInk(out vec4 ink, out float depth)
 
   float coverage = coverageAcross(own, nearest, pixel, direction) * coverageAlong(own, pixel, direction);
   bool hidden = (runVSOutput.w & hiddenRun) != 0;
+#ifdef INK_DASHED
   if (dashed || (hidden && hiddenDashed))
   {
     coverage *= coverageOfDash(own, shape.y, direction);
   }
+#endif
   float opacity = actorOpacity * (hidden ? hiddenOpacity : 1.0);
   vec3 color = inkColor;
 #ifdef INK_COLORS

@@ -14,10 +14,12 @@ struct Segment
   vec2 cut;       // the shares of the whole segment that are left
 };
 
+// The width of the images, 2 to this: divisions of integers take long without a graphics card.
+const int rowBits = 11;
+
 vec4 pointTexel(sampler2D image, int point)
 {
-  int row = textureSize(image, 0).x;
-  return texelFetch(image, ivec2(point % row, point / row), 0);
+  return texelFetch(image, ivec2(point & ((1 << rowBits) - 1), point >> rowBits), 0);
 }
 
 vec2 pixelOf(vec4 place)

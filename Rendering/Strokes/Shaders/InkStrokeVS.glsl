@@ -19,19 +19,22 @@ flat out ivec2 besideVSOutput; // how many segments before and after it may cove
 
 // Segments of a fraction of a pixel are more than that, but then hardly turn.
 const int mostBeside = 12;
+// Of strokes that turn by less nearby, only the next segments may cover the same pixels.
+const float leastCosine = 0.5;
+// Pixels.
+const float leastBeyond = 0.5;
 
-float lengthOf(int segment)
+// How many segments on one side of a segment may cover the same pixels, those within `reach` of it, and how far a pixel
+// that none of them covers more may lie beyond its end; pixels, the latter `margin` where no segment follows.
+int countBeside(int segment, Segment own, vec2 direction, int step, ivec4 run, float reach, float margin, out float beyond)
 {
-  Segment own;
-  return findSegment(segment, own) ? distance(own.ends[0], own.ends[1]) : 0.0;
-}
-
-int countBeside(int segment, int step, ivec4 run, float reach)
-{
-  int count = 1;
+  int count = 0;
+  int most = min(mostBeside, run.y - run.x - 1);
   float between = 0.0;
+  bool turns = false;
   int index = segment;
-  while (count < mostBeside)
+  beyond = margin;
+  while (count < most && between <= reach)
   {
     index += step;
     if (index < run.x || index >= run.y)
@@ -42,14 +45,23 @@ int countBeside(int segment, int step, ivec4 run, float reach)
       }
       index = index < run.x ? run.y - 1 : run.x;
     }
-    between += lengthOf(index);
-    if (between > reach)
+    Segment other;
+    bool seen = findSegment(index, other);
+    vec2 way = seen ? other.ends[1] - other.ends[0] : vec2(0.0);
+    float size = length(way);
+    float cosine = size > 0.0 ? dot(way, direction) / size : -1.0;
+    if (count == 0 && cosine > 0.0)
     {
-      break;
+      // Where it turns, and where it becomes wider.
+      float slope = max(abs(other.shapes[1].x - other.shapes[0].x) / size,
+        abs(own.shapes[1].x - own.shapes[0].x) / max(distance(own.ends[0], own.ends[1]), 1e-6));
+      beyond = min(margin * (sqrt(max(1.0 - cosine * cosine, 0.0)) + 2.0 * slope) + leastBeyond, margin);
     }
+    turns = turns || cosine < leastCosine;
+    between += size;
     ++count;
   }
-  return count;
+  return turns ? count : min(count, 1);
 }
 
 void main()
@@ -71,15 +83,19 @@ void main()
   {
     return;
   }
-  besideVSOutput = ivec2(countBeside(segment, -1, run, 2.0 * width + 2.0), countBeside(segment, 1, run, 2.0 * width + 2.0));
-
   vec2 direction = own.ends[1] - own.ends[0];
-  direction = direction == vec2(0.0) ? vec2(1.0, 0.0) : normalize(direction);
+  bool isPoint = direction == vec2(0.0);
+  direction = isPoint ? vec2(1.0, 0.0) : normalize(direction);
   // A pixel's own width in addition.
   float beside = width + 1.0;
-  float beyond = (miter ? miterLimit * width : width) + 1.0;
+  float margin = (miter ? miterLimit * width : width) + 1.0;
+  float reach = 2.0 * width + 2.0;
+  vec2 beyond;
+  besideVSOutput = ivec2(countBeside(segment, own, direction, -1, run, reach, margin, beyond.x),
+    countBeside(segment, own, direction, 1, run, reach, margin, beyond.y));
+  beyond = isPoint ? vec2(margin) : beyond;
   bool end = corner == 1 || corner == 2 || corner == 4;
   float side = corner == 2 || corner == 4 || corner == 5 ? 1.0 : -1.0;
-  vec2 pixel = own.ends[end ? 1 : 0] + direction * (end ? beyond : -beyond) + vec2(-direction.y, direction.x) * side * beside;
+  vec2 pixel = own.ends[end ? 1 : 0] + direction * (end ? beyond.y : -beyond.x) + vec2(-direction.y, direction.x) * side * beside;
   gl_Position = vec4(2.0 * pixel / viewportSize - 1.0, 0.0, 1.0);
 }

@@ -52,6 +52,50 @@ double Coordinate(vtkPolyData* lines, vtkIdType point, bool aroundAxis)
   return aroundAxis ? std::atan2(p[1], p[0]) : std::atan2(p[2], std::hypot(p[0], p[1]) - Radius);
 }
 
+/// Waves along x: bent across in the crests, the other way in the troughs, straight along y.
+vtkSmartPointer<vtkPolyData> Waves()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-1.0, -1.0, 0.0);
+  plane->SetPoint1(1.0, -1.0, 0.0);
+  plane->SetPoint2(-1.0, 1.0, 0.0);
+  plane->SetResolution(100, 60);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> waves = triangles->GetOutput();
+  waves->GetPointData()->Initialize();
+  for (vtkIdType i = 0; i < waves->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    waves->GetPoint(i, p);
+    waves->GetPoints()->SetPoint(i, p[0], p[1], 0.1 * std::sin(6.0 * p[0]));
+  }
+  return waves;
+}
+
+/// Of the length of lines, the share that goes across the waves.
+double ShareAcross(vtkPolyData* lines)
+{
+  double across = 0.0;
+  double along = 0.0;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
+  {
+    lines->GetCellPoints(line, points);
+    for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
+    {
+      double p[3];
+      double q[3];
+      lines->GetPoint(points->GetId(i - 1), p);
+      lines->GetPoint(points->GetId(i), q);
+      across += std::hypot(q[0] - p[0], q[2] - p[2]);
+      along += std::abs(q[1] - p[1]);
+    }
+  }
+  return across / (across + along);
+}
+
 } // namespace
 
 TEST(LinesOfCurvature, OfATorusWithTheirArrays)
@@ -315,4 +359,20 @@ TEST(LinesOfCurvature, OddMeshesOfAnySize)
       ASSERT_TRUE(std::isfinite(lines->GetPointData()->GetNormals()->GetComponent(i, 0))) << scale;
     }
   }
+}
+
+/// Families by the sign of curvatures are blocks at right angles to each other; combed, the first one bends.
+TEST(LinesOfCurvature, CombedFamiliesGoOn)
+{
+  vtkNew<vtkInkLinesOfCurvature> filter;
+  filter->SetInputData(Waves());
+  filter->SetSpacing(0.05);
+  filter->Update();
+  EXPECT_LT(ShareAcross(filter->GetOutput()), 0.92) << "by sign";
+  filter->CombDirectionsOn();
+  filter->Update();
+  EXPECT_GT(ShareAcross(filter->GetOutput()), 0.95);
+  filter->SetFamiliesToMinimum();
+  filter->Update();
+  EXPECT_LT(ShareAcross(filter->GetOutput()), 0.05);
 }

@@ -255,6 +255,40 @@ TEST(StrokeHatching, Surface)
   EXPECT_GT(half.CountDark(152, 0, 300, 300), 10000);
 }
 
+/// Widths as they are told draw the same strokes without hatching.
+TEST(StrokeHatching, EvaluateWidths)
+{
+  HatchedSurfaces surface;
+  surface.AddCylinder(5, true);
+  const vtkSmartPointer<vtkPolyData> strokes = surface.Make();
+  HatchingScene scene(strokes);
+  vtkNew<vtkFloatArray> widths;
+  EXPECT_FALSE(
+    vtkSmartPointer<vtkInkStrokeMapper>::New()->EvaluateWidths(scene.Renderer, scene.Actor, widths))
+    << "no input";
+  scene.SetView(2.4, true);
+  scene.Renderer->AddLight(vtkSmartPointer<vtkLight>::Take(vtkLight::New()));
+  scene.Mapper->SetDarkestTone(0.9);
+  const InkTestImage hatched(scene.Window);
+  ASSERT_TRUE(scene.Mapper->EvaluateWidths(scene.Renderer, scene.Actor, widths));
+  ASSERT_EQ(widths->GetNumberOfTuples(), strokes->GetNumberOfPoints());
+  EXPECT_GT(widths->GetRange()[1], 1.0);
+  EXPECT_EQ(widths->GetRange()[0], 0.0) << "of strokes that are left out";
+  widths->SetName("Width");
+  strokes->GetPointData()->AddArray(widths);
+  scene.Mapper->HatchingOff();
+  scene.Mapper->SetLineWidth(1.0);
+  const InkTestImage drawn(scene.Window);
+  EXPECT_GT(hatched.Ink(), 1000.0);
+  for (int y = 0; y < 300; ++y)
+  {
+    for (int x = 0; x < 300; ++x)
+    {
+      ASSERT_NEAR(hatched.Gray(x, y), drawn.Gray(x, y), 1.0) << x << ", " << y;
+    }
+  }
+}
+
 /// Nothing pops: pictures of nearby zooms, densities and tones are alike everywhere.
 TEST(StrokeHatching, NothingPops)
 {
