@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/ChainSegments.h"
 
+#include <algorithm>
+
 namespace ink
 {
 
@@ -55,6 +57,7 @@ Chains chainSegments(std::span<const Segment> segments, std::size_t nodeCount)
     step.to = segments[step.segment][segments[step.segment][0] == step.to];
     return true;
   };
+  std::vector<Step> back;
   Chains result;
   result.nodes.reserve(segments.size());
   result.segments.reserve(segments.size());
@@ -67,25 +70,32 @@ Chains chainSegments(std::span<const Segment> segments, std::size_t nodeCount)
     // Backwards to the chain's begin, or all around to the first segment again.
     Step step{ first, segments[first][0] };
     bool closed = false;
-    while (!closed && advance(step))
-    {
-      closed = step.segment == first;
-    }
-    step = closed ? Step{ first, segments[first][1] }
-                  : Step{ step.segment, segments[step.segment][segments[step.segment][0] == step.to] };
-    result.nodes.push_back(segments[step.segment][segments[step.segment][0] == step.to]);
+    back.clear();
     do
     {
       done[step.segment] = 1;
-      result.segments.push_back(step.segment);
-      result.nodes.push_back(step.to);
-    } while (advance(step) && !done[step.segment]);
+      back.push_back(step);
+    } while (advance(step) && !(closed = step.segment == first));
+    const auto add = [&result](const Step& from)
+    {
+      result.segments.push_back(from.segment);
+      result.nodes.push_back(from.to);
+    };
     if (closed)
     {
-      result.nodes.pop_back(); // the first one again
+      add(back.front());
+      std::for_each(back.rbegin(), back.rend() - 1, add);
     }
     else
     {
+      std::for_each(back.rbegin(), back.rend(), add);
+      step = { first, segments[first][1] };
+      result.nodes.push_back(step.to);
+      while (advance(step))
+      {
+        done[step.segment] = 1;
+        add(step);
+      }
       result.segments.push_back(result.segments.back());
     }
     result.polylines.offsets.push_back(result.nodes.size());

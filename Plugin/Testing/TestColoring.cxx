@@ -45,7 +45,8 @@ using Colors = std::map<std::string, QColor>; ///< by the properties that hold t
 Colors ColorsOf(vtkSMProxy* display)
 {
   Colors colors;
-  for (const char* property : { "DiffuseColor", "AmbientColor", "InkColor", "StippleInkColor" })
+  for (const char* property : { "DiffuseColor", "AmbientColor", "InkColor", "StippleInkColor",
+         "ContoursInkColor", "LineArtInkColor" })
   {
     const std::vector<double> rgb = vtkSMPropertyHelper(display, property).GetArray<double>();
     colors[property] = QColor::fromRgbF(rgb.at(0), rgb.at(1), rgb.at(2));
@@ -111,6 +112,8 @@ public:
       this->ColorByArray(false);
       this->TestEdits("Splatting Lines", edit, { "InkColor" }, "Changed Ink Color");
       this->TestEdits("Stipple", edit, { "StippleInkColor" }, "Changed Ink Color");
+      this->TestEdits("Contours", edit, { "ContoursInkColor" }, "Changed Ink Color");
+      this->TestEdits("Line Art", edit, { "LineArtInkColor" }, "Changed Ink Color");
       this->TestEdits("Surface", edit, { "DiffuseColor", "AmbientColor" }, "Changed Solid Color");
       this->Show("Stipple");
       this->TestCancel(edit);

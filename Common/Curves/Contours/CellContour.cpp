@@ -2,6 +2,8 @@
 #include "Curves/Contours/CellContour.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace ink
@@ -98,18 +100,40 @@ constexpr std::array<std::array<SurfacePolygon, 16>, Tetrahedra> makePolygons()
 
 constexpr std::array<std::array<SurfacePolygon, 16>, Tetrahedra> Polygons = makePolygons();
 
-/// Where the surface intersects an edge, as a share of it from its low end.
-double shareAt(const CellCorners& cell, const Edge& edge)
+/// Of each set of a cell's corners (bit c: corner c), the tetrahedra that have corners inside and outside of
+/// it.
+constexpr std::array<std::uint8_t, 256> makeMixed()
+{
+  std::array<std::uint8_t, 256> mixed{};
+  for (int corners = 0; corners < 256; ++corners)
+  {
+    for (int t = 0; t < Tetrahedra; ++t)
+    {
+      int in = 0;
+      for (const std::uint8_t corner : TetrahedronCorners[t])
+      {
+        in += corners >> corner & 1;
+      }
+      mixed[corners] |= static_cast<std::uint8_t>((in % 4 != 0) << t);
+    }
+  }
+  return mixed;
+}
+constexpr std::array<std::uint8_t, 256> MixedTetrahedra = makeMixed();
+
+/// Where the surface intersects an edge, and n . v there.
+struct Intersection
+{
+  double share; ///< of the edge, from its low end
+  double facing;
+};
+
+Intersection intersect(const CellCorners& cell, const Edge& edge)
 {
   const double low = std::abs(cell.offsets[edge.low]);
   const double high = std::abs(cell.offsets[edge.high]);
-  return low / (low + high);
-}
-
-double facingAt(const CellCorners& cell, const Edge& edge)
-{
-  const double share = shareAt(cell, edge);
-  return (1.0 - share) * cell.facing[edge.low] + share * cell.facing[edge.high];
+  const double share = low / (low + high);
+  return { share, (1.0 - share) * cell.facing[edge.low] + share * cell.facing[edge.high] };
 }
 
 glm::dvec3 cornerPosition(int corner)
@@ -117,10 +141,10 @@ glm::dvec3 cornerPosition(int corner)
   return { corner & 1, corner >> 1 & 1, corner >> 2 };
 }
 
-glm::dvec3 positionAt(const CellCorners& cell, const Edge& edge)
+glm::dvec3 positionAt(const Edge& edge, double share)
 {
   const glm::dvec3 low = cornerPosition(edge.low);
-  return low + shareAt(cell, edge) * (cornerPosition(edge.high) - low);
+  return low + share * (cornerPosition(edge.high) - low);
 }
 
 /// The node on the face that two edges of a tetrahedron share. The same for any order of the two.
@@ -139,10 +163,12 @@ CellContourNode nodeBetween(const CellCorners& cell, Edge a, Edge b)
     : a.low != first                         ? a.low
                                              : b.low;
   node.corners = { first, middle, last };
-  const double facingA = std::abs(facingAt(cell, a));
-  const double facingB = std::abs(facingAt(cell, b));
-  const glm::dvec3 from = positionAt(cell, a);
-  node.position = from + facingA / (facingA + facingB) * (positionAt(cell, b) - from);
+  const Intersection onA = intersect(cell, a);
+  const Intersection onB = intersect(cell, b);
+  const double facingA = std::abs(onA.facing);
+  const double facingB = std::abs(onB.facing);
+  const glm::dvec3 from = positionAt(a, onA.share);
+  node.position = from + facingA / (facingA + facingB) * (positionAt(b, onB.share) - from);
   return node;
 }
 
@@ -152,12 +178,16 @@ CellContour findCellContour(const CellCorners& cell)
 {
   CellContour contour;
   int insideCell = 0;
+  int frontCell = 0;
   for (int corner = 0; corner < 8; ++corner)
   {
     insideCell |= (cell.offsets[corner] >= 0.0) << corner;
+    frontCell |= (cell.facing[corner] >= 0.0) << corner;
   }
-  for (int t = 0; t < Tetrahedra; ++t)
+  // Between corners that all face the eye, or all do not, so does the surface.
+  for (unsigned left = MixedTetrahedra[insideCell] & MixedTetrahedra[frontCell]; left != 0; left &= left - 1)
   {
+    const int t = std::countr_zero(left);
     int inside = 0;
     for (int n = 0; n < 4; ++n)
     {
@@ -167,7 +197,7 @@ CellContour findCellContour(const CellCorners& cell)
     int faces = 0; // the eye: bit n for edge n
     for (int n = 0; n < polygon.count; ++n)
     {
-      faces |= (facingAt(cell, polygon.edges[n]) >= 0.0) << n;
+      faces |= (intersect(cell, polygon.edges[n]).facing >= 0.0) << n;
     }
     if (faces == 0 || faces == (1 << polygon.count) - 1)
     {

@@ -143,6 +143,7 @@ Contours chainContours(const ContourSurface& surface, std::span<const ContourSeg
   };
   result.chains = chains.polylines;
   result.kinds.assign(result.chains.size(), kind);
+  result.positions.reserve(chains.nodes.size());
   for (std::size_t chain = 0; chain < result.chains.size(); ++chain)
   {
     const std::size_t begin = result.chains.offsets[chain];

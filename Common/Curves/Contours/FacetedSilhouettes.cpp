@@ -53,13 +53,16 @@ std::vector<ContourSegment> FacetedSilhouettes::find(const Eye& eye, SilhouetteS
     return glm::dot(normal, e) - perspective * offset;
   };
   return searchSilhouettes(this->Clusters, this->Edges.size(), eye, search,
-    [&](std::size_t i, std::vector<ContourSegment>& segments)
+    [&](std::size_t begin, std::size_t end, std::vector<ContourSegment>& segments)
     {
-      const Edge& edge = this->Edges[i];
-      if (isFront(facing(edge.face0)) != isFront(edge.side1 * facing(edge.face1)))
+      for (std::size_t i = begin; i < end; ++i)
       {
-        segments.push_back(
-          { ContourNode::at(edge.site0), ContourNode::at(edge.site1), edge.face0, edge.face1 });
+        const Edge& edge = this->Edges[i];
+        if (isFront(facing(edge.face0)) != isFront(edge.side1 * facing(edge.face1)))
+        {
+          segments.push_back(
+            { ContourNode::at(edge.site0), ContourNode::at(edge.site1), edge.face0, edge.face1 });
+        }
       }
     });
 }

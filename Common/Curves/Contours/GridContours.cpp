@@ -306,6 +306,8 @@ Contours GridContours<T>::find(
       }
     });
   std::vector<GridSegment> segments;
+  segments.reserve(std::accumulate(parts.begin(), parts.end(), std::size_t(0),
+    [](std::size_t sum, const std::vector<GridSegment>& part) { return sum + part.size(); }));
   for (const std::vector<GridSegment>& part : parts)
   {
     segments.insert(segments.end(), part.begin(), part.end());

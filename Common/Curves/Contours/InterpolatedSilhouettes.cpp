@@ -4,6 +4,8 @@
 #include "Curves/Contours/SurfaceEdges.h"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace ink
 {
@@ -16,26 +18,33 @@ NormalCone::Item itemAt(const ContourSurface& surface, std::uint32_t corner)
   return { surface.corners[corner].position, glm::dvec3(surface.corners[corner].normal) };
 }
 
-void findInFace(
-  const ContourSurface& surface, const Eye& eye, std::uint32_t face, std::vector<ContourSegment>& segments)
+/// Where the silhouette in a face comes from and leads to: the edge from corner i to the next one, by which
+/// corners have the eye in front of them. None where all have, or none has.
+struct FaceEnds
 {
-  const Triangle& corners = surface.faces[face];
-  const bool front[3] = { isFront(surface.facing(corners[0], eye)), isFront(surface.facing(corners[1], eye)),
-    isFront(surface.facing(corners[2], eye)) };
-  if (front[0] == front[1] && front[1] == front[2])
+  std::uint8_t from; ///< from such a corner to another
+  std::uint8_t to;
+};
+constexpr FaceEnds endsByFront[8] = { {}, { 0, 2 }, { 1, 0 }, { 1, 2 }, { 2, 1 }, { 0, 1 }, { 2, 0 }, {} };
+
+/// Appends the segments of some faces in a row.
+/// @param front bit 3 f + i: whether the eye is in front of corner i of face f
+void addSegments(const ContourSurface& surface, std::size_t begin, std::uint32_t front,
+  std::vector<ContourSegment>& segments)
+{
+  constexpr std::uint32_t firstCorners = 0x249249;
+  const std::uint32_t any = front | front >> 1 | front >> 2;
+  const std::uint32_t all = front & front >> 1 & front >> 2;
+  for (std::uint32_t left = any & ~all & firstCorners; left != 0; left &= left - 1)
   {
-    return;
+    const int bit = std::countr_zero(left);
+    const auto face = static_cast<std::uint32_t>(begin + bit / 3);
+    const Triangle& corners = surface.faces[face];
+    const auto [from, to] = endsByFront[front >> bit & 7];
+    const auto nodeOn = [&](std::uint8_t edge)
+    { return ContourNode::between(corners[edge], corners[edge == 2 ? 0 : edge + 1]); };
+    segments.push_back({ nodeOn(from), nodeOn(to), face, face });
   }
-  ContourSegment segment{ {}, {}, face, face };
-  for (int i = 0; i < 3; ++i)
-  {
-    const int next = (i + 1) % 3;
-    if (front[i] != front[next])
-    {
-      (front[i] ? segment.from : segment.to) = ContourNode::between(corners[i], corners[next]);
-    }
-  }
-  segments.push_back(segment);
 }
 
 } // namespace
@@ -52,6 +61,9 @@ InterpolatedSilhouettes::InterpolatedSilhouettes(const ContourSurface& surface)
           }
         }
       })
+  , Corners(surface.corners.size(), this->Faces.ball(),
+      [&](std::uint32_t corner)
+      { return std::pair(glm::dvec3(surface.corners[corner].normal), surface.corners[corner].position); })
 {
   if (surface.siteNormals.empty())
   {
@@ -139,13 +151,39 @@ void InterpolatedSilhouettes::findOnEdge(
 std::vector<ContourSegment> InterpolatedSilhouettes::find(
   const ContourSurface& surface, const Eye& eye, SilhouetteSearch search) const
 {
+  static_assert(NormalClusters::clusterSize == FacingPlanes::atOnce && sizeof(Triangle) == 12);
+  const FacingPlanes::View corners(this->Corners, eye);
   std::vector<ContourSegment> segments = searchSilhouettes(this->Faces, surface.faces.size(), eye, search,
-    [&](std::size_t face, std::vector<ContourSegment>& found)
-    { findInFace(surface, eye, static_cast<std::uint32_t>(face), found); });
+    [&](std::size_t begin, std::size_t end, std::vector<ContourSegment>& found)
+    {
+      std::uint32_t front = 0;
+      std::uint32_t unknown = (1u << 3 * (end - begin)) - 1;
+      const std::uint32_t* first = surface.faces[begin].data();
+      if (search == SilhouetteSearch::Hierarchy && end - begin == NormalClusters::clusterSize)
+      {
+        for (int part = 0; part < 3; ++part)
+        {
+          const FacingPlanes::Sides sides = corners.sides(first + FacingPlanes::atOnce * part);
+          front |= sides.front << FacingPlanes::atOnce * part;
+          unknown ^= (sides.front | sides.back) << FacingPlanes::atOnce * part;
+        }
+      }
+      for (; unknown != 0; unknown &= unknown - 1)
+      {
+        const int corner = std::countr_zero(unknown);
+        front |= static_cast<std::uint32_t>(isFront(surface.facing(first[corner], eye))) << corner;
+      }
+      addSegments(surface, begin, front, found);
+    });
   const std::vector<ContourSegment> onEdges =
     searchSilhouettes(this->Edges, this->SharpEdges.size(), eye, search,
-      [&](std::size_t edge, std::vector<ContourSegment>& found)
-      { findOnEdge(surface, eye, this->SharpEdges[edge], found); });
+      [&](std::size_t begin, std::size_t end, std::vector<ContourSegment>& found)
+      {
+        for (std::size_t edge = begin; edge < end; ++edge)
+        {
+          findOnEdge(surface, eye, this->SharpEdges[edge], found);
+        }
+      });
   segments.insert(segments.end(), onEdges.begin(), onEdges.end());
   return segments;
 }

@@ -4,6 +4,7 @@
 #include "Curves/Contours/ContourSegments.h"
 #include "Curves/Contours/ContourSurface.h"
 #include "Curves/Contours/Eye.h"
+#include "Curves/Contours/FacingPlanes.h"
 #include "Curves/Contours/NormalClusters.h"
 #include "Curves/Contours/SilhouetteSearch.h"
 
@@ -40,6 +41,7 @@ private:
     std::vector<ContourSegment>& segments);
 
   NormalClusters Faces;
+  FacingPlanes Corners;
   std::vector<SharpEdge> SharpEdges;
   NormalClusters Edges;
 };

@@ -17,8 +17,6 @@ namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Bounds the rounding of the test in float, relative to the distances in it.
-constexpr float testSlack = 4e-6f;
 
 std::size_t blocksFor(std::size_t count, std::size_t size)
 {
@@ -95,8 +93,8 @@ NormalClusters::NormalClusters(std::size_t elements, const ItemsOf& itemsOf, std
     whole.least = glm::min(whole.least, box.least);
     whole.most = glm::max(whole.most, box.most);
   }
-  this->Center = 0.5 * whole.least + 0.5 * whole.most;
-  this->Scale = std::max(glm::length(0.5 * whole.most - 0.5 * whole.least), 1e-300);
+  this->Ball = { 0.5 * whole.least + 0.5 * whole.most,
+    std::max(glm::length(0.5 * whole.most - 0.5 * whole.least), 1e-300) };
 
   this->Sizes.push_back(this->Clusters);
   this->Levels.emplace_back(blocksFor(this->Clusters, width));
@@ -109,7 +107,7 @@ NormalClusters::NormalClusters(std::size_t elements, const ItemsOf& itemsOf, std
         boundsOf(i, items);
         for (NormalCone::Item& item : items)
         {
-          item.position = (item.position - this->Center) / this->Scale;
+          item.position = this->Ball.toBall(item.position);
         }
         store(NormalCone::around(std::span<const NormalCone::Item>(items)), this->Levels[0][i / width],
           i % width);
@@ -141,16 +139,16 @@ std::vector<std::uint32_t> NormalClusters::straddling(const Eye& eye) const
     return {};
   }
   // With a parallel projection all points have the same v, of length 1, and the second term is 0.
-  const glm::vec3 e(
-    eye.parallel ? -glm::normalize(eye.direction) : (eye.position - this->Center) / this->Scale);
+  const glm::vec3 e = this->Ball.toBall(eye);
   const float perspective = eye.parallel ? 0.0f : 1.0f;
-  const float slack = testSlack * (1.0f + glm::length(e));
+  const float slack = facingSlack(e);
   std::vector<std::uint32_t> found = { 0 };
   std::vector<std::uint32_t> blocks;
   for (std::size_t level = this->Levels.size(); level-- > 0;)
   {
     blocks.swap(found);
-    found.clear();
+    found.resize(blocks.size() * width);
+    std::size_t foundCount = 0;
     for (const std::uint32_t index : blocks)
     {
       const Block& b = this->Levels[level][index];
@@ -178,12 +176,12 @@ std::vector<std::uint32_t> NormalClusters::straddling(const Eye& eye) const
       const std::size_t count = std::min(width, this->Sizes[level] - index * width);
       for (std::size_t i = 0; i < count; ++i)
       {
-        if (straddles[i] != 0)
-        {
-          found.push_back(static_cast<std::uint32_t>(index * width + i));
-        }
+        // Always written and sometimes kept: a branch would be guessed wrong too often.
+        found[foundCount] = static_cast<std::uint32_t>(index * width + i);
+        foundCount += straddles[i];
       }
     }
+    found.resize(foundCount);
   }
   return found;
 }

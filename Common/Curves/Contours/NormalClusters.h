@@ -3,8 +3,7 @@
 
 #include "Curves/Contours/Eye.h"
 #include "Curves/Contours/NormalCone.h"
-
-#include <glm/vec3.hpp>
+#include "Curves/Contours/UnitBall.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,13 +32,16 @@ public:
 
   std::size_t size() const { return this->Clusters; }
 
+  /// Around all items.
+  const UnitBall& ball() const { return this->Ball; }
+
   /// The clusters that may have items with n.v < 0 and n.v >= 0, in order: all that do, and few others.
   std::vector<std::uint32_t> straddling(const Eye& eye) const;
 
 private:
   static constexpr std::size_t width = 8;
 
-  /// Eight cones, in float. Positions are relative to Center, in units of Scale.
+  /// Eight cones, in float and in the coordinates of Ball.
   struct Block
   {
     float center[3][width];
@@ -54,8 +56,7 @@ private:
   static NormalCone load(const Block& block, std::size_t lane);
 
   std::size_t Clusters = 0;
-  glm::dvec3 Center = glm::dvec3(0.0);
-  double Scale = 1.0;
+  UnitBall Ball;
   /// From the clusters up: node i of a level bounds block i of the level below.
   std::vector<std::vector<Block>> Levels;
   std::vector<std::size_t> Sizes; ///< of the levels, in nodes

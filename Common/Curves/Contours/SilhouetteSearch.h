@@ -13,15 +13,15 @@
 namespace ink
 {
 
-/// Which elements are looked at for an eye. The result is the same.
+/// How silhouettes are searched. The result is the same.
 enum class SilhouetteSearch
 {
-  Hierarchy, ///< those of clusters that may hold a silhouette
-  Exhaustive
+  Hierarchy, ///< in clusters that may hold one, with facing planes in float where these tell
+  Exhaustive ///< everywhere, in double
 };
 
-/// Calls find(element, segments), which appends to `segments`, for elements in clusters that may hold a
-/// silhouette, in parallel.
+/// Calls find(begin, end, segments), which appends to `segments`, for the elements `begin` to `end` - 1 of
+/// each cluster that may hold a silhouette, in parallel.
 /// @return what was found, in the order of elements
 template <class Find>
 std::vector<ContourSegment> searchSilhouettes(const NormalClusters& clusters, std::size_t elements,
@@ -46,12 +46,13 @@ std::vector<ContourSegment> searchSilhouettes(const NormalClusters& clusters, st
       for (std::size_t i = chunk * chunkSize; i < end; ++i)
       {
         const std::size_t first = candidates[i] * NormalClusters::clusterSize;
-        for (std::size_t e = first; e < std::min(first + NormalClusters::clusterSize, elements); ++e)
-        {
-          find(e, found[chunk]);
-        }
+        find(first, std::min(first + NormalClusters::clusterSize, elements), found[chunk]);
       }
     });
+  if (found.size() == 1)
+  {
+    return std::move(found.front());
+  }
   std::vector<ContourSegment> segments;
   for (const std::vector<ContourSegment>& part : found)
   {
