@@ -80,6 +80,7 @@ NUMBERS = [
     ("vtkInkLinesOfCurvature", "StepFactor"),
     ("vtkInkLinesOfCurvature", "StopDistance"),
     ("vtkInkLinesOfCurvature", "UmbilicLimit"),
+    ("vtkInkPrincipalCurvature", "FieldSmoothing"),
     ("vtkInkStippleGenerator", "GradientPercentile"),
     ("vtkInkStippleGenerator", "GradientThreshold"),
     ("vtkInkStippleGenerator", "LayerThickness"),
