@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkPrincipalCurvature.h"
 
-#include "Curvature/FieldCurvature.h"
 #include "Curvature/MeshCurvature.h"
+#include "Curvature/SmoothedCurvature.h"
 #include "Fields/Grid/GridField.h"
 #include "InkAllocate.h"
 #include "InkHasPolygons.h"
@@ -13,6 +13,7 @@
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
 #include "InkWithGridField.h"
+#include "IsoSurface/ResampledSamples.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -24,16 +25,19 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,46 +78,54 @@ ink::MeshCurvature OfMesh(
   return ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, options, progress);
 }
 
-/// A field of an image, undefined beyond it, where the field itself continues what is at its border.
-template <class T>
-struct WithinImage
+/// Forgets the curvature of points outside the grid, where a field continues what is at its border.
+void KeepWithin(const ink::GridGeometry& grid, double rounding, std::span<const glm::dvec3> positions,
+  ink::MeshCurvature& found)
 {
-  ink::GridField<T> Field;
-
-  bool Holds(const glm::dvec3& p) const
+  for (std::size_t i = 0; i < found.points.size(); ++i)
   {
-    // Points on the border are inside however their index is rounded.
-    constexpr double rounding = 1e-3;
-    const ink::GridGeometry& grid = this->Field.geometry();
-    const glm::dvec3 index = grid.toGlobalIndex(p) - glm::dvec3(grid.first());
-    return glm::all(glm::greaterThanEqual(index, glm::dvec3(-rounding))) &&
-      glm::all(glm::lessThanEqual(index, glm::dvec3(grid.dimensions() - 1) + rounding));
+    const glm::dvec3 index = grid.toIndex(positions[i]);
+    if (!(glm::all(glm::greaterThanEqual(index, glm::dvec3(-rounding))) &&
+          glm::all(glm::lessThanEqual(index, glm::dvec3(grid.dimensions() - 1) + rounding))))
+    {
+      found.points[i] = {};
+      found.sources[i] = ink::CurvatureSource::None;
+    }
   }
-  double value(const glm::dvec3& p) const
-  {
-    return this->Holds(p) ? this->Field.value(p) : std::numeric_limits<double>::quiet_NaN();
-  }
-  glm::dvec3 gradient(const glm::dvec3& p) const
-  {
-    return this->Holds(p) ? this->Field.gradient(p) : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
-  }
-  glm::dmat3 hessian(const glm::dvec3& p) const { return this->Field.hessian(p); }
-};
+}
 
 /// @param scalars contiguous
 ink::MeshCurvature OfField(vtkPolyData* points, vtkImageData* image, vtkDataArray* scalars, int component,
-  const ink::Progress& progress)
+  double smoothing, const ink::Progress& progress)
 {
   std::vector<glm::dvec3> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  double largest = 0.0;
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     points->GetPoint(static_cast<vtkIdType>(i), &positions[i].x);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double size = std::abs(positions[i][c]);
+      largest = std::isfinite(size) ? std::max(largest, size) : largest;
+    }
   }
   const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-  return InkWithGridField(geometry, scalars, component, hidden,
+  const bool isFlat = glm::any(glm::lessThan(geometry.dimensions(), glm::ivec3(2)));
+  const glm::dvec3 deviation = isFlat
+    ? glm::dvec3(0.0)
+    : ink::makeIsoSurfaceResampling(geometry, smoothing, 1, ink::SmoothingTarget::Surface).deviation;
+  ink::MeshCurvature found = InkWithGridField(geometry, scalars, component, hidden,
     [&]<class T>(const ink::GridField<T>& field)
-    { return ink::fieldCurvatures(WithinImage<T>{ field }, positions, progress); });
+    { return ink::smoothedCurvatures(field, deviation, positions, progress); });
+  // Points on the border are inside however their coordinates are rounded.
+  const bool isDouble = points->GetPoints() && points->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const double epsilon =
+    isDouble ? std::numeric_limits<double>::epsilon() : std::numeric_limits<float>::epsilon();
+  const glm::dvec3 spacing = glm::abs(geometry.spacing());
+  KeepWithin(geometry, 4.0 * epsilon * (1.0 + largest / std::min({ spacing.x, spacing.y, spacing.z })),
+    positions, found);
+  return found;
 }
 
 /// Adds the point arrays of a result.
@@ -172,6 +184,19 @@ vtkInkPrincipalCurvature::vtkInkPrincipalCurvature()
 }
 
 vtkInkPrincipalCurvature::~vtkInkPrincipalCurvature() = default;
+
+void vtkInkPrincipalCurvature::SetFieldArray(const char* name)
+{
+  if (name && *name)
+  {
+    this->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+  }
+  else
+  {
+    this->SetInputArrayToProcess(
+      0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  }
+}
 
 const char* vtkInkPrincipalCurvature::GetEstimatorAsString()
 {
@@ -249,7 +274,7 @@ int vtkInkPrincipalCurvature::RequestData(
       }
       int component = 0;
       const vtkSmartPointer<vtkDataArray> contiguous = InkMakeContiguous(scalars, component);
-      found = OfField(mesh, image, contiguous, component, progress);
+      found = OfField(mesh, image, contiguous, component, this->FieldSmoothing, progress);
       if (!found.sources.empty() &&
         std::all_of(found.sources.begin(), found.sources.end(),
           [](ink::CurvatureSource source) { return source == ink::CurvatureSource::None; }))
@@ -328,6 +353,7 @@ int vtkInkPrincipalCurvature::RequestData(
 void vtkInkPrincipalCurvature::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FieldSmoothing: " << this->FieldSmoothing << "\n";
   os << indent << "Estimator: " << this->GetEstimatorAsString() << "\n";
   os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
   os << indent << "Adaptive: " << this->Adaptive << "\n";

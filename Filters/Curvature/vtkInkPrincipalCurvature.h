@@ -13,7 +13,8 @@
  *
  * With an image at the optional second input, curvature is that of the image's level sets through the input's
  * points, from gradient and Hessian, with normals out of the denser side; the input then needs no polygons.
- * The image's array is set with SetInputArrayToProcess(0, 1, ...); by default it is the active point scalars.
+ * The image's array is set with SetInputArrayToProcess(0, 1, ...), as SetFieldArray does; by default it is
+ * the active point scalars. Its values are smoothed first, see FieldSmoothing.
  *
  * Output: the input with the point arrays `k1`, `k2`, `PrincipalDirection1` and `PrincipalDirection2` and, on
  * request, `MeanCurvature`, `GaussCurvature`, `UmbilicMeasure`, `CurvatureDerivative` and `CurvatureSource`.
@@ -28,6 +29,7 @@
 #ifndef vtkInkPrincipalCurvature_h
 #define vtkInkPrincipalCurvature_h
 
+#include "InkSetters.h"
 #include "vtkInkFiltersCurvatureModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -60,6 +62,19 @@ public:
    */
   void SetFieldConnection(vtkAlgorithmOutput* field) { this->SetInputConnection(1, field); }
   void SetFieldData(vtkDataObject* field) { this->SetInputData(1, field); }
+  ///@}
+  /// The point array of the image by its name; an empty one, the default: the active scalars.
+  void SetFieldArray(const char* name);
+
+  ///@{
+  /**
+   * Of an image: the standard deviation of the Gaussian that its values are smoothed with, in multiples of
+   * the smallest spacing. More removes noise, and detail. 0: none, for fields without noise and steps, as
+   * sampled distances. From 0 to 10; default: 2, which tells the curvature of scans best, see
+   * Documentation/accuracy-and-speed.md.
+   */
+  InkSetClampMacro(FieldSmoothing, 0.0, 10.0);
+  vtkGetMacro(FieldSmoothing, double);
   ///@}
 
   ///@{
@@ -177,6 +192,7 @@ private:
   vtkInkPrincipalCurvature(const vtkInkPrincipalCurvature&) = delete;
   void operator=(const vtkInkPrincipalCurvature&) = delete;
 
+  double FieldSmoothing = 2.0;
   int Estimator = JET;
   int NumberOfRings = 5;
   bool Adaptive = true;

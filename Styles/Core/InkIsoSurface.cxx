@@ -9,7 +9,9 @@
 #include "InkVolumeValues.h"
 #include "IsoSurface/ActiveCellComponents.h"
 #include "vtkInkIsoSurfaceSampler.h"
+#include "vtkInkPrincipalCurvature.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -49,6 +51,15 @@ void InkIsoSurface::SetIsoValues(const std::vector<double>& values)
   if (this->IsoValues != values)
   {
     this->IsoValues = values;
+    this->Changed.Modified();
+  }
+}
+
+void InkIsoSurface::SetComputeCurvature(bool compute)
+{
+  if (this->ComputeCurvature != compute)
+  {
+    this->ComputeCurvature = compute;
     this->Changed.Modified();
   }
 }
@@ -332,9 +343,31 @@ void InkIsoSurface::KeepParts(
 std::string InkIsoSurface::Mesh(
   vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array)
 {
-  return InkMakeIsoSurfaceMesh(
-    image, InkFindScalars(image, array), this->Sampler,
+  vtkDataArray* scalars = InkFindScalars(image, array);
+  const std::string problem = InkMakeIsoSurfaceMesh(
+    image, scalars, this->Sampler,
     [style](vtkAlgorithm* algorithm) { return style->Follow(algorithm, "meshing the surface"); }, mesh);
+  const bool adds = this->ComputeCurvature && problem.empty() && mesh->GetNumberOfPoints() > 0;
+  return adds ? this->AddCurvature(style, image, scalars, mesh) : problem;
+}
+
+std::string InkIsoSurface::AddCurvature(
+  vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const
+{
+  vtkNew<vtkImageData> field;
+  field->ShallowCopy(image);
+  field->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkInkPrincipalCurvature> curvature;
+  curvature->SetInputData(mesh);
+  curvature->SetFieldData(field);
+  // What smooths the surface smooths its curvature; less than the default shows noise.
+  curvature->SetFieldSmoothing(std::max(curvature->GetFieldSmoothing(), this->Sampler->GetSmoothing()));
+  const std::string problem = style->Follow(curvature, "finding the surface's curvature");
+  if (problem.empty())
+  {
+    mesh->ShallowCopy(curvature->GetOutput());
+  }
+  return problem;
 }
 
 void InkIsoSurface::NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface)

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkImageData;
 class vtkInkIsoSurfaceSampler;
 class vtkPolyData;
@@ -49,6 +50,12 @@ public:
   ///@}
 
   vtkInkIsoSurfaceSampler* GetSampler() { return this->Sampler; }
+
+  ///@{
+  /// Whether meshes have the curvature of the image's level sets, as arrays of vtkInkPrincipalCurvature.
+  void SetComputeCurvature(bool compute);
+  bool GetComputeCurvature() const { return this->ComputeCurvature; }
+  ///@}
 
   /// When something changed last that the points depend on.
   vtkMTimeType GetMTime();
@@ -104,6 +111,8 @@ public:
   void NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface);
 
 private:
+  std::string AddCurvature(
+    vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
   static std::vector<ink::IsoSuggestion> SuggestOf(
     vtkInkStyle* style, const InkWholeImages& images, const std::string& array);
@@ -114,7 +123,8 @@ private:
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   std::vector<double> IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
-  int Subdivision = 0;     ///< 0: until cells are a small part of the picture
+  bool ComputeCurvature = false;
+  int Subdivision = 0; ///< 0: until cells are a small part of the picture
   vtkTimeStamp Changed;
 };
 

@@ -112,6 +112,7 @@ constexpr const char* PieceNames[] = { "Surface", "Strokes" };
 
 vtkInkLineArtStyle::vtkInkLineArtStyle()
 {
+  this->SetCurvature(OF_IMAGE);
   this->Lines->SetSmoothingIterations(SmoothingIterations);
   this->Lines->SetStopDistance(StopDistance);
   this->Lines->SetMinimumLength(MinimumLength);
@@ -233,6 +234,14 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   this->Hatching->SetStrokeLength(this->Length * thousandth);
   const std::string failed = this->Follow(this->Hatching, "cutting strokes");
   strokes->ShallowCopy(this->Hatching->GetOutput());
+  // Only lines need the curvature that an image's surface has.
+  for (const char* name : { "k1", "k2", "PrincipalDirection1", "PrincipalDirection2" })
+  {
+    if (InkContourSurface::IsOfImage(surface))
+    {
+      surface->GetPointData()->RemoveArray(name);
+    }
+  }
   return failed;
 }
 
@@ -307,6 +316,16 @@ void vtkInkLineArtStyle::UpdateWidths()
   const double spacing = SpacingOf(this->Density);
   this->Strokes->SetHatchSpacing(spacing);
   this->Strokes->SetLineWidth(spacing * (OneWidth + this->Width * (LeastWidth - OneWidth)));
+}
+
+void vtkInkLineArtStyle::SetCurvature(int source)
+{
+  this->GetIsoSurface()->SetComputeCurvature(source == OF_IMAGE);
+}
+
+int vtkInkLineArtStyle::GetCurvature()
+{
+  return this->GetIsoSurface()->GetComputeCurvature() ? OF_IMAGE : OF_MESH;
 }
 
 void vtkInkLineArtStyle::SetCullingCosine(double cosine)

@@ -8,6 +8,9 @@
  * contours are drawn over them. Meshes are taken as they are, and of images the iso-surfaces at IsoValues, or
  * that at the iso-value that suits the image, as vtkInkContoursStyle makes them.
  *
+ * An image's surface has the curvature of the smoothed image, which is more exact than that of the mesh, or
+ * on request the mesh's.
+ *
  * Lines of curvature are found once; which of them are drawn and how wide follows the camera and the light in
  * each picture. Two pieces: the surface's mesh and the strokes.
  *
@@ -32,6 +35,13 @@ public:
   static vtkInkLineArtStyle* New();
   vtkTypeMacro(vtkInkLineArtStyle, vtkInkStyle);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where the curvature of an image's surface comes from, see SetCurvature.
+  enum CurvatureType
+  {
+    OF_IMAGE = 0,
+    OF_MESH = 1
+  };
 
   const char* GetName() override { return "line-art"; }
   const char* GetLabel() override { return "Line Art"; }
@@ -77,6 +87,8 @@ public:
   vtkGetMacro(Length, double);
   vtkSetMacro(LineSpacing, double);
   vtkGetMacro(LineSpacing, double);
+  void SetCurvature(int source);
+  int GetCurvature();
   void SetCullingCosine(double cosine);
   vtkGetMacro(CullingCosine, double);
   void SetSeed(int seed);

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the Tradeoff programs of a build and writes what they measure into the documentation.
 
-    tradeoff.py PROGRAM...        writes Documentation/accuracy-and-speed.md and its plots
+    tradeoff.py PROGRAM...             writes Documentation/accuracy-and-speed.md and its plots
+    tradeoff.py --update PROGRAM...    keeps what the page says of other programs' knobs
 
 Each program prints rows of CSV: a knob's settings with their error in some scenes and their time. The default setting
 and the advice come from the program, too, beside the definition of the knob.
@@ -127,12 +128,31 @@ def section(knob, settings):
     return "\n".join(lines)
 
 
+def updated(sections):
+    """All sections that the page has, in its order, the given ones new; those that it lacks follow the one before."""
+    parts = re.split(r"(?=\n## )", PAGE.read_text())[1:]
+    page = {part.splitlines()[1].removeprefix("## "): part for part in parts}
+    before = None
+    for knob, text in sections.items():
+        if knob not in page:
+            names = list(page)
+            at = names.index(before) + 1 if before else len(names)
+            page = {name: page.get(name, text) for name in [*names[:at], knob, *names[at:]]}
+        page[knob] = text
+        before = knob
+    return page
+
+
 def main():
-    if len(sys.argv) < 2:
+    programs = [argument for argument in sys.argv[1:] if argument != "--update"]
+    if not programs:
         sys.exit(__doc__)
-    knobs = measure(sys.argv[1:])
+    knobs = measure(programs)
     IMAGES.mkdir(exist_ok=True)
-    PAGE.write_text(INTRODUCTION + "".join(section(knob, settings) for knob, settings in knobs.items()))
+    sections = {knob: section(knob, settings) for knob, settings in knobs.items()}
+    if "--update" in sys.argv:
+        sections = updated(sections)
+    PAGE.write_text(INTRODUCTION + "".join(sections.values()))
     print(f"tradeoff: {len(knobs)} knobs in {PAGE.relative_to(ROOT)}")
 
 

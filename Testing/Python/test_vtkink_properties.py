@@ -84,6 +84,7 @@ NUMBERS = [
     ("vtkInkLinesOfCurvature", "StepFactor"),
     ("vtkInkLinesOfCurvature", "StopDistance"),
     ("vtkInkLinesOfCurvature", "UmbilicLimit"),
+    ("vtkInkPrincipalCurvature", "FieldSmoothing"),
     ("vtkInkStippleGenerator", "GradientPercentile"),
     ("vtkInkStippleGenerator", "GradientThreshold"),
     ("vtkInkStippleGenerator", "LayerThickness"),

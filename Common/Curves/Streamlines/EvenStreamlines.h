@@ -23,6 +23,11 @@ struct EvenStreamlineOptions
   std::uint64_t seed = 0;
 };
 
+/// The same with the greatest step and the distance at which lines are closed that suit the spacing.
+/// @param area of the surface, in world units squared
+/// @throws std::invalid_argument if an option is out of range, or the surface needs more than 2^28 samples
+EvenStreamlineOptions completeOptions(const EvenStreamlineOptions& options, double area);
+
 /// Evenly spaced lines of a field of directions on a mesh (Jobard and Lefer 1997, there in the plane): a line
 /// starts at a spacing's distance to the side of another one and ends where it comes closer than a share of
 /// the spacing to another one or to itself. Starts are found by walking straight on over the surface, and
@@ -33,8 +38,7 @@ struct EvenStreamlineOptions
 /// of one spacing are in an order that spreads them over the surface. Starts that are given neither by
 /// lines nor by chance are where the field is defined best, so that lines run from there to where it is not.
 ///
-/// Candidates are traced in parallel against the lines that there were before, and then accepted one by one,
-/// cut where they meet those accepted meanwhile: the result is that of one thread, for any number of them.
+/// The result is the same for any number of threads, see StreamlinePlacement.
 ///
 /// @param normals of unit length, one per point of the mesh, or empty
 /// @param progress when it asks to stop, the result is empty

@@ -14,7 +14,8 @@
 namespace ink
 {
 
-std::vector<MeshPoint> areaSeeds(const MeshNavigation& mesh, const AreaSeedOptions& options)
+std::vector<MeshPoint> areaSeeds(
+  const MeshNavigation& mesh, const AreaSeedOptions& options, const Progress& progress)
 {
   const TriangleMesh& triangles = mesh.mesh();
   if (!options.curvature.empty() && options.curvature.size() != triangles.points.size())
@@ -29,13 +30,12 @@ std::vector<MeshPoint> areaSeeds(const MeshNavigation& mesh, const AreaSeedOptio
       std::to_string(options.mostInTriangle) + " in a triangle at most, " + std::to_string(options.factor) +
       " times as many where the surface is curved; expected 0, 1 and 0 or more");
   }
-  std::vector<MeshPoint> seeds;
   const auto most = static_cast<std::uint64_t>(options.mostInTriangle);
-  for (std::uint32_t t = 0; t < triangles.triangles.size(); ++t)
+  const auto seedTriangle = [&](std::uint32_t t, std::vector<MeshPoint>& seeds)
   {
     if (!mesh.isUsable(t))
     {
-      continue;
+      return;
     }
     double probability =
       areaOf(triangles, t) / mesh.area() * options.count / static_cast<double>(options.mostInTriangle);
@@ -63,6 +63,24 @@ std::vector<MeshPoint> areaSeeds(const MeshNavigation& mesh, const AreaSeedOptio
         seeds.push_back({ t, { 1.0 - first - second, first, second } });
       }
     }
+  };
+  constexpr std::size_t blockSize = 1 << 12;
+  const std::size_t count = triangles.triangles.size();
+  std::vector<std::vector<MeshPoint>> blocks((count + blockSize - 1) / blockSize);
+  const bool finished = parallelFor(
+    blocks.size(),
+    [&](std::size_t block)
+    {
+      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, count); ++t)
+      {
+        seedTriangle(static_cast<std::uint32_t>(t), blocks[block]);
+      }
+    },
+    progress);
+  std::vector<MeshPoint> seeds;
+  for (std::size_t block = 0; finished && block < blocks.size(); ++block)
+  {
+    seeds.insert(seeds.end(), blocks[block].begin(), blocks[block].end());
   }
   return seeds;
 }
@@ -94,7 +112,7 @@ Streamlines scatteredStreamlines(const MeshNavigation& mesh, const LineField& fi
   std::vector<std::uint32_t> order;
   std::transform(
     keys.begin(), keys.end(), std::back_inserter(order), [](const auto& key) { return key.second; });
-  return joinLines(lines, order);
+  return joinLines<MeshPoint>(lines, order);
 }
 
 } // namespace ink

@@ -26,9 +26,11 @@ struct AreaSeedOptions
 /// Seeds of lines by area (Rössl et al. 2000, section 3.1): m times in each triangle, a point falls with the
 /// probability A_i / A n / m. The paper prints the opposite, and barycentric coordinates that leave the
 /// triangle in half of all cases; these are folded back.
+/// @param progress when it asks to stop, the result is empty
 /// @return in the order of triangles, without those that have no area
 /// @throws std::invalid_argument if there are curvatures, but not one per point, or a number is out of range
-std::vector<MeshPoint> areaSeeds(const MeshNavigation& mesh, const AreaSeedOptions& options);
+std::vector<MeshPoint> areaSeeds(
+  const MeshNavigation& mesh, const AreaSeedOptions& options, const Progress& progress = {});
 
 /// The lines of seeds, independent of each other, in an order by chance. Lines without length are left out.
 /// @param options with a limit of length, which a line that is not closed may need to end

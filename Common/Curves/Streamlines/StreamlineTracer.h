@@ -2,15 +2,13 @@
 #pragma once
 
 #include "Curves/Streamlines/LineField.h"
+#include "Curves/Streamlines/TracedLine.h"
 #include "Mesh/MeshNavigation.h"
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <vector>
 
 namespace ink
 {
@@ -35,30 +33,8 @@ struct TraceOptions
   double closeDistance = 0.0; ///< a line that passes its start in this distance is closed
 };
 
-/// Why half of a line ended.
-enum class LineEnd : std::uint8_t
-{
-  Border,  ///< of the mesh, or at an edge that cannot be crossed
-  Umbilic, ///< the direction is not defined
-  Length,  ///< the greatest length is reached
-  Closed,  ///< it is back at its start
-  Stopped, ///< whoever asked for it stopped it
-};
-
-struct TracedPoint
-{
-  MeshPoint at;
-  glm::dvec3 position;
-  double arc; ///< from the line's first point, in world units
-};
-
-struct TracedLine
-{
-  std::vector<TracedPoint> points;
-  std::size_t seed = 0;          ///< the point that it started at
-  bool closed = false;           ///< then the last point is joined to the first
-  std::array<LineEnd, 2> ends{}; ///< of the half along the seed's direction, and of the other one
-};
+using TracedPoint = TracedPointOn<MeshPoint>;
+using TracedLine = TracedLineOn<MeshPoint>;
 
 /// Integrates a field of directions over a mesh (Rössl et al. 2000, section 2.3).
 ///
@@ -73,17 +49,14 @@ public:
   /// The arguments are viewed and have to live as long.
   StreamlineTracer(const MeshNavigation& mesh, const LineField& field, const TraceOptions& options);
 
-  /// Of each point after the seed, in order: whether to go on; false leaves the point out. `arc` is from the
-  /// seed.
-  using Accept = std::function<bool(const TracedPoint&)>;
+  using Accept = AcceptPoint<MeshPoint>;
 
   /// One half of a line.
   /// @param heading of the field's directions, the one closest to it is followed
   /// @param length at most, in world units
   LineEnd follow(const MeshPoint& seed, const glm::dvec3& heading, double length, const Accept& accept) const;
 
-  /// Both halves: first along the heading and then, unless it is closed, against it; there `arc` is negative
-  /// for `accept`, which may be empty.
+  /// Both halves, see traceHalves.
   TracedLine trace(const MeshPoint& seed, const glm::dvec3& heading, const Accept& accept) const;
 
   /// The interpolated direction that is closest to a vector, in the plane of the triangle; zero where there
@@ -91,8 +64,6 @@ public:
   glm::dvec3 direction(const MeshPoint& point, const glm::dvec3& heading) const;
 
 private:
-  struct Walk;
-
   const MeshNavigation& Mesh;
   const LineField& Field;
   TraceOptions Options;

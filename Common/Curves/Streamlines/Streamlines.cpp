@@ -18,46 +18,6 @@ constexpr std::size_t blockSize = 1 << 12;
 
 } // namespace
 
-Streamlines joinLines(std::span<const TracedLine> lines, std::span<const std::uint32_t> order)
-{
-  Streamlines result;
-  const auto lengthOf = [](const TracedLine& line)
-  {
-    const double open = line.points.empty() ? 0.0 : line.points.back().arc - line.points.front().arc;
-    return line.closed ? open + glm::distance(line.points.back().position, line.points.front().position)
-                       : open;
-  };
-  double whole = 0.0;
-  for (const std::uint32_t n : order)
-  {
-    whole += lengthOf(lines[n]);
-  }
-  double before = 0.0;
-  for (const std::uint32_t n : order)
-  {
-    result.lines.offsets.push_back(result.lines.pointCount() + lines[n].points.size());
-    result.lines.closed.push_back(lines[n].closed ? 1 : 0);
-    result.priorities.push_back(std::min(static_cast<float>(before / whole), std::nextafter(1.0f, 0.0f)));
-    before += lengthOf(lines[n]);
-  }
-  result.points.resize(result.lines.pointCount());
-  result.positions.resize(result.lines.pointCount());
-  result.arcLength.resize(result.lines.pointCount());
-  parallelFor(order.size(),
-    [&](std::size_t i)
-    {
-      const std::vector<TracedPoint>& points = lines[order[i]].points;
-      for (std::size_t k = 0; k < points.size(); ++k)
-      {
-        const std::size_t index = result.lines.offsets[i] + k;
-        result.points[index] = points[k].at;
-        result.positions[index] = points[k].position;
-        result.arcLength[index] = points[k].arc - points.front().arc;
-      }
-    });
-  return result;
-}
-
 glm::vec3 normalAt(const MeshNavigation& mesh, std::span<const glm::vec3> normals, const MeshPoint& point)
 {
   glm::dvec3 normal(0.0);

@@ -3,7 +3,7 @@
 
 #include "Curves/Streamlines/EvenStreamlines.h"
 
-#include "PointSampling/WhiteNoise.h"
+#include "LineEvenness.h"
 #include "StreamlineShapes.h"
 
 #include <gtest/gtest.h>
@@ -46,78 +46,6 @@ Shape field(int cells, double turn = 0.0)
     shape.minimum.emplace_back(-std::sin(angle), std::cos(angle), 0.0);
   }
   return shape;
-}
-
-double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b)
-{
-  const glm::dvec3 along = b - a;
-  const double size = glm::dot(along, along);
-  const double share = size > 0.0 ? std::clamp(glm::dot(p - a, along) / size, 0.0, 1.0) : 0.0;
-  const glm::dvec3 offset = p - a - share * along;
-  return glm::dot(offset, offset);
-}
-
-/// Slow and obvious: the distance of a position to the nearest of the first lines, but for one.
-double nearest(const Streamlines& lines, std::size_t count, const glm::dvec3& p, std::size_t other)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    const std::size_t end = lines.lines.offsets[n + 1];
-    for (std::size_t i = lines.lines.offsets[n]; n != other && i + 1 < end; ++i)
-    {
-      least = std::min(least, squaredDistance(p, lines.positions[i], lines.positions[i + 1]));
-    }
-  }
-  return std::sqrt(least);
-}
-
-double lengthOf(const Streamlines& lines, std::size_t count)
-{
-  double sum = 0.0;
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    sum += lines.arcLength[lines.lines.offsets[n + 1] - 1];
-  }
-  return sum;
-}
-
-/// How even the first lines are: the largest and the mean distance of the surface from them, as a share of
-/// the distance at which parallel lines of their length would be, and the least between two of them.
-struct Evenness
-{
-  double spacing; ///< area over length
-  double farthest;
-  double mean;
-  double closest;
-};
-
-Evenness evenness(const Shape& shape, const Streamlines& lines, std::size_t count)
-{
-  const TriangleMesh mesh = shape.mesh.view();
-  const CumulativeArea areas = cumulateArea(mesh);
-  Evenness result{ areas.area.back() / lengthOf(lines, count), 0.0, 0.0, 1e300 };
-  const std::vector<glm::dvec3> places = positionsOf(mesh, sampleWhiteNoise(mesh, areas, 300, 7));
-  for (const glm::dvec3& place : places)
-  {
-    const double distance = nearest(lines, count, place, ~std::size_t(0)) / result.spacing;
-    result.farthest = std::max(result.farthest, distance);
-    result.mean += distance / static_cast<double>(places.size());
-  }
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    for (std::size_t i = lines.lines.offsets[n]; i < lines.lines.offsets[n + 1]; i += 10)
-    {
-      result.closest = std::min(result.closest, nearest(lines, count, lines.positions[i], n));
-    }
-  }
-  return result;
-}
-
-bool areSame(const Streamlines& a, const Streamlines& b)
-{
-  return a.positions == b.positions && a.lines.offsets == b.lines.offsets &&
-    a.lines.closed == b.lines.closed && a.priorities == b.priorities && a.arcLength == b.arcLength;
 }
 
 } // namespace
@@ -296,6 +224,24 @@ TEST(EvenStreamlines, StopsWhenAsked)
   const Streamlines lines = evenStreamlines(
     navigation, shape.normals, fieldOf(shape), spaced(0.01), [](double done) { return done < 0.1; });
   EXPECT_EQ(lines.lines.size(), 0u);
+}
+
+TEST(EvenStreamlines, ProgressRisesToTheWhole)
+{
+  const Shape shape = TorusShape().sample(60, 20);
+  const MeshNavigation navigation(shape.mesh.view(), 180.0);
+  double last = 0.0;
+  int falls = 0;
+  evenStreamlines(navigation, shape.normals, fieldOf(shape), spaced(0.1),
+    [&](double done)
+    {
+      falls += done < last ? 1 : 0;
+      last = done;
+      return true;
+    });
+  EXPECT_EQ(falls, 0);
+  EXPECT_GT(last, 0.9);
+  EXPECT_LE(last, 1.0);
 }
 
 TEST(EvenStreamlines, TheSameForAnyNumberOfThreads)

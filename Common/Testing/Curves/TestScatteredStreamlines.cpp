@@ -99,7 +99,25 @@ TEST(ScatteredStreamlines, LinesAreThoseOfTheirSeeds)
   trace.maximumLength = 0.6;
   AreaSeedOptions options;
   options.count = 500.0;
-  const std::vector<MeshPoint> seeds = areaSeeds(navigation, options);
+  const auto make = [&] { return areaSeeds(navigation, options); };
+  const std::vector<MeshPoint> seeds = onThreads(1, make);
+  const std::vector<MeshPoint> again = onThreads(2, make);
+  ASSERT_EQ(again.size(), seeds.size());
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    ASSERT_EQ(again[i].triangle, seeds[i].triangle);
+    ASSERT_EQ(again[i].weights, seeds[i].weights);
+  }
+  double told = 0.0;
+  areaSeeds(navigation, options,
+    [&](double share)
+    {
+      EXPECT_GE(share, told);
+      told = share;
+      return true;
+    });
+  EXPECT_GT(told, 0.0);
+  EXPECT_TRUE(areaSeeds(navigation, options, [](double) { return false; }).empty());
   const auto run = [&] { return scatteredStreamlines(navigation, field, seeds, trace, 3); };
   const Streamlines lines = onThreads(1, run);
   EXPECT_EQ(lines.lines.size(), seeds.size());

@@ -2,12 +2,15 @@
 // The arrays of vtkInkPrincipalCurvature: of meshes and of images against known surfaces.
 
 #include "CurvedMeshes.h"
+#include "HashNoise.h"
+#include "InkTestMessages.h"
 #include "InkTestVolume.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -24,6 +27,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -159,6 +163,7 @@ TEST(PrincipalCurvature, OfTheLevelSetsOfAnImage)
   vtkNew<vtkInkPrincipalCurvature> filter;
   filter->SetInputData(points);
   filter->SetFieldData(image);
+  filter->SetFieldSmoothing(0.0);
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
   ASSERT_EQ(output->GetNumberOfPoints(), static_cast<vtkIdType>(exact.exact.size()));
@@ -173,6 +178,84 @@ TEST(PrincipalCurvature, OfTheLevelSetsOfAnImage)
   const ink::test::CurvatureErrors errors = ink::test::curvatureErrors(exact.exact, found);
   EXPECT_LT(errors.curvature, 2e-3);
   EXPECT_LT(errors.angle, 0.2);
+}
+
+TEST(PrincipalCurvature, TheFieldsArrayAndItsSmoothing)
+{
+  // A ball of radius 1 as another array than the active one, with noise of a twentieth of a voxel.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(41, 41, 41);
+  image->SetOrigin(-2.0, -2.0, -2.0);
+  image->SetSpacing(0.1, 0.1, 0.1);
+  std::uint64_t index = 0;
+  InkTestFill(image, VTK_FLOAT,
+    [&](double x, double y, double z)
+    { return 1.0 - glm::length(glm::dvec3(x, y, z)) + 0.005 * ink::testing::hashNormal(1, index++); });
+  vtkDataArray* ball = image->GetPointData()->GetScalars();
+  vtkNew<vtkFloatArray> flat;
+  flat->SetName("Flat");
+  flat->SetNumberOfTuples(image->GetNumberOfPoints());
+  flat->Fill(1.0);
+  image->GetPointData()->AddArray(flat);
+  image->GetPointData()->SetActiveScalars("Flat");
+  ASSERT_STREQ(ball->GetName(), "Density");
+  vtkNew<vtkPoints> positions;
+  const ink::test::Mesh sphere = ink::test::icosphere(2);
+  for (const glm::dvec3& p : sphere.points)
+  {
+    positions->InsertNextPoint(&p.x);
+  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(positions);
+  vtkNew<vtkInkPrincipalCurvature> filter;
+  EXPECT_EQ(filter->GetFieldSmoothing(), 2.0);
+  filter->SetInputData(points);
+  filter->SetFieldData(image);
+  const auto error = [&]
+  {
+    filter->Update();
+    vtkDataArray* k1 = ArrayOf(filter->GetOutput(), "k1");
+    vtkDataArray* k2 = ArrayOf(filter->GetOutput(), "k2");
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < k1->GetNumberOfTuples(); ++i)
+    {
+      sum += std::pow(k1->GetTuple1(i) - 1.0, 2) + std::pow(k2->GetTuple1(i) - 1.0, 2);
+    }
+    return std::sqrt(0.5 * sum / k1->GetNumberOfTuples());
+  };
+  filter->SetFieldArray("Density");
+  EXPECT_LT(error(), 0.1);
+  filter->SetFieldSmoothing(0.0);
+  EXPECT_GT(error(), 0.3);
+  filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Density");
+  filter->SetFieldSmoothing(2.0);
+  EXPECT_LT(error(), 0.1);
+  // Without a name the active scalars, which have no gradient anywhere.
+  filter->SetFieldArray("");
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(filter);
+  EXPECT_EQ(error(), 1.0);
+  messages->Expect("constant", { "None of the input's" });
+}
+
+TEST(PrincipalCurvature, PointsJustOutsideTheImageHaveNone)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(9, 9, 9);
+  InkTestFill(image, VTK_FLOAT, [](double x, double y, double z) { return x * x + y * y + z * z; });
+  vtkNew<vtkPoints> positions;
+  positions->InsertNextPoint(8.0, 2.0, 1.0);
+  positions->InsertNextPoint(8.0 + 1.0 / 2048.0, 2.0, 1.0);
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(positions);
+  vtkNew<vtkInkPrincipalCurvature> filter;
+  filter->SetInputData(points);
+  filter->SetFieldData(image);
+  filter->ComputeSourceOn();
+  filter->Update();
+  vtkDataArray* source = ArrayOf(filter->GetOutput(), "CurvatureSource");
+  EXPECT_EQ(source->GetTuple1(0), vtkInkPrincipalCurvature::SURFACE);
+  EXPECT_EQ(source->GetTuple1(1), vtkInkPrincipalCurvature::NONE);
 }
 
 TEST(PrincipalCurvature, GhostCellsAreNeighbors)

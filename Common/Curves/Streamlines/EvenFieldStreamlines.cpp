@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/Streamlines/EvenFieldStreamlines.h"
+
+#include "Core/Hash.h"
+#include "Curvature/PrincipalCurvature.h"
+#include "Curves/Streamlines/StreamlinePlacement.h"
+
+#include <glm/common.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <tuple>
+
+namespace ink
+{
+
+namespace
+{
+
+/// The iso-surface of a field, with the directions of its curvature.
+class FieldLineSurface
+{
+public:
+  using Point = FieldPoint;
+
+  FieldLineSurface(
+    const FieldSurface& surface, const SurfaceSamples& samples, const FieldTraceOptions& options)
+    : Samples(samples)
+    , Tracer(surface, options)
+  {
+    glm::dvec3 lower(std::numeric_limits<double>::infinity());
+    glm::dvec3 upper(-lower);
+    for (const glm::dvec3& p : samples.positions)
+    {
+      lower = glm::min(lower, p);
+      upper = glm::max(upper, p);
+    }
+    this->Center = 0.5 * lower + 0.5 * upper;
+    this->Reach = std::sqrt(samples.area / static_cast<double>(samples.positions.size()));
+  }
+
+  double area() const { return this->Samples.area; }
+  const glm::dvec3& center() const { return this->Center; }
+  const glm::dvec3& position(const FieldPoint& at) const { return at.position; }
+  glm::vec3 normal(const FieldPoint& at) const { return glm::vec3(at.normal); }
+  const glm::dvec3& planeNormal(const FieldPoint& at) const { return at.normal; }
+  SurfaceDirection ownDirection(const FieldPoint& at) const
+  {
+    return this->Tracer.directionAt(at.position, glm::dvec3(0.0));
+  }
+  glm::dvec3 direction(const FieldPoint& at, const glm::dvec3& heading) const
+  {
+    return this->Tracer.directionAt(at.position, heading).direction;
+  }
+  TracedFieldLine trace(
+    const FieldPoint& seed, const glm::dvec3& heading, const FieldTracer::Accept& accept) const
+  {
+    return this->Tracer.trace(seed, heading, accept);
+  }
+  std::optional<SurfaceArrival<FieldPoint>> walk(
+    const FieldPoint& from, const glm::dvec3& direction, double distance) const
+  {
+    return this->Tracer.walk(from, direction, distance);
+  }
+  /// Hashes, from each of which a point is made.
+  std::vector<std::uint64_t> scatter(std::size_t count, std::uint64_t seed) const
+  {
+    std::vector<std::uint64_t> result(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      result[i] = hash(seed, i);
+    }
+    return result;
+  }
+  /// Near a sample, so that there may be many more points than samples.
+  std::optional<FieldPoint> pointOf(std::uint64_t random) const
+  {
+    const std::optional<FieldPoint> sample =
+      this->Tracer.project(this->Samples.positions[random % this->Samples.positions.size()]);
+    if (!sample)
+    {
+      return std::nullopt;
+    }
+    const double angle = 2.0 * std::numbers::pi * unitDouble(hash(random, 1));
+    const double distance = this->Reach * std::sqrt(unitDouble(hash(random, 2)) / std::numbers::pi);
+    const auto [x, y] = tangentAxes(sample->normal);
+    return this->Tracer.project(sample->position + distance * (std::cos(angle) * x + std::sin(angle) * y));
+  }
+  static bool isBefore(const FieldPoint& a, const FieldPoint& b)
+  {
+    const glm::dvec3& p = a.position;
+    const glm::dvec3& q = b.position;
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  }
+
+private:
+  const SurfaceSamples& Samples;
+  FieldTracer Tracer;
+  glm::dvec3 Center;
+  double Reach; ///< of a sample: the side of a square of its area
+};
+
+} // namespace
+
+FieldStreamlines evenFieldStreamlines(const FieldSurface& surface, const SurfaceSamples& samples,
+  bool maximum, double negligible, const EvenStreamlineOptions& options, const Progress& progress)
+{
+  const EvenStreamlineOptions own = completeOptions(options, samples.area);
+  if (!(samples.area > 0.0) || samples.positions.empty())
+  {
+    return {};
+  }
+  FieldTraceOptions trace;
+  trace.maximum = maximum;
+  trace.step = own.trace.maximumStep;
+  trace.maximumLength = own.trace.maximumLength / trace.step;
+  trace.umbilicLimit = own.trace.umbilicLimit;
+  trace.negligible = negligible;
+  trace.closeDistance = own.trace.closeDistance / trace.step;
+  // Far below what is seen; the interpolated values of a grid are not as exact as they are differentiable.
+  trace.tolerance = 1e-4;
+  const FieldLineSurface on(surface, samples, trace);
+  return StreamlinePlacement<FieldLineSurface>(on, own, progress).run();
+}
+
+} // namespace ink
