@@ -85,6 +85,7 @@ NUMBERS = [
     ("vtkInkStippleGenerator", "LayerThickness"),
     ("vtkInkStippleGenerator", "PictureSize"),
     ("vtkInkStippleGenerator", "ReferenceGradient"),
+    ("vtkInkStippleGenerator", "Smoothing"),
     ("vtkInkSurfaceSampler", "CoverageSlack"),
 ]
 
