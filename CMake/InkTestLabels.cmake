@@ -6,7 +6,7 @@ set(_ink_test_labels
   "curvature:Curvature|SurfaceRings|JetFit|ExponentialMap"
   "fields:AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Laplacian|NormalMethods|ResampleGrid|SampleBox|VdbField"
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components)|CutSamples|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
-  "sampling:KdTree|DiscSamples|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
+  "sampling:KdTree|DiscSamples|SampleGroups|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
   "stippling:Stippl|QuantizedPosition"
   "tone:Tone|Hatching|DotCoverage|HlsColor|SmallElements|WarmCool"
   "lines:SplattingLines"

@@ -24,19 +24,12 @@ IsoSurfaceResampling makeIsoSurfaceResampling(
   {
     return resampling;
   }
-  glm::dvec3 spacing;
+  resampling.deviation = smoothingDeviation(geometry, std::max(smoothing, 0.0));
+  const glm::dvec3 ratios = spacingRatios(geometry);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const glm::dvec3& step = geometry.stepToWorld()[axis];
-    spacing[axis] = std::hypot(step.x, step.y, step.z);
-  }
-  const double smallest = std::min({ spacing.x, spacing.y, spacing.z });
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double ratio = spacing[axis] / smallest;
-    resampling.deviation[axis] = std::max(smoothing, 0.0) / ratio;
     resampling.subdivision[axis] = static_cast<int>(
-      std::clamp(std::round(ratio * std::max(subdivision, 1)), 1.0, 1.0 * largestSubdivision));
+      std::clamp(std::round(ratios[axis] * std::max(subdivision, 1)), 1.0, 1.0 * largestSubdivision));
   }
   return resampling;
 }

@@ -28,6 +28,9 @@ constexpr double leastShare = 0.1;
 /// Samples looked at, about: enough for an error of a percent.
 constexpr double mostSamples = 400000.0;
 
+/// The share of places that may be thinner than the thickness: lines that touch a ball hardly cross it, too.
+constexpr double thinShare = 0.1;
+
 /// On each side of an intersected edge, so many samples show the whole step.
 constexpr int stepReach = 2;
 
@@ -54,6 +57,23 @@ double angleOf(double deviation)
   const double pi = std::acos(-1.0);
   const double noise = std::sqrt(1.0 / (16.0 * std::pow(pi, 1.5) * std::pow(deviation, 5.0)));
   return noise * std::sqrt(2.0 * pi * (pointSpread * pointSpread + deviation * deviation));
+}
+
+/// The least with which noise, as a share of the step, turns normals no further than largestAngle.
+double deviationFor(double ratio)
+{
+  if (ratio * angleOf(leastSmoothing) <= largestAngle)
+  {
+    return 0.0;
+  }
+  double low = leastSmoothing;
+  double high = mostSmoothing;
+  for (int n = 0; n < 40; ++n)
+  {
+    const double middle = 0.5 * (low + high);
+    (ratio * angleOf(middle) > largestAngle ? low : high) = middle;
+  }
+  return high;
 }
 
 /// Changes the order of numbers. 0 for none.
@@ -122,6 +142,10 @@ public:
     result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
     result.quantum = quantileOf(this->Changes, 0.01);
     result.step = std::max(quantileOf(this->Steps, 0.5) - noiseRange * result.noise, 0.0);
+    if (!this->Runs.empty())
+    {
+      result.thickness = quantileOf(this->Runs, thinShare);
+    }
     return result;
   }
 
@@ -204,6 +228,25 @@ private:
     {
       this->Steps.push_back(greatest - least);
     }
+    const bool above = isAbove(at);
+    for (const int way : { -1, 1 })
+    {
+      glm::ivec3 sample = way < 0 ? at : next;
+      double run = 0.0;
+      for (; run < NoiseEstimate::thickEnough; run += 1.0, sample[axis] += way)
+      {
+        if (sample[axis] < 0 || sample[axis] >= this->Size[axis] || !this->Field.has(sample))
+        {
+          // Nobody knows how far it goes on.
+          run = NoiseEstimate::thickEnough;
+        }
+        else if (isAbove(sample) != (way < 0 ? above : !above))
+        {
+          break;
+        }
+      }
+      this->Runs.push_back(std::min(run, NoiseEstimate::thickEnough));
+    }
   }
 
   const GridField<T>& Field;
@@ -214,6 +257,7 @@ private:
   std::array<std::vector<double>, 2> Differences; ///< below and above the iso-value
   std::vector<double> Changes;
   std::vector<double> Steps;
+  std::vector<double> Runs; ///< samples on one side of the surface, along an axis
 };
 
 } // namespace
@@ -232,18 +276,8 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     // Noise hides the steps of gray levels; without it their edges are long, and smoothing has to reach
     // further.
     const double terraces = terraceWeight * std::max(estimate.quantum - estimate.noise, 0.0);
-    const double ratio = (estimate.noise + terraces) / estimate.step;
-    if (ratio * angleOf(leastSmoothing) > largestAngle)
-    {
-      double low = leastSmoothing;
-      double high = mostSmoothing;
-      for (int n = 0; n < 40; ++n)
-      {
-        const double middle = 0.5 * (low + high);
-        (ratio * angleOf(middle) > largestAngle ? low : high) = middle;
-      }
-      deviation = high;
-    }
+    deviation = std::max(deviationFor(estimate.noise / estimate.step),
+      std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
   }
   const glm::dvec3 size = glm::abs(spacing);
   const double anisotropy = std::max({ size.x, size.y, size.z }) / std::min({ size.x, size.y, size.z });

@@ -8,6 +8,7 @@
 #include "InkVTKCompat.h"
 #include "PointSampling/DiscSamples.h"
 #include "PointSampling/ProgressiveBlueNoise.h"
+#include "PointSampling/SampleGroups.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -23,10 +24,10 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -96,18 +97,53 @@ struct Discs
   ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii }; }
 };
 
+/// Stipples of a list, on average: enough that most of those drawn are whole ones, and few enough that a list's
+/// normal is that of each.
+constexpr double PerList = 8.0;
+
+/// The lists that samples make, and what they are made of.
+struct Lists
+{
+  std::vector<glm::vec3> Positions; ///< of all samples
+  ink::SampleGroups Groups;
+  std::vector<glm::vec3> Normals; ///< of lists
+
+  Lists(const std::vector<ink::DiscSample>& samples, const Discs& discs, double areaPerSample)
+    : Positions(samples.size())
+  {
+    std::vector<glm::vec3> normals(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      this->Positions[i] = samples[i].position;
+      normals[i] = glm::normalize(discs.Normals[samples[i].disc]);
+    }
+    this->Groups = ink::groupSamples(this->Positions, normals, ink::groupEdge(areaPerSample, PerList));
+    for (std::size_t list = 0; list < this->Count(); ++list)
+    {
+      glm::vec3 sum(0.0f);
+      for (std::size_t i = this->Groups.begins[list]; i < this->Groups.begins[list + 1]; ++i)
+      {
+        sum += normals[this->Groups.samples[i]];
+      }
+      // They point in about the same direction.
+      this->Normals.push_back(glm::normalize(sum));
+    }
+  }
+
+  std::size_t Count() const { return this->Groups.begins.size() - 1; }
+};
+
 template <class Array>
-vtkSmartPointer<vtkPoints> MakePoints(
-  const std::vector<ink::DiscSample>& samples, const glm::dvec3& middle, vtkNew<Array>& array)
+vtkSmartPointer<vtkPoints> MakePoints(const Lists& lists, const glm::dvec3& middle, vtkNew<Array>& array)
 {
   using Real = typename Array::ValueType;
   array->SetNumberOfComponents(3);
-  InkSetNumberOfTuples(array, static_cast<vtkIdType>(samples.size()));
+  InkSetNumberOfTuples(array, static_cast<vtkIdType>(lists.Positions.size()));
   Real* values = array->GetPointer(0);
-  InkForEach(samples.size(),
+  InkForEach(lists.Positions.size(),
     [&](std::size_t i)
     {
-      const glm::dvec3 p = middle + glm::dvec3(samples[i].position);
+      const glm::dvec3 p = middle + glm::dvec3(lists.Positions[lists.Groups.samples[i]]);
       for (int axis = 0; axis < 3; ++axis)
       {
         values[3 * i + static_cast<std::size_t>(axis)] = static_cast<Real>(p[axis]);
@@ -118,13 +154,16 @@ vtkSmartPointer<vtkPoints> MakePoints(
   return points;
 }
 
-vtkSmartPointer<vtkDataArray> ColorsOf(const std::vector<ink::DiscSample>& samples, vtkDataArray* colors)
+/// Of the disc of each list's first stipple.
+vtkSmartPointer<vtkDataArray> ColorsOf(
+  const Lists& lists, const std::vector<ink::DiscSample>& samples, vtkDataArray* colors)
 {
   vtkNew<vtkIdList> discs;
-  discs->SetNumberOfIds(static_cast<vtkIdType>(samples.size()));
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  discs->SetNumberOfIds(static_cast<vtkIdType>(lists.Count()));
+  for (std::size_t list = 0; list < lists.Count(); ++list)
   {
-    discs->SetId(static_cast<vtkIdType>(i), samples[i].disc);
+    const std::uint32_t first = lists.Groups.samples[lists.Groups.begins[list]];
+    discs->SetId(static_cast<vtkIdType>(list), samples[first].disc);
   }
   vtkSmartPointer<vtkDataArray> result =
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
@@ -179,36 +218,33 @@ void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& reque
   {
     return;
   }
+  const double area = ink::areaPerSample(spacing, ink::defaultCandidates);
+  const Lists lists(samples, discs, area);
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkDoubleArray> doubles;
   output->SetPoints(
-    request.Doubles ? MakePoints(samples, discs.Middle, doubles) : MakePoints(samples, discs.Middle, floats));
-  std::vector<vtkIdType> begins(samples.size() + 1);
-  std::iota(begins.begin(), begins.end(), vtkIdType(0));
-  output->SetVerts(InkMakePolyVertices(begins));
-  output->GetPointData()->AddArray(InkMakePriority(static_cast<vtkIdType>(samples.size())));
+    request.Doubles ? MakePoints(lists, discs.Middle, doubles) : MakePoints(lists, discs.Middle, floats));
+  output->SetVerts(
+    InkMakePolyVertices(std::vector<vtkIdType>(lists.Groups.begins.begin(), lists.Groups.begins.end())));
+  const std::vector<vtkIdType> order(lists.Groups.samples.begin(), lists.Groups.samples.end());
+  output->GetPointData()->AddArray(
+    InkReorder(InkMakePriority(static_cast<vtkIdType>(samples.size())), order));
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
-  InkSetNumberOfTuples(normals, static_cast<vtkIdType>(samples.size()));
-  float* values = normals->GetPointer(0);
-  InkForEach(samples.size(),
-    [&](std::size_t i)
-    {
-      const glm::vec3& normal = discs.Normals[samples[i].disc];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        values[3 * i + static_cast<std::size_t>(axis)] = normal[axis];
-      }
-    });
+  InkSetNumberOfTuples(normals, static_cast<vtkIdType>(lists.Count()));
+  for (std::size_t list = 0; list < lists.Count(); ++list)
+  {
+    normals->SetTuple(static_cast<vtkIdType>(list), &lists.Normals[list].x);
+  }
   output->GetCellData()->SetNormals(normals);
   if (request.Colors)
   {
-    InkAddColors(output, ColorsOf(samples, request.Colors));
+    InkAddColors(output, ColorsOf(lists, samples, request.Colors));
   }
   const double kind = 1.0;
-  const double perElement = 1.0;
-  const double size = std::sqrt(ink::areaPerSample(spacing, ink::defaultCandidates));
+  const double perElement = static_cast<double>(samples.size()) / static_cast<double>(lists.Count());
+  const double size = std::sqrt(area * perElement);
   InkAddField(output, "ElementKind", { &kind, 1 });
   InkAddField(output, "ElementSize", { &size, 1 });
   InkAddField(output, "StipplesPerElement", { &perElement, 1 });

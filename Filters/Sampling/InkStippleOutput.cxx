@@ -3,11 +3,13 @@
 
 #include "Core/ParallelFor.h"
 #include "InkAllocate.h"
+#include "InkVTKCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
@@ -70,6 +72,20 @@ vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> beg
   return begins.back() <= std::numeric_limits<vtkTypeInt32>::max()
     ? MakePolyVertices<vtkTypeInt32Array>(begins)
     : MakePolyVertices<vtkTypeInt64Array>(begins);
+}
+
+vtkSmartPointer<vtkDataArray> InkReorder(vtkDataArray* array, const std::vector<vtkIdType>& order)
+{
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(static_cast<vtkIdType>(order.size()));
+  std::copy(order.begin(), order.end(), ids->GetPointer(0));
+  vtkSmartPointer<vtkDataArray> result =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
+  result->SetName(array->GetName());
+  result->SetNumberOfComponents(array->GetNumberOfComponents());
+  InkSetNumberOfTuples(result, ids->GetNumberOfIds());
+  array->GetTuples(ids, result);
+  return result;
 }
 
 void InkAddField(vtkPolyData* output, const char* name, std::span<const double> values)

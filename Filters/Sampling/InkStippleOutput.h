@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 class vtkCellArray;
 class vtkDataArray;
@@ -23,6 +24,9 @@ void InkForEach(std::size_t count, const std::function<void(std::size_t)>& body)
 
 /// One VTK_POLY_VERTEX cell for each element: cell e holds the points begins[e] to begins[e + 1], in order.
 vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins);
+
+/// An array's tuples in another order: tuple n becomes that of order[n].
+vtkSmartPointer<vtkDataArray> InkReorder(vtkDataArray* array, const std::vector<vtkIdType>& order);
 
 /// Adds a field array of numbers.
 void InkAddField(vtkPolyData* output, const char* name, std::span<const double> values);

@@ -122,20 +122,6 @@ struct Lists
   }
 };
 
-vtkSmartPointer<vtkDataArray> Reorder(vtkDataArray* array, const std::vector<vtkIdType>& order)
-{
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(static_cast<vtkIdType>(order.size()));
-  std::copy(order.begin(), order.end(), ids->GetPointer(0));
-  vtkSmartPointer<vtkDataArray> result =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  InkSetNumberOfTuples(result, ids->GetNumberOfIds());
-  array->GetTuples(ids, result);
-  return result;
-}
-
 /// A polygon's tuple, or the mean over the points of its first triangle.
 vtkSmartPointer<vtkDataArray> ColorsOf(const InkMeshTriangles& triangles, const Polygons& polygons,
   const Lists& lists, vtkDataArray* colors, bool ofCells)
@@ -193,10 +179,10 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
 
   const vtkSmartPointer<vtkPoints> points = samples.MakePoints(request.Doubles ? VTK_DOUBLE : VTK_FLOAT);
   vtkNew<vtkPoints> ordered;
-  ordered->SetData(Reorder(points->GetData(), lists.Samples));
+  ordered->SetData(InkReorder(points->GetData(), lists.Samples));
   output->SetPoints(ordered);
   output->SetVerts(InkMakePolyVertices(lists.Begins));
-  output->GetPointData()->AddArray(Reorder(InkMakePriority(static_cast<vtkIdType>(count)), lists.Samples));
+  output->GetPointData()->AddArray(InkReorder(InkMakePriority(static_cast<vtkIdType>(count)), lists.Samples));
 
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");

@@ -7,7 +7,8 @@
 #include "InkImageGrid.h"
 #include "InkStippleOutput.h"
 #include "InkWithGridField.h"
-#include "Stippling/StippledVoxels.h"
+#include "Fields/Resampling/AxisResampling.h"
+#include "Stippling/SmoothedVoxels.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -57,6 +58,7 @@ struct Elements
 template <class T>
 bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest& request, Elements& elements)
 {
+  const glm::dvec3 deviation = ink::smoothingDeviation(field.geometry(), request.Smoothing);
   ink::stipple::VolumeStatistics statistics;
   if (request.Statistics)
   {
@@ -65,7 +67,7 @@ bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest&
   else if (request.ByPercentile || !request.GivenRanges)
   {
     const ink::SampleBox whole{ glm::ivec3(0), field.geometry().dimensions() };
-    if (!ink::stipple::measureVolume(field, { whole.end, whole }, request.Gradient, statistics,
+    if (!ink::stipple::measureVolume(field, deviation, { whole.end, whole }, request.Gradient, statistics,
           InkPartOfProgress(request.Progress, 0.0, 0.15)))
     {
       return false;
@@ -98,8 +100,8 @@ bool FindElements(const ink::GridField<T>& field, const InkVolumeStippleRequest&
   ink::SampleBox box;
   box.begin = glm::max(request.Own.begin - ink::stipple::stippleReach, glm::ivec3(0));
   box.end = glm::min(request.Own.end + ink::stipple::stippleReach, field.geometry().dimensions());
-  return ink::stipple::findStippledVoxels(
-    field, box, request.Gradient, criteria, elements.Voxels, InkPartOfProgress(request.Progress, 0.15, 0.35));
+  return ink::stipple::findStippledVoxels(field, deviation, box, request.Gradient, criteria, elements.Voxels,
+    InkPartOfProgress(request.Progress, 0.15, 0.35));
 }
 
 /// Calls `use` with the image's scalars as a field.
@@ -233,8 +235,9 @@ bool InkMeasureVolume(
 {
   const auto measure = [&](const auto& field)
   {
-    return ink::stipple::measureVolume(
-      field, FindOwnSamples(image, request), request.Gradient, statistics, request.Progress);
+    return ink::stipple::measureVolume(field,
+      ink::smoothingDeviation(field.geometry(), request.Smoothing), FindOwnSamples(image, request),
+      request.Gradient, statistics, request.Progress);
   };
   return WithField(image, request, measure);
 }

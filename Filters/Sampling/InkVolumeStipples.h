@@ -15,6 +15,7 @@ struct InkVolumeStippleRequest
 {
   vtkDataArray* Scalars = nullptr; ///< one tuple per point
   int Component = 0;
+  double Smoothing = 0.0; ///< a Gaussian's deviation in the smallest spacing
   ink::GradientOptions Gradient;
   bool ByPercentile = true;
   double Percentile = 0.0;

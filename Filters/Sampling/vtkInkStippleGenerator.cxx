@@ -10,6 +10,7 @@
 #include "InkVTKCompat.h"
 #include "InkVolumeStipples.h"
 
+#include "Stippling/SmoothedVoxels.h"
 #include "Tone/Stipple/ProjectedSize.h"
 
 #include "vtkCellData.h"
@@ -130,7 +131,8 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   else
   {
     const int levels = outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
-    info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels + GhostLevels);
+    info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 
+      levels + GhostLevels + ink::stipple::smoothingReach(this->Smoothing));
   }
   return 1;
 }
@@ -202,6 +204,7 @@ void vtkInkStippleGenerator::StippleVolume(
   InkVolumeStippleRequest request;
   request.Scalars = scalars;
   request.Component = this->ArrayComponent;
+  request.Smoothing = this->Smoothing;
   request.Gradient.method = this->GradientMethod == CENTRAL_DIFFERENCE
     ? ink::GradientMethod::CentralDifference
     : ink::GradientMethod::Regression;

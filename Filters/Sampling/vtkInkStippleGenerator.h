@@ -132,6 +132,17 @@ public:
   vtkGetMacro(NumberOfSurfaceStipples, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Volumes: the standard deviation of the Gaussian that values are smoothed with before anything else is
+   * made of them, in multiples of the smallest spacing, the same in all world directions; 0 to 8. Default: 0,
+   * values as they are. Removes stipples that are noise's, and with them boundaries thinner than the
+   * Gaussian. Some slices are smoothed at a time, never a copy of the image. NaN is refused with a warning.
+   */
+  InkSetClampMacro(Smoothing, 0.0, 8.0);
+  vtkGetMacro(Smoothing, double);
+  ///@}
+
   /// What gradient magnitudes are compared with, see SetThresholdMode.
   enum ThresholdModeType
   {
@@ -356,6 +367,7 @@ private:
   double PictureSize = 600.0;
   int MaximumStipples = 8;
   vtkIdType NumberOfSurfaceStipples = 0;
+  double Smoothing = 0.0;
   int ThresholdMode = PERCENTILE;
   double GradientPercentile = 95.0;
   double GradientThreshold = 0.0;

@@ -36,6 +36,7 @@ void vtkInkStippleGenerator::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PictureSize: " << this->PictureSize << "\n"
      << indent << "MaximumStipples: " << this->MaximumStipples << "\n"
      << indent << "NumberOfSurfaceStipples: " << this->NumberOfSurfaceStipples << "\n"
+     << indent << "Smoothing: " << this->Smoothing << "\n"
      << indent << "ThresholdMode: " << this->GetThresholdModeAsString() << "\n"
      << indent << "GradientPercentile: " << this->GradientPercentile << "\n"
      << indent << "GradientThreshold: " << this->GradientThreshold << "\n"

@@ -11,6 +11,7 @@
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "IsoSurface/ProjectSamples.h"
 #include "IsoSurface/Vdb/VdbSamples.h"
+#include "IsoSurface/Vdb/VdbTiles.h"
 
 #include "vtkCellArray.h"
 #include "vtkContourValues.h"
@@ -109,17 +110,41 @@ bool PlaceSamples(const ink::VdbGrid& grid, const Surfaces& surfaces, const ink:
   return true;
 }
 
-vtkSmartPointer<vtkIntArray> IndexOf(const Surfaces& surfaces)
+/// @param counts the points of each surface
+vtkSmartPointer<vtkIntArray> IndexOf(const std::vector<std::size_t>& counts)
 {
   vtkNew<vtkIntArray> index;
   index->SetName("SurfaceIndex");
-  InkSetNumberOfTuples(index, static_cast<vtkIdType>(surfaces.Count));
+  InkSetNumberOfTuples(
+    index, static_cast<vtkIdType>(std::accumulate(counts.begin(), counts.end(), std::size_t(0))));
   int* next = index->GetPointer(0);
-  for (std::size_t i = 0; i < surfaces.Cells.size(); ++i)
+  for (std::size_t i = 0; i < counts.size(); ++i)
   {
-    next = std::fill_n(next, surfaces.Cells[i].count, static_cast<int>(i));
+    next = std::fill_n(next, counts[i], static_cast<int>(i));
   }
   return index;
+}
+
+/// @return false when stopped
+template <class Array>
+bool SampleTiles(const ink::VdbGrid& grid, const std::vector<double>& isoValues,
+  const ink::VdbTileOptions& options, Array* points, vtkFloatArray* normals, std::vector<std::size_t>& counts,
+  const ink::Progress& progress)
+{
+  ink::VdbTileSamples<typename Array::ValueType> samples;
+  if (!ink::sampleVdbTiles(grid, isoValues, options, samples, progress))
+  {
+    return false;
+  }
+  InkSetNumberOfTuples(points, static_cast<vtkIdType>(samples.points.size() / 3));
+  std::copy(samples.points.begin(), samples.points.end(), points->GetPointer(0));
+  if (normals)
+  {
+    InkSetNumberOfTuples(normals, points->GetNumberOfTuples());
+    std::copy(samples.normals.begin(), samples.normals.end(), normals->GetPointer(0));
+  }
+  counts = samples.counts;
+  return true;
 }
 
 } // namespace
@@ -187,6 +212,22 @@ const char* vtkInkVDBIsoSurfaceSampler::GetOutputPointsPrecisionAsString()
 const char* vtkInkVDBIsoSurfaceSampler::GetArithmeticPrecisionAsString()
 {
   return InkNameOfPrecision(this->ArithmeticPrecision);
+}
+
+const char* vtkInkVDBIsoSurfaceSampler::GetSmoothingTargetAsString()
+{
+  return this->SmoothingTarget == NORMALS ? "Normals" : "Surface";
+}
+
+const char* vtkInkVDBIsoSurfaceSampler::GetCutAsString()
+{
+  return this->Cut == CAP ? "Cap" : this->Cut == RIM ? "Rim" : "Open";
+}
+
+bool vtkInkVDBIsoSurfaceSampler::SamplesTiles() const
+{
+  return this->Smoothing > 0.0 || this->Subdivision > 1 || this->Cut != OPEN || this->SmallestPart != 0.0 ||
+    this->LargestParts > 0;
 }
 
 vtkMTimeType vtkInkVDBIsoSurfaceSampler::GetMTime()
@@ -269,8 +310,9 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     const int piece = std::clamp(info->Get(SDDP::UPDATE_PIECE_NUMBER()), 0, pieces - 1);
     const std::uint64_t most = static_cast<std::uint64_t>(this->MaximumMemory) << 20;
     const std::uint64_t allowed = most == 0 ? ink::VdbGrid::noLimit : most - std::min(most, grid.memory());
-    for (const double isoValue : surfaces.IsoValues)
+    for (std::size_t n = 0; n < surfaces.IsoValues.size() && !this->SamplesTiles(); ++n)
     {
+      const double isoValue = surfaces.IsoValues[n];
       surfaces.Cells.push_back(ShareOf(
         ink::findActiveCells(grid, isoValue, options.rule, negate, nextStep(), allowed), piece, pieces));
       if (InkCheckAbort(this))
@@ -289,7 +331,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
 
     const ink::GridGeometry geometry = grid.geometry(grid.activeBox());
     const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
-      (this->OutputPointsPrecision == DEFAULT_PRECISION && surfaces.Count > 0 &&
+      (this->OutputPointsPrecision == DEFAULT_PRECISION && (surfaces.Count > 0 || this->SamplesTiles()) &&
         InkNeedsDoublePrecision(geometry));
     options.arithmetic = doubles || this->ArithmeticPrecision == DOUBLE_PRECISION ? ink::Arithmetic::Double
                                                                                   : ink::Arithmetic::Single;
@@ -299,6 +341,46 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     normals->SetNumberOfComponents(3);
     InkSetNumberOfTuples(normals, this->ComputeNormals ? static_cast<vtkIdType>(surfaces.Count) : 0);
     vtkFloatArray* wanted = this->ComputeNormals ? normals.Get() : nullptr;
+    std::vector<std::size_t> counts;
+    if (this->SamplesTiles())
+    {
+      ink::VdbTileOptions tiles;
+      tiles.samples = options;
+      tiles.negate = negate;
+      tiles.smoothing = this->Smoothing;
+      tiles.subdivision = this->Subdivision;
+      tiles.target = static_cast<ink::SmoothingTarget>(this->SmoothingTarget);
+      tiles.projectionSteps = this->ProjectionSteps;
+      tiles.cut = static_cast<ink::CutSurface>(this->Cut);
+      tiles.parts = { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };
+      tiles.normals = this->ComputeNormals;
+      tiles.piece = piece;
+      tiles.pieces = pieces;
+      tiles.memory = allowed;
+      const auto progress = [this](double done)
+      {
+        this->UpdateProgress(done);
+        return !InkCheckAbort(this);
+      };
+      const auto sample = [&](auto* array)
+      { return SampleTiles(grid, surfaces.IsoValues, tiles, array, wanted, counts, progress); };
+      if (!(doubles ? sample(vtkDoubleArray::SafeDownCast(points->GetData()))
+                    : sample(vtkFloatArray::SafeDownCast(points->GetData()))))
+      {
+        return 1;
+      }
+      const ink::IsoSurfaceResampling resampling =
+        ink::makeIsoSurfaceResampling(geometry, this->Smoothing, this->Subdivision, tiles.target);
+      const bool indexed = this->ComputeSurfaceIndex && surfaces.IsoValues.size() > 1;
+      const vtkSmartPointer<vtkIntArray> index = indexed ? IndexOf(counts) : nullptr;
+      this->FillOutput(points, wanted, index,
+        ink::isoSurfaceSampleRadius(ink::resampledGeometry(geometry, resampling.subdivision)), output);
+      return 1;
+    }
+    for (const ink::VdbActiveCells& cells : surfaces.Cells)
+    {
+      counts.push_back(cells.count);
+    }
     const bool whole = doubles ? PlaceSamples(grid, surfaces, options, negate, this->ProjectionSteps,
                                    vtkDoubleArray::SafeDownCast(points->GetData()), wanted, nextStep)
                                : PlaceSamples(grid, surfaces, options, negate, this->ProjectionSteps,
@@ -310,7 +392,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
     vtkSmartPointer<vtkIntArray> surfaceIndex;
     if (this->ComputeSurfaceIndex && surfaces.IsoValues.size() > 1)
     {
-      surfaceIndex = IndexOf(surfaces);
+      surfaceIndex = IndexOf(counts);
     }
     this->FillOutput(points, wanted, surfaceIndex, ink::isoSurfaceSampleRadius(geometry), output);
   }
@@ -381,6 +463,12 @@ void vtkInkVDBIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
      << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
      << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"
+     << indent << "Smoothing: " << this->Smoothing << "\n"
+     << indent << "SmoothingTarget: " << this->GetSmoothingTargetAsString() << "\n"
+     << indent << "Subdivision: " << this->Subdivision << "\n"
+     << indent << "Cut: " << this->GetCutAsString() << "\n"
+     << indent << "SmallestPart: " << this->SmallestPart << "\n"
+     << indent << "LargestParts: " << this->LargestParts << "\n"
      << indent << "ArithmeticPrecision: " << this->GetArithmeticPrecisionAsString() << "\n"
      << indent << "MaximumMemory: " << this->MaximumMemory << "\n"
      << indent << "ContourValues:\n";

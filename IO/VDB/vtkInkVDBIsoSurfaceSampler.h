@@ -12,6 +12,10 @@
  * cell; within a block by cell in the same order. They are the same for any number of threads. Each piece has
  * a share of the blocks; all pieces together have exactly the points of the whole.
  *
+ * With Smoothing, Subdivision, a Cut or parts left out, tiles of 32 x 32 x 32 voxels take the place of blocks: each is
+ * copied with what its values depend on. Points and normals then are those of vtkInkIsoSurfaceSampler on an image with
+ * as large a Padding as the Gaussian reaches.
+ *
  * Readable grids, their names, the sign of level sets and errors are as in vtkInkVDBReader; point arrays and
  * iso-values as in vtkInkIsoSurfaceSampler. The grid is cached for the next iso-value.
  *
@@ -20,6 +24,7 @@
 #ifndef vtkInkVDBIsoSurfaceSampler_h
 #define vtkInkVDBIsoSurfaceSampler_h
 
+#include "InkSetters.h"
 #include "vtkInkIOVDBModule.h" // for the export macro
 #include "vtkNew.h"            // for the contour values
 #include "vtkPolyDataAlgorithm.h"
@@ -108,6 +113,82 @@ public:
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);
   vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The standard deviation of the Gaussian that values are smoothed with before the surface is sampled, as in
+   * vtkInkIsoSurfaceSampler: in multiples of the smallest spacing, 0 to 8. Default: 0, values as they are. A tile
+   * of the grid is smoothed at a time. NaN is refused with a warning.
+   */
+  InkSetClampMacro(Smoothing, 0.0, 8.0);
+  vtkGetMacro(Smoothing, double);
+  ///@}
+
+  /// What is smoothed, see SetSmoothingTarget.
+  enum SmoothingTargetType
+  {
+    SURFACE = 0,
+    NORMALS = 1
+  };
+
+  ///@{
+  /**
+   * What is made of the smoothed values, as in vtkInkIsoSurfaceSampler: SURFACE (default) or NORMALS.
+   */
+  vtkSetClampMacro(SmoothingTarget, int, SURFACE, NORMALS);
+  vtkGetMacro(SmoothingTarget, int);
+  void SetSmoothingTargetToSurface() { this->SetSmoothingTarget(SURFACE); }
+  void SetSmoothingTargetToNormals() { this->SetSmoothingTarget(NORMALS); }
+  const char* GetSmoothingTargetAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How many cells take the place of one along the axis of the smallest spacing, as in vtkInkIsoSurfaceSampler, 1
+   * to 8. Default: 1.
+   */
+  vtkSetClampMacro(Subdivision, int, 1, 8);
+  vtkGetMacro(Subdivision, int);
+  ///@}
+
+  /// What is added where a surface leaves the grid, see SetCut.
+  enum CutType
+  {
+    OPEN = 0,
+    RIM = 1,
+    CAP = 2
+  };
+
+  ///@{
+  /**
+   * What is added where a surface leaves the volume that the grid was made of, as in vtkInkIsoSurfaceSampler: OPEN
+   * (default), RIM or CAP. Grids that vtkInk did not write end nowhere.
+   */
+  vtkSetClampMacro(Cut, int, OPEN, CAP);
+  vtkGetMacro(Cut, int);
+  void SetCutToOpen() { this->SetCut(OPEN); }
+  void SetCutToRim() { this->SetCut(RIM); }
+  void SetCutToCap() { this->SetCut(CAP); }
+  const char* GetCutAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Leave out parts of a surface that have less than this share of its largest part's points, as in
+   * vtkInkIsoSurfaceSampler: 0 (default): none; negative: automatic. Parts are those of the whole grid, whichever
+   * piece of it is asked for.
+   */
+  InkSetClampMacro(SmallestPart, -1.0, 1.0);
+  vtkGetMacro(SmallestPart, double);
+  ///@}
+
+  ///@{
+  /**
+   * Keep only that many of the largest parts of each surface. 0 (default): all.
+   */
+  vtkSetClampMacro(LargestParts, int, 0, 1000000);
+  vtkGetMacro(LargestParts, int);
   ///@}
 
   /// How normals are estimated, see SetNormalMethod.
@@ -219,6 +300,8 @@ private:
   vtkInkVDBIsoSurfaceSampler(const vtkInkVDBIsoSurfaceSampler&) = delete;
   void operator=(const vtkInkVDBIsoSurfaceSampler&) = delete;
 
+  /// Whether surfaces are smoothed, divided, cut or of some parts only.
+  bool SamplesTiles() const;
   /// `normals` and `surfaceIndex` may be null.
   void FillOutput(
     vtkPoints* points, vtkFloatArray* normals, vtkIntArray* surfaceIndex, double radius, vtkPolyData* output);
@@ -235,6 +318,12 @@ private:
   bool GenerateVertices = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   int ProjectionSteps = 0;
+  double Smoothing = 0.0;
+  int SmoothingTarget = SURFACE;
+  int Subdivision = 1;
+  int Cut = OPEN;
+  double SmallestPart = 0.0;
+  int LargestParts = 0;
   int ArithmeticPrecision = SINGLE_PRECISION;
   int MaximumMemory = 4096;
   /// Whether reading the list of grids failed, which has been reported.

@@ -277,6 +277,18 @@ std::string InkIsoSurface::Prepare(
   return {};
 }
 
+double InkIsoSurface::ChooseSmoothing(
+  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array) const
+{
+  if (this->Smoothing >= 0.0)
+  {
+    return this->Smoothing;
+  }
+  const InkWholeImages whole = style->GetProcesses().GatherImages(images, array);
+  const std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole, array);
+  return suggestions.empty() ? 0.0 : this->FindSmoothing(style, whole, array, { suggestions.front().value });
+}
+
 std::string InkIsoSurface::Sample(
   vtkInkStyle* style, const vtkInkStyle::Input& input, vtkImageData* image, vtkPolyData* points)
 {

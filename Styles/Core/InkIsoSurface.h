@@ -81,6 +81,14 @@ public:
   std::string Prepare(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array);
 
   /**
+   * The smoothing of images that are drawn without a surface: what is given, or what the value asks for that
+   * suits best; all processes call it at once.
+   * @param array the point array to smooth; empty: the active scalars
+   */
+  double ChooseSmoothing(
+    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array) const;
+
+  /**
    * The points of an image's surfaces, with Normals and Radius; after Prepare.
    * @param style that follows the sampler
    * @param image to sample; of one that is input.Data, and comes from a port, the piece that is asked for

@@ -49,6 +49,7 @@ public:
     , Count(generator->GetNumberOfSurfaceStipples())
     , ListLength(generator->GetMaximumStipples())
     , Mode(generator->GetMaximumStipplesMode())
+    , Smoothing(generator->GetSmoothing())
   {
   }
   ~ChangedGenerator()
@@ -59,6 +60,7 @@ public:
     this->Generator->SetNumberOfSurfaceStipples(this->Count);
     this->Generator->SetMaximumStipples(this->ListLength);
     this->Generator->SetMaximumStipplesMode(this->Mode);
+    this->Generator->SetSmoothing(this->Smoothing);
   }
   ChangedGenerator(const ChangedGenerator&) = delete;
   void operator=(const ChangedGenerator&) = delete;
@@ -68,6 +70,7 @@ private:
   const vtkIdType Count;
   const int ListLength;
   const int Mode;
+  const double Smoothing;
 };
 
 /// Of images of all processes, as many stipples a voxel as it measures pixels in a picture of them all.
@@ -272,6 +275,7 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
       style->AddNote("there are no silhouettes: " + problem);
     }
   }
+  generator->SetSmoothing(style->IsoSurface->ChooseSmoothing(style, leaves.Images, style->Scalars));
   const char* scalars = style->Scalars.c_str();
   if (style->Scalars.empty())
   {

@@ -254,6 +254,19 @@ def ellipsoid(center, radii, step, rows=90, columns=180):
     return _outward(SIDE * (np.array(center) + directions * np.array(radii)), triangles, step, normals)
 
 
+def iso_surface(values, grid, iso_value, step=1.0):
+    """The mesh that marching cubes make of values, with the normals of their gradients."""
+    contour = vtk.vtkFlyingEdges3D()
+    contour.SetInputData(image(Phantom(values, grid, ())))
+    contour.SetValue(0, iso_value)
+    contour.ComputeScalarsOff()
+    contour.Update()
+    found = _of_poly_data(contour.GetOutput(), step)
+    a, b, c = (found.points[found.triangles[:, i]] for i in range(3))
+    facing = np.einsum("ij,ij->", np.cross(b - a, c - a), found.normals[found.triangles[:, 0]])
+    return found._replace(normals=found.normals * np.sign(facing))
+
+
 class _Distances:
     """Signed distances on a fine grid, from which a mesh is made: negative inside, in shares of SIDE."""
 
@@ -272,17 +285,8 @@ class _Distances:
             np.minimum(part, distance(x, y, self.axis[z]), out=part)
 
     def surface(self, step):
-        data = image(Phantom(self.values, Grid(self.values.shape, (SIDE * float(self.axis[1] - self.axis[0]),) * 3,
-                                               (SIDE * float(self.axis[0]),) * 3), ()))  # fmt: skip
-        contour = vtk.vtkFlyingEdges3D()
-        contour.SetInputData(data)
-        contour.SetValue(0, 0.0)
-        contour.ComputeScalarsOff()
-        contour.Update()
-        found = _of_poly_data(contour.GetOutput(), step)
-        a, b, c = (found.points[found.triangles[:, i]] for i in range(3))
-        facing = np.einsum("ij,ij->", np.cross(b - a, c - a), found.normals[found.triangles[:, 0]])
-        return found._replace(normals=found.normals * np.sign(facing))
+        spacing, origin = SIDE * float(self.axis[1] - self.axis[0]), SIDE * float(self.axis[0])
+        return iso_surface(self.values, Grid(self.values.shape, (spacing,) * 3, (origin,) * 3), 0.0, step)
 
 
 # ----------------------------------------------------------------------------------------------------- known surfaces

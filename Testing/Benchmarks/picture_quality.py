@@ -71,6 +71,8 @@ class Result(NamedTuple):
     reference_evenness: float | str = ""
     outside: float | str = ""
     bare: float | str = ""
+    f_ceiling: float | str = ""  #: of the mesh of the volume's values before noise and rounding
+    bare_ceiling: float | str = ""
 
 
 QUICK = (
@@ -189,8 +191,20 @@ def _iso_error(notes, boundary):
     return (float(named[1]) - (outside + inside) / 2) / (inside - outside) if named else ""
 
 
-def measure(case, style, phantom, references, pictures=None):
-    """:param pictures: a folder, for a PNG file of both pictures"""
+def find_ceiling(style, mesh, references):
+    """What the grid lets a picture reach: F and bare of the mesh of the values before noise and rounding."""
+    picture, _ = draw(mesh, style, references.camera)
+    if style == "splatting-lines":
+        return {"f_ceiling": picture_metrics.compare_lines(picture, references.pictures[style]).f}
+    found = picture_metrics.compare_stipples(picture, references.pictures[style], references.silhouette)
+    return {"bare_ceiling": found.bare}
+
+
+def measure(case, style, phantom, references, ceiling, pictures=None):
+    """
+    :param ceiling: of find_ceiling
+    :param pictures: a folder, for a PNG file of both pictures
+    """
     reference = references.pictures[style]
     try:
         picture, notes = draw(phantoms.image(phantom), style, references.camera)
@@ -200,7 +214,7 @@ def measure(case, style, phantom, references, pictures=None):
     if pictures:
         name = f"{case}, {style}".replace(" ", "-").replace(",", "").replace(":", "").replace("%", "")
         write_pair(pathlib.Path(pictures) / f"{name}.png", reference, picture)
-    found = {"iso_error": _iso_error(notes, phantom.boundary)}
+    found = {"iso_error": _iso_error(notes, phantom.boundary), **ceiling}
     if style == "splatting-lines":
         found.update(picture_metrics.compare_lines(picture, reference)._asdict())
     else:
@@ -240,10 +254,12 @@ class Group(NamedTuple):
             if of is None or not np.array_equal(of.points, surfaces[0].points):
                 of = draw_references(surfaces[0], self.styles)
             values = phantoms.blurred(surfaces, grid)
+            sharp = phantoms.mesh(phantoms.iso_surface(values, grid, surfaces[0].step / 2))
+            ceilings = {style: find_ceiling(style, sharp, of) for style in self.styles}
             for case in cases:
                 phantom = phantoms.scan(surfaces, values, grid, case.type, case.noise)
                 for style in self.styles:
-                    results.append(measure(case, style, phantom, of, self.pictures))
+                    results.append(measure(case, style, phantom, of, ceilings[style], self.pictures))
         return results
 
 
@@ -311,7 +327,9 @@ compares.
   how much less it is than in the mesh's picture;
 - outside: the share of the ink that lies more than 2 pixels outside of the surface's silhouette;
 - bare: the share of the silhouette that is bare where the mesh's picture is not;
-- iso-value: how far the one chosen lies from the middle of the outermost boundary, in % of its step.
+- iso-value: how far the one chosen lies from the middle of the outermost boundary, in % of its step;
+- ceiling: the same figure of the picture of another mesh, which marching cubes make of the volume's values before noise and
+  rounding, at the true middle of the boundary: what the grid itself leaves of the surface.
 
 The tree of vessels tapers from 6 voxels to 1 at every size. A tube that is thinner than 1.65 voxels does not reach half of
 its value after the point spread, so that no iso-surface shows the last fifth of the tree's length without showing noise,
@@ -326,7 +344,7 @@ class Measure(NamedTuple):
     field: str  #: of Result, which is empty where there is no such figure
     value: callable  #: of a result
     is_reached: callable  #: the target, of a result
-    target: str
+    target: str  #: empty for what has none
     digits: int
 
 
@@ -354,6 +372,8 @@ MEASURES = (
     EVENNESS,
     _percent("outside, %", "outside", 1, "1", 1),
     _percent("bare, %", "bare", 1, "1", 1),
+    Measure("F, ceiling", "f_ceiling", lambda r: r.f_ceiling, None, "", 2),
+    Measure("bare, ceiling, %", "bare_ceiling", lambda r: 100 * r.bare_ceiling, None, "", 1),
     _percent("iso-value, %", "iso_error", 25, "within 25", 0),
 )
 
@@ -383,7 +403,7 @@ def _means(sets, measure, keep):
 def _summary(sets, measures):
     """For each measure: its target, the share of pictures that reach it, median and worst, of each set of results."""
     rows = [["", "target", "pictures that reach it, %", "median", "worst"]]
-    for measure in measures:
+    for measure in filter(lambda one: one.target, measures):
         shares, medians, worst = [], [], []
         for results in sets:
             kept = [result for result in results if _values([result], measure)]
@@ -406,7 +426,10 @@ def _details(sets, measures):
         row = [grid[0], grid[1], f"1:1:{grid[2]}"]
         for noise in NOISES if has_f else ():
             row.append(_means(sets, F, lambda r, noise=noise: r[:3] == grid and r.noise == noise))
-        row += [_means(sets, measure, lambda r: r[:3] == grid and r.noise <= 0.05) for measure in others]
+        for measure in others:
+            # Ceilings are those of values without noise.
+            most = 0.05 if measure.target else 1.0
+            row.append(_means(sets, measure, lambda r, most=most: r[:3] == grid and r.noise <= most))
         rows.append(row)
     return _rows_of_table(*rows)
 

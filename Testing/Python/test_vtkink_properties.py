@@ -90,6 +90,7 @@ NUMBERS = [
     ("vtkInkStippleGenerator", "LayerThickness"),
     ("vtkInkStippleGenerator", "PictureSize"),
     ("vtkInkStippleGenerator", "ReferenceGradient"),
+    ("vtkInkStippleGenerator", "Smoothing"),
     ("vtkInkSurfaceSampler", "CoverageSlack"),
 ]
 

@@ -32,11 +32,22 @@ public:
   /// @param sample a sample in the box
   bool has(const glm::ivec3& sample) const
   {
-    return this->Others.empty() || !this->Others[this->Cells.offset(glm::min(sample, this->LastCell))];
+    return this->Others.empty() ||
+      !this->Others[this->Cells.offset(glm::min(sample + this->First, this->LastCell))];
+  }
+  /// Of a part of the grid, which begins at sample `first`.
+  /// @param box in samples of the part
+  PieceOwnership ofPart(const glm::ivec3& first, const SampleBox& box) const
+  {
+    PieceOwnership part(*this);
+    part.First += first;
+    part.Box = box;
+    return part;
   }
 
 private:
   SampleBox Box;
+  glm::ivec3 First = glm::ivec3(0); ///< where the samples are counted from
   glm::ivec3 LastCell;
   GridGeometry Cells;
   ElementMarks Others;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/Resampling/AxisResampling.h"
 
+#include "Fields/Grid/GridGeometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -123,6 +125,22 @@ int findReach(const Kernel& kernel, int subdivision)
 }
 
 } // namespace
+
+glm::dvec3 spacingRatios(const GridGeometry& geometry)
+{
+  glm::dvec3 spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3& step = geometry.stepToWorld()[axis];
+    spacing[axis] = std::hypot(step.x, step.y, step.z);
+  }
+  return spacing / std::min({ spacing.x, spacing.y, spacing.z });
+}
+
+glm::dvec3 smoothingDeviation(const GridGeometry& geometry, double smoothing)
+{
+  return smoothing / spacingRatios(geometry);
+}
 
 AxisResampling::AxisResampling(double deviation, int subdivision, int samples, SmoothingKernel form)
   : Subdivision(subdivision)

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <span>
 #include <vector>
 
 namespace ink
 {
+
+class GridGeometry;
+
+/// The standard deviation along each axis, in samples, of a Gaussian that is the same in all world directions.
+/// @param smoothing in multiples of the smallest distance of samples
+glm::dvec3 smoothingDeviation(const GridGeometry& geometry, double smoothing);
+
+/// The distances of samples along the three axes in multiples of the smallest.
+glm::dvec3 spacingRatios(const GridGeometry& geometry);
 
 /// The kernels that smooth.
 enum class SmoothingKernel

@@ -182,7 +182,8 @@ private:
     const int last = this->Source.size().x - 1;
     int sample = positions.begin.x / steps - axis.reach() - this->Source.begin.x;
     const std::span<const double> weights = axis.weights(positions.begin.x);
-    if (steps == 1 && weights.data() == axis.weights(positions.end.x - 1).data())
+    const bool allThere = sample >= 0 && sample + axis.taps() + count - 2 <= last;
+    if (steps == 1 && allThere && weights.data() == axis.weights(positions.end.x - 1).data())
     {
       // The same weights everywhere.
       this->Rows.clear();

@@ -119,6 +119,32 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1e-3, 1.0, 1.0 }), 2.0) << "at most";
 }
 
+TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
+{
+  for (const int wall : { 1, 2, 3 })
+  {
+    // A hollow cube of bits around the middle of 24^3 samples.
+    const auto volume = Volume<std::uint8_t>::from(GridGeometry(glm::ivec3(24)),
+      [wall](const glm::dvec3& p)
+      {
+        const glm::dvec3 d = glm::abs(p - 11.5);
+        const double size = std::max({ d.x, d.y, d.z });
+        return size < 10.0 && size > 10.0 - wall ? 255.0 : 0.0;
+      });
+    const ink::NoiseEstimate found = estimateNoise(volume.field(), 127.5);
+    EXPECT_EQ(found.thickness, wall);
+    EXPECT_EQ(ink::suggestSmoothing(found, glm::dvec3(1.0)), 0.5 * wall);
+  }
+  const auto ball = Volume<std::uint8_t>::from(
+    centered(40), [](const glm::dvec3& p) { return glm::length(p) < 15.0 ? 255.0 : 0.0; });
+  const ink::NoiseEstimate found = estimateNoise(ball.field(), 127.5);
+  EXPECT_EQ(found.thickness, ink::NoiseEstimate::thickEnough);
+  EXPECT_EQ(ink::suggestSmoothing(found, glm::dvec3(1.0)), 2.0);
+  // Noise asks for what it needs wherever it is.
+  EXPECT_EQ(ink::suggestSmoothing({ 0.1, 1.0, 0.0, 1.0 }, glm::dvec3(1.0)),
+    ink::suggestSmoothing({ 0.1, 1.0, 0.0 }, glm::dvec3(1.0)));
+}
+
 TEST(NoiseEstimate, SaysNothingOfDegenerateGrids)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

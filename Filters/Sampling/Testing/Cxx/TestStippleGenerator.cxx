@@ -290,6 +290,30 @@ TEST(StippleGenerator, ScalarsOfATakenNameGetAnother)
     << "scalars passed on under another name";
 }
 
+TEST(StippleGenerator, SmoothingLeavesNoisesStipplesOut)
+{
+  const auto noisy = MakeImage(VTK_SHORT, { -15, 16, -14, 15, -16, 14 },
+    [](double x, double y, double z)
+    {
+      const double inside = std::clamp(Radius + 0.5 - std::sqrt(x * x + y * y + z * z), 0.0, 1.0);
+      const double noise = std::sin(1e4 * (std::sin(x) + 2.0 * std::sin(1.3 * y) + 3.0 * std::sin(1.7 * z)));
+      return 100.0 * inside + 60.0 * noise;
+    });
+  const auto shareAstray = [&](double smoothing)
+  {
+    const auto data = Stipple(noisy, [&](vtkInkStippleGenerator* one) { one->SetSmoothing(smoothing); });
+    double astray = 0.0;
+    for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n)
+    {
+      astray += std::abs(Distance(data, n) - Radius) > 3.0;
+    }
+    EXPECT_GT(data->GetNumberOfPoints(), 5000);
+    return astray / static_cast<double>(data->GetNumberOfPoints());
+  };
+  EXPECT_GT(shareAstray(0.0), 0.1);
+  EXPECT_LT(shareAstray(1.0), 0.01);
+}
+
 TEST(StippleGenerator, LayersAreAsThickAsAskedFor)
 {
   const auto ball = MakeBall();

@@ -181,6 +181,28 @@ TEST_F(StippleGeneratorPieces, ByGivenRangesAreTheWhole)
   }
 }
 
+TEST_F(StippleGeneratorPieces, OfSmoothedValuesAreTheWhole)
+{
+  const auto whole = MakeGenerator();
+  whole->SetInputData(Image);
+  whole->SetSmoothing(1.3);
+  whole->SetThresholdModeToMagnitude();
+  whole->SetGradientThreshold(7.0);
+  whole->Update();
+  auto expected = StipplesOf(whole->GetOutput());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_GT(expected.size(), 1000u);
+  EXPECT_NE(expected.size(), Expected.size());
+  const auto local = MakeLocalGenerator(whole->GetOutput());
+  local->SetInputConnection(Source->GetOutputPort());
+  local->SetSmoothing(1.3);
+  local->SetGradientThreshold(7.0);
+  for (const int pieces : { 2, 5 })
+  {
+    EXPECT_EQ(StipplePieces(local, pieces), expected) << pieces << " pieces";
+  }
+}
+
 /// Of a reader that knows no pieces: the first process has all.
 TEST_F(StippleGeneratorPieces, OfSeveralProcessesAreTheWhole)
 {

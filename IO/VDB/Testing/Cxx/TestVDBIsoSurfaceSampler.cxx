@@ -25,6 +25,11 @@ struct Settings
   int Arithmetic = vtkAlgorithm::SINGLE_PRECISION;
   int Points = vtkAlgorithm::DEFAULT_PRECISION;
   int ProjectionSteps = 0;
+  double Smoothing = 0.0;
+  int SmoothingTarget = vtkInkIsoSurfaceSampler::SURFACE;
+  int Subdivision = 1;
+  int LargestParts = 0;
+  int Padding = 3; ///< of the image
 
   template <class Sampler>
   void Apply(Sampler* sampler) const
@@ -33,6 +38,10 @@ struct Settings
     sampler->SetArithmeticPrecision(this->Arithmetic);
     sampler->SetOutputPointsPrecision(this->Points);
     sampler->SetProjectionSteps(this->ProjectionSteps);
+    sampler->SetSmoothing(this->Smoothing);
+    sampler->SetSmoothingTarget(this->SmoothingTarget);
+    sampler->SetSubdivision(this->Subdivision);
+    sampler->SetLargestParts(this->LargestParts);
   }
 };
 
@@ -42,7 +51,7 @@ std::vector<VDBSample> Dense(
   vtkNew<vtkInkVDBReader> reader;
   reader->SetFileName(file.c_str());
   reader->SetGridName(grid);
-  reader->SetPadding(3);
+  reader->SetPadding(settings.Padding);
   vtkNew<vtkInkIsoSurfaceSampler> sampler;
   sampler->SetInputConnection(reader->GetOutputPort());
   for (std::size_t n = 0; n < values.size(); ++n)
@@ -191,6 +200,39 @@ TEST_F(VDBIsoSurfaceSampler, SettingsMakeTheSamplesOfTheImage)
             << ": other samples than before";
           before = samples;
         }
+      }
+    }
+  }
+}
+
+TEST_F(VDBIsoSurfaceSampler, SmoothingMakesTheSamplesOfTheImage)
+{
+  for (const char* grid : { "sphere", "fog" })
+  {
+    Sampler->SetGridName(grid);
+    Sampler->SetValue(0, 0.3);
+    Sampler->SetValue(1, 0.1);
+    std::vector<VDBSample> before;
+    for (const int target : { vtkInkIsoSurfaceSampler::SURFACE, vtkInkIsoSurfaceSampler::NORMALS })
+    {
+      for (const int subdivision : { 1, 2 })
+      {
+        Settings settings;
+        settings.Smoothing = 1.2;
+        settings.SmoothingTarget = target;
+        settings.Subdivision = subdivision;
+        settings.LargestParts = subdivision - 1;
+        settings.Padding = 14;
+        settings.Apply(Sampler.Get());
+        Sampler->Update();
+        const std::vector<VDBSample> samples = SamplesOf(Sampler->GetOutput());
+        EXPECT_TRUE(!samples.empty() && samples == Dense(File, grid, { 0.3, 0.1 }, settings))
+          << grid << ": target " << target << ", subdivision " << subdivision << ", found " << samples.size();
+        EXPECT_NE(samples, before);
+        before = samples;
+        vtkPointData* arrays = Sampler->GetOutput()->GetPointData();
+        EXPECT_EQ(arrays->GetArray("SurfaceIndex")->GetRange()[1], 1.0);
+        EXPECT_EQ(arrays->GetArray("Radius")->GetNumberOfTuples(), Sampler->GetOutput()->GetNumberOfPoints());
       }
     }
   }
