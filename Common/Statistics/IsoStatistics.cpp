@@ -3,6 +3,7 @@
 
 #include "Core/Threads.h"
 #include "Fields/ScalarDifference.h"
+#include "Statistics/FiniteRange.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
@@ -29,6 +30,9 @@ namespace
 constexpr int maximumBins = 4096;
 // The fraction of voxels at either end of the range that may be outliers.
 constexpr double outlierShare = 1e-4;
+
+// So many slices are counted at least, if there are.
+constexpr int fewestSlices = 32;
 
 constexpr std::uint16_t noBin = std::numeric_limits<std::uint16_t>::max();
 
@@ -72,29 +76,27 @@ struct Slices
 template <typename T>
 std::optional<ValueBins> chooseBins(const Slices<T>& slices)
 {
-  double least = std::numeric_limits<double>::max();
-  double greatest = std::numeric_limits<double>::lowest();
+  FiniteRange range;
   std::vector<double> sample;
   const std::size_t count = slices.sliceSize() * slices.dimensions[2];
   const std::size_t step = std::max<std::size_t>(1, count / 1000000);
-  std::size_t i = 0;
+  std::size_t next = 0; // voxel of the sample, from the first of those read
   for (int first = 0; first < slices.dimensions[2]; first += slices.atOnce)
   {
-    for (const T value : slices.get(first, std::min(first + slices.atOnce, slices.dimensions[2])))
+    const std::span<const T> values = slices.get(first, std::min(first + slices.atOnce, slices.dimensions[2]));
+    range.add(findFiniteRange(values));
+    for (; next < values.size(); next += step)
     {
-      const double v = static_cast<double>(value);
+      const double v = static_cast<double>(values[next]);
       if (std::isfinite(v))
       {
-        least = std::min(least, v);
-        greatest = std::max(greatest, v);
-        if (i % step == 0)
-        {
-          sample.push_back(v);
-        }
+        sample.push_back(v);
       }
-      ++i;
     }
+    next -= values.size();
   }
+  double least = range.least;
+  double greatest = range.greatest;
   if (!(least < greatest))
   {
     return std::nullopt;
@@ -218,11 +220,23 @@ void addSlice(std::span<const std::uint16_t> previous, std::span<const std::uint
   }
 }
 
+/// Every how many slices one is counted. Odd, so that slices that were interpolated between others do not
+/// all count or all fail to.
+int findCountedStep(const std::array<int, 3>& dimensions, std::int64_t mostVoxels)
+{
+  const std::int64_t slice = static_cast<std::int64_t>(dimensions[0]) * dimensions[1];
+  const std::int64_t all = slice * dimensions[2];
+  const std::int64_t step =
+    std::min<std::int64_t>(all / std::max<std::int64_t>(mostVoxels, 1), dimensions[2] / fewestSlices);
+  return static_cast<int>(std::max<std::int64_t>(step % 2 == 0 ? step - 1 : step, 1));
+}
+
 template <typename T>
-IsoStatistics countValues(const Slices<T>& slices, const ValueBins& bins)
+IsoStatistics countValues(const Slices<T>& slices, const ValueBins& bins, std::int64_t mostVoxels)
 {
   const std::array<int, 3> dimensions = slices.dimensions;
   const std::size_t sliceSize = slices.sliceSize();
+  const int step = findCountedStep(dimensions, mostVoxels);
   tbb::combinable<IsoStatistics> partial([&bins] { return IsoStatistics(bins); });
   // Each slice with its neighbors.
   const int own = slices.atOnce - 2;
@@ -246,14 +260,20 @@ IsoStatistics countValues(const Slices<T>& slices, const ValueBins& bins)
         }
         return slice;
       };
-      std::vector<std::uint16_t> previous = binned(range.begin() - 1);
-      std::vector<std::uint16_t> slice = binned(range.begin());
+      std::vector<std::uint16_t> previous;
+      std::vector<std::uint16_t> slice;
+      std::vector<std::uint16_t> next;
       for (int z = range.begin(); z < range.end(); ++z)
       {
-        std::vector<std::uint16_t> next = binned(z + 1);
+        if (z % step != step / 2)
+        {
+          continue;
+        }
+        const bool goesOn = step == 1 && z > range.begin();
+        previous = goesOn ? std::move(slice) : binned(z - 1);
+        slice = goesOn ? std::move(next) : binned(z);
+        next = binned(z + 1);
         addSlice(previous, slice, next, dimensions[0], dimensions[1], profile);
-        previous = std::move(slice);
-        slice = std::move(next);
       }
     };
     tbb::task_arena(threadCount())
@@ -299,7 +319,7 @@ void IsoStatistics::accumulate()
 
 template <typename T>
 std::optional<IsoStatistics> makeIsoStatistics(
-  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce)
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce, std::int64_t mostVoxels)
 {
   if (slicesAtOnce < 3)
   {
@@ -308,11 +328,12 @@ std::optional<IsoStatistics> makeIsoStatistics(
   }
   const Slices<T> slices{ read, dimensions, slicesAtOnce };
   const std::optional<ValueBins> bins = chooseBins(slices);
-  return bins ? std::optional(countValues(slices, *bins)) : std::nullopt;
+  return bins ? std::optional(countValues(slices, *bins, mostVoxels)) : std::nullopt;
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \
-  template std::optional<IsoStatistics> makeIsoStatistics(const SliceReader<T>&, std::array<int, 3>, int);
+  template std::optional<IsoStatistics> makeIsoStatistics( \
+    const SliceReader<T>&, std::array<int, 3>, int, std::int64_t);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 #undef INK_INSTANTIATE
 

@@ -13,6 +13,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -22,6 +23,12 @@ void Clear(vtkOpenGLState* state, float red, GLbitfield buffers)
 {
   state->vtkglClearColor(red, 0.0f, 0.0f, 0.0f);
   state->vtkglClear(buffers);
+}
+
+/// Of the depth test between pixels of one surface: view units, and by slope, pixels.
+std::array<double, 2> FindTolerances(const InkSplatPasses& passes, const InkViewUniforms& view)
+{
+  return { InkSplatTolerance * passes.GetLargestRadius() * view.Unit, InkSplatTolerance };
 }
 
 } // namespace
@@ -177,8 +184,7 @@ bool InkSplatDrawing::DrawSplats(InkSplatPasses& passes, InkSplatQuads& quads, c
     Clear(state, 0.0f, GL_COLOR_BUFFER_BIT);
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(extent[0], extent[1], extent[2], extent[3]);
-    quads.DrawIllumination(view, *layer.Surface, sums,
-      { InkSplatTolerance * passes.GetLargestRadius() * view.Unit, InkSplatTolerance });
+    quads.DrawIllumination(view, *layer.Surface, sums, FindTolerances(passes, view));
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
   return true;
@@ -192,7 +198,8 @@ void InkSplatDrawing::DrawInk(
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  this->Reach = 0;
+  // A pixel whose middle is beyond the surface may still have some of it.
+  this->Reach = this->Splatting->AsPublished ? 0 : 1;
   for (int index = 0; index < this->Present; ++index)
   {
     this->Reach = std::max(this->Reach, InkLinePostProcess(style, index, view).GetReach());
@@ -204,8 +211,9 @@ void InkSplatDrawing::DrawInk(
   {
     Layer& layer = this->Layers[static_cast<std::size_t>(index)];
     state->vtkglDisable(GL_BLEND);
-    const vtkSmartPointer<vtkTextureObject> coverage =
-      quads.WorkOn(style, index, view, *layer.Illumination, *layer.Ink);
+    const InkSplatQuads::Sheet sheet{ *layer.Surface, *layer.Illumination, layer.Colors.get(),
+      FindTolerances(passes, view), !this->Splatting->AsPublished };
+    const vtkSmartPointer<vtkTextureObject> coverage = quads.WorkOn(style, index, view, sheet, *layer.Ink);
     // With paper, all ink is in one image, nearer ink over that behind it.
     const bool over = style.Paper && index < this->Present - 1;
     (style.Paper ? this->Layers[static_cast<std::size_t>(this->Present - 1)] : layer).Ink->Bind();
@@ -214,7 +222,7 @@ void InkSplatDrawing::DrawInk(
       state->vtkglEnable(GL_BLEND);
     }
     state->vtkglEnable(GL_SCISSOR_TEST);
-    quads.DrawInk(style, index, *layer.Illumination, layer.Colors.get(), coverage, this->Reach);
+    quads.DrawInk(style, index, view, sheet, coverage, this->Reach);
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
 }

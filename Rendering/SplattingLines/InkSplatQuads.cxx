@@ -22,6 +22,20 @@
 #include <optional>
 #include <vector>
 
+namespace
+{
+
+/// With perspective, view units per pixel grow with the distance; that of each pixel is in the shader.
+void SetTolerances(
+  vtkShaderProgram* program, const InkViewUniforms& view, const std::array<double, 2>& tolerances)
+{
+  const float limits[2] = { static_cast<float>(tolerances[0]),
+    static_cast<float>(tolerances[1] * view.Pixel) };
+  program->SetUniform2f("tolerances", limits);
+}
+
+} // namespace
+
 InkSplatQuads::InkSplatQuads(vtkOpenGLRenderWindow* window)
   : Passes(window)
 {
@@ -45,16 +59,13 @@ void InkSplatQuads::DrawIllumination(const InkViewUniforms& view, const InkRende
     const std::string name = level == 0 ? "sums" : "coarseSums[" + std::to_string(level - 1) + "]";
     program->SetUniformi(name.c_str(), readSums.emplace_back(*sums[level]->GetTexture()).GetUnit());
   }
-  // With perspective, view units per pixel grow with the distance; that of each pixel is in the shader.
-  const float limits[2] = { static_cast<float>(tolerances[0]),
-    static_cast<float>(tolerances[1] * view.Pixel) };
-  program->SetUniform2f("tolerances", limits);
+  SetTolerances(program, view, tolerances);
   view.SetUniforms(program);
   this->Passes.Draw();
 }
 
 vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& style, int layer,
-  const InkViewUniforms& view, const InkRenderTarget& illumination, InkRenderTarget& scratch)
+  const InkViewUniforms& view, const Sheet& sheet, InkRenderTarget& scratch)
 {
   const InkLinePostProcess work(style, layer, view);
   if (!work.IsNeeded())
@@ -68,7 +79,7 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
   own.Strength = 1.0;
   own.Color = { 1.0, 1.0, 1.0 };
   scratch.Bind();
-  this->DrawInk(plain, layer, illumination, nullptr, nullptr, 0);
+  this->DrawInk(plain, layer, view, sheet, nullptr, 0);
 
   const int width = scratch.GetWidth();
   const int height = scratch.GetHeight();
@@ -84,11 +95,11 @@ vtkSmartPointer<vtkTextureObject> InkSplatQuads::WorkOn(const InkSplatStyle& sty
   return coverage;
 }
 
-void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkRenderTarget& illumination,
-  const InkRenderTarget* colors, vtkTextureObject* coverage, int reach)
+void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkViewUniforms& view,
+  const Sheet& sheet, vtkTextureObject* coverage, int reach)
 {
   const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
-  const bool scalarColors = own.ScalarColors && colors;
+  const bool scalarColors = own.ScalarColors && sheet.Colors;
   std::string features;
   if (scalarColors)
   {
@@ -102,18 +113,29 @@ void InkSplatQuads::DrawInk(const InkSplatStyle& style, int layer, const InkRend
   {
     features += InkDefine("INK_COVERAGE");
   }
+  else if (sheet.Averaged)
+  {
+    features += InkDefine("INK_AREA");
+  }
   vtkShaderProgram* program = this->Passes.Begin(InkWithFeatures(InkSplatInkFS, features));
   if (!program)
   {
     return;
   }
-  const InkRenderTarget::Reading read(*illumination.GetTexture());
+  const InkRenderTarget::Reading read(*sheet.Illumination.GetTexture());
   program->SetUniformi("illumination", read.GetUnit());
+  std::optional<InkRenderTarget::Reading> readSurface;
+  if (sheet.Averaged && !coverage)
+  {
+    program->SetUniformi("surface", readSurface.emplace(*sheet.Surface.GetTexture()).GetUnit());
+    SetTolerances(program, view, sheet.Tolerances);
+    view.SetUniforms(program);
+  }
   std::optional<InkRenderTarget::Reading> readColors;
   if (scalarColors)
   {
     program->SetUniformi("reach", reach);
-    program->SetUniformi("colors", readColors.emplace(*colors->GetTexture()).GetUnit());
+    program->SetUniformi("colors", readColors.emplace(*sheet.Colors->GetTexture()).GetUnit());
   }
   std::optional<InkRenderTarget::Reading> readCoverage;
   if (coverage)

@@ -23,6 +23,16 @@ class InkSplatQuads
 public:
   explicit InkSplatQuads(vtkOpenGLRenderWindow* window);
 
+  /// The images that the ink of a layer is made from.
+  struct Sheet
+  {
+    const InkRenderTarget& Surface;
+    const InkRenderTarget& Illumination;
+    const InkRenderTarget* Colors;    ///< of the nearest points, or null
+    std::array<double, 2> Tolerances; ///< of the depth test: view units, and by slope, pixels
+    bool Averaged;                    ///< whether ink is that of the pixel's area or, as published, of its middle
+  };
+
   /// I1 and I2 of a layer.
   /// @param sums of splats for each pixel, and those for 2 x 2 and 4 x 4 pixels as far as there are any
   /// @param tolerances of the depth test: view units, and by slope, texels of the sums
@@ -33,14 +43,13 @@ public:
   /// component; null where the style asks for nothing of the kind.
   /// @param scratch of the size of the illumination, is bound and drawn into
   vtkSmartPointer<vtkTextureObject> WorkOn(const InkSplatStyle& style, int layer, const InkViewUniforms& view,
-    const InkRenderTarget& illumination, InkRenderTarget& scratch);
+    const Sheet& sheet, InkRenderTarget& scratch);
 
   /// The ink of a layer.
-  /// @param colors of the nearest points, or null
   /// @param coverage from WorkOn, or null
   /// @param reach pixels by which ink may go beyond the surface
-  void DrawInk(const InkSplatStyle& style, int layer, const InkRenderTarget& illumination,
-    const InkRenderTarget* colors, vtkTextureObject* coverage, int reach);
+  void DrawInk(const InkSplatStyle& style, int layer, const InkViewUniforms& view, const Sheet& sheet,
+    vtkTextureObject* coverage, int reach);
 
   /// The drawing into the caller's framebuffer, viewport and blending. The render passes that the actor takes
   /// part in (depth peeling) may change the shader.

@@ -236,7 +236,9 @@ void vtkInkSplattingLinesMapper::DrawLines(vtkMarks& marks, InkViewUniforms view
     {
       margin = std::max(margin, InkLinePostProcess(style, layer, view).GetMargin());
     }
-    view.Widen(margin);
+    // Ink of a pixel depends on those around it, and theirs on splats that a tile's border would hide.
+    constexpr int around = 16;
+    view.Widen(this->AsPublished ? margin : margin + around);
   }
   if (!marks.Drawings.Get(frame.Renderer, frame.Actor)
          .Draw(marks.Passes, marks.Quads, view, splatting, style, this->PaperColor,

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -423,6 +424,53 @@ TEST(IsoValue, IsTheSameFromAFewSlicesAtATime)
       EXPECT_EQ(parts[i].keptShare, whole[i].keptShare) << atOnce;
     }
     EXPECT_LE(most, atOnce);
+  }
+}
+
+TEST(IsoStatistics, OfSomeSlicesHaveTheSharesAndMeanStepsOfAll)
+{
+  const auto values = volume<short>([](double distance, std::size_t index)
+    { return 1000 * blurredSphere(distance, 15) + 20 * noise(index); });
+  int reads = 0;
+  const ink::SliceReader<short> read = [&](int first, int last)
+  {
+    ++reads;
+    return std::span(values).subspan(first * size * size, (last - first) * size * size);
+  };
+  const auto all = ink::makeIsoStatistics(read, cube, size);
+  ASSERT_TRUE(all);
+  const auto sum = [](const std::vector<std::int64_t>& counts)
+  { return std::accumulate(counts.begin(), counts.end(), std::int64_t{ 0 }); };
+  EXPECT_EQ(sum(all->voxels), size * size * size);
+  const std::size_t middle = all->voxels.size() / 2;
+  // As often as 32 slices that count at least allow: two of three voxels may be left out, and none are.
+  const auto least = ink::makeIsoStatistics(read, cube, size, 1);
+  ASSERT_TRUE(least);
+  EXPECT_EQ(least->voxels, all->voxels);
+
+  const std::array<int, 3> twice{ size, size / 4, 4 * size };
+  const auto every = ink::makeIsoStatistics(
+    ink::SliceReader<short>([&](int first, int last)
+      { return std::span(values).subspan(first * size * size / 4, (last - first) * size * size / 4); }),
+    twice, 4 * size);
+  ASSERT_TRUE(every);
+  for (const int atOnce : { 3, 7, 4 * size })
+  {
+    const auto some = ink::makeIsoStatistics(
+      ink::SliceReader<short>([&](int first, int last)
+        { return std::span(values).subspan(first * size * size / 4, (last - first) * size * size / 4); }),
+      twice, atOnce, size * size * size / 5);
+    ASSERT_TRUE(some);
+    EXPECT_EQ(some->bins.low, every->bins.low);
+    EXPECT_EQ(some->bins.count, every->bins.count);
+    const std::int64_t counted = sum(some->voxels);
+    // Every fifth of 192 slices, from the third on.
+    EXPECT_EQ(counted, 38 * size * size / 4) << atOnce;
+    const double share = static_cast<double>(counted) / (size * size * size);
+    EXPECT_NEAR(some->edges[middle] / share / every->edges[middle], 1.0, 0.1) << atOnce;
+    const auto meanStep = [middle](const ink::IsoStatistics& statistics)
+    { return static_cast<double>(statistics.steps[middle]) / static_cast<double>(statistics.edges[middle]); };
+    EXPECT_NEAR(meanStep(*some) / meanStep(*every), 1.0, 0.05) << atOnce;
   }
 }
 

@@ -5,7 +5,7 @@
 
 // The ink of one layer (Zhang et al. 2014, section 3.3): H = I1 - tau I2, E = tanh(phi H), ink where E is
 // negative; its color times its coverage, and the coverage. With INK_COVERAGE, the coverage was worked on as
-// an image.
+// an image. With INK_AREA, ink is averaged over the pixel.
 
 in vec2 texCoord;
 
@@ -28,18 +28,34 @@ uniform vec3 toneColor; // where the light falls straight on the surface
 
 //VTK::Output::Dec
 
+float inkOf(float h)
+{
+  // tanh overflows on some drivers.
+  return max(0.0, -tanh(clamp(phi * h, -9.0, 9.0)));
+}
+
+// Steeper about one half, though no steeper than some ramp.
+float harden(float ink, float ramp)
+{
+  return hardness > 0.0 ? clamp((ink - 0.5) / max(1.0 - hardness, ramp) + 0.5, 0.0, 1.0) : ink;
+}
+
+#ifdef INK_AREA
+#include "InkSplatPixelArea.glsl"
+#endif
+
 void main()
 {
   ivec2 pixel = ivec2(texCoord * vec2(textureSize(illumination, 0)));
   vec2 shading = texelFetch(illumination, pixel, 0).rg;
 #ifdef INK_COVERAGE
   float ink = texelFetch(coverageImage, pixel, 0).r;
+#elif defined INK_AREA
+  float ink = averageInk(pixel);
 #else
-  // tanh overflows on some drivers.
-  float ink = max(0.0, -tanh(clamp(phi * (shading.r - tau * shading.g), -9.0, 9.0)));
-  // Steeper about one half; at the steepest the step is a pixel wide.
-  float ramp = max(1.0 - hardness, clamp(fwidth(ink), 1e-3, 1.0));
-  ink = hardness > 0.0 ? clamp((ink - 0.5) / ramp + 0.5, 0.0, 1.0) : ink;
+  float ink = inkOf(shading.r - tau * shading.g);
+  // At the hardest the step is a pixel wide.
+  ink = harden(ink, clamp(fwidth(ink), 1e-3, 1.0));
 #endif
   vec3 color = inkColor;
 #ifdef INK_COLORS

@@ -52,10 +52,11 @@ TEST(SplattingLinesSliders, AreContinuousAtTheirEnds)
       const double step = std::abs(ends[end][0] - ends[end][1]) / most;
       EXPECT_LE(step, slider.LargestStep) << slider.Name << ": a small step at " << (end ? "the end" : "0")
                                           << ", found " << step << " of the ink";
-      // A step a hundred times smaller is far smaller: none is a jump, however steep the way.
+      // A step a hundred times smaller is far smaller: none is a jump, however steep the way. Of a hundredth
+      // of the points, it is still a hundredth more.
       const double near = draw(end ? 0.9999 : 0.0001);
       const double tiny = std::abs(ends[end][0] - near) / most;
-      EXPECT_LE(tiny, 0.008) << slider.Name << ": no jump at " << (end ? "the end" : "0") << ", found "
+      EXPECT_LE(tiny, 0.012) << slider.Name << ": no jump at " << (end ? "the end" : "0") << ", found "
                              << tiny << " of the ink";
     }
   }
