@@ -75,7 +75,8 @@ std::string Timings::text() const
   for (const auto& [step, seconds] : this->Steps)
   {
     char number[64];
-    std::snprintf(number, sizeof(number), " %.2f s (%.0f %%)", seconds, all > 0.0 ? 100.0 * seconds / all : 0.0);
+    std::snprintf(
+      number, sizeof(number), " %.2f s (%.0f %%)", seconds, all > 0.0 ? 100.0 * seconds / all : 0.0);
     text += (text.empty() ? "" : ", ") + step + number;
   }
   return text;
