@@ -5,6 +5,7 @@
 #include "InkMarks.h"
 #include "InkReportedMessages.h"
 #include "InkShiftScale.h"
+#include "InkUploadEvent.h"
 #include "InkViewUniforms.h"
 #include "InkWindowResources.h"
 
@@ -21,6 +22,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +139,10 @@ InkMarks* vtkInkMapper::FindMarksToDraw(vtkRenderer* renderer)
   }
   InkMarks& marks = this->Internals->Windows.Get(
     window, [this](vtkOpenGLRenderWindow* current) { return this->MakeMarks(current); });
-  return this->UpdateMarks(marks) ? &marks : nullptr;
+  vtkTimerLog::MarkStartEvent(InkUploadEvent);
+  const bool there = this->UpdateMarks(marks);
+  vtkTimerLog::MarkEndEvent(InkUploadEvent);
+  return there ? &marks : nullptr;
 }
 
 InkMarks* vtkInkMapper::GetMarks(vtkWindow* window) const

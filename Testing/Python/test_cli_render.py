@@ -35,6 +35,16 @@ def test_a_given_iso_value_needs_no_words(ink, volume_file, tmp_path):
     assert (result.code, result.out, "iso-value" in result.err) == (0, "", False)
 
 
+def test_timings_are_of_all_steps_in_their_order(ink, volume_file, tmp_path):
+    arguments = ["render", volume_file, "--iso", 100, "--size", "64x64", "-o", tmp_path / "out.png"]
+    line = next(line for line in ink(*arguments, "--timings").err.splitlines() if "drawing" in line)
+    steps = re.findall(r"(\w+) (\d+\.\d\d) s \((\d+) %\)", line)
+    assert [name for name, _, _ in steps] == ["reading", "generating", "uploading", "drawing"]
+    assert all(float(seconds) < TIME_LIMIT for _, seconds, _ in steps) and float(steps[-1][1]) > 0
+    assert 98 <= sum(int(share) for _, _, share in steps) <= 102
+    assert "drawing" not in ink(*arguments).err and ink(*arguments, "--timings", "-q").err == ""
+
+
 def test_same_input_same_bytes(ink, volume_file, tmp_path):
     for name, threads in (("a.png", "1"), ("b.png", "2")):
         result = ink("render", volume_file, "--size", "200x150", "-q", "-o", tmp_path / name, env={"VTK_SMP_MAX_THREADS": threads})

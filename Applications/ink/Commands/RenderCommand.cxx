@@ -9,6 +9,7 @@
 #include "PictureEncoder.h"
 #include "Progress.h"
 #include "RenderFrames.h"
+#include "Timings.h"
 
 #include "vtkCamera.h"
 #include "vtkInkCameraFit.h"
@@ -83,8 +84,11 @@ void render(const RenderOptions& options)
   requireGraphics();
 
   Progress progress(options.quiet);
+  Timings timings;
   const Input input = readInput(options.input, progress, wantedOf(options));
+  timings.end("reading");
   const StyledScene subject = SceneMaker(options).make(input, progress);
+  timings.end("generating");
   progress.step("drawing");
   Drawing drawing(options);
   const std::vector<std::string> looked = drawing.look(input, options.input.file);
@@ -93,6 +97,7 @@ void render(const RenderOptions& options)
   writePicture(output, options.output, drawing.layout(),
     [&](const RowSink& sink) { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
   progress.finish();
+  timings.endDrawing();
 
   if (!options.quiet)
   {
@@ -102,6 +107,10 @@ void render(const RenderOptions& options)
       {
         std::cerr << "ink: " << note << '\n';
       }
+    }
+    if (options.timings)
+    {
+      std::cerr << "ink: " << timings.text() << '\n';
     }
     std::cerr << "ink: wrote " << describe(options.output, drawing.layout()) << '\n';
   }

@@ -79,6 +79,7 @@ struct RenderOptions
   bool transparent = false;
   std::optional<Animation> animation; ///< none: one picture
   bool quiet = false;
+  bool timings = false; ///< whether to say how long each step took; of one picture
 };
 
 /// What of an input is needed for what was asked for.

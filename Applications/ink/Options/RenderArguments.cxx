@@ -58,6 +58,8 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
       "its height")
     ->check(within(1, 30000));
   command->add_flag("-q,--quiet", this->options.quiet, "print nothing but errors");
+  command->add_flag("--timings", this->options.timings,
+    "say of a single picture how long reading, generating, uploading and drawing took");
 
   const auto angle = within(-360, 360);
   command
