@@ -315,7 +315,10 @@ bool InkStrokePasses::Draw(
   }
   this->SetUniforms(program, scene, frame, opacity);
   this->ActivateTextures(program, scene, frame.Ids.has_value());
-  const int vertices = 6 * (scene.NumberOfPoints - 1);
+  // Strokes that the shader makes have two points, and nothing lies between one stroke and the next.
+  const int step = scene.Style.AreFoundByEye() ? 2 : 1;
+  program->SetUniformi("segmentStep", step);
+  const int vertices = 6 * (scene.NumberOfPoints / step - (step == 1 ? 1 : 0));
   const auto draw = [&](float leastCoverage)
   {
     program->SetUniformf("leastCoverage", leastCoverage);

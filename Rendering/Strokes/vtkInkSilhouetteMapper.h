@@ -11,7 +11,8 @@
  *
  * That is the Method CHAINS. Others draw silhouettes as Lu et al. (2003, section 5.6) publish them, of which
  * the GPU finds what depends on the camera: VOXEL_SEGMENTS, of edge voxels, those that vtkInkEdgeVoxels finds
- * in an image, as input; IMAGE_SPACE and TOON, of a surface. They draw silhouettes only.
+ * in an image, as input; IMAGE_SPACE and TOON, of a surface. They draw silhouettes only, and
+ * nothing that is hidden, whatever HiddenParts says.
  *
  * An edge that is a crease and a silhouette is drawn once, as a crease.
  *

@@ -141,6 +141,42 @@ TEST(SilhouetteVoxels, SegmentsAreTangentToTheContour)
   EXPECT_EQ(none[1], none[0]);
 }
 
+TEST(SilhouetteVoxels, SegmentsAsContours)
+{
+  const auto volume = scan<float>(Grid);
+  const EdgeVoxels voxels = ink::findEdgeVoxels(volume.field(), Smoothing, 10.0);
+  const auto selected = ink::selectSilhouetteVoxels(voxels, onEdges(0.1f), Aside);
+  const ink::Contours all = ink::silhouetteSegments(voxels, selected, Aside, 1.5, { true, true, true, true });
+  ASSERT_EQ(all.chains.size(), selected.size());
+  ASSERT_EQ(all.positions.size(), 2 * selected.size());
+  for (std::size_t i = 0; i < selected.size(); ++i)
+  {
+    const std::uint32_t n = selected[i];
+    const auto ends =
+      ink::silhouetteSegment(voxels.positions[n], voxels.gradients[n], Aside.from(voxels.positions[n]), 1.5);
+    EXPECT_EQ(all.chains.offsets[i + 1], 2 * (i + 1));
+    EXPECT_EQ(all.chains.closed[i], 0);
+    EXPECT_EQ(all.kinds[i], ink::ContourKind::Silhouette);
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+      EXPECT_EQ(all.positions[2 * i + end], ends[end]);
+      EXPECT_GT(glm::dot(glm::dvec3(all.normals[2 * i + end]), Ball.gradient(voxels.positions[n])), 0.99);
+      EXPECT_EQ(all.arcLength[2 * i + end], end == 0 ? 0.0 : 1.5);
+      EXPECT_EQ(all.elements[2 * i + end], static_cast<std::int64_t>(voxels.samples[n]));
+      EXPECT_EQ(all.radialCurvature[2 * i + end], 0.0f);
+    }
+  }
+  const ink::Contours bare = ink::silhouetteSegments(voxels, selected, Aside, 1.5, {});
+  EXPECT_EQ(bare.positions, all.positions);
+  EXPECT_TRUE(bare.normals.empty() && bare.arcLength.empty() && bare.elements.empty());
+
+  const EdgeVoxels again = ink::describeVoxels(volume.field(), voxels.samples);
+  EXPECT_EQ(again.samples, voxels.samples);
+  EXPECT_EQ(again.positions, voxels.positions);
+  EXPECT_EQ(again.gradients, voxels.gradients);
+  EXPECT_EQ(again.values, voxels.values);
+}
+
 TEST(SilhouetteVoxels, AsTheExhaustiveSearch)
 {
   // "Virtually identical results": what one finds, the other finds in the same or the next voxel.

@@ -9,6 +9,7 @@ uniform usamplerBuffer drawnPoints; // source point, share of the way to the nex
 uniform isamplerBuffer runs;        // first, last, stroke, flags
 uniform samplerBuffer strokes;      // arc length at its begin, arc length, priority, whether closed
 
+uniform int segmentStep; // 2 where each stroke has a single segment
 uniform float density;
 uniform bool miter;
 uniform float miterLimit;
@@ -67,7 +68,7 @@ int countBeside(int segment, Segment own, vec2 direction, int step, ivec4 run, f
 void main()
 {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside
-  int segment = gl_VertexID / 6;
+  int segment = gl_VertexID / 6 * segmentStep;
   int corner = gl_VertexID % 6;
   ivec4 run = texelFetch(runs, int(texelFetch(drawnPoints, segment).z));
   segmentVSOutput = segment;

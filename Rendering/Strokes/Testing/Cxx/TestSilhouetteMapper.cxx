@@ -9,6 +9,7 @@
 #include "vtkCubeSource.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkPlaneSource.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -227,6 +228,16 @@ TEST(SilhouetteMapper, Parameters)
   mapper->SilhouettesOff();
   mapper->BordersOff();
   mapper->SetLineWidth(7.0);
+  mapper->SetMethodToToon();
+  mapper->SetLowestValue(1.0);
+  mapper->SetHighestValue(2.0);
+  mapper->SetLeastGradientMagnitude(3.0);
+  mapper->SetLargestCosine(0.4);
+  mapper->SetSegmentLength(5.0);
+  mapper->ThinningOff();
+  mapper->SetTextureLength(6.0);
+  vtkNew<vtkImageData> texture;
+  mapper->SetTexture(texture);
   vtkNew<vtkInkSilhouetteMapper> copy;
   copy->ShallowCopy(mapper);
   const auto print = [](vtkInkSilhouetteMapper* printed)
@@ -238,7 +249,9 @@ TEST(SilhouetteMapper, Parameters)
   };
   EXPECT_EQ(print(copy), print(mapper));
   for (const char* text : { "Silhouettes: Off", "Faceted: On", "Creases: On", "FeatureAngle: 180",
-         "Borders: Off", "NonManifoldEdges: On", "LineWidth: 7" })
+         "Borders: Off", "NonManifoldEdges: On", "LineWidth: 7", "Method: Toon", "LowestValue: 1",
+         "HighestValue: 2", "LeastGradientMagnitude: 3", "LargestCosine: 0.4", "SegmentLength: 5",
+         "Thinning: Off", "TextureLength: 6" })
   {
     EXPECT_NE(print(mapper).find(text), std::string::npos) << text;
   }
