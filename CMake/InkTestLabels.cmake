@@ -12,7 +12,7 @@ set(_ink_test_labels
   "lines:SplattingLines"
   "strokes:Stroke|CurveVisibility"
   "streamlines:Streamline|LineSampleGrid|CrossField|MeshNavigation|LinesOfCurvature"
-  "contours:Contours|ChainSegments|FacingPlanes|NormalClusters|SilhouetteVoxels"
+  "contours:Contours|ChainSegments|CoherentDashes|FacingPlanes|NormalClusters|SilhouetteVoxels"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
   "statistics:IsoValue|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SmoothedSlices"
   "vdb:Vdb|VDB|vdb"

@@ -8,6 +8,7 @@
 #include "InkMeshTriangles.h"
 #include "InkPointNormals.h"
 
+#include "Curves/Contours/CoherentDashes.h"
 #include "Curves/Contours/MeshContours.h"
 
 #include "vtkActor.h"
@@ -83,7 +84,9 @@ public:
   {
     std::optional<Key> Source;
     ink::Eye Eye;
+    ink::Contours Contours;
     vtkSmartPointer<vtkPolyData> Lines;
+    ink::CoherentDashes Dashes;
   };
   InkActorResources<Drawn> Views;
 };
@@ -164,7 +167,16 @@ void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
     try
     {
       const ink::ContourArrays arrays{ true, true, true, true };
-      drawn.Lines = MakeLines(internals.Finder->find(eye, arrays), *internals.Mesh);
+      drawn.Contours = internals.Finder->find(eye, arrays);
+      drawn.Lines = MakeLines(drawn.Contours, *internals.Mesh);
+      if (drawn.Source != internals.Source || !this->CoherentDashes)
+      {
+        drawn.Dashes.reset();
+      }
+      if (this->CoherentDashes)
+      {
+        this->AlignDashes(own, frame);
+      }
     }
     catch (const std::exception& error)
     {
@@ -178,6 +190,29 @@ void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
   {
     this->Superclass::DrawMarks(own, frame);
   }
+}
+
+void vtkInkSilhouetteMapper::AlignDashes(InkMarks& own, const InkFrame& frame)
+{
+  vtkInternals::Drawn& drawn = this->Internals->Views.Get(frame.Renderer, frame.Actor);
+  // How long a dash is follows from where the strokes are.
+  if (drawn.Lines->GetNumberOfLines() == 0 || !this->UpdateStrokes(own, drawn.Lines))
+  {
+    return;
+  }
+  const double period = this->FindDashPeriod(own, frame);
+  if (!(period > 0.0))
+  {
+    return;
+  }
+  constexpr double periodsOfReach = 2.0; // farther away are other lines
+  drawn.Dashes.align(drawn.Contours, period, periodsOfReach * period);
+  vtkDataArray* arcLengths = drawn.Lines->GetPointData()->GetArray("ArcLength");
+  for (std::size_t i = 0; i < drawn.Contours.arcLength.size(); ++i)
+  {
+    arcLengths->SetComponent(static_cast<vtkIdType>(i), 0, drawn.Contours.arcLength[i]);
+  }
+  arcLengths->Modified();
 }
 
 vtkPolyData* vtkInkSilhouetteMapper::GetContours(vtkRenderer* renderer, vtkActor* actor)
@@ -198,6 +233,7 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetShortestCrease(from->GetShortestCrease());
     this->SetBorders(from->GetBorders());
     this->SetNonManifoldEdges(from->GetNonManifoldEdges());
+    this->SetCoherentDashes(from->GetCoherentDashes());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -212,4 +248,5 @@ void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
   os << indent << "Borders: " << (this->Borders ? "On" : "Off") << "\n";
   os << indent << "NonManifoldEdges: " << (this->NonManifoldEdges ? "On" : "Off") << "\n";
+  os << indent << "CoherentDashes: " << (this->CoherentDashes ? "On" : "Off") << "\n";
 }

@@ -153,8 +153,8 @@ public:
   ///@{
   /**
    * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
-   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number of
-   * them. Default: off.
+   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number
+   * of them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);
@@ -341,6 +341,8 @@ protected:
 
   /// Brings marks up to date with strokes, as UpdateMarks does with those of the input.
   bool UpdateStrokes(InkMarks& own, vtkPolyData* strokes);
+  /// The length of a dash with its gap in a frame, in the unit of the strokes' points, which are up to date.
+  double FindDashPeriod(const InkMarks& own, const InkFrame& frame);
   /// The surface that hides strokes, or null.
   virtual vtkPolyData* FindSurface();
 
