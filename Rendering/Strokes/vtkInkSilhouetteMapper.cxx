@@ -84,9 +84,23 @@ public:
   {
     std::optional<Key> Source;
     ink::Eye Eye;
-    ink::Contours Contours;
     vtkSmartPointer<vtkPolyData> Lines;
     ink::CoherentDashes Dashes;
+
+    /// Shifts the lines' arc length.
+    /// @param contours what the lines are of
+    /// @param period of a dash and its gap, in the surface's unit
+    void AlignDashes(ink::Contours& contours, double period)
+    {
+      constexpr double periodsOfReach = 2.0; // farther away are other lines
+      this->Dashes.align(contours, period, periodsOfReach * period);
+      vtkDataArray* arcLengths = this->Lines->GetPointData()->GetArray("ArcLength");
+      for (std::size_t i = 0; i < contours.arcLength.size(); ++i)
+      {
+        arcLengths->SetComponent(static_cast<vtkIdType>(i), 0, contours.arcLength[i]);
+      }
+      arcLengths->Modified();
+    }
   };
   InkActorResources<Drawn> Views;
 };
@@ -167,15 +181,21 @@ void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
     try
     {
       const ink::ContourArrays arrays{ true, true, true, true };
-      drawn.Contours = internals.Finder->find(eye, arrays);
-      drawn.Lines = MakeLines(drawn.Contours, *internals.Mesh);
+      ink::Contours contours = internals.Finder->find(eye, arrays);
+      drawn.Lines = MakeLines(contours, *internals.Mesh);
       if (drawn.Source != internals.Source || !this->CoherentDashes)
       {
         drawn.Dashes.reset();
       }
-      if (this->CoherentDashes)
+      // How long a dash is follows from where the strokes are.
+      if (this->CoherentDashes && drawn.Lines->GetNumberOfLines() > 0 &&
+        this->UpdateStrokes(own, drawn.Lines))
       {
-        this->AlignDashes(own, frame);
+        const double period = this->FindDashPeriod(own, frame);
+        if (period > 0.0)
+        {
+          drawn.AlignDashes(contours, period);
+        }
       }
     }
     catch (const std::exception& error)
@@ -190,29 +210,6 @@ void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
   {
     this->Superclass::DrawMarks(own, frame);
   }
-}
-
-void vtkInkSilhouetteMapper::AlignDashes(InkMarks& own, const InkFrame& frame)
-{
-  vtkInternals::Drawn& drawn = this->Internals->Views.Get(frame.Renderer, frame.Actor);
-  // How long a dash is follows from where the strokes are.
-  if (drawn.Lines->GetNumberOfLines() == 0 || !this->UpdateStrokes(own, drawn.Lines))
-  {
-    return;
-  }
-  const double period = this->FindDashPeriod(own, frame);
-  if (!(period > 0.0))
-  {
-    return;
-  }
-  constexpr double periodsOfReach = 2.0; // farther away are other lines
-  drawn.Dashes.align(drawn.Contours, period, periodsOfReach * period);
-  vtkDataArray* arcLengths = drawn.Lines->GetPointData()->GetArray("ArcLength");
-  for (std::size_t i = 0; i < drawn.Contours.arcLength.size(); ++i)
-  {
-    arcLengths->SetComponent(static_cast<vtkIdType>(i), 0, drawn.Contours.arcLength[i]);
-  }
-  arcLengths->Modified();
 }
 
 vtkPolyData* vtkInkSilhouetteMapper::GetContours(vtkRenderer* renderer, vtkActor* actor)

@@ -142,8 +142,6 @@ private:
   bool CoherentDashes = false;
 
   class vtkInternals;
-  /// Shifts the arc length of the lines that are drawn next.
-  void AlignDashes(InkMarks& own, const InkFrame& frame);
   std::unique_ptr<vtkInternals> Internals;
 };
 

@@ -153,8 +153,8 @@ public:
   ///@{
   /**
    * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
-   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number
-   * of them. Default: off.
+   * with the camera; those of silhouettes slide a little with each view, unless vtkInkSilhouetteMapper has
+   * CoherentDashes. A closed stroke has a whole number of them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);

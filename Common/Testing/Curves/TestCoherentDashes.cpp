@@ -98,3 +98,39 @@ TEST(CoherentDashes, OnlyFollowWhatIsNear)
   dashes.align(none, 0.1, 0.05);
   EXPECT_TRUE(none.arcLength.empty());
 }
+
+TEST(CoherentDashes, OfOpenLinesStayWhereTheseGrow)
+{
+  const auto line = [](double from)
+  {
+    ink::Contours contours;
+    for (int i = 0; i <= 200; ++i)
+    {
+      contours.positions.emplace_back(from + 0.005 * i, 0.0, 0.0);
+      contours.arcLength.push_back(0.005 * i);
+    }
+    contours.chains.offsets.push_back(201);
+    contours.chains.closed.push_back(0);
+    contours.kinds.push_back(ink::ContourKind::Silhouette);
+    return contours;
+  };
+  const double period = 0.13;
+  ink::CoherentDashes dashes;
+  ink::Contours contours = line(0.0);
+  dashes.align(contours, period, 0.02);
+  for (const double from : { 0.035, 0.11, -0.2 })
+  {
+    contours = line(from);
+    dashes.align(contours, period, 0.02);
+    // A dash begins at 0 still, but for what is beyond the line before, whose nearest point is its end
+    // (measured .003 of a period).
+    const double phase = (contours.arcLength[0] - from) / period;
+    EXPECT_NEAR(phase, std::round(phase), 0.01) << from;
+  }
+  // Creases do not move, and stay as they are.
+  contours = line(0.05);
+  contours.kinds[0] = ink::ContourKind::Crease;
+  const std::vector<double> own = contours.arcLength;
+  dashes.align(contours, period, 0.02);
+  EXPECT_EQ(contours.arcLength, own);
+}
