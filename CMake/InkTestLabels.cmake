@@ -12,7 +12,7 @@ set(_ink_test_labels
   "lines:SplattingLines"
   "strokes:Stroke|CurveVisibility"
   "streamlines:Streamline|LineSampleGrid|CrossField|MeshNavigation|LinesOfCurvature"
-  "contours:Contours|ChainSegments|FacingPlanes|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
+  "contours:Contours|ChainSegments|CoherentDashes|FacingPlanes|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
   "statistics:IsoValue|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SmoothedSlices"
   "vdb:Vdb|VDB|vdb"

@@ -13,6 +13,7 @@
 #include "InkStrokeStyle.h"
 #include "InkViewUniforms.h"
 
+#include "Curves/Contours/CoherentDashes.h"
 #include "Curves/Contours/MeshContours.h"
 
 #include "vtkActor.h"
@@ -112,6 +113,22 @@ public:
     std::optional<Key> Source;
     ink::Eye Eye;
     vtkSmartPointer<vtkPolyData> Lines;
+    ink::CoherentDashes Dashes;
+
+    /// Shifts the lines' arc length.
+    /// @param contours what the lines are of
+    /// @param period of a dash and its gap, in the surface's unit
+    void AlignDashes(ink::Contours& contours, double period)
+    {
+      constexpr double periodsOfReach = 2.0; // farther away are other lines
+      this->Dashes.align(contours, period, periodsOfReach * period);
+      vtkDataArray* arcLengths = this->Lines->GetPointData()->GetArray("ArcLength");
+      for (std::size_t i = 0; i < contours.arcLength.size(); ++i)
+      {
+        arcLengths->SetComponent(static_cast<vtkIdType>(i), 0, contours.arcLength[i]);
+      }
+      arcLengths->Modified();
+    }
   };
   InkActorResources<Drawn> Views;
 };
@@ -298,7 +315,22 @@ void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
     try
     {
       const ink::ContourArrays arrays{ true, true, true, true };
-      drawn.Lines = MakeLines(internals.Finder->find(eye, arrays), *internals.Mesh);
+      ink::Contours contours = internals.Finder->find(eye, arrays);
+      drawn.Lines = MakeLines(contours, *internals.Mesh);
+      if (drawn.Source != internals.Source || !this->CoherentDashes)
+      {
+        drawn.Dashes.reset();
+      }
+      // How long a dash is follows from where the strokes are.
+      if (this->CoherentDashes && drawn.Lines->GetNumberOfLines() > 0 &&
+        this->UpdateStrokes(own, drawn.Lines))
+      {
+        const double period = this->FindDashPeriod(own, frame);
+        if (period > 0.0)
+        {
+          drawn.AlignDashes(contours, period);
+        }
+      }
     }
     catch (const std::exception& error)
     {
@@ -339,6 +371,7 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetShortestCrease(from->GetShortestCrease());
     this->SetBorders(from->GetBorders());
     this->SetNonManifoldEdges(from->GetNonManifoldEdges());
+    this->SetCoherentDashes(from->GetCoherentDashes());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -360,4 +393,5 @@ void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
   os << indent << "Borders: " << (this->Borders ? "On" : "Off") << "\n";
   os << indent << "NonManifoldEdges: " << (this->NonManifoldEdges ? "On" : "Off") << "\n";
+  os << indent << "CoherentDashes: " << (this->CoherentDashes ? "On" : "Off") << "\n";
 }

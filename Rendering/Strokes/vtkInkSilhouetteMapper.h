@@ -191,6 +191,17 @@ public:
   vtkBooleanMacro(NonManifoldEdges, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether dashes of silhouettes stay as near as they can to where they were in the picture before, for
+   * motion. Off (default), they begin where the line does, which travels over the surface with the eye; on, a
+   * picture depends on those before it.
+   */
+  vtkSetMacro(CoherentDashes, bool);
+  vtkGetMacro(CoherentDashes, bool);
+  vtkBooleanMacro(CoherentDashes, bool);
+  ///@}
+
   /**
    * The contours that an actor in a renderer showed last: lines with the point arrays `Normals`,
    * `RadialCurvature` and `ArcLength` and the cell array `ContourKind`; null before the first picture. Its
@@ -232,6 +243,7 @@ private:
   double ShortestCrease = 0.0;
   bool Borders = true;
   bool NonManifoldEdges = false;
+  bool CoherentDashes = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -271,6 +271,13 @@ InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const 
   return style;
 }
 
+double vtkInkStrokeMapper::FindDashPeriod(const InkMarks& own, const InkFrame& frame)
+{
+  const auto& marks = static_cast<const InkStrokeMarks&>(own);
+  const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
+  return view.Unit * static_cast<double>(this->MakeStyle(marks, view).Dash[1]);
+}
+
 InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const
 {
   const auto number = [](double value) { return static_cast<float>(value); };

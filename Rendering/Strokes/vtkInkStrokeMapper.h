@@ -163,8 +163,8 @@ public:
   ///@{
   /**
    * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
-   * with the camera; those of silhouettes slide a little with each view. A closed stroke has a whole number
-   * of them. Default: off.
+   * with the camera; those of silhouettes slide a little with each view, unless vtkInkSilhouetteMapper has
+   * CoherentDashes. A closed stroke has a whole number of them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);
@@ -399,6 +399,8 @@ protected:
     const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose);
   /// The depth of the surface in a view; null without one.
   InkOccluderDepth* UpdateDepth(const InkStrokeMarks& marks, const InkFrame& frame);
+  /// The length of a dash with its gap in a frame, in the unit of the strokes' points, which are up to date.
+  double FindDashPeriod(const InkMarks& own, const InkFrame& frame);
   /// The surface that hides strokes, or null.
   virtual vtkPolyData* FindSurface();
 

@@ -11,7 +11,9 @@ frames, with all chains, hidden ones too, in pieces no longer than their segment
 - slide: of the length that stays, how far dashes move along it, in periods of a dash and its gap, on average; 0.25 is chance;
 - jump: the share of that length whose dashes move by more than a tenth of a period.
 
-Dashes are those of the style Contours. Silhouettes of volumes are straight from the voxels; `surface` is the smoothed one that the
+Dashes are those of the style Contours. *drawn* is the slide of surfaces' silhouettes and borders, without creases, as
+vtkInkSilhouetteMapper draws them, and *coherent* the same with its CoherentDashes, which shifts each chain's dashes as a whole to where
+they were in the frame before. Silhouettes of volumes are straight from the voxels; `surface` is the smoothed one that the
 style draws.
 """
 
@@ -21,7 +23,7 @@ import sys
 
 import numpy as np
 import vtkink
-from vtkink import VTK_PACKAGE, vtk, vtkInkContours, vtkInkContoursStyle
+from vtkink import VTK_PACKAGE, vtk, vtkInkContours, vtkInkContoursStyle, vtkInkSilhouetteMapper
 
 support = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support")
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
@@ -102,6 +104,17 @@ def compare(before, after, reach):
     )
 
 
+def eye_at(degrees, diagonal, middle):
+    angle = np.radians(20 + degrees)
+    return middle + 2 * diagonal * np.array([np.sin(angle), -np.cos(angle), 0.4])
+
+
+def compare_frames(at, frames, diagonal):
+    all_frames = [at(degrees) for degrees in range(frames + 1)]
+    rows = [compare(*pair, REACH / 100 * diagonal) for pair in zip(all_frames[:-1], all_frames[1:])]
+    return np.mean(rows, axis=0)
+
+
 def measure(data, frames, value=None, silhouettes=True):
     contours = vtkInkContours()
     contours.SetInputData(data)
@@ -116,20 +129,48 @@ def measure(data, frames, value=None, silhouettes=True):
     contours.SetEyeToPosition()
 
     def at(degrees):
-        angle = np.radians(20 + degrees)
-        contours.SetEyePosition(*(middle + 2 * diagonal * np.array([np.sin(angle), -np.cos(angle), 0.4])))
+        contours.SetEyePosition(*eye_at(degrees, diagonal, middle))
         contours.Update()
         return Frame(contours.GetOutput(), PERIOD * diagonal)
 
-    all_frames = [at(degrees) for degrees in range(frames + 1)]
-    rows = [compare(*pair, REACH / 100 * diagonal) for pair in zip(all_frames[:-1], all_frames[1:])]
-    return np.mean(rows, axis=0)
+    return compare_frames(at, frames, diagonal)
+
+
+def measure_drawn(data, frames, coherent):
+    """How far dashes slide that the mapper draws."""
+    diagonal, middle = data.GetLength(), np.array(data.GetCenter())
+    mapper = vtkInkSilhouetteMapper()
+    mapper.SetInputData(data)
+    mapper.SetSizeUnitToWorld()
+    mapper.SetDashLength(8 / 13 * PERIOD * diagonal)
+    mapper.SetGapLength(5 / 13 * PERIOD * diagonal)
+    mapper.DashedOn()
+    mapper.SetCoherentDashes(coherent)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtk.vtkRenderer()
+    renderer.AddActor(actor)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetSize(64, 64)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(*middle)
+    camera.SetViewUp(0, 0, 1)
+
+    def at(degrees):
+        camera.SetPosition(*eye_at(degrees, diagonal, middle))
+        renderer.ResetCameraClippingRange()
+        window.Render()
+        return Frame(mapper.GetContours(renderer, actor), PERIOD * diagonal)
+
+    return compare_frames(at, frames, diagonal)[2]
 
 
 def main(frames):
     engine, bonsai = (vtkink.read(DATA / f"{name}.nii.gz") for name in ("engine", "bonsai"))
     print(f"{frames} frames of a degree each\n")
-    print("| contours of | appear | disappear | slide | jump |\n|---|---|---|---|---|")
+    print("| contours of | appear | disappear | slide | jump | drawn | coherent |\n|---|---|---|---|---|---|---|")
     for name, data, options in (
         ("box", box(), {"silhouettes": False}),
         ("sphere", sphere(), {}),
@@ -139,7 +180,9 @@ def main(frames):
         ("bonsai, surface", surface(bonsai, 40.0), {}),
     ):
         appear, disappear, slide, jump = measure(data, frames, **options)
-        print(f"| {name} | {appear:.2%} | {disappear:.2%} | {slide:.3f} | {jump:.1%} |", flush=True)
+        # The mapper takes surfaces.
+        drawn = " | " if "value" in options else " | ".join(f"{measure_drawn(data, frames, on):.3f}" for on in (False, True))
+        print(f"| {name} | {appear:.2%} | {disappear:.2%} | {slide:.3f} | {jump:.1%} | {drawn} |", flush=True)
 
 
 if __name__ == "__main__":

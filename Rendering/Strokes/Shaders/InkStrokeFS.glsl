@@ -202,13 +202,14 @@ float pixelsPerArc(Segment own)
 }
 
 #ifdef INK_DASHED
-// How much of a pixel lies in a dash. In a closed stroke there are whole dashes with their gaps.
+// How much of a pixel lies in a dash, at an arc length from the stroke's begin. In a closed stroke there are whole
+// dashes with their gaps.
 float coverageOfDash(Segment own, float arcLength, vec2 direction)
 {
   vec4 stroke = texelFetch(strokes, runVSOutput.z);
   vec2 fitted = dash * (stroke.w == 0.0 ? 1.0 : stroke.y / (dash.y * max(round(stroke.y / dash.y), 1.0)));
   float scale = pixelsPerArc(own);
-  float phase = mod(arcLength, fitted.y);
+  float phase = mod(stroke.x + arcLength, fitted.y);
   phase -= phase > 0.5 * (fitted.x + fitted.y) ? fitted.y : 0.0;
   float sharp = behindEdge(phase * scale, direction) + behindEdge((fitted.x - phase) * scale, direction) - 1.0;
   // Where a period is no more than a pixel, its mean.

@@ -193,6 +193,53 @@ TEST(SilhouetteMapper, Selection)
   }
 }
 
+/// The dashed outline of a sphere is the same circle from everywhere: its dashes stay or slide.
+TEST(SilhouetteMapper, CoherentDashes)
+{
+  const auto sphere = Sphere();
+  const auto slides = [&](bool coherent)
+  {
+    Scene scene(sphere);
+    scene.Mapper->DashedOn();
+    scene.Mapper->SetDashLength(10.0);
+    scene.Mapper->SetGapLength(10.0);
+    scene.Mapper->SetCoherentDashes(coherent);
+    double change = 0.0;
+    InkTestImage before(scene.Window);
+    const double ink = before.Ink();
+    for (int frame = 0; frame < 10; ++frame)
+    {
+      scene.Renderer->GetActiveCamera()->Azimuth(2.0);
+      scene.Renderer->GetActiveCamera()->Elevation(1.0);
+      InkTestImage image(scene.Window);
+      for (int y = 0; y < 200; ++y)
+      {
+        for (int x = 0; x < 200; ++x)
+        {
+          change += std::abs(image.Gray(x, y) - before.Gray(x, y)) / 255.0;
+        }
+      }
+      EXPECT_NEAR(image.Ink() / ink, 1.0, 0.05);
+      before = image;
+    }
+    if (!coherent)
+    {
+      // Without history the picture is that of a new scene.
+      Scene again(sphere);
+      again.Mapper->DashedOn();
+      again.Mapper->SetDashLength(10.0);
+      again.Mapper->SetGapLength(10.0);
+      again.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
+      EXPECT_EQ(InkTestImage(again.Window).CountDifferent(before), 0);
+    }
+    return change / (10.0 * ink);
+  };
+  const double still = slides(true);
+  const double sliding = slides(false);
+  // Measured: .037 and .556 of the ink a frame.
+  EXPECT_LT(still, 0.15 * sliding) << "of " << sliding;
+}
+
 TEST(SilhouetteMapper, OddSurfaces)
 {
   const auto points = vtkSmartPointer<vtkPolyData>::New();
@@ -225,6 +272,7 @@ TEST(SilhouetteMapper, Parameters)
   mapper->CreasesOn();
   mapper->SetFeatureAngle(500.0);
   mapper->NonManifoldEdgesOn();
+  mapper->CoherentDashesOn();
   mapper->SilhouettesOff();
   mapper->BordersOff();
   mapper->SetLineWidth(7.0);
@@ -249,8 +297,8 @@ TEST(SilhouetteMapper, Parameters)
   };
   EXPECT_EQ(print(copy), print(mapper));
   for (const char* text : { "Silhouettes: Off", "Faceted: On", "Creases: On", "FeatureAngle: 180",
-         "Borders: Off", "NonManifoldEdges: On", "LineWidth: 7", "Method: Toon", "LowestValue: 1",
-         "HighestValue: 2", "LeastGradientMagnitude: 3", "LargestCosine: 0.4", "SegmentLength: 5",
+         "Borders: Off", "NonManifoldEdges: On", "CoherentDashes: On", "LineWidth: 7", "Method: Toon",
+         "LowestValue: 1", "HighestValue: 2", "LeastGradientMagnitude: 3", "LargestCosine: 0.4", "SegmentLength: 5",
          "Thinning: Off", "TextureLength: 6" })
   {
     EXPECT_NE(print(mapper).find(text), std::string::npos) << text;
