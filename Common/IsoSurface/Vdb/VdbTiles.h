@@ -51,7 +51,7 @@ struct VdbTileSamples
 ///
 /// @tparam Real of points, float or double; options.samples.arithmetic should be Double for the latter
 /// @throws VdbTooLarge; std::invalid_argument if parts are to be left out of a grid whose indices exceed those of
-///   ActiveCellId
+///   ActiveCellId, but for ComponentSelection::automatic, which keeps all parts of such a grid
 /// @return false when `progress` asked to stop
 template <class Real>
 bool sampleVdbTiles(const VdbGrid& grid, std::span<const double> isoValues, const VdbTileOptions& options,

@@ -256,4 +256,9 @@ TEST(VdbTiles, RefuseWhatDoesNotFit)
   const double middle[] = { 0.5 };
   EXPECT_THROW(
     sampleVdbTiles(readBack<openvdb::FloatGrid>(far), middle, options, samples), std::invalid_argument);
+  // What nobody asked for is left.
+  options.parts = { ink::ComponentSelection::automatic, 0 };
+  options.smoothing = 0.3;
+  EXPECT_TRUE(sampleVdbTiles(readBack<openvdb::FloatGrid>(far), middle, options, samples));
+  EXPECT_GT(samples.counts.front(), 0u);
 }
