@@ -269,8 +269,9 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
   }
   // Nor is smoothing chosen unasked for data that comes from a port, whose stipples are the filter's.
   const double smoothing = style->IsoSurface->GetSmoothing();
-  generator->SetSmoothing(input.Port ? std::max(smoothing, 0.0)
-                                     : style->IsoSurface->ChooseSmoothing(style, leaves.Images, style->Scalars));
+  generator->SetSmoothing(input.Port
+      ? std::max(smoothing, 0.0)
+      : style->IsoSurface->ChooseSmoothing(style, leaves.Images, style->Scalars));
   const char* scalars = style->Scalars.c_str();
   if (style->Scalars.empty())
   {

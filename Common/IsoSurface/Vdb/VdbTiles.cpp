@@ -22,7 +22,8 @@ namespace ink
 namespace
 {
 
-/// Cells along the edge of a tile: large against what smoothing reads around it, small against a thread's cache.
+/// Cells along the edge of a tile: large against what smoothing reads around it, small against a thread's
+/// cache.
 constexpr int tileEdge = 32;
 
 /// The edge of VdbActiveCells' blocks.
@@ -72,7 +73,10 @@ public:
     }
     const bool parts = !this->Parts.keepsAll();
     const auto at = [&](int piece)
-    { return this->Tiles.size() * static_cast<std::size_t>(piece) / static_cast<std::size_t>(this->Options.pieces); };
+    {
+      return this->Tiles.size() * static_cast<std::size_t>(piece) /
+        static_cast<std::size_t>(this->Options.pieces);
+    };
     const std::size_t first = at(this->Options.piece);
     const std::size_t last = at(this->Options.piece + 1);
     const std::size_t begin = parts ? 0 : first;
@@ -171,20 +175,19 @@ private:
   {
     const glm::dvec3 divided(this->Resampling.subdivision);
     // A surface that is divided along two axes, and those that rims add.
-    const double each = divided.x * divided.y * divided.z /
-      std::min({ divided.x, divided.y, divided.z });
+    const double each = divided.x * divided.y * divided.z / std::min({ divided.x, divided.y, divided.z });
     constexpr double bytes = 2.0 * (3 * sizeof(Real) + 3 * sizeof(float) + sizeof(ActiveCellId));
     if (cells * each * bytes > static_cast<double>(this->Options.memory))
     {
-      throw VdbTooLarge("the surface has about " +
-        std::to_string(static_cast<std::uint64_t>(cells * each)) + " points, which take " +
-        std::to_string(static_cast<std::uint64_t>(cells * each * bytes / 0x1p20)) + " MiB");
+      throw VdbTooLarge("the surface has about " + std::to_string(static_cast<std::uint64_t>(cells * each)) +
+        " points, which take " + std::to_string(static_cast<std::uint64_t>(cells * each * bytes / 0x1p20)) +
+        " MiB");
     }
     // The ids of cells, by which parts are found.
     constexpr int most = (1 << 20) - 2;
     const VoxelBox box = this->Grid.activeBox();
-    const glm::dvec3 farthest = glm::max(glm::abs(glm::dvec3(box.first)), glm::abs(glm::dvec3(box.last))) +
-      glm::dvec3(this->Reach + 1);
+    const glm::dvec3 farthest =
+      glm::max(glm::abs(glm::dvec3(box.first)), glm::abs(glm::dvec3(box.last))) + glm::dvec3(this->Reach + 1);
     if (this->Parts.keepsAll() || glm::all(glm::lessThanEqual(farthest * divided, glm::dvec3(most))))
     {
       return;
@@ -262,8 +265,8 @@ private:
         std::vector<Number> flat;
         for (const glm::dvec3& v : vectors)
         {
-          flat.insert(flat.end(),
-            { static_cast<Number>(v.x), static_cast<Number>(v.y), static_cast<Number>(v.z) });
+          flat.insert(
+            flat.end(), { static_cast<Number>(v.x), static_cast<Number>(v.y), static_cast<Number>(v.z) });
         }
         numbers.insert(at(numbers, 3 * end), flat.begin(), flat.end());
       };
@@ -352,7 +355,8 @@ private:
         samples.points.insert(samples.points.end(), own.points.begin() + begin, own.points.begin() + end);
         if (this->Options.normals)
         {
-          samples.normals.insert(samples.normals.end(), own.normals.begin() + begin, own.normals.begin() + end);
+          samples.normals.insert(
+            samples.normals.end(), own.normals.begin() + begin, own.normals.begin() + end);
         }
       }
       samples.counts.push_back((samples.points.size() - before) / 3);
