@@ -16,8 +16,8 @@ namespace ink
 namespace
 {
 
-/// Where the cubes' corner is, in edges: a side of what lies around the origin is hardly where cubes meet, which
-/// would tear its groups.
+/// Where the cubes' corner is, in edges: a side of what lies around the origin is hardly where cubes meet,
+/// which would tear its groups.
 constexpr glm::vec3 corner(0.38f, 0.21f, 0.57f);
 
 struct Key
@@ -58,7 +58,7 @@ SampleGroups groupSamples(
     {
       for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, keys.size()); ++i)
       {
-        const glm::vec3 cube = 
+        const glm::vec3 cube =
           glm::clamp(glm::floor(positions[i] / edge + corner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
         keys[i] = { mortonOf(glm::uvec3(cube)), directionOf(normals[i]), static_cast<std::uint32_t>(i) };
       }

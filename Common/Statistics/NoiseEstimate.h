@@ -15,8 +15,8 @@ struct NoiseEstimate
   double noise = 0.0;   ///< the standard deviation of the noise of a sample, that of rounding included
   double step = 0.0;    ///< the difference between both sides of the surface; 0 if there is no surface
   double quantum = 0.0; ///< the difference between neighboring gray levels; nearly 0 for continuous values
-  /// The samples in a row along an axis that are on one side of the surface, from where it is crossed: fewer in a
-  /// tenth of the places only. Up to thickEnough, which stands for more, too
+  /// The samples in a row along an axis that are on one side of the surface, from where it is crossed: fewer
+  /// in a tenth of the places only. Up to thickEnough, which stands for more, too
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
 };
@@ -36,8 +36,8 @@ NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue);
 /// The standard deviation of a Gaussian that makes the normals of an iso-surface smooth enough for lines, and
 /// no more: the smallest with which noise turns normals by no more than .02 radians (standard deviation), at
 /// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
-/// of them, but ask for no more than half of the thickness, with which a wall still reaches more than half of its
-/// value. Where voxels are longer than wide, it is half of their length, but no more than 2.
+/// of them, but ask for no more than half of the thickness, with which a wall still reaches more than half of
+/// its value. Where voxels are longer than wide, it is half of their length, but no more than 2.
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
 /// @return in multiples of the smallest spacing: 0, or from .3 to 2

@@ -121,8 +121,8 @@ bool findStippledVoxels(const GridField<T>& field, const glm::dvec3& deviation, 
     const std::size_t before = voxels.size();
     std::transform(part.rows.begin() + 1, part.rows.end(), std::back_inserter(voxels.rows),
       [before](std::size_t row) { return before + row; });
-    std::transform(part.x.begin(), part.x.end(), std::back_inserter(voxels.x),
-      [&first](int x) { return x + first.x; });
+    std::transform(
+      part.x.begin(), part.x.end(), std::back_inserter(voxels.x), [&first](int x) { return x + first.x; });
     voxels.gradients.insert(voxels.gradients.end(), part.gradients.begin(), part.gradients.end());
     voxels.values.insert(voxels.values.end(), part.values.begin(), part.values.end());
     return true;

@@ -97,8 +97,8 @@ struct Discs
   ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii }; }
 };
 
-/// Stipples of a list, on average: enough that most of those drawn are whole ones, and few enough that a list's
-/// normal is that of each.
+/// Stipples of a list, on average: enough that most of those drawn are whole ones, and few enough that a
+/// list's normal is that of each.
 constexpr double PerList = 8.0;
 
 /// The lists that samples make, and what they are made of.

@@ -3,11 +3,11 @@
 
 #include "Fields/Grid/GridField.h"
 #include "Fields/Grid/PieceOwnership.h"
+#include "Fields/Resampling/AxisResampling.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
 #include "InkStippleOutput.h"
 #include "InkWithGridField.h"
-#include "Fields/Resampling/AxisResampling.h"
 #include "Stippling/SmoothedVoxels.h"
 
 #include "vtkCellArray.h"
@@ -235,9 +235,8 @@ bool InkMeasureVolume(
 {
   const auto measure = [&](const auto& field)
   {
-    return ink::stipple::measureVolume(field,
-      ink::smoothingDeviation(field.geometry(), request.Smoothing), FindOwnSamples(image, request),
-      request.Gradient, statistics, request.Progress);
+    return ink::stipple::measureVolume(field, ink::smoothingDeviation(field.geometry(), request.Smoothing),
+      FindOwnSamples(image, request), request.Gradient, statistics, request.Progress);
   };
   return WithField(image, request, measure);
 }

@@ -131,7 +131,7 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   else
   {
     const int levels = outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
-    info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 
+    info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
       levels + GhostLevels + ink::stipple::smoothingReach(this->Smoothing));
   }
   return 1;

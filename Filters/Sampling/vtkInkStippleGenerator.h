@@ -21,8 +21,8 @@
  *
  * Points without polygons that have `Normals` and `Radius`, as vtkInkIsoSurfaceSampler and
  * vtkInkSurfaceSampler make them: the surface that discs of these radii cover is sampled with blue noise in
- * order of priority, as densely as is asked for, however dense the points are. Each stipple is an element of
- * its own, with the normal of the point whose disc it lies on.
+ * order of priority, as densely as is asked for, however dense the points are. An element is a group of about
+ * eight neighbors on one side of the surface, with the mean normal of the discs that they lie on.
  *
  * Output: the points are the stipples, element by element; for each element with stipples one VTK_POLY_VERTEX
  * cell (which VTK reports as VTK_VERTEX where it holds one point) with its list, in order of priority. Cell
@@ -40,9 +40,10 @@
  * stipples. With UseReferenceRanges and a GradientThreshold no global statistics are needed: each piece is
  * requested with five levels of ghost cells, and a distributed image that no process holds as a whole, as in
  * a simulation, gives exactly the same stipples if its parts have five ghost levels (cells of other parts
- * being marked as duplicates). The same holds for given statistics of all parts, see SetStatistics. Otherwise
- * each part has percentiles and ranges of its own. If the whole image arrives for every piece, or only for
- * the first one, the first piece processes all of it. Pieces of a mesh are sampled independently.
+ * being marked as duplicates), with Smoothing as many more as the Gaussian reaches. The same holds for given
+ * statistics of all parts, see SetStatistics. Otherwise each part has percentiles and ranges of its own. If
+ * the whole image arrives for every piece, or only for the first one, the first piece processes all of it.
+ * Pieces of a mesh are sampled independently.
  *
  * Hidden points, NaN and infinite values get no stipples. An image in which no gradient reaches the threshold
  * gives none, which is not an error. Errors, each with an empty output: an input that is neither an image nor

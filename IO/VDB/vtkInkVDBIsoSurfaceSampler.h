@@ -12,9 +12,9 @@
  * cell; within a block by cell in the same order. They are the same for any number of threads. Each piece has
  * a share of the blocks; all pieces together have exactly the points of the whole.
  *
- * With Smoothing, Subdivision, a Cut or parts left out, tiles of 32 x 32 x 32 voxels take the place of blocks: each is
- * copied with what its values depend on. Points and normals then are those of vtkInkIsoSurfaceSampler on an image with
- * as large a Padding as the Gaussian reaches.
+ * With Smoothing, Subdivision, a Cut or parts left out, tiles of 32 x 32 x 32 voxels take the place of
+ * blocks: each is copied with what its values depend on. Points and normals then are those of
+ * vtkInkIsoSurfaceSampler on an image with as large a Padding as the Gaussian reaches.
  *
  * Readable grids, their names, the sign of level sets and errors are as in vtkInkVDBReader; point arrays and
  * iso-values as in vtkInkIsoSurfaceSampler. The grid is cached for the next iso-value.
@@ -118,8 +118,8 @@ public:
   ///@{
   /**
    * The standard deviation of the Gaussian that values are smoothed with before the surface is sampled, as in
-   * vtkInkIsoSurfaceSampler: in multiples of the smallest spacing, 0 to 8. Default: 0, values as they are. A tile
-   * of the grid is smoothed at a time. NaN is refused with a warning.
+   * vtkInkIsoSurfaceSampler: in multiples of the smallest spacing, 0 to 8. Default: 0, values as they are. A
+   * tile of the grid is smoothed at a time. NaN is refused with a warning.
    */
   InkSetClampMacro(Smoothing, 0.0, 8.0);
   vtkGetMacro(Smoothing, double);
@@ -145,8 +145,8 @@ public:
 
   ///@{
   /**
-   * How many cells take the place of one along the axis of the smallest spacing, as in vtkInkIsoSurfaceSampler, 1
-   * to 8. Default: 1.
+   * How many cells take the place of one along the axis of the smallest spacing, as in
+   * vtkInkIsoSurfaceSampler, 1 to 8. Default: 1.
    */
   vtkSetClampMacro(Subdivision, int, 1, 8);
   vtkGetMacro(Subdivision, int);
@@ -162,8 +162,8 @@ public:
 
   ///@{
   /**
-   * What is added where a surface leaves the volume that the grid was made of, as in vtkInkIsoSurfaceSampler: OPEN
-   * (default), RIM or CAP. Grids that vtkInk did not write end nowhere.
+   * What is added where a surface leaves the volume that the grid was made of, as in vtkInkIsoSurfaceSampler:
+   * OPEN (default), RIM or CAP. Grids that vtkInk did not write end nowhere.
    */
   vtkSetClampMacro(Cut, int, OPEN, CAP);
   vtkGetMacro(Cut, int);
@@ -176,8 +176,8 @@ public:
   ///@{
   /**
    * Leave out parts of a surface that have less than this share of its largest part's points, as in
-   * vtkInkIsoSurfaceSampler: 0 (default): none; negative: automatic. Parts are those of the whole grid, whichever
-   * piece of it is asked for.
+   * vtkInkIsoSurfaceSampler: 0 (default): none; negative: automatic. Parts are those of the whole grid,
+   * whichever piece of it is asked for.
    */
   InkSetClampMacro(SmallestPart, -1.0, 1.0);
   vtkGetMacro(SmallestPart, double);

@@ -275,7 +275,11 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
       style->AddNote("there are no silhouettes: " + problem);
     }
   }
-  generator->SetSmoothing(style->IsoSurface->ChooseSmoothing(style, leaves.Images, style->Scalars));
+  // Nor is smoothing chosen unasked for data that comes from a port, whose stipples are the filter's.
+  const double smoothing = style->IsoSurface->GetSmoothing();
+  generator->SetSmoothing(input.Port
+      ? std::max(smoothing, 0.0)
+      : style->IsoSurface->ChooseSmoothing(style, leaves.Images, style->Scalars));
   const char* scalars = style->Scalars.c_str();
   if (style->Scalars.empty())
   {

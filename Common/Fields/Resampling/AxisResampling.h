@@ -11,7 +11,8 @@ namespace ink
 
 class GridGeometry;
 
-/// The standard deviation along each axis, in samples, of a Gaussian that is the same in all world directions.
+/// The standard deviation along each axis, in samples, of a Gaussian that is the same in all world
+/// directions.
 /// @param smoothing in multiples of the smallest distance of samples
 glm::dvec3 smoothingDeviation(const GridGeometry& geometry, double smoothing);
 

@@ -22,7 +22,8 @@ namespace ink
 namespace
 {
 
-/// Cells along the edge of a tile: large against what smoothing reads around it, small against a thread's cache.
+/// Cells along the edge of a tile: large against what smoothing reads around it, small against a thread's
+/// cache.
 constexpr int tileEdge = 32;
 
 /// The edge of VdbActiveCells' blocks.
@@ -56,6 +57,7 @@ public:
     , Domain(grid.domain())
     , Resampling(makeIsoSurfaceResampling(
         grid.geometry(grid.activeBox()), options.smoothing, options.subdivision, options.target))
+    , Parts(options.parts)
     , Reach(isoSurfaceResamplingReach(options.smoothing, options.subdivision) +
         (options.projectionSteps > 0 ? 1 : 0))
   {
@@ -69,9 +71,12 @@ public:
     {
       return false;
     }
-    const bool parts = !this->Options.parts.keepsAll();
+    const bool parts = !this->Parts.keepsAll();
     const auto at = [&](int piece)
-    { return this->Tiles.size() * static_cast<std::size_t>(piece) / static_cast<std::size_t>(this->Options.pieces); };
+    {
+      return this->Tiles.size() * static_cast<std::size_t>(piece) /
+        static_cast<std::size_t>(this->Options.pieces);
+    };
     const std::size_t first = at(this->Options.piece);
     const std::size_t last = at(this->Options.piece + 1);
     const std::size_t begin = parts ? 0 : first;
@@ -123,7 +128,7 @@ private:
     {
       this->addSides();
     }
-    this->checkMemory(cells);
+    this->checkSize(cells);
     const auto before = [](const glm::ivec3& a, const glm::ivec3& b)
     { return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x); };
     std::sort(this->Tiles.begin(), this->Tiles.end(), before);
@@ -166,31 +171,35 @@ private:
     }
   }
 
-  void checkMemory(double cells) const
+  void checkSize(double cells)
   {
     const glm::dvec3 divided(this->Resampling.subdivision);
     // A surface that is divided along two axes, and those that rims add.
-    const double each = divided.x * divided.y * divided.z /
-      std::min({ divided.x, divided.y, divided.z });
+    const double each = divided.x * divided.y * divided.z / std::min({ divided.x, divided.y, divided.z });
     constexpr double bytes = 2.0 * (3 * sizeof(Real) + 3 * sizeof(float) + sizeof(ActiveCellId));
     if (cells * each * bytes > static_cast<double>(this->Options.memory))
     {
-      throw VdbTooLarge("the surface has about " +
-        std::to_string(static_cast<std::uint64_t>(cells * each)) + " points, which take " +
-        std::to_string(static_cast<std::uint64_t>(cells * each * bytes / 0x1p20)) + " MiB");
+      throw VdbTooLarge("the surface has about " + std::to_string(static_cast<std::uint64_t>(cells * each)) +
+        " points, which take " + std::to_string(static_cast<std::uint64_t>(cells * each * bytes / 0x1p20)) +
+        " MiB");
     }
     // The ids of cells, by which parts are found.
     constexpr int most = (1 << 20) - 2;
     const VoxelBox box = this->Grid.activeBox();
-    const glm::dvec3 farthest = glm::max(glm::abs(glm::dvec3(box.first)), glm::abs(glm::dvec3(box.last))) +
-      glm::dvec3(this->Reach + 1);
-    if (!this->Options.parts.keepsAll() && glm::any(glm::greaterThan(farthest * divided, glm::dvec3(most))))
+    const glm::dvec3 farthest =
+      glm::max(glm::abs(glm::dvec3(box.first)), glm::abs(glm::dvec3(box.last))) + glm::dvec3(this->Reach + 1);
+    if (this->Parts.keepsAll() || glm::all(glm::lessThanEqual(farthest * divided, glm::dvec3(most))))
+    {
+      return;
+    }
+    if (this->Parts.smallestShare >= 0.0 || this->Parts.largest > 0)
     {
       throw std::invalid_argument("parts of surfaces: expected voxels with indices up to " +
         std::to_string(most) + " after they are divided, found " +
         std::to_string(static_cast<std::int64_t>(
           std::max({ farthest.x * divided.x, farthest.y * divided.y, farthest.z * divided.z }))));
     }
+    this->Parts = {};
   }
 
   template <class T>
@@ -207,7 +216,7 @@ private:
     const GridField<T> field(this->Grid.geometry(box), std::span<const T>(values));
     const CellSelection selection{ first - box.first, last - box.first, {} };
 
-    const bool identifies = !this->Options.parts.keepsAll();
+    const bool identifies = !this->Parts.keepsAll();
     TileSamples<Real> found;
     const GrowRoom grow = [&](std::size_t count)
     {
@@ -256,8 +265,8 @@ private:
         std::vector<Number> flat;
         for (const glm::dvec3& v : vectors)
         {
-          flat.insert(flat.end(),
-            { static_cast<Number>(v.x), static_cast<Number>(v.y), static_cast<Number>(v.z) });
+          flat.insert(
+            flat.end(), { static_cast<Number>(v.x), static_cast<Number>(v.y), static_cast<Number>(v.z) });
         }
         numbers.insert(at(numbers, 3 * end), flat.begin(), flat.end());
       };
@@ -266,7 +275,7 @@ private:
       {
         insert(found.normals, cut.normals);
       }
-      if (!this->Options.parts.keepsAll())
+      if (!this->Parts.keepsAll())
       {
         found.cells.insert(at(found.cells, end), cut.cells.begin(), cut.cells.end());
       }
@@ -278,7 +287,7 @@ private:
   /// Leaves out the samples of parts that are not wanted, of each surface's cells in all tiles.
   void keepParts()
   {
-    const ComponentSelection selection = this->Options.parts.inDividedCells(this->Options.subdivision);
+    const ComponentSelection selection = this->Parts.inDividedCells(this->Options.subdivision);
     // How many of a tile's samples belong to the surfaces before, as they were and as they are.
     std::vector<std::size_t> from(this->Samples.size(), 0);
     std::vector<std::size_t> to(this->Samples.size(), 0);
@@ -346,7 +355,8 @@ private:
         samples.points.insert(samples.points.end(), own.points.begin() + begin, own.points.begin() + end);
         if (this->Options.normals)
         {
-          samples.normals.insert(samples.normals.end(), own.normals.begin() + begin, own.normals.begin() + end);
+          samples.normals.insert(
+            samples.normals.end(), own.normals.begin() + begin, own.normals.begin() + end);
         }
       }
       samples.counts.push_back((samples.points.size() - before) / 3);
@@ -358,6 +368,7 @@ private:
   const VdbTileOptions& Options;
   VoxelBox Domain;
   IsoSurfaceResampling Resampling;
+  ComponentSelection Parts;
   int Reach;
   std::vector<glm::ivec3> Tiles;
   std::vector<TileSamples<Real>> Samples; ///< of each tile

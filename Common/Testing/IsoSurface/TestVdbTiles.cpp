@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Smoothed, divided, cut surfaces and their parts in a sparse grid against those of the same grid made dense: the same
-// samples, to the bit.
+// Smoothed, divided, cut surfaces and their parts in a sparse grid against those of the same grid made dense:
+// the same samples, to the bit.
 #include "IsoSurface/Vdb/VdbTiles.h"
 
 #include "VdbVolumes.h"
@@ -23,7 +23,8 @@ using ink::VdbTileOptions;
 using ink::VoxelBox;
 
 template <class Real = double>
-Samples<Real> sampleTiles(const VdbGrid& grid, std::span<const double> isoValues, const VdbTileOptions& options)
+Samples<Real> sampleTiles(
+  const VdbGrid& grid, std::span<const double> isoValues, const VdbTileOptions& options)
 {
   ink::VdbTileSamples<Real> found;
   EXPECT_TRUE(sampleVdbTiles(grid, isoValues, options, found));
@@ -40,11 +41,12 @@ Samples<Real> sampleTiles(const VdbGrid& grid, std::span<const double> isoValues
 
 /// What the dense grid gives: its cells, and the samples of its sides.
 template <class T, class Real = double>
-Samples<Real> sampleDense(const Volume<T>& volume, std::span<const double> isoValues, const VdbTileOptions& options)
+Samples<Real> sampleDense(
+  const Volume<T>& volume, std::span<const double> isoValues, const VdbTileOptions& options)
 {
   const auto field = volume.field();
-  const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
-    volume.geometry, options.smoothing, options.subdivision, options.target);
+  const ink::IsoSurfaceResampling resampling =
+    ink::makeIsoSurfaceResampling(volume.geometry, options.smoothing, options.subdivision, options.target);
   Samples<Real> samples;
   const ink::GrowRoom grow = [&](std::size_t count)
   {
@@ -64,8 +66,8 @@ Samples<Real> sampleDense(const Volume<T>& volume, std::span<const double> isoVa
     return room;
   };
   std::vector<std::size_t> counts;
-  EXPECT_TRUE(ink::sampleResampledIsoSurfaces(field, isoValues, options.samples, {}, resampling,
-    options.projectionSteps, nullptr, grow, counts));
+  EXPECT_TRUE(ink::sampleResampledIsoSurfaces(
+    field, isoValues, options.samples, {}, resampling, options.projectionSteps, nullptr, grow, counts));
   for (const double isoValue : isoValues)
   {
     const glm::ivec3 first = volume.geometry.first();
@@ -87,8 +89,8 @@ Samples<Real> sampleDense(const Volume<T>& volume, std::span<const double> isoVa
 template <class T>
 Volume<T> makeBody()
 {
-  return Volume<T>::from(
-    ink::GridGeometry({ 70, 45, 38 }, { 10.0, -5.0, 3.0 }, { 0.5, 0.5, 1.0 }, glm::dmat3(1.0), { -7, 3, -20 }),
+  return Volume<T>::from(ink::GridGeometry({ 70, 45, 38 }, { 10.0, -5.0, 3.0 }, { 0.5, 0.5, 1.0 },
+                           glm::dmat3(1.0), { -7, 3, -20 }),
     [](const glm::dvec3& p)
     {
       const double wave = 20.0 * std::sin(0.7 * p.x) * std::cos(0.5 * p.y);
@@ -114,9 +116,8 @@ TEST(VdbTiles, OfAWholeVolumeAgreeWithDense)
   const auto volume = makeBody<float>();
   const VdbGrid grid = makeVdbGrid(volume.field(), {});
   const double isoValues[] = { 50.0, 20.0 };
-  for (const auto& [smoothing, subdivision, target] :
-    { std::tuple(0.0, 1, SmoothingTarget::Surface), std::tuple(1.2, 1, SmoothingTarget::Surface),
-      std::tuple(0.8, 2, SmoothingTarget::Normals) })
+  for (const auto& [smoothing, subdivision, target] : { std::tuple(0.0, 1, SmoothingTarget::Surface),
+         std::tuple(1.2, 1, SmoothingTarget::Surface), std::tuple(0.8, 2, SmoothingTarget::Normals) })
   {
     VdbTileOptions options = optionsOf(smoothing, subdivision, target);
     for (const CutSurface cut : { CutSurface::Open, CutSurface::Rim, CutSurface::Cap })
@@ -189,7 +190,8 @@ TEST(VdbTiles, PartsAreThoseOfTheWholeSurface)
   options.cut = CutSurface::Rim;
   const double isoValue[] = { 50.0 };
   const auto all = sampleTiles(grid, isoValue, options);
-  const auto isFloaters = [](const glm::dvec3& p) { return glm::length(p - glm::dvec3(30.0, 5.0, -12.0)) < 3.0; };
+  const auto isFloaters = [](const glm::dvec3& p)
+  { return glm::length(p - glm::dvec3(30.0, 5.0, -12.0)) < 3.0; };
   std::size_t floaters = 0;
   for (std::size_t n = 0; n < all.size(); ++n)
   {
@@ -256,4 +258,9 @@ TEST(VdbTiles, RefuseWhatDoesNotFit)
   const double middle[] = { 0.5 };
   EXPECT_THROW(
     sampleVdbTiles(readBack<openvdb::FloatGrid>(far), middle, options, samples), std::invalid_argument);
+  // What nobody asked for is left.
+  options.parts = { ink::ComponentSelection::automatic, 0 };
+  options.smoothing = 0.3;
+  EXPECT_TRUE(sampleVdbTiles(readBack<openvdb::FloatGrid>(far), middle, options, samples));
+  EXPECT_GT(samples.counts.front(), 0u);
 }

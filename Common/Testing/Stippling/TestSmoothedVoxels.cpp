@@ -33,8 +33,7 @@ StippledVoxels voxelsOf(const GridField<T>& field, const glm::dvec3& deviation,
   const VoxelCriteria& criteria = {}, const GradientOptions& gradient = central)
 {
   StippledVoxels voxels;
-  EXPECT_TRUE(
-    findStippledVoxels(field, deviation, wholeOf(field.geometry()), gradient, criteria, voxels));
+  EXPECT_TRUE(findStippledVoxels(field, deviation, wholeOf(field.geometry()), gradient, criteria, voxels));
   return voxels;
 }
 
@@ -59,8 +58,7 @@ Volume<T> waves()
 
 TEST(SmoothedStippledVoxels, OfARampHaveItsSlope)
 {
-  const auto volume = Volume<double>::from(
-    GridGeometry({ 30, 30, 70 }, glm::dvec3(0.0), { 1.0, 1.0, 2.0 }),
+  const auto volume = Volume<double>::from(GridGeometry({ 30, 30, 70 }, glm::dvec3(0.0), { 1.0, 1.0, 2.0 }),
     [](const glm::dvec3& p) { return 2.0 * p.x - p.y + 0.5 * p.z; });
   const StippledVoxels voxels =
     voxelsOf(volume.field(), smoothingDeviation(volume.geometry, 1.5), { .threshold = 0.1f });
@@ -102,7 +100,8 @@ TEST(SmoothedStippledVoxels, OfAStepHaveTheGaussiansIntegral)
       for (std::size_t n = voxels.rows[row]; n < voxels.rows[row + 1]; ++n)
       {
         const glm::ivec3 at(voxels.x[n], row % box.size().y, row / box.size().y);
-        const auto integral = [&](double x) { return 500.0 * std::erfc((39.5 - x) / (deviation * std::sqrt(2.0))); };
+        const auto integral = [&](double x)
+        { return 500.0 * std::erfc((39.5 - x) / (deviation * std::sqrt(2.0))); };
         const double x = at[axis];
         // Of 1000; within 1.7 and 1.5, as the Gaussian ends somewhere and smooths what is interpolated.
         EXPECT_NEAR(voxels.values[n], integral(x), 2.5) << "axis " << axis << ", at " << x;
@@ -132,8 +131,7 @@ TEST(SmoothedStippledVoxels, AreThoseOfASmoothedGridForAnyNumberOfThreads)
     ASSERT_TRUE(measureVolume(smoothed.field(), all, gradient, wanted));
     const VoxelCriteria criteria{ .threshold = wanted.magnitudes.quantile(0.6), .lowest = 80.0 };
     StippledVoxels expected;
-    ASSERT_TRUE(
-      findStippledVoxels(smoothed.field(), wholeOf(volume.geometry), gradient, criteria, expected));
+    ASSERT_TRUE(findStippledVoxels(smoothed.field(), wholeOf(volume.geometry), gradient, criteria, expected));
     EXPECT_GT(expected.size(), 1000u);
     for (const char* threads : { "1", "2" })
     {
@@ -166,8 +164,7 @@ TEST(SmoothedStippledVoxels, OfMissingSamplesAreNone)
   volume.at({ 0, 0, 0 }) = std::numeric_limits<double>::infinity();
   std::vector<std::uint8_t> hidden(volume.values.size(), 0);
   hidden[volume.geometry.offset({ 7, 7, 33 })] = 1;
-  const StippledVoxels voxels =
-    voxelsOf(volume.field({ hidden, 1 }), glm::dvec3(1.0), { .threshold = 0.0f });
+  const StippledVoxels voxels = voxelsOf(volume.field({ hidden, 1 }), glm::dvec3(1.0), { .threshold = 0.0f });
   EXPECT_LE(voxels.size(), volume.values.size() - 3);
   EXPECT_GT(voxels.size(), volume.values.size() - 100);
   for (const glm::ivec3& at : { glm::ivec3(20, 10, 40), glm::ivec3(0, 0, 0), glm::ivec3(7, 7, 33) })
@@ -199,6 +196,6 @@ TEST(SmoothedStippledVoxels, StopWhenAsked)
   StippledVoxels voxels;
   VolumeStatistics statistics;
   EXPECT_FALSE(findStippledVoxels(volume.field(), glm::dvec3(1.0), whole, central, {}, voxels, stop));
-  EXPECT_FALSE(measureVolume(volume.field(), glm::dvec3(1.0), { volume.geometry.dimensions(), whole },
-    central, statistics, stop));
+  EXPECT_FALSE(measureVolume(
+    volume.field(), glm::dvec3(1.0), { volume.geometry.dimensions(), whole }, central, statistics, stop));
 }
