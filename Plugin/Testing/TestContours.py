@@ -20,6 +20,7 @@ def sphere():
 class TestContours(SurfaceTests, TestInOneView):
     PREFIX = "Contours"
     SHOWS = {"ContoursLineWidth": 10}
+    WIDE = {"ContoursLineWidth": 20}
 
     def show(self, source, style="Contours", **properties):
         display = Show(source, self.view)
@@ -87,16 +88,6 @@ class TestContours(SurfaceTests, TestInOneView):
         display.ContoursPreset = "Hidden Lines"
         self.assertEqual((display.ContoursHiddenLines, display.ContoursJoin), ("Dashed", "Pointed"))
         self.assertEqual(self.marks(display), before)
-
-    def test_points_of_a_mesh_are_picked_beside_its_lines(self):
-        self.show(sphere(), ContoursLineWidth=20)
-        picture(self.view)
-        SelectSurfacePoints(Rectangle=[0, 0, 199, 199], View=self.view)
-        source = GetActiveSource()
-        found = servermanager.Fetch(ExtractSelection(Input=source))
-        # Of 6962 points those about the circle, of 120 sides.
-        self.assertTrue(60 < found.GetNumberOfPoints() < 600, found.GetNumberOfPoints())
-        ClearSelection(source)
 
     def test_silhouettes_over_the_other_drawings(self):
         for style, prefix in STYLES.items():

@@ -8,6 +8,7 @@ import numpy
 from paraview.simple import *
 
 from rendering import TestInOneView, Warnings, is_background, picture
+from surface_tests import grids_and_composites
 
 
 class TestIllustration(TestInOneView):
@@ -77,10 +78,7 @@ class TestIllustration(TestInOneView):
 
     def test_grids_and_composites_are_drawn(self):
         wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
-        unstructured = AppendDatasets(Input=[wavelet])
-        structured = Transform(Input=Plane(XResolution=9, YResolution=9))
-        groups = [GroupDatasets(Input=[Sphere(), Cone()]), GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])]
-        for source in (unstructured, structured, *groups):
+        for source in grids_and_composites(wavelet):
             self.show(source)
             self.assertGreater((~is_background(picture(self.view))).mean(), 0.05, source)
             Hide(source, self.view)

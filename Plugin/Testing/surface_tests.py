@@ -8,9 +8,18 @@ from paraview.simple import *
 from rendering import Warnings, ink, is_background, picture
 
 
+def grids_and_composites(wavelet):
+    """Data that is neither an image nor a mesh alone."""
+    unstructured = AppendDatasets(Input=[wavelet])
+    structured = Transform(Input=Plane(XResolution=9, YResolution=9))
+    meshes = GroupDatasets(Input=[Sphere(), Cone()])
+    images = GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])
+    return unstructured, structured, meshes, images
+
+
 class SurfaceTests:
     """Tests that a TestInOneView takes beside its own. It has `show` and `marks`, and
-    PREFIX of its properties' names, and what SHOWS lines clearly, its properties by name."""
+    PREFIX of its properties' names, and what SHOWS lines clearly, and draws a WIDE outline, its properties by name."""
 
     def set(self, display, **properties):
         for name, value in properties.items():
@@ -50,11 +59,7 @@ class SurfaceTests:
         self.assertEqual(ink(picture(self.view)), 0)
 
     def test_grids_and_composites_are_drawn(self):
-        wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
-        unstructured = AppendDatasets(Input=[wavelet])
-        structured = Transform(Input=Plane(XResolution=9, YResolution=9))
-        groups = [GroupDatasets(Input=[Sphere(), Cone()]), GroupDatasets(Input=[wavelet, Wavelet(WholeExtent=[9, 20, -8, 8, -8, 8])])]
-        for source in (unstructured, structured, *groups):
+        for source in grids_and_composites(Wavelet(WholeExtent=[-8, 8] * 3)):
             self.show(source)
             self.assertGreater(ink(picture(self.view)), 50, source)
             Hide(source, self.view)
@@ -62,6 +67,16 @@ class SurfaceTests:
             self.show(PointSource(NumberOfPoints=50))
             self.assertEqual(ink(picture(self.view)), 0)
         self.assertIn("points without polygons", "".join(warnings))
+
+    def test_points_of_a_mesh_are_picked_beside_its_lines(self):
+        self.show(Sphere(ThetaResolution=64, PhiResolution=32), **self.WIDE)
+        picture(self.view)
+        SelectSurfacePoints(Rectangle=[0, 0, 199, 199], View=self.view)
+        source = GetActiveSource()
+        found = servermanager.Fetch(ExtractSelection(Input=source))
+        # Of 1922 points those about the circle.
+        self.assertTrue(32 < found.GetNumberOfPoints() < 400, found.GetNumberOfPoints())
+        ClearSelection(source)
 
     def test_nothing_is_made_again_while_the_camera_moves(self):
         display = self.show(Wavelet())

@@ -8,6 +8,7 @@
 // a ball with noise of 5 % of the step. Times are wall-clock and the process's; the repetitions are
 // interleaved.
 
+#include "BenchmarkArguments.h"
 #include "HashNoise.h"
 
 #include "vtkDataArray.h"
@@ -132,18 +133,7 @@ void Run(benchmark::State& state, vtkImageData* image, int threads, const std::f
 
 int main(int argc, char* argv[])
 {
-  // What the caller gives comes later and wins.
-  std::vector<char*> arguments(argv, argv + 1);
-  std::string defaults[] = { "--benchmark_repetitions=9", "--benchmark_enable_random_interleaving=true",
-    "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.05" };
-  for (std::string& argument : defaults)
-  {
-    arguments.push_back(argument.data());
-  }
-  arguments.insert(arguments.end(), argv + 1, argv + argc);
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
+  if (!InitializeBenchmarks(argc, argv, 9))
   {
     return EXIT_FAILURE;
   }

@@ -3,6 +3,7 @@
 // by the number of threads. Both wall-clock and CPU time are reported. For comparison vtkFlyingEdges3D with
 // normals, what a surface of the same volume takes.
 
+#include "BenchmarkArguments.h"
 #include "vtkInkStippleGenerator.h"
 
 #include "vtkFlyingEdges3D.h"
@@ -17,7 +18,6 @@
 
 #include <cstdlib>
 #include <string>
-#include <vector>
 
 namespace
 {
@@ -40,18 +40,7 @@ void Run(benchmark::State& state, vtkImageData* image, int threads, Filter* filt
 
 int main(int argc, char* argv[])
 {
-  // What the caller gives comes later and wins.
-  std::vector<char*> arguments(argv, argv + 1);
-  std::string defaults[] = { "--benchmark_repetitions=5", "--benchmark_enable_random_interleaving=true",
-    "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.05" };
-  for (std::string& argument : defaults)
-  {
-    arguments.push_back(argument.data());
-  }
-  arguments.insert(arguments.end(), argv + 1, argv + argc);
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
+  if (!InitializeBenchmarks(argc, argv, 5))
   {
     return EXIT_FAILURE;
   }

@@ -78,3 +78,11 @@ def volume_file(tmp_path_factory):
     path = tmp_path_factory.mktemp("volume") / "blob.vti"
     ink_files.write_vti(path, ink_files.blob())
     return path
+
+
+@pytest.fixture(scope="session")
+def mesh_file(tmp_path_factory):
+    """A sphere with normals that can be read and drawn."""
+    path = tmp_path_factory.mktemp("mesh") / "ball.ply"
+    ink_files.write_ply(path, ink_files.sphere_mesh(), normals=True)
+    return path

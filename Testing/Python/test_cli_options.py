@@ -9,13 +9,6 @@ import pytest
 import ink_files
 
 
-@pytest.fixture(scope="module")
-def mesh_file(tmp_path_factory):
-    path = tmp_path_factory.mktemp("mesh") / "ball.ply"
-    ink_files.write_ply(path, ink_files.sphere_mesh(), normals=True)
-    return path
-
-
 @pytest.fixture
 def style_file(tmp_path):
     """Writes a style file with some parameters."""

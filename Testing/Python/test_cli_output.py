@@ -13,13 +13,6 @@ import ink_files
 from conftest import TIME_LIMIT
 
 
-@pytest.fixture(scope="module")
-def mesh_file(tmp_path_factory):
-    path = tmp_path_factory.mktemp("mesh") / "ball.ply"
-    ink_files.write_ply(path, ink_files.sphere_mesh(), normals=True)
-    return path
-
-
 @pytest.fixture
 def written(ink, tmp_path):
     """Renders a file and returns the picture's path."""

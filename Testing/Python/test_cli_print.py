@@ -4,16 +4,7 @@
 import numpy as np
 import pytest
 
-import ink_files
-
 SMALL, FACTOR = 300, 4
-
-
-@pytest.fixture(scope="module")
-def mesh_file(tmp_path_factory):
-    path = tmp_path_factory.mktemp("mesh") / "ball.ply"
-    ink_files.write_ply(path, ink_files.sphere_mesh(), normals=True)
-    return path
 
 
 @pytest.fixture

@@ -38,13 +38,6 @@ def refused(ink, tmp_path):
     return run
 
 
-@pytest.fixture(scope="module")
-def mesh_file(tmp_path_factory):
-    path = tmp_path_factory.mktemp("mesh") / "ball.ply"
-    ink_files.write_ply(path, ink_files.sphere_mesh(), normals=True)
-    return path
-
-
 def colorfulness(image):
     image = image[..., :3].astype(int)
     return (image.max(axis=2) - image.min(axis=2)).mean()

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import ink_files
+from style_scene import StyleScene
 
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
@@ -55,26 +56,7 @@ def draw(data, direction=(0, 0, 1), scale=1.0, origin=0.0, style="contours", **p
     """Darkness, 0 to 1, from below up, of what is seen along a direction in a frame of two units."""
     plain = PLAIN if style == "contours" and "preset" not in parameters else {}
     actor = vtkink.draw(data, style, size=(SIZE, SIZE), **{**plain, **parameters})
-    renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(SIZE, SIZE)
-    window.AddRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(scale)
-    camera.SetFocalPoint([origin] * 3)
-    camera.SetPosition([origin + 5 * scale * step for step in direction])
-    camera.SetViewUp(0, 1, 0)
-    renderer.ResetCameraClippingRange()
-    window.Render()
-    pixels = vtk.vtkUnsignedCharArray()
-    window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
-    drawn = 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)[..., 0] / 255
-    renderer.RemoveActor(actor)
-    return drawn
+    return StyleScene(actor, SIZE).draw(direction, scale, origin)
 
 
 def pixel_of(points, direction):

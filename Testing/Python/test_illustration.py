@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import ink_files
+from style_scene import StyleScene
 
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
@@ -43,28 +44,7 @@ def sphere():
 
 def picture(actor, scale=1.0, origin=0.0):
     """Darkness, 0 to 1, of a picture whose frame is the cube."""
-    renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    if actor.style.GetLight():
-        renderer.RemoveAllLights()
-        renderer.AddLight(actor.style.GetLight())
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(SIZE, SIZE)
-    window.AddRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(scale)
-    camera.SetFocalPoint([origin] * 3)
-    camera.SetPosition(origin, origin, origin + 5 * scale)
-    renderer.ResetCameraClippingRange()
-    window.Render()
-    pixels = vtk.vtkUnsignedCharArray()
-    window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
-    drawn = 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)[..., 0] / 255
-    renderer.RemoveActor(actor)
-    return drawn
+    return StyleScene(actor, SIZE).draw(scale=scale, origin=origin)
 
 
 def draw(data, style, scale=1.0, origin=0.0, **parameters):

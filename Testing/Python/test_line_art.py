@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import ink_files
+from style_scene import StyleScene
 
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
@@ -52,34 +53,10 @@ def ball(cells=40, radius=0.8):
     return image
 
 
-class Scene:
-    """Darkness, 0 to 1, from below up, of what is seen along a direction in a frame of two units."""
-
+class Scene(StyleScene):
     def __init__(self, data, **parameters):
         usual = {} if "preset" in parameters else {"density": 0.3}
-        self.actor = vtkink.draw(data, "line-art", size=(SIZE, SIZE), **{**usual, **parameters})
-        self.style = self.actor.style
-        self.renderer, self.window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
-        self.renderer.SetBackground(1, 1, 1)
-        self.renderer.AddActor(self.actor)
-        self.renderer.AddLight(self.style.GetLight())
-        self.window.SetOffScreenRendering(True)
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(SIZE, SIZE)
-        self.window.AddRenderer(self.renderer)
-
-    def draw(self, direction=(0, 0, 1), scale=1.0):
-        camera = self.renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetParallelScale(scale)
-        camera.SetFocalPoint(0, 0, 0)
-        camera.SetPosition([5 * step for step in direction])
-        camera.SetViewUp(0, 1, 0)
-        self.renderer.ResetCameraClippingRange()
-        self.window.Render()
-        pixels = vtk.vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, SIZE - 1, SIZE - 1, 0, pixels, 0)
-        return 1 - np.frombuffer(memoryview(pixels), np.uint8).reshape(SIZE, SIZE, 3)[..., 0] / 255
+        super().__init__(vtkink.draw(data, "line-art", size=(SIZE, SIZE), **{**usual, **parameters}), SIZE)
 
 
 def draw(data, direction=(0, 0, 1), scale=1.0, **parameters):

@@ -5,7 +5,11 @@
 
 #include "InkTestRandom.h"
 
+#include "Fields/Grid/GridGeometry.h"
+
 #include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -14,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 inline glm::dmat3 RandomDirection(InkTestRandom& random)
@@ -41,6 +46,43 @@ inline glm::dmat3 RandomDirection(InkTestRandom& random)
   return direction;
 }
 
+/// Of any scale, origin and first sample, and of axes that are mirrored, turned or sheared.
+/// @param mayBeFar whether the origin can lie ten million samples away
+inline ink::GridGeometry RandomGeometry(InkTestRandom& random, const glm::ivec3& dimensions, bool mayBeFar)
+{
+  const glm::ivec3 first(random.UpTo(9) - 4, random.UpTo(9) - 4, random.UpTo(9) - 4);
+  const double scale = random.Once(3) ? random.Magnitude(-9, 9) : 1.0;
+  glm::dvec3 spacing(scale);
+  if (random.Once(2))
+  {
+    spacing *=
+      glm::dvec3(random.Magnitude(-1.5, 1.5), random.Magnitude(-1.5, 1.5), random.Once(2) ? -1.0 : 1.0);
+  }
+  const double away = mayBeFar && random.Once(3) ? 1e7 : 10.0;
+  const glm::dvec3 origin =
+    scale * away * glm::dvec3(random.Share() - 0.5, random.Share() - 0.5, random.Share());
+  return ink::GridGeometry(dimensions, origin, spacing, RandomDirection(random), first);
+}
+
+/// An image without values.
+inline vtkSmartPointer<vtkImageData> MakeImage(const ink::GridGeometry& geometry)
+{
+  const glm::ivec3& first = geometry.first();
+  const glm::ivec3 last = first + geometry.dimensions() - 1;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(first.x, last.x, first.y, last.y, first.z, last.z);
+  image->SetSpacing(&geometry.spacing()[0]);
+  image->SetOrigin(&geometry.origin()[0]);
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      image->GetDirectionMatrix()->SetElement(row, column, geometry.direction()[column][row]);
+    }
+  }
+  return image;
+}
+
 /// A value of the image's type: one of few, so that many are at an iso-value, or any.
 template <class T>
 T RandomValue(InkTestRandom& random, int kind, int levels)
@@ -66,6 +108,23 @@ T RandomValue(InkTestRandom& random, int kind, int levels)
     return kind == 1 ? static_cast<T>(signedShare)
       : kind == 2    ? static_cast<T>(signedShare * 0.99 * largest)
                      : static_cast<T>(1000 + signedShare);
+  }
+}
+
+/// @param missing how many in a hundred are not finite, where the type has such
+template <class T>
+void FillRandomly(std::span<T> values, InkTestRandom& random, int kind, int levels, int missing)
+{
+  for (T& value : values)
+  {
+    value = RandomValue<T>(random, kind, levels);
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      if (random.UpTo(100) < missing)
+      {
+        value = random.Once(2) ? std::numeric_limits<T>::quiet_NaN() : -std::numeric_limits<T>::infinity();
+      }
+    }
   }
 }
 

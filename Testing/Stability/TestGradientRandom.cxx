@@ -230,30 +230,8 @@ void CheckImage(unsigned seed, int type)
   // Mostly all border; some with an inside in which whole rows are worked on.
   const int most = random.Once(4) ? 12 : 6;
   const glm::ivec3 dimensions(1 + random.UpTo(most), 1 + random.UpTo(most), 1 + random.UpTo(most));
-  const glm::ivec3 first(random.UpTo(9) - 4, random.UpTo(9) - 4, random.UpTo(9) - 4);
-  const double scale = random.Once(3) ? random.Magnitude(-9, 9) : 1.0;
-  glm::dvec3 spacing(scale);
-  if (random.Once(2))
-  {
-    spacing *=
-      glm::dvec3(random.Magnitude(-1.5, 1.5), random.Magnitude(-1.5, 1.5), random.Once(2) ? -1.0 : 1.0);
-  }
-  const glm::dvec3 origin =
-    10.0 * scale * glm::dvec3(random.Share() - 0.5, random.Share() - 0.5, random.Share());
-  const glm::dmat3 direction = RandomDirection(random);
-
-  vtkNew<vtkImageData> image;
-  image->SetExtent(first.x, first.x + dimensions.x - 1, first.y, first.y + dimensions.y - 1, first.z,
-    first.z + dimensions.z - 1);
-  image->SetSpacing(&spacing[0]);
-  image->SetOrigin(&origin[0]);
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      image->GetDirectionMatrix()->SetElement(row, column, direction[column][row]);
-    }
-  }
+  const ink::GridGeometry geometry = RandomGeometry(random, dimensions, false);
+  const vtkSmartPointer<vtkImageData> image = MakeImage(geometry);
   const int components = 1 + (random.Once(4) ? random.UpTo(3) : 0);
   image->AllocateScalars(type, components);
   const auto count = static_cast<std::size_t>(image->GetNumberOfPoints());
@@ -261,17 +239,7 @@ void CheckImage(unsigned seed, int type)
   const int kind = random.UpTo(4);
   const int levels = 2 + random.UpTo(6);
   const int missing = std::is_floating_point_v<T> && random.Once(3) ? 5 + random.UpTo(40) : 0;
-  for (T& value : values)
-  {
-    value = RandomValue<T>(random, kind, levels);
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      if (random.UpTo(100) < missing)
-      {
-        value = random.Once(2) ? std::numeric_limits<T>::quiet_NaN() : -std::numeric_limits<T>::infinity();
-      }
-    }
-  }
+  FillRandomly(values, random, kind, levels, missing);
   ink::ElementMarks hidden;
   vtkSmartPointer<vtkUnsignedCharArray> marks;
   if (random.Once(4))
@@ -309,7 +277,6 @@ void CheckImage(unsigned seed, int type)
         output->GetNumberOfPoints() == image->GetNumberOfPoints()))
       << name << ": " << count << " values in " << Names[n] << ", found " << arrays[n]->GetNumberOfTuples();
   }
-  const ink::GridGeometry geometry(dimensions, origin, spacing, direction, first);
   const ink::GridField<T> field(geometry,
     std::span<const T>(values).subspan(static_cast<std::size_t>(filter->GetArrayComponent())),
     static_cast<std::size_t>(components), hidden);

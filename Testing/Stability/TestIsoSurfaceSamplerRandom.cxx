@@ -129,31 +129,8 @@ void CheckImage(unsigned seed, int type)
 {
   InkTestRandom random(seed);
   const glm::ivec3 dimensions(2 + random.UpTo(9), 2 + random.UpTo(7), 2 + random.UpTo(7));
-  const glm::ivec3 first(random.UpTo(9) - 4, random.UpTo(9) - 4, random.UpTo(9) - 4);
-  const double scale = random.Once(3) ? random.Magnitude(-9, 9) : 1.0;
-  glm::dvec3 spacing(scale);
-  if (random.Once(2))
-  {
-    spacing *=
-      glm::dvec3(random.Magnitude(-1.5, 1.5), random.Magnitude(-1.5, 1.5), random.Once(2) ? -1.0 : 1.0);
-  }
-  const double far = random.Once(3) ? 1e7 : 10.0;
-  const glm::dvec3 origin =
-    scale * far * glm::dvec3(random.Share() - 0.5, random.Share() - 0.5, random.Share());
-  const glm::dmat3 direction = RandomDirection(random);
-
-  vtkNew<vtkImageData> image;
-  image->SetExtent(first.x, first.x + dimensions.x - 1, first.y, first.y + dimensions.y - 1, first.z,
-    first.z + dimensions.z - 1);
-  image->SetSpacing(&spacing[0]);
-  image->SetOrigin(&origin[0]);
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      image->GetDirectionMatrix()->SetElement(row, column, direction[column][row]);
-    }
-  }
+  const ink::GridGeometry geometry = RandomGeometry(random, dimensions, true);
+  const vtkSmartPointer<vtkImageData> image = MakeImage(geometry);
   const int components = 1 + (random.Once(4) ? random.UpTo(3) : 0);
   image->AllocateScalars(type, components);
   const auto count = static_cast<std::size_t>(image->GetNumberOfPoints());
@@ -161,17 +138,7 @@ void CheckImage(unsigned seed, int type)
   const int kind = random.UpTo(4);
   const int levels = 2 + random.UpTo(6);
   const int missing = std::is_floating_point_v<T> && random.Once(3) ? 5 : 0;
-  for (T& value : values)
-  {
-    value = RandomValue<T>(random, kind, levels);
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      if (random.UpTo(100) < missing)
-      {
-        value = random.Once(2) ? std::numeric_limits<T>::quiet_NaN() : -std::numeric_limits<T>::infinity();
-      }
-    }
-  }
+  FillRandomly(values, random, kind, levels, missing);
   vtkSmartPointer<vtkUnsignedCharArray> hiddenPoints;
   if (random.Once(4))
   {
@@ -230,7 +197,6 @@ void CheckImage(unsigned seed, int type)
     return;
   }
 
-  const ink::GridGeometry geometry(dimensions, origin, spacing, direction, first);
   const auto marksOf = [](vtkUnsignedCharArray* marks, std::uint8_t mask)
   {
     return marks

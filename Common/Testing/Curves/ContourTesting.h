@@ -8,6 +8,7 @@
 
 #include "Curves/Contours/Contours.h"
 #include "Curves/Contours/Eye.h"
+#include "Curves/Contours/GridContours.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,13 @@
 
 namespace ink::testing
 {
+
+// What tests say often.
+using ink::Contours;
+using ink::Eye;
+using ink::GridContourOptions;
+using ink::GridContours;
+using ink::GridGeometry;
 
 inline const double pi = std::acos(-1.0);
 inline const ContourArrays all{ true, true, true, true };

@@ -15,11 +15,6 @@ namespace
 {
 
 using namespace ink::testing;
-using ink::Contours;
-using ink::Eye;
-using ink::GridContourOptions;
-using ink::GridContours;
-using ink::GridGeometry;
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -19,11 +19,6 @@ namespace
 {
 
 using namespace ink::testing;
-using ink::Contours;
-using ink::Eye;
-using ink::GridContourOptions;
-using ink::GridContours;
-using ink::GridGeometry;
 
 TEST(GridContours, SearchesFewBricks)
 {
