@@ -33,6 +33,8 @@ public:
     this->Sampler->SetFileName(file.c_str());
     this->Sampler->SetGridName(grid.name.c_str());
     setUp(this->Sampler.Get(), sampling);
+    this->Sampler->SetSmallestPart(sampling.parts.smallestShare);
+    this->Sampler->SetLargestParts(static_cast<int>(sampling.parts.largest));
     constexpr std::uint64_t mebibyte = 1 << 20;
     this->Sampler->SetMaximumMemory(static_cast<int>(
       std::min<std::uint64_t>(memory.limit / mebibyte, this->Sampler->GetMaximumMemoryMaxValue())));
@@ -92,7 +94,9 @@ VolumeSampler makeVdbSampler(const std::filesystem::path& file, const VdbGridInf
 {
   return [=](const VolumeSampling& sampling, const Memory& memory, const PointSink& sink, Progress& progress)
   {
-    const std::uint64_t pieces = voxels * bytesPerPoint / memory.forNewPoints() + 1;
+    // Parts are those of the whole, which each piece would look at again.
+    const std::uint64_t pieces =
+      sampling.parts.keepsAll() ? voxels * bytesPerPoint / memory.forNewPoints() + 1 : 1;
     std::uint64_t total = 0;
     bool missing = false;
     {

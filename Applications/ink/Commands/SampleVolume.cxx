@@ -67,11 +67,7 @@ public:
     // Parts of the volume are seen once, and points that are kept should take no more memory than they need.
     this->Sampler->UseIndexOff();
     this->Sampler->ReuseArraysOff();
-    this->Sampler->SetCut(sampling.cut);
     this->Sampler->SetComputeCellIds(sampling.cellIds);
-    this->Sampler->SetSmoothing(sampling.smoothing);
-    this->Sampler->SetSmoothingTarget(sampling.smoothingTarget);
-    this->Sampler->SetSubdivision(sampling.subdivision);
     this->Sampler->SetInputConnection(this->Producer->GetOutputPort());
     this->Producer->SetWholeExtent(volume.frame()->GetExtent());
     progress.step("sampling the surface", this->Sampler);
@@ -233,11 +229,6 @@ std::vector<double> chooseIsoValue(const Input& input, std::vector<std::string>&
 std::vector<std::string> sampleVolume(const Input& input, VolumeSampling sampling, const Memory& memory,
   const PointSink& sink, Progress& progress)
 {
-  if (!input.volume && (sampling.smoothing > 0.0 || sampling.subdivision > 1))
-  {
-    throw UsageError("--smoothing and --subdivision are for volumes of voxels; found an OpenVDB grid, whose "
-                     "surface is drawn as it is");
-  }
   std::vector<std::string> notes;
   takeSurfaceValue(input, sampling.isoValues, notes);
   const std::vector<std::string> more = input.volume

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "IsoSurface/ActiveCellComponents.h"
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -30,9 +32,10 @@ struct VolumeSampling
   bool normals = true;
   bool radius = true;
   bool surfaceIndex = false; ///< an array of this name: which of the iso-values a point belongs to
-  int cut = 0;               ///< of volumes that are images
-  bool cellIds = false;      ///< the array CellId, of volumes that are images
-  double smoothing = 0.0;    ///< of volumes that are images, as the two that follow
+  int cut = 0;
+  bool cellIds = false;     ///< the array CellId, of volumes that are images
+  ComponentSelection parts; ///< those that stay, of volumes that are not
+  double smoothing = 0.0;
   int smoothingTarget = 0;
   int subdivision = 1;
 };
@@ -46,6 +49,10 @@ void setUp(Sampler* sampler, const VolumeSampling& sampling)
   sampler->SetOutputPointsPrecision(sampling.precision);
   sampler->SetComputeNormals(sampling.normals);
   sampler->SetComputeRadius(sampling.radius);
+  sampler->SetCut(sampling.cut);
+  sampler->SetSmoothing(sampling.smoothing);
+  sampler->SetSmoothingTarget(sampling.smoothingTarget);
+  sampler->SetSubdivision(sampling.subdivision);
   sampler->GenerateVerticesOff();
 }
 

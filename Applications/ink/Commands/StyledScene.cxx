@@ -181,6 +181,7 @@ vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
   const ink::ComponentSelection parts = partsOf(this->Options.style);
   sampling.cut = static_cast<int>(this->Options.style->GetParameter("Cut"));
   sampling.cellIds = input.volume && !parts.keepsAll();
+  sampling.parts = parts;
   // What is automatic needs the whole volume.
   sampling.smoothing = std::max(this->Options.style->GetParameter("Smoothing"), 0.0);
   sampling.smoothingTarget = static_cast<int>(this->Options.style->GetParameter("SmoothingTarget"));
