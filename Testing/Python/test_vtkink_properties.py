@@ -75,6 +75,8 @@ NUMBERS = [
     ("vtkInkContours", "FeatureAngle"),
     ("vtkInkGradient", "LaplacianScale"),
     ("vtkInkLinesOfCurvature", "FeatureAngle"),
+    ("vtkInkLinesOfCurvature", "FieldSmoothing"),
+    ("vtkInkLinesOfCurvature", "IsoValue"),
     ("vtkInkLinesOfCurvature", "MinimumLength"),
     ("vtkInkLinesOfCurvature", "Spacing"),
     ("vtkInkLinesOfCurvature", "StepFactor"),
