@@ -31,7 +31,9 @@ struct CurvatureOptions
   int rings = 5;
   /// Of Jet: take as few rings, from 2 on, as noise allows, which is told from the residuals.
   bool adaptive = true;
-  /// Of Jet: the degree of the polynomial, 2 or 3. 3 is better where points are irregular.
+  /// Of Jet: the degree of the polynomial, 2 or 3. 3 is better where points are irregular. Where `adaptive`
+  /// takes more rings because of noise it is 2, unless derivatives are wanted: fewer coefficients are known
+  /// better.
   int degree = 3;
   /// Whether `derivatives` are estimated; Jet with degree 3 only.
   bool derivatives = false;

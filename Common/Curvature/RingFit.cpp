@@ -38,9 +38,17 @@ void RingFit::start(std::uint32_t site, Front& front) const
   const auto [axisU, axisV] = tangentAxes(this->Normals[site]);
   front.points.start({ this->Points[site], axisU, axisV, this->Normals[site] });
   front.points.add(this->Points[site]);
+  for (const std::vector<std::uint32_t>* reached : { &front.sites, &front.away })
+  {
+    for (const std::uint32_t before : *reached)
+    {
+      front.isReached[before] = 0;
+    }
+  }
   front.sites.assign(1, site);
+  front.away.clear();
   front.begin = 0;
-  front.reachedFrom[site] = site;
+  front.reach(site);
 }
 
 /// Adds the sites of the next rings that face to the start's side, as far as there is room.
@@ -48,7 +56,6 @@ void RingFit::addRings(int count, Front& front) const
 {
   constexpr std::size_t mostNeighbors = 64;
   const glm::dvec3 up = front.points.frame.normal;
-  const std::uint32_t start = front.sites[0];
   for (; count > 0; --count)
   {
     const std::size_t end = front.sites.size();
@@ -61,20 +68,21 @@ void RingFit::addRings(int count, Front& front) const
       for (std::size_t i = 0; i < neighbors.size(); i += step)
       {
         const std::uint32_t site = neighbors[i];
-        if (front.reachedFrom[site] == start)
+        if (!front.reach(site))
         {
           continue;
         }
-        front.reachedFrom[site] = start;
-        if (glm::dot(this->Normals[site], up) > 0.0)
+        if (!(glm::dot(this->Normals[site], up) > 0.0))
         {
-          if (front.points.isFull())
-          {
-            return;
-          }
-          front.sites.push_back(site);
-          front.points.add(this->Points[site]);
+          front.away.push_back(site);
+          continue;
         }
+        front.sites.push_back(site);
+        if (front.points.isFull())
+        {
+          return;
+        }
+        front.points.add(this->Points[site]);
       }
     }
   }
@@ -85,6 +93,7 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
   // Of two residuals; that of few points is not known better.
   constexpr double muchLarger = 3.0;
   const auto fitPoints = [&front](int degree) { return fitJet(front.points, front.points.count, degree); };
+  int degree = this->Options.degree;
   const int most = this->Options.rings;
   std::optional<JetFit> best;
   this->start(site, front);
@@ -94,7 +103,7 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
   {
     this->addRings(rings - collected, front);
     collected = rings;
-    const std::optional<JetFit> next = fitPoints(this->Options.degree);
+    const std::optional<JetFit> next = fitPoints(degree);
     if (next && best && next->residual > muchLarger * best->residual)
     {
       break;
@@ -105,6 +114,8 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
     {
       break;
     }
+    // Where noise dominates, fewer coefficients are known better, in half the time.
+    degree = best && !this->Options.derivatives ? 2 : degree;
     // Reach and number of points divide noise by the third power of the rings. Some more, since residuals of
     // few points are not known well.
     constexpr double margin = 1.25;

@@ -21,21 +21,34 @@ namespace ink
 class RingFit
 {
 public:
-  /// One thread's state. Each site is fitted once.
-  struct Front
+  /// One thread's state.
+  class Front
   {
+  public:
     explicit Front(std::size_t siteCount)
-      : reachedFrom(siteCount, none)
+      : isReached(siteCount, 0)
     {
     }
 
   private:
     friend class RingFit;
-    static constexpr std::uint32_t none = ~0u;
-    TangentPoints points;                   // of the last fit, in the order of rings
-    std::vector<std::uint32_t> reachedFrom; // of each site, the start of the last search that reached it
-    std::vector<std::uint32_t> sites;       // of this search
-    std::size_t begin = 0;                  // of them, where the last ring begins
+    /// @return whether it was not reached before
+    bool reach(std::uint32_t site)
+    {
+      std::uint8_t& mark = this->isReached[site];
+      if (mark != 0)
+      {
+        return false;
+      }
+      mark = 1;
+      return true;
+    }
+
+    TangentPoints points;                // of the last fit, in the order of rings
+    std::vector<std::uint8_t> isReached; // of each site: by this search
+    std::vector<std::uint32_t> sites;    // of this search
+    std::vector<std::uint32_t> away;     // reached, but facing away from the start
+    std::size_t begin = 0;               // of the sites, where the last ring begins
   };
 
   /// Keeps references to all of these.

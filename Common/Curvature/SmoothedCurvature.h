@@ -3,12 +3,11 @@
 
 #include "Curvature/FieldCurvature.h"
 #include "Fields/Grid/GridField.h"
-#include "Fields/Resampling/ResampleGrid.h"
+#include "Fields/Resampling/SmoothGrid.h"
 
 #include <glm/vec3.hpp>
 
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace ink
@@ -28,23 +27,19 @@ MeshCurvature smoothedCurvatures(const GridField<T>& field, const glm::dvec3& de
   {
     return fieldCurvatures(field, points, progress);
   }
-  // Numbers that float holds, as floats.
-  using Work = std::conditional_t<std::is_same_v<T, float> || sizeof(T) <= 2, float, double>;
-  const GridGeometry& geometry = field.geometry();
-  const auto along = [&](int axis)
-  { return AxisResampling(deviation[axis], 1, geometry.dimensions()[axis]); };
-  std::vector<Work> values(geometry.sampleCount());
   // About half of the work.
   const auto half = [&](double begun)
   {
     return progress ? Progress([&progress, begun](double done) { return progress(begun + 0.5 * done); })
                     : progress;
   };
-  if (!resampleGrid(field, { along(0), along(1), along(2) }, std::span<Work>(values), half(0.0)))
+  using Work = SmoothedValue<T>;
+  const std::vector<Work> values = smoothGrid(field, deviation, half(0.0));
+  if (values.empty())
   {
     return {};
   }
-  return fieldCurvatures(GridField<Work>(geometry, std::span<const Work>(values)), points, half(0.5));
+  return fieldCurvatures(GridField<Work>(field.geometry(), std::span<const Work>(values)), points, half(0.5));
 }
 
 } // namespace ink

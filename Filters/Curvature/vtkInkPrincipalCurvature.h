@@ -102,7 +102,7 @@ public:
   ///@{
   /**
    * Of JET: take as few rings at each point, from two on, as noise allows, which is told from how far points
-   * are from the polynomial. Default: on.
+   * are from the polynomial; more are fitted by degree 2, unless ComputeDerivative is on. Default: on.
    */
   vtkSetMacro(Adaptive, bool);
   vtkGetMacro(Adaptive, bool);

@@ -7,30 +7,29 @@
 #include "Curves/Streamlines/EvenStreamlines.h"
 #include "Curves/Streamlines/ScatteredStreamlines.h"
 #include "Curves/Streamlines/SmoothCrossField.h"
-#include "InkAllocate.h"
 #include "InkHasPolygons.h"
+#include "InkLineWriter.h"
 #include "InkMeshTriangles.h"
+#include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
+#include "Mesh/InsideOut.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -39,12 +38,10 @@
 namespace
 {
 
-constexpr double DefaultSpacing = 0.01;        ///< of the diagonal of the bounds
-constexpr double DefaultNegligible = 0.1;      ///< over the diagonal: less counts as flat
 constexpr double DefaultScatterLength = 0.25;  ///< of the root of the area
 constexpr double CombReach = 0.1;              ///< of the diagonal
 constexpr double ScatterCloseDistance = 0.001; ///< of the root of the area
-constexpr const char* CurvatureNames[] = { "k1", "k2", "PrincipalDirection1", "PrincipalDirection2" };
+constexpr auto& CurvatureNames = InkLineWriter::CurvatureNames;
 
 /// The principal curvatures and directions of a mesh's points.
 struct Curvatures
@@ -60,13 +57,27 @@ struct Curvatures
     this->Values[0].push_back(isFinite ? static_cast<float>(point.k1) : 0.0f);
     this->Values[1].push_back(isFinite ? static_cast<float>(point.k2) : 0.0f);
     this->Umbilics.push_back(isFinite ? static_cast<float>(point.umbilicMeasure(negligible)) : 1.0f);
-    const auto unit = [](const glm::dvec3& v)
+    this->Directions[0].push_back(Unit(point.direction1));
+    this->Directions[1].push_back(Unit(point.direction2));
+  }
+
+  /// Zero where it has no length.
+  static glm::dvec3 Unit(const glm::dvec3& v)
+  {
+    const double length = glm::length(v);
+    return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+  }
+
+  /// k1 and k2 between the corners of a triangle.
+  std::array<float, 2> At(const ink::TriangleMesh& mesh, const ink::MeshPoint& point) const
+  {
+    const auto& [a, b, c] = mesh.triangles[point.triangle];
+    const auto mean = [&, i = a, j = b, k = c](const std::vector<float>& values)
     {
-      const double length = glm::length(v);
-      return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+      const glm::dvec3 corners(values[i], values[j], values[k]);
+      return static_cast<float>(glm::dot(corners, point.weights));
     };
-    this->Directions[0].push_back(unit(point.direction1));
-    this->Directions[1].push_back(unit(point.direction2));
+    return { mean(this->Values[0]), mean(this->Values[1]) };
   }
 
   /// How much the direction of the first one, 1, or that of the second one, -1, bends more.
@@ -130,89 +141,6 @@ Curvatures CurvaturesOf(
   return result;
 }
 
-/// The lines of both families.
-class LineWriter
-{
-public:
-  explicit LineWriter(int pointType)
-  {
-    this->Points->SetDataType(pointType);
-    this->Normals->SetName("Normals");
-    this->Normals->SetNumberOfComponents(3);
-    this->ArcLength->SetName("ArcLength");
-    this->Priority->SetName("Priority");
-    this->Family->SetName("LineFamily");
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      this->Values[k]->SetName(CurvatureNames[k]);
-    }
-  }
-
-  void Add(const ink::Streamlines& lines, int family, const ink::MeshNavigation& mesh,
-    const std::vector<glm::vec3>& normals, const Curvatures* curvatures)
-  {
-    const vtkIdType first = this->Points->GetNumberOfPoints();
-    const auto count = static_cast<vtkIdType>(lines.positions.size());
-    InkReserve(this->Points->GetData(), first + count);
-    this->Points->SetNumberOfPoints(first + count);
-    const std::vector<glm::vec3> ownNormals = ink::normalsAt(mesh, normals, lines.points);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      const auto n = static_cast<std::size_t>(i);
-      this->Points->SetPoint(first + i, &lines.positions[n].x);
-      this->Normals->InsertNextTypedTuple(&ownNormals[n].x);
-      this->ArcLength->InsertNextValue(lines.arcLength[n]);
-      for (std::size_t k = 0; curvatures && k < 2; ++k)
-      {
-        const auto& [a, b, c] = mesh.mesh().triangles[lines.points[n].triangle];
-        const std::vector<float>& values = curvatures->Values[k];
-        const glm::dvec3 corners(values[a], values[b], values[c]);
-        this->Values[k]->InsertNextValue(static_cast<float>(glm::dot(corners, lines.points[n].weights)));
-      }
-    }
-    for (std::size_t line = 0; line < lines.lines.size(); ++line)
-    {
-      const auto begin = first + static_cast<vtkIdType>(lines.lines.offsets[line]);
-      const auto end = first + static_cast<vtkIdType>(lines.lines.offsets[line + 1]);
-      const bool closed = lines.lines.closed[line] != 0;
-      this->Lines->InsertNextCell(static_cast<int>(end - begin + (closed ? 1 : 0)));
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        this->Lines->InsertCellPoint(point);
-      }
-      if (closed)
-      {
-        this->Lines->InsertCellPoint(begin);
-      }
-      this->Priority->InsertNextValue(lines.priorities[line]);
-      this->Family->InsertNextValue(static_cast<unsigned char>(family));
-    }
-  }
-
-  void Write(vtkPolyData* output, bool hasCurvatures)
-  {
-    output->SetPoints(this->Points);
-    output->SetLines(this->Lines);
-    output->GetPointData()->SetNormals(this->Normals);
-    output->GetPointData()->AddArray(this->ArcLength);
-    for (std::size_t k = 0; hasCurvatures && k < 2; ++k)
-    {
-      output->GetPointData()->AddArray(this->Values[k]);
-    }
-    output->GetCellData()->AddArray(this->Priority);
-    output->GetCellData()->AddArray(this->Family);
-  }
-
-private:
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Lines;
-  vtkNew<vtkFloatArray> Normals;
-  vtkNew<vtkDoubleArray> ArcLength;
-  vtkNew<vtkFloatArray> Values[2];
-  vtkNew<vtkFloatArray> Priority;
-  vtkNew<vtkUnsignedCharArray> Family;
-};
-
 } // namespace
 
 vtkStandardNewMacro(vtkInkLinesOfCurvature);
@@ -236,13 +164,23 @@ int vtkInkLinesOfCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   try
   {
-    this->MakeLines(vtkPolyData::GetData(inputVector[0]), output);
+    if (image)
+    {
+      this->MakeLinesOfImage(inputVector, output);
+    }
+    else
+    {
+      this->MakeLines(vtkPolyData::GetData(inputVector[0]), output);
+    }
   }
   catch (...)
   {
-    InkReportException(this, output, "The lines of curvature of the mesh cannot be made");
+    InkReportException(this, output,
+      image ? "The lines of curvature of the image cannot be made"
+            : "The lines of curvature of the mesh cannot be made");
   }
   return 1;
 }
@@ -266,7 +204,12 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     this->UpdateProgress(begun + share * done);
     return !InkCheckAbort(this);
   };
-  const InkMeshTriangles triangles(mesh, true);
+  InkMeshTriangles triangles(mesh, true);
+  if (!InkPointNormals(mesh) && ink::isInsideOut(triangles.GetMesh()))
+  {
+    std::transform(
+      triangles.Normals.begin(), triangles.Normals.end(), triangles.Normals.begin(), std::negate<>());
+  }
   const ink::TriangleMesh surface = triangles.GetMesh();
   const ink::MeshNavigation navigation(surface, this->FeatureAngle);
   if (!(navigation.area() > 0.0))
@@ -290,7 +233,7 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
       surface, triangles.Normals, directions[0], curvatures.Umbilics, this->SmoothingIterations, progress);
     for (std::size_t i = 0; i < directions[0].size(); ++i)
     {
-      directions[1][i] = glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]);
+      directions[1][i] = Curvatures::Unit(glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]));
     }
     if (this->CombDirections)
     {
@@ -340,10 +283,13 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     const ink::AreaSeedOptions seeds{ static_cast<double>(this->NumberOfSeeds), this->SeedsPerTriangle,
       ink::hash(seed, static_cast<std::uint64_t>(family)), largest, this->CurvatureThreshold,
       this->CurvatureFactor };
+    // Of the family's work a tenth.
+    const ink::Progress seeding = [&](double done) { return progress(0.1 * done); };
+    const std::vector<ink::MeshPoint> starts = ink::areaSeeds(navigation, seeds, seeding);
     return ink::scatteredStreamlines(
-      navigation, field, ink::areaSeeds(navigation, seeds), trace, seeds.seed, progress);
+      navigation, field, starts, trace, seeds.seed, [&](double done) { return progress(0.1 + 0.9 * done); });
   };
-  LineWriter writer(mesh->GetPoints()->GetDataType());
+  InkLineWriter writer(mesh->GetPoints()->GetDataType(), this->ComputeCurvatures);
   const int first = this->Families == MINIMUM ? 1 : 0;
   const int last = this->Families == MAXIMUM ? 0 : 1;
   share = 0.8 / (last - first + 1);
@@ -355,9 +301,12 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     {
       return;
     }
-    writer.Add(lines, family, navigation, triangles.Normals, this->ComputeCurvatures ? &curvatures : nullptr);
+    const std::vector<glm::vec3> normals = ink::normalsAt(navigation, triangles.Normals, lines.points);
+    writer.Add(
+      lines, family, [&](std::size_t n) { return normals[n]; },
+      [&](std::size_t n) { return curvatures.At(surface, lines.points[n]); });
   }
-  writer.Write(output, this->ComputeCurvatures);
+  writer.Write(output);
   if (output->GetNumberOfLines() == 0)
   {
     vtkWarningMacro(
@@ -372,6 +321,8 @@ void vtkInkLinesOfCurvature::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Families: " << this->GetFamiliesAsString() << "\n";
   os << indent << "Seeding: " << this->GetSeedingAsString() << "\n";
+  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "FieldSmoothing: " << this->FieldSmoothing << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "StopDistance: " << this->StopDistance << "\n";
   os << indent << "NumberOfSeeds: " << this->NumberOfSeeds << "\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkLinesOfCurvature
- * @brief   lines of curvature of a mesh, as polylines
+ * @brief   lines of curvature of a mesh or an iso-surface, as polylines
  *
  * Lines that follow a surface's principal directions show its form, and are what hatching is made of (Rössl,
  * Kobbelt and Seidel 2000, sections 2.3 and 3.1). They are traced from triangle to triangle, in both
@@ -16,7 +16,14 @@
  * Input: a vtkPolyData with polygons or strips. If it has the point arrays `k1`, `k2`,
  * `PrincipalDirection1` and `PrincipalDirection2` (three components), as vtkInkPrincipalCurvature makes
  * them, these are used; otherwise curvature is estimated by that class's default. Points of equal position
- * count as one. Faces with a point that is not finite, and ghost and hidden cells, are left out.
+ * count as one. Faces with a point that is not finite, and ghost and hidden cells, are left out. Outside is
+ * where point normals point to, an array `Normals` without such; if there are none, where the polygons run
+ * counterclockwise, but on closed meshes that are wound inside out. It says which curvature is the larger
+ * one.
+ *
+ * Or a vtkImageData: lines on its iso-surface at IsoValue, without a mesh, evenly spaced, by curvature from
+ * the gradient and Hessian of the image (SetInputArrayToProcess) after FieldSmoothing; steps are projected
+ * back onto the surface. Directions are not smoothed there. The first piece has the lines of the whole image.
  *
  * Output: lines, one polyline each; a closed one ends with the id of its first point. Families are made
  * independently of each other, and lines are in the order of family, then of priority.
@@ -50,6 +57,23 @@ public:
   static vtkInkLinesOfCurvature* New();
   vtkTypeMacro(vtkInkLinesOfCurvature, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The iso-value of an image's surface; outside, values are smaller. Default: 0.
+   */
+  InkSetClampMacro(IsoValue, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of an image: the standard deviation of the Gaussian that smooths what curvature is taken of, not the
+   * surface, in multiples of the smallest spacing; see vtkInkPrincipalCurvature. From 0 to 10; default: 2.
+   */
+  InkSetClampMacro(FieldSmoothing, 0.0, 10.0);
+  vtkGetMacro(FieldSmoothing, double);
+  ///@}
 
   /// Which lines are made.
   enum FamilyChoice
@@ -266,9 +290,11 @@ public:
   ///@}
 
 protected:
-  vtkInkLinesOfCurvature() = default;
+  vtkInkLinesOfCurvature();
   ~vtkInkLinesOfCurvature() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -276,7 +302,16 @@ private:
   void operator=(const vtkInkLinesOfCurvature&) = delete;
 
   void MakeLines(vtkPolyData* mesh, vtkPolyData* output);
+  void MakeLinesOfImage(vtkInformationVector** input, vtkPolyData* output);
 
+  /// Of the diagonal of the bounds.
+  static constexpr double DefaultSpacing = 0.01;
+  /// Over the diagonal: a curvature that is less counts as none.
+  static constexpr double DefaultNegligible = 0.1;
+
+  bool OwnsImage = true; ///< this piece has the lines of an image
+  double IsoValue = 0.0;
+  double FieldSmoothing = 2.0;
   int Families = MAXIMUM;
   int Seeding = EVENLY_SPACED;
   double Spacing = 0.0;

@@ -9,6 +9,7 @@
 #include "InkParameter.h"
 #include "InkPointNormals.h"
 #include "InkStyleProcesses.h"
+#include "Mesh/InsideOut.h"
 #include "vtkInkContoursStyle.h"
 #include "vtkInkHatching.h"
 #include "vtkInkLineArtMapper.h"
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/glm.hpp>
 
 vtkStandardNewMacro(vtkInkLineArtStyle);
 
@@ -79,19 +79,7 @@ constexpr Way Presets[] = {
 /// otherwise.
 void FaceOutward(vtkPolyData* surface)
 {
-  const InkMeshTriangles triangles(surface, false, InkMeshTriangles::Order::OfMesh);
-  double bounds[6];
-  surface->GetBounds(bounds);
-  const glm::dvec3 middle(
-    0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
-  double volume = 0.0;
-  for (const ink::Triangle& triangle : triangles.Triangles)
-  {
-    const auto corner = [&](std::size_t i) { return triangles.Points[triangle[i]] - middle; };
-    const double part = glm::dot(corner(0), glm::cross(corner(1), corner(2)));
-    volume += std::isfinite(part) ? part : 0.0;
-  }
-  if (volume >= 0.0)
+  if (!ink::isInsideOut(InkMeshTriangles(surface, false, InkMeshTriangles::Order::OfMesh).GetMesh()))
   {
     return;
   }

@@ -79,6 +79,8 @@ NUMBERS = [
     ("vtkInkEdgeVoxels", "LeastGradientMagnitude"),
     ("vtkInkGradient", "LaplacianScale"),
     ("vtkInkLinesOfCurvature", "FeatureAngle"),
+    ("vtkInkLinesOfCurvature", "FieldSmoothing"),
+    ("vtkInkLinesOfCurvature", "IsoValue"),
     ("vtkInkLinesOfCurvature", "MinimumLength"),
     ("vtkInkLinesOfCurvature", "Spacing"),
     ("vtkInkLinesOfCurvature", "StepFactor"),

@@ -18,7 +18,7 @@ namespace
 {
 
 /// No half line has more points.
-constexpr int mostSteps = 2'000'000;
+constexpr int mostSteps = 100'000;
 
 } // namespace
 

@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 
@@ -272,6 +273,34 @@ TEST(LinesOfCurvature, TheSameForAnyNumberOfThreads)
     one->GetPoint(i, a);
     two->GetPoint(i, b);
     ASSERT_TRUE(std::equal(a, a + 3, b)) << i;
+  }
+}
+
+TEST(LinesOfCurvature, OutsideIsOutsideHoweverPolygonsRun)
+{
+  // Lines along maximum curvature go around the tube, of which k1 is the larger one outside only.
+  vtkNew<vtkPolyData> bare;
+  bare->DeepCopy(Torus());
+  bare->GetPointData()->Initialize();
+  vtkNew<vtkReverseSense> turn;
+  turn->SetInputData(bare);
+  turn->Update();
+  vtkPolyData* meshes[] = { bare, turn->GetOutput() };
+  for (vtkPolyData* mesh : meshes)
+  {
+    vtkNew<vtkInkLinesOfCurvature> filter;
+    filter->SetInputData(mesh);
+    filter->SetSpacing(0.3);
+    filter->ComputeCurvaturesOn();
+    filter->Update();
+    vtkPolyData* lines = filter->GetOutput();
+    ASSERT_GT(lines->GetNumberOfLines(), 10);
+    EXPECT_NEAR(lines->GetPointData()->GetArray("k1")->GetTuple1(0), 1.0 / Tube, 0.1);
+    vtkNew<vtkIdList> ids;
+    lines->GetCellPoints(0, ids);
+    const double begin = Coordinate(lines, ids->GetId(0), true);
+    const double middle = Coordinate(lines, ids->GetId(ids->GetNumberOfIds() / 2), true);
+    EXPECT_LT(std::abs(std::remainder(middle - begin, 2.0 * std::numbers::pi)), 0.05);
   }
 }
 
