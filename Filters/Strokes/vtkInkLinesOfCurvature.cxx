@@ -42,7 +42,7 @@ namespace
 constexpr double DefaultSpacing = 0.01;        ///< of the diagonal of the bounds
 constexpr double DefaultNegligible = 0.1;      ///< over the diagonal: less counts as flat
 constexpr double DefaultScatterLength = 0.25;  ///< of the root of the area
-constexpr double CombReach = 0.1;              ///< of the diagonal
+constexpr double CombReach = 0.05;             ///< of the diagonal
 constexpr double ScatterCloseDistance = 0.001; ///< of the root of the area
 constexpr const char* CurvatureNames[] = { "k1", "k2", "PrincipalDirection1", "PrincipalDirection2" };
 
