@@ -79,6 +79,20 @@ line_art_pictures() {
   local engine="Data/engine.nii.gz --iso 80 --view iso"
   series tone "$engine" "--tone 0.3" "--tone 0.7" "--crosshatch 0" "--crosshatch 1"
   series presets "$engine" "--preset engraving" "--preset sketch" "--preset technical"
+  # Those of meshes that are not in Data: horse.ply, in the folder INK_MESHES.
+  if [ -f "${INK_MESHES:-}/horse.ply" ]; then
+    local horse="$INK_MESHES/horse.ply --quiet"
+    # shellcheck disable=SC2086
+    ink render $horse --style line-art --size 800x700 -o "$work/horse.png"
+    "$INK_PYTHON" Utilities/pictures.py join "$images/line-art-horse.png" "$work/horse.png"
+    "$INK_PYTHON" Utilities/pictures.py scatter "$INK_MESHES/horse.ply" "$work/line-art-published-scatter.png"
+    local plain="$horse --crosshatch 0" size=360x320
+    picture published-1 "$plain --tone 1 --darkest-tone 0.3 --diffuse-truncation 0 --contour-width 0"
+    picture published-2 "$plain"
+    picture published-3 "$plain --density 0.3"
+    "$INK_PYTHON" Utilities/pictures.py join "$images/line-art-published.png" "$work"/line-art-published-{1,2,3,scatter}.png
+    echo "$images/line-art-published.png"
+  fi
 }
 
 illustration_pictures() {

@@ -39,7 +39,7 @@ namespace
 {
 
 constexpr double DefaultScatterLength = 0.25;  ///< of the root of the area
-constexpr double CombReach = 0.1;              ///< of the diagonal
+constexpr double CombReach = 0.05;             ///< of the diagonal
 constexpr double ScatterCloseDistance = 0.001; ///< of the root of the area
 constexpr auto& CurvatureNames = InkLineWriter::CurvatureNames;
 
