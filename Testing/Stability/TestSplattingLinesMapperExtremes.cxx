@@ -144,7 +144,7 @@ TEST(SplattingLinesMapperExtremes, Points)
     Scene usual(InkTestPoints::Sphere(1.0, 0.1), 100, 100);
     ask(usual);
     const InkTestImage picture(usual.Window);
-    CheckInk("a sphere", picture.Ink(), all ? 113.2 : 472.0);
+    CheckInk("a sphere", picture.Ink(), all ? 95.5 : 423.7);
     for (const auto& [name, scale, position] :
       { std::tuple("spacing 1e-9", 1e-9, 0.0), { "spacing 1e9", 1e9, 0.0 }, { "origin at 1e7", 1.0, 1e7 } })
     {
@@ -212,10 +212,10 @@ TEST(SplattingLinesMapperExtremes, Radii)
   }
   Scene scene(points, 120, 120);
   const double ink = Draw("radii of 1 to 3", scene);
-  CheckInk("a contour with uneven radii", ink, 379.0);
+  CheckInk("a contour with uneven radii", ink, 352.6);
   // Points without an extent, and discs so large that the nearest ones end before the camera.
   for (const auto& [radius, expected] :
-    { std::pair(1e-9, 243.3), { 1e-3, 243.2 }, { 10.0, 14397.0 }, { 1e6, 14400.0 } })
+    { std::pair(1e-9, 261.3), { 1e-3, 260.9 }, { 10.0, 14397.2 }, { 1e6, 14400.0 } })
   {
     InkTestPoints::SetRadius(points, radius);
     scene.Mapper->SetInputData(points);
@@ -242,33 +242,33 @@ TEST(SplattingLinesMapperExtremes, Parameters)
   using Mapper = vtkInkSplattingLinesMapper;
   const std::vector<Case> cases{
     { "lambda", [](Mapper* m, double v) { m->SetLambda(v); },
-      { { 0.1, 310.9, 158.5 }, { 20.0, 641.5, 106.5 } } },
-    { "tau", [](Mapper* m, double v) { m->SetTau(v); }, { { 0.8, 283.5, 145.5 }, { 1.2, 1557.0, 45.0 } } },
-    { "phi", [](Mapper* m, double v) { m->SetPhi(v); }, { { 0.0, 0.0, 0.0 }, { 500.0, 354.3, 156.6 } } },
+      { { 0.1, 340.2, 131.0 }, { 20.0, 621.1, 90.8 } } },
+    { "tau", [](Mapper* m, double v) { m->SetTau(v); }, { { 0.8, 226.4, 125.1 }, { 1.2, 1536.4, 45.2 } } },
+    { "phi", [](Mapper* m, double v) { m->SetPhi(v); }, { { 0.0, 0.0, 0.0 }, { 500.0, 360.4, 127.9 } } },
     { "sigma", [](Mapper* m, double v) { m->SetSigma(v); },
-      { { 0.05, 323.2, 155.3 }, { 2.0, 308.8, 157.4 } } },
+      { { 0.05, 284.4, 137.2 }, { 2.0, 344.2, 123.0 } } },
     { "minimum radius", [](Mapper* m, double v) { m->SetMinimumRadius(v); },
-      { { 0.0, 332.6, 153.1 }, { 50.0, 523.5, 152.5 } } },
+      { { 0.0, 346.0, 128.7 }, { 50.0, 523.2, 148.0 } } },
     { "layers", [](Mapper* m, double v) { m->SetNumberOfLayers(static_cast<int>(v)); },
-      { { 1.0, 332.6, 120.7 }, { 8.0, 332.6, 153.1 } } },
+      { { 1.0, 346.0, 101.5 }, { 8.0, 346.0, 128.7 } } },
     { "hardness", [](Mapper* m, double v) { m->SetHardness(v); },
-      { { 0.0, 332.6, 152.6 }, { 1.0, 332.7, 153.1 } } },
+      { { 0.0, 346.0, 128.0 }, { 1.0, 347.7, 128.7 } } },
     { "speckle length", [](Mapper* m, double v) { m->SetSpeckleLength(v); },
-      { { 0.0, 332.6, 158.2 }, { 1000.0, 0.0, 0.0 } } },
+      { { 0.0, 346.0, 128.7 }, { 1000.0, 0.0, 0.0 } } },
     { "line width", [](Mapper* m, double v) { m->SetLineWidth(v); },
-      { { -20.0, 116.0, 40.3 }, { 20.0, 643.0, 288.3 } } },
+      { { -20.0, 175.9, 38.6 }, { 20.0, 602.6, 244.4 } } },
     { "dash length", [](Mapper* m, double v) { m->SetLayerDashLength(0, v); },
-      { { 1e-6, 332.6, 268.6 }, { 100.0, 165.7, 154.1 } } },
+      { { 1e-6, 346.0, 227.7 }, { 100.0, 173.0, 134.1 } } },
     { "coarsest texel", [](Mapper* m, double v) { m->SetMaximumDownsampling(static_cast<int>(v)); },
-      { { 1.0, 332.6, 153.1 }, { 4.0, 332.6, 153.1 } } },
+      { { 1.0, 346.0, 128.7 }, { 4.0, 346.0, 128.7 } } },
     { "half floats", [](Mapper* m, double v) { m->SetHalfFloats(v > 0.0); },
-      { { 0.0, 332.6, 153.1 }, { 1.0, 334.2, 152.8 } } },
+      { { 0.0, 346.0, 128.7 }, { 1.0, 345.6, 128.9 } } },
     { "point fraction", [](Mapper* m, double v) { m->SetPointFraction(v); },
-      { { 0.01, 355.4, 187.2 }, { 1.0, 332.6, 153.1 } } },
+      { { 0.01, 381.2, 164.6 }, { 1.0, 346.0, 128.7 } } },
     { "as published", [](Mapper* m, double v) { m->SetAsPublished(v > 0.0); },
-      { { 0.0, 332.6, 153.1 }, { 1.0, 246.6, 117.6 } } },
+      { { 0.0, 346.0, 128.7 }, { 1.0, 246.6, 117.6 } } },
     { "paper", [](Mapper* m, double v) { m->SetPaperVisibility(v > 0.0); },
-      { { 0.0, 332.6, 153.3 }, { 1.0, 332.6, 153.1 } } },
+      { { 0.0, 346.0, 128.8 }, { 1.0, 346.0, 128.7 } } },
   };
   auto points = InkTestPoints::Join(InkTestPoints::Torus(1.0, 0.4, 0.05), InkTestPoints::Sphere(0.3, 0.05));
   for (const Case& one : cases)
@@ -302,8 +302,8 @@ TEST(SplattingLinesMapperExtremes, Views)
     double Perspective; ///< its ink; from within, a sphere is even
     double Parallel;
   };
-  for (const View& view : { View{ 0.0, 0.0, 102.4 }, { 0.5, 0.0, 131.3 }, { 0.999, 0.0, 131.3 },
-         { 1.001, 0.0, 131.3 }, { 3.0, 32.2, 131.3 }, { 1e3, 0.0, 131.3 }, { 1e7, 0.0, 94.6 } })
+  for (const View& view : { View{ 0.0, 0.0, 90.6 }, { 0.5, 0.0, 109.1 }, { 0.999, 0.0, 109.1 },
+         { 1.001, 0.0, 109.1 }, { 3.0, 31.4, 109.1 }, { 1e3, 0.0, 109.1 }, { 1e7, 0.0, 94.9 } })
   {
     for (bool parallel : { false, true })
     {
@@ -337,7 +337,7 @@ TEST(SplattingLinesMapperExtremes, Windows)
     double InkOfAll;
   };
   for (const Shape& shape : { Shape{ 1, 1, 0.0, 0.0 }, { 1, 200, 0.0, 0.0 }, { 200, 1, 0.0, 0.0 },
-         { 3, 2, 4.0, 0.0 }, { 33, 257, 83.3, 69.7 }, { 900, 20, 43.5, 20.4 } })
+         { 3, 2, 4.7, 1.9 }, { 33, 257, 87.5, 68.4 }, { 900, 20, 44.2, 13.2 } })
   {
     for (bool all : { false, true })
     {
@@ -361,8 +361,8 @@ TEST(SplattingLinesMapperExtremes, Matrices)
     std::array<double, 3> Scale;
     double Ink;
   };
-  for (const auto& [scale, expected] : { Stretch{ { 1.0, 1.0, 1e-3 }, 9.7 }, { { 1.0, 1000.0, 1.0 }, 176.0 },
-         { { -1.0, 1.0, 1.0 }, 217.0 }, { { 1e-6, 1e-6, 1e-6 }, 217.0 } })
+  for (const auto& [scale, expected] : { Stretch{ { 1.0, 1.0, 1e-3 }, 10.3 }, { { 1.0, 1000.0, 1.0 }, 175.2 },
+         { { -1.0, 1.0, 1.0 }, 235.3 }, { { 1e-6, 1e-6, 1e-6 }, 235.3 } })
   {
     Scene scene(InkTestPoints::Sphere(1.0, 0.05), 90, 90);
     scene.Actor->SetScale(scale[0], scale[1], scale[2]);
