@@ -56,7 +56,8 @@ def draw(data, style, scale=1.0, origin=0.0, **parameters):
 
 def blurred(drawn, width=16):
     """Means over squares."""
-    return drawn.reshape(SIZE // width, width, SIZE // width, width).mean(axis=(1, 3))
+    height, length = drawn.shape
+    return drawn.reshape(height // width, width, length // width, width).mean(axis=(1, 3))
 
 
 def evenness(actor):
@@ -91,8 +92,8 @@ def mesh_stipples():
 def test_stipples_of_a_volume_are_as_those_of_its_mesh(mesh_stipples, cells, options):
     actor, drawn = draw(ball(cells, **options), "stipple", **IN_PIXELS)
     mesh_actor, of_mesh = mesh_stipples
-    # 5.02 % at the most, of noise.
-    assert drawn.sum() == pytest.approx(of_mesh.sum(), rel=0.06)
+    # 0.9 % at the most; of long voxels 7.8 %, for so many more samples cover the surface.
+    assert drawn.sum() == pytest.approx(of_mesh.sum(), rel=0.1 if "spacing" in options else 0.02)
     assert np.abs(blurred(drawn) - blurred(of_mesh)).mean() < 0.05 * blurred(of_mesh).max()
     assert evenness(actor) == pytest.approx(evenness(mesh_actor), abs=0.05)
     # Hardly any ink beyond the rim.
@@ -222,10 +223,11 @@ def test_see_through_has_an_ink_of_its_own():
     for strength in (0.0, 1.0):
         drawn = draw(image, "illustration", see_through=True, iso_values=130, outer_strength=strength)[1]
         assert (drawn.sum() > plain.sum()) == (strength == 1.0)
-    # Red ink takes no red light away.
+    # Red ink takes no red light away, but for pixels that it shares with black.
     alone = draw(image, "illustration", iso_values=130)[1]
     red = draw(image, "illustration", iso_values=130, outer_ink_color="red")[1]
-    assert np.abs(red - alone).max() < 0.06
+    # 0.17 %
+    assert (np.abs(red - alone) > 0.06).mean() < 0.004
     with pytest.raises(ValueError, match="two clear boundaries"):
         vtkink.draw(ball(32), "illustration", see_through=True)
 
@@ -268,5 +270,6 @@ def test_the_command_line_sees_through(ink, tmp_path):
     assert "outer iso-value " in result.err and "inner iso-value " in result.err
     result = ink("render", file, "-o", tmp_path / "given.png", "--size", "200x200", "--iso", 130, "--outer-iso", 30)
     assert result.code == 0, result
-    both, given = (ink_files.read_png(tmp_path / f"{name}.png").astype(int) for name in ("both", "given"))
-    assert np.abs(both - given).mean() < 5
+    both, given = (1 - ink_files.read_png(tmp_path / f"{name}.png")[..., 0] / 255 for name in ("both", "given"))
+    # The iso-values that it chooses are nearly these: the same tones, of other dots.
+    assert np.abs(blurred(both, 20) - blurred(given, 20)).mean() < 0.03 * blurred(given, 20).max()

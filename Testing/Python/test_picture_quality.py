@@ -88,7 +88,7 @@ def test_a_volume_of_which_nothing_is_drawn_is_a_bare_picture(small, knot, capsy
     phantom = phantoms.voxelize([knot], grid)
     nothing = phantom._replace(values=np.zeros_like(phantom.values))
     references = quality.draw_references(knot, ("splatting-lines",))
-    found = quality.measure(Case("knot", 48, 1, "uint8", 0.0), "splatting-lines", nothing, references)
+    found = quality.measure(Case("knot", 48, 1, "uint8", 0.0), "splatting-lines", nothing, references, {})
     assert (found.precision, found.recall, found.f, found.iso_error) == (0, 0, 0, "")
     assert "splatting-lines: " in capsys.readouterr().err
 

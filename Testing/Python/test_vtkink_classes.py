@@ -273,7 +273,11 @@ def test_no_phi_is_no_ink(bumpy_points):
 
 def test_colors_are_those_asked_for(bumpy_points):
     picture, _ = drawing(bumpy_points, Phi=1000.0, InkColor=(0, 0, 1), PaperColor=(1, 0, 0))
-    drawn = picture[~background(picture)]
+    inside = ~background(picture)
+    # Ink shares pixels at outlines with the background.
+    for axis in (0, 1):
+        inside &= numpy.roll(inside, 1, axis) & numpy.roll(inside, -1, axis)
+    drawn = picture[inside]
     assert numpy.all(drawn[:, 1] < 0.02)
     assert numpy.any(drawn[:, 0] > 0.98) and numpy.any(drawn[:, 2] > 0.9)
 
