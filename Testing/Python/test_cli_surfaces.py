@@ -118,8 +118,8 @@ def test_a_cut_is_one_line(picture, tmp_path, view):
         rows, columns = np.flatnonzero((image < 128).any(axis=1)), np.flatnonzero((image < 128).any(axis=0))
         edge = 1 - image[rows[-1] - 8 : rows[-1] + 2, columns[0] + 8 : columns[-1] - 7] / 255
         # Across the line, which may share its ink between two rows: the cap's edge is as thin as contours are
-        # (0.92 pixels, 0.63 at the least).
-        return (edge.sum(axis=0) > 0.5).mean()
+        # (0.76 pixels, 0.41 at the least).
+        return (edge.sum(axis=0) > 0.3).mean()
 
     assert drawn("open") < 0.5
     assert drawn("rim") == 1
