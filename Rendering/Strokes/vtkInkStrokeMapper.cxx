@@ -173,11 +173,12 @@ bool vtkInkStrokeMapper::UploadStrokes(InkStrokeMarks& marks, const Arrays& arra
   return true;
 }
 
-void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data)
+void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data, bool strokesAreOfCells)
 {
   const InkScalarColors ofPoints(this, data, InkScalarColors::Of::Points);
   const InkScalarColors ofCells(this, data, InkScalarColors::Of::Cells);
-  const InkScalarColors& colors = ofCells.Exist() ? ofCells : ofPoints;
+  const bool byCells = strokesAreOfCells && ofCells.Exist();
+  const InkScalarColors& colors = byCells ? ofCells : ofPoints;
   if (!colors.GetProblem().empty())
   {
     this->ReportOnce(colors.GetProblem());
@@ -185,8 +186,8 @@ void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data)
   std::string description = colors.Describe();
   if (marks.Colors != description)
   {
-    marks.Passes.UploadColors(colors.Exist() ? marks.Strokes.OrderColors(colors.Map(), ofCells.Exist())
-                                             : std::vector<std::uint32_t>());
+    marks.Passes.UploadColors(
+      colors.Exist() ? marks.Strokes.OrderColors(colors.Map(), byCells) : std::vector<std::uint32_t>());
     marks.Colors = std::move(description);
   }
 }
@@ -204,7 +205,7 @@ bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
     this->ReportOnce("None of the lines has two different points that are finite.");
     return false;
   }
-  this->UpdateColors(marks, strokes);
+  this->UpdateColors(marks, strokes, true);
   return true;
 }
 
@@ -215,7 +216,7 @@ bool vtkInkStrokeMapper::UpdateVoxels(InkMarks& own, vtkPolyData* voxels)
   {
     return false;
   }
-  this->UpdateColors(marks, voxels);
+  this->UpdateColors(marks, voxels, voxels->GetNumberOfCells() == voxels->GetNumberOfPoints());
   return !marks.Strokes.GetStrokes().empty();
 }
 
@@ -226,7 +227,7 @@ bool vtkInkStrokeMapper::UpdateEdges(InkMarks& own, vtkPolyData* surface)
   {
     return false;
   }
-  this->UpdateColors(marks, surface);
+  this->UpdateColors(marks, surface, true);
   return !marks.Strokes.GetStrokes().empty();
 }
 

@@ -416,7 +416,8 @@ private:
   /// Uploads strokes or voxels, if they are others than before, and reports what is wrong with them.
   template <class Arrays>
   bool UploadStrokes(InkStrokeMarks& marks, const Arrays& arrays);
-  void UpdateColors(InkStrokeMarks& marks, vtkPolyData* data);
+  /// @param strokesAreOfCells whether each stroke has a cell of the data, which may color it
+  void UpdateColors(InkStrokeMarks& marks, vtkPolyData* data, bool strokesAreOfCells);
   /// The runs of the strokes in a view.
   /// @param depth of the surface that hides them, or null
   /// @param byPixel what the surface hides is found by each pixel, not along strokes
