@@ -8,7 +8,6 @@
 #include "InkMeshTriangles.h"
 #include "InkPointNormals.h"
 #include "InkRenderPasses.h"
-#include "InkShiftScale.h"
 #include "InkStrokeMarks.h"
 #include "InkStrokeStyle.h"
 #include "InkViewUniforms.h"
@@ -233,10 +232,8 @@ bool vtkInkSilhouetteMapper::UpdateMarks(InkMarks& own)
 
 bool vtkInkSilhouetteMapper::UpdateToon(InkStrokeMarks& marks)
 {
-  double bounds[6];
-  InkShiftScale::FindFiniteBounds(this->GetInput()->GetPoints(), bounds);
   const vtkMTimeType before = marks.Toon.GetUploadTime();
-  marks.Toon.Update(this->GetInput(), InkShiftScale::FromBounds(bounds));
+  marks.Toon.Update(this->GetInput());
   if (marks.Toon.GetUploadTime() != before)
   {
     this->WarnOfNormals();
@@ -280,10 +277,7 @@ void vtkInkSilhouetteMapper::DrawToon(InkStrokeMarks& marks, const InkFrame& fra
   {
     return;
   }
-  double bounds[6];
-  InkShiftScale::FindFiniteBounds(this->GetInput()->GetPoints(), bounds);
-  const InkViewUniforms view(
-    frame.Renderer, frame.Actor, this, InkShiftScale::FromBounds(bounds), frame.GetSize());
+  const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Toon.GetFrame(), frame.GetSize());
   const InkToonPass::Scene scene{ view, *depth, static_cast<float>(this->LargestCosine),
     static_cast<float>(this->GetLift()), this->GetInkColor(),
     static_cast<float>(frame.Actor->GetProperty()->GetOpacity()) };
