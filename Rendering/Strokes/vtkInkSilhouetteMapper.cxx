@@ -148,7 +148,8 @@ vtkInkSilhouetteMapper::~vtkInkSilhouetteMapper() = default;
 vtkPolyData* vtkInkSilhouetteMapper::FindSurface()
 {
   vtkPolyData* other = this->Superclass::FindSurface();
-  return other || this->Method == VOXEL_SEGMENTS ? other : this->GetInput();
+  const bool any = other && other->GetNumberOfPoints() > 0;
+  return any || this->Method == VOXEL_SEGMENTS ? other : this->GetInput();
 }
 
 bool vtkInkSilhouetteMapper::CheckPolygons()
@@ -263,6 +264,7 @@ void vtkInkSilhouetteMapper::ChooseByEye(
     style.HalfWidth = { share * style.HalfWidth[0], share * style.HalfWidth[1] };
     return;
   }
+    style.Dashed = style.HiddenDashed = false;
   InkVoxelSegments& voxels = style.Voxels.emplace();
   voxels.ValueBounds = { number(this->LowestValue), number(this->HighestValue) };
   voxels.LeastGradient = number(this->LeastGradientMagnitude / marks.Strokes.GetGradientUnit());

@@ -444,7 +444,8 @@ void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& fram
     style.Hatching = this->MakeHatching(view, frame.Renderer);
   }
   const int points = this->CountPoints(marks, view, style, shown.Runs->NumberOfPoints);
-  if (const std::string problem = marks.Passes.UploadTexture(this->Texture); !problem.empty())
+  vtkImageData* const texture = style.BackEdges ? nullptr : this->Texture.Get();
+  if (const std::string problem = marks.Passes.UploadTexture(texture); !problem.empty())
   {
     this->ReportOnce(problem);
   }
