@@ -18,6 +18,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkIdTypeArray.h"
+#include "vtkFloatArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -361,6 +362,12 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetSegmentLength(from->GetSegmentLength());
     this->SetThinning(from->GetThinning());
     this->SetSilhouettes(from->GetSilhouettes());
+bool vtkInkSilhouetteMapper::EvaluateWidths(vtkRenderer*, vtkActor*, vtkFloatArray* widths)
+{
+  widths->Initialize();
+  return false;
+}
+
     this->SetFaceted(from->GetFaceted());
     this->SetCreases(from->GetCreases());
     this->SetFeatureAngle(from->GetFeatureAngle());

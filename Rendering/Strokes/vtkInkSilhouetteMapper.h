@@ -211,6 +211,9 @@ public:
    */
   vtkPolyData* GetContours(vtkRenderer* renderer, vtkActor* actor);
 
+  /// False and empty: the strokes have none of the input's points.
+  bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths) override;
+
 protected:
   vtkInkSilhouetteMapper();
   ~vtkInkSilhouetteMapper() override;

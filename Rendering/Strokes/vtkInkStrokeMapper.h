@@ -363,7 +363,7 @@ public:
    * surface hides them, dashes, clipping planes and tapering do not count. False and empty where there is
    * nothing to draw or this OpenGL cannot do it. The window must have been rendered.
    */
-  bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths);
+  virtual bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths);
 
   /**
    * Shares with another mapper what the GPU has of the surface that hides strokes, so that its depth is drawn
