@@ -228,6 +228,8 @@ private:
 
   bool UpdateSurface();
   bool UpdateToon(InkStrokeMarks& marks);
+  /// Finds and uploads the contours for a frame's eye; false where there is nothing to draw.
+  bool UpdateChains(InkMarks& own, const InkFrame& frame);
   bool CheckPolygons();
   void WarnOfNormals();
   void ChooseByEye(

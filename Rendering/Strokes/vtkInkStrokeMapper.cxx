@@ -276,7 +276,8 @@ double vtkInkStrokeMapper::FindDashPeriod(const InkMarks& own, const InkFrame& f
 {
   const auto& marks = static_cast<const InkStrokeMarks&>(own);
   const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
-  return view.Unit * static_cast<double>(this->MakeStyle(marks, view).Dash[1]);
+  const InkStrokeStyle style = this->MakeStyle(marks, view);
+  return style.Dashed || style.HiddenDashed ? view.Unit * static_cast<double>(style.Dash[1]) : 0.0;
 }
 
 InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const

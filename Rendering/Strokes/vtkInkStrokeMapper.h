@@ -399,7 +399,8 @@ protected:
     const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose);
   /// The depth of the surface in a view; null without one.
   InkOccluderDepth* UpdateDepth(const InkStrokeMarks& marks, const InkFrame& frame);
-  /// The length of a dash with its gap in a frame, in the unit of the strokes' points, which are up to date.
+  /// The length of a dash with its gap in a frame, in the unit of the strokes' points, which are up to date;
+  /// 0 where no dashes are drawn.
   double FindDashPeriod(const InkMarks& own, const InkFrame& frame);
   /// The surface that hides strokes, or null.
   virtual vtkPolyData* FindSurface();
