@@ -28,7 +28,8 @@ constexpr double leastShare = 0.1;
 /// Samples looked at, about: enough for an error of a percent.
 constexpr double mostSamples = 400000.0;
 
-/// The share of places that may be thinner than the thickness: lines that touch a ball hardly cross it, too.
+/// The share of positions that may be thinner than the thickness: lines that touch a ball hardly cross it,
+/// too.
 constexpr double thinShare = 0.1;
 
 /// On each side of an intersected edge, so many samples show the whole step.

@@ -16,7 +16,7 @@ struct NoiseEstimate
   double step = 0.0;    ///< the difference between both sides of the surface; 0 if there is no surface
   double quantum = 0.0; ///< the difference between neighboring gray levels; nearly 0 for continuous values
   /// The samples in a row along an axis that are on one side of the surface, from where it is crossed: fewer
-  /// in a tenth of the places only. Up to thickEnough, which stands for more, too
+  /// in a tenth of the positions only. Up to thickEnough, which stands for more, too
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
 };

@@ -68,12 +68,12 @@ Evenness evenness(const Shape& shape, const Lines& lines, std::size_t count)
   const TriangleMesh mesh = shape.mesh.view();
   const CumulativeArea areas = cumulateArea(mesh);
   Evenness result{ areas.area.back() / lengthOf(lines, count), 0.0, 0.0, 1e300 };
-  const std::vector<glm::dvec3> places = positionsOf(mesh, sampleWhiteNoise(mesh, areas, 300, 7));
-  for (const glm::dvec3& place : places)
+  const std::vector<glm::dvec3> positions = positionsOf(mesh, sampleWhiteNoise(mesh, areas, 300, 7));
+  for (const glm::dvec3& position : positions)
   {
-    const double distance = nearest(lines, count, place, ~std::size_t(0)) / result.spacing;
+    const double distance = nearest(lines, count, position, ~std::size_t(0)) / result.spacing;
     result.farthest = std::max(result.farthest, distance);
-    result.mean += distance / static_cast<double>(places.size());
+    result.mean += distance / static_cast<double>(positions.size());
   }
   for (std::size_t n = 0; n < count; ++n)
   {

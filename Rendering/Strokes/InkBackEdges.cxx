@@ -7,6 +7,7 @@
 #include "Curves/Contours/ContourSurface.h"
 #include "Curves/Contours/SurfaceEdges.h"
 
+#include "vtkCellArray.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -23,7 +24,11 @@ std::string InkEdgeArrays::FindProblem() const
 {
   // Positions on the GPU are ints, six for each of two points.
   constexpr vtkIdType most = std::numeric_limits<int>::max() / 12;
-  const vtkIdType edges = 3 * this->Surface->GetNumberOfCells();
+  // Of n corners of a polygon or strip there are n - 2 triangles, none of whose edges may be another's, too.
+  vtkCellArray* polygons = this->Surface->GetPolys();
+  vtkCellArray* strips = this->Surface->GetStrips();
+  const vtkIdType corners = polygons->GetNumberOfConnectivityIds() + strips->GetNumberOfConnectivityIds();
+  const vtkIdType edges = 3 * (corners - 2 * (polygons->GetNumberOfCells() + strips->GetNumberOfCells()));
   std::ostringstream message;
   if (edges > most)
   {
@@ -58,12 +63,7 @@ void InkStrokePoints::Read(const InkEdgeArrays& arrays)
       const auto id = static_cast<vtkIdType>(triangle[static_cast<std::size_t>(one.corner)]);
       this->Sources.push_back(id);
       this->Ids.push_back(static_cast<std::uint32_t>(id));
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const double place = point.Position[axis];
-        this->LocalBounds[2 * axis] = std::min(this->LocalBounds[2 * axis], place);
-        this->LocalBounds[2 * axis + 1] = std::max(this->LocalBounds[2 * axis + 1], place);
-      }
+      this->AddToBounds(point.Position);
     }
     const auto edge = static_cast<std::uint64_t>(first / 2);
     const auto cell = mesh.FaceIds[surface.faceIds[one.face]];

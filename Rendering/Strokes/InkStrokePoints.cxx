@@ -132,11 +132,16 @@ void InkStrokePoints::AddPoint(
     const double curvature = arrays.RadialCurvature->GetComponent(id, 0);
     this->RadialCurvature.push_back(std::isfinite(curvature) ? static_cast<float>(curvature) : 0.0f);
   }
+  this->AddToBounds(local);
+}
+
+void InkStrokePoints::AddToBounds(const float position[3], double margin)
+{
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double place = local[axis];
-    this->LocalBounds[2 * axis] = std::min(this->LocalBounds[2 * axis], place);
-    this->LocalBounds[2 * axis + 1] = std::max(this->LocalBounds[2 * axis + 1], place);
+    double* bounds = this->LocalBounds.data() + 2 * axis;
+    bounds[0] = std::min(bounds[0], position[axis] - margin);
+    bounds[1] = std::max(bounds[1], position[axis] + margin);
   }
 }
 

@@ -140,6 +140,7 @@ public:
 private:
   void ReadLine(const InkStrokeArrays& arrays, vtkIdType line);
   void AddPoint(const InkStrokeArrays& arrays, vtkIdType id, const float local[3], double arcLength);
+  void AddToBounds(const float position[3], double margin = 0.0);
   void EndStroke(const InkStrokeArrays& arrays, int first, vtkIdType cell, vtkIdType line, bool closed);
 
   InkShiftScale Frame;

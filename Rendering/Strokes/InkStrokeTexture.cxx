@@ -40,11 +40,13 @@ std::string InkStrokeTexture::Update(vtkImageData* image)
   image->GetDimensions(size);
   auto* bytes = vtkUnsignedCharArray::SafeDownCast(scalars);
   const int components = bytes ? bytes->GetNumberOfComponents() : 0;
-  if (size[0] < 1 || size[1] < 1 || size[2] != 1 || (components != 1 && components != 4))
+  std::ostringstream message;
+  if (size[0] < 1 || size[1] < 1 || size[2] != 1 || (components != 1 && components != 4) ||
+    bytes->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    std::ostringstream message;
     message << "The texture of strokes is to be a 2D image of unsigned char with 1 or 4 components; found "
-            << size[0] << " x " << size[1] << " x " << size[2] << " values of "
+            << size[0] << " x " << size[1] << " x " << size[2] << " pixels and "
+            << (scalars ? scalars->GetNumberOfTuples() : 0) << " values of "
             << (scalars ? scalars->GetDataTypeAsString() : "no array") << " with "
             << (scalars ? scalars->GetNumberOfComponents() : 0) << " components.";
     return message.str();
@@ -55,8 +57,13 @@ std::string InkStrokeTexture::Update(vtkImageData* image)
   this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
   this->Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
   this->Texture->SetGenerateMipmap(true);
-  this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
-    components, VTK_UNSIGNED_CHAR, bytes->GetPointer(0));
+  if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
+        components, VTK_UNSIGNED_CHAR, bytes->GetPointer(0)))
+  {
+    message << "This OpenGL cannot take the texture of strokes, of " << size[0] << " x " << size[1]
+            << " pixels.";
+    return message.str();
+  }
   this->Components = components;
   return {};
 }

@@ -6,7 +6,6 @@
 #include "InkOccluder.h"
 #include "InkRenderPasses.h"
 #include "InkShader.h"
-#include "InkShiftScale.h"
 #include "InkStrokeStyle.h"
 #include "InkViewUniforms.h"
 
@@ -38,13 +37,16 @@ InkToonPass::~InkToonPass()
   this->Corners->ReleaseGraphicsResources();
 }
 
-void InkToonPass::Update(vtkPolyData* surface, const InkShiftScale& frame)
+void InkToonPass::Update(vtkPolyData* surface)
 {
   if (this->UploadTime > 0 && this->SurfaceTime == surface->GetMTime())
   {
     return;
   }
   this->SurfaceTime = surface->GetMTime();
+  double bounds[6];
+  InkShiftScale::FindFiniteBounds(surface->GetPoints(), bounds);
+  this->Frame = InkShiftScale::FromBounds(bounds);
   const InkMeshTriangles mesh(surface, true, InkMeshTriangles::Order::OfMesh);
   std::vector<float> corners;
   std::vector<std::uint32_t> ids;
@@ -55,7 +57,7 @@ void InkToonPass::Update(vtkPolyData* surface, const InkShiftScale& frame)
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       const auto point = static_cast<std::size_t>(triangle[corner]);
-      frame.ToLocal(&mesh.Points[point].x, values + 6 * corner);
+      this->Frame.ToLocal(&mesh.Points[point].x, values + 6 * corner);
       std::copy_n(&mesh.Normals[point].x, 3, values + 6 * corner + 3);
     }
     if (std::all_of(values, values + 18, [](float value) { return std::isfinite(value); }))

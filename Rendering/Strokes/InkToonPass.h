@@ -3,6 +3,7 @@
 #define InkToonPass_h
 
 #include "InkShaderPass.h"
+#include "InkShiftScale.h"
 #include "InkTextureBuffer.h"
 
 #include "vtkNew.h"
@@ -17,7 +18,6 @@ class vtkPolyData;
 class vtkShaderProgram;
 struct InkFrame;
 struct InkOccluderDepth;
-struct InkShiftScale;
 struct InkViewUniforms;
 
 /// Silhouettes by toon shading (Lu et al. 2003, section 5.6): a surface on the GPU that is ink where it is
@@ -29,7 +29,8 @@ public:
   ~InkToonPass();
 
   /// Takes a surface's polygons and strips with their normals. Does nothing when they are those that it has.
-  void Update(vtkPolyData* surface, const InkShiftScale& frame);
+  void Update(vtkPolyData* surface);
+  const InkShiftScale& GetFrame() const { return this->Frame; }   ///< of the surface
   vtkMTimeType GetUploadTime() const { return this->UploadTime; } ///< 0: never
 
   struct Scene
@@ -52,7 +53,8 @@ private:
   vtkNew<vtkOpenGLBufferObject> Corners; ///< position and normal of each
   InkTextureBuffer Ids;
   int NumberOfCorners = 0;
-  vtkMTimeType SurfaceTime = 0;
+  InkShiftScale Frame;
+  vtkMTimeType SurfaceTime = 0; ///< of the surface that Frame and the corners are of
   vtkMTimeType UploadTime = 0;
   InkShaderPasses Passes;
 };

@@ -37,11 +37,20 @@ std::string InkVoxelArrays::FindProblem() const
   check(this->Gradients, 3, "Gradient");
   check(this->Values, 1, "Value");
   check(this->Radii, 1, "Radius");
+  const vtkIdType points = this->Data->GetNumberOfPoints();
+  for (vtkDataArray* array : { this->Gradients, this->Values, this->Radii })
+  {
+    if (message.str().empty() && array->GetNumberOfTuples() != points)
+    {
+      message << "Segments through voxels need a value of \"" << array->GetName() << "\" for each of "
+              << points << " points; found " << array->GetNumberOfTuples() << '.';
+    }
+  }
   // Positions on the GPU are ints, six for each of two points.
   constexpr vtkIdType most = std::numeric_limits<int>::max() / 12;
-  if (message.str().empty() && this->Data->GetNumberOfPoints() > most)
+  if (message.str().empty() && points > most)
   {
-    message << "Up to " << most << " voxels can be drawn; found " << this->Data->GetNumberOfPoints() << '.';
+    message << "Up to " << most << " voxels can be drawn; found " << points << '.';
   }
   return message.str();
 }
@@ -103,11 +112,6 @@ void InkStrokePoints::Read(const InkVoxelArrays& arrays)
     Stroke stroke{ first, first + 1, id, 0.0f, 0.0f, 0.0f, false };
     stroke.Priority = static_cast<float>(ink::unitDouble(ink::hash(static_cast<std::uint64_t>(id))));
     this->Strokes.push_back(stroke);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double place = local[axis];
-      this->LocalBounds[2 * axis] = std::min(this->LocalBounds[2 * axis], place - halfLength);
-      this->LocalBounds[2 * axis + 1] = std::max(this->LocalBounds[2 * axis + 1], place + halfLength);
-    }
+    this->AddToBounds(local, halfLength);
   }
 }

@@ -8,9 +8,9 @@
 #include "InkMeshTriangles.h"
 #include "InkPointNormals.h"
 #include "InkRenderPasses.h"
-#include "InkShiftScale.h"
 #include "InkStrokeMarks.h"
 #include "InkStrokeStyle.h"
+#include "InkUploadEvent.h"
 #include "InkViewUniforms.h"
 
 #include "Curves/Contours/CoherentDashes.h"
@@ -18,6 +18,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -27,11 +28,13 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkTimerLog.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -114,14 +117,14 @@ public:
     ink::Eye Eye;
     vtkSmartPointer<vtkPolyData> Lines;
     ink::CoherentDashes Dashes;
+    double Period = 0.0; ///< that the lines are aligned for, in the surface's unit; 0: they are not aligned
 
     /// Shifts the lines' arc length.
     /// @param contours what the lines are of
-    /// @param period of a dash and its gap, in the surface's unit
-    void AlignDashes(ink::Contours& contours, double period)
+    void AlignDashes(ink::Contours& contours)
     {
       constexpr double periodsOfReach = 2.0; // farther away are other lines
-      this->Dashes.align(contours, period, periodsOfReach * period);
+      this->Dashes.align(contours, this->Period, periodsOfReach * this->Period);
       vtkDataArray* arcLengths = this->Lines->GetPointData()->GetArray("ArcLength");
       for (std::size_t i = 0; i < contours.arcLength.size(); ++i)
       {
@@ -149,7 +152,8 @@ vtkInkSilhouetteMapper::~vtkInkSilhouetteMapper() = default;
 vtkPolyData* vtkInkSilhouetteMapper::FindSurface()
 {
   vtkPolyData* other = this->Superclass::FindSurface();
-  return other || this->Method == VOXEL_SEGMENTS ? other : this->GetInput();
+  const bool any = other && other->GetNumberOfPoints() > 0;
+  return any || this->Method == VOXEL_SEGMENTS ? other : this->GetInput();
 }
 
 bool vtkInkSilhouetteMapper::CheckPolygons()
@@ -233,10 +237,8 @@ bool vtkInkSilhouetteMapper::UpdateMarks(InkMarks& own)
 
 bool vtkInkSilhouetteMapper::UpdateToon(InkStrokeMarks& marks)
 {
-  double bounds[6];
-  InkShiftScale::FindFiniteBounds(this->GetInput()->GetPoints(), bounds);
   const vtkMTimeType before = marks.Toon.GetUploadTime();
-  marks.Toon.Update(this->GetInput(), InkShiftScale::FromBounds(bounds));
+  marks.Toon.Update(this->GetInput());
   if (marks.Toon.GetUploadTime() != before)
   {
     this->WarnOfNormals();
@@ -262,6 +264,7 @@ void vtkInkSilhouetteMapper::ChooseByEye(
   if (this->Method == IMAGE_SPACE)
   {
     style.BackEdges = true;
+    style.Dashed = style.HiddenDashed = false;
     const float share = this->Thinning ? FindPictureShare(marks.Strokes.GetLocalBounds(), view) : 1.0f;
     style.HalfWidth = { share * style.HalfWidth[0], share * style.HalfWidth[1] };
     return;
@@ -280,69 +283,76 @@ void vtkInkSilhouetteMapper::DrawToon(InkStrokeMarks& marks, const InkFrame& fra
   {
     return;
   }
-  double bounds[6];
-  InkShiftScale::FindFiniteBounds(this->GetInput()->GetPoints(), bounds);
-  const InkViewUniforms view(
-    frame.Renderer, frame.Actor, this, InkShiftScale::FromBounds(bounds), frame.GetSize());
+  const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Toon.GetFrame(), frame.GetSize());
   const InkToonPass::Scene scene{ view, *depth, static_cast<float>(this->LargestCosine),
     static_cast<float>(this->GetLift()), this->GetInkColor(),
     static_cast<float>(frame.Actor->GetProperty()->GetOpacity()) };
   marks.Toon.Draw(scene, frame, InkRenderPasses(this, frame.Actor));
 }
 
-void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
+bool vtkInkSilhouetteMapper::UpdateChains(InkMarks& own, const InkFrame& frame)
 {
-  if (this->Method != CHAINS)
-  {
-    auto& marks = static_cast<InkStrokeMarks&>(own);
-    if (this->Method == TOON)
-    {
-      this->DrawToon(marks, frame);
-    }
-    else
-    {
-      this->DrawStrokes(marks, frame,
-        [&](InkStrokeStyle& style, const InkViewUniforms& view)
-        { this->ChooseByEye(marks, frame, view, style); });
-    }
-    return;
-  }
   vtkInternals& internals = *this->Internals;
   vtkInternals::Drawn& drawn = internals.Views.Get(frame.Renderer, frame.Actor);
   const ink::Eye eye = FindEye(frame.Renderer->GetActiveCamera(), frame.Actor);
-  if (drawn.Source != internals.Source || drawn.Eye != eye)
+  const auto upload = [&]
+  { return drawn.Lines->GetNumberOfLines() > 0 && this->UpdateStrokes(own, drawn.Lines); };
+  // How long a dash is follows from where the strokes are.
+  const auto findPeriod = [&]
+  { return this->CoherentDashes && upload() ? this->FindDashPeriod(own, frame) : 0.0; };
+  const bool sameContours = drawn.Source == internals.Source && drawn.Eye == eye;
+  constexpr double tolerance = 1e-4; // tiles of a picture have other rounding
+  if (const double period = sameContours ? findPeriod() : 0.0;
+      !sameContours || std::abs(period - drawn.Period) > tolerance * period)
   {
     try
     {
       const ink::ContourArrays arrays{ true, true, true, true };
       ink::Contours contours = internals.Finder->find(eye, arrays);
       drawn.Lines = MakeLines(contours, *internals.Mesh);
-      if (drawn.Source != internals.Source || !this->CoherentDashes)
+      drawn.Period = findPeriod();
+      if (drawn.Source != internals.Source || drawn.Period == 0.0)
       {
         drawn.Dashes.reset();
       }
-      // How long a dash is follows from where the strokes are.
-      if (this->CoherentDashes && drawn.Lines->GetNumberOfLines() > 0 &&
-        this->UpdateStrokes(own, drawn.Lines))
+      if (drawn.Period > 0.0)
       {
-        const double period = this->FindDashPeriod(own, frame);
-        if (period > 0.0)
-        {
-          drawn.AlignDashes(contours, period);
-        }
+        drawn.AlignDashes(contours);
       }
     }
     catch (const std::exception& error)
     {
       this->ReportOnce(std::string("The contours of the surface cannot be found: ") + error.what());
-      return;
+      return false;
     }
     drawn.Source = internals.Source;
     drawn.Eye = eye;
   }
-  if (drawn.Lines->GetNumberOfLines() > 0 && this->UpdateStrokes(own, drawn.Lines))
+  return upload();
+}
+
+void vtkInkSilhouetteMapper::DrawMarks(InkMarks& own, const InkFrame& frame)
+{
+  auto& marks = static_cast<InkStrokeMarks&>(own);
+  switch (this->Method)
   {
-    this->Superclass::DrawMarks(own, frame);
+    case VOXEL_SEGMENTS:
+    case IMAGE_SPACE:
+      this->DrawStrokes(marks, frame,
+        [&](InkStrokeStyle& style, const InkViewUniforms& view)
+        { this->ChooseByEye(marks, frame, view, style); });
+      return;
+    case TOON:
+      this->DrawToon(marks, frame);
+      return;
+    default:
+      vtkTimerLog::MarkStartEvent(InkUploadEvent);
+      const bool there = this->UpdateChains(own, frame);
+      vtkTimerLog::MarkEndEvent(InkUploadEvent);
+      if (there)
+      {
+        this->Superclass::DrawMarks(own, frame);
+      }
   }
 }
 
@@ -350,6 +360,12 @@ vtkPolyData* vtkInkSilhouetteMapper::GetContours(vtkRenderer* renderer, vtkActor
 {
   const vtkInternals::Drawn* drawn = this->Internals->Views.Find(renderer, actor);
   return drawn ? drawn->Lines.Get() : nullptr;
+}
+
+bool vtkInkSilhouetteMapper::EvaluateWidths(vtkRenderer*, vtkActor*, vtkFloatArray* widths)
+{
+  widths->Initialize();
+  return false;
 }
 
 void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)

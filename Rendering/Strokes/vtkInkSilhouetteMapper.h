@@ -7,7 +7,8 @@
  * warning says). Its contours are found again when the camera, the surface or an option changed, at a cost
  * that follows their length and not the size of the surface (Hertzmann and Zorin 2000), and drawn as
  * vtkInkStrokeMapper draws strokes, with all its parameters. The surface hides what lies behind it, whether
- * or not an actor shows it; SetSurfaceConnection and SetSurfaceData give another surface to do that.
+ * or not an actor shows it; SetSurfaceConnection and SetSurfaceData give another surface to do that, unless
+ * it is empty.
  *
  * That is the Method CHAINS. Others draw silhouettes as Lu et al. (2003, section 5.6) publish them, of which
  * the GPU finds what depends on the camera: VOXEL_SEGMENTS, of edge voxels, those that vtkInkEdgeVoxels finds
@@ -56,8 +57,9 @@ public:
    * are sent to the GPU once. Nothing hides segments but a surface that SetSurfaceConnection gives, pixel by
    * pixel. IMAGE_SPACE: the edges of polygons that face away from the eye, as broad lines behind those that
    * face it, past which half of a line reaches (Raskar and Cohen 1999); the outside of a closed surface is
-   * the front, whichever way its polygons run. TOON: the surface is ink where the cosine of the angle between
-   * its normal and the direction to the eye is at most LargestCosine.
+   * the front, whichever way its polygons run. They have neither dashes nor a texture. TOON: the surface is
+   * ink where the cosine of the angle between its normal and the direction to the eye is at most
+   * LargestCosine.
    */
   vtkSetClampMacro(Method, int, CHAINS, TOON);
   vtkGetMacro(Method, int);
@@ -209,6 +211,9 @@ public:
    */
   vtkPolyData* GetContours(vtkRenderer* renderer, vtkActor* actor);
 
+  /// False and empty: the strokes have none of the input's points.
+  bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths) override;
+
 protected:
   vtkInkSilhouetteMapper();
   ~vtkInkSilhouetteMapper() override;
@@ -223,6 +228,8 @@ private:
 
   bool UpdateSurface();
   bool UpdateToon(InkStrokeMarks& marks);
+  /// Finds and uploads the contours for a frame's eye; false where there is nothing to draw.
+  bool UpdateChains(InkMarks& own, const InkFrame& frame);
   bool CheckPolygons();
   void WarnOfNormals();
   void ChooseByEye(

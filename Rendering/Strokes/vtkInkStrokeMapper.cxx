@@ -173,11 +173,12 @@ bool vtkInkStrokeMapper::UploadStrokes(InkStrokeMarks& marks, const Arrays& arra
   return true;
 }
 
-void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data)
+void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data, bool strokesAreOfCells)
 {
   const InkScalarColors ofPoints(this, data, InkScalarColors::Of::Points);
   const InkScalarColors ofCells(this, data, InkScalarColors::Of::Cells);
-  const InkScalarColors& colors = ofCells.Exist() ? ofCells : ofPoints;
+  const bool byCells = strokesAreOfCells && ofCells.Exist();
+  const InkScalarColors& colors = byCells ? ofCells : ofPoints;
   if (!colors.GetProblem().empty())
   {
     this->ReportOnce(colors.GetProblem());
@@ -185,8 +186,8 @@ void vtkInkStrokeMapper::UpdateColors(InkStrokeMarks& marks, vtkPolyData* data)
   std::string description = colors.Describe();
   if (marks.Colors != description)
   {
-    marks.Passes.UploadColors(colors.Exist() ? marks.Strokes.OrderColors(colors.Map(), ofCells.Exist())
-                                             : std::vector<std::uint32_t>());
+    marks.Passes.UploadColors(
+      colors.Exist() ? marks.Strokes.OrderColors(colors.Map(), byCells) : std::vector<std::uint32_t>());
     marks.Colors = std::move(description);
   }
 }
@@ -204,7 +205,7 @@ bool vtkInkStrokeMapper::UpdateStrokes(InkMarks& own, vtkPolyData* strokes)
     this->ReportOnce("None of the lines has two different points that are finite.");
     return false;
   }
-  this->UpdateColors(marks, strokes);
+  this->UpdateColors(marks, strokes, true);
   return true;
 }
 
@@ -215,7 +216,7 @@ bool vtkInkStrokeMapper::UpdateVoxels(InkMarks& own, vtkPolyData* voxels)
   {
     return false;
   }
-  this->UpdateColors(marks, voxels);
+  this->UpdateColors(marks, voxels, voxels->GetNumberOfCells() == voxels->GetNumberOfPoints());
   return !marks.Strokes.GetStrokes().empty();
 }
 
@@ -226,7 +227,7 @@ bool vtkInkStrokeMapper::UpdateEdges(InkMarks& own, vtkPolyData* surface)
   {
     return false;
   }
-  this->UpdateColors(marks, surface);
+  this->UpdateColors(marks, surface, true);
   return !marks.Strokes.GetStrokes().empty();
 }
 
@@ -275,7 +276,8 @@ double vtkInkStrokeMapper::FindDashPeriod(const InkMarks& own, const InkFrame& f
 {
   const auto& marks = static_cast<const InkStrokeMarks&>(own);
   const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
-  return view.Unit * static_cast<double>(this->MakeStyle(marks, view).Dash[1]);
+  const InkStrokeStyle style = this->MakeStyle(marks, view);
+  return style.Dashed || style.HiddenDashed ? view.Unit * static_cast<double>(style.Dash[1]) : 0.0;
 }
 
 InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const
@@ -443,7 +445,8 @@ void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& fram
     style.Hatching = this->MakeHatching(view, frame.Renderer);
   }
   const int points = this->CountPoints(marks, view, style, shown.Runs->NumberOfPoints);
-  if (const std::string problem = marks.Passes.UploadTexture(this->Texture); !problem.empty())
+  vtkImageData* const texture = style.BackEdges ? nullptr : this->Texture.Get();
+  if (const std::string problem = marks.Passes.UploadTexture(texture); !problem.empty())
   {
     this->ReportOnce(problem);
   }

@@ -363,7 +363,7 @@ public:
    * surface hides them, dashes, clipping planes and tapering do not count. False and empty where there is
    * nothing to draw or this OpenGL cannot do it. The window must have been rendered.
    */
-  bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths);
+  virtual bool EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths);
 
   /**
    * Shares with another mapper what the GPU has of the surface that hides strokes, so that its depth is drawn
@@ -399,7 +399,8 @@ protected:
     const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose);
   /// The depth of the surface in a view; null without one.
   InkOccluderDepth* UpdateDepth(const InkStrokeMarks& marks, const InkFrame& frame);
-  /// The length of a dash with its gap in a frame, in the unit of the strokes' points, which are up to date.
+  /// The length of a dash with its gap in a frame, in the unit of the strokes' points, which are up to date;
+  /// 0 where no dashes are drawn.
   double FindDashPeriod(const InkMarks& own, const InkFrame& frame);
   /// The surface that hides strokes, or null.
   virtual vtkPolyData* FindSurface();
@@ -416,7 +417,8 @@ private:
   /// Uploads strokes or voxels, if they are others than before, and reports what is wrong with them.
   template <class Arrays>
   bool UploadStrokes(InkStrokeMarks& marks, const Arrays& arrays);
-  void UpdateColors(InkStrokeMarks& marks, vtkPolyData* data);
+  /// @param strokesAreOfCells whether each stroke has a cell of the data, which may color it
+  void UpdateColors(InkStrokeMarks& marks, vtkPolyData* data, bool strokesAreOfCells);
   /// The runs of the strokes in a view.
   /// @param depth of the surface that hides them, or null
   /// @param byPixel what the surface hides is found by each pixel, not along strokes

@@ -33,7 +33,6 @@ uniform vec2 viewportOrigin; // pixels
 uniform float actorOpacity;
 uniform float hiddenOpacity;
 uniform float leastCoverage;
-uniform float taper; // share of a stroke's length
 #ifdef INK_MITER
 uniform float miterLimit;
 #endif
@@ -78,26 +77,6 @@ struct Nearest
   float width;  // half, pixels
   vec2 away;    // from the nearest point
 };
-
-// Even steps on the picture are uneven ones in space.
-float shareInSpace(Segment segment, float share)
-{
-  vec2 w = vec2(segment.places[0].w, segment.places[1].w);
-  return share * w.x / (w.y + share * (w.x - w.y));
-}
-
-// Half the width of a stroke at a share of the way along a segment on the picture, pixels.
-float widthAt(Segment segment, float share)
-{
-  float width = mix(segment.shapes[0].x, segment.shapes[1].x, share);
-  float whole = segment.shapes[0].z;
-  if (taper > 0.0 && whole > 0.0)
-  {
-    float along = mix(segment.shapes[0].y, segment.shapes[1].y, shareInSpace(segment, share));
-    width *= clamp(2.0 * min(along, whole - along) / (taper * whole), 0.0, 1.0);
-  }
-  return width;
-}
 
 Nearest findNearest(Segment segment, vec2 pixel)
 {

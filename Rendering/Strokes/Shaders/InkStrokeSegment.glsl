@@ -5,6 +5,7 @@
 
 uniform sampler2D pointPlaces; // clip coordinates
 uniform sampler2D pointShapes; // half width in pixels, arc length, the stroke's length if it is open
+uniform float taper;           // share of a stroke's length
 
 struct Segment
 {
@@ -47,4 +48,24 @@ bool findSegment(int first, out Segment segment)
   segment.ends[0] = pixelOf(segment.places[0]);
   segment.ends[1] = pixelOf(segment.places[1]);
   return seen && segment.places[0].w > 0.0 && segment.places[1].w > 0.0;
+}
+
+// Even steps on the picture are uneven ones in space.
+float shareInSpace(Segment segment, float share)
+{
+  vec2 w = vec2(segment.places[0].w, segment.places[1].w);
+  return share * w.x / (w.y + share * (w.x - w.y));
+}
+
+// Half the width of a stroke at a share of the way along a segment on the picture, pixels.
+float widthAt(Segment segment, float share)
+{
+  float width = mix(segment.shapes[0].x, segment.shapes[1].x, share);
+  float whole = segment.shapes[0].z;
+  if (taper > 0.0 && whole > 0.0)
+  {
+    float along = mix(segment.shapes[0].y, segment.shapes[1].y, shareInSpace(segment, share));
+    width *= clamp(2.0 * min(along, whole - along) / (taper * whole), 0.0, 1.0);
+  }
+  return width;
 }

@@ -53,10 +53,12 @@ int countBeside(int segment, Segment own, vec2 direction, int step, ivec4 run, f
     float cosine = size > 0.0 ? dot(way, direction) / size : -1.0;
     if (count == 0 && cosine > 0.0)
     {
-      // Where it turns, and where it becomes wider.
-      float slope = max(abs(other.shapes[1].x - other.shapes[0].x) / size,
-        abs(own.shapes[1].x - own.shapes[0].x) / max(distance(own.ends[0], own.ends[1]), 1e-6));
-      beyond = min(margin * (sqrt(max(1.0 - cosine * cosine, 0.0)) + 2.0 * slope) + leastBeyond, margin);
+      // Where it turns, and where it becomes wider: at half a width w beside a straight stroke that narrows by a slope s
+      // the wider segment covers more up to 2 s w / (1 - s^2) beyond its end.
+      float slope = max(abs(widthAt(other, 1.0) - widthAt(other, 0.0)) / size,
+        abs(widthAt(own, 1.0) - widthAt(own, 0.0)) / max(distance(own.ends[0], own.ends[1]), 1e-6));
+      float narrowing = 2.0 * slope / max(1.0 - slope * slope, 1e-3);
+      beyond = min(margin * (sqrt(max(1.0 - cosine * cosine, 0.0)) + narrowing) + leastBeyond, margin);
     }
     turns = turns || cosine < leastCosine;
     between += size;

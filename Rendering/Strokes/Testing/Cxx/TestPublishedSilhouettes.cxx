@@ -8,8 +8,10 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -139,6 +141,24 @@ TEST(ImageSpaceSilhouettes, BeforeAnotherPart)
   EXPECT_TRUE(visible > 55 && visible < 64) << visible;
 }
 
+/// Its lines lie on each other with other arc lengths: dashes and an image along them would make them gray.
+TEST(ImageSpaceSilhouettes, NeitherDashesNorTexture)
+{
+  Scene scene(Sphere(), ImageSpace);
+  const InkTestImage plain(scene.Window);
+  scene.Mapper->DashedOn();
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(plain), 0);
+  scene.Mapper->DashedOff();
+  scene.Mapper->SetHiddenPartsToDashed();
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(plain), 0);
+  vtkNew<vtkImageData> texture;
+  texture->SetDimensions(2, 2, 1);
+  texture->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  texture->GetPointData()->GetScalars()->Fill(100.0);
+  scene.Mapper->SetTexture(texture);
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(plain), 0);
+}
+
 /// The line becomes thinner as the projected bounding sphere does, and is as given where that fills the view.
 TEST(ImageSpaceSilhouettes, Thinning)
 {
@@ -265,6 +285,9 @@ TEST(PublishedSilhouettes, OddSurfaces)
     torn->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
     Scene hole(torn, method);
     Scene whole(Sphere(), method);
+    const InkTestImage own(whole.Window);
+    whole.Mapper->SetSurfaceData(vtkSmartPointer<vtkPolyData>::New());
+    EXPECT_EQ(InkTestImage(whole.Window).CountDifferent(own), 0) << "the other surface is empty, " << method;
     EXPECT_NEAR(hole.Ink() / whole.Ink(), 1.0, 0.1) << method;
   }
   const auto bare = Sphere();

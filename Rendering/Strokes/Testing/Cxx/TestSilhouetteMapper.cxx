@@ -2,11 +2,13 @@
 #include "InkTestImage.h"
 #include "InkTestMessages.h"
 #include "InkTestScene.h"
+#include "InkUploadEvent.h"
 #include "TubeSurfaces.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
+#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -14,11 +16,15 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSphereSource.h"
+#include "vtkTimerLog.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <sstream>
+#include <string>
 
 namespace
 {
@@ -240,6 +246,101 @@ TEST(SilhouetteMapper, CoherentDashes)
   EXPECT_LT(still, 0.15 * sliding) << "of " << sliding;
 }
 
+/// What dashes were aligned for does not outlast it: another period, or none.
+TEST(SilhouetteMapper, CoherentDashesFollowTheirParameters)
+{
+  const auto sphere = Sphere();
+  Scene scene(sphere);
+  const auto prepare = [](Scene& prepared)
+  {
+    prepared.Mapper->DashedOn();
+    prepared.Mapper->SetDashLength(10.0);
+    prepared.Mapper->SetGapLength(10.0);
+  };
+  prepare(scene);
+  scene.Mapper->CoherentDashesOn();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1.3);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    camera->Azimuth(4.0);
+    scene.Window->Render();
+  }
+  const auto arcBegin = [&]
+  {
+    scene.Window->Render();
+    return scene.GetContours()->GetPointData()->GetArray("ArcLength")->GetComponent(0, 0);
+  };
+  EXPECT_NE(arcBegin(), 0.0) << "aligned";
+  // Dashes of another period stay as well, from the first motion on: measured 0, and 142 if they did not.
+  scene.Mapper->SetGapLength(20.0);
+  const InkTestImage longer(scene.Window);
+  camera->Azimuth(2.0);
+  const InkTestImage moved(scene.Window);
+  EXPECT_LE(moved.CountDifferent(longer, 100), 50);
+  scene.Mapper->SetGapLength(10.0);
+
+  // No longer coherent, the picture is that of a new scene; nor are lines without dashes aligned.
+  Scene again(sphere);
+  prepare(again);
+  again.Renderer->GetActiveCamera()->DeepCopy(camera);
+  const InkTestImage fresh(again.Window);
+  scene.Mapper->CoherentDashesOff();
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(fresh), 0);
+  scene.Mapper->CoherentDashesOn();
+  EXPECT_EQ(arcBegin(), 0.0);
+  camera->Azimuth(4.0);
+  EXPECT_NE(arcBegin(), 0.0);
+  scene.Mapper->DashedOff();
+  EXPECT_EQ(arcBegin(), 0.0);
+}
+
+/// Strokes have no points of the surface, whose widths there could be.
+TEST(SilhouetteMapper, NoWidthsOfPoints)
+{
+  const auto surface = Sphere();
+  surface->GetPointData()->SetNormals(nullptr);
+  Scene scene(surface);
+  for (int method = vtkInkSilhouetteMapper::CHAINS; method <= vtkInkSilhouetteMapper::TOON; ++method)
+  {
+    scene.Mapper->SetMethod(method);
+    scene.Window->Render();
+    vtkNew<vtkFloatArray> widths;
+    widths->SetNumberOfTuples(3);
+    EXPECT_FALSE(scene.Mapper->EvaluateWidths(scene.Renderer, scene.Actor, widths)) << method;
+    EXPECT_EQ(widths->GetNumberOfTuples(), 0) << method;
+  }
+}
+
+/// Contours of a camera are found and sent in an event of their own, after that of the surface.
+TEST(SilhouetteMapper, UploadEvents)
+{
+  Scene scene(Sphere());
+  const auto countEvents = [&]
+  {
+    vtkTimerLog::ResetLog();
+    scene.Window->Render();
+    int events = 0;
+    bool open = false;
+    for (int i = 0; i < vtkTimerLog::GetNumberOfEvents(); ++i)
+    {
+      if (std::string(vtkTimerLog::GetEventString(i)) == InkUploadEvent)
+      {
+        const bool starts = vtkTimerLog::GetEventType(i) == vtkTimerLogEntry::START;
+        EXPECT_NE(starts, open) << "nothing is counted twice";
+        open = starts;
+        events += starts;
+      }
+    }
+    EXPECT_FALSE(open);
+    return events;
+  };
+  EXPECT_EQ(countEvents(), 2);
+  scene.Mapper->SetMethodToImageSpace();
+  EXPECT_EQ(countEvents(), 1);
+}
+
 TEST(SilhouetteMapper, OddSurfaces)
 {
   const auto points = vtkSmartPointer<vtkPolyData>::New();
@@ -298,8 +399,8 @@ TEST(SilhouetteMapper, Parameters)
   EXPECT_EQ(print(copy), print(mapper));
   for (const char* text : { "Silhouettes: Off", "Faceted: On", "Creases: On", "FeatureAngle: 180",
          "Borders: Off", "NonManifoldEdges: On", "CoherentDashes: On", "LineWidth: 7", "Method: Toon",
-         "LowestValue: 1", "HighestValue: 2", "LeastGradientMagnitude: 3", "LargestCosine: 0.4", "SegmentLength: 5",
-         "Thinning: Off", "TextureLength: 6" })
+         "LowestValue: 1", "HighestValue: 2", "LeastGradientMagnitude: 3", "LargestCosine: 0.4",
+         "SegmentLength: 5", "Thinning: Off", "TextureLength: 6" })
   {
     EXPECT_NE(print(mapper).find(text), std::string::npos) << text;
   }

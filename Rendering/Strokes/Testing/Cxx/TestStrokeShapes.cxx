@@ -254,3 +254,55 @@ TEST(StrokeShapes, Taper)
       << "taper " << taper;
   }
 }
+
+/// Nothing is missing between short segments either, of which wider ones cover pixels beyond their ends.
+TEST(StrokeShapes, TaperOfManySegments)
+{
+  constexpr double begin = 10.0;
+  constexpr double step = 9.0;
+  constexpr double length = 180.0;
+  constexpr double middle = 50.5;
+  StrokePolyline line;
+  for (int i = 0; i <= 20; ++i)
+  {
+    line.push_back({ begin + step * i, middle, 0.0 });
+  }
+  StrokeScene scene(MakeStrokes({ line }), 200, 100);
+  scene.LookAtPixels();
+  scene.Mapper->SetCapToButt();
+  for (const double width : { 9.0, 20.0, 60.0 })
+  {
+    scene.Mapper->SetLineWidth(width);
+    for (const double taper : { 0.5, 1.0 })
+    {
+      scene.Mapper->SetTaper(taper);
+      const InkTestImage image(scene.Window);
+      // Discs of the widest stroke's corners, which narrows by .67, reach past its straight edges.
+      if (width < 60.0)
+      {
+        EXPECT_NEAR(image.Ink() / (length * width * (1.0 - 0.5 * taper)), 1.0, 0.02)
+          << "width " << width << ", taper " << taper;
+      }
+      const auto halfWidthAt = [&](double along)
+      { return 0.5 * width * std::min(2.0 * std::min(along, length - along) / (taper * length), 1.0); };
+      for (int y = 0; y < 100; ++y)
+      {
+        for (int x = 0; x < 200; ++x)
+        {
+          double inside = -INFINITY;
+          for (double from = 0.0; from < length; from += step)
+          {
+            const double nearest = std::clamp(x + 0.5 - begin, from, from + step);
+            const double distance = std::hypot(x + 0.5 - begin - nearest, y + 0.5 - middle);
+            inside = std::max(inside, halfWidthAt(nearest) - distance);
+          }
+          if (std::abs(inside) > 1.0)
+          {
+            EXPECT_EQ(image.Gray(x, y), inside > 0.0 ? 0 : 255)
+              << x << ", " << y << ", width " << width << ", taper " << taper;
+          }
+        }
+      }
+    }
+  }
+}

@@ -215,7 +215,9 @@ TEST(StrokeTexture, WhatIsNoTexture)
   floats->AllocateScalars(VTK_FLOAT, 1);
   const auto three = MakeTexture(
     4, 4, [](int, int) { return 0; }, 3);
-  for (vtkImageData* image : { bare.Get(), floats.Get(), three.Get() })
+  const auto fewer = MakeTexture(4, 4, [](int, int) { return 0; });
+  fewer->GetPointData()->GetScalars()->SetNumberOfTuples(15);
+  for (vtkImageData* image : { bare.Get(), floats.Get(), three.Get(), fewer.Get() })
   {
     TexturedScene scene(Line, image);
     vtkNew<InkTestMessages> messages;

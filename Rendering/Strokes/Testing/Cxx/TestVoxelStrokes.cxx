@@ -10,6 +10,8 @@
 #include "vtkInkEdgeVoxels.h"
 #include "vtkInkSilhouetteMapper.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
@@ -19,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -368,4 +371,54 @@ TEST(VoxelStrokes, OddVoxels)
     scene.Window->Render();
     messages->Expect(name, { name, "vtkInkEdgeVoxels", "found none" });
   }
+
+  for (const char* name : { "Gradient", "Value", "Radius" })
+  {
+    const auto fewer = make(good);
+    fewer->GetPointData()->GetArray(name)->SetNumberOfTuples(1);
+    Scene scene(fewer, 100);
+    vtkNew<InkTestMessages> messages;
+    messages->Observe(scene.Mapper);
+    EXPECT_EQ(InkTestImage(scene.Window).Ink(), 0.0);
+    messages->Expect(name, { name, "2 points", "found 1" });
+  }
+}
+
+/// Voxels have the colors of cells where there is a cell for each.
+TEST(VoxelStrokes, ColorsOfCells)
+{
+  const auto voxels = MakeVoxels(
+    { { { 50.0, 30.0, 0.0 }, { 1.0, 0.0, 0.0 }, 1.0 }, { { 50.0, 70.0, 0.0 }, { 1.0, 0.0, 0.0 }, 1.0 } },
+    30.0);
+  Scene scene(voxels, 100);
+  LookAtPixels(scene);
+  scene.Mapper->SetLineWidth(6.0);
+  scene.Mapper->ScalarVisibilityOn();
+  scene.Mapper->SetScalarModeToUseCellData();
+  const auto color = [&](const std::vector<std::vector<vtkIdType>>& cells)
+  {
+    vtkNew<vtkCellArray> verts;
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(3);
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    {
+      verts->InsertNextCell(static_cast<vtkIdType>(cells[cell].size()), cells[cell].data());
+      colors->InsertNextTuple3(cell == 0 ? 255 : 0, cell == 1 ? 255 : 0, 0);
+    }
+    voxels->SetVerts(verts);
+    voxels->GetCellData()->SetScalars(colors);
+    voxels->Modified();
+    return InkTestImage(scene.Window);
+  };
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  const InkTestImage each = color({ { 0 }, { 1 } });
+  EXPECT_EQ(each.Channel(50, 30, 0), 255);
+  EXPECT_EQ(each.Channel(50, 30, 1), 0);
+  EXPECT_EQ(each.Channel(50, 70, 0), 0);
+  EXPECT_EQ(each.Channel(50, 70, 1), 255);
+  messages->Expect("a cell for each", {});
+  const InkTestImage all = color({ { 0, 1 } });
+  EXPECT_TRUE(all.IsDark(50, 30) && all.IsDark(50, 70));
+  messages->Expect("a cell for both", { "scalars of points", "found 1 of cells" });
 }
