@@ -9,6 +9,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,31 @@ constexpr int mostIterations = 500;
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int64_t>;
 
+struct Stopped
+{
+};
+
+/// Tells progress: it is applied once in each iteration.
+class WatchedPreconditioner : public Eigen::DiagonalPreconditioner<double>
+{
+public:
+  Progress progress;
+
+  /// @throws Stopped
+  template <class Vector>
+  Eigen::VectorXd solve(const Vector& residual) const
+  {
+    if (this->progress && !this->progress(std::min(1.0 * this->Iteration++ / mostIterations, 1.0)))
+    {
+      throw Stopped();
+    }
+    return Eigen::DiagonalPreconditioner<double>::solve(residual);
+  }
+
+private:
+  mutable int Iteration = 0;
+};
+
 void checkSize(std::size_t found, std::size_t expected, const char* what)
 {
   if (found != expected)
@@ -41,7 +67,8 @@ void checkSize(std::size_t found, std::size_t expected, const char* what)
 } // namespace
 
 std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
-  std::span<const glm::dvec3> directions, std::span<const float> preferences, double reach)
+  std::span<const glm::dvec3> directions, std::span<const float> preferences, double reach,
+  const Progress& progress)
 {
   const std::size_t count = mesh.points.size();
   checkSize(normals.size(), count, "normals");
@@ -51,28 +78,33 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
   const auto isDefined = [&](std::size_t i)
   { return normals[i] != glm::vec3(0.0f) && directions[i] != glm::dvec3(0.0); };
 
-  // From each point to its neighbors: of points that coincide only one is others' neighbor.
   struct Edge
   {
     std::size_t from;
     std::size_t to;
     double cosine; ///< of twice the angle
+    double times;  ///< how many of the two are the other's neighbor
   };
   std::vector<Edge> edges;
+  double neighbors = 0.0;
   double lengths = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
     for (const std::uint32_t j : rings.ring(rings.site(i)))
     {
       const double length = glm::distance(mesh.points[i], mesh.points[j]);
-      if (!isDefined(i) || !isDefined(j) || !std::isfinite(length))
+      // Of points that coincide only the site is others' neighbor.
+      const bool isMutual = rings.site(i) == i;
+      if (!isDefined(i) || !isDefined(j) || !std::isfinite(length) || (isMutual && j < i))
       {
         continue;
       }
       const double cosine =
         glm::dot(directions[i], turnedTangent(directions[j], glm::dvec3(normals[j]), glm::dvec3(normals[i])));
-      edges.push_back({ i, j, 2.0 * cosine * cosine - 1.0 });
-      lengths += length;
+      const double times = isMutual ? 2.0 : 1.0;
+      edges.push_back({ i, j, 2.0 * cosine * cosine - 1.0, times });
+      neighbors += times;
+      lengths += times * length;
     }
   }
   if (edges.empty() || !(lengths > 0.0))
@@ -80,7 +112,7 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
     return std::vector<unsigned char>(count);
   }
 
-  const double edgesInReach = reach * static_cast<double>(edges.size()) / lengths;
+  const double edgesInReach = reach * neighbors / lengths;
   const double weight = edgesInReach * edgesInReach;
   const auto size = static_cast<Eigen::Index>(count);
   Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(size, leastPreference);
@@ -97,10 +129,11 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
   {
     const auto from = static_cast<Eigen::Index>(edge.from);
     const auto to = static_cast<Eigen::Index>(edge.to);
-    diagonal[from] += weight * std::abs(edge.cosine);
-    diagonal[to] += weight * std::abs(edge.cosine);
-    entries.emplace_back(from, to, -weight * edge.cosine);
-    entries.emplace_back(to, from, -weight * edge.cosine);
+    const double coupling = edge.times * weight * edge.cosine;
+    diagonal[from] += std::abs(coupling);
+    diagonal[to] += std::abs(coupling);
+    entries.emplace_back(from, to, -coupling);
+    entries.emplace_back(to, from, -coupling);
   }
   for (Eigen::Index i = 0; i < size; ++i)
   {
@@ -108,16 +141,24 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
   }
   Matrix matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, WatchedPreconditioner> solver;
+  solver.preconditioner().progress = progress;
   solver.setTolerance(tolerance);
   solver.setMaxIterations(mostIterations);
   solver.compute(matrix);
-  const Eigen::VectorXd signs = solver.solve(wanted);
 
   std::vector<unsigned char> exchanged(count);
-  for (std::size_t i = 0; i < count; ++i)
+  try
   {
-    exchanged[i] = signs[static_cast<Eigen::Index>(i)] < 0.0 ? 1 : 0;
+    const Eigen::VectorXd signs = solver.solve(wanted);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      exchanged[i] = signs[static_cast<Eigen::Index>(i)] < 0.0 ? 1 : 0;
+    }
+  }
+  catch (const Stopped&)
+  {
+    return std::vector<unsigned char>(count);
   }
   return exchanged;
 }
