@@ -20,7 +20,8 @@ namespace ink
 ///
 /// with a point's preference p, and the angle a of an edge's two directions, one turned into the other's
 /// tangent plane: minus where they are closer than 45 degrees, plus where the one at right angles is. An edge
-/// to a point that coincides with another, which is a neighbor in its place, counts once, not twice. As singularities of index 1/4 are, some seams are left; they lie where preferences are weakest.
+/// to a point that coincides with another, which is a neighbor in its place, counts once, not twice. As
+/// singularities of index 1/4 are, some seams are left; they lie where preferences are weakest.
 ///
 /// @param normals one per point, unit length; zero leaves a point as it is
 /// @param directions one per point, tangent, unit length or zero

@@ -301,8 +301,7 @@ TEST(ContoursStyle, EdgeVoxelsTellProgress)
   std::string told;
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&told);
-  command->SetCallback(
-    [](vtkObject* caller, unsigned long, void* client, void*)
+  command->SetCallback([](vtkObject* caller, unsigned long, void* client, void*)
     { *static_cast<std::string*>(client) = static_cast<vtkInkStyle*>(caller)->GetProgressText(); });
   style->AddObserver(vtkCommand::ProgressEvent, command);
   ASSERT_TRUE(style->Make(image));
