@@ -78,33 +78,28 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
   const auto isDefined = [&](std::size_t i)
   { return normals[i] != glm::vec3(0.0f) && directions[i] != glm::dvec3(0.0); };
 
+  // From each point to its neighbors: of points that coincide only one is others' neighbor.
   struct Edge
   {
     std::size_t from;
     std::size_t to;
     double cosine; ///< of twice the angle
-    double times;  ///< how many of the two are the other's neighbor
   };
   std::vector<Edge> edges;
-  double neighbors = 0.0;
   double lengths = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
     for (const std::uint32_t j : rings.ring(rings.site(i)))
     {
       const double length = glm::distance(mesh.points[i], mesh.points[j]);
-      // Of points that coincide only the site is others' neighbor.
-      const bool isMutual = rings.site(i) == i;
-      if (!isDefined(i) || !isDefined(j) || !std::isfinite(length) || (isMutual && j < i))
+      if (!isDefined(i) || !isDefined(j) || !std::isfinite(length))
       {
         continue;
       }
       const double cosine =
         glm::dot(directions[i], turnedTangent(directions[j], glm::dvec3(normals[j]), glm::dvec3(normals[i])));
-      const double times = isMutual ? 2.0 : 1.0;
-      edges.push_back({ i, j, 2.0 * cosine * cosine - 1.0, times });
-      neighbors += times;
-      lengths += times * length;
+      edges.push_back({ i, j, 2.0 * cosine * cosine - 1.0 });
+      lengths += length;
     }
   }
   if (edges.empty() || !(lengths > 0.0))
@@ -112,7 +107,7 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
     return std::vector<unsigned char>(count);
   }
 
-  const double edgesInReach = reach * neighbors / lengths;
+  const double edgesInReach = reach * static_cast<double>(edges.size()) / lengths;
   const double weight = edgesInReach * edgesInReach;
   const auto size = static_cast<Eigen::Index>(count);
   Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(size, leastPreference);
@@ -129,11 +124,10 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
   {
     const auto from = static_cast<Eigen::Index>(edge.from);
     const auto to = static_cast<Eigen::Index>(edge.to);
-    const double coupling = edge.times * weight * edge.cosine;
-    diagonal[from] += std::abs(coupling);
-    diagonal[to] += std::abs(coupling);
-    entries.emplace_back(from, to, -coupling);
-    entries.emplace_back(to, from, -coupling);
+    diagonal[from] += weight * std::abs(edge.cosine);
+    diagonal[to] += weight * std::abs(edge.cosine);
+    entries.emplace_back(from, to, -weight * edge.cosine);
+    entries.emplace_back(to, from, -weight * edge.cosine);
   }
   for (Eigen::Index i = 0; i < size; ++i)
   {
