@@ -31,6 +31,14 @@ bool parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
       stopped = true;
     }
   };
+  if (count <= 1)
+  {
+    if (count == 1)
+    {
+      step(0);
+    }
+    return !stopped;
+  }
   tbb::task_arena(threadCount()).execute([&] { tbb::parallel_for(std::size_t(0), count, step); });
   return !stopped;
 }

@@ -3,7 +3,7 @@
 
 #include "Fields/Grid/GridField.h"
 #include "Fields/Grid/PieceOwnership.h"
-#include "Fields/Resampling/ResampleGrid.h"
+#include "Fields/Resampling/SmoothGrid.h"
 
 #include <glm/common.hpp>
 
@@ -33,9 +33,7 @@ template <class T, class Use>
 bool forEachSmoothedSlab(const GridField<T>& field, const glm::dvec3& deviation, const SampleBox& box,
   int margin, const Progress& progress, const Use& use)
 {
-  // Whatever float holds exactly.
-  constexpr bool single = (std::is_integral_v<T> && sizeof(T) <= 2) || std::is_same_v<T, float>;
-  using Work = std::conditional_t<single, float, double>;
+  using Work = SmoothedValue<T>;
   const GridGeometry& geometry = field.geometry();
   const glm::ivec3& samples = geometry.dimensions();
   const GridResampling smoothing = smoothingOf(deviation, samples);

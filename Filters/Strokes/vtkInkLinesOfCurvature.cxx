@@ -238,7 +238,11 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     if (this->CombDirections)
     {
       const std::vector<unsigned char> exchanged = ink::combCrossField(surface, triangles.Normals,
-        directions[0], curvatures.FindPreferences(negligible), CombReach * diagonal);
+        directions[0], curvatures.FindPreferences(negligible), CombReach * diagonal, progress);
+      if (InkCheckAbort(this))
+      {
+        return;
+      }
       for (std::size_t i = 0; i < exchanged.size(); ++i)
       {
         if (exchanged[i])

@@ -146,6 +146,11 @@ void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkP
       upper = glm::max(upper, p);
     }
     const double diagonal = glm::distance(lower, upper);
+    // Within one cell there are no lines.
+    if (!(diagonal > 0.0))
+    {
+      return;
+    }
     options.spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
     const double negligible =
       this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;

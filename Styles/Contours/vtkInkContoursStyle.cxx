@@ -160,7 +160,12 @@ std::string vtkInkContoursStyle::MakeVoxels(const InkLeaves& leaves)
   for (vtkImageData* image : this->GetProcesses().GatherImages(leaves.Images, {}))
   {
     this->EdgeVoxels->SetInputData(image);
-    this->EdgeVoxels->Update();
+    std::string problem = this->Follow(this->EdgeVoxels, "finding edge voxels");
+    if (!problem.empty())
+    {
+      this->EdgeVoxels->SetInputData(nullptr);
+      return problem;
+    }
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
     parts.back()->ShallowCopy(this->EdgeVoxels->GetOutput());
   }

@@ -80,18 +80,62 @@ def test_render_draws_a_vdb_file(ink, volume, tmp_path):
 
 @pytest.mark.parametrize("style", ["splatting-lines", "illustration"])
 def test_a_picture_is_that_of_the_volume(ink, volume, tmp_path, style):
-    """Where the surface is neither smoothed nor subdivided, which that of a grid is not."""
+    """Where nothing is done to the surface: cut or chosen by parts, its points are sampled in another order, on which overlapping
+    splats and the choice of stipples depend."""
     band = tmp_path / "band.vdb"
     assert ink("convert", volume, band, "--around", "100").code == 0
     pictures = []
     for file in (volume, band):
         out = tmp_path / f"{len(pictures)}.png"
         assert ink("render", file, "-o", out, "--iso", "100", "--size", "120x100", "--style", style, "--smoothing", "0",
-                   "--subdivision", "1").code == 0
+                   "--subdivision", "1", "--cut", "open", "--smallest-part", "0").code == 0
         pictures.append(read_png(out).astype(int))
     # The same marks; their order, and with it rounding, may differ.
     assert pictures[0].min() < 100
     assert np.abs(pictures[0] - pictures[1]).max() <= 2
+
+
+def drawn(ink, file, out, *options):
+    """The picture of a surface at 100, and what was said."""
+    result = ink("render", file, "-o", out, "--iso", "100", "--size", "120x100", "--style", "splatting-lines", *options)
+    assert result.code == 0, result.err
+    return read_png(out).astype(int)
+
+
+def test_the_largest_part_of_two_balls_is_drawn(ink, can_convert, tmp_path):
+    z, y, x = np.meshgrid(*[np.arange(n) for n in (24, 24, 48)], indexing="ij")
+    of = lambda middle, radius: np.clip(100 + 40 * (radius - np.sqrt((x - middle) ** 2 + (y - 12) ** 2 + (z - 12) ** 2)), 0, 200)
+    large, small = of(12, 8.0), of(36, 5.0)
+    files = []
+    for name, values in (("both", np.maximum(large, small)), ("one", large)):
+        volume, grid = tmp_path / f"{name}.nii.gz", tmp_path / f"{name}.vdb"
+        write_nifti(volume, values.astype("f4"))
+        assert ink("convert", volume, grid).code == 0
+        files.append(grid)
+    settings = ["--smoothing", "1", "--subdivision", "2"]
+    both, one = (drawn(ink, file, tmp_path / "all.png", *settings) for file in files)
+    kept = drawn(ink, files[0], tmp_path / "kept.png", *settings, "--largest-parts", "1")
+    dark = lambda picture: int((picture < 128).sum())
+    # The frame is that of the points that are left.
+    assert np.abs(kept - one).max() <= 2
+    assert dark(both) > 0 and np.abs(both - kept).max() > 100
+
+
+@pytest.mark.parametrize("target", ["surface", "normals"])
+def test_a_smoothed_picture_is_that_of_the_volume(ink, volume, tmp_path, target):
+    grid = tmp_path / "whole.vdb"
+    assert ink("convert", volume, grid).code == 0
+    settings = ["--smoothing", "1.5", "--subdivision", "2", "--smoothing-target", target]
+    pictures = [drawn(ink, file, tmp_path / "smooth.png", *settings) for file in (volume, grid)]
+    assert np.abs(pictures[0] - pictures[1]).max() <= 2
+    assert np.abs(pictures[1] - drawn(ink, grid, tmp_path / "rough.png")).max() > 100
+
+
+def test_nothing_is_smoothed_or_divided_unasked(ink, volume, tmp_path):
+    grid = tmp_path / "whole.vdb"
+    assert ink("convert", volume, grid).code == 0
+    asked = drawn(ink, grid, tmp_path / "asked.png", "--smoothing", "0", "--subdivision", "1")
+    assert np.array_equal(drawn(ink, grid, tmp_path / "unasked.png"), asked)
 
 
 @pytest.fixture

@@ -95,8 +95,9 @@ VolumeSampler makeVdbSampler(const std::filesystem::path& file, const VdbGridInf
   return [=](const VolumeSampling& sampling, const Memory& memory, const PointSink& sink, Progress& progress)
   {
     // Parts are those of the whole, which each piece would look at again.
+    const std::uint64_t points = voxels * pointsPerCell(sampling);
     const std::uint64_t pieces =
-      sampling.parts.keepsAll() ? voxels * bytesPerPoint / memory.forNewPoints() + 1 : 1;
+      sampling.parts.keepsAll() ? points * bytesPerPoint / memory.forNewPoints() + 1 : 1;
     std::uint64_t total = 0;
     bool missing = false;
     {

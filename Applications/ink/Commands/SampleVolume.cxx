@@ -61,7 +61,7 @@ public:
     , WithIndex(sampling.surfaceIndex)
     , MostPoints(memory.forNewPoints() / bytesPerPoint)
     , Reach(reachOf(sampling))
-    , PointsPerCell(static_cast<std::uint64_t>(sampling.subdivision) * sampling.subdivision)
+    , PointsPerCell(pointsPerCell(sampling))
   {
     setUp(this->Sampler.Get(), sampling);
     // Parts of the volume are seen once, and points that are kept should take no more memory than they need.

@@ -62,6 +62,13 @@ using PointSink = std::function<void(int surface, vtkPolyData* points)>;
 /// What a point takes at most while it is made: coordinates in double, a normal, a radius and an index.
 constexpr std::uint64_t bytesPerPoint = 48;
 
+/// The points of a cell that a surface goes through, about: it is divided along two axes.
+inline std::uint64_t pointsPerCell(const VolumeSampling& sampling)
+{
+  const auto subdivision = static_cast<std::uint64_t>(sampling.subdivision);
+  return subdivision * subdivision;
+}
+
 /// Adds the array SurfaceIndex: all points belong to that one.
 void addSurfaceIndex(vtkPolyData* points, int surface);
 

@@ -9,6 +9,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,31 @@ constexpr int mostIterations = 500;
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int64_t>;
 
+struct Stopped
+{
+};
+
+/// Tells progress: it is applied once in each iteration.
+class WatchedPreconditioner : public Eigen::DiagonalPreconditioner<double>
+{
+public:
+  Progress progress;
+
+  /// @throws Stopped
+  template <class Vector>
+  Eigen::VectorXd solve(const Vector& residual) const
+  {
+    if (this->progress && !this->progress(std::min(1.0 * this->Iteration++ / mostIterations, 1.0)))
+    {
+      throw Stopped();
+    }
+    return Eigen::DiagonalPreconditioner<double>::solve(residual);
+  }
+
+private:
+  mutable int Iteration = 0;
+};
+
 void checkSize(std::size_t found, std::size_t expected, const char* what)
 {
   if (found != expected)
@@ -41,7 +67,8 @@ void checkSize(std::size_t found, std::size_t expected, const char* what)
 } // namespace
 
 std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
-  std::span<const glm::dvec3> directions, std::span<const float> preferences, double reach)
+  std::span<const glm::dvec3> directions, std::span<const float> preferences, double reach,
+  const Progress& progress)
 {
   const std::size_t count = mesh.points.size();
   checkSize(normals.size(), count, "normals");
@@ -108,16 +135,24 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
   }
   Matrix matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, WatchedPreconditioner> solver;
+  solver.preconditioner().progress = progress;
   solver.setTolerance(tolerance);
   solver.setMaxIterations(mostIterations);
   solver.compute(matrix);
-  const Eigen::VectorXd signs = solver.solve(wanted);
 
   std::vector<unsigned char> exchanged(count);
-  for (std::size_t i = 0; i < count; ++i)
+  try
   {
-    exchanged[i] = signs[static_cast<Eigen::Index>(i)] < 0.0 ? 1 : 0;
+    const Eigen::VectorXd signs = solver.solve(wanted);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      exchanged[i] = signs[static_cast<Eigen::Index>(i)] < 0.0 ? 1 : 0;
+    }
+  }
+  catch (const Stopped&)
+  {
+    return std::vector<unsigned char>(count);
   }
   return exchanged;
 }

@@ -65,6 +65,7 @@ private:
 
   /// From which umbilic measure on it means little which of two directions is called which.
   static constexpr float leastUmbilic = 0.5f;
+  static constexpr std::size_t fewCandidates = 256;
 
   /// Which way a line beside another one starts: that of the field's name, or where names mean little, that
   /// of the other line.
@@ -143,9 +144,7 @@ private:
           for (std::uint64_t side = 0; side < 2; ++side)
           {
             const auto reached = this->On.walk(points[i].at, side == 0 ? across : -across, gap);
-            if (reached &&
-              !this->Grid.isNear(this->Tracer.sampleOf(reached->at, this->On.position(reached->at)),
-                this->Tracer.startDistance()))
+            if (reached && this->hasRoom(reached->at))
             {
               const glm::dvec3 heading = glm::cross(this->On.planeNormal(reached->at), reached->heading);
               found[n].push_back({ hash(this->Options.seed, begin + n, 2 * i + side), reached->at,
@@ -181,9 +180,7 @@ private:
         {
           const std::size_t i = first + n;
           const std::optional<Point> at = this->On.pointOf(samples[i]);
-          if (!at ||
-            this->Grid.isNear(
-              this->Tracer.sampleOf(*at, this->On.position(*at)), this->Tracer.startDistance()))
+          if (!at || !this->hasRoom(*at))
           {
             return;
           }
@@ -202,6 +199,12 @@ private:
     return result;
   }
 
+  /// Whether a line may start at a point.
+  bool hasRoom(const Point& at) const
+  {
+    return !this->Grid.isNear(this->Tracer.sampleOf(at, this->On.position(at)), this->Tracer.startDistance());
+  }
+
   /// Makes the lines of all candidates that have room, in their order.
   /// @return false when stopped
   bool tryAll(std::vector<Candidate> candidates)
@@ -211,6 +214,7 @@ private:
       { return a.order != b.order ? a.order < b.order : Surface::isBefore(a.at, b.at); });
     LineSampleGrid batch(static_cast<float>(this->Tracer.gap()));
     std::vector<std::optional<SpacedLine<Point>>> attempts;
+    std::vector<std::size_t> open;
     for (std::size_t begin = 0; begin < candidates.size();)
     {
       // Lines that are this far apart fill the surface when they are about as long in all as here.
@@ -222,9 +226,18 @@ private:
       // Few at first, when lines are long and most candidates are beside the same ones.
       const std::size_t size =
         std::min(std::clamp<std::size_t>(this->Lines.size() / 8, 16, 2048), candidates.size() - begin);
-      attempts.assign(size, std::nullopt);
-      parallelFor(
-        size, [&](std::size_t i) { attempts[i] = this->Tracer.trace(candidates[begin + i], this->Grid); });
+      open.clear();
+      for (std::size_t i = begin; i < begin + size; ++i)
+      {
+        // Of a few candidates most have no room: to look takes less than to wake threads.
+        if (size > fewCandidates || this->hasRoom(candidates[i].at))
+        {
+          open.push_back(i);
+        }
+      }
+      attempts.assign(open.size(), std::nullopt);
+      parallelFor(open.size(),
+        [&](std::size_t n) { attempts[n] = this->Tracer.trace(candidates[open[n]], this->Grid); });
       const std::size_t first = this->Lines.size();
       for (std::optional<SpacedLine<Point>>& attempt : attempts)
       {

@@ -171,16 +171,19 @@ private:
     }
   }
 
+  /// Of what is kept at a time, without rims and caps.
   void checkSize(double cells)
   {
     const glm::dvec3 divided(this->Resampling.subdivision);
-    // A surface that is divided along two axes, and those that rims add.
+    // A surface is divided along two axes.
     const double each = divided.x * divided.y * divided.z / std::min({ divided.x, divided.y, divided.z });
+    // Parts are chosen from the whole surface.
+    const double points = cells * each / (this->Parts.keepsAll() ? this->Options.pieces : 1);
     constexpr double bytes = 2.0 * (3 * sizeof(Real) + 3 * sizeof(float) + sizeof(ActiveCellId));
-    if (cells * each * bytes > static_cast<double>(this->Options.memory))
+    if (points * bytes > static_cast<double>(this->Options.memory))
     {
-      throw VdbTooLarge("the surface has about " + std::to_string(static_cast<std::uint64_t>(cells * each)) +
-        " points, which take " + std::to_string(static_cast<std::uint64_t>(cells * each * bytes / 0x1p20)) +
+      throw VdbTooLarge("the surface has about " + std::to_string(static_cast<std::uint64_t>(points)) +
+        " points, which take " + std::to_string(static_cast<std::uint64_t>(points * bytes / 0x1p20)) +
         " MiB");
     }
     // The ids of cells, by which parts are found.

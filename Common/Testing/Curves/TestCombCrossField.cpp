@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -101,6 +102,32 @@ TEST(CombCrossField, UndefinedPointsAndNothingAtAll)
   }
   EXPECT_TRUE(combCrossField({}, {}, {}, {}, 1.0).empty());
   EXPECT_EQ(Mixed().comb(5.0), std::vector<unsigned char>(torus.directions.size(), 0)) << "no preference";
+}
+
+TEST(CombCrossField, TellsProgressAndStops)
+{
+  Mixed torus;
+  torus.prefer(17, -1.0f);
+  const std::vector<unsigned char> none(torus.directions.size());
+  std::vector<double> told;
+  const auto comb = [&](std::size_t most)
+  {
+    told.clear();
+    return combCrossField(torus.shape.mesh.view(), torus.shape.normals, torus.directions, torus.preferences,
+      5.0,
+      [&](double done)
+      {
+        told.push_back(done);
+        return told.size() < most;
+      });
+  };
+  EXPECT_EQ(comb(1000), torus.comb(5.0));
+  EXPECT_GT(told.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LE(told.back(), 1.0);
+  EXPECT_NE(torus.comb(5.0), none);
+  EXPECT_EQ(comb(5), none);
+  EXPECT_EQ(told.size(), 5u);
 }
 
 TEST(CombCrossField, Errors)

@@ -239,6 +239,23 @@ TEST(VdbTiles, PiecesAreTheWhole)
   }
 }
 
+/// A piece takes the memory of its share, where it need not look at the whole.
+TEST(VdbTiles, PiecesFitWhereTheWholeDoesNot)
+{
+  const auto volume = makeBody<float>();
+  const VdbGrid grid = makeVdbGrid(volume.field(), {});
+  const double isoValue[] = { 50.0 };
+  VdbTileOptions options = optionsOf(0.0, 4, SmoothingTarget::Surface);
+  ink::VdbTileSamples<double> samples;
+  ASSERT_TRUE(sampleVdbTiles(grid, isoValue, options, samples));
+  options.memory = 30 * samples.counts.front();
+  EXPECT_THROW(sampleVdbTiles(grid, isoValue, options, samples), ink::VdbTooLarge);
+  options.pieces = 8;
+  EXPECT_TRUE(sampleVdbTiles(grid, isoValue, options, samples));
+  options.parts.largest = 1;
+  EXPECT_THROW(sampleVdbTiles(grid, isoValue, options, samples), ink::VdbTooLarge);
+}
+
 TEST(VdbTiles, RefuseWhatDoesNotFit)
 {
   const auto volume = makeBody<float>();

@@ -3,6 +3,8 @@
 // normals.
 #include "StyleErrors.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkInkContoursStyle.h"
 #include "vtkInkSilhouetteMapper.h"
 
@@ -288,6 +290,22 @@ TEST(ContoursStyle, CreasesAreThoseOfMeshes)
   style->ApplyPreset("brush");
   EXPECT_EQ(style->GetParameterAsString("Creases"), "off");
   EXPECT_EQ(style->GetSilhouetteMapper()->GetLineWidth(), 6.0);
+}
+
+TEST(ContoursStyle, EdgeVoxelsTellProgress)
+{
+  const auto image =
+    MakeImage(31, [](double x, double y, double z) { return std::erfc((std::hypot(x, y, z) - 0.6) / 0.1); });
+  vtkNew<vtkInkContoursStyle> style;
+  style->SetParameterAsString("Method", "voxel-segments");
+  std::string told;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&told);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* client, void*)
+    { *static_cast<std::string*>(client) = static_cast<vtkInkStyle*>(caller)->GetProgressText(); });
+  style->AddObserver(vtkCommand::ProgressEvent, command);
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_EQ(told, "finding edge voxels");
 }
 
 /// Segments through voxels are made from an image's edge voxels, and drawn as soon as these are there.

@@ -181,6 +181,10 @@ TEST(LinesOfCurvatureOfImages, WhatIsWrongIsSaidOnce)
     EXPECT_EQ(filter->GetOutput()->GetNumberOfLines(), 0);
   };
   expect(Torus(0.0), 1e6, { "iso-surface at 1e+06", "no lines" });
+  vtkNew<vtkImageData> corner;
+  corner->SetDimensions(2, 2, 2);
+  InkTestFill(corner, VTK_FLOAT, [](double x, double y, double z) { return x * y * z; });
+  expect(corner, 0.5, { "iso-surface at 0.5", "no lines" });
   vtkNew<vtkImageData> slice;
   slice->SetDimensions(5, 5, 1);
   InkTestFill(slice, VTK_FLOAT, [](double x, double, double) { return x; });
