@@ -19,11 +19,11 @@ IsoSurfaceResampling makeIsoSurfaceResampling(
   const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target)
 {
   IsoSurfaceResampling resampling;
-  resampling.target = target;
   if (!(smoothing > 0.0) && subdivision <= 1)
   {
     return resampling;
   }
+  resampling.target = target;
   resampling.deviation = smoothingDeviation(geometry, std::max(smoothing, 0.0));
   const glm::dvec3 ratios = spacingRatios(geometry);
   for (int axis = 0; axis < 3; ++axis)

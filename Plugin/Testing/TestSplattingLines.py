@@ -87,7 +87,7 @@ class TestSplattingLines(unittest.TestCase):
     def test_colors(self):
         self.show(sampled_wavelet(), Phi=500, InkColor=[0, 0, 1], PaperColor=[1, 0, 0])
         pixels = picture(self.view)
-        drawn = pixels[~is_background(pixels)]
+        drawn = pixels[inside(pixels)]
         self.assertLess(drawn[:, 1].max(), 0.02)
         self.assertGreater(drawn[:, 0].max(), 0.98)
         self.assertGreater(drawn[:, 2].max(), 0.9)
@@ -139,14 +139,14 @@ class TestSplattingLines(unittest.TestCase):
     def test_colors_of_tone_and_of_arrays(self):
         display = self.show(sampled_wavelet(), Tau=1.02, ToneColor=[1, 0, 0])
         pixels = picture(self.view)
-        numpy.testing.assert_allclose(pixels[~is_background(pixels)].ptp(axis=1), 0, atol=0.01)
+        numpy.testing.assert_allclose(pixels[inside(pixels)].ptp(axis=1), 0, atol=0.01)
         display.ColorByTone = True
         pixels = picture(self.view)
         self.assertGreater((pixels[..., 0] - pixels[..., 1])[~is_background(pixels)].max(), 0.3)
 
         def share_of_color():
             pixels = picture(self.view)
-            drawn = pixels[~is_background(pixels)]
+            drawn = pixels[inside(pixels)]
             return (drawn.ptp(axis=1) > 0.1).sum() / (drawn.min(axis=1) < 0.5).sum()
 
         display.ColorByTone = False

@@ -52,6 +52,14 @@ def is_background(pixels):
     return numpy.all(numpy.abs(pixels - BACKGROUND) < 0.01, axis=-1)
 
 
+def inside(pixels):
+    """What is drawn, but for outlines, where ink shares pixels with the background."""
+    drawn = ~is_background(pixels)
+    for axis in (0, 1):
+        drawn &= numpy.roll(drawn, 1, axis) & numpy.roll(drawn, -1, axis)
+    return drawn
+
+
 def ink(pixels):
     """How dark the drawing is: the sum over its pixels of what white would have more of red."""
     return float(numpy.sum(1.0 - pixels[~is_background(pixels)][:, 0]))
