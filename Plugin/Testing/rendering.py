@@ -53,10 +53,10 @@ def is_background(pixels):
 
 
 def inside(pixels):
-    """What is drawn, but for outlines, where ink shares pixels with the background."""
+    """What is drawn, but for two pixels along outlines, where ink shares them with the background."""
     drawn = ~is_background(pixels)
-    for axis in (0, 1):
-        drawn &= numpy.roll(drawn, 1, axis) & numpy.roll(drawn, -1, axis)
+    for axis in (0, 1, 0, 1):
+        drawn = drawn & numpy.roll(drawn, 1, axis) & numpy.roll(drawn, -1, axis)
     return drawn
 
 
