@@ -15,7 +15,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -158,20 +157,13 @@ vtkSmartPointer<vtkPoints> MakePoints(const Lists& lists, const glm::dvec3& midd
 vtkSmartPointer<vtkDataArray> ColorsOf(
   const Lists& lists, const std::vector<ink::DiscSample>& samples, vtkDataArray* colors)
 {
-  vtkNew<vtkIdList> discs;
-  discs->SetNumberOfIds(static_cast<vtkIdType>(lists.Count()));
+  std::vector<vtkIdType> discs(lists.Count());
   for (std::size_t list = 0; list < lists.Count(); ++list)
   {
     const std::uint32_t first = lists.Groups.samples[lists.Groups.begins[list]];
-    discs->SetId(static_cast<vtkIdType>(list), samples[first].disc);
+    discs[list] = samples[first].disc;
   }
-  vtkSmartPointer<vtkDataArray> result =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
-  result->SetName(colors->GetName());
-  result->SetNumberOfComponents(colors->GetNumberOfComponents());
-  InkSetNumberOfTuples(result, discs->GetNumberOfIds());
-  colors->GetTuples(discs, result);
-  return result;
+  return InkPickTuples(colors, discs);
 }
 
 } // namespace
@@ -228,7 +220,7 @@ void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& reque
     InkMakePolyVertices(std::vector<vtkIdType>(lists.Groups.begins.begin(), lists.Groups.begins.end())));
   const std::vector<vtkIdType> order(lists.Groups.samples.begin(), lists.Groups.samples.end());
   output->GetPointData()->AddArray(
-    InkReorder(InkMakePriority(static_cast<vtkIdType>(samples.size())), order));
+    InkPickTuples(InkMakePriority(static_cast<vtkIdType>(samples.size())), order));
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);

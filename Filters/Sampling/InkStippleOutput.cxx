@@ -74,17 +74,17 @@ vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> beg
     : MakePolyVertices<vtkTypeInt64Array>(begins);
 }
 
-vtkSmartPointer<vtkDataArray> InkReorder(vtkDataArray* array, const std::vector<vtkIdType>& order)
+vtkSmartPointer<vtkDataArray> InkPickTuples(vtkDataArray* array, const std::vector<vtkIdType>& ids)
 {
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(static_cast<vtkIdType>(order.size()));
-  std::copy(order.begin(), order.end(), ids->GetPointer(0));
+  vtkNew<vtkIdList> list;
+  list->SetNumberOfIds(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), list->GetPointer(0));
   vtkSmartPointer<vtkDataArray> result =
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
   result->SetName(array->GetName());
   result->SetNumberOfComponents(array->GetNumberOfComponents());
-  InkSetNumberOfTuples(result, ids->GetNumberOfIds());
-  array->GetTuples(ids, result);
+  InkSetNumberOfTuples(result, list->GetNumberOfIds());
+  array->GetTuples(list, result);
   return result;
 }
 

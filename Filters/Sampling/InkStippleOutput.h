@@ -25,8 +25,8 @@ void InkForEach(std::size_t count, const std::function<void(std::size_t)>& body)
 /// One VTK_POLY_VERTEX cell for each element: cell e holds the points begins[e] to begins[e + 1], in order.
 vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins);
 
-/// An array's tuples in another order: tuple n becomes that of order[n].
-vtkSmartPointer<vtkDataArray> InkReorder(vtkDataArray* array, const std::vector<vtkIdType>& order);
+/// An array's tuples of some ids, in their order: tuple n is that of ids[n].
+vtkSmartPointer<vtkDataArray> InkPickTuples(vtkDataArray* array, const std::vector<vtkIdType>& ids);
 
 /// Adds a field array of numbers.
 void InkAddField(vtkPolyData* output, const char* name, std::span<const double> values);

@@ -179,10 +179,11 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
 
   const vtkSmartPointer<vtkPoints> points = samples.MakePoints(request.Doubles ? VTK_DOUBLE : VTK_FLOAT);
   vtkNew<vtkPoints> ordered;
-  ordered->SetData(InkReorder(points->GetData(), lists.Samples));
+  ordered->SetData(InkPickTuples(points->GetData(), lists.Samples));
   output->SetPoints(ordered);
   output->SetVerts(InkMakePolyVertices(lists.Begins));
-  output->GetPointData()->AddArray(InkReorder(InkMakePriority(static_cast<vtkIdType>(count)), lists.Samples));
+  output->GetPointData()->AddArray(
+    InkPickTuples(InkMakePriority(static_cast<vtkIdType>(count)), lists.Samples));
 
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");

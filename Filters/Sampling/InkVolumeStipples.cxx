@@ -16,7 +16,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -213,19 +212,12 @@ void AddCellArrays(const Elements& elements, vtkPolyData* output)
 void AddColors(
   const ink::GridGeometry& geometry, const Elements& elements, vtkDataArray* colors, vtkPolyData* output)
 {
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(static_cast<vtkIdType>(elements.Samples.size()));
+  std::vector<vtkIdType> ids(elements.Samples.size());
   for (std::size_t e = 0; e < elements.Samples.size(); ++e)
   {
-    ids->SetId(static_cast<vtkIdType>(e), static_cast<vtkIdType>(geometry.offset(elements.Samples[e])));
+    ids[e] = static_cast<vtkIdType>(geometry.offset(elements.Samples[e]));
   }
-  vtkSmartPointer<vtkDataArray> passed =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colors->GetDataType()));
-  passed->SetName(colors->GetName());
-  passed->SetNumberOfComponents(colors->GetNumberOfComponents());
-  InkSetNumberOfTuples(passed, ids->GetNumberOfIds());
-  colors->GetTuples(ids, passed);
-  InkAddColors(output, passed);
+  InkAddColors(output, InkPickTuples(colors, ids));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStrokePasses.h"
 
+#include "InkDrawHidingDepths.h"
 #include "InkFrame.h"
 #include "InkLights.h"
 #include "InkOccluder.h"
@@ -335,12 +336,7 @@ bool InkStrokePasses::Draw(
     draw(0.0f);
     if (renderPasses.IsEmpty())
     {
-      vtkOpenGLState* state = this->Window->GetState();
-      const vtkOpenGLState::ScopedglDepthMask depthMask(state);
-      const vtkOpenGLState::ScopedglColorMask colorMask(state);
-      state->vtkglDepthMask(GL_TRUE);
-      state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-      draw(InkHidingCoverage);
+      InkDrawHidingDepths(this->Window->GetState(), draw);
     }
   }
   this->DeactivateTextures(scene);

@@ -9,9 +9,6 @@
 #include <optional>
 #include <vector>
 
-/// Ink hides what is behind it where it covers so much of a pixel.
-inline constexpr float InkHidingCoverage = 0.5f;
-
 /// How strokes make tones; their HalfWidth is the least.
 struct InkHatching
 {

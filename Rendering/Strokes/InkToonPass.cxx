@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkToonPass.h"
 
+#include "InkDrawHidingDepths.h"
 #include "InkFrame.h"
 #include "InkMeshTriangles.h"
 #include "InkOccluder.h"
@@ -15,7 +16,6 @@
 #include "InkOpenGLCompat.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
 #include "vtkTextureObject.h"
@@ -137,12 +137,7 @@ void InkToonPass::Draw(const Scene& scene, const InkFrame& frame, const InkRende
     draw(0.0f);
     if (renderPasses.IsEmpty())
     {
-      vtkOpenGLState* state = this->Window->GetState();
-      const vtkOpenGLState::ScopedglDepthMask depthMask(state);
-      const vtkOpenGLState::ScopedglColorMask colorMask(state);
-      state->vtkglDepthMask(GL_TRUE);
-      state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-      draw(InkHidingCoverage);
+      InkDrawHidingDepths(this->Window->GetState(), draw);
     }
   }
   depths->Deactivate();

@@ -2,13 +2,18 @@
 """What the tests of `ink` share. Run them in the environment of a build tree: . Utilities/env.sh PRESET"""
 
 import os
+import pathlib
 import re
 import subprocess
+import sys
 from dataclasses import dataclass
 
 import pytest
 
 import ink_files
+
+# What benchmarks measure with is tested, too.
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
 
 
 @dataclass

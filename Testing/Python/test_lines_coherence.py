@@ -1,26 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lines on a mesh that deforms: samples that move with it come and go less than samples that are made anew."""
 
-import importlib.util
-import pathlib
-
 import numpy as np
 import pytest
 
 pytest.importorskip("vtkink")
-BENCHMARK = pathlib.Path(__file__).resolve().parents[1] / "Benchmarks" / "lines_coherence.py"
-
-
-@pytest.fixture(scope="module")
-def coherence():
-    spec = importlib.util.spec_from_file_location("lines_coherence", BENCHMARK)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+import lines_coherence as coherence  # noqa: E402
 
 
 @pytest.mark.parametrize("blue, share", [(True, 0.4), (False, 0.95)])
-def test_moved_samples_shimmer_less(coherence, blue, share):
+def test_moved_samples_shimmer_less(blue, share):
     """White noise that is made anew falls on nearly the same places of the faces, as each sample's numbers are hashed."""
     shimmer = {}
     for follow in (True, False):
@@ -30,7 +19,7 @@ def test_moved_samples_shimmer_less(coherence, blue, share):
     assert shimmer[True] < share * shimmer[False], shimmer
 
 
-def test_samples_move_as_the_surface_does(coherence):
+def test_samples_move_as_the_surface_does():
     scene = coherence.Scene(True, True, 5000, 100)
     times = (0.0, 0.01, 0.02, 0.5)
     drawn = [scene.at(time) for time in times]
@@ -46,7 +35,7 @@ def test_samples_move_as_the_surface_does(coherence):
     assert all(ink.sum() > 0 for ink, _ in drawn)
 
 
-def test_a_mesh_at_rest_does_not_change(coherence):
+def test_a_mesh_at_rest_does_not_change():
     scene = coherence.Scene(True, True, 5000, 100)
     (first, _), (second, _) = scene.at(0.25), scene.at(0.25)
     assert (first == second).all()

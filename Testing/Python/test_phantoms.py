@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Volumes of known surfaces: what they say of the surfaces is true."""
 
-import importlib
-import pathlib
-import sys
-
 import numpy as np
 import pytest
 
 pytest.importorskip("vtkink")
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
-phantoms, scan_phantoms = (importlib.import_module(name) for name in ("phantoms", "scan_phantoms"))
+import phantoms  # noqa: E402
+import scan_phantoms  # noqa: E402
 
 SIDE = phantoms.SIDE
 

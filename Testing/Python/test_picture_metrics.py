@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is said of two pictures is true of pictures that are known."""
 
-import importlib
-import pathlib
-import sys
-
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
-metrics = importlib.import_module("picture_metrics")
+import picture_metrics as metrics
 
 SIZE = 256
 

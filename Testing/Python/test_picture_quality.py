@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of volumes are as good as they were: some cases of Testing/Benchmarks/picture_quality.py."""
 
-import importlib
 import math
-import pathlib
-import sys
 
 import numpy as np
 import pytest
 
 vtkink = pytest.importorskip("vtkink")
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
-phantoms, quality = (importlib.import_module(name) for name in ("phantoms", "picture_quality"))
+import phantoms  # noqa: E402
+import picture_quality as quality  # noqa: E402
+
 Case = quality.Case
 
 

@@ -5,6 +5,7 @@
 #include "Core/MortonOrder.h"
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
+#include "Mesh/OnePerPoint.h"
 
 #include <glm/common.hpp>
 
@@ -12,8 +13,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace ink
@@ -98,10 +97,9 @@ glm::vec3 unitOrZero(const glm::dvec3& v)
 
 ContourSurface::ContourSurface(const TriangleMesh& mesh, std::span<const glm::vec3> pointNormals)
 {
-  if (!pointNormals.empty() && pointNormals.size() != mesh.points.size())
+  if (!pointNormals.empty())
   {
-    throw std::invalid_argument("there are " + std::to_string(pointNormals.size()) + " normals for " +
-      std::to_string(mesh.points.size()) + " points, expected one per point");
+    checkOnePerPoint(mesh, pointNormals.size(), "normals");
   }
   this->faceIds = orderFaces(mesh);
   std::vector<std::uint32_t> cornerOf(mesh.points.size(), none);

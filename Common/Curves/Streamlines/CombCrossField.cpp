@@ -3,6 +3,7 @@
 
 #include "Curvature/SurfaceRings.h"
 #include "Curves/Streamlines/TurnedTangent.h"
+#include "Mesh/OnePerPoint.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,8 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 
 namespace ink
 {
@@ -55,15 +54,6 @@ private:
   mutable int Iteration = 0;
 };
 
-void checkSize(std::size_t found, std::size_t expected, const char* what)
-{
-  if (found != expected)
-  {
-    throw std::invalid_argument("there are " + std::to_string(found) + " " + what + " for " +
-      std::to_string(expected) + " points, expected one per point");
-  }
-}
-
 } // namespace
 
 std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
@@ -71,9 +61,9 @@ std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<co
   const Progress& progress)
 {
   const std::size_t count = mesh.points.size();
-  checkSize(normals.size(), count, "normals");
-  checkSize(directions.size(), count, "directions");
-  checkSize(preferences.size(), count, "preferences");
+  checkOnePerPoint(mesh, normals.size(), "normals");
+  checkOnePerPoint(mesh, directions.size(), "directions");
+  checkOnePerPoint(mesh, preferences.size(), "preferences");
   const SurfaceRings rings(mesh);
   const auto isDefined = [&](std::size_t i)
   { return normals[i] != glm::vec3(0.0f) && directions[i] != glm::dvec3(0.0); };

@@ -3,6 +3,7 @@
 
 #include "Curves/Streamlines/StreamlinePlacement.h"
 #include "Curves/Streamlines/StreamlineTracer.h"
+#include "Mesh/OnePerPoint.h"
 #include "PointSampling/WhiteNoise.h"
 
 #include <algorithm>
@@ -114,9 +115,7 @@ Streamlines evenStreamlines(const MeshNavigation& mesh, std::span<const glm::vec
   const LineField& field, const EvenStreamlineOptions& options, const Progress& progress)
 {
   const std::size_t count = mesh.mesh().points.size();
-  check(field.directions.size() == count,
-    "there are " + std::to_string(field.directions.size()) + " directions for " + std::to_string(count) +
-      " points, expected one per point");
+  checkOnePerPoint(mesh.mesh(), field.directions.size(), "directions");
   check((normals.empty() || normals.size() == count) &&
       (field.others.empty() || field.others.size() == count) &&
       (field.umbilics.empty() || field.umbilics.size() == count),

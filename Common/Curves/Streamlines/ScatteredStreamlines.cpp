@@ -4,6 +4,7 @@
 #include "Core/Hash.h"
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
+#include "Mesh/OnePerPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,9 @@ std::vector<MeshPoint> areaSeeds(
   const MeshNavigation& mesh, const AreaSeedOptions& options, const Progress& progress)
 {
   const TriangleMesh& triangles = mesh.mesh();
-  if (!options.curvature.empty() && options.curvature.size() != triangles.points.size())
+  if (!options.curvature.empty())
   {
-    throw std::invalid_argument("there are " + std::to_string(options.curvature.size()) + " curvatures for " +
-      std::to_string(triangles.points.size()) + " points, expected one per point");
+    checkOnePerPoint(triangles, options.curvature.size(), "curvatures");
   }
   if (!(options.count >= 0.0 && std::isfinite(options.count)) || options.mostInTriangle < 1 ||
     !(options.factor >= 0.0))
@@ -88,11 +88,7 @@ std::vector<MeshPoint> areaSeeds(
 Streamlines scatteredStreamlines(const MeshNavigation& mesh, const LineField& field,
   std::span<const MeshPoint> seeds, const TraceOptions& options, std::uint64_t seed, const Progress& progress)
 {
-  if (field.directions.size() != mesh.mesh().points.size())
-  {
-    throw std::invalid_argument("there are " + std::to_string(field.directions.size()) + " directions for " +
-      std::to_string(mesh.mesh().points.size()) + " points, expected one per point");
-  }
+  checkOnePerPoint(mesh.mesh(), field.directions.size(), "directions");
   const StreamlineTracer tracer(mesh, field, options);
   std::vector<TracedLine> lines(seeds.size());
   const bool going = parallelFor(

@@ -5,6 +5,7 @@
 #include "Curvature/PrincipalCurvature.h"
 #include "Curvature/SurfaceRings.h"
 #include "Curves/Streamlines/TurnedTangent.h"
+#include "Mesh/OnePerPoint.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,8 +14,6 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 
 namespace ink
 {
@@ -41,15 +40,6 @@ Complex fourfold(const glm::dvec3& direction, const glm::dvec3& axisX, const glm
   return Complex(squared * squared);
 }
 
-void checkSize(std::size_t found, std::size_t expected, const char* what)
-{
-  if (found != expected)
-  {
-    throw std::invalid_argument("there are " + std::to_string(found) + " " + what + " for " +
-      std::to_string(expected) + " points, expected one per point");
-  }
-}
-
 } // namespace
 
 std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
@@ -57,9 +47,9 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
   const Progress& progress)
 {
   const std::size_t count = mesh.points.size();
-  checkSize(normals.size(), count, "normals");
-  checkSize(directions.size(), count, "directions");
-  checkSize(umbilics.size(), count, "umbilic measures");
+  checkOnePerPoint(mesh, normals.size(), "normals");
+  checkOnePerPoint(mesh, directions.size(), "directions");
+  checkOnePerPoint(mesh, umbilics.size(), "umbilic measures");
   const SurfaceRings rings(mesh);
   const auto ringOf = [&](std::size_t point) { return rings.ring(rings.site(point)); };
   std::vector<std::size_t> offsets(count + 1); // of each point's turns
@@ -108,8 +98,8 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
         const std::uint32_t other = ring[n];
         if (axes[other] != glm::dvec3(0.0))
         {
-          turns[offsets[i] + n] = fourfold(
-            turnedTangent(axes[other], glm::dvec3(normals[other]), normal), axes[i], glm::cross(normal, axes[i]));
+          turns[offsets[i] + n] = fourfold(turnedTangent(axes[other], glm::dvec3(normals[other]), normal),
+            axes[i], glm::cross(normal, axes[i]));
         }
       }
     });
