@@ -69,7 +69,7 @@ public:
   SurfaceDirection directionAt(const glm::dvec3& position, const glm::dvec3& heading) const;
 
   /// One half of a line.
-  LineEnd follow(const FieldPoint& seed, const glm::dvec3& heading, const Accept& accept) const;
+  LineEnd follow(const FieldPoint& seed, const glm::dvec3& toward, const Accept& accept) const;
 
   /// Both halves, see traceHalves.
   TracedFieldLine trace(const FieldPoint& seed, const glm::dvec3& heading, const Accept& accept) const;

@@ -46,7 +46,7 @@ public:
   /// @param samples the number of samples along the axis, from 2
   /// @throws std::invalid_argument when one of them is out of range
   AxisResampling(
-    double deviation, int subdivision, int samples, SmoothingKernel kernel = SmoothingKernel::Gaussian);
+    double deviation, int subdivision, int samples, SmoothingKernel form = SmoothingKernel::Gaussian);
 
   int subdivision() const { return this->Subdivision; }
   int samples() const { return this->Samples; }
