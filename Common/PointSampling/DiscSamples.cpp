@@ -61,13 +61,16 @@ public:
     const std::size_t count = this->Order.size();
     this->Areas.resize(count);
     this->Middles.resize(count);
+    this->Sides.resize(count);
     parallelFor((count + chunkSize - 1) / chunkSize,
       [&](std::size_t chunk)
       {
         for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
         {
-          this->Areas[i] = areaOfDisc(discs.radii[this->Order[i]]);
-          this->Middles[i] = discs.centers[this->Order[i]] * scale;
+          const std::uint32_t disc = this->Order[i];
+          this->Areas[i] = areaOfDisc(discs.radii[disc]);
+          this->Middles[i] = discs.centers[disc] * scale;
+          this->Sides[i] = { glm::normalize(discs.normals[disc]), candidateReach * discs.radii[disc] * scale };
         }
       });
   }
@@ -85,10 +88,8 @@ public:
   };
   Frame frame(std::size_t piece) const
   {
-    const std::uint32_t disc = this->Order[piece];
-    const glm::vec3 n = glm::normalize(this->Discs.normals[disc]);
+    const auto& [n, reach] = this->Sides[piece];
     // An orthonormal basis (Duff et al. 2017).
-    const float reach = candidateReach * this->Discs.radii[disc] * this->Scale;
     const float s = n.z < 0.0f ? -1.0f : 1.0f;
     const float a = -1.0f / (s + n.z);
     const float b = n.x * n.y * a;
@@ -147,8 +148,15 @@ private:
   float Scale; ///< from the centers' unit
   float Largest = 0.0f;
   std::vector<std::uint32_t> Order;
+  // In that order, so that what is needed together is read from one part of the memory.
+  struct Side
+  {
+    glm::vec3 normal;
+    float reach;
+  };
   std::vector<double> Areas;
   std::vector<glm::vec3> Middles;
+  std::vector<Side> Sides;
 };
 
 } // namespace
