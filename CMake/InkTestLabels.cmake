@@ -14,7 +14,7 @@ set(_ink_test_labels
   "streamlines:Streamline|LineSampleGrid|CrossField|InsideOut|MeshNavigation|LinesOfCurvature"
   "contours:Contours|ChainSegments|CoherentDashes|FacingPlanes|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
-  "statistics:IsoValue|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SmoothedSlices"
+  "statistics:IsoValue|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SliceCounter|SmoothedSlices"
   "vdb:Vdb|VDB|vdb"
   "reading:FormatNumber|FuzzCorpus|^IO(Core|Mesh|Volume)"
   "styles:^Styles"

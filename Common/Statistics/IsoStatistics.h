@@ -56,6 +56,6 @@ struct IsoStatistics
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>
 std::optional<IsoStatistics> makeIsoStatistics(const SliceReader<T>& read, std::array<int, 3> dimensions,
-  int slicesAtOnce, std::int64_t mostVoxels = 1 << 24);
+  int slicesAtOnce, std::int64_t mostVoxels = 1 << 23);
 
 } // namespace ink

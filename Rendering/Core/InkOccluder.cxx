@@ -41,6 +41,9 @@ namespace
 constexpr float OffsetFactor = 2.0f;
 constexpr float OffsetUnits = 4.0f;
 
+/// By how many pixels the viewport is wider than the image of discs, so that points can be left out there.
+constexpr int Margin = 4;
+
 int FindLargestImage(vtkOpenGLRenderWindow* window)
 {
   int largest = 0;
@@ -248,7 +251,7 @@ void InkOccluder::Draw(
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
   if (this->LargestRadius > 0.0f)
   {
-    this->DrawDiscs(view);
+    this->DrawDiscs(view, *depth);
   }
   else
   {
@@ -256,10 +259,31 @@ void InkOccluder::Draw(
   }
 }
 
-void InkOccluder::DrawDiscs(const InkViewUniforms& view)
+void InkOccluder::DrawDiscs(const InkViewUniforms& view, InkOccluderDepth& depth)
 {
-  InkShaderPass& pass =
-    this->Passes.Find(InkWithFeatures(InkOccluderDiscVS, view.FindFeatures()), "", InkOccluderDiscFS);
+  this->DrawDiscs(view, nullptr);
+  // Most of what faces away is hidden.
+  if (!depth.Facing)
+  {
+    depth.Facing = std::make_unique<InkRenderTarget>(
+      this->Window, InkRenderTarget::Format::Depth, view.Size[0], view.Size[1]);
+  }
+  if (depth.Facing->IsComplete())
+  {
+    depth.Image.CopyTo(*depth.Facing);
+    depth.Image.Bind();
+    this->DrawDiscs(view, depth.Facing.get());
+  }
+}
+
+void InkOccluder::DrawDiscs(const InkViewUniforms& view, const InkRenderTarget* facing)
+{
+  std::string features = view.FindFeatures() + InkDefine("INK_MARGIN " + std::to_string(Margin) + ".0");
+  if (facing)
+  {
+    features += InkDefine("INK_BACK");
+  }
+  InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkOccluderDiscVS, features), "", InkOccluderDiscFS);
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,
     [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
     {
@@ -273,6 +297,16 @@ void InkOccluder::DrawDiscs(const InkViewUniforms& view)
     return;
   }
   view.SetUniforms(program);
+  const int width = view.Size[0] + Margin;
+  const int height = view.Size[1];
+  const float size[2] = { static_cast<float>(width), static_cast<float>(height) };
+  program->SetUniform2f("targetSize", size);
+  this->Window->GetState()->vtkglViewport(0, 0, width, height);
+  std::optional<InkRenderTarget::Reading> reading;
+  if (facing)
+  {
+    program->SetUniformi("facing", reading.emplace(*facing->GetTexture()).GetUnit());
+  }
   const InkPointSizeByShader pointSize;
   glDrawArrays(GL_POINTS, 0, this->NumberOfVertices);
   pass.End();

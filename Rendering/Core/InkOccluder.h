@@ -33,6 +33,7 @@ struct InkOccluderDepth
   VTKINKRENDERINGCORE_EXPORT void SetUniforms(vtkShaderProgram* program, const InkViewUniforms& view) const;
 
   InkRenderTarget Image;
+  std::unique_ptr<InkRenderTarget> Facing; ///< of discs that face the viewer, while the image is drawn
   std::optional<InkViewUniforms> View; ///< that it shows, with margins
   vtkMTimeType UploadTime = 0;         ///< of the surface that it shows
 };
@@ -71,7 +72,9 @@ private:
   void UploadDiscs(vtkPolyData* points, const InkShiftScale& frame);
   void Upload(const std::vector<float>& numbers, int numbersPerVertex);
   void DrawTriangles(const InkViewUniforms& view);
-  void DrawDiscs(const InkViewUniforms& view);
+  void DrawDiscs(const InkViewUniforms& view, InkOccluderDepth& depth);
+  /// @param facing the depth of the discs that face the viewer, to draw the others; null to draw the former
+  void DrawDiscs(const InkViewUniforms& view, const InkRenderTarget* facing);
 
   vtkOpenGLRenderWindow* Window;
   bool Offset;

@@ -89,16 +89,23 @@ void InkRenderTarget::Bind()
 void InkRenderTarget::BindForReading()
 {
   this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
-  this->Framebuffer->ActivateReadBuffer(0);
+  if (this->NumberOfColors > 0)
+  {
+    this->Framebuffer->ActivateReadBuffer(0);
+  }
 }
 
 void InkRenderTarget::CopyTo(InkRenderTarget& other)
 {
   this->BindForReading();
   other.Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-  other.Framebuffer->ActivateDrawBuffer(0);
+  if (this->NumberOfColors > 0)
+  {
+    other.Framebuffer->ActivateDrawBuffer(0);
+  }
   const int area[4] = { 0, this->Width, 0, this->Height };
-  vtkOpenGLFramebufferObject::Blit(area, area, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  vtkOpenGLFramebufferObject::Blit(
+    area, area, this->NumberOfColors > 0 ? GL_COLOR_BUFFER_BIT : GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
 InkRenderTarget::Reading::Reading(vtkTextureObject& texture)
