@@ -22,7 +22,8 @@ struct InkNeighborLists
   ink::SampleGroups Groups;
   std::vector<glm::vec3> Normals; ///< unit: of each list the mean of its stipples'
 
-  /// @param positions, normals of stipples in progressive order, as ink::groupSamples takes them; unit normals
+  /// @param positions, normals of stipples in progressive order, as ink::groupSamples takes them; unit
+  /// normals
   /// @param areaPerStipple of the surface
   InkNeighborLists(
     std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, double areaPerStipple);

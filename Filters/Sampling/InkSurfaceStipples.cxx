@@ -88,8 +88,8 @@ private:
   }
 };
 
-/// A polygon with room for fewer stipples than that is too small for a list of its own: with four, the dots of
-/// the Stanford bunny are as even as with any more, and as on far larger polygons.
+/// A polygon with room for fewer stipples than that is too small for a list of its own: with four, the dots
+/// of the Stanford bunny are as even as with any more, and as on far larger polygons.
 constexpr double FewestOfPolygon = 4.0;
 
 /// The polygon of each sample.
