@@ -65,7 +65,7 @@ tradeoff: setup-headless build-headless ## Measure error against time, write Doc
 	@Utilities/setup.sh tradeoff
 	@Utilities/tradeoff.sh
 
-pictures: setup-headless build-headless ## Draw the pictures of stipple.md, splatting-lines.md and picture-quality.md
+pictures: setup-headless build-headless ## Draw the pictures of the pages on styles and of picture-quality.md (of one: Utilities/pictures.sh PAGE)
 	@Utilities/pictures.sh
 
 sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behavior sanitizers

@@ -2,13 +2,13 @@
 #include "InkDiscStipples.h"
 
 #include "InkAllocate.h"
+#include "InkNeighborLists.h"
 #include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkStippleOutput.h"
 #include "InkVTKCompat.h"
 #include "PointSampling/DiscSamples.h"
 #include "PointSampling/ProgressiveBlueNoise.h"
-#include "PointSampling/SampleGroups.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -25,6 +25,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -96,53 +97,33 @@ struct Discs
   ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii }; }
 };
 
-/// Stipples of a list, on average: enough that most of those drawn are whole ones, and few enough that a
-/// list's normal is that of each.
-constexpr double PerList = 8.0;
-
-/// The lists that samples make, and what they are made of.
-struct Lists
+std::vector<glm::vec3> PositionsOf(const std::vector<ink::DiscSample>& samples)
 {
-  std::vector<glm::vec3> Positions; ///< of all samples
-  ink::SampleGroups Groups;
-  std::vector<glm::vec3> Normals; ///< of lists
+  std::vector<glm::vec3> positions(samples.size());
+  std::transform(samples.begin(), samples.end(), positions.begin(), [](const auto& s) { return s.position; });
+  return positions;
+}
 
-  Lists(const std::vector<ink::DiscSample>& samples, const Discs& discs, double areaPerSample)
-    : Positions(samples.size())
-  {
-    std::vector<glm::vec3> normals(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i)
-    {
-      this->Positions[i] = samples[i].position;
-      normals[i] = glm::normalize(discs.Normals[samples[i].disc]);
-    }
-    this->Groups = ink::groupSamples(this->Positions, normals, ink::groupEdge(areaPerSample, PerList));
-    for (std::size_t list = 0; list < this->Count(); ++list)
-    {
-      glm::vec3 sum(0.0f);
-      for (std::size_t i = this->Groups.begins[list]; i < this->Groups.begins[list + 1]; ++i)
-      {
-        sum += normals[this->Groups.samples[i]];
-      }
-      // They point in about the same direction.
-      this->Normals.push_back(glm::normalize(sum));
-    }
-  }
-
-  std::size_t Count() const { return this->Groups.begins.size() - 1; }
-};
+std::vector<glm::vec3> NormalsOf(const std::vector<ink::DiscSample>& samples, const Discs& discs)
+{
+  std::vector<glm::vec3> normals(samples.size());
+  std::transform(samples.begin(), samples.end(), normals.begin(),
+    [&](const auto& s) { return glm::normalize(discs.Normals[s.disc]); });
+  return normals;
+}
 
 template <class Array>
-vtkSmartPointer<vtkPoints> MakePoints(const Lists& lists, const glm::dvec3& middle, vtkNew<Array>& array)
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<glm::vec3>& positions, const InkNeighborLists& lists,
+  const glm::dvec3& middle, vtkNew<Array>& array)
 {
   using Real = typename Array::ValueType;
   array->SetNumberOfComponents(3);
-  InkSetNumberOfTuples(array, static_cast<vtkIdType>(lists.Positions.size()));
+  InkSetNumberOfTuples(array, static_cast<vtkIdType>(positions.size()));
   Real* values = array->GetPointer(0);
-  InkForEach(lists.Positions.size(),
+  InkForEach(positions.size(),
     [&](std::size_t i)
     {
-      const glm::dvec3 p = middle + glm::dvec3(lists.Positions[lists.Groups.samples[i]]);
+      const glm::dvec3 p = middle + glm::dvec3(positions[lists.Groups.samples[i]]);
       for (int axis = 0; axis < 3; ++axis)
       {
         values[3 * i + static_cast<std::size_t>(axis)] = static_cast<Real>(p[axis]);
@@ -155,7 +136,7 @@ vtkSmartPointer<vtkPoints> MakePoints(const Lists& lists, const glm::dvec3& midd
 
 /// Of the disc of each list's first stipple.
 vtkSmartPointer<vtkDataArray> ColorsOf(
-  const Lists& lists, const std::vector<ink::DiscSample>& samples, vtkDataArray* colors)
+  const InkNeighborLists& lists, const std::vector<ink::DiscSample>& samples, vtkDataArray* colors)
 {
   std::vector<vtkIdType> discs(lists.Count());
   for (std::size_t list = 0; list < lists.Count(); ++list)
@@ -211,11 +192,12 @@ void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& reque
     return;
   }
   const double area = ink::areaPerSample(spacing, ink::defaultCandidates);
-  const Lists lists(samples, discs, area);
+  const std::vector<glm::vec3> positions = PositionsOf(samples);
+  const InkNeighborLists lists(positions, NormalsOf(samples, discs), area);
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkDoubleArray> doubles;
-  output->SetPoints(
-    request.Doubles ? MakePoints(lists, discs.Middle, doubles) : MakePoints(lists, discs.Middle, floats));
+  output->SetPoints(request.Doubles ? MakePoints(positions, lists, discs.Middle, doubles)
+                                    : MakePoints(positions, lists, discs.Middle, floats));
   output->SetVerts(
     InkMakePolyVertices(std::vector<vtkIdType>(lists.Groups.begins.begin(), lists.Groups.begins.end())));
   const std::vector<vtkIdType> order(lists.Groups.samples.begin(), lists.Groups.samples.end());

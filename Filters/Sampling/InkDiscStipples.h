@@ -28,10 +28,9 @@ VTKINKFILTERSSAMPLING_EXPORT bool InkHasDiscs(vtkPolyData* points);
 /// An estimate of the area of the surface that the points' discs cover, see ink::areaOf.
 double InkAreaOfDiscs(vtkPolyData* points);
 
-/// Writes stipples on the discs to an empty output, lists of neighbors (ink::groupSamples) with the mean
-/// normal of their discs; leaves it empty when aborted by the progress. With a list for each stipple, all
-/// stipples would be drawn everywhere, the smaller the lighter the tone: dust instead of dots. Points that
-/// `vtkGhostType` marks as hidden or duplicate have none.
+/// Writes stipples on the discs to an empty output, lists of neighbors (InkNeighborLists) with the mean
+/// normal of their discs; leaves it empty when aborted by the progress. Points that `vtkGhostType` marks as
+/// hidden or duplicate have none.
 /// @throws std::invalid_argument that says what is wrong with the points or the request
 void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& request, vtkPolyData* output);
 

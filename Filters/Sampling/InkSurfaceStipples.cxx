@@ -3,11 +3,13 @@
 
 #include "InkAllocate.h"
 #include "InkMeshTriangles.h"
+#include "InkNeighborLists.h"
 #include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkStippleOutput.h"
 #include "InkSurfaceSamples.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -21,9 +23,11 @@
 #include "vtkSmartPointer.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -37,7 +41,8 @@ struct Polygons
   std::vector<vtkIdType> Cells;
   std::vector<std::size_t> Triangles; ///< each polygon's first triangle
   std::vector<glm::dvec3> Normals;    ///< unit, out of the front
-  double Area = 0.0;
+  std::vector<double> Areas;
+  double Area = 0.0; ///< of all
 
   /// @param smooth whether a polygon's normal is the mean of its point normals instead of that of its plane
   Polygons(const InkMeshTriangles& triangles, bool smooth)
@@ -68,6 +73,7 @@ struct Polygons
         this->Triangles.push_back(begin);
         const bool useMean = smooth && glm::length(mean) > 1e-3 * area;
         this->Normals.push_back(Unit(useMean ? mean : plane));
+        this->Areas.push_back(area);
         this->Area += area;
       }
     }
@@ -82,27 +88,54 @@ private:
   }
 };
 
-/// The samples sorted by polygon, stably.
+/// A polygon with room for fewer stipples than that is too small for a list of its own: with four, the dots
+/// of the Stanford bunny are as even as with any more, and as on far larger polygons.
+constexpr double FewestOfPolygon = 4.0;
+
+/// The polygon of each sample.
+std::vector<std::size_t> FindPolygons(const Polygons& polygons, std::span<const vtkIdType> cellOfSample)
+{
+  const vtkIdType lastCell = *std::max_element(polygons.Cells.begin(), polygons.Cells.end());
+  std::vector<std::size_t> polygonOfCell(static_cast<std::size_t>(lastCell) + 1);
+  for (std::size_t polygon = 0; polygon < polygons.Cells.size(); ++polygon)
+  {
+    polygonOfCell[static_cast<std::size_t>(polygons.Cells[polygon])] = polygon;
+  }
+  std::vector<std::size_t> polygonOf(cellOfSample.size());
+  for (std::size_t sample = 0; sample < cellOfSample.size(); ++sample)
+  {
+    polygonOf[sample] = polygonOfCell[static_cast<std::size_t>(cellOfSample[sample])];
+  }
+  return polygonOf;
+}
+
+/// A list for each polygon that is large enough, then lists of neighbors on all others.
 struct Lists
 {
-  std::vector<vtkIdType> Samples;
-  std::vector<vtkIdType> Begins;     ///< of each nonempty list; one more at the end
-  std::vector<std::size_t> Polygons; ///< the polygon of each list
+  std::vector<vtkIdType> Samples;    ///< list by list, in each ascending
+  std::vector<vtkIdType> Begins;     ///< of each list, none of which is empty; one more at the end
+  std::vector<std::size_t> Polygons; ///< of each list, that of its first sample
+  std::vector<glm::vec3> Normals;
+  std::size_t Elements; ///< lists, and without any of neighbors also polygons that have no sample
 
-  Lists(const struct Polygons& polygons, std::span<const vtkIdType> cellOfSample)
+  /// @param points of the samples, in progressive order
+  Lists(const struct Polygons& polygons, const std::vector<std::size_t>& polygonOf, vtkPoints* points)
   {
+    const double areaPerSample = polygons.Area / static_cast<double>(polygonOf.size());
     std::vector<vtkIdType> next(polygons.Cells.size() + 1, 0);
-    const vtkIdType lastCell = *std::max_element(polygons.Cells.begin(), polygons.Cells.end());
-    std::vector<std::size_t> polygonOfCell(static_cast<std::size_t>(lastCell) + 1);
-    for (std::size_t polygon = 0; polygon < polygons.Cells.size(); ++polygon)
+    std::vector<vtkIdType> others;
+    const auto isLarge = [&](std::size_t polygon)
+    { return polygons.Areas[polygon] >= FewestOfPolygon * areaPerSample; };
+    for (std::size_t sample = 0; sample < polygonOf.size(); ++sample)
     {
-      polygonOfCell[static_cast<std::size_t>(polygons.Cells[polygon])] = polygon;
-    }
-    std::vector<std::size_t> polygonOf(cellOfSample.size());
-    for (std::size_t sample = 0; sample < cellOfSample.size(); ++sample)
-    {
-      polygonOf[sample] = polygonOfCell[static_cast<std::size_t>(cellOfSample[sample])];
-      ++next[polygonOf[sample] + 1];
+      if (isLarge(polygonOf[sample]))
+      {
+        ++next[polygonOf[sample] + 1];
+      }
+      else
+      {
+        others.push_back(static_cast<vtkIdType>(sample));
+      }
     }
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (std::size_t polygon = 0; polygon < polygons.Cells.size(); ++polygon)
@@ -111,13 +144,51 @@ struct Lists
       {
         this->Polygons.push_back(polygon);
         this->Begins.push_back(next[polygon]);
+        this->Normals.emplace_back(polygons.Normals[polygon]);
       }
     }
-    this->Begins.push_back(next.back());
-    this->Samples.resize(cellOfSample.size());
-    for (std::size_t sample = 0; sample < cellOfSample.size(); ++sample)
+    this->Samples.resize(static_cast<std::size_t>(next.back()));
+    for (std::size_t sample = 0; sample < polygonOf.size(); ++sample)
     {
-      this->Samples[static_cast<std::size_t>(next[polygonOf[sample]]++)] = static_cast<vtkIdType>(sample);
+      if (isLarge(polygonOf[sample]))
+      {
+        this->Samples[static_cast<std::size_t>(next[polygonOf[sample]]++)] = static_cast<vtkIdType>(sample);
+      }
+    }
+    this->AddNeighbors(polygons, polygonOf, others, points, areaPerSample);
+    this->Begins.push_back(static_cast<vtkIdType>(this->Samples.size()));
+    this->Elements = others.empty() ? polygons.Cells.size() : this->Polygons.size();
+  }
+
+private:
+  void AddNeighbors(const struct Polygons& polygons, const std::vector<std::size_t>& polygonOf,
+    const std::vector<vtkIdType>& samples, vtkPoints* points, double areaPerSample)
+  {
+    std::vector<glm::vec3> positions(samples.size());
+    std::vector<glm::vec3> normals(samples.size());
+    const vtkBoundingBox box(points->GetBounds());
+    glm::dvec3 middle;
+    box.GetCenter(&middle.x);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      glm::dvec3 position;
+      points->GetPoint(samples[i], &position.x);
+      positions[i] = position - middle;
+      normals[i] = polygons.Normals[polygonOf[static_cast<std::size_t>(samples[i])]];
+    }
+    const InkNeighborLists lists(positions, normals, areaPerSample);
+    const auto first = static_cast<vtkIdType>(this->Samples.size());
+    for (const std::uint32_t sample : lists.Groups.samples)
+    {
+      this->Samples.push_back(samples[sample]);
+    }
+    for (std::size_t list = 0; list < lists.Count(); ++list)
+    {
+      const std::size_t begin = lists.Groups.begins[list];
+      this->Begins.push_back(first + static_cast<vtkIdType>(begin));
+      const auto sample = static_cast<std::size_t>(samples[lists.Groups.samples[begin]]);
+      this->Polygons.push_back(polygonOf[sample]);
+      this->Normals.push_back(lists.Normals[list]);
     }
   }
 };
@@ -175,9 +246,9 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
   {
     return;
   }
-  const Lists lists(polygons, { cells->GetPointer(0), count });
-
   const vtkSmartPointer<vtkPoints> points = samples.MakePoints(request.Doubles ? VTK_DOUBLE : VTK_FLOAT);
+  const Lists lists(polygons, FindPolygons(polygons, { cells->GetPointer(0), count }), points);
+
   vtkNew<vtkPoints> ordered;
   ordered->SetData(InkPickTuples(points->GetData(), lists.Samples));
   output->SetPoints(ordered);
@@ -191,7 +262,7 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
   InkSetNumberOfTuples(normals, static_cast<vtkIdType>(lists.Polygons.size()));
   for (std::size_t e = 0; e < lists.Polygons.size(); ++e)
   {
-    normals->SetTuple(static_cast<vtkIdType>(e), &polygons.Normals[lists.Polygons[e]].x);
+    normals->SetTuple(static_cast<vtkIdType>(e), &lists.Normals[e].x);
   }
   output->GetCellData()->SetNormals(normals);
   if (request.Colors)
@@ -199,9 +270,9 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
     InkAddColors(output, ColorsOf(triangles, polygons, lists, request.Colors, request.ColorsOfCells));
   }
   const double kind = 1.0;
-  const auto polygonCount = static_cast<double>(polygons.Cells.size());
-  const double perElement = static_cast<double>(count) / polygonCount;
-  const double size = std::sqrt(polygons.Area / polygonCount);
+  const auto elements = static_cast<double>(lists.Elements);
+  const double perElement = static_cast<double>(count) / elements;
+  const double size = std::sqrt(polygons.Area / elements);
   InkAddField(output, "ElementKind", { &kind, 1 });
   InkAddField(output, "ElementSize", { &size, 1 });
   InkAddField(output, "StipplesPerElement", { &perElement, 1 });

@@ -21,7 +21,8 @@ struct InkSurfaceStippleRequest
   ink::Progress Progress;
 };
 
-/// Writes the stipples of a mesh to an empty output; leaves it empty when aborted by the progress.
+/// Writes the stipples of a mesh to an empty output, a list for each polygon, but lists of neighbors
+/// (InkNeighborLists) on polygons too small for one; leaves it empty when aborted by the progress.
 /// @throws std::invalid_argument that says what is wrong with the mesh or the request
 void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& request, vtkPolyData* output);
 

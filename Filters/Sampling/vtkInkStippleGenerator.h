@@ -17,12 +17,13 @@
  *
  * Surfaces: the whole mesh is sampled as by vtkInkSurfaceSampler, with blue noise in order of priority, and
  * each polygon gets the samples that lie in it. So their number follows the area, and their pattern does not
- * depend on the tessellation.
+ * depend on the tessellation. Polygons with room for fewer than four share lists: an element is then a group
+ * of about eight neighbors on one side of the surface, with the mean of their polygons' normals.
  *
  * Points without polygons that have `Normals` and `Radius`, as vtkInkIsoSurfaceSampler and
  * vtkInkSurfaceSampler make them: the surface that discs of these radii cover is sampled with blue noise in
- * order of priority, as densely as is asked for, however dense the points are. An element is a group of about
- * eight neighbors on one side of the surface, with the mean normal of the discs that they lie on.
+ * order of priority, as densely as is asked for, however dense the points are. Elements are such groups, too,
+ * with the mean normal of the discs that they lie on.
  *
  * Output: the points are the stipples, element by element; for each element with stipples one VTK_POLY_VERTEX
  * cell (which VTK reports as VTK_VERTEX where it holds one point) with its list, in order of priority. Cell
@@ -31,8 +32,8 @@
  * of 100 stippled voxels lie) and `Value` (0 to 1, relative to the image's range); with PassScalars the
  * scalars for colors, as active scalars and under their own name, prefixed with `Input` if it is one of the
  * above. Point data, of surfaces only: `Priority`, among all stipples. Field data: `ElementKind` (0 volume, 1
- * surface), `ElementSize` (world units: the voxel's edge, or the root of the polygons' mean area),
- * `StipplesPerElement` (N_max; for surfaces the mean over all polygons), of volumes also `ScalarRange` and
+ * surface), `ElementSize` (world units: the voxel's edge, or the root of the elements' mean area),
+ * `StipplesPerElement` (N_max; for surfaces the mean over all elements), of volumes also `ScalarRange` and
  * `GradientMagnitudeRange`, the values that 0 and 1 stand for.
  *
  * The same input gives the same stipples for any number of threads and pieces. Percentiles and ranges are

@@ -294,18 +294,19 @@ public:
   ///@{
   /**
    * How many pixels, as SizeUnit has them, of an element's projection make room for one stipple (section 4.3;
-   * the paper has 1); the drawing is darker with a smaller one. 0.1 to 1000; default: 4.
+   * the paper has 1); the drawing is darker with a smaller one. 1e-6 to 1000, the least for pictures in
+   * hundreds of tiles, which enlarge pixels by their number; default: 4.
    */
-  InkSetClampMacro(PixelsPerStipple, 0.1, 1000.0);
+  InkSetClampMacro(PixelsPerStipple, 1e-6, 1000.0);
   vtkGetMacro(PixelsPerStipple, double);
   ///@}
 
   ///@{
   /**
-   * The stipples' diameter in pixels, as SizeUnit has them, before distance and interior change it. 0.1 to
-   * 100; default: 2.
+   * The stipples' diameter in pixels, as SizeUnit has them, before distance and interior change it. 1e-4, as
+   * above, to 100; default: 2.
    */
-  InkSetClampMacro(StippleSize, 0.1, 100.0);
+  InkSetClampMacro(StippleSize, 1e-4, 100.0);
   vtkGetMacro(StippleSize, double);
   ///@}
 

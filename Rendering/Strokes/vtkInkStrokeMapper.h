@@ -265,7 +265,8 @@ public:
 
   ///@{
   /**
-   * Visible and hidden parts of a stroke that are shorter join their neighbors; pixels. 0 to 100; default: 4.
+   * Visible and hidden parts of a stroke that are shorter join their neighbors; pixels, enlarged with a
+   * picture in tiles. 0 to 100; default: 4.
    */
   InkSetClampMacro(ShortestPart, 0.0, 100.0);
   vtkGetMacro(ShortestPart, double);

@@ -170,7 +170,7 @@ const char* vtkInkStyle::GetNote(int note)
 void vtkInkStyle::SetPixelScale(double scale)
 {
   // Not a number compares as false.
-  const double kept = scale > 0.1 ? std::min(scale, 16.0) : 0.1;
+  const double kept = scale > 0.001 ? std::min(scale, 16.0) : 0.001;
   if (this->PixelScale != kept)
   {
     this->PixelScale = kept;

@@ -160,7 +160,8 @@ public:
   ///@{
   /**
    * How many pixels are rendered for each of the picture on either side: 2 for a picture that is rendered
-   * twice as large and made smaller then. Parameters are in the picture's pixels. 0.1 to 16; default: 1.
+   * twice as large and made smaller then, less than 1 for one in tiles, which enlarge what is in pixels.
+   * Parameters are in the picture's pixels. 0.001 to 16; default: 1.
    */
   void SetPixelScale(double scale);
   vtkGetMacro(PixelScale, double);

@@ -305,6 +305,11 @@ TEST(StyleParameters, PixelsAreThePicturesOwn)
   EXPECT_EQ(style->GetStippleMapper()->GetStippleSize(), 6);
   EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), 20);
   EXPECT_EQ(style->GetParameter("StippleSize"), 3);
+  // In a hundred tiles on either side, which mappers enlarge pixels for.
+  style->SetPixelScale(0.01);
+  EXPECT_DOUBLE_EQ(style->GetStippleMapper()->GetStippleSize(), 0.03);
+  EXPECT_DOUBLE_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), 5e-4);
+  style->SetPixelScale(2);
   // 100 pixels are the mapper's most.
   EXPECT_TRUE(style->SetParameter("StippleSize", 50));
   EXPECT_EQ(style->GetStippleMapper()->GetStippleSize(), 100);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stipples of meshes: as many as the area asks for, however the surface is cut into polygons.
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -141,8 +142,17 @@ TEST(StippleGeneratorSurface, HoweverASquareIsCutItHasTheSameSpacing)
     const auto stipples = Stipple(MakeSquare(n), 2000);
     CheckContract(stipples);
     EXPECT_EQ(stipples->GetNumberOfPoints(), 2000) << "2000 stipples";
-    EXPECT_LT(std::abs(Field(stipples, "ElementSize") * n - 1.0), 1e-6) << "polygons of 1 / " << n;
-    EXPECT_LT(std::abs(Field(stipples, "StipplesPerElement") * n * n - 2000.0), 1e-6) << "as many a polygon";
+    const double size = Field(stipples, "ElementSize");
+    const double perElement = Field(stipples, "StipplesPerElement");
+    EXPECT_LT(std::abs(2000.0 * size * size / perElement - 1.0), 1e-6) << "the stipples' density";
+    if (n < 40)
+    {
+      EXPECT_LT(std::abs(perElement * n * n - 2000.0), 1e-6) << "as many a polygon";
+    }
+    else
+    {
+      EXPECT_LT(std::abs(perElement - 8.0), 3.0) << "lists of neighbors, as 1.25 a polygon would be dust";
+    }
     for (const double below : { 0.1, 0.5, 1.0 })
     {
       double least = 0.0;
@@ -223,5 +233,74 @@ TEST(StippleGeneratorSurface, NormalsPointOutOfASphere)
     onSphere->GetPoint(ids[0], point);
     onSphere->GetCellData()->GetNormals()->GetTuple(e, normal);
     EXPECT_GT(vtkMath::Dot(point, normal), 1.97) << "a normal out of the sphere";
+  }
+}
+
+/// Stipples of polygons that are smaller than these share lists, whose normals are theirs.
+TEST(StippleGeneratorSurface, SmallPolygonsShareLists)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(2.0);
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(100);
+  sphere->Update();
+  const auto onSphere = Stipple(sphere->GetOutput(), 5000);
+  CheckContract(onSphere);
+  EXPECT_EQ(onSphere->GetNumberOfPoints(), 5000);
+  EXPECT_NEAR(5000.0 / static_cast<double>(onSphere->GetNumberOfCells()), 8.0, 3.0);
+  for (vtkIdType e = 0; e < onSphere->GetNumberOfCells(); ++e)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    onSphere->GetVerts()->GetCellAtId(e, size, ids);
+    double normal[3];
+    onSphere->GetCellData()->GetNormals()->GetTuple(e, normal);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double point[3];
+      onSphere->GetPoint(ids[i], point);
+      EXPECT_GT(vtkMath::Dot(point, normal), 1.97) << "eight stipples are .13 long";
+    }
+  }
+}
+
+/// Beside small polygons, a large one has the list that it has alone; colors are those of a list's side.
+TEST(StippleGeneratorSurface, LargePolygonsKeepTheirLists)
+{
+  vtkNew<vtkAppendPolyData> both;
+  for (const int n : { 1, 40 })
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetResolution(n, n);
+    plane->SetCenter(n == 1 ? -2.0 : 2.0, 0.0, 0.0);
+    plane->Update();
+    vtkNew<vtkFloatArray> colors;
+    colors->SetName("Side");
+    colors->SetNumberOfTuples(plane->GetOutput()->GetNumberOfCells());
+    colors->FillValue(static_cast<float>(n));
+    plane->GetOutput()->GetCellData()->SetScalars(colors);
+    both->AddInputData(plane->GetOutput());
+  }
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputConnection(both->GetOutputPort());
+  generator->SetNumberOfSurfaceStipples(4000);
+  generator->PassScalarsOn();
+  generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Side");
+  generator->Update();
+  vtkPolyData* stipples = generator->GetOutput();
+  CheckContract(stipples);
+  vtkDataArray* sides = stipples->GetCellData()->GetScalars();
+  ASSERT_TRUE(sides && stipples->GetNumberOfCells() > 100);
+  EXPECT_NEAR(static_cast<double>(stipples->GetVerts()->GetCellSize(0)), 2000.0, 40.0) << "the large one's";
+  for (vtkIdType e = 0; e < stipples->GetNumberOfCells(); ++e)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    stipples->GetVerts()->GetCellAtId(e, size, ids);
+    EXPECT_TRUE(e == 0 || size < 30) << size;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      EXPECT_EQ(sides->GetComponent(e, 0), stipples->GetPoint(ids[i])[0] < 0.0 ? 1.0 : 40.0);
+    }
   }
 }

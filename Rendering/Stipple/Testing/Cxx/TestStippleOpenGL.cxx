@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <tuple>
 
 namespace
 {
@@ -76,21 +77,25 @@ TEST(StippleOpenGL, PolygonOffset)
 TEST(StippleOpenGL, Tiles)
 {
   const auto stipples = InkTestStipples::SphereSurface(1.0, 800, 8);
-  const auto draw = [&](int size, int tiles)
+  constexpr int size = 240;
+  // Pixels of the window that is shown in tiles; small dots are far less than one.
+  for (const auto& [tiles, diameter, room] : { std::tuple(4, 21.6, 346.0), std::tuple(8, 0.6, 0.5) })
   {
-    StippleScene scene(stipples, size, size);
-    scene.Mapper->SetSurfaceData(SphereMesh());
-    scene.Renderer->GetActiveCamera()->Zoom(1.7);
-    const double larger = size / 100.0;
-    scene.Mapper->SetStippleSize(9.0 * larger);
-    scene.Mapper->SetPixelsPerStipple(60.0 * larger * larger);
-    return InkTestImage(scene.Window, tiles);
-  };
-  const InkTestImage whole = draw(400, 1);
-  const InkTestImage tiled = draw(100, 4);
-  const int different = tiled.CountDifferent(whole, 2);
-  EXPECT_TRUE(whole.Ink() > 5000.0 && different == 0)
-    << "the same picture in sixteen tiles, but for " << different << " pixels, ink " << whole.Ink();
+    const auto draw = [&, diameter = diameter, room = room](int parts)
+    {
+      StippleScene scene(stipples, size / parts, size / parts);
+      scene.Mapper->SetSurfaceData(SphereMesh());
+      scene.Renderer->GetActiveCamera()->Zoom(1.7);
+      scene.Mapper->SetStippleSize(diameter / parts);
+      scene.Mapper->SetPixelsPerStipple(room / (parts * parts));
+      return InkTestImage(scene.Window, parts);
+    };
+    const InkTestImage whole = draw(1);
+    const InkTestImage tiled = draw(tiles);
+    const int different = tiled.CountDifferent(whole, 2);
+    EXPECT_EQ(different, 0) << tiles << " x " << tiles << " tiles";
+    EXPECT_GT(whole.Ink(), 2000.0) << diameter;
+  }
 }
 
 /// Depth peeling draws several times, into its own buffers and blending by maxima; the surface's image is

@@ -2,11 +2,13 @@
 // Which parts of contours are drawn: those that the surface does not hide.
 #include "InkTestImage.h"
 #include "InkTestScene.h"
+#include "StrokeScene.h"
 #include "TubeSurfaces.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "Curves/Contours/MeshContours.h"
 
+#include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 
 #include <gtest/gtest.h>
@@ -176,6 +178,30 @@ TEST(StrokeVisibility, ShareOfTheContour)
         EXPECT_GE(drawn, 0.99 * visible) << name << ": visible " << visible;
         EXPECT_GE(omitted, 0.99 * hidden) << name << ": hidden " << hidden;
       }
+    }
+  }
+}
+
+/// How short a hidden part is that joins its neighbors is in pixels of the window that is shown in tiles.
+TEST(StrokeVisibility, ShortestPartInTiles)
+{
+  vtkNew<vtkPlaneSource> bar;
+  bar->SetOrigin(40.0, 20.0, 10.0);
+  bar->SetPoint1(46.0, 20.0, 10.0);
+  bar->SetPoint2(40.0, 80.0, 10.0);
+  bar->Update();
+  for (const double shortest : { 4.0, 8.0 })
+  {
+    StrokeScene scene(MakeStrokes({ { { 10.0, 50.0, 0.0 }, { 90.0, 50.0, 0.0 } } }), 100, 100);
+    scene.LookAtPixels();
+    scene.Mapper->SetSurfaceData(bar->GetOutput());
+    scene.Mapper->SetLineWidth(3.0);
+    scene.Mapper->SetShortestPart(shortest);
+    for (const int tiles : { 1, 2 })
+    {
+      const InkTestImage image(scene.Window, tiles);
+      EXPECT_EQ(image.IsDark(43 * tiles, 50 * tiles), shortest > 6.0) << tiles << " tiles, " << shortest;
+      EXPECT_TRUE(image.IsDark(30 * tiles, 50 * tiles) && image.IsDark(60 * tiles, 50 * tiles));
     }
   }
 }
