@@ -210,6 +210,21 @@ public:
     }
   }
 
+  /// Asks for the values around a brick to be in the cache soon.
+  void prefetch(const CellBrick& brick) const
+  {
+    const glm::ivec3& n = this->Samples.geometry().dimensions();
+    for (int z = -1; z <= CellBrick::width + 1; ++z)
+    {
+      for (int y = -1; y <= CellBrick::width + 1; ++y)
+      {
+        const glm::ivec3 sample = glm::clamp(brick.first + glm::ivec3(0, y, z), glm::ivec3(0), n - 1);
+        __builtin_prefetch(
+          this->Samples.data() + this->Samples.geometry().offset(sample) * this->Samples.stride());
+      }
+    }
+  }
+
 private:
   /// The lowest corner's sample, and for the other two which of its seven neighbors they are.
   std::uint64_t idOf(const CellContourNode& node, const glm::ivec3& cell) const
@@ -350,6 +365,7 @@ Contours GridContours<T>::find(
       const std::size_t end = std::min(bricks.size(), (part + 1) * BricksAtOnce);
       for (std::size_t n = part * BricksAtOnce; n < end; ++n)
       {
+        search.prefetch(this->Bricks[bricks[std::min(n + 2, bricks.size() - 1)]]);
         search.find(this->Bricks[bricks[n]], parts[part]);
       }
     });
