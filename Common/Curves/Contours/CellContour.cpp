@@ -147,13 +147,20 @@ glm::dvec3 positionAt(const Edge& edge, double share)
   return low + share * (cornerPosition(edge.high) - low);
 }
 
-/// The node on the face that two edges of a tetrahedron share. The same for any order of the two.
-CellContourNode nodeBetween(const CellCorners& cell, Edge a, Edge b)
+/// An edge of a tetrahedron that the surface intersects.
+struct IntersectedEdge
 {
-  if (b.low < a.low || (b.low == a.low && b.high < a.high))
-  {
-    std::swap(a, b);
-  }
+  Edge edge;
+  Intersection at;
+};
+
+/// The node on the face that two edges of a tetrahedron share. The same for any order of the two.
+CellContourNode nodeBetween(const IntersectedEdge& one, const IntersectedEdge& other)
+{
+  const bool inOrder =
+    one.edge.low < other.edge.low || (one.edge.low == other.edge.low && one.edge.high < other.edge.high);
+  const auto& [a, onA] = inOrder ? one : other;
+  const auto& [b, onB] = inOrder ? other : one;
   CellContourNode node;
   // Two of the four ends are the same corner; corners of a tetrahedron are nested, so their numbers ascend.
   const std::uint8_t first = std::min(a.low, b.low);
@@ -163,8 +170,6 @@ CellContourNode nodeBetween(const CellCorners& cell, Edge a, Edge b)
     : a.low != first                         ? a.low
                                              : b.low;
   node.corners = { first, middle, last };
-  const Intersection onA = intersect(cell, a);
-  const Intersection onB = intersect(cell, b);
   const double facingA = std::abs(onA.facing);
   const double facingB = std::abs(onB.facing);
   const glm::dvec3 from = positionAt(a, onA.share);
@@ -194,18 +199,19 @@ CellContour findCellContour(const CellCorners& cell)
       inside |= (insideCell >> TetrahedronCorners[t][n] & 1) << n;
     }
     const SurfacePolygon& polygon = Polygons[t][inside];
+    std::array<IntersectedEdge, 4> edges;
     int faces = 0; // the eye: bit n for edge n
     for (int n = 0; n < polygon.count; ++n)
     {
-      faces |= (intersect(cell, polygon.edges[n]).facing >= 0.0) << n;
+      edges[n] = { polygon.edges[n], intersect(cell, polygon.edges[n]) };
+      faces |= (edges[n].at.facing >= 0.0) << n;
     }
     if (faces == 0 || faces == (1 << polygon.count) - 1)
     {
       continue;
     }
     // From where a walk around the polygon leaves what faces the eye to where it comes back.
-    const auto nodeAfter = [&](int n)
-    { return nodeBetween(cell, polygon.edges[n], polygon.edges[(n + 1) % polygon.count]); };
+    const auto nodeAfter = [&](int n) { return nodeBetween(edges[n], edges[(n + 1) % polygon.count]); };
     const auto facesEye = [&](int n) { return (faces >> n % polygon.count & 1) != 0; };
     for (int n = 0; n < polygon.count; ++n)
     {

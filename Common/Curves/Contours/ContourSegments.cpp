@@ -3,6 +3,7 @@
 
 #include "Core/KeyNumbers.h"
 #include "Core/ParallelFor.h"
+#include "Core/Prefetch.h"
 #include "Curves/ChainSegments.h"
 #include "Curves/Contours/ContourPoints.h"
 
@@ -32,6 +33,7 @@ struct Nodes
 Nodes placeNodes(
   const ContourSurface& surface, std::span<const std::uint64_t> keys, const Eye& eye, bool wantNormals)
 {
+  constexpr std::size_t ahead = 16; // nodes, enough for memory to answer
   Nodes nodes;
   nodes.positions.resize(keys.size());
   nodes.normals.resize(wantNormals ? keys.size() : 0);
@@ -40,6 +42,9 @@ Nodes placeNodes(
     {
       for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, keys.size()); ++i)
       {
+        const std::uint64_t later = keys[std::min(i + ahead, keys.size() - 1)];
+        prefetchObject(surface.corners[static_cast<std::uint32_t>(later >> 32)]);
+        prefetchObject(surface.corners[static_cast<std::uint32_t>(later)]);
         const auto a = static_cast<std::uint32_t>(keys[i] >> 32);
         const auto b = static_cast<std::uint32_t>(keys[i]);
         double t = 0.0;

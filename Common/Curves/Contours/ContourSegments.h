@@ -5,6 +5,7 @@
 #include "Curves/Contours/Contours.h"
 #include "Curves/Contours/Eye.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -18,10 +19,7 @@ struct ContourNode
   std::uint32_t corner0;
   std::uint32_t corner1;
 
-  static ContourNode between(std::uint32_t a, std::uint32_t b)
-  {
-    return a < b ? ContourNode{ a, b } : ContourNode{ b, a };
-  }
+  static ContourNode between(std::uint32_t a, std::uint32_t b) { return { std::min(a, b), std::max(a, b) }; }
   static ContourNode at(std::uint32_t corner) { return { corner, corner }; }
 };
 

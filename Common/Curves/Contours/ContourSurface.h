@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/LargePages.h"
 #include "Curves/Contours/Eye.h"
 #include "Mesh/TriangleMesh.h"
 
@@ -26,9 +27,9 @@ struct ContourSurface
     glm::vec3 normal; ///< unit length, or zero where nothing tells
   };
   /// Faces by their three corners.
-  std::vector<Triangle> faces;
+  LargePageVector<Triangle> faces;
   std::vector<std::uint32_t> faceIds; ///< of each face, its triangle in the mesh
-  std::vector<Corner> corners;
+  LargePageVector<Corner> corners;
   std::vector<std::uint32_t> sites;   ///< of each corner, the first corner at its position
   std::vector<glm::vec3> siteNormals; ///< of each corner, the mean at its position; empty if none differ
   /// Whether the normals point into the volume that the surface encloses, as those of meshes do whose faces

@@ -29,7 +29,7 @@ FacetedSilhouettes::FacetedSilhouettes(const ContourSurface& surface)
           edge[0].forward == edge[1].forward ? -1.0 : 1.0 });
       }
     });
-  this->Clusters = NormalClusters(this->Edges.size(),
+  this->Clusters = SilhouetteClusters(this->Edges.size(), 2,
     [&](std::size_t begin, std::size_t end, std::vector<NormalCone::Item>& items)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -43,28 +43,41 @@ FacetedSilhouettes::FacetedSilhouettes(const ContourSurface& surface)
     });
 }
 
+/// Finds out whether an edge is a silhouette.
+struct FacetedSilhouettes::Finder
+{
+  const FacetedSilhouettes& silhouettes;
+  glm::dvec3 eye; ///< from the origin of planes
+  double perspective;
+
+  double facing(std::uint32_t face) const
+  {
+    const auto& [normal, offset] = this->silhouettes.Planes[face];
+    return glm::dot(normal, this->eye) - this->perspective * offset;
+  }
+
+  void prefetch(std::size_t edge) const { prefetchObject(this->silhouettes.Edges[edge]); }
+  void prefetchItems(std::size_t edge) const
+  {
+    prefetchObject(this->silhouettes.Planes[this->silhouettes.Edges[edge].face0]);
+    prefetchObject(this->silhouettes.Planes[this->silhouettes.Edges[edge].face1]);
+  }
+
+  void find(std::size_t index, std::vector<ContourSegment>& segments) const
+  {
+    const Edge& edge = this->silhouettes.Edges[index];
+    if (isFront(this->facing(edge.face0)) != isFront(edge.side1 * this->facing(edge.face1)))
+    {
+      segments.push_back(
+        { ContourNode::at(edge.site0), ContourNode::at(edge.site1), edge.face0, edge.face1 });
+    }
+  }
+};
+
 std::vector<ContourSegment> FacetedSilhouettes::find(const Eye& eye, SilhouetteSearch search) const
 {
-  const glm::dvec3 e = eye.from(this->Origin);
-  const double perspective = eye.parallel ? 0.0 : 1.0;
-  const auto facing = [&](std::uint32_t face)
-  {
-    const auto& [normal, offset] = this->Planes[face];
-    return glm::dot(normal, e) - perspective * offset;
-  };
-  return searchSilhouettes(this->Clusters, this->Edges.size(), eye, search,
-    [&](std::size_t begin, std::size_t end, std::vector<ContourSegment>& segments)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Edge& edge = this->Edges[i];
-        if (isFront(facing(edge.face0)) != isFront(edge.side1 * facing(edge.face1)))
-        {
-          segments.push_back(
-            { ContourNode::at(edge.site0), ContourNode::at(edge.site1), edge.face0, edge.face1 });
-        }
-      }
-    });
+  return searchSilhouettes(
+    this->Clusters, eye, search, Finder{ *this, eye.from(this->Origin), eye.parallel ? 0.0 : 1.0 });
 }
 
 } // namespace ink

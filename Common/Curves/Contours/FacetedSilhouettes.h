@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/LargePages.h"
 #include "Curves/Contours/ContourSegments.h"
 #include "Curves/Contours/ContourSurface.h"
 #include "Curves/Contours/Eye.h"
-#include "Curves/Contours/NormalClusters.h"
 #include "Curves/Contours/SilhouetteSearch.h"
 
 #include <cstdint>
@@ -24,6 +24,8 @@ public:
   std::vector<ContourSegment> find(const Eye& eye, SilhouetteSearch search) const;
 
 private:
+  struct Finder;
+
   struct Edge
   {
     std::uint32_t site0;
@@ -41,9 +43,9 @@ private:
   };
 
   glm::dvec3 Origin = glm::dvec3(0.0);
-  std::vector<Plane> Planes; ///< of faces
-  std::vector<Edge> Edges;
-  NormalClusters Clusters;
+  LargePageVector<Plane> Planes; ///< of faces
+  LargePageVector<Edge> Edges;
+  SilhouetteClusters Clusters;
 };
 
 } // namespace ink

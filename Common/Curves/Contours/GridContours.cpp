@@ -104,12 +104,18 @@ public:
       for (std::uint32_t left = this->Layers[z]; left != 0; left &= left - 1)
       {
         const int bit = std::countr_zero(left);
-        visit(bit + width * width * z, glm::ivec3(bit % width, bit / width, z));
+        visit(bit + width * width * z, glm::ivec3(columnOf[bit], rowOf[bit], z));
       }
     }
   }
 
 private:
+  // Of a sample's bit in a layer.
+  static constexpr std::array<std::uint8_t, 25> columnOf = { 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0,
+    1, 2, 3, 4, 0, 1, 2, 3, 4 };
+  static constexpr std::array<std::uint8_t, 25> rowOf = { 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 3, 3,
+    3, 3, 3, 4, 4, 4, 4, 4 };
+
   std::array<std::uint32_t, width> Layers{};
 };
 
@@ -147,16 +153,49 @@ public:
   {
     std::array<double, BrickSamples::count> facing;
     BrickSamples front;
-    BrickSamples(brick.cells)
-      .forEach(
-        [&](int index, const glm::ivec3& inBrick)
-        {
-          facing[index] = this->facingAt(brick.first + inBrick);
-          if (facing[index] >= 0.0)
+    // The vector to the eye, an axis at a time.
+    std::array<glm::dvec3, BrickSamples::width> view;
+    for (int n = 0; n < BrickSamples::width; ++n)
+    {
+      view[n] = this->InSteps.from(glm::dvec3(this->Samples.geometry().first() + brick.first + n));
+    }
+    const bool inner = this->Samples.hidden().empty() && this->Samples.isInner(brick.first) &&
+      this->Samples.isInner(brick.first + CellBrick::width);
+    const auto lookAt = [&](const auto& gradientAt)
+    {
+      BrickSamples(brick.cells)
+        .forEach(
+          [&](int index, const glm::ivec3& inBrick)
           {
-            front.add(inBrick);
-          }
+            facing[index] = -glm::dot(
+              gradientAt(inBrick), glm::dvec3(view[inBrick.x].x, view[inBrick.y].y, view[inBrick.z].z));
+            if (facing[index] >= 0.0)
+            {
+              front.add(inBrick);
+            }
+          });
+    };
+    const auto anywhere = [&](const glm::ivec3& inBrick)
+    { return this->Samples.gradientAt(brick.first + inBrick); };
+    if (inner)
+    {
+      const glm::ivec3& n = this->Samples.geometry().dimensions();
+      const T* const values =
+        this->Samples.data() + this->Samples.geometry().offset(brick.first) * this->Samples.stride();
+      lookAt(
+        [&](const glm::ivec3& inBrick)
+        {
+          const std::ptrdiff_t offset =
+            inBrick.x + n.x * (inBrick.y + static_cast<std::ptrdiff_t>(n.y) * inBrick.z);
+          const glm::dvec3 gradient = this->Samples.gradientOfInner(
+            values + offset * static_cast<std::ptrdiff_t>(this->Samples.stride()));
+          return GridField<T>::isComplete(gradient) ? gradient : anywhere(inBrick);
         });
+    }
+    else
+    {
+      lookAt(anywhere);
+    }
     for (std::uint64_t left = brick.cells & front.mixedCells(); left != 0; left &= left - 1)
     {
       const glm::ivec3 cell = CellBrick::cell(std::countr_zero(left));
@@ -171,13 +210,22 @@ public:
     }
   }
 
-private:
-  double facingAt(const glm::ivec3& sample) const
+  /// Asks for the values around a brick to be in the cache soon.
+  void prefetch(const CellBrick& brick) const
   {
-    const glm::dvec3 view = this->InSteps.from(glm::dvec3(this->Samples.geometry().first() + sample));
-    return -glm::dot(this->Samples.gradientAt(sample), view);
+    const glm::ivec3& n = this->Samples.geometry().dimensions();
+    for (int z = -1; z <= CellBrick::width + 1; ++z)
+    {
+      for (int y = -1; y <= CellBrick::width + 1; ++y)
+      {
+        const glm::ivec3 sample = glm::clamp(brick.first + glm::ivec3(0, y, z), glm::ivec3(0), n - 1);
+        __builtin_prefetch(
+          this->Samples.data() + this->Samples.geometry().offset(sample) * this->Samples.stride());
+      }
+    }
   }
 
+private:
   /// The lowest corner's sample, and for the other two which of its seven neighbors they are.
   std::uint64_t idOf(const CellContourNode& node, const glm::ivec3& cell) const
   {
@@ -209,20 +257,35 @@ private:
 };
 
 /// Chains of the segments, with positions in the world and cells.
-Contours chain(const GridGeometry& geometry, std::span<const GridSegment> segments)
+/// @param parts of the segments, in order
+Contours chain(const GridGeometry& geometry, std::span<const std::vector<GridSegment>> parts)
 {
-  KeyNumbers numbers(2 * segments.size());
-  std::vector<Segment> ends(segments.size());
-  std::vector<glm::dvec3> positions(2 * segments.size());
-  for (std::size_t n = 0; n < segments.size(); ++n)
+  const std::size_t count = std::accumulate(parts.begin(), parts.end(), std::size_t(0),
+    [](std::size_t sum, const std::vector<GridSegment>& part) { return sum + part.size(); });
+  KeyNumbers numbers(2 * count);
+  std::vector<Segment> ends;
+  std::vector<std::int64_t> cells;
+  std::vector<glm::dvec3> positions; // of nodes
+  ends.reserve(count);
+  cells.reserve(count);
+  positions.reserve(2 * count);
+  for (const std::vector<GridSegment>& part : parts)
   {
-    for (const std::size_t end : { 0, 1 })
+    for (const GridSegment& segment : part)
     {
-      ends[n][end] = numbers.numberOf(segments[n].nodes[end]);
-      positions[ends[n][end]] = segments[n].positions[end];
+      Segment& numbered = ends.emplace_back();
+      for (const std::size_t end : { 0, 1 })
+      {
+        numbered[end] = numbers.numberOf(segment.nodes[end]);
+        if (numbered[end] == positions.size())
+        {
+          positions.push_back(segment.positions[end]);
+        }
+      }
+      cells.push_back(segment.cell);
     }
   }
-  const Chains chains = chainSegments(ends, numbers.keys().size());
+  const Chains chains = chainSegments(ends, positions.size());
   Contours contours;
   contours.chains = chains.polylines;
   contours.kinds.assign(chains.polylines.size(), ContourKind::Silhouette);
@@ -232,7 +295,7 @@ Contours chain(const GridGeometry& geometry, std::span<const GridSegment> segmen
   {
     contours.positions.push_back(
       geometry.toWorld(positions[chains.nodes[point]] - glm::dvec3(geometry.first())));
-    contours.elements.push_back(segments[chains.segments[point]].cell);
+    contours.elements.push_back(cells[chains.segments[point]]);
   }
   return contours;
 }
@@ -302,17 +365,11 @@ Contours GridContours<T>::find(
       const std::size_t end = std::min(bricks.size(), (part + 1) * BricksAtOnce);
       for (std::size_t n = part * BricksAtOnce; n < end; ++n)
       {
+        search.prefetch(this->Bricks[bricks[std::min(n + 2, bricks.size() - 1)]]);
         search.find(this->Bricks[bricks[n]], parts[part]);
       }
     });
-  std::vector<GridSegment> segments;
-  segments.reserve(std::accumulate(parts.begin(), parts.end(), std::size_t(0),
-    [](std::size_t sum, const std::vector<GridSegment>& part) { return sum + part.size(); }));
-  for (const std::vector<GridSegment>& part : parts)
-  {
-    segments.insert(segments.end(), part.begin(), part.end());
-  }
-  Contours contours = chain(geometry, segments);
+  Contours contours = chain(geometry, parts);
   ContourProjection projection;
   projection.steps = options.projectionSteps;
   projection.reach = 2.0 * isoSurfaceSampleRadius(geometry);

@@ -4,8 +4,6 @@
 #include "Curves/Contours/ContourSegments.h"
 #include "Curves/Contours/ContourSurface.h"
 #include "Curves/Contours/Eye.h"
-#include "Curves/Contours/FacingPlanes.h"
-#include "Curves/Contours/NormalClusters.h"
 #include "Curves/Contours/SilhouetteSearch.h"
 
 #include <array>
@@ -37,13 +35,12 @@ private:
     std::array<std::array<std::uint32_t, 2>, 2> corners; ///< of each face, at the edge's begin and end
   };
 
-  static void findOnEdge(const ContourSurface& surface, const Eye& eye, const SharpEdge& edge,
-    std::vector<ContourSegment>& segments);
+  struct FaceFinder;
+  struct EdgeFinder;
 
-  NormalClusters Faces;
-  FacingPlanes Corners;
+  SilhouetteClusters Faces;
   std::vector<SharpEdge> SharpEdges;
-  NormalClusters Edges;
+  SilhouetteClusters Edges;
 };
 
 } // namespace ink

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/LargePages.h"
 #include "Curves/Contours/Eye.h"
 #include "Curves/Contours/NormalCone.h"
 #include "Curves/Contours/UnitBall.h"
@@ -41,24 +42,24 @@ public:
 private:
   static constexpr std::size_t width = 8;
 
-  /// Eight cones, in float and in the coordinates of Ball.
-  struct Block
+  /// Eight cones, in the coordinates of Ball: two lines of cache. Two numbers share a word, the second one in
+  /// its higher half; those of the center are its higher three bytes.
+  struct alignas(64) Block
   {
-    float center[3][width];
-    float axis[3][width];
-    float cosine[width];
-    float sine[width];
-    float lower[width];
-    float upper[width];
+    std::uint32_t axisXY[width];
+    std::uint32_t axisZSine[width];
+    std::uint32_t bounds[width]; ///< lower, upper
+    std::uint32_t center[width];
   };
 
+  struct View;
   static void store(const NormalCone& cone, Block& block, std::size_t lane);
-  static NormalCone load(const Block& block, std::size_t lane);
+  static NormalCone coneOf(const Block& block, std::size_t lane);
 
   std::size_t Clusters = 0;
   UnitBall Ball;
   /// From the clusters up: node i of a level bounds block i of the level below.
-  std::vector<std::vector<Block>> Levels;
+  std::vector<LargePageVector<Block>> Levels;
   std::vector<std::size_t> Sizes; ///< of the levels, in nodes
 };
 

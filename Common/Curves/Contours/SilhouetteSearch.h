@@ -2,12 +2,16 @@
 #pragma once
 
 #include "Core/ParallelFor.h"
+#include "Core/Prefetch.h"
+#include "Curves/Contours/ClusterPlanes.h"
 #include "Curves/Contours/ContourSegments.h"
 #include "Curves/Contours/Eye.h"
 #include "Curves/Contours/NormalClusters.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace ink
@@ -16,37 +20,82 @@ namespace ink
 /// How silhouettes are searched. The result is the same.
 enum class SilhouetteSearch
 {
-  Hierarchy, ///< in clusters that may hold one, with facing planes in float where these tell
-  Exhaustive ///< everywhere, in double
+  Hierarchy, ///< where cones and planes in float do not rule them out
+  Exhaustive ///< everywhere
 };
 
-/// Calls find(begin, end, segments), which appends to `segments`, for the elements `begin` to `end` - 1 of
-/// each cluster that may hold a silhouette, in parallel.
-/// @return what was found, in the order of elements
-template <class Find>
-std::vector<ContourSegment> searchSilhouettes(const NormalClusters& clusters, std::size_t elements,
-  const Eye& eye, SilhouetteSearch search, const Find& find)
+/// Elements (faces, or edges) in clusters, with what rules out most of them for an eye.
+struct SilhouetteClusters
 {
+  std::size_t elements = 0;
+  NormalClusters cones;
+  ClusterPlanes planes;
+
+  SilhouetteClusters() = default;
+  /// @param itemsOf as of NormalClusters, with as many items for each element, up to 16
+  SilhouetteClusters(std::size_t count, std::size_t itemsPerElement, const NormalClusters::ItemsOf& itemsOf)
+    : elements(count)
+    , cones(count, itemsOf)
+    , planes(count, itemsPerElement, this->cones.ball(), itemsOf)
+  {
+  }
+};
+
+/// Finds the silhouettes of elements, in parallel.
+/// @param finder finder.find(element, segments) appends those of an element; finder.prefetch(element) and,
+///   later, finder.prefetchItems(element) fetch what that needs
+/// @return what was found, in the order of elements
+template <class Finder>
+std::vector<ContourSegment> searchSilhouettes(
+  const SilhouetteClusters& clusters, const Eye& eye, SilhouetteSearch search, const Finder& finder)
+{
+  constexpr std::size_t clusterSize = NormalClusters::clusterSize;
+  constexpr std::size_t ahead = 8; // enough for memory to answer
+  const bool everywhere = search == SilhouetteSearch::Exhaustive;
   std::vector<std::uint32_t> candidates;
-  if (search == SilhouetteSearch::Hierarchy)
+  if (!everywhere)
   {
-    candidates = clusters.straddling(eye);
+    candidates = clusters.cones.straddling(eye);
   }
-  else
-  {
-    candidates.resize(clusters.size());
-    std::iota(candidates.begin(), candidates.end(), 0u);
-  }
+  const ClusterPlanes::View view(clusters.planes, eye);
   constexpr std::size_t chunkSize = 256;
-  std::vector<std::vector<ContourSegment>> found((candidates.size() + chunkSize - 1) / chunkSize);
+  const std::size_t count = everywhere ? clusters.cones.size() : candidates.size();
+  std::vector<std::vector<ContourSegment>> found((count + chunkSize - 1) / chunkSize);
   parallelFor(found.size(),
     [&](std::size_t chunk)
     {
-      const std::size_t end = std::min((chunk + 1) * chunkSize, candidates.size());
-      for (std::size_t i = chunk * chunkSize; i < end; ++i)
+      const std::size_t begin = chunk * chunkSize;
+      const std::size_t end = std::min(begin + chunkSize, count);
+      std::vector<ContourSegment>& segments = found[chunk];
+      if (everywhere)
       {
-        const std::size_t first = candidates[i] * NormalClusters::clusterSize;
-        find(first, std::min(first + NormalClusters::clusterSize, elements), found[chunk]);
+        for (std::size_t element = begin * clusterSize;
+             element < std::min(end * clusterSize, clusters.elements); ++element)
+        {
+          finder.find(element, segments);
+        }
+        return;
+      }
+      std::uint32_t some[chunkSize * clusterSize + 1];
+      std::size_t someCount = 0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        view.prefetch(candidates[std::min(i + ahead, end - 1)]);
+        const auto first = static_cast<std::uint32_t>(candidates[i] * clusterSize);
+        const std::uint32_t straddling = view.straddling(candidates[i]);
+        for (std::uint32_t n = 0; n < clusterSize; ++n)
+        {
+          // Always written and sometimes kept: a branch would be guessed wrong too often.
+          some[someCount] = first + n;
+          someCount += straddling >> n & 1;
+        }
+      }
+      segments.reserve(someCount);
+      for (std::size_t i = 0; i < someCount; ++i)
+      {
+        finder.prefetch(some[std::min(i + 2 * ahead, someCount - 1)]);
+        finder.prefetchItems(some[std::min(i + ahead, someCount - 1)]);
+        finder.find(some[i], segments);
       }
     });
   if (found.size() == 1)
@@ -54,6 +103,12 @@ std::vector<ContourSegment> searchSilhouettes(const NormalClusters& clusters, st
     return std::move(found.front());
   }
   std::vector<ContourSegment> segments;
+  std::size_t total = 0;
+  for (const std::vector<ContourSegment>& part : found)
+  {
+    total += part.size();
+  }
+  segments.reserve(total);
   for (const std::vector<ContourSegment>& part : found)
   {
     segments.insert(segments.end(), part.begin(), part.end());

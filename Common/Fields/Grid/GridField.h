@@ -44,20 +44,29 @@ public:
   {
     if (this->Hidden.empty() && this->isInner(sample))
     {
-      // Most samples: all neighbors are there and need not be looked up one by one.
-      const T* const middle = this->Values.data() + this->Geometry.offset(sample) * this->Stride;
-      const glm::ivec3& n = this->Geometry.dimensions();
-      const auto slope = [middle](std::ptrdiff_t step)
-      { return 0.5 * difference(middle[step], *middle) + 0.5 * difference(*middle, middle[-step]); };
-      const auto column = static_cast<std::ptrdiff_t>(this->Stride);
-      const glm::dvec3 gradient(slope(column), slope(column * n.x), slope(column * n.x * n.y));
-      // Neighbors that are floating-point numbers may be missing, and differences of doubles overflow.
-      if (std::is_integral_v<T> || gradient - gradient == glm::dvec3(0.0))
+      const glm::dvec3 gradient = this->gradientOfInner(this->Values.data() + this->Geometry.offset(sample) * this->Stride);
+      if (isComplete(gradient))
       {
         return gradient;
       }
     }
     return this->gradientNearMissing(sample);
+  }
+  /// The same, by the address of the value of a sample that has neighbors on all sides, none of them hidden; what
+  /// is not complete needs gradientAt.
+  glm::dvec3 gradientOfInner(const T* middle) const
+  {
+    // Most samples: all neighbors are there and need not be looked up one by one.
+    const glm::ivec3& n = this->Geometry.dimensions();
+    const auto slope = [middle](std::ptrdiff_t step)
+    { return 0.5 * difference(middle[step], *middle) + 0.5 * difference(*middle, middle[-step]); };
+    const auto column = static_cast<std::ptrdiff_t>(this->Stride);
+    return { slope(column), slope(column * n.x), slope(column * n.x * n.y) };
+  }
+  /// Neighbors that are floating-point numbers may be missing, and differences of doubles overflow.
+  static bool isComplete(const glm::dvec3& gradient)
+  {
+    return std::is_integral_v<T> || gradient - gradient == glm::dvec3(0.0);
   }
   /// Second derivatives at a sample, per sample step.
   glm::dmat3 hessianAt(const glm::ivec3& sample) const;
@@ -66,7 +75,6 @@ public:
   glm::dvec3 gradient(const glm::dvec3& world) const;
   glm::dmat3 hessian(const glm::dvec3& world) const;
 
-private:
   /// Whether it has neighbors on all sides.
   bool isInner(const glm::ivec3& sample) const
   {
@@ -74,6 +82,8 @@ private:
     return sample.x > 0 && sample.x < n.x - 1 && sample.y > 0 && sample.y < n.y - 1 && sample.z > 0 &&
       sample.z < n.z - 1;
   }
+
+private:
   glm::dvec3 gradientNearMissing(const glm::ivec3& sample) const;
   double slopeAt(const glm::ivec3& sample, int axis) const;
   double bendAt(const glm::ivec3& sample, int axis) const;
