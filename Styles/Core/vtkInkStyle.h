@@ -327,6 +327,7 @@ protected:
 private:
   friend class InkContourSurface;
   friend class InkIsoSurface;
+  friend class InkSilhouetteMethod;
   vtkInkStyle(const vtkInkStyle&) = delete;
   void operator=(const vtkInkStyle&) = delete;
 

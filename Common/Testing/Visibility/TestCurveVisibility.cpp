@@ -67,6 +67,20 @@ double wall(double x, double)
   return x < 100.0 ? 300.0 : nothing;
 }
 
+TEST(CurveVisibility, WhatLiesBehindByLessThanTheToleranceIsVisible)
+{
+  const View view([](double, double) { return 400.0; });
+  ink::CurveOccluders occluders = view.occluders();
+  for (const double behind : { 5.0, 100.0 }) // near and far, by pixels
+  {
+    const std::vector<CurvePoint> line{ view.at(20, 100, 400.0 + behind), view.at(180, 100, 400.0 + behind) };
+    occluders.tolerance = 1.1 * behind;
+    EXPECT_EQ(hiddenShare(ink::findVisibleRuns(line, false, occluders, 4.0)), 0.0) << behind;
+    occluders.tolerance = 0.9 * behind - 1.0;
+    EXPECT_EQ(hiddenShare(ink::findVisibleRuns(line, false, occluders, 4.0)), 1.0) << behind;
+  }
+}
+
 } // namespace
 
 TEST(CurveVisibility, BehindAWall)
