@@ -163,8 +163,9 @@ TEST(StyleSilhouettes, MethodsAreOfVoxelsOrOfTheSurface)
   for (vtkInkStyle* style : std::initializer_list<vtkInkStyle*>{ lines, stipple, illustration })
   {
     SCOPED_TRACE(style->GetName());
-    const int piece =
-      style == stipple.Get() ? vtkInkStippleStyle::SILHOUETTES : vtkInkSplattingLinesStyle::SILHOUETTES;
+    const int ofStipples = vtkInkStippleStyle::SILHOUETTES;
+    const int ofLines = vtkInkSplattingLinesStyle::SILHOUETTES;
+    const int piece = style == stipple.Get() ? ofStipples : ofLines;
     vtkInkSilhouetteMapper* mapper = style == lines.Get() ? lines->GetSilhouettes()->GetMapper()
       : style == stipple.Get()                            ? stipple->GetSilhouettes()->GetMapper()
                                                     : illustration->GetSilhouettes()->GetMapper();
