@@ -234,6 +234,8 @@ std::vector<CurveRun> findVisibleRuns(
   std::vector<SampleRun> kept = joinShortRuns(runs, leastRun);
   if (closed && kept.size() > 1 && kept.front().hidden == kept.back().hidden)
   {
+    // One run, that goes on over a short one before the longest.
+    kept.front().first = kept.back().first;
     kept.pop_back();
   }
   if (kept.size() == 1)
