@@ -124,7 +124,7 @@ private:
     const glm::dvec2 pixel = this->toPixel(clip);
     const int x = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, image.width - 1);
     const int y = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, image.height - 1);
-    const double own = this->toDistance(0.5 * clip.z / clip.w + 0.5);
+    const double own = this->toDistance(0.5 * clip.z / clip.w + 0.5) - this->Occluders.tolerance;
     const double size = this->Occluders.pixel * clip.w;
     if (this->toDistance(image.at(x, y)) < own - farBehind * size)
     {
@@ -234,6 +234,8 @@ std::vector<CurveRun> findVisibleRuns(
   std::vector<SampleRun> kept = joinShortRuns(runs, leastRun);
   if (closed && kept.size() > 1 && kept.front().hidden == kept.back().hidden)
   {
+    // One run, that goes on over a short one before the longest.
+    kept.front().first = kept.back().first;
     kept.pop_back();
   }
   if (kept.size() == 1)

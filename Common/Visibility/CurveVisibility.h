@@ -19,6 +19,8 @@ struct CurveOccluders
   /// clip z = [0] * view z + [1], clip w = [2] * view z + [3]; view z is negative in front of the eye
   double depthToClip[4] = { -1.0, 0.0, 0.0, 1.0 };
   double pixel = 1.0; ///< view units per pixel of the image where clip w is 1
+  /// View units that a curve on a surface may lie behind it.
+  double tolerance = 0.0;
 };
 
 /// A point of a curve as the same camera sees it.

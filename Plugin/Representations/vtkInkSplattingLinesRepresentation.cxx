@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesRepresentation.h"
 
-#include "InkContourSurface.h"
 #include "InkHasPolygons.h"
 #include "InkLeaves.h"
 #include "InkSilhouettes.h"
@@ -72,10 +71,11 @@ std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Inp
   vtkPolyData* outlined = this->GetPiece(vtkInkSplattingLinesStyle::SILHOUETTES);
   outlined->Initialize();
   std::string problem;
-  if (this->Style->GetSilhouettes()->GetSilhouettes())
+  InkSilhouettes* silhouettes = this->Style->GetSilhouettes();
+  if (silhouettes->GetSilhouettes())
   {
     const vtkSmartPointer<vtkPolyData> whole = vtkInkProcesses().Gather(leaves.MakeMeshes());
-    problem = InkHasPolygons(whole) ? InkContourSurface(this->Style).MakeOfMesh(whole, outlined) : "";
+    problem = InkHasPolygons(whole) ? silhouettes->MakeOfMesh(this->Style, whole, outlined) : "";
   }
   // A dense mesh's own points are drawn, those of all leaves together.
   const vtkInkGatheredPoints gathered =

@@ -101,6 +101,9 @@ class TestContours(SurfaceTests, TestInOneView):
                     setattr(display, f"{prefix}SilhouetteWidth", 30)
                     outlined = picture(self.view)
                     self.assertGreater(ink(outlined), ink(plain) + 200)
+                    for method in ("Image Space", "Toon Shading", "Segments Through Voxels"):
+                        setattr(display, f"{prefix}SilhouetteMethod", method)
+                        self.assertNotEqual(picture(self.view).tolist(), outlined.tolist(), method)
                     setattr(display, f"{prefix}Silhouettes", 0)
                     numpy.testing.assert_array_equal(picture(self.view), plain)
                     Hide(source, self.view)

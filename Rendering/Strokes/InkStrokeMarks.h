@@ -47,6 +47,7 @@ public:
       vtkMTimeType Surface; ///< 0: none hides them
       std::optional<InkViewUniforms> Shown;
       bool WithHidden;
+      double Tolerance;
       double LeastRun;
       bool operator==(const Source&) const = default;
     };

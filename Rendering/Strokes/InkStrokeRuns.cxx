@@ -66,11 +66,12 @@ InkStrokeRuns InkStrokeRuns::FindWhole(const InkStrokePoints& strokes)
 }
 
 InkStrokeRuns InkStrokeRuns::FindVisible(const InkStrokePoints& strokes, const InkViewUniforms& view,
-  const std::vector<float>& depths, double leastRun, bool withHidden)
+  const std::vector<float>& depths, double tolerance, double leastRun, bool withHidden)
 {
   ink::CurveOccluders occluders{ { depths, view.Size[0], view.Size[1] } };
   std::copy(view.DepthToClip.begin(), view.DepthToClip.end(), occluders.depthToClip);
   occluders.pixel = view.Pixel;
+  occluders.tolerance = tolerance;
   const glm::dmat4 toClip =
     glm::dmat4(glm::make_mat4(view.VCDC.data())) * glm::dmat4(glm::make_mat4(view.MCVC.data()));
 

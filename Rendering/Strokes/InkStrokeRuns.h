@@ -40,10 +40,11 @@ struct InkStrokeRuns
   /// What a surface leaves visible.
   /// @param view that the depth image shows
   /// @param depths of the surface, one for each pixel of the view
+  /// @param tolerance how far behind the surface they may lie, in view units
   /// @param leastRun pixels of the depth image: shorter runs join their neighbors
   /// @param withHidden the parts that it hides, too
   static InkStrokeRuns FindVisible(const InkStrokePoints& strokes, const InkViewUniforms& view,
-    const std::vector<float>& depths, double leastRun, bool withHidden);
+    const std::vector<float>& depths, double tolerance, double leastRun, bool withHidden);
 
   std::vector<Point> Points;
   std::vector<Run> Runs; ///< the hidden ones first, so that others are drawn over them

@@ -390,7 +390,7 @@ void vtkInkStrokeMapper::UpdateRuns(InkStrokeMarks& marks, const InkViewUniforms
 {
   InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
   InkStrokeMarks::View::Source source{ marks.GetUploadTime(), 0, {}, this->HiddenParts != OMITTED,
-    view.TileScale * this->ShortestPart };
+    view.Unit * this->DepthTolerance / marks.Strokes.GetFrame().Unit, view.TileScale * this->ShortestPart };
   if (depth && !byPixel)
   {
     source.Surface = depth->UploadTime;
@@ -409,7 +409,7 @@ void vtkInkStrokeMapper::UpdateRuns(InkStrokeMarks& marks, const InkViewUniforms
     finer.Pixel = depth->View->Pixel;
     const double factor = view.Pixel / finer.Pixel;
     runs = InkStrokeRuns::FindVisible(
-      marks.Strokes, finer, ReadDepth(*depth), factor * source.LeastRun, source.WithHidden);
+      marks.Strokes, finer, ReadDepth(*depth), source.Tolerance, factor * source.LeastRun, source.WithHidden);
   }
   else
   {

@@ -234,6 +234,16 @@ public:
   vtkGetMacro(Lift, double);
   ///@}
 
+  ///@{
+  /**
+   * How far behind the surface strokes may lie and still count as visible, in the strokes' own unit: for
+   * silhouettes by normals that are smoother than the surface, which lie a little behind its ridges. What is
+   * farther behind is hidden. 0 (default) to 1e38. NaN is refused with a warning.
+   */
+  InkSetClampMacro(DepthTolerance, 0.0, 1e38);
+  vtkGetMacro(DepthTolerance, double);
+  ///@}
+
   /// How the parts are drawn that the surface hides.
   enum HiddenPartStyles
   {
@@ -442,6 +452,7 @@ private:
   double Density = 1.0;
   double InkColor[3] = { 0.0, 0.0, 0.0 };
   double Lift = 2.0;
+  double DepthTolerance = 0.0;
   int HiddenParts = OMITTED;
   double HiddenOpacity = 0.3;
   double ShortestPart = 4.0;

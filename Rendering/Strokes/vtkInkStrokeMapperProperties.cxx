@@ -51,6 +51,7 @@ void vtkInkStrokeMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetDensity(from->GetDensity());
     this->SetInkColor(from->GetInkColor());
     this->SetLift(from->GetLift());
+    this->SetDepthTolerance(from->GetDepthTolerance());
     this->SetHiddenParts(from->GetHiddenParts());
     this->SetHiddenOpacity(from->GetHiddenOpacity());
     this->SetShortestPart(from->GetShortestPart());
@@ -86,6 +87,7 @@ void vtkInkStrokeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InkColor: " << this->InkColor[0] << ' ' << this->InkColor[1] << ' ' << this->InkColor[2]
      << "\n";
   os << indent << "Lift: " << this->Lift << "\n";
+  os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
   os << indent << "HiddenParts: " << this->GetHiddenPartsAsString() << "\n";
   os << indent << "HiddenOpacity: " << this->HiddenOpacity << "\n";
   os << indent << "ShortestPart: " << this->ShortestPart << "\n";

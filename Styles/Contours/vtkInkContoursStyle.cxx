@@ -6,16 +6,14 @@
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
+#include "InkSilhouetteMethod.h"
 #include "InkStyleProcesses.h"
-#include "vtkInkEdgeVoxels.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -54,6 +52,7 @@ constexpr Way Presets[] = {
 
 vtkInkContoursStyle::vtkInkContoursStyle()
   : IsoSurface(std::make_unique<InkIsoSurface>())
+  , Method(std::make_unique<InkSilhouetteMethod>(this->Mapper))
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetFeatureAngle(40.0);
@@ -75,7 +74,7 @@ const InkParameterTable& vtkInkContoursStyle::GetParameterTable()
 
 vtkMTimeType vtkInkContoursStyle::GetRecipeMTime()
 {
-  return std::max(this->IsoSurface->GetMTime(), this->VoxelsChanged.GetMTime());
+  return std::max(this->IsoSurface->GetMTime(), this->Method->GetMTime());
 }
 
 vtkMapper* vtkInkContoursStyle::GetMapper()
@@ -86,6 +85,17 @@ vtkMapper* vtkInkContoursStyle::GetMapper()
 InkIsoSurface* vtkInkContoursStyle::GetIsoSurface()
 {
   return this->IsoSurface.get();
+}
+
+InkSilhouetteMethod* vtkInkContoursStyle::GetSilhouetteMethod()
+{
+  return this->Method.get();
+}
+
+const char* vtkInkContoursStyle::GetPieceName(int piece)
+{
+  static const char* const names[] = { "Contoured", "Surface" };
+  return piece >= 0 && piece < this->GetNumberOfPieces() ? names[piece] : nullptr;
 }
 
 vtkInkSilhouetteMapper* vtkInkContoursStyle::GetSilhouetteMapper()
@@ -130,56 +140,34 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
   {
     return this->TakeMesh(input, leaves, reason);
   }
-  if (this->Method == Mapper::VOXEL_SEGMENTS)
+  const bool ofVoxels = this->Method->NeedsVoxels();
+  std::string problem;
+  if (!ofVoxels || this->OnSurface)
   {
-    const std::string ofVoxels = this->MakeVoxels(leaves);
-    return !leaves.Images.empty() && !reason.empty() ? reason
-      : ofVoxels.empty()                             ? leaves.FindBesideImages()
-                                                     : ofVoxels;
+    problem = this->MakeSurface(input, leaves, this->GetPiece(ofVoxels ? SURFACE : CONTOURED));
   }
-  const std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
-  if (!problem.empty())
+  if (ofVoxels && problem.empty())
   {
-    return problem;
-  }
-  vtkPolyData* surface = this->GetPiece(0);
-  const std::string ofSurface =
-    InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, surface);
-  if (ofSurface.empty() && !input.Port)
-  {
-    this->IsoSurface->NoteWhereEmpty(this, surface);
+    problem = this->Method->MakeVoxels(this, leaves.Images, {}, this->GetPiece(CONTOURED));
   }
   return !leaves.Images.empty() && !reason.empty() ? reason
-    : ofSurface.empty()                            ? leaves.FindBesideImages()
-                                                   : ofSurface;
+    : problem.empty()                              ? leaves.FindBesideImages()
+                                                   : problem;
 }
 
-std::string vtkInkContoursStyle::MakeVoxels(const InkLeaves& leaves)
+std::string vtkInkContoursStyle::MakeSurface(
+  const Input& input, const InkLeaves& leaves, vtkPolyData* surface)
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> parts;
-  for (vtkImageData* image : this->GetProcesses().GatherImages(leaves.Images, {}))
+  std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  if (problem.empty())
   {
-    this->EdgeVoxels->SetInputData(image);
-    std::string problem = this->Follow(this->EdgeVoxels, "finding edge voxels");
-    if (!problem.empty())
+    problem = InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, surface);
+    if (problem.empty() && !input.Port)
     {
-      this->EdgeVoxels->SetInputData(nullptr);
-      return problem;
-    }
-    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
-    parts.back()->ShallowCopy(this->EdgeVoxels->GetOutput());
-  }
-  this->EdgeVoxels->SetInputData(nullptr);
-  vtkPolyData* voxels = this->GetPiece(0);
-  if (!parts.empty())
-  {
-    voxels->ShallowCopy(InkAppend(parts));
-    if (voxels->GetNumberOfPoints() == 0)
-    {
-      this->AddNote("no voxel of the image lies on an edge");
+      this->IsoSurface->NoteWhereEmpty(this, surface);
     }
   }
-  return {};
+  return problem;
 }
 
 std::string vtkInkContoursStyle::TakeMesh(
@@ -189,7 +177,7 @@ std::string vtkInkContoursStyle::TakeMesh(
   {
     return reason;
   }
-  if (this->Method == Mapper::VOXEL_SEGMENTS)
+  if (this->Method->NeedsVoxels() && !this->OnSurface)
   {
     return "segments through voxels need an image, found a mesh";
   }
@@ -204,34 +192,19 @@ std::string vtkInkContoursStyle::TakeMesh(
     return !leaves.Problem.empty() || whole->GetNumberOfPoints() > 0 ? reason : std::string();
   }
   this->SetFramePoints(whole->GetPoints());
-  const std::string problem = InkContourSurface(this).MakeOfMesh(whole, this->GetPiece(0));
+  const std::string problem =
+    InkContourSurface(this).MakeOfMesh(whole, this->GetPiece(CONTOURED), this->Method->NeedsVoxels());
   return leaves.Problem.empty() ? problem : reason;
 }
 
 void vtkInkContoursStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
-  vtkPolyData* surface = pieces[0];
-  this->Mapper->SetInputDataObject(surface && surface->GetNumberOfPoints() > 0 ? surface : nullptr);
-  this->UpdateMethod();
+  const auto usable = [](vtkPolyData* piece)
+  { return piece && piece->GetNumberOfPoints() > 0 ? piece : nullptr; };
+  this->Mapper->SetInputDataObject(usable(pieces[CONTOURED]));
+  this->Mapper->SetSurfaceData(usable(pieces[SURFACE]));
+  this->Method->Follow();
   this->SetCreases(this->Creases);
-}
-
-void vtkInkContoursStyle::UpdateMethod()
-{
-  vtkPolyData* piece = this->Mapper->GetInput();
-  vtkDataArray* gradients =
-    piece && !InkHasPolygons(piece) ? piece->GetPointData()->GetArray("Gradient") : nullptr;
-  if (!gradients)
-  {
-    // The piece is a surface until voxels are made.
-    this->Mapper->SetMethod(this->Method == Mapper::VOXEL_SEGMENTS ? Mapper::CHAINS : this->Method);
-    return;
-  }
-  this->Mapper->SetMethodToVoxelSegments();
-  // The magnitudes'.
-  double range[2];
-  gradients->GetFiniteRange(range, -1);
-  this->Mapper->SetLeastGradientMagnitude(this->LeastGradient * range[1]);
 }
 
 void vtkInkContoursStyle::UpdatePixels()
@@ -251,50 +224,10 @@ void vtkInkContoursStyle::SetPreset(int preset)
   this->SetCreases(way.Creases);
 }
 
-void vtkInkContoursStyle::SetMethod(int method)
-{
-  const int known = std::clamp<int>(method, Mapper::CHAINS, Mapper::TOON);
-  const bool wanted = known == Mapper::VOXEL_SEGMENTS;
-  if (wanted != (this->Method == Mapper::VOXEL_SEGMENTS))
-  {
-    this->VoxelsChanged.Modified();
-  }
-  this->Method = known;
-  this->UpdateMethod();
-}
-
-void vtkInkContoursStyle::SetEdgeScale(double scale)
-{
-  if (scale != this->GetEdgeScale())
-  {
-    this->EdgeVoxels->SetEdgeScale(scale);
-    this->VoxelsChanged.Modified();
-  }
-}
-
-double vtkInkContoursStyle::GetEdgeScale()
-{
-  return this->EdgeVoxels->GetEdgeScale();
-}
-
-void vtkInkContoursStyle::SetLeastGradient(double share)
-{
-  this->LeastGradient = share;
-  this->UpdateMethod();
-}
-
-void vtkInkContoursStyle::SetValueRange(const std::vector<double>& range)
-{
-  this->ValueRange = range;
-  const bool all = range.size() != 2;
-  this->Mapper->SetLowestValue(all ? -1e38 : range[0]);
-  this->Mapper->SetHighestValue(all ? 1e38 : range[1]);
-}
-
 void vtkInkContoursStyle::SetCreases(bool creases)
 {
   this->Creases = creases;
-  InkContourSurface::SetCreases(this->Mapper, creases);
+  InkContourSurface::Follow(this->Mapper, creases);
 }
 
 void vtkInkContoursStyle::SetPaperColor(double red, double green, double blue)

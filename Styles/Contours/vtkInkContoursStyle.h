@@ -9,14 +9,14 @@
  * creases it has are the voxels', and are not drawn. Points without polygons have no contours.
  *
  * Silhouettes can be found in the ways that Lu et al. (2003, section 5.6) publish, too, see the parameter
- * Method. Segments through voxels are those of images: edge voxels are their marks, no surface hides them,
- * and neither iso-values nor smoothing count.
+ * Method. Segments through voxels are those of images: edge voxels are their marks, no surface hides them
+ * unless OnSurface is set, and neither iso-values nor smoothing count.
  *
  * The surfaces of all leaves of composite data are one, and so are those of all processes: on the first one,
  * so that no contour ends where a process's part does. Of grids the outer surface is drawn.
  *
- * Contours follow the camera: the mapper finds them. One piece: the surface's mesh, or edge
- * voxels.
+ * Contours follow the camera: the mapper finds them. Pieces: the surface's mesh or edge voxels, and the
+ * surface that hides these.
  *
  * @sa vtkInkSilhouetteMapper
  */
@@ -24,14 +24,12 @@
 #define vtkInkContoursStyle_h
 
 #include "vtkInkStyle.h"
-#include "vtkNew.h"       // for what the style owns
-#include "vtkTimeStamp.h" // for when it changed
+#include "vtkNew.h" // for what the style owns
 
 #include <memory> // for what the style owns
-#include <vector> // for the values of voxels
 
 class InkIsoSurface;
-class vtkInkEdgeVoxels;
+class InkSilhouetteMethod;
 class vtkInkSilhouetteMapper;
 struct InkLeaves;
 
@@ -47,8 +45,13 @@ public:
   const char* GetDescription() override;
   std::string GetReasonAgainst(vtkDataObject* data) override;
 
-  int GetNumberOfPieces() override { return 1; }
-  const char* GetPieceName(int piece) override { return piece == 0 ? "Surface" : nullptr; }
+  enum PieceType
+  {
+    CONTOURED = 0, ///< the surface, or edge voxels
+    SURFACE = 1    ///< what hides segments through voxels; empty otherwise
+  };
+  int GetNumberOfPieces() override { return SURFACE + 1; }
+  const char* GetPieceName(int piece) override;
   void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
 
   vtkMapper* GetMapper() override;
@@ -65,20 +68,19 @@ public:
   /// What the style draws with; properties that are parameters are set as such.
   InkIsoSurface* GetIsoSurface();
   vtkInkSilhouetteMapper* GetSilhouetteMapper();
+  InkSilhouetteMethod* GetSilhouetteMethod();
   ///@}
+
+  /// Whether something else is drawn on the surface, which then is made in any case, and also hides segments
+  /// through voxels. Default: off.
+  vtkSetMacro(OnSurface, bool);
+  vtkGetMacro(OnSurface, bool);
+  vtkBooleanMacro(OnSurface, bool);
 
   ///@{
   /// Parameters; see their table.
   void SetPreset(int preset);
   vtkGetMacro(Preset, int);
-  void SetMethod(int method);
-  vtkGetMacro(Method, int);
-  void SetEdgeScale(double scale);
-  double GetEdgeScale();
-  void SetLeastGradient(double share);
-  vtkGetMacro(LeastGradient, double);
-  void SetValueRange(const std::vector<double>& range);
-  const std::vector<double>& GetValueRange() { return this->ValueRange; }
   void SetCreases(bool creases);
   vtkGetMacro(Creases, bool);
   void SetPaperColor(double red, double green, double blue);
@@ -106,20 +108,15 @@ private:
   /// @return what is wrong
   std::string TakeMesh(const Input& input, const InkLeaves& leaves, const std::string& reason);
 
-  /// Edge voxels of images, those of all processes.
-  std::string MakeVoxels(const InkLeaves& leaves);
-  /// How the mapper draws the piece that it has.
-  void UpdateMethod();
+  /// Of images. @return what is wrong
+  std::string MakeSurface(const Input& input, const InkLeaves& leaves, vtkPolyData* surface);
 
   std::unique_ptr<InkIsoSurface> IsoSurface;
-  vtkNew<vtkInkEdgeVoxels> EdgeVoxels;
-  vtkTimeStamp VoxelsChanged; ///< how they are found, or whether they are wanted
   vtkNew<vtkInkSilhouetteMapper> Mapper;
+  std::unique_ptr<InkSilhouetteMethod> Method;
   vtkNew<vtkActor> Actor;
   int Preset = 0;
-  int Method = 0;
-  double LeastGradient = 0.2;     ///< of the greatest
-  std::vector<double> ValueRange; ///< of voxels; empty: all
+  bool OnSurface = false;
   bool Creases = true;
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   double ShortestPart = 4.0; ///< in the picture's pixels

@@ -2,22 +2,45 @@
 #include "InkContourSurface.h"
 
 #include "InkHasPolygons.h"
+#include "InkImageGrid.h"
 #include "InkIsoSurface.h"
+#include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkCellData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
+#include "Fields/Resampling/AxisResampling.h"
+
+#include <algorithm>
 #include <vector>
 
 namespace
 {
 
-/// The cell array that surfaces of images have. Of field data less is left when pieces are put together.
+/// The cell array that surfaces of images have: how far behind the surface a silhouette by its normals may
+/// lie. Of field data less is left when pieces are put together.
 constexpr const char* OfImage = "OfImage";
+
+/// In standard deviations of the Gaussian that smooths the normals, but not the surface. The gradient at a
+/// distance s from the edge of a box is at right angles to an eye that sees the side beyond the edge at the
+/// angle b where exp(-s^2 / 2) = 2 Phi(s) tan b: s is 2.5 for 1.3 degrees.
+constexpr double Reach = 2.5;
+
+/// In the unit of the image.
+double FindTolerance(vtkImageData* image, vtkInkIsoSurfaceSampler* settings)
+{
+  if (settings->GetSmoothingTarget() != vtkInkIsoSurfaceSampler::NORMALS)
+  {
+    return 0.0;
+  }
+  const ink::GridGeometry grid = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  const glm::dvec3 deviation = grid.spacing() * ink::smoothingDeviation(grid, settings->GetSmoothing());
+  return Reach * std::max({ deviation.x, deviation.y, deviation.z });
+}
 
 } // namespace
 
@@ -26,10 +49,12 @@ bool InkContourSurface::IsOfImage(vtkPolyData* surface)
   return surface->GetCellData()->HasArray(OfImage);
 }
 
-void InkContourSurface::SetCreases(vtkInkSilhouetteMapper* mapper, bool creases)
+void InkContourSurface::Follow(vtkInkSilhouetteMapper* mapper, bool creases)
 {
   vtkPolyData* surface = mapper->GetInput();
-  mapper->SetCreases(creases && !(surface && IsOfImage(surface)));
+  vtkDataArray* ofImage = surface ? surface->GetCellData()->GetArray(OfImage) : nullptr;
+  mapper->SetCreases(creases && !ofImage);
+  mapper->SetDepthTolerance(ofImage && ofImage->GetNumberOfTuples() > 0 ? ofImage->GetRange()[1] : 0.0);
 }
 
 std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span<vtkImageData* const> images,
@@ -45,25 +70,30 @@ std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span
     {
       return problem;
     }
+    vtkNew<vtkFloatArray> mark;
+    mark->SetName(OfImage);
+    mark->SetNumberOfTuples(parts.back()->GetNumberOfCells());
+    mark->Fill(FindTolerance(image, isoSurface.GetSampler()));
+    parts.back()->GetCellData()->AddArray(mark);
   }
   if (!parts.empty())
   {
     surface->ShallowCopy(InkAppend(parts));
-    vtkNew<vtkUnsignedCharArray> mark;
-    mark->SetName(OfImage);
-    mark->SetNumberOfTuples(surface->GetNumberOfCells());
-    mark->Fill(1);
-    surface->GetCellData()->AddArray(mark);
   }
   return {};
 }
 
-std::string InkContourSurface::MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface)
+std::string InkContourSurface::MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface, bool voxels)
 {
   if (!InkHasPolygons(mesh))
   {
     this->Style->AddNote("there are no silhouettes, as the points have no polygons between them");
     return {};
+  }
+  if (voxels)
+  {
+    this->Style->AddNote(
+      "silhouettes are lines in image space, as segments through voxels need an image; found a mesh");
   }
   return this->Style->TakeMeshWithNormals(mesh, true, surface);
 }

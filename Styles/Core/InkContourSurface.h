@@ -37,14 +37,16 @@ public:
    * A mesh as it is; where it has no normals they are computed from its polygons, also split at edges of more
    * than 30 degrees, which is noted. Of points without polygons none, which is noted, too.
    * @param surface becomes it
+   * @param voxels whether silhouettes were to be segments through voxels, which is noted
    * @return what is wrong; empty if nothing is
    */
-  std::string MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface);
+  std::string MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface, bool voxels = false);
 
   /// Whether a surface, wherever it was delivered to, is an image's: what creases it has are its voxels'.
   static bool IsOfImage(vtkPolyData* surface);
-  /// Sets whether a mapper draws creases, but for those of its input if that is an image's surface.
-  static void SetCreases(vtkInkSilhouetteMapper* mapper, bool creases);
+  /// Sets what a mapper draws its input with: creases, but not those of an image's surface; and how far behind
+  /// that surface silhouettes may lie, as its normals may be those of a smoother one.
+  static void Follow(vtkInkSilhouetteMapper* mapper, bool creases);
 
 private:
   vtkInkStyle* const Style;

@@ -7,6 +7,8 @@
 
 #include "vtkPolyData.h"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -20,6 +22,7 @@ constexpr double Lift = 8.0;
 } // namespace
 
 InkSilhouettes::InkSilhouettes(vtkInkMapper* under)
+  : Method(this->Mapper)
 {
   this->Mapper->SetDepthWidth(0.5);
   this->Mapper->SetFeatureAngle(40.0);
@@ -36,6 +39,17 @@ vtkInkSilhouetteMapper* InkSilhouettes::GetMapper()
   return this->Mapper;
 }
 
+InkSilhouetteMethod* InkSilhouettes::GetMethod()
+{
+  return &this->Method;
+}
+
+vtkMTimeType InkSilhouettes::GetMTime() const
+{
+  const vtkMTimeType own = this->Changed.GetMTime();
+  return this->Wanted ? std::max(own, this->Method.GetMTime()) : own;
+}
+
 void InkSilhouettes::SetSilhouettes(bool silhouettes)
 {
   if (this->Wanted != silhouettes)
@@ -48,7 +62,7 @@ void InkSilhouettes::SetSilhouettes(bool silhouettes)
 void InkSilhouettes::SetCreases(bool creases)
 {
   this->Creases = creases;
-  InkContourSurface::SetCreases(this->Mapper, creases);
+  InkContourSurface::Follow(this->Mapper, creases);
 }
 
 void InkSilhouettes::SetInkColor(const double color[3])
@@ -61,8 +75,26 @@ void InkSilhouettes::SetPixelScale(double scale)
   this->Mapper->SetShortestPart(scale * ShortestPart);
 }
 
-void InkSilhouettes::Show(vtkPolyData* surface)
+std::string InkSilhouettes::MakeOfImages(vtkInkStyle* style, InkIsoSurface& isoSurface,
+  std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* piece)
 {
-  this->Mapper->SetInputDataObject(surface && surface->GetNumberOfPoints() > 0 ? surface : nullptr);
+  return !this->Wanted            ? std::string()
+    : this->Method.NeedsVoxels() ? this->Method.MakeVoxels(style, images, array, piece)
+                                  : InkContourSurface(style).MakeOfImages(isoSurface, images, array, piece);
+}
+
+std::string InkSilhouettes::MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vtkPolyData* piece)
+{
+  return this->Wanted ? InkContourSurface(style).MakeOfMesh(mesh, piece, this->Method.NeedsVoxels())
+                      : std::string();
+}
+
+void InkSilhouettes::Show(vtkPolyData* piece, vtkPolyData* hiding)
+{
+  const auto usable = [](vtkPolyData* data)
+  { return data && data->GetNumberOfPoints() > 0 ? data : nullptr; };
+  this->Mapper->SetInputDataObject(usable(piece));
+  this->Mapper->SetSurfaceData(InkSilhouetteMethod::IsOfVoxels(piece) ? usable(hiding) : nullptr);
+  this->Method.Follow();
   this->SetCreases(this->Creases);
 }

@@ -2,13 +2,20 @@
 #ifndef InkSilhouettes_h
 #define InkSilhouettes_h
 
+#include "InkSilhouetteMethod.h"
 #include "vtkInkStylesModule.h" // for the export macro
 
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
 
+#include <span>
+#include <string>
+
+class InkIsoSurface;
+class vtkImageData;
 class vtkInkMapper;
 class vtkInkSilhouetteMapper;
+class vtkInkStyle;
 class vtkPolyData;
 
 /// Silhouettes of the surface that a style draws otherwise, as strokes over its marks: an option of styles
@@ -41,14 +48,33 @@ public:
   /// As the style's.
   void SetPixelScale(double scale);
 
-  /// Shows those of a surface, see InkContourSurface; null or empty: of none.
-  void Show(vtkPolyData* surface);
+  /// How they are found; what is a parameter is set as such.
+  InkSilhouetteMethod* GetMethod();
 
-  /// When it changed last whether a surface is needed.
-  vtkMTimeType GetMTime() const { return this->Changed.GetMTime(); }
+  ///@{
+  /**
+   * Makes what they are of, if there are any: a surface as InkContourSurface does, or edge voxels of images as
+   * InkSilhouetteMethod does; all processes call it at once.
+   * @param isoSurface of what is drawn; after Prepare
+   * @param array the point array of the images; empty: the active scalars
+   * @param piece becomes it
+   * @return what is wrong; empty if nothing is
+   */
+  std::string MakeOfImages(vtkInkStyle* style, InkIsoSurface& isoSurface,
+    std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* piece);
+  std::string MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vtkPolyData* piece);
+  ///@}
+
+  /// Shows those of a piece; null or empty: none.
+  /// @param hiding a surface that hides segments through voxels; null: nothing does
+  void Show(vtkPolyData* piece, vtkPolyData* hiding);
+
+  /// When it changed last which piece is needed.
+  vtkMTimeType GetMTime() const;
 
 private:
   vtkNew<vtkInkSilhouetteMapper> Mapper;
+  InkSilhouetteMethod Method;
   bool Wanted = false;
   bool Creases = false;
   vtkTimeStamp Changed;

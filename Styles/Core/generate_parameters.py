@@ -82,18 +82,23 @@ def load(path):
 
 
 def inherited(document, path, row):
-    """A row `from` another table, with the object that its setter belongs to."""
+    """A row `from` another table, which may have it from a third one, with the object that its setter belongs to."""
     folder, name = row["from"], row.get("of", row["name"])
-    other = load(os.path.join(os.path.dirname(path), "..", folder, "parameters.json"))
+    other_path = os.path.join(os.path.dirname(path), "..", folder, "parameters.json")
+    other = load(other_path)
     for group in other["groups"]:
         for one in group["parameters"]:
             if one["name"] == name:
                 target, method = one.get("sets", f"{group['object']}.{name}").split(".")
-                steps = [document.get("styles", {}).get(folder, ""), other["objects"][target]]
-                objects = "()->".join(step for step in steps if step)
+                objects = other["objects"][target]
+                if "from" in one:
+                    sets = "sets" in one
+                    one, *inner = inherited(other, other_path, one)
+                    objects, method = (objects, method) if sets else inner
+                steps = [document.get("styles", {}).get(folder, ""), objects]
                 # Names in ParaView are those of one style.
                 shared = {key: value for key, value in one.items() if key != "panel" or value is False}
-                return {**shared, **row}, objects, method
+                return {**shared, **row}, "()->".join(step for step in steps if step), method
     sys.exit(f"{path}: {row['name']}: expected a row of {folder}, found none named '{name}'")
 
 

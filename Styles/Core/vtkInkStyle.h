@@ -328,6 +328,7 @@ protected:
 private:
   friend class InkContourSurface;
   friend class InkIsoSurface;
+  friend class InkSilhouetteMethod;
   vtkInkStyle(const vtkInkStyle&) = delete;
   void operator=(const vtkInkStyle&) = delete;
 

@@ -8,6 +8,7 @@
 #include "InkMeshTriangles.h"
 #include "InkParameter.h"
 #include "InkPointNormals.h"
+#include "InkSilhouetteMethod.h"
 #include "InkStyleProcesses.h"
 #include "Mesh/InsideOut.h"
 #include "vtkInkContoursStyle.h"
@@ -94,13 +95,14 @@ void FaceOutward(vtkPolyData* surface)
   surface->GetPointData()->SetNormals(turned);
 }
 
-constexpr const char* PieceNames[] = { "Surface", "Strokes" };
+constexpr const char* PieceNames[] = { "Surface", "Strokes", "Edge voxels" };
 
 } // namespace
 
 vtkInkLineArtStyle::vtkInkLineArtStyle()
 {
   this->SetCurvature(OF_IMAGE);
+  this->Contours->OnSurfaceOn();
   this->Lines->SetSmoothingIterations(SmoothingIterations);
   this->Lines->SetStopDistance(StopDistance);
   this->Lines->SetMinimumLength(MinimumLength);
@@ -195,9 +197,17 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   const std::string problem = this->MakeMarksOf(this->Contours, input);
   vtkPolyData* surface = this->GetPiece(0);
   vtkPolyData* strokes = this->GetPiece(1);
-  surface->ShallowCopy(this->Contours->GetPiece(0));
+  // Segments through voxels have a piece of their own beside the surface's.
+  vtkPolyData* contoured = this->Contours->GetPiece(vtkInkContoursStyle::CONTOURED);
+  const bool ofVoxels = InkSilhouetteMethod::IsOfVoxels(contoured);
+  surface->ShallowCopy(ofVoxels ? this->Contours->GetPiece(vtkInkContoursStyle::SURFACE) : contoured);
+  this->GetPiece(2)->Initialize();
+  if (ofVoxels)
+  {
+    this->GetPiece(2)->ShallowCopy(contoured);
+  }
   strokes->Initialize();
-  this->SetFramePoints(this->Contours->GetFramePoints());
+  this->SetFramePoints(ofVoxels ? surface->GetPoints() : this->Contours->GetFramePoints());
   if (!problem.empty() || surface->GetNumberOfPoints() == 0)
   {
     return problem;
@@ -235,7 +245,9 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
 
 void vtkInkLineArtStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
-  this->Contours->ShowPieces({ pieces[0] });
+  vtkPolyData* voxels = pieces[2];
+  const bool ofVoxels = voxels && voxels->GetNumberOfPoints() > 0;
+  this->Contours->ShowPieces({ ofVoxels ? voxels : pieces[0], ofVoxels ? pieces[0] : nullptr });
   this->OfImage = pieces[0] && InkContourSurface::IsOfImage(pieces[0]);
   this->UpdateCulling();
   const auto usable = [](vtkPolyData* piece)

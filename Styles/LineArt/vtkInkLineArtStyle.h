@@ -12,7 +12,8 @@
  * on request the mesh's.
  *
  * Lines of curvature are found once; which of them are drawn and how wide follows the camera and the light in
- * each picture. Two pieces: the surface's mesh and the strokes.
+ * each picture. Pieces: the surface's mesh, the strokes, and edge
+ * voxels where contours are segments through these.
  *
  * @sa vtkInkLinesOfCurvature vtkInkHatching vtkInkStrokeMapper vtkInkContoursStyle
  */
@@ -48,7 +49,7 @@ public:
   const char* GetDescription() override;
   std::string GetReasonAgainst(vtkDataObject* data) override;
 
-  int GetNumberOfPieces() override { return 2; }
+  int GetNumberOfPieces() override { return 3; }
   const char* GetPieceName(int piece) override;
   void ShowPieces(const std::vector<vtkPolyData*>& pieces) override;
 

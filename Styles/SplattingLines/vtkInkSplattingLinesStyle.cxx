@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesStyle.h"
 
-#include "InkContourSurface.h"
 #include "InkDiscStipples.h"
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
@@ -141,13 +140,10 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
   {
     this->SetFramePoints(mesh->GetPoints());
   }
-  if (this->Silhouettes->GetSilhouettes())
+  const std::string problem = this->Silhouettes->MakeOfMesh(this, mesh, this->GetPiece(SILHOUETTES));
+  if (!problem.empty())
   {
-    const std::string problem = InkContourSurface(this).MakeOfMesh(mesh, this->GetPiece(SILHOUETTES));
-    if (!problem.empty())
-    {
-      return problem;
-    }
+    return problem;
   }
   if (!InkHasPolygons(mesh) && InkHasDiscs(mesh))
   {
@@ -165,10 +161,10 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
 {
   // All processes take part, also those whose image cannot be drawn.
   std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
-  if (problem.empty() && this->Silhouettes->GetSilhouettes())
+  if (problem.empty())
   {
-    problem =
-      InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, this->GetPiece(SILHOUETTES));
+    problem = this->Silhouettes->MakeOfImages(
+      this, *this->IsoSurface, leaves.Images, {}, this->GetPiece(SILHOUETTES));
   }
   problem = reason.empty() ? problem : reason;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
@@ -220,7 +216,7 @@ std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
 void vtkInkSplattingLinesStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
   this->Mapper->SetInputDataObject(pieces[POINTS]);
-  this->Silhouettes->Show(pieces[SILHOUETTES]);
+  this->Silhouettes->Show(pieces[SILHOUETTES], pieces[POINTS]);
   this->UpdateColors();
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleRecipe.h"
 
-#include "InkContourSurface.h"
 #include "InkHasPolygons.h"
 #include "InkHasSurface.h"
 #include "InkIsoSurface.h"
@@ -223,11 +222,8 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
 void InkStippleRecipe::OutlineImages(const InkLeaves& leaves, InkIsoSurface& isoSurface)
 {
   vtkInkStippleStyle* style = this->Style;
-  if (style->Silhouettes->GetSilhouettes())
-  {
-    this->Say(InkContourSurface(style).MakeOfImages(
-      isoSurface, leaves.Images, style->Scalars, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
-  }
+  this->Say(style->Silhouettes->MakeOfImages(style, isoSurface, leaves.Images, style->Scalars,
+    style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
 }
 
 void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
@@ -255,7 +251,11 @@ void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle:
   vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
-  if (style->Silhouettes->GetSilhouettes())
+  if (style->Silhouettes->GetMethod()->NeedsVoxels())
+  {
+    this->OutlineImages(leaves, *style->IsoSurface);
+  }
+  else if (style->Silhouettes->GetSilhouettes())
   {
     // They are those of a surface, though no surface is stippled. A panel always has an iso-value, which
     // counts where its surface is.
@@ -370,10 +370,7 @@ void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)
     return;
   }
   style->SetFramePoints(mesh->GetPoints());
-  if (style->Silhouettes->GetSilhouettes())
-  {
-    this->Say(InkContourSurface(style).MakeOfMesh(mesh, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
-  }
+  this->Say(style->Silhouettes->MakeOfMesh(style, mesh, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
   this->StippleSurface(mesh);
 }
 

@@ -10,6 +10,7 @@
 #include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStippleRecipe.h"
+#include "vtkInkSilhouetteMapper.h"
 #include "vtkInkStippleActor.h"
 #include "vtkInkStippleControls.h"
 #include "vtkInkStippleGenerator.h"
@@ -146,7 +147,7 @@ void vtkInkStippleStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
   vtkPolyData* stipples = pieces[STIPPLES];
   vtkPolyData* surface = pieces[SURFACE];
   vtkPolyData* numbers = pieces[NUMBERS];
-  this->Silhouettes->Show(pieces[SILHOUETTES]);
+  this->Silhouettes->Show(pieces[SILHOUETTES], surface);
   if (!stipples || !numbers || numbers->GetNumberOfPoints() == 0)
   {
     this->Drawn->Initialize();
@@ -206,6 +207,9 @@ void vtkInkStippleStyle::SetPreset(int preset)
   this->Controls->SetPreset(vtkInkStippleControls::GetPresetName(preset));
   this->Controls->GetPaperColor(this->PaperColor);
   this->Silhouettes->SetInkColor(this->Mapper->GetInkColor());
+  const bool asPublished = std::string(this->Controls->GetPreset()) == "as-published";
+  this->Silhouettes->GetMethod()->SetMethod(
+    asPublished ? vtkInkSilhouetteMapper::VOXEL_SEGMENTS : vtkInkSilhouetteMapper::CHAINS);
   this->SizeUnit = this->Mapper->GetSizeUnit();
   this->StippleSize = this->Mapper->GetStippleSize();
   this->PixelsPerStipple = this->Mapper->GetPixelsPerStipple();

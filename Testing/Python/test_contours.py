@@ -228,6 +228,47 @@ def test_volumes_that_are_no_balls():
         assert 0.01 < drawn.mean() < 0.15
 
 
+def bits(inside):
+    """A volume of 0 and 1, in the cube of side 2."""
+    image = vtk.vtkImageData()
+    image.SetDimensions(inside.shape[::-1])
+    step = 2 / max(inside.shape)
+    image.SetSpacing([step] * 3)
+    image.SetOrigin([-step * (n - 1) / 2 for n in image.GetDimensions()])
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(inside.astype("u1").ravel(), deep=True))
+    return image
+
+
+def shell(size, outer, thickness):
+    """The walls of a box of voxels."""
+    walls = np.ones((outer,) * 3)
+    walls[(slice(thickness, -thickness),) * 3] = 0
+    return np.pad(walls, (size - outer) // 2)
+
+
+@pytest.mark.parametrize(
+    "inside", [shell(12, 8, 1), shell(16, 12, 2), np.pad(np.ones((6, 6, 6)), 3), np.pad(np.ones((10, 1, 10)), ((3, 3), (7, 8), (3, 3)))],
+    ids=["walls-of-one", "walls-of-two", "box", "plate"],
+)  # fmt: skip
+@pytest.mark.parametrize("direction", [(0.04, 0.02, 1), (0.3, 0.2, 1)])
+def test_bits_have_a_whole_outline(inside, direction):
+    """Their normals are smoothed and their points are not: silhouettes by these lie behind the surface's edges."""
+    drawn = draw(bits(inside), direction)
+    filled = draw(bits(inside), direction, style="splatting-lines", tau=0.8, phi=0, paper_color="black")
+    # Of the outline's points each has ink within a voxel.
+    covered = filled > 0.5
+    inner = covered.copy()
+    for axis in (0, 1):
+        for step in (-1, 1):
+            inner &= np.roll(covered, step, axis)
+    rim = np.argwhere(covered & ~inner)
+    ink = np.argwhere(drawn > 0.5)
+    assert len(ink) > 100
+    voxel = SIZE / max(inside.shape)
+    nearest = np.array([np.hypot(*(ink - point).T).min() for point in rim])
+    assert (nearest < voxel).mean() > 0.97
+
+
 @pytest.mark.parametrize("style", ["illustration", "splatting-lines", "stipple"])
 @pytest.mark.parametrize("data", [sphere, ball], ids=["mesh", "image"])
 def test_silhouettes_are_drawn_over_other_styles(style, data):
@@ -241,6 +282,22 @@ def test_silhouettes_are_drawn_over_other_styles(style, data):
     assert (outlined != plain)[away > 6].mean() < 0.002
     colored = draw(data(), style=style, silhouette_width=20, ink_color="white", **iso)
     assert colored[away < 3].max() < 0.1
+
+
+@pytest.mark.parametrize("method", ["voxel-segments", "image-space", "toon"])
+@pytest.mark.parametrize("style", ["illustration", "splatting-lines", "stipple"])
+def test_published_silhouettes_are_drawn_over_other_styles(style, method):
+    """Ink is added around the circle, and within it nowhere."""
+    image = ball()
+    values = numpy_support.vtk_to_numpy(image.GetPointData().GetScalars())
+    values[:] = np.tanh((values - 100) / 8)
+    y, x = np.mgrid[:SIZE, :SIZE] + 0.5 - SIZE / 2
+    away = np.abs(np.hypot(x, y) - RADIUS * SIZE / 2)
+    plain = draw(image, style=style, iso_values=0)
+    outlined = draw(image, style=style, iso_values=0, silhouette_method=method, silhouette_width=12)
+    added = outlined - plain
+    assert added[away < 6].sum() > 300
+    assert (np.abs(added) > 0.05)[away > 24].mean() < 0.002
 
 
 def test_silhouettes_follow_the_viewer_and_hide_behind_their_surface():

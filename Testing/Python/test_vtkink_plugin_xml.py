@@ -161,8 +161,8 @@ def cases():
                 row = rows.get(element.get("initial_string"))
                 if row:
                     style = next(one for one in objects if isinstance(one, vtkink.vtkInkStyle))
-                    # InkIsoSurface and InkSilhouettes are not wrapped: what is their own is the style's parameter.
-                    if row["object"].startswith(("GetIsoSurface", "GetSilhouettes")):
+                    # These are not wrapped: what is their own is the style's parameter.
+                    if re.search("GetIsoSurface|GetSilhouettes|GetSilhouetteMethod", row["object"]):
                         owner, name = style, row["name"]
                     else:
                         owner = style

@@ -67,6 +67,42 @@ double wall(double x, double)
   return x < 100.0 ? 300.0 : nothing;
 }
 
+/// A ring behind a broad bar and a narrow one: wherever it begins, the broad one alone hides it.
+TEST(CurveVisibility, AShortPartBesideTheLongestRunJoinsIt)
+{
+  const View view([](double x, double y)
+    { return (x > 150 && std::abs(y - 100) < 20) || (x < 100 && std::abs(y - 130) < 1.5) ? 100.0 : nothing; });
+  constexpr int count = 90;
+  for (int shift = 0; shift < count; shift += 10)
+  {
+    for (const int direction : { -1, 1 })
+    {
+      std::vector<CurvePoint> ring;
+      for (int i = 0; i < count; ++i)
+      {
+        const double angle = 2.0 * std::numbers::pi * (direction * i + shift) / count;
+        ring.push_back(view.at(100 + 80 * std::cos(angle), 100 + 80 * std::sin(angle), 500));
+      }
+      const double share = hiddenShare(ink::findVisibleRuns(ring, true, view.occluders(), 8.0));
+      EXPECT_NEAR(share, 2.0 * std::asin(20.0 / 80.0) / (2.0 * std::numbers::pi), 0.01) << shift << ' ' << direction;
+    }
+  }
+}
+
+TEST(CurveVisibility, WhatLiesBehindByLessThanTheToleranceIsVisible)
+{
+  const View view([](double, double) { return 400.0; });
+  ink::CurveOccluders occluders = view.occluders();
+  for (const double behind : { 5.0, 100.0 }) // near and far, by pixels
+  {
+    const std::vector<CurvePoint> line{ view.at(20, 100, 400.0 + behind), view.at(180, 100, 400.0 + behind) };
+    occluders.tolerance = 1.1 * behind;
+    EXPECT_EQ(hiddenShare(ink::findVisibleRuns(line, false, occluders, 4.0)), 0.0) << behind;
+    occluders.tolerance = 0.9 * behind - 1.0;
+    EXPECT_EQ(hiddenShare(ink::findVisibleRuns(line, false, occluders, 4.0)), 1.0) << behind;
+  }
+}
+
 } // namespace
 
 TEST(CurveVisibility, BehindAWall)

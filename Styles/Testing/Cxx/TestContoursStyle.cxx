@@ -317,7 +317,7 @@ TEST(ContoursStyle, VoxelSegmentsAreThoseOfEdgeVoxels)
   vtkInkSilhouetteMapper* mapper = style->GetSilhouetteMapper();
   ASSERT_TRUE(style->Draw(image));
   ASSERT_TRUE(style->SetParameterAsString("Method", "voxel-segments"));
-  EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::CHAINS) << "the surface is still the piece";
+  EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::IMAGE_SPACE) << "the surface is still the piece";
   ASSERT_TRUE(style->Draw(image));
   EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::VOXEL_SEGMENTS);
   vtkPolyData* voxels = style->GetPiece(0);

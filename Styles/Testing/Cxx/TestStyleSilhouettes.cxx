@@ -4,17 +4,22 @@
 
 #include "InkSilhouettes.h"
 #include "InkStyleProcesses.h"
+#include "vtkInkContoursStyle.h"
 #include "vtkInkIllustrationStyle.h"
+#include "vtkInkLineArtStyle.h"
 #include "vtkInkSilhouetteMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleStyle.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <new>
 #include <span>
@@ -135,6 +140,116 @@ TEST(StyleSilhouettes, NoIsoSurfaceIsNoted)
   EXPECT_STREQ(style->GetNote(0),
     "there are no silhouettes: expected an image with two different finite values or more, found none");
   EXPECT_NE(std::string(style->GetNote(1)).find("nothing to draw"), std::string::npos);
+}
+
+/// A boundary, blurred, of a ball.
+vtkSmartPointer<vtkImageData> MakeBlurredBall()
+{
+  const auto image = MakeBall(24);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetTuple1(i, std::round(120.0 + 100.0 * std::tanh((values->GetTuple1(i) - 100.0) / 20.0)));
+  }
+  return image;
+}
+
+/// Segments through voxels are of an image's edge voxels, all others of its surface.
+TEST(StyleSilhouettes, MethodsAreOfVoxelsOrOfTheSurface)
+{
+  vtkNew<vtkInkSplattingLinesStyle> lines;
+  vtkNew<vtkInkStippleStyle> stipple;
+  vtkNew<vtkInkIllustrationStyle> illustration;
+  for (vtkInkStyle* style : std::initializer_list<vtkInkStyle*>{ lines, stipple, illustration })
+  {
+    SCOPED_TRACE(style->GetName());
+    const int ofStipples = vtkInkStippleStyle::SILHOUETTES;
+    const int ofLines = vtkInkSplattingLinesStyle::SILHOUETTES;
+    const int piece = style == stipple.Get() ? ofStipples : ofLines;
+    vtkInkSilhouetteMapper* mapper = style == lines.Get() ? lines->GetSilhouettes()->GetMapper()
+      : style == stipple.Get()                            ? stipple->GetSilhouettes()->GetMapper()
+                                                    : illustration->GetSilhouettes()->GetMapper();
+    ASSERT_TRUE(style->SetParameterAsString("Silhouettes", "on"));
+    ASSERT_TRUE(style->Draw(MakeBlurredBall()));
+    EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::CHAINS);
+    const vtkMTimeType before = style->GetMTime();
+    ASSERT_TRUE(style->SetParameterAsString("SilhouetteMethod", "toon"));
+    EXPECT_EQ(style->GetMTime(), before) << "the surface is there already";
+    EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::TOON);
+    ASSERT_TRUE(style->SetParameterAsString("SilhouetteMethod", "voxel-segments"));
+    EXPECT_GT(style->GetMTime(), before) << "voxels have to be found";
+    ASSERT_TRUE(style->Draw(MakeBlurredBall()));
+    EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::VOXEL_SEGMENTS);
+    vtkPolyData* voxels = style->GetPiece(piece);
+    EXPECT_EQ(mapper->GetInput(), voxels);
+    EXPECT_EQ(voxels->GetNumberOfPolys(), 0);
+    ASSERT_GT(voxels->GetNumberOfPoints(), 100);
+    const double greatest = voxels->GetPointData()->GetArray("Gradient")->GetFiniteRange(-1)[1];
+    ASSERT_TRUE(style->SetParameter("SilhouetteLeastGradient", 0.5));
+    EXPECT_NEAR(mapper->GetLeastGradientMagnitude(), 0.5 * greatest, 1e-4 * greatest);
+    ASSERT_TRUE(style->SetParameter("SilhouetteValueRange", 50.0, 190.0));
+    EXPECT_EQ(mapper->GetHighestValue(), 190.0);
+
+    // A mesh has no voxels: lines in image space, which are Lu's own for surfaces.
+    ASSERT_TRUE(style->Draw(MakeMesh()));
+    EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::IMAGE_SPACE);
+    EXPECT_GT(style->GetPiece(piece)->GetNumberOfPolys(), 100);
+    bool noted = false;
+    for (int note = 0; note < style->GetNumberOfNotes(); ++note)
+    {
+      noted = noted || std::string(style->GetNote(note)).find("voxels need an image") != std::string::npos;
+    }
+    EXPECT_TRUE(noted);
+  }
+}
+
+TEST(StyleSilhouettes, StipplesAsPublishedHaveTheSilhouettesOfTheirPaper)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  EXPECT_EQ(style->GetParameterAsString("SilhouetteMethod"), "chains");
+  const vtkMTimeType before = style->GetSilhouettes()->GetMTime();
+  ASSERT_TRUE(style->ApplyPreset("as-published"));
+  EXPECT_EQ(style->GetSilhouettes()->GetMTime(), before) << "without silhouettes nothing is to be made";
+  EXPECT_EQ(style->GetParameterAsString("SilhouetteMethod"), "voxel-segments");
+  EXPECT_EQ(style->GetParameterAsString("Silhouettes"), "off");
+  ASSERT_TRUE(style->ApplyPreset("bone"));
+  EXPECT_EQ(style->GetParameterAsString("SilhouetteMethod"), "chains");
+}
+
+/// And choose none.
+TEST(StyleSilhouettes, SegmentsThroughVoxelsNeedNoIsoSurface)
+{
+  const auto style = MakeStippleStyleOfVoxels();
+  ASSERT_TRUE(style->SetParameterAsString("SilhouetteMethod", "voxel-segments"));
+  ASSERT_TRUE(style->Draw(MakeBlurredBall()));
+  EXPECT_GT(style->GetPiece(vtkInkStippleStyle::SILHOUETTES)->GetNumberOfPoints(), 100);
+  for (int note = 0; note < style->GetNumberOfNotes(); ++note)
+  {
+    EXPECT_EQ(std::string(style->GetNote(note)).find("iso-value"), std::string::npos) << style->GetNote(note);
+  }
+}
+
+/// Hatching is on the surface, whatever contours are of.
+TEST(StyleSilhouettes, LineArtKeepsItsSurface)
+{
+  vtkNew<vtkInkLineArtStyle> style;
+  ASSERT_TRUE(style->SetParameter("Density", 0.1));
+  const auto image = MakeBlurredBall();
+  ASSERT_TRUE(style->Draw(image));
+  vtkInkSilhouetteMapper* mapper = style->GetContoursStyle()->GetSilhouetteMapper();
+  const vtkIdType strokes = style->GetPiece(1)->GetNumberOfPoints();
+  ASSERT_GT(strokes, 100);
+  EXPECT_EQ(style->GetPiece(2)->GetNumberOfPoints(), 0);
+  ASSERT_TRUE(style->SetParameterAsString("ContourMethod", "voxel-segments"));
+  ASSERT_TRUE(style->Draw(image));
+  EXPECT_EQ(style->GetPiece(1)->GetNumberOfPoints(), strokes);
+  EXPECT_GT(style->GetPiece(0)->GetNumberOfPolys(), 100);
+  EXPECT_EQ(mapper->GetInput(), style->GetPiece(2));
+  EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::VOXEL_SEGMENTS);
+  EXPECT_EQ(mapper->GetInputDataObject(1, 0), style->GetPiece(0)) << "it hides what is behind";
+  ASSERT_TRUE(style->Draw(MakeMesh()));
+  EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::IMAGE_SPACE);
+  EXPECT_GT(style->GetPiece(1)->GetNumberOfPoints(), 0);
 }
 
 /// Runs out of memory where the surface is put together.

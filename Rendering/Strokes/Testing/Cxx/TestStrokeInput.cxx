@@ -167,6 +167,7 @@ TEST(StrokeInput, Parameters)
   mapper->SetDensity(0.25);
   mapper->SetInkColor(0.1, 0.2, 0.3);
   mapper->SetLift(5.0);
+  mapper->SetDepthTolerance(0.5);
   mapper->SetHiddenOpacity(0.6);
   mapper->SetShortestPart(9.0);
   vtkNew<vtkInkStrokeMapper> copy;
@@ -180,7 +181,7 @@ TEST(StrokeInput, Parameters)
   };
   EXPECT_EQ(print(copy), print(mapper));
   for (const char* text : { "SizeUnit: World", "Join: Miter", "Cap: Butt", "HiddenParts: Dashed",
-         "LineWidth: 0", "ShortestPart: 9", "InkColor: 0.1 0.2 0.3" })
+         "LineWidth: 0", "DepthTolerance: 0.5", "ShortestPart: 9", "InkColor: 0.1 0.2 0.3" })
   {
     EXPECT_NE(print(mapper).find(text), std::string::npos) << text;
   }
