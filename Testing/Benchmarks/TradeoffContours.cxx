@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Silhouettes of volumes for one eye: how far they are from the true curve, how much of it they leave open
-// and how much they add, against the time to find them.
+// Silhouettes of volumes and meshes for one eye: how far they are from the true curve, against the time to
+// find them.
 
 #include "Tradeoff.h"
 
 #include "AnalyticFields.h"
 #include "Curves/Contours/GridContours.h"
+#include "Curves/Contours/MeshContours.h"
 #include "Curves/Contours/ProjectContour.h"
 #include "Curves/Contours/SilhouetteVoxels.h"
 #include "HashNoise.h"
+#include "SampledMeshes.h"
 #include "SampledVolume.h"
 
 #include <glm/geometric.hpp>
@@ -85,9 +87,34 @@ ink::GridContourOptions Projected(int steps)
   return options;
 }
 
-} // namespace
+/// Silhouettes of a mesh of the torus with its normals.
+class TorusMesh
+{
+public:
+  explicit TorusMesh(int rows)
+    : Mesh(ink::test::torus(Shape.major, Shape.minor, 2 * rows, rows))
+  {
+    for (const glm::dvec3& p : this->Mesh.points)
+    {
+      this->Normals.emplace_back(glm::normalize(Shape.gradient(p)));
+    }
+  }
 
-int main()
+  ink::MeshContours Finder(bool faceted) const
+  {
+    ink::MeshContourOptions options;
+    options.faceted = faceted;
+    return { this->Mesh.view(), this->Normals, options };
+  }
+
+  double Error(bool faceted) const { return MeanDistance(this->Finder(faceted).find(View).positions); }
+
+private:
+  ink::test::Mesh Mesh;
+  std::vector<glm::vec3> Normals;
+};
+
+void MeasureVolumes()
 {
   const Volume<float> clean = Scan(1, 0.0);
   const Volume<float> noisy = Scan(1, 0.02);
@@ -115,7 +142,41 @@ int main()
         { "2 % noise", MeanDistance(ofNoisy.find(View, {}, Projected(steps)).positions) } },
       steps == 0 ? Tradeoff::Default : Tradeoff::Choice);
   }
-  Tradeoff::PrintHeader();
   knob.Print();
+}
+
+void MeasureMeshes()
+{
+  Tradeoff knob("Silhouettes of meshes",
+    "Keep interpolated silhouettes; take faceted ones where normals are missing or the polygons' edges are to "
+    "be seen.",
+    "mean distance from the true contour, thousandths of the tube's radius",
+    "one eye, torus of 262,144 triangles; the trees of cones were made before");
+  const TorusMesh coarse(24);
+  const TorusMesh medium(96);
+  const TorusMesh fine(256);
+  const ink::MeshContours interpolated = fine.Finder(false);
+  const ink::MeshContours faceted = fine.Finder(true);
+  const auto add = [&](const char* name, const ink::MeshContours& finder, bool isFaceted, Tradeoff::Role role)
+  {
+    const double unit = 1e3 / Shape.minor;
+    knob.Add(
+      name, [&finder] { finder.find(View); },
+      { { "2,304 triangles", unit * coarse.Error(isFaceted) },
+        { "36,864 triangles", unit * medium.Error(isFaceted) } },
+      role);
+  };
+  add("faceted", faceted, true, Tradeoff::Choice);
+  add("interpolated", interpolated, false, Tradeoff::Default);
+  knob.Print();
+}
+
+} // namespace
+
+int main()
+{
+  Tradeoff::PrintHeader();
+  MeasureVolumes();
+  MeasureMeshes();
   return 0;
 }
