@@ -264,7 +264,9 @@ std::optional<JetFit> fit(const TangentPoints& points, std::size_t count)
     : result.reach * std::sqrt(std::max(left, 0.0) / (moments.powers[0] * freedom));
   // Steeper ones are no surface over the tangent plane, and have directions of few digits.
   constexpr double steepest = 100.0;
-  if (!(std::hypot(polynomial[monomial(1, 0)], polynomial[monomial(1, 1)]) < steepest))
+  const double slopeU = polynomial[monomial(1, 0)];
+  const double slopeV = polynomial[monomial(1, 1)];
+  if (!(slopeU * slopeU + slopeV * slopeV < steepest * steepest))
   {
     return std::nullopt;
   }
@@ -279,6 +281,14 @@ double JetFit::noise() const
   constexpr double measured = 10.0;
   return measured * this->residual /
     (this->reach * this->reach * std::sqrt(static_cast<double>(this->count)));
+}
+
+double JetFit::noiseExcess() const
+{
+  constexpr double share = 0.02;
+  constexpr double flat = 0.01; // an angle, within the reach
+  const double size = std::max(std::abs(this->curvature.k1), std::abs(this->curvature.k2));
+  return this->noise() / (share * std::max(size, flat / this->reach));
 }
 
 std::optional<JetFit> fitJet(const TangentPoints& points, std::size_t count, int degree)

@@ -25,6 +25,9 @@ struct JetFit
   /// residual: residual / (reach^2 sqrt(count)) times a factor that was measured on spheres with noise, and
   /// is about the same for all sizes of neighborhoods and both degrees.
   double noise() const;
+  /// The noise relative to what may be left: what changes the curvature little, compared to its size or,
+  /// where the surface is nearly flat, to a bend that can hardly be seen.
+  double noiseExcess() const;
 };
 
 /// The curvature of the polynomial of degree 2 or 3 in u and v that fits the heights of points best, in the

@@ -2,6 +2,7 @@
 #include "Curvature/MeshCurvature.h"
 
 #include "Core/ParallelFor.h"
+#include "Curvature/CurvatureDiffusion.h"
 #include "Curvature/ExponentialMapFit.h"
 #include "Curvature/RingFit.h"
 #include "Curvature/SurfaceRings.h"
@@ -143,6 +144,33 @@ void checkOptions(
   }
 }
 
+/// How many rings a fit of few coefficients needs at least.
+constexpr int fewestRings = 2;
+
+/// Whether noise is averaged away. Derivatives need wider fits.
+bool diffuses(const CurvatureOptions& options)
+{
+  return options.estimator == CurvatureEstimator::Jet && options.adaptive && !options.derivatives &&
+    options.rings > fewestRings;
+}
+
+/// Those of the fits that are averaged.
+CurvatureOptions narrowest(CurvatureOptions options)
+{
+  options.rings = fewestRings;
+  options.adaptive = false;
+  return options;
+}
+
+CurvatureNoise noiseOf(const JetFit& fit, int mostPasses)
+{
+  // Somewhat more than wanted, since residuals of few points are not known well.
+  constexpr double margin = 2.0;
+  const double excess = fit.noiseExcess();
+  const double passes = excess > 1.0 ? std::ceil(passesToDivideNoise(margin * excess)) : 0.0;
+  return { fit.noise(), static_cast<std::uint8_t>(std::min<double>(passes, mostPasses)) };
+}
+
 /// What one thread needs.
 struct Scratch
 {
@@ -157,6 +185,16 @@ struct Scratch
 
 } // namespace
 
+int curvatureReach(const CurvatureOptions& options)
+{
+  if (options.estimator == CurvatureEstimator::ExponentialMap)
+  {
+    return 1;
+  }
+  return diffuses(options) ? std::max(options.rings, fewestRings + passesForRings(options.rings))
+                           : options.rings;
+}
+
 MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   const CurvatureOptions& options, const Progress& progress)
 {
@@ -170,10 +208,29 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   result.derivatives.resize(options.derivatives ? count : 0);
 
   const RingFit fitter(mesh.points, rings, up, options);
+  const CurvatureOptions narrowOptions = narrowest(options);
+  const RingFit narrowFitter(mesh.points, rings, up, narrowOptions);
+  const int mostPasses = passesForRings(options.rings);
+  std::vector<CurvatureNoise> noise(diffuses(options) ? count : 0);
+  const auto fitRings = [&](std::uint32_t site, Scratch& scratch)
+  {
+    if (diffuses(options))
+    {
+      const std::optional<JetFit> narrow = narrowFitter.fit(site, scratch.front);
+      // Where noise is not small compared to the neighborhood, its slopes change more than curvature; and
+      // residuals without degrees of freedom say nothing.
+      constexpr double steepest = 0.25;
+      if (narrow && narrow->residual < steepest * narrow->reach)
+      {
+        noise[site] = noiseOf(*narrow, mostPasses);
+        return narrow;
+      }
+    }
+    return fitter.fit(site, scratch.front);
+  };
   const auto fitJetAt = [&](std::uint32_t site, Scratch& scratch)
   {
-    const std::optional<JetFit> fit = fitter.fit(site, scratch.front);
-    if (fit)
+    if (const std::optional<JetFit> fit = fitRings(site, scratch))
     {
       result.points[site] = fit->curvature;
       if (options.derivatives)
@@ -232,6 +289,23 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   if (!finished)
   {
     return {};
+  }
+  if (diffuses(options))
+  {
+    const std::vector<std::uint32_t> uneven = diffuseCurvature(rings, noise, result);
+    // There residuals of wider fits tell noise from form.
+    forEachPart(uneven.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        RingFit::Front& front = scratches.local().front;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          if (const std::optional<JetFit> fit = fitter.fit(uneven[i], front))
+          {
+            result.points[uneven[i]] = fit->curvature;
+          }
+        }
+      });
   }
   fillUnknown(rings, up, result);
   for (std::size_t point = 0; point < count; ++point)

@@ -56,6 +56,9 @@ struct MeshCurvature
   std::vector<CurvatureDerivative> derivatives; ///< empty unless asked for
 };
 
+/// How many rings of edges around a point its curvature depends on; normals, on one more.
+int curvatureReach(const CurvatureOptions& options);
+
 /// Estimates the curvature at each point of a mesh, the same for any number of threads. The mesh need be
 /// neither closed, oriented nor manifold; points of borders that share a position are joined.
 /// @param normals one per point, of any length, out of the surface: they say on which side outside is. If

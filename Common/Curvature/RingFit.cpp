@@ -9,21 +9,6 @@
 namespace ink
 {
 
-namespace
-{
-
-/// How much noise may change the curvature: little, compared to its size or, where the surface is nearly
-/// flat, to a bend that can hardly be seen.
-double tolerableNoise(const JetFit& fit)
-{
-  constexpr double share = 0.02;
-  constexpr double flat = 0.01; // an angle, within the reach
-  const double size = std::max(std::abs(fit.curvature.k1), std::abs(fit.curvature.k2));
-  return share * std::max(size, flat / fit.reach);
-}
-
-} // namespace
-
 RingFit::RingFit(std::span<const glm::dvec3> points, const SurfaceRings& rings,
   std::span<const glm::dvec3> normals, const CurvatureOptions& options)
   : Points(points)
@@ -109,7 +94,7 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
       break;
     }
     best = next ? next : best;
-    const double excess = best ? best->noise() / tolerableNoise(*best) : 0.0;
+    const double excess = best ? best->noiseExcess() : 0.0;
     if (rings == most || (best && excess <= 1.0))
     {
       break;
