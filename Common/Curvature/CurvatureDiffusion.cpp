@@ -64,8 +64,8 @@ struct SpatialCurvature
 private:
   double squareOfForm() const
   {
-    const auto squares = this->numbers.head<6>().square();
-    return squares.head<3>().sum() + 2.0 * squares.tail<3>().sum();
+    const Eigen::Array<double, 6, 1> occurrences(1.0, 1.0, 1.0, 2.0, 2.0, 2.0);
+    return (occurrences * this->numbers.head<6>().square()).sum();
   }
 };
 

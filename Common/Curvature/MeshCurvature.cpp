@@ -144,22 +144,20 @@ void checkOptions(
   }
 }
 
-/// How many rings a fit of few coefficients needs at least.
-constexpr int fewestRings = 2;
-
-/// Whether noise is averaged away. Derivatives need wider fits.
+/// Whether noise is averaged away, and not fitted by more rings, as derivatives need.
 bool diffuses(const CurvatureOptions& options)
 {
   return options.estimator == CurvatureEstimator::Jet && options.adaptive && !options.derivatives &&
-    options.rings > fewestRings;
+    options.rings >= RingFit::fewestRingsAtBorders;
 }
 
-/// Those of the fits that are averaged.
-CurvatureOptions narrowest(CurvatureOptions options)
+/// Whether a fit to few rings says how much noise there is, and averages lessen it: residuals without degrees
+/// of freedom say nothing, and noise that is not small compared to the neighborhood tilts the fits too much
+/// for their forms to be added up in space.
+bool canBeAveraged(const JetFit& fit)
 {
-  options.rings = fewestRings;
-  options.adaptive = false;
-  return options;
+  constexpr double mostNoise = 0.25; // of the reach
+  return fit.residual < mostNoise * fit.reach;
 }
 
 CurvatureNoise noiseOf(const JetFit& fit, int mostPasses)
@@ -191,8 +189,8 @@ int curvatureReach(const CurvatureOptions& options)
   {
     return 1;
   }
-  return diffuses(options) ? std::max(options.rings, fewestRings + passesForRings(options.rings))
-                           : options.rings;
+  const int diffused = RingFit::fewestRingsAtBorders + passesForRings(options.rings);
+  return diffuses(options) ? std::max(options.rings, diffused) : options.rings;
 }
 
 MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
@@ -208,22 +206,17 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   result.derivatives.resize(options.derivatives ? count : 0);
 
   const RingFit fitter(mesh.points, rings, up, options);
-  const CurvatureOptions narrowOptions = narrowest(options);
-  const RingFit narrowFitter(mesh.points, rings, up, narrowOptions);
   const int mostPasses = passesForRings(options.rings);
   std::vector<CurvatureNoise> noise(diffuses(options) ? count : 0);
   const auto fitRings = [&](std::uint32_t site, Scratch& scratch)
   {
     if (diffuses(options))
     {
-      const std::optional<JetFit> narrow = narrowFitter.fit(site, scratch.front);
-      // Where noise is not small compared to the neighborhood, its slopes change more than curvature; and
-      // residuals without degrees of freedom say nothing.
-      constexpr double steepest = 0.25;
-      if (narrow && narrow->residual < steepest * narrow->reach)
+      const std::optional<JetFit> fit = fitter.fitFewest(site, scratch.front);
+      if (fit && canBeAveraged(*fit))
       {
-        noise[site] = noiseOf(*narrow, mostPasses);
-        return narrow;
+        noise[site] = noiseOf(*fit, mostPasses);
+        return fit;
       }
     }
     return fitter.fit(site, scratch.front);

@@ -18,6 +18,11 @@ RingFit::RingFit(std::span<const glm::dvec3> points, const SurfaceRings& rings,
 {
 }
 
+int RingFit::fewestRingsAt(std::uint32_t site) const
+{
+  return this->Rings.shape(site) == RingShape::Closed ? fewestRings : fewestRingsAtBorders;
+}
+
 void RingFit::start(std::uint32_t site, Front& front) const
 {
   const auto [axisU, axisV] = tangentAxes(this->Normals[site]);
@@ -73,6 +78,13 @@ void RingFit::addRings(int count, Front& front) const
   }
 }
 
+std::optional<JetFit> RingFit::fitFewest(std::uint32_t site, Front& front) const
+{
+  this->start(site, front);
+  this->addRings(this->fewestRingsAt(site), front);
+  return fitJet(front.points, front.points.count, this->Options.degree);
+}
+
 std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
 {
   // Of two residuals; that of few points is not known better.
@@ -82,9 +94,8 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
   const int most = this->Options.rings;
   std::optional<JetFit> best;
   this->start(site, front);
-  constexpr int fewest = 2;
   int collected = 0;
-  for (int rings = this->Options.adaptive ? std::min(fewest, most) : most;;)
+  for (int rings = this->Options.adaptive ? std::min(this->fewestRingsAt(site), most) : most;;)
   {
     this->addRings(rings - collected, front);
     collected = rings;
