@@ -30,9 +30,9 @@ double passesToDivideNoise(double factor);
 /// The passes that leave of the noise of two rings as much as a fit to this many rings does.
 int passesForRings(int rings);
 
-/// Averages curvature over neighbors, pass after pass: second fundamental forms, as tensors of space, and
-/// normals. What many points say costs little more than what few say, as sites share the passes' sums.
-/// Neighbors that face away from a site do not count.
+/// Averages curvature over neighbors, pass after pass (Rusinkiewicz 2004 averages triangles at points so):
+/// second fundamental forms, as tensors of space, and normals. What many points say costs little more than
+/// what few say, as sites share the passes' sums. Neighbors that face away from a site do not count.
 ///
 /// Where curvature varies more among those who are averaged than noise explains, the surface itself is
 /// uneven: such a site keeps what it has got before.
