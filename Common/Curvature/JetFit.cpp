@@ -318,9 +318,14 @@ std::optional<PrincipalCurvature> fitPinnedQuadric(const TangentPoints& points)
     if (square > 0.0)
     {
       const double stretch = 1.0 + height * height / square;
-      const Eigen::Vector3d row = stretch * Eigen::Vector3d(0.5 * u * u, root * u * v, 0.5 * v * v);
+      // Deviations of curvature, and not of heights: far points of slivers would decide along near ones, too.
+      // But points that coincide up to noise have none.
+      constexpr double noise = 1e-10; // a squared distance
+      const double weight = 1.0 / (square + noise);
+      const Eigen::Vector3d row =
+        (weight * stretch) * Eigen::Vector3d(0.5 * u * u, root * u * v, 0.5 * v * v);
       matrix += row * row.transpose();
-      right += height * row;
+      right += (weight * height) * row;
     }
   }
   const Eigen::Vector3d x = leastNormSolution<3>(matrix, right);
