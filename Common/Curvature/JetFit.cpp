@@ -119,8 +119,10 @@ bool solve(const Moments<degree>& moments, Polynomial& result)
   double diagonal[size];
   double inverse[size];
   double x[size];
-  // Coordinates are at most 1, and so is what the matrix has on its diagonal, up to a common factor.
-  constexpr double rankTolerance = 1e-9;
+  // The squared sine of the angle between a monomial and those before it. Of whole neighborhoods it is .015
+  // or more, of meshes stretched fourfold 1e-4; of three rows of points, as ribbons are, up to 1e-5 by their
+  // bend, which does not tell anything of the third power across.
+  constexpr double rankTolerance = 3e-5;
   int i = 0;
 #pragma GCC unroll 4
   for (int di = 0; di <= degree; ++di)
@@ -264,7 +266,9 @@ std::optional<JetFit> fit(const TangentPoints& points, std::size_t count)
     : result.reach * std::sqrt(std::max(left, 0.0) / (moments.powers[0] * freedom));
   // Steeper ones are no surface over the tangent plane, and have directions of few digits.
   constexpr double steepest = 100.0;
-  if (!(std::hypot(polynomial[monomial(1, 0)], polynomial[monomial(1, 1)]) < steepest))
+  const double slopeU = polynomial[monomial(1, 0)];
+  const double slopeV = polynomial[monomial(1, 1)];
+  if (!(slopeU * slopeU + slopeV * slopeV < steepest * steepest))
   {
     return std::nullopt;
   }
@@ -279,6 +283,14 @@ double JetFit::noise() const
   constexpr double measured = 10.0;
   return measured * this->residual /
     (this->reach * this->reach * std::sqrt(static_cast<double>(this->count)));
+}
+
+double JetFit::noiseExcess() const
+{
+  constexpr double share = 0.02;
+  constexpr double flat = 0.01; // an angle, within the reach
+  const double size = std::max(std::abs(this->curvature.k1), std::abs(this->curvature.k2));
+  return this->noise() / (share * std::max(size, flat / this->reach));
 }
 
 std::optional<JetFit> fitJet(const TangentPoints& points, std::size_t count, int degree)
@@ -306,9 +318,14 @@ std::optional<PrincipalCurvature> fitPinnedQuadric(const TangentPoints& points)
     if (square > 0.0)
     {
       const double stretch = 1.0 + height * height / square;
-      const Eigen::Vector3d row = stretch * Eigen::Vector3d(0.5 * u * u, root * u * v, 0.5 * v * v);
+      // Deviations of curvature, and not of heights: far points of slivers would decide along near ones, too.
+      // But points that coincide up to noise have none.
+      constexpr double noise = 1e-10; // a squared distance
+      const double weight = 1.0 / (square + noise);
+      const Eigen::Vector3d row =
+        (weight * stretch) * Eigen::Vector3d(0.5 * u * u, root * u * v, 0.5 * v * v);
       matrix += row * row.transpose();
-      right += height * row;
+      right += (weight * height) * row;
     }
   }
   const Eigen::Vector3d x = leastNormSolution<3>(matrix, right);

@@ -25,6 +25,9 @@ struct JetFit
   /// residual: residual / (reach^2 sqrt(count)) times a factor that was measured on spheres with noise, and
   /// is about the same for all sizes of neighborhoods and both degrees.
   double noise() const;
+  /// The noise relative to what may be left: what changes the curvature little, compared to its size or,
+  /// where the surface is nearly flat, to a bend that can hardly be seen.
+  double noiseExcess() const;
 };
 
 /// The curvature of the polynomial of degree 2 or 3 in u and v that fits the heights of points best, in the
@@ -42,7 +45,8 @@ std::optional<JetFit> fitJet(const TangentPoints& points, std::size_t count, int
 
 /// The curvature of u^2 l / 2 + u v m + v^2 n / 2: the normal is taken as exact, and the distances of points
 /// from the origin as their distances in the tangent plane, so that points of a sphere give its curvature.
-/// For points that are too few for fitJet; coefficients that they do not determine are zero.
+/// Each point counts as the normal curvature in its direction, however far it is. For points that are too few
+/// for fitJet; coefficients that they do not determine are zero.
 /// @return nothing if none is determined, or one is not finite
 std::optional<PrincipalCurvature> fitPinnedQuadric(const TangentPoints& points);
 

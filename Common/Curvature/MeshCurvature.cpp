@@ -2,6 +2,7 @@
 #include "Curvature/MeshCurvature.h"
 
 #include "Core/ParallelFor.h"
+#include "Curvature/CurvatureDiffusion.h"
 #include "Curvature/ExponentialMapFit.h"
 #include "Curvature/RingFit.h"
 #include "Curvature/SurfaceRings.h"
@@ -143,6 +144,31 @@ void checkOptions(
   }
 }
 
+/// Whether noise is averaged away, and not fitted by more rings, as derivatives need.
+bool diffuses(const CurvatureOptions& options)
+{
+  return options.estimator == CurvatureEstimator::Jet && options.adaptive && !options.derivatives &&
+    options.rings >= RingFit::fewestRingsAtBorders;
+}
+
+/// Whether a fit to few rings says how much noise there is, and averages lessen it: residuals without degrees
+/// of freedom say nothing, and noise that is not small compared to the neighborhood tilts the fits too much
+/// for their forms to be added up in space.
+bool canBeAveraged(const JetFit& fit)
+{
+  constexpr double mostNoise = 0.25; // of the reach
+  return fit.residual < mostNoise * fit.reach;
+}
+
+CurvatureNoise noiseOf(const JetFit& fit, int mostPasses)
+{
+  // Somewhat more than wanted, since residuals of few points are not known well.
+  constexpr double margin = 2.0;
+  const double excess = fit.noiseExcess();
+  const double passes = excess > 1.0 ? std::ceil(passesToDivideNoise(margin * excess)) : 0.0;
+  return { fit.noise(), static_cast<std::uint8_t>(std::min<double>(passes, mostPasses)) };
+}
+
 /// What one thread needs.
 struct Scratch
 {
@@ -157,6 +183,16 @@ struct Scratch
 
 } // namespace
 
+int curvatureReach(const CurvatureOptions& options)
+{
+  if (options.estimator == CurvatureEstimator::ExponentialMap)
+  {
+    return 1;
+  }
+  const int diffused = RingFit::fewestRingsAtBorders + passesForRings(options.rings);
+  return diffuses(options) ? std::max(options.rings, diffused) : options.rings;
+}
+
 MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   const CurvatureOptions& options, const Progress& progress)
 {
@@ -170,10 +206,24 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   result.derivatives.resize(options.derivatives ? count : 0);
 
   const RingFit fitter(mesh.points, rings, up, options);
+  const int mostPasses = passesForRings(options.rings);
+  std::vector<CurvatureNoise> noise(diffuses(options) ? count : 0);
+  const auto fitRings = [&](std::uint32_t site, Scratch& scratch)
+  {
+    if (diffuses(options))
+    {
+      const std::optional<JetFit> fit = fitter.fitFewest(site, scratch.front);
+      if (fit && canBeAveraged(*fit))
+      {
+        noise[site] = noiseOf(*fit, mostPasses);
+        return fit;
+      }
+    }
+    return fitter.fit(site, scratch.front);
+  };
   const auto fitJetAt = [&](std::uint32_t site, Scratch& scratch)
   {
-    const std::optional<JetFit> fit = fitter.fit(site, scratch.front);
-    if (fit)
+    if (const std::optional<JetFit> fit = fitRings(site, scratch))
     {
       result.points[site] = fit->curvature;
       if (options.derivatives)
@@ -232,6 +282,23 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   if (!finished)
   {
     return {};
+  }
+  if (diffuses(options))
+  {
+    const std::vector<std::uint32_t> uneven = diffuseCurvature(rings, noise, result);
+    // There residuals of wider fits tell noise from form.
+    forEachPart(uneven.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        RingFit::Front& front = scratches.local().front;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          if (const std::optional<JetFit> fit = fitter.fit(uneven[i], front))
+          {
+            result.points[uneven[i]] = fit->curvature;
+          }
+        }
+      });
   }
   fillUnknown(rings, up, result);
   for (std::size_t point = 0; point < count; ++point)

@@ -29,7 +29,9 @@ struct CurvatureOptions
   /// Of Jet: how many rings of edges around a point are fitted, 1 to mostCurvatureRings; the most if
   /// `adaptive`. More smooth out noise, and detail.
   int rings = 5;
-  /// Of Jet: take as few rings, from 2 on, as noise allows, which is told from the residuals.
+  /// Of Jet: fit two rings, and average away as much of the noise that is told from the residuals as wider
+  /// fits would, see diffuseCurvature. Where the surface itself is uneven, or derivatives are wanted: take as
+  /// few rings, from 2 on, as noise allows.
   bool adaptive = true;
   /// Of Jet: the degree of the polynomial, 2 or 3. 3 is better where points are irregular. Where `adaptive`
   /// takes more rings because of noise it is 2, unless derivatives are wanted: fewer coefficients are known
@@ -55,6 +57,9 @@ struct MeshCurvature
   std::vector<CurvatureSource> sources;
   std::vector<CurvatureDerivative> derivatives; ///< empty unless asked for
 };
+
+/// How many rings of edges around a point its curvature depends on; normals, on one more.
+int curvatureReach(const CurvatureOptions& options);
 
 /// Estimates the curvature at each point of a mesh, the same for any number of threads. The mesh need be
 /// neither closed, oriented nor manifold; points of borders that share a position are joined.

@@ -9,21 +9,6 @@
 namespace ink
 {
 
-namespace
-{
-
-/// How much noise may change the curvature: little, compared to its size or, where the surface is nearly
-/// flat, to a bend that can hardly be seen.
-double tolerableNoise(const JetFit& fit)
-{
-  constexpr double share = 0.02;
-  constexpr double flat = 0.01; // an angle, within the reach
-  const double size = std::max(std::abs(fit.curvature.k1), std::abs(fit.curvature.k2));
-  return share * std::max(size, flat / fit.reach);
-}
-
-} // namespace
-
 RingFit::RingFit(std::span<const glm::dvec3> points, const SurfaceRings& rings,
   std::span<const glm::dvec3> normals, const CurvatureOptions& options)
   : Points(points)
@@ -31,6 +16,11 @@ RingFit::RingFit(std::span<const glm::dvec3> points, const SurfaceRings& rings,
   , Normals(normals)
   , Options(options)
 {
+}
+
+int RingFit::fewestRingsAt(std::uint32_t site) const
+{
+  return this->Rings.shape(site) == RingShape::Closed ? fewestRings : fewestRingsAtBorders;
 }
 
 void RingFit::start(std::uint32_t site, Front& front) const
@@ -88,6 +78,13 @@ void RingFit::addRings(int count, Front& front) const
   }
 }
 
+std::optional<JetFit> RingFit::fitFewest(std::uint32_t site, Front& front) const
+{
+  this->start(site, front);
+  this->addRings(this->fewestRingsAt(site), front);
+  return fitJet(front.points, front.points.count, this->Options.degree);
+}
+
 std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
 {
   // Of two residuals; that of few points is not known better.
@@ -97,9 +94,8 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
   const int most = this->Options.rings;
   std::optional<JetFit> best;
   this->start(site, front);
-  constexpr int fewest = 2;
   int collected = 0;
-  for (int rings = this->Options.adaptive ? std::min(fewest, most) : most;;)
+  for (int rings = this->Options.adaptive ? std::min(this->fewestRingsAt(site), most) : most;;)
   {
     this->addRings(rings - collected, front);
     collected = rings;
@@ -109,7 +105,7 @@ std::optional<JetFit> RingFit::fit(std::uint32_t site, Front& front) const
       break;
     }
     best = next ? next : best;
-    const double excess = best ? best->noise() / tolerableNoise(*best) : 0.0;
+    const double excess = best ? best->noiseExcess() : 0.0;
     if (rings == most || (best && excess <= 1.0))
     {
       break;

@@ -56,6 +56,15 @@ public:
   RingFit(std::span<const glm::dvec3> points, const SurfaceRings& rings, std::span<const glm::dvec3> normals,
     const CurvatureOptions& options);
 
+  /// How many rings are fitted at least, if as many are allowed: at borders one more than elsewhere, as three
+  /// rows of points, one-sided, do not determine a polynomial of degree 3.
+  static constexpr int fewestRings = 2;
+  static constexpr int fewestRingsAtBorders = 3;
+
+  /// The fit of the degree asked for to the fewest rings.
+  /// @return nothing if they do not determine it
+  std::optional<JetFit> fitFewest(std::uint32_t site, Front& front) const;
+
   /// The fit to the rings around a site. With adaptive rings, to the fewest in which noise changes curvature
   /// little; where more would leave much larger residuals, the surface and not its noise makes them, and the
   /// fewer are taken.
@@ -67,6 +76,7 @@ public:
   std::optional<PrincipalCurvature> fitPinned(std::uint32_t site, Front& front) const;
 
 private:
+  int fewestRingsAt(std::uint32_t site) const;
   void start(std::uint32_t site, Front& front) const;
   void addRings(int count, Front& front) const;
 

@@ -70,6 +70,14 @@ vtkSmartPointer<vtkPolyData> WithGhosts(vtkPolyData* mesh)
   return copy;
 }
 
+ink::CurvatureOptions OptionsOf(vtkInkPrincipalCurvature* filter)
+{
+  const bool isJet = filter->GetEstimator() == vtkInkPrincipalCurvature::JET;
+  const bool derivatives = filter->GetComputeDerivative() && isJet && filter->GetDegree() == 3;
+  return { isJet ? ink::CurvatureEstimator::Jet : ink::CurvatureEstimator::ExponentialMap,
+    filter->GetNumberOfRings(), filter->GetAdaptive(), filter->GetDegree(), derivatives };
+}
+
 ink::MeshCurvature OfMesh(
   vtkPolyData* mesh, const ink::CurvatureOptions& options, const ink::Progress& progress)
 {
@@ -241,10 +249,9 @@ int vtkInkPrincipalCurvature::RequestUpdateExtent(
   }
   else if (mesh && outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1)
   {
-    const int rings = this->Estimator == JET ? this->NumberOfRings : 1;
     // One more, for the normals of the last ring.
-    mesh->Set(
-      SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + rings + 1);
+    mesh->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + ink::curvatureReach(OptionsOf(this)) + 1);
   }
   return 1;
 }
@@ -296,12 +303,7 @@ int vtkInkPrincipalCurvature::RequestData(
     }
     else
     {
-      const bool isJet = this->Estimator == JET;
-      const bool derivatives = this->ComputeDerivative && isJet && this->Degree == 3;
-      found = OfMesh(mesh,
-        { isJet ? ink::CurvatureEstimator::Jet : ink::CurvatureEstimator::ExponentialMap, this->NumberOfRings,
-          this->Adaptive, this->Degree, derivatives },
-        progress);
+      found = OfMesh(mesh, OptionsOf(this), progress);
     }
     if (found.points.size() != static_cast<std::size_t>(mesh->GetNumberOfPoints()))
     {

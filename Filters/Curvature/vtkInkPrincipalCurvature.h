@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Of JET: how many rings of edges around a point are fitted; with Adaptive, the most. More smooth out noise
-   * and detail, and take longer. 1 to 10; default: 5.
+   * Of JET: how many rings of edges around a point are fitted; with Adaptive, the most, or averages that
+   * smooth out as much noise. More smooth out noise and detail, and take longer. 1 to 10; default: 5.
    */
   vtkSetClampMacro(NumberOfRings, int, 1, 10);
   vtkGetMacro(NumberOfRings, int);
@@ -101,8 +101,10 @@ public:
 
   ///@{
   /**
-   * Of JET: take as few rings at each point, from two on, as noise allows, which is told from how far points
-   * are from the polynomial; more are fitted by degree 2, unless ComputeDerivative is on. Default: on.
+   * Of JET: fit two rings at each point, at borders three, and average as many neighbors' curvature as noise
+   * takes, which is told from how far points are from the polynomial. Where the surface itself is uneven, and
+   * with ComputeDerivative, as few rings are fitted as noise allows; more than two by degree 2, unless
+   * ComputeDerivative is on. Default: on.
    */
   vtkSetMacro(Adaptive, bool);
   vtkGetMacro(Adaptive, bool);

@@ -253,6 +253,19 @@ TEST(MeshCurvature, SmallPolyhedraHaveTheCurvatureOfTheirSpheres)
   }
 }
 
+TEST(MeshCurvature, SliversOfATriangularTube)
+{
+  // Three rows of points, which do not see each other, far apart compared to the points of a row. What is far
+  // would give curvatures along the tube of up to 1000.
+  const test::CurvedMesh tube = test::closedTorus(1.0, 0.4, 2000, 3);
+  const MeshCurvature found = estimateCurvature(tube.mesh.view(), {});
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+  {
+    ASSERT_NEAR(found.points[i].k1, 2.5, 0.7) << i;
+    ASSERT_NEAR(found.points[i].k2, tube.exact[i].k2, 0.7) << i;
+  }
+}
+
 TEST(MeshCurvature, WhatHasNoneIsZeroAndFlagged)
 {
   test::Mesh mesh = test::square(4);
