@@ -3,6 +3,7 @@
 
 #include "InkContourSurface.h"
 #include "InkHasPolygons.h"
+#include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkSilhouettes.h"
 #include "vtkInkAddNormals.h"
@@ -59,6 +60,11 @@ vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation(
 }
 
 vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = default;
+
+std::vector<double> vtkInkSplattingLinesRepresentation::GetUsedIsoValues()
+{
+  return vtkInkSplattingLinesStyle::SafeDownCast(this->GetStyle())->GetIsoSurface()->GetUsedIsoValues();
+}
 
 std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {
