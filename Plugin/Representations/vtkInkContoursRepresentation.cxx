@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkContoursRepresentation.h"
 
+#include "InkIsoSurface.h"
 #include "vtkInkContoursStyle.h"
 
 #include "vtkObjectFactory.h"
@@ -23,6 +24,11 @@ vtkInkContoursRepresentation::vtkInkContoursRepresentation(vtkSmartPointer<vtkIn
 }
 
 vtkInkContoursRepresentation::~vtkInkContoursRepresentation() = default;
+
+std::vector<double> vtkInkContoursRepresentation::GetUsedIsoValues()
+{
+  return vtkInkContoursStyle::SafeDownCast(this->GetStyle())->GetIsoSurface()->GetUsedIsoValues();
+}
 
 std::string vtkInkContoursRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {

@@ -26,6 +26,8 @@ public:
   static vtkInkContoursRepresentation* New();
   vtkTypeMacro(vtkInkContoursRepresentation, vtkInkRepresentation);
 
+  std::vector<double> GetUsedIsoValues() override;
+
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkIllustrationRepresentation.h"
 
+#include "InkIsoSurface.h"
 #include "vtkInkIllustrationStyle.h"
 
 #include "vtkObjectFactory.h"
@@ -15,6 +16,15 @@ vtkInkIllustrationRepresentation::vtkInkIllustrationRepresentation()
 }
 
 vtkInkIllustrationRepresentation::~vtkInkIllustrationRepresentation() = default;
+
+std::vector<double> vtkInkIllustrationRepresentation::GetUsedIsoValues()
+{
+  auto* style = vtkInkIllustrationStyle::SafeDownCast(this->GetStyle());
+  std::vector<double> values = style->GetIsoSurface()->GetUsedIsoValues();
+  const std::vector<double>& outer = style->GetUsedOuterIsoValue();
+  values.insert(values.end(), outer.begin(), outer.end());
+  return values;
+}
 
 void vtkInkIllustrationRepresentation::SetAutomaticOuterIsoValue(bool automatic)
 {

@@ -24,6 +24,8 @@ public:
   static vtkInkIllustrationRepresentation* New();
   vtkTypeMacro(vtkInkIllustrationRepresentation, vtkInkRepresentation);
 
+  std::vector<double> GetUsedIsoValues() override;
+
   ///@{
   /// See-through, the outer surface: at a value that suits the image (default), or at this one.
   void SetAutomaticOuterIsoValue(bool automatic);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkLineArtRepresentation.h"
 
+#include "InkIsoSurface.h"
 #include "vtkInkLineArtStyle.h"
 
 #include "vtkObjectFactory.h"
@@ -14,3 +15,8 @@ vtkInkLineArtRepresentation::vtkInkLineArtRepresentation()
 }
 
 vtkInkLineArtRepresentation::~vtkInkLineArtRepresentation() = default;
+
+std::vector<double> vtkInkLineArtRepresentation::GetUsedIsoValues()
+{
+  return vtkInkLineArtStyle::SafeDownCast(this->GetStyle())->GetIsoSurface()->GetUsedIsoValues();
+}

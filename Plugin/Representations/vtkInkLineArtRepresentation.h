@@ -22,6 +22,8 @@ public:
   static vtkInkLineArtRepresentation* New();
   vtkTypeMacro(vtkInkLineArtRepresentation, vtkInkContoursRepresentation);
 
+  std::vector<double> GetUsedIsoValues() override;
+
 protected:
   vtkInkLineArtRepresentation();
   ~vtkInkLineArtRepresentation() override;

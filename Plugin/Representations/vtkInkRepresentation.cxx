@@ -112,6 +112,7 @@ bool vtkInkRepresentation::BlendsMarks()
 std::string vtkInkRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {
   std::string problem = this->Style->MakeMarks(input);
+  ++this->TimesMade;
   for (int piece = 0; piece < this->Style->GetNumberOfPieces(); ++piece)
   {
     this->GetPiece(piece)->ShallowCopy(this->Style->GetPiece(piece));
@@ -255,9 +256,9 @@ bool vtkInkRepresentation::DrawsOnThisProcess()
     vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0;
 }
 
-vtkDataObject* vtkInkRepresentation::GetRenderedDataObject(int)
+std::vector<double> vtkInkRepresentation::GetUsedIsoValues()
 {
-  return this->Pieces[0];
+  return {};
 }
 
 bool vtkInkRepresentation::AddToView(vtkView* view)
@@ -441,6 +442,8 @@ void vtkInkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Points drawn: " << this->Pieces[0]->GetNumberOfPoints() << "\n";
+  os << indent << "Cells drawn: " << this->Pieces[0]->GetNumberOfCells() << "\n";
+  os << indent << "Times made: " << this->TimesMade << "\n";
   os << indent << "Paper: " << this->Paper->GetFills() << "\n";
   os << indent << "Pickable: " << this->Pickable << "\n";
   os << indent << "Style:\n";

@@ -88,8 +88,9 @@ public:
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
-  /// The points as they are drawn; empty before the first update.
-  vtkDataObject* GetRenderedDataObject(int port) override;
+  /// The iso-values of the surfaces that were made last, given or chosen, one of each kind: of the only
+  /// or the inner surface, then of the outer one. Here: none.
+  virtual std::vector<double> GetUsedIsoValues();
 
 protected:
   explicit vtkInkRepresentation(vtkSmartPointer<vtkInkStyle> style);
@@ -171,6 +172,7 @@ private:
   const std::unique_ptr<vtkInkPaper> Paper;
   std::string ColoredBy; ///< what the pieces were made with; empty before there are any
   Choice IsoValue;
+  int TimesMade = 0;
   bool Pickable = true;
   bool PointIdsAreInputs = false;
 };

@@ -2,6 +2,7 @@
 #include "vtkInkSplattingLinesRepresentation.h"
 
 #include "InkHasPolygons.h"
+#include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkSilhouettes.h"
 #include "vtkInkAddNormals.h"
@@ -58,6 +59,11 @@ vtkInkSplattingLinesRepresentation::vtkInkSplattingLinesRepresentation(
 }
 
 vtkInkSplattingLinesRepresentation::~vtkInkSplattingLinesRepresentation() = default;
+
+std::vector<double> vtkInkSplattingLinesRepresentation::GetUsedIsoValues()
+{
+  return vtkInkSplattingLinesStyle::SafeDownCast(this->GetStyle())->GetIsoSurface()->GetUsedIsoValues();
+}
 
 std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {

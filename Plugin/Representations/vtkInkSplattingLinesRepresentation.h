@@ -32,6 +32,8 @@ public:
   static vtkInkSplattingLinesRepresentation* New();
   vtkTypeMacro(vtkInkSplattingLinesRepresentation, vtkInkRepresentation);
 
+  std::vector<double> GetUsedIsoValues() override;
+
   /// The most points that are drawn at a lower level of detail; 0: all. Default: 200000.
   void SetPointsWhileMoving(int points);
 

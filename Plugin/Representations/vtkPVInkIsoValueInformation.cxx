@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVInkIsoValueInformation.h"
 
+#include "vtkInkRepresentation.h"
+
 #include "Statistics/IsoValue.h"
 
 #include "vtkAlgorithm.h"
@@ -87,6 +89,17 @@ void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)
 {
   this->Value = 0.0;
   this->Voxels = 0.0;
+  if (auto* representation = vtkInkRepresentation::SafeDownCast(object))
+  {
+    const std::vector<double> used = representation->GetUsedIsoValues();
+    const auto surface = static_cast<std::size_t>(this->Port);
+    if (surface < used.size())
+    {
+      this->Value = used[surface];
+      this->Voxels = 1.0;
+    }
+    return;
+  }
   auto algorithm = vtkAlgorithm::SafeDownCast(object);
   auto image = vtkImageData::SafeDownCast(algorithm ? algorithm->GetOutputDataObject(this->Port) : nullptr);
   if (!image || image->GetNumberOfPoints() == 0)

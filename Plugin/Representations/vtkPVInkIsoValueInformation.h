@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVInkIsoValueInformation
- * @brief   the iso-value that suits an image on the data server
+ * @brief   the iso-value that suits an image on the data server, or that a representation draws it at
  *
  * The one that `ink info` suggests, see ink::suggestIsoValues, of an algorithm's output. On several processes
- * it is the suggestion of the one that holds the most voxels.
+ * it is the suggestion of the one that holds the most voxels. Of a vtkInkRepresentation it is the value used
+ * last, given or chosen.
  */
 #ifndef vtkPVInkIsoValueInformation_h
 #define vtkPVInkIsoValueInformation_h
@@ -26,15 +27,15 @@ public:
   ///@{
   /**
    * What is asked for: an output port, and a point array of one component; an empty name stands for the
-   * active scalars. Default: 0, empty.
+   * active scalars. Of a representation: the port is an index into its used values. Default: 0, empty.
    */
   void SetPort(int port);
   void SetArrayName(const std::string& name);
   ///@}
 
-  /// Whether there is an image with such an array and two different values in it.
+  /// Whether there is an image with such an array and two different values in it, or such a surface.
   bool GetFound() const;
-  /// The suggestion where there is one, else 0.
+  /// The value where there is one, else 0.
   double GetValue() const;
 
   /// Makes what each process found that of all of them, for symmetric batches: ParaView lets each of their

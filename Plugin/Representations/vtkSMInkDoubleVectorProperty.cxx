@@ -26,7 +26,8 @@ void vtkSMInkDoubleVectorProperty::ResetToXMLDefaults()
 
 bool vtkSMInkDoubleVectorProperty::IsValueDefault()
 {
-  return this->IsUnset() && vtkSMInkPresetRepresentationProxy::IsAsFollowed(this);
+  return vtkSMInkPresetRepresentationProxy::ShowsChosen(this) ||
+    (this->IsUnset() && vtkSMInkPresetRepresentationProxy::IsAsFollowed(this));
 }
 
 bool vtkSMInkDoubleVectorProperty::IsUnset()

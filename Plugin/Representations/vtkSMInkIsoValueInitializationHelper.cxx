@@ -13,6 +13,22 @@
 
 vtkStandardNewMacro(vtkSMInkIsoValueInitializationHelper);
 
+namespace
+{
+
+/// The value that the processes of a proxy agree on.
+std::optional<double> Gather(vtkSMProxy* proxy, vtkPVInkIsoValueInformation* information)
+{
+  proxy->GatherInformation(information);
+  if (vtkProcessModule::GetSymmetricMPIMode())
+  {
+    information->Share(vtkMultiProcessController::GetGlobalController());
+  }
+  return information->GetFound() ? std::optional<double>(information->GetValue()) : std::nullopt;
+}
+
+} // namespace
+
 vtkSMInkIsoValueInitializationHelper::vtkSMInkIsoValueInitializationHelper() = default;
 
 vtkSMInkIsoValueInitializationHelper::~vtkSMInkIsoValueInitializationHelper() = default;
@@ -57,12 +73,14 @@ std::optional<double> vtkSMInkIsoValueInitializationHelper::Suggest(
   {
     information->SetArrayName(array.GetAsString(name));
   }
-  input->GatherInformation(information);
-  if (vtkProcessModule::GetSymmetricMPIMode())
-  {
-    information->Share(vtkMultiProcessController::GetGlobalController());
-  }
-  return information->GetFound() ? std::optional<double>(information->GetValue()) : std::nullopt;
+  return Gather(input, information);
+}
+
+std::optional<double> vtkSMInkIsoValueInitializationHelper::FindUsed(vtkSMProxy* representation, int surface)
+{
+  vtkNew<vtkPVInkIsoValueInformation> information;
+  information->SetPort(surface);
+  return Gather(representation, information);
 }
 
 void vtkSMInkIsoValueInitializationHelper::SetSuggested(

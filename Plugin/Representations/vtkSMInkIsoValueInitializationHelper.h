@@ -31,6 +31,8 @@ public:
   static std::optional<double> Suggest(vtkSMProxy* proxy, const char* arrayProperty);
   /// Sets a property to that, if there is such a value.
   static void SetSuggested(vtkSMProxy* proxy, const char* property, const char* arrayProperty);
+  /// The value that a vtkInkRepresentation used last for one of its surfaces; nothing where it made none.
+  static std::optional<double> FindUsed(vtkSMProxy* representation, int surface);
 #endif
 
 protected:

@@ -16,7 +16,7 @@ const vtkSMInkPresetRepresentationProxy::Controls& vtkSMInkLineArtRepresentation
     ChooseArray(proxy, array);
     vtkSMInkIsoValueInitializationHelper::SetSuggested(proxy, property, array);
   };
-  static constexpr Start starts[] = { { "LineArtAutomaticIsoValue", 0, "LineArtIsoValue", suggest } };
+  static constexpr Start starts[] = { { "LineArtAutomaticIsoValue", 0, "LineArtIsoValue", suggest, 0 } };
   static constexpr Controls controls{ "LineArt", "LineArtPreset", {}, starts };
   return controls;
 }

@@ -5,6 +5,7 @@
 #include "vtkInkStyle.h"
 #include "vtkSMInkDoubleVectorProperty.h"
 #include "vtkSMInkIntVectorProperty.h"
+#include "vtkSMInkIsoValueInitializationHelper.h"
 #include "vtkSMInkRestoring.h"
 
 #include "vtkDataSetAttributes.h"
@@ -108,11 +109,42 @@ void vtkSMInkPresetRepresentationProxy::SetPropertyModifiedFlag(const char* name
   }
   for (const Start& start : this->Named.Starts)
   {
+    if (std::string(name) == start.Property && this->IsAutomatic(start))
+    {
+      vtkSMPropertyHelper(this, start.Switch).Set(start.On);
+    }
     if (std::string(name) == start.Switch && this->IsOn(start) && IsUnset(this, start.Property))
     {
       start.Set(this, start.Property);
     }
   }
+}
+
+void vtkSMInkPresetRepresentationProxy::ViewUpdated(vtkSMProxy* view)
+{
+  this->Superclass::ViewUpdated(view);
+  const vtkSMInkRestoring restoring(this);
+  for (const Start& start : this->Named.Starts)
+  {
+    const auto used = this->IsAutomatic(start)
+      ? vtkSMInkIsoValueInitializationHelper::FindUsed(this, start.Surface)
+      : std::nullopt;
+    if (used)
+    {
+      vtkSMPropertyHelper(this, start.Property).Set(*used);
+    }
+  }
+  // Sent at once: the switch alone changes nothing then.
+  this->UpdateVTKObjects();
+}
+
+bool vtkSMInkPresetRepresentationProxy::ShowsChosen(vtkSMProperty* property)
+{
+  auto proxy = vtkSMInkPresetRepresentationProxy::SafeDownCast(property->GetParent());
+  const std::string name = property->GetXMLName() ? property->GetXMLName() : "";
+  return proxy &&
+    std::any_of(proxy->Named.Starts.begin(), proxy->Named.Starts.end(),
+      [&](const Start& start) { return name == start.Property && proxy->IsAutomatic(start); });
 }
 
 void vtkSMInkPresetRepresentationProxy::ChooseArray(vtkSMProxy* proxy, const char* arrayProperty)

@@ -8,7 +8,8 @@
  * a script sets them; where values are brought back (undo, a state, a copy, a person's defaults), every
  * property keeps what is brought back. The properties that take part, `tracked` in the style's table of
  * parameters, are vtkSMInkIntVectorProperty and vtkSMInkDoubleVectorProperty, which tell the one from the
- * other. Some properties start with a value that suits the input when they are switched on.
+ * other. Some properties start with a value that suits the input when they are switched on. An iso-value shows
+ * what is drawn while it is automatic, and is automatic no more when it is set.
  *
  * A subclass says for which style, and which properties these are.
  *
@@ -38,6 +39,10 @@ public:
   /// Whether a property of such a proxy has the value that the preset and the sliders give it. Those that
   /// follow neither always have.
   static bool IsAsFollowed(vtkSMProperty* property);
+  /// Whether its value only shows what was chosen automatically.
+  static bool ShowsChosen(vtkSMProperty* property);
+
+  void ViewUpdated(vtkSMProxy* view) override;
 
 protected:
   /// What starts with a value that suits the input when it is switched on.
@@ -47,6 +52,7 @@ protected:
     int On;
     const char* Property;
     void (*Set)(vtkSMProxy*, const char* property);
+    int Surface = -1; ///< of which it is the iso-value, automatic until it is switched on; negative: none
   };
   /// The names of properties.
   struct Controls
@@ -81,6 +87,7 @@ private:
   std::vector<std::string> GetFollowers();
 
   bool IsOn(const Start& start);
+  bool IsAutomatic(const Start& start) { return start.Surface >= 0 && !this->IsOn(start); }
   bool IsSlider(const std::string& name) const;
   /// The parameter that a property sets, whose name it has, or has after the prefix; null for others.
   const InkParameter* ParameterOf(const std::string& property) const;

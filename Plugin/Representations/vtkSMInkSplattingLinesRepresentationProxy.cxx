@@ -16,7 +16,7 @@ const vtkSMInkPresetRepresentationProxy::Controls& vtkSMInkSplattingLinesReprese
     ChooseArray(proxy, array);
     vtkSMInkIsoValueInitializationHelper::SetSuggested(proxy, property, array);
   };
-  static constexpr Start starts[] = { { "LinesAutomaticIsoValue", 0, "LinesIsoValue", suggest } };
+  static constexpr Start starts[] = { { "LinesAutomaticIsoValue", 0, "LinesIsoValue", suggest, 0 } };
   static constexpr Controls controls{ "Lines", "", {}, starts };
   return controls;
 }

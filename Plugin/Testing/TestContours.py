@@ -7,7 +7,7 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import TestInOneView, ink, picture
+from rendering import TestInOneView, ink, marks, picture
 from surface_tests import SurfaceTests
 
 STYLES = {"Illustration": "Illustration", "Splatting Lines": "Lines", "Stipple": "Stipple"}
@@ -32,11 +32,6 @@ class TestContours(SurfaceTests, TestInOneView):
         ResetCamera(self.view)
         return display
 
-    def marks(self, display):
-        """How many points the surface has, and when it was made."""
-        points = display.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0).GetPoints()
-        return (points.GetNumberOfPoints(), points.GetMTime()) if points else (0, 0)
-
     def circle(self, pixels, width):
         """The radius of the circle that the ink is; there is no other."""
         size = pixels.shape[0]
@@ -60,7 +55,7 @@ class TestContours(SurfaceTests, TestInOneView):
         GetActiveCamera().Azimuth(35)
         GetActiveCamera().Elevation(30)
         whole = ink(picture(self.view))
-        marks = self.marks(display)
+        made = marks(display)
         display.ContoursCreases = 0
         outline = ink(picture(self.view))
         # Six of nine edges, which are of different lengths.
@@ -75,11 +70,11 @@ class TestContours(SurfaceTests, TestInOneView):
         display.ContoursSilhouettes = display.ContoursBorders = display.ContoursCreases = 0
         self.assertEqual(ink(picture(self.view)), 0)
         # All of that without another surface.
-        self.assertEqual(self.marks(display), marks)
+        self.assertEqual(marks(display), made)
 
     def test_a_preset_sets_what_goes_with_it(self):
         display = self.show(sphere())
-        before = self.marks(display)
+        before = marks(display)
         drawn = ink(picture(self.view))
         display.ContoursPreset = "Brush"
         found = (display.ContoursLineWidth, display.ContoursTaper, display.ContoursCreases)
@@ -87,7 +82,7 @@ class TestContours(SurfaceTests, TestInOneView):
         self.assertGreater(ink(picture(self.view)), 1.2 * drawn)
         display.ContoursPreset = "Hidden Lines"
         self.assertEqual((display.ContoursHiddenLines, display.ContoursJoin), ("Dashed", "Pointed"))
-        self.assertEqual(self.marks(display), before)
+        self.assertEqual(marks(display), before)
 
     def test_silhouettes_over_the_other_drawings(self):
         for style, prefix in STYLES.items():

@@ -7,8 +7,8 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import TestInOneView, Warnings, is_background, picture
-from surface_tests import grids_and_composites
+from rendering import TestInOneView, Warnings, is_background, marks, picture
+from surface_tests import check_iso_value, grids_and_composites
 
 
 class TestIllustration(TestInOneView):
@@ -25,23 +25,11 @@ class TestIllustration(TestInOneView):
         """Of what is drawn on the surface's white paper."""
         return float((1.0 - picture(self.view)[..., 1]).sum())
 
-    def marks(self, display):
-        """How many points lines are drawn of, and when they were made."""
-        points = display.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0).GetPoints()
-        return (points.GetNumberOfPoints(), points.GetMTime()) if points else (0, 0)
-
     def test_an_image_is_drawn_at_a_value_that_suits_it_or_that_is_given(self):
         display = self.show(Wavelet())
         self.assertEqual(display.IllustrationAutomaticIsoValue, 1)
         self.assertGreater((~is_background(picture(self.view))).mean(), 0.1)
-        automatic = self.marks(display)
-        self.assertGreater(automatic[0], 1000)
-        display.IllustrationIsoValue = 250.0
-        picture(self.view)
-        self.assertEqual(self.marks(display), automatic)
-        display.IllustrationAutomaticIsoValue = 0
-        picture(self.view)
-        self.assertNotEqual(self.marks(display)[0], automatic[0])
+        check_iso_value(self, display, "Illustration")
         # Beyond the data there is none.
         display.IllustrationIsoValue = 1e6
         self.assertTrue(is_background(picture(self.view)).all())
@@ -50,19 +38,19 @@ class TestIllustration(TestInOneView):
         display = self.show(Sphere(ThetaResolution=64, PhiResolution=64))
         drawn = self.ink()
         self.assertGreater(drawn, 100)
-        before = self.marks(display)
+        before = marks(display)
         display.IllustrationPixelsPerStipple = 40
         self.assertLess(self.ink(), 0.8 * drawn)
-        self.assertEqual(self.marks(display), before)
+        self.assertEqual(marks(display), before)
 
     def test_a_preset_sets_what_goes_with_it(self):
         display = self.show(Sphere(ThetaResolution=64, PhiResolution=64))
-        before = self.marks(display)
+        before = marks(display)
         drawn = self.ink()
         display.IllustrationPreset = "Skin"
         self.assertEqual((display.IllustrationStippleSize, display.IllustrationPhi), (1.8, 60))
         self.assertLess(self.ink(), 0.9 * drawn)
-        self.assertEqual(self.marks(display), before)
+        self.assertEqual(marks(display), before)
 
     def test_see_through_shows_two_surfaces(self):
         display = self.show(Wavelet(), IllustrationAutomaticIsoValue=0, IllustrationIsoValue=200)
@@ -75,6 +63,28 @@ class TestIllustration(TestInOneView):
         self.assertGreater((~is_background(both)).mean(), 1.5 * (~is_background(inner)).mean())
         display.IllustrationOuterStrength = 0
         numpy.testing.assert_array_equal(picture(self.view), inner)
+
+    def test_values_of_two_surfaces_are_shown_and_made_again_only_where_they_change(self):
+        display = self.show(Wavelet())
+        picture(self.view)
+        once = marks(display)
+        display.IllustrationOuterIsoValue = 60.0
+        picture(self.view)
+        self.assertEqual(marks(display), once, "there is none")
+        display.IllustrationAutomaticOuterIsoValue = 1
+        display.IllustrationIsoValue = 200.0
+        display.IllustrationSeeThrough = 1
+        picture(self.view)
+        made = marks(display)
+        outer = display.IllustrationOuterIsoValue
+        self.assertTrue(37 < outer < 200, outer)
+        for switch in (0, 1):
+            display.IllustrationAutomaticOuterIsoValue = switch
+            picture(self.view)
+            self.assertEqual(marks(display), made)
+        display.IllustrationOuterIsoValue = 120.0
+        picture(self.view)
+        self.assertEqual((marks(display)[1], display.IllustrationAutomaticOuterIsoValue), (made[1] + 1, 0))
 
     def test_grids_and_composites_are_drawn(self):
         wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
@@ -91,12 +101,12 @@ class TestIllustration(TestInOneView):
     def test_nothing_is_made_again_while_the_camera_moves(self):
         display = self.show(Wavelet())
         picture(self.view)
-        before = self.marks(display)
+        before = marks(display)
         camera = GetActiveCamera()
         camera.Azimuth(40)
         camera.Zoom(4)
         picture(self.view)
-        self.assertEqual(self.marks(display), before)
+        self.assertEqual(marks(display), before)
 
 
 if __name__ == "__main__":

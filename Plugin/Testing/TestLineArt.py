@@ -7,7 +7,7 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import TestInOneView, ink, picture
+from rendering import TestInOneView, ink, marks, picture
 from surface_tests import SurfaceTests
 
 
@@ -30,11 +30,6 @@ class TestLineArt(SurfaceTests, TestInOneView):
         ResetCamera(self.view)
         return display
 
-    def marks(self, display):
-        """How many points the surface has, and when it was made; a mesh's points are those of the input."""
-        surface = display.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
-        return surface.GetNumberOfPoints(), surface.GetMTime()
-
     def test_a_mesh_is_hatched(self):
         self.show(sphere(), LineArtDensity=0.1)
         self.assertTrue(0.02 < (picture(self.view)[..., 0] < 0.5).mean() < 0.2)
@@ -42,7 +37,7 @@ class TestLineArt(SurfaceTests, TestInOneView):
     def test_sliders_change_the_ink_and_make_nothing_again(self):
         display = self.show(sphere(), LineArtDensity=0.1, LineArtContourWidth=0)
         usual = ink(picture(self.view))
-        marks = self.marks(display)
+        made = marks(display)
         tones = []
         for tone in (0.1, 0.3, 0.5, 0.7, 0.9):
             display.LineArtTone = tone
@@ -62,11 +57,11 @@ class TestLineArt(SurfaceTests, TestInOneView):
             setattr(display, f"LineArt{name}", before)
         display.LineArtContourWidth = 20
         self.assertGreater(ink(picture(self.view)), 1.1 * usual)
-        self.assertEqual(self.marks(display), marks)
+        self.assertEqual(marks(display), made)
         # The length of strokes is cut anew.
         display.LineArtLength = 30
         picture(self.view)
-        self.assertNotEqual(self.marks(display), marks)
+        self.assertNotEqual(marks(display), made)
 
     def test_an_image_has_strokes_on_its_outside_alone(self):
         # Through its cuts the surface is seen from within, too.

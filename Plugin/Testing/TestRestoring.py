@@ -100,6 +100,17 @@ class TestRestoring(TestInOneView):
         self.assertEqual(display.IllustrationTau, 0.995)
         display.IllustrationPreset = "Specimen"
         self.assertEqual(assignments(smstate.get_state()), {})
+        # Nor what the slider shows of an automatic value.
+        Render(self.view)
+        shown = display.IllustrationIsoValue
+        self.assertNotEqual(shown, 0.0)
+        self.assertEqual(assignments(smstate.get_state()), {})
+        display.IllustrationIsoValue = 200.0
+        self.assertEqual(assignments(smstate.get_state()), {"IllustrationAutomaticIsoValue": "0", "IllustrationIsoValue": "200.0"})
+        display.IllustrationAutomaticIsoValue = 1
+        Render(self.view)
+        self.assertEqual(display.IllustrationIsoValue, shown)
+        self.assertEqual(assignments(smstate.get_state()), {})
         display.IllustrationTau = 0.95
         self.assertEqual(assignments(smstate.get_state()), {"IllustrationTau": "0.95"})
 
@@ -169,6 +180,9 @@ class TestRestoring(TestInOneView):
         display.StippleIsoValue = 100.0
         display.StippleSource = "Iso-Surface"
         self.assertEqual(display.StippleIsoValue, 100.0)
+        contours = self.show("Contours", ContoursMethod="Segments Through Voxels")
+        self.assertAlmostEqual(contours.ContoursValueRange[0], low, delta=0.1)
+        self.assertAlmostEqual(contours.ContoursValueRange[1], high, delta=0.1)
         for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines"), ("Contours", "Contours"),
                               ("Line Art", "LineArt")):
             other = self.show(style)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of representations share: a view, and pictures of it as numpy arrays."""
 
+import re
 import unittest
 
 import numpy
@@ -46,6 +47,12 @@ def picture(view):
     width, height, _ = image.GetDimensions()
     pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
     return pixels[..., :3] / 255.0
+
+
+def marks(display, *numbers):
+    """Of the representation on this process: how many points it draws, and how often it made them, or other numbers."""
+    text = str(display.GetClientSideObject().GetActiveRepresentation())
+    return tuple(int(re.search(rf"{name}: (\d+)", text)[1]) for name in numbers or ("Points drawn", "Times made"))
 
 
 def is_background(pixels):

@@ -5,7 +5,7 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import Warnings, ink, is_background, picture
+from rendering import Warnings, ink, is_background, marks, picture
 
 
 def grids_and_composites(wavelet):
@@ -17,8 +17,28 @@ def grids_and_composites(wavelet):
     return unstructured, structured, meshes, images
 
 
+def check_iso_value(test, display, prefix, least=1000):
+    """Of what is drawn at an automatic iso-value: the slider shows it, and marks are made again only at another one."""
+    automatic = marks(display)
+    test.assertGreater(automatic[0], least)
+    shown = getattr(display, f"{prefix}IsoValue")
+    test.assertTrue(37 < shown < 277, shown)
+    for switch in (0, 1, 0):
+        setattr(display, f"{prefix}AutomaticIsoValue", switch)
+        picture(test.view)
+        test.assertEqual(marks(display), automatic)
+        test.assertEqual(getattr(display, f"{prefix}IsoValue"), shown)
+    # Moved, it is what counts.
+    setattr(display, f"{prefix}AutomaticIsoValue", 1)
+    setattr(display, f"{prefix}IsoValue", 250.0)
+    picture(test.view)
+    test.assertEqual(getattr(display, f"{prefix}AutomaticIsoValue"), 0)
+    test.assertNotEqual(marks(display)[0], automatic[0])
+    test.assertEqual(marks(display)[1], automatic[1] + 1)
+
+
 class SurfaceTests:
-    """Tests that a TestInOneView takes beside its own. It has `show` and `marks`, and
+    """Tests that a TestInOneView takes beside its own. It has `show`, and
     PREFIX of its properties' names, and what SHOWS lines clearly, and draws a WIDE outline, its properties by name."""
 
     def set(self, display, **properties):
@@ -46,14 +66,7 @@ class SurfaceTests:
         display = self.show(Wavelet(), **self.SHOWS)
         self.assertEqual(getattr(display, f"{self.PREFIX}AutomaticIsoValue"), 1)
         self.assertGreater((picture(self.view)[..., 0] < 0.5).mean(), 0.005)
-        automatic = self.marks(display)
-        self.assertGreater(automatic[0], 1000)
-        self.set(display, IsoValue=250.0)
-        picture(self.view)
-        self.assertEqual(self.marks(display), automatic)
-        self.set(display, AutomaticIsoValue=0)
-        picture(self.view)
-        self.assertNotEqual(self.marks(display)[0], automatic[0])
+        check_iso_value(self, display, self.PREFIX)
         # Beyond the data there is none.
         self.set(display, IsoValue=1e6)
         self.assertEqual(ink(picture(self.view)), 0)

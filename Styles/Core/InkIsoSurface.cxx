@@ -48,10 +48,9 @@ InkIsoSurface::~InkIsoSurface() = default;
 
 void InkIsoSurface::SetIsoValues(const std::vector<double>& values)
 {
-  if (this->IsoValues != values)
+  if (this->IsoValues.Give(values))
   {
-    this->IsoValues = values;
-    this->Changed.Modified();
+    this->ValuesChanged.Modified();
   }
 }
 
@@ -200,9 +199,10 @@ int InkIsoSurface::FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* c
   return subdivision;
 }
 
-vtkMTimeType InkIsoSurface::GetMTime()
+vtkMTimeType InkIsoSurface::GetMTime(bool ofValues)
 {
-  return std::max(this->Changed.GetMTime(), this->Sampler->GetMTime());
+  const vtkMTimeType others = std::max(this->Changed.GetMTime(), this->Sampler->GetMTime());
+  return ofValues ? std::max(others, this->ValuesChanged.GetMTime()) : others;
 }
 
 std::vector<ink::IsoSuggestion> InkIsoSurface::Suggest(
@@ -241,7 +241,8 @@ std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(
 std::string InkIsoSurface::Prepare(
   vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
 {
-  std::vector<double> values = this->IsoValues;
+  std::vector<double> values = this->IsoValues.GetGiven();
+  this->IsoValues.Use({});
   // What is automatic is found from the whole, so that it does not show how many processes there are.
   const bool measures = values.empty() || this->Smoothing < 0.0;
   const InkWholeImages whole =
@@ -256,6 +257,7 @@ std::string InkIsoSurface::Prepare(
     style->AddNote(InkDescribeChoice(suggestions));
     values.push_back(suggestions.front().value);
   }
+  this->IsoValues.Use(values);
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
   if (array.empty())
   {

@@ -2,6 +2,7 @@
 #ifndef InkIsoSurface_h
 #define InkIsoSurface_h
 
+#include "InkIsoValues.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkStyle.h"
 #include "vtkInkStylesModule.h" // for the export macro
@@ -34,7 +35,7 @@ public:
   ///@{
   /// Parameters; see their table.
   void SetIsoValues(const std::vector<double>& values);
-  const std::vector<double>& GetIsoValues() const { return this->IsoValues; }
+  const std::vector<double>& GetIsoValues() const { return this->IsoValues.GetGiven(); }
   void SetSmallestPart(double share);
   double GetSmallestPart() const;
   void SetLargestParts(int count);
@@ -57,8 +58,12 @@ public:
   bool GetComputeCurvature() const { return this->ComputeCurvature; }
   ///@}
 
+  /// The values that were prepared last, given or chosen.
+  const std::vector<double>& GetUsedIsoValues() const { return this->IsoValues.GetUsed(); }
+
   /// When something changed last that the points depend on.
-  vtkMTimeType GetMTime();
+  /// @param ofValues whether iso-values are among it
+  vtkMTimeType GetMTime(bool ofValues = true);
 
   /// All of another one's parameters but its iso-values.
   void CopyParameters(const InkIsoSurface& other);
@@ -129,11 +134,12 @@ private:
   int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
     const std::vector<double>& values) const;
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
-  std::vector<double> IsoValues;
+  InkIsoValues IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
   bool ComputeCurvature = false;
   int Subdivision = 0; ///< 0: until cells are a small part of the picture
   vtkTimeStamp Changed;
+  vtkTimeStamp ValuesChanged;
 };
 
 #endif

@@ -36,6 +36,7 @@ A row of parameters.json is one parameter. Its entries:
               METHOD}, or without one of this style itself, unless it `sets` another
 
 The table's "prefix" comes before the names of ParaView's properties that `panel` gives none: all styles' stand side by side.
+Its "array" is the property that chooses the array of a `domain`.
 
 In a template for ParaView's XML, a line <!-- parameters --> stands for the properties, and <!-- group NAME --> for the
 list of those of a group, <!-- group NAME: essential --> and <!-- group NAME: advanced --> for a part of it. A table stands
@@ -126,6 +127,7 @@ def read(path):
                 given["object"] = document["objects"][target]
             row["object"], row["method"], row["group"] = given["object"], given["method"], group["name"]
             row["prefix"] = document.get("prefix", "")
+            row["array"] = document.get("array")
             row.setdefault("label", " ".join(words(name)))
             row.setdefault("option", "-".join(words(name)).lower())
             row.setdefault("entries", [])
@@ -301,7 +303,7 @@ def domain(row, count):
             f'{indent}<ArrayRangeDomain name="range"{mode}>',
             f"{indent}  <RequiredProperties>",
             f'{indent}    <Property name="Input" function="Input" />',
-            f'{indent}    <Property name="StippleBy" function="ArraySelection" />',
+            f'{indent}    <Property name="{row["array"]}" function="ArraySelection" />',
             f"{indent}  </RequiredProperties>",
             f"{indent}</ArrayRangeDomain>",
         ]

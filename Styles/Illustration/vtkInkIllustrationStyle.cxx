@@ -150,14 +150,18 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   const InkLeaves leaves(input.Data);
   double images = leaves.Images.empty() ? 0.0 : 1.0;
   this->GetProcesses().TakeGreatest({ &images, 1 });
-  this->GetIsoSurface()->SetIsoValues(this->IsoValues);
+  this->GetIsoSurface()->SetIsoValues(this->IsoValues.GetGiven());
+  this->IsoValues.Use({});
+  this->OuterIsoValue.Use({});
   if (images == 0.0)
   {
     return this->MakeMesh(input, leaves);
   }
   if (!this->SeeThrough)
   {
-    return this->MakeSurface(this->Lines, this->Stipples, 0, input);
+    const std::string problem = this->MakeSurface(this->Lines, this->Stipples, 0, input);
+    this->IsoValues.Use(this->GetIsoSurface()->GetUsedIsoValues());
+    return problem;
   }
   if (const std::string problem = this->ChooseSurfaces(leaves); !problem.empty())
   {
@@ -215,8 +219,8 @@ std::string vtkInkIllustrationStyle::ChooseSurfaces(const InkLeaves& leaves)
   InkIsoSurface* inner = this->GetIsoSurface();
   InkIsoSurface* outer = this->OuterLines->GetIsoSurface();
   outer->CopyParameters(*inner);
-  std::vector<double> outerValue = this->OuterIsoValue;
-  std::vector<double> innerValues = this->IsoValues;
+  std::vector<double> outerValue = this->OuterIsoValue.GetGiven();
+  std::vector<double> innerValues = this->IsoValues.GetGiven();
   if (outerValue.empty() || innerValues.empty())
   {
     std::vector<ink::IsoSuggestion> suggestions = InkIsoSurface::Suggest(this, leaves.Images, {});
@@ -245,6 +249,8 @@ std::string vtkInkIllustrationStyle::ChooseSurfaces(const InkLeaves& leaves)
       std::string(outerValue.empty() && innerValues.empty() ? "none" : "no second one") +
       "; an inner and an outer iso-value can be given";
   }
+  this->IsoValues.Use(innerValues);
+  this->OuterIsoValue.Use(outerValue);
   inner->SetIsoValues(innerValues);
   outer->SetIsoValues(outerValue);
   this->OuterStipples->SetNumberOfSurfaceStipples(this->Stipples->GetNumberOfSurfaceStipples());
@@ -308,18 +314,16 @@ void vtkInkIllustrationStyle::SetPreset(int preset)
 
 void vtkInkIllustrationStyle::SetIsoValues(const std::vector<double>& values)
 {
-  if (this->IsoValues != values)
+  if (this->IsoValues.Give(values))
   {
-    this->IsoValues = values;
     this->Modified();
   }
 }
 
 void vtkInkIllustrationStyle::SetOuterIsoValue(const std::vector<double>& value)
 {
-  if (this->OuterIsoValue != value)
+  if (this->OuterIsoValue.Give(value) && this->SeeThrough)
   {
-    this->OuterIsoValue = value;
     this->Modified();
   }
 }

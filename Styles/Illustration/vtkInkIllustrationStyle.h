@@ -19,6 +19,7 @@
 #ifndef vtkInkIllustrationStyle_h
 #define vtkInkIllustrationStyle_h
 
+#include "InkIsoValues.h"
 #include "vtkInkStyle.h"
 #include "vtkNew.h" // for what the style owns
 
@@ -72,13 +73,15 @@ public:
   void SetPaperColor(double red, double green, double blue);
   double* GetPaperColor() VTK_SIZEHINT(3);
   void SetIsoValues(const std::vector<double>& values);
-  const std::vector<double>& GetIsoValues() { return this->IsoValues; }
+  const std::vector<double>& GetIsoValues() { return this->IsoValues.GetGiven(); }
   vtkSetMacro(SeeThrough, bool);
   vtkGetMacro(SeeThrough, bool);
   /// One value, or none.
   void SetOuterIsoValue(const std::vector<double>& value);
-  const std::vector<double>& GetOuterIsoValue() { return this->OuterIsoValue; }
+  const std::vector<double>& GetOuterIsoValue() { return this->OuterIsoValue.GetGiven(); }
   ///@}
+  /// The value of the outer surface that was made last, given or chosen; none without one.
+  const std::vector<double>& GetUsedOuterIsoValue() { return this->OuterIsoValue.GetUsed(); }
 
   const InkParameterTable& GetParameterTable() override;
 
@@ -110,9 +113,9 @@ private:
   vtkNew<vtkInkIllustrationMapper> Mapper;
   vtkNew<vtkActor> Actor;
   int Preset = 0;
-  std::vector<double> IsoValues;
+  InkIsoValues IsoValues;
   bool SeeThrough = false;
-  std::vector<double> OuterIsoValue;
+  InkIsoValues OuterIsoValue;
 };
 
 #endif

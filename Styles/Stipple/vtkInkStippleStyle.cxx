@@ -103,8 +103,12 @@ InkSilhouettes* vtkInkStippleStyle::GetSilhouettes()
 
 vtkMTimeType vtkInkStippleStyle::GetRecipeMTime()
 {
+  // As InkStippleRecipe takes the values: interactively, for stipples on their surfaces only.
+  const bool ofValues =
+    this->StippleSource == ISO_SURFACE || (this->StippleSource == AUTOMATIC && !this->GetInteractive()) ||
+    (this->Silhouettes->GetSilhouettes() && !this->GetInteractive());
   return std::max(
-    { this->Generator->GetMTime(), this->IsoSurface->GetMTime(), this->Silhouettes->GetMTime() });
+    { this->Generator->GetMTime(), this->IsoSurface->GetMTime(ofValues), this->Silhouettes->GetMTime() });
 }
 
 void vtkInkStippleStyle::GetBackgroundColor(double color[3])
