@@ -6,6 +6,8 @@ import pathlib
 
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
 BENCHMARK = pathlib.Path(__file__).resolve().parents[1] / "Benchmarks" / "contours_coherence.py"

@@ -7,6 +7,8 @@ import pathlib
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
 BENCHMARK = pathlib.Path(__file__).resolve().parents[1] / "Benchmarks" / "hatching_coherence.py"

@@ -7,6 +7,8 @@ import pathlib
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 pytest.importorskip("vtkink")
 BENCHMARK = pathlib.Path(__file__).resolve().parents[1] / "Benchmarks" / "lines_coherence.py"
 

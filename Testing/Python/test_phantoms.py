@@ -8,6 +8,8 @@ import sys
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 pytest.importorskip("vtkink")
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
 phantoms, scan_phantoms = (importlib.import_module(name) for name in ("phantoms", "scan_phantoms"))
