@@ -37,8 +37,7 @@ def run_ink(*arguments, env=None, **keywords):
 
 
 def pytest_configure(config):
-    config.addinivalue_line("markers", "one_build: what neither VTK's version nor the window that it draws into changes: "
-                            "results of Common, the program's options and words, what marks of known data look like")  # fmt: skip
+    config.addinivalue_line("markers", "one_build: what neither VTK's version nor its window changes; see CONTRIBUTING.md")
 
 
 # What no setup brings: these tests may be skipped also where CI=true.
