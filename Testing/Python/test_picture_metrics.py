@@ -8,12 +8,12 @@ import sys
 import numpy as np
 import pytest
 
-pytestmark = pytest.mark.one_build
-
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
 metrics = importlib.import_module("picture_metrics")
 
 SIZE = 256
+
+pytestmark = pytest.mark.one_build
 
 
 def lines(*rows, darkness=1.0):
