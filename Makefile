@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help demo test setup setup-headless setup-paraview setup-aarch64 build build-ink build-headless \
-  build-paraview build-asan build-tsan build-aarch64 test-headless test-paraview test-aarch64 bench tradeoff pictures \
+  build-paraview build-benchmarks build-asan build-tsan build-aarch64 test-headless test-paraview test-aarch64 bench tradeoff pictures \
   sanitize fuzz format tidy install clean
 
 help: ## List the targets
@@ -37,6 +37,9 @@ build-headless: ## Build with VTK 9.7
 build-paraview: ## Build with ParaView 5.11's VTK, the plugin included
 	@Utilities/build.sh paraview
 
+build-benchmarks: ## Build with VTK 9.7, the benchmarks included, which no test needs
+	@Utilities/build.sh headless -DVTKINK_BUILD_BENCHMARKS=ON
+
 build-asan: ## Build with the address and undefined-behavior sanitizers
 	@Utilities/build.sh asan
 
@@ -58,10 +61,10 @@ test-paraview: ## Run the tests of the ParaView build
 test-aarch64: setup-aarch64 build-aarch64 ## Run Common's tests as programs of 64-bit ARM, under QEMU
 	@ctest --preset aarch64 --parallel "$$(Utilities/jobs.sh)"
 
-bench: setup-headless build-headless ## Measure vtkInk against VTK's own, and the temporal coherence of marks
+bench: setup-headless build-benchmarks ## Measure vtkInk against VTK's own, and the temporal coherence of marks
 	@Utilities/bench.sh
 
-tradeoff: setup-headless build-headless ## Measure error against time, write Documentation/accuracy-and-speed.md
+tradeoff: setup-headless build-benchmarks ## Measure error against time, write Documentation/accuracy-and-speed.md
 	@Utilities/setup.sh tradeoff
 	@Utilities/tradeoff.sh
 
@@ -86,4 +89,4 @@ install: build-headless ## Install the headless build into PREFIX (default build
 	@cmake --install build/headless $(if $(PREFIX),--prefix "$(PREFIX)")
 
 clean: ## Remove the build trees (what setup fetched stays)
-	@rm -rf build/headless build/paraview build/asan build/tsan build/aarch64 build/fuzz build/tidy build/demo build/install build/*.log
+	@rm -rf build/headless build/paraview build/asan build/tsan build/aarch64 build/fuzz build/tidy build/demo build/install build/ccache build/*.log

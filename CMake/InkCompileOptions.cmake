@@ -15,9 +15,9 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(InkOptions INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
   target_compile_options(InkWarnings INTERFACE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual>)
-  # With precompiled headers GCC warns of what system headers hold; other builds find what is ours.
-  if (VTKINK_WARNINGS_AS_ERRORS AND (NOT VTKINK_PRECOMPILED_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "cache"))
-    target_compile_options(InkWarnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+  if (VTKINK_WARNINGS_AS_ERRORS)
+    # With precompiled headers GCC warns of what system headers hold; sources without them find what is ours.
+    target_compile_options(InkWarnings INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:INK_PRECOMPILED>>>:-Werror>)
   endif ()
 endif ()
 

@@ -26,6 +26,11 @@ if [ "$preset" != paraview ] && [ "$preset" != aarch64 ]; then
   fi
 fi
 
+# Common is compiled once for builds with either VTK.
+if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER:-}" ] && command -v ccache >/dev/null; then
+  set -- "-DVTKINK_COMMON_LAUNCHER=cmake;-E;env;CCACHE_DIR=$root/build/ccache;CCACHE_DEPEND=1;ccache" "$@"
+fi
+
 log="build/$preset.log"
 mkdir -p build
 echo "build: configuring $preset (what CMake says goes to $log)"

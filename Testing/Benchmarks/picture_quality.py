@@ -244,6 +244,7 @@ class Group(NamedTuple):
     styles: tuple
     meshes: str
     pictures: str
+    ceilings: bool = True  #: whether to measure what the grid lets pictures reach, too
 
     def __call__(self):
         results, of = [], None
@@ -254,8 +255,10 @@ class Group(NamedTuple):
             if of is None or not np.array_equal(of.points, surfaces[0].points):
                 of = draw_references(surfaces[0], self.styles)
             values = phantoms.blurred(surfaces, grid)
-            sharp = phantoms.mesh(phantoms.iso_surface(values, grid, surfaces[0].step / 2))
-            ceilings = {style: find_ceiling(style, sharp, of) for style in self.styles}
+            ceilings = dict.fromkeys(self.styles, {})
+            if self.ceilings:
+                sharp = phantoms.mesh(phantoms.iso_surface(values, grid, surfaces[0].step / 2))
+                ceilings = {style: find_ceiling(style, sharp, of) for style in self.styles}
             for case in cases:
                 phantom = phantoms.scan(surfaces, values, grid, case.type, case.noise)
                 for style in self.styles:

@@ -41,6 +41,10 @@ def run_ink(*arguments, env=None, **keywords):
     return Result(done.returncode, done.stdout, done.stderr)
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "one_build: what neither VTK's version nor its window changes; see CONTRIBUTING.md")
+
+
 # What no setup brings: these tests may be skipped also where CI=true.
 NOT_PROMISED = (
     "built with OpenVDB|root may read everything|this VTK draws without a display|ffmpeg lies beside ink"

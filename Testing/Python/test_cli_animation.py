@@ -66,6 +66,7 @@ def json_series(folder):
     return path
 
 
+@pytest.mark.one_build
 def test_all_ways_to_name_a_series_are_the_same(ink, series, tmp_path):
     pictures = []
     names = [series / "ball_%d.ply", series / "ball_*.ply", series / "ball_?*.ply", pvd(series), json_series(series)]
@@ -80,6 +81,7 @@ def test_all_ways_to_name_a_series_are_the_same(ink, series, tmp_path):
 
 @pytest.mark.parametrize("frames, steps", [("3", [0, 2, 4]), ("1", [0]), ("1:3", [1, 2, 3]), ("0:4:2", [0, 2, 4]),
                                            ("9", [0, 1, 1, 2, 2, 3, 3, 4, 4])])
+@pytest.mark.one_build
 def test_chosen_frames(ink, series, tmp_path, frames, steps):
     images = frames_of(ink, series / "ball_%d.ply", tmp_path, "--frames", frames)
     widths = [bounds(image)[3] - bounds(image)[2] for image in images]
@@ -88,6 +90,7 @@ def test_chosen_frames(ink, series, tmp_path, frames, steps):
         assert (widths[i] < widths[j]) == (steps[i] < steps[j])
 
 
+@pytest.mark.one_build
 def test_samples_are_moved_and_not_made_anew(ink, tmp_path):
     """A threshold at which noise is drawn, on a sphere that moves by a tenth of a pixel; where faces come in another
     order each time, they are other faces, and samples are made anew."""
@@ -104,6 +107,7 @@ def test_samples_are_moved_and_not_made_anew(ink, tmp_path):
     assert changes[0] < 0.3 * changes[1], changes
 
 
+@pytest.mark.one_build
 def test_topology_may_change(ink, tmp_path):
     for i, (rows, columns) in enumerate([(20, 30), (20, 30), (21, 30)]):
         ink_files.write_ply(tmp_path / f"s_{i}.ply", ink_files.sphere_mesh(rows, columns))
@@ -134,6 +138,7 @@ def test_a_turntable_goes_once_around(ink, volume_file, tmp_path):
     assert len({bounds(image)[1] - bounds(image)[0] for image in images}) <= 2, "the camera keeps its distance"
 
 
+@pytest.mark.one_build
 def test_a_turntable_leaves_upright_what_is(ink, tmp_path):
     points, normals, triangles = ink_files.sphere_mesh(24, 36)
     mesh = tmp_path / "needle.ply"
@@ -177,6 +182,7 @@ def test_a_video_gets_all_pixels(ink, series, tmp_path):
     assert not list(tmp_path.glob("ink-*")), "nothing is left behind"
 
 
+@pytest.mark.one_build
 def test_a_video_that_fails_changes_nothing(ink, series, tmp_path):
     out = tmp_path / "out.webm"
     out.write_text("before")
@@ -188,6 +194,7 @@ def test_a_video_that_fails_changes_nothing(ink, series, tmp_path):
         assert not list(tmp_path.glob("ink-*"))
 
 
+@pytest.mark.one_build
 def test_no_ffmpeg(ink, series, tmp_path):
     program = os.path.dirname(next(p for p in (os.path.join(d, "ink") for d in os.environ["PATH"].split(":")) if os.path.exists(p)))
     if os.path.exists(os.path.join(program, "ffmpeg")):
@@ -209,6 +216,7 @@ def test_no_ffmpeg(ink, series, tmp_path):
     ("ball_%d.ply", ["--transparent", "-o", "o.mp4"], 2, ["--transparent"]),
     ("ball_%d.ply", ["-o", "no/such/folder_%d.png"], 1, ["no directory"]),
 ])
+@pytest.mark.one_build
 def test_wrong_usage(ink, series, tmp_path, source, arguments, code, words):
     result = ink("render", series / source, *arguments, cwd=tmp_path)
     assert result.code == code and all(word in result.error for word in words), result
@@ -224,12 +232,14 @@ def test_wrong_usage(ink, series, tmp_path, source, arguments, code, words):
     ("a.vtp.series", "[", ["JSON"]), ("a.vtp.series", '{"files": [{"name": 3, "time": 1}]}', ["JSON"]),
     ("a.vtp.series", '{"files": [{"name": "missing.vtp", "time": 1}]}', ["missing.vtp", "no such file"]),
 ])
+@pytest.mark.one_build
 def test_broken_series(ink, tmp_path, name, text, words):
     (tmp_path / name).write_text(text)
     result = ink("render", tmp_path / name, "-o", tmp_path / "o_%d.png")
     assert result.code == 1 and all(word in result.error for word in words), result
 
 
+@pytest.mark.one_build
 def test_only_render_takes_series(ink, series, tmp_path):
     result = ink("sample", pvd(series), tmp_path / "out.vtp")
     assert result.code == 1 and "series" in result.error

@@ -8,6 +8,8 @@ import pytest
 
 import ink_files
 
+pytestmark = pytest.mark.one_build
+
 
 @pytest.fixture
 def drawn(picture):

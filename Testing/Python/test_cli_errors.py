@@ -61,6 +61,7 @@ def test_output_in_the_current_folder(ink, volume_file, tmp_path):
 
 
 @pytest.mark.parametrize("arguments", [["rendr", "v.nii"], ["render", "v.nii", "-o", "a.png", "--isovalue", "80"]])
+@pytest.mark.one_build
 def test_unknown_arguments_are_named(ink, arguments):
     result = ink(*arguments)
     assert result.code == 2
@@ -75,6 +76,7 @@ def test_unknown_arguments_are_named(ink, arguments):
     (["render", "v.nii", "-o", "a.png", "--preset", "specimn"], "specimen"),
     (["render", "v.nii", "-o", "a.png", "--style", "stipple", "--preset", "enginering"], "engineering"), (["render", "v.nii", "-o", "a.png", "--preset", "q"], None),
     (["sample", "v.nii", "a.vtp", "--arrays", "normals"], "Normals"), (["render", "v.nii", "-o", "a.png", "--xyzzy"], None)])  # fmt: skip
+@pytest.mark.one_build
 def test_what_was_meant(ink, arguments, meant):
     result = ink(*arguments)
     assert result.code == 2
@@ -96,6 +98,7 @@ def test_what_was_meant(ink, arguments, meant):
     (["render", "v.nii", "-o", "a.png", "--zoom", "0"], "--zoom '0': expected a number from 0.01 to 1000"),
     (["render", "v.nii", "w.nii", "-o", "a.png"], "'w.nii': expected no such argument (see ink render --help)"),
     (["generate", "fish"], "'fish': expected bash, man or zsh")])  # fmt: skip
+@pytest.mark.one_build
 def test_messages_are_inks_own(ink, arguments, message):
     result = ink(*arguments)
     assert result.code == 2
@@ -258,6 +261,7 @@ def test_iso_out_of_range(refused, volume_file, iso):
 
 
 @pytest.mark.parametrize("iso", ["nan", "inf", "-inf"])
+@pytest.mark.one_build
 def test_iso_that_is_no_number(refused, volume_file, iso):
     message = refused(2, volume_file, "--iso", "100", "--iso", iso)
     assert "--iso" in message and "number" in message and iso in message
@@ -269,6 +273,7 @@ def test_iso_of_a_mesh(refused, tmp_path):
 
 
 @pytest.mark.parametrize("size", ["0x5", "5x0", "1000000x1000000", "99999999999x1", "100001x1", "60000x60000", "x", "0", "100x", "-5x5", "5x5x5", "axb", ""])
+@pytest.mark.one_build
 def test_absurd_size(refused, volume_file, size):
     assert "--size" in refused(2, volume_file, "--size", size)
 
@@ -277,11 +282,13 @@ def test_absurd_size(refused, volume_file, size):
     ("--tau", "0"), ("--tau", "nan"), ("--phi", "-1"), ("--phi", "x"), ("--lambda", "0"), ("--sigma", "1e9"),
     ("--zoom", "0"), ("--zoom", "inf"), ("--azimuth", "nan"), ("--elevation", "1000"), ("--view", "behind"), ("--style", "oil"),
     ("--iso", "dense"), ("--ink-color", "#12"), ("--paper-color", "no color"), ("--background", "")])
+@pytest.mark.one_build
 def test_values_that_options_do_not_take(refused, volume_file, option, value):
     assert option in refused(2, volume_file, option, value)
 
 
 @pytest.mark.parametrize("layout", ["", "32x32:uint8", "32x32x32", "32x32x32:uint7", "0x32x32:uint8", "32x32x32:", "axbxc:uint8"])
+@pytest.mark.one_build
 def test_raw_layouts_that_are_none(refused, tmp_path, layout):
     (tmp_path / "v.raw").write_bytes(bytes(32**3))
     assert "--raw" in refused(2, tmp_path / "v.raw", "--raw", layout)
@@ -289,6 +296,7 @@ def test_raw_layouts_that_are_none(refused, tmp_path, layout):
 
 @pytest.mark.parametrize("layout, bytes_needed", [("32x32x33:uint8", 33792), ("32x32x31:uint8", 31744), ("32x32x32:int16", 65536),
                                                   ("999999x999999x999999:float64", 7999976000023999992)])
+@pytest.mark.one_build
 def test_raw_size_mismatch(refused, tmp_path, layout, bytes_needed):
     (tmp_path / "v.raw").write_bytes(bytes(32**3))
     message = refused(1, tmp_path / "v.raw", "--raw", layout)
@@ -296,6 +304,7 @@ def test_raw_size_mismatch(refused, tmp_path, layout, bytes_needed):
 
 
 @pytest.mark.parametrize("spacing", ["1,2", "1,2,3,4", "0,1,1", "-1,1,1", "nan,1,1", "a,b,c"])
+@pytest.mark.one_build
 def test_spacings_that_are_none(refused, tmp_path, spacing):
     (tmp_path / "v.raw").write_bytes(bytes(32**3))
     assert "--spacing" in refused(2, tmp_path / "v.raw", "--raw", "32x32x32:uint8", "--spacing", spacing)
@@ -303,6 +312,7 @@ def test_spacings_that_are_none(refused, tmp_path, spacing):
 
 @pytest.mark.parametrize("arguments", [[], ["paint"], ["render"], ["render", "a.nii"], ["info"], ["render", "a.nii", "-o"],
                                        ["render", "a.nii", "b.nii", "-o", "c.png"], ["--no-such-option"]])
+@pytest.mark.one_build
 def test_wrong_usage(ink, arguments):
     result = ink(*arguments)
     assert result.code == 2

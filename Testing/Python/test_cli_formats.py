@@ -96,11 +96,15 @@ def difference(a, b):
     return np.abs(a.astype(float) - b).mean() / 255
 
 
+# The style that is drawn soonest, in a view that has no mirror plane.
+OPTIONS = ["--style", "splatting-lines", "--view", "iso"]
+
+
 @pytest.fixture(scope="module")
 def reference(tmp_path_factory, ink):
     folder = tmp_path_factory.mktemp("reference")
     ink_files.write_vti(folder / "blob.vti", BLOB)
-    result = ink("render", folder / "blob.vti", "--iso", 100, "--view", "iso", "--size", "200x200", "-o", folder / "r.png")
+    result = ink("render", folder / "blob.vti", "--iso", 100, *OPTIONS, "--size", "200x200", "-o", folder / "r.png")
     assert result.code == 0, result
     return ink_files.read_png(folder / "r.png")
 
@@ -108,9 +112,10 @@ def reference(tmp_path_factory, ink):
 @pytest.mark.parametrize("name", VOLUMES)
 def test_every_volume_format_gives_the_same_picture(name, tmp_path, picture, reference):
     VOLUMES[name](tmp_path / name)
-    drawn = picture(tmp_path / name, "--iso", 100, "--view", "iso")
-    assert (reference < 128).mean() > 0.01, "the reference shows nothing"
-    assert difference(drawn, reference) < 0.01
+    drawn = picture(tmp_path / name, "--iso", 100, *OPTIONS)
+    assert (reference < 128).mean() > 0.005, "the reference shows nothing"
+    # A mirrored one differs by 0.017.
+    assert difference(drawn, reference) < 0.001
 
 
 def test_axes_that_are_not_at_right_angles_are_said(tmp_path, ink):
@@ -137,7 +142,7 @@ def test_spacings_of_nrrd(sizes, spacings, tmp_path, ink):
 def test_an_orientation_is_told_apart(tmp_path, picture, reference):
     """The limit above is tight enough to tell a mirrored volume from the right one."""
     ink_files.write_vti(tmp_path / "mirrored.vti", np.ascontiguousarray(BLOB[:, ::-1]))
-    assert difference(picture(tmp_path / "mirrored.vti", "--iso", 100, "--view", "iso"), reference) > 0.02
+    assert difference(picture(tmp_path / "mirrored.vti", "--iso", 100, *OPTIONS), reference) > 0.01
 
 
 RAW_TYPES = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64"]
@@ -148,18 +153,18 @@ def half(tmp_path_factory, ink):
     """The picture of values that fit into all types."""
     folder = tmp_path_factory.mktemp("half")
     ink_files.write_vti(folder / "half.vti", BLOB // 2)
-    result = ink("render", folder / "half.vti", "--iso", 50, "--view", "iso", "--size", "200x200", "-o", folder / "h.png")
+    result = ink("render", folder / "half.vti", "--iso", 50, *OPTIONS, "--size", "200x200", "-o", folder / "h.png")
     assert result.code == 0, result
     return ink_files.read_png(folder / "h.png")
 
 
 @pytest.mark.parametrize("name, order", [(name, "<") for name in RAW_TYPES] + [("int16", ">"), ("float64", ">")])
+@pytest.mark.one_build
 def test_raw_files_of_every_type(name, order, tmp_path, picture, half):
     volume = (BLOB // 2).astype(np.dtype(name).newbyteorder(order))
     (tmp_path / "blob").write_bytes(volume.tobytes())
     big = ["--big-endian"] if order == ">" else []
-    drawn = picture(tmp_path / "blob", "--raw", f"32x32x32:{name}", "--iso", 50, "--view", "iso", *big)
-    # Rounding of the values' types: 0.0004 at the most.
+    drawn = picture(tmp_path / "blob", "--raw", f"32x32x32:{name}", "--iso", 50, *OPTIONS, *big)
     assert difference(drawn, half) < 0.001
 
 

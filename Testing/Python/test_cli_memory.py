@@ -51,6 +51,7 @@ def same(ink, tmp_path):
 
 
 @pytest.mark.parametrize("name, order", [*[(name, "<") for name in TYPES], ("int16", ">"), ("uint32", ">"), ("float64", ">")])
+@pytest.mark.one_build
 def test_raw_files_of_all_types(same, tmp_path, name, order):
     dtype = np.dtype(name)
     volume = waves(SHAPES[dtype.itemsize], dtype)
@@ -99,6 +100,7 @@ def write_parts(path, volume, format, order="<", skipped=0):
     ("v.mhd", "metaimage", "uint8", {"skipped": -1}), ("v.mhd", "metaimage", "int16", {"skipped": 100}),
     ("v.nrrd", "nrrd", "int16", {}), ("v.nrrd", "nrrd", "float32", {"order": ">"}), ("v.nhdr", "nrrd", "uint8", {}),
     ("v.nrrd", "flipped", "int16", {})])
+@pytest.mark.one_build
 def test_metaimage_and_nrrd(same, tmp_path, name, format, dtype, arguments):
     volume = waves(SHAPES[np.dtype(dtype).itemsize], dtype)
     write_parts(tmp_path / name, volume, format, **arguments)
@@ -114,6 +116,7 @@ def test_nifti_and_legacy_vtk(same, tmp_path, name, write):
 
 
 @pytest.mark.parametrize("name, format", [("v.mha", "metaimage"), ("v.nrrd", "nrrd")])
+@pytest.mark.one_build
 def test_the_first_of_several_components(same, ink, tmp_path, name, format):
     volume = waves((72, 256, 128, 3), np.int16)
     write_parts(tmp_path / name, volume, format)
@@ -125,6 +128,7 @@ def test_the_first_of_several_components(same, ink, tmp_path, name, format):
 
 
 @pytest.mark.parametrize("rule, precision", [("half-open", "double"), ("strict", "float")])
+@pytest.mark.one_build
 def test_rules_and_precisions(same, tmp_path, rule, precision):
     volume = (waves(SHAPES[1]) // 20 * 20).astype(np.uint8)
     (tmp_path / "v.raw").write_bytes(volume.tobytes())
@@ -132,6 +136,7 @@ def test_rules_and_precisions(same, tmp_path, rule, precision):
 
 
 @pytest.mark.parametrize("dtype", ["uint8", "float32"])
+@pytest.mark.one_build
 def test_chosen_iso_values_and_info(same, ink, tmp_path, dtype):
     """Statistics are the same, too, with values that are not finite."""
     volume = waves(SHAPES[np.dtype(dtype).itemsize], dtype)
@@ -147,6 +152,7 @@ def test_chosen_iso_values_and_info(same, ink, tmp_path, dtype):
     assert ("not finite     6 voxels" in little.out) == (dtype == "float32")
 
 
+@pytest.mark.one_build
 def test_noise_has_more_points_than_memory(same, tmp_path):
     """Nearly every cell has a point: they are made a few layers at a time and wait in a file."""
     volume = np.random.default_rng(3).random((64, 200, 200))
@@ -265,6 +271,7 @@ def test_512_mib_under_256(crop, tmp_path, name, head):
     check_balls(ink_files.read_points(tmp_path / "out.vtp"), crop, tmp_path)
 
 
+@pytest.mark.one_build
 def test_4_gib_under_1(crop, tmp_path):
     write_balls(tmp_path / "v.raw", b"", (2048, 2048, 1024), scale=2)
     peak = peak_memory("sample", tmp_path / "v.raw", tmp_path / "out.vtp", "--raw", "2048x2048x1024:uint8", "--iso", 100,
@@ -288,15 +295,18 @@ def refused(ink, tmp_path):
 
 
 @pytest.mark.parametrize("size", ["", "1", "100", "1e9", "-1GiB", "GiB", "127MiB", "1 lot", "nanGiB", "0.0001TiB"])
+@pytest.mark.one_build
 def test_sizes_that_are_none(refused, volume_file, tmp_path, size):
     assert "--memory" in refused(2, "sample", volume_file, tmp_path / "out.vtp", f"--memory={size}")
 
 
 @pytest.mark.parametrize("size", ["128MiB", "0.2GiB", "1g", "1 GiB", "1T", "131072kib"])
+@pytest.mark.one_build
 def test_sizes(ink, volume_file, tmp_path, size):
     assert ink("sample", volume_file, tmp_path / "out.vtp", "--memory", size).code == 0
 
 
+@pytest.mark.one_build
 def test_slices_that_memory_cannot_hold(refused, ink, tmp_path):
     """The message says how much is enough."""
     with open(tmp_path / "v.raw", "wb") as file:
@@ -311,6 +321,7 @@ def test_slices_that_memory_cannot_hold(refused, ink, tmp_path):
     assert ink(*command, "--memory", f"{needed[1]}MiB").code == 0
 
 
+@pytest.mark.one_build
 def test_layers_with_more_points_than_memory_holds(refused, ink, tmp_path):
     volume = np.zeros((20, 1000, 1000), np.uint8)
     volume[10] = np.random.default_rng(3).integers(0, 256, (1000, 1000), np.uint8)
@@ -322,6 +333,7 @@ def test_layers_with_more_points_than_memory_holds(refused, ink, tmp_path):
     assert ink(*command, "--memory", f"{int(needed[1])}MiB").code == 0
 
 
+@pytest.mark.one_build
 def test_more_points_than_can_be_drawn(refused, tmp_path):
     np.random.default_rng(3).integers(0, 256, (70, 500, 500), np.uint8).tofile(tmp_path / "v.raw")
     message = refused(1, "render", tmp_path / "v.raw", "-o", tmp_path / "out.png", "--raw", "500x500x70:uint8", "--iso", 128,
@@ -340,6 +352,7 @@ def test_files_that_can_only_be_read_whole(refused, ink, tmp_path, name, write):
 
 
 @pytest.mark.parametrize("name", ["v.mha", "v.mhd", "v.nrrd", "v.nhdr"])
+@pytest.mark.one_build
 def test_files_that_are_too_short(refused, tmp_path, name):
     write = ink_files.write_metaimage if name.startswith("v.m") else ink_files.write_nrrd
     write(tmp_path / name, waves(SHAPES[1]))
@@ -351,6 +364,7 @@ def test_files_that_are_too_short(refused, tmp_path, name):
 
 @pytest.mark.parametrize("values, message", [(0, "all voxels have the value 0"), (np.nan, "no voxel has a finite value")])
 @pytest.mark.parametrize("arguments", [[], ["--iso", 5]])
+@pytest.mark.one_build
 def test_nothing_to_sample(refused, tmp_path, values, message, arguments):
     (tmp_path / "v.raw").write_bytes(np.full(SHAPES[4], values, np.float32).tobytes())
     assert message in refused(1, "sample", tmp_path / "v.raw", tmp_path / "out.vtp", "--raw", "256x256x72:float32", "--memory",
@@ -358,6 +372,7 @@ def test_nothing_to_sample(refused, tmp_path, values, message, arguments):
 
 
 @pytest.mark.parametrize("iso", ["nan", "-1", "0", "1000"])
+@pytest.mark.one_build
 def test_iso_values_out_of_range(refused, tmp_path, iso):
     (tmp_path / "v.raw").write_bytes(waves(SHAPES[1]).tobytes())
     message = refused(2, "sample", tmp_path / "v.raw", tmp_path / "out.vtp", "--raw", "512x512x72:uint8", "--memory", LITTLE,
@@ -366,6 +381,7 @@ def test_iso_values_out_of_range(refused, tmp_path, iso):
 
 
 @pytest.mark.parametrize("slices", [1, 2, 3])
+@pytest.mark.one_build
 def test_few_slices(ink, refused, tmp_path, slices):
     """Fewer than are needed at a time otherwise."""
     volume = np.zeros((slices, 2400 // slices, 1000))

@@ -136,7 +136,9 @@ EXACT = ["--maximum-downsampling", 1]
     ("splatting-lines", [*EXACT, "--thin", "--line-width", 3]), ("splatting-lines", [*EXACT, "--speckles", 6]),
     ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.3]), ("stipple", []), ("stipple", ["--size-unit", "pixels"]),
     ("stipple", ["--zoom", 1.7, "--view", "iso"]), ("stipple", ["--transparent"])])  # fmt: skip
-@pytest.mark.parametrize("size, tile", [("768x768", 256), ("1100x600", 300), ("400x1024", 512)])
+@pytest.mark.parametrize("size, tile", [
+    pytest.param("768x768", 256, marks=pytest.mark.one_build), ("1100x600", 300),
+    pytest.param("400x1024", 512, marks=pytest.mark.one_build)])  # fmt: skip
 def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, size, tile):
     for file in (volume_file, mesh_file):
         whole = picture(file, "--style", style, *options, size=size).astype(int)

@@ -4,6 +4,8 @@
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 SMALL, FACTOR = 300, 4
 
 

@@ -60,6 +60,7 @@ def test_size(picture, volume_file, size):
 
 @pytest.mark.parametrize("size", ["300x200", "200x300"])
 @pytest.mark.parametrize("projection", [[], ["--parallel"]])
+@pytest.mark.one_build
 def test_the_subject_fits_with_a_margin(picture, volume_file, size, projection):
     image = picture(volume_file, "--iso", 100, *projection, size=size)
     height, width = image.shape[:2]
@@ -78,6 +79,7 @@ def test_large_pictures_show_the_same(picture, volume_file):
     assert np.abs(small - large).mean() < 4
 
 
+@pytest.mark.one_build
 def test_views_are_the_sides_of_the_subject(picture, volume_file):
     """The blob has its bumps to its left (+x, large), back (+y, medium) and top (+z, small)."""
     views = {name: picture(volume_file, "--iso", 100, "--view", name, "--parallel") for name in
@@ -103,6 +105,7 @@ def test_views_are_the_sides_of_the_subject(picture, volume_file):
 @pytest.mark.parametrize("arguments, view", [
     (["--azimuth", 90], "left"), (["--azimuth", -90], "right"), (["--azimuth", 180], "back"), (["--elevation", 90], "top"),
     (["--elevation", -90], "bottom"), (["--view", "left", "--azimuth", -90], "front"), (["--azimuth", 360], "front")])
+@pytest.mark.one_build
 def test_angles_lead_from_view_to_view(picture, volume_file, arguments, view):
     turned = picture(volume_file, "--iso", 100, *arguments)
     named = picture(volume_file, "--iso", 100, "--view", view)
@@ -156,6 +159,7 @@ def test_transparent_without_paper_is_ink_alone(picture, volume_file):
 
 
 @pytest.mark.parametrize("option, low, high", [("--tau", 0.8, 1.2), ("--phi", 5, 100)])
+@pytest.mark.one_build
 def test_more_ink_with_larger_values(picture, volume_file, option, low, high):
     light = picture(volume_file, "--iso", 100, option, low).mean()
     dark = picture(volume_file, "--iso", 100, option, high).mean()
@@ -163,6 +167,7 @@ def test_more_ink_with_larger_values(picture, volume_file, option, low, high):
 
 
 @pytest.mark.parametrize("option, values", [("--lambda", (1, 4)), ("--sigma", (0.2, 0.8))])
+@pytest.mark.one_build
 def test_other_parameters_change_the_lines(picture, volume_file, option, values):
     a, b = (picture(volume_file, *LINES, "--iso", 100, option, value).astype(int) for value in values)
     # Much of the ink of lines that are thinner than a pixel.
@@ -187,6 +192,7 @@ def test_hardness_leaves_no_grays(picture, volume_file):
     assert grays("--hardness", 1) < 0.8 * grays()
 
 
+@pytest.mark.one_build
 def test_speckles_go(picture, tmp_path):
     """A large ball and, beside it, one that is a few pixels wide."""
     ball = ink_files.blob((48, 48, 48), np.float32)
@@ -231,6 +237,7 @@ def test_layers_show_what_is_hidden(picture, nested):
     assert colored[..., 0].sum() == 0 < colored[..., 1].sum()
 
 
+@pytest.mark.one_build
 def test_hidden_lines_need_layers(ink, nested, tmp_path):
     result = ink("render", *nested, *LINES, "--hidden-dashes", 5, "-o", tmp_path / "out.png")
     assert result.code == 2

@@ -9,6 +9,8 @@ import pytest
 
 import ink_files
 
+pytestmark = pytest.mark.one_build
+
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 
 

@@ -136,6 +136,7 @@ def test_segments_through_voxels_need_an_image():
 
 
 @pytest.mark.parametrize("pixels", [0.1, 0.3, 0.7])
+@pytest.mark.one_build
 def test_lines_of_less_than_a_pixel_fade_evenly(pixels):
     """Along the circle each tenth of it has the ink of its length. Measured: 3 % less or more."""
     drawn = draw(sphere(), line_width=1000 * pixels / SIZE)
@@ -146,6 +147,7 @@ def test_lines_of_less_than_a_pixel_fade_evenly(pixels):
 
 
 @pytest.mark.parametrize("scale, origin", [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e5)])
+@pytest.mark.one_build
 def test_size_and_place_do_not_matter(scale, origin):
     assert_circle(draw(ball(scale=scale, origin=origin), scale=scale, origin=origin, iso_values=100), RADIUS * SIZE / 2)
 
@@ -202,6 +204,7 @@ def test_what_leaves_the_image_has_a_line_along_the_cut():
         assert drawn.sum() == pytest.approx(4 * (np.pi + 2) * RADIUS * SIZE / 2, rel=0.06), cut
 
 
+@pytest.mark.one_build
 def test_parts_are_left_out():
     z, y, x = np.meshgrid(*[np.linspace(-1, 1, 40)] * 3, indexing="ij")
     balls = [radius - np.sqrt((x - middle) ** 2 + y * y + z * z) for middle, radius in ((-0.4, 0.45), (0.6, 0.25))]
@@ -210,6 +213,7 @@ def test_parts_are_left_out():
     assert one[1] == pytest.approx(39 * (1 + 0.05) / 2, abs=0.1) and one[0] == both[0]
 
 
+@pytest.mark.one_build
 def test_presets_differ():
     drawn = {name: draw(cube(), ISO, preset=name) for name in vtkink.styles()["contours"].presets}
     assert list(drawn) == ["pen", "technical", "hidden-lines", "glass", "brush"]
@@ -312,6 +316,7 @@ def test_silhouettes_follow_the_viewer_and_hide_behind_their_surface():
     assert beside.sum() > 1.2 * alone.sum()
 
 
+@pytest.mark.one_build
 def test_the_same_with_one_thread_and_two(ink, tmp_path):
     file = tmp_path / "ball.nrrd"
     ink_files.write_nrrd(file, ink_files.blob())
@@ -349,6 +354,7 @@ def test_the_examples_draw(tmp_path, name):
     assert 0.005 < (ink_files.read_png(tmp_path / f"{name}.png") < 128).mean() < 0.2
 
 
+@pytest.mark.one_build
 def test_silhouettes_of_an_image_are_those_of_the_analytic_sphere():
     """Its circle: where p.e is the square of the radius. Cells measure 0.043."""
     contours = vtkink.vtkInkContours()

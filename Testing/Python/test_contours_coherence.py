@@ -3,6 +3,8 @@
 
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
 import contours_coherence as coherence  # noqa: E402

@@ -4,6 +4,8 @@
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
 import hatching_coherence as coherence  # noqa: E402

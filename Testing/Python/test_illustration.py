@@ -89,6 +89,7 @@ def mesh_stipples():
 
 @pytest.mark.parametrize("cells, options", [
     (24, {}), (48, {}), (96, {}), (48, {"spacing": (1.0, 1.0, 3.0)}), (48, {"noise": 0.03})])
+@pytest.mark.one_build
 def test_stipples_of_a_volume_are_as_those_of_its_mesh(mesh_stipples, cells, options):
     actor, drawn = draw(ball(cells, **options), "stipple", **IN_PIXELS)
     mesh_actor, of_mesh = mesh_stipples
@@ -102,6 +103,7 @@ def test_stipples_of_a_volume_are_as_those_of_its_mesh(mesh_stipples, cells, opt
     assert drawn[beyond].sum() < 0.01 * drawn.sum()
 
 
+@pytest.mark.one_build
 def test_density_does_not_depend_on_the_number_of_voxels():
     counts = [draw(ball(cells), "stipple")[0].style.GetPiece(0).GetNumberOfPoints() for cells in (16, 32, 64)]
     assert max(counts) < 1.1 * min(counts)
@@ -128,6 +130,7 @@ def test_what_lies_behind_is_hidden():
 
 
 @pytest.mark.parametrize("scale, origin", [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e5)])
+@pytest.mark.one_build
 def test_size_and_place_do_not_matter(scale, origin):
     data = ball(32, scale=scale, origin=origin)
     for style in ("stipple", "illustration"):
@@ -145,6 +148,7 @@ def test_lines_and_stipples_register():
     assert both.sum() == pytest.approx(np.maximum(lines, stipples).sum(), rel=0.1)
 
 
+@pytest.mark.one_build
 def test_presets_differ_and_leave_what_is_given():
     drawn = {name: draw(ball(32), "illustration", preset=name)[1] for name in vtkink.styles()["illustration"].presets}
     assert list(drawn) == ["specimen", "bone", "skin", "organ", "vessel", "machine-part"]
@@ -166,6 +170,7 @@ def test_meshes_and_points_are_illustrated_too(tmp_path):
         assert np.abs(blurred(other) - blurred(of_mesh)).mean() < 0.05
 
 
+@pytest.mark.one_build
 def test_subdivision_is_the_same_in_a_picture_of_any_size():
     def count(size, **parameters):
         return vtkink.draw(ball(32), "splatting-lines", size=(size, size), iso_values=100,
@@ -233,6 +238,7 @@ def test_see_through_has_an_ink_of_its_own():
 
 
 @pytest.mark.parametrize("style", ["stipple", "illustration"])
+@pytest.mark.one_build
 def test_hard_cases(style):
     with pytest.raises(ValueError, match="(different finite values|nothing to draw)"):
         vtkink.draw(np.ones((8, 8, 8)), style)

@@ -80,6 +80,7 @@ def test_the_gray_is_that_of_the_light():
     assert drawn[across > 1.05].max() == 0
 
 
+@pytest.mark.one_build
 def test_the_gray_is_the_same_at_any_zoom():
     scene = Scene(torus(), **FROM_VIEWER)
     grays = []
@@ -104,17 +105,34 @@ def test_shade_and_light():
     assert all(drawn[rim][angles == angle].max() > 0.5 for angle in np.unique(angles))
 
 
+@pytest.mark.one_build
 def test_sliders():
     data = torus()
-    ink = lambda **one: draw(data, (0.3, 0.4, 1), **{"contour_width": 0, **one}).sum()  # noqa: E731
-    usual = ink()
-    tones = [ink(tone=tone) for tone in (0.2, 0.4, 0.6, 0.8)]
+    ink = lambda scene: scene.draw((0.3, 0.4, 1)).sum()
+    scene = Scene(data, contour_width=0)
+
+    def ink_with(name, value):
+        """Of the same lines, which take longer than all pictures."""
+        before = scene.style.GetParameter(name)
+        assert scene.style.SetParameter(name, value)
+        drawn = ink(scene)
+        assert scene.style.SetParameter(name, before)
+        return drawn
+
+    usual = ink(scene)
+    tones = [ink_with("Tone", tone) for tone in (0.2, 0.4, 0.6, 0.8)]
     assert all(a < b for a, b in zip(tones, tones[1:])), tones
     # What makes the tone changes, and not the tone.
-    for name, values in (("density", (0.1, 0.5)), ("width", (0, 0.5)), ("crosshatch", (0, 1)), ("length", (100,))):
-        for value in values:
-            assert ink(**{name: value}) == pytest.approx(usual, rel=0.12), (name, value)
-    strokes = [Scene(data, length=length).style.GetPiece(1).GetNumberOfCells() for length in (0, 100, 30)]
+    for name in ("Width", "Crosshatch"):
+        for value in (0, 0.5) if name == "Width" else (0, 1):
+            changed = ink_with(name, value)
+            assert changed != usual and changed == pytest.approx(usual, rel=0.12), (name, value)
+    assert ink(scene) == usual
+    for density in (0.1, 0.5):
+        assert ink(Scene(data, contour_width=0, density=density)) == pytest.approx(usual, rel=0.12), density
+    shorter = [Scene(data, contour_width=0, length=length) for length in (100, 30)]
+    assert ink(shorter[0]) == pytest.approx(usual, rel=0.12)
+    strokes = [one.style.GetPiece(1).GetNumberOfCells() for one in (scene, *shorter)]
     assert strokes[0] < strokes[1] < strokes[2]
 
 
@@ -133,6 +151,7 @@ def test_what_lies_behind_is_hidden():
     assert draw(both.GetOutput(), (0, 0, -1), **FROM_VIEWER).sum() > 1000
 
 
+@pytest.mark.one_build
 def test_presets_differ():
     data = torus()
     drawn = {name: draw(data, (0.3, 0.4, 1), preset=name) for name in vtkink.styles()["line-art"].presets}
@@ -142,6 +161,7 @@ def test_presets_differ():
         assert all((one != other).any() for key, other in drawn.items() if key != name), name
 
 
+@pytest.mark.one_build
 def test_the_same_with_one_thread_and_two(ink, tmp_path):
     file = tmp_path / "ball.nrrd"
     ink_files.write_nrrd(file, ink_files.blob())

@@ -4,6 +4,8 @@
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 pytest.importorskip("vtkink")
 import lines_coherence as coherence  # noqa: E402
 

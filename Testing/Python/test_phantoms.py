@@ -4,6 +4,8 @@
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 pytest.importorskip("vtkink")
 import phantoms  # noqa: E402
 import scan_phantoms  # noqa: E402

@@ -8,6 +8,8 @@ import picture_metrics as metrics
 
 SIZE = 256
 
+pytestmark = pytest.mark.one_build
+
 
 def lines(*rows, darkness=1.0):
     picture = np.zeros((SIZE, SIZE))

@@ -71,6 +71,7 @@ def test_a_scan_is_drawn_as_its_surface(ink, cloud, tmp_path):
     assert hole == 0
 
 
+@pytest.mark.one_build
 def test_one_radius_for_all_does_worse():
     """Drawn with the mapper as it is: one radius leaves holes among the sparse points, through which the back shows."""
     vtkink = pytest.importorskip("vtkink")
@@ -113,6 +114,7 @@ def test_one_radius_for_all_does_worse():
     assert inks[True][1] > 0.003, inks
 
 
+@pytest.mark.one_build
 def test_what_is_left_out_is_said(ink, cloud, tmp_path):
     path, points, ball, outliers = cloud
     result = ink("sample", path, tmp_path / "out.vtp")
@@ -126,6 +128,7 @@ def test_what_is_left_out_is_said(ink, cloud, tmp_path):
     assert np.median(radius[x > 0.8]) > 2.5 * np.median(radius[x < -0.7])
 
 
+@pytest.mark.one_build
 def test_normals_towards_the_scanner(ink, tmp_path):
     rng = np.random.default_rng(3)
     wave = np.c_[rng.uniform(-1, 1, (4000, 2)), np.zeros(4000)]
@@ -137,6 +140,7 @@ def test_normals_towards_the_scanner(ink, tmp_path):
         assert (side * normals > 0.5).all()
 
 
+@pytest.mark.one_build
 def test_threads_do_not_matter(ink, cloud, tmp_path):
     for threads in ("1", "2"):
         result = ink("sample", cloud[0], tmp_path / f"{threads}.vtp", "-q", env={"VTK_SMP_MAX_THREADS": threads})
@@ -156,6 +160,7 @@ def test_points_of_all_formats_need_no_normals(picture, ink, tmp_path, samples):
         assert np.abs(first.astype(float) - picture(tmp_path / f"points.{suffix}", *samples)).mean() < 1
 
 
+@pytest.mark.one_build
 def test_xyz_files(ink, tmp_path):
     path = tmp_path / "points.xyz"
 
@@ -176,6 +181,7 @@ def test_xyz_files(ink, tmp_path):
     ("1 2\n", ["line 1", "'1 2'", "x, y and z"]), ("1 2 3\n1 2 3 4\n", ["line 2", "3 numbers"]),
     ("1 2 3\nx y z\n", ["line 2", "'x y z'"]), ("# nothing\n", ["no points"]), ("x" * 99, ["x...'"]),
 ])
+@pytest.mark.one_build
 def test_xyz_files_that_are_none(ink, tmp_path, text, words):
     (tmp_path / "bad.xyz").write_text(text)
     for command in (["render", "-o", tmp_path / "out.png"], ["sample", "-o", tmp_path / "out.vtp"], ["info"]):
@@ -185,6 +191,7 @@ def test_xyz_files_that_are_none(ink, tmp_path, text, words):
 
 @pytest.mark.parametrize("text", ["1 2 3\n", "1 2 3\n" * 40, "0 0 0\n1 0 0\n", "nan 0 0\n1 0 0\n",
                                   "".join(f"{i} {2 * i} 0\n" for i in range(50))])
+@pytest.mark.one_build
 def test_degenerate_clouds_are_no_crash(ink, tmp_path, text):
     (tmp_path / "few.xyz").write_text(text)
     result = ink("render", tmp_path / "few.xyz", "--size", "64x64", "-o", tmp_path / "out.png")
@@ -195,6 +202,7 @@ def test_degenerate_clouds_are_no_crash(ink, tmp_path, text):
     assert np.isfinite(columns["Radius"]).all() and (columns["Radius"] >= 0).all()
 
 
+@pytest.mark.one_build
 def test_options_of_points_on_a_mesh_and_a_volume(ink, volume_file, tmp_path):
     points, normals, triangles = ink_files.sphere_mesh(10, 12)
     ink_files.write_ply(tmp_path / "mesh.ply", (points, normals, triangles))

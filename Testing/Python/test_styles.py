@@ -88,6 +88,7 @@ def test_by_cpp_file_and_python(style, parameter, tmp_path):
 
 
 @pytest.mark.parametrize("style", STYLES)
+@pytest.mark.one_build
 def test_every_option_is_the_parameter(ink, style, tmp_path):
     """One after the other, as the program takes a moment to start: the options of all parameters at once, then each group."""
     arguments, given = [], {}
@@ -120,6 +121,7 @@ def test_every_option_is_the_parameter(ink, style, tmp_path):
     assert ink("style", style, "--style-file", file).out == result.out
 
 
+@pytest.mark.one_build
 def test_switches_can_be_turned_off(ink):
     for parameter in STYLES["stipple"].parameters.values():
         if parameter.type == "bool":
@@ -143,6 +145,7 @@ def test_a_style_file_is_the_picture(ink, picture, volume_file, tmp_path):
     ('{"style": "stipple", "parameters": {"Sharpness": 7}}', ["Sharpness", "from 0 to 1", "7"]),
     ('{"style": "splatting-lines", "parameters": {}}', ["style", "splatting-lines"]),
 ])
+@pytest.mark.one_build
 def test_wrong_style_files(ink, volume_file, tmp_path, content, words):
     file = tmp_path / "wrong.json"
     file.write_text(content, encoding="utf-8")
@@ -152,6 +155,7 @@ def test_wrong_style_files(ink, volume_file, tmp_path, content, words):
     assert result.code == 1 and "none.json" in result.error
 
 
+@pytest.mark.one_build
 def test_help_has_essentials_and_all(ink):
     short, long = (ink("render", "--style", "stipple", option).out for option in ("--help", "--help-all"))
     for parameter in STYLES["stipple"].parameters.values():
@@ -253,6 +257,7 @@ def test_styles_are_described():
 
 
 @pytest.mark.parametrize("style", STYLES)
+@pytest.mark.one_build
 def test_pages_have_the_table(style, tmp_path):
     """Made again by: Styles/Core/generate_parameters.py table Styles/STYLE/parameters.json Documentation/PAGE.md"""
     page = ROOT / "Documentation" / PAGES[style]
@@ -271,6 +276,7 @@ def test_pages_have_the_table(style, tmp_path):
     ({"name": "Oil", "type": "int", "default": 0, "text": "No parameter.", "implies": {"Water": 1}}, ["Oil", "Water"]),
     ({"name": "Oil", "from": "Core"}, ["Oil", "Core"]),
 ])
+@pytest.mark.one_build
 def test_wrong_tables_are_refused(tmp_path, change, words):
     table = json.loads((ROOT / "Styles/Stipple/parameters.json").read_text(encoding="utf-8"))
     table["groups"][0]["parameters"].append(change)
@@ -284,6 +290,7 @@ def test_wrong_tables_are_refused(tmp_path, change, words):
 
 
 @pytest.mark.parametrize("style", STYLES)
+@pytest.mark.one_build
 def test_paraviews_properties(style, tmp_path):
     """Each sets its parameter by name; what decides whether one is shown is a property, too."""
     import xml.etree.ElementTree as ElementTree
