@@ -408,8 +408,8 @@ void vtkInkStrokeMapper::UpdateRuns(InkStrokeMarks& marks, const InkViewUniforms
     finer.Size = depth->View->Size;
     finer.Pixel = depth->View->Pixel;
     const double factor = view.Pixel / finer.Pixel;
-    runs = InkStrokeRuns::FindVisible(marks.Strokes, finer, ReadDepth(*depth), source.Tolerance,
-      factor * this->ShortestPart, source.WithHidden);
+    runs = InkStrokeRuns::FindVisible(
+      marks.Strokes, finer, ReadDepth(*depth), source.Tolerance, factor * this->ShortestPart, source.WithHidden);
   }
   else
   {
