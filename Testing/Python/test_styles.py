@@ -50,7 +50,7 @@ def another(parameter):
                "vector": [3.0, 4.0, 4.5][: len(default.split(",")) if default else 3]}  # fmt: skip
     if kind == "string":
         return ("viridis",) * 2 if parameter.name == "ColorMap" else ("pressure",) * 2
-    value = numbers[kind][:2] if parameter.name in ("ColorRange", "ValueRange") else numbers[kind]
+    value = numbers[kind][:2] if parameter.name.endswith(("ColorRange", "ValueRange")) else numbers[kind]
     return value, ",".join(json.dumps(number) for number in value)
 
 
