@@ -175,7 +175,8 @@ TEST(StippleStyle, NotesThatThereIsRoomForMore)
   ASSERT_TRUE(style->Make(MakeMesh()));
   EXPECT_EQ(CountOf(style), ink::stipple::mostForPicture);
   ASSERT_EQ(style->GetNumberOfNotes(), 1);
-  EXPECT_NE(std::string(style->GetNote(0)).find("room for more than the 2000000 stipples"), std::string::npos);
+  EXPECT_NE(
+    std::string(style->GetNote(0)).find("room for more than the 2000000 stipples"), std::string::npos);
   style->SetParameter("NumberOfSurfaceStipples", 1000);
   ASSERT_TRUE(style->Make(MakeMesh()));
   EXPECT_EQ(style->GetNumberOfNotes(), 0);
