@@ -362,7 +362,7 @@ double AreaOf(vtkPolyData* mesh)
 vtkIdType vtkInkStippleGenerator::CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple)
 {
   constexpr double fewest = 20'000;
-  constexpr double most = 2'000'000;
+  constexpr double most = ink::stipple::mostForPicture;
   const bool hasPolygons = InkHasPolygons(mesh);
   if (!hasPolygons && !InkHasDiscs(mesh))
   {

@@ -16,8 +16,10 @@ const vtkSMInkPresetRepresentationProxy::Controls& vtkSMInkIllustrationRepresent
     ChooseArray(proxy, array);
     vtkSMInkIsoValueInitializationHelper::SetSuggested(proxy, property, array);
   };
-  static constexpr Start starts[] = { { "IllustrationAutomaticIsoValue", 0, "IllustrationIsoValue", suggest, 0 },
-    { "IllustrationAutomaticOuterIsoValue", 0, "IllustrationOuterIsoValue", suggest, 1 } };
+  static constexpr Start starts[] = {
+    { "IllustrationAutomaticIsoValue", 0, "IllustrationIsoValue", suggest, 0 },
+    { "IllustrationAutomaticOuterIsoValue", 0, "IllustrationOuterIsoValue", suggest, 1 },
+  };
   static constexpr Controls controls{ "Illustration", "IllustrationPreset", {}, starts };
   return controls;
 }

@@ -8,8 +8,8 @@
  * a script sets them; where values are brought back (undo, a state, a copy, a person's defaults), every
  * property keeps what is brought back. The properties that take part, `tracked` in the style's table of
  * parameters, are vtkSMInkIntVectorProperty and vtkSMInkDoubleVectorProperty, which tell the one from the
- * other. Some properties start with a value that suits the input when they are switched on. An iso-value shows
- * what is drawn while it is automatic, and is automatic no more when it is set.
+ * other. Some properties start with a value that suits the input when they are switched on. An iso-value
+ * shows what is drawn while it is automatic, and is automatic no more when it is set.
  *
  * A subclass says for which style, and which properties these are.
  *

@@ -94,9 +94,9 @@ class SurfaceTests:
     def test_nothing_is_made_again_while_the_camera_moves(self):
         display = self.show(Wavelet())
         first = picture(self.view)
-        before = self.marks(display)
+        before = marks(display)
         camera = GetActiveCamera()
         camera.Azimuth(40)
         camera.Zoom(4)
         self.assertTrue((picture(self.view) != first).any())
-        self.assertEqual(self.marks(display), before)
+        self.assertEqual(marks(display), before)

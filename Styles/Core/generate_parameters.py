@@ -15,6 +15,7 @@ A row of parameters.json is one parameter. Its entries:
     default   of a style that is new; an enumeration's is an entry's name
     level     essential, or without it advanced
     unit      for people; `pixels`: 1 or 2 where lengths or areas are in the picture's pixels
+    special   {NUMBER: WORD}: numbers that stand for something else, in few letters for ParaView's labels
     text      one sentence
     label     for people, if not the name's words
     sets      OBJECT.METHOD without its Set, if not the group's object and the name
@@ -54,12 +55,13 @@ import sys
 
 TYPES = {"bool", "int", "double", "enum", "color", "colors", "vector", "list", "string"}
 KEYS = {
-    "name", "type", "range", "default", "level", "unit", "pixels", "text", "label", "sets", "option", "entries", "size",
+    "name", "type", "range", "default", "level", "unit", "pixels", "special", "text", "label", "sets", "option", "entries", "size",
     "optional", "order", "check", "client", "data", "if", "needs", "implies", "follows", "panel", "paneldata", "slider",
     "domain", "tracked", "from", "of",
 }  # fmt: skip
 # The data that has not what a parameter needs, as ParaView's decorators ask.
 EXCLUDED = {"image": "vtkPolyData vtkUnstructuredGrid vtkStructuredGrid", "mesh": "vtkImageData"}
+ALL_VALUES = 1e38
 ORDERS = {None: 0, "ascending": 1, "strict": 2}
 
 
@@ -328,17 +330,22 @@ def xml_property(row, rows):
     if kind == "enum":
         default = next(entry[2] for entry in row["entries"] if entry[0] == default)
     values = default if isinstance(default, list) else [int(default) if isinstance(default, bool) else default]
+    if not values:
+        # No range is that of all values.
+        values = [-ALL_VALUES, ALL_VALUES] if row.get("domain") else [0] * count
     element = ("Ink" if row.get("tracked") else "") + ("Int" if kind in ("bool", "int", "enum") else "Double") + "VectorProperty"
     integral = "Int" in element
-    unit = f" ({row['unit']})" if row.get("unit") else ""
+    # A label that is too long cuts the panel.
+    notes = [row["unit"].replace("1/1000", "‰")] if row.get("unit") else []
+    notes += [f"{number}: {word}" for number, word in row.get("special", {}).items()]
     pairs = [
         ("name", property_name(row)),
         ("si_class", f"vtkSI{element.removeprefix('Ink')}" if row.get("tracked") else None),
-        ("label", row["label"] + unit),
+        ("label", row["label"] + (f" ({'; '.join(notes)})" if notes else "")),
         ("command", None if row.get("client") else "SetParameter"),
         ("initial_string", None if row.get("client") else row["name"]),
         ("number_of_elements", count),
-        ("default_values", " ".join(json.dumps(value) for value in values or [0] * count)),
+        ("default_values", " ".join(json.dumps(value) for value in values)),
         ("panel_widget", "color_selector" if color and not integral else None),
         ("panel_visibility", None if row.get("level") == "essential" else "advanced"),
     ]

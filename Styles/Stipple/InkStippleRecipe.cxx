@@ -385,9 +385,14 @@ void InkStippleRecipe::StippleSurface(vtkPolyData* mesh)
   const double size = style->GetPictureSize() * (inPixels ? 1.0 : 1e3 / style->GetPictureHeight());
   const vtkIdType count = style->NumberOfSurfaceStipples;
   const bool fixed = generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::FIXED;
-  generator->SetNumberOfSurfaceStipples(count == 0 && fixed
-      ? vtkInkStippleGenerator::CountForPicture(mesh, size, room)
-      : std::max<vtkIdType>(count, 0));
+  const bool counted = count == 0 && fixed;
+  const vtkIdType fitting = counted ? vtkInkStippleGenerator::CountForPicture(mesh, size, room) : 0;
+  generator->SetNumberOfSurfaceStipples(counted ? fitting : std::max<vtkIdType>(count, 0));
+  if (fitting == ink::stipple::mostForPicture && !style->GetInteractive())
+  {
+    style->AddNote("there is room for more than the " + std::to_string(fitting) +
+      " stipples that are made at most, so they are drawn larger; their number can be given");
+  }
   generator->SetInputData(mesh);
   this->TakeColors(mesh, true);
   this->Say(style->Follow(generator, "placing stipples"));

@@ -104,9 +104,8 @@ InkSilhouettes* vtkInkStippleStyle::GetSilhouettes()
 vtkMTimeType vtkInkStippleStyle::GetRecipeMTime()
 {
   // As InkStippleRecipe takes the values: interactively, for stipples on their surfaces only.
-  const bool ofValues =
-    this->StippleSource == ISO_SURFACE || (this->StippleSource == AUTOMATIC && !this->GetInteractive()) ||
-    (this->Silhouettes->GetSilhouettes() && !this->GetInteractive());
+  const bool ofValues = this->StippleSource == ISO_SURFACE ||
+    (!this->GetInteractive() && (this->StippleSource == AUTOMATIC || this->Silhouettes->GetSilhouettes()));
   return std::max(
     { this->Generator->GetMTime(), this->IsoSurface->GetMTime(ofValues), this->Silhouettes->GetMTime() });
 }

@@ -4,6 +4,9 @@
 namespace ink::stipple
 {
 
+/// No more stipples are made for a picture of a surface unless their number is asked for: memory.
+inline constexpr int mostForPicture = 2'000'000;
+
 /// N_max (Lu et al. 2003, section 4.3): the number of stipples that an element of average size has room for
 /// at a distance, one per `pixelsPerStipple` pixels of its largest projection there.
 /// @param elementSize edge of a voxel, or square root of a polygon's area, in view units; positive

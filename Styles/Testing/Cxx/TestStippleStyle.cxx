@@ -8,6 +8,8 @@
 #include "vtkInkStippleMapper.h"
 #include "vtkInkStippleStyle.h"
 
+#include "Tone/Stipple/ProjectedSize.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkMath.h"
@@ -162,6 +164,22 @@ TEST(StippleStyle, StipplesOfMeshesHaveThePicturesRoom)
   style->SetParameter("NumberOfSurfaceStipples", -1);
   ASSERT_TRUE(style->Make(mesh));
   EXPECT_EQ(CountOf(style), 8 * mesh->GetNumberOfPolys());
+}
+
+/// Larger dots than asked for are said.
+TEST(StippleStyle, NotesThatThereIsRoomForMore)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameterAsString("SizeUnit", "pixels");
+  style->SetPictureSize(30000);
+  ASSERT_TRUE(style->Make(MakeMesh()));
+  EXPECT_EQ(CountOf(style), ink::stipple::mostForPicture);
+  ASSERT_EQ(style->GetNumberOfNotes(), 1);
+  EXPECT_NE(
+    std::string(style->GetNote(0)).find("room for more than the 2000000 stipples"), std::string::npos);
+  style->SetParameter("NumberOfSurfaceStipples", 1000);
+  ASSERT_TRUE(style->Make(MakeMesh()));
+  EXPECT_EQ(style->GetNumberOfNotes(), 0);
 }
 
 TEST(StippleStyle, ProjectedListsFollowThePicture)
