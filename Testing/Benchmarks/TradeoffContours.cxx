@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Silhouettes of volumes for one eye: how far they are from the true curve, how much of it they leave open
-// and how much they add, against the time to find them.
+// Silhouettes of volumes and of meshes for one eye: how far they are from the true curve, against the time to
+// find them.
 
 #include "Tradeoff.h"
 
 #include "AnalyticFields.h"
+#include "CurvedMeshes.h"
 #include "Curves/Contours/GridContours.h"
+#include "Curves/Contours/MeshContours.h"
 #include "Curves/Contours/ProjectContour.h"
 #include "Curves/Contours/SilhouetteVoxels.h"
 #include "HashNoise.h"
@@ -15,7 +17,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -85,9 +89,21 @@ ink::GridContourOptions Projected(int steps)
   return options;
 }
 
-} // namespace
+/// Of a mesh of the torus, with quads of about the same width and height and the surface's own normals.
+ink::MeshContours ContoursOfMesh(std::uint32_t rows, double jitter, bool faceted)
+{
+  const ink::test::CurvedMesh torus = ink::test::closedTorus(14.0, 6.0, 2 * rows, rows, jitter);
+  std::vector<glm::vec3> normals;
+  for (const ink::PrincipalCurvature& curvature : torus.exact)
+  {
+    normals.emplace_back(curvature.normal());
+  }
+  ink::MeshContourOptions options;
+  options.faceted = faceted;
+  return { torus.mesh.view(), normals, options };
+}
 
-int main()
+void MeasureVolumes()
 {
   const Volume<float> clean = Scan(1, 0.0);
   const Volume<float> noisy = Scan(1, 0.02);
@@ -115,7 +131,44 @@ int main()
         { "2 % noise", MeanDistance(ofNoisy.find(View, {}, Projected(steps)).positions) } },
       steps == 0 ? Tradeoff::Default : Tradeoff::Choice);
   }
-  Tradeoff::PrintHeader();
   knob.Print();
+}
+
+void MeasureMeshes()
+{
+  constexpr std::uint32_t rows = 120;
+  constexpr double edge = 2.0 * std::numbers::pi * 6.0 / rows;
+  Tradeoff knob("Silhouettes of meshes",
+    "Keep interpolated silhouettes; faceted ones serve meshes without normals, and follow the outline of the "
+    "polygons themselves.",
+    "mean distance from the true contour, edges",
+    "one eye, torus of 921,600 triangles; the index was made before");
+  const ink::MeshContours interpolated = ContoursOfMesh(480, 0.0, false);
+  const ink::MeshContours faceted = ContoursOfMesh(480, 0.0, true);
+  const auto errors = [&](bool ofFaceted)
+  {
+    Tradeoff::Errors all;
+    for (const auto& [scene, jitter] :
+      { std::pair("regular", 0.0), std::pair("points displaced by a quarter edge", 0.25) })
+    {
+      all.emplace_back(
+        scene, MeanDistance(ContoursOfMesh(rows, jitter, ofFaceted).find(View).positions) / edge);
+    }
+    return all;
+  };
+  knob.Add(
+    "interpolated", [&] { interpolated.find(View); }, errors(false), Tradeoff::Default);
+  knob.Add(
+    "faceted", [&] { faceted.find(View); }, errors(true));
+  knob.Print();
+}
+
+} // namespace
+
+int main()
+{
+  Tradeoff::PrintHeader();
+  MeasureVolumes();
+  MeasureMeshes();
   return 0;
 }
