@@ -12,7 +12,7 @@ set(_ink_test_labels
   "lines:SplattingLines"
   "strokes:Stroke|CurveVisibility"
   "streamlines:Streamline|LineSampleGrid|CrossField|InsideOut|MeshNavigation|LinesOfCurvature"
-  "contours:Contours|ChainSegments|CoherentDashes|ClusterPlanes|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
+  "contours:Contours|ChainSegments|CoherentDashes|ClusterPlanes|LargePages|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
   "statistics:IsoValue|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SliceCounter|SmoothedSlices"
   "vdb:Vdb|VDB|vdb"

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Silhouettes of volumes and meshes for one eye: how far they are from the true curve, against the time to
+// Silhouettes of volumes and of meshes for one eye: how far they are from the true curve, against the time to
 // find them.
 
 #include "Tradeoff.h"
 
 #include "AnalyticFields.h"
+#include "CurvedMeshes.h"
 #include "Curves/Contours/GridContours.h"
 #include "Curves/Contours/MeshContours.h"
 #include "Curves/Contours/ProjectContour.h"
 #include "Curves/Contours/SilhouetteVoxels.h"
 #include "HashNoise.h"
-#include "SampledMeshes.h"
 #include "SampledVolume.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -87,32 +89,19 @@ ink::GridContourOptions Projected(int steps)
   return options;
 }
 
-/// Silhouettes of a mesh of the torus with its normals.
-class TorusMesh
+/// Of a mesh of the torus, with quads of about the same width and height and the surface's own normals.
+ink::MeshContours ContoursOfMesh(std::uint32_t rows, double jitter, bool faceted)
 {
-public:
-  explicit TorusMesh(int rows)
-    : Mesh(ink::test::torus(Shape.major, Shape.minor, 2 * rows, rows))
+  const ink::test::CurvedMesh torus = ink::test::closedTorus(14.0, 6.0, 2 * rows, rows, jitter);
+  std::vector<glm::vec3> normals;
+  for (const ink::PrincipalCurvature& curvature : torus.exact)
   {
-    for (const glm::dvec3& p : this->Mesh.points)
-    {
-      this->Normals.emplace_back(glm::normalize(Shape.gradient(p)));
-    }
+    normals.emplace_back(curvature.normal());
   }
-
-  ink::MeshContours Finder(bool faceted) const
-  {
-    ink::MeshContourOptions options;
-    options.faceted = faceted;
-    return { this->Mesh.view(), this->Normals, options };
-  }
-
-  double Error(bool faceted) const { return MeanDistance(this->Finder(faceted).find(View).positions); }
-
-private:
-  ink::test::Mesh Mesh;
-  std::vector<glm::vec3> Normals;
-};
+  ink::MeshContourOptions options;
+  options.faceted = faceted;
+  return { torus.mesh.view(), normals, options };
+}
 
 void MeasureVolumes()
 {
@@ -147,27 +136,30 @@ void MeasureVolumes()
 
 void MeasureMeshes()
 {
+  constexpr std::uint32_t rows = 120;
+  constexpr double edge = 2.0 * std::numbers::pi * 6.0 / rows;
   Tradeoff knob("Silhouettes of meshes",
-    "Keep interpolated silhouettes; take faceted ones where normals are missing or the polygons' edges are to "
-    "be seen.",
-    "mean distance from the true contour, thousandths of the tube's radius",
-    "one eye, torus of 262,144 triangles; the trees of cones were made before");
-  const TorusMesh coarse(24);
-  const TorusMesh medium(96);
-  const TorusMesh fine(256);
-  const ink::MeshContours interpolated = fine.Finder(false);
-  const ink::MeshContours faceted = fine.Finder(true);
-  const auto add = [&](const char* name, const ink::MeshContours& finder, bool isFaceted, Tradeoff::Role role)
+    "Keep interpolated silhouettes; faceted ones serve meshes without normals, and follow the outline of the "
+    "polygons themselves.",
+    "mean distance from the true contour, edges",
+    "one eye, torus of 921,600 triangles; the index was made before");
+  const ink::MeshContours interpolated = ContoursOfMesh(480, 0.0, false);
+  const ink::MeshContours faceted = ContoursOfMesh(480, 0.0, true);
+  const auto errors = [&](bool ofFaceted)
   {
-    const double unit = 1e3 / Shape.minor;
-    knob.Add(
-      name, [&finder] { finder.find(View); },
-      { { "2,304 triangles", unit * coarse.Error(isFaceted) },
-        { "36,864 triangles", unit * medium.Error(isFaceted) } },
-      role);
+    Tradeoff::Errors all;
+    for (const auto& [scene, jitter] :
+      { std::pair("regular", 0.0), std::pair("points displaced by a quarter edge", 0.25) })
+    {
+      all.emplace_back(
+        scene, MeanDistance(ContoursOfMesh(rows, jitter, ofFaceted).find(View).positions) / edge);
+    }
+    return all;
   };
-  add("faceted", faceted, true, Tradeoff::Choice);
-  add("interpolated", interpolated, false, Tradeoff::Default);
+  knob.Add(
+    "interpolated", [&] { interpolated.find(View); }, errors(false), Tradeoff::Default);
+  knob.Add(
+    "faceted", [&] { faceted.find(View); }, errors(true));
   knob.Print();
 }
 

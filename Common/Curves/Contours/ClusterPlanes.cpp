@@ -42,8 +42,8 @@ Floats highestBytes(const Words& words)
 
 std::uint32_t byteOf(double deviation, float step)
 {
-  return static_cast<std::uint8_t>(
-    static_cast<std::int8_t>(step > 0.0f ? std::lround(deviation / static_cast<double>(step)) : 0));
+  const double steps = step > 0.0f ? deviation / static_cast<double>(step) : 0.0;
+  return static_cast<std::uint8_t>(static_cast<std::int8_t>(steps + (steps < 0.0 ? -0.5 : 0.5)));
 }
 
 } // namespace

@@ -44,7 +44,8 @@ public:
   {
     if (this->Hidden.empty() && this->isInner(sample))
     {
-      const glm::dvec3 gradient = this->gradientOfInner(this->Values.data() + this->Geometry.offset(sample) * this->Stride);
+      const glm::dvec3 gradient =
+        this->gradientOfInner(this->Values.data() + this->Geometry.offset(sample) * this->Stride);
       if (isComplete(gradient))
       {
         return gradient;
@@ -52,8 +53,8 @@ public:
     }
     return this->gradientNearMissing(sample);
   }
-  /// The same, by the address of the value of a sample that has neighbors on all sides, none of them hidden; what
-  /// is not complete needs gradientAt.
+  /// The same, by the address of the value of a sample that has neighbors on all sides, none of them hidden;
+  /// what is not complete needs gradientAt.
   glm::dvec3 gradientOfInner(const T* middle) const
   {
     // Most samples: all neighbors are there and need not be looked up one by one.
