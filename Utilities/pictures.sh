@@ -79,7 +79,10 @@ line_art_pictures() {
   local engine="Data/engine.nii.gz --iso 80 --view iso"
   series tone "$engine" "--tone 0.3" "--tone 0.7" "--crosshatch 0" "--crosshatch 1"
   series presets "$engine" "--preset engraving" "--preset sketch" "--preset technical"
-  # Those of meshes that are not in Data: horse.ply, in the folder INK_MESHES.
+  local size=280x280
+  series density "$engine" "--density 0.1" "--density 0.4" "--density 0.7"
+  size=320x320
+  # Those of files that are not in Data: horse.ply, bunny.ply and cranium.nii.gz, in the folder INK_MESHES.
   if [ -f "${INK_MESHES:-}/horse.ply" ]; then
     local horse="$INK_MESHES/horse.ply --quiet"
     # shellcheck disable=SC2086
@@ -92,6 +95,11 @@ line_art_pictures() {
     picture published-3 "$plain --density 0.3"
     "$INK_PYTHON" Utilities/pictures.py join "$images/line-art-published.png" "$work"/line-art-published-{1,2,3,scatter}.png
     echo "$images/line-art-published.png"
+  fi
+  if [ -f "${INK_MESHES:-}/cranium.nii.gz" ] && [ -f "$INK_MESHES/bunny.ply" ]; then
+    size=280x280
+    series subjects "--density 0.4" "$INK_MESHES/bunny.ply --up y" "$INK_MESHES/horse.ply" "Data/engine.nii.gz --iso 80 --view iso" \
+      "$INK_MESHES/cranium.nii.gz --iso 300 --largest-parts 1"
   fi
 }
 

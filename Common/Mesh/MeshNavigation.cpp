@@ -55,7 +55,8 @@ glm::dvec3 TriangleChart::normal() const
 
 double TriangleChart::perimeter() const
 {
-  return this->length + std::hypot(this->x2, this->y2) + std::hypot(this->x2 - this->length, this->y2);
+  const glm::dvec2 third = this->corner(2);
+  return this->length + glm::length(third) + glm::distance(third, this->corner(1));
 }
 
 MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
@@ -169,29 +170,30 @@ std::uint32_t MeshNavigation::nearestPoint(const MeshPoint& point) const
   return this->Mesh.triangles[point.triangle][corner];
 }
 
-bool MeshNavigation::cross(MeshPoint& point, std::uint32_t edge, glm::dvec3& vector) const
+bool MeshNavigation::cross(
+  MeshPoint& point, TriangleChart& chart, std::uint32_t edge, glm::dvec2& vector) const
 {
   const std::optional<Neighbor> next = this->across(point.triangle, edge);
   if (!next)
   {
     return false;
   }
-  const auto corner = [&](std::uint32_t triangle, std::uint32_t c)
-  { return this->Mesh.points[this->Mesh.triangles[triangle][c % 3]]; };
-  const glm::dvec3 start = corner(point.triangle, edge);
-  const glm::dvec3 along = glm::normalize(corner(point.triangle, edge + 1) - start);
-  const auto away = [&](const glm::dvec3& offset)
-  { return glm::normalize(offset - glm::dot(offset, along) * along); };
-  const glm::dvec3 inwards = away(corner(point.triangle, edge + 2) - start);
-  const glm::dvec3 onwards = away(corner(next->triangle, next->edge + 2) - start);
-  vector = glm::dot(vector, along) * along - glm::dot(vector, inwards) * onwards;
+  const std::uint32_t corners[2] = { next->corner(0), next->corner(1) };
+  const std::uint32_t after = (edge + 1) % 3;
+  const glm::dvec2 along = glm::normalize(chart.corner(after) - chart.corner(edge));
+  const double onwards = glm::dot(vector, along);
+  const double outwards = vector.x * along.y - vector.y * along.x;
+  chart = this->chart(next->triangle);
+  const glm::dvec2 there = glm::normalize(chart.corner(corners[1]) - chart.corner(corners[0]));
+  const glm::dvec2 inwards = next->opposed ? glm::dvec2(there.y, -there.x) : glm::dvec2(-there.y, there.x);
+  vector = onwards * there + outwards * inwards;
 
   const double first = std::max(point.weights[edge], 0.0);
-  const double second = std::max(point.weights[(edge + 1) % 3], 0.0);
+  const double second = std::max(point.weights[after], 0.0);
   point.triangle = next->triangle;
   point.weights = glm::dvec3(0.0);
-  point.weights[next->corner(0)] = first / (first + second);
-  point.weights[next->corner(1)] = second / (first + second);
+  point.weights[corners[0]] = first / (first + second);
+  point.weights[corners[1]] = second / (first + second);
   return true;
 }
 
@@ -202,20 +204,19 @@ std::optional<MeshNavigation::Arrival> MeshNavigation::walk(
   {
     return std::nullopt;
   }
-  glm::dvec3 heading = direction;
+  TriangleChart chart = this->chart(from.triangle);
+  glm::dvec2 heading(glm::dot(direction, chart.axisX), glm::dot(direction, chart.axisY));
+  const double size = glm::length(heading);
+  if (!(size > 0.0))
+  {
+    return std::nullopt;
+  }
+  heading /= size;
   // A straight line meets an edge of a triangle once; more crossings than this only fit around a vertex.
   constexpr int mostCrossings = 100000;
   for (int n = 0; n < mostCrossings; ++n)
   {
-    const TriangleChart chart = this->chart(from.triangle);
-    const double x = glm::dot(heading, chart.axisX);
-    const double y = glm::dot(heading, chart.axisY);
-    const double size = std::hypot(x, y);
-    if (!(size > 0.0))
-    {
-      return std::nullopt;
-    }
-    const glm::dvec3 rates = chart.rates(x / size, y / size);
+    const glm::dvec3 rates = chart.rates(heading.x, heading.y);
     double step = distance;
     int exit = -1;
     for (int corner = 0; corner < 3; ++corner)
@@ -231,7 +232,7 @@ std::optional<MeshNavigation::Arrival> MeshNavigation::walk(
     if (exit < 0)
     {
       from.weights = glm::max(from.weights, 0.0);
-      return Arrival{ from, x * chart.axisX + y * chart.axisY };
+      return Arrival{ from, heading.x * chart.axisX + heading.y * chart.axisY };
     }
     from.weights[exit] = 0.0;
     // Next to a vertex rather than on it, so that there is one way to go on.
@@ -240,7 +241,7 @@ std::optional<MeshNavigation::Arrival> MeshNavigation::walk(
       double& weight = from.weights[(exit + corner) % 3];
       weight = std::clamp(weight, 1e-9, 1.0 - 1e-9);
     }
-    if (!this->cross(from, static_cast<std::uint32_t>(exit + 1) % 3, heading))
+    if (!this->cross(from, chart, static_cast<std::uint32_t>(exit + 1) % 3, heading))
     {
       return std::nullopt;
     }

@@ -3,6 +3,7 @@
 
 #include "Mesh/TriangleMesh.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -44,6 +45,12 @@ struct TriangleChart
     const double third = y / this->y2;
     const double second = (x - third * this->x2) / this->length;
     return { -second - third, second, third };
+  }
+  glm::dvec2 corner(std::uint32_t corner) const
+  {
+    return corner == 0 ? glm::dvec2(0.0)
+      : corner == 1    ? glm::dvec2(this->length, 0.0)
+                       : glm::dvec2(this->x2, this->y2);
   }
   glm::dvec3 normal() const;
   /// The sum of the three sides.
@@ -106,13 +113,15 @@ public:
 
   /// Moves a point on an edge to the triangle across it, and turns a vector in the plane of the first
   /// triangle about the edge into that of the second.
+  /// @param chart of the point's triangle
+  /// @param vector by the axes of the chart
   /// @return false, and nothing changed, if the edge cannot be crossed
-  bool cross(MeshPoint& point, std::uint32_t edge, glm::dvec3& vector) const;
+  bool cross(MeshPoint& point, TriangleChart& chart, std::uint32_t edge, glm::dvec2& vector) const;
 
   struct Arrival
   {
     MeshPoint at;
-    glm::dvec3 heading; ///< in the triangle's plane
+    glm::dvec3 heading; ///< unit, in the triangle's plane
   };
   /// Where one gets going straight on along the surface, as on a geodesic.
   /// @param direction of any length; its part in the triangle's plane counts

@@ -108,8 +108,6 @@ vtkInkLineArtStyle::vtkInkLineArtStyle()
   this->Lines->SetMinimumLength(MinimumLength);
   this->Lines->CombDirectionsOn();
   this->Strokes->HatchingOn();
-  // The second family, too, for the slider of crosshatching.
-  this->Lines->SetFamiliesToBoth();
   this->Mapper->SetMappers(this->Strokes, this->Contours->GetSilhouetteMapper());
   this->Actor->SetMapper(this->Mapper);
   this->Contours->GetSilhouetteMapper()->SetDepthWidth(0.3);
@@ -132,6 +130,11 @@ const InkParameterTable& vtkInkLineArtStyle::GetParameterTable()
 
 vtkMTimeType vtkInkLineArtStyle::GetRecipeMTime()
 {
+  // The second family is drawn in tones above 1 - crosshatching. A style that is changed while it is shown has
+  // it, too, for the slider.
+  const bool crossed =
+    this->GetInteractive() || this->Strokes->GetCrosshatching() > 1.0 - this->Strokes->GetDarkestTone();
+  this->Lines->SetFamilies(crossed ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
   return std::max({ this->Contours->GetMTime(), this->Lines->GetMTime(), this->Hatching->GetMTime() });
 }
 

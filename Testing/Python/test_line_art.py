@@ -134,6 +134,12 @@ def test_sliders():
     assert ink(shorter[0]) == pytest.approx(usual, rel=0.12)
     strokes = [one.style.GetPiece(1).GetNumberOfCells() for one in (scene, *shorter)]
     assert strokes[0] < strokes[1] < strokes[2]
+    # Lines are not traced for a family that no tone needs.
+    families = [
+        Scene(data, crosshatch=value).style.GetPiece(1).GetCellData().GetArray("LineFamily").GetRange()[1]
+        for value in (0.0, 0.1, 0.5)
+    ]
+    assert families == [0, 0, 1]
 
 
 def test_what_lies_behind_is_hidden():

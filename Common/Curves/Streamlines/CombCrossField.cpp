@@ -2,6 +2,7 @@
 #include "Curves/Streamlines/CombCrossField.h"
 
 #include "Curvature/SurfaceRings.h"
+#include "Curves/Streamlines/SignedMultigrid.h"
 #include "Curves/Streamlines/TurnedTangent.h"
 #include "Mesh/OnePerPoint.h"
 
@@ -24,30 +25,29 @@ namespace
 /// Keeps the matrix positive definite where no point prefers anything.
 constexpr double leastPreference = 1e-6;
 /// Only signs matter.
-constexpr double tolerance = 1e-4;
-constexpr int mostIterations = 500;
+constexpr double tolerance = 1e-2;
+constexpr int mostIterations = 100;
 
-using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int64_t>;
+using Matrix = SignedMultigrid::Matrix;
 
 struct Stopped
 {
 };
 
 /// Tells progress: it is applied once in each iteration.
-class WatchedPreconditioner : public Eigen::DiagonalPreconditioner<double>
+class WatchedPreconditioner : public SignedMultigrid
 {
 public:
   Progress progress;
 
   /// @throws Stopped
-  template <class Vector>
-  Eigen::VectorXd solve(const Vector& residual) const
+  Eigen::VectorXd solve(const Eigen::VectorXd& residual) const
   {
     if (this->progress && !this->progress(std::min(1.0 * this->Iteration++ / mostIterations, 1.0)))
     {
       throw Stopped();
     }
-    return Eigen::DiagonalPreconditioner<double>::solve(residual);
+    return SignedMultigrid::solve(residual);
   }
 
 private:

@@ -99,11 +99,11 @@ int MeshWalk::step(const glm::dvec2& direction, double length)
 
 bool MeshWalk::slide(int corner, const glm::dvec2& direction, double length)
 {
-  const glm::dvec2 corners[3] = { { 0.0, 0.0 }, { this->Cell.chart.length, 0.0 },
-    { this->Cell.chart.x2, this->Cell.chart.y2 } };
   const int from = (corner + 1) % 3;
   const int to = (corner + 2) % 3;
-  const glm::dvec2 edge = corners[to] - corners[from];
+  const TriangleChart& chart = this->Cell.chart;
+  const glm::dvec2 edge =
+    chart.corner(static_cast<std::uint32_t>(to)) - chart.corner(static_cast<std::uint32_t>(from));
   const double size = glm::length(edge);
   const double along = glm::dot(direction, edge) / size;
   if (std::abs(along) < 1e-3)
@@ -181,15 +181,17 @@ std::optional<LineEnd> MeshWalk::leaveVertex(int corner, const glm::dvec3& headi
 
 std::optional<LineEnd> MeshWalk::leaveByEdge(int corner, const glm::dvec2& direction)
 {
-  glm::dvec3 heading = this->Cell.lift(direction);
   const auto edge = static_cast<std::uint32_t>(corner + 1) % 3;
   const auto next = this->Mesh.across(this->At.triangle, edge);
-  if (!next || !this->Mesh.cross(this->At, edge, heading))
+  TriangleChart chart = this->Cell.chart;
+  glm::dvec2 heading = direction;
+  if (!next || !this->Mesh.cross(this->At, chart, edge, heading))
   {
     return LineEnd::Border;
   }
   this->Entry = static_cast<int>((next->edge + 2) % 3);
-  this->Cell = StreamlineCell(this->Mesh, this->Field, this->At.triangle, heading);
+  this->Cell = StreamlineCell(
+    this->Mesh, this->Field, this->At.triangle, chart, heading.x * chart.axisX + heading.y * chart.axisY);
   return std::nullopt;
 }
 

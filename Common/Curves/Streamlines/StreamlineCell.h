@@ -24,9 +24,10 @@ struct StreamlineCell
   double adaptiveStep;               ///< Rössl et al. 2000, equation 15
   bool isSingular;
 
-  StreamlineCell(
-    const MeshNavigation& mesh, const LineField& field, std::uint32_t triangle, const glm::dvec3& heading)
-    : chart(mesh.chart(triangle))
+  /// @param own the triangle's chart
+  StreamlineCell(const MeshNavigation& mesh, const LineField& field, std::uint32_t triangle,
+    const TriangleChart& own, const glm::dvec3& heading)
+    : chart(own)
   {
     const Triangle& points = mesh.mesh().triangles[triangle];
     std::array<glm::dvec3, 3> directions;
@@ -45,6 +46,12 @@ struct StreamlineCell
     const glm::dvec3 around =
       field.along(points[0], field.along(points[2], field.along(points[1], directions[0])));
     this->isSingular = around != directions[0];
+  }
+
+  StreamlineCell(
+    const MeshNavigation& mesh, const LineField& field, std::uint32_t triangle, const glm::dvec3& heading)
+    : StreamlineCell(mesh, field, triangle, mesh.chart(triangle), heading)
+  {
   }
 
   /// Equation 12; zero where it is not defined.
