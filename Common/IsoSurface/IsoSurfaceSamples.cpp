@@ -147,13 +147,24 @@ bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoVal
 
 double isoSurfaceSampleRadius(const GridGeometry& geometry)
 {
+  return isoSurfaceSampleRadius(geometry.stepToWorld());
+}
+
+double isoSurfaceSampleArea(const glm::dmat3& cell, const glm::dvec3& normal)
+{
+  const glm::dvec3 along = glm::abs(normal * cell);
+  return std::abs(glm::determinant(cell)) / (along.x + along.y + along.z);
+}
+
+double isoSurfaceSampleRadius(const glm::dmat3& cell)
+{
   // The longest of the four diagonals, which differ if the axes are not orthogonal.
   double longest = 0.0;
   for (const double y : { -1.0, 1.0 })
   {
     for (const double z : { -1.0, 1.0 })
     {
-      const glm::dvec3 diagonal = geometry.stepToWorld() * glm::dvec3(1.0, y, z);
+      const glm::dvec3 diagonal = cell * glm::dvec3(1.0, y, z);
       // Avoids overflow and underflow of squares.
       longest = std::max(longest, std::hypot(diagonal.x, diagonal.y, diagonal.z));
     }

@@ -6,6 +6,9 @@
 #include "IsoSurface/ActiveCells.h"
 #include "Simd/SamplingKernels.h"
 
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -82,5 +85,13 @@ bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoVal
 /// The radius, in world units, with which discs around the samples of any iso-surface of the grid leave no
 /// holes: half the diagonal of a cell. One radius for all, since lines of even width need splats of one size.
 double isoSurfaceSampleRadius(const GridGeometry& geometry);
+/// @param cell a cell's edges as columns
+double isoSurfaceSampleRadius(const glm::dmat3& cell);
+
+/// The area of a flat surface per sample, on average: the cells that it crosses are those whose middle is no
+/// farther from it than half the width of a cell along its normal.
+/// @param cell a cell's edges as columns, world units
+/// @param normal unit
+double isoSurfaceSampleArea(const glm::dmat3& cell, const glm::dvec3& normal);
 
 } // namespace ink

@@ -41,42 +41,55 @@ int SurfaceBlocks::color(std::size_t block) const
   return parity.x + 2 * parity.y + 4 * parity.z;
 }
 
-SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas, float side,
-  std::uint64_t seed, std::vector<SpacedSample>& samples)
+SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas,
+  std::span<const std::uint64_t> keys, std::span<const std::uint32_t> chosen, float side, std::uint64_t seed,
+  std::vector<SpacedSample>& samples)
   : Samples(samples)
 {
-  const std::size_t count = middles.size();
   const glm::vec3 shift = unitVector(hash(seed, 1));
   const std::uint64_t ownSeed = hash(seed, 2);
-  std::vector<glm::ivec3> cells(count);
-  parallelFor((count + chunkSize - 1) / chunkSize,
-    [&](std::size_t chunk)
-    {
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
-      {
-        const glm::vec3 moved = farthestMoved * (2.0f * unitVector(hash(ownSeed ^ i)) - 1.0f);
-        cells[i] = glm::ivec3(glm::floor(middles[i] / side + shift + moved));
-      }
-    });
-  std::vector<std::uint32_t> blockOf(count);
-  glm::ivec3 last(std::numeric_limits<int>::max());
-  std::uint32_t lastName = 0;
-  for (std::size_t i = 0; i < count; ++i)
+  const auto cellOf = [&](std::uint32_t piece)
   {
-    // Most are in the same block as the previous one.
-    if (cells[i] != last)
-    {
-      last = cells[i];
-      const auto [entry, isNew] =
-        this->Ids.emplace(key(last), static_cast<std::uint32_t>(this->Cells.size()));
-      if (isNew)
+    const std::uint64_t name = keys.empty() ? piece : keys[piece];
+    const glm::vec3 moved = farthestMoved * (2.0f * unitVector(hash(ownSeed ^ name)) - 1.0f);
+    return glm::ivec3(glm::floor(middles[piece] / side + shift + moved));
+  };
+  const auto findBlocks = [&](std::size_t count, const auto& pieceAt)
+  {
+    std::vector<glm::ivec3> cells(count);
+    parallelFor((count + chunkSize - 1) / chunkSize,
+      [&](std::size_t chunk)
       {
-        this->Cells.push_back(last);
+        for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
+        {
+          cells[i] = cellOf(pieceAt(i));
+        }
+      });
+    std::vector<std::uint32_t> blockOf(count);
+    glm::ivec3 last(std::numeric_limits<int>::max());
+    std::uint32_t lastName = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // Most are in the same block as the previous one.
+      if (cells[i] != last)
+      {
+        last = cells[i];
+        const auto [entry, isNew] =
+          this->Ids.emplace(key(last), static_cast<std::uint32_t>(this->Cells.size()));
+        if (isNew)
+        {
+          this->Cells.push_back(last);
+        }
+        lastName = entry->second;
       }
-      lastName = entry->second;
+      blockOf[i] = lastName;
     }
-    blockOf[i] = lastName;
-  }
+    return blockOf;
+  };
+  const std::size_t count = chosen.size();
+  const std::vector<std::uint32_t> blockOf = findBlocks(count, [&](std::size_t i) { return chosen[i]; });
+  const std::vector<std::uint32_t> blockOfSample =
+    findBlocks(samples.size(), [&](std::size_t i) { return samples[i].piece; });
   // Counted one entry later, so that advancing each block's begin while filling ends with the begins.
   this->FirstPiece.assign(this->Cells.size() + 2, 0);
   for (const std::uint32_t block : blockOf)
@@ -87,7 +100,7 @@ SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const
   this->Pieces.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Pieces[this->FirstPiece[blockOf[i] + 1]++] = static_cast<std::uint32_t>(i);
+    this->Pieces[this->FirstPiece[blockOf[i] + 1]++] = chosen[i];
   }
   this->Areas.resize(count + 1);
   for (std::size_t i = 0; i < count; ++i)
@@ -95,15 +108,15 @@ SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const
     this->Areas[i + 1] = this->Areas[i] + areas[this->Pieces[i]];
   }
   this->FirstSample.assign(this->Cells.size() + 2, 0);
-  for (const SpacedSample& sample : samples)
+  for (const std::uint32_t block : blockOfSample)
   {
-    ++this->FirstSample[blockOf[sample.piece] + 2];
+    ++this->FirstSample[block + 2];
   }
   std::partial_sum(this->FirstSample.begin(), this->FirstSample.end(), this->FirstSample.begin());
   std::vector<SpacedSample> sorted(samples.size());
-  for (const SpacedSample& sample : samples)
+  for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    sorted[this->FirstSample[blockOf[sample.piece] + 1]++] = sample;
+    sorted[this->FirstSample[blockOfSample[i] + 1]++] = samples[i];
   }
   samples = std::move(sorted);
 }

@@ -27,11 +27,14 @@ public:
   /// blocks.
   static constexpr float longestPiece = 0.25f;
 
-  /// @param middles positions of the pieces, best in an order in which neighbors are mostly close
+  /// @param middles positions of all pieces, best in an order in which neighbors are mostly close
   /// @param areas of the pieces, in any unit
+  /// @param keys of the pieces, which random numbers hash; empty: their numbers
+  /// @param chosen the pieces that blocks have
   /// @param side of the blocks
   /// @param samples of the surface, sorted by block here. Kept as a reference.
-  SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas, float side,
+  SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas,
+    std::span<const std::uint64_t> keys, std::span<const std::uint32_t> chosen, float side,
     std::uint64_t seed, std::vector<SpacedSample>& samples);
 
   std::size_t count() const { return this->Cells.size(); }

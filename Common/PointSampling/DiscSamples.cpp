@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSampling/DiscSamples.h"
 
+#include "Core/Hash.h"
 #include "Core/MortonOrder.h"
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
@@ -27,6 +28,10 @@ namespace
 // leave no holes, and no more, as positions near the rim lie farther off the surface.
 constexpr float candidateReach = 0.82f;
 
+/// Where the corner is of the cubes that name discs, in their width: not where the middles of a grid's cells
+/// are, on which rounding would decide.
+constexpr glm::vec3 corner(0.38f, 0.21f, 0.57f);
+
 bool isFinite(const glm::vec3& v)
 {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -38,6 +43,18 @@ bool isUsable(const SurfaceDiscs& discs, std::size_t disc)
   const glm::vec3& normal = discs.normals[disc];
   return radius > 0.0f && std::isfinite(radius) && isFinite(discs.centers[disc]) && isFinite(normal) &&
     glm::dot(normal, normal) > 0.0f;
+}
+
+/// Candidates of discs are not stratified, see ProgressiveSampler, so that somewhat fewer samples fit;
+/// measured.
+double countOfDiscs(double candidates)
+{
+  return 0.987 * progressiveCount(candidates);
+}
+
+double areaAt(const SurfaceDiscs& discs, std::size_t disc)
+{
+  return discs.areas.empty() ? areaOfDisc(discs.radii[disc]) : static_cast<double>(discs.areas[disc]);
 }
 
 /// Discs as pieces of a surface, see ProgressiveSampler, in Morton order. Lengths are in units of the
@@ -68,15 +85,17 @@ public:
         for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
         {
           const std::uint32_t disc = this->Order[i];
-          this->Areas[i] = areaOfDisc(discs.radii[disc]);
+          this->Areas[i] = areaAt(discs, disc);
           this->Middles[i] = discs.centers[disc] * scale;
-          this->Sides[i] = { glm::normalize(discs.normals[disc]), candidateReach * discs.radii[disc] * scale };
+          this->Sides[i] = { glm::normalize(discs.normals[disc]),
+            candidateReach * discs.radii[disc] * scale };
         }
       });
   }
 
   std::span<const double> areas() const { return this->Areas; }
   std::span<const glm::vec3> middles() const { return this->Middles; }
+  std::span<const std::uint64_t> keys() const { return this->Keys; }
   float longest() const { return 2.0f * candidateReach * this->Largest; }
 
   struct Frame
@@ -89,8 +108,8 @@ public:
   Frame frame(std::size_t piece) const
   {
     const auto& [n, reach] = this->Sides[piece];
-    // An orthonormal basis (Duff et al. 2017).
-    const float s = n.z < 0.0f ? -1.0f : 1.0f;
+    // An orthonormal basis (Duff et al. 2017). Not with 0, where rounding would decide on what is upright.
+    const float s = n.z < 0.29f ? -1.0f : 1.0f;
     const float a = -1.0f / (s + n.z);
     const float b = n.x * n.y * a;
     return { this->Middles[piece], reach * glm::vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x),
@@ -119,7 +138,15 @@ private:
       std::uint64_t cell;
       std::uint32_t disc;
     };
-    const float width = std::max(2.0f * this->Largest, 1.0f) / this->Scale;
+    float farthest = 0.0f;
+    for (const std::uint32_t disc : this->Order)
+    {
+      const glm::vec3 distance = glm::abs(this->Discs.centers[disc]);
+      farthest = std::max({ farthest, distance.x, distance.y, distance.z });
+    }
+    // A power of two, as radii that differ in rounding are to have the same cubes.
+    const float least = std::max(this->Largest / this->Scale, farthest * 0x1p-19f);
+    const float width = std::exp2(std::floor(std::log2(least)));
     std::vector<Key> keys(this->Order.size());
     parallelFor((keys.size() + chunkSize - 1) / chunkSize,
       [&](std::size_t chunk)
@@ -127,8 +154,8 @@ private:
         for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, keys.size()); ++i)
         {
           const std::uint32_t disc = this->Order[i];
-          const glm::vec3 cell =
-            glm::clamp(glm::floor(this->Discs.centers[disc] / width) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
+          const glm::vec3 cell = glm::clamp(
+            glm::floor(this->Discs.centers[disc] / width + corner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
           keys[i] = { mortonOf(glm::uvec3(cell)), disc };
         }
       });
@@ -141,13 +168,21 @@ private:
     parallelSort(keys.begin(), keys.end(),
       [&](const Key& a, const Key& b)
       { return a.cell != b.cell ? a.cell < b.cell : position(a) < position(b); });
-    std::transform(keys.begin(), keys.end(), this->Order.begin(), [](const Key& key) { return key.disc; });
+    this->Keys.resize(keys.size());
+    std::uint64_t rank = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+    {
+      rank = i > 0 && keys[i].cell == keys[i - 1].cell ? rank + 1 : 0;
+      this->Order[i] = keys[i].disc;
+      this->Keys[i] = hash(keys[i].cell, rank);
+    }
   }
 
   const SurfaceDiscs& Discs;
   float Scale; ///< from the centers' unit
   float Largest = 0.0f;
   std::vector<std::uint32_t> Order;
+  std::vector<std::uint64_t> Keys;
   // In that order, so that what is needed together is read from one part of the memory.
   struct Side
   {
@@ -166,19 +201,19 @@ double areaOf(const SurfaceDiscs& discs)
   double area = 0.0;
   for (std::size_t disc = 0; disc < discs.centers.size(); ++disc)
   {
-    area += isUsable(discs, disc) ? areaOfDisc(discs.radii[disc]) : 0.0;
+    area += isUsable(discs, disc) ? areaAt(discs, disc) : 0.0;
   }
   return area;
 }
 
 double areaPerSample(double spacing, double candidates)
 {
-  return spacing * spacing / progressiveCount(candidates);
+  return spacing * spacing / countOfDiscs(candidates);
 }
 
 double spacingForCount(const SurfaceDiscs& discs, double count, double candidates)
 {
-  return std::sqrt(progressiveCount(candidates) * areaOf(discs) / count);
+  return std::sqrt(countOfDiscs(candidates) * areaOf(discs) / count);
 }
 
 std::vector<DiscSample> sampleDiscs(

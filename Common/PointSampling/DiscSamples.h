@@ -23,6 +23,8 @@ struct SurfaceDiscs
   /// In the unit of the centers: discs of these radii leave no holes. Those that are not positive and finite
   /// are left out, as are discs without a finite center and normal.
   std::span<const float> radii;
+  /// Of the surface that each stands for, above 0, in the unit of the centers; empty: areaOfDisc.
+  std::span<const float> areas{};
 };
 
 /// A position on a disc.
@@ -52,10 +54,13 @@ double areaPerSample(double spacing, double candidates);
 /// order: the counterpart of sampleProgressively for surfaces without triangles. Candidates lie anywhere on
 /// the discs, so that samples may be denser than the points, and do not show their pattern. They lie off the
 /// surface by at most its curvature times half the square of a radius.
+///
+/// A disc's candidates depend on where it is alone: on a cube about as large as the largest disc, and its
+/// rank among those in it. So a surface that changes a little keeps most of its samples.
 /// @param spacing the least distance of neighbors, in the unit of the centers, above 0
 /// @param candidates per sample, see sampleProgressively
-/// @param seed random choices hash it with the disc's rank among all discs, not with its index: their order
-///   does not matter
+/// @param seed random choices hash it with the disc's cube and rank, not with its index: their order does not
+///   matter
 /// @return the samples; none when stopped
 /// @throws std::invalid_argument if the surface is wider than 2^24 times the spacing
 std::vector<DiscSample> sampleDiscs(const SurfaceDiscs& discs, double spacing, double candidates,

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ink
@@ -45,11 +46,16 @@ inline constexpr double fewestPerOctave = 8.0;
 ///
 /// Pieces, SurfacePieces say, have numbers, in which neighbors on the surface are mostly close, and each has
 ///   areas(), middles()      relative areas and positions, one per piece
+///   keys()                  what names each piece whatever other pieces there are, or none
 ///   frame(piece)            origin, two axes along the surface, unit normal
 ///   coordinates(u, v)       of two uniform random numbers: a uniform position along a frame's axes
 ///   sample(piece, b1, b2)   the sample at such coordinates
 ///   longest()               no piece has two positions farther apart
 /// Lengths are in units of the smallest radius that is planned.
+///
+/// With keys each piece has its own candidates, which depend on nothing else, so that a surface that changes
+/// a little keeps most of its samples. Without, candidates are stratified: where pieces are large, they are
+/// more even.
 template <class Pieces>
 class ProgressiveSampler
 {
@@ -61,6 +67,12 @@ public:
     , Octaves(std::max(static_cast<int>(std::ceil(std::log2(widest))), 1))
     , Seed(seed)
   {
+    if (pieces.keys().empty())
+    {
+      this->All.resize(pieces.areas().size());
+      std::iota(this->All.begin(), this->All.end(), 0u);
+    }
+    this->Area = std::accumulate(pieces.areas().begin(), pieces.areas().end(), 0.0);
   }
 
   /// Down to the unit.
@@ -80,28 +92,81 @@ private:
       static_cast<float>(this->Octaves) - static_cast<float>(level) / progressive::levelsPerOctave);
   }
   using Made = std::vector<std::vector<SpacedSample>>; // in each block
+  using Frame = decltype(std::declval<const Pieces&>().frame(0));
+  std::uint64_t seedOfLevel() const { return hash(this->Seed, static_cast<std::uint32_t>(this->Level), 8); }
+  /// The number of a piece's own candidates, by its key.
+  /// @param seed seedOfLevel()
+  /// @param density candidates per area
+  std::uint64_t countOwn(std::uint32_t piece, std::uint64_t seed, double density) const
+  {
+    const double chance = unitDouble(hash(seed ^ this->Surface.keys()[piece]));
+    return static_cast<std::uint64_t>(this->Surface.areas()[piece] * density + chance);
+  }
+  std::vector<std::uint32_t> choosePieces(double density) const;
+  static SpacedSample makeCandidate(std::uint32_t piece, const Frame& frame, std::uint64_t random);
+  void addStratified(
+    const SurfaceBlocks& blocks, std::size_t block, double step, CandidatePoints& candidates) const;
+  void addOwn(
+    const SurfaceBlocks& blocks, std::size_t block, double density, CandidatePoints& candidates) const;
   void fill(const SurfaceBlocks& blocks, std::size_t block, std::span<const float> radii, double step,
     CandidatePoints& candidates, Made& made) const;
 
   const Pieces& Surface;
   int Octaves;
   std::uint64_t Seed;
-  int Level = 0; // the number of radii done
+  double Area = 0.0;
+  std::vector<std::uint32_t> All; // pieces, if they have no keys
+  int Level = 0;                  // the number of radii done
   std::vector<SpacedSample> Samples;
 };
 
+/// The pieces with keys that have candidates.
 template <class Pieces>
-void ProgressiveSampler<Pieces>::fill(const SurfaceBlocks& blocks, std::size_t block,
-  std::span<const float> radii, double step, CandidatePoints& candidates, Made& made) const
+std::vector<std::uint32_t> ProgressiveSampler<Pieces>::choosePieces(double density) const
+{
+  constexpr std::size_t chunkSize = 1 << 14;
+  const std::size_t count = this->Surface.keys().size();
+  const std::uint64_t seed = this->seedOfLevel();
+  std::vector<std::vector<std::uint32_t>> chosen((count + chunkSize - 1) / chunkSize);
+  parallelFor(chosen.size(),
+    [&](std::size_t chunk)
+    {
+      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
+      {
+        if (this->countOwn(static_cast<std::uint32_t>(i), seed, density) > 0)
+        {
+          chosen[chunk].push_back(static_cast<std::uint32_t>(i));
+        }
+      }
+    });
+  std::vector<std::uint32_t> all;
+  for (const std::vector<std::uint32_t>& some : chosen)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+template <class Pieces>
+SpacedSample ProgressiveSampler<Pieces>::makeCandidate(
+  std::uint32_t piece, const Frame& frame, std::uint64_t random)
+{
+  const std::uint64_t more = hash(random);
+  const glm::vec2 b = Pieces::coordinates(unitFloat(random, 0), unitFloat(more, 0));
+  return { frame.origin + b.x * frame.along1 + b.y * frame.along2, frame.normal, piece, b.x, b.y,
+    static_cast<std::uint32_t>(more) >> (32 - progressive::chanceBits) };
+}
+
+template <class Pieces>
+void ProgressiveSampler<Pieces>::addStratified(
+  const SurfaceBlocks& blocks, std::size_t block, double step, CandidatePoints& candidates) const
 {
   const std::span<const double> areas = blocks.areas(block);
   const std::span<const std::uint32_t> pieces = blocks.pieces(block);
-  const auto firstLevel = static_cast<std::uint32_t>(this->Level);
-  const std::uint64_t seed = hash(this->Seed, firstLevel, 8);
-  candidates.clear();
+  const std::uint64_t seed = this->seedOfLevel();
   std::uint32_t piece = 0;
   auto frame = this->Surface.frame(pieces[piece]);
-  // Stratified: one candidate per equal step of the cumulative area.
+  // One candidate per equal step of the cumulative area.
   const auto last = static_cast<std::uint64_t>(areas.back() / step);
   for (auto i = static_cast<std::uint64_t>(areas.front() / step); i <= last; ++i)
   {
@@ -116,10 +181,43 @@ void ProgressiveSampler<Pieces>::fill(const SurfaceBlocks& blocks, std::size_t b
       piece = findTriangle(areas, area, piece);
       frame = this->Surface.frame(pieces[piece]);
     }
-    const std::uint64_t more = hash(random);
-    const glm::vec2 b = Pieces::coordinates(unitFloat(random, 0), unitFloat(more, 0));
-    candidates.add({ frame.origin + b.x * frame.along1 + b.y * frame.along2, frame.normal, pieces[piece], b.x,
-      b.y, static_cast<std::uint32_t>(more) >> (32 - progressive::chanceBits) });
+    candidates.add(makeCandidate(pieces[piece], frame, random));
+  }
+}
+
+template <class Pieces>
+void ProgressiveSampler<Pieces>::addOwn(
+  const SurfaceBlocks& blocks, std::size_t block, double density, CandidatePoints& candidates) const
+{
+  const std::uint64_t seed = this->seedOfLevel();
+  for (const std::uint32_t piece : blocks.pieces(block))
+  {
+    const auto frame = this->Surface.frame(piece);
+    for (std::uint64_t i = this->countOwn(piece, seed, density); i > 0; --i)
+    {
+      candidates.add(makeCandidate(piece, frame, hash(seed, this->Surface.keys()[piece], i)));
+    }
+  }
+}
+
+template <class Pieces>
+void ProgressiveSampler<Pieces>::fill(const SurfaceBlocks& blocks, std::size_t block,
+  std::span<const float> radii, double step, CandidatePoints& candidates, Made& made) const
+{
+  // Of pieces with keys a block may have samples only.
+  if (blocks.pieces(block).empty())
+  {
+    return;
+  }
+  const auto firstLevel = static_cast<std::uint32_t>(this->Level);
+  candidates.clear();
+  if (this->Surface.keys().empty())
+  {
+    this->addStratified(blocks, block, step, candidates);
+  }
+  else
+  {
+    this->addOwn(blocks, block, 1.0 / step, candidates);
   }
   const float widest = this->radiusAt(this->Level);
   candidates.sort(widest);
@@ -167,8 +265,12 @@ bool ProgressiveSampler<Pieces>::add(int levels, double candidates, const Progre
   const float side = std::max({ progressive::radiiPerBlock * this->radiusAt(this->Level),
     progressive::radiiPerBlock, this->Surface.longest() / SurfaceBlocks::longestPiece });
   const auto level = static_cast<std::uint64_t>(this->Level);
-  const SurfaceBlocks blocks(
-    this->Surface.middles(), this->Surface.areas(), side, hash(this->Seed, level, 9), this->Samples);
+  const bool hasKeys = !this->Surface.keys().empty();
+  const double ownStep = this->Area / candidates;
+  const std::vector<std::uint32_t> chosen =
+    hasKeys ? this->choosePieces(1.0 / ownStep) : std::vector<std::uint32_t>();
+  const SurfaceBlocks blocks(this->Surface.middles(), this->Surface.areas(), this->Surface.keys(),
+    hasKeys ? chosen : this->All, side, hash(this->Seed, level, 9), this->Samples);
   std::vector<std::size_t> ofColor[8];
   for (std::size_t block = 0; block < blocks.count(); ++block)
   {
@@ -176,7 +278,8 @@ bool ProgressiveSampler<Pieces>::add(int levels, double candidates, const Progre
   }
   tbb::enumerable_thread_specific<CandidatePoints> workspaces;
   Made made(blocks.count());
-  const double step = blocks.area() / candidates;
+  // Cumulative areas of blocks end where theirs do.
+  const double step = hasKeys ? ownStep : blocks.area() / candidates;
   double done = 0.0;
   for (const std::vector<std::size_t>& some : ofColor)
   {

@@ -5,8 +5,10 @@
 #include "InkNeighborLists.h"
 #include "InkPointNormals.h"
 #include "InkPointOutput.h"
+#include "InkSampleCell.h"
 #include "InkStippleOutput.h"
 #include "InkVTKCompat.h"
+#include "IsoSurface/IsoSurfaceSamples.h"
 #include "PointSampling/DiscSamples.h"
 #include "PointSampling/ProgressiveBlueNoise.h"
 
@@ -43,16 +45,67 @@ bool Fits(vtkDataArray* array, int components, vtkIdType count)
   return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == count;
 }
 
-/// Points as discs, relative to the middle of their bounds.
+/// The areas that discs stand for.
+class DiscAreas
+{
+public:
+  explicit DiscAreas(vtkPolyData* points)
+    : Cell(InkGetSampleCell(points).value_or(glm::dmat3(0.0)))
+    , Radius(ink::isoSurfaceSampleRadius(this->Cell))
+  {
+  }
+
+  double Find(const glm::dvec3& normal, double radius) const
+  {
+    // Other discs beside those of the cells may have been appended.
+    const bool ofCell = std::abs(radius - this->Radius) <= 1e-5 * this->Radius && this->Radius > 0.0;
+    return ofCell ? ink::isoSurfaceSampleArea(this->Cell, glm::normalize(normal)) : ink::areaOfDisc(radius);
+  }
+
+private:
+  glm::dmat3 Cell;
+  double Radius; ///< of its samples' discs
+};
+
+/// The middle of the bounds of the points that are finite, in steps of at least a sixteenth of their width
+/// that are powers of two: so that the same points lie at the same positions, up to whole steps, when others
+/// come and go.
+glm::dvec3 MiddleOf(vtkPolyData* points)
+{
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-low);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 p;
+    points->GetPoint(i, &p.x);
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
+    {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+  const glm::dvec3 size = high - low;
+  const double width = std::max({ size.x, size.y, size.z });
+  if (!(width > 0.0 && std::isfinite(width)))
+  {
+    return width == 0.0 ? low : glm::dvec3(0.0);
+  }
+  const double step = std::exp2(std::ceil(std::log2(width / 16.0)));
+  return step * glm::round(0.5 * (low + high) / step);
+}
+
+/// Points as discs, relative to about the middle of their bounds.
 struct Discs
 {
+  std::vector<float> Areas;
   std::vector<glm::vec3> Centers;
   std::vector<glm::vec3> Normals;
   std::vector<float> Radii;
   glm::dvec3 Middle{ 0.0 };
 
   explicit Discs(vtkPolyData* points)
-    : Centers(static_cast<std::size_t>(points->GetNumberOfPoints()))
+    : Areas(static_cast<std::size_t>(points->GetNumberOfPoints()))
+    , Centers(this->Areas.size())
     , Normals(this->Centers.size())
     , Radii(this->Centers.size())
   {
@@ -60,41 +113,27 @@ struct Discs
     vtkDataArray* radii = points->GetPointData()->GetArray("Radius");
     constexpr unsigned char marks = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
     vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-low);
-    const auto forEach = [&](const auto& body)
-    {
-      for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-      {
-        glm::dvec3 p;
-        points->GetPoint(i, &p.x);
-        body(static_cast<std::size_t>(i), p);
-      }
-    };
-    forEach(
-      [&](std::size_t, const glm::dvec3& p)
-      {
-        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
-        {
-          low = glm::min(low, p);
-          high = glm::max(high, p);
-        }
-      });
-    this->Middle = low.x <= high.x ? 0.5 * (low + high) : glm::dvec3(0.0);
-    forEach(
-      [&](std::size_t i, const glm::dvec3& p)
+    const DiscAreas areas(points);
+    this->Middle = MiddleOf(points);
+    InkForEach(this->Centers.size(),
+      [&](std::size_t i)
       {
         const auto id = static_cast<vtkIdType>(i);
+        glm::dvec3 p;
         glm::dvec3 normal;
+        double radius = 0.0;
+        points->GetPoint(id, &p.x);
         normals->GetTuple(id, &normal.x);
+        radii->GetTuple(id, &radius);
         this->Centers[i] = p - this->Middle;
         this->Normals[i] = normal;
         const bool own = !ghosts || (ghosts->GetValue(id) & marks) == 0;
-        this->Radii[i] = own ? static_cast<float>(radii->GetComponent(id, 0)) : 0.0f;
+        this->Radii[i] = own ? static_cast<float>(radius) : 0.0f;
+        this->Areas[i] = static_cast<float>(areas.Find(normal, radius));
       });
   }
 
-  ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii }; }
+  ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii, this->Areas }; }
 };
 
 std::vector<glm::vec3> PositionsOf(const std::vector<ink::DiscSample>& samples)
@@ -158,14 +197,7 @@ bool InkHasDiscs(vtkPolyData* points)
 
 double InkAreaOfDiscs(vtkPolyData* points)
 {
-  vtkDataArray* radii = points->GetPointData()->GetArray("Radius");
-  double area = 0.0;
-  for (vtkIdType i = 0; i < radii->GetNumberOfTuples(); ++i)
-  {
-    const double radius = radii->GetComponent(i, 0);
-    area += radius > 0.0 && std::isfinite(radius) ? ink::areaOfDisc(radius) : 0.0;
-  }
-  return area;
+  return ink::areaOf(Discs(points).Get());
 }
 
 void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& request, vtkPolyData* output)

@@ -8,6 +8,7 @@
 #include "InkOutsideRange.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
+#include "InkSampleCell.h"
 #include "InkSurfaceParts.h"
 #include "InkVTKCompat.h"
 #include "InkWithGridField.h"
@@ -321,7 +322,8 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   }
   const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
     geometry, this->Smoothing, this->Subdivision, static_cast<ink::SmoothingTarget>(this->SmoothingTarget));
-  const double radius = ink::isoSurfaceSampleRadius(ink::resampledGeometry(geometry, resampling.subdivision));
+  const ink::GridGeometry sampled = ink::resampledGeometry(geometry, resampling.subdivision);
+  const double radius = ink::isoSurfaceSampleRadius(sampled);
   const int normalType = !this->ComputeNormals         ? VTK_VOID
     : this->OutputNormalsPrecision == SINGLE_PRECISION ? VTK_FLOAT
     : this->OutputNormalsPrecision == SHORT_PRECISION  ? VTK_SHORT
@@ -387,6 +389,7 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     { this->ComputeNormals, this->ComputeSurfaceIndex, this->ComputeCellIds, this->GenerateVertices,
       this->ComputeRadius ? std::optional(radius) : std::nullopt },
     output);
+  InkSetSampleCell(output, sampled);
   if (!this->ReuseArrays)
   {
     internals.Samples.Release();

@@ -14,8 +14,9 @@
  * Output point data: `Normals` (unit, along the negative gradient, away from larger values; see NormalMethod
  * and OutputNormalsPrecision), `Radius` (world units: half the diagonal of a cell, so that discs of this
  * radius around the points leave no holes), with several iso-values `SurfaceIndex` (int: the index of the
- * point's iso-value) and, with ComputeCellIds, `CellId`. The output's only cell is a vertex cell of type
- * VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
+ * point's iso-value) and, with ComputeCellIds, `CellId`. Field data: `SampleCell` (the edges of a cell, three
+ * world vectors). The output's only cell is a vertex cell of type VTK_POLY_VERTEX holding all points, unless
+ * GenerateVertices is off.
  *
  * Points are sorted by iso-value, then by cell, and are the same for any number of threads (set by
  * VTK_SMP_MAX_THREADS) and for any partition of the image into pieces with one level of ghost cells, or two

@@ -6,6 +6,7 @@
 #include "InkImageGrid.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
+#include "InkSampleCell.h"
 #include "InkVDBSource.h"
 #include "InkVTKCompat.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
@@ -373,8 +374,9 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
         ink::makeIsoSurfaceResampling(geometry, this->Smoothing, this->Subdivision, tiles.target);
       const bool indexed = this->ComputeSurfaceIndex && surfaces.IsoValues.size() > 1;
       const vtkSmartPointer<vtkIntArray> index = indexed ? IndexOf(counts) : nullptr;
-      this->FillOutput(points, wanted, index,
-        ink::isoSurfaceSampleRadius(ink::resampledGeometry(geometry, resampling.subdivision)), output);
+      const ink::GridGeometry sampled = ink::resampledGeometry(geometry, resampling.subdivision);
+      this->FillOutput(points, wanted, index, ink::isoSurfaceSampleRadius(sampled), output);
+      InkSetSampleCell(output, sampled);
       return 1;
     }
     for (const ink::VdbActiveCells& cells : surfaces.Cells)
@@ -395,6 +397,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
       surfaceIndex = IndexOf(counts);
     }
     this->FillOutput(points, wanted, surfaceIndex, ink::isoSurfaceSampleRadius(geometry), output);
+    InkSetSampleCell(output, geometry);
   }
   catch (const ink::VdbTooLarge& error)
   {

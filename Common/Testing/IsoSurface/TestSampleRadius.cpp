@@ -37,6 +37,31 @@ double gap(const Samples<Real>& samples, const glm::dvec3& p, double radius)
 const glm::dvec3 spacings[] = { glm::dvec3(1.0), glm::dvec3(1.0, 1.0, 3.0), glm::dvec3(0.2, 1.0, 1.0),
   glm::dvec3(1.0, 1.0, 1000.0) };
 
+/// A plane crosses a cell in a share of its positions along its normal that is the width of the cell there.
+TEST(SampleRadius, AreaIsACellsVolumeOverItsWidth)
+{
+  const glm::dmat3 cells[] = { glm::dmat3(1.0), glm::dmat3(2, 0, 0, 0, 3, 0, 0, 0, 5),
+    glm::dmat3(1, 0, 0, 0.5, 2, 0, -1, 0.25, -3) };
+  for (const glm::dmat3& cell : cells)
+  {
+    for (const glm::dvec3& direction : { glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1), glm::dvec3(1, -2, 3) })
+    {
+      const glm::dvec3 normal = glm::normalize(direction);
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const double height = glm::dot(normal, cell * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2));
+        low = std::min(low, height);
+        high = std::max(high, height);
+      }
+      EXPECT_NEAR(
+        ink::isoSurfaceSampleArea(cell, normal), std::abs(glm::determinant(cell)) / (high - low), 1e-12);
+    }
+  }
+  EXPECT_DOUBLE_EQ(ink::isoSurfaceSampleArea(cells[1], { 0, 0, 1 }), 6.0);
+}
+
 TEST(SampleRadius, CoversPlanes)
 {
   std::mt19937 random(7);

@@ -129,6 +129,63 @@ TEST(DiscSamples, NumberFollowsTheArea)
   }
 }
 
+/// As the samples of cells that measure 1:1:3 have them on a face along the longest edge.
+TEST(DiscSamples, NumberFollowsAreasThatAreGiven)
+{
+  Discs discs;
+  constexpr int cells = 99;
+  constexpr float step = 1.0f / cells;
+  for (int y = 0; y < cells / 3; ++y)
+  {
+    for (int x = 0; x < cells; ++x)
+    {
+      discs.add({ (static_cast<float>(x) + 0.5f) * step - 0.5f,
+                  3.0f * (static_cast<float>(y) + 0.5f) * step - 0.5f, 0.0f },
+        { 0, 0, 1 }, 0.5f * std::sqrt(11.0f) * step);
+    }
+  }
+  const std::vector<float> areas(discs.centers.size(), 3.0f * step * step);
+  ink::SurfaceDiscs view = discs.view();
+  EXPECT_NEAR(ink::areaOf(view), 11.0 / 12.0, 1e-4);
+  view.areas = areas;
+  EXPECT_NEAR(ink::areaOf(view), 1.0, 1e-4);
+  constexpr double spacing = 0.02;
+  std::vector<glm::dvec3> all;
+  for (const ink::DiscSample& sample : ink::sampleDiscs(view, spacing, ink::defaultCandidates, 1))
+  {
+    all.emplace_back(sample.position);
+  }
+  const double expected = 0.81 / ink::areaPerSample(spacing, ink::defaultCandidates);
+  EXPECT_NEAR(static_cast<double>(inside(all).size()), expected, 0.03 * expected);
+}
+
+TEST(DiscSamples, OfASurfaceThatChangesALittleMostStay)
+{
+  const Discs before = ball(20000);
+  Discs after;
+  for (std::size_t i = 0; i < before.centers.size(); ++i)
+  {
+    if (i % 2000 != 7)
+    {
+      after.add(
+        before.centers[i] * (1.0f + 1e-7f * static_cast<float>(i % 5)), before.normals[i], before.radii[i]);
+    }
+  }
+  for (const double spacing : { 0.02, 0.04 })
+  {
+    const auto first = positions(before, spacing);
+    std::size_t kept = 0;
+    for (const glm::dvec3& p : positions(after, spacing))
+    {
+      kept += std::any_of(first.begin(), first.end(),
+                [&](const glm::dvec3& q) { return glm::distance(p, q) < 0.01 * spacing; })
+        ? 1
+        : 0;
+    }
+    EXPECT_GT(static_cast<double>(kept), 0.97 * static_cast<double>(first.size())) << spacing;
+  }
+}
+
 TEST(DiscSamples, SidesOfASheetDoNotStarveEachOther)
 {
   Discs sheet = discsOfSquare(50);

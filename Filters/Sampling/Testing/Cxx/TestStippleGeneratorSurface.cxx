@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stipples of meshes: as many as the area asks for, however the surface is cut into polygons.
 
+#include "SamplerTestImages.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -302,5 +304,35 @@ TEST(StippleGeneratorSurface, LargePolygonsKeepTheirLists)
     {
       EXPECT_EQ(sides->GetComponent(e, 0), stipples->GetPoint(ids[i])[0] < 0.0 ? 1.0 : 40.0);
     }
+  }
+}
+
+/// Longer cells stand for more of the surface, and in other directions for less.
+TEST(StippleGeneratorSurface, SamplesOfLongCellsHaveAsManyStipplesAsTheirSurface)
+{
+  for (const double longest : { 1.0, 3.0 })
+  {
+    const int half = static_cast<int>(std::ceil(24.0 / longest));
+    const auto image = MakeImage(VTK_FLOAT, { -24, 24, -24, 24, -half, half },
+      [](double x, double y, double z) { return BallDensity(x, y, z, 20.0); }, { 1.0, 1.0, longest });
+    vtkNew<vtkInkIsoSurfaceSampler> sampler;
+    sampler->SetInputData(image);
+    sampler->SetValue(0, 100.0);
+    sampler->Update();
+    constexpr double asked = 20000.0;
+    const auto stipples = Stipple(sampler->GetOutput(), static_cast<vtkIdType>(asked));
+    EXPECT_NEAR(static_cast<double>(stipples->GetNumberOfPoints()), asked, 0.02 * asked) << longest;
+    double size = 0.0;
+    double area = 0.0;
+    for (vtkIdType i = 0; i < stipples->GetNumberOfPoints(); ++i)
+    {
+      // As even towards the slices as along them.
+      double p[3];
+      stipples->GetPoint(i, p);
+      area += std::abs(p[2]) > 10.0 ? 1.0 : 0.0;
+      size = std::max(size, vtkMath::Norm(p));
+    }
+    EXPECT_NEAR(area / asked, 0.5, 0.015) << longest;
+    EXPECT_LT(size, 20.4) << longest;
   }
 }
