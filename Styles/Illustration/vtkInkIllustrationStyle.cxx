@@ -5,6 +5,7 @@
 #include "InkHasPolygons.h"
 #include "InkHasSurface.h"
 #include "InkIsoSurface.h"
+#include "InkIsoValues.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
 #include "InkStyleProcesses.h"
@@ -71,6 +72,8 @@ bool IsMesh(vtkDataObject* data)
 } // namespace
 
 vtkInkIllustrationStyle::vtkInkIllustrationStyle()
+  : IsoValues(std::make_unique<InkIsoValues>())
+  , OuterIsoValue(std::make_unique<InkIsoValues>())
 {
   this->Mapper->SetMappers(this->Lines->GetLinesMapper(), this->Stipples->GetStippleMapper());
   this->Mapper->SetOuterMappers(this->OuterLines->GetLinesMapper(), this->OuterStipples->GetStippleMapper());
@@ -150,9 +153,9 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   const InkLeaves leaves(input.Data);
   double images = leaves.Images.empty() ? 0.0 : 1.0;
   this->GetProcesses().TakeGreatest({ &images, 1 });
-  this->GetIsoSurface()->SetIsoValues(this->IsoValues.GetGiven());
-  this->IsoValues.Use({});
-  this->OuterIsoValue.Use({});
+  this->GetIsoSurface()->SetIsoValues(this->IsoValues->GetGiven());
+  this->IsoValues->Use({});
+  this->OuterIsoValue->Use({});
   if (images == 0.0)
   {
     return this->MakeMesh(input, leaves);
@@ -160,7 +163,7 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   if (!this->SeeThrough)
   {
     const std::string problem = this->MakeSurface(this->Lines, this->Stipples, 0, input);
-    this->IsoValues.Use(this->GetIsoSurface()->GetUsedIsoValues());
+    this->IsoValues->Use(this->GetIsoSurface()->GetUsedIsoValues());
     return problem;
   }
   if (const std::string problem = this->ChooseSurfaces(leaves); !problem.empty())
@@ -219,8 +222,8 @@ std::string vtkInkIllustrationStyle::ChooseSurfaces(const InkLeaves& leaves)
   InkIsoSurface* inner = this->GetIsoSurface();
   InkIsoSurface* outer = this->OuterLines->GetIsoSurface();
   outer->CopyParameters(*inner);
-  std::vector<double> outerValue = this->OuterIsoValue.GetGiven();
-  std::vector<double> innerValues = this->IsoValues.GetGiven();
+  std::vector<double> outerValue = this->OuterIsoValue->GetGiven();
+  std::vector<double> innerValues = this->IsoValues->GetGiven();
   if (outerValue.empty() || innerValues.empty())
   {
     std::vector<ink::IsoSuggestion> suggestions = InkIsoSurface::Suggest(this, leaves.Images, {});
@@ -249,8 +252,8 @@ std::string vtkInkIllustrationStyle::ChooseSurfaces(const InkLeaves& leaves)
       std::string(outerValue.empty() && innerValues.empty() ? "none" : "no second one") +
       "; an inner and an outer iso-value can be given";
   }
-  this->IsoValues.Use(innerValues);
-  this->OuterIsoValue.Use(outerValue);
+  this->IsoValues->Use(innerValues);
+  this->OuterIsoValue->Use(outerValue);
   inner->SetIsoValues(innerValues);
   outer->SetIsoValues(outerValue);
   this->OuterStipples->SetNumberOfSurfaceStipples(this->Stipples->GetNumberOfSurfaceStipples());
@@ -314,7 +317,7 @@ void vtkInkIllustrationStyle::SetPreset(int preset)
 
 void vtkInkIllustrationStyle::SetIsoValues(const std::vector<double>& values)
 {
-  if (this->IsoValues.Give(values))
+  if (this->IsoValues->Give(values))
   {
     this->Modified();
   }
@@ -322,10 +325,25 @@ void vtkInkIllustrationStyle::SetIsoValues(const std::vector<double>& values)
 
 void vtkInkIllustrationStyle::SetOuterIsoValue(const std::vector<double>& value)
 {
-  if (this->OuterIsoValue.Give(value) && this->SeeThrough)
+  if (this->OuterIsoValue->Give(value) && this->SeeThrough)
   {
     this->Modified();
   }
+}
+
+const std::vector<double>& vtkInkIllustrationStyle::GetIsoValues()
+{
+  return this->IsoValues->GetGiven();
+}
+
+const std::vector<double>& vtkInkIllustrationStyle::GetOuterIsoValue()
+{
+  return this->OuterIsoValue->GetGiven();
+}
+
+const std::vector<double>& vtkInkIllustrationStyle::GetUsedOuterIsoValue()
+{
+  return this->OuterIsoValue->GetUsed();
 }
 
 void vtkInkIllustrationStyle::SetInkColor(double red, double green, double blue)

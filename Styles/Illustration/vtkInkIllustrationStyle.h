@@ -19,11 +19,13 @@
 #ifndef vtkInkIllustrationStyle_h
 #define vtkInkIllustrationStyle_h
 
-#include "InkIsoValues.h"
 #include "vtkInkStyle.h"
 #include "vtkNew.h" // for what the style owns
 
+#include <memory> // for iso-values
+
 class InkIsoSurface;
+class InkIsoValues;
 class InkSilhouettes;
 class vtkInkIllustrationMapper;
 class vtkInkSplattingLinesStyle;
@@ -73,15 +75,15 @@ public:
   void SetPaperColor(double red, double green, double blue);
   double* GetPaperColor() VTK_SIZEHINT(3);
   void SetIsoValues(const std::vector<double>& values);
-  const std::vector<double>& GetIsoValues() { return this->IsoValues.GetGiven(); }
+  const std::vector<double>& GetIsoValues();
   vtkSetMacro(SeeThrough, bool);
   vtkGetMacro(SeeThrough, bool);
   /// One value, or none.
   void SetOuterIsoValue(const std::vector<double>& value);
-  const std::vector<double>& GetOuterIsoValue() { return this->OuterIsoValue.GetGiven(); }
+  const std::vector<double>& GetOuterIsoValue();
   ///@}
   /// The value of the outer surface that was made last, given or chosen; none without one.
-  const std::vector<double>& GetUsedOuterIsoValue() { return this->OuterIsoValue.GetUsed(); }
+  const std::vector<double>& GetUsedOuterIsoValue();
 
   const InkParameterTable& GetParameterTable() override;
 
@@ -113,9 +115,9 @@ private:
   vtkNew<vtkInkIllustrationMapper> Mapper;
   vtkNew<vtkActor> Actor;
   int Preset = 0;
-  InkIsoValues IsoValues;
+  const std::unique_ptr<InkIsoValues> IsoValues;
   bool SeeThrough = false;
-  InkIsoValues OuterIsoValue;
+  const std::unique_ptr<InkIsoValues> OuterIsoValue;
 };
 
 #endif
