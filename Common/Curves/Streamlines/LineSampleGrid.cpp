@@ -17,6 +17,8 @@ namespace
 {
 
 constexpr std::size_t fewestSlots = 1024;
+/// Of squared distances to cells, which are rounded.
+constexpr float roundingMargin = 1.01f;
 
 /// 21 bits of each coordinate: bricks that share them are 2 million bricks apart, which only costs time.
 std::uint64_t brickOf(const glm::ivec3& cell)
@@ -32,9 +34,8 @@ std::size_t indexInBrick(const glm::ivec3& cell)
   return static_cast<std::size_t>((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4);
 }
 
-} // namespace
-
-bool areNear(const LineSample& a, const LineSample& b, float distance)
+/// areNear as a function that is surely inlined: shared libraries may replace exported ones.
+inline bool areClose(const LineSample& a, const LineSample& b, float distance)
 {
   const glm::vec3 offset = b.position - a.position;
   const float squared = glm::dot(offset, offset);
@@ -45,6 +46,13 @@ bool areNear(const LineSample& a, const LineSample& b, float distance)
   const float up = glm::dot(a.normal, offset);
   const float otherUp = glm::dot(b.normal, offset);
   return !areApart(glm::dot(a.normal, b.normal), up * up, otherUp * otherUp, squared);
+}
+
+} // namespace
+
+bool areNear(const LineSample& a, const LineSample& b, float distance)
+{
+  return areClose(a, b, distance);
 }
 
 LineSampleGrid::LineSampleGrid(float cellSize)
@@ -102,38 +110,70 @@ void LineSampleGrid::insert(const LineSample& sample)
   block.samples[block.count++] = sample;
 }
 
+bool LineSampleGrid::hasNear(std::uint32_t block, const LineSample& sample, float distance) const
+{
+  for (; block != none; block = this->Blocks[block].next)
+  {
+    const Block& some = this->Blocks[block];
+    for (std::uint32_t i = 0; i < some.count; ++i)
+    {
+      if (areClose(sample, some.samples[i], distance))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool LineSampleGrid::isNear(const LineSample& sample, float distance) const
 {
-  const glm::ivec3 low(glm::floor((sample.position - distance) * this->Scale));
-  const glm::ivec3 high(glm::floor((sample.position + distance) * this->Scale));
-  std::uint64_t key = 0;
-  const Brick* brick = nullptr;
-  bool isKnown = false;
+  const glm::vec3 scaled = sample.position * this->Scale;
+  const glm::ivec3 own(glm::floor(scaled));
+  std::uint64_t key = brickOf(own);
+  const auto brickAt = [this](std::uint64_t at)
+  {
+    const std::uint32_t found = this->Slots[this->slotOf(at)].brick;
+    return found == none ? nullptr : &this->Bricks[found];
+  };
+  const Brick* brick = brickAt(key);
+  // Most of what is near is in the same cell.
+  if (brick && this->hasNear((*brick)[indexInBrick(own)], sample, distance))
+  {
+    return true;
+  }
+  const float reach = distance * this->Scale;
+  const glm::ivec3 low(glm::floor(scaled - reach));
+  const glm::ivec3 high(glm::floor(scaled + reach));
+  // What a coordinate adds to the squared distance to a cell.
+  const auto aside = [](float at, int cell, int ownCell)
+  {
+    const float gap = cell < ownCell ? at - static_cast<float>(cell + 1)
+                                     : (cell > ownCell ? static_cast<float>(cell) - at : 0.0f);
+    return gap * gap;
+  };
+  const float most = reach * reach * roundingMargin;
   for (int z = low.z; z <= high.z; ++z)
   {
+    const float asideZ = aside(scaled.z, z, own.z);
     for (int y = low.y; y <= high.y; ++y)
     {
+      const float asideY = asideZ + aside(scaled.y, y, own.y);
       for (int x = low.x; x <= high.x; ++x)
       {
         const glm::ivec3 cell(x, y, z);
-        if (const std::uint64_t own = brickOf(cell); !isKnown || own != key)
+        if (cell == own || asideY + aside(scaled.x, x, own.x) > most)
         {
-          const std::uint32_t found = this->Slots[this->slotOf(own)].brick;
-          brick = found == none ? nullptr : &this->Bricks[found];
-          key = own;
-          isKnown = true;
+          continue;
         }
-        for (std::uint32_t next = brick ? (*brick)[indexInBrick(cell)] : none; next != none;)
+        if (const std::uint64_t ownKey = brickOf(cell); ownKey != key)
         {
-          const Block& block = this->Blocks[next];
-          for (std::uint32_t i = 0; i < block.count; ++i)
-          {
-            if (areNear(sample, block.samples[i], distance))
-            {
-              return true;
-            }
-          }
-          next = block.next;
+          key = ownKey;
+          brick = brickAt(key);
+        }
+        if (brick && this->hasNear((*brick)[indexInBrick(cell)], sample, distance))
+        {
+          return true;
         }
       }
     }

@@ -55,6 +55,8 @@ private:
   };
 
   std::size_t slotOf(std::uint64_t key) const;
+  /// @param block the first one of a cell, or none
+  bool hasNear(std::uint32_t block, const LineSample& sample, float distance) const;
   void grow();
 
   float Scale;
