@@ -25,6 +25,7 @@ struct Sample
   double position; ///< on the curve, as CurveRun's
   double length;   ///< pixels from the curve's begin, as far as the image shows it
   bool hidden;
+  bool enters; ///< the image does not show what is before it
 };
 
 class Sampler
@@ -39,6 +40,7 @@ public:
   void addSegment(const CurvePoint& a, const CurvePoint& b, double position)
   {
     // The part before the near plane, then within the image.
+    const bool entered = std::exchange(this->Entered, false);
     double from = 0.0;
     double to = 1.0;
     if (!clip(a.clip.z + a.clip.w, b.clip.z + b.clip.w, from, to))
@@ -61,6 +63,8 @@ public:
     {
       return;
     }
+    const bool enters = !entered || from > 0.0 || begin > 0.0;
+    this->Entered = to == 1.0 && end == 1.0;
     const double length = (end - begin) * glm::distance(p, q);
     const int steps = static_cast<int>(std::ceil(std::max(length, 1.0)));
     for (int step = 0; step < steps; ++step)
@@ -72,12 +76,14 @@ public:
       const double t = from + (to - from) * inSpace;
       const double curvature = a.radialCurvature + t * (b.radialCurvature - a.radialCurvature);
       const bool hidden = curvature < 0.0 || this->isHidden(glm::mix(a.clip, b.clip, t));
-      this->samples.push_back({ position + t, this->Length + share * length, hidden });
+      this->samples.push_back({ position + t, this->Length + share * length, hidden, enters && step == 0 });
     }
     this->Length += length;
   }
 
   double length() const { return this->Length; }
+  /// Whether the image shows the end of the last segment.
+  bool showsEnd() const { return this->Entered; }
 
   std::vector<Sample> samples;
 
@@ -145,6 +151,7 @@ private:
 
   const CurveOccluders& Occluders;
   double Length = 0.0;
+  bool Entered = false;
 };
 
 /// Runs of samples in one state, from one sample to before another.
@@ -153,6 +160,7 @@ struct SampleRun
   std::size_t first;
   double length; ///< pixels
   bool hidden;
+  bool goesOn; ///< where the image does not show it: nobody knows how long it is
 };
 
 std::vector<SampleRun> findSampleRuns(const std::vector<Sample>& samples, double length)
@@ -160,9 +168,13 @@ std::vector<SampleRun> findSampleRuns(const std::vector<Sample>& samples, double
   std::vector<SampleRun> runs;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    if (runs.empty() || runs.back().hidden != samples[i].hidden)
+    if (i > 0 && samples[i].enters)
     {
-      runs.push_back({ i, 0.0, samples[i].hidden });
+      runs.back().goesOn = true;
+    }
+    if (runs.empty() || samples[i].enters || runs.back().hidden != samples[i].hidden)
+    {
+      runs.push_back({ i, 0.0, samples[i].hidden, i > 0 && samples[i].enters });
     }
   }
   for (std::size_t i = 0; i < runs.size(); ++i)
@@ -173,7 +185,7 @@ std::vector<SampleRun> findSampleRuns(const std::vector<Sample>& samples, double
   return runs;
 }
 
-/// Leaves only those that are long enough, one state after the other.
+/// Leaves only those that are long enough or may be, one state after the other.
 std::vector<SampleRun> joinShortRuns(const std::vector<SampleRun>& runs, double leastRun)
 {
   double balance = 0.0; // of lengths, if none is long enough
@@ -181,14 +193,14 @@ std::vector<SampleRun> joinShortRuns(const std::vector<SampleRun>& runs, double 
   for (const SampleRun& run : runs)
   {
     balance += run.hidden ? run.length : -run.length;
-    if (run.length >= leastRun && (kept.empty() || kept.back().hidden != run.hidden))
+    if ((run.length >= leastRun || run.goesOn) && (kept.empty() || kept.back().hidden != run.hidden))
     {
       kept.push_back(run);
     }
   }
   if (kept.empty())
   {
-    kept.push_back({ 0, 0.0, balance > 0.0 });
+    kept.push_back({ 0, 0.0, balance > 0.0, false });
   }
   return kept;
 }
@@ -217,18 +229,24 @@ std::vector<CurveRun> findVisibleRuns(
   }
 
   std::vector<SampleRun> runs = findSampleRuns(samples, sampler.length());
+  const bool showsBegin = samples.front().position == 0.0;
+  const bool connected = closed && showsBegin && sampler.showsEnd();
+  runs.front().goesOn |= !showsBegin || (closed && !connected);
+  runs.back().goesOn |= !sampler.showsEnd() || (closed && !connected);
   if (closed && runs.size() > 1)
   {
-    if (runs.front().hidden == runs.back().hidden)
+    if (connected && runs.front().hidden == runs.back().hidden)
     {
       // One run, which the begin of the curve divides.
       runs.back().length += runs.front().length;
+      runs.back().goesOn |= runs.front().goesOn;
       runs.erase(runs.begin());
     }
-    // The longest is sure to be kept, so that the others join the same wherever the curve begins.
+    // One that is sure to be kept, so that the others join the same wherever the curve begins.
     std::rotate(runs.begin(),
-      std::max_element(
-        runs.begin(), runs.end(), [](const SampleRun& a, const SampleRun& b) { return a.length < b.length; }),
+      std::max_element(runs.begin(), runs.end(),
+        [](const SampleRun& a, const SampleRun& b)
+        { return std::pair(a.goesOn, a.length) < std::pair(b.goesOn, b.length); }),
       runs.end());
   }
   std::vector<SampleRun> kept = joinShortRuns(runs, leastRun);

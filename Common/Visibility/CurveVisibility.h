@@ -43,7 +43,8 @@ struct CurveRun
 /// depth image, each with the 8 neighbors of its pixel, too (Isenberg et al. 2002, section 4): a silhouette
 /// lies where a pixel beside it may show its own surface a little nearer. A sample is hidden where all nine
 /// are nearer, or its own pixel is nearer by far. Runs of samples shorter than `leastRun` join their
-/// neighbors, so that a curve that grazes a surface is not dotted.
+/// neighbors, so that a curve that grazes a surface is not dotted, but where they go on beyond the image: what
+/// it shows far from its border is the same in a larger one.
 ///
 /// @param closed the last point is connected to the first, which is not repeated
 /// @param leastRun pixels of the image

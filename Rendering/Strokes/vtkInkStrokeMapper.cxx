@@ -38,12 +38,13 @@ vtkStandardNewMacro(vtkInkStrokeMapper);
 namespace
 {
 
-/// The height in pixels that the image has at least in which the surface's depth decides what is hidden: in
-/// a smaller one too much of a stroke lies within a pixel of an edge of the surface.
+/// The height in pixels that the image of a whole picture has at least in which the surface's depth decides
+/// what is hidden: in a smaller one too much of a stroke lies within a pixel of an edge of the surface.
 constexpr int LeastDepthHeight = 1024;
 
-/// Further than that from the picture nothing matters to what is hidden in it, pixels.
+/// Further than that from the picture nothing matters to what is hidden in it: pixels, and shortest parts.
 constexpr float DepthMargin = 16.0f;
+constexpr float DepthMarginParts = 2.0f;
 
 std::vector<float> ReadDepth(const InkOccluderDepth& depth)
 {
@@ -375,8 +376,10 @@ InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(const InkStrokeMarks& marks, c
     return nullptr;
   }
   const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, shared.Frame, frame.GetSize());
-  const int finer = (LeastDepthHeight - 1) / std::max(frame.GetSize()[1], 1) + 1;
-  shared.Occluder.Draw(ofSurface, DepthMargin, depth, finer);
+  const int height = std::max(ofSurface.TileScale * frame.GetSize()[1], 1);
+  const float shortest = static_cast<float>(ofSurface.TileScale * this->ShortestPart);
+  shared.Occluder.Draw(ofSurface, std::max(DepthMargin, DepthMarginParts * shortest), depth,
+    (LeastDepthHeight - 1) / height + 1);
   if (!depth->Image.IsComplete())
   {
     this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");

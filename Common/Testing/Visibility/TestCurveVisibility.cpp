@@ -70,8 +70,10 @@ double wall(double x, double)
 /// A ring behind a broad bar and a narrow one: wherever it begins, the broad one alone hides it.
 TEST(CurveVisibility, AShortPartBesideTheLongestRunJoinsIt)
 {
-  const View view([](double x, double y)
-    { return (x > 150 && std::abs(y - 100) < 20) || (x < 100 && std::abs(y - 130) < 1.5) ? 100.0 : nothing; });
+  const View view(
+    [](double x, double y) {
+      return (x > 150 && std::abs(y - 100) < 20) || (x < 100 && std::abs(y - 130) < 1.5) ? 100.0 : nothing;
+    });
   constexpr int count = 90;
   for (int shift = 0; shift < count; shift += 10)
   {
@@ -84,7 +86,53 @@ TEST(CurveVisibility, AShortPartBesideTheLongestRunJoinsIt)
         ring.push_back(view.at(100 + 80 * std::cos(angle), 100 + 80 * std::sin(angle), 500));
       }
       const double share = hiddenShare(ink::findVisibleRuns(ring, true, view.occluders(), 8.0));
-      EXPECT_NEAR(share, 2.0 * std::asin(20.0 / 80.0) / (2.0 * std::numbers::pi), 0.01) << shift << ' ' << direction;
+      EXPECT_NEAR(share, 2.0 * std::asin(20.0 / 80.0) / (2.0 * std::numbers::pi), 0.01)
+        << shift << ' ' << direction;
+    }
+  }
+}
+
+/// Whether the run that holds a position is hidden.
+bool isHiddenAt(const std::vector<CurveRun>& runs, double position, std::size_t segments)
+{
+  const auto holds = [&](const CurveRun& run)
+  {
+    const double next = position + static_cast<double>(segments);
+    return (run.from <= position && position < run.to) || (run.from <= next && next < run.to);
+  };
+  const auto run = std::find_if(runs.begin(), runs.end(), holds);
+  EXPECT_NE(run, runs.end());
+  return run != runs.end() && run->hidden;
+}
+
+/// Of two long parts, one behind a wall, the image's corner shows five pixels of the other: no neighbor takes
+/// them, as they go on beyond it.
+TEST(CurveVisibility, WhatGoesOnBeyondTheImageIsNotShort)
+{
+  for (const bool hiddenCorner : { false, true })
+  {
+    const View view([&](double x, double) { return (x < 100.0) != hiddenCorner ? 300.0 : nothing; });
+    for (const bool closed : { false, true })
+    {
+      std::vector<CurvePoint> line{ view.at(20, 50, 500), view.at(80, 50, 500), view.at(80, -50, 500),
+        view.at(197, -50, 500), view.at(197, 3, 500), view.at(300, 3, 500) };
+      if (closed)
+      {
+        line.push_back(view.at(300, -60, 500));
+        line.push_back(view.at(20, -60, 500));
+      }
+      for (int turn = 0; turn < (closed ? static_cast<int>(line.size()) : 1); ++turn)
+      {
+        const auto runs = findVisibleRuns(line, closed, view.occluders(), 8.0);
+        const auto positionOf = [&](double position)
+        {
+          const double turned = position - turn;
+          return turned < 0.0 ? turned + static_cast<double>(line.size()) : turned;
+        };
+        EXPECT_EQ(isHiddenAt(runs, positionOf(0.5), line.size()), !hiddenCorner) << closed << ' ' << turn;
+        EXPECT_EQ(isHiddenAt(runs, positionOf(3.99), line.size()), hiddenCorner) << closed << ' ' << turn;
+        std::rotate(line.begin(), line.begin() + 1, line.end());
+      }
     }
   }
 }
