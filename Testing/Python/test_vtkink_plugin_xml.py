@@ -249,12 +249,14 @@ class Errors(list):
 
 def check_range_of_parameter(element, style, name):
     """SetParameter of a style, which is what the panel calls, refuses what other classes clamp."""
-    if element.find("BooleanDomain") is not None or element.find("ArrayRangeDomain") is not None:
+    if element.find("BooleanDomain") is not None:
         return
     errors = Errors(style)
     default = style.GetParameter(name)
     domain = next((one for kind in ("Double", "Int") for one in element.iter(f"{kind}RangeDomain")), None)
     choices = [float(entry.get("value")) for entry in element.iter("Entry")]
+    if domain is None and not choices:
+        return  # any number, or those of an array
     low, high = (float(domain.get(end)) for end in ("min", "max")) if domain is not None else (choices[0], choices[-1])
     assert not choices or choices == [low + i for i in range(len(choices))]
     for count, (limit, outwards) in enumerate(((low, -1), (high, 1)), start=1):
