@@ -5,6 +5,8 @@
     pictures.py phantom SURFACE VOXELS SLICE_DISTANCE TYPE NOISE OUT.vti OUT.vtp
     pictures.py scan NAME OUT.vti
     pictures.py scatter MESH.ply OUT.png
+    pictures.py texture OUT.png
+    pictures.py edges OUT.vtp SHEETS.vtp
     pictures.py join OUT.png PICTURE.png ...
 
 The last two of a phantom are its volume and the surface's mesh; Testing/Benchmarks/phantoms.py and scan_phantoms.py have the
@@ -99,6 +101,55 @@ def scatter(path, out, size=(360, 320)):
     writer.Write()
 
 
+def texture(out, width=256, height=32):
+    """How much ink a pencil leaves: less at its sides, and where the paper has pits. The end goes on with the begin."""
+    noise = np.fft.fft2(np.random.default_rng(1).standard_normal((height, width)))
+    frequencies = np.hypot(*np.meshgrid(np.fft.fftfreq(width), np.fft.fftfreq(height)))
+    pits = np.fft.ifft2(noise * np.exp(-2 * (np.pi * 1.3 * frequencies) ** 2)).real
+    across = np.abs(2 * (np.arange(height)[:, None] + 0.5) / height - 1)
+    ink = np.clip(0.75 + 0.35 * pits / pits.std() - 1.1 * across**4, 0, 1)
+    image = vtk.vtkImageData()
+    image.SetDimensions(width, height, 1)
+    numpy_support = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support")
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk((255 * ink).round().astype("u1").ravel(), deep=True))
+    write(vtk.vtkPNGWriter(), image, out)
+
+
+def edges(out, sheets_alone):
+    """All kinds of edges: a prism's creases, a tube's borders, three sheets that meet in one edge; and a ball."""
+    prism, tube, ball = vtk.vtkCylinderSource(), vtk.vtkCylinderSource(), vtk.vtkSphereSource()
+    prism.SetResolution(6)
+    prism.SetCenter(-1.2, 0, 0)
+    prism.SetRadius(0.6)
+    tube.SetResolution(64)
+    tube.CappingOff()
+    ball.SetCenter(0, 1.2, 0)
+    ball.SetRadius(0.6)
+    ball.SetThetaResolution(64)
+    ball.SetPhiResolution(32)
+    points, sheets, fan = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkPolyData()
+    ends = [(0, 0)] + [(0.6 * np.cos(angle), 0.6 * np.sin(angle)) for angle in (0.3, 2.4, 4.5)]
+    for x, z in ends:
+        points.InsertNextPoint(-1.2 + x, 0.8, z)
+        points.InsertNextPoint(-1.2 + x, 1.6, z)
+    for sheet in (1, 2, 3):
+        sheets.InsertNextCell(4)
+        for point in (0, 1, 2 * sheet + 1, 2 * sheet):
+            sheets.InsertCellPoint(point)
+    fan.SetPoints(points)
+    fan.SetPolys(sheets)
+    write(vtk.vtkXMLPolyDataWriter(), fan, sheets_alone)
+    together = vtk.vtkAppendPolyData()
+    for source in (prism, tube, ball):
+        source.Update()
+        # Normals would split edges.
+        source.GetOutput().GetPointData().Initialize()
+        together.AddInputData(source.GetOutput())
+    together.AddInputData(fan)
+    together.Update()
+    write(vtk.vtkXMLPolyDataWriter(), together.GetOutput(), out)
+
+
 def read(path):
     reader = vtk.vtkPNGReader()
     reader.SetFileName(path)
@@ -149,4 +200,4 @@ def join(out, *paths):
 
 
 if __name__ == "__main__":
-    {"mesh": mesh, "phantom": phantom, "scan": scan, "scatter": scatter, "join": join}[sys.argv[1]](*sys.argv[2:])
+    {"mesh": mesh, "phantom": phantom, "scan": scan, "scatter": scatter, "texture": texture, "edges": edges, "join": join}[sys.argv[1]](*sys.argv[2:])

@@ -63,6 +63,34 @@ contours_pictures() {
   series methods "Data/engine.nii.gz --iso 80 --view iso" "" "--method voxel-segments --line-width 1.5" \
     "--method image-space --line-width 4" "--method toon --largest-cosine 0.3"
   series hidden "Data/bonsai.nii.gz --iso 40 --elevation 12" "" "--hidden-lines faint" "--hidden-lines dashed"
+  local size=200x200
+  local engine="Data/engine.nii.gz --iso 80 --view iso"
+  local bonsai="Data/bonsai.nii.gz --iso 40 --elevation 12"
+  "$INK_PYTHON" Utilities/pictures.py edges "$work/edges.vtp" "$work/sheets.vtp"
+  local edges="$work/edges.vtp --view front --azimuth 25 --elevation 25 --line-width 7"
+  local near="$work/sheets.vtp --view front --azimuth 25 --elevation 25 --zoom 0.9 --depth-width 0 --line-width 60"
+  series widths "$engine" "--line-width 1.5" "--line-width 6" "--line-width 6 --depth-width 0" "--line-width 6 --depth-width 1"
+  series ends "$near" "" "--taper 0.8" "--cap butt" "--join miter"
+  series density "$bonsai" "" "--density 0.9" "--density 0.5" "--density 0.2"
+  series texture "$near --texture Data/pencil.png" "--texture-length 8" "--texture-length 2" "--texture-length 8 --taper 0.8"
+  series colors "$engine --line-width 5" "--ink-color #993300 --paper-color #ffffcc" "--ink-color white --paper-color black"
+  series kinds "$edges" "" "--no-silhouettes" "--no-creases" "--no-borders" "--non-manifold-edges" "--feature-angle 70"
+  series faceted "$work/engine.ply --view iso --zoom 6 --no-creases --line-width 5" "" "--faceted"
+  series creases "$work/engine.ply --view iso" "--no-creases" "--shortest-crease 0" "" "--feature-angle 80"
+  series hidden-lines "$edges" "--hidden-opacity 0.2" "--hidden-opacity 0.7" "--dash-length 10 --gap-length 10" \
+    "--dash-length 30 --gap-length 10" "--dash-length 10 --gap-length 30"
+  series parts-of-lines "$bonsai --zoom 3" "--shortest-part 0" "" "--shortest-part 33"
+  series iso "Data/bonsai.nii.gz --elevation 12" "--iso 25" "--iso 40" "--iso 150"
+  series parts "$bonsai" "--smallest-part 0" "" "--largest-parts 1"
+  series cut "Data/bonsai.nii.gz --iso 40 --elevation -30" "--cut rim" "--cut cap"
+  series smoothing "$bonsai --zoom 2" "--smoothing 0" "" "--smoothing 4" "--smoothing 4 --smoothing-target surface"
+  series subdivision "$bonsai --zoom 8 --smoothing 0" "--subdivision 1" "--subdivision 4"
+  local voxels="$engine --method voxel-segments --line-width 2"
+  series edge-voxels "$voxels" "--edge-scale 0" "" "--edge-scale 3" "--least-gradient 0.05" "--least-gradient 0.4" "--value-range 100,255"
+  series segments "$voxels --zoom 2.5" "--segment-length 0.5" "--segment-length 3" "--largest-cosine 0.02" "--largest-cosine 0.3"
+  series surface-methods "$engine" "--method toon" "--method toon --largest-cosine 0.4" "--method image-space --line-width 12 --zoom 0.4" \
+    "--method image-space --line-width 12 --zoom 0.4 --no-thinning"
+  size=320x320
   local parts=() one
   for style in stipple splatting-lines illustration; do
     for one in "" "--silhouettes"; do

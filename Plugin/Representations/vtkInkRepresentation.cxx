@@ -318,6 +318,11 @@ void vtkInkRepresentation::SetParameter(const char* name, double first, double s
   }
 }
 
+void vtkInkRepresentation::SetParameterAsString(const char* name, const char* text)
+{
+  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameterAsString(name, text); });
+}
+
 void vtkInkRepresentation::SetAutomaticIsoValue(bool automatic)
 {
   this->IsoValue.Automatic = automatic;

@@ -46,6 +46,9 @@ public:
   void SetParameter(const char* name, double first, double second, double third);
   ///@}
 
+  /// The same as text, of a parameter that is no number.
+  void SetParameterAsString(const char* name, const char* text);
+
   ///@{
   /// The surface of an image: at a value that suits it (default), or at this one. Of styles with IsoValues.
   void SetAutomaticIsoValue(bool automatic);

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contours of images, meshes and grids in ParaView's view, and silhouettes over the other drawings."""
 
+import math
+import pathlib
 import unittest
 
 import numpy
@@ -10,6 +12,7 @@ from paraview.simple import *
 from rendering import TestInOneView, ink, marks, picture
 from surface_tests import SurfaceTests
 
+PENCIL = pathlib.Path(__file__).resolve().parents[2] / "Data" / "pencil.png"
 STYLES = {"Illustration": "Illustration", "Splatting Lines": "Lines", "Stipple": "Stipple"}
 
 
@@ -83,6 +86,60 @@ class TestContours(SurfaceTests, TestInOneView):
         display.ContoursPreset = "Hidden Lines"
         self.assertEqual((display.ContoursHiddenLines, display.ContoursJoin), ("Dashed", "Pointed"))
         self.assertEqual(marks(display), before)
+
+    def look(self, position, focal_point, up):
+        camera = GetActiveCamera()
+        camera.SetPosition(position)
+        camera.SetFocalPoint(focal_point)
+        camera.SetViewUp(up)
+
+    def test_density_and_texture(self):
+        smaller = Sphere(Radius=0.2, Center=[1, 0, 0], ThetaResolution=120, PhiResolution=60)
+        # Side by side; other tests go on from where the camera was.
+        camera = GetActiveCamera()
+        self.addCleanup(self.look, camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp())
+        self.look((0, 0, 9), (0, 0, 0), (0, 1, 0))
+        both = AppendGeometry(Input=[sphere(), smaller])
+        display = self.show(both, ContoursLineWidth=30, ContoursDepthWidth=0)
+        whole = ink(picture(self.view))
+        made = marks(display)
+        display.ContoursDensity = 0.5
+        # The larger one's circle.
+        self.assertAlmostEqual(ink(picture(self.view)) / whole, 5 / 7, delta=0.02)
+        display.ContoursDensity = 1.0
+        display.ContoursTexture = str(PENCIL)
+        self.assertTrue(0.2 * whole < ink(picture(self.view)) < 0.9 * whole)
+        display.ContoursTexture = ""
+        self.assertEqual(ink(picture(self.view)), whole)
+        self.assertEqual(marks(display), made)
+
+    def length_of(self, lines):
+        return IntegrateVariables(Input=lines).CellData["Length"].GetRange()[0]
+
+    def test_the_filter_finds_lines_for_an_eye(self):
+        lines = InkContours(Input=sphere(), EyeDirection=[1, 2, 3], Borders=0)
+        self.assertEqual(lines.GetHints().FindNestedElementByName("ShowInMenu").GetAttribute("category"), "Ink")
+        # A great circle, and from an eye at twice the radius one of radius r sqrt(1 - 1 / 4).
+        self.assertAlmostEqual(self.length_of(lines), math.pi, delta=0.01)
+        lines.Eye = "Position"
+        lines.EyePosition = [0.0, 0.0, 1.0]
+        self.assertAlmostEqual(self.length_of(lines), math.pi * math.sqrt(0.75), delta=0.01)
+        lines = InkContours(Input=Box(), Silhouettes=0, Creases=1)
+        self.assertAlmostEqual(self.length_of(lines), 12.0, delta=1e-6)
+        self.assertEqual(lines.CellData["ContourKind"].GetRange(), (1, 1))
+
+    def test_the_filter_takes_images(self):
+        ball = Calculator(Input=Wavelet(), ResultArrayName="distance", Function="mag(coords)")
+        lines = InkContours(Input=ball, ContourBy=["POINTS", "distance"], Isosurfaces=[6.0])
+        self.assertAlmostEqual(self.length_of(lines), 12 * math.pi, delta=0.2)
+        lines.Method = "Segments Through Voxels"
+        lines.UpdatePipeline()
+        wavelet = Wavelet()
+        wavelet.UpdatePipeline()
+        low, high = wavelet.PointData["RTData"].GetRange(0)
+        suggested = InkContours(Input=wavelet)
+        self.assertTrue(low < suggested.Isosurfaces[0] < high)
+        self.assertGreater(self.length_of(suggested), 10)
 
     def test_silhouettes_over_the_other_drawings(self):
         for style, prefix in STYLES.items():

@@ -14,10 +14,12 @@
 #include "InkViewUniforms.h"
 
 #include "Curves/Contours/CoherentDashes.h"
+#include "Curves/Contours/LengthPriority.h"
 #include "Curves/Contours/MeshContours.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
@@ -38,6 +40,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 vtkStandardNewMacro(vtkInkSilhouetteMapper);
 
@@ -78,7 +81,7 @@ float FindPictureShare(const std::array<double, 6>& box, const InkViewUniforms& 
   return static_cast<float>(std::min(2.0 * pixels / (view.TileScale * view.GetShownHeight()), 1.0));
 }
 
-/// Lines with all their arrays, and as ids for selection a point of the surface beside each.
+/// Lines with all their arrays, their priority, and as ids for selection a point of the surface beside each.
 vtkSmartPointer<vtkPolyData> MakeLines(const ink::Contours& contours, const InkMeshTriangles& surface)
 {
   auto lines = vtkSmartPointer<vtkPolyData>::New();
@@ -92,6 +95,12 @@ vtkSmartPointer<vtkPolyData> MakeLines(const ink::Contours& contours, const InkM
       static_cast<vtkIdType>(i), surface.Triangles[static_cast<std::size_t>(contours.elements[i])][0]);
   }
   lines->GetPointData()->AddArray(ids);
+  const std::vector<float> shares = ink::lengthPriorities(contours);
+  vtkNew<vtkFloatArray> priorities;
+  priorities->SetName("Priority");
+  priorities->SetNumberOfTuples(static_cast<vtkIdType>(shares.size()));
+  std::copy(shares.begin(), shares.end(), priorities->GetPointer(0));
+  lines->GetCellData()->AddArray(priorities);
   return lines;
 }
 

@@ -15,6 +15,9 @@
  * in an image, as input; IMAGE_SPACE and TOON, of a surface. They draw silhouettes only, and
  * nothing that is hidden, whatever HiddenParts says.
  *
+ * With Density less than 1 the longest contours are drawn, which have that share of the length of all; of
+ * segments through voxels, and of edges, any, always the same ones.
+ *
  * An edge that is a crease and a silhouette is drawn once, as a crease.
  *
  * Hardware selection finds points of the surface beside a contour. With ScalarVisibility on, the cell array

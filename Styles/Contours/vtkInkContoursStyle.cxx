@@ -8,6 +8,7 @@
 #include "InkParameter.h"
 #include "InkSilhouetteMethod.h"
 #include "InkStyleProcesses.h"
+#include "InkTextureFile.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
@@ -228,6 +229,17 @@ void vtkInkContoursStyle::SetCreases(bool creases)
 {
   this->Creases = creases;
   InkContourSurface::Follow(this->Mapper, creases);
+}
+
+void vtkInkContoursStyle::SetTexture(const std::string& file)
+{
+  std::string problem;
+  this->Mapper->SetTexture(InkReadTexture(file, problem));
+  this->Texture = file;
+  if (!problem.empty())
+  {
+    vtkErrorMacro("Texture: " << problem);
+  }
 }
 
 void vtkInkContoursStyle::SetPaperColor(double red, double green, double blue)

@@ -27,6 +27,7 @@
 #include "vtkNew.h" // for what the style owns
 
 #include <memory> // for what the style owns
+#include <string> // for the texture's file
 
 class InkIsoSurface;
 class InkSilhouetteMethod;
@@ -83,6 +84,8 @@ public:
   vtkGetMacro(Preset, int);
   void SetCreases(bool creases);
   vtkGetMacro(Creases, bool);
+  void SetTexture(const std::string& file);
+  const std::string& GetTexture() { return this->Texture; }
   void SetPaperColor(double red, double green, double blue);
   vtkGetVector3Macro(PaperColor, double);
   void SetShortestPart(double pixels);
@@ -118,6 +121,7 @@ private:
   int Preset = 0;
   bool OnSurface = false;
   bool Creases = true;
+  std::string Texture; ///< the file's name
   double PaperColor[3] = { 1.0, 1.0, 1.0 };
   double ShortestPart = 4.0; ///< in the picture's pixels
 };

@@ -29,7 +29,8 @@ A row of parameters.json is one parameter. Its entries:
     implies   {NAME: VALUE}: what else holds where this one is given without these
     follows   the parameter whose value this one takes where only that one is given
     panel     the property's name in ParaView, if not the name; false: it has none
-    paneldata, slider, domain   in ParaView: `data` there; a narrower range; `range` or `mid`: that of the array
+    paneldata, slider, domain   in ParaView: `data` there; a narrower range; `range` or `mid`: that of the array, or `file`:
+              a string is a file's name
     tracked, client   in ParaView: the proxy sets the property, too, and nobody's own value is lost by that; and it stays on
               the client, where what it sets are properties
     from      a folder of Styles: the row is that of the same name, or of the one that `of` names, in its table, with what
@@ -62,6 +63,7 @@ KEYS = {
 # The data that has not what a parameter needs, as ParaView's decorators ask.
 EXCLUDED = {"image": "vtkPolyData vtkUnstructuredGrid vtkStructuredGrid", "mesh": "vtkImageData"}
 ALL_VALUES = 1e38
+ARRAY_RANGES = ("range", "mid")
 ORDERS = {None: 0, "ascending": 1, "strict": 2}
 
 
@@ -284,7 +286,7 @@ def decorator(indent, **pairs):
 
 def hints(row, rows):
     lines = []
-    if row.get("domain"):
+    if row.get("domain") in ARRAY_RANGES:
         lines.append(" " * 10 + "<NoDefault />")
     for name, value in row.get("if", {}).items():
         other = rows[name]
@@ -299,7 +301,9 @@ def hints(row, rows):
 def domain(row, count):
     kind = row["type"]
     indent = " " * 8
-    if row.get("domain"):
+    if row.get("domain") == "file":
+        return [f'{indent}<FileListDomain name="files" />']
+    if row.get("domain") in ARRAY_RANGES:
         mode = ' default_mode="mid"' if row["domain"] == "mid" else ""
         return [
             f'{indent}<ArrayRangeDomain name="range"{mode}>',
@@ -322,7 +326,7 @@ def domain(row, count):
 
 
 def xml_property(row, rows):
-    """A property that calls SetParameter with the parameter's name and its numbers."""
+    """A property that calls SetParameter with the parameter's name and its numbers, or SetParameterAsString with its text."""
     kind = row["type"]
     color = kind in ("color", "colors")
     count = 3 if color else row["size"] if kind == "vector" else 1
@@ -332,9 +336,11 @@ def xml_property(row, rows):
     values = default if isinstance(default, list) else [int(default) if isinstance(default, bool) else default]
     if not values:
         # No range is that of all values.
-        values = [-ALL_VALUES, ALL_VALUES] if row.get("domain") else [0] * count
-    element = ("Ink" if row.get("tracked") else "") + ("Int" if kind in ("bool", "int", "enum") else "Double") + "VectorProperty"
-    integral = "Int" in element
+        values = [-ALL_VALUES, ALL_VALUES] if row.get("domain") == "range" else [0] * count
+    text = kind == "string"
+    integral = kind in ("bool", "int", "enum")
+    element = ("Ink" if row.get("tracked") else "") + ("String" if text else "Int" if integral else "Double") + "VectorProperty"
+    command = "SetParameterAsString" if text else "SetParameter"
     # A label that is too long cuts the panel.
     notes = [row["unit"].replace("1/1000", "‰")] if row.get("unit") else []
     notes += [f"{number}: {word}" for number, word in row.get("special", {}).items()]
@@ -342,10 +348,10 @@ def xml_property(row, rows):
         ("name", property_name(row)),
         ("si_class", f"vtkSI{element.removeprefix('Ink')}" if row.get("tracked") else None),
         ("label", row["label"] + (f" ({'; '.join(notes)})" if notes else "")),
-        ("command", None if row.get("client") else "SetParameter"),
+        ("command", None if row.get("client") else command),
         ("initial_string", None if row.get("client") else row["name"]),
         ("number_of_elements", count),
-        ("default_values", " ".join(json.dumps(value) for value in values)),
+        ("default_values", " ".join(value if text else json.dumps(value) for value in values)),
         ("panel_widget", "color_selector" if color and not integral else None),
         ("panel_visibility", None if row.get("level") == "essential" else "advanced"),
     ]

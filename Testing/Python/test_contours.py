@@ -183,6 +183,43 @@ def test_what_lies_behind_is_hidden():
     assert draw(both.GetOutput(), hidden_lines="faint").sum() > 1.1 * draw(both.GetOutput()).sum()
 
 
+def test_density_draws_the_longest_lines():
+    """Of three circles, whose lengths are 4, 2 and 1 sevenths of all."""
+    balls = vtk.vtkAppendPolyData()
+    for radius, x in ((0.4, -0.5), (0.2, 0.2), (0.1, 0.6)):
+        balls.AddInputData(sphere(radius, (x, 0, 0)))
+    balls.Update()
+    whole = draw(balls.GetOutput())
+    for density, sevenths in ((1, 7), (0.9, 7), (0.8, 6), (0.6, 6), (0.5, 4), (0.01, 4), (0, 0)):
+        drawn = draw(balls.GetOutput(), density=density)
+        assert drawn.sum() == pytest.approx(whole.sum() * sevenths / 7, rel=0.03), density
+        assert (drawn <= whole).all()
+
+
+def test_a_texture_is_drawn_along_lines(tmp_path, ink):
+    """Half of each repetition is ink, of which there is a whole number around a circle."""
+    stripes = vtk.vtkImageData()
+    stripes.SetDimensions(64, 2, 1)
+    values = np.where(np.arange(128) % 64 < 32, 255, 0).astype("u1")
+    stripes.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values, deep=True))
+    file = tmp_path / "stripes.png"
+    writer = vtk.vtkPNGWriter()
+    writer.SetInputData(stripes)
+    writer.SetFileName(str(file))
+    writer.Write()
+    whole, half = (draw(sphere(), line_width=20, **texture) for texture in ({}, {"texture": str(file), "texture_length": 10}))
+    assert half.sum() == pytest.approx(whole.sum() / 2, rel=0.03)
+    assert (half <= whole + 0.01).all()
+    # 1005 pixels are 12.6 times 10 widths of 8 pixels.
+    angles = np.arange(0, 2 * np.pi, 0.002)
+    along = half[tuple((SIZE / 2 + RADIUS * SIZE / 2 * part(angles)).astype(int) for part in (np.sin, np.cos))] > 0.5
+    assert (along != np.roll(along, 1)).sum() == 2 * 13
+    result = ink("render", ROOT / "Data/engine.nii.gz", "--style", "contours", "--texture", tmp_path / "none.png", "-o", tmp_path / "a.png")
+    assert result.code != 0 and "expected an image file" in result.error and "none.png" in result.error
+    with pytest.raises(ValueError, match="expected an image file"):
+        draw(sphere(), texture=str(ROOT / "README.md"))
+
+
 def test_borders_of_an_open_mesh():
     source = vtk.vtkPlaneSource()
     source.SetResolution(8, 8)

@@ -49,7 +49,8 @@ def another(parameter):
     numbers = {"color": [0.25, 0.5, 0.75], "colors": [0.25, 0.5, 0.75, 1.0, 0.0, 0.0], "list": [80.0, 120.5],
                "vector": [3.0, 4.0, 4.5][: len(default.split(",")) if default else 3]}  # fmt: skip
     if kind == "string":
-        return ("viridis",) * 2 if parameter.name == "ColorMap" else ("pressure",) * 2
+        checked = {"ColorMap": "viridis", "Texture": str(ROOT / "Data" / "pencil.png")}
+        return (checked.get(parameter.name, "pressure"),) * 2
     value = numbers[kind][:2] if parameter.name.endswith(("ColorRange", "ValueRange")) else numbers[kind]
     return value, ",".join(json.dumps(number) for number in value)
 
@@ -309,10 +310,10 @@ def test_paraviews_properties(style, tmp_path):
         assert (element.get("command") is None) == (element.get("initial_string") is None)
         if element.get("command"):
             row = described[element.get("initial_string")]
-            assert element.get("command") == "SetParameter"
+            assert element.get("command") == ("SetParameterAsString" if row.type == "string" else "SetParameter")
             assert (element.get("panel_visibility") == "advanced") != row.essential
             count = int(element.get("number_of_elements"))
-            assert count == len(element.get("default_values").split()) and count <= 3
+            assert count == (1 if row.type == "string" else len(element.get("default_values").split())) and count <= 3
         for decorator in element.iter("PropertyWidgetDecorator"):
             assert decorator.get("property") in {None, *properties}
     assert sorted(one.get("name") for one in tree.iter("Property") if one.get("function") is None) == sorted(properties)

@@ -30,8 +30,10 @@ LINES_ELSEWHERE = {
 }  # fmt: skip
 # Sliders that offer what is useful; what C++ takes beyond can be typed in.
 NARROWER = {"StippleSize", "PixelsPerStipple"}
+# A filter in ParaView has no camera: its eye is a direction at first, or a position.
+NO_CAMERA = {"Eye"}
 # What the strokes' mapper takes beyond is for the world's units, which the style does not have.
-NARROWER_STROKES = {"ContoursLineWidth", "ContoursDashLength", "ContoursGapLength", "LineArtContourWidth"}
+NARROWER_STROKES = {"ContoursLineWidth", "ContoursDashLength", "ContoursGapLength", "ContoursTextureLength", "LineArtContourWidth"}
 # The style sets them: by LeastGradient, a share of the greatest, and by ValueRange.
 CONTOURS_ELSEWHERE = {"LeastGradientMagnitude", "LowestValue", "HighestValue"}
 STYLES = {"Contours": "vtkInkContoursStyle", "LineArt": "vtkInkLineArtStyle", "SplattingLines": "vtkInkSplattingLinesStyle", "Stipple": "vtkInkStippleStyle"}
@@ -86,6 +88,12 @@ def contours():
     return representation_of("Contours.xml", "InkContoursRepresentationProxy"), objects
 
 
+def contours_filter():
+    made = vtkink.vtkInkContours()
+    made.SetEyeToDirection()
+    return proxy_of("ContoursFilter.xml", "SourceProxy"), [made]
+
+
 def principal_curvature():
     return proxy_of("PrincipalCurvature.xml", "SourceProxy"), [vtkink.vtkInkPrincipalCurvature()]
 
@@ -114,6 +122,7 @@ def stipple_generator():
 
 PROXIES = {
     "Contours.xml": contours,
+    "ContoursFilter.xml": contours_filter,
     "Gradient.xml": gradient,
     "IsoSurfaceSampler.xml": sampler,
     "LineArt.xml": line_art,
@@ -139,7 +148,7 @@ if hasattr(vtkink, "vtkInkVDBReader"):
 def method_of(element, rows):
     """What a property calls, with the parameter's own method in place of SetParameter."""
     command = element.get("command", "")
-    return f"Set{rows[element.get('initial_string')]['method']}" if command == "SetParameter" else command
+    return f"Set{rows[element.get('initial_string')]['method']}" if command.startswith("SetParameter") else command
 
 
 def rows_of(file):
@@ -184,7 +193,7 @@ def value(owner, name):
     if name == "HiddenColor":  # of any number of layers
         return [float(number) for number in owner.GetParameterAsString(name).split(",")]
     if is_parameter_alone(owner, name):
-        return [owner.GetParameter(name)]
+        return [owner.GetParameter(name)] if owner.GetParameterAsString(name) else []
     got = getattr(owner, f"Get{name}")()
     return [float(number) for number in (got if isinstance(got, tuple) else (got,))]
 
@@ -224,7 +233,7 @@ def test_ranges_are_equal(element, owner, name):
         if limit is None:
             assert abs(at_end) > 1e18, f"the panel gives no {end} for {name}, C++ {at_end}"
             continue
-        if (name in NARROWER and element.get("name") == name) or element.get("name") in NARROWER_STROKES:
+        if (name in NARROWER and element.get("name") == name) or element.get("name") in NARROWER_STROKES | NO_CAMERA:
             assert getattr(owner, f"Get{name}MinValue")() <= float(limit) <= getattr(owner, f"Get{name}MaxValue")()
             continue
         assert float(limit) == at_end
@@ -246,6 +255,8 @@ def check_range_of_parameter(element, style, name):
     default = style.GetParameter(name)
     domain = next((one for kind in ("Double", "Int") for one in element.iter(f"{kind}RangeDomain")), None)
     choices = [float(entry.get("value")) for entry in element.iter("Entry")]
+    if domain is None and not choices:
+        return  # any number, or those of an array
     low, high = (float(domain.get(end)) for end in ("min", "max")) if domain is not None else (choices[0], choices[-1])
     assert not choices or choices == [low + i for i in range(len(choices))]
     for count, (limit, outwards) in enumerate(((low, -1), (high, 1)), start=1):
@@ -290,7 +301,7 @@ def test_parameters_offer_what_their_style_takes(file):
 def test_no_property_is_forgotten(file, make):
     proxy, objects = make()
     offered = {method_of(element, rows_of(file))[len("Set") :] for element in proxy}
-    elsewhere = ELSEWHERE | {contours: CONTOURS_ELSEWHERE, stipple: STIPPLE_ELSEWHERE, splatting_lines: LINES_ELSEWHERE}.get(make, set())
+    elsewhere = ELSEWHERE | {contours: CONTOURS_ELSEWHERE, contours_filter: {"Camera"}, stipple: STIPPLE_ELSEWHERE, splatting_lines: LINES_ELSEWHERE}.get(make, set())
     for algorithm in objects:
         if type(algorithm).__name__.startswith("vtkInk") and not isinstance(algorithm, vtkink.vtkInkStyle):
             own = {name[len("Set") :] for name in vars(type(algorithm)) if name.startswith("Set")}
@@ -366,6 +377,14 @@ def test_panels_show_every_property_once(style):
     proxy = next(iter(proxy_of(f"{style}.xml", "ProxyGroup")))
     own = {element.get("name") for element in proxy if element.tag.endswith("Property")}
     assert set(shown) == own - {"Input"}
+
+
+def test_properties_that_domains_depend_on_exist():
+    for make in PROXIES.values():
+        proxy, _ = make()
+        names = {element.get("name") for element in proxy}
+        for required in proxy.iter("RequiredProperties"):
+            assert {element.get("name") for element in required} <= names
 
 
 def test_properties_that_decide_what_is_shown_exist():

@@ -57,7 +57,9 @@ InkParameterValue Another(const InkParameter& row, vtkInkStyle* style)
       value.Numbers = { 80.0, 120.5 };
       break;
     case Type::String:
-      value.Text = row.CheckText ? "viridis" : "pressure";
+      value.Text = row.Name == std::string("Texture") ? INK_DATA_DIR "/pencil.png"
+        : row.CheckText                               ? "viridis"
+                                                      : "pressure";
       break;
   }
   return value;
