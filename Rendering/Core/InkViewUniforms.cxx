@@ -75,6 +75,11 @@ InkViewUniforms::InkViewUniforms(vtkRenderer* renderer, vtkActor* actor, vtkAbst
     this->DepthToClip[i] = static_cast<float>(viewToClip->GetElement(2 + i / 2, 2 + i % 2));
   }
   this->Pixel = static_cast<float>(2.0 / (size[1] * std::abs(viewToClip->GetElement(1, 1))));
+  int tile[2];
+  renderer->GetTiledSize(&tile[0], &tile[1]);
+  // A render pass may draw with more pixels than the renderer has.
+  const double finer = static_cast<double>(size[1]) / std::max(tile[1], 1);
+  this->PictureHeight = static_cast<int>(std::lround(finer * renderer->GetSize()[1]));
   this->TileScale = renderer->GetRenderWindow()->GetTileScale()[1];
   this->BackFaces = !actor->GetProperty()->GetBackfaceCulling();
 
@@ -122,6 +127,7 @@ void InkViewUniforms::Refine(int factor)
 {
   this->Size = { factor * this->Size[0], factor * this->Size[1] };
   this->Margin *= factor;
+  this->PictureHeight *= factor;
   this->Pixel /= static_cast<float>(factor);
 }
 

@@ -32,9 +32,6 @@ struct VTKINKRENDERINGCORE_EXPORT InkViewUniforms
   /// @param factor for one of before, on each axis
   void Refine(int factor);
 
-  /// The height in pixels of what is shown: lengths on the picture are relative to it.
-  int GetShownHeight() const { return this->Size[1] - 2 * this->Margin; }
-
   /// The definitions that Shaders/InkClipping.glsl needs.
   std::string FindFeatures() const;
 
@@ -54,7 +51,9 @@ struct VTKINKRENDERINGCORE_EXPORT InkViewUniforms
   int Margin = 0;                   ///< pixels on each side that are not shown
   float Unit;                       ///< view units per unit of the points
   float Pixel;                      ///< view units per pixel where clip w is 1
-  int TileScale;                    ///< how many times larger the image is that this view is a tile of
+  int PictureHeight;                ///< pixels of the whole picture, also where this view is a tile of it
+  int TileScale;                    ///< how many times larger the picture is than the window: lengths in the
+                                    ///< window's pixels, which the user sets, are enlarged by it
   bool BackFaces;                   ///< whether surfaces are seen from behind, too
   int NumberOfClippingPlanes = 0;
   std::array<float, 4 * MaximumClippingPlanes> ClippingPlanes{}; ///< in view coordinates, kept side positive

@@ -29,7 +29,7 @@ constexpr double EvenDashes = 4.0;
 InkLinePostProcess::InkLinePostProcess(const InkSplatStyle& style, int layer, const InkViewUniforms& view)
 {
   const InkSplatStyle::Layer& own = style.Layers[static_cast<std::size_t>(layer)];
-  const double thousandth = 1e-3 * view.GetShownHeight() * view.TileScale;
+  const double thousandth = 1e-3 * view.PictureHeight;
   this->SpeckleLength = static_cast<float>(style.SpeckleLength * view.TileScale);
   this->Thinning = style.Thinning;
   // Thinned lines are a pixel wide; in large pictures that would be no more than a gray hair.

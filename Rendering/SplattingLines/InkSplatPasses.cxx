@@ -38,7 +38,7 @@ namespace
 constexpr double MinimumDepthRadius = 0.75;
 constexpr double MinimumDepthThousandths = 1.5;
 
-/// The least of illumination splats, in pixels, whatever the viewport's height: Gaussians need some pixels.
+/// The least of illumination splats, in pixels, whatever the picture's height: Gaussians need some pixels.
 constexpr double MinimumLightRadius = 1.5;
 
 /// The same for splats as published, of which the paper says nothing: only so that no disc is degenerate.
@@ -93,8 +93,7 @@ double LargestSplat(const InkViewUniforms& view, double radius, double minimumRa
 
 double FindDepthRadius(const InkViewUniforms& view)
 {
-  return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * view.GetShownHeight()) *
-    view.TileScale;
+  return std::max(MinimumDepthRadius, 1e-3 * MinimumDepthThousandths * view.PictureHeight);
 }
 
 } // namespace
@@ -145,7 +144,7 @@ double InkSplatPasses::FindMinimumRadius(const InkViewUniforms& view, const InkS
 {
   return splatting.AsPublished
     ? PublishedMinimumRadius
-    : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * view.GetShownHeight()) * view.TileScale;
+    : std::max(MinimumLightRadius, 1e-3 * splatting.MinimumRadius * view.PictureHeight);
 }
 
 std::array<int, 4> InkSplatPasses::FindExtent(

@@ -43,8 +43,7 @@ ink::HlsColor ToHls(const double rgb[3])
   return ink::hlsFromRgb(glm::vec3(rgb[0], rgb[1], rgb[2]));
 }
 
-/// @param height of the viewport in pixels
-ink::stipple::Tone MakeTone(vtkInkStippleMapper* mapper, bool surface, int height)
+ink::stipple::Tone MakeTone(vtkInkStippleMapper* mapper, bool surface, const InkViewUniforms& view)
 {
   const auto number = [](double value) { return static_cast<float>(value); };
   ink::stipple::Tone tone;
@@ -68,7 +67,10 @@ ink::stipple::Tone MakeTone(vtkInkStippleMapper* mapper, bool surface, int heigh
   tone.warmCool = { ToHls(mapper->GetWarmColor()), ToHls(mapper->GetCoolColor()),
     number(mapper->GetToneWeight()), number(mapper->GetDistanceWeight()), number(mapper->GetWarmCool()) };
   tone.valueEffect = number(mapper->GetValueEffect());
-  const double pixel = mapper->GetSizeUnit() == vtkInkStippleMapper::THOUSANDTHS ? 1e-3 * height : 1.0;
+  // Of the window, as sizes in pixels are.
+  const double pixel = mapper->GetSizeUnit() == vtkInkStippleMapper::THOUSANDTHS
+    ? 1e-3 * view.PictureHeight / view.TileScale
+    : 1.0;
   tone.pixelsPerStipple = number(pixel * pixel * mapper->GetPixelsPerStipple());
   tone.diameter = number(pixel * mapper->GetStippleSize());
   tone.growWithZoom = mapper->GetGrowWithZoom();
@@ -93,7 +95,7 @@ public:
   vtkPicture(vtkInkStippleMapper* mapper, InkStippleMarks& marks, vtkRenderer* renderer, vtkActor* actor,
     const int size[2])
     : View(renderer, actor, mapper, mapper->Internals->Points.GetFrame(), size)
-    , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface(), size[1]))
+    , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface(), this->View))
     , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
     , Occluder(this->FindOccluder(mapper, marks, renderer, actor))
     , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,

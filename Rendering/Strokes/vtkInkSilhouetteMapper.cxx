@@ -78,7 +78,7 @@ float FindPictureShare(const std::array<double, 6>& box, const InkViewUniforms& 
     return 1.0f;
   }
   const double pixels = radius / (view.Pixel * (parallel ? 1.0 : depth));
-  return static_cast<float>(std::min(2.0 * pixels / (view.TileScale * view.GetShownHeight()), 1.0));
+  return static_cast<float>(std::min(2.0 * pixels / view.PictureHeight, 1.0));
 }
 
 /// Lines with all their arrays, their priority, and as ids for selection a point of the surface beside each.

@@ -249,7 +249,7 @@ InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const 
   const float middle = 0.5f * (style.Distances[0] + style.Distances[1]);
   style.Distances[1] = std::max(style.Distances[1], style.Distances[0] + 1e-6f * view.Unit);
 
-  const double scale = view.TileScale * (this->SizeUnit == THOUSANDTHS ? 1e-3 * view.GetShownHeight() : 1.0);
+  const double scale = this->SizeUnit == THOUSANDTHS ? 1e-3 * view.PictureHeight : view.TileScale;
   const bool world = this->SizeUnit == WORLD;
   style.HalfWidth = { world ? 0.0f : number(0.5 * scale * this->LineWidth),
     world ? number(0.5 * this->LineWidth) : 0.0f };
@@ -288,7 +288,7 @@ InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRen
   hatching.Intensity = { number(this->SilhouetteWeight), number(this->DiffuseTruncation),
     number(this->SilhouetteTruncation), number(this->Tone), number(this->DarkestTone) };
   hatching.Crosshatching = number(this->Crosshatching);
-  const double scale = view.TileScale * (this->SizeUnit == THOUSANDTHS ? 1e-3 * view.GetShownHeight() : 1.0);
+  const double scale = this->SizeUnit == THOUSANDTHS ? 1e-3 * view.PictureHeight : view.TileScale;
   const bool world = this->SizeUnit == WORLD;
   hatching.Spacing = { world ? 0.0f : number(scale * this->HatchSpacing),
     world ? number(this->HatchSpacing) : 0.0f };
@@ -376,10 +376,9 @@ InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(const InkStrokeMarks& marks, c
     return nullptr;
   }
   const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, shared.Frame, frame.GetSize());
-  const int height = std::max(ofSurface.TileScale * frame.GetSize()[1], 1);
   const float shortest = static_cast<float>(ofSurface.TileScale * this->ShortestPart);
   shared.Occluder.Draw(ofSurface, std::max(DepthMargin, DepthMarginParts * shortest), depth,
-    (LeastDepthHeight - 1) / height + 1);
+    (LeastDepthHeight - 1) / std::max(ofSurface.PictureHeight, 1) + 1);
   if (!depth->Image.IsComplete())
   {
     this->ReportOnce("This OpenGL cannot draw into 32-bit depth images, which hidden parts need.");

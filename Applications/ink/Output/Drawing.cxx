@@ -53,10 +53,12 @@ Drawing::Drawing(const RenderOptions& options)
   this->Window->AddRenderer(this->Renderer);
   if (!this->Grid.isWhole())
   {
-    // The renderer fills the window, whichever tile that is.
+    // The renderer fills the window, whichever tile that is; mappers see how high the picture is.
     const double part = 1.0 / this->Grid.scale();
     this->Window->SetTileScale(this->Grid.scale());
     this->Window->SetTileViewport(0.0, 0.0, part, part);
+    this->Renderer->SetViewport(
+      0.0, 0.0, 1.0, static_cast<double>(this->Grid.height()) / this->Window->GetSize()[1]);
   }
   // Mappers enlarge what is in pixels by the tiles' scale.
   options.style->SetPixelScale(static_cast<double>(options.size.supersampling()) / this->Grid.scale());

@@ -27,7 +27,8 @@ std::vector<Tiles::Strip> cut(int length, int window, int overlap)
 } // namespace
 
 Tiles::Tiles(int width, int height, int longest, int overlap, int factor)
-  : WindowWidth(width)
+  : Height(height)
+  , WindowWidth(width)
   , WindowHeight(height)
 {
   if (std::max(width, height) <= longest)
@@ -36,8 +37,7 @@ Tiles::Tiles(int width, int height, int longest, int overlap, int factor)
     this->Rows = { { 0, height, 0 } };
     return;
   }
-  // Mappers take lengths from the window's height times the scale. With a scale of one they would take a tile
-  // for a whole picture.
+  // With a scale of one mappers would take a tile for a whole picture.
   this->Scale = std::max((height + longest - 1) / longest, 2);
   this->WindowHeight = roundUp((height + this->Scale - 1) / this->Scale, factor);
   this->WindowWidth = roundUp(std::min(width, longest), factor);

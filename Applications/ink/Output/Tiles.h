@@ -29,6 +29,8 @@ public:
   bool isWhole() const { return this->Scale == 1; }
   /// How many times higher the picture is than a window, for vtkWindow::SetTileScale.
   int scale() const { return this->Scale; }
+  /// Of the picture: no more than that of as many windows.
+  int height() const { return this->Height; }
   int windowWidth() const { return this->WindowWidth; }
   int windowHeight() const { return this->WindowHeight; }
   const std::vector<Strip>& columns() const { return this->Columns; } ///< from the left
@@ -36,6 +38,7 @@ public:
 
 private:
   int Scale = 1;
+  int Height;
   int WindowWidth;
   int WindowHeight;
   std::vector<Strip> Columns;
