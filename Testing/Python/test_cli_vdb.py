@@ -151,7 +151,7 @@ def wide(ink, can_convert, tmp_path):
     # A node's place, and behind it which children it has: the first one.
     place = struct.pack("<3i", 4096, 0, 0) + b"\x01" + bytes(64)
     assert data.count(place) == 1
-    data = data.replace(place, struct.pack("<3i", 1 << 24, 0, 0) + place[12:])
+    data = data.replace(place, struct.pack("<3i", 1 << 25, 0, 0) + place[12:])
     # Nor does the file say how large the volume was.
     for name in (b"ink_domain_first", b"file_bbox_min"):
         assert data.count(name) == 1

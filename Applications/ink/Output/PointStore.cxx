@@ -5,6 +5,7 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -75,6 +76,7 @@ void PointStore::add(int surface, vtkPolyData* points)
     throw std::invalid_argument("PointStore: parts with different arrays");
   }
   this->Arrays = std::move(arrays);
+  this->Field = points->GetFieldData();
 
   Part part{ surface, count, nullptr, this->FileSize };
   if (this->Kept + bytes <= this->Memory)
@@ -160,6 +162,10 @@ vtkSmartPointer<vtkPolyData> PointStore::take() const
     {
       all->GetPointData()->AddArray(array);
     }
+  }
+  if (this->Field)
+  {
+    all->SetFieldData(this->Field);
   }
   return all;
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+class vtkFieldData;
 class vtkPolyData;
 
 namespace ink::cli
@@ -46,7 +47,7 @@ public:
   /// @param folder where there is room for the rest
   PointStore(std::uint64_t memory, std::filesystem::path folder);
 
-  /// Adds points of a surface. All have to have the same arrays.
+  /// Adds points of a surface. All have to have the same arrays, and are taken to have the same field data.
   /// @throws Failure if the temporary file cannot be written.
   void add(int surface, vtkPolyData* points);
 
@@ -59,7 +60,7 @@ public:
   /// @throws Failure if the temporary file cannot be read.
   void forEachBlock(std::span<const std::size_t> wanted, const std::function<void(const Block&)>& use) const;
 
-  /// All points with their arrays. @throws Failure as forEachBlock
+  /// All points with their arrays and field data. @throws Failure as forEachBlock
   vtkSmartPointer<vtkPolyData> take() const;
 
 private:
@@ -79,6 +80,7 @@ private:
   std::filesystem::path Folder;
   std::vector<Array> Arrays;
   std::vector<Part> Parts;
+  vtkSmartPointer<vtkFieldData> Field;
   std::uint64_t Size = 0;
   std::uint64_t Kept = 0;
   io::FileHandle File;
