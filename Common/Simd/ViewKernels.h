@@ -5,16 +5,31 @@
 template <class T>
 INK_INLINE Vector<double> doublesAt(const T* p)
 {
-  using Values = typename VectorOf<T, Lanes<double> * static_cast<int>(sizeof(T))>::Type;
-  if constexpr (sizeof(T) < 4)
+  using Words = VectorOf<std::int32_t, Lanes<double> * 4>::Type;
+  if constexpr (sizeof(T) == 1 && sizeof(Words) >= 16)
   {
-    // In two steps, for each of which there is an instruction.
-    using Words = VectorOf<std::int32_t, Lanes<double> * 4>::Type;
-    return __builtin_convertvector(__builtin_convertvector(load<Values>(p), Words), Vector<double>);
+#if defined(__AVX512F__)
+    const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+    const __m256i words = std::is_signed_v<T> ? _mm256_cvtepi8_epi32(bytes) : _mm256_cvtepu8_epi32(bytes);
+    return __builtin_convertvector(reinterpret_cast<Words>(words), Vector<double>);
+#elif defined(__AVX2__)
+    const __m128i bytes = _mm_cvtsi32_si128(load<std::int32_t>(p));
+    const __m128i words = std::is_signed_v<T> ? _mm_cvtepi8_epi32(bytes) : _mm_cvtepu8_epi32(bytes);
+    return __builtin_convertvector(reinterpret_cast<Words>(words), Vector<double>);
+#endif
   }
   else
   {
-    return __builtin_convertvector(load<Values>(p), Vector<double>);
+    using Values = typename VectorOf<T, Lanes<double> * static_cast<int>(sizeof(T))>::Type;
+    if constexpr (sizeof(T) < 4)
+    {
+      // In two steps, for each of which there is an instruction.
+      return __builtin_convertvector(__builtin_convertvector(load<Values>(p), Words), Vector<double>);
+    }
+    else
+    {
+      return __builtin_convertvector(load<Values>(p), Vector<double>);
+    }
   }
 }
 
@@ -25,25 +40,47 @@ bool viewBrick(const BrickSource<T>& source, BrickView& view)
 {
   constexpr int lanes = Lanes<double>;
   constexpr int width = BrickView::width;
+  constexpr int rowSize = BrickView::rowSize;
+  // All values once, with the neighbors of samples around them.
+  constexpr int layerSize = rowSize * (width + 2);
+  alignas(64) double values[layerSize * (width + 2) + rowSize];
+  std::uint32_t rows[width + 4] = {}; // of layers from the second one before the brick on: bit y + 1
+  for (int z = 0; z < width; ++z)
+  {
+    for (int y = 0; y < width; ++y)
+    {
+      rows[z + 2] |= static_cast<std::uint32_t>((source.needed[z] >> width * y & 31) != 0) << (y + 1);
+    }
+  }
+  for (int z = 0; z < width + 2; ++z)
+  {
+    const std::uint32_t own = rows[z + 1];
+    for (std::uint32_t left = own | own << 1 | own >> 1 | rows[z] | rows[z + 2]; left != 0; left &= left - 1)
+    {
+      const int y = __builtin_ctz(left);
+      for (int x = 0; x < rowSize; x += lanes)
+      {
+        storeVector(values + x + rowSize * y + layerSize * z,
+          doublesAt(source.first + (x - 1) + (y - 1) * source.y + (z - 1) * source.z));
+      }
+    }
+  }
   std::uint64_t wrong = 0;
   for (int z = 0; z < width; ++z)
   {
     std::uint64_t front = 0;
     std::uint64_t inside = 0;
-    for (int y = 0; y < width; ++y)
+    for (std::uint32_t left = rows[z + 2]; left != 0; left &= left - 1)
     {
-      if ((source.needed[z] >> width * y & 31) == 0)
-      {
-        continue;
-      }
+      const int y = __builtin_ctz(left) - 1;
       for (int x = 0; x < width; x += lanes)
       {
-        const T* const p = source.first + x + y * source.y + z * source.z;
-        const Vector<double> middle = doublesAt(p);
-        const auto slope = [&](std::ptrdiff_t step)
+        const double* const p = values + (x + 1) + rowSize * (y + 1) + layerSize * (z + 1);
+        const Vector<double> middle = loadVector(p);
+        const auto slope = [&](int step)
         {
-          const Vector<double> after = doublesAt(p + step);
-          const Vector<double> before = doublesAt(p - step);
+          const Vector<double> after = loadVector(p + step);
+          const Vector<double> before = loadVector(p - step);
           if constexpr (std::is_integral_v<T>)
           {
             return 0.5 * (after - before); // exact, as the sum of both halves is
@@ -54,9 +91,9 @@ bool viewBrick(const BrickSource<T>& source, BrickView& view)
           }
         };
         const Vector<double> facing = -(slope(1) * loadVector(source.view[0] + x) +
-          slope(source.y) * source.view[1][y] + slope(source.z) * source.view[2][z]);
+          slope(rowSize) * source.view[1][y] + slope(layerSize) * source.view[2][z]);
         const Vector<double> offset = middle * source.scale - source.iso;
-        const int at = x + BrickView::rowSize * y + BrickView::layerSize * z;
+        const int at = x + rowSize * y + BrickView::layerSize * z;
         storeVector(view.facing + at, facing);
         storeVector(view.offsets + at, offset);
         const int bit = x + width * y;

@@ -256,6 +256,16 @@ glm::dvec3 nodeBetween(
 
 void findBrickContour(const BrickView& view, std::uint64_t cells, bool mirrored, BrickSegments& found)
 {
+  // Tetrahedra that the contour passes.
+  struct Passed
+  {
+    std::array<Intersection, 4> corners;
+    const SurfacePolygon* polygon;
+    const Passage* passage;
+    int first;
+    int cell;
+  };
+  std::array<Passed, 64 * Tetrahedra + 1> passed;
   int count = 0;
   for (std::uint64_t left = cells & mixedCells(view.front); left != 0; left &= left - 1)
   {
@@ -271,32 +281,37 @@ void findBrickContour(const BrickView& view, std::uint64_t cells, bool mirrored,
     {
       const int t = std::countr_zero(some);
       const SurfacePolygon& polygon = Polygons[t][inside.inside[t]];
-      std::array<Intersection, 4> corners;
+      // Always written and sometimes kept: a branch would be guessed wrong too often.
+      Passed& maybe = passed[count];
       int faces = 0; // the eye: bit n for corner n
       for (int n = 0; n < 4; ++n)
       {
         const std::uint8_t low = polygon.low[n];
         const std::uint8_t high = polygon.high[n];
-        corners[n] = intersect(offsets[low], offsets[high], facing[low], facing[high]);
-        faces |= (corners[n].facing >= 0.0) << n;
+        maybe.corners[n] = intersect(offsets[low], offsets[high], facing[low], facing[high]);
+        faces |= (maybe.corners[n].facing >= 0.0) << n;
       }
-      const Passage& passage = Passages[polygon.count == 4][faces];
-      // Always written and sometimes kept: a branch would be guessed wrong too often.
-      int n = 0;
-      do
-      {
-        const PolygonSide& begin = polygon.sides[passage.sides[n][mirrored]];
-        const PolygonSide& end = polygon.sides[passage.sides[n][!mirrored]];
-        BrickSegment& segment = found.segments[count + n];
-        segment.begin = nodeBetween(begin.edges, corners[begin.ends[0]], corners[begin.ends[1]]);
-        segment.beginFace = static_cast<std::uint16_t>(begin.face + first * ContourFace::shapes);
-        segment.endFace = static_cast<std::uint16_t>(end.face + first * ContourFace::shapes);
-        segment.cell = static_cast<std::uint8_t>(bit);
-      } while (++n < passage.count);
-      count += passage.count;
+      maybe.polygon = &polygon;
+      maybe.passage = &Passages[polygon.count == 4][faces];
+      maybe.first = first;
+      maybe.cell = bit;
+      count += maybe.passage->count != 0;
     }
   }
-  found.count = count;
+  found.count = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const auto& [corners, polygon, passage, first, cell] = passed[i];
+    for (int n = 0; n < passage->count; ++n)
+    {
+      const PolygonSide& begin = polygon->sides[passage->sides[n][mirrored]];
+      const PolygonSide& end = polygon->sides[passage->sides[n][!mirrored]];
+      found.segments[found.count++] = { nodeBetween(
+                                          begin.edges, corners[begin.ends[0]], corners[begin.ends[1]]),
+        static_cast<std::uint16_t>(begin.face + first * ContourFace::shapes),
+        static_cast<std::uint16_t>(end.face + first * ContourFace::shapes), static_cast<std::uint8_t>(cell) };
+    }
+  }
 }
 
 glm::dvec3 contourNode(

@@ -40,11 +40,10 @@ struct BrickSegment
   std::uint8_t cell; ///< bit of CellBrick
 };
 
-/// The segments of a brick; at most two a tetrahedron, and that only if rounding makes it so. What is found
-/// without being kept stands past the last one.
+/// The segments of a brick; at most two a tetrahedron, and that only if rounding makes it so.
 struct BrickSegments
 {
-  std::array<BrickSegment, 64 * 12 + 1> segments;
+  std::array<BrickSegment, 64 * 12> segments;
   int count;
 };
 

@@ -106,12 +106,14 @@ public:
     const GridGeometry& geometry = this->Samples.geometry();
     const glm::ivec3 first = glm::max(brick.first - 1, 0);
     const glm::ivec3 last = glm::min(brick.first + CellBrick::width + 1, geometry.dimensions() - 1);
-    for (int z = first.z; z <= last.z; ++z)
+    const auto stride = static_cast<std::ptrdiff_t>(this->Samples.stride());
+    const T* layer = this->Samples.data() + geometry.offset({ brick.first.x, first.y, first.z }) * stride;
+    for (int z = first.z; z <= last.z; ++z, layer += this->Source.z * stride)
     {
-      for (int y = first.y; y <= last.y; ++y)
+      const T* row = layer;
+      for (int y = first.y; y <= last.y; ++y, row += this->Source.y * stride)
       {
-        __builtin_prefetch(
-          this->Samples.data() + geometry.offset({ brick.first.x, y, z }) * this->Samples.stride());
+        __builtin_prefetch(row);
       }
     }
   }
