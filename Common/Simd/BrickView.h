@@ -8,8 +8,8 @@ namespace ink
 {
 
 /// The 5 x 5 x 5 samples at the corners of a brick's 4 x 4 x 4 cells as an eye sees the field there. Rows are
-/// longer than needed, so that the kernels may write whole vectors. Plain data, as everything that crosses the
-/// borders of instruction sets.
+/// longer than needed, so that the kernels may write whole vectors. Plain data, as everything that crosses
+/// the borders of instruction sets.
 struct BrickView
 {
   static constexpr int width = 5;

@@ -5,32 +5,48 @@
 template <class T>
 INK_INLINE Vector<double> doublesAt(const T* p)
 {
-  using Words = VectorOf<std::int32_t, Lanes<double> * 4>::Type;
-  if constexpr (sizeof(T) == 1 && sizeof(Words) >= 16)
+  using Values = typename VectorOf<T, Lanes<double>* static_cast<int>(sizeof(T))>::Type;
+#if defined(__AVX2__)
+  if constexpr (sizeof(T) <= 2)
   {
-#if defined(__AVX512F__)
-    const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
-    const __m256i words = std::is_signed_v<T> ? _mm256_cvtepi8_epi32(bytes) : _mm256_cvtepu8_epi32(bytes);
-    return __builtin_convertvector(reinterpret_cast<Words>(words), Vector<double>);
-#elif defined(__AVX2__)
-    const __m128i bytes = _mm_cvtsi32_si128(load<std::int32_t>(p));
-    const __m128i words = std::is_signed_v<T> ? _mm_cvtepi8_epi32(bytes) : _mm_cvtepu8_epi32(bytes);
-    return __builtin_convertvector(reinterpret_cast<Words>(words), Vector<double>);
-#endif
-  }
-  else
-  {
-    using Values = typename VectorOf<T, Lanes<double> * static_cast<int>(sizeof(T))>::Type;
-    if constexpr (sizeof(T) < 4)
+    // In two steps, for each of which there is an instruction. (Without a mask GCC 12 warns of its own
+    // header.)
+#  if defined(__AVX512F__)
+    __m256i words;
+    if constexpr (sizeof(T) == 1)
     {
-      // In two steps, for each of which there is an instruction.
-      return __builtin_convertvector(__builtin_convertvector(load<Values>(p), Words), Vector<double>);
+      const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+      words = std::is_signed_v<T> ? _mm256_cvtepi8_epi32(bytes) : _mm256_cvtepu8_epi32(bytes);
     }
     else
     {
-      return __builtin_convertvector(load<Values>(p), Vector<double>);
+      const __m128i pairs = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+      words = std::is_signed_v<T> ? _mm256_cvtepi16_epi32(pairs) : _mm256_cvtepu16_epi32(pairs);
     }
+    return reinterpret_cast<Vector<double>>(_mm512_maskz_cvtepi32_pd(0xff, words));
+#  else
+    __m128i words;
+    if constexpr (sizeof(T) == 1)
+    {
+      const __m128i bytes = _mm_cvtsi32_si128(load<std::int32_t>(p));
+      words = std::is_signed_v<T> ? _mm_cvtepi8_epi32(bytes) : _mm_cvtepu8_epi32(bytes);
+    }
+    else
+    {
+      const __m128i pairs = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+      words = std::is_signed_v<T> ? _mm_cvtepi16_epi32(pairs) : _mm_cvtepu16_epi32(pairs);
+    }
+    return reinterpret_cast<Vector<double>>(_mm256_cvtepi32_pd(words));
+#  endif
   }
+#endif
+#if defined(__AVX512F__)
+  if constexpr (std::is_same_v<T, float>)
+  {
+    return reinterpret_cast<Vector<double>>(_mm512_maskz_cvtps_pd(0xff, _mm256_loadu_ps(p)));
+  }
+#endif
+  return __builtin_convertvector(load<Values>(p), Vector<double>);
 }
 
 /// Looks at the rows that have samples to look at. The operations are those of GridField::gradientOfInner.

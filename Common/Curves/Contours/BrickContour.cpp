@@ -177,8 +177,8 @@ constexpr std::array<CornerSet, 256> makeCornerSets()
 }
 constexpr std::array<CornerSet, 256> CornerSets = makeCornerSets();
 
-/// The sides of a polygon that are passed, for which of its corners face the eye (bit n: corner n): from where
-/// a walk around leaves what does to where it comes back.
+/// The sides of a polygon that are passed, for which of its corners face the eye (bit n: corner n): from
+/// where a walk around leaves what does to where it comes back.
 struct Passage
 {
   int count = 0;
@@ -243,8 +243,7 @@ glm::dvec3 positionAt(const Edge& edge, double share)
 }
 
 /// The node between two intersections, in the order of their edges.
-glm::dvec3 nodeBetween(
-  const std::array<Edge, 2>& edges, const Intersection& onA, const Intersection& onB)
+glm::dvec3 nodeBetween(const std::array<Edge, 2>& edges, const Intersection& onA, const Intersection& onB)
 {
   const double facingA = std::abs(onA.facing);
   const double facingB = std::abs(onB.facing);
@@ -314,8 +313,7 @@ void findBrickContour(const BrickView& view, std::uint64_t cells, bool mirrored,
   }
 }
 
-glm::dvec3 contourNode(
-  int shape, const std::array<double, 3>& offsets, const std::array<double, 3>& facing)
+glm::dvec3 contourNode(int shape, const std::array<double, 3>& offsets, const std::array<double, 3>& facing)
 {
   const auto [middle, high] = ContourFace::shapeOf[shape];
   const std::array<std::uint8_t, 3> corners = { 0, middle, high };

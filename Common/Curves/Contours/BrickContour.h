@@ -12,8 +12,8 @@
 namespace ink
 {
 
-/// A face of a tetrahedron, by its corners: the lowest one, a sample, and which of that sample's neighbors the
-/// others are: bits x + 2 y + 4 z of the difference, those of `middle` being some of those of `high`.
+/// A face of a tetrahedron, by its corners: the lowest one, a sample, and which of that sample's neighbors
+/// the others are: bits x + 2 y + 4 z of the difference, those of `middle` being some of those of `high`.
 struct ContourFace
 {
   static constexpr int shapes = 12;
@@ -61,7 +61,6 @@ void findBrickContour(const BrickView& view, std::uint64_t cells, bool mirrored,
 /// The node of a face that the contour passes, as findBrickContour has it, from the face's lowest corner.
 /// @param shape of ContourFace
 /// @param offsets, facing as in BrickView, of the lowest, middle and highest corner
-glm::dvec3 contourNode(
-  int shape, const std::array<double, 3>& offsets, const std::array<double, 3>& facing);
+glm::dvec3 contourNode(int shape, const std::array<double, 3>& offsets, const std::array<double, 3>& facing);
 
 } // namespace ink

@@ -25,8 +25,8 @@ std::uint64_t faceInGrid(const GridGeometry& geometry, const CellBrick& brick, i
 
 } // namespace
 
-void ContourLinks::add(std::size_t part, const GridGeometry& geometry, const CellBrick& brick, const BrickSegments& found,
-  std::span<std::uint32_t> begins)
+void ContourLinks::add(std::size_t part, const GridGeometry& geometry, const CellBrick& brick,
+  const BrickSegments& found, std::span<std::uint32_t> begins)
 {
   const Id first = static_cast<Id>(part) << 32;
   // What is in the table of bricks before is no larger than this.
@@ -74,7 +74,8 @@ Contours joinContour(
   using Id = ContourLinks::Id;
   const auto segmentOf = [&](Id id) -> ContourLinks::Segment&
   { return parts[id >> 32].segments[id & 0xffffffff]; };
-  const auto idOf = [](std::size_t part, std::uint32_t segment) { return static_cast<Id>(part) << 32 | segment; };
+  const auto idOf = [](std::size_t part, std::uint32_t segment)
+  { return static_cast<Id>(part) << 32 | segment; };
 
   std::size_t segmentCount = 0;
   std::size_t openCount = 0;
@@ -152,7 +153,7 @@ Contours joinContour(
         {
           std::reverse(values.begin() + middle, values.end());
           std::rotate(values.begin() + begin, values.begin() + middle, values.end());
-          };
+        };
         toFront(contours.positions);
         toFront(contours.elements);
         contours.positions.push_back(lastPoints[next & ~EndsAt]);

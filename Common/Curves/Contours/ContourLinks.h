@@ -17,8 +17,8 @@
 namespace ink
 {
 
-/// The segments of some bricks, each with those before and after it. Within a brick they are linked by a table
-/// of its faces; what is left open is for joinContour.
+/// The segments of some bricks, each with those before and after it. Within a brick they are linked by a
+/// table of its faces; what is left open is for joinContour.
 struct ContourLinks
 {
   /// A segment among several parts: the part in the higher 32 bits, its segment in the lower ones.
@@ -27,7 +27,7 @@ struct ContourLinks
 
   struct Segment
   {
-    glm::dvec3 begin; ///< in the world
+    glm::dvec3 begin;  ///< in the world
     std::int64_t cell; ///< index among the grid's cells
     Id previous;
     Id next;

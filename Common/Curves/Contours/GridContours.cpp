@@ -54,8 +54,8 @@ public:
     : Samples(field)
     , Offset(isoValue)
     , InSteps(eyeInSteps(field.geometry(), eye))
-    , AllAtOnce(field.hidden().empty() && field.stride() == 1 ? typedKernelsOf<T>(samplingKernels()).view
-                                                              : nullptr)
+    , AllAtOnce(
+        field.hidden().empty() && field.stride() == 1 ? typedKernelsOf<T>(samplingKernels()).view : nullptr)
   {
     this->Source.y = field.geometry().dimensions().x;
     this->Source.z = this->Source.y * field.geometry().dimensions().y;
@@ -67,7 +67,7 @@ public:
   {
     const GridGeometry& geometry = this->Samples.geometry();
     const BrickSamples samples(brick.cells);
-    for (int n = 0; n < BrickView::rowSize; ++n)
+    for (int n = 0; n < BrickView::width; ++n)
     {
       const glm::dvec3 v = this->InSteps.from(glm::dvec3(geometry.first() + brick.first + n));
       for (int axis = 0; axis < 3; ++axis)
@@ -100,24 +100,6 @@ public:
       });
   }
 
-  /// Asks for the values around a brick to be in the cache soon.
-  void prefetch(const CellBrick& brick) const
-  {
-    const GridGeometry& geometry = this->Samples.geometry();
-    const glm::ivec3 first = glm::max(brick.first - 1, 0);
-    const glm::ivec3 last = glm::min(brick.first + CellBrick::width + 1, geometry.dimensions() - 1);
-    const auto stride = static_cast<std::ptrdiff_t>(this->Samples.stride());
-    const T* layer = this->Samples.data() + geometry.offset({ brick.first.x, first.y, first.z }) * stride;
-    for (int z = first.z; z <= last.z; ++z, layer += this->Source.z * stride)
-    {
-      const T* row = layer;
-      for (int y = first.y; y <= last.y; ++y, row += this->Source.y * stride)
-      {
-        __builtin_prefetch(row);
-      }
-    }
-  }
-
   /// The position in the world of the node on a face as in ContourLinks::OpenEnd.
   glm::dvec3 nodeOf(std::uint64_t face) const
   {
@@ -128,8 +110,8 @@ public:
     const glm::ivec3 lowest(offset % n.x, offset / n.x % n.y, offset / (n.x * n.y));
     std::array<double, 3> offsets{};
     std::array<double, 3> facing{};
-    for (int corner = 0; const int bits : { 0, int(ContourFace::shapeOf[shape].middle),
-           int(ContourFace::shapeOf[shape].high) })
+    for (int corner = 0; const int bits :
+         { 0, int(ContourFace::shapeOf[shape].middle), int(ContourFace::shapeOf[shape].high) })
     {
       const glm::ivec3 sample = lowest + glm::ivec3(bits & 1, bits >> 1 & 1, bits >> 2);
       offsets[corner] = this->offsetAt(sample);
@@ -226,7 +208,6 @@ Contours GridContours<T>::find(
       const std::size_t end = std::min(bricks.size(), (part + 1) * BricksAtOnce);
       for (std::size_t n = part * BricksAtOnce; n < end; ++n)
       {
-        viewer.prefetch(this->Bricks[bricks[std::min(n + 2, bricks.size() - 1)]]);
         const CellBrick& brick = this->Bricks[bricks[n]];
         viewer.look(brick, view);
         findBrickContour(view, brick.cells, mirrored, found);
