@@ -46,9 +46,11 @@ public:
     }
   }
 
+  /// What values and the iso-value are multiplied by; except for integers of 64 bits.
+  static constexpr double Scale = std::is_same_v<T, double> ? 0x1p-4 : 1.0;
+
 private:
   static constexpr bool Wide = std::is_integral_v<T> && sizeof(T) == 8;
-  static constexpr double Scale = std::is_same_v<T, double> ? 0x1p-4 : 1.0;
 
   T Base = 0;
   double Iso = 0.0;

@@ -27,17 +27,22 @@ namespace
 #include "Simd/LoadKernels.h"
 #include "Simd/PlaceKernels.h"
 #include "Simd/StippleKernels.h"
+#include "Simd/ViewKernels.h"
 
 template <class T>
 constexpr TypedKernels<T> typedKernels()
 {
-  TypedKernels<T> kernels = { classify<T>, classifyAndMeasure<T>, classifyMixed<T>, judge<T>, {} };
+  TypedKernels<T> kernels = { classify<T>, classifyAndMeasure<T>, classifyMixed<T>, judge<T>, {}, nullptr };
   if constexpr (sizeof(T) <= 2 || std::is_same_v<T, float>)
   {
     kernels.load[0] = loadStencils<T, NormalMethod::Cell>;
     kernels.load[1] = loadStencils<T, NormalMethod::InterpolatedGradient>;
     kernels.load[2] = loadStencils<T, NormalMethod::InterpolatedNormal>;
     kernels.load[3] = loadStencils<T, NormalMethod::Regression>;
+  }
+  if constexpr (sizeof(T) <= 4 || std::is_floating_point_v<T>)
+  {
+    kernels.view = viewBrick<T>;
   }
   return kernels;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Simd/BrickView.h"
 #include "Simd/VoxelFill.h"
 
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loops of iso-surface sampling and of placing stipples, compiled once for each instruction set
+/// The inner loops of iso-surface sampling, of placing stipples and of finding contours, compiled once for each instruction set
 /// and chosen at run time. Internal to Common/Simd.
 ///
 /// Everything here is plain data and pointers to functions: the sources compiled for an instruction set
@@ -185,6 +186,9 @@ struct TypedKernels
   /// Loads what a NormalMethod needs of the stencils of `count` cells; null for types that float does not
   /// hold exactly.
   void (*load[4])(const StencilSource<T>& source, int count, CellBatch<float>& batch);
+  /// Looks at the samples of a brick; null for integers that double does not hold exactly.
+  /// @return whether all is finite: otherwise samples or their neighbors may be missing
+  bool (*view)(const BrickSource<T>& source, BrickView& view);
 };
 
 template <class Real>

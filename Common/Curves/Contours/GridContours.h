@@ -29,7 +29,7 @@ struct GridContourOptions
 
 /// Finds the occluding contours of a grid's iso-surface for any eye, straight from the samples (Burns et al.
 /// 2005): where f = isoValue and grad f . v = 0, with v the vector to the eye. The surface is that of
-/// findCellContour, through the edges of tetrahedra, and grad f the field's differences at samples.
+/// findBrickContour, through the edges of tetrahedra, and grad f the field's differences at samples.
 ///
 /// What does not depend on the eye is made once: the active cells in bricks of 4 x 4 x 4, and a tree of cones
 /// of their normals; so an eye costs time for the contours' length and not for the surface. Normals are out

@@ -7,6 +7,7 @@
 #include "Fields/Grid/GridField.h"
 #include "IsoSurface/MinMaxBricks.h"
 #include "SampledVolume.h"
+#include "UseKernels.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -33,13 +34,6 @@ using ink::SampleOptions;
 
 constexpr NormalMethod Methods[] = { NormalMethod::Cell, NormalMethod::InterpolatedGradient,
   NormalMethod::InterpolatedNormal, NormalMethod::Regression };
-
-/// Makes a set of kernels the one in use for as long as it lives.
-struct UseKernels
-{
-  explicit UseKernels(const ink::SamplingKernels* kernels) { ink::useSamplingKernels(kernels); }
-  ~UseKernels() { ink::useSamplingKernels(nullptr); }
-};
 
 /// Random bumps, with many samples at the same values, plateaus, and surfaces that run into every border.
 template <class T>
