@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of `ink` share. Run them in the environment of a build tree: . Utilities/env.sh PRESET"""
 
+import hashlib
 import os
 import pathlib
 import re
@@ -68,15 +69,35 @@ def ink():
     return run_ink
 
 
+@pytest.fixture(scope="session")
+def shared_pictures(tmp_path_factory):
+    """A folder that all processes of this run have in common."""
+    folder = tmp_path_factory.getbasetemp()
+    folder = (folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder) / "shared-pictures"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
 @pytest.fixture
-def picture(tmp_path):
-    """Renders a file to 200 x 200 pixels and returns them."""
+def picture(tmp_path, volume_file, mesh_file, shared_pictures):
+    """Renders a file to 200 x 200 pixels and returns them. A picture of the files below with the same options is drawn once
+    for all tests, but again where one test asks for it again."""
+    seen = set()
 
     def render(file, *arguments, size="200x200"):
-        out = tmp_path / "picture.png"
-        result = run_ink("render", file, "--size", size, "--quiet", "-o", out, *arguments)
-        assert (result.code, result.out, result.err) == (0, "", ""), result
-        return ink_files.read_png(out)
+        shared = file in (volume_file, mesh_file) and not any(isinstance(argument, pathlib.Path) for argument in arguments)
+        words = "\n".join(map(str, [pathlib.Path(file).name, size, *arguments]))
+        kept = shared_pictures / f"{hashlib.sha256(words.encode()).hexdigest()}.png"
+        if not shared or words in seen or not kept.exists():
+            out = tmp_path / "picture.png"
+            result = run_ink("render", file, "--size", size, "--quiet", "-o", out, *arguments)
+            assert (result.code, result.out, result.err) == (0, "", ""), result
+            if not shared:
+                return ink_files.read_png(out)
+            # In one step: another process may read it.
+            out.replace(kept)
+        seen.add(words)
+        return ink_files.read_png(kept)
 
     return render
 

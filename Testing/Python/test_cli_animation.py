@@ -29,6 +29,10 @@ def series(tmp_path_factory):
     return folder
 
 
+# The style that is drawn soonest.
+LINES = ["--style", "splatting-lines"]
+
+
 def frames_of(ink, source, out, *arguments):
     result = ink("render", source, "--size", f"{SIZE}x{SIZE}", "--samples", 4000, "-o", out / "f_%02d.png", *arguments)
     assert result.code == 0, result
@@ -73,7 +77,7 @@ def test_all_ways_to_name_a_series_are_the_same(ink, series, tmp_path):
     for number, name in enumerate(names):
         out = tmp_path / str(number)
         out.mkdir()
-        pictures.append(frames_of(ink, name, out))
+        pictures.append(frames_of(ink, name, out, *LINES))
     for other in pictures[1:]:
         assert len(other) == FRAMES
         assert all((a == b).all() for a, b in zip(pictures[0], other))
@@ -83,7 +87,7 @@ def test_all_ways_to_name_a_series_are_the_same(ink, series, tmp_path):
                                            ("9", [0, 1, 1, 2, 2, 3, 3, 4, 4])])
 @pytest.mark.one_build
 def test_chosen_frames(ink, series, tmp_path, frames, steps):
-    images = frames_of(ink, series / "ball_%d.ply", tmp_path, "--frames", frames)
+    images = frames_of(ink, series / "ball_%d.ply", tmp_path, "--frames", frames, *LINES)
     widths = [bounds(image)[3] - bounds(image)[2] for image in images]
     assert len(images) == len(steps)
     for i, j in zip(range(len(steps)), range(1, len(steps))):
@@ -102,7 +106,7 @@ def test_samples_are_moved_and_not_made_anew(ink, tmp_path):
         for i in range(3):
             moved = (points * (1 + i / 500, 1, 1)).astype("<f4")
             ink_files.write_ply(folder / f"s_{i}.ply", (moved, normals, np.roll(triangles, turn * 100 * i, axis=0)))
-        images = frames_of(ink, folder / "s_%d.ply", folder, "--style", "splatting-lines", "--tau", 1.02)
+        images = frames_of(ink, folder / "s_%d.ply", folder, *LINES, "--tau", 1.02)
         changes.append(sum(np.abs(a - b).mean() for a, b in zip(images, images[1:])))
     assert changes[0] < 0.3 * changes[1], changes
 
@@ -120,7 +124,7 @@ def test_volumes_keep_the_first_ones_iso_value(ink, tmp_path):
     for i in range(3):
         ink_files.write_vti(tmp_path / f"v_{i}.vti", np.roll(ink_files.blob(), i, axis=2) + np.uint8(5 * i))
     out = tmp_path / "f_%d.png"
-    result = ink("render", tmp_path / "v_%d.vti", "--size", "80x80", "-o", out)
+    result = ink("render", tmp_path / "v_%d.vti", *LINES, "--size", "80x80", "-o", out)
     assert result.code == 0 and result.err.count("iso-value") == 1, result
     assert len(list(tmp_path.glob("f_*.png"))) == 3
 
@@ -171,13 +175,13 @@ def fake_ffmpeg(folder, script):
 def test_a_video_gets_all_pixels(ink, series, tmp_path):
     """What ffmpeg is told and given, by a program in its place that writes down both."""
     env = fake_ffmpeg(tmp_path, 'for last; do :; done; echo "$@" > ' + str(tmp_path / "arguments") + '\ncat > "$last"\n')
-    result = ink("render", series / "ball_%d.ply", "--samples", 4000, "--size", "50x30", "--fps", 12, "-o",
-                 tmp_path / "out.mp4", env=env)
+    options = [*LINES, "--samples", 4000, "--size", "50x30"]
+    result = ink("render", series / "ball_%d.ply", *options, "--fps", 12, "-o", tmp_path / "out.mp4", env=env)
     assert result.code == 0, result
     arguments = (tmp_path / "arguments").read_text()
     assert "-s 50x30 -r 12 " in arguments and "rgb24" in arguments and "libx264" in arguments
     raw = np.frombuffer((tmp_path / "out.mp4").read_bytes(), np.uint8).reshape(FRAMES, 30, 50, 3)
-    assert ink("render", series / "ball_%d.ply", "--samples", 4000, "--size", "50x30", "-o", tmp_path / "f_%d.png").code == 0
+    assert ink("render", series / "ball_%d.ply", *options, "-o", tmp_path / "f_%d.png").code == 0
     for i in range(FRAMES):
         assert (raw[i] == ink_files.read_png(tmp_path / f"f_{i}.png")).all()
     assert not list(tmp_path.glob("ink-*")), "nothing is left behind"
@@ -189,7 +193,7 @@ def test_a_video_that_fails_changes_nothing(ink, series, tmp_path):
     out.write_text("before")
     for script in ("echo 'no such codec' >&2; exit 1", "cat > /dev/null; echo 'no such codec' >&2; exit 3"):
         env = fake_ffmpeg(tmp_path, script)
-        result = ink("render", series / "ball_%d.ply", "--size", "300x300", "-o", out, env=env)
+        result = ink("render", series / "ball_%d.ply", *LINES, "--samples", 4000, "--size", "300x300", "-o", out, env=env)
         assert result.code == 1 and "ffmpeg failed: no such codec" in result.error, result
         assert out.read_text() == "before"
         assert not list(tmp_path.glob("ink-*"))

@@ -13,6 +13,11 @@ import ink_files
 from conftest import TIME_LIMIT
 
 
+# The style that is drawn soonest, of as few points as show something.
+LINES = ["--style", "splatting-lines"]
+MESH_LINES = [*LINES, "--samples", 4000]
+
+
 @pytest.fixture
 def written(ink, tmp_path):
     """Renders a file and returns the picture's path."""
@@ -54,31 +59,31 @@ def read_tiff(path):
 
 
 def test_a_number_is_the_side_of_a_square(written, volume_file):
-    assert ink_files.read_png(written(volume_file, "out.png", size="96")).shape == (96, 96, 3)
+    assert ink_files.read_png(written(volume_file, "out.png", *LINES, size="96")).shape == (96, 96, 3)
 
 
 @pytest.mark.parametrize("dpi, expected", [([], 11811), (["--dpi", 600], 23622), (["--dpi", 72], 2835)])
 def test_png_says_its_resolution(written, volume_file, dpi, expected):
-    chunks = dict(png_chunks(written(volume_file, "out.png", *dpi).read_bytes()))
+    chunks = dict(png_chunks(written(volume_file, "out.png", *LINES, *dpi).read_bytes()))
     assert struct.unpack(">IIB", chunks[b"pHYs"]) == (expected, expected, 1)
 
 
 @pytest.mark.parametrize("name", ["out.tif", "out.tiff", "OUT.TIF"])
 def test_tiff_is_the_same_picture(written, picture, volume_file, name):
-    pixels, tags = read_tiff(written(volume_file, name, "--dpi", 600))
-    assert (pixels == picture(volume_file, size="200x160")).all()
+    pixels, tags = read_tiff(written(volume_file, name, *LINES, "--dpi", 600))
+    assert (pixels == picture(volume_file, *LINES, size="200x160")).all()
     assert tags[296] == (2,) and tags[282][0] / tags[282][1] == 600 and tags[283][0] / tags[283][1] == 600
 
 
 def test_tiff_with_alpha(written, picture, volume_file):
-    pixels, tags = read_tiff(written(volume_file, "out.tif", "--transparent"))
+    pixels, tags = read_tiff(written(volume_file, "out.tif", *LINES, "--transparent"))
     assert tags[338] == (2,)
-    assert (pixels == picture(volume_file, "--transparent", size="200x160")).all()
+    assert (pixels == picture(volume_file, *LINES, "--transparent", size="200x160")).all()
 
 
 @pytest.mark.parametrize("name", ["out.jpg", "out.jpeg"])
 def test_jpeg_is_nearly_the_same_picture(written, picture, volume_file, name):
-    path = written(volume_file, name, "--dpi", 600)
+    path = written(volume_file, name, *LINES, "--dpi", 600)
     data = path.read_bytes()
     assert data[:4] == b"\xff\xd8\xff\xe0" and data[6:11] == b"JFIF\0"
     assert struct.unpack(">BHH", data[13:18]) == (1, 600, 600)
@@ -89,7 +94,7 @@ def test_jpeg_is_nearly_the_same_picture(written, picture, volume_file, name):
     image = reader.GetOutput()
     assert image.GetDimensions() == (200, 160, 1)
     pixels = vtkink.numpy_support.vtk_to_numpy(image.GetPointData().GetScalars()).reshape(160, 200, 3)[::-1]
-    assert np.abs(pixels.astype(int) - picture(volume_file, size="200x160")).mean() < 2
+    assert np.abs(pixels.astype(int) - picture(volume_file, *LINES, size="200x160")).mean() < 2
 
 
 def test_jpeg_has_no_alpha(ink, volume_file, tmp_path):
@@ -98,18 +103,18 @@ def test_jpeg_has_no_alpha(ink, volume_file, tmp_path):
 
 
 def test_numbered_pictures_of_other_formats(ink, mesh_file, tmp_path):
-    assert ink("render", mesh_file, "--size", 48, "--frames", 2, "-q", "-o", tmp_path / "f%d.tif").code == 0
+    assert ink("render", mesh_file, *MESH_LINES, "--size", 48, "--frames", 2, "-q", "-o", tmp_path / "f%d.tif").code == 0
     assert sorted(os.listdir(tmp_path)) == ["f0.tif", "f1.tif"]
     assert read_tiff(tmp_path / "f1.tif")[0].shape == (48, 48, 3)
 
 
 def test_the_standard_output(picture, volume_file, tmp_path):
-    done = subprocess.run(["ink", "render", str(volume_file), "--size", "200x160", "-q", "-o", "-"], capture_output=True,
-                          timeout=TIME_LIMIT, cwd=tmp_path)  # fmt: skip
+    done = subprocess.run(["ink", "render", str(volume_file), *LINES, "--size", "200x160", "-q", "-o", "-"],
+                          capture_output=True, timeout=TIME_LIMIT, cwd=tmp_path)  # fmt: skip
     assert (done.returncode, done.stderr) == (0, b"")
+    assert not os.listdir(tmp_path)
     (tmp_path / "out.png").write_bytes(done.stdout)
-    assert (ink_files.read_png(tmp_path / "out.png") == picture(volume_file, size="200x160")).all()
-    assert sorted(os.listdir(tmp_path)) == ["out.png", "picture.png"]
+    assert (ink_files.read_png(tmp_path / "out.png") == picture(volume_file, *LINES, size="200x160")).all()
 
 
 def test_the_standard_output_that_is_closed(volume_file):
@@ -120,7 +125,7 @@ def test_the_standard_output_that_is_closed(volume_file):
 
 def test_the_last_line_says_what_was_written(ink, volume_file, tmp_path):
     out = tmp_path / "out.png"
-    result = ink("render", volume_file, "--iso", 100, "--size", "300x150", "--dpi", 300, "-o", out)
+    result = ink("render", volume_file, *LINES, "--iso", 100, "--size", "300x150", "--dpi", 300, "-o", out)
     assert result.err.splitlines() == [f"ink: wrote {out}: 300 x 150 pixels, 300 dpi, 25 x 13 mm"]
     result = ink("sample", volume_file, tmp_path / "p.vtp", "--iso", 100)
     count = len(ink_files.read_points(tmp_path / "p.vtp")["x"])
@@ -129,23 +134,29 @@ def test_the_last_line_says_what_was_written(ink, volume_file, tmp_path):
 
 # What is drawn whole by default is summed up for several pixels at once where splats are large; tiles are exact.
 EXACT = ["--maximum-downsampling", 1]
+# As many as can be told apart: to place those of the default takes four times as long as to draw them.
+FEW = ["--pixels-per-stipple", 30, "--stipple-size", 5]
 
 
 @pytest.mark.parametrize("style, options", [
     ("splatting-lines", EXACT), ("splatting-lines", [*EXACT, "--hidden-layers"]),
     ("splatting-lines", [*EXACT, "--thin", "--line-width", 3]), ("splatting-lines", [*EXACT, "--speckles", 6]),
-    ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.3]), ("stipple", []), ("stipple", ["--size-unit", "pixels"]),
-    ("stipple", ["--zoom", 1.7, "--view", "iso"]), ("stipple", ["--transparent"])])  # fmt: skip
+    ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.3]), ("stipple", FEW), ("stipple", ["--size-unit", "pixels"]),
+    ("stipple", [*FEW, "--zoom", 1.7, "--view", "iso"]), ("stipple", [*FEW, "--transparent"])])  # fmt: skip
 @pytest.mark.parametrize("size, tile", [
-    pytest.param("768x768", 256, marks=pytest.mark.one_build), ("1100x600", 300),
-    pytest.param("400x1024", 512, marks=pytest.mark.one_build)])  # fmt: skip
+    pytest.param("440x440", 256, marks=pytest.mark.one_build), ("640x360", 300),
+    pytest.param("300x720", 512, marks=pytest.mark.one_build)])  # fmt: skip
 def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, size, tile):
+    """Six to fifteen tiles, of which some have neighbors on all sides and the last ones are smaller."""
     for file in (volume_file, mesh_file):
-        whole = picture(file, "--style", style, *options, size=size).astype(int)
-        tiles = picture(file, "--style", style, *options, "--tile", tile, size=size).astype(int)
+        # By default 200000, which takes longer than to draw them.
+        few = ["--samples", 20000] if file == mesh_file and style == "splatting-lines" else []
+        whole = picture(file, "--style", style, *options, *few, size=size).astype(int)
+        tiles = picture(file, "--style", style, *options, *few, "--tile", tile, size=size).astype(int)
         difference = np.abs(whole - tiles).max(axis=2)
         assert (whole[..., 0] < 128).sum() > 100, "there is something to be cut"
-        assert (difference > 16).mean() < 2e-4, f"{(difference > 16).sum()} pixels differ in {file.name}"
+        # 5 pixels at the most.
+        assert (difference > 16).sum() <= 10, f"{(difference > 16).sum()} pixels differ in {file.name}"
 
 
 def test_more_pixels_than_opengl_has(written, mesh_file):

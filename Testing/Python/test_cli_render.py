@@ -55,7 +55,7 @@ def test_same_input_same_bytes(ink, volume_file, tmp_path):
 @pytest.mark.parametrize("size", ["1x1", "16x9", "320x200", "200x320", "2000x100"])
 def test_size(picture, volume_file, size):
     width, height = map(int, size.split("x"))
-    assert picture(volume_file, size=size).shape == (height, width, 3)
+    assert picture(volume_file, *LINES, size=size).shape == (height, width, 3)
 
 
 @pytest.mark.parametrize("size", ["300x200", "200x300"])

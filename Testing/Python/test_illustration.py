@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stipples of iso-surfaces, and illustrations, beside those of the mesh of the same surface; hard cases."""
 
+import functools
 import importlib
 
 import numpy as np
@@ -129,14 +130,18 @@ def test_what_lies_behind_is_hidden():
     assert ink["both", False] > 1.2 * ink["both", True]
 
 
+@functools.cache
+def ink_of_ball(style):
+    return draw(ball(32), style)[1].sum()
+
+
 @pytest.mark.parametrize("scale, origin", [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e5)])
 @pytest.mark.one_build
 def test_size_and_place_do_not_matter(scale, origin):
     data = ball(32, scale=scale, origin=origin)
     for style in ("stipple", "illustration"):
         drawn = draw(data, style, scale, origin)[1]
-        plain = draw(ball(32), style)[1]
-        assert drawn.sum() == pytest.approx(plain.sum(), rel=0.03), style
+        assert drawn.sum() == pytest.approx(ink_of_ball(style), rel=0.03), style
 
 
 def test_lines_and_stipples_register():
