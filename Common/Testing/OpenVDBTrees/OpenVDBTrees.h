@@ -5,8 +5,8 @@
 
 #include <string>
 
-/// The grids that most tests write. OpenVDB leaves each source that makes one to compile all virtual functions
-/// of its tree, which takes longer than the tests themselves.
+/// The grids that most tests write. OpenVDB leaves each source that makes one to compile all virtual
+/// functions of its tree, which takes longer than the tests themselves.
 extern template class openvdb::tree::Tree<openvdb::FloatTree::RootNodeType>;
 extern template class openvdb::tree::Tree<openvdb::DoubleTree::RootNodeType>;
 extern template class openvdb::Grid<openvdb::FloatTree>;
