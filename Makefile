@@ -6,7 +6,7 @@
 .NOTPARALLEL:
 .PHONY: help demo test setup setup-headless setup-paraview setup-aarch64 build build-ink build-headless \
   build-paraview build-benchmarks build-asan build-tsan build-aarch64 test-headless test-paraview test-aarch64 bench tradeoff pictures \
-  sanitize fuzz format tidy install clean
+  window-pictures sanitize fuzz format tidy install clean
 
 help: ## List the targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -70,6 +70,10 @@ tradeoff: setup-headless build-benchmarks ## Measure error against time, write D
 
 pictures: setup-headless build-headless ## Draw the pictures of the pages on styles and of picture-quality.md (of one: Utilities/pictures.sh PAGE)
 	@Utilities/pictures.sh
+
+window-pictures: setup-paraview build-paraview ## Draw the pictures of ParaView's window (of one: Utilities/window-pictures.sh REPRESENTATION)
+	@Utilities/setup.sh window-pictures
+	@Utilities/window-pictures.sh
 
 sanitize: setup-headless build-asan ## Run the tests under the address and undefined-behavior sanitizers
 	@Utilities/test.sh asan

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs what a build preset, `make tradeoff`, `make fuzz` or `make tidy` needs:
-#   Utilities/setup.sh headless|paraview|aarch64|tradeoff|fuzz|tidy
+# Installs what a build preset, `make tradeoff`, `make window-pictures`, `make fuzz` or `make tidy` needs:
+#   Utilities/setup.sh headless|paraview|aarch64|tradeoff|window-pictures|fuzz|tidy
 # From Debian the lists in Utilities/packages/; for the headless preset VTK itself, from PyPI, into
 # build/vtk-headless. Needs root or sudo only if a Debian package is missing; says nothing if none is. Where another
 # program is installing packages, waits for it.
 set -euo pipefail
 
-preset="${1:?usage: Utilities/setup.sh headless|paraview|aarch64|tradeoff|fuzz|tidy}"
+preset="${1:?usage: Utilities/setup.sh headless|paraview|aarch64|tradeoff|window-pictures|fuzz|tidy}"
 root="$(cd "$(dirname "$0")/.." && pwd)"
 utilities="$root/Utilities"
 vtk_release="9.7.0.5"
@@ -144,6 +144,9 @@ case "$preset" in
   tradeoff)
     install_debian_packages "$utilities/packages/tradeoff.txt"
     ;;
+  window-pictures)
+    install_debian_packages "$utilities/packages/window-pictures.txt"
+    ;;
   fuzz)
     install_debian_packages "$utilities/packages/fuzz.txt"
     ;;
@@ -151,6 +154,6 @@ case "$preset" in
     install_debian_packages "$utilities/packages/tidy.txt"
     ;;
   *)
-    fail "unknown preset '$preset'; expected headless, paraview, aarch64, tradeoff, fuzz or tidy"
+    fail "unknown preset '$preset'; expected headless, paraview, aarch64, tradeoff, window-pictures, fuzz or tidy"
     ;;
 esac

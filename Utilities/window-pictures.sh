@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Draws the pictures of ParaView's window in Documentation, of all representations or of one, with the paraview build:
 #   Utilities/window-pictures.sh [Illustration|Stipple|Contours|"Line Art"]
-# It needs xvfb-run, xdotool and ImageMagick. The positions of the mouse are those in the window of ParaView 5.11.
+# It needs what Utilities/setup.sh installs for paraview and window-pictures. The positions of the mouse are those in the window of ParaView 5.11.
 set -euo pipefail
 
 size=1280x960

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "OpenVDBTrees.h"
 #include "SampledVolume.h"
 
 #include "Fields/Vdb/VdbWrite.h"
 #include "IsoSurface/Vdb/VdbSamples.h"
 
 #include <openvdb/io/Stream.h>
-#include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <array>

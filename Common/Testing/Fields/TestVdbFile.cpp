@@ -81,7 +81,7 @@ TEST(VdbFile, ListsGridsWithoutTheirVoxels)
   half->setName("half");
   half->setSaveFloatAsHalf(true);
   const std::string file = seekableFileOf({ sphere(), half, named<openvdb::DoubleGrid>("density"),
-    named<openvdb::BoolGrid>("mask"), named<openvdb::Vec3SGrid>("velocity"), sphere() });
+    emptyGrid<openvdb::BoolGrid>("mask"), emptyGrid<openvdb::Vec3SGrid>("velocity"), sphere() });
   const VdbFile list = listOf(file);
   ASSERT_EQ(list.grids.size(), 6u);
   const std::string names[] = { "sphere[0]", "half", "density", "mask", "velocity", "sphere[1]" };
@@ -183,7 +183,7 @@ TEST(VdbFile, WhatCannotBeReadIsNamed)
   expectError("not an OpenVDB file", [] { listOf(""); });
   expectError("not an OpenVDB file", [] { listOf("these are no voxels at all"); });
   const std::string other =
-    seekableFileOf({ named<openvdb::Int32Grid>("count"), named<openvdb::Vec3SGrid>("v") });
+    seekableFileOf({ emptyGrid<openvdb::Int32Grid>("count"), emptyGrid<openvdb::Vec3SGrid>("v") });
   expectError("'count' (int32), 'v' (vec3s)", [&] { readGrid(other); });
   expectError("'int32'; expected float, double or half", [&] { readGrid(other, "count"); });
   expectError("no grid 'density'", [&] { readGrid(fileOf({ sphere() }), "density"); });

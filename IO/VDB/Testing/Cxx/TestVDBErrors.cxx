@@ -71,8 +71,7 @@ TEST(VDBErrors, FilesThatEndTooSoon)
 
 TEST(VDBErrors, GridsThatCannotBeRead)
 {
-  const auto mask = openvdb::BoolGrid::create();
-  mask->setName("mask");
+  const auto mask = ink::testing::emptyGrid<openvdb::BoolGrid>("mask");
   const std::string file = WriteVDB(".vdb", { MakeSphere(), mask });
   Expect("no such grid", { "no grid 'density'", "'sphere' (float), 'mask' (bool)" }, file, "density");
   Expect("not numbers", { "'mask'", "'bool'; expected float, double or half" }, file, "mask");

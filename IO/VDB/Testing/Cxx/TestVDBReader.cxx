@@ -58,8 +58,7 @@ protected:
     this->Density->tree().setValue(Coord(-5, 2, 900), 1.5);
     this->Density->tree().setValue(Coord(3, 9, 905), 2.5);
     this->Density->transform().postScale({ 1.0, -2.0, 3.0 });
-    const auto other = openvdb::Vec3SGrid::create();
-    other->setName("velocity");
+    const auto other = ink::testing::emptyGrid<openvdb::Vec3SGrid>("velocity");
     this->File = WriteVDB(".vdb", { other, this->Sphere, this->Density });
     this->Messages->Observe(this->Reader);
     this->Reader->SetFileName(this->File.c_str());

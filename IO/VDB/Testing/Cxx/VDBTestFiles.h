@@ -3,13 +3,14 @@
 #ifndef VDBTestFiles_h
 #define VDBTestFiles_h
 
+#include "OpenVDBTrees.h"
+
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
 #include <algorithm>
