@@ -85,13 +85,14 @@ bool sampleIsoSurfaces(const GridField<T>& field, std::span<const double> isoVal
 /// The radius, in world units, with which discs around the samples of any iso-surface of the grid leave no
 /// holes: half the diagonal of a cell. One radius for all, since lines of even width need splats of one size.
 double isoSurfaceSampleRadius(const GridGeometry& geometry);
-/// @param cell a cell's edges as columns
+/// @param cell a cell's edges as columns, world units
 double isoSurfaceSampleRadius(const glm::dmat3& cell);
 
 /// The area of a flat surface per sample, on average: the cells that it crosses are those whose middle is no
 /// farther from it than half the width of a cell along its normal.
 /// @param cell a cell's edges as columns, world units
 /// @param normal unit
+/// @return in square world units
 double isoSurfaceSampleArea(const glm::dmat3& cell, const glm::dvec3& normal);
 
 } // namespace ink

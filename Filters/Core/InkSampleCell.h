@@ -18,6 +18,7 @@
 /// with the normal it says how much surface a sample stands for (ink::isoSurfaceSampleArea).
 inline constexpr const char* InkSampleCellName = "SampleCell";
 
+/// Adds the array for samples of a grid's cells.
 inline void InkSetSampleCell(vtkPolyData* samples, const ink::GridGeometry& cells)
 {
   const glm::dmat3 edges = cells.stepToWorld();
@@ -29,7 +30,7 @@ inline void InkSetSampleCell(vtkPolyData* samples, const ink::GridGeometry& cell
   samples->GetFieldData()->AddArray(array);
 }
 
-/// The edges as columns; nothing if the points have none.
+/// The edges as columns, world units; nothing if the points have no array of three vectors.
 inline std::optional<glm::dmat3> InkGetSampleCell(vtkPolyData* points)
 {
   vtkDataArray* array = points->GetFieldData()->GetArray(InkSampleCellName);

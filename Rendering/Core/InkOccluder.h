@@ -33,7 +33,7 @@ struct InkOccluderDepth
   VTKINKRENDERINGCORE_EXPORT void SetUniforms(vtkShaderProgram* program, const InkViewUniforms& view) const;
 
   InkRenderTarget Image;
-  std::unique_ptr<InkRenderTarget> Facing; ///< of discs that face the viewer, while the image is drawn
+  std::unique_ptr<InkRenderTarget> Facing; ///< of discs that face the viewer, kept for the next picture
   std::optional<InkViewUniforms> View; ///< that it shows, with margins
   vtkMTimeType UploadTime = 0;         ///< of the surface that it shows
 };

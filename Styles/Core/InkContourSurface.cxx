@@ -22,8 +22,8 @@ namespace
 {
 
 /// The cell array that surfaces of images have: how far behind the surface a silhouette by its normals may
-/// lie. Of field data less is left when pieces are put together.
-constexpr const char* OfImage = "OfImage";
+/// lie, in world units. Of field data less is left when pieces are put together.
+constexpr const char* DepthTolerance = "DepthTolerance";
 
 /// In standard deviations of the Gaussian that smooths the normals, but not the surface. The gradient at a
 /// distance s from the edge of a box is at right angles to an eye that sees the side beyond the edge at the
@@ -46,15 +46,15 @@ double FindTolerance(vtkImageData* image, vtkInkIsoSurfaceSampler* settings)
 
 bool InkContourSurface::IsOfImage(vtkPolyData* surface)
 {
-  return surface->GetCellData()->HasArray(OfImage);
+  return surface->GetCellData()->HasArray(DepthTolerance);
 }
 
 void InkContourSurface::Follow(vtkInkSilhouetteMapper* mapper, bool creases)
 {
   vtkPolyData* surface = mapper->GetInput();
-  vtkDataArray* ofImage = surface ? surface->GetCellData()->GetArray(OfImage) : nullptr;
-  mapper->SetCreases(creases && !ofImage);
-  mapper->SetDepthTolerance(ofImage && ofImage->GetNumberOfTuples() > 0 ? ofImage->GetRange()[1] : 0.0);
+  vtkDataArray* tolerance = surface ? surface->GetCellData()->GetArray(DepthTolerance) : nullptr;
+  mapper->SetCreases(creases && !tolerance);
+  mapper->SetDepthTolerance(tolerance && tolerance->GetNumberOfTuples() > 0 ? tolerance->GetRange()[1] : 0.0);
 }
 
 std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span<vtkImageData* const> images,
@@ -70,11 +70,11 @@ std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span
     {
       return problem;
     }
-    vtkNew<vtkFloatArray> mark;
-    mark->SetName(OfImage);
-    mark->SetNumberOfTuples(parts.back()->GetNumberOfCells());
-    mark->Fill(FindTolerance(image, isoSurface.GetSampler()));
-    parts.back()->GetCellData()->AddArray(mark);
+    vtkNew<vtkFloatArray> tolerance;
+    tolerance->SetName(DepthTolerance);
+    tolerance->SetNumberOfTuples(parts.back()->GetNumberOfCells());
+    tolerance->Fill(FindTolerance(image, isoSurface.GetSampler()));
+    parts.back()->GetCellData()->AddArray(tolerance);
   }
   if (!parts.empty())
   {

@@ -68,14 +68,17 @@ void InkSilhouetteMethod::SetValueRange(const std::vector<double>& range)
   this->Mapper->SetHighestValue(all ? 1e38 : range[1]);
 }
 
-std::string InkSilhouetteMethod::MakeVoxels(vtkInkStyle* style, std::span<vtkImageData* const> images,
-  const std::string& array, vtkPolyData* voxels)
+std::string InkSilhouetteMethod::MakeVoxels(
+  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* voxels)
 {
-  this->EdgeVoxels->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   if (array.empty())
   {
     this->EdgeVoxels->SetInputArrayToProcess(
       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  }
+  else
+  {
+    this->EdgeVoxels->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   }
   std::string problem;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;

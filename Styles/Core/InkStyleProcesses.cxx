@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStyleProcesses.h"
 
+#include "InkSampleCell.h"
 #include "InkVolumeValues.h"
 
 #include "vtkAppendPolyData.h"
@@ -8,6 +9,9 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
+#include <optional>
 
 InkStyleProcesses::~InkStyleProcesses() = default;
 
@@ -57,7 +61,19 @@ vtkSmartPointer<vtkPolyData> InkAppend(const std::vector<vtkSmartPointer<vtkPoly
   }
   append->Update();
   vtkSmartPointer<vtkPolyData> result = append->GetOutput();
-  // Of all parts alike, but appending leaves it out.
-  result->GetFieldData()->PassData(parts.front()->GetFieldData());
+  // Appending takes none, or that of the first part, which may be empty.
+  result->GetFieldData()->Initialize();
+  const auto hasPoints = [](vtkPolyData* part) { return part->GetNumberOfPoints() > 0; };
+  const auto first = std::find_if(parts.begin(), parts.end(), hasPoints);
+  if (first != parts.end())
+  {
+    result->GetFieldData()->PassData((*first)->GetFieldData());
+    const std::optional<glm::dmat3> cell = InkGetSampleCell(*first);
+    if (std::any_of(first, parts.end(),
+          [&](vtkPolyData* part) { return hasPoints(part) && InkGetSampleCell(part) != cell; }))
+    {
+      result->GetFieldData()->RemoveArray(InkSampleCellName);
+    }
+  }
   return result;
 }

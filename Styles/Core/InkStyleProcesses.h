@@ -63,7 +63,8 @@ public:
   virtual void AgreeOnArray(std::string& name, int& association);
 };
 
-/// Parts put together, with the field data of the first.
+/// Parts put together, with the field data of the first that is not empty; of samples (InkSampleCell.h) with
+/// the cell that all of them have.
 VTKINKSTYLES_EXPORT vtkSmartPointer<vtkPolyData> InkAppend(
   const std::vector<vtkSmartPointer<vtkPolyData>>& parts);
 

@@ -132,9 +132,9 @@ vtkMTimeType vtkInkLineArtStyle::GetRecipeMTime()
 {
   // The second family is drawn in tones above 1 - crosshatching. A style that is changed while it is shown has
   // it, too, for the slider.
-  const bool crossed =
+  const bool needsBoth =
     this->GetInteractive() || this->Strokes->GetCrosshatching() > 1.0 - this->Strokes->GetDarkestTone();
-  this->Lines->SetFamilies(crossed ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
+  this->Lines->SetFamilies(needsBoth ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
   return std::max({ this->Contours->GetMTime(), this->Lines->GetMTime(), this->Hatching->GetMTime() });
 }
 

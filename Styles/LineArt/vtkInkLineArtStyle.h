@@ -12,8 +12,8 @@
  * on request the mesh's.
  *
  * Lines of curvature are found once; which of them are drawn and how wide follows the camera and the light in
- * each picture. Pieces: the surface's mesh, the strokes, and edge
- * voxels where contours are segments through these.
+ * each picture. Pieces: the surface's mesh, the strokes, and edge voxels where contours are segments through
+ * these.
  *
  * @sa vtkInkLinesOfCurvature vtkInkHatching vtkInkStrokeMapper vtkInkContoursStyle
  */
@@ -65,7 +65,8 @@ public:
   ///@}
 
   ///@{
-  /// What the style draws with; properties that are parameters are set as such.
+  /// What the style draws with; properties that are parameters are set as such. Families of the lines of
+  /// curvature follow Crosshatching.
   InkIsoSurface* GetIsoSurface();
   vtkInkContoursStyle* GetContoursStyle();
   vtkInkLinesOfCurvature* GetLinesOfCurvature();

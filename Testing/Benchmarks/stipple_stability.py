@@ -67,4 +67,5 @@ def main(file, value):
     print(f"nearest neighbor: deviation {distance.std() / distance.mean():.3f} of the mean")
 
 
-main(sys.argv[1], float(sys.argv[2]))
+if __name__ == "__main__":
+    main(sys.argv[1], float(sys.argv[2]))

@@ -20,5 +20,5 @@ def test_links(page):
 @pytest.mark.parametrize("page", [page for page in PAGES if page.name != "CHANGELOG.md"], ids=lambda page: page.name)
 def test_spelling_is_american(page):
     """As in VTK, and in the names of vtkInk's own classes and options."""
-    british = r"\w*(?:colour|neighbour|normalis[ei]|behaviour|synchronis|recognis|quantis|favour)\w*|\bgrey\w*|\bcentre[sd]?\b"
+    british = r"\w*(?:colour|neighbour|normalis[ei]|behaviour|synchronis|recognis|quantis|rasteris|favour)\w*|\bgrey\w*|\bcentre[sd]?\b"
     assert not re.findall(british, page.read_text(encoding="utf-8"), re.IGNORECASE)

@@ -155,7 +155,7 @@ def test_a_viewpoint_is_finite():
 
 SETTER = re.compile(r"^  (?:virtual )?(?:void|bool) (Set\w+)\(|^  (?:vtk|Ink)Set\w*Macro\((\w+)", re.MULTILINE)
 COMMENT = re.compile(r"^   \*(?!/)(.*)$|^  ///(?!@)(.*)$", re.MULTILINE)
-BRITISH = re.compile(r"colour|grey|neighbour|normalis|centre|behaviour|quantis|visualis|optimis|analys[ei]|favour", re.I)
+BRITISH = re.compile(r"colour|grey|neighbour|normalis|centre|behaviour|quantis|rasteris|visualis|optimis|analys[ei]|favour", re.I)
 
 
 def documented_setters(header):

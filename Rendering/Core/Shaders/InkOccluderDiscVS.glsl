@@ -3,7 +3,8 @@
 //INK::Features
 
 // The surface that hides marks as discs around its points, each a sprite that bounds its disc: only depth counts.
-// Those that face the viewer are drawn first; with INK_BACK of the others what these do not hide.
+// Those that face the viewer are drawn first; with INK_BACK of the others those that are not hidden at their
+// middle and at four positions around it, or are so large that much of them could lie elsewhere.
 
 #include "InkClipping.glsl"
 #include "InkViewUniforms.glsl"
@@ -23,6 +24,9 @@ flat out vec4 discVSOutput;   // along y. The disc is where a x^2 + 2 b x y + c 
 const float leastRadius = 0.75; // pixels
 
 #ifdef INK_BACK
+// Larger discs are drawn without a look at what hides them.
+const float largestSkipped = 8.0; // pixels
+
 // Whether in a pixel something is before a depth.
 bool hides(vec2 pixel, float depth)
 {
@@ -32,7 +36,7 @@ bool hides(vec2 pixel, float depth)
 
 void main()
 {
-  // Beyond the target, but within the viewport: software rasterisers take a slow way where anything is clipped.
+  // Beyond the target, but within the viewport: software rasterizers take a slow way where anything is clipped.
   gl_Position = vec4(1.0 - INK_MARGIN / targetSize.x, 0.0, 0.0, 1.0);
   gl_PointSize = 1.0;
   centerVSOutput = vec4(0.0);
@@ -76,8 +80,8 @@ void main()
   float depth = 0.5 * clip.x / clip.y + 0.5;
   vec2 aside = 0.8 * vec2(extent.x, 0.0);
   vec2 above = 0.8 * vec2(0.0, extent.y);
-  if (hides(centerPixel, depth) && hides(centerPixel + aside, depth) && hides(centerPixel - aside, depth) &&
-    hides(centerPixel + above, depth) && hides(centerPixel - above, depth))
+  if (max(extent.x, extent.y) < largestSkipped && hides(centerPixel, depth) && hides(centerPixel + aside, depth) &&
+    hides(centerPixel - aside, depth) && hides(centerPixel + above, depth) && hides(centerPixel - above, depth))
   {
     return;
   }

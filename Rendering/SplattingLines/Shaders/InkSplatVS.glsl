@@ -105,7 +105,7 @@ vec2 sumOver(vec2 falloffs)
 void main()
 {
   // For points that are left out: beyond the target, but within the viewport if that is wider, because
-  // software rasterisers take a slow way where anything is clipped.
+  // software rasterizers take a slow way where anything is clipped.
 #ifdef INK_MARGIN
   gl_Position = vec4(1.0 - INK_MARGIN * texel / targetSize.x, 0.0, 0.0, 1.0);
 #else

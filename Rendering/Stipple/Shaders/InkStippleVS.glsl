@@ -5,7 +5,7 @@
 // Lu et al. 2003, sections 4.3 and 5: how many of its element's stipples are drawn, and so whether this one is,
 // how large and in which color. Common/Tone has the same in C++, function by function, and says more.
 //
-// Software rasterisers compute what a condition leaves out, too, and take long over loops of unknown length. So what
+// Software rasterizers compute what a condition leaves out, too, and take long over loops of unknown length. So what
 // most pictures do without is compiled only where it is needed: INK_COLORS, INK_OCCLUDED, INK_PROBABILITY, INK_IDS,
 // INK_RESULTS, INK_PACKED (positions are as Common/Stippling/QuantizedPosition has them).
 

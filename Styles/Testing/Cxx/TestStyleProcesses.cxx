@@ -6,10 +6,13 @@
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
@@ -331,6 +334,45 @@ TEST(StyleProcesses, TheirPointsCarryNothingMore)
     EXPECT_NE(data->GetArray("Radius"), nullptr);
     EXPECT_EQ(one->GetFramePoints(), one->GetPiece(0)->GetPoints());
   }
+}
+
+/// Whatever empty parts there are, and in whatever order.
+TEST(StyleProcesses, AppendedSamplesHaveTheCellThatAllHave)
+{
+  const auto makePart = [](int points, double depth)
+  {
+    auto part = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> positions;
+    positions->SetNumberOfPoints(points);
+    part->SetPoints(positions);
+    vtkNew<vtkDoubleArray> cell;
+    cell->SetName("SampleCell");
+    cell->SetNumberOfComponents(3);
+    for (const std::array<double, 3>& edge :
+      { std::array{ 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, depth } })
+    {
+      cell->InsertNextTuple(edge.data());
+    }
+    if (depth > 0.0)
+    {
+      part->GetFieldData()->AddArray(cell);
+    }
+    return part;
+  };
+  const auto cellDepth = [](const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
+  {
+    vtkDataArray* cell = InkAppend(parts)->GetFieldData()->GetArray("SampleCell");
+    return cell ? cell->GetComponent(2, 2) : 0.0;
+  };
+  const auto empty = makePart(0, 0.0);
+  const auto flat = makePart(2, 1.0);
+  const auto deep = makePart(3, 3.0);
+  EXPECT_EQ(cellDepth({ empty, deep, makePart(4, 3.0) }), 3.0);
+  EXPECT_EQ(cellDepth({ deep, empty }), 3.0);
+  EXPECT_EQ(cellDepth({ flat, deep }), 0.0);
+  EXPECT_EQ(cellDepth({ deep, flat }), 0.0);
+  EXPECT_EQ(cellDepth({ deep, makePart(1, 0.0) }), 0.0);
+  EXPECT_EQ(cellDepth({ empty, empty }), 0.0);
 }
 
 } // namespace

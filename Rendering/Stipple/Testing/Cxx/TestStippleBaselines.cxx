@@ -11,7 +11,7 @@
 namespace
 {
 
-/// The thresholded difference that another rasteriser's rounding makes.
+/// The thresholded difference that another rasterizer's rounding makes.
 constexpr double Tolerance = 30.0;
 
 /// Not a preset: those may be redrawn.
