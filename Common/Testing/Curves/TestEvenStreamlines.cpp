@@ -168,8 +168,9 @@ TEST(EvenStreamlines, LinesOfATorusAreClosed)
 
 TEST(EvenStreamlines, LinesOfANoisyTorusAreEven)
 {
-  // Noise of 1.4 and 2.9 % of the tube's radius, between points that are a sixteenth of it apart: a sixth and
-  // half of the edges bend by more than 45 degrees. With lines ended there, they were 2.9 times as far apart.
+  // Noise of 1.4 and 2.9 % of the tube's radius, between points that are a sixteenth of it apart: a tenth and
+  // a third of the edges bend by more than 45 degrees. With lines ended there, they were up to 2.9 times as
+  // far apart.
   constexpr double spacing = 0.1;
   const TorusShape torus;
   const Shape clean = torus.sample(300, 100);
