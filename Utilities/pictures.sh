@@ -109,6 +109,15 @@ line_art_pictures() {
   series presets "$engine" "--preset engraving" "--preset sketch" "--preset technical"
   local size=280x280
   series density "$engine" "--density 0.1" "--density 0.4" "--density 0.7"
+  size=200x200
+  local near="$engine --density 0.3"
+  series length "$near" "" "--length 120 --taper 0.5" "--length 40 --taper 0.5" "--length 40"
+  series width "$near --tone 0.4" "--width 1" "--width 0.5" "--width 0"
+  series crosshatch "$near --tone 0.65" "--crosshatch 0" "--crosshatch 0.4" "--crosshatch 0.7" "--crosshatch 1"
+  series contours "$near" "--contour-width 0" "" "--contour-width 8 --depth-width 0" "--contour-width 8 --depth-width 0.8"
+  series light "$near" "" "--light 60,30" "--silhouette-weight 1" "--darkest-tone 0.5" "--diffuse-truncation 0.4"
+  series curvature "$near" "" "--curvature mesh" "--no-smooth-directions"
+  series seeding "$near" "" "--seeding scatter" "--seed 1"
   size=320x320
   # Those of files that are not in Data: horse.ply, bunny.ply and cranium.nii.gz, in the folder INK_MESHES.
   if [ -f "${INK_MESHES:-}/horse.ply" ]; then

@@ -3,6 +3,7 @@
 
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
+#include "Mesh/RepeatedTriangles.h"
 
 #include <glm/geometric.hpp>
 
@@ -73,15 +74,29 @@ SurfaceRings::SurfaceRings(const TriangleMesh& mesh)
     std::erase_if(this->Triangles, [&](const Triangle& t) { return !isUsable(t); });
   }
   this->connect(mesh.points.size());
-  this->fillRings();
   if (this->weldBorders(mesh.points))
   {
     this->connect(mesh.points.size());
-    this->fillRings();
   }
 }
 
 void SurfaceRings::connect(std::size_t pointCount)
+{
+  this->indexCorners(pointCount);
+  this->fillRings();
+  const auto branches = [](RingShape shape) { return shape == RingShape::NonManifold; };
+  if (std::any_of(this->Shapes.begin(), this->Shapes.end(), branches))
+  {
+    if (const std::vector<std::uint32_t> repeats = repeatedTriangles(this->Triangles); !repeats.empty())
+    {
+      eraseIndices(this->Triangles, repeats);
+      this->indexCorners(pointCount);
+      this->fillRings();
+    }
+  }
+}
+
+void SurfaceRings::indexCorners(std::size_t pointCount)
 {
   this->FirstCorner.assign(pointCount + 1, 0);
   for (const Triangle& triangle : this->Triangles)

@@ -13,8 +13,9 @@ namespace ink
 {
 
 /// The ring of each point of a mesh, in flat arrays. Triangles with a point that is not finite, or that
-/// occurs twice, are left out. Points of borders that share a position count as one site, named by the first
-/// of them; all other points are sites of their own.
+/// occurs twice, are left out, and of triangles with the same corners all but the first are. Points of
+/// borders that share a position count as one site, named by the first of them; all other points are sites
+/// of their own.
 class SurfaceRings
 {
 public:
@@ -38,7 +39,9 @@ public:
   glm::dvec3 areaVector(std::span<const glm::dvec3> points, std::size_t site) const;
 
 private:
+  /// Fills all that follows from the triangles, after leaving out those that repeat others.
   void connect(std::size_t pointCount);
+  void indexCorners(std::size_t pointCount);
   void fillRings();
   bool weldBorders(std::span<const glm::dvec3> points);
   template <class Visit>

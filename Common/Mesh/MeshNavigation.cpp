@@ -25,6 +25,20 @@ constexpr std::size_t blockSize = 1 << 13;
 /// where its third corner is.
 constexpr double leastHeight = 1e-10;
 
+/// Calls body(i) for 0 ... count - 1, in parallel.
+template <class Body>
+void forEachBlock(std::size_t count, const Body& body)
+{
+  parallelFor((count + blockSize - 1) / blockSize,
+    [&](std::size_t block)
+    {
+      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+      {
+        body(i);
+      }
+    });
+}
+
 bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
   const double longest = std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
@@ -125,34 +139,85 @@ MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
   }
   // Only its rings of triangles around edges are used: who is whose neighbor.
   const GeodesicUnfolding rings(welded, triangles);
-  const double leastCosine = std::cos(featureAngle * std::numbers::pi / 180.0);
-  parallelFor((ids.size() + blockSize - 1) / blockSize,
-    [&](std::size_t block)
+  forEachBlock(ids.size(),
+    [&](std::size_t n)
     {
-      for (std::size_t n = block * blockSize; n < std::min((block + 1) * blockSize, ids.size()); ++n)
+      for (std::uint32_t edge = 0; edge < 3; ++edge)
       {
-        for (std::uint32_t edge = 0; edge < 3; ++edge)
+        const std::uint32_t link = rings.facets()[n].across[edge];
+        if (link == border || rings.facets()[link / 3].across[link % 3] != 3 * n + edge)
         {
-          const std::uint32_t link = rings.facets()[n].across[edge];
-          if (link == border || rings.facets()[link / 3].across[link % 3] != 3 * n + edge)
-          {
-            continue;
-          }
-          const std::uint32_t t = ids[n];
-          const std::uint32_t other = ids[link / 3];
-          const auto corner = [&](std::uint32_t triangle, std::uint32_t c)
-          { return mesh.points[mesh.triangles[triangle][c % 3]]; };
-          const bool opposed = glm::distance(corner(t, edge), corner(other, link % 3 + 1)) <=
-            glm::distance(corner(t, edge), corner(other, link % 3));
-          const double likeness =
-            (opposed ? 1.0 : -1.0) * glm::dot(this->chart(t).normal(), this->chart(other).normal());
-          if (featureAngle >= 180.0 || likeness >= leastCosine)
-          {
-            this->Links[3 * std::size_t(t) + edge] = 6 * other + 2 * (link % 3) + (opposed ? 1 : 0);
-          }
+          continue;
+        }
+        const std::uint32_t t = ids[n];
+        const std::uint32_t other = ids[link / 3];
+        const auto corner = [&](std::uint32_t triangle, std::uint32_t c)
+        { return mesh.points[mesh.triangles[triangle][c % 3]]; };
+        const bool opposed = glm::distance(corner(t, edge), corner(other, link % 3 + 1)) <=
+          glm::distance(corner(t, edge), corner(other, link % 3));
+        this->Links[3 * std::size_t(t) + edge] = 6 * other + 2 * (link % 3) + (opposed ? 1 : 0);
+      }
+    });
+  this->cutFeatures(featureAngle, 0.0);
+}
+
+void MeshNavigation::cutFeatures(double angle, double reach)
+{
+  if (angle >= 180.0)
+  {
+    return;
+  }
+  const double leastCosine = std::cos(angle * std::numbers::pi / 180.0);
+  // Walks need all links, so none is cut before all edges are known.
+  std::vector<std::uint8_t> features(this->Links.size());
+  forEachBlock(this->Usable.size(),
+    [&](std::size_t n)
+    {
+      const auto t = static_cast<std::uint32_t>(n);
+      for (std::uint32_t edge = 0; edge < 3; ++edge)
+      {
+        const std::optional<Neighbor> other = this->across(t, edge);
+        if (!other || other->triangle < t)
+        {
+          continue;
+        }
+        const double likeness = (other->opposed ? 1.0 : -1.0) *
+          glm::dot(this->chart(t).normal(), this->chart(other->triangle).normal());
+        if (likeness < leastCosine && !(reach > 0.0 && this->isStraight(t, edge, *other, reach, leastCosine)))
+        {
+          features[3 * n + edge] = 1;
+          features[3 * std::size_t(other->triangle) + other->edge] = 1;
         }
       }
     });
+  for (std::size_t i = 0; i < features.size(); ++i)
+  {
+    this->Links[i] = features[i] != 0 ? border : this->Links[i];
+  }
+}
+
+bool MeshNavigation::isStraight(
+  std::uint32_t triangle, std::uint32_t edge, const Neighbor& other, double reach, double leastCosine) const
+{
+  // From the middle of the edge to where one gets at right angles to it.
+  const auto side = [&](std::uint32_t t, std::uint32_t e) -> std::optional<glm::dvec3>
+  {
+    const TriangleChart own = this->chart(t);
+    const glm::dvec2 along = glm::normalize(own.corner((e + 1) % 3) - own.corner(e));
+    MeshPoint middle{ t, glm::dvec3(0.5) };
+    middle.weights[static_cast<int>(e + 2) % 3] = 0.0;
+    const std::optional<Arrival> end = this->walk(middle, -along.y * own.axisX + along.x * own.axisY, reach);
+    if (!end)
+    {
+      return std::nullopt;
+    }
+    const glm::dvec3 edgeAlong = along.x * own.axisX + along.y * own.axisY;
+    const glm::dvec3 offset = this->position(end->at) - this->position(middle);
+    return offset - glm::dot(offset, edgeAlong) * edgeAlong;
+  };
+  const std::optional<glm::dvec3> here = side(triangle, edge);
+  const std::optional<glm::dvec3> there = side(other.triangle, other.edge);
+  return here && there && -glm::dot(*here, *there) >= leastCosine * glm::length(*here) * glm::length(*there);
 }
 
 glm::dvec3 MeshNavigation::position(const MeshPoint& point) const

@@ -73,6 +73,13 @@ public:
   /// @throws std::invalid_argument where a triangle names a point that does not exist
   MeshNavigation(const TriangleMesh& mesh, double featureAngle);
 
+  /// Makes edges that are features ones that cannot be crossed, as the constructor does.
+  /// @param angle in degrees, as there
+  /// @param reach in world units; above 0 an edge is a feature only if the surface is bent by more than the
+  ///   angle there also from a distance: between where one gets going straight away from it to both sides.
+  ///   So the steep triangles of a rough surface are none.
+  void cutFeatures(double angle, double reach);
+
   const TriangleMesh& mesh() const { return this->Mesh; }
   bool isUsable(std::uint32_t triangle) const { return this->Usable[triangle] != 0; }
   double area() const { return this->Area; }
@@ -129,6 +136,10 @@ public:
   std::optional<Arrival> walk(MeshPoint from, const glm::dvec3& direction, double distance) const;
 
 private:
+  /// Whether the surface goes straight on over an edge, seen from a distance.
+  bool isStraight(std::uint32_t triangle, std::uint32_t edge, const Neighbor& other, double reach,
+    double leastCosine) const;
+
   TriangleMesh Mesh;
   std::vector<std::uint32_t> Links; ///< 6 triangle + 2 edge + opposed, or border; one per edge
   std::vector<std::uint8_t> Usable; ///< one per triangle

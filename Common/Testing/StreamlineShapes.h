@@ -48,6 +48,12 @@ struct TorusShape
     }
     return shape;
   }
+  /// The nearest point of the torus.
+  glm::dvec3 onto(const glm::dvec3& p) const
+  {
+    const glm::dvec3 middle = this->radius * glm::normalize(glm::dvec3(p.x, p.y, 0.0));
+    return middle + this->tube * glm::normalize(p - middle);
+  }
   double across(const glm::dvec3& p) const { return std::atan2(p.z, std::hypot(p.x, p.y) - this->radius); }
   static double difference(double a, double b)
   {

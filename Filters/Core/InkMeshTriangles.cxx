@@ -6,6 +6,7 @@
 
 #include "Core/Hash.h"
 #include "Mesh/FaceOrder.h"
+#include "Mesh/RepeatedTriangles.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -72,7 +73,7 @@ std::string Counted(vtkIdType count, const char* what)
 
 } // namespace
 
-InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order)
+InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order, Repeats repeats)
 {
   const vtkIdType pointCount = mesh->GetNumberOfPoints();
   constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max() / 3;
@@ -136,6 +137,12 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
         static_cast<std::uint32_t>(points[1]), static_cast<std::uint32_t>(points[2]) });
       this->FaceIds.push_back(face);
     }
+  }
+  if (repeats == Repeats::LeftOut)
+  {
+    const std::vector<std::uint32_t> repeated = ink::repeatedTriangles(this->Points, this->Triangles);
+    ink::eraseIndices(this->Triangles, repeated);
+    ink::eraseIndices(this->FaceIds, repeated);
   }
   if (order == Order::ByPosition)
   {

@@ -15,7 +15,9 @@ class vtkDataArray;
 class vtkPolyData;
 
 /// The arrays that an ink::TriangleMesh views, made from a vtkPolyData: triangles as they are, other polygons
-/// and strips triangulated by vtkTriangleFilter. Vertices, lines, ghost cells and hidden cells are left out.
+/// and strips triangulated by vtkTriangleFilter. Vertices, lines, ghost cells and hidden cells are left out,
+/// and so are triangles that lie where an earlier one does (ink::repeatedTriangles), as the second sides of
+/// sheets in files that have both.
 /// Triangles are sorted by position (ink::orderByPosition), so that results do not depend on the numbering of
 /// the mesh or its partition into pieces.
 struct VTKINKFILTERSCORE_EXPORT InkMeshTriangles
@@ -36,11 +38,18 @@ struct VTKINKFILTERSCORE_EXPORT InkMeshTriangles
     OfMesh ///< for results that do not depend on the order
   };
 
+  enum class Repeats
+  {
+    LeftOut,
+    Kept ///< for results at points, which the sides of a sheet may not share
+  };
+
   /// @param wantNormals fills Normals: the point normals, or if there are none the mean over the faces around
   ///   each point
   /// @throws std::invalid_argument for a face with a point that does not exist, or for more points or
   ///   triangles than 32-bit ids allow
-  InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order = Order::ByPosition);
+  InkMeshTriangles(
+    vtkPolyData* mesh, bool wantNormals, Order order = Order::ByPosition, Repeats repeats = Repeats::LeftOut);
 
   /// Uses an array of one value per point or cell as relative density.
   void SetDensity(vtkDataArray* density, bool ofCells);

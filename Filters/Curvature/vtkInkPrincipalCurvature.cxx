@@ -82,7 +82,8 @@ ink::MeshCurvature OfMesh(
   vtkPolyData* mesh, const ink::CurvatureOptions& options, const ink::Progress& progress)
 {
   const bool hasNormals = InkPointNormals(mesh) != nullptr;
-  const InkMeshTriangles triangles(WithGhosts(mesh), hasNormals, InkMeshTriangles::Order::OfMesh);
+  const InkMeshTriangles triangles(
+    WithGhosts(mesh), hasNormals, InkMeshTriangles::Order::OfMesh, InkMeshTriangles::Repeats::Kept);
   return ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, options, progress);
 }
 

@@ -41,6 +41,7 @@ namespace
 constexpr double DefaultScatterLength = 0.25;  ///< of the root of the area
 constexpr double CombReach = 0.05;             ///< of the diagonal
 constexpr double ScatterCloseDistance = 0.001; ///< of the root of the area
+constexpr double FeatureReach = 2.0;           ///< of the spacing: what is rougher has no edges
 constexpr auto& CurvatureNames = InkLineWriter::CurvatureNames;
 
 /// The principal curvatures and directions of a mesh's points.
@@ -211,13 +212,15 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
       triangles.Normals.begin(), triangles.Normals.end(), triangles.Normals.begin(), std::negate<>());
   }
   const ink::TriangleMesh surface = triangles.GetMesh();
-  const ink::MeshNavigation navigation(surface, this->FeatureAngle);
+  ink::MeshNavigation navigation(surface, 180.0);
   if (!(navigation.area() > 0.0))
   {
     throw std::invalid_argument("its " + std::to_string(triangles.Triangles.size()) +
       " triangles have no area; expected faces with three different points that are finite");
   }
   const double diagonal = glm::distance(navigation.lower(), navigation.upper());
+  const double spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
+  navigation.cutFeatures(this->FeatureAngle, FeatureReach * spacing);
   const double negligible =
     this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;
   Curvatures curvatures = CurvaturesOf(mesh, triangles, negligible, progress);
@@ -260,7 +263,6 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   trace.umbilicLimit = this->UmbilicLimit;
   trace.stopAtSingularities = this->SmoothDirections;
   const auto seed = static_cast<std::uint64_t>(this->Seed);
-  const double spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
   const auto make = [&](int family)
   {
     const auto own = static_cast<std::size_t>(family);

@@ -214,8 +214,8 @@ public:
 
   ///@{
   /**
-   * Lines end at edges whose faces' normals enclose more than this, in degrees. 0 to 180 (never);
-   * default: 45.
+   * Lines end at edges whose faces' normals enclose more than this, in degrees, if the surface is bent as
+   * much there from two spacings' distance: noise makes no edges. 0 to 180 (never); default: 45.
    */
   InkSetClampMacro(FeatureAngle, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

@@ -153,6 +153,38 @@ TEST(HatchingExtremes, BrokenMeshes)
   EXPECT_NEAR(Hatch(bad) / usual, 1.0, 0.05);
 }
 
+/// Meshes that list each triangle twice, or both sides of it, with the same points or with others, are
+/// hatched as those that list it once.
+TEST(HatchingExtremes, TrianglesTwice)
+{
+  const vtkSmartPointer<vtkPolyData> once = Torus(1.0, 0.0);
+  const double usual = Hatch(once);
+  for (const bool reversed : { false, true })
+  {
+    for (const bool ownPoints : { false, true })
+    {
+      vtkNew<vtkPoints> points;
+      points->DeepCopy(once->GetPoints());
+      const vtkIdType offset = ownPoints ? once->GetNumberOfPoints() : 0;
+      points->InsertPoints(offset, once->GetNumberOfPoints(), 0, once->GetPoints());
+      vtkNew<vtkCellArray> faces;
+      faces->DeepCopy(once->GetPolys());
+      for (vtkIdType face = 0; face < once->GetNumberOfPolys(); ++face)
+      {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        once->GetPolys()->GetCellAtId(face, size, corners);
+        faces->InsertNextCell(
+          { corners[reversed ? 2 : 0] + offset, corners[1] + offset, corners[reversed ? 0 : 2] + offset });
+      }
+      vtkNew<vtkPolyData> twice;
+      twice->SetPoints(points);
+      twice->SetPolys(faces);
+      EXPECT_NEAR(Hatch(twice) / usual, 1.0, 0.05) << "reversed " << reversed << ", own points " << ownPoints;
+    }
+  }
+}
+
 /// Surfaces of hardly any faces have strokes, too.
 TEST(HatchingExtremes, FewFaces)
 {

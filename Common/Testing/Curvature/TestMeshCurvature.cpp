@@ -315,6 +315,49 @@ TEST(MeshCurvature, LargeFansTakeNoQuadraticTime)
   EXPECT_TRUE(std::all_of(found.points.begin(), found.points.end(), isFinite));
 }
 
+TEST(MeshCurvature, TrianglesThatAreThereTwiceCountOnce)
+{
+  const test::CurvedMesh mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 3);
+  const MeshCurvature expected = estimateCurvature(mesh.mesh.view(), {});
+  test::Mesh same = mesh.mesh;
+  test::Mesh twoSided = mesh.mesh;
+  test::Mesh soup; // each triangle, and each of the other side, with points of its own
+  std::vector<std::size_t> original;
+  for (const auto& [a, b, c] : mesh.mesh.triangles)
+  {
+    same.triangles.push_back({ b, c, a });
+    twoSided.triangles.push_back({ c, b, a });
+    for (const Triangle& side : { Triangle{ a, b, c }, Triangle{ c, b, a } })
+    {
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      soup.triangles.push_back({ first, first + 1, first + 2 });
+      for (const std::uint32_t point : side)
+      {
+        soup.points.push_back(mesh.mesh.points[point]);
+        original.push_back(point);
+      }
+    }
+  }
+  for (const test::Mesh* twice : { &same, &twoSided })
+  {
+    const MeshCurvature found = estimateCurvature(twice->view(), {});
+    ASSERT_EQ(found.sources, expected.sources);
+    for (std::size_t i = 0; i < found.points.size(); ++i)
+    {
+      ASSERT_EQ(found.points[i].k1, expected.points[i].k1) << i;
+      ASSERT_EQ(found.points[i].k2, expected.points[i].k2) << i;
+      ASSERT_EQ(found.points[i].direction1, expected.points[i].direction1) << i;
+    }
+  }
+  const MeshCurvature found = estimateCurvature(soup.view(), {});
+  for (std::size_t i = 0; i < original.size(); ++i)
+  {
+    ASSERT_EQ(found.sources[i], CurvatureSource::Surface) << i;
+    ASSERT_NEAR(found.points[i].k1, expected.points[original[i]].k1, 1e-6) << i;
+    ASSERT_NEAR(found.points[i].k2, expected.points[original[i]].k2, 1e-6) << i;
+  }
+}
+
 TEST(MeshCurvature, CanBeStopped)
 {
   const test::CurvedMesh mesh = test::closedTorus(1.0, 0.4, 90, 45);

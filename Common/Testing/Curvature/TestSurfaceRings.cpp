@@ -55,8 +55,8 @@ TEST(SurfaceRings, ShapesOfFans)
   EXPECT_EQ(shapeOf(fan(5, { { 1, 2 }, { 2, 3 }, { 3, 1 }, { 4, 5 } })), RingShape::NonManifold)
     << "one closed, one open";
   EXPECT_EQ(shapeOf(fan(4, { { 1, 2 }, { 1, 3 }, { 1, 4 } })), RingShape::NonManifold) << "three at an edge";
-  EXPECT_EQ(shapeOf(fan(2, { { 1, 2 }, { 1, 2 } })), RingShape::NonManifold) << "the same twice";
-  EXPECT_EQ(shapeOf(fan(2, { { 1, 2 }, { 2, 1 } })), RingShape::NonManifold) << "the same, and turned";
+  EXPECT_EQ(shapeOf(fan(2, { { 1, 2 }, { 1, 2 } })), RingShape::Open) << "the same twice";
+  EXPECT_EQ(shapeOf(fan(2, { { 1, 2 }, { 2, 1 } })), RingShape::Open) << "the same, and turned";
   EXPECT_EQ(shapeOf(fan(2, {})), RingShape::Isolated);
   EXPECT_EQ(shapeOf(fan(2, { { 1, 1 }, { 0, 2 } })), RingShape::Isolated) << "degenerate";
 }

@@ -123,6 +123,52 @@ TEST(MeshNavigation, FeatureAndNonManifoldEdgesAreNotCrossed)
   EXPECT_EQ(crossable(MeshNavigation(flat.view(), 180.0)), 0u);
 }
 
+TEST(MeshNavigation, RoughnessMakesNoFeatures)
+{
+  // Waves of a period of two cells, steeper than 45 degrees to both sides, on the two sides of a roof.
+  constexpr int cells = 40;
+  Mesh mesh;
+  mesh.addPatch(cells, cells,
+    [](double u, double v)
+    {
+      const double wave = std::lround(cells * u) % 2 == 0 ? 0.0 : 1.5 / cells;
+      return glm::dvec3(u, v, wave - std::abs(u - 0.5));
+    });
+  const std::size_t all = crossable(MeshNavigation(mesh.view(), 180.0));
+  MeshNavigation navigation(mesh.view(), 180.0);
+  EXPECT_LT(crossable(MeshNavigation(mesh.view(), 45.0)), all - 2 * cells * (cells / 2));
+  navigation.cutFeatures(45.0, 10.0 / cells);
+  // Only the ridge of the roof, where it is bent by 90 degrees, and what is near the border.
+  const auto isCrossed = [&](double x)
+  {
+    const auto t = static_cast<std::uint32_t>(2 * (cells / 2 * cells + std::lround(x * cells)));
+    const MeshPoint start{ t, glm::dvec3(1.0 / 3.0) };
+    return navigation.walk(start, { 1.0, 0.0, 0.0 }, 4.0 / cells).has_value();
+  };
+  EXPECT_TRUE(isCrossed(0.3));
+  EXPECT_TRUE(isCrossed(0.7));
+  EXPECT_FALSE(isCrossed(0.475));
+
+  // A thin plate keeps the edges of its rim, although one gets around it.
+  Mesh plate = square(10);
+  Mesh below = square(10, -0.01);
+  const auto offset = static_cast<std::uint32_t>(plate.points.size());
+  plate.points.insert(plate.points.end(), below.points.begin(), below.points.end());
+  for (const auto& [a, b, c] : below.triangles)
+  {
+    plate.triangles.push_back({ a + offset, c + offset, b + offset });
+  }
+  for (std::uint32_t i = 0; i < 10; ++i) // the side at y = 0
+  {
+    plate.triangles.push_back({ i, i + offset, i + 1 });
+    plate.triangles.push_back({ i + 1, i + offset, i + 1 + offset });
+  }
+  MeshNavigation edges(plate.view(), 180.0);
+  const std::size_t before = crossable(edges);
+  edges.cutFeatures(45.0, 0.3);
+  EXPECT_EQ(crossable(edges), before - 2 * 2 * 10);
+}
+
 TEST(MeshNavigation, PointsHaveToExist)
 {
   Mesh mesh = square(1);

@@ -3,6 +3,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
@@ -163,6 +164,48 @@ TEST(Contours, TellKindsApart)
   contours->BordersOff();
   contours->Update();
   EXPECT_EQ(output->GetNumberOfLines(), 0);
+}
+
+/// Of a mesh that has both sides of each triangle: no edge has more than two faces, and the contours are the
+/// same.
+TEST(Contours, TrianglesTwiceCountOnce)
+{
+  vtkNew<vtkSphereSource> sphere;
+  SetUpSphere(sphere);
+  sphere->Update();
+  vtkNew<vtkPolyData> twice;
+  twice->DeepCopy(sphere->GetOutput());
+  vtkNew<vtkCellArray> faces;
+  faces->DeepCopy(twice->GetPolys());
+  for (vtkIdType face = 0; face < twice->GetNumberOfPolys(); ++face)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    twice->GetPolys()->GetCellAtId(face, size, corners);
+    faces->InsertNextCell({ corners[2], corners[1], corners[0] });
+  }
+  twice->SetPolys(faces);
+  vtkNew<vtkInkContours> contours;
+  contours->SetEyeToPosition();
+  contours->SetEyePosition(4.0, 5.0, 6.0);
+  contours->CreasesOn();
+  contours->NonManifoldEdgesOn();
+  vtkNew<vtkPolyData> once;
+  contours->SetInputData(sphere->GetOutput());
+  contours->Update();
+  once->DeepCopy(contours->GetOutput());
+  contours->SetInputData(twice);
+  contours->Update();
+  ASSERT_GT(once->GetNumberOfPoints(), 100);
+  ASSERT_EQ(contours->GetOutput()->GetNumberOfLines(), once->GetNumberOfLines());
+  ASSERT_EQ(contours->GetOutput()->GetNumberOfPoints(), once->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < once->GetNumberOfPoints(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(contours->GetOutput()->GetPoint(i)[axis], once->GetPoint(i)[axis]) << i;
+    }
+  }
 }
 
 TEST(Contours, HaveThePrecisionOfTheMesh)
