@@ -19,7 +19,7 @@ set(_ink_test_labels
   "reading:FormatNumber|FuzzCorpus|^IO(Core|Mesh|Volume)"
   "styles:^Styles"
   "rendering:^(RenderingCore|SplattingLines|Stipple|Strokes)Tests|^RenderingCore|^Shaders|Mapper"
-  "parallel:ParallelFor|Threads|Pieces|Plugin.TestParallel"
+  "parallel:Parallel(Chunks|For)|Threads|Pieces|Plugin.TestParallel"
   "stability:^StabilityTests"
   "plugin:^Plugin"
   "project:OutsideProject|TestLabels")

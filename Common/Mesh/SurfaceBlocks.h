@@ -28,7 +28,7 @@ public:
   static constexpr float longestPiece = 0.25f;
 
   /// @param middles positions of all pieces, best in an order in which neighbors are mostly close
-  /// @param areas of the pieces, in any unit
+  /// @param areas of the pieces, in any unit; not needed with keys
   /// @param keys of the pieces, which random numbers hash; empty: their numbers
   /// @param chosen the pieces that blocks have
   /// @param side of the blocks
@@ -41,13 +41,14 @@ public:
   /// From 0 to 7.
   int color(std::size_t block) const;
 
-  /// The cumulative areas before each of the block's pieces and, last, at its end; they continue from block
-  /// to block.
+  /// Of pieces without keys, the cumulative areas before each of the block's pieces and, last, at its end;
+  /// they continue from block to block.
   std::span<const double> areas(std::size_t block) const
   {
     const std::size_t begin = this->FirstPiece[block];
     return std::span(this->Areas).subspan(begin, this->FirstPiece[block + 1] - begin + 1);
   }
+  /// Of all pieces, without keys.
   double area() const { return this->Areas.back(); }
   std::span<const std::uint32_t> pieces(std::size_t block) const
   {
@@ -74,9 +75,10 @@ public:
     }
   }
 
-private:
+  /// A number for each cell.
   static std::uint64_t key(const glm::ivec3& cell);
 
+private:
   std::vector<glm::ivec3> Cells;
   std::unordered_map<std::uint64_t, std::uint32_t> Ids;
   std::vector<std::uint32_t> Pieces; // block after block

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace ink
 {
@@ -175,8 +176,9 @@ SurfacePieces::Frame SurfacePieces::frame(std::size_t piece) const
   return frame;
 }
 
-SurfaceSample SurfacePieces::sample(std::size_t piece, float b1, float b2) const
+SurfaceSample SurfacePieces::sample(const SpacedSample& spaced) const
 {
+  const auto& [piece, b1, b2] = std::tie(spaced.piece, spaced.b1, spaced.b2);
   SurfaceSample result{ this->Order[piece], b1, b2 };
   if (!this->Cut.empty() && this->Cut[piece] != whole)
   {

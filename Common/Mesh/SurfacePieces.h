@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
+#include "PointSampling/CandidatePoints.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -51,8 +52,8 @@ public:
     const float b2 = root * v;
     return { root - b2, b2 };
   }
-  /// The sample at origin + b1 along1 + b2 along2 of a piece, in coordinates of its triangle.
-  SurfaceSample sample(std::size_t piece, float b1, float b2) const;
+  /// A sample in coordinates of its triangle.
+  SurfaceSample sample(const SpacedSample& spaced) const;
 
 private:
   using Corners = std::array<glm::vec2, 3>; // b1 and b2 in the triangle

@@ -7,11 +7,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 
 namespace ink
 {
+
+namespace
+{
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t lanes = 8; // numbers in a vector
+
+} // namespace
 
 void CandidatePoints::clear()
 {
@@ -22,7 +31,7 @@ void CandidatePoints::sort(float cell)
 {
   const std::size_t count = this->Unsorted.size();
   this->Cell = cell;
-  this->Low = glm::vec3(std::numeric_limits<float>::infinity());
+  this->Low = glm::vec3(infinity);
   this->High = -this->Low;
   for (const SpacedSample& candidate : this->Unsorted)
   {
@@ -43,9 +52,12 @@ void CandidatePoints::sort(float cell)
   for (std::vector<float>* values :
     { &this->X, &this->Y, &this->Z, &this->NormalX, &this->NormalY, &this->NormalZ })
   {
-    values->resize(count);
+    values->resize(count + lanes);
+    std::fill_n(values->begin() + static_cast<std::ptrdiff_t>(count), lanes, 0.0f);
   }
-  this->Square.assign(count, std::numeric_limits<float>::infinity());
+  // Beyond the last one nothing is near.
+  std::fill_n(this->X.begin() + static_cast<std::ptrdiff_t>(count), lanes, infinity);
+  this->Square.assign(count + lanes, infinity);
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::uint32_t to = this->Begin[this->Cells[i]]++;
@@ -65,14 +77,14 @@ void CandidatePoints::sort(float cell)
 
 void CandidatePoints::keepAway(const SpacedSample& sample, float radius)
 {
-  const glm::vec3 from = (sample.position - radius - this->Low) / this->Cell;
-  const glm::vec3 to = (sample.position + radius - this->Low) / this->Cell;
-  if (to.x < 0.0f || to.y < 0.0f || to.z < 0.0f)
+  const glm::vec3 low = (sample.position - radius - this->Low) / this->Cell;
+  const glm::vec3 high = (sample.position + radius - this->Low) / this->Cell;
+  if (high.x < 0.0f || high.y < 0.0f || high.z < 0.0f)
   {
     return;
   }
-  const glm::ivec3 first(glm::max(from, 0.0f));
-  const glm::ivec3 last = glm::min(glm::ivec3(to), this->Size - 1);
+  const glm::ivec3 first(glm::max(low, 0.0f));
+  const glm::ivec3 last = glm::min(glm::ivec3(high), this->Size - 1);
   const auto [px, py, pz] = std::array{ sample.position.x, sample.position.y, sample.position.z };
   const auto [nx, ny, nz] = std::array{ sample.normal.x, sample.normal.y, sample.normal.z };
   const float limit = radius * radius;
@@ -93,18 +105,24 @@ void CandidatePoints::keepAway(const SpacedSample& sample, float radius)
       }
       const std::size_t row = static_cast<std::size_t>(k * this->Size.y + j) * this->Size.x;
       const std::uint32_t end = this->Begin[row + last.x + 1];
-      for (std::uint32_t i = this->Begin[row + first.x]; i < end; ++i)
+      // To whole vectors: what comes after the row's end is tested against all the same.
+      for (std::size_t from = this->Begin[row + first.x]; from < end; from += lanes)
       {
-        const float ox = x[i] - px;
-        const float oy = y[i] - py;
-        const float oz = z[i] - pz;
-        const float squared = ox * ox + oy * oy + oz * oz;
-        const float likeness = nx * normalX[i] + ny * normalY[i] + nz * normalZ[i];
-        const float up = nx * ox + ny * oy + nz * oz;
-        const float otherUp = normalX[i] * ox + normalY[i] * oy + normalZ[i] * oz;
-        const bool near = (squared < limit) & (squared < square[i]) &
-          !areApart(likeness, up * up, otherUp * otherUp, squared);
-        square[i] = near ? squared : square[i];
+#pragma GCC ivdep
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+        {
+          const std::size_t i = from + lane;
+          const float ox = x[i] - px;
+          const float oy = y[i] - py;
+          const float oz = z[i] - pz;
+          const float squared = ox * ox + oy * oy + oz * oz;
+          const float likeness = nx * normalX[i] + ny * normalY[i] + nz * normalZ[i];
+          const float up = nx * ox + ny * oy + nz * oz;
+          const float otherUp = normalX[i] * ox + normalY[i] * oy + normalZ[i] * oz;
+          const bool near = (squared < limit) & (squared < square[i]) &
+            !areApart(likeness, up * up, otherUp * otherUp, squared);
+          square[i] = near ? squared : square[i];
+        }
       }
     }
   }

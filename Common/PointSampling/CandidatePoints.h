@@ -60,7 +60,7 @@ private:
   glm::vec3 High{ 0.0f };
   glm::ivec3 Size{ 0 };
   float Cell = 1.0f;
-  // In the order of cells.
+  // In the order of cells, with a vector more at the end.
   std::vector<float> X, Y, Z;
   std::vector<float> NormalX, NormalY, NormalZ;
   std::vector<float> Square; // of the distance to the nearest chosen one
@@ -73,7 +73,7 @@ void CandidatePoints::choose(std::span<const float> radii, const Choose& choose)
 {
   const float last = radii.back() * radii.back();
   this->Open.clear();
-  for (std::uint32_t i = 0; i < this->Square.size(); ++i)
+  for (std::uint32_t i = 0; i < this->Unsorted.size(); ++i)
   {
     if (this->Square[i] >= last)
     {

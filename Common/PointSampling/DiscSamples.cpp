@@ -3,7 +3,7 @@
 
 #include "Core/Hash.h"
 #include "Core/MortonOrder.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 #include "PointSampling/ProgressiveBlueNoise.h"
 #include "PointSampling/ProgressiveSampler.h"
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -66,23 +67,18 @@ public:
     : Discs(discs)
     , Scale(scale)
   {
-    for (std::size_t disc = 0; disc < discs.centers.size(); ++disc)
-    {
-      if (isUsable(discs, disc))
-      {
-        this->Order.push_back(static_cast<std::uint32_t>(disc));
-        this->Largest = std::max(this->Largest, discs.radii[disc] * scale);
-      }
-    }
+    this->Order =
+      parallelSelect(discs.centers.size(), [&](std::size_t disc) { return isUsable(discs, disc); });
+    this->Largest = this->largestOf([&](std::uint32_t disc) { return discs.radii[disc] * scale; });
     this->sort();
     const std::size_t count = this->Order.size();
     this->Areas.resize(count);
     this->Middles.resize(count);
     this->Sides.resize(count);
-    parallelFor((count + chunkSize - 1) / chunkSize,
-      [&](std::size_t chunk)
+    parallelForChunks(count,
+      [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
+        for (std::size_t i = begin; i < end; ++i)
         {
           const std::uint32_t disc = this->Order[i];
           this->Areas[i] = areaAt(discs, disc);
@@ -121,14 +117,20 @@ public:
     const float angle = 2.0f * std::numbers::pi_v<float> * v;
     return std::sqrt(u) * glm::vec2(std::cos(angle), std::sin(angle));
   }
-  DiscSample sample(std::size_t piece, float b1, float b2) const
+  DiscSample sample(const SpacedSample& spaced) const
   {
-    const Frame at = this->frame(piece);
-    return { (at.origin + b1 * at.along1 + b2 * at.along2) / this->Scale, this->Order[piece] };
+    return { spaced.position / this->Scale, spaced.normal, this->Order[spaced.piece] };
   }
 
 private:
-  static constexpr std::size_t chunkSize = 1 << 13;
+  /// The largest of what discs have.
+  template <class Of>
+  float largestOf(const Of& of) const
+  {
+    return parallelReduce(
+      this->Order.size(), 0.0f, [&](std::size_t i) { return of(this->Order[i]); },
+      [](float a, float b) { return std::max(a, b); });
+  }
 
   /// By what discs are, not by where they stand in the input.
   void sort()
@@ -138,20 +140,20 @@ private:
       std::uint64_t cell;
       std::uint32_t disc;
     };
-    float farthest = 0.0f;
-    for (const std::uint32_t disc : this->Order)
-    {
-      const glm::vec3 distance = glm::abs(this->Discs.centers[disc]);
-      farthest = std::max({ farthest, distance.x, distance.y, distance.z });
-    }
+    const float farthest = this->largestOf(
+      [&](std::uint32_t disc)
+      {
+        const glm::vec3 distance = glm::abs(this->Discs.centers[disc]);
+        return std::max({ distance.x, distance.y, distance.z });
+      });
     // A power of two, as radii that differ in rounding are to have the same cubes.
     const float least = std::max(this->Largest / this->Scale, farthest * 0x1p-19f);
     const float width = std::exp2(std::floor(std::log2(least)));
     std::vector<Key> keys(this->Order.size());
-    parallelFor((keys.size() + chunkSize - 1) / chunkSize,
-      [&](std::size_t chunk)
+    parallelForChunks(keys.size(),
+      [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, keys.size()); ++i)
+        for (std::size_t i = begin; i < end; ++i)
         {
           const std::uint32_t disc = this->Order[i];
           const glm::vec3 cell = glm::clamp(
@@ -169,13 +171,22 @@ private:
       [&](const Key& a, const Key& b)
       { return a.cell != b.cell ? a.cell < b.cell : position(a) < position(b); });
     this->Keys.resize(keys.size());
-    std::uint64_t rank = 0;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-    {
-      rank = i > 0 && keys[i].cell == keys[i - 1].cell ? rank + 1 : 0;
-      this->Order[i] = keys[i].disc;
-      this->Keys[i] = hash(keys[i].cell, rank);
-    }
+    parallelForChunks(keys.size(),
+      [&](std::size_t, std::size_t begin, std::size_t end)
+      {
+        // Of its cube, which may have begun in the chunk before.
+        std::size_t first = begin;
+        while (first > 0 && keys[first - 1].cell == keys[begin].cell)
+        {
+          --first;
+        }
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          first = keys[i].cell == keys[first].cell ? first : i;
+          this->Order[i] = keys[i].disc;
+          this->Keys[i] = hash(keys[i].cell, i - first);
+        }
+      });
   }
 
   const SurfaceDiscs& Discs;
@@ -198,12 +209,9 @@ private:
 
 double areaOf(const SurfaceDiscs& discs)
 {
-  double area = 0.0;
-  for (std::size_t disc = 0; disc < discs.centers.size(); ++disc)
-  {
-    area += isUsable(discs, disc) ? areaAt(discs, disc) : 0.0;
-  }
-  return area;
+  return parallelReduce(
+    discs.centers.size(), 0.0,
+    [&](std::size_t disc) { return isUsable(discs, disc) ? areaAt(discs, disc) : 0.0; }, std::plus());
 }
 
 double areaPerSample(double spacing, double candidates)
@@ -226,11 +234,9 @@ std::vector<DiscSample> sampleDiscs(
     return {};
   }
   const DiscPieces pieces(discs, static_cast<float>(1.0 / spacing));
-  glm::vec3 high(0.0f);
-  for (const glm::vec3& middle : pieces.middles())
-  {
-    high = glm::max(high, glm::abs(middle));
-  }
+  const glm::vec3 high = parallelReduce(
+    pieces.middles().size(), glm::vec3(0.0f), [&](std::size_t i) { return glm::abs(pieces.middles()[i]); },
+    [](const glm::vec3& a, const glm::vec3& b) { return glm::max(a, b); });
   const double widest = 2.0 * static_cast<double>(std::max({ high.x, high.y, high.z }) + pieces.longest());
   if (!(widest < 0x1p24))
   {

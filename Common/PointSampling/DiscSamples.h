@@ -31,6 +31,7 @@ struct SurfaceDiscs
 struct DiscSample
 {
   glm::vec3 position; ///< in the frame of the centers
+  glm::vec3 normal;   ///< unit: the disc's
   std::uint32_t disc;
 };
 

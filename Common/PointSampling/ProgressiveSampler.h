@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Hash.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
 #include "Core/Progress.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -49,7 +51,7 @@ inline constexpr double fewestPerOctave = 8.0;
 ///   keys()                  what names each piece whatever other pieces there are, or none
 ///   frame(piece)            origin, two axes along the surface, unit normal
 ///   coordinates(u, v)       of two uniform random numbers: a uniform position along a frame's axes
-///   sample(piece, b1, b2)   the sample at such coordinates
+///   sample(spaced)          what is asked for of a SpacedSample
 ///   longest()               no piece has two positions farther apart
 /// Lengths are in units of the smallest radius that is planned.
 ///
@@ -124,27 +126,9 @@ private:
 template <class Pieces>
 std::vector<std::uint32_t> ProgressiveSampler<Pieces>::choosePieces(double density) const
 {
-  constexpr std::size_t chunkSize = 1 << 14;
-  const std::size_t count = this->Surface.keys().size();
   const std::uint64_t seed = this->seedOfLevel();
-  std::vector<std::vector<std::uint32_t>> chosen((count + chunkSize - 1) / chunkSize);
-  parallelFor(chosen.size(),
-    [&](std::size_t chunk)
-    {
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, count); ++i)
-      {
-        if (this->countOwn(static_cast<std::uint32_t>(i), seed, density) > 0)
-        {
-          chosen[chunk].push_back(static_cast<std::uint32_t>(i));
-        }
-      }
-    });
-  std::vector<std::uint32_t> all;
-  for (const std::vector<std::uint32_t>& some : chosen)
-  {
-    all.insert(all.end(), some.begin(), some.end());
-  }
-  return all;
+  return parallelSelect(this->Surface.keys().size(),
+    [&](std::size_t i) { return this->countOwn(static_cast<std::uint32_t>(i), seed, density) > 0; });
 }
 
 template <class Pieces>
@@ -293,14 +277,19 @@ bool ProgressiveSampler<Pieces>::add(int levels, double candidates, const Progre
     }
     done += share;
   }
-  const auto added = std::accumulate(made.begin(), made.end(), this->Samples.size(),
-    [](std::size_t sum, const std::vector<SpacedSample>& samples) { return sum + samples.size(); });
-  this->Samples.reserve(added);
-  for (std::vector<SpacedSample>& samples : made)
+  std::vector<std::size_t> begins(made.size() + 1, this->Samples.size());
+  for (std::size_t block = 0; block < made.size(); ++block)
   {
-    this->Samples.insert(this->Samples.end(), samples.begin(), samples.end());
-    samples = {};
+    begins[block + 1] = begins[block] + made[block].size();
   }
+  this->Samples.resize(begins.back());
+  parallelFor(made.size(),
+    [&](std::size_t block)
+    {
+      std::copy(made[block].begin(), made[block].end(),
+        this->Samples.begin() + static_cast<std::ptrdiff_t>(begins[block]));
+      made[block] = {};
+    });
   this->Level += levels;
   return true;
 }
@@ -310,20 +299,22 @@ auto ProgressiveSampler<Pieces>::take()
 {
   const std::size_t count = this->Samples.size();
   std::vector<std::uint64_t> order(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    order[i] = std::uint64_t(this->Samples[i].rank) << 32 | i;
-  }
-  parallelSort(order.begin(), order.end());
-  std::vector<decltype(this->Surface.sample(0, 0.0f, 0.0f))> sorted(count);
-  constexpr std::size_t chunk = 1 << 14;
-  parallelFor((count + chunk - 1) / chunk,
-    [&](std::size_t c)
+  parallelForChunks(count,
+    [&](std::size_t, std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        const SpacedSample& sample = this->Samples[static_cast<std::uint32_t>(order[i])];
-        sorted[i] = this->Surface.sample(sample.piece, sample.b1, sample.b2);
+        order[i] = std::uint64_t(this->Samples[i].rank) << 32 | i;
+      }
+    });
+  parallelSort(order.begin(), order.end());
+  std::vector<decltype(this->Surface.sample(this->Samples.front()))> sorted(count);
+  parallelForChunks(count,
+    [&](std::size_t, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        sorted[i] = this->Surface.sample(this->Samples[static_cast<std::uint32_t>(order[i])]);
       }
     });
   return sorted;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkDiscStipples.h"
 
+#include "Core/ParallelChunks.h"
 #include "InkAllocate.h"
 #include "InkNeighborLists.h"
 #include "InkPointNormals.h"
@@ -67,23 +68,30 @@ private:
   double Radius; ///< of its samples' discs
 };
 
+struct Box
+{
+  glm::dvec3 Low;
+  glm::dvec3 High;
+};
+
 /// The middle of the bounds of the points that are finite, in steps of at least a sixteenth of their width
 /// that are powers of two: so that the same points lie at the same positions, up to whole steps, when others
 /// come and go.
 glm::dvec3 MiddleOf(vtkPolyData* points)
 {
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-low);
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    glm::dvec3 p;
-    points->GetPoint(i, &p.x);
-    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Box empty{ glm::dvec3(infinity), glm::dvec3(-infinity) };
+  const auto [low, high] = ink::parallelReduce(
+    static_cast<std::size_t>(points->GetNumberOfPoints()), empty,
+    [&](std::size_t i) -> Box
     {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-  }
+      glm::dvec3 p;
+      points->GetPoint(static_cast<vtkIdType>(i), &p.x);
+      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) ? Box{ p, p } : empty;
+    },
+    [](const Box& a, const Box& b) -> Box {
+      return { glm::min(a.Low, b.Low), glm::max(a.High, b.High) };
+    });
   const glm::dvec3 size = high - low;
   const double width = std::max({ size.x, size.y, size.z });
   if (!(width > 0.0 && std::isfinite(width)))
@@ -136,19 +144,12 @@ struct Discs
   ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii, this->Areas }; }
 };
 
-std::vector<glm::vec3> PositionsOf(const std::vector<ink::DiscSample>& samples)
+std::vector<glm::vec3> VectorsOf(
+  const std::vector<ink::DiscSample>& samples, glm::vec3 ink::DiscSample::*member)
 {
-  std::vector<glm::vec3> positions(samples.size());
-  std::transform(samples.begin(), samples.end(), positions.begin(), [](const auto& s) { return s.position; });
-  return positions;
-}
-
-std::vector<glm::vec3> NormalsOf(const std::vector<ink::DiscSample>& samples, const Discs& discs)
-{
-  std::vector<glm::vec3> normals(samples.size());
-  std::transform(samples.begin(), samples.end(), normals.begin(),
-    [&](const auto& s) { return glm::normalize(discs.Normals[s.disc]); });
-  return normals;
+  std::vector<glm::vec3> vectors(samples.size());
+  InkForEach(samples.size(), [&](std::size_t i) { vectors[i] = samples[i].*member; });
+  return vectors;
 }
 
 template <class Array>
@@ -224,17 +225,15 @@ void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& reque
     return;
   }
   const double area = ink::areaPerSample(spacing, ink::defaultCandidates);
-  const std::vector<glm::vec3> positions = PositionsOf(samples);
-  const InkNeighborLists lists(positions, NormalsOf(samples, discs), area);
+  const std::vector<glm::vec3> positions = VectorsOf(samples, &ink::DiscSample::position);
+  const InkNeighborLists lists(positions, VectorsOf(samples, &ink::DiscSample::normal), area);
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkDoubleArray> doubles;
   output->SetPoints(request.Doubles ? MakePoints(positions, lists, discs.Middle, doubles)
                                     : MakePoints(positions, lists, discs.Middle, floats));
   output->SetVerts(
     InkMakePolyVertices(std::vector<vtkIdType>(lists.Groups.begins.begin(), lists.Groups.begins.end())));
-  const std::vector<vtkIdType> order(lists.Groups.samples.begin(), lists.Groups.samples.end());
-  output->GetPointData()->AddArray(
-    InkPickTuples(InkMakePriority(static_cast<vtkIdType>(samples.size())), order));
+  output->GetPointData()->AddArray(InkMakePriority(lists.Groups.samples));
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkPointOutput.h"
 
+#include "Core/ParallelChunks.h"
 #include "InkAllocate.h"
 
 #include "vtkCellArray.h"
@@ -18,6 +19,31 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+namespace
+{
+
+template <class RankOf>
+vtkSmartPointer<vtkDataArray> MakePriority(std::size_t count, const RankOf& rankOf)
+{
+  auto priority = vtkSmartPointer<vtkFloatArray>::New();
+  priority->SetName("Priority");
+  InkSetNumberOfTuples(priority, static_cast<vtkIdType>(count));
+  float* values = priority->GetPointer(0);
+  const float most = std::nextafter(1.0f, 0.0f);
+  ink::parallelForChunks(count,
+    [&](std::size_t, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const double share = static_cast<double>(rankOf(i)) / static_cast<double>(count);
+        values[i] = std::min(static_cast<float>(share), most);
+      }
+    });
+  return priority;
+}
+
+} // namespace
 
 vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count)
 {
@@ -39,16 +65,12 @@ vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count)
 
 vtkSmartPointer<vtkDataArray> InkMakePriority(vtkIdType count)
 {
-  auto priority = vtkSmartPointer<vtkFloatArray>::New();
-  priority->SetName("Priority");
-  InkSetNumberOfTuples(priority, count);
-  const float most = std::nextafter(1.0f, 0.0f);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    priority->SetValue(
-      i, std::min(static_cast<float>(static_cast<double>(i) / static_cast<double>(count)), most));
-  }
-  return priority;
+  return MakePriority(static_cast<std::size_t>(count), [](std::size_t i) { return i; });
+}
+
+vtkSmartPointer<vtkDataArray> InkMakePriority(std::span<const std::uint32_t> ranks)
+{
+  return MakePriority(ranks.size(), [&](std::size_t i) { return ranks[i]; });
 }
 
 vtkSmartPointer<vtkDataArray> InkMakeConstant(const char* name, int type, vtkIdType count, double value)
