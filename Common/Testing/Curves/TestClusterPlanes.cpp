@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -85,7 +84,7 @@ Counts countStraddling(
 
 } // namespace
 
-TEST(ClusterPlanes, NameAllElementsThatStraddleAndFewOthers)
+TEST(ClusterPlanes, FindAllElementsThatStraddleAndFewOthers)
 {
   // Wherever the surface is and whatever its size.
   for (const ink::UnitBall& ball : { ink::UnitBall{ glm::dvec3(0.0), 1.0 },
