@@ -3,8 +3,8 @@
 
 #include "Core/ParallelSort.h"
 #include "InkHasPolygons.h"
+#include "InkStyleProcesses.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
@@ -22,17 +22,6 @@
 
 namespace
 {
-
-vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
-{
-  vtkNew<vtkAppendPolyData> append;
-  for (const auto& mesh : meshes)
-  {
-    append->AddInputData(mesh);
-  }
-  append->Update();
-  return append->GetOutput();
-}
 
 /// Those that are not empty, without other parts' cells.
 std::vector<vtkSmartPointer<vtkPolyData>> TakeOwn(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
@@ -127,7 +116,7 @@ vtkSmartPointer<vtkPolyData> vtkInkGatherMesh(const std::vector<vtkSmartPointer<
   if (controller->GetNumberOfProcesses() > 1)
   {
     std::vector<vtkSmartPointer<vtkDataObject>> received;
-    controller->Gather(own.empty() ? vtkSmartPointer<vtkPolyData>::New() : Append(own), received, 0);
+    controller->Gather(own.empty() ? vtkSmartPointer<vtkPolyData>::New() : InkAppend(own), received, 0);
     own.clear();
     for (const auto& one : received)
     {
@@ -142,7 +131,7 @@ vtkSmartPointer<vtkPolyData> vtkInkGatherMesh(const std::vector<vtkSmartPointer<
   {
     return vtkSmartPointer<vtkPolyData>::New();
   }
-  const vtkSmartPointer<vtkPolyData> mesh = own.size() == 1 ? own.front() : Append(own);
+  const vtkSmartPointer<vtkPolyData> mesh = own.size() == 1 ? own.front() : InkAppend(own);
   const bool hasFaces = InkHasPolygons(mesh);
   if (hasFaces && (common == vtkInkCommonPoints::All || mesh->GetPointData()->GetNormals()))
   {

@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkTextureFile.h"
 
+#include "vtkBMPReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkImageReader2.h"
-#include "vtkImageReader2Factory.h"
+#include "vtkJPEGReader.h"
 #include "vtkNew.h"
+#include "vtkPNGReader.h"
+#include "vtkTIFFReader.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
+
+namespace
+{
+
+/// Of formats of pictures with 8 bits. That of VTK's factory may be one that takes text for an image, and
+/// crashes: vtkHDRReader of VTK 9.2.
+vtkSmartPointer<vtkImageReader2> FindReader(const std::string& file)
+{
+  const std::array<vtkSmartPointer<vtkImageReader2>, 4> readers{ vtkSmartPointer<vtkPNGReader>::New(),
+    vtkSmartPointer<vtkTIFFReader>::New(), vtkSmartPointer<vtkJPEGReader>::New(),
+    vtkSmartPointer<vtkBMPReader>::New() };
+  const auto found = std::find_if(readers.begin(), readers.end(),
+    [&](const auto& reader) { return reader->CanReadFile(file.c_str()) > 0; });
+  return found == readers.end() ? nullptr : *found;
+}
+
+} // namespace
 
 vtkSmartPointer<vtkImageData> InkReadTexture(const std::string& file, std::string& problem)
 {
@@ -29,11 +51,10 @@ vtkSmartPointer<vtkImageData> InkReadTexture(const std::string& file, std::strin
     problem = found.str();
     return nullptr;
   }
-  const auto reader =
-    vtkSmartPointer<vtkImageReader2>::Take(vtkImageReader2Factory::CreateImageReader2(file.c_str()));
+  const vtkSmartPointer<vtkImageReader2> reader = FindReader(file);
   if (!reader)
   {
-    found << "which is no image";
+    found << "which is no PNG, TIFF, JPEG or BMP";
     problem = found.str();
     return nullptr;
   }

@@ -272,6 +272,6 @@ TEST_F(StippleMapperExtremes, Meshes)
       scene.Mapper->SetInputConnection(generator->GetOutputPort());
       scene.Mapper->LightingOff();
     };
-    ExpectAbout("a mesh of size " + std::to_string(scale), generator->GetOutput(), 2018.0, connect);
+    ExpectAbout("a mesh of size " + std::to_string(scale), generator->GetOutput(), 1785.0, connect);
   }
 }

@@ -62,7 +62,7 @@ TEST(TextureFile, IsTheMappersTexture)
 TEST(TextureFile, WhatIsNoneIsRefused)
 {
   const std::string text = testing::TempDir() + "text.png";
-  std::ofstream(text) << "no image";
+  std::ofstream(text) << "# No image\n\nBut text, with a title as that of a radiance map.\n";
   const std::string broken = testing::TempDir() + "broken.tif";
   std::ofstream(broken, std::ios::binary) << std::string("II*\0\0\0\0\0 and nothing", 20);
   const std::string colors = WriteImage("colors.png", VTK_UNSIGNED_CHAR, 3);
@@ -73,8 +73,8 @@ TEST(TextureFile, WhatIsNoneIsRefused)
   ASSERT_NE(before, nullptr);
   for (const auto& [file, words] :
     std::initializer_list<std::pair<std::string, std::string>>{ { "nowhere.png", "which is no file" },
-      { testing::TempDir(), "which is no file" }, { text, "which is no image" }, { broken, "" },
-      { colors, "6 x 4 x 1 pixels of unsigned char with 3 components" },
+      { testing::TempDir(), "which is no file" }, { text, "which is no PNG, TIFF, JPEG or BMP" },
+      { broken, "" }, { colors, "6 x 4 x 1 pixels of unsigned char with 3 components" },
       { deep, "6 x 4 x 1 pixels of unsigned short with 1 components" } })
   {
     const StyleErrors errors(style);
