@@ -5,6 +5,7 @@
 #include "InkSurfaceParts.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -60,6 +61,7 @@ void KeepPoints(vtkPolyData* points, const std::vector<std::uint32_t>& ids)
   data->CopyData(points->GetPointData(), from, to);
   data->RemoveArray(CellIds);
   data->RemoveArray(Surfaces);
+  left->GetFieldData()->PassData(points->GetFieldData());
   points->ShallowCopy(left);
 }
 

@@ -332,6 +332,7 @@ TEST(StyleProcesses, TheirPointsCarryNothingMore)
     EXPECT_EQ(data->GetNumberOfArrays(), 2);
     EXPECT_NE(data->GetNormals(), nullptr);
     EXPECT_NE(data->GetArray("Radius"), nullptr);
+    EXPECT_NE(one->GetPiece(0)->GetFieldData()->GetArray("SampleCell"), nullptr);
     EXPECT_EQ(one->GetFramePoints(), one->GetPiece(0)->GetPoints());
   }
 }
