@@ -166,6 +166,7 @@ vtkShaderProgram* InkStipplePasses::Begin(InkShaderPass& pass, const Scene& scen
   InkSetColorUniform(program, "inkColor", scene.InkColor);
   program->SetUniformf("largestPoint", this->LargestPoint);
   program->SetUniformf("occluderOffset", scene.OccluderOffset);
+  program->SetUniformf("occluderPixels", scene.OccluderPixels);
   if (scene.Occluder)
   {
     vtkTextureObject* texture = scene.Occluder->Image.GetTexture();

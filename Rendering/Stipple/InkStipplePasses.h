@@ -54,6 +54,7 @@ public:
     const InkStippleView& ToneView;
     InkOccluderDepth* Occluder; ///< null: nothing hides stipples
     float OccluderOffset;      ///< view units
+    float OccluderPixels;      ///< the same at most
     const double* InkColor;
   };
 

@@ -31,9 +31,12 @@ vtkStandardNewMacro(vtkInkStippleMapper);
 namespace
 {
 
-/// How far behind a surface its own stipples may lie, in elements' sizes: on a mesh for rounding only, around
-/// an iso-surface of a volume as far as the stipples of the voxels that it crosses.
+/// How far behind a surface its own stipples may lie, in elements' sizes: on a mesh for rounding only, and so
+/// no more than a pixel, around an iso-surface of a volume as far as the stipples of the voxels that it
+/// crosses.
 constexpr double SurfaceOffset = 0.1;
+constexpr float MostSurfacePixels = 1.0f;
+constexpr float AnyPixels = 1e9f;
 constexpr double VolumeOffset = 1.5;
 /// The same behind a surface of discs, which overlap, in their radii.
 constexpr double DiscOffset = 0.5;
@@ -99,7 +102,7 @@ public:
     , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
     , Occluder(this->FindOccluder(mapper, marks, renderer, actor))
     , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,
-      FindOffset(mapper, marks) * this->View.Unit, mapper->InkColor }
+      FindOffset(mapper, marks) * this->View.Unit, FindMostPixels(mapper, marks), mapper->InkColor }
   {
     this->Tone.twoSided = this->Occluder && !actor->GetProperty()->GetBackfaceCulling();
   }
@@ -140,6 +143,13 @@ private:
     const double discs = automatic ? DiscOffset : 0.0;
     return std::max(static_cast<float>(elements) * points.GetElementSize(),
       static_cast<float>(discs) * marks.Occluder.GetLargestRadius());
+  }
+
+  static float FindMostPixels(vtkInkStippleMapper* mapper, const InkStippleMarks& marks)
+  {
+    const bool onTriangles =
+      mapper->Internals->Points.IsSurface() && marks.Occluder.GetLargestRadius() == 0.0f;
+    return onTriangles && mapper->OccluderOffset < 0.0 ? MostSurfacePixels : AnyPixels;
   }
 
   const InkViewUniforms View;

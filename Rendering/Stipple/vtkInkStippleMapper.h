@@ -421,7 +421,8 @@ public:
   ///@{
   /**
    * How far in elements' sizes stipples may lie behind the hiding surface and still be seen; -1 (default):
-   * a tenth on surfaces, one and a half for volumes, but behind discs no less than half the largest radius.
+   * a tenth on surfaces, but behind polygons no more than a pixel, one and a half for volumes, but behind
+   * discs no less than half the largest radius.
    * -1 to 100.
    */
   InkSetClampMacro(OccluderOffset, -1.0, 100.0);

@@ -37,6 +37,7 @@ uniform float largestPoint; // pixels
 uniform sampler2D occluder;
 uniform float occluderMargin; // pixels that it shows on each side of the viewport
 uniform float occluderOffset; // view units towards the eye
+uniform float occluderPixels; // no more than so many, but for rounded positions
 const float paperDistance = 4.0; // pixels
 
 // ink::stipple::Tone::View
@@ -271,7 +272,11 @@ void main()
   {
     // Lifted a little towards the eye, more where the surface is slanted and so farther before it that way, but not
     // behind the eye.
-    float lift = min(occluderOffset / max(slant, 0.25), max(0.5 * distanceFromEye, 0.0));
+    float offset = occluderPixels * pixelVC * center.w;
+#ifdef INK_PACKED
+    offset = max(offset, unitVC * box.w * length(packedStep));
+#endif
+    float lift = min(min(offset, occluderOffset) / max(slant, 0.25), max(0.5 * distanceFromEye, 0.0));
     vec4 lifted = VCDCMatrix * vec4(position.xyz + toEye * lift, 1.0);
     vec2 last = viewportSize + 2.0 * occluderMargin - 1.0;
     float hides = texelFetch(occluder, ivec2(clamp(centerPixel + occluderMargin, vec2(0.0), last)), 0).r;
