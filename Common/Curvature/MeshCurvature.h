@@ -29,9 +29,9 @@ struct CurvatureOptions
   /// Of Jet: how many rings of edges around a point are fitted, 1 to mostCurvatureRings; the most if
   /// `adaptive`. More smooth out noise, and detail.
   int rings = 5;
-  /// Of Jet: fit two rings, and average away as much of the noise that is told from the residuals as wider
-  /// fits would, see diffuseCurvature. Where the surface itself is uneven, or derivatives are wanted: take as
-  /// few rings, from 2 on, as noise allows.
+  /// Of Jet: fit two rings, at borders three, and with three `rings` or more average away as much of the
+  /// noise that is told from the residuals as wider fits would, see diffuseCurvature. Where the surface
+  /// itself is uneven, or derivatives are wanted: take as few rings, from 2 on, as noise allows.
   bool adaptive = true;
   /// Of Jet: the degree of the polynomial, 2 or 3. 3 is better where points are irregular. Where `adaptive`
   /// takes more rings because of noise it is 2, unless derivatives are wanted: fewer coefficients are known

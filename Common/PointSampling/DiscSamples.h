@@ -56,8 +56,9 @@ double areaPerSample(double spacing, double candidates);
 /// the discs, so that samples may be denser than the points, and do not show their pattern. They lie off the
 /// surface by at most its curvature times half the square of a radius.
 ///
-/// A disc's candidates depend on where it is alone: on a cube about as large as the largest disc, and its
-/// rank among those in it. So a surface that changes a little keeps most of its samples.
+/// A disc's candidates depend on where it is alone: on a cube, and its rank among those in it. A cube's edge
+/// is the greatest power of two up to the largest radius (more for surfaces that are 2^19 radii wide). So a
+/// surface that changes a little keeps most of its samples, but where the edge changes.
 /// @param spacing the least distance of neighbors, in the unit of the centers, above 0
 /// @param candidates per sample, see sampleProgressively
 /// @param seed random choices hash it with the disc's cube and rank, not with its index: their order does not
