@@ -2,6 +2,7 @@
 #include "InkSilhouettes.h"
 
 #include "InkContourSurface.h"
+#include "InkNullIfEmpty.h"
 #include "vtkInkMapper.h"
 #include "vtkInkSilhouetteMapper.h"
 
@@ -91,10 +92,8 @@ std::string InkSilhouettes::MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vt
 
 void InkSilhouettes::Show(vtkPolyData* piece, vtkPolyData* hiding)
 {
-  const auto usable = [](vtkPolyData* data)
-  { return data && data->GetNumberOfPoints() > 0 ? data : nullptr; };
-  this->Mapper->SetInputDataObject(usable(piece));
-  this->Mapper->SetSurfaceData(InkSilhouetteMethod::IsOfVoxels(piece) ? usable(hiding) : nullptr);
+  this->Mapper->SetInputDataObject(InkNullIfEmpty(piece));
+  this->Mapper->SetSurfaceData(InkSilhouetteMethod::IsOfVoxels(piece) ? InkNullIfEmpty(hiding) : nullptr);
   this->Method.Follow();
   this->SetCreases(this->Creases);
 }
