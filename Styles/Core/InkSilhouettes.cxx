@@ -28,6 +28,7 @@ InkSilhouettes::InkSilhouettes(vtkInkMapper* under)
   this->Mapper->SetDepthWidth(0.5);
   this->Mapper->SetFeatureAngle(40.0);
   this->Mapper->SetShortestCrease(0.05);
+  this->Mapper->SetShortestBorder(0.05);
   this->Mapper->SetLift(Lift);
   this->SetPixelScale(1.0);
   under->SetOverlay(this->Mapper);

@@ -20,7 +20,10 @@ struct FeatureEdges
   /// @param shortestCrease of the surface's diagonal: creases that end within the surface, and with all that
   ///   they join are no longer than that, are left out. Noise makes such; the edges of a machine part,
   ///   however short, end at others.
-  FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease = 0.0);
+  /// @param shortestBorder of the surface's diagonal: borders that are no longer than that, with all borders
+  ///   that they join, are left out, as around triangles that a scan lacks
+  FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease = 0.0,
+    double shortestBorder = 0.0);
 };
 
 } // namespace ink
