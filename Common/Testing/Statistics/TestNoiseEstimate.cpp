@@ -44,8 +44,7 @@ Volume<T> blurred(const GridGeometry& geometry, const Shape& shape, double low, 
 
 TEST(NoiseEstimate, DoesNotDependOnThreads)
 {
-  const Volume<float> volume =
-    blurred<float>(centered(56), Sphere{ glm::dvec3(0.3), 16.0 }, 0.0, 1.0, 0.05);
+  const Volume<float> volume = blurred<float>(centered(56), Sphere{ glm::dvec3(0.3), 16.0 }, 0.0, 1.0, 0.05);
   const auto run = [&]
   {
     const ink::NoiseEstimate found = estimateNoise(volume.field(), 0.5);
