@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/NoiseEstimate.h"
 
+#include "Core/ParallelFor.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/ScalarDifference.h"
 
@@ -111,27 +112,31 @@ public:
     const double count = static_cast<double>(this->Field.geometry().sampleCount());
     // Every so many samples along a row, shifted from row to row.
     const int every = std::max(1, static_cast<int>(std::ceil(count / mostSamples)));
-    std::size_t row = 0;
-    for (int k = this->Reach.z; k < this->Size.z - this->Reach.z; ++k)
-    {
-      for (int j = this->Reach.y; j < this->Size.y - this->Reach.y; ++j, ++row)
+    const glm::ivec3 inside = glm::max(this->Size - 2 * this->Reach, 0);
+    std::vector<Found> slices(static_cast<std::size_t>(inside.z));
+    parallelFor(slices.size(),
+      [&](std::size_t slice)
       {
-        const int shift = static_cast<int>(row * 7919 % static_cast<std::size_t>(every));
-        for (int i = this->Reach.x + shift; i < this->Size.x - this->Reach.x; i += every)
+        std::size_t row = slice * static_cast<std::size_t>(inside.y);
+        for (int j = 0; j < inside.y; ++j, ++row)
         {
-          this->addNeighborhood({ i, j, k });
-          for (int axis = 0; axis < 3; ++axis)
+          const int shift = static_cast<int>(row * 7919 % static_cast<std::size_t>(every));
+          for (int i = shift; i < inside.x; i += every)
           {
-            this->addEdge({ i, j, k }, axis);
+            this->look(this->Reach + glm::ivec3(i, j, static_cast<int>(slice)), slices[slice]);
           }
         }
-      }
+      });
+    Found all;
+    for (const Found& some : slices)
+    {
+      all.append(some);
     }
     NoiseEstimate result;
     std::array<double, 2> variances = {};
     int sides = 0;
-    const std::size_t most = std::max(this->Differences[0].size(), this->Differences[1].size());
-    for (std::vector<double>& differences : this->Differences)
+    const std::size_t most = std::max(all.differences[0].size(), all.differences[1].size());
+    for (std::vector<double>& differences : all.differences)
     {
       if (differences.size() >= fewest &&
         static_cast<double>(differences.size()) >= leastShare * static_cast<double>(most))
@@ -141,17 +146,45 @@ public:
       }
     }
     result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
-    result.quantum = quantileOf(this->Changes, 0.01);
-    result.step = std::max(quantileOf(this->Steps, 0.5) - noiseRange * result.noise, 0.0);
-    if (!this->Runs.empty())
+    result.quantum = quantileOf(all.changes, 0.01);
+    result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
+    if (!all.runs.empty())
     {
-      result.thickness = quantileOf(this->Runs, thinShare);
+      result.thickness = quantileOf(all.runs, thinShare);
     }
     return result;
   }
 
 private:
-  void addNeighborhood(const glm::ivec3& at)
+  struct Found
+  {
+    std::array<std::vector<double>, 2> differences; ///< below and above the iso-value
+    std::vector<double> changes;
+    std::vector<double> steps;
+    std::vector<double> runs; ///< samples on one side of the surface, along an axis
+
+    void append(const Found& other)
+    {
+      const auto add = [](std::vector<double>& to, const std::vector<double>& from)
+      { to.insert(to.end(), from.begin(), from.end()); };
+      add(this->differences[0], other.differences[0]);
+      add(this->differences[1], other.differences[1]);
+      add(this->changes, other.changes);
+      add(this->steps, other.steps);
+      add(this->runs, other.runs);
+    }
+  };
+
+  void look(const glm::ivec3& at, Found& found) const
+  {
+    this->addNeighborhood(at, found);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->addEdge(at, axis, found);
+    }
+  }
+
+  void addNeighborhood(const glm::ivec3& at, Found& found) const
   {
     if (this->Reach == glm::ivec3(0))
     {
@@ -175,6 +208,10 @@ private:
           }
           const T value = this->Field.at(sample);
           (static_cast<double>(value) >= this->IsoValue ? above : below) = true;
+          if (above && below)
+          {
+            return;
+          }
           equal = equal && value == middle;
           int weight = 1;
           for (const int step :
@@ -186,14 +223,14 @@ private:
         }
       }
     }
-    if (!equal && above != below && std::isfinite(sum))
+    if (!equal && std::isfinite(sum))
     {
-      this->Differences[above].push_back(std::abs(sum));
+      found.differences[above].push_back(std::abs(sum));
     }
   }
 
   /// The edge from a sample to the next one along an axis.
-  void addEdge(const glm::ivec3& at, int axis)
+  void addEdge(const glm::ivec3& at, int axis, Found& found) const
   {
     glm::ivec3 next = at;
     ++next[axis];
@@ -204,7 +241,7 @@ private:
     const double change = std::abs(difference(this->Field.at(at), this->Field.at(next)));
     if (change > 0.0 && std::isfinite(change))
     {
-      this->Changes.push_back(change);
+      found.changes.push_back(change);
     }
     const auto isAbove = [&](const glm::ivec3& sample)
     { return static_cast<double>(this->Field.at(sample)) >= this->IsoValue; };
@@ -227,7 +264,7 @@ private:
     }
     if (std::isfinite(greatest - least))
     {
-      this->Steps.push_back(greatest - least);
+      found.steps.push_back(greatest - least);
     }
     const bool above = isAbove(at);
     for (const int way : { -1, 1 })
@@ -246,19 +283,15 @@ private:
           break;
         }
       }
-      this->Runs.push_back(std::min(run, NoiseEstimate::thickEnough));
+      found.runs.push_back(std::min(run, NoiseEstimate::thickEnough));
     }
   }
 
   const GridField<T>& Field;
   glm::ivec3 Size;
   double IsoValue;
-  glm::ivec3 Reach;                               ///< of a neighborhood
-  double Deviation = 1.0;                         ///< of a neighborhood's sum, for noise of deviation 1
-  std::array<std::vector<double>, 2> Differences; ///< below and above the iso-value
-  std::vector<double> Changes;
-  std::vector<double> Steps;
-  std::vector<double> Runs; ///< samples on one side of the surface, along an axis
+  glm::ivec3 Reach;       ///< of a neighborhood
+  double Deviation = 1.0; ///< of a neighborhood's sum, for noise of deviation 1
 };
 
 } // namespace

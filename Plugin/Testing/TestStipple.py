@@ -288,11 +288,12 @@ class TestStipple(TestInOneView):
             return self.stipples(display)[0]
 
         few, many = count(30), count(120)
-        # Of a ball, pi times the square of its diameter in thousandths of the height, six of them for each.
-        self.assertAlmostEqual(many / (numpy.pi * 1000**2 / 6), 1.0, delta=0.01)
+        # Of a ball, pi times the square of its diameter in thousandths of the height, four of them for each, in a view as high
+        # as the sphere around its bounds.
+        self.assertAlmostEqual(many / (numpy.pi * 1000**2 / 3 / 4), 1.0, delta=0.02)
         self.assertAlmostEqual(few / many, 1.0, delta=0.02)
         self.assertAlmostEqual(count(120, StipplePictureSize=300) / many, 0.25, delta=0.01)
-        self.assertAlmostEqual(count(120, MaximumStipplesMode="Projected") / many, 6.0 * 0.6**2, delta=0.01)
+        self.assertAlmostEqual(count(120, MaximumStipplesMode="Projected") / many, 3.0 * 4.0 * 0.6**2, delta=0.06)
 
     def test_the_number_in_a_voxel_can_follow_the_picture(self):
         whole = Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])

@@ -16,6 +16,7 @@
 #include "Stippling/VolumeStipples.h"
 #include "Tone/Stipple/ProjectedSize.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -35,9 +36,18 @@
 namespace
 {
 
-/// Square thousandths of the picture's height that a stipple of a mesh takes where their number does not
-/// depend on the parameter.
-constexpr double UsualRoom = 6.0;
+/// Square thousandths of the height that a stipple of a mesh takes in a view of all of it where their number
+/// does not depend on the parameter: half of what presets have, as views are closer, too.
+constexpr double UsualRoom = 4.0;
+
+/// The longest side of a mesh relative to the height of a view that shows all of it, as VTK resets cameras:
+/// the sphere around its bounds fills it, whatever the mesh's shape.
+double ShareOfView(vtkPolyData* mesh)
+{
+  const vtkBoundingBox box(mesh->GetBounds());
+  const double diagonal = box.GetDiagonalLength();
+  return diagonal > 0.0 ? box.GetMaxLength() / diagonal : 1.0;
+}
 
 /// Takes a generator's properties that a drawing changes back when it is done.
 class ChangedGenerator
@@ -379,16 +389,18 @@ void InkStippleRecipe::StippleSurface(vtkPolyData* mesh)
   vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
   const ChangedGenerator changed(generator);
-  const double room = style->GetInteractive() ? UsualRoom : style->PixelsPerStipple;
+  const bool interactive = style->GetInteractive();
+  const double room = interactive ? UsualRoom : style->PixelsPerStipple;
   // The number of stipples depends on the picture's pixels only where their size does.
-  const bool inPixels = !style->GetInteractive() && style->SizeUnit == vtkInkStippleMapper::PIXELS;
-  const double size = style->GetPictureSize() * (inPixels ? 1.0 : 1e3 / style->GetPictureHeight());
+  const bool inPixels = !interactive && style->SizeUnit == vtkInkStippleMapper::PIXELS;
+  const double size = style->GetPictureSize() * (inPixels ? 1.0 : 1e3 / style->GetPictureHeight()) *
+    (interactive ? ShareOfView(mesh) : 1.0);
   const vtkIdType count = style->NumberOfSurfaceStipples;
   const bool fixed = generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::FIXED;
   const bool counted = count == 0 && fixed;
   const vtkIdType fitting = counted ? vtkInkStippleGenerator::CountForPicture(mesh, size, room) : 0;
   generator->SetNumberOfSurfaceStipples(counted ? fitting : std::max<vtkIdType>(count, 0));
-  if (fitting == ink::stipple::mostForPicture && !style->GetInteractive())
+  if (fitting == ink::stipple::mostForPicture && !interactive)
   {
     style->AddNote("there is room for more than the " + std::to_string(fitting) +
       " stipples that are made at most, so they are drawn larger; their number can be given");

@@ -22,8 +22,9 @@ def main(file, value, changes):
     reader.Update()
     style = vtkInkStyle.CreateStyle("illustration")
     style.InteractiveOn()
+    # As the representation does, see UpdatePictureSize.
     style.SetPictureSize(SIZE[0])
-    style.SetPictureHeight(SIZE[1])
+    style.SetPictureHeight(SIZE[0])
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetSize(*SIZE)

@@ -3,6 +3,7 @@
 
 #include "AnalyticFields.h"
 #include "HashNoise.h"
+#include "SampledMeshes.h"
 #include "SampledVolume.h"
 #include "Statistics/NoiseEstimate.h"
 
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -38,6 +40,17 @@ Volume<T> blurred(const GridGeometry& geometry, const Shape& shape, double low, 
         low + step * 0.5 * std::erfc(shape.distance(p) / 0.99) + noise * hashNormal(3, n++);
       return std::is_integral_v<T> ? std::round(value) : value;
     });
+}
+
+TEST(NoiseEstimate, DoesNotDependOnThreads)
+{
+  const Volume<float> volume = blurred<float>(centered(56), Sphere{ glm::dvec3(0.3), 16.0 }, 0.0, 1.0, 0.05);
+  const auto run = [&]
+  {
+    const ink::NoiseEstimate found = estimateNoise(volume.field(), 0.5);
+    return std::array{ found.noise, found.quantum, found.step, found.thickness };
+  };
+  EXPECT_EQ(ink::test::onThreads(1, run), ink::test::onThreads(3, run));
 }
 
 TEST(NoiseEstimate, FindsKnownNoiseWithin10Percent)

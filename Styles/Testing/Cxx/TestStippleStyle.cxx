@@ -12,6 +12,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCubeSource.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
@@ -153,9 +154,6 @@ TEST(StippleStyle, StipplesOfMeshesHaveThePicturesRoom)
   style->SetParameter("PixelsPerStipple", 3);
   ASSERT_TRUE(style->Make(mesh));
   EXPECT_GT(CountOf(style), six);
-  style->InteractiveOn();
-  ASSERT_TRUE(style->Make(mesh));
-  EXPECT_EQ(CountOf(style), six);
   style->SetParameter("NumberOfSurfaceStipples", 5000);
   style->SetParameter("SurfaceHides", 0);
   ASSERT_TRUE(style->Make(mesh));
@@ -164,6 +162,30 @@ TEST(StippleStyle, StipplesOfMeshesHaveThePicturesRoom)
   style->SetParameter("NumberOfSurfaceStipples", -1);
   ASSERT_TRUE(style->Make(mesh));
   EXPECT_EQ(CountOf(style), 8 * mesh->GetNumberOfPolys());
+}
+
+/// Of the view that shows the whole mesh, with the sphere around its bounds as high as the view, and not of
+/// the parameter.
+TEST(StippleStyle, InteractiveStipplesOfMeshesHaveTheViewsRoom)
+{
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetPictureSize(512);
+  style->SetPictureHeight(512);
+  style->InteractiveOn();
+  for (const double length : { 1.0, 8.0 })
+  {
+    vtkNew<vtkCubeSource> box;
+    box->SetXLength(length);
+    box->Update();
+    const double diagonal = std::sqrt(length * length + 2.0);
+    const double area = (2.0 + 4.0 * length) * 1e6 / (diagonal * diagonal);
+    for (const double room : { 6.0, 3.0 })
+    {
+      style->SetParameter("PixelsPerStipple", room);
+      ASSERT_TRUE(style->Make(box->GetOutput()));
+      EXPECT_NEAR(static_cast<double>(CountOf(style)), area / 4.0, 1.0) << length << ' ' << room;
+    }
+  }
 }
 
 /// Larger dots than asked for are said.
