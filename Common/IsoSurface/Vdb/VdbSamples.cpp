@@ -137,7 +137,7 @@ bool placeIsoSurfaceSamples(const VdbGrid& grid, double isoValue, const SampleOp
   }
   constexpr std::size_t blocksAtOnce = 64;
   const std::size_t parts = (cells.blocks.size() + blocksAtOnce - 1) / blocksAtOnce;
-  return std::visit(
+  return grid.tree().visit(
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
@@ -152,8 +152,7 @@ bool placeIsoSurfaceSamples(const VdbGrid& grid, double isoValue, const SampleOp
         }
       };
       return parallelFor(parts, place, progress);
-    },
-    grid.tree().values);
+    });
 }
 
 template bool placeIsoSurfaceSamples(const VdbGrid&, double, const SampleOptions&, bool,
