@@ -14,7 +14,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 13;
+constexpr std::size_t trianglesPerBlock = 1 << 13;
 constexpr std::uint32_t none = ~0u;
 
 /// For each point the first one at the same position.
@@ -73,10 +73,11 @@ void GeodesicUnfolding::Front::grow()
 GeodesicUnfolding::GeodesicUnfolding(std::span<const glm::vec3> points, std::span<const Triangle> triangles)
   : Facets(triangles.size())
 {
-  parallelFor((triangles.size() + blockSize - 1) / blockSize,
+  parallelFor((triangles.size() + trianglesPerBlock - 1) / trianglesPerBlock,
     [&](std::size_t block)
     {
-      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, triangles.size()); ++t)
+      for (std::size_t t = block * trianglesPerBlock;
+           t < std::min((block + 1) * trianglesPerBlock, triangles.size()); ++t)
       {
         const auto& [a, b, c] = triangles[t];
         Facet& facet = this->Facets[t];

@@ -20,7 +20,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 13;
+constexpr std::size_t elementsPerBlock = 1 << 13;
 /// A triangle that is flatter than this, relative to its longest side, has no area: rounding alone would say
 /// where its third corner is.
 constexpr double leastHeight = 1e-10;
@@ -29,10 +29,10 @@ constexpr double leastHeight = 1e-10;
 template <class Body>
 void forEachBlock(std::size_t count, const Body& body)
 {
-  parallelFor((count + blockSize - 1) / blockSize,
+  parallelFor((count + elementsPerBlock - 1) / elementsPerBlock,
     [&](std::size_t block)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+      for (std::size_t i = block * elementsPerBlock; i < std::min((block + 1) * elementsPerBlock, count); ++i)
       {
         body(i);
       }

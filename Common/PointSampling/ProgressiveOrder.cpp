@@ -2,6 +2,7 @@
 #include "PointSampling/ProgressiveOrder.h"
 
 #include "Core/Hash.h"
+#include "Core/IsFinite.h"
 #include "Core/MortonOrder.h"
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
@@ -26,7 +27,7 @@ constexpr int levelsPerOctave = 12;
 // Points closer than this fraction of the largest extent count as coincident.
 constexpr int octaves = 22;
 constexpr int levelCount = levelsPerOctave * octaves;
-constexpr std::size_t blockSize = 1 << 12;
+constexpr std::size_t cellsPerBlock = 1 << 12;
 // The number of points of a block that are tested sequentially before the rest is tested in parallel.
 constexpr std::size_t fewInABlock = 64;
 constexpr std::uint16_t isChosen = 0xffff;
@@ -43,11 +44,6 @@ bool areApart(const Point& a, const Point& b, const glm::vec3& offset, float squ
   const float up = glm::dot(a.normal, offset);
   const float otherUp = glm::dot(b.normal, offset);
   return ink::areApart(glm::dot(a.normal, b.normal), up * up, otherUp * otherUp, squaredDistance);
-}
-
-bool isFinite(const glm::vec3& point)
-{
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
 /// A point's Morton code.
@@ -169,13 +165,14 @@ void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
   {
     table[slotOf(this->Cells[i])] = i;
   }
-  const std::size_t blocks = (this->Cells.size() + blockSize - 1) / blockSize;
+  const std::size_t blocks = (this->Cells.size() + cellsPerBlock - 1) / cellsPerBlock;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint8_t>>> found(blocks);
   this->Begin.assign(this->Cells.size() + 1, 0);
   parallelFor(blocks,
     [&](std::size_t block)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, this->Cells.size()); ++i)
+      for (std::size_t i = block * cellsPerBlock;
+           i < std::min((block + 1) * cellsPerBlock, this->Cells.size()); ++i)
       {
         const glm::uvec3 cell = mortonCell(this->Cells[i]);
         const std::size_t before = found[block].size();
@@ -198,7 +195,7 @@ void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
   parallelFor(blocks,
     [&](std::size_t block)
     {
-      std::size_t next = this->Begin[block * blockSize];
+      std::size_t next = this->Begin[block * cellsPerBlock];
       for (const auto& [neighbor, direction] : found[block])
       {
         this->Neighbors[next] = neighbor;
@@ -281,13 +278,13 @@ SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::
   { return glm::clamp((points[point] - low) * scale, 0.0f, 1.0f); };
 
   const std::size_t count = sorted.ids.size();
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  const std::size_t blocks = (count + cellsPerBlock - 1) / cellsPerBlock;
   const auto forAll = [&](const auto& body)
   {
     parallelFor(blocks,
       [&](std::size_t block)
       {
-        for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+        for (std::size_t i = block * cellsPerBlock; i < std::min((block + 1) * cellsPerBlock, count); ++i)
         {
           body(i);
         }
@@ -371,12 +368,12 @@ bool Chooser::hasRoom(std::uint32_t point, int level)
 template <class Pick>
 std::vector<std::uint32_t> Chooser::findRoom(std::size_t count, int level, const Pick& pick)
 {
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  const std::size_t blocks = (count + cellsPerBlock - 1) / cellsPerBlock;
   std::vector<std::vector<std::uint32_t>> found(blocks);
   parallelFor(blocks,
     [&](std::size_t block)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+      for (std::size_t i = block * cellsPerBlock; i < std::min((block + 1) * cellsPerBlock, count); ++i)
       {
         if (const std::uint32_t point = pick(i); point != none && this->hasRoom(point, level))
         {

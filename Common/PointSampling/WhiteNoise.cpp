@@ -13,7 +13,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 13;
+constexpr std::size_t samplesPerBlock = 1 << 13;
 
 /// Uniform in a triangle.
 void placeEvenly(std::uint64_t random, SurfaceSample& sample)
@@ -80,7 +80,7 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
   // Two streams of random numbers: one for the spacings, one for the positions inside triangles.
   const std::uint64_t spacingSeed = hash(seed, 1);
   const std::uint64_t placeSeed = hash(seed, 2);
-  const std::size_t blocks = count / blockSize + 1; // one more spacing than samples
+  const std::size_t blocks = count / samplesPerBlock + 1; // one more spacing than samples
   std::vector<double> sums(count + 1);
   std::vector<double> before(blocks + 1);
   bool going = parallelFor(
@@ -88,7 +88,8 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
     [&](std::size_t block)
     {
       double sum = 0.0;
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count + 1); ++i)
+      for (std::size_t i = block * samplesPerBlock; i < std::min((block + 1) * samplesPerBlock, count + 1);
+           ++i)
       {
         // In (0, 1], so that the logarithm is finite.
         sum -= std::log(1.0 - unitDouble(hash(spacingSeed ^ i)));
@@ -112,8 +113,8 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
     blocks,
     [&](std::size_t block)
     {
-      const std::size_t begin = block * blockSize;
-      const std::size_t end = std::min(begin + blockSize, count);
+      const std::size_t begin = block * samplesPerBlock;
+      const std::size_t end = std::min(begin + samplesPerBlock, count);
       std::uint32_t triangle = 0;
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -129,13 +130,14 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
 std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, std::span<const std::uint64_t> ids,
   double perArea, std::uint64_t seed, const Progress& progress)
 {
-  const std::size_t blocks = (ids.size() + blockSize - 1) / blockSize;
+  const std::size_t blocks = (ids.size() + samplesPerBlock - 1) / samplesPerBlock;
   std::vector<std::vector<SurfaceSample>> found(blocks);
   const bool going = parallelFor(
     blocks,
     [&](std::size_t block)
     {
-      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, ids.size()); ++t)
+      for (std::size_t t = block * samplesPerBlock; t < std::min((block + 1) * samplesPerBlock, ids.size());
+           ++t)
       {
         const double exact = areaOf(mesh, t) * perArea;
         const auto count = static_cast<std::uint64_t>(std::floor(exact + unitDouble(hash(seed, ids[t], 1))));

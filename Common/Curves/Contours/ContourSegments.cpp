@@ -16,7 +16,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t chunkSize = 1 << 11;
+constexpr std::size_t segmentsPerChunk = 1 << 11;
 
 std::uint64_t keyOf(const ContourNode& node)
 {
@@ -37,10 +37,11 @@ Nodes placeNodes(
   Nodes nodes;
   nodes.positions.resize(keys.size());
   nodes.normals.resize(wantNormals ? keys.size() : 0);
-  parallelFor((keys.size() + chunkSize - 1) / chunkSize,
+  parallelFor((keys.size() + segmentsPerChunk - 1) / segmentsPerChunk,
     [&](std::size_t chunk)
     {
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, keys.size()); ++i)
+      for (std::size_t i = chunk * segmentsPerChunk;
+           i < std::min((chunk + 1) * segmentsPerChunk, keys.size()); ++i)
       {
         const std::uint64_t later = keys[std::min(i + ahead, keys.size() - 1)];
         prefetchObject(surface.corners[static_cast<std::uint32_t>(later >> 32)]);

@@ -21,7 +21,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t chunkSize = 1 << 14;
+constexpr std::size_t facesPerChunk = 1 << 14;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 bool isFinite(const glm::dvec3& v)
@@ -53,10 +53,11 @@ std::vector<std::uint32_t> orderFaces(const TriangleMesh& mesh)
     auto operator<=>(const Face&) const = default;
   };
   std::vector<Face> faces(mesh.triangles.size());
-  parallelFor((faces.size() + chunkSize - 1) / chunkSize,
+  parallelFor((faces.size() + facesPerChunk - 1) / facesPerChunk,
     [&](std::size_t chunk)
     {
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, faces.size()); ++i)
+      for (std::size_t i = chunk * facesPerChunk; i < std::min((chunk + 1) * facesPerChunk, faces.size());
+           ++i)
       {
         glm::dvec3 center(0.0);
         for (const std::uint32_t point : mesh.triangles[i])

@@ -23,7 +23,7 @@ namespace
 
 using Complex = std::complex<float>;
 
-constexpr std::size_t blockSize = 1 << 12;
+constexpr std::size_t nodesPerBlock = 1 << 12;
 /// From which umbilic measure on directions are smoothed.
 constexpr float firstSmoothed = 0.5f;
 
@@ -67,13 +67,13 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
   std::vector<Complex> now(count);
   std::vector<float> share(count); // of the neighbors in the mean
   std::vector<Complex> turns(offsets.back());
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  const std::size_t blocks = (count + nodesPerBlock - 1) / nodesPerBlock;
   const auto forPoints = [&](const auto& body)
   {
     parallelFor(blocks,
       [&](std::size_t block)
       {
-        for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+        for (std::size_t i = block * nodesPerBlock; i < std::min((block + 1) * nodesPerBlock, count); ++i)
         {
           body(i);
         }

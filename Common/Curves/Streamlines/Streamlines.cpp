@@ -14,7 +14,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 12;
+constexpr std::size_t pointsPerBlock = 1 << 12;
 
 } // namespace
 
@@ -36,10 +36,11 @@ std::vector<glm::vec3> normalsAt(
   const MeshNavigation& mesh, std::span<const glm::vec3> normals, std::span<const MeshPoint> points)
 {
   std::vector<glm::vec3> result(points.size());
-  parallelFor((points.size() + blockSize - 1) / blockSize,
+  parallelFor((points.size() + pointsPerBlock - 1) / pointsPerBlock,
     [&](std::size_t block)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, points.size()); ++i)
+      for (std::size_t i = block * pointsPerBlock; i < std::min((block + 1) * pointsPerBlock, points.size());
+           ++i)
       {
         result[i] = normalAt(mesh, normals, points[i]);
       }

@@ -20,7 +20,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 10;
+constexpr std::size_t normalsPerBlock = 1 << 10;
 // The degree of the neighborhood graph: more neighbors smooth normals, but hardly change the tree.
 constexpr std::size_t mostEdges = 16;
 
@@ -153,13 +153,13 @@ std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int ne
   const std::size_t joined = viewpoint ? 0 : std::min(found, mostEdges);
   std::vector<glm::vec3> normals(positions.size());
   std::vector<std::uint32_t> near(joined * positions.size());
-  if (!parallelFor((positions.size() + blockSize - 1) / blockSize,
+  if (!parallelFor((positions.size() + normalsPerBlock - 1) / normalsPerBlock,
         [&](std::size_t block)
         {
           std::array<std::uint32_t, KdTree::most> all;
           const std::span<std::uint32_t> mine(all.data(), found);
-          for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, positions.size());
-               ++i)
+          for (std::size_t i = block * normalsPerBlock;
+               i < std::min((block + 1) * normalsPerBlock, positions.size()); ++i)
           {
             tree.find(positions[i], mine);
             normals[i] = pcaNormal(positions, mine);
