@@ -14,9 +14,10 @@ add_library(InkWarnings INTERFACE)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(InkOptions INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
   target_compile_options(InkWarnings INTERFACE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wnon-virtual-dtor -Woverloaded-virtual>
-    # Names of a source do not hide those of another that happens to be compiled with it.
-    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>>:-Wshadow>)
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra>
+    # A source's names do not hide those of another that happens to be compiled with it.
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>>:-Wshadow>
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual>)
   if (VTKINK_WARNINGS_AS_ERRORS)
     # With precompiled headers GCC warns of what system headers hold; sources without them find what is ours.
     target_compile_options(InkWarnings INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:INK_PRECOMPILED>>>:-Werror>)
