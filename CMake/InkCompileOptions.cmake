@@ -14,7 +14,10 @@ add_library(InkWarnings INTERFACE)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(InkOptions INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
   target_compile_options(InkWarnings INTERFACE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual>)
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra>
+    # A source's names do not hide those of another that happens to be compiled with it.
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>>:-Wshadow>
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual>)
   if (VTKINK_WARNINGS_AS_ERRORS)
     # With precompiled headers GCC warns of what system headers hold; sources without them find what is ours.
     target_compile_options(InkWarnings INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:INK_PRECOMPILED>>>:-Werror>)
@@ -32,4 +35,45 @@ function (ink_module_options module)
   vtk_module_include(${module} PRIVATE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Utilities/Compat>)
   get_target_property(target ${module} ALIASED_TARGET)
   ink_precompiled_headers(${target})
+  ink_unity_build(${target})
+endfunction ()
+
+# Much of what a compiler does is to read headers and to compile what they define, for each source anew.
+set(VTKINK_UNITY_BUILD OFF CACHE STRING
+  "Compile a folder's sources together, faster from nothing and slower after a change: ON, MODULES (all but Common) or OFF")
+set_property(CACHE VTKINK_UNITY_BUILD PROPERTY STRINGS ON MODULES OFF)
+
+# Lets a library or program be compiled so, a dozen sources at most at once. Names in anonymous namespaces have to differ
+# within a folder.
+function (ink_unity_build target)
+  # Objects of single sources are what a compiler cache is for.
+  if (NOT VTKINK_UNITY_BUILD OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "cache")
+    return ()
+  endif ()
+  get_target_property(sources ${target} SOURCES)
+  # Generated sources, which have full paths, are alike and compile on their own.
+  list(FILTER sources INCLUDE REGEX "^[^/].*\\.(cpp|cxx)$")
+  set(folders "")
+  foreach (source IN LISTS sources)
+    get_filename_component(folder "${source}" DIRECTORY)
+    string(MAKE_C_IDENTIFIER "in_${folder}" folder)
+    list(APPEND folders ${folder})
+    list(APPEND ${folder} "${source}")
+  endforeach ()
+  list(REMOVE_DUPLICATES folders)
+  foreach (folder IN LISTS folders)
+    list(LENGTH ${folder} count)
+    math(EXPR groups "(${count} + 11) / 12")
+    set(index 0)
+    foreach (source IN LISTS ${folder})
+      math(EXPR group "${index} * ${groups} / ${count}")
+      math(EXPR index "${index} + 1")
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${folder}_${group}")
+    endforeach ()
+  endforeach ()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # It takes sources that are included for headers.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif ()
 endfunction ()

@@ -3,7 +3,7 @@
 # Configures a preset and builds all of it, or some targets only:
 #   Utilities/build.sh headless|paraview|asan|tsan|aarch64 [--target NAME]... [more CMake arguments]
 # What is left is built by the next call without --target, in the same tree. Utilities/jobs.sh says how many compilers
-# run at once.
+# run at once. INK_UNITY_BUILD is VTKINK_UNITY_BUILD of the headless preset where it makes a new tree.
 set -euo pipefail
 
 preset="${1:?usage: Utilities/build.sh headless|paraview|asan|tsan|aarch64 [--target NAME]... [CMake arguments]}"
@@ -24,6 +24,10 @@ if [ "$preset" != paraview ] && [ "$preset" != aarch64 ]; then
     echo "build: left out of $preset: the Python package vtkink, as VTK 9.7's wrapping needs Python >= 3.12 with headers" \
       "(name one in INK_HEADLESS_PYTHON)"
   fi
+fi
+
+if [ "$preset" = headless ] && [ -n "${INK_UNITY_BUILD:-}" ] && [ ! -e build/headless/CMakeCache.txt ]; then
+  set -- "-DVTKINK_UNITY_BUILD=$INK_UNITY_BUILD" "$@"
 fi
 
 # Common is compiled once for builds with either VTK.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Curvature/FieldCurvature.h"
+#include "Fields/FieldView.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Resampling/SmoothGrid.h"
 
@@ -25,7 +26,7 @@ MeshCurvature smoothedCurvatures(const GridField<T>& field, const glm::dvec3& de
 {
   if (deviation == glm::dvec3(0.0))
   {
-    return fieldCurvatures(field, points, progress);
+    return fieldCurvatures(FieldView(field), points, progress);
   }
   // About half of the work.
   const auto half = [&](double begun)
@@ -39,7 +40,8 @@ MeshCurvature smoothedCurvatures(const GridField<T>& field, const glm::dvec3& de
   {
     return {};
   }
-  return fieldCurvatures(GridField<Work>(field.geometry(), std::span<const Work>(values)), points, half(0.5));
+  const GridField<Work> smooth(field.geometry(), std::span<const Work>(values));
+  return fieldCurvatures(FieldView(smooth), points, half(0.5));
 }
 
 } // namespace ink

@@ -21,7 +21,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t sitesPerChunk = 1 << 11;
+constexpr std::size_t ringsPerChunk = 1 << 11;
 
 bool isFinite(const glm::dvec3& p)
 {
@@ -131,14 +131,14 @@ void SurfaceRings::fillRings()
   const std::size_t count = this->FirstCorner.size() - 1;
   this->Shapes.resize(count);
   this->FirstNeighbor.assign(count + 1, 0);
-  std::vector<std::vector<std::uint32_t>> rings(chunksOf(count, sitesPerChunk));
+  std::vector<std::vector<std::uint32_t>> rings(chunksOf(count, ringsPerChunk));
   parallelForChunks(
     count,
     [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
       std::vector<LinkEdge> links;
       std::vector<std::uint32_t>& ring = rings[chunk];
-      ring.reserve(6 * sitesPerChunk);
+      ring.reserve(6 * ringsPerChunk);
       for (std::size_t site = begin; site < end; ++site)
       {
         links.clear();
@@ -148,7 +148,7 @@ void SurfaceRings::fillRings()
         this->FirstNeighbor[site + 1] = ring.size() - before;
       }
     },
-    sitesPerChunk);
+    ringsPerChunk);
   std::partial_sum(this->FirstNeighbor.begin(), this->FirstNeighbor.end(), this->FirstNeighbor.begin());
   this->Neighbors.resize(this->FirstNeighbor.back());
   parallelForChunks(
@@ -158,7 +158,7 @@ void SurfaceRings::fillRings()
       std::copy(rings[chunk].begin(), rings[chunk].end(),
         this->Neighbors.begin() + static_cast<std::ptrdiff_t>(this->FirstNeighbor[begin]));
     },
-    sitesPerChunk);
+    ringsPerChunk);
 }
 
 bool SurfaceRings::weldBorders(std::span<const glm::dvec3> points)

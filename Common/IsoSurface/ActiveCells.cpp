@@ -106,5 +106,6 @@ ActiveCells findActiveCells(const GridField<T>& field, double isoValue, Crossing
   template bool findActiveCellsBySlab(const GridField<T>&, double, CrossingRule, const CellSelection&,       \
     const Progress&, MinMaxBricks*, ActiveCells&, const std::function<void(std::size_t)>&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

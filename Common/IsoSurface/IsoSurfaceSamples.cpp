@@ -181,5 +181,6 @@ double isoSurfaceSampleRadius(const glm::dmat3& cell)
     const CellSelection&, MinMaxBricks*, const GrowRoom&, std::size_t, std::vector<std::size_t>&,            \
     const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

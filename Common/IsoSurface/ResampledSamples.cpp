@@ -97,5 +97,6 @@ bool sampleResampledIsoSurfaces(const GridField<T>& field, std::span<const doubl
     const SampleOptions&, const CellSelection&, const IsoSurfaceResampling&, int, TileRanges*,               \
     const GrowRoom&, std::vector<std::size_t>&, const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

@@ -17,7 +17,7 @@ namespace ink
 namespace
 {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t emptySlot = std::numeric_limits<std::uint32_t>::max();
 
 /// @param key(triangle): a hash that does not depend on the order of corners
 /// @param areEqual(a, b) for triangles with equal keys
@@ -27,16 +27,16 @@ std::vector<std::uint32_t> findRepeats(std::size_t count, const Key& key, const 
   std::vector<std::uint64_t> keys(count);
   parallelForEach(count, [&](std::size_t i) { keys[i] = key(static_cast<std::uint32_t>(i)); });
   // A table with open addressing that is at most half full.
-  std::vector<std::uint32_t> slots(std::bit_ceil(2 * count + 2), none);
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * count + 2), emptySlot);
   std::vector<std::uint32_t> repeats;
   for (std::uint32_t i = 0; i < count; ++i)
   {
     std::size_t slot = keys[i] & (slots.size() - 1);
-    while (slots[slot] != none && !(keys[slots[slot]] == keys[i] && areEqual(slots[slot], i)))
+    while (slots[slot] != emptySlot && !(keys[slots[slot]] == keys[i] && areEqual(slots[slot], i)))
     {
       slot = (slot + 1) & (slots.size() - 1);
     }
-    if (slots[slot] == none)
+    if (slots[slot] == emptySlot)
     {
       slots[slot] = i;
     }

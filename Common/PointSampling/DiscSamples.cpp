@@ -2,6 +2,7 @@
 #include "PointSampling/DiscSamples.h"
 
 #include "Core/Hash.h"
+#include "Core/IsFinite.h"
 #include "Core/MortonOrder.h"
 #include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
@@ -31,12 +32,7 @@ constexpr float candidateReach = 0.82f;
 
 /// Where the corner is of the cubes that name discs, in their width: not where the middles of a grid's cells
 /// are, on which rounding would decide.
-constexpr glm::vec3 corner(0.38f, 0.21f, 0.57f);
-
-bool isFinite(const glm::vec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+constexpr glm::vec3 discCubesCorner(0.38f, 0.21f, 0.57f);
 
 bool isUsable(const SurfaceDiscs& discs, std::size_t disc)
 {
@@ -157,7 +153,7 @@ private:
         {
           const std::uint32_t disc = this->Order[i];
           const glm::vec3 cell = glm::clamp(
-            glm::floor(this->Discs.centers[disc] / width + corner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
+            glm::floor(this->Discs.centers[disc] / width + discCubesCorner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
           keys[i] = { mortonOf(glm::uvec3(cell)), disc };
         }
       });

@@ -16,7 +16,7 @@ namespace
 {
 
 // The relative excess of samples to aim for.
-constexpr double aimedAt = 1.02;
+constexpr double progressiveExcess = 1.02;
 // Radii down to 1/256 of the expected one are tried.
 constexpr int mostLevelsMore = 8 * progressive::levelsPerOctave;
 
@@ -36,7 +36,7 @@ std::vector<SurfaceSample> sampleProgressively(const TriangleMesh& mesh, const C
     return {};
   }
   const double each = std::clamp(candidates, leastCandidates, mostCandidates);
-  const double aim = aimedAt * static_cast<double>(count) + 1.0;
+  const double aim = progressiveExcess * static_cast<double>(count) + 1.0;
   const ScaledPoints scaled =
     scalePoints(mesh, areas, std::sqrt(progressiveCount(each) * areas.area.back() / aim));
   const SurfacePieces pieces(

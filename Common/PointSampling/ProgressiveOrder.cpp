@@ -2,6 +2,7 @@
 #include "PointSampling/ProgressiveOrder.h"
 
 #include "Core/Hash.h"
+#include "Core/IsFinite.h"
 #include "Core/MortonOrder.h"
 #include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
@@ -44,11 +45,6 @@ bool areApart(const Point& a, const Point& b, const glm::vec3& offset, float squ
   const float up = glm::dot(a.normal, offset);
   const float otherUp = glm::dot(b.normal, offset);
   return ink::areApart(glm::dot(a.normal, b.normal), up * up, otherUp * otherUp, squaredDistance);
-}
-
-bool isFinite(const glm::vec3& point)
-{
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
 /// A point's Morton code.

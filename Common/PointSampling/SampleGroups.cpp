@@ -18,7 +18,7 @@ namespace
 
 /// Where the cubes' corner is, in edges: a side of what lies around the origin is hardly where cubes meet,
 /// which would tear its groups.
-constexpr glm::vec3 corner(0.38f, 0.21f, 0.57f);
+constexpr glm::vec3 cubesCorner(0.38f, 0.21f, 0.57f);
 
 struct Key
 {
@@ -59,7 +59,7 @@ SampleGroups groupSamples(
       for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, keys.size()); ++i)
       {
         const glm::vec3 cube =
-          glm::clamp(glm::floor(positions[i] / edge + corner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
+          glm::clamp(glm::floor(positions[i] / edge + cubesCorner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
         keys[i] = { mortonOf(glm::uvec3(cube)), directionOf(normals[i]), static_cast<std::uint32_t>(i) };
       }
     });

@@ -15,7 +15,7 @@ namespace ink::raster
 namespace
 {
 
-constexpr int rowsPerTask = 32;
+constexpr int dilatedRowsPerTask = 32;
 
 /// The structuring element: the weights of a pixel's ink at others, in 1/256, one row of weights per row
 /// distance.
@@ -88,11 +88,11 @@ void widen(const CoverageImage& image, double radius)
   const int reach = static_cast<int>(stamp.rows.size()) - 1;
   std::vector<unsigned char> before(image.pixels.begin(), image.pixels.end());
   const CoverageImage source{ before, image.width, image.height };
-  parallelFor(static_cast<std::size_t>((image.height + rowsPerTask - 1) / rowsPerTask),
+  parallelFor(static_cast<std::size_t>((image.height + dilatedRowsPerTask - 1) / dilatedRowsPerTask),
     [&](std::size_t task)
     {
-      const int begin = static_cast<int>(task) * rowsPerTask;
-      const int end = std::min(begin + rowsPerTask, image.height);
+      const int begin = static_cast<int>(task) * dilatedRowsPerTask;
+      const int end = std::min(begin + dilatedRowsPerTask, image.height);
       for (int y = std::max(begin - reach, 0); y < std::min(end + reach, image.height); ++y)
       {
         const unsigned char* const row = source.row(y);

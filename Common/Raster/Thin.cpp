@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr std::size_t pixelsPerTask = 4096;
-constexpr int rowsPerTask = 64;
+constexpr int thinnedRowsPerTask = 64;
 
 /// The neighbors of a pixel in a circle, as bits: right, upper right, above, ..., lower right.
 constexpr unsigned right = 1;
@@ -103,14 +103,14 @@ Ink::Ink(const CoverageImage& image, unsigned char threshold)
   : Stride(static_cast<std::size_t>(image.width) + 2)
   , Flags(this->Stride * (static_cast<std::size_t>(image.height) + 2), 0)
 {
-  const auto tasks = static_cast<std::size_t>((image.height + rowsPerTask - 1) / rowsPerTask);
+  const auto tasks = static_cast<std::size_t>((image.height + thinnedRowsPerTask - 1) / thinnedRowsPerTask);
   const auto forRows = [&](const auto& body)
   {
     parallelFor(tasks,
       [&](std::size_t task)
       {
-        const int begin = static_cast<int>(task) * rowsPerTask;
-        for (int y = begin; y < std::min(begin + rowsPerTask, image.height); ++y)
+        const int begin = static_cast<int>(task) * thinnedRowsPerTask;
+        for (int y = begin; y < std::min(begin + thinnedRowsPerTask, image.height); ++y)
         {
           const unsigned char* const row = image.row(y);
           for (int x = skipEmpty(row, 0, image.width); x < image.width;
@@ -218,12 +218,12 @@ void thin(const CoverageImage& image, unsigned char threshold)
   while (layers.peel())
   {
   }
-  const auto tasks = static_cast<std::size_t>((image.height + rowsPerTask - 1) / rowsPerTask);
+  const auto tasks = static_cast<std::size_t>((image.height + thinnedRowsPerTask - 1) / thinnedRowsPerTask);
   parallelFor(tasks,
     [&](std::size_t task)
     {
-      const int begin = static_cast<int>(task) * rowsPerTask;
-      for (int y = begin; y < std::min(begin + rowsPerTask, image.height); ++y)
+      const int begin = static_cast<int>(task) * thinnedRowsPerTask;
+      for (int y = begin; y < std::min(begin + thinnedRowsPerTask, image.height); ++y)
       {
         unsigned char* const row = image.row(y);
         for (int x = skipEmpty(row, 0, image.width); x < image.width; x = skipEmpty(row, x + 1, image.width))

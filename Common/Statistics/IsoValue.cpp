@@ -67,15 +67,15 @@ int countSmoothedAtOnce(const std::array<int, 3>& dimensions, int slicesAtOnce)
 }
 
 /// The edges that cross each threshold and the sums of their steps.
-struct EdgeSums
+struct ThresholdEdges
 {
   std::vector<std::int64_t> edges;
   std::vector<std::int64_t> steps;
 };
 
-EdgeSums withoutMasks(const IsoStatistics& statistics)
+ThresholdEdges withoutMasks(const IsoStatistics& statistics)
 {
-  EdgeSums sums{ statistics.edges, statistics.steps };
+  ThresholdEdges sums{ statistics.edges, statistics.steps };
   for (std::size_t i = 0; i < sums.edges.size(); ++i)
   {
     sums.edges[i] -= statistics.maskEdges[i];
@@ -100,7 +100,7 @@ std::vector<double> keptShares(const std::vector<std::int64_t>& voxels)
 
 /// Whether each threshold is noise, or the border of the field of view.
 std::vector<bool> findNoise(
-  const EdgeSums& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
+  const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
 {
   const std::size_t count = sums.edges.size();
   const auto isBorder = [&](std::size_t i) { return kept[i] > largestKeptShare; };
@@ -131,7 +131,7 @@ std::vector<bool> findNoise(
 /// The mean step along the edges that cross each threshold. Infinite for noise and the border of the field of
 /// view, so that nothing beside them is a maximum; zero for thresholds that hardly any edge crosses.
 std::vector<double> sharpness(
-  const EdgeSums& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
+  const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
 {
   const std::vector<bool> noise = findNoise(sums, speckEdges, kept);
   std::vector<double> result(sums.edges.size(), 0.0);
@@ -202,7 +202,8 @@ struct Boundary
 /// have nearly the greatest total step of these; if that is at the edge of them, beside another boundary or
 /// noise, the maximum of sharpness itself. The total step alone is greatest on the side where a bent surface
 /// has more area.
-Boundary placeBoundary(const Maximum& maximum, const std::vector<double>& sharpness, const EdgeSums& sums)
+Boundary placeBoundary(
+  const Maximum& maximum, const std::vector<double>& sharpness, const ThresholdEdges& sums)
 {
   // Beyond a valley another boundary begins.
   const double least = nearlyAsSharp * sharpness[maximum.first];
@@ -246,7 +247,7 @@ Boundary placeBoundary(const Maximum& maximum, const std::vector<double>& sharpn
 }
 
 std::vector<Boundary> findBoundaries(
-  const EdgeSums& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
+  const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
 {
   const std::vector<double> sharp = sharpness(sums, speckEdges, kept);
   std::vector<Boundary> boundaries;

@@ -324,5 +324,6 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
 
 #define INK_INSTANTIATE(T) template NoiseEstimate estimateNoise(const GridField<T>&, double);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

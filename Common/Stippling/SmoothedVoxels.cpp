@@ -3,6 +3,7 @@
 
 #include "Fields/Grid/GridField.h"
 #include "Fields/Grid/PieceOwnership.h"
+#include "Fields/Resampling/ResampleGrid.h"
 #include "Fields/Resampling/SmoothGrid.h"
 
 #include <glm/common.hpp>
@@ -134,5 +135,6 @@ bool findStippledVoxels(const GridField<T>& field, const glm::dvec3& deviation, 
   template bool findStippledVoxels(const GridField<T>&, const glm::dvec3&, const SampleBox&,                 \
     const GradientOptions&, const VoxelCriteria&, StippledVoxels&, const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink::stipple

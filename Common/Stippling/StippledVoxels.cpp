@@ -199,5 +199,6 @@ bool findStippledVoxels(const GridField<T>& field, const SampleBox& box, const G
   template bool findStippledVoxels(const GridField<T>&, const SampleBox&, const GradientOptions&,            \
     const VoxelCriteria&, StippledVoxels&, const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink::stipple

@@ -124,20 +124,9 @@ void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkP
     options.trace.maximumLength = this->MaximumLength;
   }
   InkLineWriter writer(InkNeedsDoublePrecision(grid) ? VTK_DOUBLE : VTK_FLOAT, this->ComputeCurvatures);
-  const auto work = [&]<class T>(const ink::GridField<T>& field)
+  // Whatever the types of the values.
+  const auto addLines = [&](const ink::FieldSurface& surface, const ink::SurfaceSamples& samples)
   {
-    const glm::dvec3 deviation =
-      ink::makeIsoSurfaceResampling(grid, this->FieldSmoothing, 1, ink::SmoothingTarget::Surface).deviation;
-    const auto smooth = ink::smoothGrid(field, deviation, progress);
-    begun = 0.1;
-    const ink::SurfaceSamples samples = ink::samplesOfGrid(field, this->IsoValue, progress);
-    if (smooth.empty() || !progress(0.0) || samples.positions.empty())
-    {
-      return;
-    }
-    using Work = ink::SmoothedValue<T>;
-    const ink::GridField<Work> form(grid, std::span<const Work>(smooth));
-    const ink::FieldSurface surface{ field, form, this->IsoValue, within };
     glm::dvec3 lower(std::numeric_limits<double>::infinity());
     glm::dvec3 upper(-lower);
     for (const glm::dvec3& p : samples.positions)
@@ -171,10 +160,25 @@ void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkP
         [&](std::size_t n)
         {
           const ink::PrincipalCurvature here =
-            ink::fieldCurvature(form, lines.positions[n]).value_or(ink::PrincipalCurvature());
+            ink::fieldCurvature(surface.form, lines.positions[n]).value_or(ink::PrincipalCurvature());
           return std::array<float, 2>{ static_cast<float>(here.k1), static_cast<float>(here.k2) };
         });
     }
+  };
+  const auto work = [&]<class T>(const ink::GridField<T>& field)
+  {
+    const glm::dvec3 deviation =
+      ink::makeIsoSurfaceResampling(grid, this->FieldSmoothing, 1, ink::SmoothingTarget::Surface).deviation;
+    const auto smooth = ink::smoothGrid(field, deviation, progress);
+    begun = 0.1;
+    const ink::SurfaceSamples samples = ink::samplesOfGrid(field, this->IsoValue, progress);
+    if (smooth.empty() || !progress(0.0) || samples.positions.empty())
+    {
+      return;
+    }
+    using Work = ink::SmoothedValue<T>;
+    const ink::GridField<Work> form(grid, std::span<const Work>(smooth));
+    addLines({ field, form, this->IsoValue, within }, samples);
   };
   int component = 0;
   const vtkSmartPointer<vtkDataArray> contiguous = InkMakeContiguous(scalars, component);

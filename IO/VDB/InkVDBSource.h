@@ -38,6 +38,12 @@ private:
   std::optional<ink::VdbGrid> Grid;
 };
 
+/// What a property of VTK's says, nothing where it is not set.
+inline std::string InkTextOf(const char* characters)
+{
+  return characters ? characters : "";
+}
+
 /// Formats a number of bytes: "12.3 MiB".
 std::string InkMebibytes(double bytes);
 

@@ -43,11 +43,6 @@ vtkStandardNewMacro(vtkInkVDBIsoSurfaceSampler);
 namespace
 {
 
-std::string Text(const char* characters)
-{
-  return characters ? characters : "";
-}
-
 /// A piece's share of the blocks.
 ink::VdbActiveCells ShareOf(ink::VdbActiveCells cells, int piece, int pieces)
 {
@@ -244,7 +239,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestInformation(
   this->Failed = true;
   try
   {
-    for (const ink::VdbGridInfo& grid : this->Source->List(Text(this->FileName)).grids)
+    for (const ink::VdbGridInfo& grid : this->Source->List(InkTextOf(this->FileName)).grids)
     {
       if (grid.problem.empty())
       {
@@ -259,7 +254,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestInformation(
   }
   catch (...)
   {
-    InkReportException(this, nullptr, "Cannot read \"" + Text(this->FileName) + "\"");
+    InkReportException(this, nullptr, "Cannot read \"" + InkTextOf(this->FileName) + "\"");
   }
   return 1;
 }
@@ -277,7 +272,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
   try
   {
     const ink::VdbGrid& grid =
-      this->Source->Read(Text(this->FileName), Text(this->GridName), this->MaximumMemory);
+      this->Source->Read(InkTextOf(this->FileName), InkTextOf(this->GridName), this->MaximumMemory);
     const bool levelSet = grid.info().gridClass == ink::VdbClass::LevelSet;
     const bool negate = this->InvertLevelSets && levelSet;
     ink::SampleOptions options;
@@ -401,8 +396,9 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
   }
   catch (const ink::VdbTooLarge& error)
   {
-    vtkErrorMacro("Cannot sample \"" << Text(this->FileName) << "\": " << error.what() << "; allowed are "
-                                     << this->MaximumMemory << " MiB for it and the grid (MaximumMemory).");
+    vtkErrorMacro("Cannot sample \"" << InkTextOf(this->FileName) << "\": " << error.what()
+                                     << "; allowed are " << this->MaximumMemory
+                                     << " MiB for it and the grid (MaximumMemory).");
   }
   catch (const ink::VdbError& error)
   {
@@ -410,7 +406,7 @@ int vtkInkVDBIsoSurfaceSampler::RequestData(
   }
   catch (...)
   {
-    InkReportException(this, output, "Cannot sample \"" + Text(this->FileName) + "\"");
+    InkReportException(this, output, "Cannot sample \"" + InkTextOf(this->FileName) + "\"");
   }
   return 1;
 }
@@ -455,8 +451,8 @@ void vtkInkVDBIsoSurfaceSampler::FillOutput(
 void vtkInkVDBIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << Text(this->FileName) << "\n"
-     << indent << "GridName: " << Text(this->GridName) << "\n"
+  os << indent << "FileName: " << InkTextOf(this->FileName) << "\n"
+     << indent << "GridName: " << InkTextOf(this->GridName) << "\n"
      << indent << "InvertLevelSets: " << this->InvertLevelSets << "\n"
      << indent << "CrossingRule: " << this->GetCrossingRuleAsString() << "\n"
      << indent << "NormalMethod: " << this->GetNormalMethodAsString() << "\n"

@@ -38,11 +38,6 @@ constexpr const char* ClassName(ink::VdbClass gridClass)
                                               : "unknown";
 }
 
-std::string Text(const char* characters)
-{
-  return characters ? characters : "";
-}
-
 /// The grid with that index, or an empty one.
 const ink::VdbGridInfo& GridAt(const InkVDBSource& source, int index)
 {
@@ -115,7 +110,7 @@ int vtkInkVDBReader::CanReadFile(const char* fileName)
 {
   try
   {
-    InkVDBSource().List(Text(fileName));
+    InkVDBSource().List(InkTextOf(fileName));
     return 1;
   }
   catch (const std::exception&)
@@ -176,7 +171,7 @@ int vtkInkVDBReader::RequestInformation(
   this->Names->SetNumberOfValues(0);
   try
   {
-    const std::string file = Text(this->FileName);
+    const std::string file = InkTextOf(this->FileName);
     const ink::VdbFile& list = this->Source->List(file);
     for (const ink::VdbGridInfo& grid : list.grids)
     {
@@ -185,7 +180,7 @@ int vtkInkVDBReader::RequestInformation(
         this->Names->InsertNextValue(grid.name);
       }
     }
-    const std::string wanted = Text(this->GridName);
+    const std::string wanted = InkTextOf(this->GridName);
     ink::VdbGridInfo grid;
     try
     {
@@ -232,7 +227,7 @@ int vtkInkVDBReader::RequestInformation(
   }
   catch (...)
   {
-    InkReportException(this, nullptr, "Cannot read \"" + Text(this->FileName) + "\"");
+    InkReportException(this, nullptr, "Cannot read \"" + InkTextOf(this->FileName) + "\"");
   }
   return 1;
 }
@@ -251,8 +246,8 @@ int vtkInkVDBReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInf
   }
   try
   {
-    const std::string file = Text(this->FileName);
-    const std::string wanted = Text(this->GridName);
+    const std::string file = InkTextOf(this->FileName);
+    const std::string wanted = InkTextOf(this->GridName);
     // The image first, whose size is known from its dimensions without reading anything.
     const ink::VdbGridInfo& listed = this->Source->List(file).find(wanted);
     const glm::dvec3 size = box.size();
@@ -293,7 +288,7 @@ int vtkInkVDBReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInf
   }
   catch (...)
   {
-    InkReportException(this, image, "Cannot read \"" + Text(this->FileName) + "\"");
+    InkReportException(this, image, "Cannot read \"" + InkTextOf(this->FileName) + "\"");
   }
   return 1;
 }
@@ -301,8 +296,8 @@ int vtkInkVDBReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInf
 void vtkInkVDBReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << Text(this->FileName) << "\n"
-     << indent << "GridName: " << Text(this->GridName) << "\n"
+  os << indent << "FileName: " << InkTextOf(this->FileName) << "\n"
+     << indent << "GridName: " << InkTextOf(this->GridName) << "\n"
      << indent << "InvertLevelSets: " << this->InvertLevelSets << "\n"
      << indent << "Padding: " << this->Padding << "\n"
      << indent << "MaximumMemory: " << this->MaximumMemory << "\n";

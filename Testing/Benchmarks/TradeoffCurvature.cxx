@@ -9,6 +9,7 @@
 #include "Curvature/MeshCurvature.h"
 #include "Curvature/SmoothedCurvature.h"
 #include "CurvedMeshes.h"
+#include "Fields/Resampling/ResampleGrid.h"
 #include "SampledVolume.h"
 #include "Statistics/NoiseEstimate.h"
 

@@ -225,5 +225,6 @@ Contours GridContours<T>::find(
 
 #define INK_INSTANTIATE(T) template class GridContours<T>;
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

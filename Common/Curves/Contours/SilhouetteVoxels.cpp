@@ -299,5 +299,6 @@ EdgeVoxels describeVoxels(const GridField<T>& field, std::span<const std::size_t
     const GridField<T>&, const SilhouetteCriteria&, const Eye&);                                             \
   template EdgeVoxels describeVoxels(const GridField<T>&, std::span<const std::size_t>);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

@@ -4,14 +4,18 @@
 #include "Core/Hash.h"
 #include "Curvature/PrincipalCurvature.h"
 #include "Curves/Streamlines/StreamlinePlacement.h"
+#include "IsoSurface/IsoSurfaceSamples.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <tuple>
 
 namespace ink
@@ -104,6 +108,38 @@ private:
 };
 
 } // namespace
+
+template <class T>
+SurfaceSamples samplesOfGrid(const GridField<T>& field, double isoValue, const Progress& progress)
+{
+  SampleOptions options;
+  options.arithmetic = Arithmetic::Double;
+  const ActiveCells cells = findActiveCells(field, isoValue, options.rule, {}, progress);
+  std::vector<float> normals(3 * cells.count);
+  SurfaceSamples samples;
+  std::vector<double> coordinates(3 * cells.count);
+  placeIsoSurfaceSamples(
+    field, isoValue, options, cells, std::span<double>(coordinates), std::span<float>(normals));
+  const glm::dmat3& edges = field.geometry().stepToWorld();
+  const double volume = std::abs(glm::dot(edges[0], glm::cross(edges[1], edges[2])));
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+  {
+    const glm::dvec3 normal(normals[i], normals[i + 1], normals[i + 2]);
+    samples.positions.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+    double across = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      across += std::abs(glm::dot(normal, edges[axis]));
+    }
+    samples.area += across > 0.0 ? volume / across : 0.0;
+  }
+  return samples;
+}
+
+#define INK_INSTANTIATE(T)                                                                                   \
+  template SurfaceSamples samplesOfGrid(const GridField<T>&, double, const Progress&);
+INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 FieldStreamlines evenFieldStreamlines(const FieldSurface& surface, const SurfaceSamples& samples,
   bool maximum, double negligible, const EvenStreamlineOptions& options, const Progress& progress)

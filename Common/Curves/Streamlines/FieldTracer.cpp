@@ -16,7 +16,7 @@ namespace
 {
 
 /// No half line has more points.
-constexpr double mostSteps = 2e6;
+constexpr double mostFieldSteps = 2e6;
 
 glm::dvec3 tangentPart(const glm::dvec3& vector, const glm::dvec3& normal)
 {
@@ -65,7 +65,7 @@ LineEnd FieldTracer::follow(const FieldPoint& seed, const glm::dvec3& toward, co
   glm::dvec3 at = seed.position;
   glm::dvec3 heading = toward;
   double arc = 0.0;
-  const double count = std::min(0.5 * this->Options.maximumLength, mostSteps);
+  const double count = std::min(0.5 * this->Options.maximumLength, mostFieldSteps);
   for (double n = 0.0; n < count; ++n)
   {
     const auto direction = [&](const glm::dvec3& position)
@@ -115,7 +115,7 @@ std::optional<SurfaceArrival<FieldPoint>> FieldTracer::walk(
   FieldPoint at = from;
   glm::dvec3 heading = tangentPart(direction, at.normal);
   const double count = std::ceil(distance / this->Options.step);
-  if (heading == glm::dvec3(0.0) || !(count < mostSteps))
+  if (heading == glm::dvec3(0.0) || !(count < mostFieldSteps))
   {
     return std::nullopt;
   }

@@ -10,11 +10,6 @@
 namespace ink
 {
 
-namespace
-{
-
-} // namespace
-
 glm::vec3 normalAt(const MeshNavigation& mesh, std::span<const glm::vec3> normals, const MeshPoint& point)
 {
   glm::dvec3 normal(0.0);

@@ -351,6 +351,7 @@ void storeRows(const IndexGradients<Work>& from, const glm::mat<3, 3, Work>& toW
     std::span<const RowTap<Work>>, const RowsAround<Work>&, std::size_t, IndexGradients<Work>&);
 INK_INSTANTIATE(float)
 INK_INSTANTIATE(double)
+#undef INK_INSTANTIATE
 template void storeRows(
   const IndexGradients<float>&, const glm::mat<3, 3, float>&, std::size_t, const GradientPointers<float>&);
 template void storeRows(

@@ -444,5 +444,6 @@ bool estimateGradients(const GridField<T>& field, const SampleBox& box, const Gr
   template bool estimateGradients(const GridField<T>&, const SampleBox&, const GradientOptions&,             \
     const GradientArrays<double>&, const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

@@ -145,5 +145,6 @@ bool laplacianOfGaussian(const GridField<T>& field, const SampleBox& box, const 
   template bool laplacianOfGaussian(                                                                         \
     const GridField<T>&, const SampleBox&, const glm::dvec3&, std::span<double>, const Progress&);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

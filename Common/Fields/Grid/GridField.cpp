@@ -228,5 +228,6 @@ glm::dmat3 GridField<T>::hessian(const glm::dvec3& world) const
   static_assert(Field<GridField<T>>);                                                                        \
   template class GridField<T>;
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

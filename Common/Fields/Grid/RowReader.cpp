@@ -82,5 +82,6 @@ bool readRow(const GridField<T>& field, int j, int k, int begin, Work limit, std
   template bool readRow(                                                                                     \
     const GridField<T>&, int, int, int, double, std::span<double>, std::span<std::uint8_t>);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
+#undef INK_INSTANTIATE
 
 } // namespace ink

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Fields/Resampling/ResampleGrid.h"
+#include "Core/Progress.h"
+#include "Fields/Grid/GridField.h"
 
 #include <glm/vec3.hpp>
 
-#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -23,15 +23,6 @@ using SmoothedValue = std::conditional_t<std::is_same_v<T, float> || sizeof(T) <
 ///   negative or not finite
 template <class T>
 std::vector<SmoothedValue<T>> smoothGrid(
-  const GridField<T>& field, const glm::dvec3& deviation, const Progress& progress = {})
-{
-  const GridGeometry& geometry = field.geometry();
-  const auto along = [&](int axis)
-  { return AxisResampling(deviation[axis], 1, geometry.dimensions()[axis]); };
-  std::vector<SmoothedValue<T>> values(geometry.sampleCount());
-  const bool finished =
-    resampleGrid(field, { along(0), along(1), along(2) }, std::span<SmoothedValue<T>>(values), progress);
-  return finished ? values : std::vector<SmoothedValue<T>>();
-}
+  const GridField<T>& field, const glm::dvec3& deviation, const Progress& progress = {});
 
 } // namespace ink

@@ -45,7 +45,7 @@ Result VdbField::around(const glm::dvec3& world, int reach, const Evaluate& eval
   const VoxelBox box{ glm::max(cell - reach, this->Domain.first),
     glm::min(cell + 1 + reach, this->Domain.last) };
   const GridGeometry geometry = this->Grid.geometry(box);
-  return std::visit(
+  return this->Grid.tree().visit(
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
@@ -68,8 +68,7 @@ Result VdbField::around(const glm::dvec3& world, int reach, const Evaluate& eval
         ? ElementMarks{ std::span<const std::uint8_t>(missing.data(), n), 1 }
         : ElementMarks();
       return Result(evaluate(GridField<T>(geometry, std::span<const T>(values.data(), n), 1, marks)));
-    },
-    this->Grid.tree().values);
+    });
 }
 
 double VdbField::value(const glm::dvec3& world) const

@@ -43,8 +43,7 @@ private:
   std::ios::iostate Before;
 };
 
-template <class TreeType>
-void readTree(std::istream& in, const VdbFile& file, const VdbGridInfo& grid, TreeType& tree)
+void readTree(std::istream& in, const VdbFile& file, const VdbGridInfo& grid, openvdb::TreeBase& tree)
 {
   const ThrowingStream throwing(in);
   in.seekg(static_cast<std::streamoff>(grid.treeAt));
@@ -86,19 +85,17 @@ const Ending ending;
 
 } // namespace
 
-VdbGrid::Tree::Tree(bool isDouble, double background)
+VdbGrid::Tree::Tree(bool isDouble)
 {
   if (isDouble)
   {
-    this->values.emplace<openvdb::DoubleTree>(background);
+    this->values = makeVdbTree<openvdb::DoubleTree>();
   }
   else
   {
-    this->values.emplace<openvdb::FloatTree>(static_cast<float>(background));
+    this->values = makeVdbTree<openvdb::FloatTree>();
   }
 }
-
-VdbGrid::Tree::~Tree() = default;
 
 void VdbGrid::freeTree(const Tree* tree)
 {
@@ -134,7 +131,7 @@ VdbGrid VdbGrid::read(std::istream& in, const VdbFile& file, const VdbGridInfo& 
   auto tree = std::make_unique<Tree>(grid.isDouble);
   try
   {
-    std::visit([&](auto& values) { readTree(in, file, grid, values); }, tree->values);
+    std::visit([&](const auto& values) { readTree(in, file, grid, *values); }, tree->values);
   }
   catch (const std::bad_alloc&)
   {
@@ -153,31 +150,29 @@ VdbGrid VdbGrid::read(std::istream& in, const VdbFile& file, const VdbGridInfo& 
 
 double VdbGrid::background() const
 {
-  return std::visit(
-    [](const auto& tree) { return static_cast<double>(tree.background()); }, this->Content->values);
+  return this->Content->visit([](const auto& tree) { return static_cast<double>(tree.background()); });
 }
 
 std::uint64_t VdbGrid::memory() const
 {
-  return std::visit([](const auto& tree) { return tree.memUsage(); }, this->Content->values);
+  return this->Content->visit([](const openvdb::TreeBase& tree) { return tree.memUsage(); });
 }
 
 VoxelBox VdbGrid::activeBox() const
 {
-  return std::visit(
-    [](const auto& tree)
+  return this->Content->visit(
+    [](const openvdb::TreeBase& tree)
     {
       openvdb::CoordBBox box;
       tree.evalActiveVoxelBoundingBox(box);
       return toBox(box);
-    },
-    this->Content->values);
+    });
 }
 
 FiniteRange VdbGrid::values(bool negate) const
 {
   FiniteRange summary;
-  std::visit(
+  this->Content->visit(
     [&](const auto& tree)
     {
       using T = typename std::remove_cvref_t<decltype(tree)>::ValueType;
@@ -194,8 +189,7 @@ FiniteRange VdbGrid::values(bool negate) const
       {
         add(&tile.getValue(), 1);
       }
-    },
-    this->Content->values);
+    });
   if (negate)
   {
     summary.least = -std::exchange(summary.greatest, -summary.least);
@@ -220,7 +214,7 @@ template <class Real>
 bool VdbGrid::copyTo(const VoxelBox& box, bool negate, std::span<Real> values, const Progress& progress) const
 {
   using TreeType = std::conditional_t<std::is_same_v<Real, double>, openvdb::DoubleTree, openvdb::FloatTree>;
-  const auto* tree = std::get_if<TreeType>(&this->Content->values);
+  const auto* tree = std::get_if<typename TreeType::Ptr>(&this->Content->values);
   const glm::dvec3 size = box.size();
   if (!tree || static_cast<double>(values.size()) != size.x * size.y * size.z)
   {
@@ -234,7 +228,7 @@ bool VdbGrid::copyTo(const VoxelBox& box, bool negate, std::span<Real> values, c
   const int layers = box.empty() ? 0 : (blockOf(box.last.z) - firstLayer) / leafSize + 1;
   const auto copyLayer = [&](std::size_t layer)
   {
-    VdbLookup<TreeType> lookup(*tree);
+    VdbLookup<TreeType> lookup(**tree);
     const int z = firstLayer + static_cast<int>(layer) * leafSize;
     for (int y = blockOf(box.first.y); y <= box.last.y; y += leafSize)
     {

@@ -7,21 +7,35 @@
 
 #include <glm/vec3.hpp>
 
-#include <stdexcept>
+#include <utility>
 #include <variant>
 
 /// The part of Common/Fields/Vdb that includes OpenVDB: only for sources, as it takes long to compile.
 namespace ink
 {
 
-/// Made and freed in VdbGrid.cpp alone: a source that does so compiles all virtual functions of both trees.
+/// A tree that holds nothing but a background of 0, from OpenVDB's registry: OpenVDB's library has all
+/// virtual functions of its trees, and a source that constructs one would compile them again.
+template <class TreeType>
+typename TreeType::Ptr makeVdbTree()
+{
+  openvdb::initialize();
+  return openvdb::StaticPtrCast<TreeType>(openvdb::GridBase::createGrid(TreeType::treeType())->baseTreePtr());
+}
+
+/// Of double or else float, known by type to those that visit it.
 struct VdbGrid::Tree
 {
-  /// Of double or else float; holds nothing but the background.
-  explicit Tree(bool isDouble, double background = 0.0);
-  ~Tree();
+  explicit Tree(bool isDouble);
 
-  std::variant<openvdb::FloatTree, openvdb::DoubleTree> values;
+  /// body(const TreeType&)
+  template <class Body>
+  auto visit(const Body& body) const
+  {
+    return std::visit([&](const auto& tree) { return body(std::as_const(*tree)); }, this->values);
+  }
+
+  std::variant<openvdb::FloatTree::Ptr, openvdb::DoubleTree::Ptr> values;
 };
 
 inline openvdb::Coord toCoord(const glm::ivec3& v)

@@ -78,11 +78,10 @@ public:
     }
   }
 
-  T background() const { return this->Values.lowest; }
-
-  /// Fills a tree that holds nothing but the background.
+  /// Fills a tree that holds nothing.
   void build(TreeType& tree) const
   {
+    tree.root().setBackground(this->Values.lowest, false);
     std::vector<Leaf*> leaves;
     // Rounded down, also for negative indices.
     const glm::ivec3 start(this->First.x & -leafSize, this->First.y & -leafSize, this->First.z & -leafSize);
@@ -129,16 +128,16 @@ private:
         this->addCorners(slab);
       }
     }
-    if (this->Band.empty())
+    if (this->Band->empty())
     {
       throw std::invalid_argument("no surface of this value runs through the volume");
     }
     openvdb::tools::dilateActiveValues(
-      this->Band, halfWidth, openvdb::tools::NN_FACE_EDGE_VERTEX, openvdb::tools::IGNORE_TILES, false);
-    this->Band.clip(openvdb::CoordBBox(toCoord(this->First), toCoord(this->Last)));
+      *this->Band, halfWidth, openvdb::tools::NN_FACE_EDGE_VERTEX, openvdb::tools::IGNORE_TILES, false);
+    this->Band->clip(openvdb::CoordBBox(toCoord(this->First), toCoord(this->Last)));
     // A leaf with only active voxels may have become a tile.
-    this->Band.voxelizeActiveTiles();
-    for (auto voxel = this->Band.cbeginValueOn(); voxel; ++voxel)
+    this->Band->voxelizeActiveTiles();
+    for (auto voxel = this->Band->cbeginValueOn(); voxel; ++voxel)
     {
       this->Values.add(this->at(toVector(voxel.getCoord())));
     }
@@ -146,7 +145,7 @@ private:
 
   void addCorners(const ActiveCells::Slab& slab)
   {
-    openvdb::tree::ValueAccessor<MaskTree> band(this->Band);
+    openvdb::tree::ValueAccessor<MaskTree> band(*this->Band);
     for (const CellRun& run : slab.runs)
     {
       for (std::uint64_t rest = run.cells; rest != 0; rest &= rest - 1)
@@ -172,7 +171,7 @@ private:
   {
     const glm::ivec3 low = glm::max(block, this->First);
     const glm::ivec3 high = glm::min(block + leafSize - 1, this->Last);
-    const bool inBand = this->Around && this->Band.probeConstLeaf(toCoord(block));
+    const bool inBand = this->Around && this->Band->probeConstLeaf(toCoord(block));
     const T first = this->Around ? this->sideOf(this->at(low)) : this->at(low);
     bool alike = !inBand && std::isfinite(first);
     for (int k = low.z; alike && k <= high.z; ++k)
@@ -200,7 +199,7 @@ private:
   void fill(Leaf& leaf) const
   {
     const glm::ivec3 block = toVector(leaf.origin());
-    const auto* band = this->Band.probeConstLeaf(leaf.origin());
+    const auto* band = this->Band->probeConstLeaf(leaf.origin());
     for (openvdb::Index n = 0; n < Leaf::SIZE; ++n)
     {
       const glm::ivec3 voxel = block + toVector(Leaf::offsetToLocalCoord(n));
@@ -220,7 +219,7 @@ private:
   glm::ivec3 First;
   glm::ivec3 Last;
   std::optional<double> Around;
-  MaskTree Band;
+  MaskTree::Ptr Band = makeVdbTree<MaskTree>();
   Range<T> Values;
 };
 
@@ -302,15 +301,14 @@ VdbGrid makeVdbGrid(const GridField<T>& volume, const VdbConversion& conversion)
   {
     info.direction[axis] = geometry.direction()[axis];
   }
-  std::unique_ptr<VdbGrid::Tree> tree;
+  auto tree = std::make_unique<VdbGrid::Tree>(info.isDouble);
   tbb::task_arena(threadCount())
     .execute(
       [&]
       {
         using Builder = TreeBuilder<T>;
         const Builder builder(volume, conversion);
-        tree = std::make_unique<VdbGrid::Tree>(info.isDouble, static_cast<double>(builder.background()));
-        builder.build(std::get<typename Builder::TreeType>(tree->values));
+        builder.build(*std::get<typename Builder::TreeType::Ptr>(tree->values));
       });
   return VdbGrid(std::move(info), std::move(tree));
 }
@@ -322,7 +320,7 @@ std::string serializeVdb(const VdbGrid& grid)
 {
   openvdb::initialize();
   const VdbGridInfo& info = grid.info();
-  return std::visit(
+  return grid.tree().visit(
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
@@ -348,8 +346,7 @@ std::string serializeVdb(const VdbGrid& grid)
       std::string bytes;
       tbb::task_arena(threadCount()).execute([&] { bytes = MemoryArchive::run(written); });
       return bytes;
-    },
-    grid.tree().values);
+    });
 }
 
 } // namespace ink

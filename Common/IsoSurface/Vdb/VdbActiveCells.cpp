@@ -383,7 +383,7 @@ VdbActiveCells findActiveCells(const VdbGrid& grid, double isoValue, CrossingRul
   {
     return cells;
   }
-  std::visit(
+  grid.tree().visit(
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
@@ -411,8 +411,7 @@ VdbActiveCells findActiveCells(const VdbGrid& grid, double isoValue, CrossingRul
       {
         cells.blocks.insert(cells.blocks.end(), part.begin(), part.end());
       }
-    },
-    grid.tree().values);
+    });
   for (VdbActiveCells::Block& block : cells.blocks)
   {
     block.before = cells.count;

@@ -135,7 +135,7 @@ bool placeIsoSurfaceSamples(const VdbGrid& grid, double isoValue, const SampleOp
   {
     throw std::invalid_argument("points and normals must have three numbers for each cell");
   }
-  return std::visit(
+  return grid.tree().visit(
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
@@ -150,8 +150,7 @@ bool placeIsoSurfaceSamples(const VdbGrid& grid, double isoValue, const SampleOp
       };
       constexpr std::size_t blocksPerChunk = 64;
       return parallelForChunks(cells.blocks.size(), place, blocksPerChunk, progress);
-    },
-    grid.tree().values);
+    });
 }
 
 template bool placeIsoSurfaceSamples(const VdbGrid&, double, const SampleOptions&, bool,

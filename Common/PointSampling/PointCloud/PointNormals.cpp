@@ -20,7 +20,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t pointsPerChunk = 1 << 10;
+constexpr std::size_t normalsPerChunk = 1 << 10;
 // The degree of the neighborhood graph: more neighbors smooth normals, but hardly change the tree.
 constexpr std::size_t mostEdges = 16;
 
@@ -166,7 +166,7 @@ std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int ne
             std::copy_n(mine.begin(), joined, near.begin() + static_cast<std::ptrdiff_t>(i * joined));
           }
         },
-        pointsPerChunk, progress))
+        normalsPerChunk, progress))
   {
     return {};
   }

@@ -23,7 +23,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t pointsPerChunk = 1 << 10;
+constexpr std::size_t radiiPerChunk = 1 << 10;
 constexpr std::size_t mostNeighbors = VoronoiCell2D::mostNeighbors;
 constexpr std::size_t smoothed = 12; // neighbors over which radii are smoothed
 constexpr std::size_t spacingAt = 8; // the neighbor whose distance measures the local spacing
@@ -39,7 +39,7 @@ constexpr float thickCloud = 0.25f;   // of the distance to the neighbors: their
 constexpr float holeFrom = 3.0f;      // times the median distance of cell corners
 constexpr float ownMedianCounts = 4.0f;
 constexpr float overlap = 1.25f;
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float noNeighbor = std::numeric_limits<float>::infinity();
 
 float median(std::span<float> values)
 {
@@ -181,8 +181,8 @@ struct Neighborhoods
   {
     std::array<float, VoronoiCell2D::mostCorners> corners;
     const auto those = std::span(corners).first(this->cellOf(i).corners(corners));
-    this->farthest[i] = those.empty() ? infinity : *std::max_element(those.begin(), those.end());
-    this->middle[i] = those.empty() ? infinity : median(those);
+    this->farthest[i] = those.empty() ? noNeighbor : *std::max_element(those.begin(), those.end());
+    this->middle[i] = those.empty() ? noNeighbor : median(those);
   }
 
   void coverCell(std::size_t i)
@@ -310,7 +310,7 @@ PointRadii pointRadii(
     const double before = done;
     done += share;
     const Progress part = [&](double of) { return !progress || progress(before + share * of); };
-    return parallelForEach(distinct.positions.size(), step, pointsPerChunk, part);
+    return parallelForEach(distinct.positions.size(), step, radiiPerChunk, part);
   };
   const auto unlessIsolated = [&](const auto& step)
   {

@@ -25,11 +25,11 @@ namespace ink::io
 namespace
 {
 
-using Corner = std::array<float, 3>;
+using StlCorner = std::array<float, 3>;
 
-struct CornerHash
+struct StlCornerHash
 {
-  std::size_t operator()(const Corner& corner) const
+  std::size_t operator()(const StlCorner& corner) const
   {
     std::uint64_t hash = 0;
     for (const float coordinate : corner)
@@ -52,7 +52,7 @@ public:
     this->Coordinates->SetNumberOfComponents(3);
   }
 
-  void add(const std::array<Corner, 3>& corners)
+  void add(const std::array<StlCorner, 3>& corners)
   {
     ++this->Count;
     std::array<vtkIdType, 3> ids;
@@ -93,7 +93,7 @@ public:
 private:
   const fs::path& File;
   std::uint64_t Count = 0;
-  std::unordered_map<Corner, vtkIdType, CornerHash> Ids;
+  std::unordered_map<StlCorner, vtkIdType, StlCornerHash> Ids;
   vtkNew<vtkFloatArray> Coordinates;
   vtkNew<vtkCellArray> Polygons;
 };
@@ -133,9 +133,9 @@ void readBinary(std::string_view bytes, const fs::path& file, Triangles& triangl
       advance(progress, static_cast<double>(i) / static_cast<double>(count));
     }
     // A normal, which is not used, the corners, and two bytes for anything.
-    const char* corner = bytes.data() + headerSize + i * triangleSize + sizeof(Corner);
-    std::array<Corner, 3> corners;
-    for (Corner& to : corners)
+    const char* corner = bytes.data() + headerSize + i * triangleSize + sizeof(StlCorner);
+    std::array<StlCorner, 3> corners;
+    for (StlCorner& to : corners)
     {
       for (float& coordinate : to)
       {
@@ -232,8 +232,8 @@ void readText(std::string_view text, const fs::path& file, Triangles& triangles,
       words.skipLine();
       words.expect("outer");
       words.expect("loop");
-      std::array<Corner, 3> corners;
-      for (Corner& corner : corners)
+      std::array<StlCorner, 3> corners;
+      for (StlCorner& corner : corners)
       {
         words.expect("vertex");
         for (float& coordinate : corner)

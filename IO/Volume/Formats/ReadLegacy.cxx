@@ -23,7 +23,7 @@ namespace
 
 constexpr int bits = VTK_BIT;
 
-int typeOf(const std::string& name)
+int legacyTypeOf(const std::string& name)
 {
   // As VTK writes them on machines of 64 bits, but for ids, which have 32 in these files.
   static const std::map<std::string, int> types{ { "bit", bits }, { "char", VTK_SIGNED_CHAR },
@@ -292,7 +292,7 @@ private:
   /// Uses the values that begin here, or goes past them.
   void take(const Block& block, bool areValues)
   {
-    const int type = typeOf(block.typeName);
+    const int type = legacyTypeOf(block.typeName);
     constexpr double mostComponents = 1 << 20;
     if (type == VTK_VOID || !(block.components >= 0 && block.components <= mostComponents) ||
       block.components != std::floor(block.components))

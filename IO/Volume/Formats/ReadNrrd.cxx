@@ -22,7 +22,7 @@ namespace ink::io
 namespace
 {
 
-int typeOf(const std::string& name)
+int nrrdTypeOf(const std::string& name)
 {
   static const std::map<std::string_view, int> types{ { "signed char", VTK_SIGNED_CHAR },
     { "int8", VTK_SIGNED_CHAR }, { "int8_t", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR },
@@ -194,7 +194,7 @@ VolumeHeader readNrrdHeader(const fs::path& file)
   VolumeHeader header;
   header.format = "NRRD volume";
   RawVolume& voxels = header.voxels;
-  voxels.type = typeOf(nrrd.field("type"));
+  voxels.type = nrrdTypeOf(nrrd.field("type"));
   if (voxels.type == VTK_VOID)
   {
     nrrd.fail("type", "an integer of 8 to 64 bits as uint8, float or double");
