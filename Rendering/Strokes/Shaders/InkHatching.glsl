@@ -67,7 +67,14 @@ float spacingRatio(int point, float fraction)
   return mix(few[before & 3], others[(before + 1) & 3], at - float(before));
 }
 
-float strokeWidth(float coverage, float allSpacing, float priority, float spacing, float leastWidth, int point)
+// No more than this where the surface is seen at that cosine: beside a silhouette wide strokes would reach over it.
+float mostSpacingRatio(float cosine)
+{
+  return 1.0 + 2.0 * abs(cosine);
+}
+
+float strokeWidth(
+  float coverage, float allSpacing, float priority, float spacing, float leastWidth, int point, float mostRatio)
 {
   if (!(coverage > 0.0 && allSpacing > 0.0 && spacing > 0.0))
   {
@@ -80,5 +87,5 @@ float strokeWidth(float coverage, float allSpacing, float priority, float spacin
   float beyond = max(to - 1.0, 0.0);
   float drawn = from >= 1.0 ? 1.0 : fraction - 0.5 * beyond * beyond / range;
   float presence = clamp((to - priority) / range, 0.0, 1.0);
-  return coverage * allSpacing / drawn * presence * spacingRatio(point, fraction);
+  return coverage * allSpacing / drawn * presence * min(spacingRatio(point, fraction), mostRatio);
 }

@@ -62,7 +62,7 @@ float toneWidth(vec3 position, vec3 normal, vec3 toEye, float pixel, ivec4 run, 
   float spacing = hatchSpacing.x + hatchSpacing.y / pixel;
   float least = 2.0 * (halfWidth.x + halfWidth.y / pixel);
   float coverage = hatchCoverage(hatchTone(position, normal, cosine), hatch.y);
-  return strokeWidth(coverage, allSpacing, priority, spacing, least, source);
+  return strokeWidth(coverage, allSpacing, priority, spacing, least, source, mostSpacingRatio(cosine));
 }
 #endif
 
