@@ -52,16 +52,16 @@ glm::vec3 up(double)
   return { 0.0f, 0.0f, 1.0f };
 }
 
-/// Strokes along x over a square of `count` times `count`, at y = count * place((i + 1/2) / count), from x =
+/// Strokes along x over a square of `count` times `count`, at y = count * share((i + 1/2) / count), from x =
 /// begin(i) on.
 FamilyStrokes squareStrokes(
-  const std::function<double(double)>& place,
+  const std::function<double(double)>& share,
   const std::function<double(int)>& begin = [](int) { return 0.0; })
 {
   FamilyStrokes strokes;
   for (int line = 0; line < count; ++line)
   {
-    const double y = count * place((line + 0.5) / count);
+    const double y = count * share((line + 0.5) / count);
     addStroke(
       strokes, progressivePriority(line), 2 * count,
       [&](double u) { return glm::vec3(begin(line) + u * (count - begin(line)), y, 0.0); }, up);
@@ -117,7 +117,8 @@ double grayAt(const FamilyStrokes& strokes, const std::vector<SpacingRatios>& ra
   return ink / whole;
 }
 
-/// Of places along y at the middle of the square, from a margin on: the largest relative error of the gray.
+/// Of positions along y at the middle of the square, from a margin on: the largest relative error of the
+/// gray.
 double worstGray(const FamilyStrokes& strokes, const std::vector<SpacingRatios>& ratios, float fraction,
   double radius, double margin)
 {
