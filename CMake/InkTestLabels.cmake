@@ -8,7 +8,7 @@ set(_ink_test_labels
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components)|CutSamples|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
   "sampling:KdTree|DiscSamples|SampleGroups|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder"
   "stippling:Stippl|QuantizedPosition"
-  "tone:Tone|Hatching|DotCoverage|HlsColor|SmallElements|WarmCool"
+  "tone:Tone|Hatching|LocalSpacing|AreaSamples|DotCoverage|HlsColor|SmallElements|WarmCool"
   "lines:SplattingLines"
   "strokes:Stroke|CurveVisibility"
   "streamlines:Streamline|LineSampleGrid|CrossField|InsideOut|MeshNavigation|RepeatedTriangles|LinesOfCurvature"

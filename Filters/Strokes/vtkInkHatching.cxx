@@ -3,8 +3,9 @@
 
 #include "Core/Hash.h"
 #include "Curves/Strokes/CutStroke.h"
-#include "InkMeshTriangles.h"
+#include "InkOutwardTriangles.h"
 #include "InkReportException.h"
+#include "InkSpacingRatios.h"
 #include "InkVTKCompat.h"
 
 #include "vtkCellArray.h"
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -35,8 +37,10 @@ namespace
 
 using FamilyValues = std::array<double, 2>;
 
-/// The part of the work that finding the lines' lengths is, and after how many lines progress is told.
-constexpr double LengthsShare = 0.3;
+/// The parts of the work that finding the lines' lengths and cutting them are, and after how many lines
+/// progress is told.
+constexpr double LengthsShare = 0.1;
+constexpr double CuttingShare = 0.3;
 constexpr vtkIdType ProgressInterval = 64;
 
 /// The lines as the filter needs them.
@@ -123,16 +127,6 @@ vtkDataArray* FindCellArray(vtkPolyData* data, const char* name)
   return array;
 }
 
-double FindArea(vtkPolyData* surface)
-{
-  if (!surface)
-  {
-    return 0.0;
-  }
-  const InkMeshTriangles triangles(surface, false, InkMeshTriangles::Order::OfMesh);
-  return ink::cumulateArea(triangles.GetMesh()).area.back();
-}
-
 /// Priorities of lines in a random order: the share of their family's length that comes before each.
 std::vector<double> ShufflePriorities(
   const std::vector<double>& lengths, const std::vector<int>& families, const FamilyValues& wholes, int seed)
@@ -195,7 +189,13 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
   }
   vtkDataArray* givenFamilies = FindCellArray(data, "LineFamily");
   vtkDataArray* givenPriorities = FindCellArray(data, "Priority");
-  const double area = this->Spacing > 0.0 ? 0.0 : FindArea(surface);
+  std::optional<InkMeshTriangles> triangles;
+  double area = 0.0;
+  if (surface && this->Spacing == 0.0)
+  {
+    triangles.emplace(InkOutwardTriangles(surface, InkMeshTriangles::Order::OfMesh));
+    area = ink::cumulateArea(triangles->GetMesh()).area.back();
+  }
   if (!(this->Spacing > 0.0 || area > 0.0))
   {
     throw std::invalid_argument("expected a surface with an area on the second input, or a Spacing; found " +
@@ -249,7 +249,7 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
   cellData->CopyAllocate(data->GetCellData(), lines.GetNumber());
   for (vtkIdType line = 0; line < lines.GetNumber(); ++line)
   {
-    if (!progress(line, LengthsShare, 1.0 - LengthsShare))
+    if (!progress(line, LengthsShare, CuttingShare))
     {
       output->Initialize();
       return;
@@ -282,12 +282,28 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
   output->SetPoints(data->GetPoints());
   output->GetPointData()->PassData(data->GetPointData());
   output->SetLines(strokes);
+  if (this->LocalSpacing && triangles)
+  {
+    constexpr double begun = LengthsShare + CuttingShare;
+    const vtkSmartPointer<vtkFloatArray> ratios = InkSpacingRatios(output, *triangles,
+      [&](double done)
+      {
+        this->UpdateProgress(begun + (1.0 - begun) * done);
+        return !InkCheckAbort(this);
+      });
+    output->GetPointData()->AddArray(ratios);
+    if (InkCheckAbort(this))
+    {
+      output->Initialize();
+    }
+  }
 }
 
 void vtkInkHatching::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Spacing: " << this->Spacing << "\n"
+     << indent << "LocalSpacing: " << this->LocalSpacing << "\n"
      << indent << "StrokeLength: " << this->StrokeLength << "\n"
      << indent << "Seed: " << this->Seed << "\n";
 }

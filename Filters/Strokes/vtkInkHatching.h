@@ -9,15 +9,15 @@
  *
  * Input: lines, as vtkInkLinesOfCurvature makes them, with the cell arrays `Priority` (the share of the
  * family's total length that comes before a line; without it, lines are dropped by chance, as in Rössl et al.
- * 2000, section 3.2) and `LineFamily` (without it, all are of one). Second input: the surface that they
- * cover; only its area counts, and it is not needed where Spacing is set.
+ * 2000, section 3.2) and `LineFamily` (without it, all are of one), and the point normals. Second input: the
+ * surface that they cover, which is not needed where Spacing is set.
  *
  * Output: the lines' points with their arrays; lines, of points that are about two spacings apart where the
  * input's are closer, or half a spacing where lines turn, with their cell arrays, `Priority`, `LineFamily`,
  * and `Spacing` (float), the distance between all lines of the family in world units: the surface's area
- * divided by their length. Vertices, polygons and strips are left out. The result is the same for any number
- * of threads. Errors, each with an empty output: no surface with an area and no Spacing, arrays of a wrong
- * size.
+ * divided by their length; and, with LocalSpacing, the point array `SpacingRatio`. Vertices, polygons and
+ * strips are left out. The result is the same for any number of threads. Errors, each with an empty output:
+ * no surface with an area and no Spacing, arrays of a wrong size.
  *
  * @sa vtkInkLinesOfCurvature vtkInkStrokeMapper
  */
@@ -54,6 +54,19 @@ public:
 
   ///@{
   /**
+   * Whether strokes know how far they are from each other around each of their points, so that grays are
+   * right where lines are closer or wider apart than elsewhere: the point array `SpacingRatio` (float, 8
+   * components), this distance relative to `Spacing`, when all strokes are drawn in full and, half an octave
+   * after the other, fewer of them down to a tenth (ink::hatching::localSpacing); between 1/2 and 2. Default:
+   * on. Off, or where Spacing is set: all of a family have one distance, as published.
+   */
+  vtkSetMacro(LocalSpacing, bool);
+  vtkGetMacro(LocalSpacing, bool);
+  vtkBooleanMacro(LocalSpacing, bool);
+  ///@}
+
+  ///@{
+  /**
    * About how long strokes are at most, in world units: longer lines are cut, at points that they have.
    * Shorter strokes look more like sketched by hand. 0 (default) to 1e300; 0: lines are not cut.
    */
@@ -84,6 +97,7 @@ private:
   void MakeStrokes(vtkPolyData* lines, vtkPolyData* surface, vtkPolyData* output);
 
   double Spacing = 0.0;
+  bool LocalSpacing = true;
   double StrokeLength = 0.0;
   int Seed = 0;
 };

@@ -9,11 +9,9 @@
 #include "Curves/Streamlines/SmoothCrossField.h"
 #include "InkHasPolygons.h"
 #include "InkLineWriter.h"
-#include "InkMeshTriangles.h"
-#include "InkPointNormals.h"
+#include "InkOutwardTriangles.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
-#include "Mesh/InsideOut.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -29,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -205,12 +202,7 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     this->UpdateProgress(begun + share * done);
     return !InkCheckAbort(this);
   };
-  InkMeshTriangles triangles(mesh, true);
-  if (!InkPointNormals(mesh) && ink::isInsideOut(triangles.GetMesh()))
-  {
-    std::transform(
-      triangles.Normals.begin(), triangles.Normals.end(), triangles.Normals.begin(), std::negate<>());
-  }
+  const InkMeshTriangles triangles = InkOutwardTriangles(mesh);
   const ink::TriangleMesh surface = triangles.GetMesh();
   ink::MeshNavigation navigation(surface, 180.0);
   if (!(navigation.area() > 0.0))

@@ -58,6 +58,7 @@ InkStrokePasses::InkStrokePasses(vtkOpenGLRenderWindow* window)
   , Shapes(window)
   , Strokes(window)
   , Hatches(window)
+  , SpacingRatios(window)
   , Ids(window)
   , Colors(window)
   , Texture(window)
@@ -70,7 +71,9 @@ std::string InkStrokePasses::Upload(const InkStrokePoints& points)
   now.Modified();
   this->UploadTime = now.GetMTime();
   const std::size_t count = points.GetPoints().size();
-  const int most = InkTextureBuffer::FindMostTexels(this->Window);
+  // Of hatching there are two for each point.
+  const int most =
+    InkTextureBuffer::FindMostTexels(this->Window) / (points.GetSpacingRatios().empty() ? 1 : 2);
   if (count > static_cast<std::size_t>(most))
   {
     std::ostringstream message;
@@ -90,6 +93,14 @@ std::string InkStrokePasses::Upload(const InkStrokePoints& points)
   this->Shapes.Fill(points.GetShapes(), 4, VTK_FLOAT, GL_RGBA32F);
   this->Strokes.Fill(strokes, 4, VTK_FLOAT, GL_RGBA32F);
   this->Hatches.Fill(hatches, 2, VTK_FLOAT, GL_RG32F);
+  std::vector<std::array<float, 4>> ratios;
+  ratios.reserve(2 * points.GetSpacingRatios().size());
+  for (const ink::hatching::SpacingRatios& of : points.GetSpacingRatios())
+  {
+    ratios.push_back({ of[0], of[1], of[2], of[3] });
+    ratios.push_back({ of[4], of[5], of[6], of[7] });
+  }
+  this->SpacingRatios.Fill(ratios, 4, VTK_FLOAT, GL_RGBA32F);
   this->Ids.Fill(points.GetIds(), 1, VTK_UNSIGNED_INT, GL_R32UI);
   return {};
 }
@@ -204,6 +215,7 @@ void InkStrokePasses::SetHatchingUniforms(vtkShaderProgram* program, const InkHa
   program->SetUniformf("cullingCosine", hatching.CullingCosine);
   InkSetLightUniforms(program, hatching.Lights);
   this->Hatches.Activate(program, "hatches");
+  this->SpacingRatios.Activate(program, "spacingRatios");
 }
 
 void InkStrokePasses::ActivateTextures(vtkShaderProgram* program, const Scene& scene, bool ids)
@@ -249,8 +261,8 @@ void InkStrokePasses::DeactivateTextures(const Scene& scene)
   {
     scene.Occluder->Image.GetTexture()->Deactivate();
   }
-  for (InkTextureBuffer* buffer : { &this->Points, &this->Shapes, &this->Strokes, &this->Hatches, &this->Ids,
-         &this->Colors, &scene.Runs.Points, &scene.Runs.Runs })
+  for (InkTextureBuffer* buffer : { &this->Points, &this->Shapes, &this->Strokes, &this->Hatches,
+         &this->SpacingRatios, &this->Ids, &this->Colors, &scene.Runs.Points, &scene.Runs.Runs })
   {
     buffer->Deactivate();
   }

@@ -86,6 +86,7 @@ private:
   InkTextureBuffer Shapes;
   InkTextureBuffer Strokes;
   InkTextureBuffer Hatches;
+  InkTextureBuffer SpacingRatios;
   InkTextureBuffer Ids;
   InkTextureBuffer Colors;
   InkStrokeTexture Texture;

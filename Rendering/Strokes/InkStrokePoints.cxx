@@ -31,6 +31,7 @@ InkStrokeArrays::InkStrokeArrays(vtkPolyData* data, vtkDataArray* widths, bool h
   , Hatching(hatching)
   , Spacings(hatching ? data->GetCellData()->GetArray("Spacing") : nullptr)
   , Families(hatching ? data->GetCellData()->GetArray("LineFamily") : nullptr)
+  , Ratios(hatching ? data->GetPointData()->GetArray("SpacingRatio") : nullptr)
 {
   if (!this->Priorities)
   {
@@ -77,6 +78,7 @@ std::string InkStrokeArrays::FindProblem() const
   check(this->Priorities, 1, this->CellPriorities ? cells : points, this->CellPriorities ? "cell" : "point");
   check(this->Spacings, 1, cells, "cell");
   check(this->Families, 1, cells, "cell");
+  check(this->Ratios, static_cast<int>(ink::hatching::evenSpacing.size()), points, "point");
   // Positions on the GPU are ints, and each point is there once for each stroke that it belongs to.
   const vtkIdType ends = this->Data->GetLines()->GetNumberOfConnectivityIds();
   if (ends > std::numeric_limits<int>::max() / 6 && message.str().empty())
@@ -101,7 +103,7 @@ InkStrokeArrays::Key InkStrokeArrays::GetKey() const
   const auto time = [](vtkObject* object) { return object ? object->GetMTime() : 0; };
   return { time(this->Data->GetPoints()), time(this->Data->GetLines()), time(this->Normals),
     time(this->Widths), time(this->ArcLengths), time(this->RadialCurvature), time(this->OriginalIds),
-    time(this->Priorities), time(this->Spacings), time(this->Families), this->Hatching };
+    time(this->Priorities), time(this->Spacings), time(this->Families), time(this->Ratios), this->Hatching };
 }
 
 void InkStrokePoints::AddPoint(
@@ -132,6 +134,15 @@ void InkStrokePoints::AddPoint(
     const double curvature = arrays.RadialCurvature->GetComponent(id, 0);
     this->RadialCurvature.push_back(std::isfinite(curvature) ? static_cast<float>(curvature) : 0.0f);
   }
+  if (arrays.Hatching)
+  {
+    ink::hatching::SpacingRatios& ratios = this->Ratios.emplace_back(ink::hatching::evenSpacing);
+    for (std::size_t i = 0; arrays.Ratios && i < ratios.size(); ++i)
+    {
+      const double ratio = arrays.Ratios->GetComponent(id, static_cast<int>(i));
+      ratios[i] = ratio >= 0.0 && std::isfinite(ratio) ? static_cast<float>(ratio) : 1.0f;
+    }
+  }
   this->AddToBounds(local);
 }
 
@@ -157,6 +168,7 @@ void InkStrokePoints::EndStroke(
     this->Sources.resize(kept);
     this->Ids.resize(kept);
     this->RadialCurvature.resize(arrays.RadialCurvature ? kept : 0);
+    this->Ratios.resize(arrays.Hatching ? kept : 0);
     return;
   }
   Stroke stroke{ first, first + count - 1, cell, 0.0f, 0.0f, 0.0f, closed && count > 3 };

@@ -3,6 +3,7 @@
 #define InkStrokePoints_h
 
 #include "InkShiftScale.h"
+#include "Tone/Hatching/StrokeWidth.h"
 
 #include "vtkType.h"
 
@@ -35,6 +36,7 @@ struct InkStrokeArrays
   bool Hatching;
   vtkDataArray* Spacings; ///< of the cells, 1 component; only of hatching
   vtkDataArray* Families; ///< of the cells, 1 component: 0, or 1 for the second; only of hatching
+  vtkDataArray* Ratios;   ///< of the points, 8 components: ink::hatching::SpacingRatios; only of hatching
 
   /// Why they cannot be drawn, for the user: what was expected and what was found; empty if they can.
   std::string FindProblem() const;
@@ -45,7 +47,7 @@ struct InkStrokeArrays
   float FindPriority(vtkIdType cell, vtkIdType line, vtkIdType point) const;
 
   /// Modification times, which no other objects ever have.
-  using Key = std::array<vtkMTimeType, 11>;
+  using Key = std::array<vtkMTimeType, 12>;
   Key GetKey() const;
 };
 
@@ -135,6 +137,8 @@ public:
   vtkIdType GetSource(int point) const { return this->Sources[static_cast<std::size_t>(point)]; }
   const std::vector<std::uint32_t>& GetIds() const { return this->Ids; }                 ///< for selection
   const std::vector<float>& GetRadialCurvature() const { return this->RadialCurvature; } ///< may be empty
+  /// One per point of hatching, otherwise none.
+  const std::vector<ink::hatching::SpacingRatios>& GetSpacingRatios() const { return this->Ratios; }
   const std::vector<Stroke>& GetStrokes() const { return this->Strokes; }
 
 private:
@@ -151,6 +155,7 @@ private:
   std::vector<vtkIdType> Sources; ///< points of the input
   std::vector<std::uint32_t> Ids;
   std::vector<float> RadialCurvature;
+  std::vector<ink::hatching::SpacingRatios> Ratios;
   std::vector<Stroke> Strokes;
 };
 

@@ -286,7 +286,8 @@ public:
   /**
    * Whether strokes are hatching, which shows by its density and width how much light of the renderer falls
    * on their surface (Rössl et al. 2000, section 3.2). Their input is vtkInkHatching's: `Normals`, `Priority`
-   * and the cell arrays `Spacing`, the distance between all strokes of a family, and `LineFamily`. As many
+   * and the cell arrays `Spacing`, the distance between all strokes of a family, and `LineFamily`; where it
+   * has the point array `SpacingRatio`, strokes are wider where they are farther from each other. As many
    * are drawn as HatchSpacing asks for, wider in the dark, and no narrower than LineWidth: lighter tones have
    * fewer strokes. The gray is the same at any distance. Given a surface, what it hides is left out pixel by
    * pixel, whatever HiddenParts says. Default: off.

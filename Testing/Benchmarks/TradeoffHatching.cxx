@@ -56,7 +56,7 @@ vtkSmartPointer<vtkPolyData> Hills()
 }
 
 /// @param share the distance of the lines, of that of strokes in the picture
-vtkSmartPointer<vtkPolyData> Strokes(vtkPolyData* hills, double share)
+vtkSmartPointer<vtkPolyData> Strokes(vtkPolyData* hills, double share, bool local = true)
 {
   vtkNew<vtkInkLinesOfCurvature> lines;
   lines->SetInputData(hills);
@@ -65,6 +65,7 @@ vtkSmartPointer<vtkPolyData> Strokes(vtkPolyData* hills, double share)
   vtkNew<vtkInkHatching> hatching;
   hatching->SetInputConnection(lines->GetOutputPort());
   hatching->SetSurfaceData(hills);
+  hatching->SetLocalSpacing(local);
   hatching->Update();
   return hatching->GetOutput();
 }
@@ -141,5 +142,19 @@ int main()
       share == 1.0 ? Tradeoff::Default : Tradeoff::Choice);
   }
   knob.Print(3);
+  Tradeoff spacing("LocalSpacing (vtkInkHatching)",
+    "Keep it on: real lines are closer here and wider there, and without it grays are, too.",
+    "root mean square of the relative error of grays in windows of 50 x 50 pixels, %",
+    "lines of a family on 28,800 triangles and their strokes, 6 pixels apart in a picture of 400 x 400");
+  for (const bool local : { false, true })
+  {
+    const vtkSmartPointer<vtkPolyData> strokes = Strokes(hills, 1.0, local);
+    spacing.Add(
+      local ? "on" : "off, as published", [=] { Strokes(hills, 1.0, local); },
+      { { "as far as meant", ErrorOf(strokes, 2.0) }, { "twice as near", ErrorOf(strokes, 1.0) },
+        { "four times as near", ErrorOf(strokes, 0.5) } },
+      local ? Tradeoff::Default : Tradeoff::Choice);
+  }
+  spacing.Print(3);
   return EXIT_SUCCESS;
 }

@@ -216,3 +216,28 @@ TEST(Hatching, NothingPops)
     }
   }
 }
+
+/// Ratios of positions: as they are at their fractions, between them without a step, and widths by them.
+TEST(Hatching, SpacingRatios)
+{
+  using namespace ink::hatching;
+  const SpacingRatios ratios{ 1.0f, 2.0f, 0.5f, 1.5f, 0.7f, 0.9f, 2.0f, 1.2f };
+  for (std::size_t i = 0; i < ratios.size(); ++i)
+  {
+    EXPECT_NEAR(spacingRatio(ratios, spacingFraction(i)), ratios[i], 1e-5f);
+    EXPECT_NEAR(spacingRatio(evenSpacing, spacingFraction(i)), 1.0f, 1e-6f);
+  }
+  EXPECT_FLOAT_EQ(presence(spacingFraction(0), 1.0f), 1.0f) << "all strokes are drawn in full";
+  EXPECT_LT(presence(0.99f * spacingFraction(0), 1.0f), 1.0f);
+  EXPECT_EQ(spacingRatio(ratios, 1e6f), 1.0f);
+  EXPECT_EQ(spacingRatio(ratios, 1e-6f), 1.2f);
+  const StrokeWidth strokes{ 6.0f, 0.0f, 0.0f };
+  for (float fraction = 4.0f; fraction > 0.01f; fraction /= 1.01f)
+  {
+    const float ratio = spacingRatio(ratios, fraction);
+    EXPECT_LT(std::abs(spacingRatio(ratios, fraction / 1.01f) - ratio), 0.05f) << fraction;
+    EXPECT_NEAR(strokes.width(0.4f, 6.0f * fraction, 0.3f * fraction, ratios),
+      ratio * strokes.width(0.4f, 6.0f * fraction, 0.3f * fraction), 1e-4f)
+      << fraction;
+  }
+}

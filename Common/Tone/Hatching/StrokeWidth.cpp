@@ -14,8 +14,35 @@ namespace
 constexpr float fading = 0.25f;
 /// In lighter tones than this strokes get thinner than the least width, and no fewer: so they end in points.
 constexpr float thinning = 0.1f;
+/// Of which spacings are known by position: from all strokes in full on.
+constexpr float firstFraction = 1.0f / (1.0f - fading);
+constexpr float perOctave = 2.0f;
 
 } // namespace
+
+float presence(float fraction, float priority)
+{
+  return std::clamp(((1.0f + fading) * fraction - priority) / (2.0f * fading * fraction), 0.0f, 1.0f);
+}
+
+float drawnShare(float fraction)
+{
+  const float beyond = std::max((1.0f + fading) * fraction - 1.0f, 0.0f);
+  return (1.0f - fading) * fraction >= 1.0f ? 1.0f : fraction - 0.25f * beyond * beyond / (fading * fraction);
+}
+
+float spacingFraction(std::size_t index)
+{
+  return firstFraction * std::exp2(-static_cast<float>(index) / perOctave);
+}
+
+float spacingRatio(const SpacingRatios& ratios, float fraction)
+{
+  constexpr float last = static_cast<float>(evenSpacing.size() - 1);
+  const float at = std::clamp(perOctave * std::log2(firstFraction / fraction), 0.0f, last);
+  const auto before = static_cast<std::size_t>(std::min(at, last - 1.0f));
+  return std::lerp(ratios[before], ratios[before + 1], at - static_cast<float>(before));
+}
 
 float StrokeWidth::coverage(float tone, int family) const
 {
@@ -29,21 +56,16 @@ float StrokeWidth::coverage(float tone, int family) const
   return family == 0 ? 1.0f - (1.0f - single) * left : 1.0f - left;
 }
 
-float StrokeWidth::width(float coverage, float allSpacing, float priority) const
+float StrokeWidth::width(float coverage, float allSpacing, float priority, const SpacingRatios& ratios) const
 {
   if (!(coverage > 0.0f && allSpacing > 0.0f))
   {
     return 0.0f;
   }
-  const float wanted = std::max(this->spacing, this->leastWidth / std::max(coverage, thinning));
-  const float fraction = allSpacing / wanted;
-  const float from = (1.0f - fading) * fraction;
-  const float to = (1.0f + fading) * fraction;
-  const float range = to - from;
-  // The integral of what is left of strokes over all priorities, the fraction unless they run out.
-  const float beyond = std::max(to - 1.0f, 0.0f);
-  const float drawn = from >= 1.0f ? 1.0f : fraction - 0.5f * beyond * beyond / range;
-  return coverage * allSpacing / drawn * std::clamp((to - priority) / range, 0.0f, 1.0f);
+  const float fraction =
+    allSpacing / std::max(this->spacing, this->leastWidth / std::max(coverage, thinning));
+  return coverage * allSpacing / drawnShare(fraction) * presence(fraction, priority) *
+    spacingRatio(ratios, fraction);
 }
 
 float StrokeWidth::mostPriority(float allSpacing) const

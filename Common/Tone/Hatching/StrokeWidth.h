@@ -1,8 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 namespace ink::hatching
 {
+
+/// Of all strokes: how much of a stroke is drawn where a fraction of them is, in [0, 1]. Strokes fade over a
+/// range of priorities, so that none pops.
+float presence(float fraction, float priority);
+
+/// The mean of that over all priorities: the fraction, unless strokes run out.
+float drawnShare(float fraction);
+
+/// How far strokes are from each other around a position, relative to the mean of all of the surface: when as
+/// large a fraction of them is drawn as spacingFraction tells for each of these numbers.
+using SpacingRatios = std::array<float, 8>;
+inline constexpr SpacingRatios evenSpacing{ 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f };
+
+/// Of the least at which all strokes are drawn in full down to a tenth, two in an octave.
+float spacingFraction(std::size_t index);
+
+/// The same for any fraction: linear in its logarithm, and constant beyond the ends.
+float spacingRatio(const SpacingRatios& ratios, float fraction);
 
 /// How strokes make a tone: which of them are drawn, and how wide. Of evenly spaced strokes with priorities,
 /// of which every prefix is evenly spaced, as large a fraction is drawn as the picture has room for (Rössl et
@@ -10,7 +31,7 @@ namespace ink::hatching
 /// Rendering/Strokes/Shaders/InkHatching.glsl, which computes the same.
 struct StrokeWidth
 {
-  float spacing = 6.0f;    ///< of the strokes that are drawn, pixels; positive
+  float spacing = 6.0f; ///< of the strokes that are drawn, pixels; positive
   /// Lighter tones have fewer strokes of this width instead of thinner ones, pixels; but the lightest ones,
   /// below .1, have thinner ones, so that strokes end in points where they fade.
   float leastWidth = 0.8f;
@@ -28,7 +49,9 @@ struct StrokeWidth
   /// @param coverage as above
   /// @param allSpacing the distance of all strokes of the family from each other there, pixels
   /// @param priority of the stroke: the share of the family's length that comes before it
-  float width(float coverage, float allSpacing, float priority) const;
+  /// @param ratios what strokes that are not even make of their distance there
+  float width(
+    float coverage, float allSpacing, float priority, const SpacingRatios& ratios = evenSpacing) const;
 
   /// No stroke with a larger priority is drawn where all strokes are that far from each other, or less.
   float mostPriority(float allSpacing) const;

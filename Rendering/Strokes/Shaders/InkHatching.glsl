@@ -9,6 +9,7 @@ uniform float silhouetteWeight;
 uniform vec2 truncations; // of the diffuse and the silhouette term
 uniform float toneBias;
 uniform float darkest;
+uniform samplerBuffer spacingRatios; // two texels for each point of strokes
 uniform float cullingCosine; // what faces away from the eye by more is not drawn; 1: both sides are
 
 // As in Common/Tone/Hatching.
@@ -55,7 +56,25 @@ float foreshortening(float cosine, vec3 way, vec3 toEye)
   return min(abs(cosine) / max(along, 1e-6), 1.0);
 }
 
-float strokeWidth(float coverage, float allSpacing, float priority, float spacing, float leastWidth)
+// How far strokes are from each other at a point of them when a fraction of them is drawn, relative to the mean.
+float spacingRatio(int point, float fraction)
+{
+  float at = clamp(2.0 * log2(1.0 / ((1.0 - fading) * fraction)), 0.0, 7.0);
+  vec4 few = texelFetch(spacingRatios, 2 * point + (at < 4.0 ? 0 : 1));
+  // Beside the fourth is the fifth.
+  vec4 others = at < 3.0 || at >= 4.0 ? few : texelFetch(spacingRatios, 2 * point + 1);
+  int before = int(min(at, 6.0));
+  return mix(few[before & 3], others[(before + 1) & 3], at - float(before));
+}
+
+// No more than this where the surface is seen at that cosine: beside a silhouette wide strokes would reach over it.
+float mostSpacingRatio(float cosine)
+{
+  return 1.0 + 2.0 * abs(cosine);
+}
+
+float strokeWidth(
+  float coverage, float allSpacing, float priority, float spacing, float leastWidth, int point, float mostRatio)
 {
   if (!(coverage > 0.0 && allSpacing > 0.0 && spacing > 0.0))
   {
@@ -67,5 +86,6 @@ float strokeWidth(float coverage, float allSpacing, float priority, float spacin
   float range = to - from;
   float beyond = max(to - 1.0, 0.0);
   float drawn = from >= 1.0 ? 1.0 : fraction - 0.5 * beyond * beyond / range;
-  return coverage * allSpacing / drawn * clamp((to - priority) / range, 0.0, 1.0);
+  float presence = clamp((to - priority) / range, 0.0, 1.0);
+  return coverage * allSpacing / drawn * presence * min(spacingRatio(point, fraction), mostRatio);
 }

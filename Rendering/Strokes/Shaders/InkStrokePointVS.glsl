@@ -48,7 +48,7 @@ vec3 positionOf(int drawnPoint)
 const float behindSilhouette = 0.2;
 
 // The width in pixels that the tone at a point of a stroke asks for.
-float toneWidth(vec3 position, vec3 normal, vec3 toEye, float pixel, ivec4 run, float priority)
+float toneWidth(vec3 position, vec3 normal, vec3 toEye, float pixel, ivec4 run, float priority, int source)
 {
   float cosine = normal == vec3(0.0) ? 1.0 : dot(normal, toEye);
   bool twoSided = cullingCosine >= 1.0;
@@ -62,7 +62,7 @@ float toneWidth(vec3 position, vec3 normal, vec3 toEye, float pixel, ivec4 run, 
   float spacing = hatchSpacing.x + hatchSpacing.y / pixel;
   float least = 2.0 * (halfWidth.x + halfWidth.y / pixel);
   float coverage = hatchCoverage(hatchTone(position, normal, cosine), hatch.y);
-  return strokeWidth(coverage, allSpacing, priority, spacing, least);
+  return strokeWidth(coverage, allSpacing, priority, spacing, least, source, mostSpacingRatio(cosine));
 }
 #endif
 
@@ -127,7 +127,7 @@ void main()
 
 #ifdef INK_HATCHING
   vec3 unitNormal = normal == vec3(0.0) ? normal : normalize(normal);
-  float halfOfTone = 0.5 * toneWidth(position.xyz, unitNormal, toEye, abs(pixel), run, stroke.z);
+  float halfOfTone = 0.5 * toneWidth(position.xyz, unitNormal, toEye, abs(pixel), run, stroke.z, source);
   // What tapering takes away at the ends.
   width *= stroke.w == 0.0 && stroke.y > 0.0 ? halfOfTone / (1.0 - 0.5 * taper) : halfOfTone;
 #else

@@ -106,6 +106,51 @@ TEST(Hatching, SpacingOfFamilies)
   EXPECT_FLOAT_EQ(Value(hatching->GetOutput(), "Spacing", 0), 0.25) << "as given";
 }
 
+/// Of lines that are closer where y is small: how far they are from each other where, within the second
+/// family, too; not with one distance for all.
+TEST(Hatching, LocalSpacing)
+{
+  const vtkSmartPointer<vtkPolyData> lines = SquareLines(90, true);
+  const auto yOf = [](double y) { return y * (0.5 + 0.05 * y); };
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    lines->GetPoint(i, p);
+    lines->GetPoints()->SetPoint(i, p[0], yOf(p[1]), p[2]);
+  }
+  vtkNew<vtkInkHatching> hatching;
+  hatching->SetInputData(lines);
+  hatching->SetSurfaceData(Square());
+  hatching->Update();
+  vtkPolyData* output = hatching->GetOutput();
+  vtkDataArray* ratios = output->GetPointData()->GetArray("SpacingRatio");
+  ASSERT_NE(ratios, nullptr);
+  ASSERT_EQ(ratios->GetNumberOfComponents(), 8);
+  ASSERT_EQ(ratios->GetNumberOfTuples(), output->GetNumberOfPoints());
+  // At borders there may be half a distance or less to the side of a line.
+  for (vtkIdType cell = 8; cell < 82; ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    output->GetLines()->GetCellAtId(cell, size, ids);
+    const double middle = 10.0 * (cell + 0.5) / 90.0;
+    // The derivative of y: of both families, as every third line is the second's.
+    const bool second = cell % 3 == 2;
+    const double tolerance = second ? 0.12 : 0.2;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      EXPECT_NEAR(ratios->GetComponent(ids[i], 0), 0.5 + 0.1 * middle, tolerance) << cell << " at " << i;
+    }
+  }
+  hatching->LocalSpacingOff();
+  hatching->Update();
+  EXPECT_EQ(hatching->GetOutput()->GetPointData()->GetArray("SpacingRatio"), nullptr);
+  hatching->LocalSpacingOn();
+  hatching->SetSpacing(0.3);
+  hatching->Update();
+  EXPECT_EQ(hatching->GetOutput()->GetPointData()->GetArray("SpacingRatio"), nullptr) << "as given";
+}
+
 TEST(Hatching, CutStrokes)
 {
   vtkNew<vtkInkHatching> hatching;

@@ -3,6 +3,7 @@
 #include "HatchedSurfaces.h"
 #include "InkTestImage.h"
 #include "InkTestMessages.h"
+#include "Tone/Hatching/StrokeWidth.h"
 
 #include "vtkLight.h"
 #include "vtkPlaneSource.h"
@@ -287,6 +288,61 @@ TEST(StrokeHatching, EvaluateWidths)
       ASSERT_NEAR(hatched.Gray(x, y), drawn.Gray(x, y), 1.0) << x << ", " << y;
     }
   }
+}
+
+/// Widths by ratios of positions, as those of the reference, at any zoom; without a step.
+TEST(StrokeHatching, SpacingRatios)
+{
+  HatchedSurfaces surface;
+  surface.AddPlane(6);
+  const vtkSmartPointer<vtkPolyData> strokes = surface.Make();
+  vtkNew<vtkFloatArray> ratios;
+  ratios->SetName("SpacingRatio");
+  ratios->SetNumberOfComponents(8);
+  for (vtkIdType i = 0; i < strokes->GetNumberOfPoints(); ++i)
+  {
+    for (int k = 0; k < 8; ++k)
+    {
+      ratios->InsertNextValue(static_cast<float>(0.5 + ((i + 3 * k) % 8) / 7.0));
+    }
+  }
+  HatchingScene plain(strokes);
+  vtkNew<vtkPolyData> uneven;
+  uneven->ShallowCopy(strokes);
+  uneven->GetPointData()->AddArray(ratios);
+  HatchingScene scene(uneven);
+  const auto widths = [](HatchingScene& of)
+  {
+    vtkNew<vtkFloatArray> found;
+    of.Window->Render();
+    EXPECT_TRUE(of.Mapper->EvaluateWidths(of.Renderer, of.Actor, found));
+    return vtkSmartPointer<vtkFloatArray>(found);
+  };
+  for (double height = 8.0; height > 0.2; height *= 0.93)
+  {
+    plain.SetView(height, true);
+    scene.SetView(height, true);
+    const vtkSmartPointer<vtkFloatArray> even = widths(plain);
+    const vtkSmartPointer<vtkFloatArray> found = widths(scene);
+    const double fraction = 300.0 / height * (2.0 / 64.0) / scene.Mapper->GetHatchSpacing();
+    for (vtkIdType i = 0; i < strokes->GetNumberOfPoints(); i += 37)
+    {
+      ink::hatching::SpacingRatios own;
+      ratios->GetTypedTuple(i, own.data());
+      EXPECT_NEAR(found->GetValue(i),
+        even->GetValue(i) * ink::hatching::spacingRatio(own, static_cast<float>(fraction)),
+        2e-3 * even->GetValue(i))
+        << "point " << i << ", fraction " << fraction;
+    }
+  }
+  ratios->SetNumberOfComponents(4);
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(scene.Mapper);
+  ratios->Modified();
+  uneven->Modified();
+  EXPECT_EQ(InkTestImage(scene.Window).Ink(), 0.0);
+  ASSERT_EQ(messages->Messages.size(), 1u);
+  EXPECT_NE(messages->Messages[0].find("\"SpacingRatio\""), std::string::npos) << messages->Messages[0];
 }
 
 /// Nothing pops: pictures of nearby zooms, densities and tones are alike everywhere.

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSampling/AreaSamples.h"
+
+#include "Core/ParallelChunks.h"
+#include "PointSampling/SampleGroups.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace ink
+{
+
+namespace
+{
+
+/// Of the square of the edge: smaller parts, of slivers, are not cut into even smaller ones.
+constexpr double leastPart = 1.0 / 256.0;
+
+/// Zero where it has no length.
+glm::vec3 unitOf(const glm::vec3& v)
+{
+  const float length = glm::length(v);
+  return length > 0.0f && std::isfinite(length) ? v / length : glm::vec3(0.0f);
+}
+
+struct Part
+{
+  std::array<glm::dvec3, 3> corners;
+  double area;
+};
+
+/// Halves a triangle at its longest edge until its parts are small enough.
+template <class Take>
+void cutTriangle(const Part& whole, double edge, const Take& take)
+{
+  std::vector<Part> left{ whole };
+  while (!left.empty())
+  {
+    const Part part = left.back();
+    left.pop_back();
+    const auto squared = [&](std::size_t i)
+    {
+      const glm::dvec3 side = part.corners[(i + 1) % 3] - part.corners[i];
+      return glm::dot(side, side);
+    };
+    const std::size_t first = squared(0) >= squared(1) ? 0 : 1;
+    const std::size_t longest = squared(first) >= squared(2) ? first : 2;
+    if (squared(longest) <= edge * edge || part.area <= leastPart * edge * edge)
+    {
+      take((part.corners[0] + part.corners[1] + part.corners[2]) / 3.0, part.area);
+      continue;
+    }
+    const glm::dvec3& a = part.corners[longest];
+    const glm::dvec3& b = part.corners[(longest + 1) % 3];
+    const glm::dvec3& c = part.corners[(longest + 2) % 3];
+    const glm::dvec3 middle = 0.5 * a + 0.5 * b;
+    left.push_back({ { a, middle, c }, 0.5 * part.area });
+    left.push_back({ { middle, b, c }, 0.5 * part.area });
+  }
+}
+
+} // namespace
+
+AreaSamples areaSamples(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
+  const glm::dvec3& center, double unit, float edge)
+{
+  std::vector<AreaSamples> chunks(chunksOf(mesh.triangles.size()));
+  parallelForChunks(mesh.triangles.size(),
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
+    {
+      AreaSamples& own = chunks[chunk];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const double area = areaOf(mesh, i) / (unit * unit);
+        const auto& [a, b, c] = mesh.triangles[i];
+        if (!(area > 0.0))
+        {
+          continue;
+        }
+        const glm::vec3 normal = unitOf(normals[a] + normals[b] + normals[c]);
+        const Part whole{ { (mesh.points[a] - center) / unit, (mesh.points[b] - center) / unit,
+                            (mesh.points[c] - center) / unit },
+          area };
+        cutTriangle(whole, static_cast<double>(edge),
+          [&](const glm::dvec3& middle, double part)
+          {
+            own.positions.emplace_back(middle);
+            own.normals.push_back(normal);
+            own.areas.push_back(static_cast<float>(part));
+          });
+      }
+    });
+  AreaSamples samples;
+  for (const AreaSamples& chunk : chunks)
+  {
+    samples.positions.insert(samples.positions.end(), chunk.positions.begin(), chunk.positions.end());
+    samples.normals.insert(samples.normals.end(), chunk.normals.begin(), chunk.normals.end());
+    samples.areas.insert(samples.areas.end(), chunk.areas.begin(), chunk.areas.end());
+  }
+  return samples;
+}
+
+AreaSamples joinSamples(const AreaSamples& samples, float edge)
+{
+  const SampleGroups groups = groupSamples(samples.positions, samples.normals, edge);
+  const std::size_t count = groups.begins.size() - 1;
+  AreaSamples result;
+  result.positions.resize(count);
+  result.normals.resize(count);
+  result.areas.resize(count);
+  parallelForChunks(count,
+    [&](std::size_t, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t group = begin; group < end; ++group)
+      {
+        glm::dvec3 position(0.0);
+        glm::vec3 normal(0.0f);
+        double area = 0.0;
+        for (std::size_t i = groups.begins[group]; i < groups.begins[group + 1]; ++i)
+        {
+          const std::uint32_t sample = groups.samples[i];
+          const auto own = static_cast<double>(samples.areas[sample]);
+          position += own * glm::dvec3(samples.positions[sample]);
+          normal += samples.areas[sample] * samples.normals[sample];
+          area += own;
+        }
+        result.positions[group] = glm::vec3(position / area);
+        result.normals[group] = unitOf(normal);
+        result.areas[group] = static_cast<float>(area);
+      }
+    });
+  return result;
+}
+
+} // namespace ink
