@@ -271,7 +271,7 @@ bool isMask(const IsoStatistics& statistics, std::size_t threshold)
 /// Whether a threshold belongs to the peaks of a smooth field.
 bool isPeak(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t threshold)
 {
-  const EdgeSums sums = withoutMasks(statistics);
+  const ThresholdEdges sums = withoutMasks(statistics);
   const std::vector<bool> noise = findNoise(sums, statistics.speckEdges, kept);
   std::int64_t most = 0;
   for (std::size_t i = 0; i < threshold; ++i)
