@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -42,6 +43,13 @@ constexpr std::uint64_t mortonOf(const glm::uvec3& cell)
 constexpr glm::uvec3 mortonCell(std::uint64_t order)
 {
   return { gatherBits(order), gatherBits(order >> 1), gatherBits(order >> 2) };
+}
+
+/// The code of the cell that a position lies in, where cells are of width 1 and the origin is in the middle
+/// of them; of positions beyond the last cells, that of the nearest.
+inline std::uint64_t mortonOfPosition(const glm::vec3& position)
+{
+  return mortonOf(glm::uvec3(glm::clamp(glm::floor(position) + 0x1p20f, 0.0f, 0x1p21f - 1.0f)));
 }
 
 } // namespace ink

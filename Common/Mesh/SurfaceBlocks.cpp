@@ -142,7 +142,7 @@ int SurfaceBlocks::color(std::size_t block) const
 }
 
 SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas,
-  std::span<const std::uint64_t> keys, std::span<const std::uint32_t> chosen, float side, std::uint64_t seed,
+  std::span<const std::uint64_t> ids, std::span<const std::uint32_t> chosen, float side, std::uint64_t seed,
   std::vector<SpacedSample>& samples)
   : Samples(samples)
 {
@@ -150,7 +150,7 @@ SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const
   const std::uint64_t ownSeed = hash(seed, 2);
   const auto cellOf = [&](std::uint32_t piece)
   {
-    const std::uint64_t id = keys.empty() ? piece : keys[piece];
+    const std::uint64_t id = ids.empty() ? piece : ids[piece];
     const glm::vec3 moved = farthestMoved * (2.0f * unitVector(hash(ownSeed ^ id)) - 1.0f);
     return glm::ivec3(glm::floor(middles[piece] / side + shift + moved));
   };
@@ -171,7 +171,7 @@ SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const
   this->FirstPiece = sortOfPieces.findBegins(this->Cells.size());
   this->Pieces.resize(count);
   sortOfPieces.sort([&](std::size_t from, std::size_t to) { this->Pieces[to] = chosen[from]; });
-  if (keys.empty())
+  if (ids.empty())
   {
     this->Areas.resize(count + 1);
     for (std::size_t i = 0; i < count; ++i)

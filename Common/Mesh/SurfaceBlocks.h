@@ -28,27 +28,27 @@ public:
   static constexpr float longestPiece = 0.25f;
 
   /// @param middles positions of all pieces, best in an order in which neighbors are mostly close
-  /// @param areas of the pieces, in any unit; not needed with keys
-  /// @param keys of the pieces, which random numbers hash; empty: their numbers
+  /// @param areas of the pieces, in any unit; not needed with ids
+  /// @param ids of the pieces, which random numbers hash; empty: their numbers
   /// @param chosen the pieces that blocks have
   /// @param side of the blocks
   /// @param samples of the surface, sorted by block here. Kept as a reference.
   SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const double> areas,
-    std::span<const std::uint64_t> keys, std::span<const std::uint32_t> chosen, float side,
-    std::uint64_t seed, std::vector<SpacedSample>& samples);
+    std::span<const std::uint64_t> ids, std::span<const std::uint32_t> chosen, float side, std::uint64_t seed,
+    std::vector<SpacedSample>& samples);
 
   std::size_t count() const { return this->Cells.size(); }
   /// From 0 to 7.
   int color(std::size_t block) const;
 
-  /// Of pieces without keys, the cumulative areas before each of the block's pieces and, last, at its end;
+  /// Of pieces without ids, the cumulative areas before each of the block's pieces and, last, at its end;
   /// they continue from block to block.
   std::span<const double> areas(std::size_t block) const
   {
     const std::size_t begin = this->FirstPiece[block];
     return std::span(this->Areas).subspan(begin, this->FirstPiece[block + 1] - begin + 1);
   }
-  /// Of all pieces, without keys.
+  /// Of all pieces, without ids.
   double area() const { return this->Areas.back(); }
   std::span<const std::uint32_t> pieces(std::size_t block) const
   {

@@ -5,7 +5,6 @@
 #include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -88,9 +87,7 @@ SurfacePieces::SurfacePieces(const TriangleMesh& mesh, std::span<const glm::vec3
           [&](const Corners& corners, const std::array<glm::vec3, 3>& at)
           {
             const glm::vec3 middle = (at[0] + at[1] + at[2]) / 3.0f;
-            // The origin is at the center.
-            const glm::vec3 cell = glm::clamp(glm::floor(middle / longest) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
-            Piece piece{ mortonOf(glm::uvec3(cell)), middle, static_cast<std::uint32_t>(t), whole };
+            Piece piece{ mortonOfPosition(middle / longest), middle, static_cast<std::uint32_t>(t), whole };
             if (corners != all)
             {
               piece.cut = static_cast<std::uint32_t>(cuts[chunk].size());

@@ -33,7 +33,7 @@ public:
   std::span<const double> areas() const { return this->Areas; }
   std::span<const glm::vec3> middles() const { return this->Middles; }
   /// None: candidates are stratified over all of the mesh, see ProgressiveSampler.
-  std::span<const std::uint64_t> keys() const { return {}; }
+  std::span<const std::uint64_t> ids() const { return {}; }
   float longest() const { return this->Longest; }
 
   /// The coordinate frame of a piece, to position samples in it.

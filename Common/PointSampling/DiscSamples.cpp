@@ -30,8 +30,8 @@ namespace
 // leave no holes, and no more, as positions near the rim lie farther off the surface.
 constexpr float candidateReach = 0.82f;
 
-/// Where the corner is of the cubes that name discs, in their width: not where the middles of a grid's cells
-/// are, on which rounding would decide.
+/// Where the corner is of the cubes by which discs are told, in their width: not where the middles of a
+/// grid's cells are, on which rounding would decide.
 constexpr glm::vec3 discCubesCorner(0.38f, 0.21f, 0.57f);
 
 bool isUsable(const SurfaceDiscs& discs, std::size_t disc)
@@ -71,23 +71,19 @@ public:
     this->Areas.resize(count);
     this->Middles.resize(count);
     this->Sides.resize(count);
-    parallelForChunks(count,
-      [&](std::size_t, std::size_t begin, std::size_t end)
+    parallelForEach(count,
+      [&](std::size_t i)
       {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const std::uint32_t disc = this->Order[i];
-          this->Areas[i] = areaAt(discs, disc);
-          this->Middles[i] = discs.centers[disc] * scale;
-          this->Sides[i] = { glm::normalize(discs.normals[disc]),
-            candidateReach * discs.radii[disc] * scale };
-        }
+        const std::uint32_t disc = this->Order[i];
+        this->Areas[i] = areaAt(discs, disc);
+        this->Middles[i] = discs.centers[disc] * scale;
+        this->Sides[i] = { glm::normalize(discs.normals[disc]), candidateReach * discs.radii[disc] * scale };
       });
   }
 
   std::span<const double> areas() const { return this->Areas; }
   std::span<const glm::vec3> middles() const { return this->Middles; }
-  std::span<const std::uint64_t> keys() const { return this->Keys; }
+  std::span<const std::uint64_t> ids() const { return this->Ids; }
   float longest() const { return 2.0f * candidateReach * this->Largest; }
 
   struct Frame
@@ -146,16 +142,11 @@ private:
     const float least = std::max(this->Largest / this->Scale, farthest * 0x1p-19f);
     const float width = std::exp2(std::floor(std::log2(least)));
     std::vector<Key> keys(this->Order.size());
-    parallelForChunks(keys.size(),
-      [&](std::size_t, std::size_t begin, std::size_t end)
+    parallelForEach(keys.size(),
+      [&](std::size_t i)
       {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const std::uint32_t disc = this->Order[i];
-          const glm::vec3 cell = glm::clamp(
-            glm::floor(this->Discs.centers[disc] / width + discCubesCorner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
-          keys[i] = { mortonOf(glm::uvec3(cell)), disc };
-        }
+        const std::uint32_t disc = this->Order[i];
+        keys[i] = { mortonOfPosition(this->Discs.centers[disc] / width + discCubesCorner), disc };
       });
     const auto position = [&](const Key& key)
     {
@@ -166,7 +157,7 @@ private:
     parallelSort(keys.begin(), keys.end(),
       [&](const Key& a, const Key& b)
       { return a.cell != b.cell ? a.cell < b.cell : position(a) < position(b); });
-    this->Keys.resize(keys.size());
+    this->Ids.resize(keys.size());
     parallelForChunks(keys.size(),
       [&](std::size_t, std::size_t begin, std::size_t end)
       {
@@ -180,7 +171,7 @@ private:
         {
           first = keys[i].cell == keys[first].cell ? first : i;
           this->Order[i] = keys[i].disc;
-          this->Keys[i] = hash(keys[i].cell, i - first);
+          this->Ids[i] = hash(keys[i].cell, i - first);
         }
       });
   }
@@ -189,7 +180,7 @@ private:
   float Scale; ///< from the centers' unit
   float Largest = 0.0f;
   std::vector<std::uint32_t> Order;
-  std::vector<std::uint64_t> Keys;
+  std::vector<std::uint64_t> Ids;
   // In that order, so that what is needed together is read from one part of the memory.
   struct Side
   {

@@ -48,14 +48,14 @@ inline constexpr double fewestPerOctave = 8.0;
 ///
 /// Pieces, SurfacePieces say, have numbers, in which neighbors on the surface are mostly close, and each has
 ///   areas(), middles()      relative areas and positions, one per piece
-///   keys()                  what names each piece whatever other pieces there are, or none
+///   ids()                   of each piece, whatever other pieces there are, or none
 ///   frame(piece)            origin, two axes along the surface, unit normal
 ///   coordinates(u, v)       of two uniform random numbers: a uniform position along a frame's axes
 ///   sample(spaced)          what is asked for of a SpacedSample
 ///   longest()               no piece has two positions farther apart
 /// Lengths are in units of the smallest radius that is planned.
 ///
-/// With keys each piece has its own candidates, which depend on nothing else, so that a surface that changes
+/// With ids each piece has its own candidates, which depend on nothing else, so that a surface that changes
 /// a little keeps most of its samples. Without, candidates are stratified: where pieces are large, they are
 /// more even.
 template <class Pieces>
@@ -69,7 +69,7 @@ public:
     , Octaves(std::max(static_cast<int>(std::ceil(std::log2(widest))), 1))
     , Seed(seed)
   {
-    if (pieces.keys().empty())
+    if (pieces.ids().empty())
     {
       this->All.resize(pieces.areas().size());
       std::iota(this->All.begin(), this->All.end(), 0u);
@@ -96,12 +96,12 @@ private:
   using Made = std::vector<std::vector<SpacedSample>>; // in each block
   using Frame = decltype(std::declval<const Pieces&>().frame(0));
   std::uint64_t seedOfLevel() const { return hash(this->Seed, static_cast<std::uint32_t>(this->Level), 8); }
-  /// The number of a piece's own candidates, by its key.
+  /// The number of a piece's own candidates, by its id.
   /// @param seed seedOfLevel()
   /// @param density candidates per area
   std::uint64_t countOwn(std::uint32_t piece, std::uint64_t seed, double density) const
   {
-    const double chance = unitDouble(hash(seed ^ this->Surface.keys()[piece]));
+    const double chance = unitDouble(hash(seed ^ this->Surface.ids()[piece]));
     return static_cast<std::uint64_t>(this->Surface.areas()[piece] * density + chance);
   }
   std::vector<std::uint32_t> choosePieces(double density) const;
@@ -117,17 +117,17 @@ private:
   int Octaves;
   std::uint64_t Seed;
   double Area = 0.0;
-  std::vector<std::uint32_t> All; // pieces, if they have no keys
+  std::vector<std::uint32_t> All; // pieces, if they have no ids
   int Level = 0;                  // the number of radii done
   std::vector<SpacedSample> Samples;
 };
 
-/// The pieces with keys that have candidates.
+/// The pieces with ids that have candidates.
 template <class Pieces>
 std::vector<std::uint32_t> ProgressiveSampler<Pieces>::choosePieces(double density) const
 {
   const std::uint64_t seed = this->seedOfLevel();
-  return parallelSelect(this->Surface.keys().size(),
+  return parallelSelect(this->Surface.ids().size(),
     [&](std::size_t i) { return this->countOwn(static_cast<std::uint32_t>(i), seed, density) > 0; });
 }
 
@@ -179,7 +179,7 @@ void ProgressiveSampler<Pieces>::addOwn(
     const auto frame = this->Surface.frame(piece);
     for (std::uint64_t i = this->countOwn(piece, seed, density); i > 0; --i)
     {
-      candidates.add(makeCandidate(piece, frame, hash(seed, this->Surface.keys()[piece], i)));
+      candidates.add(makeCandidate(piece, frame, hash(seed, this->Surface.ids()[piece], i)));
     }
   }
 }
@@ -188,14 +188,14 @@ template <class Pieces>
 void ProgressiveSampler<Pieces>::fill(const SurfaceBlocks& blocks, std::size_t block,
   std::span<const float> radii, double step, CandidatePoints& candidates, Made& made) const
 {
-  // Of pieces with keys a block may have samples only.
+  // Of pieces with ids a block may have samples only.
   if (blocks.pieces(block).empty())
   {
     return;
   }
   const auto firstLevel = static_cast<std::uint32_t>(this->Level);
   candidates.clear();
-  if (this->Surface.keys().empty())
+  if (this->Surface.ids().empty())
   {
     this->addStratified(blocks, block, step, candidates);
   }
@@ -249,12 +249,12 @@ bool ProgressiveSampler<Pieces>::add(int levels, double candidates, const Progre
   const float side = std::max({ progressive::radiiPerBlock * this->radiusAt(this->Level),
     progressive::radiiPerBlock, this->Surface.longest() / SurfaceBlocks::longestPiece });
   const auto level = static_cast<std::uint64_t>(this->Level);
-  const bool hasKeys = !this->Surface.keys().empty();
+  const bool hasIds = !this->Surface.ids().empty();
   const double ownStep = this->Area / candidates;
   const std::vector<std::uint32_t> chosen =
-    hasKeys ? this->choosePieces(1.0 / ownStep) : std::vector<std::uint32_t>();
-  const SurfaceBlocks blocks(this->Surface.middles(), this->Surface.areas(), this->Surface.keys(),
-    hasKeys ? chosen : this->All, side, hash(this->Seed, level, 9), this->Samples);
+    hasIds ? this->choosePieces(1.0 / ownStep) : std::vector<std::uint32_t>();
+  const SurfaceBlocks blocks(this->Surface.middles(), this->Surface.areas(), this->Surface.ids(),
+    hasIds ? chosen : this->All, side, hash(this->Seed, level, 9), this->Samples);
   std::vector<std::size_t> ofColor[8];
   for (std::size_t block = 0; block < blocks.count(); ++block)
   {
@@ -263,7 +263,7 @@ bool ProgressiveSampler<Pieces>::add(int levels, double candidates, const Progre
   tbb::enumerable_thread_specific<CandidatePoints> workspaces;
   Made made(blocks.count());
   // Cumulative areas of blocks end where theirs do.
-  const double step = hasKeys ? ownStep : blocks.area() / candidates;
+  const double step = hasIds ? ownStep : blocks.area() / candidates;
   double done = 0.0;
   for (const std::vector<std::size_t>& some : ofColor)
   {
@@ -299,24 +299,12 @@ auto ProgressiveSampler<Pieces>::take()
 {
   const std::size_t count = this->Samples.size();
   std::vector<std::uint64_t> order(count);
-  parallelForChunks(count,
-    [&](std::size_t, std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        order[i] = std::uint64_t(this->Samples[i].rank) << 32 | i;
-      }
-    });
+  parallelForEach(count, [&](std::size_t i) { order[i] = std::uint64_t(this->Samples[i].rank) << 32 | i; });
   parallelSort(order.begin(), order.end());
   std::vector<decltype(this->Surface.sample(this->Samples.front()))> sorted(count);
-  parallelForChunks(count,
-    [&](std::size_t, std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        sorted[i] = this->Surface.sample(this->Samples[static_cast<std::uint32_t>(order[i])]);
-      }
-    });
+  parallelForEach(count,
+    [&](std::size_t i)
+    { sorted[i] = this->Surface.sample(this->Samples[static_cast<std::uint32_t>(order[i])]); });
   return sorted;
 }
 

@@ -2,7 +2,7 @@
 #include "PointSampling/SampleGroups.h"
 
 #include "Core/MortonOrder.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 
 #include <glm/common.hpp>
@@ -51,17 +51,12 @@ std::uint32_t directionOf(const glm::vec3& v)
 SampleGroups groupSamples(
   std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, float edge)
 {
-  constexpr std::size_t chunk = 1 << 13;
   std::vector<Key> keys(positions.size());
-  parallelFor((keys.size() + chunk - 1) / chunk,
-    [&](std::size_t c)
+  parallelForEach(keys.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, keys.size()); ++i)
-      {
-        const glm::vec3 cube =
-          glm::clamp(glm::floor(positions[i] / edge + cubesCorner) + 0x1p20f, 0.0f, 0x1p21f - 1.0f);
-        keys[i] = { mortonOf(glm::uvec3(cube)), directionOf(normals[i]), static_cast<std::uint32_t>(i) };
-      }
+      keys[i] = { mortonOfPosition(positions[i] / edge + cubesCorner), directionOf(normals[i]),
+        static_cast<std::uint32_t>(i) };
     });
   parallelSort(keys.begin(), keys.end());
   SampleGroups groups;

@@ -123,7 +123,7 @@ struct Discs
     vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
     const DiscAreas areas(points);
     this->Middle = MiddleOf(points);
-    InkForEach(this->Centers.size(),
+    ink::parallelForEach(this->Centers.size(),
       [&](std::size_t i)
       {
         const auto id = static_cast<vtkIdType>(i);
@@ -148,7 +148,7 @@ std::vector<glm::vec3> VectorsOf(
   const std::vector<ink::DiscSample>& samples, glm::vec3 ink::DiscSample::*member)
 {
   std::vector<glm::vec3> vectors(samples.size());
-  InkForEach(samples.size(), [&](std::size_t i) { vectors[i] = samples[i].*member; });
+  ink::parallelForEach(samples.size(), [&](std::size_t i) { vectors[i] = samples[i].*member; });
   return vectors;
 }
 
@@ -160,7 +160,7 @@ vtkSmartPointer<vtkPoints> MakePoints(const std::vector<glm::vec3>& positions, c
   array->SetNumberOfComponents(3);
   InkSetNumberOfTuples(array, static_cast<vtkIdType>(positions.size()));
   Real* values = array->GetPointer(0);
-  InkForEach(positions.size(),
+  ink::parallelForEach(positions.size(),
     [&](std::size_t i)
     {
       const glm::dvec3 p = middle + glm::dvec3(positions[lists.Groups.samples[i]]);

@@ -10,18 +10,15 @@ InkNeighborLists::InkNeighborLists(
   : Groups(ink::groupSamples(positions, normals, ink::groupEdge(areaPerStipple, PerList)))
 {
   this->Normals.resize(this->Count());
-  ink::parallelForChunks(this->Count(),
-    [&](std::size_t, std::size_t first, std::size_t last)
+  ink::parallelForEach(this->Count(),
+    [&](std::size_t list)
     {
-      for (std::size_t list = first; list < last; ++list)
+      glm::vec3 sum(0.0f);
+      for (std::size_t i = this->Groups.begins[list]; i < this->Groups.begins[list + 1]; ++i)
       {
-        glm::vec3 sum(0.0f);
-        for (std::size_t i = this->Groups.begins[list]; i < this->Groups.begins[list + 1]; ++i)
-        {
-          sum += normals[this->Groups.samples[i]];
-        }
-        // They point in about the same direction.
-        this->Normals[list] = glm::normalize(sum);
+        sum += normals[this->Groups.samples[i]];
       }
+      // They point in about the same direction.
+      this->Normals[list] = glm::normalize(sum);
     });
 }

@@ -25,14 +25,11 @@ vtkSmartPointer<vtkDataArray> MakePriority(std::size_t count, const RankOf& rank
   InkSetNumberOfTuples(priority, static_cast<vtkIdType>(count));
   float* values = priority->GetPointer(0);
   const float most = std::nextafter(1.0f, 0.0f);
-  ink::parallelForChunks(count,
-    [&](std::size_t, std::size_t begin, std::size_t end)
+  ink::parallelForEach(count,
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const double share = static_cast<double>(rankOf(i)) / static_cast<double>(count);
-        values[i] = std::min(static_cast<float>(share), most);
-      }
+      const double share = static_cast<double>(rankOf(i)) / static_cast<double>(count);
+      values[i] = std::min(static_cast<float>(share), most);
     });
   return priority;
 }

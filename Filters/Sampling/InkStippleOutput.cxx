@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleOutput.h"
 
-#include "Core/ParallelFor.h"
 #include "InkAllocate.h"
 #include "InkVTKCompat.h"
 
@@ -52,19 +51,6 @@ ink::Progress InkPartOfProgress(const ink::Progress& progress, double begin, dou
     return {};
   }
   return [progress, begin, end](double share) { return progress(begin + share * (end - begin)); };
-}
-
-void InkForEach(std::size_t count, const std::function<void(std::size_t)>& body)
-{
-  constexpr std::size_t chunk = 4096;
-  ink::parallelFor((count + chunk - 1) / chunk,
-    [&](std::size_t n)
-    {
-      for (std::size_t i = n * chunk; i < std::min(count, (n + 1) * chunk); ++i)
-      {
-        body(i);
-      }
-    });
 }
 
 vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins)

@@ -8,7 +8,6 @@
 #include "vtkType.h"
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,9 +17,6 @@ class vtkPolyData;
 
 /// The part of a progress from `begin` to `end`; empty if `progress` is.
 ink::Progress InkPartOfProgress(const ink::Progress& progress, double begin, double end);
-
-/// Calls body(0) ... body(count - 1) in parallel, some thousands per task.
-void InkForEach(std::size_t count, const std::function<void(std::size_t)>& body);
 
 /// One VTK_POLY_VERTEX cell for each element: cell e holds the points begins[e] to begins[e + 1], in order.
 vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins);

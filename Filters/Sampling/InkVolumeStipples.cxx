@@ -151,7 +151,7 @@ template <class Real>
 void WritePoints(const ink::GridGeometry& geometry, const Elements& elements,
   const std::vector<glm::vec3>& stipples, std::size_t perVoxel, Real* points)
 {
-  InkForEach(elements.Own.size(),
+  ink::parallelForEach(elements.Own.size(),
     [&](std::size_t e)
     {
       for (std::size_t rank = 0; rank < perVoxel; ++rank)
@@ -191,7 +191,7 @@ void AddCellArrays(const Elements& elements, vtkPolyData* output)
   float* normal = normals->GetPointer(0);
   float* magnitude = magnitudes->GetPointer(0);
   float* value = values->GetPointer(0);
-  InkForEach(count,
+  ink::parallelForEach(count,
     [&](std::size_t e)
     {
       const std::size_t voxel = elements.Own[e];
