@@ -2,6 +2,7 @@
 #include "vtkInkSurfaceSampler.h"
 
 #include "InkHasPolygons.h"
+#include "InkFeatureNormals.h"
 #include "InkMeshTriangles.h"
 #include "InkPointCloud.h"
 #include "InkPointOutput.h"
@@ -264,9 +265,13 @@ int vtkInkSurfaceSampler::RequestData(
   return 1;
 }
 
-void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bool keepFaces)
+void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* input, vtkPolyData* output, bool keepFaces)
 {
   ++this->NumberOfSamplings;
+  // Samples that are to be moved with the mesh keep its own points.
+  const vtkSmartPointer<vtkPolyData> mesh =
+    this->ComputeNormals && !keepFaces ? InkWithFeatureNormals(input)
+                                           : vtkSmartPointer<vtkPolyData>(input);
   InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
   const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   vtkDataArray* density = nullptr;

@@ -5,6 +5,7 @@
 #include "Curvature/MeshCurvature.h"
 #include "Curves/Streamlines/CombCrossField.h"
 #include "Curves/Streamlines/EvenStreamlines.h"
+#include "Curves/Streamlines/FlatDirections.h"
 #include "Curves/Streamlines/ScatteredStreamlines.h"
 #include "Curves/Streamlines/SmoothCrossField.h"
 #include "InkHasPolygons.h"
@@ -13,6 +14,7 @@
 #include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
+#include "Mesh/FeatureSplit.h"
 #include "Mesh/InsideOut.h"
 
 #include "vtkDataArray.h"
@@ -30,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -97,7 +100,9 @@ struct Curvatures
 };
 
 /// Those of arrays of the mesh.
-void ReadCurvatures(vtkPolyData* mesh, double negligible, Curvatures& result)
+/// @param sources the points whose values are wanted
+void ReadCurvatures(
+  vtkPolyData* mesh, std::span<const std::uint32_t> sources, double negligible, Curvatures& result)
 {
   vtkDataArray* arrays[4];
   for (int i = 0; i < 4; ++i)
@@ -113,33 +118,51 @@ void ReadCurvatures(vtkPolyData* mesh, double negligible, Curvatures& result)
         std::to_string(mesh->GetNumberOfPoints()) + " of " + std::to_string(components));
     }
   }
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  for (const std::uint32_t source : sources)
   {
     ink::PrincipalCurvature point;
-    point.k1 = arrays[0]->GetComponent(i, 0);
-    point.k2 = arrays[1]->GetComponent(i, 0);
-    arrays[2]->GetTuple(i, &point.direction1.x);
-    arrays[3]->GetTuple(i, &point.direction2.x);
+    point.k1 = arrays[0]->GetComponent(source, 0);
+    point.k2 = arrays[1]->GetComponent(source, 0);
+    arrays[2]->GetTuple(source, &point.direction1.x);
+    arrays[3]->GetTuple(source, &point.direction2.x);
     result.Add(point, negligible);
   }
 }
 
-Curvatures CurvaturesOf(
-  vtkPolyData* mesh, const InkMeshTriangles& triangles, double negligible, const ink::Progress& progress)
+/// @param triangles those of the mesh, cut open at feature edges
+/// @param sources the mesh's points that theirs are
+Curvatures CurvaturesOf(vtkPolyData* mesh, const InkMeshTriangles& triangles,
+  std::span<const std::uint32_t> sources, double negligible, const ink::Progress& progress)
 {
   Curvatures result;
   if (std::all_of(std::begin(CurvatureNames), std::end(CurvatureNames),
         [&](const char* name) { return mesh->GetPointData()->GetArray(name) != nullptr; }))
   {
-    ReadCurvatures(mesh, negligible, result);
+    ReadCurvatures(mesh, sources, negligible, result);
     return result;
   }
+  ink::CurvatureOptions options;
+  options.seams = ink::Seams::Apart;
   for (const ink::PrincipalCurvature& point :
-    ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, {}, progress).points)
+    ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, options, progress).points)
   {
     result.Add(point, negligible);
   }
   return result;
+}
+
+/// Cuts a mesh open at feature edges. Normals of points are kept where all of their triangles stay together.
+/// @param isGiven whether normals come with the mesh, and not from its triangles
+void SplitPoints(InkMeshTriangles& triangles, const ink::FeatureSplit& split, bool isGiven)
+{
+  if (!isGiven && ink::isInsideOut(triangles.GetMesh()))
+  {
+    std::transform(
+      triangles.Normals.begin(), triangles.Normals.end(), triangles.Normals.begin(), std::negate<>());
+  }
+  triangles.Normals = ink::splitNormals(split, triangles.GetMesh(), triangles.Normals, isGiven);
+  triangles.Points = split.spread<glm::dvec3>(triangles.Points);
+  triangles.Triangles = split.triangles;
 }
 
 } // namespace
@@ -206,13 +229,7 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     return !InkCheckAbort(this);
   };
   InkMeshTriangles triangles(mesh, true);
-  if (!InkPointNormals(mesh) && ink::isInsideOut(triangles.GetMesh()))
-  {
-    std::transform(
-      triangles.Normals.begin(), triangles.Normals.end(), triangles.Normals.begin(), std::negate<>());
-  }
-  const ink::TriangleMesh surface = triangles.GetMesh();
-  ink::MeshNavigation navigation(surface, 180.0);
+  ink::MeshNavigation navigation(triangles.GetMesh(), 180.0);
   if (!(navigation.area() > 0.0))
   {
     throw std::invalid_argument("its " + std::to_string(triangles.Triangles.size()) +
@@ -221,9 +238,13 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   const double diagonal = glm::distance(navigation.lower(), navigation.upper());
   const double spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
   navigation.cutFeatures(this->FeatureAngle, FeatureReach * spacing);
+  const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
+  SplitPoints(triangles, split, InkPointNormals(mesh) != nullptr);
+  const ink::TriangleMesh surface = triangles.GetMesh();
+  navigation.setMesh(surface);
   const double negligible =
     this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;
-  Curvatures curvatures = CurvaturesOf(mesh, triangles, negligible, progress);
+  Curvatures curvatures = CurvaturesOf(mesh, triangles, split.sources, negligible, progress);
   begun = 0.1;
   if (curvatures.Umbilics.empty() || !progress(0.0))
   {
@@ -232,16 +253,31 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   if (this->SmoothDirections)
   {
     std::array<std::vector<glm::dvec3>, 2>& directions = curvatures.Directions;
+    const std::vector<glm::dvec3> flat = ink::flatDirections(surface);
+    for (std::size_t i = 0; i < flat.size(); ++i)
+    {
+      if (flat[i] != glm::dvec3(0.0))
+      {
+        directions[0][i] = flat[i];
+        curvatures.Umbilics[i] = 1.0f;
+      }
+    }
     directions[0] = ink::smoothCrossField(
-      surface, triangles.Normals, directions[0], curvatures.Umbilics, this->SmoothingIterations, progress);
+      surface, triangles.Normals, directions[0], curvatures.Umbilics, this->SmoothingIterations, progress,
+      ink::Seams::Apart);
     for (std::size_t i = 0; i < directions[0].size(); ++i)
     {
       directions[1][i] = Curvatures::Unit(glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]));
     }
     if (this->CombDirections)
     {
+      std::vector<float> preferences = curvatures.FindPreferences(negligible);
+      for (std::size_t i = 0; i < flat.size(); ++i)
+      {
+        preferences[i] = flat[i] != glm::dvec3(0.0) ? 1.0f : preferences[i];
+      }
       const std::vector<unsigned char> exchanged = ink::combCrossField(surface, triangles.Normals,
-        directions[0], curvatures.FindPreferences(negligible), CombReach * diagonal, progress);
+        directions[0], preferences, CombReach * diagonal, progress, ink::Seams::Apart);
       if (InkCheckAbort(this))
       {
         return;

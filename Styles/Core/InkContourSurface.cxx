@@ -95,5 +95,5 @@ std::string InkContourSurface::MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surfac
     this->Style->AddNote(
       "silhouettes are lines in image space, as segments through voxels need an image; found a mesh");
   }
-  return this->Style->TakeMeshWithNormals(mesh, true, surface);
+  return this->Style->TakeMeshWithNormals(mesh, surface);
 }

@@ -34,8 +34,8 @@ public:
     const std::string& array, vtkPolyData* surface);
 
   /**
-   * A mesh as it is; where it has no normals they are computed from its polygons, also split at edges of more
-   * than 30 degrees, which is noted. Of points without polygons none, which is noted, too.
+   * A mesh as it is; where it has no normals they are computed from its polygons, which is noted; at feature
+   * edges each side has its own (InkWithFeatureNormals). Of points without polygons none, which is noted, too.
    * @param surface becomes it
    * @param voxels whether silhouettes were to be segments through voxels, which is noted
    * @return what is wrong; empty if nothing is

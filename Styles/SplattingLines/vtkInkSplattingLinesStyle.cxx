@@ -152,7 +152,7 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
     return {};
   }
   return this->NumberOfSamples == 0 && InkHasPolygons(mesh)
-    ? this->TakeMeshWithNormals(mesh, false, this->GetPiece(POINTS))
+    ? this->TakeMeshWithNormals(mesh, this->GetPiece(POINTS))
     : this->SampleMesh(mesh);
 }
 
