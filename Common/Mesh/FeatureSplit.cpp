@@ -5,12 +5,14 @@
 #include "Mesh/OnePerPoint.h"
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace ink
 {
@@ -25,9 +27,34 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
 
 } // namespace
 
-void cutFeatures(MeshNavigation& navigation, double angle)
+void cutFeatures(MeshNavigation& navigation, double angle, double reach)
 {
-  navigation.cutFeatures(angle, defaultFeatureReach * glm::distance(navigation.lower(), navigation.upper()));
+  MeshNavigation cut = navigation;
+  cut.cutFeatures(angle, reach);
+  const TriangleMesh& mesh = navigation.mesh();
+  double length = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (std::uint32_t edge = 0; edge < 3; ++edge)
+    {
+      const auto other = navigation.across(t, edge);
+      if (other && t < other->triangle && !cut.across(t, edge))
+      {
+        length += glm::distance(
+          mesh.points[mesh.triangles[t][edge]], mesh.points[mesh.triangles[t][(edge + 1) % 3]]);
+      }
+    }
+  }
+  if (length * reach <= mostFeatures * navigation.area())
+  {
+    navigation = std::move(cut);
+  }
+}
+
+void cutFeatures(MeshNavigation& navigation)
+{
+  const double diagonal = glm::distance(navigation.lower(), navigation.upper());
+  cutFeatures(navigation, defaultFeatureAngle, defaultFeatureReach * diagonal);
 }
 
 FeatureSplit splitAtFeatures(const MeshNavigation& navigation)
@@ -80,14 +107,16 @@ FeatureSplit splitAtFeatures(const MeshNavigation& navigation)
   return result;
 }
 
-std::vector<glm::vec3> splitNormals(const FeatureSplit& split, const TriangleMesh& mesh,
-  std::span<const glm::vec3> normals, bool keepAtSeams)
+std::vector<glm::vec3> splitNormals(
+  const FeatureSplit& split, const TriangleMesh& mesh, std::span<const glm::vec3> normals)
 {
   checkOnePerPoint(mesh, normals.size(), "normals");
   constexpr std::uint32_t none = MeshNavigation::border;
   std::vector<glm::dvec3> sums(split.sources.size(), glm::dvec3(0.0));
   std::vector<std::uint32_t> fanOf(mesh.points.size(), none);
-  std::vector<std::uint8_t> isShared(sums.size(), 0); // whether a point has other fans, or the fan other points
+  std::vector<glm::dvec3> ofPoints(sums.size(), glm::dvec3(0.0)); // sums along seams
+  std::vector<std::uint8_t> isOneOfSeveral(sums.size(), 0);
+  std::vector<std::uint8_t> isOfSeam(sums.size(), 0);
   for (std::size_t t = 0; t < split.triangles.size(); ++t)
   {
     const Triangle& fans = split.triangles[t];
@@ -101,9 +130,11 @@ std::vector<glm::vec3> splitNormals(const FeatureSplit& split, const TriangleMes
       const std::uint32_t point = mesh.triangles[t][i];
       sides[i] = glm::normalize(mesh.points[mesh.triangles[t][(i + 1) % 3]] - mesh.points[point]);
       fanOf[point] = fanOf[point] == none ? fans[i] : fanOf[point];
-      if (fanOf[point] != fans[i] || (!keepAtSeams && split.sources[fans[i]] != point))
+      ofPoints[fans[i]] += glm::dvec3(normals[point]);
+      isOfSeam[fans[i]] |= split.sources[fans[i]] != point ? 1 : 0;
+      if (fanOf[point] != fans[i])
       {
-        isShared[fans[i]] = isShared[fanOf[point]] = 1;
+        isOneOfSeveral[fans[i]] = isOneOfSeveral[fanOf[point]] = 1;
       }
     }
     const glm::dvec3 area = glm::cross(sides[0], sides[1]);
@@ -118,14 +149,32 @@ std::vector<glm::vec3> splitNormals(const FeatureSplit& split, const TriangleMes
   {
     // Opposite ones cancel out up to rounding.
     constexpr double rounding = 1e-6;
-    const double length = glm::length(sums[i]);
-    if (isShared[i] != 0 && length > rounding)
+    const glm::dvec3& sum = isOneOfSeveral[i] != 0 ? sums[i] : ofPoints[i];
+    const double length = glm::length(sum);
+    if ((isOneOfSeveral[i] != 0 || isOfSeam[i] != 0) && length > rounding)
     {
-      const glm::vec3 mean(sums[i] / length);
+      const glm::vec3 mean(sum / length);
       result[i] = glm::dot(mean, result[i]) < 0.0f ? -mean : mean;
     }
   }
   return result;
+}
+
+bool mayHaveFeatures(const TriangleMesh& mesh, std::span<const glm::vec3> normals, double angle)
+{
+  checkOnePerPoint(mesh, normals.size(), "normals");
+  // Of two triangles at a point one is as far from its normal as half the angle between them.
+  const double leastCosine = std::cos(glm::radians(0.5 * angle));
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+    [&](const Triangle& triangle)
+    {
+      const auto& [a, b, c] = triangle;
+      const glm::dvec3 area =
+        glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+      const double least = leastCosine * glm::length(area);
+      return std::any_of(triangle.begin(), triangle.end(), [&](std::uint32_t point)
+        { return std::abs(glm::dot(area, glm::dvec3(normals[point]))) < least; });
+    });
 }
 
 } // namespace ink

@@ -19,9 +19,16 @@ inline constexpr double defaultFeatureAngle = 40.0;
 /// stairs between the voxels of a binary volume, are rougher than that; parts that a picture shows are not.
 inline constexpr double defaultFeatureReach = 0.02;
 
-/// Cuts a surface's feature edges as all do who draw it.
+/// Cuts a surface's feature edges (MeshNavigation::cutFeatures), but none where they would be denser than the
+/// reach can tell apart, so that their length times the reach is more than `mostFeatures` of the area: the
+/// surface is rough.
 /// @param angle in degrees; 180: none
-void cutFeatures(MeshNavigation& navigation, double angle = defaultFeatureAngle);
+/// @param reach in world units
+void cutFeatures(MeshNavigation& navigation, double angle, double reach);
+inline constexpr double mostFeatures = 1.5;
+
+/// As all do who draw a surface.
+void cutFeatures(MeshNavigation& navigation);
 
 /// A mesh that is cut open along the edges that cannot be crossed: each point stands for one fan of triangles
 /// around a position, so that what is estimated at a point is of one smooth part of the surface. Where files
@@ -48,13 +55,19 @@ struct FeatureSplit
 /// The same for any number of threads.
 FeatureSplit splitAtFeatures(const MeshNavigation& navigation);
 
-/// The unit normals of the split mesh's points: those of the mesh's points where one point's triangles are one
-/// fan; else the mean of the fan's triangles by their angles at the point, so that long thin ones weigh no more
-/// than others, to the side of the point's own.
+/// The unit normals of the split mesh's points. Where a point of the mesh has one fan, that is its own normal,
+/// or the mean of all that share the fan along a seam. Where it has several, its normal is of none of them:
+/// theirs are the means of their triangles, weighted by their angles at the point, so that long thin ones count
+/// no more than others, to the side of the point's own.
 /// @param mesh that was split
 /// @param normals one per point of the mesh, unit length or zero
-/// @param keepAtSeams whether they are kept where several points of the mesh share a fan, too
-std::vector<glm::vec3> splitNormals(const FeatureSplit& split, const TriangleMesh& mesh,
-  std::span<const glm::vec3> normals, bool keepAtSeams);
+std::vector<glm::vec3> splitNormals(
+  const FeatureSplit& split, const TriangleMesh& mesh, std::span<const glm::vec3> normals);
+
+/// Whether triangles at a common point enclose so much that an edge between them might be a feature: quickly,
+/// and in doubt true. Points that only share a position have none in common.
+/// @param normals one per point, unit length
+bool mayHaveFeatures(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
+  double angle = defaultFeatureAngle);
 
 } // namespace ink

@@ -5,6 +5,7 @@
 #include "InkMeshTriangles.h"
 #include "InkPointNormals.h"
 
+#include "Core/WeldedPoints.h"
 #include "Mesh/FeatureSplit.h"
 
 #include "vtkCellArray.h"
@@ -17,8 +18,12 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkTriangleFilter.h"
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -91,14 +96,16 @@ private:
   std::vector<Side> All;
 };
 
-/// With normals from all polygons around each point, and these the same way round as their neighbors.
-vtkSmartPointer<vtkPolyData> WithMeanNormals(vtkPolyData* mesh)
+/// Polygons run the same way round as their neighbors, and strips become triangles.
+vtkSmartPointer<vtkPolyData> Oriented(vtkPolyData* mesh)
 {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  normals->SplittingOff();
-  normals->Update();
-  return normals->GetOutput();
+  vtkNew<vtkPolyDataNormals> filter;
+  filter->SetInputData(mesh);
+  filter->SplittingOff();
+  filter->Update();
+  vtkPolyData* result = filter->GetOutput();
+  result->GetPointData()->RemoveArray(result->GetPointData()->GetNormals()->GetName());
+  return result;
 }
 
 vtkSmartPointer<vtkPolyData> WithoutStrips(vtkPolyData* mesh)
@@ -162,36 +169,80 @@ void RepeatPoints(const InkMeshTriangles& triangles, const ink::FeatureSplit& sp
 
 vtkSmartPointer<vtkPolyData> InkWithFeatureNormals(vtkPolyData* mesh)
 {
-  vtkDataArray* given = InkPointNormals(mesh);
-  const vtkSmartPointer<vtkPolyData> surface = given ? WithoutStrips(mesh) : WithMeanNormals(mesh);
+  const bool isGiven = InkPointNormals(mesh) != nullptr;
+  const vtkSmartPointer<vtkPolyData> surface = isGiven ? WithoutStrips(mesh) : Oriented(mesh);
   const InkMeshTriangles triangles(surface, true, InkMeshTriangles::Order::OfMesh);
-  ink::MeshNavigation navigation(triangles.GetMesh(), 180.0);
-  ink::cutFeatures(navigation);
-  const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
-  const Sides sides(triangles, split);
-  const bool isSplit = sides.Get().size() > triangles.Points.size();
-  if (given && !isSplit)
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(surface);
+  std::vector<glm::vec3> normals = triangles.Normals;
+  if (ink::mayHaveFeatures(triangles.GetMesh(), normals))
+  {
+    ink::MeshNavigation navigation(triangles.GetMesh(), 180.0);
+    ink::cutFeatures(navigation);
+    const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
+    const Sides sides(triangles, split);
+    const std::vector<glm::vec3> ofFans = ink::splitNormals(split, triangles.GetMesh(), normals);
+    for (std::size_t i = 0; i < sides.Get().size(); ++i)
+    {
+      const auto [point, fan] = sides.Get()[i];
+      normals.resize(std::max(normals.size(), i + 1));
+      normals[i] = fan == None || sides.IsAlone(point) ? triangles.Normals[point] : ofFans[fan];
+    }
+    if (normals.size() > triangles.Points.size())
+    {
+      RepeatPoints(triangles, split, sides, surface, output);
+    }
+  }
+  if (isGiven && normals.size() == triangles.Points.size())
   {
     return mesh;
   }
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  output->ShallowCopy(surface);
-  if (isSplit)
+  vtkNew<vtkFloatArray> array;
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  InkSetNumberOfTuples(array, output->GetNumberOfPoints());
+  for (std::size_t i = 0; i < normals.size(); ++i)
   {
-    RepeatPoints(triangles, split, sides, surface, output);
+    array->SetTuple(static_cast<vtkIdType>(i), &normals[i].x);
   }
-  const std::vector<glm::vec3> found =
-    ink::splitNormals(split, triangles.GetMesh(), triangles.Normals, given != nullptr);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  InkSetNumberOfTuples(normals, output->GetNumberOfPoints());
-  for (std::size_t i = 0; i < sides.Get().size(); ++i)
-  {
-    const auto [point, fan] = sides.Get()[i];
-    const bool isKept = fan == None || (given && sides.IsAlone(point));
-    normals->SetTuple(static_cast<vtkIdType>(i), &(isKept ? triangles.Normals[point] : found[fan]).x);
-  }
-  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->SetNormals(array);
   return output;
+}
+
+bool InkHasFeatureEdges(vtkPolyData* mesh)
+{
+  vtkDataArray* normals = InkPointNormals(mesh);
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  if (!normals || normals->GetNumberOfTuples() != count)
+  {
+    return false;
+  }
+  double middle[3];
+  mesh->GetCenter(middle);
+  std::vector<glm::vec3> points(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    glm::dvec3 point;
+    mesh->GetPoint(static_cast<vtkIdType>(i), &point.x);
+    points[i] = point - glm::dvec3(middle[0], middle[1], middle[2]);
+  }
+  const ink::WeldedPoints welded(points);
+  const double leastCosine = std::cos(glm::radians(ink::defaultFeatureAngle));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const std::uint32_t position = welded.of[i];
+    if (position == ink::WeldedPoints::none || welded.first[position] == i)
+    {
+      continue;
+    }
+    glm::dvec3 own;
+    glm::dvec3 other;
+    normals->GetTuple(static_cast<vtkIdType>(i), &own.x);
+    normals->GetTuple(static_cast<vtkIdType>(welded.first[position]), &other.x);
+    if (glm::dot(own, other) < leastCosine * glm::length(own) * glm::length(other))
+    {
+      return true;
+    }
+  }
+  return false;
 }

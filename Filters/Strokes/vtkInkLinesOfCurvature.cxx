@@ -160,7 +160,7 @@ void SplitPoints(InkMeshTriangles& triangles, const ink::FeatureSplit& split, bo
     std::transform(
       triangles.Normals.begin(), triangles.Normals.end(), triangles.Normals.begin(), std::negate<>());
   }
-  triangles.Normals = ink::splitNormals(split, triangles.GetMesh(), triangles.Normals, isGiven);
+  triangles.Normals = ink::splitNormals(split, triangles.GetMesh(), triangles.Normals);
   triangles.Points = split.spread<glm::dvec3>(triangles.Points);
   triangles.Triangles = split.triangles;
 }
@@ -237,7 +237,7 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   }
   const double diagonal = glm::distance(navigation.lower(), navigation.upper());
   const double spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
-  navigation.cutFeatures(this->FeatureAngle, FeatureReach * spacing);
+  ink::cutFeatures(navigation, this->FeatureAngle, FeatureReach * spacing);
   const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
   SplitPoints(triangles, split, InkPointNormals(mesh) != nullptr);
   const ink::TriangleMesh surface = triangles.GetMesh();

@@ -42,6 +42,13 @@ public:
    */
   std::string MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface, bool voxels = false);
 
+  /**
+   * A mesh with the normals of each side at its feature edges, if it has any.
+   * @param surface becomes it; empty if there are none
+   * @return what is wrong; empty if nothing is
+   */
+  static std::string MakeOfSharpEdges(vtkPolyData* mesh, vtkPolyData* surface);
+
   /// Whether a surface, wherever it was delivered to, is an image's: what creases it has are its voxels'.
   static bool IsOfImage(vtkPolyData* surface);
   /// Sets what a mapper draws its input with: creases, but not those of an image's surface; and how far behind

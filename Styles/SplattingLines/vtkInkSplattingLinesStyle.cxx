@@ -42,6 +42,7 @@ vtkInkSplattingLinesStyle::vtkInkSplattingLinesStyle()
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
   this->SurfaceSampler->ComputePriorityOff();
+  this->Silhouettes->SetSharpEdges(true);
 }
 
 vtkInkSplattingLinesStyle::~vtkInkSplattingLinesStyle() = default;

@@ -99,7 +99,8 @@ private:
 
 } // namespace
 
-FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease)
+FeatureEdges::FeatureEdges(
+  const ContourSurface& surface, double creaseAngle, double shortestCrease, bool sharpOnly)
 {
   const double least = glm::radians(creaseAngle);
   visitEdges(
@@ -116,7 +117,8 @@ FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle, do
       {
         this->nonManifold.push_back(segment);
       }
-      else if (angleBetween(surface, edge[0], edge[1]) > least)
+      else if (angleBetween(surface, edge[0], edge[1]) > least &&
+        !(sharpOnly && edge[0].corners(surface) == edge[1].corners(surface)))
       {
         this->creases.push_back(segment);
       }

@@ -61,7 +61,8 @@ MeshContours::MeshContours(
   }
   if (options.creases || options.borders || options.nonManifold)
   {
-    const FeatureEdges edges(this->Surface, options.creaseAngle, options.shortestCrease);
+    const FeatureEdges edges(
+      this->Surface, options.creaseAngle, options.shortestCrease, options.sharpCreasesOnly);
     const auto add = [&](bool wanted, const std::vector<ContourSegment>& segments, ContourKind kind)
     {
       if (wanted)
