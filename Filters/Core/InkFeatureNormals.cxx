@@ -104,7 +104,13 @@ vtkSmartPointer<vtkPolyData> Oriented(vtkPolyData* mesh)
   filter->SplittingOff();
   filter->Update();
   vtkPolyData* result = filter->GetOutput();
-  result->GetPointData()->RemoveArray(result->GetPointData()->GetNormals()->GetName());
+  vtkDataArray* normals = result->GetPointData()->GetNormals();
+  if (!normals)
+  {
+    // It found nothing to do, as without a polygon of three points.
+    return mesh;
+  }
+  result->GetPointData()->RemoveArray(normals->GetName());
   return result;
 }
 
@@ -169,6 +175,7 @@ void RepeatPoints(const InkMeshTriangles& triangles, const ink::FeatureSplit& sp
 
 vtkSmartPointer<vtkPolyData> InkWithFeatureNormals(vtkPolyData* mesh)
 {
+  InkMeshTriangles::Check(mesh);
   const bool isGiven = InkPointNormals(mesh) != nullptr;
   const vtkSmartPointer<vtkPolyData> surface = isGiven ? WithoutStrips(mesh) : Oriented(mesh);
   const InkMeshTriangles triangles(surface, true, InkMeshTriangles::Order::OfMesh);

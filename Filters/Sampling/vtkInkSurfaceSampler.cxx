@@ -268,17 +268,18 @@ int vtkInkSurfaceSampler::RequestData(
 void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* input, vtkPolyData* output, bool keepFaces)
 {
   ++this->NumberOfSamplings;
-  // Samples that are to be moved with the mesh keep its own points.
-  const vtkSmartPointer<vtkPolyData> mesh =
-    this->ComputeNormals && !keepFaces ? InkWithFeatureNormals(input)
-                                           : vtkSmartPointer<vtkPolyData>(input);
-  InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
   const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  vtkDataArray* density = nullptr;
   // ParaView's panel gives "None".
-  if (chosen && *chosen && std::string(chosen) != "None")
+  const bool hasDensity = chosen && *chosen && std::string(chosen) != "None";
+  const int association = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
+  vtkDataArray* density = hasDensity ? InkGetDensity(input, chosen, association) : nullptr;
+  // Samples that are to be moved with the mesh keep its own points.
+  const vtkSmartPointer<vtkPolyData> mesh = this->ComputeNormals && !keepFaces
+    ? InkWithFeatureNormals(input)
+    : vtkSmartPointer<vtkPolyData>(input);
+  InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
+  if (density)
   {
-    const int association = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
     density = InkGetDensity(mesh, chosen, association);
     triangles.SetDensity(density, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
   }
