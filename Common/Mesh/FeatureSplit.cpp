@@ -40,8 +40,8 @@ void cutFeatures(MeshNavigation& navigation, double angle, double reach)
       const auto other = navigation.across(t, edge);
       if (other && t < other->triangle && !cut.across(t, edge))
       {
-        length += glm::distance(
-          mesh.points[mesh.triangles[t][edge]], mesh.points[mesh.triangles[t][(edge + 1) % 3]]);
+        length +=
+          glm::distance(mesh.points[mesh.triangles[t][edge]], mesh.points[mesh.triangles[t][(edge + 1) % 3]]);
       }
     }
   }
@@ -169,11 +169,10 @@ bool mayHaveFeatures(const TriangleMesh& mesh, std::span<const glm::vec3> normal
     [&](const Triangle& triangle)
     {
       const auto& [a, b, c] = triangle;
-      const glm::dvec3 area =
-        glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+      const glm::dvec3 area = glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
       const double least = leastCosine * glm::length(area);
-      return std::any_of(triangle.begin(), triangle.end(), [&](std::uint32_t point)
-        { return std::abs(glm::dot(area, glm::dvec3(normals[point]))) < least; });
+      return std::any_of(triangle.begin(), triangle.end(),
+        [&](std::uint32_t point) { return std::abs(glm::dot(area, glm::dvec3(normals[point]))) < least; });
     });
 }
 

@@ -15,8 +15,9 @@ namespace ink
 
 /// Which edges are features: those whose triangles' normals enclose more than so many degrees ...
 inline constexpr double defaultFeatureAngle = 40.0;
-/// ... also from so far away, in diagonals of the surface's bounds, see MeshNavigation::cutFeatures: noise, and
-/// stairs between the voxels of a binary volume, are rougher than that; parts that a picture shows are not.
+/// ... also from so far away, in diagonals of the surface's bounds, see MeshNavigation::cutFeatures: noise,
+/// and stairs between the voxels of a binary volume, are rougher than that; parts that a picture shows are
+/// not.
 inline constexpr double defaultFeatureReach = 0.02;
 
 /// Cuts a surface's feature edges (MeshNavigation::cutFeatures), but none where they would be denser than the
@@ -35,7 +36,8 @@ void cutFeatures(MeshNavigation& navigation);
 /// list a point several times along a seam that can be crossed, there is one.
 struct FeatureSplit
 {
-  std::vector<Triangle> triangles;    ///< the mesh's, in its order; of those that are not usable a point three times
+  std::vector<Triangle>
+    triangles; ///< the mesh's, in its order; of those that are not usable a point three times
   std::vector<std::uint32_t> sources; ///< of each point here one of the mesh's, in ascending order of both
 
   /// A value of each point, from values of the mesh's.
@@ -55,10 +57,10 @@ struct FeatureSplit
 /// The same for any number of threads.
 FeatureSplit splitAtFeatures(const MeshNavigation& navigation);
 
-/// The unit normals of the split mesh's points. Where a point of the mesh has one fan, that is its own normal,
-/// or the mean of all that share the fan along a seam. Where it has several, its normal is of none of them:
-/// theirs are the means of their triangles, weighted by their angles at the point, so that long thin ones count
-/// no more than others, to the side of the point's own.
+/// The unit normals of the split mesh's points. Where a point of the mesh has one fan, that is its own
+/// normal, or the mean of all that share the fan along a seam. Where it has several, its normal is of none of
+/// them: theirs are the means of their triangles, weighted by their angles at the point, so that long thin
+/// ones count no more than others, to the side of the point's own.
 /// @param mesh that was split
 /// @param normals one per point of the mesh, unit length or zero
 std::vector<glm::vec3> splitNormals(
@@ -67,7 +69,7 @@ std::vector<glm::vec3> splitNormals(
 /// Whether triangles at a common point enclose so much that an edge between them might be a feature: quickly,
 /// and in doubt true. Points that only share a position have none in common.
 /// @param normals one per point, unit length
-bool mayHaveFeatures(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
-  double angle = defaultFeatureAngle);
+bool mayHaveFeatures(
+  const TriangleMesh& mesh, std::span<const glm::vec3> normals, double angle = defaultFeatureAngle);
 
 } // namespace ink

@@ -64,8 +64,8 @@ inline Mesh box(const glm::dvec3& size, int cells, bool welded)
   return mesh;
 }
 
-/// A cylinder of radius 1 around the z axis with caps as CAD systems tessellate them: all points of a cap are on
-/// its rim.
+/// A cylinder of radius 1 around the z axis with caps as CAD systems tessellate them: all points of a cap are
+/// on its rim.
 /// @param columns around the side
 /// @param rows along it
 /// @param welded whether caps share the rims' points

@@ -11,10 +11,9 @@ class vtkPolyData;
 /// repeated for each side after all others, with all their values. Cells stay in their order, but strips
 /// become triangles.
 ///
-/// Without normals (InkPointNormals) they are computed, as InkMeshTriangles does, and polygons turned the same way
-/// round as their neighbors. Given ones are kept but where one point has to serve
-/// several sides: that mean is nobody's normal. A mesh with normals and without such points is returned
-/// itself.
+/// Without normals (InkPointNormals) they are computed, as InkMeshTriangles does, and polygons turned the
+/// same way round as their neighbors. Given ones are kept but where one point has to serve several sides:
+/// that mean is nobody's normal. A mesh with normals and without such points is returned itself.
 /// @throws std::invalid_argument as InkMeshTriangles does
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> InkWithFeatureNormals(vtkPolyData* mesh);
 

@@ -287,8 +287,8 @@ void vtkInkStippleGenerator::StippleSurface(
       "components and \"Radius\" of 1");
   }
   // Without normals, stipples have those of polygons.
-  const vtkSmartPointer<vtkPolyData> mesh = InkPointNormals(given) ? InkWithFeatureNormals(given)
-                                                                 : vtkSmartPointer<vtkPolyData>(given);
+  const vtkSmartPointer<vtkPolyData> mesh =
+    InkPointNormals(given) ? InkWithFeatureNormals(given) : vtkSmartPointer<vtkPolyData>(given);
   InkSurfaceStippleRequest request;
   request.Count = this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
     ? CountForPicture(mesh, this->PictureSize, 1.0)

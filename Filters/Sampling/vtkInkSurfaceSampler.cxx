@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSurfaceSampler.h"
 
-#include "InkHasPolygons.h"
 #include "InkFeatureNormals.h"
+#include "InkHasPolygons.h"
 #include "InkMeshTriangles.h"
 #include "InkPointCloud.h"
 #include "InkPointOutput.h"
@@ -274,9 +274,8 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* input, vtkPolyData* output, b
   const int association = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
   vtkDataArray* density = hasDensity ? InkGetDensity(input, chosen, association) : nullptr;
   // Samples that are to be moved with the mesh keep its own points.
-  const vtkSmartPointer<vtkPolyData> mesh = this->ComputeNormals && !keepFaces
-    ? InkWithFeatureNormals(input)
-    : vtkSmartPointer<vtkPolyData>(input);
+  const vtkSmartPointer<vtkPolyData> mesh =
+    this->ComputeNormals && !keepFaces ? InkWithFeatureNormals(input) : vtkSmartPointer<vtkPolyData>(input);
   InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
   if (density)
   {

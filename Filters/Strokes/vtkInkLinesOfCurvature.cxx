@@ -262,9 +262,8 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
         curvatures.Umbilics[i] = 1.0f;
       }
     }
-    directions[0] = ink::smoothCrossField(
-      surface, triangles.Normals, directions[0], curvatures.Umbilics, this->SmoothingIterations, progress,
-      ink::Seams::Apart);
+    directions[0] = ink::smoothCrossField(surface, triangles.Normals, directions[0], curvatures.Umbilics,
+      this->SmoothingIterations, progress, ink::Seams::Apart);
     for (std::size_t i = 0; i < directions[0].size(); ++i)
     {
       directions[1][i] = Curvatures::Unit(glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]));

@@ -180,8 +180,8 @@ public:
 
   ///@{
   /**
-   * Whether creases are only edges along which the normals of the two polygons differ, too, as of meshes whose
-   * points are split at their sharp edges. So a smooth but noisy part has none. Default: off.
+   * Whether creases are only edges along which the normals of the two polygons differ, too, as of meshes
+   * whose points are split at their sharp edges. So a smooth but noisy part has none. Default: off.
    */
   vtkSetMacro(SharpCreasesOnly, bool);
   vtkGetMacro(SharpCreasesOnly, bool);

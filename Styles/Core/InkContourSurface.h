@@ -35,7 +35,8 @@ public:
 
   /**
    * A mesh as it is; where it has no normals they are computed from its polygons, which is noted; at feature
-   * edges each side has its own (InkWithFeatureNormals). Of points without polygons none, which is noted, too.
+   * edges each side has its own (InkWithFeatureNormals). Of points without polygons none, which is noted,
+   * too.
    * @param surface becomes it
    * @param voxels whether silhouettes were to be segments through voxels, which is noted
    * @return what is wrong; empty if nothing is
@@ -51,8 +52,8 @@ public:
 
   /// Whether a surface, wherever it was delivered to, is an image's: what creases it has are its voxels'.
   static bool IsOfImage(vtkPolyData* surface);
-  /// Sets what a mapper draws its input with: creases, but not those of an image's surface; and how far behind
-  /// that surface silhouettes may lie, as its normals may be those of a smoother one.
+  /// Sets what a mapper draws its input with: creases, but not those of an image's surface; and how far
+  /// behind that surface silhouettes may lie, as its normals may be those of a smoother one.
   static void Follow(vtkInkSilhouetteMapper* mapper, bool creases);
 
 private:

@@ -96,9 +96,9 @@ void InkSilhouettes::SetPixelScale(double scale)
 std::string InkSilhouettes::MakeOfImages(vtkInkStyle* style, InkIsoSurface& isoSurface,
   std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* piece)
 {
-  return !this->Wanted            ? std::string()
+  return !this->Wanted           ? std::string()
     : this->Method.NeedsVoxels() ? this->Method.MakeVoxels(style, images, array, piece)
-                                  : InkContourSurface(style).MakeOfImages(isoSurface, images, array, piece);
+                                 : InkContourSurface(style).MakeOfImages(isoSurface, images, array, piece);
 }
 
 std::string InkSilhouettes::MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vtkPolyData* piece)

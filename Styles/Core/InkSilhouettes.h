@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Makes what they are of, if there are any: a surface as InkContourSurface does, or edge voxels of images as
-   * InkSilhouetteMethod does; all processes call it at once.
+   * Makes what they are of, if there are any: a surface as InkContourSurface does, or edge voxels of images
+   * as InkSilhouetteMethod does; all processes call it at once.
    * @param isoSurface of what is drawn; after Prepare
    * @param array the point array of the images; empty: the active scalars
    * @param piece becomes it

@@ -316,8 +316,8 @@ protected:
   std::string Follow(vtkAlgorithm* algorithm, const char* text);
 
   /**
-   * Takes a mesh with point normals, those of one side at feature edges (InkWithFeatureNormals): its own ones,
-   * or an array "Normals", or, with a note, those of its polygons.
+   * Takes a mesh with point normals, those of one side at feature edges (InkWithFeatureNormals): its own
+   * ones, or an array "Normals", or, with a note, those of its polygons.
    * @param piece becomes the mesh
    * @return what is wrong; empty if nothing is
    */

@@ -21,8 +21,8 @@ struct FeatureEdges
   ///   they join are no longer than that, are left out. Noise makes such; the edges of a machine part,
   ///   however short, end at others.
   /// @param sharpOnly whether an edge where the two faces have the same normals at both ends is none
-  FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease = 0.0,
-    bool sharpOnly = false);
+  FeatureEdges(
+    const ContourSurface& surface, double creaseAngle, double shortestCrease = 0.0, bool sharpOnly = false);
 };
 
 } // namespace ink

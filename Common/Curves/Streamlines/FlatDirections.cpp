@@ -123,7 +123,8 @@ struct Shape
   {
     const bool isAligned = std::abs(this->borders) > leastAlignment * this->borderLength;
     const glm::dmat3 c = this->covariance();
-    const auto extent = [&c](const glm::dvec3& axis) { return std::sqrt(std::max(glm::dot(axis, c * axis), 0.0)); };
+    const auto extent = [&c](const glm::dvec3& axis)
+    { return std::sqrt(std::max(glm::dot(axis, c * axis), 0.0)); };
     const double angle = isAligned ? 0.25 * std::arg(this->borders) : 0.0;
     glm::dvec3 along = std::cos(angle) * this->axisX + std::sin(angle) * this->axisY;
     glm::dvec3 across = std::cos(angle) * this->axisY - std::sin(angle) * this->axisX;

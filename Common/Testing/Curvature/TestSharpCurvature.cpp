@@ -72,7 +72,8 @@ TEST(SharpCurvature, BoxesAreFlatUpToTheirEdges)
   const Mesh whole = box({ 1.0, 1.0, 1.0 }, 4, true);
   const MeshCurvature found = estimateCurvature(whole.view(), {});
   EXPECT_GT(std::max_element(found.points.begin(), found.points.end(),
-              [](const auto& a, const auto& b) { return a.k1 < b.k1; })->k1,
+              [](const auto& a, const auto& b) { return a.k1 < b.k1; })
+              ->k1,
     1.0);
 }
 

@@ -58,8 +58,9 @@ TEST(MeshContours, SharpCreasesAreWhereNormalsDiffer)
   ink::MeshContourOptions options;
   options.silhouettes = false;
   options.creases = true;
-  const auto count = [&](std::span<const glm::vec3> given)
-  { return ink::MeshContours(mesh.view(), given, options).find(ink::Eye::at({ 4, 5, 6 })).chains.size(); };
+  const auto count = [&](std::span<const glm::vec3> given) {
+    return ink::MeshContours(mesh.view(), given, options).find(ink::Eye::at({ 4, 5, 6 })).chains.size();
+  };
   // As of a rough surface: steep, but with one normal at each position.
   const std::vector<glm::vec3> smooth = radialNormals(mesh);
   EXPECT_EQ(count(smooth), 12u);

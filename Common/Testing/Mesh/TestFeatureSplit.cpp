@@ -48,7 +48,8 @@ TEST(FeatureSplit, BoxesHaveACornerOfEachFace)
       const auto perFace = static_cast<std::size_t>((cells + 1) * (cells + 1));
       EXPECT_EQ(split.sources.size(), 6 * perFace) << cells << welded;
       // What normals the mesh has does not matter: those of its corners are none of any face.
-      const std::vector<glm::vec3> normals = splitNormals(split, mesh.view(), facing(mesh, { 0.0f, 0.0f, 0.0f }));
+      const std::vector<glm::vec3> normals =
+        splitNormals(split, mesh.view(), facing(mesh, { 0.0f, 0.0f, 0.0f }));
       for (std::size_t t = 0; welded && t < mesh.triangles.size(); ++t)
       {
         const auto& [a, b, c] = mesh.triangles[t];
@@ -58,7 +59,8 @@ TEST(FeatureSplit, BoxesHaveACornerOfEachFace)
         {
           const std::uint32_t fan = split.triangles[t][i];
           EXPECT_EQ(mesh.points[split.sources[fan]], mesh.points[mesh.triangles[t][i]]);
-          const bool isInner = std::count(split.sources.begin(), split.sources.end(), split.sources[fan]) == 1;
+          const bool isInner =
+            std::count(split.sources.begin(), split.sources.end(), split.sources[fan]) == 1;
           EXPECT_GT(isInner ? 1.0 : glm::dot(glm::dvec3(normals[fan]), face), 1.0 - 1e-6) << t;
         }
       }
@@ -83,8 +85,8 @@ TEST(FeatureSplit, SmoothMeshesKeepPointsOrderAndNormals)
 
 TEST(FeatureSplit, NoiseIsNoFeature)
 {
-  // Edges are .019 long. Up to a third of that, the ball goes straight on from 2 % of its diagonal away; beyond,
-  // there are too many features.
+  // Edges are .019 long. Up to a third of that, the ball goes straight on from 2 % of its diagonal away;
+  // beyond, there are too many features.
   for (const double noise : { 0.003, 0.006, 0.012, 0.02 })
   {
     const CurvedMesh rough = ellipsoid({ 1.0, 1.0, 1.0 }, 6, noise);

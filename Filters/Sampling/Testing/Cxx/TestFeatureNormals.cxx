@@ -106,8 +106,8 @@ TEST(SurfaceSamplerFeatures, NormalsThatAreMeansOverEdgesAreReplaced)
     double p[3];
     box->GetPoint(i, p);
     const double length = std::sqrt(3.0);
-    means->InsertNextTuple3(
-      std::copysign(1.0, p[0]) / length, std::copysign(1.0, p[1]) / length, std::copysign(1.0, p[2]) / length);
+    means->InsertNextTuple3(std::copysign(1.0, p[0]) / length, std::copysign(1.0, p[1]) / length,
+      std::copysign(1.0, p[2]) / length);
   }
   box->GetPointData()->SetNormals(means);
   EXPECT_GT(LeastLikeness(InkWithFeatureNormals(box)), 1.0 - 1e-6);

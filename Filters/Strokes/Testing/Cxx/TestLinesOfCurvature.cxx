@@ -454,8 +454,9 @@ TEST(LinesOfCurvature, FacesOfABoxAreHatchedEvenlyAndStraight)
       lines->GetPoint(ids->GetId(i - 1), a);
       lines->GetPoint(ids->GetId(i), b);
       int axis = 0;
-      while (axis < 3 && !(std::abs(a[axis] - b[axis]) < 1e-9 &&
-               (std::abs(a[axis]) < 1e-9 || std::abs(a[axis] - size[axis]) < 1e-9)))
+      while (axis < 3 &&
+        !(std::abs(a[axis] - b[axis]) < 1e-9 &&
+          (std::abs(a[axis]) < 1e-9 || std::abs(a[axis] - size[axis]) < 1e-9)))
       {
         ++axis;
       }
