@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ScaledPoints.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <glm/common.hpp>
 
@@ -38,15 +38,7 @@ ScaledPoints scalePoints(const TriangleMesh& mesh, const CumulativeArea& areas, 
   }
   const glm::dvec3 middle = 0.5 * (low + high);
   std::vector<glm::vec3> points(mesh.points.size());
-  constexpr std::size_t blockSize = 1 << 14;
-  parallelFor((points.size() + blockSize - 1) / blockSize,
-    [&](std::size_t block)
-    {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, points.size()); ++i)
-      {
-        points[i] = (mesh.points[i] - middle) / unit;
-      }
-    });
+  parallelForEach(points.size(), [&](std::size_t i) { points[i] = (mesh.points[i] - middle) / unit; });
   return { std::move(points), widest };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature/CurvatureDiffusion.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <Eigen/Core>
 #include <glm/geometric.hpp>
@@ -17,6 +17,8 @@ namespace ink
 
 namespace
 {
+
+constexpr std::size_t sitesPerChunk = 1 << 10;
 
 /// What a site says of curvature in coordinates of space, so that sites can be added up.
 struct SpatialCurvature
@@ -69,21 +71,6 @@ private:
   }
 };
 
-/// Calls body(i) for 0 ... count - 1, in parallel.
-template <class Body>
-void forEach(std::size_t count, const Body& body)
-{
-  constexpr std::size_t atOnce = 1024;
-  parallelFor((count + atOnce - 1) / atOnce,
-    [&](std::size_t part)
-    {
-      for (std::size_t i = part * atOnce; i < std::min(count, (part + 1) * atOnce); ++i)
-      {
-        body(i);
-      }
-    });
-}
-
 SpatialCurvature averageAround(
   std::uint32_t site, std::span<const std::uint32_t> ring, std::span<const SpatialCurvature> values)
 {
@@ -133,7 +120,7 @@ std::vector<std::uint32_t> diffuseCurvature(
     return {};
   }
   std::vector<SpatialCurvature> before(noise.size());
-  forEach(noise.size(),
+  parallelForEach(noise.size(),
     [&](std::size_t site)
     {
       if (curvature.sources[site] != CurvatureSource::None)
@@ -145,7 +132,8 @@ std::vector<std::uint32_t> diffuseCurvature(
   std::vector<std::uint8_t> isUneven(noise.size(), 0);
   for (int pass = 0; pass < passes; ++pass)
   {
-    forEach(active.size(),
+    parallelForEach(
+      active.size(),
       [&](std::size_t i)
       {
         const std::uint32_t site = active[i];
@@ -159,10 +147,12 @@ std::vector<std::uint32_t> diffuseCurvature(
         {
           after[site] = before[site];
         }
-      });
+      },
+      sitesPerChunk);
     before.swap(after);
   }
-  forEach(active.size(), [&](std::size_t i) { curvature.points[active[i]] = before[active[i]].principal(); });
+  parallelForEach(
+    active.size(), [&](std::size_t i) { curvature.points[active[i]] = before[active[i]].principal(); });
   std::erase_if(active, [&](std::uint32_t site) { return isUneven[site] == 0; });
   return active;
 }

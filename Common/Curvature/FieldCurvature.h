@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Curvature/MeshCurvature.h"
 #include "Curvature/PrincipalCurvature.h"
 #include "Fields/Field.h"
@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -51,20 +50,18 @@ MeshCurvature fieldCurvatures(
   MeshCurvature result;
   result.points.resize(points.size());
   result.sources.assign(points.size(), CurvatureSource::None);
-  constexpr std::size_t pointsAtOnce = 256;
-  const bool finished = parallelFor((points.size() + pointsAtOnce - 1) / pointsAtOnce,
-    [&](std::size_t part)
+  constexpr std::size_t pointsPerChunk = 256;
+  const bool finished = parallelForEach(
+    points.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = part * pointsAtOnce; i < std::min(points.size(), (part + 1) * pointsAtOnce); ++i)
+      if (const std::optional<PrincipalCurvature> found = fieldCurvature(field, points[i]))
       {
-        if (const std::optional<PrincipalCurvature> found = fieldCurvature(field, points[i]))
-        {
-          result.points[i] = *found;
-          result.sources[i] = CurvatureSource::Surface;
-        }
+        result.points[i] = *found;
+        result.sources[i] = CurvatureSource::Surface;
       }
     },
-    progress);
+    pointsPerChunk, progress);
   return finished ? result : MeshCurvature();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature/MeshCurvature.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Curvature/CurvatureDiffusion.h"
 #include "Curvature/ExponentialMapFit.h"
 #include "Curvature/RingFit.h"
@@ -27,16 +27,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t pointsAtOnce = 512;
-
-/// Calls body(first, end) for parts of 0 ... count - 1, in parallel.
-template <class Body>
-bool forEachPart(std::size_t count, const Body& body, const Progress& progress = {})
-{
-  return parallelFor((count + pointsAtOnce - 1) / pointsAtOnce,
-    [&](std::size_t part) { body(part * pointsAtOnce, std::min(count, (part + 1) * pointsAtOnce)); },
-    progress);
-}
+constexpr std::size_t pointsPerChunk = 512;
 
 glm::dvec3 unitOrZero(const glm::dvec3& v)
 {
@@ -54,16 +45,13 @@ std::vector<glm::dvec3> siteNormals(
   {
     result[rings.site(point)] += unitOrZero(normals[point]);
   }
-  forEachPart(result.size(),
-    [&](std::size_t begin, std::size_t end)
+  parallelForEach(result.size(),
+    [&](std::size_t site)
     {
-      for (std::size_t site = begin; site < end; ++site)
-      {
-        // Opposite ones cancel out up to rounding.
-        constexpr double rounding = 1e-6;
-        glm::dvec3& normal = result[site];
-        normal = unitOrZero(glm::length(normal) > rounding ? normal : rings.areaVector(mesh.points, site));
-      }
+      // Opposite ones cancel out up to rounding.
+      constexpr double rounding = 1e-6;
+      glm::dvec3& normal = result[site];
+      normal = unitOrZero(glm::length(normal) > rounding ? normal : rings.areaVector(mesh.points, site));
     });
   return result;
 }
@@ -257,9 +245,9 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
       fitExponentialMap(scratch.ring, scratch.unfolded, result.points[site]);
   };
   tbb::enumerable_thread_specific<Scratch> scratches(count);
-  const bool finished = forEachPart(
+  const bool finished = parallelForChunks(
     count,
-    [&](std::size_t begin, std::size_t end)
+    [&](std::size_t, std::size_t begin, std::size_t end)
     {
       Scratch& scratch = scratches.local();
       for (std::size_t i = begin; i < end; ++i)
@@ -278,7 +266,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
         }
       }
     },
-    progress);
+    pointsPerChunk, progress);
   if (!finished)
   {
     return {};
@@ -287,8 +275,9 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   {
     const std::vector<std::uint32_t> uneven = diffuseCurvature(rings, noise, result);
     // There residuals of wider fits tell noise from form.
-    forEachPart(uneven.size(),
-      [&](std::size_t begin, std::size_t end)
+    parallelForChunks(
+      uneven.size(),
+      [&](std::size_t, std::size_t begin, std::size_t end)
       {
         RingFit::Front& front = scratches.local().front;
         for (std::size_t i = begin; i < end; ++i)
@@ -298,7 +287,8 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
             result.points[uneven[i]] = fit->curvature;
           }
         }
-      });
+      },
+      pointsPerChunk);
   }
   fillUnknown(rings, up, result);
   for (std::size_t point = 0; point < count; ++point)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature/SurfaceRings.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 #include "Mesh/RepeatedTriangles.h"
 
@@ -21,12 +21,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t itemsAtOnce = 2048;
-
-std::size_t blocksOf(std::size_t items)
-{
-  return (items + itemsAtOnce - 1) / itemsAtOnce;
-}
+constexpr std::size_t sitesPerChunk = 1 << 11;
 
 bool isFinite(const glm::dvec3& p)
 {
@@ -49,11 +44,10 @@ SurfaceRings::SurfaceRings(const TriangleMesh& mesh, Seams seams)
   };
   const auto lastOf = [](const Triangle& t) { return std::max({ t[0], t[1], t[2] }); };
   std::atomic<bool> allUsable = true;
-  parallelFor(blocksOf(mesh.triangles.size()),
-    [&](std::size_t block)
+  parallelForChunks(mesh.triangles.size(),
+    [&](std::size_t, std::size_t begin, std::size_t end)
     {
-      const auto part = mesh.triangles.subspan(
-        block * itemsAtOnce, std::min(itemsAtOnce, mesh.triangles.size() - block * itemsAtOnce));
+      const auto part = mesh.triangles.subspan(begin, end - begin);
       if (!std::all_of(part.begin(), part.end(),
             [&](const Triangle& t) { return lastOf(t) < mesh.points.size() && isUsable(t); }))
       {
@@ -137,14 +131,15 @@ void SurfaceRings::fillRings()
   const std::size_t count = this->FirstCorner.size() - 1;
   this->Shapes.resize(count);
   this->FirstNeighbor.assign(count + 1, 0);
-  std::vector<std::vector<std::uint32_t>> rings(blocksOf(count));
-  parallelFor(rings.size(),
-    [&](std::size_t block)
+  std::vector<std::vector<std::uint32_t>> rings(chunksOf(count, sitesPerChunk));
+  parallelForChunks(
+    count,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
       std::vector<LinkEdge> links;
-      std::vector<std::uint32_t>& ring = rings[block];
-      ring.reserve(6 * itemsAtOnce);
-      for (std::size_t site = block * itemsAtOnce; site < std::min(count, (block + 1) * itemsAtOnce); ++site)
+      std::vector<std::uint32_t>& ring = rings[chunk];
+      ring.reserve(6 * sitesPerChunk);
+      for (std::size_t site = begin; site < end; ++site)
       {
         links.clear();
         this->visitLinks(site, [&links](const LinkEdge& link) { links.push_back(link); });
@@ -152,15 +147,18 @@ void SurfaceRings::fillRings()
         this->Shapes[site] = appendRing(links, ring);
         this->FirstNeighbor[site + 1] = ring.size() - before;
       }
-    });
+    },
+    sitesPerChunk);
   std::partial_sum(this->FirstNeighbor.begin(), this->FirstNeighbor.end(), this->FirstNeighbor.begin());
   this->Neighbors.resize(this->FirstNeighbor.back());
-  parallelFor(rings.size(),
-    [&](std::size_t block)
+  parallelForChunks(
+    count,
+    [&](std::size_t chunk, std::size_t begin, std::size_t)
     {
-      std::copy(rings[block].begin(), rings[block].end(),
-        this->Neighbors.begin() + static_cast<std::ptrdiff_t>(this->FirstNeighbor[block * itemsAtOnce]));
-    });
+      std::copy(rings[chunk].begin(), rings[chunk].end(),
+        this->Neighbors.begin() + static_cast<std::ptrdiff_t>(this->FirstNeighbor[begin]));
+    },
+    sitesPerChunk);
 }
 
 bool SurfaceRings::weldBorders(std::span<const glm::dvec3> points)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsoSurface/ActiveCellComponents.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,8 +15,6 @@ namespace ink
 {
 namespace
 {
-
-constexpr std::size_t chunkSize = 1 << 16;
 
 /// Disjoint sets that threads unite at once: a root is linked to a lesser one only, so that each set's root
 /// ends up as its least element, whatever the order.
@@ -83,11 +81,9 @@ ActiveCellComponents findActiveCellComponents(std::span<const ActiveCellId> cell
     throw std::invalid_argument("findActiveCellComponents: expected ascending cells");
   }
   DisjointSets sets(cells.size());
-  parallelFor((cells.size() + chunkSize - 1) / chunkSize,
-    [&](std::size_t chunk)
+  parallelForChunks(cells.size(),
+    [&](std::size_t, std::size_t begin, std::size_t end)
     {
-      const std::size_t begin = chunk * chunkSize;
-      const std::size_t end = std::min(begin + chunkSize, cells.size());
       for (int axis = 0; axis < 3; ++axis)
       {
         // Walks along with the cells.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Fields/Grid/GridGeometry.h"
 #include "Fields/Projection.h"
 
@@ -57,16 +57,9 @@ bool projectSamples(const F& field, const GridGeometry& geometry, double isoValu
       point[axis] = static_cast<Real>(end.position[axis]);
     }
   };
-  constexpr std::size_t numbersAtOnce = 3 * 1024;
-  const auto projectPart = [&](std::size_t part)
-  {
-    const std::size_t end = std::min(points.size(), (part + 1) * numbersAtOnce);
-    for (std::size_t n = part * numbersAtOnce; n < end; n += 3)
-    {
-      project(points.data() + n);
-    }
-  };
-  return parallelFor((points.size() + numbersAtOnce - 1) / numbersAtOnce, projectPart, progress);
+  constexpr std::size_t pointsPerChunk = 1024;
+  return parallelForEach(
+    points.size() / 3, [&](std::size_t n) { project(&points[3 * n]); }, pointsPerChunk, progress);
 }
 
 } // namespace ink

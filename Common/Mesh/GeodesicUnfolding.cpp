@@ -2,7 +2,7 @@
 #include "Mesh/GeodesicUnfolding.h"
 
 #include "Core/Hash.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,7 +14,6 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 13;
 constexpr std::uint32_t none = ~0u;
 
 /// For each point the first one at the same position.
@@ -73,19 +72,16 @@ void GeodesicUnfolding::Front::grow()
 GeodesicUnfolding::GeodesicUnfolding(std::span<const glm::vec3> points, std::span<const Triangle> triangles)
   : Facets(triangles.size())
 {
-  parallelFor((triangles.size() + blockSize - 1) / blockSize,
-    [&](std::size_t block)
+  parallelForEach(triangles.size(),
+    [&](std::size_t t)
     {
-      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, triangles.size()); ++t)
-      {
-        const auto& [a, b, c] = triangles[t];
-        Facet& facet = this->Facets[t];
-        facet.corners = { points[a], points[b], points[c] };
-        const glm::vec3 normal =
-          glm::cross(facet.corners[1] - facet.corners[0], facet.corners[2] - facet.corners[0]);
-        const float length = glm::length(normal);
-        facet.normal = length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
-      }
+      const auto& [a, b, c] = triangles[t];
+      Facet& facet = this->Facets[t];
+      facet.corners = { points[a], points[b], points[c] };
+      const glm::vec3 normal =
+        glm::cross(facet.corners[1] - facet.corners[0], facet.corners[2] - facet.corners[0]);
+      const float length = glm::length(normal);
+      facet.normal = length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
     });
   this->join(points.size(), triangles, {});
   const bool isOpen = std::any_of(this->Facets.begin(), this->Facets.end(),

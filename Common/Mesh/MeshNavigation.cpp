@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshNavigation.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ScaledPoints.h"
 #include "Mesh/GeodesicUnfolding.h"
 
@@ -20,24 +20,9 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 13;
 /// A triangle that is flatter than this, relative to its longest side, has no area: rounding alone would say
 /// where its third corner is.
 constexpr double leastHeight = 1e-10;
-
-/// Calls body(i) for 0 ... count - 1, in parallel.
-template <class Body>
-void forEachBlock(std::size_t count, const Body& body)
-{
-  parallelFor((count + blockSize - 1) / blockSize,
-    [&](std::size_t block)
-    {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
-      {
-        body(i);
-      }
-    });
-}
 
 bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
@@ -139,7 +124,7 @@ MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
   }
   // Only its rings of triangles around edges are used: who is whose neighbor.
   const GeodesicUnfolding rings(welded, triangles);
-  forEachBlock(ids.size(),
+  parallelForEach(ids.size(),
     [&](std::size_t n)
     {
       for (std::uint32_t edge = 0; edge < 3; ++edge)
@@ -170,7 +155,7 @@ void MeshNavigation::cutFeatures(double angle, double reach)
   const double leastCosine = std::cos(angle * std::numbers::pi / 180.0);
   // Walks need all links, so none is cut before all edges are known.
   std::vector<std::uint8_t> features(this->Links.size());
-  forEachBlock(this->Usable.size(),
+  parallelForEach(this->Usable.size(),
     [&](std::size_t n)
     {
       const auto t = static_cast<std::uint32_t>(n);

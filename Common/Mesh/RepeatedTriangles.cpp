@@ -2,7 +2,7 @@
 #include "Mesh/RepeatedTriangles.h"
 
 #include "Core/Hash.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,6 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t trianglesAtOnce = 1 << 14;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// @param key(triangle): a hash that does not depend on the order of corners
@@ -26,14 +25,7 @@ template <class Key, class Equal>
 std::vector<std::uint32_t> findRepeats(std::size_t count, const Key& key, const Equal& areEqual)
 {
   std::vector<std::uint64_t> keys(count);
-  parallelFor((count + trianglesAtOnce - 1) / trianglesAtOnce,
-    [&](std::size_t block)
-    {
-      for (std::size_t i = block * trianglesAtOnce; i < std::min((block + 1) * trianglesAtOnce, count); ++i)
-      {
-        keys[i] = key(static_cast<std::uint32_t>(i));
-      }
-    });
+  parallelForEach(count, [&](std::size_t i) { keys[i] = key(static_cast<std::uint32_t>(i)); });
   // A table with open addressing that is at most half full.
   std::vector<std::uint32_t> slots(std::bit_ceil(2 * count + 2), none);
   std::vector<std::uint32_t> repeats;
@@ -88,15 +80,7 @@ std::vector<std::uint32_t> repeatedTriangles(
 {
   // Each point is a corner of six triangles.
   std::vector<std::uint64_t> ofPoint(points.size());
-  parallelFor((points.size() + trianglesAtOnce - 1) / trianglesAtOnce,
-    [&](std::size_t block)
-    {
-      const std::size_t end = std::min((block + 1) * trianglesAtOnce, points.size());
-      for (std::size_t i = block * trianglesAtOnce; i < end; ++i)
-      {
-        ofPoint[i] = keyOf(points[i]);
-      }
-    });
+  parallelForEach(points.size(), [&](std::size_t i) { ofPoint[i] = keyOf(points[i]); });
   const auto sorted = [&](std::uint32_t t)
   {
     std::array<std::array<double, 3>, 3> corners;

@@ -150,8 +150,8 @@ SurfaceBlocks::SurfaceBlocks(std::span<const glm::vec3> middles, std::span<const
   const std::uint64_t ownSeed = hash(seed, 2);
   const auto cellOf = [&](std::uint32_t piece)
   {
-    const std::uint64_t name = keys.empty() ? piece : keys[piece];
-    const glm::vec3 moved = farthestMoved * (2.0f * unitVector(hash(ownSeed ^ name)) - 1.0f);
+    const std::uint64_t id = keys.empty() ? piece : keys[piece];
+    const glm::vec3 moved = farthestMoved * (2.0f * unitVector(hash(ownSeed ^ id)) - 1.0f);
     return glm::ivec3(glm::floor(middles[piece] / side + shift + moved));
   };
   const auto blockOf = [&](const glm::ivec3& cell)

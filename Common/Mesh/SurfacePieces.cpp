@@ -2,13 +2,12 @@
 #include "Mesh/SurfacePieces.h"
 
 #include "Core/MortonOrder.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -19,7 +18,6 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t chunkSize = 1 << 13;
 constexpr std::uint32_t whole = ~0u;
 
 struct Piece
@@ -72,15 +70,13 @@ SurfacePieces::SurfacePieces(const TriangleMesh& mesh, std::span<const glm::vec3
   , Normals(normals)
   , Longest(longest)
 {
-  const std::size_t triangles = mesh.triangles.size();
-  const std::size_t chunks = (triangles + chunkSize - 1) / chunkSize;
+  const std::size_t chunks = chunksOf(mesh.triangles.size());
   std::vector<std::vector<Piece>> found(chunks);
   std::vector<std::vector<Corners>> cuts(chunks);
-  parallelFor(chunks,
-    [&](std::size_t chunk)
+  parallelForChunks(mesh.triangles.size(),
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
-      const std::size_t end = std::min((chunk + 1) * chunkSize, triangles);
-      for (std::size_t t = chunk * chunkSize; t < end; ++t)
+      for (std::size_t t = begin; t < end; ++t)
       {
         const auto& [a, b, c] = mesh.triangles[t];
         if (!(areaOf(mesh, t) > 0.0))

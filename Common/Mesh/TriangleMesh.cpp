@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TriangleMesh.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ink
 {
 
 namespace
 {
-
-// Sums are taken over blocks of this size, so that they do not depend on the number of threads.
-constexpr std::size_t blockSize = 1 << 14;
 
 float usable(float density)
 {
@@ -28,33 +26,24 @@ glm::dvec3 cross(const TriangleMesh& mesh, std::size_t triangle)
   return glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
 }
 
-/// Turns values[1 ...] into prefix sums; blocks[i] is the sum of block i.
-void addUp(std::vector<double>& values, std::size_t blocks)
+/// Turns values[1 ...] into prefix sums.
+void addUp(std::vector<double>& values)
 {
-  std::vector<double> before(blocks + 1);
-  parallelFor(blocks,
-    [&](std::size_t block)
+  const std::size_t count = values.size() - 1;
+  std::vector<double> before(chunksOf(count) + 1);
+  parallelForChunks(count,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
-      const std::size_t begin = 1 + block * blockSize;
-      const std::size_t end = std::min(begin + blockSize, values.size());
-      for (std::size_t i = begin + 1; i < end; ++i)
-      {
-        values[i] += values[i - 1];
-      }
-      before[block + 1] = values[end - 1];
+      std::partial_sum(&values[1 + begin], &values[end] + 1, &values[1 + begin]);
+      before[chunk + 1] = values[end];
     });
-  for (std::size_t block = 1; block <= blocks; ++block)
-  {
-    before[block] += before[block - 1];
-  }
-  parallelFor(blocks,
-    [&](std::size_t block)
+  std::partial_sum(before.begin(), before.end(), before.begin());
+  parallelForChunks(count,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
-      const std::size_t begin = 1 + block * blockSize;
-      const std::size_t end = std::min(begin + blockSize, values.size());
       for (std::size_t i = begin; i < end; ++i)
       {
-        values[i] += before[block];
+        values[1 + i] += before[chunk];
       }
     });
 }
@@ -94,27 +83,23 @@ float densityOf(const TriangleMesh& mesh, const SurfaceSample& sample)
 CumulativeArea cumulateArea(const TriangleMesh& mesh)
 {
   const std::size_t count = mesh.triangles.size();
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
   CumulativeArea result;
   result.area.resize(count + 1);
   result.mass.resize(mesh.hasDensity() ? count + 1 : 0);
-  parallelFor(blocks,
-    [&](std::size_t block)
+  parallelForEach(count,
+    [&](std::size_t i)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+      result.area[i + 1] = areaOf(mesh, i);
+      if (!result.mass.empty())
       {
-        result.area[i + 1] = areaOf(mesh, i);
-        if (!result.mass.empty())
-        {
-          const glm::dvec3 density = mesh.density(i);
-          result.mass[i + 1] = result.area[i + 1] * (density.x + density.y + density.z) / 3.0;
-        }
+        const glm::dvec3 density = mesh.density(i);
+        result.mass[i + 1] = result.area[i + 1] * (density.x + density.y + density.z) / 3.0;
       }
     });
-  addUp(result.area, blocks);
+  addUp(result.area);
   if (!result.mass.empty())
   {
-    addUp(result.mass, blocks);
+    addUp(result.mass);
   }
   return result;
 }
@@ -122,32 +107,28 @@ CumulativeArea cumulateArea(const TriangleMesh& mesh)
 void placeNormals(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   std::span<const SurfaceSample> samples, std::span<float> result)
 {
-  const std::size_t blocks = (samples.size() + blockSize - 1) / blockSize;
-  parallelFor(blocks,
-    [&](std::size_t block)
+  parallelForEach(samples.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, samples.size()); ++i)
+      const SurfaceSample& sample = samples[i];
+      glm::vec3 normal(0.0f);
+      if (!normals.empty())
       {
-        const SurfaceSample& sample = samples[i];
-        glm::vec3 normal(0.0f);
-        if (!normals.empty())
-        {
-          const auto& [a, b, c] = mesh.triangles[sample.triangle];
-          normal =
-            (1.0f - sample.b1 - sample.b2) * normals[a] + sample.b1 * normals[b] + sample.b2 * normals[c];
-        }
-        float length = glm::length(normal);
-        // Unit normals of opposite sides cancel out up to rounding. False for NaN.
-        if (!(length > 1e-3f && std::isfinite(length)))
-        {
-          const glm::dvec3 own = cross(mesh, sample.triangle);
-          const double size = glm::length(own);
-          normal = size > 0.0 && std::isfinite(size) ? glm::vec3(own / size) : glm::vec3(0.0f, 0.0f, 1.0f);
-          length = 1.0f;
-        }
-        normal /= length;
-        std::copy(&normal.x, &normal.x + 3, &result[3 * i]);
+        const auto& [a, b, c] = mesh.triangles[sample.triangle];
+        normal =
+          (1.0f - sample.b1 - sample.b2) * normals[a] + sample.b1 * normals[b] + sample.b2 * normals[c];
       }
+      float length = glm::length(normal);
+      // Unit normals of opposite sides cancel out up to rounding. False for NaN.
+      if (!(length > 1e-3f && std::isfinite(length)))
+      {
+        const glm::dvec3 own = cross(mesh, sample.triangle);
+        const double size = glm::length(own);
+        normal = size > 0.0 && std::isfinite(size) ? glm::vec3(own / size) : glm::vec3(0.0f, 0.0f, 1.0f);
+        length = 1.0f;
+      }
+      normal /= length;
+      std::copy(&normal.x, &normal.x + 3, &result[3 * i]);
     });
 }
 

@@ -2,6 +2,7 @@
 #include "PointSampling/PoissonDisk.h"
 
 #include "Core/Hash.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
 #include "Core/ScaledPoints.h"
 #include "PointSampling/PoissonDiskBins.h"
@@ -334,22 +335,20 @@ bool Sampling::inBlocks(const BlockLists<Thing>& lists, const Body& body, const 
 
 bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress& progress)
 {
-  constexpr std::size_t chunk = 1 << 12;
-  const std::size_t chunks = (count + chunk - 1) / chunk;
   const std::span<const double> weights = this->Areas.weights();
   const double last = std::nextafter(weights.back(), 0.0);
   const double step = weights.back() / static_cast<double>(count);
   const std::uint64_t alongSeed = hash(this->Seed, round, 6);
   const std::uint64_t placeSeed = hash(this->Seed, round, 7);
-  std::vector<std::vector<std::pair<std::uint32_t, PoissonDiskDart>>> thrown(chunks);
-  parallelFor(chunks,
-    [&](std::size_t c)
+  std::vector<std::vector<std::pair<std::uint32_t, PoissonDiskDart>>> thrown(chunksOf(count));
+  parallelForChunks(count,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
       std::uint32_t triangle = 0;
-      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         const double sum = std::min((static_cast<double>(i) + unitDouble(hash(alongSeed ^ i))) * step, last);
-        triangle = i == c * chunk ? findTriangle(weights, sum) : findTriangle(weights, sum, triangle);
+        triangle = i == begin ? findTriangle(weights, sum) : findTriangle(weights, sum, triangle);
         if (this->Bins.isCovered(triangle))
         {
           continue;
@@ -363,7 +362,7 @@ bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress
           origin + dart.sample.b1 * (this->Points[b] - origin) + dart.sample.b2 * (this->Points[c3] - origin);
         if (dart.radius > 0.0f && !this->Bins.isTaken(triangle, dart.position, dart.radius))
         {
-          thrown[c].emplace_back(0, dart);
+          thrown[chunk].emplace_back(0, dart);
         }
       }
     });
@@ -395,20 +394,19 @@ bool Sampling::throwDarts(std::uint64_t round, std::size_t count, const Progress
 
 bool Sampling::fillGaps(float smallest, const Progress& progress)
 {
-  constexpr std::size_t chunk = 1 << 12;
-  const std::size_t chunks = (this->Mesh.triangles.size() + chunk - 1) / chunk;
-  std::vector<std::vector<std::pair<std::uint32_t, PoissonDiskBins::Open>>> found(chunks);
-  parallelFor(chunks,
-    [&](std::size_t c)
+  const std::size_t triangles = this->Mesh.triangles.size();
+  std::vector<std::vector<std::pair<std::uint32_t, PoissonDiskBins::Open>>> found(chunksOf(triangles));
+  parallelForChunks(triangles,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
       std::vector<PoissonDiskBins::Open> open;
-      for (std::size_t t = c * chunk; t < std::min((c + 1) * chunk, this->Mesh.triangles.size()); ++t)
+      for (std::size_t t = begin; t < end; ++t)
       {
         this->Bins.listOpen(static_cast<std::uint32_t>(t), open);
       }
       for (const PoissonDiskBins::Open& bin : open)
       {
-        found[c].emplace_back(0, bin);
+        found[chunk].emplace_back(0, bin);
       }
     });
   for (auto& part : found)

@@ -3,6 +3,7 @@
 
 #include "Core/Hash.h"
 #include "Core/MortonOrder.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
 #include "Mesh/SurfaceSides.h"
@@ -26,7 +27,7 @@ constexpr int levelsPerOctave = 12;
 // Points closer than this fraction of the largest extent count as coincident.
 constexpr int octaves = 22;
 constexpr int levelCount = levelsPerOctave * octaves;
-constexpr std::size_t blockSize = 1 << 12;
+constexpr std::size_t pointsPerChunk = 1 << 12;
 // The number of points of a block that are tested sequentially before the rest is tested in parallel.
 constexpr std::size_t fewInABlock = 64;
 constexpr std::uint16_t isChosen = 0xffff;
@@ -169,16 +170,15 @@ void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
   {
     table[slotOf(this->Cells[i])] = i;
   }
-  const std::size_t blocks = (this->Cells.size() + blockSize - 1) / blockSize;
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint8_t>>> found(blocks);
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint8_t>>> found(chunksOf(this->Cells.size()));
   this->Begin.assign(this->Cells.size() + 1, 0);
-  parallelFor(blocks,
-    [&](std::size_t block)
+  parallelForChunks(this->Cells.size(),
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, this->Cells.size()); ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         const glm::uvec3 cell = mortonCell(this->Cells[i]);
-        const std::size_t before = found[block].size();
+        const std::size_t before = found[chunk].size();
         for (std::uint8_t direction = 0; wanted[i] && direction < 27; ++direction)
         {
           // Negative values wrap around to out of range.
@@ -186,20 +186,20 @@ void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
             ((1u << mortonBits) - 1u);
           if (const std::uint32_t neighbor = table[slotOf(mortonOf(other))]; neighbor != none)
           {
-            found[block].emplace_back(neighbor, direction);
+            found[chunk].emplace_back(neighbor, direction);
           }
         }
-        this->Begin[i + 1] = static_cast<std::uint32_t>(found[block].size() - before);
+        this->Begin[i + 1] = static_cast<std::uint32_t>(found[chunk].size() - before);
       }
     });
   std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
   this->Neighbors.resize(this->Begin.back());
   this->Directions.resize(this->Begin.back());
-  parallelFor(blocks,
-    [&](std::size_t block)
+  parallelForChunks(this->Cells.size(),
+    [&](std::size_t chunk, std::size_t begin, std::size_t)
     {
-      std::size_t next = this->Begin[block * blockSize];
-      for (const auto& [neighbor, direction] : found[block])
+      std::size_t next = this->Begin[begin];
+      for (const auto& [neighbor, direction] : found[chunk])
       {
         this->Neighbors[next] = neighbor;
         this->Directions[next++] = direction;
@@ -281,25 +281,16 @@ SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::
   { return glm::clamp((points[point] - low) * scale, 0.0f, 1.0f); };
 
   const std::size_t count = sorted.ids.size();
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
-  const auto forAll = [&](const auto& body)
-  {
-    parallelFor(blocks,
-      [&](std::size_t block)
-      {
-        for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
-        {
-          body(i);
-        }
-      });
-  };
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(count);
-  forAll([&](std::size_t i) { keys[i] = { mortonCodeOf(scaled(sorted.ids[i])), sorted.ids[i] }; });
+  parallelForEach(count,
+    [&](std::size_t i) {
+      keys[i] = { mortonCodeOf(scaled(sorted.ids[i])), sorted.ids[i] };
+    });
   parallelSort(keys.begin(), keys.end());
   sorted.points.resize(count);
   sorted.mortonCodes.resize(count);
   sorted.chances.resize(count);
-  forAll(
+  parallelForEach(count,
     [&](std::size_t i)
     {
       const auto [mortonCode, id] = keys[i];
@@ -371,25 +362,16 @@ bool Chooser::hasRoom(std::uint32_t point, int level)
 template <class Pick>
 std::vector<std::uint32_t> Chooser::findRoom(std::size_t count, int level, const Pick& pick)
 {
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
-  std::vector<std::vector<std::uint32_t>> found(blocks);
-  parallelFor(blocks,
-    [&](std::size_t block)
+  return parallelGather<std::uint32_t>(
+    count,
+    [&](std::size_t i, std::vector<std::uint32_t>& found)
     {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
+      if (const std::uint32_t point = pick(i); point != none && this->hasRoom(point, level))
       {
-        if (const std::uint32_t point = pick(i); point != none && this->hasRoom(point, level))
-        {
-          found[block].push_back(point);
-        }
+        found.push_back(point);
       }
-    });
-  std::vector<std::uint32_t> all;
-  for (const std::vector<std::uint32_t>& part : found)
-  {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
+    },
+    pointsPerChunk);
 }
 
 void Chooser::choose(int level)

@@ -2,10 +2,11 @@
 #include "PointSampling/WhiteNoise.h"
 
 #include "Core/Hash.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ink
 {
@@ -13,7 +14,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 13;
+constexpr std::size_t samplesPerChunk = 1 << 13;
 
 /// Uniform in a triangle.
 void placeEvenly(std::uint64_t random, SurfaceSample& sample)
@@ -80,80 +81,63 @@ std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, const Cumu
   // Two streams of random numbers: one for the spacings, one for the positions inside triangles.
   const std::uint64_t spacingSeed = hash(seed, 1);
   const std::uint64_t placeSeed = hash(seed, 2);
-  const std::size_t blocks = count / blockSize + 1; // one more spacing than samples
-  std::vector<double> sums(count + 1);
-  std::vector<double> before(blocks + 1);
-  bool going = parallelFor(
-    blocks,
-    [&](std::size_t block)
+  std::vector<double> sums(count + 1); // one more spacing than samples
+  std::vector<double> before(chunksOf(count + 1, samplesPerChunk) + 1);
+  bool going = parallelForChunks(
+    count + 1,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
       double sum = 0.0;
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count + 1); ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         // In (0, 1], so that the logarithm is finite.
         sum -= std::log(1.0 - unitDouble(hash(spacingSeed ^ i)));
         sums[i] = sum;
       }
-      before[block + 1] = sum;
+      before[chunk + 1] = sum;
     },
-    progress ? [&](double done) { return progress(0.5 * done); } : Progress());
+    samplesPerChunk, progress ? [&](double done) { return progress(0.5 * done); } : Progress());
   if (!going)
   {
     return {};
   }
-  for (std::size_t block = 1; block <= blocks; ++block)
-  {
-    before[block] += before[block - 1];
-  }
+  std::partial_sum(before.begin(), before.end(), before.begin());
   const double scale = total / before.back();
 
   std::vector<SurfaceSample> samples(count);
-  going = parallelFor(
-    blocks,
-    [&](std::size_t block)
+  going = parallelForChunks(
+    count,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
-      const std::size_t begin = block * blockSize;
-      const std::size_t end = std::min(begin + blockSize, count);
       std::uint32_t triangle = 0;
       for (std::size_t i = begin; i < end; ++i)
       {
-        const double sum = std::min((before[block] + sums[i]) * scale, std::nextafter(total, 0.0));
+        const double sum = std::min((before[chunk] + sums[i]) * scale, std::nextafter(total, 0.0));
         triangle = i == begin ? findTriangle(weights, sum) : findTriangle(weights, sum, triangle);
         samples[i] = placeInTriangle(mesh, triangle, hash(placeSeed ^ i));
       }
     },
-    progress ? [&](double done) { return progress(0.5 + 0.5 * done); } : Progress());
+    samplesPerChunk, progress ? [&](double done) { return progress(0.5 + 0.5 * done); } : Progress());
   return going ? samples : std::vector<SurfaceSample>();
 }
 
 std::vector<SurfaceSample> sampleWhiteNoise(const TriangleMesh& mesh, std::span<const std::uint64_t> ids,
   double perArea, std::uint64_t seed, const Progress& progress)
 {
-  const std::size_t blocks = (ids.size() + blockSize - 1) / blockSize;
-  std::vector<std::vector<SurfaceSample>> found(blocks);
-  const bool going = parallelFor(
-    blocks,
-    [&](std::size_t block)
+  return parallelGather<SurfaceSample>(
+    ids.size(),
+    [&](std::size_t t, std::vector<SurfaceSample>& found)
     {
-      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, ids.size()); ++t)
+      const double exact = areaOf(mesh, t) * perArea;
+      const auto count = static_cast<std::uint64_t>(std::floor(exact + unitDouble(hash(seed, ids[t], 1))));
+      for (std::uint64_t i = 0; i < count; ++i)
       {
-        const double exact = areaOf(mesh, t) * perArea;
-        const auto count = static_cast<std::uint64_t>(std::floor(exact + unitDouble(hash(seed, ids[t], 1))));
-        for (std::uint64_t i = 0; i < count; ++i)
-        {
-          SurfaceSample sample{ static_cast<std::uint32_t>(t), 0.0f, 0.0f };
-          placeEvenly(hash(hash(seed, ids[t], 2), i), sample);
-          found[block].push_back(sample);
-        }
+        SurfaceSample sample{ static_cast<std::uint32_t>(t), 0.0f, 0.0f };
+        placeEvenly(hash(hash(seed, ids[t], 2), i), sample);
+        found.push_back(sample);
       }
     },
-    progress);
-  std::vector<SurfaceSample> samples;
-  for (const std::vector<SurfaceSample>& part : found)
-  {
-    samples.insert(samples.end(), part.begin(), part.end());
-  }
-  return going ? samples : std::vector<SurfaceSample>();
+    samplesPerChunk, progress);
 }
 
 } // namespace ink

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Raster/Thin.h"
 
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
 #include "Raster/RowScan.h"
 
@@ -139,15 +140,15 @@ Ink::Ink(const CoverageImage& image, unsigned char threshold)
 
 void Ink::takeFrom(unsigned side)
 {
-  const std::size_t tasks = (this->Layer.size() + pixelsPerTask - 1) / pixelsPerTask;
+  const std::size_t tasks = chunksOf(this->Layer.size(), pixelsPerTask);
   this->Found.resize(std::max(tasks, this->Found.size()));
-  parallelFor(tasks,
-    [&](std::size_t task)
+  parallelForChunks(
+    this->Layer.size(),
+    [&](std::size_t task, std::size_t begin, std::size_t end)
     {
       std::vector<std::size_t>& found = this->Found[task];
       found.clear();
-      const std::size_t end = std::min((task + 1) * pixelsPerTask, this->Layer.size());
-      for (std::size_t i = task * pixelsPerTask; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         const std::size_t pixel = this->Layer[i];
         if (this->Flags[pixel] & inky)
@@ -159,7 +160,8 @@ void Ink::takeFrom(unsigned side)
           }
         }
       }
-    });
+    },
+    pixelsPerTask);
   for (std::size_t task = 0; task < tasks; ++task)
   {
     for (const std::size_t pixel : this->Found[task])

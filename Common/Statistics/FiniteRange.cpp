@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/FiniteRange.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Fields/ScalarDifference.h"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = std::size_t{ 1 } << 20;
+constexpr std::size_t valuesPerChunk = std::size_t{ 1 } << 20;
 
 template <typename T>
-FiniteRange summarizeBlock(std::span<const T> values)
+FiniteRange summarize(std::span<const T> values)
 {
   // The neutral elements of minimum and maximum.
   T least = std::numeric_limits<T>::max();
@@ -66,17 +66,16 @@ void FiniteRange::add(const FiniteRange& other)
 template <typename T>
 FiniteRange findFiniteRange(std::span<const T> values)
 {
-  std::vector<FiniteRange> blocks((values.size() + blockSize - 1) / blockSize);
-  parallelFor(blocks.size(),
-    [&](std::size_t n)
-    {
-      const std::size_t first = n * blockSize;
-      blocks[n] = summarizeBlock(values.subspan(first, std::min(blockSize, values.size() - first)));
-    });
+  std::vector<FiniteRange> chunks(chunksOf(values.size(), valuesPerChunk));
+  parallelForChunks(
+    values.size(),
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
+    { chunks[chunk] = summarize(values.subspan(begin, end - begin)); },
+    valuesPerChunk);
   FiniteRange all;
-  for (const FiniteRange& block : blocks)
+  for (const FiniteRange& chunk : chunks)
   {
-    all.add(block);
+    all.add(chunk);
   }
   return all;
 }

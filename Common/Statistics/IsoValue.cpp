@@ -41,6 +41,11 @@ constexpr double nearlyAsLarge = 0.9;
 constexpr double asSharp = 0.95;
 // What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
 constexpr double fragmentShare = 0.01;
+// So is the lowest boundary without a material above it if it has less than this fraction of the area of the
+// surfaces at lower values: smooth fields, such as simulations have, are steepest towards their peaks.
+constexpr double fragmentArea = 0.05;
+// What intersects more than this fraction of a volume's edges is noise rather than a surface.
+constexpr double mostIntersected = 0.125;
 constexpr std::size_t mostSuggestions = 3;
 // Closer to the middle of two materials, by this fraction of their difference, a boundary stays where it is
 // sharpest: that makes up for what a point spread takes off from convex parts.
@@ -262,6 +267,25 @@ bool isMask(const IsoStatistics& statistics, std::size_t threshold)
   return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
 }
 
+/// Whether a threshold belongs to the peaks of a smooth field.
+bool isPeak(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t threshold)
+{
+  const EdgeSums sums = withoutMasks(statistics);
+  const std::vector<bool> noise = findNoise(sums, statistics.speckEdges, kept);
+  std::int64_t most = 0;
+  for (std::size_t i = 0; i < threshold; ++i)
+  {
+    most = noise[i] ? most : std::max(most, sums.edges[i]);
+  }
+  const std::int64_t voxels =
+    std::accumulate(statistics.voxels.begin(), statistics.voxels.end(), std::int64_t{ 0 });
+  // The last bin has all outliers, too.
+  const BinRange above{ threshold + 1, statistics.voxels.size() - 1 };
+  return static_cast<double>(sums.edges[threshold]) < fragmentArea * static_cast<double>(most) &&
+    static_cast<double>(most) <= mostIntersected * 3.0 * static_cast<double>(voxels) &&
+    !findMaterialValue(statistics.voxels, above, false);
+}
+
 /// The clear boundaries, from the lowest to the highest, those of masks only if there are no others.
 std::vector<Boundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept)
 {
@@ -284,6 +308,10 @@ std::vector<Boundary> findBoundaries(const IsoStatistics& statistics, const std:
   std::erase_if(boundaries,
     [&, least = boundaries.empty() ? 0.0 : fragmentShare * kept[boundaries.front().index]](
       const Boundary& one) { return kept[one.index] < least; });
+  while (!boundaries.empty() && isPeak(statistics, kept, boundaries.front().index))
+  {
+    boundaries.erase(boundaries.begin());
+  }
   return boundaries;
 }
 

@@ -256,7 +256,7 @@ void vtkInkContours::FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output)
     return;
   }
   const ink::MeshContourOptions options{ this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle,
-    this->Borders, this->NonManifoldEdges, this->ShortestCrease };
+    this->Borders, this->NonManifoldEdges, this->ShortestCrease, this->ShortestBorder };
   vtkInternals& kept = *this->Internals;
   if (!kept.IsOf(mesh, options))
   {
@@ -433,6 +433,7 @@ void vtkInkContours::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Creases: " << this->Creases << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
+  os << indent << "ShortestBorder: " << this->ShortestBorder << "\n";
   os << indent << "Borders: " << this->Borders << "\n";
   os << indent << "NonManifoldEdges: " << this->NonManifoldEdges << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";

@@ -287,6 +287,16 @@ public:
 
   ///@{
   /**
+   * Borders that, with all borders that they join, are no longer than this share of the surface's diagonal,
+   * are left out: those around triangles that scans lack. 0 (default: none is left out) to 1. NaN is refused
+   * with a warning.
+   */
+  InkSetClampMacro(ShortestBorder, 0.0, 1.0);
+  vtkGetMacro(ShortestBorder, double);
+  ///@}
+
+  ///@{
+  /**
    * Find non-manifold edges: those of more than two faces. Default: off.
    */
   vtkSetMacro(NonManifoldEdges, bool);
@@ -382,6 +392,7 @@ private:
   bool Creases = false;
   double FeatureAngle = 30.0;
   double ShortestCrease = 0.0;
+  double ShortestBorder = 0.0;
   bool Borders = true;
   bool NonManifoldEdges = false;
   bool ComputeNormals = false;

@@ -2,6 +2,7 @@
 #include "InkPointCloud.h"
 
 #include "InkAllocate.h"
+#include "InkExtractPoints.h"
 #include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkVTKCompat.h"
@@ -86,7 +87,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPointSet* points)
     return nullptr;
   }
   auto kept = vtkSmartPointer<vtkPolyData>::New();
-  InkReorderPoints(points, own, kept);
+  InkExtractPoints(points, own, kept);
   kept->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   return kept;
 }
@@ -232,7 +233,7 @@ vtkIdType InkPreparePointCloud(
     normals = Pick(normals, sorted);
     radii = Pick(radii, sorted);
   }
-  InkReorderPoints(input, order, output);
+  InkExtractPoints(input, order, output);
   const auto count = static_cast<vtkIdType>(order.size());
   vtkPointData* pointData = output->GetPointData();
   if (estimated)

@@ -6,14 +6,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPointSet.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -80,24 +74,4 @@ vtkSmartPointer<vtkDataArray> InkMakeConstant(const char* name, int type, vtkIdT
   InkSetNumberOfTuples(array, count);
   array->Fill(value);
   return array;
-}
-
-void InkReorderPoints(vtkPointSet* input, std::span<const std::uint32_t> order, vtkPolyData* output)
-{
-  const auto count = static_cast<vtkIdType>(order.size());
-  vtkNew<vtkIdList> from;
-  vtkNew<vtkIdList> to;
-  from->SetNumberOfIds(count);
-  to->SetNumberOfIds(count);
-  std::copy(order.begin(), order.end(), from->GetPointer(0));
-  std::iota(to->GetPointer(0), to->GetPointer(0) + count, vtkIdType(0));
-  vtkNew<vtkPoints> points;
-  points->SetDataType(input->GetPoints()->GetDataType());
-  InkSetNumberOfPoints(points, count);
-  input->GetPoints()->GetData()->GetTuples(from, points->GetData());
-  output->SetPoints(points);
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), count);
-  output->GetPointData()->CopyData(input->GetPointData(), from, to);
-  output->GetFieldData()->PassData(input->GetFieldData());
 }

@@ -10,8 +10,6 @@
 
 class vtkCellArray;
 class vtkDataArray;
-class vtkPointSet;
-class vtkPolyData;
 
 /// One VTK_POLY_VERTEX cell over points 0 ... count - 1.
 vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count);
@@ -23,8 +21,5 @@ vtkSmartPointer<vtkDataArray> InkMakePriority(std::span<const std::uint32_t> ran
 
 /// An array with one value for all points.
 vtkSmartPointer<vtkDataArray> InkMakeConstant(const char* name, int type, vtkIdType count, double value);
-
-/// Writes the points of `input` with all their arrays to `output` in an order.
-void InkReorderPoints(vtkPointSet* input, std::span<const std::uint32_t> order, vtkPolyData* output);
 
 #endif

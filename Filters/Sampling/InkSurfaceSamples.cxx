@@ -2,7 +2,7 @@
 #include "InkSurfaceSamples.h"
 
 #include "Core/Hash.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "InkAllocate.h"
 #include "Mesh/SurfaceStretch.h"
 #include "PointSampling/CoveringRadius.h"
@@ -41,7 +41,6 @@ constexpr const char* SampledMeshName = "SampledMesh";
 constexpr const char* SampledPointsName = "SampledMeshPoints";
 // Of triangles around a sample whose stretch counts, at the most.
 constexpr int MostStretchRounds = 8;
-constexpr std::size_t BlockSize = 1 << 14;
 
 // The maximum memory per sample during generation, including its share of darts and its entry in the order.
 constexpr double BytesWhite = 100.0;
@@ -55,24 +54,10 @@ std::string Text(double value)
   return text.str();
 }
 
-/// Calls body(i) for all samples, in parallel.
-template <class Body>
-void ForEach(std::size_t count, const Body& body)
-{
-  ink::parallelFor((count + BlockSize - 1) / BlockSize,
-    [&](std::size_t block)
-    {
-      for (std::size_t i = block * BlockSize; i < std::min((block + 1) * BlockSize, count); ++i)
-      {
-        body(i);
-      }
-    });
-}
-
 template <class Real>
 void PlacePoints(const ink::TriangleMesh& mesh, const std::vector<ink::SurfaceSample>& samples, Real* points)
 {
-  ForEach(samples.size(),
+  ink::parallelForEach(samples.size(),
     [&](std::size_t i)
     {
       const glm::dvec3 point = ink::positionOf(mesh, samples[i]);
@@ -268,7 +253,7 @@ vtkSmartPointer<vtkDataArray> InkSurfaceSamples::MakeRadius(int type) const
     InkSetNumberOfTuples(radii, static_cast<vtkIdType>(this->Samples.size()));
     const ink::LocalRadius local(mesh, this->Areas, this->Cover);
     Real* values = radii->GetPointer(0);
-    ForEach(this->Samples.size(),
+    ink::parallelForEach(this->Samples.size(),
       [&](std::size_t i)
       {
         values[i] = static_cast<Real>(

@@ -3,29 +3,16 @@
 
 #include "vtkInkContoursStyle.h"
 #include "vtkInkSilhouetteMapper.h"
-#include "vtkSMInkIsoValueInitializationHelper.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkSMProperty.h"
 
 vtkStandardNewMacro(vtkSMInkContoursRepresentationProxy);
 
 const vtkSMInkPresetRepresentationProxy::Controls& vtkSMInkContoursRepresentationProxy::GetControls()
 {
-  static constexpr const char* array = "ContoursScalars";
-  static constexpr auto suggest = [](vtkSMProxy* proxy, const char* property)
-  {
-    ChooseArray(proxy, array);
-    vtkSMInkIsoValueInitializationHelper::SetSuggested(proxy, property, array);
-  };
-  static constexpr auto takeRange = [](vtkSMProxy* proxy, const char* property)
-  {
-    ChooseArray(proxy, array);
-    proxy->GetProperty(property)->ResetToDomainDefaults();
-  };
-  static constexpr Start starts[] = { { "ContoursAutomaticIsoValue", 0, "ContoursIsoValue", suggest, 0 },
-    { "ContoursMethod", vtkInkSilhouetteMapper::VOXEL_SEGMENTS, "ContoursValueRange", takeRange } };
-  static constexpr Controls controls{ "Contours", "ContoursPreset", {}, starts };
+  static constexpr Start starts[] = { { "ContoursAutomaticIsoValue", 0, "ContoursIsoValue", ISO_VALUE, 0 },
+    { "ContoursMethod", vtkInkSilhouetteMapper::VOXEL_SEGMENTS, "ContoursValueRange", RANGE } };
+  static constexpr Controls controls{ "Contours", "ContoursPreset", "ContoursScalars", {}, starts };
   return controls;
 }
 

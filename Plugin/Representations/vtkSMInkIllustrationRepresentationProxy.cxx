@@ -2,7 +2,6 @@
 #include "vtkSMInkIllustrationRepresentationProxy.h"
 
 #include "vtkInkIllustrationStyle.h"
-#include "vtkSMInkIsoValueInitializationHelper.h"
 
 #include "vtkObjectFactory.h"
 
@@ -10,17 +9,12 @@ vtkStandardNewMacro(vtkSMInkIllustrationRepresentationProxy);
 
 const vtkSMInkPresetRepresentationProxy::Controls& vtkSMInkIllustrationRepresentationProxy::GetControls()
 {
-  static constexpr auto suggest = [](vtkSMProxy* proxy, const char* property)
-  {
-    constexpr const char* array = "IllustrationScalars";
-    ChooseArray(proxy, array);
-    vtkSMInkIsoValueInitializationHelper::SetSuggested(proxy, property, array);
-  };
   static constexpr Start starts[] = {
-    { "IllustrationAutomaticIsoValue", 0, "IllustrationIsoValue", suggest, 0 },
-    { "IllustrationAutomaticOuterIsoValue", 0, "IllustrationOuterIsoValue", suggest, 1 },
+    { "IllustrationAutomaticIsoValue", 0, "IllustrationIsoValue", ISO_VALUE, 0 },
+    { "IllustrationAutomaticOuterIsoValue", 0, "IllustrationOuterIsoValue", ISO_VALUE, 1 },
   };
-  static constexpr Controls controls{ "Illustration", "IllustrationPreset", {}, starts };
+  static constexpr Controls controls{ "Illustration", "IllustrationPreset", "IllustrationScalars", {},
+    starts };
   return controls;
 }
 

@@ -82,12 +82,3 @@ std::optional<double> vtkSMInkIsoValueInitializationHelper::FindUsed(vtkSMProxy*
   information->SetPort(surface);
   return Gather(representation, information);
 }
-
-void vtkSMInkIsoValueInitializationHelper::SetSuggested(
-  vtkSMProxy* proxy, const char* property, const char* arrayProperty)
-{
-  if (const std::optional<double> value = Suggest(proxy, arrayProperty))
-  {
-    vtkSMPropertyHelper(proxy, property).Set(*value);
-  }
-}

@@ -29,8 +29,6 @@ public:
   /// What suits the proxy's Input, by the array that one of its properties chooses: nothing where there is no
   /// image, or no two different values. Makes the input up to date.
   static std::optional<double> Suggest(vtkSMProxy* proxy, const char* arrayProperty);
-  /// Sets a property to that, if there is such a value.
-  static void SetSuggested(vtkSMProxy* proxy, const char* property, const char* arrayProperty);
   /// The value that a vtkInkRepresentation used last for one of its surfaces; nothing where it made none.
   static std::optional<double> FindUsed(vtkSMProxy* representation, int surface);
 #endif

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,7 +116,7 @@ void vtkSMInkPresetRepresentationProxy::SetPropertyModifiedFlag(const char* name
     }
     if (std::string(name) == start.Switch && this->IsOn(start) && IsUnset(this, start.Property))
     {
-      start.Set(this, start.Property);
+      this->SetStartValue(start);
     }
   }
 }
@@ -147,11 +148,25 @@ bool vtkSMInkPresetRepresentationProxy::ShowsChosen(vtkSMProperty* property)
       [&](const Start& start) { return name == start.Property && proxy->IsAutomatic(start); });
 }
 
-void vtkSMInkPresetRepresentationProxy::ChooseArray(vtkSMProxy* proxy, const char* arrayProperty)
+void vtkSMInkPresetRepresentationProxy::SetStartValue(const Start& start)
 {
-  const vtkSMPropertyHelper inputs(proxy, "Input");
+  this->ChooseArray();
+  if (start.Value == RANGE)
+  {
+    this->GetProperty(start.Property)->ResetToDomainDefaults();
+  }
+  else if (const std::optional<double> value =
+             vtkSMInkIsoValueInitializationHelper::Suggest(this, this->Named.Array))
+  {
+    vtkSMPropertyHelper(this, start.Property).Set(*value);
+  }
+}
+
+void vtkSMInkPresetRepresentationProxy::ChooseArray()
+{
+  const vtkSMPropertyHelper inputs(this, "Input");
   auto input = vtkSMSourceProxy::SafeDownCast(inputs.GetAsProxy());
-  if (!input || !proxy->GetProperty(arrayProperty)->IsValueDefault())
+  if (!input || !this->GetProperty(this->Named.Array)->IsValueDefault())
   {
     return;
   }
@@ -162,7 +177,7 @@ void vtkSMInkPresetRepresentationProxy::ChooseArray(vtkSMProxy* proxy, const cha
   if (scalars && scalars->GetName())
   {
     constexpr unsigned int name = 4;
-    vtkSMPropertyHelper(proxy, arrayProperty).Set(name, scalars->GetName());
+    vtkSMPropertyHelper(this, this->Named.Array).Set(name, scalars->GetName());
   }
 }
 

@@ -45,13 +45,18 @@ public:
   void ViewUpdated(vtkSMProxy* view) override;
 
 protected:
+  enum StartValue
+  {
+    ISO_VALUE, ///< the one that suits the array
+    RANGE      ///< of the array
+  };
   /// What starts with a value that suits the input when it is switched on.
   struct Start
   {
     const char* Switch;
     int On;
     const char* Property;
-    void (*Set)(vtkSMProxy*, const char* property);
+    StartValue Value;
     int Surface = -1; ///< of which it is the iso-value, automatic until it is switched on; negative: none
   };
   /// The names of properties.
@@ -59,15 +64,13 @@ protected:
   {
     const char* Prefix; ///< before those of parameters, as far as they have it
     const char* Preset;
+    const char* Array; ///< chooses the array, of points
     std::span<const char* const> Sliders;
     std::span<const Start> Starts;
   };
   /// @param style draws nothing; says what presets and sliders set
   vtkSMInkPresetRepresentationProxy(vtkSmartPointer<vtkInkStyle> style, const Controls& controls);
   ~vtkSMInkPresetRepresentationProxy() override;
-
-  /// Chooses the array of active scalars where none is chosen: ranges are those of an array with a name.
-  static void ChooseArray(vtkSMProxy* proxy, const char* arrayProperty);
 
   int ReadXMLAttributes(vtkSMSessionProxyManager* manager, vtkPVXMLElement* element) override;
   void SetPropertyModifiedFlag(const char* name, int flag) override;
@@ -86,6 +89,9 @@ private:
   /// The properties that a preset sets.
   std::vector<std::string> GetFollowers();
 
+  /// Chooses the array of active scalars where none is chosen: ranges are those of an array with a name.
+  void ChooseArray();
+  void SetStartValue(const Start& start);
   bool IsOn(const Start& start);
   bool IsAutomatic(const Start& start) { return start.Surface >= 0 && !this->IsOn(start); }
   bool IsSlider(const std::string& name) const;

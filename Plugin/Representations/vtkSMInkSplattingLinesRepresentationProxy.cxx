@@ -2,7 +2,6 @@
 #include "vtkSMInkSplattingLinesRepresentationProxy.h"
 
 #include "vtkInkSplattingLinesStyle.h"
-#include "vtkSMInkIsoValueInitializationHelper.h"
 
 #include "vtkObjectFactory.h"
 
@@ -10,14 +9,8 @@ vtkStandardNewMacro(vtkSMInkSplattingLinesRepresentationProxy);
 
 const vtkSMInkPresetRepresentationProxy::Controls& vtkSMInkSplattingLinesRepresentationProxy::GetControls()
 {
-  static constexpr auto suggest = [](vtkSMProxy* proxy, const char* property)
-  {
-    constexpr const char* array = "LinesScalars";
-    ChooseArray(proxy, array);
-    vtkSMInkIsoValueInitializationHelper::SetSuggested(proxy, property, array);
-  };
-  static constexpr Start starts[] = { { "LinesAutomaticIsoValue", 0, "LinesIsoValue", suggest, 0 } };
-  static constexpr Controls controls{ "Lines", "", {}, starts };
+  static constexpr Start starts[] = { { "LinesAutomaticIsoValue", 0, "LinesIsoValue", ISO_VALUE, 0 } };
+  static constexpr Controls controls{ "Lines", "", "LinesScalars", {}, starts };
   return controls;
 }
 

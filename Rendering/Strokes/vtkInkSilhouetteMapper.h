@@ -199,6 +199,16 @@ public:
 
   ///@{
   /**
+   * Borders that, with all borders that they join, are no longer than this share of the surface's diagonal,
+   * are left out: those around triangles that scans lack. 0 (default: none is left out) to 1. NaN is refused
+   * with a warning.
+   */
+  InkSetClampMacro(ShortestBorder, 0.0, 1.0);
+  vtkGetMacro(ShortestBorder, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether edges of more than two polygons are drawn. Default: off.
    */
   vtkSetMacro(NonManifoldEdges, bool);
@@ -262,6 +272,7 @@ private:
   double FeatureAngle = 30.0;
   double ShortestCrease = 0.0;
   bool SharpCreasesOnly = false;
+  double ShortestBorder = 0.0;
   bool Borders = true;
   bool NonManifoldEdges = false;
   bool CoherentDashes = false;

@@ -5,6 +5,7 @@
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
+#include "InkNullIfEmpty.h"
 #include "InkParameter.h"
 #include "InkSilhouetteMethod.h"
 #include "InkStyleProcesses.h"
@@ -58,6 +59,7 @@ vtkInkContoursStyle::vtkInkContoursStyle()
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetFeatureAngle(40.0);
   this->Mapper->SetShortestCrease(0.05);
+  this->Mapper->SetShortestBorder(0.05);
   this->SetPreset(0);
 }
 
@@ -200,10 +202,8 @@ std::string vtkInkContoursStyle::TakeMesh(
 
 void vtkInkContoursStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
 {
-  const auto usable = [](vtkPolyData* piece)
-  { return piece && piece->GetNumberOfPoints() > 0 ? piece : nullptr; };
-  this->Mapper->SetInputDataObject(usable(pieces[CONTOURED]));
-  this->Mapper->SetSurfaceData(usable(pieces[SURFACE]));
+  this->Mapper->SetInputDataObject(InkNullIfEmpty(pieces[CONTOURED]));
+  this->Mapper->SetSurfaceData(InkNullIfEmpty(pieces[SURFACE]));
   this->Method->Follow();
   this->SetCreases(this->Creases);
 }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkDistributedParts.h"
 
+#include "InkExtractPoints.h"
 #include "InkStyleProcesses.h"
 #include "InkSurfaceParts.h"
 
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
 
@@ -37,32 +35,6 @@ std::vector<std::uint32_t> PointsOf(vtkPolyData* points, int surface)
     }
   }
   return ids;
-}
-
-/// Leaves points of these ids, with all their arrays.
-void KeepPoints(vtkPolyData* points, const std::vector<std::uint32_t>& ids)
-{
-  const auto count = static_cast<vtkIdType>(ids.size());
-  vtkNew<vtkIdList> from;
-  vtkNew<vtkIdList> to;
-  from->SetNumberOfIds(count);
-  to->SetNumberOfIds(count);
-  std::copy(ids.begin(), ids.end(), from->GetPointer(0));
-  std::iota(to->GetPointer(0), to->GetPointer(0) + count, vtkIdType(0));
-  vtkNew<vtkPolyData> left;
-  vtkNew<vtkPoints> positions;
-  positions->SetDataType(points->GetPoints()->GetDataType());
-  positions->SetNumberOfPoints(count);
-  points->GetPoints()->GetPoints(from, positions);
-  left->SetPoints(positions);
-  vtkPointData* data = left->GetPointData();
-  data->CopyAllOn();
-  data->CopyAllocate(points->GetPointData(), count);
-  data->CopyData(points->GetPointData(), from, to);
-  data->RemoveArray(CellIds);
-  data->RemoveArray(Surfaces);
-  left->GetFieldData()->PassData(points->GetFieldData());
-  points->ShallowCopy(left);
 }
 
 } // namespace
@@ -102,6 +74,10 @@ void InkKeepPartsOfAll(
   }
   if (cells)
   {
-    KeepPoints(points, kept);
+    vtkNew<vtkPolyData> left;
+    InkExtractPoints(points, kept, left);
+    left->GetPointData()->RemoveArray(CellIds);
+    left->GetPointData()->RemoveArray(Surfaces);
+    points->ShallowCopy(left);
   }
 }

@@ -5,7 +5,7 @@
 #include "InkIndexMesh.h"
 #include "vtkInkIsoSurfaceSampler.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Resampling/ResampleGrid.h"
 #include "IsoSurface/ActiveCellComponents.h"
@@ -221,18 +221,14 @@ void FillMesh(const InkIndexMesh& surfaces, const ResampledImage<Work>& image, v
   auto* normals = vtkFloatArray::SafeDownCast(mesh->GetPointData()->GetNormals());
   points->SetNumberOfPoints(count);
   normals->SetNumberOfTuples(count);
-  constexpr std::size_t chunk = 4096;
-  ink::parallelFor((surfaces.Points.size() + chunk - 1) / chunk,
-    [&](std::size_t part)
+  ink::parallelForEach(surfaces.Points.size(),
+    [&](std::size_t n)
     {
-      for (std::size_t n = part * chunk; n < std::min((part + 1) * chunk, surfaces.Points.size()); ++n)
-      {
-        const auto id = static_cast<vtkIdType>(n);
-        const glm::dvec3 world = image.GetGeometry().toWorld(surfaces.Points[n]);
-        const glm::vec3 normal = image.FindNormal(surfaces.Points[n]);
-        points->SetPoint(id, &world[0]);
-        normals->SetTypedTuple(id, &normal[0]);
-      }
+      const auto id = static_cast<vtkIdType>(n);
+      const glm::dvec3 world = image.GetGeometry().toWorld(surfaces.Points[n]);
+      const glm::vec3 normal = image.FindNormal(surfaces.Points[n]);
+      points->SetPoint(id, &world[0]);
+      normals->SetTypedTuple(id, &normal[0]);
     });
   const auto triangles = static_cast<vtkIdType>(surfaces.Triangles.size());
   mesh->GetPolys()->AllocateExact(triangles, 3 * triangles);

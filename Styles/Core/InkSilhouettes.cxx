@@ -3,6 +3,7 @@
 
 #include "InkContourSurface.h"
 #include "InkHasPolygons.h"
+#include "InkNullIfEmpty.h"
 #include "vtkInkMapper.h"
 #include "vtkInkSilhouetteMapper.h"
 
@@ -28,6 +29,7 @@ InkSilhouettes::InkSilhouettes(vtkInkMapper* under)
   this->Mapper->SetDepthWidth(0.5);
   this->Mapper->SetFeatureAngle(40.0);
   this->Mapper->SetShortestCrease(0.05);
+  this->Mapper->SetShortestBorder(0.05);
   this->Mapper->SetLift(Lift);
   this->SetPixelScale(1.0);
   under->SetOverlay(this->Mapper);
@@ -113,10 +115,8 @@ std::string InkSilhouettes::MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vt
 
 void InkSilhouettes::Show(vtkPolyData* piece, vtkPolyData* hiding)
 {
-  const auto usable = [](vtkPolyData* data)
-  { return data && data->GetNumberOfPoints() > 0 ? data : nullptr; };
-  this->Mapper->SetInputDataObject(usable(piece));
-  this->Mapper->SetSurfaceData(InkSilhouetteMethod::IsOfVoxels(piece) ? usable(hiding) : nullptr);
+  this->Mapper->SetInputDataObject(InkNullIfEmpty(piece));
+  this->Mapper->SetSurfaceData(InkSilhouetteMethod::IsOfVoxels(piece) ? InkNullIfEmpty(hiding) : nullptr);
   this->Method.Follow();
   this->FollowKinds();
 }

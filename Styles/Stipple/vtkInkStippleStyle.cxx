@@ -6,6 +6,7 @@
 #include "InkHasSurface.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
+#include "InkNullIfEmpty.h"
 #include "InkParameter.h"
 #include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
@@ -167,7 +168,7 @@ void vtkInkStippleStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
     InkReadNumbers(numbers, this->Drawn);
   }
   this->Mapper->SetInputDataObject(this->Drawn);
-  this->Mapper->SetSurfaceData(surface && surface->GetNumberOfPoints() > 0 ? surface : nullptr);
+  this->Mapper->SetSurfaceData(InkNullIfEmpty(surface));
   this->UpdateColors();
   this->UpdatePixels();
 }

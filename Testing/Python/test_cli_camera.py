@@ -58,7 +58,8 @@ def extent(ink):
 def test_meshes_stand_upright(ink, drawn, tmp_path, up):
     path = tmp_path / "table.ply"
     ink_files.write_ply(path, table(up), normals=False)
-    shown = drawn(path, "--parallel")
+    level = ("--parallel", "--elevation", 0)
+    shown = drawn(path, *level)
     # The slab is below, and its long side is seen.
     width = lambda rows: np.ptp(np.flatnonzero(rows.any(axis=0)))
     middle = shown.shape[0] // 2
@@ -66,8 +67,8 @@ def test_meshes_stand_upright(ink, drawn, tmp_path, up):
     assert extent(shown)[1] > 1.5 * extent(shown)[0]
     result = ink("render", path, *SMALL, "-o", tmp_path / "out.png")
     assert ("the mesh seems to stand with y up; --up says otherwise" in result.err) == (up == "y")
-    assert (drawn(path, "--parallel", "--up", up) == shown).all()
-    assert (drawn(path, "--parallel", f"--up=-{up}") != shown).any()
+    assert (drawn(path, *level, "--up", up) == shown).all()
+    assert (drawn(path, *level, f"--up=-{up}") != shown).any()
 
 
 def test_the_side_that_shows_most(ink, drawn, tmp_path):
@@ -78,6 +79,22 @@ def test_the_side_that_shows_most(ink, drawn, tmp_path):
     assert "the left of the mesh shows most; --view says otherwise" in ink("render", path, *SMALL, "-o", tmp_path / "o.png").err
     rows, columns = extent(drawn(path, "--parallel", "--view", "front"))
     assert columns < rows
+
+
+@pytest.mark.parametrize("up", ["z", "y"])
+def test_what_lies_flat_is_seen_from_above(ink, drawn, tmp_path, up):
+    path = tmp_path / "plate.ply"
+    size = (4, 3, 0.2) if up == "z" else (4, 0.2, 3)
+    ink_files.write_ply(path, box(size), normals=False)
+    rows, columns = extent(drawn(path, "--parallel", "--up", up))
+    # From 30 degrees above half of its depth is seen, and most of its height.
+    assert rows / columns == pytest.approx((3 * 0.5 + 0.2 * 3**0.5 / 2) / 4, abs=0.03)
+    says = "the mesh lies flat, so it is seen from above; --elevation says otherwise"
+    assert says in ink("render", path, *SMALL, "--up", up, "-o", tmp_path / "o.png").err
+    for chosen in (("--up", up, "--elevation", 0), ("--up", up, "--view", "front")):
+        rows, columns = extent(drawn(path, "--parallel", *chosen))
+        assert rows / columns == pytest.approx(0.2 / 4, abs=0.03)
+        assert says not in ink("render", path, *SMALL, *chosen, "-o", tmp_path / "o.png").err
 
 
 def test_volumes_and_even_meshes_are_seen_from_the_front_with_z_up(ink, volume_file, tmp_path):

@@ -71,7 +71,7 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
   command->add_option("--azimuth", this->options.azimuth, "go to the right around the subject, degrees (0)")
     ->check(angle)
     ->group("Camera");
-  command->add_option("--elevation", this->options.elevation, "then go up, degrees (0)")
+  command->add_option("--elevation", this->options.elevation, "then go up, degrees (0; of what lies flat 30)")
     ->check(angle)
     ->group("Camera");
   const auto addPoint = [command](const char* name, std::vector<double>& point, const char* text)

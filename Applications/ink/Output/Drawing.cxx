@@ -69,8 +69,10 @@ Drawing::~Drawing() = default;
 std::vector<std::string> Drawing::look(const Input& input, const std::filesystem::path& file)
 {
   auto* mesh = vtkPolyData::SafeDownCast(input.data);
-  const Pose found = mesh ? findPose(mesh, file) : Pose();
-  this->Look = { this->Options.up.value_or(found.up), this->Options.view.value_or(found.view) };
+  const Pose found = mesh ? findPose(mesh, file, this->Options.up) : Pose();
+  const double usual = this->Options.view || this->Options.position ? 0.0 : found.elevation;
+  this->Look = { this->Options.up.value_or(found.up), this->Options.view.value_or(found.view),
+    this->Options.elevation.value_or(usual) };
   std::vector<std::string> notes;
   if (!this->Options.up && found.up != Pose().up)
   {
@@ -80,6 +82,10 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   {
     notes.push_back("the " + found.view + " of the mesh shows most; --view says otherwise");
   }
+  if (!this->Options.elevation && this->Look.elevation > 0.0)
+  {
+    notes.push_back("the mesh lies flat, so it is seen from above; --elevation says otherwise");
+  }
   return notes;
 }
 
@@ -88,7 +94,7 @@ View Drawing::view(double turned) const
   View view = namedViews().at(this->Look.view);
   view.stand(this->Look.up);
   const View named = view;
-  view.rotate(this->Options.azimuth, this->Options.elevation);
+  view.rotate(this->Options.azimuth, this->Look.elevation);
   view.turnAround(named.up, turned);
   return view;
 }

@@ -24,6 +24,11 @@ namespace
 /// By how much another axis or side has to be better than the usual one.
 constexpr double clearly = 1.25;
 
+/// How much larger than that of any side the rectangle is that the top of what lies flat fills, and from how
+/// many degrees above it is shown.
+constexpr double flat = 2.0;
+constexpr double raised = 30.0;
+
 /// The part of the mesh's height that touches the ground.
 constexpr double ground = 0.02;
 
@@ -71,11 +76,22 @@ double baseOf(vtkPolyData* mesh, int up)
   return all.area() > 0.0 ? base.area() / all.area() : 0.0;
 }
 
-/// The sides that may be shown, the usual one first.
-constexpr std::array<const char*, 4> sides{ "front", "left", "right", "back" };
+std::string findUp(vtkPolyData* mesh, const std::filesystem::path& file)
+{
+  constexpr int y = 1;
+  constexpr int z = 2;
+  const double usual = io::suffixOf(file) == ".obj" ? 1.0 / clearly : clearly;
+  return baseOf(mesh, y) > usual * baseOf(mesh, z) ? "y" : "z";
+}
+
+/// The sides that may be shown, the usual one first, and the top.
+constexpr std::array<const char*, 5> sides{ "front", "left", "right", "back", "top" };
+constexpr std::size_t top = 4;
+using Views = std::array<View, sides.size()>;
+using Areas = std::array<double, sides.size()>;
 
 /// For each of these views of a mesh the area of its polygons that face the viewer, as it is seen.
-std::array<double, 4> seenAreas(vtkPolyData* mesh, const std::array<View, 4>& views)
+Areas seenAreas(vtkPolyData* mesh, const Views& views)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(mesh);
@@ -83,7 +99,7 @@ std::array<double, 4> seenAreas(vtkPolyData* mesh, const std::array<View, 4>& vi
   triangles->PassLinesOff();
   triangles->Update();
   vtkPolyData* made = triangles->GetOutput();
-  std::array<double, 4> areas{};
+  Areas areas{};
   vtkIdType count = 0;
   const vtkIdType* ids = nullptr;
   vtkCellArray* cells = made->GetPolys();
@@ -107,10 +123,10 @@ std::array<double, 4> seenAreas(vtkPolyData* mesh, const std::array<View, 4>& vi
   return areas;
 }
 
-/// The same of points without polygons: the rectangle around them.
-std::array<double, 4> seenRectangles(vtkPolyData* points, const std::array<View, 4>& views)
+/// For each of these views the area of the rectangle around all points, as it is seen.
+Areas seenRectangles(vtkPolyData* points, const Views& views)
 {
-  std::array<double, 4> areas{};
+  Areas areas{};
   for (std::size_t i = 0; i < views.size(); ++i)
   {
     double right[3];
@@ -129,30 +145,26 @@ std::array<double, 4> seenRectangles(vtkPolyData* points, const std::array<View,
 
 } // namespace
 
-Pose findPose(vtkPolyData* mesh, const std::filesystem::path& file)
+Pose findPose(vtkPolyData* mesh, const std::filesystem::path& file, const std::optional<std::string>& up)
 {
-  constexpr int y = 1;
-  constexpr int z = 2;
-  const double usual = io::suffixOf(file) == ".obj" ? 1.0 / clearly : clearly;
   Pose pose;
-  pose.up.assign(1, baseOf(mesh, y) > usual * baseOf(mesh, z) ? 'y' : 'z');
-  std::array<View, 4> views;
+  pose.up = up ? *up : findUp(mesh, file);
+  Views views;
   for (std::size_t i = 0; i < views.size(); ++i)
   {
     views[i] = namedViews().at(sides[i]);
     views[i].stand(pose.up);
   }
-  const bool hasFaces = InkHasPolygons(mesh);
-  const auto areas = hasFaces ? seenAreas(mesh, views) : seenRectangles(mesh, views);
-  double best = areas[0];
-  for (std::size_t i = 1; i < areas.size(); ++i)
+  const Areas rectangles = seenRectangles(mesh, views);
+  const Areas areas = InkHasPolygons(mesh) ? seenAreas(mesh, views) : rectangles;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < top; ++i)
   {
-    if (areas[i] > clearly * best)
-    {
-      best = areas[i];
-      pose.view = sides[i];
-    }
+    best = areas[i] > clearly * areas[best] ? i : best;
   }
+  pose.view = sides[best];
+  pose.elevation =
+    rectangles[top] > flat * *std::max_element(rectangles.begin(), rectangles.begin() + top) ? raised : 0.0;
   return pose;
 }
 

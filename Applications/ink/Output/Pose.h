@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 class vtkPolyData;
@@ -14,6 +15,7 @@ struct Pose
 {
   std::string up = "z";       ///< one of upAxes()
   std::string view = "front"; ///< one of namedViews()
+  double elevation = 0.0;     ///< degrees that the viewer is above it
 
   bool operator==(const Pose&) const = default;
 };
@@ -23,8 +25,10 @@ struct Pose
 /// Up is z, or y where the mesh rests on a clearly larger base then: what it touches the ground with, as a
 /// part of what lies below all of it. OBJ files have y up unless z is clearly better. Of the four sides it is
 /// shown from the one whose polygons that face the viewer are largest as they are seen: from the front unless
-/// another side shows clearly more.
+/// another side shows clearly more. What lies flat is looked down on.
 /// @param file its name
-Pose findPose(vtkPolyData* mesh, const std::filesystem::path& file);
+/// @param up where it is known
+Pose findPose(
+  vtkPolyData* mesh, const std::filesystem::path& file, const std::optional<std::string>& up = std::nullopt);
 
 } // namespace ink::cli

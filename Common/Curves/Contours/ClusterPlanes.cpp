@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Contours/ClusterPlanes.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -109,13 +109,13 @@ ClusterPlanes::ClusterPlanes(std::size_t elements, std::size_t itemsPerElement, 
   : Ball(ball)
   , Clusters((elements + NormalClusters::clusterSize - 1) / NormalClusters::clusterSize)
 {
-  constexpr std::size_t chunkSize = 1 << 8;
-  parallelFor((this->Clusters.size() + chunkSize - 1) / chunkSize,
-    [&](std::size_t chunk)
+  constexpr std::size_t clustersPerChunk = 1 << 8;
+  parallelForChunks(
+    this->Clusters.size(),
+    [&](std::size_t, std::size_t begin, std::size_t end)
     {
       std::vector<NormalCone::Item> items;
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, this->Clusters.size());
-           ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         items.clear();
         itemsOf(
@@ -126,7 +126,8 @@ ClusterPlanes::ClusterPlanes(std::size_t elements, std::size_t itemsPerElement, 
         }
         this->Clusters[i] = around(items, itemsPerElement);
       }
-    });
+    },
+    clustersPerChunk);
 }
 
 ClusterPlanes::View::View(const ClusterPlanes& planes, const Eye& eye)

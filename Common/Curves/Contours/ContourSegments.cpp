@@ -2,7 +2,7 @@
 #include "Curves/Contours/ContourSegments.h"
 
 #include "Core/KeyNumbers.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/Prefetch.h"
 #include "Curves/ChainSegments.h"
 #include "Curves/Contours/ContourPoints.h"
@@ -16,7 +16,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t chunkSize = 1 << 11;
+constexpr std::size_t nodesPerChunk = 1 << 11;
 
 std::uint64_t keyOf(const ContourNode& node)
 {
@@ -37,33 +37,32 @@ Nodes placeNodes(
   Nodes nodes;
   nodes.positions.resize(keys.size());
   nodes.normals.resize(wantNormals ? keys.size() : 0);
-  parallelFor((keys.size() + chunkSize - 1) / chunkSize,
-    [&](std::size_t chunk)
+  parallelForEach(
+    keys.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, keys.size()); ++i)
+      const std::uint64_t later = keys[std::min(i + ahead, keys.size() - 1)];
+      prefetchObject(surface.corners[static_cast<std::uint32_t>(later >> 32)]);
+      prefetchObject(surface.corners[static_cast<std::uint32_t>(later)]);
+      const auto a = static_cast<std::uint32_t>(keys[i] >> 32);
+      const auto b = static_cast<std::uint32_t>(keys[i]);
+      double t = 0.0;
+      if (a != b)
       {
-        const std::uint64_t later = keys[std::min(i + ahead, keys.size() - 1)];
-        prefetchObject(surface.corners[static_cast<std::uint32_t>(later >> 32)]);
-        prefetchObject(surface.corners[static_cast<std::uint32_t>(later)]);
-        const auto a = static_cast<std::uint32_t>(keys[i] >> 32);
-        const auto b = static_cast<std::uint32_t>(keys[i]);
-        double t = 0.0;
-        if (a != b)
-        {
-          const double atA = surface.facing(a, eye);
-          t = atA / (atA - surface.facing(b, eye)); // of unlike signs
-        }
-        nodes.positions[i] =
-          glm::mix(surface.corners[a].position, surface.corners[b].position, t); // exact at both
-        if (wantNormals)
-        {
-          const glm::dvec3 normal =
-            glm::mix(glm::dvec3(surface.corners[a].normal), glm::dvec3(surface.corners[b].normal), t);
-          const double length = glm::length(normal);
-          nodes.normals[i] = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
-        }
+        const double atA = surface.facing(a, eye);
+        t = atA / (atA - surface.facing(b, eye)); // of unlike signs
       }
-    });
+      nodes.positions[i] =
+        glm::mix(surface.corners[a].position, surface.corners[b].position, t); // exact at both
+      if (wantNormals)
+      {
+        const glm::dvec3 normal =
+          glm::mix(glm::dvec3(surface.corners[a].normal), glm::dvec3(surface.corners[b].normal), t);
+        const double length = glm::length(normal);
+        nodes.normals[i] = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
+      }
+    },
+    nodesPerChunk);
   return nodes;
 }
 

@@ -3,7 +3,7 @@
 
 #include "Core/Hash.h"
 #include "Core/MortonOrder.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 #include "Mesh/OnePerPoint.h"
 
@@ -21,7 +21,6 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t chunkSize = 1 << 14;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 bool isFinite(const glm::dvec3& v)
@@ -53,20 +52,17 @@ std::vector<std::uint32_t> orderFaces(const TriangleMesh& mesh)
     auto operator<=>(const Face&) const = default;
   };
   std::vector<Face> faces(mesh.triangles.size());
-  parallelFor((faces.size() + chunkSize - 1) / chunkSize,
-    [&](std::size_t chunk)
+  parallelForEach(faces.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, faces.size()); ++i)
+      glm::dvec3 center(0.0);
+      for (const std::uint32_t point : mesh.triangles[i])
       {
-        glm::dvec3 center(0.0);
-        for (const std::uint32_t point : mesh.triangles[i])
-        {
-          center += (mesh.points[point] - lower) / 3.0;
-        }
-        faces[i].triangle = isFinite(center) ? static_cast<std::uint32_t>(i) : none;
-        faces[i].code =
-          isFinite(center) ? mortonOf(glm::uvec3(glm::clamp(center * scale, 0.0, cells))) : ~std::uint64_t(0);
+        center += (mesh.points[point] - lower) / 3.0;
       }
+      faces[i].triangle = isFinite(center) ? static_cast<std::uint32_t>(i) : none;
+      faces[i].code =
+        isFinite(center) ? mortonOf(glm::uvec3(glm::clamp(center * scale, 0.0, cells))) : ~std::uint64_t(0);
     });
   std::erase_if(faces, [](const Face& face) { return face.triangle == none; });
   parallelSort(faces.begin(), faces.end());

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Contours/DescribeContours.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Curves/Contours/ContourPoints.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace ink
@@ -15,16 +14,9 @@ void describeContours(const FieldView& field, double isoValue, const Eye& eye, c
 {
   const auto forEachPoint = [&contours](const auto& body)
   {
-    constexpr std::size_t pointsAtOnce = 256;
-    const std::size_t count = contours.positions.size();
-    parallelFor((count + pointsAtOnce - 1) / pointsAtOnce,
-      [&](std::size_t part)
-      {
-        for (std::size_t n = part * pointsAtOnce; n < std::min(count, (part + 1) * pointsAtOnce); ++n)
-        {
-          body(n, contours.positions[n]);
-        }
-      });
+    constexpr std::size_t pointsPerChunk = 256;
+    parallelForEach(
+      contours.positions.size(), [&](std::size_t n) { body(n, contours.positions[n]); }, pointsPerChunk);
   };
   if (projection.steps > 0)
   {

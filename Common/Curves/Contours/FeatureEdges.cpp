@@ -53,13 +53,16 @@ public:
     std::iota(this->Parents.begin(), this->Parents.end(), 0u);
   }
 
-  void join(const ContourSegment& edge)
+  void join(std::span<const ContourSegment> edges)
   {
-    const std::uint32_t a = this->rootOf(edge.from.corner0);
-    const std::uint32_t b = this->rootOf(edge.to.corner0);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-    ++this->Degrees[edge.from.corner0];
-    ++this->Degrees[edge.to.corner0];
+    for (const ContourSegment& edge : edges)
+    {
+      const std::uint32_t a = this->rootOf(edge.from.corner0);
+      const std::uint32_t b = this->rootOf(edge.to.corner0);
+      this->Parents[std::max(a, b)] = std::min(a, b);
+      ++this->Degrees[edge.from.corner0];
+      ++this->Degrees[edge.to.corner0];
+    }
   }
 
   /// After all of them are joined.
@@ -75,11 +78,9 @@ public:
     }
   }
 
-  bool isSpeck(const ContourSegment& edge, double longest)
-  {
-    const std::uint32_t root = this->rootOf(edge.from.corner0);
-    return this->HasFreeEnd[root] && this->Lengths[root] <= longest;
-  }
+  double lengthAt(const ContourSegment& edge) { return this->Lengths[this->rootOf(edge.from.corner0)]; }
+
+  bool hasFreeEndAt(const ContourSegment& edge) { return this->HasFreeEnd[this->rootOf(edge.from.corner0)]; }
 
 private:
   std::uint32_t rootOf(std::uint32_t site)
@@ -99,8 +100,8 @@ private:
 
 } // namespace
 
-FeatureEdges::FeatureEdges(
-  const ContourSurface& surface, double creaseAngle, double shortestCrease, bool sharpOnly)
+FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease,
+  double shortestBorder, bool sharpOnly)
 {
   const double least = glm::radians(creaseAngle);
   visitEdges(
@@ -123,21 +124,27 @@ FeatureEdges::FeatureEdges(
         this->creases.push_back(segment);
       }
     });
-  if (shortestCrease <= 0.0 || this->creases.empty())
+  if (shortestCrease > 0.0 && !this->creases.empty())
   {
-    return;
+    EdgeNetworks networks(surface.corners.size());
+    networks.join(this->creases);
+    networks.join(this->borders);
+    networks.join(this->nonManifold);
+    networks.measure(surface, this->creases);
+    const double longest = shortestCrease * diagonalOf(surface);
+    std::erase_if(this->creases,
+      [&](const ContourSegment& edge)
+      { return networks.hasFreeEndAt(edge) && networks.lengthAt(edge) <= longest; });
   }
-  EdgeNetworks networks(surface.corners.size());
-  for (const auto* edges : { &this->creases, &this->borders, &this->nonManifold })
+  if (shortestBorder > 0.0 && !this->borders.empty())
   {
-    for (const ContourSegment& edge : *edges)
-    {
-      networks.join(edge);
-    }
+    EdgeNetworks networks(surface.corners.size());
+    networks.join(this->borders);
+    networks.measure(surface, this->borders);
+    const double longest = shortestBorder * diagonalOf(surface);
+    std::erase_if(
+      this->borders, [&](const ContourSegment& edge) { return networks.lengthAt(edge) <= longest; });
   }
-  networks.measure(surface, this->creases);
-  const double longest = shortestCrease * diagonalOf(surface);
-  std::erase_if(this->creases, [&](const ContourSegment& edge) { return networks.isSpeck(edge, longest); });
 }
 
 } // namespace ink

@@ -27,11 +27,16 @@ MeshContourOptions checked(const MeshContourOptions& options, bool hasNormals)
     throw std::invalid_argument(
       "the angle of creases is " + std::to_string(options.creaseAngle) + " degrees, expected from 0 to 180");
   }
-  if (!(options.shortestCrease >= 0.0 && options.shortestCrease <= 1.0))
+  const auto checkShare = [](double share, const char* edge)
   {
-    throw std::invalid_argument("the length of the shortest crease is " +
-      std::to_string(options.shortestCrease) + " of the diagonal, expected from 0 to 1");
-  }
+    if (!(share >= 0.0 && share <= 1.0))
+    {
+      throw std::invalid_argument("the length of the shortest " + std::string(edge) + " is " +
+        std::to_string(share) + " of the diagonal, expected from 0 to 1");
+    }
+  };
+  checkShare(options.shortestCrease, "crease");
+  checkShare(options.shortestBorder, "border");
   return options;
 }
 
@@ -61,8 +66,8 @@ MeshContours::MeshContours(
   }
   if (options.creases || options.borders || options.nonManifold)
   {
-    const FeatureEdges edges(
-      this->Surface, options.creaseAngle, options.shortestCrease, options.sharpCreasesOnly);
+    const FeatureEdges edges(this->Surface, options.creaseAngle, options.shortestCrease,
+      options.shortestBorder, options.sharpCreasesOnly);
     const auto add = [&](bool wanted, const std::vector<ContourSegment>& segments, ContourKind kind)
     {
       if (wanted)

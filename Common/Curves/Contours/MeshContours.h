@@ -33,6 +33,9 @@ struct MeshContourOptions
   /// Of the surface's diagonal, 0 to 1: creases that end within the surface, and with all that they join are
   /// no longer, are left out: specks, as noise makes them.
   double shortestCrease = 0.0;
+  /// Of the surface's diagonal, 0 to 1: borders that with all that they join are no longer are left out:
+  /// those around triangles that scans lack.
+  double shortestBorder = 0.0;
   /// Whether silhouettes leave out edges that are creases, which are contours already: what is drawn twice is
   /// darker. Then silhouettes end where such an edge begins.
   bool once = false;

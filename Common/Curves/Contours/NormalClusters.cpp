@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Contours/NormalClusters.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/Prefetch.h"
 
 #include <glm/common.hpp>
@@ -98,19 +98,19 @@ NormalClusters::NormalClusters(std::size_t elements, const ItemsOf& itemsOf, std
   {
     return;
   }
-  constexpr std::size_t chunkSize = 1 << 8;
-  const std::size_t chunks = blocksFor(this->Clusters, chunkSize);
+  constexpr std::size_t clustersPerChunk = 1 << 8;
   struct Box
   {
     glm::dvec3 least = glm::dvec3(infinity);
     glm::dvec3 most = glm::dvec3(-infinity);
   };
-  std::vector<Box> boxes(chunks);
-  parallelFor(chunks,
-    [&](std::size_t chunk)
+  std::vector<Box> boxes(chunksOf(this->Clusters, clustersPerChunk));
+  parallelForChunks(
+    this->Clusters,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
       std::vector<NormalCone::Item> items;
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, this->Clusters); ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         boundsOf(i, items);
         for (const NormalCone::Item& item : items)
@@ -119,7 +119,8 @@ NormalClusters::NormalClusters(std::size_t elements, const ItemsOf& itemsOf, std
           boxes[chunk].most = glm::max(boxes[chunk].most, item.position);
         }
       }
-    });
+    },
+    clustersPerChunk);
   Box whole;
   for (const Box& box : boxes)
   {
@@ -131,11 +132,12 @@ NormalClusters::NormalClusters(std::size_t elements, const ItemsOf& itemsOf, std
 
   this->Sizes.push_back(this->Clusters);
   this->Levels.emplace_back(blocksFor(this->Clusters, width));
-  parallelFor(chunks,
-    [&](std::size_t chunk)
+  parallelForChunks(
+    this->Clusters,
+    [&](std::size_t, std::size_t begin, std::size_t end)
     {
       std::vector<NormalCone::Item> items;
-      for (std::size_t i = chunk * chunkSize; i < std::min((chunk + 1) * chunkSize, this->Clusters); ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         boundsOf(i, items);
         for (NormalCone::Item& item : items)
@@ -145,7 +147,8 @@ NormalClusters::NormalClusters(std::size_t elements, const ItemsOf& itemsOf, std
         store(NormalCone::around(std::span<const NormalCone::Item>(items)), this->Levels[0][i / width],
           i % width);
       }
-    });
+    },
+    clustersPerChunk);
   while (this->Sizes.back() > width)
   {
     const LargePageVector<Block>& below = this->Levels.back();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Contours/SilhouetteVoxels.h"
 
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
 #include "Fields/Derivatives/LaplacianOfGaussian.h"
 #include "Fields/Grid/GridField.h"
@@ -154,26 +155,10 @@ std::vector<std::uint32_t> selectSilhouetteVoxels(
   const EdgeVoxels& voxels, const SilhouetteCriteria& criteria, const Eye& eye)
 {
   eye.check();
-  constexpr std::size_t voxelsAtOnce = 1 << 13;
-  const std::size_t count = voxels.samples.size();
-  std::vector<std::vector<std::uint32_t>> parts((count + voxelsAtOnce - 1) / voxelsAtOnce);
-  parallelFor(parts.size(),
-    [&](std::size_t part)
-    {
-      for (std::size_t n = part * voxelsAtOnce; n < std::min(count, (part + 1) * voxelsAtOnce); ++n)
-      {
-        if (criteria.accept(voxels.values[n], voxels.gradients[n], glm::vec3(eye.from(voxels.positions[n]))))
-        {
-          parts[part].push_back(static_cast<std::uint32_t>(n));
-        }
-      }
+  return parallelSelect(voxels.samples.size(),
+    [&](std::size_t n) {
+      return criteria.accept(voxels.values[n], voxels.gradients[n], glm::vec3(eye.from(voxels.positions[n])));
     });
-  std::vector<std::uint32_t> selected;
-  for (const std::vector<std::uint32_t>& part : parts)
-  {
-    append(selected, part);
-  }
-  return selected;
 }
 
 std::array<glm::dvec3, 2> silhouetteSegment(

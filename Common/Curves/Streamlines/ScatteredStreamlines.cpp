@@ -2,7 +2,7 @@
 #include "Curves/Streamlines/ScatteredStreamlines.h"
 
 #include "Core/Hash.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 #include "Mesh/OnePerPoint.h"
 
@@ -64,25 +64,7 @@ std::vector<MeshPoint> areaSeeds(
       }
     }
   };
-  constexpr std::size_t blockSize = 1 << 12;
-  const std::size_t count = triangles.triangles.size();
-  std::vector<std::vector<MeshPoint>> blocks((count + blockSize - 1) / blockSize);
-  const bool finished = parallelFor(
-    blocks.size(),
-    [&](std::size_t block)
-    {
-      for (std::size_t t = block * blockSize; t < std::min((block + 1) * blockSize, count); ++t)
-      {
-        seedTriangle(static_cast<std::uint32_t>(t), blocks[block]);
-      }
-    },
-    progress);
-  std::vector<MeshPoint> seeds;
-  for (std::size_t block = 0; finished && block < blocks.size(); ++block)
-  {
-    seeds.insert(seeds.end(), blocks[block].begin(), blocks[block].end());
-  }
-  return seeds;
+  return parallelGather<MeshPoint>(triangles.triangles.size(), seedTriangle, elementsPerChunk, progress);
 }
 
 Streamlines scatteredStreamlines(const MeshNavigation& mesh, const LineField& field,

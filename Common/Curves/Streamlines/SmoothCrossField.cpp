@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Streamlines/SmoothCrossField.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Curvature/PrincipalCurvature.h"
 #include "Curvature/SurfaceRings.h"
 #include "Curves/Streamlines/TurnedTangent.h"
@@ -23,7 +23,7 @@ namespace
 
 using Complex = std::complex<float>;
 
-constexpr std::size_t blockSize = 1 << 12;
+constexpr std::size_t pointsPerChunk = 1 << 12;
 /// From which umbilic measure on directions are smoothed.
 constexpr float firstSmoothed = 0.5f;
 
@@ -67,18 +67,7 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
   std::vector<Complex> now(count);
   std::vector<float> share(count); // of the neighbors in the mean
   std::vector<Complex> turns(offsets.back());
-  const std::size_t blocks = (count + blockSize - 1) / blockSize;
-  const auto forPoints = [&](const auto& body)
-  {
-    parallelFor(blocks,
-      [&](std::size_t block)
-      {
-        for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, count); ++i)
-        {
-          body(i);
-        }
-      });
-  };
+  const auto forPoints = [&](const auto& body) { parallelForEach(count, body, pointsPerChunk); };
   forPoints(
     [&](std::size_t i)
     {

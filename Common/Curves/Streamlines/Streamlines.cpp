@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Streamlines/Streamlines.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ink
@@ -13,8 +12,6 @@ namespace ink
 
 namespace
 {
-
-constexpr std::size_t blockSize = 1 << 12;
 
 } // namespace
 
@@ -36,14 +33,7 @@ std::vector<glm::vec3> normalsAt(
   const MeshNavigation& mesh, std::span<const glm::vec3> normals, std::span<const MeshPoint> points)
 {
   std::vector<glm::vec3> result(points.size());
-  parallelFor((points.size() + blockSize - 1) / blockSize,
-    [&](std::size_t block)
-    {
-      for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, points.size()); ++i)
-      {
-        result[i] = normalAt(mesh, normals, points[i]);
-      }
-    });
+  parallelForEach(points.size(), [&](std::size_t i) { result[i] = normalAt(mesh, normals, points[i]); });
   return result;
 }
 

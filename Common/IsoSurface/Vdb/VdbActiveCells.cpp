@@ -10,6 +10,7 @@
 
 #include "IsoSurface/Vdb/VdbSamples.h"
 
+#include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
 #include "Fields/Vdb/VdbTree.h"
 #include "IsoSurface/IsoThreshold.h"
@@ -388,23 +389,21 @@ VdbActiveCells findActiveCells(const VdbGrid& grid, double isoValue, CrossingRul
       using TreeType = std::remove_cvref_t<decltype(tree)>;
       const VdbCellFinder<TreeType> finder(grid, tree, isoValue, rule, negate, memory);
       const std::vector<glm::ivec3> blocks = finder.findBlocks();
-      constexpr std::size_t blocksAtOnce = 64;
-      std::vector<std::vector<VdbActiveCells::Block>> found(
-        (blocks.size() + blocksAtOnce - 1) / blocksAtOnce);
-      const auto find = [&](std::size_t n)
+      constexpr std::size_t blocksPerChunk = 64;
+      std::vector<std::vector<VdbActiveCells::Block>> found(chunksOf(blocks.size(), blocksPerChunk));
+      const auto find = [&](std::size_t chunk, std::size_t begin, std::size_t end)
       {
         VdbLookup<TreeType> lookup(tree);
-        const std::size_t end = std::min(blocks.size(), (n + 1) * blocksAtOnce);
         VdbActiveCells::Block block;
-        for (std::size_t i = n * blocksAtOnce; i < end; ++i)
+        for (std::size_t i = begin; i < end; ++i)
         {
           if (finder.find(blocks[i], lookup, block))
           {
-            found[n].push_back(block);
+            found[chunk].push_back(block);
           }
         }
       };
-      if (!parallelFor(found.size(), find, progress))
+      if (!parallelForChunks(blocks.size(), find, blocksPerChunk, progress))
       {
         return;
       }

@@ -5,7 +5,7 @@
 
 #include "IsoSurface/Vdb/VdbSamples.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Vdb/VdbTree.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
@@ -135,23 +135,21 @@ bool placeIsoSurfaceSamples(const VdbGrid& grid, double isoValue, const SampleOp
   {
     throw std::invalid_argument("points and normals must have three numbers for each cell");
   }
-  constexpr std::size_t blocksAtOnce = 64;
-  const std::size_t parts = (cells.blocks.size() + blocksAtOnce - 1) / blocksAtOnce;
   return std::visit(
     [&](const auto& tree)
     {
       using TreeType = std::remove_cvref_t<decltype(tree)>;
-      const auto place = [&](std::size_t part)
+      const auto place = [&](std::size_t, std::size_t begin, std::size_t end)
       {
         VdbSamplePlacer<TreeType, Real> placer(grid, tree, isoValue, options, negate);
-        const std::size_t end = std::min(cells.blocks.size(), (part + 1) * blocksAtOnce);
-        for (std::size_t i = part * blocksAtOnce; i < end; ++i)
+        for (std::size_t i = begin; i < end; ++i)
         {
           const std::size_t at = 3 * cells.blocks[i].before;
           placer.place(cells.blocks[i], points.data() + at, normals.empty() ? nullptr : normals.data() + at);
         }
       };
-      return parallelFor(parts, place, progress);
+      constexpr std::size_t blocksPerChunk = 64;
+      return parallelForChunks(cells.blocks.size(), place, blocksPerChunk, progress);
     },
     grid.tree().values);
 }

@@ -2,7 +2,7 @@
 #include "PointSampling/PointCloud/PointNormals.h"
 
 #include "Core/KdTree.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/WeldedPoints.h"
 #include "PointSampling/PointCloud/PcaNormal.h"
 
@@ -20,7 +20,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 10;
+constexpr std::size_t pointsPerChunk = 1 << 10;
 // The degree of the neighborhood graph: more neighbors smooth normals, but hardly change the tree.
 constexpr std::size_t mostEdges = 16;
 
@@ -153,20 +153,20 @@ std::vector<glm::vec3> estimateNormals(std::span<const glm::vec3> points, int ne
   const std::size_t joined = viewpoint ? 0 : std::min(found, mostEdges);
   std::vector<glm::vec3> normals(positions.size());
   std::vector<std::uint32_t> near(joined * positions.size());
-  if (!parallelFor((positions.size() + blockSize - 1) / blockSize,
-        [&](std::size_t block)
+  if (!parallelForChunks(
+        positions.size(),
+        [&](std::size_t, std::size_t begin, std::size_t end)
         {
           std::array<std::uint32_t, KdTree::most> all;
           const std::span<std::uint32_t> mine(all.data(), found);
-          for (std::size_t i = block * blockSize; i < std::min((block + 1) * blockSize, positions.size());
-               ++i)
+          for (std::size_t i = begin; i < end; ++i)
           {
             tree.find(positions[i], mine);
             normals[i] = pcaNormal(positions, mine);
             std::copy_n(mine.begin(), joined, near.begin() + static_cast<std::ptrdiff_t>(i * joined));
           }
         },
-        progress))
+        pointsPerChunk, progress))
   {
     return {};
   }

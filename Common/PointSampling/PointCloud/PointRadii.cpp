@@ -2,7 +2,7 @@
 #include "PointSampling/PointCloud/PointRadii.h"
 
 #include "Core/KdTree.h"
-#include "Core/ParallelFor.h"
+#include "Core/ParallelChunks.h"
 #include "Core/WeldedPoints.h"
 #include "PointSampling/PointCloud/PcaNormal.h"
 #include "PointSampling/PointCloud/VoronoiCell2D.h"
@@ -23,7 +23,7 @@ namespace ink
 namespace
 {
 
-constexpr std::size_t blockSize = 1 << 10;
+constexpr std::size_t pointsPerChunk = 1 << 10;
 constexpr std::size_t mostNeighbors = VoronoiCell2D::mostNeighbors;
 constexpr std::size_t smoothed = 12; // neighbors over which radii are smoothed
 constexpr std::size_t spacingAt = 8; // the neighbor whose distance measures the local spacing
@@ -310,16 +310,7 @@ PointRadii pointRadii(
     const double before = done;
     done += share;
     const Progress part = [&](double of) { return !progress || progress(before + share * of); };
-    return parallelFor((distinct.positions.size() + blockSize - 1) / blockSize,
-      [&](std::size_t block)
-      {
-        const std::size_t end = std::min((block + 1) * blockSize, distinct.positions.size());
-        for (std::size_t i = block * blockSize; i < end; ++i)
-        {
-          step(i);
-        }
-      },
-      part);
+    return parallelForEach(distinct.positions.size(), step, pointsPerChunk, part);
   };
   const auto unlessIsolated = [&](const auto& step)
   {

@@ -40,9 +40,10 @@ TEST_P(ParallelChunks, HoldEachElementOnce)
           ++visits[i];
         }
       });
+    EXPECT_TRUE(ink::parallelForEach(count, [&](std::size_t i) { ++visits[i]; }));
     for (const std::atomic<int>& some : visits)
     {
-      ASSERT_EQ(some, 1) << count << " elements";
+      ASSERT_EQ(some, 2) << count << " elements";
     }
   }
 }
@@ -84,6 +85,38 @@ TEST_P(ParallelChunks, SelectInOrder)
     }
     EXPECT_EQ(ink::parallelSelect(count, passes), expected) << count << " elements";
   }
+}
+
+TEST_P(ParallelChunks, GatherInOrder)
+{
+  constexpr std::size_t perChunk = 3;
+  for (const std::size_t count : { 0, 1, 3, 10 })
+  {
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      expected.insert(expected.end(), i % 4, i);
+    }
+    EXPECT_EQ(
+      ink::parallelGather<std::size_t>(
+        count, [](std::size_t i, std::vector<std::size_t>& found) { found.insert(found.end(), i % 4, i); },
+        perChunk),
+      expected)
+      << count << " elements";
+  }
+}
+
+TEST_P(ParallelChunks, StopWhenAsked)
+{
+  constexpr std::size_t count = 1000;
+  const ink::Progress stop = [](double) { return false; };
+  std::atomic<std::size_t> visits = 0;
+  EXPECT_FALSE(ink::parallelForEach(
+    count, [&](std::size_t) { ++visits; }, 1, stop));
+  EXPECT_LT(visits, count);
+  const auto add = [](std::size_t i, std::vector<std::size_t>& found) { found.push_back(i); };
+  EXPECT_TRUE(ink::parallelGather<std::size_t>(count, add, 1, stop).empty());
+  EXPECT_EQ(ink::parallelGather<std::size_t>(count, add, 1, [](double) { return true; }).size(), count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, ParallelChunks, testing::Values("1", "2", "5"));

@@ -120,6 +120,59 @@ TEST(MeshContours, LeavesOutCreasesThatAreSpecks)
   }
 }
 
+TEST(MeshContours, LeaveOutBordersOfMissingTriangles)
+{
+  // A square of 10 x 10 that lacks one triangle within, and its own border of 40.
+  Mesh mesh;
+  constexpr std::uint32_t side = 11;
+  for (std::uint32_t j = 0; j < side; ++j)
+  {
+    for (std::uint32_t i = 0; i < side; ++i)
+    {
+      mesh.points.push_back({ double(i), double(j), 0.0 });
+      const std::uint32_t a = i + side * j;
+      if (i + 1 < side && j + 1 < side)
+      {
+        mesh.triangles.push_back({ a, a + 1, a + side });
+        if (i != 5 || j != 5)
+        {
+          mesh.triangles.push_back({ a + 1, a + side + 1, a + side });
+        }
+      }
+    }
+  }
+  ink::MeshContourOptions options;
+  options.silhouettes = false;
+  options.borders = true;
+  const auto lengthWith = [&](double shortest)
+  {
+    options.shortestBorder = shortest;
+    const ink::Contours found = ink::MeshContours(mesh.view(), {}, options).find(ink::Eye::at({ 4, 5, 6 }));
+    double length = 0.0;
+    for (std::size_t line = 0; line < found.chains.size(); ++line)
+    {
+      const std::size_t begin = found.chains.offsets[line];
+      const std::size_t points = found.chains.offsets[line + 1] - begin;
+      for (std::size_t i = 0; i < found.chains.segmentCount(line); ++i)
+      {
+        length += glm::distance(found.positions[begin + i], found.positions[begin + (i + 1) % points]);
+      }
+    }
+    return length;
+  };
+  const double hole = 2.0 + std::sqrt(2.0);
+  const double diagonal = 10.0 * std::sqrt(2.0);
+  EXPECT_NEAR(lengthWith(0.0), 40.0 + hole, 1e-9);
+  EXPECT_NEAR(lengthWith(0.99 * hole / diagonal), 40.0 + hole, 1e-9);
+  EXPECT_NEAR(lengthWith(1.01 * hole / diagonal), 40.0, 1e-9);
+  EXPECT_NEAR(lengthWith(1.0), 40.0, 1e-9);
+  for (const double wrong : { -0.1, 1.1, std::nan("") })
+  {
+    options.shortestBorder = wrong;
+    EXPECT_THROW(ink::MeshContours(mesh.view(), {}, options), std::invalid_argument);
+  }
+}
+
 TEST(MeshContours, AreDrawnOnceWhereACreaseIsASilhouette)
 {
   std::vector<glm::vec3> normals;

@@ -221,6 +221,42 @@ TEST(IsoValue, LeavesOutFragments)
   EXPECT_TRUE(reaches(suggestAll(withNugget(6))));
 }
 
+TEST(IsoValue, IsNotAPeakOfASmoothField)
+{
+  // The electron density of a molecule: it is steepest where most atoms overlap.
+  const auto atoms = [](double, std::size_t i)
+  {
+    double sum = 0.0;
+    for (std::uint64_t atom = 0; atom < 14; ++atom)
+    {
+      const auto from = [&](std::uint64_t axis, std::size_t index)
+      { return static_cast<double>(index) - 0.5 * size - 14.0 * noise(3 * atom + axis); };
+      const double d = std::hypot(from(0, i % size), from(1, i / size % size), from(2, i / size / size));
+      sum += std::exp(-d * d / 14.0);
+    }
+    return sum;
+  };
+  const auto suggestion = suggest(volume<float>(atoms));
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::None);
+  EXPECT_GT(suggestion->keptShare, 0.02);
+  EXPECT_LT(suggestion->keptShare, 0.2);
+}
+
+TEST(IsoValue, IsTheBoundaryOfASmallBodyInASmoothField)
+{
+  const auto warm = [](double d, std::size_t i)
+  {
+    const double along =
+      std::sin(static_cast<double>(i % size) / 12) + static_cast<double>(i / size % size) / 48;
+    return 40 * along + 500 * blurredSphere(d, 5);
+  };
+  const auto suggestion = suggest(volume<float>(warm));
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_NEAR(suggestion->value, 275.0, 60.0);
+}
+
 TEST(IsoValue, KeepsVaryingBoneWhole)
 {
   // The densest bone makes the sharpest surface, which is full of holes.

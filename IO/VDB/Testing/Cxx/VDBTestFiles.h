@@ -18,13 +18,13 @@
 #include <string>
 #include <vector>
 
-/// A file's name in the folder that the tests run in, with the running test's, as ctest runs several at once.
+/// A file's name in the folder for temporary files, with the running test's, as ctest runs several at once.
 inline std::string FileOfTest(const std::string& name)
 {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
   std::string file = std::string(test.test_suite_name()) + test.name() + name;
   std::replace(file.begin(), file.end(), '/', '_');
-  return file;
+  return testing::TempDir() + file;
 }
 
 inline std::string WriteVDB(const std::string& name, const openvdb::GridPtrVec& grids)
