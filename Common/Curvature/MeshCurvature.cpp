@@ -185,7 +185,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   const CurvatureOptions& options, const Progress& progress)
 {
   checkOptions(mesh, normals, options);
-  const SurfaceRings rings(mesh);
+  const SurfaceRings rings(mesh, options.seams);
   const std::size_t count = rings.size();
   const std::vector<glm::dvec3> up = siteNormals(mesh, rings, normals);
   MeshCurvature result;

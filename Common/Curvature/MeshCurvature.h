@@ -3,6 +3,7 @@
 
 #include "Core/Progress.h"
 #include "Curvature/PrincipalCurvature.h"
+#include "Mesh/Seams.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <glm/vec3.hpp>
@@ -39,6 +40,9 @@ struct CurvatureOptions
   int degree = 3;
   /// Whether `derivatives` are estimated; Jet with degree 3 only.
   bool derivatives = false;
+  /// Whether neighborhoods go on where points of borders share a position, or are one-sided there, as on a
+  /// mesh that splitAtFeatures has cut open.
+  Seams seams = Seams::Joined;
 };
 
 /// Where the curvature of a point comes from.
@@ -62,7 +66,7 @@ struct MeshCurvature
 int curvatureReach(const CurvatureOptions& options);
 
 /// Estimates the curvature at each point of a mesh, the same for any number of threads. The mesh need be
-/// neither closed, oriented nor manifold; points of borders that share a position are joined.
+/// neither closed, oriented nor manifold.
 /// @param normals one per point, of any length, out of the surface: they say on which side outside is. If
 ///   empty, it is where the triangles run counterclockwise.
 /// @param progress when it asks to stop, the result is empty

@@ -35,7 +35,7 @@ bool hasTwice(const Triangle& t)
 
 } // namespace
 
-SurfaceRings::SurfaceRings(const TriangleMesh& mesh)
+SurfaceRings::SurfaceRings(const TriangleMesh& mesh, Seams seams)
 {
   const auto isUsable = [&mesh](const Triangle& t)
   {
@@ -68,7 +68,7 @@ SurfaceRings::SurfaceRings(const TriangleMesh& mesh)
     std::erase_if(this->Triangles, [&](const Triangle& t) { return !isUsable(t); });
   }
   this->connect(mesh.points.size());
-  if (this->weldBorders(mesh.points))
+  if (seams == Seams::Joined && this->weldBorders(mesh.points))
   {
     this->connect(mesh.points.size());
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Curvature/RingOrder.h"
+#include "Mesh/Seams.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <cstddef>
@@ -13,14 +14,14 @@ namespace ink
 {
 
 /// The ring of each point of a mesh, in flat arrays. Triangles with a point that is not finite, or that
-/// occurs twice, are left out, and of triangles with the same corners all but the first are. Points of
-/// borders that share a position count as one site, named by the first of them; all other points are sites
-/// of their own.
+/// occurs twice, are left out, and of triangles with the same corners all but the first are. Where seams are
+/// joined, points of borders that share a position count as one site, named by the first of them; all other
+/// points are sites of their own.
 class SurfaceRings
 {
 public:
   /// @throws std::invalid_argument if a triangle names a point that does not exist
-  explicit SurfaceRings(const TriangleMesh& mesh);
+  explicit SurfaceRings(const TriangleMesh& mesh, Seams seams = Seams::Joined);
 
   std::size_t size() const { return this->Shapes.size(); }
   /// A point's site.

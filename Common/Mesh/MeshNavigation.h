@@ -81,6 +81,8 @@ public:
   void cutFeatures(double angle, double reach);
 
   const TriangleMesh& mesh() const { return this->Mesh; }
+  /// Views another mesh instead, whose triangles have the same corners, but other points in common.
+  void setMesh(const TriangleMesh& mesh) { this->Mesh = mesh; }
   bool isUsable(std::uint32_t triangle) const { return this->Usable[triangle] != 0; }
   double area() const { return this->Area; }
   /// Of the triangles that have an area.

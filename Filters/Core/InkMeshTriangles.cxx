@@ -73,7 +73,7 @@ std::string Counted(vtkIdType count, const char* what)
 
 } // namespace
 
-InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order, Repeats repeats)
+void InkMeshTriangles::Check(vtkPolyData* mesh)
 {
   const vtkIdType pointCount = mesh->GetNumberOfPoints();
   constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max() / 3;
@@ -97,6 +97,12 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
       }
     }
   }
+}
+
+InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order, Repeats repeats)
+{
+  Check(mesh);
+  const vtkIdType pointCount = mesh->GetNumberOfPoints();
   this->Points.resize(static_cast<std::size_t>(pointCount));
   for (vtkIdType i = 0; i < pointCount; ++i)
   {

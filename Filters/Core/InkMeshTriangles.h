@@ -51,6 +51,10 @@ struct VTKINKFILTERSCORE_EXPORT InkMeshTriangles
   InkMeshTriangles(
     vtkPolyData* mesh, bool wantNormals, Order order = Order::ByPosition, Repeats repeats = Repeats::LeftOut);
 
+  /// For those who hand a mesh to VTK first, which does not ask whether faces' points exist.
+  /// @throws std::invalid_argument as the constructor does before it looks at any face
+  static void Check(vtkPolyData* mesh);
+
   /// Uses an array of one value per point or cell as relative density.
   void SetDensity(vtkDataArray* density, bool ofCells);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkVolumeStipples.h"
 
+#include "Core/ParallelChunks.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Grid/PieceOwnership.h"
 #include "Fields/Resampling/AxisResampling.h"

@@ -2,9 +2,11 @@
 #include "vtkInkStippleGenerator.h"
 
 #include "InkDiscStipples.h"
+#include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
 #include "InkOwnedSamples.h"
+#include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkSurfaceStipples.h"
 #include "InkVTKCompat.h"
@@ -275,15 +277,18 @@ void vtkInkStippleGenerator::ReportNothing(vtkDataArray* scalars)
 }
 
 void vtkInkStippleGenerator::StippleSurface(
-  vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output)
+  vtkPolyData* given, vtkInformationVector** input, vtkPolyData* output)
 {
-  if (!InkHasPolygons(mesh))
+  if (!InkHasPolygons(given))
   {
-    throw std::invalid_argument("it has " + std::to_string(mesh->GetNumberOfPoints()) + " points and " +
-      std::to_string(mesh->GetNumberOfCells()) +
+    throw std::invalid_argument("it has " + std::to_string(given->GetNumberOfPoints()) + " points and " +
+      std::to_string(given->GetNumberOfCells()) +
       " cells, none of them a polygon; expected polygons, or points with the arrays \"Normals\" of 3 "
       "components and \"Radius\" of 1");
   }
+  // Without normals, stipples have those of polygons.
+  const vtkSmartPointer<vtkPolyData> mesh =
+    InkPointNormals(given) ? InkWithFeatureNormals(given) : vtkSmartPointer<vtkPolyData>(given);
   InkSurfaceStippleRequest request;
   request.Count = this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
     ? CountForPicture(mesh, this->PictureSize, 1.0)

@@ -358,7 +358,7 @@ private:
   void StippleVolume(vtkInformationVector** input, vtkInformation* outInfo, vtkPolyData* output);
   /// Warns that no voxel of the image is stippled.
   void ReportNothing(vtkDataArray* scalars);
-  void StippleSurface(vtkPolyData* mesh, vtkInformationVector** input, vtkPolyData* output);
+  void StippleSurface(vtkPolyData* given, vtkInformationVector** input, vtkPolyData* output);
   void StippleDiscs(vtkPolyData* points, vtkInformationVector** input, vtkPolyData* output);
   /// The array for colors, null if none is wanted; sets `ofCells` to whether it is cell data.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);

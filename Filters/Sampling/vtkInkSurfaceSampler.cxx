@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSurfaceSampler.h"
 
+#include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkMeshTriangles.h"
 #include "InkPointCloud.h"
@@ -264,16 +265,20 @@ int vtkInkSurfaceSampler::RequestData(
   return 1;
 }
 
-void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bool keepFaces)
+void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* input, vtkPolyData* output, bool keepFaces)
 {
   ++this->NumberOfSamplings;
-  InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
   const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  vtkDataArray* density = nullptr;
   // ParaView's panel gives "None".
-  if (chosen && *chosen && std::string(chosen) != "None")
+  const bool hasDensity = chosen && *chosen && std::string(chosen) != "None";
+  const int association = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
+  vtkDataArray* density = hasDensity ? InkGetDensity(input, chosen, association) : nullptr;
+  // Samples that are to be moved with the mesh keep its own points.
+  const vtkSmartPointer<vtkPolyData> mesh =
+    this->ComputeNormals && !keepFaces ? InkWithFeatureNormals(input) : vtkSmartPointer<vtkPolyData>(input);
+  InkMeshTriangles triangles(mesh, this->ComputeNormals || this->ComputePriority);
+  if (density)
   {
-    const int association = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
     density = InkGetDensity(mesh, chosen, association);
     triangles.SetDensity(density, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
   }

@@ -303,7 +303,7 @@ private:
   vtkInkSurfaceSampler(const vtkInkSurfaceSampler&) = delete;
   void operator=(const vtkInkSurfaceSampler&) = delete;
 
-  void SampleMesh(vtkPolyData* mesh, vtkPolyData* output, bool keepFaces);
+  void SampleMesh(vtkPolyData* input, vtkPolyData* output, bool keepFaces);
   void FollowMesh(vtkInformation* request, vtkInformation* inputInfo, vtkInformation* outputInfo,
     vtkPolyData* mesh, vtkPolyData* output);
   bool HasFirstSamples(vtkInformation* inputInfo);

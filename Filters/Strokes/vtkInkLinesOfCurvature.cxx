@@ -5,6 +5,7 @@
 #include "Curvature/MeshCurvature.h"
 #include "Curves/Streamlines/CombCrossField.h"
 #include "Curves/Streamlines/EvenStreamlines.h"
+#include "Curves/Streamlines/FlatDirections.h"
 #include "Curves/Streamlines/ScatteredStreamlines.h"
 #include "Curves/Streamlines/SmoothCrossField.h"
 #include "InkHasPolygons.h"
@@ -12,6 +13,7 @@
 #include "InkOutwardTriangles.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
+#include "Mesh/FeatureSplit.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -27,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -94,7 +97,9 @@ struct Curvatures
 };
 
 /// Those of arrays of the mesh.
-void ReadCurvatures(vtkPolyData* mesh, double negligible, Curvatures& result)
+/// @param sources the points whose values are wanted
+void ReadCurvatures(
+  vtkPolyData* mesh, std::span<const std::uint32_t> sources, double negligible, Curvatures& result)
 {
   vtkDataArray* arrays[4];
   for (int i = 0; i < 4; ++i)
@@ -110,33 +115,45 @@ void ReadCurvatures(vtkPolyData* mesh, double negligible, Curvatures& result)
         std::to_string(mesh->GetNumberOfPoints()) + " of " + std::to_string(components));
     }
   }
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  for (const std::uint32_t source : sources)
   {
     ink::PrincipalCurvature point;
-    point.k1 = arrays[0]->GetComponent(i, 0);
-    point.k2 = arrays[1]->GetComponent(i, 0);
-    arrays[2]->GetTuple(i, &point.direction1.x);
-    arrays[3]->GetTuple(i, &point.direction2.x);
+    point.k1 = arrays[0]->GetComponent(source, 0);
+    point.k2 = arrays[1]->GetComponent(source, 0);
+    arrays[2]->GetTuple(source, &point.direction1.x);
+    arrays[3]->GetTuple(source, &point.direction2.x);
     result.Add(point, negligible);
   }
 }
 
-Curvatures CurvaturesOf(
-  vtkPolyData* mesh, const InkMeshTriangles& triangles, double negligible, const ink::Progress& progress)
+/// @param triangles those of the mesh, cut open at feature edges
+/// @param sources the mesh's points that theirs are
+Curvatures CurvaturesOf(vtkPolyData* mesh, const InkMeshTriangles& triangles,
+  std::span<const std::uint32_t> sources, double negligible, const ink::Progress& progress)
 {
   Curvatures result;
   if (std::all_of(std::begin(CurvatureNames), std::end(CurvatureNames),
         [&](const char* name) { return mesh->GetPointData()->GetArray(name) != nullptr; }))
   {
-    ReadCurvatures(mesh, negligible, result);
+    ReadCurvatures(mesh, sources, negligible, result);
     return result;
   }
+  ink::CurvatureOptions options;
+  options.seams = ink::Seams::Apart;
   for (const ink::PrincipalCurvature& point :
-    ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, {}, progress).points)
+    ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, options, progress).points)
   {
     result.Add(point, negligible);
   }
   return result;
+}
+
+/// Cuts a mesh open at feature edges. Normals of points are kept where all of their triangles stay together.
+void SplitPoints(InkMeshTriangles& triangles, const ink::FeatureSplit& split)
+{
+  triangles.Normals = ink::splitNormals(split, triangles.GetMesh(), triangles.Normals);
+  triangles.Points = split.spread<glm::dvec3>(triangles.Points);
+  triangles.Triangles = split.triangles;
 }
 
 } // namespace
@@ -202,9 +219,8 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
     this->UpdateProgress(begun + share * done);
     return !InkCheckAbort(this);
   };
-  const InkMeshTriangles triangles = InkOutwardTriangles(mesh);
-  const ink::TriangleMesh surface = triangles.GetMesh();
-  ink::MeshNavigation navigation(surface, 180.0);
+  InkMeshTriangles triangles = InkOutwardTriangles(mesh);
+  ink::MeshNavigation navigation(triangles.GetMesh(), 180.0);
   if (!(navigation.area() > 0.0))
   {
     throw std::invalid_argument("its " + std::to_string(triangles.Triangles.size()) +
@@ -212,10 +228,14 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   }
   const double diagonal = glm::distance(navigation.lower(), navigation.upper());
   const double spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
-  navigation.cutFeatures(this->FeatureAngle, FeatureReach * spacing);
+  ink::cutFeatures(navigation, this->FeatureAngle, FeatureReach * spacing);
+  const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
+  SplitPoints(triangles, split);
+  const ink::TriangleMesh surface = triangles.GetMesh();
+  navigation.setMesh(surface);
   const double negligible =
     this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;
-  Curvatures curvatures = CurvaturesOf(mesh, triangles, negligible, progress);
+  Curvatures curvatures = CurvaturesOf(mesh, triangles, split.sources, negligible, progress);
   begun = 0.1;
   if (curvatures.Umbilics.empty() || !progress(0.0))
   {
@@ -224,16 +244,30 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   if (this->SmoothDirections)
   {
     std::array<std::vector<glm::dvec3>, 2>& directions = curvatures.Directions;
-    directions[0] = ink::smoothCrossField(
-      surface, triangles.Normals, directions[0], curvatures.Umbilics, this->SmoothingIterations, progress);
+    const std::vector<glm::dvec3> flat = ink::flatDirections(surface);
+    for (std::size_t i = 0; i < flat.size(); ++i)
+    {
+      if (flat[i] != glm::dvec3(0.0))
+      {
+        directions[0][i] = flat[i];
+        curvatures.Umbilics[i] = 1.0f;
+      }
+    }
+    directions[0] = ink::smoothCrossField(surface, triangles.Normals, directions[0], curvatures.Umbilics,
+      this->SmoothingIterations, progress, ink::Seams::Apart);
     for (std::size_t i = 0; i < directions[0].size(); ++i)
     {
       directions[1][i] = Curvatures::Unit(glm::cross(glm::dvec3(triangles.Normals[i]), directions[0][i]));
     }
     if (this->CombDirections)
     {
+      std::vector<float> preferences = curvatures.FindPreferences(negligible);
+      for (std::size_t i = 0; i < flat.size(); ++i)
+      {
+        preferences[i] = flat[i] != glm::dvec3(0.0) ? 1.0f : preferences[i];
+      }
       const std::vector<unsigned char> exchanged = ink::combCrossField(surface, triangles.Normals,
-        directions[0], curvatures.FindPreferences(negligible), CombReach * diagonal, progress);
+        directions[0], preferences, CombReach * diagonal, progress, ink::Seams::Apart);
       if (InkCheckAbort(this))
       {
         return;

@@ -215,7 +215,7 @@ public:
   ///@{
   /**
    * Lines end at edges whose faces' normals enclose more than this, in degrees, if the surface is bent as
-   * much there from two spacings' distance: noise makes no edges. 0 to 180 (never); default: 45.
+   * much there from two spacings' distance: noise makes no edges. 0 to 180 (never); default: 40.
    */
   InkSetClampMacro(FeatureAngle, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -324,7 +324,7 @@ private:
   double MinimumLength = 2.0;
   int Integrator = RUNGE_KUTTA_4;
   double StepFactor = 0.5;
-  double FeatureAngle = 45.0;
+  double FeatureAngle = 40.0;
   double UmbilicLimit = 1.0;
   bool SmoothDirections = true;
   bool CombDirections = false;

@@ -194,7 +194,7 @@ bool vtkInkSilhouetteMapper::UpdateSurface()
   vtkPolyData* surface = this->GetInput();
   const vtkInternals::Key source{ surface->GetMTime(),
     { this->Silhouettes, this->Faceted, this->Creases, this->FeatureAngle, this->Borders,
-      this->NonManifoldEdges, this->ShortestCrease, this->ShortestBorder, true } };
+      this->NonManifoldEdges, this->ShortestCrease, this->ShortestBorder, true, this->SharpCreasesOnly } };
   if (internals.Source == source)
   {
     return internals.Finder.has_value();
@@ -394,6 +394,7 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetCreases(from->GetCreases());
     this->SetFeatureAngle(from->GetFeatureAngle());
     this->SetShortestCrease(from->GetShortestCrease());
+    this->SetSharpCreasesOnly(from->GetSharpCreasesOnly());
     this->SetShortestBorder(from->GetShortestBorder());
     this->SetBorders(from->GetBorders());
     this->SetNonManifoldEdges(from->GetNonManifoldEdges());
@@ -417,6 +418,7 @@ void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Creases: " << (this->Creases ? "On" : "Off") << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
+  os << indent << "SharpCreasesOnly: " << (this->SharpCreasesOnly ? "On" : "Off") << "\n";
   os << indent << "ShortestBorder: " << this->ShortestBorder << "\n";
   os << indent << "Borders: " << (this->Borders ? "On" : "Off") << "\n";
   os << indent << "NonManifoldEdges: " << (this->NonManifoldEdges ? "On" : "Off") << "\n";

@@ -180,6 +180,16 @@ public:
 
   ///@{
   /**
+   * Whether creases are only edges along which the normals of the two polygons differ, too, as of meshes
+   * whose points are split at their sharp edges. So a smooth but noisy part has none. Default: off.
+   */
+  vtkSetMacro(SharpCreasesOnly, bool);
+  vtkGetMacro(SharpCreasesOnly, bool);
+  vtkBooleanMacro(SharpCreasesOnly, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether borders are drawn: edges of one polygon only. Default: on.
    */
   vtkSetMacro(Borders, bool);
@@ -261,6 +271,7 @@ private:
   bool Creases = false;
   double FeatureAngle = 30.0;
   double ShortestCrease = 0.0;
+  bool SharpCreasesOnly = false;
   double ShortestBorder = 0.0;
   bool Borders = true;
   bool NonManifoldEdges = false;

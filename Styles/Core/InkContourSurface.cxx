@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkContourSurface.h"
 
+#include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
 #include "InkIsoSurface.h"
+#include "InkPointNormals.h"
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSilhouetteMapper.h"
 
@@ -11,11 +13,13 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include "Fields/Resampling/AxisResampling.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 namespace
@@ -83,6 +87,24 @@ std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span
   return {};
 }
 
+std::string InkContourSurface::MakeOfSharpEdges(vtkPolyData* mesh, vtkPolyData* surface)
+{
+  try
+  {
+    const vtkSmartPointer<vtkPolyData> split = InkWithFeatureNormals(mesh);
+    if (InkHasFeatureEdges(split))
+    {
+      surface->ShallowCopy(split);
+      surface->GetPointData()->SetNormals(InkPointNormals(split));
+    }
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    return std::string("The mesh's edges cannot be drawn: ") + problem.what();
+  }
+  return {};
+}
+
 std::string InkContourSurface::MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface, bool voxels)
 {
   if (!InkHasPolygons(mesh))
@@ -95,5 +117,5 @@ std::string InkContourSurface::MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surfac
     this->Style->AddNote(
       "silhouettes are lines in image space, as segments through voxels need an image; found a mesh");
   }
-  return this->Style->TakeMeshWithNormals(mesh, true, surface);
+  return this->Style->TakeMeshWithNormals(mesh, surface);
 }

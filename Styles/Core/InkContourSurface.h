@@ -34,18 +34,26 @@ public:
     const std::string& array, vtkPolyData* surface);
 
   /**
-   * A mesh as it is; where it has no normals they are computed from its polygons, also split at edges of more
-   * than 30 degrees, which is noted. Of points without polygons none, which is noted, too.
+   * A mesh as it is; where it has no normals they are computed from its polygons, which is noted; at feature
+   * edges each side has its own (InkWithFeatureNormals). Of points without polygons none, which is noted,
+   * too.
    * @param surface becomes it
    * @param voxels whether silhouettes were to be segments through voxels, which is noted
    * @return what is wrong; empty if nothing is
    */
   std::string MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface, bool voxels = false);
 
+  /**
+   * A mesh with the normals of each side at its feature edges, if it has any.
+   * @param surface becomes it; empty if there are none
+   * @return what is wrong; empty if nothing is
+   */
+  static std::string MakeOfSharpEdges(vtkPolyData* mesh, vtkPolyData* surface);
+
   /// Whether a surface, wherever it was delivered to, is an image's: what creases it has are its voxels'.
   static bool IsOfImage(vtkPolyData* surface);
-  /// Sets what a mapper draws its input with: creases, but not those of an image's surface; and how far behind
-  /// that surface silhouettes may lie, as its normals may be those of a smoother one.
+  /// Sets what a mapper draws its input with: creases, but not those of an image's surface; and how far
+  /// behind that surface silhouettes may lie, as its normals may be those of a smoother one.
   static void Follow(vtkInkSilhouetteMapper* mapper, bool creases);
 
 private:

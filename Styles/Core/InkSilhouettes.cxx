@@ -2,6 +2,7 @@
 #include "InkSilhouettes.h"
 
 #include "InkContourSurface.h"
+#include "InkHasPolygons.h"
 #include "InkNullIfEmpty.h"
 #include "vtkInkMapper.h"
 #include "vtkInkSilhouetteMapper.h"
@@ -61,10 +62,27 @@ void InkSilhouettes::SetSilhouettes(bool silhouettes)
   }
 }
 
+void InkSilhouettes::SetSharpEdges(bool edges)
+{
+  if (this->SharpEdges != edges)
+  {
+    this->SharpEdges = edges;
+    this->Changed.Modified();
+  }
+}
+
 void InkSilhouettes::SetCreases(bool creases)
 {
   this->Creases = creases;
-  InkContourSurface::Follow(this->Mapper, creases);
+  this->FollowKinds();
+}
+
+void InkSilhouettes::FollowKinds()
+{
+  this->Mapper->SetSilhouettes(this->Wanted);
+  this->Mapper->SetBorders(this->Wanted);
+  this->Mapper->SetSharpCreasesOnly(!(this->Wanted && this->Creases));
+  InkContourSurface::Follow(this->Mapper, this->SharpEdges || this->Creases);
 }
 
 void InkSilhouettes::SetInkColor(const double color[3])
@@ -80,15 +98,19 @@ void InkSilhouettes::SetPixelScale(double scale)
 std::string InkSilhouettes::MakeOfImages(vtkInkStyle* style, InkIsoSurface& isoSurface,
   std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* piece)
 {
-  return !this->Wanted            ? std::string()
+  return !this->Wanted           ? std::string()
     : this->Method.NeedsVoxels() ? this->Method.MakeVoxels(style, images, array, piece)
-                                  : InkContourSurface(style).MakeOfImages(isoSurface, images, array, piece);
+                                 : InkContourSurface(style).MakeOfImages(isoSurface, images, array, piece);
 }
 
 std::string InkSilhouettes::MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vtkPolyData* piece)
 {
-  return this->Wanted ? InkContourSurface(style).MakeOfMesh(mesh, piece, this->Method.NeedsVoxels())
-                      : std::string();
+  if (this->Wanted)
+  {
+    return InkContourSurface(style).MakeOfMesh(mesh, piece, this->Method.NeedsVoxels());
+  }
+  return this->SharpEdges && InkHasPolygons(mesh) ? InkContourSurface::MakeOfSharpEdges(mesh, piece)
+                                                  : std::string();
 }
 
 void InkSilhouettes::Show(vtkPolyData* piece, vtkPolyData* hiding)
@@ -96,5 +118,5 @@ void InkSilhouettes::Show(vtkPolyData* piece, vtkPolyData* hiding)
   this->Mapper->SetInputDataObject(InkNullIfEmpty(piece));
   this->Mapper->SetSurfaceData(InkSilhouetteMethod::IsOfVoxels(piece) ? InkNullIfEmpty(hiding) : nullptr);
   this->Method.Follow();
-  this->SetCreases(this->Creases);
+  this->FollowKinds();
 }

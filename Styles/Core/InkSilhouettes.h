@@ -41,6 +41,13 @@ public:
   bool GetCreases() const { return this->Creases; }
   ///@}
 
+  ///@{
+  /// Whether the sharp edges of meshes are drawn even if nothing else is: where the normals of the two sides
+  /// differ (InkWithFeatureNormals). Default: off.
+  void SetSharpEdges(bool edges);
+  bool GetSharpEdges() const { return this->SharpEdges; }
+  ///@}
+
   /// What draws them; properties that are parameters are set as such.
   vtkInkSilhouetteMapper* GetMapper();
 
@@ -53,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Makes what they are of, if there are any: a surface as InkContourSurface does, or edge voxels of images as
-   * InkSilhouetteMethod does; all processes call it at once.
+   * Makes what they are of, if there are any: a surface as InkContourSurface does, or edge voxels of images
+   * as InkSilhouetteMethod does; all processes call it at once.
    * @param isoSurface of what is drawn; after Prepare
    * @param array the point array of the images; empty: the active scalars
    * @param piece becomes it
@@ -73,10 +80,14 @@ public:
   vtkMTimeType GetMTime() const;
 
 private:
+  /// Makes the mapper draw the kinds of lines that are wanted.
+  void FollowKinds();
+
   vtkNew<vtkInkSilhouetteMapper> Mapper;
   InkSilhouetteMethod Method;
   bool Wanted = false;
   bool Creases = false;
+  bool SharpEdges = false;
   vtkTimeStamp Changed;
 };
 

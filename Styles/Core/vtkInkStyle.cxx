@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStyle.h"
 
+#include "InkFeatureNormals.h"
 #include "InkParameter.h"
 #include "InkPointNormals.h"
 #include "InkStyleProcesses.h"
@@ -11,11 +12,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 namespace
 {
@@ -252,22 +253,23 @@ std::string vtkInkStyle::Follow(vtkAlgorithm* algorithm, const char* text)
   return this->Follow(algorithm, text, [algorithm] { algorithm->Update(); });
 }
 
-std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, bool split, vtkPolyData* piece)
+std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* piece)
 {
-  piece->ShallowCopy(mesh);
-  if (vtkDataArray* given = InkPointNormals(mesh))
+  vtkDataArray* given = InkPointNormals(mesh);
+  if (!given)
   {
-    piece->GetPointData()->SetNormals(given);
-    return {};
+    this->AddNote("the mesh has no normals; they are computed from its polygons");
   }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  normals->SetSplitting(split);
-  normals->SetConsistency(split);
-  const std::string problem = this->Follow(normals, "computing normals");
-  piece->ShallowCopy(normals->GetOutput());
-  this->AddNote("the mesh has no normals; they are computed from its polygons");
-  return problem;
+  try
+  {
+    piece->ShallowCopy(InkWithFeatureNormals(mesh));
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    return std::string("The mesh has no normals at edges: ") + problem.what();
+  }
+  piece->GetPointData()->SetNormals(InkPointNormals(piece));
+  return {};
 }
 
 void vtkInkStyle::PrintSelf(ostream& os, vtkIndent indent)

@@ -316,14 +316,12 @@ protected:
   std::string Follow(vtkAlgorithm* algorithm, const char* text);
 
   /**
-   * Takes a mesh with point normals: its own ones, or an array "Normals", or, with a note,
-   * those of its polygons.
-   * @param split whether points at sharp edges are split, so that each side has normals of its own, and
-   *   polygons turned to one side; otherwise the points stay what they are
+   * Takes a mesh with point normals, those of one side at feature edges (InkWithFeatureNormals): its own
+   * ones, or an array "Normals", or, with a note, those of its polygons.
    * @param piece becomes the mesh
    * @return what is wrong; empty if nothing is
    */
-  std::string TakeMeshWithNormals(vtkPolyData* mesh, bool split, vtkPolyData* piece);
+  std::string TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* piece);
 
 private:
   friend class InkContourSurface;

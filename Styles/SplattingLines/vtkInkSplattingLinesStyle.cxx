@@ -42,6 +42,7 @@ vtkInkSplattingLinesStyle::vtkInkSplattingLinesStyle()
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetColorModeToMapScalars();
   this->SurfaceSampler->ComputePriorityOff();
+  this->Silhouettes->SetSharpEdges(true);
 }
 
 vtkInkSplattingLinesStyle::~vtkInkSplattingLinesStyle() = default;
@@ -152,7 +153,7 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
     return {};
   }
   return this->NumberOfSamples == 0 && InkHasPolygons(mesh)
-    ? this->TakeMeshWithNormals(mesh, false, this->GetPiece(POINTS))
+    ? this->TakeMeshWithNormals(mesh, this->GetPiece(POINTS))
     : this->SampleMesh(mesh);
 }
 

@@ -100,8 +100,8 @@ private:
 
 } // namespace
 
-FeatureEdges::FeatureEdges(
-  const ContourSurface& surface, double creaseAngle, double shortestCrease, double shortestBorder)
+FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease,
+  double shortestBorder, bool sharpOnly)
 {
   const double least = glm::radians(creaseAngle);
   visitEdges(
@@ -118,7 +118,8 @@ FeatureEdges::FeatureEdges(
       {
         this->nonManifold.push_back(segment);
       }
-      else if (angleBetween(surface, edge[0], edge[1]) > least)
+      else if (angleBetween(surface, edge[0], edge[1]) > least &&
+        !(sharpOnly && edge[0].corners(surface) == edge[1].corners(surface)))
       {
         this->creases.push_back(segment);
       }

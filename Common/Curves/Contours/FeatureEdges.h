@@ -22,8 +22,9 @@ struct FeatureEdges
   ///   however short, end at others.
   /// @param shortestBorder of the surface's diagonal: borders that are no longer than that, with all borders
   ///   that they join, are left out, as around triangles that a scan lacks
+  /// @param sharpOnly whether an edge where the two faces have the same normals at both ends is none
   FeatureEdges(const ContourSurface& surface, double creaseAngle, double shortestCrease = 0.0,
-    double shortestBorder = 0.0);
+    double shortestBorder = 0.0, bool sharpOnly = false);
 };
 
 } // namespace ink

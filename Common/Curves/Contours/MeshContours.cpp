@@ -66,8 +66,8 @@ MeshContours::MeshContours(
   }
   if (options.creases || options.borders || options.nonManifold)
   {
-    const FeatureEdges edges(
-      this->Surface, options.creaseAngle, options.shortestCrease, options.shortestBorder);
+    const FeatureEdges edges(this->Surface, options.creaseAngle, options.shortestCrease,
+      options.shortestBorder, options.sharpCreasesOnly);
     const auto add = [&](bool wanted, const std::vector<ContourSegment>& segments, ContourKind kind)
     {
       if (wanted)

@@ -39,6 +39,9 @@ struct MeshContourOptions
   /// Whether silhouettes leave out edges that are creases, which are contours already: what is drawn twice is
   /// darker. Then silhouettes end where such an edge begins.
   bool once = false;
+  /// Whether creases are only edges along which the normals of the two faces differ, as of a mesh that is
+  /// split at its feature edges; not those within a smooth but noisy part.
+  bool sharpCreasesOnly = false;
 
   bool operator==(const MeshContourOptions&) const = default;
 };

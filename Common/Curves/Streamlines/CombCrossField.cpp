@@ -58,13 +58,13 @@ private:
 
 std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   std::span<const glm::dvec3> directions, std::span<const float> preferences, double reach,
-  const Progress& progress)
+  const Progress& progress, Seams seams)
 {
   const std::size_t count = mesh.points.size();
   checkOnePerPoint(mesh, normals.size(), "normals");
   checkOnePerPoint(mesh, directions.size(), "directions");
   checkOnePerPoint(mesh, preferences.size(), "preferences");
-  const SurfaceRings rings(mesh);
+  const SurfaceRings rings(mesh, seams);
   const auto isDefined = [&](std::size_t i)
   { return normals[i] != glm::vec3(0.0f) && directions[i] != glm::dvec3(0.0); };
 

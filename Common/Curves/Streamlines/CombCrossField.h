@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Progress.h"
+#include "Mesh/Seams.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <glm/vec3.hpp>
@@ -28,12 +29,13 @@ namespace ink
 /// @param preferences one per point, in [-1, 1]: how much the direction is to stay (1) or to be exchanged
 /// (-1)
 /// @param reach how far a sure point's direction goes on over others, world units
+/// @param seams whether points of borders that share a position have common neighbors
 /// @return one per point, 1 where the direction is to be exchanged, else 0; zeros when stopped. The same
 ///   for any number of threads.
 /// @throws std::invalid_argument if a span has not one entry per point, or a triangle names a point that does
 ///   not exist
 std::vector<unsigned char> combCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   std::span<const glm::dvec3> directions, std::span<const float> preferences, double reach,
-  const Progress& progress = {});
+  const Progress& progress = {}, Seams seams = Seams::Joined);
 
 } // namespace ink

@@ -50,13 +50,13 @@ Complex product(const Complex& a, const Complex& b)
 
 std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   std::span<const glm::dvec3> directions, std::span<const float> umbilics, int iterations,
-  const Progress& progress)
+  const Progress& progress, Seams seams)
 {
   const std::size_t count = mesh.points.size();
   checkOnePerPoint(mesh, normals.size(), "normals");
   checkOnePerPoint(mesh, directions.size(), "directions");
   checkOnePerPoint(mesh, umbilics.size(), "umbilic measures");
-  const SurfaceRings rings(mesh);
+  const SurfaceRings rings(mesh, seams);
   const auto ringOf = [&](std::size_t point) { return rings.ring(rings.site(point)); };
   std::vector<std::size_t> offsets(count + 1); // of each point's turns
   for (std::size_t i = 0; i < count; ++i)

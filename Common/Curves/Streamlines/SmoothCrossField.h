@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Core/Progress.h"
+#include "Mesh/Seams.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <glm/vec3.hpp>
@@ -26,12 +27,13 @@ namespace ink
 /// @param directions one per point, unit length or zero
 /// @param umbilics one per point, in [0, 1]: up to .5 a direction is left as it is, from there to 1 it gives
 ///   way to its neighbors'
+/// @param seams whether points of borders that share a position have common neighbors
 /// @return one per point, tangent and of unit length, or zero; `directions` when stopped. The same for any
 ///   number of threads.
 /// @throws std::invalid_argument if a span has not one entry per point, or a triangle names a point that
 ///   does not exist
 std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   std::span<const glm::dvec3> directions, std::span<const float> umbilics, int iterations,
-  const Progress& progress = {});
+  const Progress& progress = {}, Seams seams = Seams::Joined);
 
 } // namespace ink

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -48,6 +49,24 @@ TEST(MeshContours, FindsCreasesByTheirAngle)
     EXPECT_EQ(contours.chains.size(), edges) << angle; // three meet at each corner
     EXPECT_EQ(contours.positions.size(), 2 * edges);
   }
+}
+
+TEST(MeshContours, SharpCreasesAreWhereNormalsDiffer)
+{
+  std::vector<glm::vec3> normals;
+  const Mesh mesh = splitCube(normals);
+  ink::MeshContourOptions options;
+  options.silhouettes = false;
+  options.creases = true;
+  const auto count = [&](std::span<const glm::vec3> given) {
+    return ink::MeshContours(mesh.view(), given, options).find(ink::Eye::at({ 4, 5, 6 })).chains.size();
+  };
+  // As of a rough surface: steep, but with one normal at each position.
+  const std::vector<glm::vec3> smooth = radialNormals(mesh);
+  EXPECT_EQ(count(smooth), 12u);
+  options.sharpCreasesOnly = true;
+  EXPECT_EQ(count(normals), 12u);
+  EXPECT_EQ(count(smooth), 0u);
 }
 
 TEST(MeshContours, LeavesOutCreasesThatAreSpecks)

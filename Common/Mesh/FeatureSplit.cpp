@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/FeatureSplit.h"
+
+#include "Core/DisjointSets.h"
+#include "Mesh/OnePerPoint.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace ink
+{
+
+namespace
+{
+
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+} // namespace
+
+void cutFeatures(MeshNavigation& navigation, double angle, double reach)
+{
+  MeshNavigation cut = navigation;
+  cut.cutFeatures(angle, reach);
+  const TriangleMesh& mesh = navigation.mesh();
+  double length = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (std::uint32_t edge = 0; edge < 3; ++edge)
+    {
+      const auto other = navigation.across(t, edge);
+      if (other && t < other->triangle && !cut.across(t, edge))
+      {
+        length +=
+          glm::distance(mesh.points[mesh.triangles[t][edge]], mesh.points[mesh.triangles[t][(edge + 1) % 3]]);
+      }
+    }
+  }
+  if (length * reach <= mostFeatures * navigation.area())
+  {
+    navigation = std::move(cut);
+  }
+}
+
+void cutFeatures(MeshNavigation& navigation)
+{
+  const double diagonal = glm::distance(navigation.lower(), navigation.upper());
+  cutFeatures(navigation, defaultFeatureAngle, defaultFeatureReach * diagonal);
+}
+
+FeatureSplit splitAtFeatures(const MeshNavigation& navigation)
+{
+  const std::span<const Triangle> triangles = navigation.mesh().triangles;
+  DisjointSets fans(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+  {
+    for (std::uint32_t edge = 0; edge < 3; ++edge)
+    {
+      const std::optional<MeshNavigation::Neighbor> other = navigation.across(t, edge);
+      if (other && t < other->triangle)
+      {
+        fans.join(3 * t + edge, 3 * other->triangle + other->corner(0));
+        fans.join(3 * t + (edge + 1) % 3, 3 * other->triangle + other->corner(1));
+      }
+    }
+  }
+  // By the points that fans begin with, so that a mesh without features keeps its order.
+  struct Fan
+  {
+    std::uint32_t source;
+    std::uint32_t corner;
+  };
+  std::vector<Fan> order;
+  for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)
+  {
+    if (navigation.isUsable(corner / 3) && fans.least(corner) == corner)
+    {
+      order.push_back({ triangles[corner / 3][corner % 3], corner });
+    }
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [](const Fan& a, const Fan& b) { return a.source < b.source; });
+  FeatureSplit result;
+  std::vector<std::uint32_t> ids(3 * triangles.size());
+  for (const Fan& fan : order)
+  {
+    ids[fan.corner] = static_cast<std::uint32_t>(result.sources.size());
+    result.sources.push_back(fan.source);
+  }
+  result.triangles.assign(triangles.size(), { 0, 0, 0 });
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+  {
+    for (std::uint32_t i = 0; i < 3 && navigation.isUsable(t); ++i)
+    {
+      result.triangles[t][i] = ids[fans.least(3 * t + i)];
+    }
+  }
+  return result;
+}
+
+std::vector<glm::vec3> splitNormals(
+  const FeatureSplit& split, const TriangleMesh& mesh, std::span<const glm::vec3> normals)
+{
+  checkOnePerPoint(mesh, normals.size(), "normals");
+  constexpr std::uint32_t none = MeshNavigation::border;
+  std::vector<glm::dvec3> sums(split.sources.size(), glm::dvec3(0.0));
+  std::vector<std::uint32_t> fanOf(mesh.points.size(), none);
+  std::vector<glm::dvec3> ofPoints(sums.size(), glm::dvec3(0.0)); // sums along seams
+  std::vector<std::uint8_t> isOneOfSeveral(sums.size(), 0);
+  std::vector<std::uint8_t> isOfSeam(sums.size(), 0);
+  for (std::size_t t = 0; t < split.triangles.size(); ++t)
+  {
+    const Triangle& fans = split.triangles[t];
+    if (fans[0] == fans[1])
+    {
+      continue;
+    }
+    std::array<glm::dvec3, 3> sides;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::uint32_t point = mesh.triangles[t][i];
+      sides[i] = glm::normalize(mesh.points[mesh.triangles[t][(i + 1) % 3]] - mesh.points[point]);
+      fanOf[point] = fanOf[point] == none ? fans[i] : fanOf[point];
+      ofPoints[fans[i]] += glm::dvec3(normals[point]);
+      isOfSeam[fans[i]] |= split.sources[fans[i]] != point ? 1 : 0;
+      if (fanOf[point] != fans[i])
+      {
+        isOneOfSeveral[fans[i]] = isOneOfSeveral[fanOf[point]] = 1;
+      }
+    }
+    const glm::dvec3 area = glm::cross(sides[0], sides[1]);
+    const double size = glm::length(area);
+    for (std::size_t i = 0; i < 3 && size > 0.0; ++i)
+    {
+      sums[fans[i]] += angleBetween(sides[i], -sides[(i + 2) % 3]) / size * area;
+    }
+  }
+  std::vector<glm::vec3> result = split.spread(normals);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    // Opposite ones cancel out up to rounding.
+    constexpr double rounding = 1e-6;
+    const glm::dvec3& sum = isOneOfSeveral[i] != 0 ? sums[i] : ofPoints[i];
+    const double length = glm::length(sum);
+    if ((isOneOfSeveral[i] != 0 || isOfSeam[i] != 0) && length > rounding)
+    {
+      const glm::vec3 mean(sum / length);
+      result[i] = glm::dot(mean, result[i]) < 0.0f ? -mean : mean;
+    }
+  }
+  return result;
+}
+
+bool mayHaveFeatures(const TriangleMesh& mesh, std::span<const glm::vec3> normals, double angle)
+{
+  checkOnePerPoint(mesh, normals.size(), "normals");
+  // Of two triangles at a point one is as far from its normal as half the angle between them.
+  const double leastCosine = std::cos(glm::radians(0.5 * angle));
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+    [&](const Triangle& triangle)
+    {
+      const auto& [a, b, c] = triangle;
+      const glm::dvec3 area = glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+      const double least = leastCosine * glm::length(area);
+      return std::any_of(triangle.begin(), triangle.end(),
+        [&](std::uint32_t point) { return std::abs(glm::dot(area, glm::dvec3(normals[point]))) < least; });
+    });
+}
+
+} // namespace ink

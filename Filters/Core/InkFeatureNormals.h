@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkFeatureNormals_h
+#define InkFeatureNormals_h
+
+#include "vtkInkFiltersCoreModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
+
+/// A mesh with point normals that are those of one side at feature edges (ink::cutFeatures), where points are
+/// repeated for each side after all others, with all their values. Cells stay in their order, but strips
+/// become triangles.
+///
+/// Without normals (InkPointNormals) they are computed, as InkMeshTriangles does, and polygons turned the
+/// same way round as their neighbors. Given ones are kept but where one point has to serve several sides:
+/// that mean is nobody's normal. A mesh with normals and without such points is returned itself.
+/// @throws std::invalid_argument as InkMeshTriangles does
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> InkWithFeatureNormals(vtkPolyData* mesh);
+
+/// Whether points that share a position have normals that enclose more than ink::defaultFeatureAngle.
+VTKINKFILTERSCORE_EXPORT bool InkHasFeatureEdges(vtkPolyData* mesh);
+
+#endif
