@@ -10,7 +10,7 @@
 namespace ink
 {
 
-/// Disjoint sets of the numbers below a count, each named by its least, for one thread.
+/// Disjoint sets of the numbers below a count, each known by its least, for one thread.
 class DisjointSets
 {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature/SurfaceRings.h"
 
+#include "Core/IsFinite.h"
 #include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
 #include "Mesh/RepeatedTriangles.h"
@@ -22,11 +23,6 @@ namespace
 {
 
 constexpr std::size_t ringsPerChunk = 1 << 11;
-
-bool isFinite(const glm::dvec3& p)
-{
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 bool hasTwice(const Triangle& t)
 {

@@ -18,10 +18,10 @@ namespace
 
 /// Disjoint sets that threads unite at once: a root is linked to a lesser one only, so that each set's root
 /// ends up as its least element, whatever the order.
-class DisjointSets
+class ConcurrentSets
 {
 public:
-  explicit DisjointSets(std::size_t count)
+  explicit ConcurrentSets(std::size_t count)
     : Parents(count)
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -80,7 +80,7 @@ ActiveCellComponents findActiveCellComponents(std::span<const ActiveCellId> cell
   {
     throw std::invalid_argument("findActiveCellComponents: expected ascending cells");
   }
-  DisjointSets sets(cells.size());
+  ConcurrentSets sets(cells.size());
   parallelForChunks(cells.size(),
     [&](std::size_t, std::size_t begin, std::size_t end)
     {

@@ -155,7 +155,10 @@ void MeshNavigation::cutFeatures(double angle, double reach)
   const double leastCosine = std::cos(angle * std::numbers::pi / 180.0);
   // Walks need all links, so none is cut before all edges are known.
   std::vector<std::uint8_t> features(this->Links.size());
-  parallelForEach(this->Usable.size(),
+  // Walks are long where many edges are steep.
+  constexpr std::size_t trianglesPerChunk = 1 << 10;
+  parallelForEach(
+    this->Usable.size(),
     [&](std::size_t n)
     {
       const auto t = static_cast<std::uint32_t>(n);
@@ -174,7 +177,8 @@ void MeshNavigation::cutFeatures(double angle, double reach)
           features[3 * std::size_t(other->triangle) + other->edge] = 1;
         }
       }
-    });
+    },
+    trianglesPerChunk);
   for (std::size_t i = 0; i < features.size(); ++i)
   {
     this->Links[i] = features[i] != 0 ? border : this->Links[i];

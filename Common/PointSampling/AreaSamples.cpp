@@ -87,9 +87,13 @@ AreaSamples areaSamples(const TriangleMesh& mesh, std::span<const glm::vec3> nor
         cutTriangle(whole, static_cast<double>(edge),
           [&](const glm::dvec3& middle, double part)
           {
-            own.positions.emplace_back(middle);
-            own.normals.push_back(normal);
-            own.areas.push_back(static_cast<float>(part));
+            const auto rounded = static_cast<float>(part);
+            if (rounded > 0.0f)
+            {
+              own.positions.emplace_back(middle);
+              own.normals.push_back(normal);
+              own.areas.push_back(rounded);
+            }
           });
       }
     });
@@ -111,26 +115,23 @@ AreaSamples joinSamples(const AreaSamples& samples, float edge)
   result.positions.resize(count);
   result.normals.resize(count);
   result.areas.resize(count);
-  parallelForChunks(count,
-    [&](std::size_t, std::size_t begin, std::size_t end)
+  parallelForEach(count,
+    [&](std::size_t group)
     {
-      for (std::size_t group = begin; group < end; ++group)
+      glm::dvec3 position(0.0);
+      glm::vec3 normal(0.0f);
+      double area = 0.0;
+      for (std::size_t i = groups.begins[group]; i < groups.begins[group + 1]; ++i)
       {
-        glm::dvec3 position(0.0);
-        glm::vec3 normal(0.0f);
-        double area = 0.0;
-        for (std::size_t i = groups.begins[group]; i < groups.begins[group + 1]; ++i)
-        {
-          const std::uint32_t sample = groups.samples[i];
-          const auto own = static_cast<double>(samples.areas[sample]);
-          position += own * glm::dvec3(samples.positions[sample]);
-          normal += samples.areas[sample] * samples.normals[sample];
-          area += own;
-        }
-        result.positions[group] = glm::vec3(position / area);
-        result.normals[group] = unitOf(normal);
-        result.areas[group] = static_cast<float>(area);
+        const std::uint32_t sample = groups.samples[i];
+        const auto own = static_cast<double>(samples.areas[sample]);
+        position += own * glm::dvec3(samples.positions[sample]);
+        normal += samples.areas[sample] * samples.normals[sample];
+        area += own;
       }
+      result.positions[group] = glm::vec3(position / area);
+      result.normals[group] = unitOf(normal);
+      result.areas[group] = static_cast<float>(area);
     });
   return result;
 }

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace
@@ -136,6 +137,8 @@ void RepeatPoints(const InkMeshTriangles& triangles, const ink::FeatureSplit& sp
   points->SetDataType(mesh->GetPoints()->GetDataType());
   InkSetNumberOfPoints(points, count);
   points->GetData()->InsertTuples(0, before, 0, mesh->GetPoints()->GetData());
+  // Without ids that are one point's alone.
+  output->GetPointData()->Initialize();
   output->GetPointData()->CopyAllocate(mesh->GetPointData(), count);
   output->GetPointData()->CopyData(mesh->GetPointData(), 0, before, 0);
   for (vtkIdType side = before; side < count; ++side)
@@ -150,23 +153,34 @@ void RepeatPoints(const InkMeshTriangles& triangles, const ink::FeatureSplit& sp
   polygons->DeepCopy(mesh->GetPolys());
   const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   vtkNew<vtkIdList> corners;
-  for (std::size_t t = 0; t < triangles.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < triangles.Triangles.size();)
   {
-    const ink::Triangle& fans = split.triangles[t];
-    for (std::size_t i = 0; i < 3 && fans[0] != fans[1]; ++i)
+    // The triangles of one polygon follow each other.
+    const auto face = triangles.FaceIds[t];
+    std::unordered_map<vtkIdType, vtkIdType> sideOf;
+    for (; t < triangles.Triangles.size() && triangles.FaceIds[t] == face; ++t)
     {
-      const std::uint32_t point = triangles.Triangles[t][i];
-      if (const std::size_t side = sides.Find(point, fans[i]); side != point)
+      const ink::Triangle& fans = split.triangles[t];
+      for (std::size_t i = 0; i < 3 && fans[0] != fans[1]; ++i)
       {
-        polygons->GetCellAtId(triangles.FaceIds[t] - first, corners);
-        for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+        const std::uint32_t point = triangles.Triangles[t][i];
+        if (const std::size_t side = sides.Find(point, fans[i]); side != point)
         {
-          const bool isIt = corners->GetId(c) == static_cast<vtkIdType>(point);
-          corners->SetId(c, isIt ? static_cast<vtkIdType>(side) : corners->GetId(c));
+          sideOf[point] = static_cast<vtkIdType>(side);
         }
-        polygons->ReplaceCellAtId(triangles.FaceIds[t] - first, corners);
       }
     }
+    if (sideOf.empty())
+    {
+      continue;
+    }
+    polygons->GetCellAtId(face - first, corners);
+    for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+    {
+      const auto found = sideOf.find(corners->GetId(c));
+      corners->SetId(c, found == sideOf.end() ? corners->GetId(c) : found->second);
+    }
+    polygons->ReplaceCellAtId(face - first, corners);
   }
   output->SetPolys(polygons);
 }

@@ -334,6 +334,12 @@ vtkDataArray* vtkInkStippleGenerator::GetColors(vtkDataSet* data, vtkInformation
   vtkDataArray* colors = chosen && !*chosen ? data->GetPointData()->GetScalars()
                                             : this->GetInputArrayToProcess(1, input, association);
   ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataSetAttributes* own = data->GetAttributes(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+  if (colors && colors->GetName() && own->HasArray(colors->GetName()))
+  {
+    // The input's lacks the points that `data` repeats at edges.
+    colors = own->GetArray(colors->GetName());
+  }
   const vtkIdType expected = ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   const std::string name = chosen && *chosen ? "array \"" + std::string(chosen) + "\"" : "active scalars";
   if (!colors)

@@ -12,9 +12,10 @@
  * orientation and unconnected triangles are allowed.
  *
  * Output point data: `Normals` (unit; interpolated from the mesh's point normals, or where it has none from
- * the mean normals of the faces around each point), `Radius` (discs of this radius leave no holes),
- * `Priority`, and on request `FaceId`, `FacePoints` and `BarycentricCoordinates`. The output's only cell is a
- * vertex cell of type VTK_POLY_VERTEX holding all points, unless GenerateVertices is off.
+ * the mean normals of the faces around each point, on one side of feature edges: see InkWithFeatureNormals),
+ * `Radius` (discs of this radius leave no holes), `Priority`, and on request `FaceId`, `FacePoints` and
+ * `BarycentricCoordinates`. The output's only cell is a vertex cell of type VTK_POLY_VERTEX holding all
+ * points, unless GenerateVertices is off.
  *
  * Points are sorted by `Priority`, which is uniform in [0, 1): for every p, the points with a priority below
  * p are evenly distributed themselves. With ComputePriority off, points stay in the order of generation,

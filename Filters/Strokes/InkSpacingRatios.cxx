@@ -7,8 +7,12 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace
@@ -18,6 +22,9 @@ namespace hatching = ink::hatching;
 
 /// The edge of the surface's samples, in spacings.
 constexpr float SampleEdge = 0.9f;
+
+/// Strokes of more spacings in all, for which memory would not suffice, are not those of the surface.
+constexpr double MostSpacings = 1e8;
 
 /// The strokes of a family, and which points of the input theirs are.
 struct Family
@@ -32,6 +39,11 @@ struct Family
     vtkDataArray* spacings = data->GetCellData()->GetArray("Spacing");
     vtkDataArray* priorities = data->GetCellData()->GetArray("Priority");
     vtkDataArray* normals = InkPointNormals(data);
+    if (normals && normals->GetNumberOfTuples() != data->GetNumberOfPoints())
+    {
+      throw std::invalid_argument("the lines' normals are " + std::to_string(normals->GetNumberOfTuples()) +
+        "; expected " + std::to_string(data->GetNumberOfPoints()) + ", one per point");
+    }
     for (vtkIdType line = 0; line < data->GetNumberOfLines(); ++line)
     {
       if (families->GetComponent(line, 0) != family)
@@ -59,10 +71,23 @@ struct Family
         }
         this->Ids.push_back(ids[i]);
         this->Strokes.points.emplace_back((point - center) / this->Spacing);
-        this->Strokes.normals.emplace_back(normal);
+        this->Strokes.normals.emplace_back(normal / std::max(glm::length(normal), 1e-300));
       }
     }
     this->Strokes.begins.push_back(static_cast<std::uint32_t>(this->Ids.size()));
+  }
+
+  double FindLength() const
+  {
+    double length = 0.0;
+    for (std::size_t stroke = 0; stroke + 1 < this->Strokes.begins.size(); ++stroke)
+    {
+      for (std::uint32_t i = this->Strokes.begins[stroke] + 1; i < this->Strokes.begins[stroke + 1]; ++i)
+      {
+        length += static_cast<double>(glm::distance(this->Strokes.points[i - 1], this->Strokes.points[i]));
+      }
+    }
+    return length;
   }
 };
 
@@ -81,7 +106,7 @@ vtkSmartPointer<vtkFloatArray> InkSpacingRatios(
   for (const int number : { 0, 1 })
   {
     const Family family(strokes, number, center);
-    if (family.Ids.empty())
+    if (family.Ids.empty() || !(family.FindLength() < MostSpacings))
     {
       continue;
     }

@@ -281,6 +281,7 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
   cellData->AddArray(outFamilies);
   output->SetPoints(data->GetPoints());
   output->GetPointData()->PassData(data->GetPointData());
+  output->GetPointData()->RemoveArray("SpacingRatio"); // of other strokes
   output->SetLines(strokes);
   if (this->LocalSpacing && triangles)
   {

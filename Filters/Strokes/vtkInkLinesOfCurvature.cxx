@@ -221,15 +221,20 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
   };
   InkMeshTriangles triangles = InkOutwardTriangles(mesh);
   ink::MeshNavigation navigation(triangles.GetMesh(), 180.0);
-  if (!(navigation.area() > 0.0))
+  const auto check = [&triangles](bool hasArea)
   {
-    throw std::invalid_argument("its " + std::to_string(triangles.Triangles.size()) +
-      " triangles have no area; expected faces with three different points that are finite");
-  }
+    if (!hasArea)
+    {
+      throw std::invalid_argument("its " + std::to_string(triangles.Triangles.size()) +
+        " triangles have no area; expected faces with three different points that are finite");
+    }
+  };
+  check(navigation.area() > 0.0);
   const double diagonal = glm::distance(navigation.lower(), navigation.upper());
   const double spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
   ink::cutFeatures(navigation, this->FeatureAngle, FeatureReach * spacing);
   const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
+  check(!split.sources.empty());
   SplitPoints(triangles, split);
   const ink::TriangleMesh surface = triangles.GetMesh();
   navigation.setMesh(surface);

@@ -215,7 +215,8 @@ public:
   ///@{
   /**
    * Lines end at edges whose faces' normals enclose more than this, in degrees, if the surface is bent as
-   * much there from two spacings' distance: noise makes no edges. 0 to 180 (never); default: 40.
+   * much there from two spacings' distance: noise makes no edges. A surface full of such edges has none. 0 to
+   * 180 (never); default: 40.
    */
   InkSetClampMacro(FeatureAngle, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

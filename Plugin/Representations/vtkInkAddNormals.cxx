@@ -1,42 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkAddNormals.h"
 
+#include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
-#include "InkPointNormals.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 
 namespace
 {
 
-bool LacksNormals(vtkPolyData* mesh)
-{
-  return InkHasPolygons(mesh) && !InkPointNormals(mesh);
-}
-
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* mesh)
 {
-  if (!LacksNormals(mesh))
-  {
-    return mesh;
-  }
-  vtkNew<vtkPolyData> polygons;
-  polygons->SetPoints(mesh->GetPoints());
-  polygons->SetPolys(mesh->GetPolys());
-  polygons->SetStrips(mesh->GetStrips());
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(polygons);
-  normals->SplittingOff();
-  normals->ComputeCellNormalsOff();
-  normals->Update();
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->ShallowCopy(mesh);
-  result->GetPointData()->SetNormals(normals->GetOutput()->GetPointData()->GetNormals());
-  return result;
+  return InkHasPolygons(mesh) ? InkWithFeatureNormals(mesh) : vtkSmartPointer<vtkPolyData>(mesh);
 }
 
 } // namespace

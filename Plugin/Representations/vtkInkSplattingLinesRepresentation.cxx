@@ -21,6 +21,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
 
@@ -78,16 +80,29 @@ std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Inp
   outlined->Initialize();
   std::string problem;
   InkSilhouettes* silhouettes = this->Style->GetSilhouettes();
-  if (silhouettes->GetSilhouettes())
+  if (silhouettes->GetSilhouettes() || silhouettes->GetSharpEdges())
   {
     const vtkSmartPointer<vtkPolyData> whole = vtkInkProcesses().Gather(leaves.MakeMeshes());
     problem = InkHasPolygons(whole) ? silhouettes->MakeOfMesh(this->Style, whole, outlined) : "";
   }
   // A dense mesh's own points are drawn, those of all leaves together.
+  vtkSmartPointer<vtkDataObject> data;
+  try
+  {
+    data = vtkInkAddNormals(input.Data);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    this->GetPiece(0)->Initialize();
+    return std::string("The mesh cannot be drawn: ") + error.what();
+  }
   const vtkInkGatheredPoints gathered =
-    vtkInkGatherPoints(vtkInkAddNormals(input.Data), this->GetColorArray(), this->GetColorAssociation());
+    vtkInkGatherPoints(data, this->GetColorArray(), this->GetColorAssociation());
   this->GetPiece(0)->ShallowCopy(gathered.Points);
-  if (gathered.IdsAreInputs)
+  // Points that are repeated at edges are none of the input's.
+  const auto count = [](vtkDataObject* object)
+  { return object ? object->GetNumberOfElements(vtkDataObject::POINT) : 0; };
+  if (gathered.IdsAreInputs && count(data) == count(input.Data))
   {
     this->MarkIdsAsInputs();
   }

@@ -266,7 +266,7 @@ std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* pie
   }
   catch (const std::invalid_argument& problem)
   {
-    return std::string("The mesh has no normals at edges: ") + problem.what();
+    return std::string("The mesh cannot be drawn: ") + problem.what();
   }
   piece->GetPointData()->SetNormals(InkPointNormals(piece));
   return {};

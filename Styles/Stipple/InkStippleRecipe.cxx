@@ -37,7 +37,7 @@ namespace
 {
 
 /// Square thousandths of the height that a stipple of a mesh takes in a view of all of it where their number
-/// does not depend on the parameter: half of what presets have, as views are closer, too.
+/// does not depend on the parameter: two thirds of what most presets have, as views are closer, too.
 constexpr double UsualRoom = 4.0;
 
 /// The longest side of a mesh relative to the height of a view that shows all of it, as VTK resets cameras:
@@ -232,8 +232,8 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
 void InkStippleRecipe::OutlineImages(const InkLeaves& leaves, InkIsoSurface& isoSurface)
 {
   vtkInkStippleStyle* style = this->Style;
-  this->Say(style->Silhouettes->MakeOfImages(style, isoSurface, leaves.Images, style->Scalars,
-    style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
+  this->Say(style->Silhouettes->MakeOfImages(
+    style, isoSurface, leaves.Images, style->Scalars, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
 }
 
 void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)

@@ -2,6 +2,7 @@
 #include "Curves/Contours/ContourSurface.h"
 
 #include "Core/Hash.h"
+#include "Core/IsFinite.h"
 #include "Core/MortonOrder.h"
 #include "Core/ParallelChunks.h"
 #include "Core/ParallelSort.h"
@@ -22,11 +23,6 @@ namespace
 {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-bool isFinite(const glm::dvec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// The triangles whose points are finite, in the Morton order of their centers.
 std::vector<std::uint32_t> orderFaces(const TriangleMesh& mesh)

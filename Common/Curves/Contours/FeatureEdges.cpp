@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Contours/FeatureEdges.h"
 
+#include "Core/DisjointSets.h"
 #include "Curves/Contours/SurfaceEdges.h"
 
 #include <glm/common.hpp>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 
 namespace ink
@@ -45,21 +45,18 @@ class EdgeNetworks
 {
 public:
   explicit EdgeNetworks(std::size_t sites)
-    : Parents(sites)
+    : Sets(sites)
     , Degrees(sites)
     , Lengths(sites)
     , HasFreeEnd(sites)
   {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0u);
   }
 
   void join(std::span<const ContourSegment> edges)
   {
     for (const ContourSegment& edge : edges)
     {
-      const std::uint32_t a = this->rootOf(edge.from.corner0);
-      const std::uint32_t b = this->rootOf(edge.to.corner0);
-      this->Parents[std::max(a, b)] = std::min(a, b);
+      this->Sets.join(edge.from.corner0, edge.to.corner0);
       ++this->Degrees[edge.from.corner0];
       ++this->Degrees[edge.to.corner0];
     }
@@ -72,27 +69,21 @@ public:
     {
       const std::uint32_t from = edge.from.corner0;
       const std::uint32_t to = edge.to.corner0;
-      const std::uint32_t root = this->rootOf(from);
+      const std::uint32_t root = this->Sets.least(from);
       this->Lengths[root] += glm::distance(surface.corners[from].position, surface.corners[to].position);
       this->HasFreeEnd[root] |= this->Degrees[from] == 1 || this->Degrees[to] == 1;
     }
   }
 
-  double lengthAt(const ContourSegment& edge) { return this->Lengths[this->rootOf(edge.from.corner0)]; }
+  double lengthAt(const ContourSegment& edge) { return this->Lengths[this->Sets.least(edge.from.corner0)]; }
 
-  bool hasFreeEndAt(const ContourSegment& edge) { return this->HasFreeEnd[this->rootOf(edge.from.corner0)]; }
-
-private:
-  std::uint32_t rootOf(std::uint32_t site)
+  bool hasFreeEndAt(const ContourSegment& edge)
   {
-    while (this->Parents[site] != site)
-    {
-      site = this->Parents[site] = this->Parents[this->Parents[site]];
-    }
-    return site;
+    return this->HasFreeEnd[this->Sets.least(edge.from.corner0)];
   }
 
-  std::vector<std::uint32_t> Parents;
+private:
+  DisjointSets Sets;
   std::vector<std::uint32_t> Degrees;
   std::vector<double> Lengths;
   std::vector<std::uint8_t> HasFreeEnd;

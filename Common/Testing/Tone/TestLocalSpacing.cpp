@@ -320,6 +320,9 @@ TEST(AreaSamples, Areas)
   mesh.triangles.push_back({ 0, 0, 1 });
   mesh.points.push_back(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
   mesh.triangles.push_back({ 0, 1, 18 });
+  // Far from all others one of less area than floats can say.
+  mesh.points.insert(mesh.points.end(), { { -50.0, 0.0, 0.0 }, { -49.0, 0.0, 0.0 }, { -49.5, 1e-60, 0.0 } });
+  mesh.triangles.push_back({ 19, 20, 21 });
   const std::vector<glm::vec3> normals(mesh.points.size(), up(0.0));
   const AreaSamples samples = areaSamples(mesh.view(), normals, { 0.5, 0.5, 0.0 }, 0.1, 0.7f);
   const auto sum = [](const AreaSamples& of)
@@ -341,5 +344,6 @@ TEST(AreaSamples, Areas)
   for (std::size_t i = 0; i < fewer.size(); ++i)
   {
     EXPECT_EQ(fewer.normals[i], up(0.0));
+    EXPECT_TRUE(std::isfinite(fewer.positions[i].x));
   }
 }

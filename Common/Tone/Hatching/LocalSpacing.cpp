@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tone/Hatching/LocalSpacing.h"
 
+#include "Core/IsFinite.h"
 #include "Core/ParallelChunks.h"
 #include "Tone/Hatching/KernelSums.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -33,13 +33,10 @@ constexpr float mostRatio = 2.0f;
 /// Into which a segment of a stroke is cut; longer ones than any surface has are wrong.
 constexpr float mostCuts = 1e6f;
 
+constexpr std::size_t strokesPerChunk = 16;
+
 using Fractions = std::array<float, together>;
 using Ratios = std::array<float, together>;
-
-bool isFinite(const glm::vec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Parts of the surface, whose area is the first weight, and of strokes: their length as far as they are
 /// present with each fraction.
@@ -147,23 +144,22 @@ std::vector<SpacingRatios> localSpacing(
       }
       return own;
     };
-    parallelForChunks(strokes.priorities.size(),
-      [&](std::size_t, std::size_t begin, std::size_t end)
+    parallelForEach(
+      strokes.priorities.size(),
+      [&](std::size_t stroke)
       {
-        for (std::size_t stroke = begin; stroke < end; ++stroke)
+        // Or between the first of these fractions and the one before.
+        if (level == 0 || presence(spacingFraction(level - 1), strokes.priorities[stroke]) > 0.0f)
         {
-          // Or between the first of these fractions and the one before.
-          if (level == 0 || presence(spacingFraction(level - 1), strokes.priorities[stroke]) > 0.0f)
-          {
-            fillRatios(strokes, stroke, distance, of,
-              [&](std::size_t i, const Ratios& own)
-              {
-                ratios[i][level] = own[0];
-                ratios[i][level + 1] = own[1];
-              });
-          }
+          fillRatios(strokes, stroke, distance, of,
+            [&](std::size_t i, const Ratios& own)
+            {
+              ratios[i][level] = own[0];
+              ratios[i][level + 1] = own[1];
+            });
         }
-      });
+      },
+      strokesPerChunk);
   }
   return ratios;
 }

@@ -8,7 +8,6 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace ink::hatching

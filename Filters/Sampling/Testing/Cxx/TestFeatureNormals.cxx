@@ -9,8 +9,11 @@
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInkStippleGenerator.h"
 #include "vtkInkSurfaceSampler.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -95,9 +98,12 @@ TEST(SurfaceSamplerFeatures, BoxesHaveANormalForEachSide)
   EXPECT_EQ(InkWithFeatureNormals(split), split);
 }
 
-TEST(SurfaceSamplerFeatures, NormalsThatAreMeansOverEdgesAreReplaced)
+namespace
 {
-  const vtkSmartPointer<vtkPolyData> box = WeldedBox();
+
+/// Normals at the corners of a box that are the means of three faces.
+void AddMeans(vtkPolyData* box)
+{
   vtkNew<vtkDoubleArray> means;
   means->SetName("Normals");
   means->SetNumberOfComponents(3);
@@ -110,7 +116,56 @@ TEST(SurfaceSamplerFeatures, NormalsThatAreMeansOverEdgesAreReplaced)
       std::copysign(1.0, p[2]) / length);
   }
   box->GetPointData()->SetNormals(means);
+}
+
+} // namespace
+
+TEST(SurfaceSamplerFeatures, NormalsThatAreMeansOverEdgesAreReplaced)
+{
+  const vtkSmartPointer<vtkPolyData> box = WeldedBox();
+  AddMeans(box);
   EXPECT_GT(LeastLikeness(InkWithFeatureNormals(box)), 1.0 - 1e-6);
+}
+
+TEST(SurfaceSamplerFeatures, ArraysAreThoseOfAllPoints)
+{
+  const vtkSmartPointer<vtkPolyData> box = WeldedBox();
+  AddMeans(box);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Ids");
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    ids->InsertNextValue(i);
+  }
+  box->GetPointData()->SetGlobalIds(ids);
+  const vtkSmartPointer<vtkPolyData> split = InkWithFeatureNormals(box);
+  vtkPointData* data = split->GetPointData();
+  EXPECT_EQ(data->GetGlobalIds(), nullptr);
+  ASSERT_EQ(data->GetNumberOfArrays(), 2);
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    EXPECT_EQ(data->GetAbstractArray(i)->GetNumberOfTuples(), 24) << data->GetArrayName(i);
+  }
+}
+
+TEST(SurfaceSamplerFeatures, StipplesHaveTheColorsOfSplitMeshes)
+{
+  const vtkSmartPointer<vtkPolyData> box = WeldedBox();
+  AddMeans(box);
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(box);
+  generator->SetNumberOfSurfaceStipples(500);
+  generator->PassScalarsOn();
+  for (const char* name : { "Heat", "" })
+  {
+    generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+    generator->Update();
+    vtkPolyData* stipples = generator->GetOutput();
+    ASSERT_GT(stipples->GetNumberOfCells(), 0) << name;
+    vtkDataArray* heat = stipples->GetCellData()->GetArray("Heat");
+    ASSERT_TRUE(heat) << name;
+    EXPECT_EQ(heat->GetNumberOfTuples(), stipples->GetNumberOfCells());
+  }
 }
 
 TEST(SurfaceSamplerFeatures, SmoothMeshesKeepTheirs)

@@ -358,6 +358,12 @@ TEST(LinesOfCurvature, WhatIsWrongIsSaidOnce)
   flat->SetPoints(some);
   flat->SetPolys(faces);
   expect(flat, "no area", { "have no area; expected faces with three different points" });
+  vtkNew<vtkPoints> near;
+  near->InsertNextPoint(0.0, 0.0, 0.0);
+  near->InsertNextPoint(1.0, 0.0, 0.0);
+  near->InsertNextPoint(0.0, 1e-11, 0.0);
+  flat->SetPoints(near);
+  expect(flat, "less area than rounding tells", { "have no area; expected faces with three" });
 
   vtkNew<vtkPolyData> wrong;
   vtkNew<vtkCellArray> missing;
