@@ -46,7 +46,9 @@ constexpr std::uint32_t None = ink::MeshNavigation::border;
 class Sides
 {
 public:
-  Sides(const InkMeshTriangles& triangles, const ink::FeatureSplit& split)
+  /// @param isSplit for each point whether it has a side for each fan, or one alone
+  Sides(const InkMeshTriangles& triangles, const ink::FeatureSplit& split,
+    const std::vector<std::uint8_t>& isSplit)
     : Next(triangles.Points.size(), None)
   {
     for (std::uint32_t point = 0; point < this->Next.size(); ++point)
@@ -58,7 +60,10 @@ public:
       const ink::Triangle& fans = split.triangles[t];
       for (std::size_t i = 0; i < 3 && fans[0] != fans[1]; ++i)
       {
-        this->Add(triangles.Triangles[t][i], fans[i]);
+        if (isSplit[triangles.Triangles[t][i]])
+        {
+          this->Add(triangles.Triangles[t][i], fans[i]);
+        }
       }
     }
   }
@@ -67,7 +72,7 @@ public:
   std::size_t Find(std::uint32_t point, std::uint32_t fan) const
   {
     std::uint32_t side = point;
-    while (this->All[side].Fan != fan)
+    while (this->All[point].Fan != None && this->All[side].Fan != fan)
     {
       side = this->Next[side];
     }
@@ -96,6 +101,30 @@ private:
   std::vector<std::uint32_t> Next; ///< of each side, another one of the same point
   std::vector<Side> All;
 };
+
+/// The points whose normals do not do for all of their sides: given ones where they enclose more than the
+/// feature angle with that of a side, as the means over a box's edges do, but not those of a coarse sphere.
+std::vector<std::uint8_t> FindSplit(const InkMeshTriangles& triangles, const ink::FeatureSplit& split,
+  const std::vector<glm::vec3>& ofFans, bool isGiven)
+{
+  std::vector<std::uint8_t> isSplit(triangles.Points.size(), isGiven ? 0 : 1);
+  const auto leastCosine = static_cast<float>(std::cos(glm::radians(ink::defaultFeatureAngle)));
+  for (std::size_t t = 0; t < triangles.Triangles.size(); ++t)
+  {
+    const ink::Triangle& fans = split.triangles[t];
+    for (std::size_t i = 0; i < 3 && fans[0] != fans[1]; ++i)
+    {
+      const std::uint32_t point = triangles.Triangles[t][i];
+      const glm::vec3& own = triangles.Normals[point];
+      const glm::vec3& side = ofFans[fans[i]];
+      if (glm::dot(own, side) < leastCosine * glm::length(own) * glm::length(side))
+      {
+        isSplit[point] = 1;
+      }
+    }
+  }
+  return isSplit;
+}
 
 /// Polygons run the same way round as their neighbors, and strips become triangles.
 vtkSmartPointer<vtkPolyData> Oriented(vtkPolyData* mesh)
@@ -201,8 +230,8 @@ vtkSmartPointer<vtkPolyData> InkWithFeatureNormals(vtkPolyData* mesh)
     ink::MeshNavigation navigation(triangles.GetMesh(), 180.0);
     ink::cutFeatures(navigation);
     const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
-    const Sides sides(triangles, split);
     const std::vector<glm::vec3> ofFans = ink::splitNormals(split, triangles.GetMesh(), normals);
+    const Sides sides(triangles, split, FindSplit(triangles, split, ofFans, isGiven));
     for (std::size_t i = 0; i < sides.Get().size(); ++i)
     {
       const auto [point, fan] = sides.Get()[i];

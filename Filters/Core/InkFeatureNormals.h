@@ -12,8 +12,9 @@ class vtkPolyData;
 /// but strips become triangles, and all polygons beside strips.
 ///
 /// Without normals (InkPointNormals) they are computed, as InkMeshTriangles does, and polygons turned the
-/// same way round as their neighbors. Given ones are kept but where one point has to serve several sides:
-/// that mean is nobody's normal. A mesh with normals and without such points is returned itself.
+/// same way round as their neighbors. Given ones are kept but where they enclose more than
+/// ink::defaultFeatureAngle with that of a side: such means are nobody's normals. A mesh with normals and
+/// without such points is returned itself.
 /// @throws std::invalid_argument as InkMeshTriangles does
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> InkWithFeatureNormals(vtkPolyData* mesh);
 

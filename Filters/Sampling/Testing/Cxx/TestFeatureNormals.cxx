@@ -177,6 +177,9 @@ TEST(SurfaceSamplerFeatures, SmoothMeshesKeepTheirs)
   vtkPolyData* mesh = ball->GetOutput();
   EXPECT_EQ(InkWithFeatureNormals(mesh), mesh);
   EXPECT_FALSE(InkHasFeatureEdges(mesh));
+  vtkNew<vtkSphereSource> coarse; // with 45 degrees between its sides
+  coarse->Update();
+  EXPECT_EQ(InkWithFeatureNormals(coarse->GetOutput()), coarse->GetOutput());
   mesh->GetPointData()->SetNormals(nullptr);
   mesh->GetPointData()->RemoveArray("Normals");
   const vtkSmartPointer<vtkPolyData> found = InkWithFeatureNormals(mesh);
