@@ -19,11 +19,13 @@ public:
   {
     std::iota(this->Parents.begin(), this->Parents.end(), 0u);
   }
-  void join(std::uint32_t a, std::uint32_t b)
+  /// Whether the sets were distinct.
+  bool join(std::uint32_t a, std::uint32_t b)
   {
     a = this->least(a);
     b = this->least(b);
     this->Parents[std::max(a, b)] = std::min(a, b);
+    return a != b;
   }
   std::uint32_t least(std::uint32_t i)
   {

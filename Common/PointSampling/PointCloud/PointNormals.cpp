@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSampling/PointCloud/PointNormals.h"
 
+#include "Core/DisjointSets.h"
 #include "Core/KdTree.h"
 #include "Core/ParallelChunks.h"
 #include "Core/WeldedPoints.h"
@@ -36,43 +37,11 @@ struct Edge
   }
 };
 
-/// Disjoint sets of points.
-class Parts
-{
-public:
-  explicit Parts(std::size_t count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0u);
-  }
-
-  std::uint32_t find(std::uint32_t i)
-  {
-    while (this->Parent[i] != i)
-    {
-      i = this->Parent[i] = this->Parent[this->Parent[i]];
-    }
-    return i;
-  }
-
-  /// Whether the sets were distinct.
-  bool join(std::uint32_t a, std::uint32_t b)
-  {
-    a = this->find(a);
-    b = this->find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  std::vector<std::uint32_t> Parent;
-};
-
 /// Flips normals so that they agree along the tree's edges, starting from one point of each component.
 void orient(std::span<const glm::vec3> points, std::vector<Edge>& edges, std::vector<glm::vec3>& normals)
 {
   std::sort(edges.begin(), edges.end());
-  Parts parts(points.size());
+  DisjointSets parts(points.size());
   std::erase_if(edges, [&](const Edge& edge) { return !parts.join(edge.from, edge.to); });
 
   std::vector<std::uint32_t> begin(points.size() + 1);
@@ -94,14 +63,14 @@ void orient(std::span<const glm::vec3> points, std::vector<Edge>& edges, std::ve
   std::vector<std::uint32_t> size(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
   {
-    middle[parts.find(i)] += glm::dvec3(points[i]);
-    ++size[parts.find(i)];
+    middle[parts.least(i)] += glm::dvec3(points[i]);
+    ++size[parts.least(i)];
   }
   std::vector<double> farthest(points.size(), -1.0);
   std::vector<std::uint32_t> root(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
   {
-    const std::uint32_t part = parts.find(i);
+    const std::uint32_t part = parts.least(i);
     const glm::dvec3 offset = glm::dvec3(points[i]) - middle[part] / static_cast<double>(size[part]);
     if (const double distance = glm::dot(offset, offset); distance > farthest[part])
     {

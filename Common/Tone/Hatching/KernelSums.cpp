@@ -54,14 +54,11 @@ KernelSums::KernelSums(std::vector<Sample> samples, float radius)
   this->Edge = std::max({ radius, std::sqrt(extent.y / most * extent.z), extent.y / most, extent.z / most });
   this->Rows = glm::ivec2(glm::vec2(extent.y, extent.z) / this->Edge) + 3;
   std::vector<Key> order(samples.size());
-  parallelForChunks(samples.size(),
-    [&](std::size_t, std::size_t begin, std::size_t end)
+  parallelForEach(samples.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const glm::ivec2 row = this->rowOf(samples[i].position);
-        order[i] = { this->indexOf(row.x, row.y), samples[i].position.x, static_cast<std::uint32_t>(i) };
-      }
+      const glm::ivec2 row = this->rowOf(samples[i].position);
+      order[i] = { this->indexOf(row.x, row.y), samples[i].position.x, static_cast<std::uint32_t>(i) };
     });
   parallelSort(order.begin(), order.end());
   this->Begins.assign(this->indexOf(0, this->Rows.y) + 1, 0);

@@ -19,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangle.h"
 
@@ -30,20 +31,26 @@
 namespace
 {
 
+/// A source's polygons, without its normals, with one point at each position.
+vtkSmartPointer<vtkPolyData> Welded(vtkPolyDataAlgorithm* source)
+{
+  source->Update();
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(source->GetOutput()->GetPoints());
+  bare->SetPolys(source->GetOutput()->GetPolys());
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(bare);
+  clean->Update();
+  return clean->GetOutput();
+}
+
 /// Eight points, six quads, a value at each point.
 vtkSmartPointer<vtkPolyData> WeldedBox()
 {
   vtkNew<vtkCubeSource> cube;
   cube->SetXLength(3.0);
   cube->SetYLength(2.0);
-  cube->Update();
-  vtkNew<vtkPolyData> bare;
-  bare->SetPoints(cube->GetOutput()->GetPoints());
-  bare->SetPolys(cube->GetOutput()->GetPolys());
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(bare);
-  clean->Update();
-  vtkSmartPointer<vtkPolyData> box = clean->GetOutput();
+  vtkSmartPointer<vtkPolyData> box = Welded(cube);
   vtkNew<vtkDoubleArray> heat;
   heat->SetName("Heat");
   for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
@@ -193,14 +200,7 @@ TEST(SurfaceSamplerFeatures, StripsAndPolygonsOfManyCorners)
   // A cylinder's side and caps of 24 corners, welded; and a strip of two faces of a roof.
   vtkNew<vtkCylinderSource> cylinder;
   cylinder->SetResolution(24);
-  cylinder->Update();
-  vtkNew<vtkPolyData> bare;
-  bare->SetPoints(cylinder->GetOutput()->GetPoints());
-  bare->SetPolys(cylinder->GetOutput()->GetPolys());
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(bare);
-  clean->Update();
-  const vtkSmartPointer<vtkPolyData> drum = InkWithFeatureNormals(clean->GetOutput());
+  const vtkSmartPointer<vtkPolyData> drum = InkWithFeatureNormals(Welded(cylinder));
   EXPECT_EQ(drum->GetNumberOfPoints(), 96);
   EXPECT_EQ(drum->GetNumberOfPolys(), 26);
   EXPECT_GT(LeastLikeness(drum), std::cos(0.14)); // half of the 15 degrees of a side
