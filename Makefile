@@ -11,9 +11,8 @@
 help: ## List the targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
 
-# Faster from nothing; with `make test` Common stays as the other build finds it in the compiler cache.
-demo: export INK_UNITY_BUILD := ON
-test: export INK_UNITY_BUILD := MODULES
+# Faster from nothing.
+demo test: export INK_UNITY_BUILD := ON
 
 demo: setup-headless build-ink ## Set up, build, and draw a CT scan of an engine to pictures
 	@Utilities/demo.sh

@@ -39,9 +39,7 @@ function (ink_module_options module)
 endfunction ()
 
 # Much of what a compiler does is to read headers and to compile what they define, for each source anew.
-set(VTKINK_UNITY_BUILD OFF CACHE STRING
-  "Compile a folder's sources together, faster from nothing and slower after a change: ON, MODULES (all but Common) or OFF")
-set_property(CACHE VTKINK_UNITY_BUILD PROPERTY STRINGS ON MODULES OFF)
+option(VTKINK_UNITY_BUILD "Compile a folder's sources together, faster from nothing and slower after a change" OFF)
 
 # Lets a library or program be compiled so, a dozen sources at most at once. Names in anonymous namespaces have to differ
 # within a folder.

@@ -9,6 +9,7 @@ set(_ink_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Strokes/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/IO/Core/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/IO/Mesh/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/IO/Picture/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/IO/Volume/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Core/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/SplattingLines/vtk.module"

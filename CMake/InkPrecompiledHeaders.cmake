@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Most of what a compiler does for a source that uses VTK, and for a test, is to read the same headers of VTK, of
 # GoogleTest and of the standard library. VTKINK_PRECOMPILED_HEADERS says for which sources it reads them once. Each source
-# includes what it needs all the same: where they are not precompiled, as in the ParaView preset's libraries and in builds
-# through a compiler cache, it shows where one does not.
+# includes what it needs all the same (Testing/Python/test_includes.py): they are not precompiled in the ParaView preset's
+# libraries and in builds through a compiler cache.
 set(VTKINK_PRECOMPILED_HEADERS OFF CACHE STRING "Read common headers once, not for each source: ON, TESTS (of tests alone) or OFF")
 set_property(CACHE VTKINK_PRECOMPILED_HEADERS PROPERTY STRINGS ON TESTS OFF)
 

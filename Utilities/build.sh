@@ -3,7 +3,7 @@
 # Configures a preset and builds all of it, or some targets only:
 #   Utilities/build.sh headless|paraview|asan|tsan|aarch64 [--target NAME]... [more CMake arguments]
 # What is left is built by the next call without --target, in the same tree. Utilities/jobs.sh says how many compilers
-# run at once. INK_UNITY_BUILD is VTKINK_UNITY_BUILD of the headless preset where it makes a new tree.
+# run at once. INK_UNITY_BUILD is VTKINK_UNITY_BUILD where it makes a new tree.
 set -euo pipefail
 
 preset="${1:?usage: Utilities/build.sh headless|paraview|asan|tsan|aarch64 [--target NAME]... [CMake arguments]}"
@@ -26,13 +26,13 @@ if [ "$preset" != paraview ] && [ "$preset" != aarch64 ]; then
   fi
 fi
 
-if [ "$preset" = headless ] && [ -n "${INK_UNITY_BUILD:-}" ] && [ ! -e build/headless/CMakeCache.txt ]; then
+if [ -n "${INK_UNITY_BUILD:-}" ] && [ ! -e "build/$preset/CMakeCache.txt" ]; then
   set -- "-DVTKINK_UNITY_BUILD=$INK_UNITY_BUILD" "$@"
 fi
 
-# Common is compiled once for builds with either VTK.
+# Common is compiled once for builds with either VTK; paths below the root are relative, as build trees are named.
 if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER:-}" ] && command -v ccache >/dev/null; then
-  set -- "-DVTKINK_COMMON_LAUNCHER=cmake;-E;env;CCACHE_DIR=$root/build/ccache;CCACHE_DEPEND=1;ccache" "$@"
+  set -- "-DVTKINK_COMMON_LAUNCHER=cmake;-E;env;CCACHE_DIR=$root/build/ccache;CCACHE_DEPEND=1;CCACHE_BASEDIR=$root;ccache" "$@"
 fi
 
 log="build/$preset.log"

@@ -25,24 +25,27 @@ fi
 . "$INK_BUILD/environment.sh"
 
 PATH="$INK_BUILD/$INK_BUILD_BINDIR:$PATH"
-if [ "$INK_BUILD_WRAPPED" = ON ]; then
-  INK_PYTHON="$INK_BUILD_PYTHON"
-  PYTHONPATH="$INK_BUILD/$INK_BUILD_PYTHONDIR${PYTHONPATH:+:$PYTHONPATH}"
-else
-  # Without vtkink, Python still runs the tests of ink.
-  INK_PYTHON="$("$INK_ROOT/Utilities/find-python.sh" || echo /usr/bin/python3)"
-fi
-# The modules of a VTK from PyPI lie beside its SDK, with NumPy and more for one version of Python: in an environment of
-# that Python's (PEP 405), since all others would find them on PYTHONPATH, too, and fail.
 if [ -d "$INK_ROOT/build/vtk-headless" ] && [ "$INK_PRESET" != paraview ]; then
-  if [ "$INK_BUILD_WRAPPED" = ON ]; then
-    INK_PYTHON="$("$INK_ROOT/Utilities/python-environment.sh" "$INK_BUILD_PYTHON" "$INK_BUILD/python" \
-      "$INK_ROOT/build/vtk-headless")"
-  fi
+  INK_VTK="$INK_ROOT/build/vtk-headless"
   # No display needed: draw with OSMesa unless the caller chose otherwise.
   VTK_DEFAULT_OPENGL_WINDOW="${VTK_DEFAULT_OPENGL_WINDOW:-vtkOSOpenGLRenderWindow}"
   export VTK_DEFAULT_OPENGL_WINDOW
+else
+  INK_VTK=""
 fi
+if [ "$INK_BUILD_WRAPPED" != ON ]; then
+  # Without vtkink, Python still runs the tests of ink.
+  INK_PYTHON="$("$INK_ROOT/Utilities/find-python.sh" || echo /usr/bin/python3)"
+elif [ -n "$INK_VTK" ]; then
+  # The modules of a VTK from PyPI lie beside its SDK, with NumPy and more for one version of Python: in an environment of
+  # that Python's (PEP 405), vtkink too, since all others would find them on PYTHONPATH and fail.
+  INK_PYTHON="$("$INK_ROOT/Utilities/python-environment.sh" "$INK_BUILD_PYTHON" "$INK_BUILD/python" \
+    "$INK_BUILD/$INK_BUILD_PYTHONDIR" "$INK_VTK")"
+else
+  INK_PYTHON="$INK_BUILD_PYTHON"
+  PYTHONPATH="$INK_BUILD/$INK_BUILD_PYTHONDIR${PYTHONPATH:+:$PYTHONPATH}"
+fi
+unset INK_VTK
 if [ -n "$INK_BUILD_PLUGINDIR" ]; then
   PV_PLUGIN_PATH="$INK_BUILD/$INK_BUILD_PLUGINDIR${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}"
   export PV_PLUGIN_PATH

@@ -2,14 +2,19 @@
 """What Utilities/pictures.sh needs beside ink: meshes, phantoms, and pictures beside each other in few bytes.
 
     pictures.py mesh VOLUME.nii.gz ISO_VALUE OUT.ply
+    pictures.py coarse OUT.vtp
+    pictures.py holes MESH.ply OUT.vtp
     pictures.py phantom SURFACE VOXELS SLICE_DISTANCE TYPE NOISE OUT.vti OUT.vtp
     pictures.py scan NAME OUT.vti
     pictures.py scatter MESH.ply OUT.png
+    pictures.py prefixes MESH.ply OUT.png OUT.png OUT.png
+    pictures.py combing MESH.ply OUT.png OUT.png
     pictures.py texture OUT.png
     pictures.py edges OUT.vtp SHEETS.vtp
+    pictures.py strokes TEXTURE.png OUT.png
     pictures.py join OUT.png PICTURE.png ...
 
-The last two of a phantom are its volume and the surface's mesh; Testing/Benchmarks/phantoms.py and scan_phantoms.py have the
+The last two of a phantom are its volume and the surface's mesh; Testing/Benchmarks/phantom_surfaces.py and scan_phantoms.py have the
 surfaces and scans.
 """
 
@@ -20,7 +25,7 @@ import sys
 import zlib
 
 import numpy as np
-from vtkink import VTK_PACKAGE, vtk, vtkInkLinesOfCurvature, vtkInkStrokeMapper
+from vtkink import VTK_PACKAGE, vtk, vtkInkLineArtStyle, vtkInkLinesOfCurvature, vtkInkStrokeMapper
 
 GAP = 8
 GRAYS = 16
@@ -37,6 +42,31 @@ def mesh(volume, iso_value, out):
     writer.Write()
 
 
+def coarse(out):
+    """A torus of 24 times 12 quadrangles, with normals."""
+    source = vtk.vtkSuperquadricSource()
+    source.ToroidalOn()
+    source.SetThetaResolution(24)
+    source.SetPhiResolution(12)
+    source.Update()
+    write(vtk.vtkXMLPolyDataWriter(), source.GetOutput(), out)
+
+
+def holes(path, out):
+    """As scans have them: one triangle in 100 is lacking."""
+    reader, kept = vtk.vtkPLYReader(), vtk.vtkPolyData()
+    reader.SetFileName(path)
+    reader.Update()
+    whole, polygons = reader.GetOutput(), vtk.vtkCellArray()
+    corners = vtk.vtkIdList()
+    for cell in np.flatnonzero(np.random.default_rng(1).random(whole.GetNumberOfCells()) > 0.01):
+        whole.GetCellPoints(cell, corners)
+        polygons.InsertNextCell(corners)
+    kept.SetPoints(whole.GetPoints())
+    kept.SetPolys(polygons)
+    write(vtk.vtkXMLPolyDataWriter(), kept, out)
+
+
 def phantoms_module(name="phantoms"):
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Testing" / "Benchmarks"))
     return importlib.import_module(name)
@@ -51,7 +81,7 @@ def write(writer, data, path):
 def phantom(name, voxels, slice_distance, dtype, noise, volume, surface):
     phantoms = phantoms_module()
     grid = phantoms.cube(int(voxels), int(slice_distance))
-    surfaces = phantoms.SURFACES[name](grid)
+    surfaces = phantoms_module("phantom_surfaces").SURFACES[name](grid)
     write(vtk.vtkXMLImageDataWriter(), phantoms.image(phantoms.voxelize(surfaces, grid, dtype, float(noise))), volume)
     write(vtk.vtkXMLPolyDataWriter(), phantoms.mesh(surfaces[0]), surface)
 
@@ -61,29 +91,24 @@ def scan(name, volume):
     write(vtk.vtkXMLImageDataWriter(), phantoms_module().image(phantom), volume)
 
 
-def scatter(path, out, size=(360, 320)):
-    """Lines of curvature as published: scattered by area, four times as densely where the surface is bent, all alike."""
-    reader, normals, camera = vtk.vtkPLYReader(), vtk.vtkPolyDataNormals(), vtk.vtkCamera()
+def surface_of(path):
+    """A mesh with normals that point out of it."""
+    reader, normals = vtk.vtkPLYReader(), vtk.vtkPolyDataNormals()
     reader.SetFileName(path)
     normals.SetInputConnection(reader.GetOutputPort())
     normals.SplittingOff()
     normals.AutoOrientNormalsOn()
     normals.Update()
-    surface = normals.GetOutput()
-    lines, mapper = vtkInkLinesOfCurvature(), vtkInkStrokeMapper()
-    lines.SetInputData(surface)
-    lines.SetSeedingToAreaScatter()
-    lines.SetNumberOfSeeds(1500)
-    lines.SetMaximumLength(0.05 * surface.GetLength())
-    lines.SetCurvatureThreshold(30 / surface.GetLength())
-    lines.SetCurvatureFactor(4)
-    mapper.SetInputConnection(lines.GetOutputPort())
-    mapper.SetSurfaceData(surface)
-    mapper.SetLineWidth(2)
-    actor, renderer, window = vtk.vtkActor(), vtk.vtkRenderer(), vtk.vtkRenderWindow()
-    actor.SetMapper(mapper)
+    return normals.GetOutput()
+
+
+def draw_sideways(actor, out, size, light=None):
+    """A mesh that stands with z up, from +x."""
+    renderer, window, camera = vtk.vtkRenderer(), vtk.vtkRenderWindow(), vtk.vtkCamera()
     renderer.AddActor(actor)
     renderer.SetBackground(1, 1, 1)
+    if light:
+        renderer.AddLight(light)
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
     window.SetSize(*size)
@@ -101,6 +126,50 @@ def scatter(path, out, size=(360, 320)):
     writer.Write()
 
 
+def drawn_lines(lines, surface):
+    mapper, actor = vtkInkStrokeMapper(), vtk.vtkActor()
+    mapper.SetInputConnection(lines.GetOutputPort())
+    mapper.SetSurfaceData(surface)
+    mapper.SetLineWidth(2)
+    actor.SetMapper(mapper)
+    return mapper, actor
+
+
+def scatter(path, out):
+    """Lines of curvature as published: scattered by area, four times as densely where the surface is bent, all alike."""
+    surface, lines = surface_of(path), vtkInkLinesOfCurvature()
+    lines.SetInputData(surface)
+    lines.SetSeedingToAreaScatter()
+    lines.SetNumberOfSeeds(1500)
+    lines.SetMaximumLength(0.05 * surface.GetLength())
+    lines.SetCurvatureThreshold(30 / surface.GetLength())
+    lines.SetCurvatureFactor(4)
+    draw_sideways(drawn_lines(lines, surface)[1], out, (360, 320))
+
+
+def prefixes(path, *out):
+    """Lines of maximum curvature: a tenth of them, two fifths, and all."""
+    surface, lines = surface_of(path), vtkInkLinesOfCurvature()
+    lines.SetInputData(surface)
+    lines.SetSpacing(0.006 * surface.GetLength())
+    mapper, actor = drawn_lines(lines, surface)
+    for density, name in zip((0.1, 0.4, 1), out):
+        mapper.SetDensity(density)
+        draw_sideways(actor, name, (300, 267))
+
+
+def combing(path, *out):
+    """Line art by the sign of curvatures, and combed."""
+    surface = surface_of(path)
+    for combed, name in zip((False, True), out):
+        style = vtkInkLineArtStyle()
+        style.GetLinesOfCurvature().SetCombDirections(combed)
+        style.SetPictureSize(620)
+        style.SetPictureHeight(640)
+        style.Draw(surface)
+        draw_sideways(style.GetActor(), name, (620, 640), style.GetLight())
+
+
 def texture(out, width=256, height=32):
     """How much ink a pencil leaves: less at its sides, and where the paper has pits. The end goes on with the begin."""
     noise = np.fft.fft2(np.random.default_rng(1).standard_normal((height, width)))
@@ -113,6 +182,68 @@ def texture(out, width=256, height=32):
     numpy_support = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support")
     image.GetPointData().SetScalars(numpy_support.numpy_to_vtk((255 * ink).round().astype("u1").ravel(), deep=True))
     write(vtk.vtkPNGWriter(), image, out)
+
+
+def strokes(texture_file, out, size=150):
+    """A stroke with two corners and a bow, drawn in several ways side by side, in pixels."""
+    bow = np.linspace(np.pi, -0.6 * np.pi, 60)
+    corners = [(16, 24), (46, 118), (70, 24)]
+    points = np.array(corners + [(113 + 29 * np.cos(a), 78 + 46 * np.sin(a)) for a in bow])
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(texture_file)
+    reader.Update()
+
+    def dashes(mapper):
+        mapper.DashedOn()
+        mapper.SetDashLength(18)
+        mapper.SetGapLength(14)
+        mapper.SetLineWidth(6)
+
+    def pencil(mapper):
+        mapper.SetTexture(reader.GetOutput())
+        mapper.SetTextureLength(8)
+
+    ways = (
+        lambda mapper: None,
+        lambda mapper: (mapper.SetJoinToMiter(), mapper.SetCapToButt()),
+        dashes,
+        lambda mapper: mapper.SetTaper(0.9),
+        lambda mapper: mapper.SetInputArrayToProcess(0, 0, 0, 0, "Swelling"),
+        pencil,
+    )
+    window, picture, writer = vtk.vtkRenderWindow(), vtk.vtkWindowToImageFilter(), vtk.vtkPNGWriter()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(size * len(ways), size)
+    for i, way in enumerate(ways):
+        data, lines, swelling = vtk.vtkPolyData(), vtk.vtkCellArray(), vtk.vtkFloatArray()
+        data.SetPoints(vtk.vtkPoints())
+        swelling.SetName("Swelling")
+        lines.InsertNextCell(len(points))
+        for x, y in points:
+            lines.InsertCellPoint(data.GetPoints().InsertNextPoint(x, y, 0))
+            swelling.InsertNextValue(0.2 + 1.2 * np.sin(0.06 * y) ** 2)
+        data.SetLines(lines)
+        data.GetPointData().AddArray(swelling)
+        mapper, actor, renderer = vtkInkStrokeMapper(), vtk.vtkActor(), vtk.vtkRenderer()
+        mapper.SetInputData(data)
+        mapper.SetSizeUnitToPixels()
+        mapper.SetLineWidth(10)
+        way(mapper)
+        actor.SetMapper(mapper)
+        renderer.AddActor(actor)
+        renderer.SetBackground(1, 1, 1)
+        renderer.SetViewport(i / len(ways), 0, (i + 1) / len(ways), 1)
+        camera = renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(size / 2)
+        camera.SetFocalPoint(size / 2, size / 2, 0)
+        camera.SetPosition(size / 2, size / 2, 100)
+        window.AddRenderer(renderer)
+    picture.SetInput(window)
+    writer.SetInputConnection(picture.GetOutputPort())
+    writer.SetFileName(out)
+    writer.Write()
 
 
 def edges(out, sheets_alone):
@@ -200,4 +331,5 @@ def join(out, *paths):
 
 
 if __name__ == "__main__":
-    {"mesh": mesh, "phantom": phantom, "scan": scan, "scatter": scatter, "texture": texture, "edges": edges, "join": join}[sys.argv[1]](*sys.argv[2:])
+    {"mesh": mesh, "coarse": coarse, "holes": holes, "phantom": phantom, "scan": scan, "scatter": scatter, "prefixes": prefixes, "combing": combing,
+     "texture": texture, "edges": edges, "strokes": strokes, "join": join}[sys.argv[1]](*sys.argv[2:])

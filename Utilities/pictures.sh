@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Draws the pictures of Documentation/contours.md, illustration.md, line-art.md, stipple.md, splatting-lines.md and
+# Draws the pictures of Documentation/contours.md, illustration.md, line-art.md, stipple.md, splatting-lines.md, strokes.md and
 # picture-quality.md with the headless build, those of one page with its name:
-#   Utilities/pictures.sh [contours|illustration|line-art|stipple|splatting-lines|quality]
+#   Utilities/pictures.sh [contours|illustration|line-art|stipple|splatting-lines|strokes|quality]
 # Most are pairs, without and with what they show.
 set -euo pipefail
 
@@ -45,7 +45,7 @@ stipple_pictures() {
   series resolution "$block --lighting off --distance 0 --pixels-per-stipple 16" "--resolution off" "--resolution -2,1"
   series lighting "$block --distance 0" "--lighting off" "--lighting 1"
   series distance "$engine" "--distance 0" "--distance 0.5"
-  series size "$engine" "--distance-ks 1,0 --interior-ks 0.3,0" "--distance-ks 1,1 --interior-ks 0.3,1"
+  series size "$engine" "--distance-curve 1,0 --interior-curve 0.3,0" "--distance-curve 1,1 --interior-curve 0.3,1"
   series interior "$bonsai" "--interior 0" "--interior 0.4"
   series color "$block" "" "--color 1"
   series occluder "Data/engine.nii.gz --view iso" "--stipple-source volume" "--iso 80"
@@ -77,6 +77,8 @@ contours_pictures() {
   series kinds "$edges" "" "--no-silhouettes" "--no-creases" "--no-borders" "--non-manifold-edges" "--feature-angle 70"
   series faceted "$work/engine.ply --view iso --zoom 6 --no-creases --line-width 5" "" "--faceted"
   series creases "$work/engine.ply --view iso" "--no-creases" "--shortest-crease 0" "" "--feature-angle 80"
+  "$INK_PYTHON" Utilities/pictures.py holes "$work/engine.ply" "$work/holes.vtp"
+  series borders "$work/holes.vtp --view iso" "--shortest-border 0" ""
   series hidden-lines "$edges" "--hidden-opacity 0.2" "--hidden-opacity 0.7" "--dash-length 10 --gap-length 10" \
     "--dash-length 30 --gap-length 10" "--dash-length 10 --gap-length 30"
   series parts-of-lines "$bonsai --zoom 3" "--shortest-part 0" "" "--shortest-part 33"
@@ -132,17 +134,30 @@ line_art_pictures() {
     picture published-3 "$plain --density 0.3"
     "$INK_PYTHON" Utilities/pictures.py join "$images/line-art-published.png" "$work"/line-art-published-{1,2,3,scatter}.png
     echo "$images/line-art-published.png"
+    "$INK_PYTHON" Utilities/pictures.py combing "$INK_MESHES/horse.ply" "$work"/line-art-combing-{0,1}.png
+    "$INK_PYTHON" Utilities/pictures.py join "$images/line-art-combing.png" "$work"/line-art-combing-{0,1}.png
+    echo "$images/line-art-combing.png"
+    "$INK_PYTHON" Utilities/pictures.py prefixes "$INK_MESHES/horse.ply" "$work"/lines-of-curvature-{0,1,2}.png
+    "$INK_PYTHON" Utilities/pictures.py join "$images/lines-of-curvature.png" "$work"/lines-of-curvature-{0,1,2}.png
+    echo "$images/lines-of-curvature.png"
   fi
   if [ -f "${INK_MESHES:-}/cranium.nii.gz" ] && [ -f "$INK_MESHES/bunny.ply" ]; then
     size=280x280
     series subjects "--density 0.4" "$INK_MESHES/bunny.ply --up y" "$INK_MESHES/horse.ply" "Data/engine.nii.gz --iso 80 --view iso" \
       "$INK_MESHES/cranium.nii.gz --iso 300 --largest-parts 1"
+    ink render "$INK_MESHES/cranium.nii.gz" --iso 300 --largest-parts 1 --tone 0.6 --style line-art --size 900x900 --quiet \
+      -o "$work/skull.png"
+    "$INK_PYTHON" Utilities/pictures.py join "$images/line-art-skull.png" "$work/skull.png"
+    echo "$images/line-art-skull.png"
   fi
 }
 
 illustration_pictures() {
   ink render Data/engine.nii.gz --iso 80 --view iso --size 1000x800 -o "$images/illustration.png"
   echo "$images/illustration.png"
+  local style=illustration
+  "$INK_PYTHON" Utilities/pictures.py coarse "$work/coarse.vtp"
+  series coarse "$work/coarse.vtp --up y --view iso" "--no-curved-meshes" ""
 }
 
 lines_pictures() {
@@ -177,6 +192,12 @@ lines_pictures() {
   series noise "--view iso" "$work/white.vtp" "$work/blue.vtp"
 }
 
+strokes_pictures() {
+  "$INK_PYTHON" Utilities/pictures.py strokes Data/pencil.png "$work/strokes.png"
+  "$INK_PYTHON" Utilities/pictures.py join "$images/strokes.png" "$work/strokes.png"
+  echo "$images/strokes.png"
+}
+
 # Each: the surface's mesh, its volume as it was drawn before, and as it is by default.
 quality_pictures() {
   local style name file
@@ -201,7 +222,8 @@ case "${1:-all}" in
   stipple) stipple_pictures ;;
   illustration) illustration_pictures ;;
   splatting-lines) lines_pictures ;;
+  strokes) strokes_pictures ;;
   quality) quality_pictures ;;
-  all) contours_pictures && illustration_pictures && line_art_pictures && stipple_pictures && lines_pictures && quality_pictures ;;
-  *) echo "pictures: found '$1', expected contours, illustration, line-art, stipple, splatting-lines or quality" >&2 && exit 2 ;;
+  all) contours_pictures && illustration_pictures && line_art_pictures && stipple_pictures && lines_pictures && strokes_pictures && quality_pictures ;;
+  *) echo "pictures: found '$1', expected contours, illustration, line-art, stipple, splatting-lines, strokes or quality" >&2 && exit 2 ;;
 esac

@@ -69,6 +69,11 @@ void Progress::at(double done)
   this->show(done);
 }
 
+std::function<void(double)> Progress::watcher()
+{
+  return this->Visible ? [this](double done) { this->show(done); } : std::function<void(double)>();
+}
+
 void Progress::show(double done)
 {
   const int percent = static_cast<int>(100 * (this->Begin + done * (this->End - this->Begin)));

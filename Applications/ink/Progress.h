@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 
 class vtkAlgorithm;
@@ -30,6 +31,9 @@ public:
 
   /// Shows how far the step is, from 0 to 1.
   void at(double done);
+
+  /// The same, for work that takes longer when it is watched; empty if nobody can watch.
+  std::function<void(double)> watcher();
 
   /// Takes the line away.
   void finish();

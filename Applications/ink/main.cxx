@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -59,9 +61,7 @@ int run(int argc, char* argv[])
   return std::cout.flush() ? Success : report(Failed, "cannot write to the standard output stream");
 }
 
-} // namespace
-
-int main(int argc, char* argv[])
+int runReportingErrors(int argc, char* argv[])
 {
   // What VTK logs about its choice of a window, say, is not for the users of ink.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
@@ -81,4 +81,17 @@ int main(int argc, char* argv[])
   {
     return report(Failed, error.what());
   }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const int code = runReportingErrors(argc, argv);
+  // All is written and closed. Without libraries' clean-up: VTK's pool of threads (vtkSMPThreadPool, up to 9.7 at
+  // least) wakes a thread that has not yet begun to wait, which is lost, and joins it for ever.
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+  std::_Exit(code);
 }

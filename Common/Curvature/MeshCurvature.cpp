@@ -2,6 +2,7 @@
 #include "Curvature/MeshCurvature.h"
 
 #include "Core/ParallelChunks.h"
+#include "Core/UnitOrZero.h"
 #include "Curvature/CurvatureDiffusion.h"
 #include "Curvature/ExponentialMapFit.h"
 #include "Curvature/RingFit.h"
@@ -29,12 +30,6 @@ namespace
 
 constexpr std::size_t pointsPerChunk = 512;
 
-glm::dvec3 unitOrZero(const glm::dvec3& v)
-{
-  const double length = glm::length(v);
-  return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
-}
-
 /// The unit normals of sites, zero where unknown.
 std::vector<glm::dvec3> siteNormals(
   const TriangleMesh& mesh, const SurfaceRings& rings, std::span<const glm::vec3> normals)
@@ -43,7 +38,7 @@ std::vector<glm::dvec3> siteNormals(
   // Several points of a site add up.
   for (std::size_t point = 0; point < normals.size(); ++point)
   {
-    result[rings.site(point)] += unitOrZero(normals[point]);
+    result[rings.site(point)] += unitOrZero(glm::dvec3(normals[point]));
   }
   parallelForEach(result.size(),
     [&](std::size_t site)
@@ -181,6 +176,126 @@ int curvatureReach(const CurvatureOptions& options)
   return diffuses(options) ? std::max(options.rings, diffused) : options.rings;
 }
 
+namespace
+{
+
+/// The estimates at single sites, which go into one result.
+class SiteCurvature
+{
+public:
+  /// All are kept as references.
+  SiteCurvature(const TriangleMesh& mesh, const SurfaceRings& rings, std::span<const glm::dvec3> up,
+    const CurvatureOptions& options, MeshCurvature& result)
+    : Mesh(mesh)
+    , Rings(rings)
+    , Up(up)
+    , Options(options)
+    , Result(result)
+    , Fitter(mesh.points, rings, up, options)
+    , Noise(diffuses(options) ? rings.size() : 0)
+  {
+  }
+
+  const RingFit& fitter() const { return this->Fitter; }
+  std::span<CurvatureNoise> noise() { return this->Noise; }
+
+  void estimate(std::uint32_t site, Scratch& scratch)
+  {
+    const RingShape shape = this->Rings.shape(site);
+    if (shape == RingShape::Isolated || glm::dot(this->Up[site], this->Up[site]) == 0.0)
+    {
+      return;
+    }
+    if (this->Options.estimator == CurvatureEstimator::Jet ? this->fitJet(site, scratch)
+                                                           : this->fitPaper(site, scratch))
+    {
+      this->Result.sources[site] =
+        shape == RingShape::Closed ? CurvatureSource::Surface : CurvatureSource::Border;
+    }
+  }
+
+private:
+  std::optional<JetFit> fitRings(std::uint32_t site, Scratch& scratch)
+  {
+    if (diffuses(this->Options))
+    {
+      const std::optional<JetFit> fit = this->Fitter.fitFewest(site, scratch.front);
+      if (fit && canBeAveraged(*fit))
+      {
+        this->Noise[site] = noiseOf(*fit, this->MostPasses);
+        return fit;
+      }
+    }
+    return this->Fitter.fit(site, scratch.front);
+  }
+
+  bool fitJet(std::uint32_t site, Scratch& scratch)
+  {
+    if (const std::optional<JetFit> fit = this->fitRings(site, scratch))
+    {
+      this->Result.points[site] = fit->curvature;
+      if (this->Options.derivatives)
+      {
+        this->Result.derivatives[site] = fit->derivative;
+      }
+      return true;
+    }
+    const std::optional<PrincipalCurvature> pinned = this->Fitter.fitPinned(site, scratch.front);
+    this->Result.points[site] = pinned.value_or(PrincipalCurvature());
+    return pinned.has_value();
+  }
+
+  /// As published, by the exponential map.
+  bool fitPaper(std::uint32_t site, Scratch& scratch)
+  {
+    scratch.ring.clear();
+    for (const std::uint32_t neighbor : this->Rings.ring(site))
+    {
+      scratch.ring.push_back(this->Mesh.points[neighbor] - this->Mesh.points[site]);
+    }
+    // The ring runs as its first triangle does, which may be seen from inside.
+    glm::dvec3 area(0.0);
+    for (std::size_t i = 0; i < scratch.ring.size(); ++i)
+    {
+      area += glm::cross(scratch.ring[i], scratch.ring[(i + 1) % scratch.ring.size()]);
+    }
+    if (glm::dot(area, this->Up[site]) < 0.0)
+    {
+      std::reverse(scratch.ring.begin(), scratch.ring.end());
+    }
+    return this->Rings.shape(site) == RingShape::Closed &&
+      fitExponentialMap(scratch.ring, scratch.unfolded, this->Result.points[site]);
+  }
+
+  const TriangleMesh& Mesh;
+  const SurfaceRings& Rings;
+  std::span<const glm::dvec3> Up;
+  const CurvatureOptions& Options;
+  MeshCurvature& Result;
+  const RingFit Fitter;
+  const int MostPasses = passesForRings(Options.rings);
+  std::vector<CurvatureNoise> Noise;
+};
+
+/// Points share what was found for their site.
+void copyToPoints(const SurfaceRings& rings, MeshCurvature& result)
+{
+  for (std::size_t point = 0; point < result.points.size(); ++point)
+  {
+    if (const std::uint32_t site = rings.site(point); site != point)
+    {
+      result.points[point] = result.points[site];
+      result.sources[point] = result.sources[site];
+      if (!result.derivatives.empty())
+      {
+        result.derivatives[point] = result.derivatives[site];
+      }
+    }
+  }
+}
+
+} // namespace
+
 MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::vec3> normals,
   const CurvatureOptions& options, const Progress& progress)
 {
@@ -193,57 +308,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   result.sources.assign(count, CurvatureSource::None);
   result.derivatives.resize(options.derivatives ? count : 0);
 
-  const RingFit fitter(mesh.points, rings, up, options);
-  const int mostPasses = passesForRings(options.rings);
-  std::vector<CurvatureNoise> noise(diffuses(options) ? count : 0);
-  const auto fitRings = [&](std::uint32_t site, Scratch& scratch)
-  {
-    if (diffuses(options))
-    {
-      const std::optional<JetFit> fit = fitter.fitFewest(site, scratch.front);
-      if (fit && canBeAveraged(*fit))
-      {
-        noise[site] = noiseOf(*fit, mostPasses);
-        return fit;
-      }
-    }
-    return fitter.fit(site, scratch.front);
-  };
-  const auto fitJetAt = [&](std::uint32_t site, Scratch& scratch)
-  {
-    if (const std::optional<JetFit> fit = fitRings(site, scratch))
-    {
-      result.points[site] = fit->curvature;
-      if (options.derivatives)
-      {
-        result.derivatives[site] = fit->derivative;
-      }
-      return true;
-    }
-    const std::optional<PrincipalCurvature> pinned = fitter.fitPinned(site, scratch.front);
-    result.points[site] = pinned.value_or(PrincipalCurvature());
-    return pinned.has_value();
-  };
-  const auto fitPaperAt = [&](std::uint32_t site, Scratch& scratch)
-  {
-    scratch.ring.clear();
-    for (const std::uint32_t neighbor : rings.ring(site))
-    {
-      scratch.ring.push_back(mesh.points[neighbor] - mesh.points[site]);
-    }
-    // The ring runs as its first triangle does, which may be seen from inside.
-    glm::dvec3 area(0.0);
-    for (std::size_t i = 0; i < scratch.ring.size(); ++i)
-    {
-      area += glm::cross(scratch.ring[i], scratch.ring[(i + 1) % scratch.ring.size()]);
-    }
-    if (glm::dot(area, up[site]) < 0.0)
-    {
-      std::reverse(scratch.ring.begin(), scratch.ring.end());
-    }
-    return rings.shape(site) == RingShape::Closed &&
-      fitExponentialMap(scratch.ring, scratch.unfolded, result.points[site]);
-  };
+  SiteCurvature sites(mesh, rings, up, options, result);
   tbb::enumerable_thread_specific<Scratch> scratches(count);
   const bool finished = parallelForChunks(
     count,
@@ -252,18 +317,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
       Scratch& scratch = scratches.local();
       for (std::size_t i = begin; i < end; ++i)
       {
-        const auto site = static_cast<std::uint32_t>(i);
-        const RingShape shape = rings.shape(site);
-        if (shape == RingShape::Isolated || glm::dot(up[site], up[site]) == 0.0)
-        {
-          continue;
-        }
-        if (options.estimator == CurvatureEstimator::Jet ? fitJetAt(site, scratch)
-                                                         : fitPaperAt(site, scratch))
-        {
-          result.sources[site] =
-            shape == RingShape::Closed ? CurvatureSource::Surface : CurvatureSource::Border;
-        }
+        sites.estimate(static_cast<std::uint32_t>(i), scratch);
       }
     },
     pointsPerChunk, progress);
@@ -273,7 +327,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
   }
   if (diffuses(options))
   {
-    const std::vector<std::uint32_t> uneven = diffuseCurvature(rings, noise, result);
+    const std::vector<std::uint32_t> uneven = diffuseCurvature(rings, sites.noise(), result);
     // There residuals of wider fits tell noise from form.
     parallelForChunks(
       uneven.size(),
@@ -282,7 +336,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
         RingFit::Front& front = scratches.local().front;
         for (std::size_t i = begin; i < end; ++i)
         {
-          if (const std::optional<JetFit> fit = fitter.fit(uneven[i], front))
+          if (const std::optional<JetFit> fit = sites.fitter().fit(uneven[i], front))
           {
             result.points[uneven[i]] = fit->curvature;
           }
@@ -291,18 +345,7 @@ MeshCurvature estimateCurvature(const TriangleMesh& mesh, std::span<const glm::v
       pointsPerChunk);
   }
   fillUnknown(rings, up, result);
-  for (std::size_t point = 0; point < count; ++point)
-  {
-    if (const std::uint32_t site = rings.site(point); site != point)
-    {
-      result.points[point] = result.points[site];
-      result.sources[point] = result.sources[site];
-      if (options.derivatives)
-      {
-        result.derivatives[point] = result.derivatives[site];
-      }
-    }
-  }
+  copyToPoints(rings, result);
   return result;
 }
 

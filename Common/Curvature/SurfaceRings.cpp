@@ -3,18 +3,19 @@
 
 #include "Core/IsFinite.h"
 #include "Core/ParallelChunks.h"
-#include "Core/ParallelSort.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Mesh/RepeatedTriangles.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 
 namespace ink
 {
@@ -167,32 +168,30 @@ bool SurfaceRings::weldBorders(std::span<const glm::dvec3> points)
       open.push_back(site);
     }
   }
-  const auto key = [&points](std::uint32_t site)
-  {
-    const glm::dvec3& p = points[site];
-    return std::tuple(p.x, p.y, p.z);
-  };
-  parallelSort(open.begin(), open.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
-  bool welded = false;
-  for (std::size_t i = 1, first = 0; i < open.size(); ++i)
-  {
-    if (key(open[i]) != key(open[first]))
-    {
-      first = i;
-      continue;
-    }
-    if (!welded)
-    {
-      welded = true;
-      this->Sites.resize(this->size());
-      std::iota(this->Sites.begin(), this->Sites.end(), 0u);
-    }
-    this->Sites[open[i]] = open[first];
-  }
-  if (!welded)
+  if (open.empty())
   {
     return false;
+  }
+  glm::dvec3 lower(std::numeric_limits<double>::infinity());
+  glm::dvec3 upper(-lower);
+  for (const Triangle& triangle : this->Triangles)
+  {
+    for (const std::uint32_t corner : triangle)
+    {
+      lower = glm::min(lower, points[corner]);
+      upper = glm::max(upper, points[corner]);
+    }
+  }
+  const std::vector<std::uint32_t> firsts = coincidentPoints(points, open, coincidenceDistance(lower, upper));
+  if (firsts == open)
+  {
+    return false;
+  }
+  this->Sites.resize(this->size());
+  std::iota(this->Sites.begin(), this->Sites.end(), 0u);
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    this->Sites[open[i]] = firsts[i];
   }
   for (Triangle& triangle : this->Triangles)
   {

@@ -15,8 +15,8 @@ namespace ink
 
 /// The ring of each point of a mesh, in flat arrays. Triangles with a point that is not finite, or that
 /// occurs twice, are left out, and of triangles with the same corners all but the first are. Where seams are
-/// joined, points of borders that share a position count as one site, known by the first of them; all other
-/// points are sites of their own.
+/// joined, points of borders that coincide (coincidentPoints) count as one site, known by the first of them;
+/// all other points are sites of their own.
 class SurfaceRings
 {
 public:

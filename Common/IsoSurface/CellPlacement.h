@@ -52,7 +52,7 @@ public:
       const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(field.geometry().sampleCount());
       if (field.stride() == 1 && count > this->Steps[1] + this->Steps[2] + 1 + StencilReach)
       {
-        this->Load = typedKernelsOf<T>(this->Kernels).load[static_cast<int>(options.method)];
+        this->Load = kernelsFor<T>(this->Kernels).load[static_cast<int>(options.method)];
       }
     }
     else
@@ -130,17 +130,17 @@ private:
     CellBatch<Work>& batch = work.batch;
     const std::uint64_t all = ~std::uint64_t(0) >> (64 - cells.count);
     const bool wide = this->Options.method == NormalMethod::Regression;
-    std::uint64_t careful = this->load(cells, normals, work);
+    std::uint64_t robust = this->load(cells, normals, work);
     const int axes = static_cast<int>(this->Axes);
     const PlaceKernels<Work>& kernels = this->placeKernels();
-    careful |= kernels.findPoints[this->Options.rule == CrossingRule::Strict][wide][axes](
+    robust |= kernels.findPoints[this->Options.rule == CrossingRule::Strict][wide][axes](
       batch, this->Terms, cells.count);
     if (normals)
     {
-      careful |=
+      robust |=
         kernels.findNormals[static_cast<int>(this->Options.method)][axes](batch, this->Terms, cells.count);
     }
-    for (std::uint64_t rest = careful & all; rest != 0; rest &= rest - 1)
+    for (std::uint64_t rest = robust & all; rest != 0; rest &= rest - 1)
     {
       const int lane = std::countr_zero(rest);
       this->placeRobustly(cells.cell(lane), lane, normals, batch);
@@ -177,7 +177,7 @@ private:
     {
       this->loadOne(cells, i, batch);
     }
-    std::uint64_t careful = 0;
+    std::uint64_t robust = 0;
     if (normals && this->Options.method != NormalMethod::Cell)
     {
       if (cells.border)
@@ -186,10 +186,10 @@ private:
       }
       for (int i = 0; i < cells.count && !this->Field.hidden().empty(); ++i)
       {
-        careful |= static_cast<std::uint64_t>(this->hasHidden(cells.cell(i))) << i;
+        robust |= static_cast<std::uint64_t>(this->hasHidden(cells.cell(i))) << i;
       }
     }
-    return careful;
+    return robust;
   }
 
   /// Loads vectors of neighboring samples. Rows outside the grid are replaced by those at its border.

@@ -19,6 +19,12 @@ namespace ink
 namespace
 {
 
+/// Half of a difference.
+double half(double from, double to)
+{
+  return to / 2 - from / 2;
+}
+
 /// The values at the corners (0, 0), (1, 0), (1, 1) and (0, 1) of a face, bilinear in between.
 struct Face
 {
@@ -29,10 +35,12 @@ struct Face
     return glm::mix(
       glm::mix(this->values[0], this->values[1], p.x), glm::mix(this->values[3], this->values[2], p.x), p.y);
   }
-  glm::dvec2 gradient(const glm::dvec2& p) const
+  /// Half of it, as differences of large values may overflow.
+  glm::dvec2 halfGradient(const glm::dvec2& p) const
   {
     const auto& v = this->values;
-    return { glm::mix(v[1] - v[0], v[2] - v[3], p.y), glm::mix(v[3] - v[0], v[2] - v[1], p.x) };
+    return { glm::mix(half(v[0], v[1]), half(v[3], v[2]), p.y),
+      glm::mix(half(v[0], v[3]), half(v[1], v[2]), p.x) };
   }
 };
 
@@ -49,8 +57,7 @@ std::optional<glm::dvec2> meanCrossing(const Face& face, double isoValue)
     const double there = face.values[next];
     if ((here < isoValue) != (there < isoValue))
     {
-      // Halves, as the difference of large values may overflow.
-      sum += glm::mix(corners[n], corners[next], (isoValue / 2 - here / 2) / (there / 2 - here / 2));
+      sum += glm::mix(corners[n], corners[next], half(here, isoValue) / half(here, there));
       ++crossings;
     }
   }
@@ -139,13 +146,13 @@ private:
   void addRim(
     const glm::ivec3& cell, int layer, const Face& face, const glm::dvec2& position, ActiveCellId own)
   {
-    const glm::dvec2 gradient = face.gradient(position);
+    const glm::dvec2 gradient = face.halfGradient(position);
     glm::dvec3 downwards(0.0);
     downwards[this->U] = -gradient.x;
     downwards[this->V] = -gradient.y;
     if (const auto inner = this->faceOf(cell, this->Upper ? layer - 1 : layer + 1))
     {
-      const double step = face.at(position) - inner->at(position);
+      const double step = half(inner->at(position), face.at(position));
       downwards[this->Axis] = this->Upper ? -step : step;
     }
     // Scaled first, as squares of large values may overflow.
@@ -154,13 +161,15 @@ private:
     const glm::dvec3 along = this->Field.geometry().gradientDirection() * (downwards / largest);
     const double length = glm::length(along);
     const glm::dvec3 surface = length > 0.0 ? along / length : this->Normal;
-    for (int n = 1; n <= rimNormals; ++n)
+    const glm::dvec3 across = this->Normal - glm::dot(this->Normal, surface) * surface;
+    const double apart = glm::length(across);
+    // A surface along the side has no edge with it.
+    constexpr double leastApart = 1e-6;
+    constexpr double turn = 3.14159265358979323846 / (rimNormals - 1);
+    for (int n = 1; n <= rimNormals && apart > leastApart; ++n)
     {
-      const glm::dvec3 between = glm::mix(surface, this->Normal, static_cast<double>(n) / (rimNormals - 1));
-      if (glm::length(between) > 1e-6)
-      {
-        this->add(this->toWorld(cell, layer, position), glm::normalize(between), own);
-      }
+      const glm::dvec3 normal = std::cos(n * turn) * surface + std::sin(n * turn) / apart * across;
+      this->add(this->toWorld(cell, layer, position), normal, own);
     }
   }
 

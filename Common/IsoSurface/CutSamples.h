@@ -19,7 +19,7 @@ class GridField;
 enum class CutSurface
 {
   Open, ///< nothing
-  Rim,  ///< samples along the cut, with normals from the surface's to the side's: an edge, one line
+  Rim,  ///< samples along the cut, with normals from the surface's over the side's: an edge, one line
   Cap   ///< the rim, and samples on all of the side that lies inside of the surface: as if all beyond were
         ///< outside
 };
@@ -32,10 +32,14 @@ struct CutSamples
   std::vector<ActiveCellId> cells; ///< those at the side that the samples lie in, by their global index
 };
 
-/// The samples that a rim has at each position. From one normal to the next it turns by 15 degrees where
-/// surface and side are at right angles, up to a little beyond the side's, so that from everywhere one of
-/// them faces away just so, as a surface does beyond a contour.
-constexpr int rimNormals = 7;
+/// The samples that a rim has at each position. Their normals turn by 15 degrees from one to the next, from
+/// the surface's over the side's to the opposite of the surface's and a little beyond, so that from
+/// everywhere one of them faces away just so, as a surface does beyond a contour.
+constexpr int rimNormals = 13;
+/// The first ones, up to a little beyond the side's normal, do for viewers who do not face both surface and
+/// side. The others are to have discs of half the radius: to who looks along the cut all are on edge, and
+/// would make blots of it.
+constexpr int rimOuterNormals = 7;
 
 /// Samples where an iso-surface meets the sides of the volume: `rimNormals` of them in each face of a cell
 /// that lies on a side and that the surface crosses, at the mean of its intersections with the face's edges,

@@ -7,13 +7,14 @@
 #include "Fields/Resampling/TileResampler.h"
 #include "IsoSurface/ActiveCellFinder.h"
 #include "IsoSurface/CellPlacement.h"
+#include "IsoSurface/InterpolatedGradient.h"
 #include "IsoSurface/ProjectSamples.h"
 #include "IsoSurface/ResampledSamples.h"
 #include "IsoSurface/SampleWriter.h"
+#include "IsoSurface/SampledTile.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -24,7 +25,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -116,14 +116,14 @@ public:
       return false;
     }
     counts.assign(this->Request.isoValues.size(), 0);
-    for (const Tile& tile : this->Tiles)
+    for (const SampledTile& tile : this->Tiles)
     {
       for (std::size_t t = 0; t < tile.counts.size(); ++t)
       {
         counts[t] += tile.counts[t];
       }
     }
-    this->write(grow, counts);
+    writeTiles(this->Tiles, counts, grow);
     return true;
   }
 
@@ -131,17 +131,6 @@ private:
   /// Cells of a tile along each axis, before it is made of whole voxels: the samples of a tile stay in the
   /// cache from one axis to the next.
   static constexpr glm::ivec3 TileSize = glm::ivec3(64, 32, 32);
-
-  /// The samples of one tile, sorted by iso-value.
-  struct Tile
-  {
-    std::vector<std::size_t> counts;
-    std::vector<std::size_t> starts; ///< where those of each iso-value belong in the output
-    std::vector<float> points;
-    std::vector<double> doublePoints; ///< instead of points
-    std::vector<float> normals;
-    std::vector<ActiveCellId> cells;
-  };
 
   /// The state of one thread.
   struct Workspace
@@ -211,24 +200,11 @@ private:
       this->markSkipped(box, work.skipped);
       selection.skipped = { work.skipped, 1 };
     }
-    ActiveCellFinder<Work> finder(field, work.isoValues, this->Request.options.rule, selection);
-    std::vector<ActiveCells> cells(work.isoValues.size());
-    for (ActiveCells& all : cells)
-    {
-      all.slabs.resize(finder.slabCount());
-    }
-    for (int slab = 0; slab < finder.slabCount(); ++slab)
-    {
-      finder.find(slab, cells);
-    }
-    Tile& samples = this->Tiles[n];
+    const std::vector<ActiveCells> cells = this->findCells(field, work.isoValues, selection);
+    SampledTile& samples = this->Tiles[n];
     std::size_t total = 0;
-    for (ActiveCells& all : cells)
+    for (const ActiveCells& all : cells)
     {
-      for (const ActiveCells::Slab& slab : all.slabs)
-      {
-        all.count += slab.count;
-      }
       samples.counts.push_back(all.count);
       total += all.count;
     }
@@ -242,6 +218,30 @@ private:
       work.resampler.resample(this->OfNormals, box, work.smoothValues);
       this->useNormalsOf(this->fieldOf(box, work.smoothValues), samples);
     }
+  }
+
+  /// The active cells for each iso-value.
+  std::vector<ActiveCells> findCells(
+    const GridField<Work>& field, const std::vector<double>& isoValues, const CellSelection& selection) const
+  {
+    const ActiveCellFinder<Work> finder(field, isoValues, this->Request.options.rule, selection);
+    std::vector<ActiveCells> cells(isoValues.size());
+    for (ActiveCells& all : cells)
+    {
+      all.slabs.resize(finder.slabCount());
+    }
+    for (int slab = 0; slab < finder.slabCount(); ++slab)
+    {
+      finder.find(slab, cells);
+    }
+    for (ActiveCells& all : cells)
+    {
+      for (const ActiveCells::Slab& slab : all.slabs)
+      {
+        all.count += slab.count;
+      }
+    }
+    return cells;
   }
 
   /// Whether no iso-value lies between values made of those in a range.
@@ -310,7 +310,7 @@ private:
   }
 
   void place(const GridField<Work>& field, const std::vector<double>& isoValues,
-    const std::vector<ActiveCells>& cells, std::size_t total, Tile& samples) const
+    const std::vector<ActiveCells>& cells, std::size_t total, SampledTile& samples) const
   {
     SampleRoom room;
     room.capacity = total;
@@ -357,7 +357,7 @@ private:
   }
 
   /// Replaces the normals by those of other values.
-  void useNormalsOf(const GridField<Work>& field, Tile& samples) const
+  void useNormalsOf(const GridField<Work>& field, SampledTile& samples) const
   {
     for (std::size_t n = 0; n < samples.normals.size(); n += 3)
     {
@@ -377,102 +377,6 @@ private:
     }
   }
 
-  /// Central differences at a cell's corners, interpolated, per sample step; NaN at the grid's border.
-  static glm::dvec3 interpolatedGradient(const GridField<Work>& field, const glm::dvec3& point)
-  {
-    const glm::ivec3& size = field.geometry().dimensions();
-    const glm::dvec3 index = field.geometry().toIndex(point);
-    const glm::ivec3 cell(glm::floor(index));
-    if (glm::any(glm::lessThan(cell, glm::ivec3(1))) || glm::any(glm::greaterThan(cell, size - 3)))
-    {
-      return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
-    }
-    const glm::vec<3, Work> t(index - glm::dvec3(cell));
-    const glm::vec<3, Work> s = Work(1) - t;
-    // Of the four samples along an axis from the one before the cell on.
-    Work value[3][4];
-    Work slope[3][4];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const Work values[4] = { Work(0), s[axis], t[axis], Work(0) };
-      const Work slopes[4] = { -s[axis], -t[axis], s[axis], t[axis] };
-      std::copy_n(values, 4, value[axis]);
-      std::copy_n(slopes, 4, slope[axis]);
-    }
-    const Work* slice = field.data() + field.geometry().offset(cell - 1);
-    const std::size_t row = static_cast<std::size_t>(size.x);
-    // Relative to one of them, so that large values lose no digits.
-    const Work middle = field.at(cell);
-    glm::vec<3, Work> sum(Work(0));
-    for (int z = 0; z < 4; ++z, slice += row * size.y)
-    {
-      for (int y = 0; y < 4; ++y)
-      {
-        const Work* const v = slice + row * y;
-        Work mean = 0;
-        Work change = 0;
-        for (int x = 0; x < 4; ++x)
-        {
-          mean += value[0][x] * (v[x] - middle);
-          change += slope[0][x] * (v[x] - middle);
-        }
-        sum.x += value[2][z] * value[1][y] * change;
-        sum.y += value[2][z] * slope[1][y] * mean;
-        sum.z += slope[2][z] * value[1][y] * mean;
-      }
-    }
-    return sum;
-  }
-
-  /// Collects the samples of all tiles.
-  void write(const GrowRoom& grow, const std::vector<std::size_t>& counts)
-  {
-    const SampleRoom room = grow(std::accumulate(counts.begin(), counts.end(), std::size_t(0)));
-    // Where the samples of the next tile belong.
-    std::vector<std::size_t> next(counts.size(), 0);
-    std::partial_sum(counts.begin(), counts.end() - !counts.empty(), next.begin() + !counts.empty());
-    for (Tile& tile : this->Tiles)
-    {
-      tile.starts = next;
-      for (std::size_t t = 0; t < tile.counts.size(); ++t)
-      {
-        next[t] += tile.counts[t];
-      }
-    }
-    parallelFor(this->Tiles.size(),
-      [&](std::size_t n)
-      {
-        std::size_t from = 0;
-        for (std::size_t t = 0; t < this->Tiles[n].counts.size(); ++t)
-        {
-          const SampleRoom to = roomAfter(room, this->Tiles[n].starts[t]);
-          copySamples(this->Tiles[n], from, this->Tiles[n].counts[t], to);
-          from += this->Tiles[n].counts[t];
-        }
-        this->Tiles[n] = {};
-      });
-  }
-
-  static void copySamples(const Tile& tile, std::size_t from, std::size_t count, const SampleRoom& to)
-  {
-    const auto copy = [&](const auto& numbers, auto* written, const auto& convert)
-    {
-      if (written)
-      {
-        std::transform(numbers.begin() + 3 * from, numbers.begin() + 3 * (from + count), written, convert);
-      }
-    };
-    copy(tile.points, to.points, std::identity());
-    copy(tile.doublePoints, to.doublePoints, std::identity());
-    copy(tile.normals, to.normals, std::identity());
-    copy(tile.normals, to.shortNormals, quantized<std::int16_t>);
-    copy(tile.normals, to.byteNormals, quantized<std::int8_t>);
-    if (to.cells)
-    {
-      std::copy_n(tile.cells.begin() + from, count, to.cells);
-    }
-  }
-
   ResampledRequest<Work> Request;
   glm::ivec3 Subdivision;
   GridGeometry Geometry;
@@ -484,7 +388,7 @@ private:
   GridResampling OfSurface;
   TileRanges OwnRanges;
   TileRanges& Ranges;
-  std::vector<Tile> Tiles;
+  std::vector<SampledTile> Tiles;
   bool DoublePoints = false;
   bool Normals = false;
   bool Cells = false;

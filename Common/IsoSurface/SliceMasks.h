@@ -47,24 +47,24 @@ struct SliceMasks
 
 /// The active cells of a word by CrossingRule::Strict, from the rows of their corners: (j, k), (j + 1, k),
 /// (j, k + 1), (j + 1, k + 1).
-inline Word crossedStrict(
+inline Word activeStrict(
   const std::array<const Word*, 4>& above, const std::array<const Word*, 4>& over, int w)
 {
   const auto edge = [](Word above1, Word over1, Word above2, Word over2)
   { return (~above1 & over2) | (over1 & ~above2) | (above1 & ~over1 & above2 & ~over2); };
   const auto next = [w](const Word* row) { return row[w] >> 1 | row[w + 1] << (WordBits - 1); };
-  Word crossed = 0;
+  Word active = 0;
   for (int r = 0; r < 4; ++r)
   {
-    crossed |= edge(above[r][w], over[r][w], next(above[r]), next(over[r]));
+    active |= edge(above[r][w], over[r][w], next(above[r]), next(over[r]));
   }
   constexpr int across[4][2] = { { 0, 1 }, { 2, 3 }, { 0, 2 }, { 1, 3 } };
   for (const auto& [r, s] : across)
   {
-    crossed |= edge(above[r][w], over[r][w], above[s][w], over[s][w]);
-    crossed |= edge(next(above[r]), next(over[r]), next(above[s]), next(over[s]));
+    active |= edge(above[r][w], over[r][w], above[s][w], over[s][w]);
+    active |= edge(next(above[r]), next(over[r]), next(above[s]), next(over[s]));
   }
-  return crossed;
+  return active;
 }
 
 /// The bits from `begin` up to `end` in the word that starts at bit `first`.

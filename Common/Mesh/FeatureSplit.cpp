@@ -32,23 +32,42 @@ void cutFeatures(MeshNavigation& navigation, double angle, double reach)
   MeshNavigation cut = navigation;
   cut.cutFeatures(angle, reach);
   const TriangleMesh& mesh = navigation.mesh();
-  double length = 0.0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  DisjointSets parts(count);
+  std::vector<double> lengths(count); // of features, of each triangle
+  for (std::uint32_t t = 0; t < count; ++t)
   {
     for (std::uint32_t edge = 0; edge < 3; ++edge)
     {
       const auto other = navigation.across(t, edge);
-      if (other && t < other->triangle && !cut.across(t, edge))
+      if (other && t < other->triangle)
       {
-        length +=
-          glm::distance(mesh.points[mesh.triangles[t][edge]], mesh.points[mesh.triangles[t][(edge + 1) % 3]]);
+        parts.join(t, other->triangle);
+        lengths[t] += cut.across(t, edge) ? 0.0
+                                          : glm::distance(mesh.points[mesh.triangles[t][edge]],
+                                              mesh.points[mesh.triangles[t][(edge + 1) % 3]]);
       }
     }
   }
-  if (length * reach <= mostFeatures * navigation.area())
+  std::vector<double> excess(count); // of each part, by its least triangle
+  for (std::uint32_t t = 0; t < count; ++t)
   {
-    navigation = std::move(cut);
+    if (navigation.isUsable(t))
+    {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const double area =
+        0.5 * glm::length(glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]));
+      excess[parts.least(t)] += lengths[t] * reach - mostFeatures * area;
+    }
   }
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    if (excess[parts.least(t)] > 0.0)
+    {
+      cut.restore(t, navigation);
+    }
+  }
+  navigation = std::move(cut);
 }
 
 void cutFeatures(MeshNavigation& navigation)

@@ -20,9 +20,9 @@ inline constexpr double defaultFeatureAngle = 40.0;
 /// not.
 inline constexpr double defaultFeatureReach = 0.02;
 
-/// Cuts a surface's feature edges (MeshNavigation::cutFeatures), but none where they would be denser than the
-/// reach can tell apart, so that their length times the reach is more than `mostFeatures` of the area: the
-/// surface is rough.
+/// Cuts a surface's feature edges (MeshNavigation::cutFeatures), but none of a connected part on which they
+/// would be denser than the reach can tell apart, so that their length times the reach is more than
+/// `mostFeatures` of the area: the part is rough. Others, as the casing around a heat sink, have theirs.
 /// @param angle in degrees; 180: none
 /// @param reach in world units
 void cutFeatures(MeshNavigation& navigation, double angle, double reach);

@@ -3,6 +3,7 @@
 
 #include "Core/Hash.h"
 #include "Core/ParallelChunks.h"
+#include "Core/UnitOrZero.h"
 
 #include <algorithm>
 #include <bit>
@@ -78,10 +79,8 @@ GeodesicUnfolding::GeodesicUnfolding(std::span<const glm::vec3> points, std::spa
       const auto& [a, b, c] = triangles[t];
       Facet& facet = this->Facets[t];
       facet.corners = { points[a], points[b], points[c] };
-      const glm::vec3 normal =
-        glm::cross(facet.corners[1] - facet.corners[0], facet.corners[2] - facet.corners[0]);
-      const float length = glm::length(normal);
-      facet.normal = length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
+      facet.normal =
+        unitOrZero(glm::cross(facet.corners[1] - facet.corners[0], facet.corners[2] - facet.corners[0]));
     });
   this->join(points.size(), triangles, {});
   const bool isOpen = std::any_of(this->Facets.begin(), this->Facets.end(),

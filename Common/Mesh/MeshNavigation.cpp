@@ -3,6 +3,7 @@
 
 #include "Core/ParallelChunks.h"
 #include "Core/ScaledPoints.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Mesh/GeodesicUnfolding.h"
 
 #include <glm/common.hpp>
@@ -58,10 +59,15 @@ double TriangleChart::perimeter() const
   return this->length + glm::length(third) + glm::distance(third, this->corner(1));
 }
 
-MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
+MeshNavigation::MeshNavigation(const TriangleMesh& mesh)
   : Mesh(mesh)
   , Links(3 * mesh.triangles.size(), border)
   , Usable(mesh.triangles.size())
+{
+}
+
+MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
+  : MeshNavigation(mesh)
 {
   const std::size_t count = mesh.triangles.size();
   for (const Triangle& triangle : mesh.triangles)
@@ -78,37 +84,34 @@ MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
     const auto& [a, b, c] = mesh.triangles[t];
     this->Usable[t] = hasArea(mesh.points[a], mesh.points[b], mesh.points[c]);
   }
-  const CumulativeArea areas = cumulateArea(mesh);
-  this->Area = areas.area.back();
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-low);
+  if (!this->measure())
+  {
+    return;
+  }
+  // Points that coincide are one, so that seams are closed and slivers along them are edges.
+  std::vector<std::uint32_t> used;
+  std::vector<std::uint8_t> isUsed(mesh.points.size());
   for (std::uint32_t t = 0; t < count; ++t)
   {
     for (const std::uint32_t point : mesh.triangles[t])
     {
-      if (this->isUsable(t))
+      if (this->isUsable(t) && isUsed[point] == 0)
       {
-        low = glm::min(low, mesh.points[point]);
-        high = glm::max(high, mesh.points[point]);
+        isUsed[point] = 1;
+        used.push_back(point);
       }
     }
   }
-  if (!(low.x <= high.x))
+  const double distance = coincidenceDistance(this->Lower, this->Upper);
+  const std::vector<std::uint32_t> firsts = coincidentPoints(mesh.points, used, distance);
+  const std::vector<glm::vec3> scaled = scalePoints(mesh, cumulateArea(mesh), distance).points;
+  std::vector<glm::vec3> welded = scaled;
+  for (std::size_t i = 0; i < used.size(); ++i)
   {
-    return;
+    welded[used[i]] = scaled[firsts[i]];
   }
-  this->Lower = low;
-  this->Upper = high;
-  const double extent = std::max({ high.x - low.x, high.y - low.y, high.z - low.z });
-  // Points closer than a millionth of the mesh are one, so that seams are closed and slivers along them are
-  // edges. Rounded off coordinates that are round themselves.
-  std::vector<glm::vec3> welded = scalePoints(mesh, areas, 1e-6 * extent).points;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> ids;
-  for (glm::vec3& point : welded)
-  {
-    point = glm::floor(point + 0.37f);
-  }
   for (std::uint32_t t = 0; t < count; ++t)
   {
     const auto& [a, b, c] = mesh.triangles[t];
@@ -144,6 +147,55 @@ MeshNavigation::MeshNavigation(const TriangleMesh& mesh, double featureAngle)
       }
     });
   this->cutFeatures(featureAngle, 0.0);
+}
+
+bool MeshNavigation::measure()
+{
+  this->Area = cumulateArea(this->Mesh).area.back();
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-low);
+  for (std::uint32_t t = 0; t < this->Usable.size(); ++t)
+  {
+    for (const std::uint32_t point : this->Mesh.triangles[t])
+    {
+      if (this->isUsable(t))
+      {
+        low = glm::min(low, this->Mesh.points[point]);
+        high = glm::max(high, this->Mesh.points[point]);
+      }
+    }
+  }
+  if (!(low.x <= high.x))
+  {
+    return false;
+  }
+  this->Lower = low;
+  this->Upper = high;
+  return true;
+}
+
+MeshNavigation MeshNavigation::part(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) const
+{
+  MeshNavigation result(mesh);
+  std::vector<std::uint32_t> numbers(this->Usable.size(), border);
+  for (std::uint32_t n = 0; n < triangles.size(); ++n)
+  {
+    numbers[triangles[n]] = n;
+  }
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    result.Usable[n] = this->Usable[triangles[n]];
+    for (std::size_t edge = 0; edge < 3; ++edge)
+    {
+      const std::uint32_t link = this->Links[3 * std::size_t(triangles[n]) + edge];
+      if (link != border && numbers[link / 6] != border)
+      {
+        result.Links[3 * n + edge] = 6 * numbers[link / 6] + link % 6;
+      }
+    }
+  }
+  result.measure();
+  return result;
 }
 
 void MeshNavigation::cutFeatures(double angle, double reach)

@@ -6,6 +6,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -59,10 +61,9 @@ struct TriangleChart
 
 /// A mesh to move about on: which triangle lies across an edge, and what bounds it.
 ///
-/// Edges are numbered by triangle: edge e of a triangle runs from its corner e to the next one. Points closer
-/// to each other than a millionth of the mesh's extent may count as one; triangles with two such corners, and
-/// those without area, are left out. One cannot cross borders, edges of more than two triangles, and feature
-/// edges.
+/// Edges are numbered by triangle: edge e of a triangle runs from its corner e to the next one. Points that
+/// coincide (coincidentPoints) count as one; triangles with two such corners, and those without area, are
+/// left out. One cannot cross borders, edges of more than two triangles, and feature edges.
 class MeshNavigation
 {
 public:
@@ -73,12 +74,26 @@ public:
   /// @throws std::invalid_argument where a triangle names a point that does not exist
   MeshNavigation(const TriangleMesh& mesh, double featureAngle);
 
+  /// Of some of the triangles, in their order: to the others there are borders.
+  /// @param mesh of these triangles and the same points; viewed
+  MeshNavigation part(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) const;
+
   /// Makes edges that are features ones that cannot be crossed, as the constructor does.
   /// @param angle in degrees, as there
   /// @param reach in world units; above 0 an edge is a feature only if the surface is bent by more than the
   ///   angle there also from a distance: between where one gets going straight away from it to both sides.
   ///   So the steep triangles of a rough surface are none.
   void cutFeatures(double angle, double reach);
+
+  /// Takes back what edges of a triangle cannot be crossed any more. The triangles across them have to be
+  /// restored as well.
+  /// @param before of the same mesh
+  void restore(std::uint32_t triangle, const MeshNavigation& before)
+  {
+    const std::size_t first = 3 * std::size_t(triangle);
+    std::copy_n(before.Links.begin() + static_cast<std::ptrdiff_t>(first), 3,
+      this->Links.begin() + static_cast<std::ptrdiff_t>(first));
+  }
 
   const TriangleMesh& mesh() const { return this->Mesh; }
   /// Views another mesh instead, whose triangles have the same corners, but other points in common.
@@ -138,6 +153,9 @@ public:
   std::optional<Arrival> walk(MeshPoint from, const glm::dvec3& direction, double distance) const;
 
 private:
+  explicit MeshNavigation(const TriangleMesh& mesh);
+  /// Sets the area and the bounds, from the usable triangles, if there are any.
+  bool measure();
   /// Whether the surface goes straight on over an edge, seen from a distance.
   bool isStraight(std::uint32_t triangle, std::uint32_t edge, const Neighbor& other, double reach,
     double leastCosine) const;

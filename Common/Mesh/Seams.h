@@ -6,7 +6,7 @@
 namespace ink
 {
 
-/// What points of borders are that share a position.
+/// What points of borders are that coincide, see coincidentPoints.
 enum class Seams : std::uint8_t
 {
   Joined, ///< one point that the file lists several times: the surface goes on

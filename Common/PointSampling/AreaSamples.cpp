@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSampling/AreaSamples.h"
 
+#include "Core/Hash.h"
 #include "Core/ParallelChunks.h"
+#include "Core/UnitOrZero.h"
 #include "PointSampling/SampleGroups.h"
 
 #include <glm/geometric.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace ink
@@ -16,15 +17,9 @@ namespace ink
 namespace
 {
 
-/// Of the square of the edge: smaller parts, of slivers, are not cut into even smaller ones.
-constexpr double leastPart = 1.0 / 256.0;
-
-/// Zero where it has no length.
-glm::vec3 unitOf(const glm::vec3& v)
-{
-  const float length = glm::length(v);
-  return length > 0.0f && std::isfinite(length) ? v / length : glm::vec3(0.0f);
-}
+/// Of the square of the edge: smaller parts, of slivers, are not cut into even smaller ones, so that a fan of
+/// many thousands of slivers has no more parts than its area takes.
+constexpr double leastPart = 1.0 / 64.0;
 
 struct Part
 {
@@ -32,11 +27,26 @@ struct Part
   double area;
 };
 
+/// A position in a part that is longer than the edge, by chance: those in the middle of many slivers side by
+/// side would be in rows.
+glm::dvec3 scatteredIn(const Part& part, std::uint64_t bits)
+{
+  double b = unitDouble(bits);
+  double c = unitDouble(hash(bits));
+  if (b + c > 1.0)
+  {
+    b = 1.0 - b;
+    c = 1.0 - c;
+  }
+  return part.corners[0] + b * (part.corners[1] - part.corners[0]) + c * (part.corners[2] - part.corners[0]);
+}
+
 /// Halves a triangle at its longest edge until its parts are small enough.
 template <class Take>
-void cutTriangle(const Part& whole, double edge, const Take& take)
+void cutTriangle(const Part& whole, double edge, std::uint64_t id, const Take& take)
 {
   std::vector<Part> left{ whole };
+  std::uint64_t taken = 0;
   while (!left.empty())
   {
     const Part part = left.back();
@@ -48,9 +58,12 @@ void cutTriangle(const Part& whole, double edge, const Take& take)
     };
     const std::size_t first = squared(0) >= squared(1) ? 0 : 1;
     const std::size_t longest = squared(first) >= squared(2) ? first : 2;
-    if (squared(longest) <= edge * edge || part.area <= leastPart * edge * edge)
+    const bool isSmall = squared(longest) <= edge * edge;
+    if (isSmall || part.area <= leastPart * edge * edge)
     {
-      take((part.corners[0] + part.corners[1] + part.corners[2]) / 3.0, part.area);
+      take(isSmall ? (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0
+                   : scatteredIn(part, hash(id, taken++)),
+        part.area);
       continue;
     }
     const glm::dvec3& a = part.corners[longest];
@@ -80,11 +93,11 @@ AreaSamples areaSamples(const TriangleMesh& mesh, std::span<const glm::vec3> nor
         {
           continue;
         }
-        const glm::vec3 normal = unitOf(normals[a] + normals[b] + normals[c]);
+        const glm::vec3 normal = unitOrZero(normals[a] + normals[b] + normals[c]);
         const Part whole{ { (mesh.points[a] - center) / unit, (mesh.points[b] - center) / unit,
                             (mesh.points[c] - center) / unit },
           area };
-        cutTriangle(whole, static_cast<double>(edge),
+        cutTriangle(whole, static_cast<double>(edge), i,
           [&](const glm::dvec3& middle, double part)
           {
             const auto rounded = static_cast<float>(part);
@@ -130,7 +143,7 @@ AreaSamples joinSamples(const AreaSamples& samples, float edge)
         area += own;
       }
       result.positions[group] = glm::vec3(position / area);
-      result.normals[group] = unitOf(normal);
+      result.normals[group] = unitOrZero(normal);
       result.areas[group] = static_cast<float>(area);
     });
   return result;

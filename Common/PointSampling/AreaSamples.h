@@ -23,8 +23,9 @@ struct AreaSamples
 };
 
 /// A mesh in parts with edges of a length, or smaller ones; not by chance, so that sums over a few parts are
-/// exact. Coordinates are (p - center) / unit. Parts of slivers are longer where they are so thin that it
-/// does not matter. Triangles without area, or with a point that is not finite, have none.
+/// exact. Coordinates are (p - center) / unit. Parts of slivers, which have less than a 64th of the area
+/// of a square of that edge, may be longer: the center of these is any position in them. Triangles without
+/// area, or with a point that is not finite, have none.
 /// @param normals one per point of the mesh
 /// @param edge in units, above 0
 AreaSamples areaSamples(const TriangleMesh& mesh, std::span<const glm::vec3> normals,

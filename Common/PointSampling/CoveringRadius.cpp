@@ -24,14 +24,14 @@ constexpr double gapArea = 11.0;
 
 } // namespace
 
-double poissonDiskCover(double radius, double gap)
+double poissonDiskCover(double radius, double slack)
 {
-  return (1.0 + gap) * radius;
+  return (1.0 + slack) * radius;
 }
 
-double poissonDiskCover(double area, double count, double gap)
+double poissonDiskCover(double area, double count, double slack)
 {
-  return afterLeavingOut * poissonDiskCover(std::sqrt(fittedCount(gap) * area / count), gap);
+  return afterLeavingOut * poissonDiskCover(std::sqrt(fittedCount(slack) * area / count), slack);
 }
 
 double progressiveCover(double area, double count, double candidates)

@@ -9,11 +9,11 @@ namespace ink
 
 /// For Poisson-disk samples of a radius and coverage slack: no position is farther from a sample, see
 /// samplePoissonDisk.
-double poissonDiskCover(double radius, double gap);
+double poissonDiskCover(double radius, double slack);
 
 /// For `count` blue-noise samples on an area: a saturated set from which at most a tenth was removed, the
 /// most crowded first.
-double poissonDiskCover(double area, double count, double gap);
+double poissonDiskCover(double area, double count, double slack);
 
 /// For `count` samples of sampleProgressively: their radius plus the width of the largest void without
 /// candidates. Candidates are independent, so that the probability of a void falls exponentially with its

@@ -30,10 +30,6 @@ namespace
 // leave no holes, and no more, as positions near the rim lie farther off the surface.
 constexpr float candidateReach = 0.82f;
 
-/// Where the corner is of the cubes by which discs are told, in their width: not where the middles of a
-/// grid's cells are, on which rounding would decide.
-constexpr glm::vec3 discCubesCorner(0.38f, 0.21f, 0.57f);
-
 bool isUsable(const SurfaceDiscs& discs, std::size_t disc)
 {
   const float radius = discs.radii[disc];
@@ -146,7 +142,7 @@ private:
       [&](std::size_t i)
       {
         const std::uint32_t disc = this->Order[i];
-        keys[i] = { mortonOfPosition(this->Discs.centers[disc] / width + discCubesCorner), disc };
+        keys[i] = { mortonOfGroup(this->Discs.centers[disc] / width), disc };
       });
     const auto position = [&](const Key& key)
     {

@@ -6,6 +6,7 @@
 #include "Core/ParallelFor.h"
 #include "Core/ScaledPoints.h"
 #include "PointSampling/PoissonDiskBins.h"
+#include "PointSampling/PoissonDiskBlocks.h"
 #include "PointSampling/PoissonDiskGaps.h"
 #include "PointSampling/WhiteNoise.h"
 
@@ -14,13 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -39,83 +38,6 @@ constexpr double dartsPerRound = 0.5;
 constexpr float radiiPerBlock = 16.0f;
 // The largest radius, at low density, relative to the smallest.
 constexpr double mostStretch = 16.0;
-
-/// Indices sorted by block.
-template <class Thing>
-class BlockLists
-{
-public:
-  /// @param parts indices with their blocks
-  BlockLists(std::span<const std::vector<std::pair<std::uint32_t, Thing>>> parts, std::size_t blocks)
-    : Begin(blocks + 1, 0)
-  {
-    for (const auto& part : parts)
-    {
-      for (const auto& [block, thing] : part)
-      {
-        ++this->Begin[block + 1];
-      }
-    }
-    std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
-    this->Things.resize(this->Begin.back());
-    std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (const auto& part : parts)
-    {
-      for (const auto& [block, thing] : part)
-      {
-        this->Things[next[block]++] = thing;
-      }
-    }
-  }
-
-  std::span<const Thing> of(std::size_t block) const
-  {
-    return std::span(this->Things).subspan(this->Begin[block], this->Begin[block + 1] - this->Begin[block]);
-  }
-
-private:
-  std::vector<std::size_t> Begin;
-  std::vector<Thing> Things;
-};
-
-/// Assigns ids to occupied blocks.
-class BlockTable
-{
-public:
-  static constexpr int bits = 21;
-
-  std::uint32_t at(const glm::ivec3& block)
-  {
-    // Consecutive triangles and darts are mostly in the same block.
-    if (block == this->LastBlock)
-    {
-      return this->LastName;
-    }
-    const auto [entry, isNew] =
-      this->Ids.emplace(key(block), static_cast<std::uint32_t>(this->Blocks.size()));
-    if (isNew)
-    {
-      this->Blocks.push_back(block);
-    }
-    this->LastBlock = block;
-    this->LastName = entry->second;
-    return entry->second;
-  }
-
-  std::span<const glm::ivec3> blocks() const { return this->Blocks; }
-
-private:
-  static std::uint64_t key(const glm::ivec3& block)
-  {
-    const glm::uvec3 positive(block + (1 << (bits - 1)));
-    return std::uint64_t(positive.x) << (2 * bits) | std::uint64_t(positive.y) << bits | positive.z;
-  }
-
-  std::unordered_map<std::uint64_t, std::uint32_t> Ids;
-  std::vector<glm::ivec3> Blocks;
-  glm::ivec3 LastBlock{ std::numeric_limits<int>::max() };
-  std::uint32_t LastName = 0;
-};
 
 /// A stride that visits 0 to count - 1 in long leaps: near the golden ratio of count, and coprime to it.
 std::size_t strideThrough(std::size_t count)
@@ -169,59 +91,6 @@ double LocalRadius::at(float density) const
 namespace
 {
 
-/// A mesh with its triangles sorted by blocks of space, so that neighbors on the surface are close in memory.
-class SortedMesh
-{
-public:
-  /// @param points in units of the smallest radius
-  SortedMesh(const TriangleMesh& mesh, std::span<const glm::vec3> points, float block)
-    : Triangles(mesh.triangles.size())
-    , Density(mesh.triangleDensity.size())
-    , Order(mesh.triangles.size())
-  {
-    BlockTable table;
-    std::vector<std::uint32_t> blocks(this->Order.size());
-    for (std::size_t t = 0; t < this->Order.size(); ++t)
-    {
-      const glm::vec3 corner = points[mesh.triangles[t][0]] / block;
-      blocks[t] = glm::all(glm::lessThan(glm::abs(corner), glm::vec3(0x1p20f)))
-        ? table.at(glm::ivec3(glm::floor(corner)))
-        : 0;
-    }
-    std::vector<std::uint32_t> next(table.blocks().size() + 2);
-    for (const std::uint32_t id : blocks)
-    {
-      ++next[id + 1];
-    }
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    for (std::uint32_t t = 0; t < this->Order.size(); ++t)
-    {
-      this->Order[next[blocks[t]]++] = t;
-    }
-    for (std::size_t i = 0; i < this->Order.size(); ++i)
-    {
-      this->Triangles[i] = mesh.triangles[this->Order[i]];
-      if (!this->Density.empty())
-      {
-        this->Density[i] = mesh.triangleDensity[this->Order[i]];
-      }
-    }
-    this->View = { mesh.points, this->Triangles, mesh.pointDensity, this->Density };
-  }
-  SortedMesh(const SortedMesh&) = delete;
-  SortedMesh& operator=(const SortedMesh&) = delete;
-
-  const TriangleMesh& view() const { return this->View; }
-  /// A triangle's index in the original mesh.
-  std::uint32_t idOf(std::uint32_t triangle) const { return this->Order[triangle]; }
-
-private:
-  std::vector<Triangle> Triangles;
-  std::vector<float> Density;
-  std::vector<std::uint32_t> Order;
-  TriangleMesh View;
-};
-
 /// The work on one mesh and radius, round by round.
 class Sampling
 {
@@ -261,7 +130,7 @@ private:
   std::uint64_t Seed;
   float BlockSize;
   std::vector<glm::vec3> Points;
-  SortedMesh Sorted;
+  BlockSortedMesh Sorted;
   const TriangleMesh& Mesh; // sorted
   CumulativeArea Areas;
   std::vector<float> LeastRadii;
@@ -436,13 +305,13 @@ bool Sampling::fillGaps(float smallest, const Progress& progress)
 
 } // namespace
 
-double fittedCount(double gap)
+double fittedCount(double slack)
 {
-  return 0.72 - 0.3 * gap + 0.09 * gap * gap;
+  return 0.72 - 0.3 * slack + 0.09 * slack * slack;
 }
 
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, const CumulativeArea& areas, double radius,
-  double gap, std::uint64_t seed, const Progress& progress)
+  double slack, std::uint64_t seed, const Progress& progress)
 {
   PoissonDisk result;
   result.radius = radius;
@@ -461,7 +330,7 @@ PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, const CumulativeArea& ar
   result.stopped = !sampling.throwDarts(0, darts, upTo(0.0, 0.2)) ||
     !sampling.throwDarts(1, darts, upTo(0.2, 0.4)) ||
     !sampling.fillGaps(
-      static_cast<float>(std::clamp(gap, leastCoverageSlack, largestCoverageSlack)), upTo(0.4, 1.0));
+      static_cast<float>(std::clamp(slack, leastCoverageSlack, largestCoverageSlack)), upTo(0.4, 1.0));
   result.samples = sampling.takeSamples();
   if (result.stopped)
   {

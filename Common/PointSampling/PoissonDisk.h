@@ -53,7 +53,7 @@ inline constexpr double leastCoverageSlack = 0.02;
 inline constexpr double largestCoverageSlack = 1.0;
 
 /// Poisson-disk samples of a mesh, no two of them closer than `radius` along the surface (see
-/// GeodesicUnfolding) and every position on the surface within (1 + gap) `radius` of one. Dart throwing,
+/// GeodesicUnfolding) and every position on the surface within (1 + slack) `radius` of one. Dart throwing,
 /// uniform by area times density, places a few samples; then every remaining void gets one. Voids are found
 /// by bisecting triangles until each part lies in a sample's disc or is small (after Cline et al. 2009,
 /// section 3).
@@ -65,14 +65,14 @@ inline constexpr double largestCoverageSlack = 1.0;
 /// apart.
 /// @param areas those of cumulateArea(mesh)
 /// @param radius in the points' unit, above 0
-/// @param gap coverage slack, clamped to [leastCoverageSlack, largestCoverageSlack]. Larger is faster and
+/// @param slack coverage slack, clamped to [leastCoverageSlack, largestCoverageSlack]. Larger is faster and
 /// gives fewer samples.
 /// @param seed random choices hash it with the indices of darts and triangles
 /// @throws std::invalid_argument if the mesh is more than 2^24 radii wide, or fits more than 2^28 samples
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, const CumulativeArea& areas, double radius,
-  double gap, std::uint64_t seed, const Progress& progress = {});
+  double slack, std::uint64_t seed, const Progress& progress = {});
 
 /// The number of samples that samplePoissonDisk fits on a flat surface, times radius^2 / area.
-double fittedCount(double gap);
+double fittedCount(double slack);
 
 } // namespace ink

@@ -69,7 +69,7 @@ bool sortByPriority(const TriangleMesh& mesh, const CumulativeArea& areas, std::
 }
 
 PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, const CumulativeArea& areas,
-  std::span<const glm::vec3> normals, std::size_t count, double gap, std::uint64_t seed,
+  std::span<const glm::vec3> normals, std::size_t count, double slack, std::uint64_t seed,
   const Progress& progress)
 {
   PoissonDisk result;
@@ -79,14 +79,14 @@ PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, const CumulativeAre
   }
   const double aim = std::ceil(aimedAt * static_cast<double>(count)) + 1.0;
   const double most = std::ceil(atMost * static_cast<double>(count)) + 3.0;
-  double radius = std::sqrt(fittedCount(gap) * areas.area.back() / aim);
+  double radius = std::sqrt(fittedCount(slack) * areas.area.back() / aim);
   // Boundaries, curvature and small components change the number that fits: a bracket of radii known to give
   // too many and too few.
   double tooSmall = 0.0;
   double tooLarge = std::numeric_limits<double>::infinity();
   for (int attempt = 0; attempt < mostTries; ++attempt)
   {
-    PoissonDisk found = samplePoissonDisk(mesh, areas, radius, gap, seed,
+    PoissonDisk found = samplePoissonDisk(mesh, areas, radius, slack, seed,
       part(progress, 0.5 - 0.5 / (1 << attempt), 0.5 - 0.25 / (1 << attempt)));
     if (found.stopped)
     {

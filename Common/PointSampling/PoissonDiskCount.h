@@ -12,7 +12,7 @@ namespace ink
 /// @return `count` samples and the radius used; fewer if samples are so crowded that single precision cannot
 ///   tell them apart. Other parameters and errors as for samplePoissonDisk.
 PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, const CumulativeArea& areas,
-  std::span<const glm::vec3> normals, std::size_t count, double gap, std::uint64_t seed,
+  std::span<const glm::vec3> normals, std::size_t count, double slack, std::uint64_t seed,
   const Progress& progress = {});
 
 /// Sorts samples by progressiveOrder, with radii that follow the mesh's density. Returns false, and leaves

@@ -7,16 +7,14 @@
 #include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
 #include "Core/ParallelSort.h"
-#include "Mesh/SurfaceSides.h"
+#include "PointSampling/ChosenPoints.h"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace ink
 {
@@ -32,20 +30,6 @@ constexpr std::size_t pointsPerChunk = 1 << 12;
 // The number of points of a block that are tested sequentially before the rest is tested in parallel.
 constexpr std::size_t fewInABlock = 64;
 constexpr std::uint16_t isChosen = 0xffff;
-struct Point
-{
-  glm::vec3 position;
-  glm::vec3 normal; // 0: unknown
-  float radius;     // at most 1
-};
-
-/// See areApart in SurfaceSides.h.
-bool areApart(const Point& a, const Point& b, const glm::vec3& offset, float squaredDistance)
-{
-  const float up = glm::dot(a.normal, offset);
-  const float otherUp = glm::dot(b.normal, offset);
-  return ink::areApart(glm::dot(a.normal, b.normal), up * up, otherUp * otherUp, squaredDistance);
-}
 
 /// A point's Morton code.
 std::uint64_t mortonCodeOf(const glm::vec3& position) // from 0 to 1
@@ -53,196 +37,10 @@ std::uint64_t mortonCodeOf(const glm::vec3& position) // from 0 to 1
   return mortonOf(glm::uvec3(position * static_cast<float>(1 << (mortonBits - 1))));
 }
 
-constexpr std::uint32_t none = ~0u;
-
-/// Whether blocks of the same color never touch, a block's color being its Morton code modulo `colors`.
-consteval bool areColorsApart(std::uint64_t colors)
-{
-  for (std::uint64_t a = 0; a < 64; ++a)
-  {
-    for (std::uint64_t b = 0; b < a; ++b)
-    {
-      const glm::uvec3 offset = mortonCell(a) - mortonCell(b) + 1u;
-      if (offset.x < 3 && offset.y < 3 && offset.z < 3 && a % colors == b % colors)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/// A grid of cells with the points chosen in each.
-class ChosenPoints
-{
-public:
-  ChosenPoints(std::span<const Point> points, std::span<const std::uint64_t> mortonCodes)
-    : Points(points)
-    , MortonCodes(mortonCodes)
-    , CellOf(points.size())
-    , Next(points.size(), none)
-  {
-  }
-
-  /// Sets the cells' width to 2^(1 - octave) and sorts the chosen points into them.
-  /// @param isDone(point) whether its distance will not be queried any more
-  template <class IsChosen>
-  void setOctave(int octave, std::span<const std::uint32_t> chosen, const IsChosen& isDone);
-
-  /// The distance from a point to the nearest chosen one, in units of the smaller of the two radii; infinite
-  /// if it is not below `width`, which is at most that of the cells.
-  float distance(std::uint32_t index, float width) const;
-
-  void add(std::uint32_t point)
-  {
-    std::uint32_t& head = this->Heads[this->CellOf[point]];
-    this->Next[point] = head;
-    head = point;
-  }
-
-  /// The block of four cells along each axis that contains a point; its lowest bits are its color. Blocks of
-  /// one color are far enough apart to add points to them concurrently.
-  std::uint64_t blockOf(std::uint32_t point) const { return this->MortonCodes[point] >> this->Shift >> 6; }
-  static constexpr std::uint64_t colors = 8;
-  static_assert(areColorsApart(colors));
-
-private:
-  void findNeighbors(const std::vector<bool>& wanted);
-
-  std::span<const Point> Points;
-  std::span<const std::uint64_t> MortonCodes;
-  int Shift = 0;
-  float Width = 2.0f;
-  std::vector<std::uint32_t> CellOf; // of each point
-  std::vector<std::uint64_t> Cells;  // occupied cells, in Morton order
-  std::vector<std::uint32_t> Heads;  // of each cell: one chosen point,
-  std::vector<std::uint32_t> Next;   // and of each point another
-  // For each cell, the occupied ones of the 27 around it, and which of the 27 they are.
-  std::vector<std::uint32_t> Begin;
-  std::vector<std::uint32_t> Neighbors;
-  std::vector<std::uint8_t> Directions;
-};
-
-template <class IsChosen>
-void ChosenPoints::setOctave(int octave, std::span<const std::uint32_t> chosen, const IsChosen& isDone)
-{
-  this->Shift = 3 * (mortonBits - octave);
-  this->Width = std::ldexp(2.0f, -octave);
-  this->Cells.clear();
-  std::vector<bool> wanted;
-  for (std::uint32_t i = 0; i < this->MortonCodes.size(); ++i)
-  {
-    const std::uint64_t cell = this->MortonCodes[i] >> this->Shift;
-    if (this->Cells.empty() || this->Cells.back() != cell)
-    {
-      this->Cells.push_back(cell);
-      wanted.push_back(false);
-    }
-    wanted.back() = wanted.back() || !isDone(i);
-    this->CellOf[i] = static_cast<std::uint32_t>(this->Cells.size() - 1);
-  }
-  this->findNeighbors(wanted);
-  this->Heads.assign(this->Cells.size(), none);
-  for (const std::uint32_t point : chosen)
-  {
-    this->add(point);
-  }
-}
-
-void ChosenPoints::findNeighbors(const std::vector<bool>& wanted)
-{
-  const std::size_t mask = std::bit_ceil(2 * this->Cells.size() + 1) - 1;
-  std::vector<std::uint32_t> table(mask + 1, none);
-  const auto slotOf = [&](std::uint64_t cell)
-  {
-    std::size_t slot = (cell * 0x9e3779b97f4a7c15u >> 24) & mask;
-    while (table[slot] != none && this->Cells[table[slot]] != cell)
-    {
-      slot = (slot + 1) & mask;
-    }
-    return slot;
-  };
-  for (std::uint32_t i = 0; i < this->Cells.size(); ++i)
-  {
-    table[slotOf(this->Cells[i])] = i;
-  }
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint8_t>>> found(chunksOf(this->Cells.size()));
-  this->Begin.assign(this->Cells.size() + 1, 0);
-  parallelForChunks(this->Cells.size(),
-    [&](std::size_t chunk, std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const glm::uvec3 cell = mortonCell(this->Cells[i]);
-        const std::size_t before = found[chunk].size();
-        for (std::uint8_t direction = 0; wanted[i] && direction < 27; ++direction)
-        {
-          // Negative values wrap around to out of range.
-          const glm::uvec3 other = (cell + glm::uvec3(direction % 3, direction / 3 % 3, direction / 9) - 1u) &
-            ((1u << mortonBits) - 1u);
-          if (const std::uint32_t neighbor = table[slotOf(mortonOf(other))]; neighbor != none)
-          {
-            found[chunk].emplace_back(neighbor, direction);
-          }
-        }
-        this->Begin[i + 1] = static_cast<std::uint32_t>(found[chunk].size() - before);
-      }
-    });
-  std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
-  this->Neighbors.resize(this->Begin.back());
-  this->Directions.resize(this->Begin.back());
-  parallelForChunks(this->Cells.size(),
-    [&](std::size_t chunk, std::size_t begin, std::size_t)
-    {
-      std::size_t next = this->Begin[begin];
-      for (const auto& [neighbor, direction] : found[chunk])
-      {
-        this->Neighbors[next] = neighbor;
-        this->Directions[next++] = direction;
-      }
-    });
-}
-
-float ChosenPoints::distance(std::uint32_t index, float width) const
-{
-  const Point& point = this->Points[index];
-  const float reach = width * point.radius;
-  const std::uint32_t cell = this->CellOf[index];
-  const glm::vec3 low = glm::vec3(mortonCell(this->Cells[cell])) * this->Width;
-  const auto within = [&](int axis)
-  {
-    return (point.position[axis] - reach < low[axis] ? 1u : 0u) | 2u |
-      (point.position[axis] + reach >= low[axis] + this->Width ? 4u : 0u);
-  };
-  const unsigned ranges[3] = { within(0), within(1), within(2) };
-  float least = width;
-  for (std::uint32_t n = this->Begin[cell]; n < this->Begin[cell + 1]; ++n)
-  {
-    const unsigned direction = this->Directions[n];
-    if (!(ranges[0] >> direction % 3 & ranges[1] >> direction / 3 % 3 & ranges[2] >> direction / 9 & 1u))
-    {
-      continue;
-    }
-    for (std::uint32_t i = this->Heads[this->Neighbors[n]]; i != none; i = this->Next[i])
-    {
-      const Point& other = this->Points[i];
-      const glm::vec3 offset = other.position - point.position;
-      const float squared = glm::dot(offset, offset);
-      const float radius = std::min(point.radius, other.radius);
-      const float limit = least * radius;
-      if (squared < limit * limit && !areApart(point, other, offset, squared))
-      {
-        least = std::sqrt(squared) / radius;
-      }
-    }
-  }
-  return least < width ? least : std::numeric_limits<float>::infinity();
-}
-
 /// The points to sort, with neighbors close in memory.
 struct SortedPoints
 {
-  std::vector<Point> points;
+  std::vector<DartPoint> points;
   std::vector<std::uint64_t> mortonCodes;
   std::vector<std::uint32_t> ids;     // their original indices
   std::vector<std::uint32_t> chances; // random
@@ -293,7 +91,7 @@ SortedPoints sortPoints(std::span<const glm::vec3> points, std::span<const glm::
       sorted.mortonCodes[i] = mortonCode;
       sorted.ids[i] = id;
       sorted.chances[i] = static_cast<std::uint32_t>(hash(seed, id, 5) >> 32);
-      Point& point = sorted.points[i];
+      DartPoint& point = sorted.points[i];
       point.position = scaled(id);
       point.normal = normals.empty() || !isFinite(normals[id]) ? glm::vec3(0.0f) : normals[id];
       // A larger ratio of radii would search too many cells.
@@ -362,7 +160,7 @@ std::vector<std::uint32_t> Chooser::findRoom(std::size_t count, int level, const
     count,
     [&](std::size_t i, std::vector<std::uint32_t>& found)
     {
-      if (const std::uint32_t point = pick(i); point != none && this->hasRoom(point, level))
+      if (const std::uint32_t point = pick(i); point != noPoint && this->hasRoom(point, level))
       {
         found.push_back(point);
       }
@@ -378,7 +176,7 @@ void Chooser::choose(int level)
       [&](std::uint32_t point) { return this->Due[point] == isChosen; });
   }
   std::vector<std::uint32_t> candidates = this->findRoom(this->Due.size(), level,
-    [&](std::size_t i) { return this->Due[i] == level ? static_cast<std::uint32_t>(i) : none; });
+    [&](std::size_t i) { return this->Due[i] == level ? static_cast<std::uint32_t>(i) : noPoint; });
   std::vector<std::uint32_t> chosen;
   // In random order, a few of each block at a time: the first ones exclude most others, which is tested in
   // parallel.

@@ -15,10 +15,6 @@ namespace ink
 namespace
 {
 
-/// Where the cubes' corner is, in edges: a side of what lies around the origin is hardly where cubes meet,
-/// which would tear its groups.
-constexpr glm::vec3 cubesCorner(0.38f, 0.21f, 0.57f);
-
 struct Key
 {
   std::uint64_t cube;
@@ -54,7 +50,7 @@ SampleGroups groupSamples(
   parallelForEach(keys.size(),
     [&](std::size_t i)
     {
-      keys[i] = { mortonOfPosition(positions[i] / edge + cubesCorner), directionOf(normals[i]),
+      keys[i] = { mortonOfGroup(positions[i] / edge), directionOf(normals[i]),
         static_cast<std::uint32_t>(i) };
     });
   parallelSort(keys.begin(), keys.end());

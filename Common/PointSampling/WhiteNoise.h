@@ -15,7 +15,7 @@ namespace ink
 /// White-noise samples of a mesh: independent, uniform by area or, with a density, by area times density.
 ///
 /// A sample's triangle is found in the cumulative areas, and its position in it is P = (1 - sqrt(r1)) A +
-/// sqrt(r1)(1 - r2) B + sqrt(r1) r2 C (Osada et al. 2002, section 3.1, eq. 1). Instead of a search per
+/// sqrt(r1)(1 - r2) B + sqrt(r1) r2 C (Osada et al. 2002, section 3.1, equation 1). Instead of a search per
 /// sample, the samples are generated in sorted order as sums of exponential spacings, which are distributed
 /// like sorted uniform numbers. So samples are sorted by triangle, and memory is traversed once.
 /// @param areas those of cumulateArea(mesh)

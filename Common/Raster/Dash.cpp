@@ -61,7 +61,7 @@ std::vector<DashPoint> dashPoints(std::span<const TracedLine> lines, float dash,
 
 /// The nearest point to each pixel of ink: propagates from the points through the ink, a ring of pixels at a
 /// time, each pixel taking the nearest of its neighbors' points.
-std::vector<std::uint32_t> nearestPoints(const CoverageImage& image, std::span<const DashPoint> points)
+std::vector<std::uint32_t> nearestDashPoints(const CoverageImage& image, std::span<const DashPoint> points)
 {
   const auto indexOf = [&](glm::ivec2 p)
   {
@@ -133,7 +133,7 @@ void dash(const CoverageImage& image, std::span<const TracedLine> lines, float d
     return;
   }
   const std::vector<DashPoint> points = dashPoints(lines, dash, gap);
-  const std::vector<std::uint32_t> nearest = nearestPoints(image, points);
+  const std::vector<std::uint32_t> nearest = nearestDashPoints(image, points);
   parallelFor(static_cast<std::size_t>(image.height),
     [&](std::size_t y)
     {

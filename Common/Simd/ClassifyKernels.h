@@ -205,7 +205,7 @@ INK_INLINE int classifyWord(const T* first, std::ptrdiff_t stride, int samples, 
 
 template <class T, bool measure, int count>
 INK_INLINE int classifySome(
-  const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
+  const RowBlock<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
   constexpr int bricksPerWord = WordBits / BrickLength<T>;
   int found = 0;
@@ -250,7 +250,7 @@ INK_INLINE int classifySome(
 
 template <class T, bool measure>
 INK_INLINE int classifyRows(
-  const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
+  const RowBlock<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
   static_assert(BlockRows == 4);
   switch (rows.rows)
@@ -267,20 +267,20 @@ INK_INLINE int classifyRows(
 }
 
 template <class T>
-int classify(const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach)
+int classify(const RowBlock<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach)
 {
   return classifyRows<T, false>(rows, lowest, words, reach, nullptr, nullptr);
 }
 template <class T>
 int classifyAndMeasure(
-  const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
+  const RowBlock<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high)
 {
   return classifyRows<T, true>(rows, lowest, words, reach, low, high);
 }
 /// A mixed brick's bits, into words that hold what is known of the others.
 template <class T>
 INK_INLINE bool addBrick(
-  const SampleRows<T>& rows, const Block<T>& bound, int brick, std::uint64_t* words, std::ptrdiff_t reach)
+  const RowBlock<T>& rows, const Block<T>& bound, int brick, std::uint64_t* words, std::ptrdiff_t reach)
 {
   const int first = brick * BrickLength<T>;
   const int count = rows.samples - first;
@@ -315,7 +315,7 @@ INK_INLINE bool addBrick(
 
 template <class T>
 int classifyMixed(
-  const SampleRows<T>& rows, T lowest, const std::uint8_t* states, std::uint64_t* words, std::ptrdiff_t reach)
+  const RowBlock<T>& rows, T lowest, const std::uint8_t* states, std::uint64_t* words, std::ptrdiff_t reach)
 {
   const Block<T> bound = Block<T>{} + lowest;
   const int bricks = (rows.samples + BrickLength<T> - 1) / BrickLength<T>;

@@ -17,7 +17,7 @@ using KernelScalar = std::conditional_t<std::is_floating_point_v<T>, T,
         std::conditional_t<std::is_signed_v<T>, std::int64_t, std::uint64_t>>>>>;
 
 template <class T>
-const TypedKernels<KernelScalar<T>>& typedKernelsOf(const SamplingKernels& kernels)
+const TypedKernels<KernelScalar<T>>& kernelsFor(const SamplingKernels& kernels)
 {
   using K = KernelScalar<T>;
   if constexpr (std::is_same_v<K, std::int8_t>)

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loops of iso-surface sampling, of placing stipples and of finding contours, compiled once for each instruction set
-/// and chosen at run time. Internal to Common/Simd.
+/// The inner loops of iso-surface sampling, of placing stipples and of finding contours, compiled once for
+/// each instruction set and chosen at run time. Internal to Common/Simd.
 ///
 /// Everything here is plain data and pointers to functions: the sources compiled for an instruction set
 /// include nothing else, because an inline function that they shared with others could be the one that the
@@ -144,7 +144,7 @@ constexpr int StencilReach = 15;
 
 /// One block of up to four rows of samples to classify.
 template <class T>
-struct SampleRows
+struct RowBlock
 {
   const T* first;
   std::ptrdiff_t stride; ///< from row to row
@@ -172,13 +172,13 @@ struct TypedKernels
 {
   /// Sets bit n of a row of words where sample n is >= lowest, and clears the rest of the last word. `reach`
   /// words lie from row to row.
-  int (*classify)(const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach);
+  int (*classify)(const RowBlock<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach);
   /// The same, and the least and largest values of each brick's part of the block to low and high, which are
   /// NaN where a sample may be NaN or infinite.
   int (*classifyAndMeasure)(
-    const SampleRows<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high);
+    const RowBlock<T>& rows, T lowest, std::uint64_t* words, std::ptrdiff_t reach, T* low, T* high);
   /// Reads only the bricks whose state is 2; those of the others are all set (1) or clear (0).
-  int (*classifyMixed)(const SampleRows<T>& rows, T lowest, const std::uint8_t* states, std::uint64_t* words,
+  int (*classifyMixed)(const RowBlock<T>& rows, T lowest, const std::uint8_t* states, std::uint64_t* words,
     std::ptrdiff_t reach);
   /// The state of each brick with these ranges: 0 below, 1 at or above `lowest`, 2 both or not known.
   /// @return 0 or 1 where all are, else 2

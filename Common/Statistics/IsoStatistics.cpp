@@ -41,7 +41,7 @@ std::uint16_t binOf(const ValueBins& bins, T value)
     // Quicker, and the same.
     if (bins.width == 1.0)
     {
-      const int first = static_cast<int>(bins.low + 0.5);
+      const int first = static_cast<int>(bins.low + 0.5 * bins.width);
       return static_cast<std::uint16_t>(std::clamp(static_cast<int>(value) - first, 0, bins.count - 1));
     }
   }
@@ -222,6 +222,8 @@ void IsoStatistics::add(const IsoStatistics& other)
     std::transform((this->*sums).begin(), (this->*sums).end(), (other.*sums).begin(), (this->*sums).begin(),
       std::plus<>());
   }
+  this->changes += other.changes;
+  this->maskChanges += other.maskChanges;
 }
 
 void IsoStatistics::accumulate()

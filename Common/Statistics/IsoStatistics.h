@@ -41,6 +41,8 @@ struct IsoStatistics
   std::vector<std::int64_t> maskSteps; ///< of the edges at masks, in bins, summed
   /// Of those edges, at voxels with at most one neighbor above the threshold.
   std::vector<std::int64_t> speckEdges;
+  std::int64_t changes = 0;     ///< edges between different bins, at whatever thresholds
+  std::int64_t maskChanges = 0; ///< those of them at the edge of a mask
 };
 
 /// Chooses bins for the values of a volume, excluding outliers, and counts. Each integer gets its own bin if
@@ -51,7 +53,8 @@ struct IsoStatistics
 /// @tparam T any of the scalar types of VTK
 /// @param read called for consecutive slices, each at least twice, from the first on
 /// @param slicesAtOnce the maximum number of slices per call of read, at least 3
-/// @param mostVoxels every third, fifth, ... slice counts of volumes with three, five, ... times as many voxels
+/// @param mostVoxels every third, fifth, ... slice counts of volumes with three, five, ... times as many
+/// voxels
 /// @return nothing if there are fewer than two distinct finite values
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>

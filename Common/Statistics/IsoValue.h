@@ -18,6 +18,7 @@ struct IsoSuggestion
     Outermost, ///< the lowest clear boundary between two materials
     Inner,     ///< one between the outermost and the densest
     Densest,   ///< the highest clear boundary, if it is not the only one
+    Labels,    ///< the edge of all labels of a segmentation
     Sign, ///< no boundary is clear: 0, where an implicit function, such as a signed distance, has its surface
     None  ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two
   };
@@ -47,9 +48,13 @@ struct IsoSuggestion
 ///
 /// Where noise hides all boundaries, they are those of the smoothed volume, see smoothedSlices.
 ///
-/// The first suggestion is the outermost boundary, the lowest, as the inside of an object is usually denser;
-/// the others follow by their total step. If there is no boundary, it is 0 where the values have both signs,
-/// and then Otsu's threshold (IEEE Trans. SMC 9, 1979).
+/// Where nearly all values are as large as those around them, they are the labels of a segmentation rather
+/// than measured. One between two labels says nothing then; the first suggestion is the edge of all labels,
+/// half way from the lowest value, the background, to the next.
+///
+/// Otherwise the first suggestion is the outermost boundary, the lowest, as the inside of an object is
+/// usually denser; the others follow by their total step. If there is no boundary, it is 0 where the values
+/// have both signs, and then Otsu's threshold (IEEE Trans. SMC 9, 1979).
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are

@@ -3,7 +3,7 @@
 
 #include "Core/ParallelFor.h"
 #include "Fields/Grid/GridField.h"
-#include "Fields/ScalarDifference.h"
+#include "Statistics/NoiseSampler.h"
 
 #include <glm/common.hpp>
 
@@ -11,6 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace ink
@@ -26,15 +29,9 @@ constexpr double normalMedian = 0.6744897501960817;
 constexpr std::size_t fewest = 64;
 constexpr double leastShare = 0.1;
 
-/// Samples looked at, about: enough for an error of a percent.
-constexpr double mostSamples = 400000.0;
-
 /// The share of positions that may be thinner than the thickness: lines that touch a ball hardly cross it,
 /// too.
 constexpr double thinShare = 0.1;
-
-/// On each side of an intersected edge, so many samples show the whole step.
-constexpr int stepReach = 2;
 
 /// By how many deviations noise makes the range of so many samples across a blurred edge larger, as a median.
 constexpr double noiseRange = 0.4;
@@ -43,7 +40,6 @@ constexpr double noiseRange = 0.4;
 /// (Documentation/picture-quality.md).
 constexpr double largestAngle = 0.02;
 constexpr double leastSmoothing = 0.3; ///< less does not show
-constexpr double mostSmoothing = 2.0;
 constexpr double pointSpread = 0.7;
 
 /// The noise that steps of one gray level count as.
@@ -69,7 +65,7 @@ double deviationFor(double ratio)
     return 0.0;
   }
   double low = leastSmoothing;
-  double high = mostSmoothing;
+  double high = mostSuggestedSmoothing;
   for (int n = 0; n < 40; ++n)
   {
     const double middle = 0.5 * (low + high);
@@ -91,215 +87,172 @@ double quantileOf(std::vector<double>& numbers, double share)
   return *at;
 }
 
-template <class T>
-class NoiseSampler
+/// The difference between neighboring gray levels, from changes between neighboring samples: nearly the
+/// smallest, if nearly all that are not much larger are multiples of it. Changes their order.
+double quantumOf(std::vector<double>& changes)
 {
-public:
-  NoiseSampler(const GridField<T>& field, double isoValue)
-    : Field(field)
-    , Size(field.geometry().dimensions())
-    , IsoValue(isoValue)
-    , Reach(this->Size.x > 2, this->Size.y > 2, this->Size.z > 2)
+  const double quantum = quantileOf(changes, 0.01);
+  constexpr double largest = 16.0;
+  constexpr double tolerance = 0.02;
+  std::size_t small = 0;
+  std::size_t multiples = 0;
+  for (const double change : changes)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    const double ratio = change / quantum;
+    if (ratio < largest)
     {
-      this->Deviation *= this->Reach[axis] > 0 ? std::sqrt(6.0) : 1.0;
+      ++small;
+      multiples += std::abs(ratio - std::round(ratio)) < tolerance;
     }
   }
+  return static_cast<double>(multiples) > 0.9 * static_cast<double>(small) ? quantum : 0.0;
+}
 
-  NoiseEstimate estimate()
+/// Along axes of one or two samples there are no second differences.
+glm::ivec3 reachIn(const glm::ivec3& size)
+{
+  return { size.x > 2, size.y > 2, size.z > 2 };
+}
+
+/// Some slices of a grid, by their indices in the whole.
+template <class T>
+struct Slices
+{
+  GridField<T> field;
+  int first;
+
+  glm::ivec3 inField(const glm::ivec3& sample) const
   {
-    const double count = static_cast<double>(this->Field.geometry().sampleCount());
-    // Every so many samples along a row, shifted from row to row.
-    const int every = std::max(1, static_cast<int>(std::ceil(count / mostSamples)));
-    const glm::ivec3 inside = glm::max(this->Size - 2 * this->Reach, 0);
-    std::vector<Found> slices(static_cast<std::size_t>(inside.z));
-    parallelFor(slices.size(),
-      [&](std::size_t slice)
+    return { sample.x, sample.y, sample.z - this->first };
+  }
+  bool has(const glm::ivec3& sample) const { return this->field.has(this->inField(sample)); }
+  T at(const glm::ivec3& sample) const { return this->field.at(this->inField(sample)); }
+};
+
+/// Which samples of a grid are looked at: every so many along a row, shifted from row to row, without those
+/// at the border.
+class SampledRows
+{
+public:
+  explicit SampledRows(const glm::ivec3& size)
+    : Reach(reachIn(size))
+    , Inside(glm::max(size - 2 * this->Reach, 0))
+    , Every(noiseStride(static_cast<double>(size.x) * size.y * size.z))
+  {
+  }
+
+  const glm::ivec3& reach() const { return this->Reach; }
+  /// The slices with samples to look at, from reach().z on.
+  int slices() const { return this->Inside.z; }
+
+  /// Looks at those of slices `begin` to `end` - 1 of these.
+  template <class Samples>
+  void look(
+    const Samples& samples, double isoValue, int begin, int end, std::span<NoiseSightings> found) const
+  {
+    const NoiseSampler<Samples> sampler(samples, isoValue, this->Reach);
+    parallelFor(static_cast<std::size_t>(end - begin),
+      [&](std::size_t n)
       {
-        std::size_t row = slice * static_cast<std::size_t>(inside.y);
-        for (int j = 0; j < inside.y; ++j, ++row)
+        const std::size_t slice = static_cast<std::size_t>(begin) + n;
+        std::size_t row = slice * static_cast<std::size_t>(this->Inside.y);
+        for (int j = 0; j < this->Inside.y; ++j, ++row)
         {
-          const int shift = static_cast<int>(row * 7919 % static_cast<std::size_t>(every));
-          for (int i = shift; i < inside.x; i += every)
+          const auto width = static_cast<std::size_t>(this->Inside.x);
+          for (std::size_t i = row * 7919 % this->Every; i < width; i += this->Every)
           {
-            this->look(this->Reach + glm::ivec3(i, j, static_cast<int>(slice)), slices[slice]);
+            sampler.look(this->Reach + glm::ivec3(i, j, slice), found[slice]);
           }
         }
       });
-    Found all;
-    for (const Found& some : slices)
-    {
-      all.append(some);
-    }
-    NoiseEstimate result;
-    std::array<double, 2> variances = {};
-    int sides = 0;
-    const std::size_t most = std::max(all.differences[0].size(), all.differences[1].size());
-    for (std::vector<double>& differences : all.differences)
-    {
-      if (differences.size() >= fewest &&
-        static_cast<double>(differences.size()) >= leastShare * static_cast<double>(most))
-      {
-        const double deviation = quantileOf(differences, 0.5) / normalMedian / this->Deviation;
-        variances[static_cast<std::size_t>(sides++)] = deviation * deviation;
-      }
-    }
-    result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
-    result.quantum = quantileOf(all.changes, 0.01);
-    result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
-    if (!all.runs.empty())
-    {
-      result.thickness = quantileOf(all.runs, thinShare);
-    }
-    return result;
   }
 
 private:
-  struct Found
-  {
-    std::array<std::vector<double>, 2> differences; ///< below and above the iso-value
-    std::vector<double> changes;
-    std::vector<double> steps;
-    std::vector<double> runs; ///< samples on one side of the surface, along an axis
-
-    void append(const Found& other)
-    {
-      const auto add = [](std::vector<double>& to, const std::vector<double>& from)
-      { to.insert(to.end(), from.begin(), from.end()); };
-      add(this->differences[0], other.differences[0]);
-      add(this->differences[1], other.differences[1]);
-      add(this->changes, other.changes);
-      add(this->steps, other.steps);
-      add(this->runs, other.runs);
-    }
-  };
-
-  void look(const glm::ivec3& at, Found& found) const
-  {
-    this->addNeighborhood(at, found);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->addEdge(at, axis, found);
-    }
-  }
-
-  void addNeighborhood(const glm::ivec3& at, Found& found) const
-  {
-    if (this->Reach == glm::ivec3(0))
-    {
-      return;
-    }
-    const T middle = this->Field.at(at);
-    double sum = 0.0;
-    bool above = false;
-    bool below = false;
-    bool equal = true;
-    for (int z = -this->Reach.z; z <= this->Reach.z; ++z)
-    {
-      for (int y = -this->Reach.y; y <= this->Reach.y; ++y)
-      {
-        for (int x = -this->Reach.x; x <= this->Reach.x; ++x)
-        {
-          const glm::ivec3 sample = at + glm::ivec3(x, y, z);
-          if (!this->Field.has(sample))
-          {
-            return;
-          }
-          const T value = this->Field.at(sample);
-          (static_cast<double>(value) >= this->IsoValue ? above : below) = true;
-          if (above && below)
-          {
-            return;
-          }
-          equal = equal && value == middle;
-          int weight = 1;
-          for (const int step :
-            { this->Reach.x > 0 ? x : 1, this->Reach.y > 0 ? y : 1, this->Reach.z > 0 ? z : 1 })
-          {
-            weight *= step == 0 ? -2 : 1;
-          }
-          sum += weight * difference(value, middle);
-        }
-      }
-    }
-    if (!equal && std::isfinite(sum))
-    {
-      found.differences[above].push_back(std::abs(sum));
-    }
-  }
-
-  /// The edge from a sample to the next one along an axis.
-  void addEdge(const glm::ivec3& at, int axis, Found& found) const
-  {
-    glm::ivec3 next = at;
-    ++next[axis];
-    if (next[axis] >= this->Size[axis] || !this->Field.has(at) || !this->Field.has(next))
-    {
-      return;
-    }
-    const double change = std::abs(difference(this->Field.at(at), this->Field.at(next)));
-    if (change > 0.0 && std::isfinite(change))
-    {
-      found.changes.push_back(change);
-    }
-    const auto isAbove = [&](const glm::ivec3& sample)
-    { return static_cast<double>(this->Field.at(sample)) >= this->IsoValue; };
-    if (isAbove(at) == isAbove(next))
-    {
-      return;
-    }
-    double least = 0.0;
-    double greatest = 0.0;
-    for (int n = -stepReach; n <= 1 + stepReach; ++n)
-    {
-      glm::ivec3 sample = at;
-      sample[axis] += n;
-      if (sample[axis] >= 0 && sample[axis] < this->Size[axis] && this->Field.has(sample))
-      {
-        const double d = difference(this->Field.at(sample), this->Field.at(at));
-        least = std::min(least, d);
-        greatest = std::max(greatest, d);
-      }
-    }
-    if (std::isfinite(greatest - least))
-    {
-      found.steps.push_back(greatest - least);
-    }
-    const bool above = isAbove(at);
-    for (const int way : { -1, 1 })
-    {
-      glm::ivec3 sample = way < 0 ? at : next;
-      double run = 0.0;
-      for (; run < NoiseEstimate::thickEnough; run += 1.0, sample[axis] += way)
-      {
-        if (sample[axis] < 0 || sample[axis] >= this->Size[axis] || !this->Field.has(sample))
-        {
-          // Nobody knows how far it goes on.
-          run = NoiseEstimate::thickEnough;
-        }
-        else if (isAbove(sample) != (way < 0 ? above : !above))
-        {
-          break;
-        }
-      }
-      found.runs.push_back(std::min(run, NoiseEstimate::thickEnough));
-    }
-  }
-
-  const GridField<T>& Field;
-  glm::ivec3 Size;
-  double IsoValue;
-  glm::ivec3 Reach;       ///< of a neighborhood
-  double Deviation = 1.0; ///< of a neighborhood's sum, for noise of deviation 1
+  glm::ivec3 Reach;
+  glm::ivec3 Inside;
+  std::size_t Every;
 };
 
 } // namespace
 
+void NoiseSightings::append(const NoiseSightings& other)
+{
+  const auto add = [](std::vector<double>& to, const std::vector<double>& from)
+  { to.insert(to.end(), from.begin(), from.end()); };
+  add(this->differences[0], other.differences[0]);
+  add(this->differences[1], other.differences[1]);
+  add(this->changes, other.changes);
+  add(this->steps, other.steps);
+  add(this->runs, other.runs);
+}
+
+NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm::ivec3& reach)
+{
+  NoiseSightings all;
+  for (const NoiseSightings& some : parts)
+  {
+    all.append(some);
+  }
+  // Of a neighborhood's sum, for noise of deviation 1.
+  const double deviationOfSum = std::pow(6.0, 0.5 * (reach.x + reach.y + reach.z));
+  NoiseEstimate result;
+  std::array<double, 2> variances = {};
+  int sides = 0;
+  const std::size_t most = std::max(all.differences[0].size(), all.differences[1].size());
+  for (std::vector<double>& differences : all.differences)
+  {
+    if (differences.size() >= fewest &&
+      static_cast<double>(differences.size()) >= leastShare * static_cast<double>(most))
+    {
+      const double deviation = quantileOf(differences, 0.5) / normalMedian / deviationOfSum;
+      variances[static_cast<std::size_t>(sides++)] = deviation * deviation;
+    }
+  }
+  result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
+  result.quantum = quantumOf(all.changes);
+  result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
+  if (!all.runs.empty())
+  {
+    result.thickness = quantileOf(all.runs, thinShare);
+  }
+  return result;
+}
+
 template <class T>
 NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue)
 {
-  return NoiseSampler<T>(field, isoValue).estimate();
+  const SampledRows rows(field.geometry().dimensions());
+  std::vector<NoiseSightings> found(static_cast<std::size_t>(rows.slices()));
+  rows.look(field, isoValue, 0, rows.slices(), found);
+  return makeNoiseEstimate(found, rows.reach());
+}
+
+template <class T>
+NoiseEstimate estimateNoise(
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce, double isoValue)
+{
+  const glm::ivec3 size(dimensions[0], dimensions[1], dimensions[2]);
+  using Sampler = NoiseSampler<Slices<T>>;
+  static_assert(Sampler::before + 1 + Sampler::behind == NoiseEstimate::slices);
+  if (slicesAtOnce < std::min(NoiseEstimate::slices, size.z))
+  {
+    throw std::invalid_argument("estimateNoise: " + std::to_string(slicesAtOnce) +
+      " slices at a time, expected " + std::to_string(NoiseEstimate::slices) + " or more");
+  }
+  const SampledRows rows(size);
+  std::vector<NoiseSightings> found(static_cast<std::size_t>(rows.slices()));
+  const int atOnce =
+    slicesAtOnce >= size.z ? rows.slices() : slicesAtOnce - Sampler::before - Sampler::behind;
+  for (int begin = 0; begin < rows.slices(); begin += atOnce)
+  {
+    const int end = std::min(begin + atOnce, rows.slices());
+    const int first = std::max(begin + rows.reach().z - Sampler::before, 0);
+    const int last = std::min(end + rows.reach().z + Sampler::behind, size.z);
+    const Slices<T> slices{ GridField<T>(GridGeometry({ size.x, size.y, last - first }), read(first, last)),
+      first };
+    rows.look(slices, isoValue, begin, end, found);
+  }
+  return makeNoiseEstimate(found, rows.reach());
 }
 
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing)
@@ -317,12 +270,14 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
   const double anisotropy = std::max({ size.x, size.y, size.z }) / std::min({ size.x, size.y, size.z });
   if (anisotropy > leastAnisotropy)
   {
-    deviation = std::max(deviation, std::min(0.5 * anisotropy, mostSmoothing));
+    deviation = std::max(deviation, std::min(0.5 * anisotropy, mostSuggestedSmoothing));
   }
   return deviation;
 }
 
-#define INK_INSTANTIATE(T) template NoiseEstimate estimateNoise(const GridField<T>&, double);
+#define INK_INSTANTIATE(T)                                                                                   \
+  template NoiseEstimate estimateNoise(const GridField<T>&, double);                                         \
+  template NoiseEstimate estimateNoise(const SliceReader<T>&, std::array<int, 3>, int, double);
 INK_FOR_EACH_SCALAR(INK_INSTANTIATE)
 #undef INK_INSTANTIATE
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Statistics/IsoStatistics.h"
+
 #include <glm/vec3.hpp>
+
+#include <array>
 
 namespace ink
 {
@@ -14,11 +18,13 @@ struct NoiseEstimate
 {
   double noise = 0.0;   ///< the standard deviation of the noise of a sample, that of rounding included
   double step = 0.0;    ///< the difference between both sides of the surface; 0 if there is no surface
-  double quantum = 0.0; ///< the difference between neighboring gray levels; nearly 0 for continuous values
+  double quantum = 0.0; ///< the difference between neighboring gray levels; 0 for continuous values
   /// The samples in a row along an axis that are on one side of the surface, from where it is crossed: fewer
   /// in a tenth of the positions only. Up to thickEnough, which stands for more, too
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
+  /// The slices that have to be there at a time: those around a slice along which thickness is measured.
+  static constexpr int slices = 10;
 };
 
 /// Estimates the noise around an iso-surface: from the median magnitude of second differences, along all
@@ -33,6 +39,14 @@ struct NoiseEstimate
 template <class T>
 NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue);
 
+/// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read once, from the first
+/// on, and again with the ones that follow where these need it, at most `slicesAtOnce` per call.
+/// @param slicesAtOnce NoiseEstimate::slices or more, or all
+/// @throws std::invalid_argument if slicesAtOnce is too small or read returns too few voxels
+template <class T>
+NoiseEstimate estimateNoise(
+  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce, double isoValue);
+
 /// The standard deviation of a Gaussian that makes the normals of an iso-surface smooth enough for lines, and
 /// no more: the smallest with which noise turns normals by no more than .02 radians (standard deviation), at
 /// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
@@ -40,7 +54,8 @@ NoiseEstimate estimateNoise(const GridField<T>& field, double isoValue);
 /// its value. Where voxels are longer than wide, it is half of their length, but no more than 2.
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
-/// @return in multiples of the smallest spacing: 0, or from .3 to 2
+/// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing);
+constexpr double mostSuggestedSmoothing = 2.0;
 
 } // namespace ink

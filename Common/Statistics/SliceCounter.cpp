@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace ink
 {
@@ -37,6 +38,8 @@ void EdgeSums::moveTo(IsoStatistics& profile)
 {
   move(this->All, profile.edges, profile.steps);
   move(this->Mask, profile.maskEdges, profile.maskSteps);
+  profile.changes += std::exchange(this->Changes, 0);
+  profile.maskChanges += std::exchange(this->MaskChanges, 0);
 }
 
 void EdgeSums::move(

@@ -29,10 +29,12 @@ public:
     const std::uint64_t edge = oneEdge + static_cast<std::uint64_t>(high - low);
     this->All[low] += edge;
     this->All[high] -= edge;
+    this->Changes += low < high;
     if (mask)
     {
       this->Mask[low] += edge;
       this->Mask[high] -= edge;
+      this->MaskChanges += low < high;
     }
   }
 
@@ -48,6 +50,8 @@ private:
 
   std::vector<std::uint64_t> All;
   std::vector<std::uint64_t> Mask;
+  std::int64_t Changes = 0;
+  std::int64_t MaskChanges = 0;
 };
 
 /// Counts what IsoStatistics holds, slice by slice, of the bins of a volume's voxels.

@@ -14,8 +14,8 @@ namespace ink
 ///
 /// @tparam T any of the scalar types of VTK
 /// @param read called for the slices asked for and one more on both sides, at most slicesAtOnce (1 or more)
-///   per call; it must outlive the result. Beside what it holds, those take 16 bytes a voxel, and the smoothed
-///   ones 8
+///   per call; it must outlive the result. Beside what it holds, those take 16 bytes a voxel, and the
+///   smoothed ones 8
 /// @return values depend on the volume alone, bitwise; read's exceptions, and std::invalid_argument if it
 ///   returns the wrong number of voxels
 template <typename T>

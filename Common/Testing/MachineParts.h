@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 #include "SampledMeshes.h"
 
 #include <cmath>

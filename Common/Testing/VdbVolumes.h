@@ -73,14 +73,14 @@ Samples<Real> sampleIsoSurface(
 template <class Real>
 std::vector<std::array<Real, 6>> sorted(const Samples<Real>& samples)
 {
-  std::vector<std::array<Real, 6>> all(samples.size());
-  for (std::size_t n = 0; n < all.size(); ++n)
+  std::vector<std::array<Real, 6>> rows(samples.size());
+  for (std::size_t n = 0; n < rows.size(); ++n)
   {
-    std::copy_n(&samples.coordinates[3 * n], 3, all[n].begin());
-    std::copy_n(&samples.components[3 * n], 3, all[n].begin() + 3);
+    std::copy_n(&samples.coordinates[3 * n], 3, rows[n].begin());
+    std::copy_n(&samples.components[3 * n], 3, rows[n].begin() + 3);
   }
-  std::sort(all.begin(), all.end());
-  return all;
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 } // namespace ink::testing

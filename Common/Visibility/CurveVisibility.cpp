@@ -17,6 +17,8 @@ namespace
 /// How much nearer in pixels a surface is than what it hides, whatever is beside it: a silhouette's own
 /// surface is nearer by sqrt(2 r d) within d pixels, of a sphere of r.
 constexpr double farBehind = 48.0;
+/// How far from a silhouette, in pixels, its own surface may reach.
+constexpr double beside = 2.0;
 /// How much nearer in pixels all of the neighborhood is: what rounding leaves.
 constexpr double behind = 0.05;
 
@@ -75,7 +77,8 @@ public:
       const double inSpace = onPicture * first.w / (last.w + onPicture * (first.w - last.w));
       const double t = from + (to - from) * inSpace;
       const double curvature = a.radialCurvature + t * (b.radialCurvature - a.radialCurvature);
-      const bool hidden = curvature < 0.0 || this->isHidden(glm::mix(a.clip, b.clip, t));
+      const bool hidden =
+        curvature < 0.0 || this->isHidden(glm::mix(a.clip, b.clip, t), glm::mix(a.normal, b.normal, t));
       this->samples.push_back({ position + t, this->Length + share * length, hidden, enters && step == 0 });
     }
     this->Length += length;
@@ -124,29 +127,41 @@ private:
     return (m[1] - ndc * m[3]) / (m[0] - ndc * m[2]);
   }
 
-  bool isHidden(const glm::dvec4& clip) const
+  /// The image's pixel at a position, or the nearest one.
+  glm::ivec2 pixelAt(const glm::dvec2& position) const
   {
     const DepthImage& image = this->Occluders.image;
-    const glm::dvec2 pixel = this->toPixel(clip);
-    const int x = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, image.width - 1);
-    const int y = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, image.height - 1);
+    return { std::clamp(static_cast<int>(std::floor(position.x)), 0, image.width - 1),
+      std::clamp(static_cast<int>(std::floor(position.y)), 0, image.height - 1) };
+  }
+
+  double distanceAt(const glm::dvec2& position) const
+  {
+    const glm::ivec2 pixel = this->pixelAt(position);
+    return this->toDistance(this->Occluders.image.at(pixel.x, pixel.y));
+  }
+
+  bool isHidden(const glm::dvec4& clip, const glm::dvec2& normal) const
+  {
+    const DepthImage& image = this->Occluders.image;
+    const glm::dvec2 position = this->toPixel(clip);
     const double own = this->toDistance(0.5 * clip.z / clip.w + 0.5) - this->Occluders.tolerance;
     const double size = this->Occluders.pixel * clip.w;
-    if (this->toDistance(image.at(x, y)) < own - farBehind * size)
+    double farthest =
+      std::max(this->distanceAt(position + beside * normal), this->distanceAt(position - beside * normal));
+    if (farthest < own - farBehind * size)
     {
       return true;
     }
-    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, image.height - 1); ++row)
+    const glm::ivec2 pixel = this->pixelAt(position);
+    for (int row = std::max(pixel.y - 1, 0); row <= std::min(pixel.y + 1, image.height - 1); ++row)
     {
-      for (int column = std::max(x - 1, 0); column <= std::min(x + 1, image.width - 1); ++column)
+      for (int column = std::max(pixel.x - 1, 0); column <= std::min(pixel.x + 1, image.width - 1); ++column)
       {
-        if (!(this->toDistance(image.at(column, row)) < own - behind * size))
-        {
-          return false;
-        }
+        farthest = std::max(farthest, this->toDistance(image.at(column, row)));
       }
     }
-    return true;
+    return farthest < own - behind * size;
   }
 
   const CurveOccluders& Occluders;

@@ -3,6 +3,7 @@
 
 #include "Visibility/DepthImage.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <cstddef>
@@ -28,6 +29,9 @@ struct CurvePoint
 {
   glm::dvec4 clip;              ///< OpenGL's clip coordinates
   double radialCurvature = 0.0; ///< of a surface's silhouette: negative where the surface itself hides it
+  /// Of a surface's silhouette: the direction of its normal in the image, of length 1 or 0 if it is not
+  /// known. The surface itself lies on one side of the curve, and on the other what it hides, if anything.
+  glm::dvec2 normal = glm::dvec2(0.0);
 };
 
 /// A part of a curve between two positions on it. Position n + t lies at the fraction t of segment n, from
@@ -42,9 +46,11 @@ struct CurveRun
 /// Which parts of a curve surfaces hide, decided along the curve: samples a pixel apart are compared with the
 /// depth image, each with the 8 neighbors of its pixel, too (Isenberg et al. 2002, section 4): a silhouette
 /// lies where a pixel beside it may show its own surface a little nearer. A sample is hidden where all nine
-/// are nearer, or its own pixel is nearer by far. Runs of samples shorter than `leastRun` join their
-/// neighbors, so that a curve that grazes a surface is not dotted, but where they go on beyond the image: what
-/// it shows far from its border is the same in a larger one.
+/// are nearer, or its own pixel is nearer by far. Where a surface is flat across its silhouette, and its
+/// normals are not quite its own, it hides the silhouette by far, and yet by a pixel or two only: there,
+/// pixels farther along the normal are compared as well. Runs of samples shorter than `leastRun` join their
+/// neighbors, so that a curve that grazes a surface is not dotted, but where they go on beyond the image:
+/// what it shows far from its border is the same in a larger one.
 ///
 /// @param closed the last point is connected to the first, which is not repeated
 /// @param leastRun pixels of the image

@@ -8,20 +8,19 @@
 #include "InkImageGrid.h"
 #include "InkImageVoxels.h"
 #include "InkMeshTriangles.h"
+#include "InkNotFiniteFaces.h"
 #include "InkOutsideRange.h"
 #include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
 
 #include "vtkCamera.h"
-#include "vtkCellData.h"
 #include "vtkContourValues.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -272,6 +271,10 @@ void vtkInkContours::FindContoursOfMesh(vtkPolyData* mesh, vtkPolyData* output)
     this->UpdateProgress(0.2);
     kept.Index.emplace(triangles.GetMesh(), triangles.Normals, options);
     kept.CellIds = std::move(triangles.FaceIds);
+    if (kept.Mesh != mesh || kept.MeshTime != mesh->GetMTime())
+    {
+      InkWarnOfNotFiniteFaces(this, mesh);
+    }
     kept.Mesh = mesh;
     kept.MeshTime = mesh->GetMTime();
     kept.Options = options;
@@ -335,14 +338,7 @@ void vtkInkContours::FindContoursOfImage(
   const bool doubles = InkNeedsDoublePrecision(InkMakeGrid(image, whole));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   InkMakeContourLines(contours, doubles ? VTK_DOUBLE : VTK_FLOAT, {}, output);
-  if (isoValues.size() > 1)
-  {
-    vtkNew<vtkIntArray> indices;
-    indices->SetName("SurfaceIndex");
-    indices->SetNumberOfTuples(static_cast<vtkIdType>(surfaces.size()));
-    std::copy(surfaces.begin(), surfaces.end(), indices->GetPointer(0));
-    output->GetCellData()->AddArray(indices);
-  }
+  kept.Image.AddSurfaceIndex(surfaces, output);
   const std::string outside = output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image)
     ? InkDescribeOutside(isoValues, scalars, this->ArrayComponent, "contours")
     : std::string();

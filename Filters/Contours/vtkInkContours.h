@@ -107,7 +107,7 @@ public:
 
   ///@{
   /**
-   * From where the mesh is looked at. CAMERA (default): Camera, with its projection. POSITION: EyePosition.
+   * The eye. CAMERA (default): Camera, with its projection. POSITION: EyePosition.
    * DIRECTION: a parallel projection along EyeDirection.
    */
   vtkSetClampMacro(Eye, int, CAMERA, DIRECTION);
@@ -288,8 +288,8 @@ public:
   ///@{
   /**
    * Borders that, with all borders that they join, are no longer than this share of the surface's diagonal,
-   * are left out: those around triangles that scans lack. 0 (default: none is left out) to 1. NaN is refused
-   * with a warning.
+   * are left out: those around triangles that scans lack. With Borders, interpolated silhouettes go straight
+   * on across such holes. 0 (default: none is left out) to 1. NaN is refused with a warning.
    */
   InkSetClampMacro(ShortestBorder, 0.0, 1.0);
   vtkGetMacro(ShortestBorder, double);

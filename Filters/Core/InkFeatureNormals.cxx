@@ -4,6 +4,7 @@
 #include "InkAllocate.h"
 #include "InkMeshTriangles.h"
 #include "InkPointNormals.h"
+#include "InkSourcePoints.h"
 
 #include "Core/WeldedPoints.h"
 #include "Mesh/FeatureSplit.h"
@@ -49,9 +50,9 @@ public:
   /// @param isSplit for each point whether it has a side for each fan, or one alone
   Sides(const InkMeshTriangles& triangles, const ink::FeatureSplit& split,
     const std::vector<std::uint8_t>& isSplit)
-    : Next(triangles.Points.size(), None)
+    : Shared(triangles.Points.size())
   {
-    for (std::uint32_t point = 0; point < this->Next.size(); ++point)
+    for (std::uint32_t point = 0; point < this->Shared.size(); ++point)
     {
       this->All.push_back({ point, None });
     }
@@ -71,35 +72,32 @@ public:
   std::span<const Side> Get() const { return this->All; }
   std::size_t Find(std::uint32_t point, std::uint32_t fan) const
   {
-    std::uint32_t side = point;
-    while (this->All[point].Fan != None && this->All[side].Fan != fan)
-    {
-      side = this->Next[side];
-    }
-    return side;
+    const std::uint32_t first = this->All[point].Fan;
+    return first == None || first == fan ? point : this->Further.at(Key(point, fan));
   }
-  bool IsAlone(std::uint32_t point) const { return this->Next[point] == None; }
+  bool IsAlone(std::uint32_t point) const { return this->Shared[point] == 0; }
 
 private:
+  static std::uint64_t Key(std::uint32_t point, std::uint32_t fan)
+  {
+    return std::uint64_t(point) << 32 | fan;
+  }
+
   void Add(std::uint32_t point, std::uint32_t fan)
   {
-    if (this->All[point].Fan == None)
+    Side& first = this->All[point];
+    first.Fan = first.Fan == None ? fan : first.Fan;
+    // Pleats may have any number of fans around a point.
+    if (first.Fan != fan && this->Further.try_emplace(Key(point, fan), this->All.size()).second)
     {
-      this->All[point].Fan = fan;
-    }
-    for (std::uint32_t side = point; this->All[side].Fan != fan; side = this->Next[side])
-    {
-      if (this->Next[side] == None)
-      {
-        this->Next[side] = static_cast<std::uint32_t>(this->All.size());
-        this->All.push_back({ point, fan });
-        this->Next.push_back(None);
-      }
+      this->All.push_back({ point, fan });
+      this->Shared[point] = 1;
     }
   }
 
-  std::vector<std::uint32_t> Next; ///< of each side, another one of the same point
+  std::vector<std::uint8_t> Shared; ///< of each point, whether it has further sides
   std::vector<Side> All;
+  std::unordered_map<std::uint64_t, std::size_t> Further;
 };
 
 /// The points whose normals do not do for all of their sides: given ones where they enclose more than the
@@ -170,13 +168,16 @@ void RepeatPoints(const InkMeshTriangles& triangles, const ink::FeatureSplit& sp
   output->GetPointData()->Initialize();
   output->GetPointData()->CopyAllocate(mesh->GetPointData(), count);
   output->GetPointData()->CopyData(mesh->GetPointData(), 0, before, 0);
+  std::vector<vtkIdType> repeated;
   for (vtkIdType side = before; side < count; ++side)
   {
     const auto point = static_cast<vtkIdType>(sides.Get()[static_cast<std::size_t>(side)].Point);
     points->SetPoint(side, mesh->GetPoint(point));
     output->GetPointData()->CopyData(mesh->GetPointData(), point, side);
+    repeated.push_back(point);
   }
   output->SetPoints(points);
+  InkSetSourcePoints(output, mesh, repeated);
 
   vtkNew<vtkCellArray> polygons;
   polygons->DeepCopy(mesh->GetPolys());

@@ -8,8 +8,8 @@
 class vtkPolyData;
 
 /// A mesh with point normals that are those of one side at feature edges (ink::cutFeatures), where points are
-/// repeated for each side after all others, with all their values but global ids. Cells stay in their order,
-/// but strips become triangles, and all polygons beside strips.
+/// repeated for each side after all others, with all their values but global ids, and InkSourcePoints. Cells
+/// stay in their order, but strips become triangles, and all polygons beside strips.
 ///
 /// Without normals (InkPointNormals) they are computed, as InkMeshTriangles does, and polygons turned the
 /// same way round as their neighbors. Given ones are kept but where they enclose more than

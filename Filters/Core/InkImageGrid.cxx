@@ -38,6 +38,28 @@ InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image)
   return InkExtent(whole ? whole : image->GetExtent());
 }
 
+vtkSmartPointer<vtkImageData> InkMakeFrame(vtkInformation* info)
+{
+  auto frame = vtkSmartPointer<vtkImageData>::New();
+  if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    frame->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+  }
+  if (info->Has(vtkDataObject::ORIGIN()))
+  {
+    frame->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+  }
+  if (info->Has(vtkDataObject::SPACING()))
+  {
+    frame->SetSpacing(info->Get(vtkDataObject::SPACING()));
+  }
+  if (info->Has(vtkDataObject::DIRECTION()))
+  {
+    frame->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+  }
+  return frame;
+}
+
 namespace
 {
 
@@ -167,20 +189,27 @@ std::string ProblemOf(
 vtkDataArray* InkChooseScalars(
   vtkAlgorithm* filter, vtkImageData* image, vtkDataArray* found, int association, int component)
 {
-  const char* chosen = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  std::string problem;
+  vtkDataArray* scalars = InkChooseScalars(filter, 0, image, found, association, component, problem);
+  if (!problem.empty())
+  {
+    vtkErrorWithObjectMacro(filter, << problem);
+  }
+  return scalars;
+}
+
+vtkDataArray* InkChooseScalars(vtkAlgorithm* filter, int index, vtkImageData* image, vtkDataArray* found,
+  int association, int component, std::string& problem)
+{
+  const char* chosen = filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
   vtkDataArray* scalars = found;
   if (chosen && !*chosen)
   {
     scalars = image->GetPointData()->GetScalars();
     association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   }
-  const std::string problem = ProblemOf(image, chosen, scalars, association, component);
-  if (!problem.empty())
-  {
-    vtkErrorWithObjectMacro(filter, << problem);
-    return nullptr;
-  }
-  return scalars;
+  problem = ProblemOf(image, chosen, scalars, association, component);
+  return problem.empty() ? scalars : nullptr;
 }
 
 vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component)
@@ -213,12 +242,17 @@ bool InkKnowsPieces(vtkAlgorithm* filter)
     info->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
 }
 
+ink::ElementMarks InkGetLeftOutCells(vtkImageData* image)
+{
+  return InkGetMarks(image->GetCellData(),
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+      vtkDataSetAttributes::REFINEDCELL);
+}
+
 ink::CellSelection InkSelectCells(vtkInformation* input, vtkInformation* output, vtkImageData* image)
 {
   ink::CellSelection cells;
-  cells.skipped = InkGetMarks(image->GetCellData(),
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-      vtkDataSetAttributes::REFINEDCELL);
+  cells.skipped = InkGetLeftOutCells(image);
   if (InkIsOfFirstPiece(input, output, image))
   {
     cells.end = cells.begin;

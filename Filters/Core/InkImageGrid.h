@@ -11,6 +11,8 @@
 #include "vtkInkFiltersCoreModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSetAttributes;
@@ -30,6 +32,10 @@ struct VTKINKFILTERSCORE_EXPORT InkExtent
 
 /// The whole extent of the image that `image` may be a piece of; its own extent if `info` has none.
 VTKINKFILTERSCORE_EXPORT InkExtent InkGetWholeExtent(vtkInformation* info, vtkImageData* image);
+
+/// Where the voxels of a whole image lie of which only this pipeline information has been made: an image with
+/// its extent, origin, spacing and direction, without values.
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkMakeFrame(vtkInformation* info);
 
 /// Whether `image` is the whole image rather than a piece: if it gives no result, no piece does.
 /// @param input, output the filter's pipeline information
@@ -63,6 +69,11 @@ VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetMarks(vtkDataSetAttributes* att
 VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(
   vtkAlgorithm* filter, vtkImageData* image, vtkDataArray* found, int association, int component);
 
+/// The same of the array to process of any index, without the report.
+/// @param problem becomes what is wrong; empty if nothing is
+VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(vtkAlgorithm* filter, int index, vtkImageData* image,
+  vtkDataArray* found, int association, int component, std::string& problem);
+
 /// The array itself if it is contiguous in memory, otherwise a copy of the given component; sets `component`
 /// to the one to read.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkDataArray* array, int& component);
@@ -71,6 +82,9 @@ VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> InkMakeContiguous(vtkData
 /// whole instead of its piece gets a copy of what the first process has already, and so do all other
 /// consumers of the source there.
 VTKINKFILTERSCORE_EXPORT bool InkKnowsPieces(vtkAlgorithm* filter);
+
+/// The cells of an image that are another piece's, hidden or refined.
+VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetLeftOutCells(vtkImageData* image);
 
 /// The cells that the requested piece owns, see InkIsOfFirstPiece, and that are neither hidden nor refined.
 VTKINKFILTERSCORE_EXPORT ink::CellSelection InkSelectCells(

@@ -2,6 +2,7 @@
 #include "InkMeshTriangles.h"
 
 #include "InkAllocate.h"
+#include "InkNotFiniteFaces.h"
 #include "InkPointNormals.h"
 
 #include "Core/Hash.h"
@@ -71,6 +72,41 @@ std::string Counted(vtkIdType count, const char* what)
   return std::to_string(count) + " " + what;
 }
 
+/// The faces that belong to another piece, or are hidden.
+class LeftOutFaces
+{
+public:
+  explicit LeftOutFaces(vtkPolyData* mesh)
+    : Marks(mesh->GetCellGhostArray())
+  {
+  }
+  bool Contain(vtkIdType face) const
+  {
+    constexpr int marks = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+      vtkDataSetAttributes::REFINEDCELL;
+    return this->Marks && (this->Marks->GetValue(face) & marks) != 0;
+  }
+
+private:
+  const vtkUnsignedCharArray* Marks;
+};
+
+/// Some VTK versions triangulate degenerate faces into no triangles. A mesh of only ghost cells belongs to
+/// another piece. @throws std::invalid_argument for a mesh without triangles that has faces of its own
+void RequireNoFaces(vtkPolyData* mesh)
+{
+  const LeftOutFaces leftOut(mesh);
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  for (vtkIdType face = first; face < mesh->GetNumberOfCells(); ++face)
+  {
+    if (!leftOut.Contain(face))
+    {
+      throw std::invalid_argument("its " + Counted(mesh->GetNumberOfCells() - first, "faces") +
+        " have no area; expected faces with three different points that are finite");
+    }
+  }
+}
+
 } // namespace
 
 void InkMeshTriangles::Check(vtkPolyData* mesh)
@@ -97,6 +133,10 @@ void InkMeshTriangles::Check(vtkPolyData* mesh)
       }
     }
   }
+  if (const std::string problem = InkDescribeNoFiniteFace(mesh); !problem.empty())
+  {
+    throw std::invalid_argument(problem);
+  }
 }
 
 InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order order, Repeats repeats)
@@ -108,42 +148,7 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
   {
     mesh->GetPoint(i, &this->Points[static_cast<std::size_t>(i)].x);
   }
-
-  // Cells come in the order vertices, lines, polygons, strips.
-  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  vtkSmartPointer<vtkPolyData> triangles = mesh;
-  vtkDataArray* ids = nullptr;
-  if (!HasTrianglesOnly(mesh))
-  {
-    triangles = CutIntoTriangles(mesh);
-    ids = triangles->GetCellData()->GetArray(FaceIdName);
-    cell = 0;
-  }
-  const vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
-  const auto isLeftOut = [&](vtkIdType face)
-  {
-    constexpr int marks = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-      vtkDataSetAttributes::REFINEDCELL;
-    return ghosts && (ghosts->GetValue(face) & marks) != 0;
-  };
-  const vtkIdType count = triangles->GetNumberOfPolys();
-  this->Triangles.reserve(static_cast<std::size_t>(count));
-  this->FaceIds.reserve(static_cast<std::size_t>(count));
-  const auto corners = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
-  for (corners->GoToFirstCell(); !corners->IsDoneWithTraversal(); corners->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    corners->GetCurrentCell(size, points);
-    const vtkIdType id = corners->GetCurrentCellId();
-    const vtkIdType face = ids ? static_cast<vtkIdType>(ids->GetTuple1(id)) : cell + id;
-    if (size == 3 && !isLeftOut(face))
-    {
-      this->Triangles.push_back({ static_cast<std::uint32_t>(points[0]),
-        static_cast<std::uint32_t>(points[1]), static_cast<std::uint32_t>(points[2]) });
-      this->FaceIds.push_back(face);
-    }
-  }
+  this->TakeTriangles(mesh);
   if (repeats == Repeats::LeftOut)
   {
     const std::vector<std::uint32_t> repeated = ink::repeatedTriangles(this->Points, this->Triangles);
@@ -164,38 +169,70 @@ InkMeshTriangles::InkMeshTriangles(vtkPolyData* mesh, bool wantNormals, Order or
   }
   if (this->Triangles.empty())
   {
-    // Some VTK versions triangulate degenerate faces into no triangles. A mesh of only ghost cells belongs to
-    // another piece.
-    const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-    for (vtkIdType face = first; face < mesh->GetNumberOfCells(); ++face)
+    RequireNoFaces(mesh);
+  }
+  if (wantNormals && !this->TakeNormals(mesh))
+  {
+    this->AverageNormals();
+  }
+}
+
+void InkMeshTriangles::TakeTriangles(vtkPolyData* mesh)
+{
+  // Cells come in the order vertices, lines, polygons, strips.
+  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  vtkSmartPointer<vtkPolyData> triangles = mesh;
+  vtkDataArray* ids = nullptr;
+  if (!HasTrianglesOnly(mesh))
+  {
+    triangles = CutIntoTriangles(mesh);
+    ids = triangles->GetCellData()->GetArray(FaceIdName);
+    cell = 0;
+  }
+  const vtkIdType count = triangles->GetNumberOfPolys();
+  this->Triangles.reserve(static_cast<std::size_t>(count));
+  this->FaceIds.reserve(static_cast<std::size_t>(count));
+  const LeftOutFaces leftOut(mesh);
+  const auto corners = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
+  for (corners->GoToFirstCell(); !corners->IsDoneWithTraversal(); corners->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    corners->GetCurrentCell(size, points);
+    const vtkIdType id = corners->GetCurrentCellId();
+    const vtkIdType face = ids ? static_cast<vtkIdType>(ids->GetTuple1(id)) : cell + id;
+    if (size == 3 && !leftOut.Contain(face))
     {
-      if (!isLeftOut(face))
-      {
-        throw std::invalid_argument("its " + Counted(mesh->GetNumberOfCells() - first, "faces") +
-          " have no area; expected faces with three different points that are finite");
-      }
+      this->Triangles.push_back({ static_cast<std::uint32_t>(points[0]),
+        static_cast<std::uint32_t>(points[1]), static_cast<std::uint32_t>(points[2]) });
+      this->FaceIds.push_back(face);
     }
   }
-  if (!wantNormals)
-  {
-    return;
-  }
-  vtkDataArray* normals = InkPointNormals(mesh);
+}
+
+bool InkMeshTriangles::TakeNormals(vtkPolyData* mesh)
+{
   this->Normals.assign(this->Points.size(), glm::vec3(0.0f));
-  if (normals && normals->GetNumberOfTuples() == pointCount)
+  vtkDataArray* normals = InkPointNormals(mesh);
+  if (!normals || normals->GetNumberOfTuples() != mesh->GetNumberOfPoints())
   {
-    for (vtkIdType i = 0; i < pointCount; ++i)
-    {
-      glm::dvec3 normal;
-      normals->GetTuple(i, &normal.x);
-      const double length = glm::length(normal);
-      if (length > 0.0 && std::isfinite(length))
-      {
-        this->Normals[static_cast<std::size_t>(i)] = normal / length;
-      }
-    }
-    return;
+    return false;
   }
+  for (std::size_t i = 0; i < this->Normals.size(); ++i)
+  {
+    glm::dvec3 normal;
+    normals->GetTuple(static_cast<vtkIdType>(i), &normal.x);
+    const double length = glm::length(normal);
+    if (length > 0.0 && std::isfinite(length))
+    {
+      this->Normals[i] = normal / length;
+    }
+  }
+  return true;
+}
+
+void InkMeshTriangles::AverageNormals()
+{
   std::vector<glm::dvec3> sums(this->Points.size(), glm::dvec3(0.0));
   for (const auto& [a, b, c] : this->Triangles)
   {

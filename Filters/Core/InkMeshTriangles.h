@@ -46,8 +46,8 @@ struct VTKINKFILTERSCORE_EXPORT InkMeshTriangles
 
   /// @param wantNormals fills Normals: the point normals, or if there are none the mean over the faces around
   ///   each point
-  /// @throws std::invalid_argument for a face with a point that does not exist, or for more points or
-  ///   triangles than 32-bit ids allow
+  /// @throws std::invalid_argument for a face with a point that does not exist, for faces none of which has
+  ///   finite points only, or for more points or triangles than 32-bit ids allow
   InkMeshTriangles(
     vtkPolyData* mesh, bool wantNormals, Order order = Order::ByPosition, Repeats repeats = Repeats::LeftOut);
 
@@ -61,7 +61,13 @@ struct VTKINKFILTERSCORE_EXPORT InkMeshTriangles
   ink::TriangleMesh GetMesh() const;
 
 private:
+  /// Those of the faces that are the mesh's own, with the faces' cells.
+  void TakeTriangles(vtkPolyData* mesh);
   void SortByPosition();
+  /// The mesh's point normals as unit vectors; zero where they are none. @return whether there are any
+  bool TakeNormals(vtkPolyData* mesh);
+  /// The mean over the faces around each point.
+  void AverageNormals();
 };
 
 #endif

@@ -9,31 +9,36 @@
 std::string InkDescribeOutside(
   std::span<const double> isoValues, vtkDataArray* scalars, int component, const std::string& made)
 {
+  double range[2];
+  scalars->GetFiniteRange(range, component);
+  return InkDescribeOutside(isoValues, range[0], range[1], made);
+}
+
+std::string InkDescribeOutside(
+  std::span<const double> isoValues, double least, double greatest, const std::string& made)
+{
   if (isoValues.empty())
   {
     return "No iso-value is set, so there are no " + made + ". Expected one or more (SetValue).";
   }
-  double range[2];
-  scalars->GetFiniteRange(range, component);
   std::ostringstream found;
   for (const double& value : isoValues)
   {
     // NaN has a warning of its own.
-    if ((value > range[0] && value <= range[1]) || std::isnan(value))
+    if ((value > least && value <= greatest) || std::isnan(value))
     {
       return {};
     }
     found << (&value != isoValues.data() ? ", " : "") << value;
   }
   std::ostringstream expected;
-  if (range[0] == range[1])
+  if (least == greatest)
   {
-    expected << "All of the image's values are " << range[0] << '.';
+    expected << "All of the image's values are " << least << '.';
   }
-  else if (range[0] < range[1])
+  else if (least < greatest)
   {
-    expected << "Expected a value above " << range[0] << " and up to " << range[1]
-             << ", which the image has.";
+    expected << "Expected a value above " << least << " and up to " << greatest << ", which the image has.";
   }
   else
   {

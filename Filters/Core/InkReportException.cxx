@@ -4,6 +4,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -48,4 +49,15 @@ void InkReportException(vtkAlgorithm* filter, vtkDataObject* output, const std::
     output->Initialize();
   }
   vtkErrorWithObjectMacro(filter, << failure << ": " << reason << ".");
+}
+
+std::string InkTextOfMessage(const char* message)
+{
+  std::string text = message;
+  const std::size_t address = text.find("): ");
+  text.erase(0, address == std::string::npos ? 0 : address + 3);
+  const std::size_t last = text.find_last_not_of(" \n.");
+  text.resize(last == std::string::npos ? 0 : last + 1);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }

@@ -17,4 +17,9 @@ class vtkDataObject;
 VTKINKFILTERSCORE_EXPORT void InkReportException(
   vtkAlgorithm* filter, vtkDataObject* output, const std::string& failure);
 
+/// What VTK's error macros add to a text taken away: file, line, class and address before it, and newlines
+/// and the dot at its end.
+/// @param message as observers of an ErrorEvent get it
+VTKINKFILTERSCORE_EXPORT std::string InkTextOfMessage(const char* message);
+
 #endif

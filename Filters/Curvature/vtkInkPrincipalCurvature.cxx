@@ -8,12 +8,15 @@
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
 #include "InkMeshTriangles.h"
+#include "InkNotFiniteFaces.h"
 #include "InkPointNormals.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
 #include "InkVTKCompat.h"
 #include "InkWithGridField.h"
 #include "IsoSurface/ResampledSamples.h"
+#include "Mesh/FeatureSplit.h"
+#include "Mesh/MeshNavigation.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -32,6 +35,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -78,12 +82,73 @@ ink::CurvatureOptions OptionsOf(vtkInkPrincipalCurvature* filter)
     filter->GetNumberOfRings(), filter->GetAdaptive(), filter->GetDegree(), derivatives };
 }
 
-ink::MeshCurvature OfMesh(
-  vtkPolyData* mesh, const ink::CurvatureOptions& options, const ink::Progress& progress)
+/// Of each point the curvature of the side that is largest around it.
+ink::MeshCurvature OfSides(const InkMeshTriangles& triangles, const ink::MeshNavigation& navigation,
+  ink::CurvatureOptions options, const ink::Progress& progress)
 {
-  const bool hasNormals = InkPointNormals(mesh) != nullptr;
+  const ink::FeatureSplit split = ink::splitAtFeatures(navigation);
+  const std::vector<glm::dvec3> points = split.spread<glm::dvec3>(triangles.Points);
+  const ink::TriangleMesh sides{ points, split.triangles, {}, {} };
+  options.seams = ink::Seams::Apart;
+  const ink::MeshCurvature ofSides = ink::estimateCurvature(
+    sides, ink::splitNormals(split, triangles.GetMesh(), triangles.Normals), options, progress);
+  if (ofSides.points.size() != points.size())
+  {
+    return {}; // aborted
+  }
+  std::vector<double> areas(points.size());
+  std::vector<std::uint32_t> largest(triangles.Points.size(), ink::MeshNavigation::border);
+  for (const auto& [a, b, c] : split.triangles)
+  {
+    const double area = glm::length(glm::cross(points[b] - points[a], points[c] - points[a]));
+    for (const std::uint32_t side : { a, b, c })
+    {
+      areas[side] += area; // 0 of triangles that are not usable
+    }
+  }
+  for (std::uint32_t t = 0; t < split.triangles.size(); ++t)
+  {
+    for (std::size_t i = 0; i < 3 && navigation.isUsable(t); ++i)
+    {
+      const std::uint32_t side = split.triangles[t][i];
+      std::uint32_t& best = largest[triangles.Triangles[t][i]];
+      best = best == ink::MeshNavigation::border || areas[side] > areas[best] ? side : best;
+    }
+  }
+  ink::MeshCurvature result;
+  result.points.resize(largest.size());
+  result.sources.assign(largest.size(), ink::CurvatureSource::None);
+  result.derivatives.resize(ofSides.derivatives.empty() ? 0 : largest.size());
+  for (std::size_t i = 0; i < largest.size(); ++i)
+  {
+    if (const std::uint32_t side = largest[i]; side != ink::MeshNavigation::border)
+    {
+      result.points[i] = ofSides.points[side];
+      result.sources[i] = ofSides.sources[side];
+      if (!result.derivatives.empty())
+      {
+        result.derivatives[i] = ofSides.derivatives[side];
+      }
+    }
+  }
+  return result;
+}
+
+/// @param featureAngle in degrees; 180: neighborhoods go on over all edges
+ink::MeshCurvature OfMesh(
+  vtkPolyData* mesh, const ink::CurvatureOptions& options, double featureAngle, const ink::Progress& progress)
+{
+  const bool hasEdges = featureAngle < 180.0;
+  const bool wantNormals = hasEdges || InkPointNormals(mesh) != nullptr;
   const InkMeshTriangles triangles(
-    WithGhosts(mesh), hasNormals, InkMeshTriangles::Order::OfMesh, InkMeshTriangles::Repeats::Kept);
+    WithGhosts(mesh), wantNormals, InkMeshTriangles::Order::OfMesh, InkMeshTriangles::Repeats::Kept);
+  if (hasEdges)
+  {
+    ink::MeshNavigation navigation(triangles.GetMesh(), 180.0);
+    const double diagonal = glm::distance(navigation.lower(), navigation.upper());
+    ink::cutFeatures(navigation, featureAngle, ink::defaultFeatureReach * diagonal);
+    return OfSides(triangles, navigation, options, progress);
+  }
   return ink::estimateCurvature(triangles.GetMesh(), triangles.Normals, options, progress);
 }
 
@@ -99,13 +164,17 @@ void KeepWithin(const ink::GridGeometry& grid, double rounding, std::span<const 
     {
       found.points[i] = {};
       found.sources[i] = ink::CurvatureSource::None;
+      if (!found.derivatives.empty())
+      {
+        found.derivatives[i] = {};
+      }
     }
   }
 }
 
 /// @param scalars contiguous
 ink::MeshCurvature OfField(vtkPolyData* points, vtkImageData* image, vtkDataArray* scalars, int component,
-  double smoothing, const ink::Progress& progress)
+  double smoothing, bool derivatives, const ink::Progress& progress)
 {
   std::vector<glm::dvec3> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
   double largest = 0.0;
@@ -126,14 +195,12 @@ ink::MeshCurvature OfField(vtkPolyData* points, vtkImageData* image, vtkDataArra
     : ink::makeIsoSurfaceResampling(geometry, smoothing, 1, ink::SmoothingTarget::Surface).deviation;
   ink::MeshCurvature found = InkWithGridField(geometry, scalars, component, hidden,
     [&]<class T>(const ink::GridField<T>& field)
-    { return ink::smoothedCurvatures(field, deviation, positions, progress); });
+    { return ink::smoothedCurvatures(field, deviation, positions, progress, derivatives); });
   // Points on the border are inside however their coordinates are rounded.
   const bool isDouble = points->GetPoints() && points->GetPoints()->GetDataType() == VTK_DOUBLE;
   const double epsilon =
     isDouble ? std::numeric_limits<double>::epsilon() : std::numeric_limits<float>::epsilon();
-  const glm::dvec3 spacing = glm::abs(geometry.spacing());
-  KeepWithin(geometry, 4.0 * epsilon * (1.0 + largest / std::min({ spacing.x, spacing.y, spacing.z })),
-    positions, found);
+  KeepWithin(geometry, 4.0 * epsilon * (1.0 + largest / geometry.smallestSpacing()), positions, found);
   return found;
 }
 
@@ -282,7 +349,8 @@ int vtkInkPrincipalCurvature::RequestData(
       }
       int component = 0;
       const vtkSmartPointer<vtkDataArray> contiguous = InkMakeContiguous(scalars, component);
-      found = OfField(mesh, image, contiguous, component, this->FieldSmoothing, progress);
+      found =
+        OfField(mesh, image, contiguous, component, this->FieldSmoothing, this->ComputeDerivative, progress);
       if (!found.sources.empty() &&
         std::all_of(found.sources.begin(), found.sources.end(),
           [](ink::CurvatureSource source) { return source == ink::CurvatureSource::None; }))
@@ -304,7 +372,15 @@ int vtkInkPrincipalCurvature::RequestData(
     }
     else
     {
-      found = OfMesh(mesh, OptionsOf(this), progress);
+      const ink::CurvatureOptions options = OptionsOf(this);
+      if (this->ComputeDerivative && !options.derivatives)
+      {
+        vtkWarningMacro("The estimator is " << this->GetEstimatorAsString() << " of degree " << this->Degree
+                                            << "; expected Jet of degree 3 for ComputeDerivative. There is "
+                                            << "no array CurvatureDerivative.");
+      }
+      found = OfMesh(mesh, options, this->FeatureAngle, progress);
+      InkWarnOfNotFiniteFaces(this, mesh);
     }
     if (found.points.size() != static_cast<std::size_t>(mesh->GetNumberOfPoints()))
     {
@@ -361,6 +437,7 @@ void vtkInkPrincipalCurvature::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
   os << indent << "Adaptive: " << this->Adaptive << "\n";
   os << indent << "Degree: " << this->Degree << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "ComputeMeanCurvature: " << this->ComputeMeanCurvature << "\n";
   os << indent << "ComputeGaussCurvature: " << this->ComputeGaussCurvature << "\n";
   os << indent << "ComputeUmbilicMeasure: " << this->ComputeUmbilicMeasure << "\n";

@@ -9,7 +9,7 @@
  *
  * Input: a vtkPolyData with polygons or strips, of any shape. Outside is where the point normals point to,
  * an array `Normals` without such, and if there are none where the polygons run counterclockwise. Border
- * points of equal position count as one. Hidden cells are left out, ghost cells are neighbors.
+ * points closer than a millionth of the mesh's extent count as one. Hidden cells are left out, ghost cells are neighbors.
  *
  * With an image at the optional second input, curvature is that of the image's level sets through the input's
  * points, from gradient and Hessian, with normals out of the denser side; the input then needs no polygons.
@@ -122,6 +122,19 @@ public:
 
   ///@{
   /**
+   * Of a mesh: neighborhoods end at edges between polygons at more than this angle, unless the surface goes
+   * straight on there as seen from 2 % of the diagonal of its bounds' distance, as it does where it is rough:
+   * so the sides of a box are flat, and those of a cylinder bend in one direction up to its caps. A point on
+   * such an edge has the curvature of the side that is largest around it, as at a border. What a mesh's
+   * bounds are, and where it is rough, depends on the pieces that it is in. 0 to 180 degrees; default: 180,
+   * none, as published. Lines of curvature and styles have 40.
+   */
+  InkSetClampMacro(FeatureAngle, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * Make the point array `MeanCurvature`, (k1 + k2) / 2. Default: off.
    */
   vtkSetMacro(ComputeMeanCurvature, bool);
@@ -151,9 +164,10 @@ public:
 
   ///@{
   /**
-   * Make the point array `CurvatureDerivative`, of meshes with JET of degree 3: four components in 1 / world
-   * unit squared, the derivative of the second fundamental form along the directions 111, 112, 122 and 222,
-   * the first of which is that of k1 along PrincipalDirection1. Default: off.
+   * Make the point array `CurvatureDerivative`: four components in 1 / world unit squared, the derivative of
+   * the second fundamental form along the directions 111, 112, 122 and 222, the first of which is that of k1
+   * along PrincipalDirection1. Of meshes JET of degree 3 finds it, of images differences of curvature.
+   * Default: off.
    */
   vtkSetMacro(ComputeDerivative, bool);
   vtkGetMacro(ComputeDerivative, bool);
@@ -199,6 +213,7 @@ private:
   int NumberOfRings = 5;
   bool Adaptive = true;
   int Degree = 3;
+  double FeatureAngle = 180.0;
   bool ComputeMeanCurvature = false;
   bool ComputeGaussCurvature = false;
   bool ComputeUmbilicMeasure = false;

@@ -139,6 +139,24 @@ struct Discs
         this->Radii[i] = own ? static_cast<float>(radius) : 0.0f;
         this->Areas[i] = static_cast<float>(areas.Find(normal, radius));
       });
+    this->LeaveOutEdges();
+  }
+
+  /// Neighbors at one position with different normals are the rim of a cut, which is an edge: stipples on its
+  /// discs would stick out of the surface.
+  void LeaveOutEdges()
+  {
+    const auto same = [this](std::size_t i, std::size_t j)
+    { return this->Centers[i] == this->Centers[j] && this->Normals[i] != this->Normals[j]; };
+    const std::size_t count = this->Centers.size();
+    ink::parallelForEach(count,
+      [&](std::size_t i)
+      {
+        if ((i > 0 && same(i - 1, i)) || (i + 1 < count && same(i, i + 1)))
+        {
+          this->Radii[i] = 0.0f;
+        }
+      });
   }
 
   ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii, this->Areas }; }

@@ -30,7 +30,7 @@ double InkAreaOfDiscs(vtkPolyData* points);
 
 /// Writes stipples on the discs to an empty output, lists of neighbors (InkNeighborLists) with the mean
 /// normal of their discs; leaves it empty when aborted by the progress. Points that `vtkGhostType` marks as
-/// hidden or duplicate have none.
+/// hidden or duplicate have none, and neither have neighbors at one position with different normals.
 /// @throws std::invalid_argument that says what is wrong with the points or the request
 void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& request, vtkPolyData* output);
 

@@ -2,6 +2,7 @@
 #include "InkKeptSamples.h"
 
 #include "InkAllocate.h"
+#include "InkPointOutput.h"
 #include "InkTrimArray.h"
 #include "InkVTKCompat.h"
 
@@ -145,6 +146,10 @@ void InkKeptSamples::Fill(const Contents& contents, vtkPolyData* output)
     // The precision of the points: where float is too coarse for the points, it may be for the radius, too.
     finish(RenewArray(this->Radii, this->Points->GetDataType(), 1), "Radius");
     this->Radii->Fill(*contents.Radius);
+    if (contents.Rims)
+    {
+      InkNarrowRims(this->Points, this->Radii);
+    }
     output->GetPointData()->AddArray(this->Radii);
   }
   if (contents.SurfaceIndex && this->Counts.size() > 1)

@@ -36,7 +36,8 @@ public:
     bool SurfaceIndex; ///< where there are several surfaces
     bool CellIds;
     bool Vertices;
-    std::optional<double> Radius; ///< of all samples
+    std::optional<double> Radius; ///< of all samples, but for those of rims
+    bool Rims;                    ///< whether there may be some
   };
   /// Puts as many samples into the output as Counts says.
   void Fill(const Contents& contents, vtkPolyData* output);

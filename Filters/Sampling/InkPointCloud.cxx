@@ -125,6 +125,185 @@ bool AreRadii(const std::vector<float>& radii)
   return std::all_of(radii.begin(), radii.end(), [](float r) { return r > 0.0f && std::isfinite(r); });
 }
 
+/// Points with what is made for them. Each step returns false when aborted.
+class Cloud
+{
+public:
+  Cloud(vtkPointSet* input, const InkPointCloudOptions& options, vtkAlgorithm* algorithm)
+    : Input(input)
+    , Options(options)
+    , GivenNormals(InkPointNormals(input))
+    , GivenRadius(GetPointArray(input, "Radius", 1))
+    , Progress(
+        [this, algorithm](double part)
+        {
+          algorithm->UpdateProgress(this->Done + this->Share * part);
+          return !InkCheckAbort(algorithm);
+        })
+  {
+    this->Positions = GetLocalPositions(input, this->Unit, this->Origin);
+    this->Order.resize(this->Positions.size());
+    std::iota(this->Order.begin(), this->Order.end(), 0u);
+  }
+  Cloud(const Cloud&) = delete;
+  void operator=(const Cloud&) = delete;
+
+  bool MakeNormals();
+  bool MakeRadii();
+  bool SortByPriority();
+  void Write(vtkPolyData* output) const;
+
+  std::size_t GetNumberOfIsolated() const { return this->Isolated; }
+
+private:
+  void StartStep(double share)
+  {
+    this->Done += this->Share;
+    this->Share = share;
+  }
+  bool EstimatesNormals() const { return !this->GivenNormals && this->Options.Normals; }
+
+  vtkPointSet* const Input;
+  const InkPointCloudOptions& Options;
+  vtkDataArray* const GivenNormals;
+  vtkDataArray* const GivenRadius;
+  double Done = 0.0;
+  double Share = 0.0;
+  const ink::Progress Progress;
+  double Unit = 1.0;
+  glm::dvec3 Origin = glm::dvec3(0.0);
+  std::vector<glm::vec3> Positions;
+  std::vector<glm::vec3> Normals;   ///< empty: none
+  std::vector<float> Radii;         ///< empty: none
+  std::vector<std::uint32_t> Order; ///< the points that are kept
+  std::size_t Isolated = 0;
+};
+
+bool Cloud::MakeNormals()
+{
+  this->StartStep(0.4);
+  if (this->EstimatesNormals())
+  {
+    std::optional<glm::vec3> viewpoint;
+    if (this->Options.Viewpoint)
+    {
+      const double* v = this->Options.Viewpoint;
+      viewpoint = glm::vec3((glm::dvec3(v[0], v[1], v[2]) - this->Origin) / this->Unit);
+    }
+    this->Normals =
+      ink::estimateNormals(this->Positions, this->Options.NormalNeighbors, this->Progress, viewpoint);
+    return this->Normals.size() == this->Positions.size();
+  }
+  if (this->GivenNormals)
+  {
+    this->Normals.resize(this->Positions.size());
+    for (std::size_t i = 0; i < this->Normals.size(); ++i)
+    {
+      double normal[3];
+      this->GivenNormals->GetTuple(static_cast<vtkIdType>(i), normal);
+      this->Normals[i] = glm::vec3(normal[0], normal[1], normal[2]);
+    }
+  }
+  return true;
+}
+
+bool Cloud::MakeRadii()
+{
+  this->StartStep(0.2);
+  if (this->GivenRadius)
+  {
+    this->Radii.resize(this->Positions.size());
+    for (std::size_t i = 0; i < this->Radii.size(); ++i)
+    {
+      this->Radii[i] =
+        static_cast<float>(this->GivenRadius->GetComponent(static_cast<vtkIdType>(i), 0) / this->Unit);
+    }
+  }
+  else if (this->Options.Radius && this->Options.UniformRadius)
+  {
+    this->Radii.assign(this->Positions.size(), ink::discRadiusFromSpacing(this->Positions));
+  }
+  else if (this->Options.Radius)
+  {
+    ink::PointRadii own = ink::pointRadii(this->Positions, this->Normals, this->Progress);
+    if (own.radius.size() != this->Positions.size())
+    {
+      return false;
+    }
+    this->Isolated = own.isolatedCount;
+    this->Radii = std::move(own.radius);
+    if (this->Isolated > 0 && this->Options.RemoveIsolated)
+    {
+      std::erase_if(this->Order, [&](std::uint32_t i) { return own.isolated[i] != 0; });
+      this->Positions = Pick(this->Positions, this->Order);
+      this->Normals = Pick(this->Normals, this->Order);
+      this->Radii = Pick(this->Radii, this->Order);
+    }
+  }
+  return true;
+}
+
+bool Cloud::SortByPriority()
+{
+  this->StartStep(0.4);
+  if (!this->Options.Priority)
+  {
+    return true;
+  }
+  const auto sorted = ink::progressiveOrder(this->Positions, this->Normals,
+    AreRadii(this->Radii) ? this->Radii : std::vector<float>(),
+    static_cast<std::uint64_t>(this->Options.Seed), this->Progress);
+  if (sorted.size() != this->Positions.size())
+  {
+    return false;
+  }
+  this->Order = Pick(this->Order, sorted);
+  this->Normals = Pick(this->Normals, sorted);
+  this->Radii = Pick(this->Radii, sorted);
+  return true;
+}
+
+void Cloud::Write(vtkPolyData* output) const
+{
+  InkExtractPoints(this->Input, this->Order, output);
+  const auto count = static_cast<vtkIdType>(this->Order.size());
+  vtkPointData* pointData = output->GetPointData();
+  if (this->EstimatesNormals())
+  {
+    vtkNew<vtkFloatArray> array;
+    array->SetName("Normals");
+    array->SetNumberOfComponents(3);
+    InkSetNumberOfTuples(array, count);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      array->SetTuple(i, &this->Normals[static_cast<std::size_t>(i)].x);
+    }
+    pointData->SetNormals(array);
+  }
+  else if (!pointData->GetNormals() && this->GivenNormals)
+  {
+    pointData->SetNormals(pointData->GetArray(this->GivenNormals->GetName()));
+  }
+  if (this->Options.Radius && !this->GivenRadius)
+  {
+    const vtkSmartPointer<vtkDataArray> array =
+      InkMakeConstant("Radius", output->GetPoints()->GetDataType(), count, 0.0);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      array->SetComponent(i, 0, this->Unit * static_cast<double>(this->Radii[static_cast<std::size_t>(i)]));
+    }
+    pointData->AddArray(array);
+  }
+  if (this->Options.Priority)
+  {
+    pointData->AddArray(InkMakePriority(count));
+  }
+  if (this->Options.Vertices)
+  {
+    output->SetVerts(InkMakePolyVertex(count));
+  }
+}
+
 } // namespace
 
 vtkIdType InkPreparePointCloud(
@@ -139,136 +318,11 @@ vtkIdType InkPreparePointCloud(
   {
     return own->GetNumberOfPoints() > 0 ? InkPreparePointCloud(own, options, algorithm, output) : 0;
   }
-  double done = 0.0;
-  double share = 0.0;
-  const ink::Progress progress = [&](double part)
+  Cloud cloud(input, options, algorithm);
+  if (!cloud.MakeNormals() || !cloud.MakeRadii() || !cloud.SortByPriority())
   {
-    algorithm->UpdateProgress(done + share * part);
-    return !InkCheckAbort(algorithm);
-  };
-  const auto next = [&](double part)
-  {
-    done += share;
-    share = part;
-  };
-  double unit = 1.0;
-  glm::dvec3 origin(0.0);
-  std::vector<glm::vec3> positions = GetLocalPositions(input, unit, origin);
-
-  vtkDataArray* given = InkPointNormals(input);
-  std::vector<glm::vec3> normals;
-  const bool estimated = !given && options.Normals;
-  next(0.4);
-  if (estimated)
-  {
-    std::optional<glm::vec3> viewpoint;
-    if (options.Viewpoint)
-    {
-      const glm::dvec3 position(options.Viewpoint[0], options.Viewpoint[1], options.Viewpoint[2]);
-      viewpoint = glm::vec3((position - origin) / unit);
-    }
-    normals = ink::estimateNormals(positions, options.NormalNeighbors, progress, viewpoint);
-    if (normals.size() != positions.size())
-    {
-      return 0;
-    }
+    return 0;
   }
-  else if (given)
-  {
-    normals.resize(positions.size());
-    for (std::size_t i = 0; i < normals.size(); ++i)
-    {
-      double normal[3];
-      given->GetTuple(static_cast<vtkIdType>(i), normal);
-      normals[i] = glm::vec3(normal[0], normal[1], normal[2]);
-    }
-  }
-
-  next(0.2);
-  vtkDataArray* givenRadius = GetPointArray(input, "Radius", 1);
-  std::vector<float> radii;
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::size_t isolated = 0;
-  if (givenRadius)
-  {
-    radii.resize(positions.size());
-    for (std::size_t i = 0; i < radii.size(); ++i)
-    {
-      radii[i] = static_cast<float>(givenRadius->GetComponent(static_cast<vtkIdType>(i), 0) / unit);
-    }
-  }
-  else if (options.Radius && options.UniformRadius)
-  {
-    radii.assign(positions.size(), ink::discRadiusFromSpacing(positions));
-  }
-  else if (options.Radius)
-  {
-    ink::PointRadii own = ink::pointRadii(positions, normals, progress);
-    if (own.radius.size() != positions.size())
-    {
-      return 0;
-    }
-    isolated = own.isolatedCount;
-    radii = std::move(own.radius);
-    if (isolated > 0 && options.RemoveIsolated)
-    {
-      std::erase_if(order, [&](std::uint32_t i) { return own.isolated[i] != 0; });
-      positions = Pick(positions, order);
-      normals = Pick(normals, order);
-      radii = Pick(radii, order);
-    }
-  }
-
-  next(0.4);
-  if (options.Priority)
-  {
-    const auto sorted = ink::progressiveOrder(positions, normals,
-      AreRadii(radii) ? radii : std::vector<float>(), static_cast<std::uint64_t>(options.Seed), progress);
-    if (sorted.size() != positions.size())
-    {
-      return 0;
-    }
-    order = Pick(order, sorted);
-    normals = Pick(normals, sorted);
-    radii = Pick(radii, sorted);
-  }
-  InkExtractPoints(input, order, output);
-  const auto count = static_cast<vtkIdType>(order.size());
-  vtkPointData* pointData = output->GetPointData();
-  if (estimated)
-  {
-    vtkNew<vtkFloatArray> array;
-    array->SetName("Normals");
-    array->SetNumberOfComponents(3);
-    InkSetNumberOfTuples(array, count);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      array->SetTuple(i, &normals[static_cast<std::size_t>(i)].x);
-    }
-    pointData->SetNormals(array);
-  }
-  else if (!pointData->GetNormals() && given)
-  {
-    pointData->SetNormals(pointData->GetArray(given->GetName()));
-  }
-  if (options.Radius && !givenRadius)
-  {
-    const vtkSmartPointer<vtkDataArray> array =
-      InkMakeConstant("Radius", output->GetPoints()->GetDataType(), count, 0.0);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      array->SetComponent(i, 0, unit * static_cast<double>(radii[static_cast<std::size_t>(i)]));
-    }
-    pointData->AddArray(array);
-  }
-  if (options.Priority)
-  {
-    pointData->AddArray(InkMakePriority(count));
-  }
-  if (options.Vertices)
-  {
-    output->SetVerts(InkMakePolyVertex(count));
-  }
-  return static_cast<vtkIdType>(isolated);
+  cloud.Write(output);
+  return static_cast<vtkIdType>(cloud.GetNumberOfIsolated());
 }

@@ -117,7 +117,7 @@ bool WithField(vtkImageData* image, const InkVolumeStippleRequest& request, cons
 }
 
 /// The samples whose voxels belong to the piece: those of its cells that are not marked as another piece's.
-ink::PieceOwnership FindOwnSamples(vtkImageData* image, const InkVolumeStippleRequest& request)
+ink::PieceOwnership FindOwnership(vtkImageData* image, const InkVolumeStippleRequest& request)
 {
   return { InkExtent(image->GetExtent()).GetDimensions(), request.Own,
     InkGetMarks(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL) };
@@ -229,7 +229,7 @@ bool InkMeasureVolume(
   const auto measure = [&](const auto& field)
   {
     return ink::stipple::measureVolume(field, ink::smoothingDeviation(field.geometry(), request.Smoothing),
-      FindOwnSamples(image, request), request.Gradient, statistics, request.Progress);
+      FindOwnership(image, request), request.Gradient, statistics, request.Progress);
   };
   return WithField(image, request, measure);
 }
@@ -242,7 +242,7 @@ void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& r
   {
     return;
   }
-  SelectOwn(FindOwnSamples(image, request), elements);
+  SelectOwn(FindOwnership(image, request), elements);
 
   const auto perVoxel = static_cast<std::size_t>(request.Stipples.perVoxel);
   const std::size_t count = elements.Own.size() * perVoxel;

@@ -18,7 +18,6 @@
 #include "IsoSurface/ResampledSamples.h"
 
 #include "vtkAOSDataArrayTemplate.h"
-#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -48,6 +47,23 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkInkIsoSurfaceSampler);
+
+/// One run over all iso-values.
+struct vtkInkIsoSurfaceSampler::Run
+{
+  ink::GridGeometry Geometry; ///< of the piece
+  InkExtent Whole;
+  ink::CellSelection Cells = {};
+  std::vector<double> IsoValues = {};
+  ink::SampleOptions Options = {};
+  ink::CutSurface Cut = ink::CutSurface::Open;
+  std::size_t Expected = 0;
+  ink::IsoSurfaceResampling Resampling = {};
+  ink::ComponentSelection Parts = {};
+  int ProjectionSteps = 0;
+  bool Doubles = false; ///< points
+  bool UseIndex = false;
+};
 
 /// The state kept from one run to the next.
 class vtkInkIsoSurfaceSampler::vtkInternals
@@ -80,45 +96,76 @@ public:
       this->RangesComponent = component;
     }
   }
+
+  /// Samples the surfaces into the kept arrays. @return false when aborted
+  template <class T>
+  bool Sample(const ink::GridField<T>& field, const Run& run, const InkSampleArrays& arrays,
+    const ink::Progress& progress)
+  {
+    const ink::GrowRoom grow = [&](std::size_t count) { return InkKeptSamples::Grow(arrays, count); };
+    if (!run.Resampling.isIdentity())
+    {
+      return ink::sampleResampledIsoSurfaces(field, run.IsoValues, run.Options, run.Cells, run.Resampling,
+        run.ProjectionSteps, run.UseIndex ? &this->TileRanges : nullptr, grow, this->Samples.Counts,
+        progress);
+    }
+    // Half of the work, if there are steps.
+    const double share = run.ProjectionSteps > 0 ? 0.5 : 1.0;
+    const auto sampling = [&](double done) { return progress(share * done); };
+    const auto projecting = [&](double done) { return progress(share + share * done); };
+    return ink::sampleIsoSurfaces(field, run.IsoValues, run.Options, run.Cells,
+             run.UseIndex ? &this->Ranges : nullptr, grow, run.Expected, this->Samples.Counts, sampling) &&
+      (run.ProjectionSteps == 0 || this->Project(field, run, grow(0), projecting));
+  }
+
+  /// Adds the points of cuts to those of their surfaces, and leaves out the parts that are not wanted.
+  void Finish(std::span<const ink::CutSamples> cuts, const Run& run, const InkSampleArrays& arrays)
+  {
+    std::vector<std::size_t>& counts = this->Samples.Counts;
+    const auto sum = [&] { return std::accumulate(counts.begin(), counts.end(), std::size_t(0)); };
+    if (std::any_of(cuts.begin(), cuts.end(), [](const ink::CutSamples& cut) { return !cut.points.empty(); }))
+    {
+      InkAddCuts(cuts, arrays, counts);
+    }
+    if (!run.Parts.keepsAll())
+    {
+      const auto* cells = static_cast<const ink::ActiveCellId*>(arrays.Cells->GetVoidPointer(0));
+      InkKeepParts({ cells, sum() }, run.Parts, arrays.All(), counts);
+    }
+    this->Expected = sum() + sum() / 8;
+  }
+
+private:
+  /// Moves the samples of each iso-value, which come one after the other. @return false when aborted
+  template <class T>
+  bool Project(const ink::GridField<T>& field, const Run& run, const ink::SampleRoom& room,
+    const ink::Progress& progress) const
+  {
+    const std::vector<std::size_t>& counts = this->Samples.Counts;
+    const double total =
+      std::max(1.0, static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t(0))));
+    std::size_t before = 0;
+    for (std::size_t n = 0; n < counts.size(); ++n)
+    {
+      const auto part = [&](double done)
+      { return progress((static_cast<double>(before) + done * static_cast<double>(counts[n])) / total); };
+      const auto project = [&](auto* points)
+      {
+        return ink::projectSamples(field, field.geometry(), run.IsoValues[n], run.ProjectionSteps,
+          std::span(points + 3 * before, 3 * counts[n]), part);
+      };
+      if (!(room.doublePoints ? project(room.doublePoints) : project(room.points)))
+      {
+        return false;
+      }
+      before += counts[n];
+    }
+    return true;
+  }
 };
 
 namespace
 {
-
-/// One run over all iso-values.
-struct SampleRequest
-{
-  std::span<const double> IsoValues;
-  ink::SampleOptions Options;
-  ink::CellSelection Cells;
-  std::size_t Expected;
-};
-
-/// Moves the samples of each iso-value, which come one after the other. Returns false when aborted.
-template <class T>
-bool Project(const ink::GridField<T>& field, const SampleRequest& request, int steps,
-  const ink::SampleRoom& room, const std::vector<std::size_t>& counts, const ink::Progress& progress)
-{
-  const double total =
-    std::max(1.0, static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t(0))));
-  std::size_t before = 0;
-  for (std::size_t n = 0; n < counts.size(); ++n)
-  {
-    const auto part = [&](double done)
-    { return progress((static_cast<double>(before) + done * static_cast<double>(counts[n])) / total); };
-    const auto project = [&](auto* points)
-    {
-      return ink::projectSamples(field, field.geometry(), request.IsoValues[n], steps,
-        std::span(points + 3 * before, 3 * counts[n]), part);
-    };
-    if (!(room.doublePoints ? project(room.doublePoints) : project(room.points)))
-    {
-      return false;
-    }
-    before += counts[n];
-  }
-  return true;
-}
 
 /// The number of samples to allocate before any is known: a multiple of the image's largest cross-section.
 /// Memory that is never written to costs only address space.
@@ -129,81 +176,43 @@ std::size_t GuessCount(const glm::ivec3& samples)
   return surfaces * std::max({ area(0, 1), area(0, 2), area(1, 2) });
 }
 
+/// What is added to each surface where it leaves the image; nothing where cuts are open.
+template <class Field, class Run>
+std::vector<ink::CutSamples> SampleCuts(const Field& field, const Run& run)
+{
+  std::vector<ink::CutSamples> cuts;
+  for (std::size_t n = 0; run.Cut != ink::CutSurface::Open && n < run.IsoValues.size(); ++n)
+  {
+    cuts.push_back(ink::sampleCut(
+      field, run.IsoValues[n], run.Cut, run.Whole.First, run.Whole.Last, run.Cells, run.Resampling));
+  }
+  return cuts;
+}
+
+/// @param precision of vtkInkIsoSurfaceSampler's normals @return VTK's type
+int TypeOfNormals(int precision)
+{
+  return precision == vtkAlgorithm::SINGLE_PRECISION        ? VTK_FLOAT
+    : precision == vtkInkIsoSurfaceSampler::SHORT_PRECISION ? VTK_SHORT
+                                                            : VTK_SIGNED_CHAR;
+}
+
 } // namespace
 
 vtkInkIsoSurfaceSampler::vtkInkIsoSurfaceSampler()
   : Internals(std::make_unique<vtkInternals>())
 {
-  // vtkContourValues initially holds one value.
-  this->ContourValues->SetNumberOfContours(0);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 vtkInkIsoSurfaceSampler::~vtkInkIsoSurfaceSampler() = default;
 
-void vtkInkIsoSurfaceSampler::SetValue(int i, double value)
-{
-  this->ContourValues->SetValue(i, value);
-}
-
-double vtkInkIsoSurfaceSampler::GetValue(int i)
-{
-  return this->ContourValues->GetValue(i);
-}
-
-void vtkInkIsoSurfaceSampler::SetNumberOfContours(int number)
-{
-  this->ContourValues->SetNumberOfContours(number);
-}
-
-vtkIdType vtkInkIsoSurfaceSampler::GetNumberOfContours()
-{
-  return this->ContourValues->GetNumberOfContours();
-}
-
-void vtkInkIsoSurfaceSampler::GenerateValues(int numContours, double rangeStart, double rangeEnd)
-{
-  this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
-}
-
-const char* vtkInkIsoSurfaceSampler::GetCrossingRuleAsString()
-{
-  return this->CrossingRule == STRICT ? "Strict" : "HalfOpen";
-}
-
-const char* vtkInkIsoSurfaceSampler::GetSmoothingTargetAsString()
-{
-  return this->SmoothingTarget == NORMALS ? "Normals" : "Surface";
-}
-
-const char* vtkInkIsoSurfaceSampler::GetCutAsString()
-{
-  constexpr const char* names[] = { "Open", "Rim", "Cap" };
-  return names[this->Cut];
-}
-
-const char* vtkInkIsoSurfaceSampler::GetNormalMethodAsString()
-{
-  constexpr const char* names[] = { "Cell", "InterpolatedGradient", "InterpolatedNormal", "Regression" };
-  return names[this->NormalMethod];
-}
-
 const char* vtkInkIsoSurfaceSampler::GetOutputNormalsPrecisionAsString()
 {
   return this->OutputNormalsPrecision == CHAR_PRECISION ? "Char"
     : this->OutputNormalsPrecision == SHORT_PRECISION   ? "Short"
                                                         : InkNameOfPrecision(this->OutputNormalsPrecision);
-}
-
-const char* vtkInkIsoSurfaceSampler::GetOutputPointsPrecisionAsString()
-{
-  return InkNameOfPrecision(this->OutputPointsPrecision);
-}
-
-const char* vtkInkIsoSurfaceSampler::GetArithmeticPrecisionAsString()
-{
-  return InkNameOfPrecision(this->ArithmeticPrecision);
 }
 
 vtkIdType vtkInkIsoSurfaceSampler::GetIndexMemory()
@@ -215,11 +224,6 @@ vtkIdType vtkInkIsoSurfaceSampler::GetIndexMemory()
 void vtkInkIsoSurfaceSampler::ReleaseIndex()
 {
   this->Internals->ClearRanges();
-}
-
-vtkMTimeType vtkInkIsoSurfaceSampler::GetMTime()
-{
-  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
 }
 
 int vtkInkIsoSurfaceSampler::FillInputPortInformation(int, vtkInformation* info)
@@ -237,7 +241,14 @@ int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
   using SDDP = vtkStreamingDemandDrivenPipeline;
   const int ghostLevels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) +
     ink::isoSurfaceResamplingReach(this->Smoothing, this->Subdivision) + (this->ProjectionSteps > 0 ? 1 : 0);
-  input[0]->GetInformationObject(0)->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels);
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels);
+  if (this->TakesSlabs(info, output->GetInformationObject(0)))
+  {
+    // They are asked for one by one.
+    int nothing[6] = { 0, -1, 0, -1, 0, -1 };
+    info->Set(SDDP::UPDATE_EXTENT(), nothing, 6);
+  }
   return 1;
 }
 
@@ -246,7 +257,10 @@ int vtkInkIsoSurfaceSampler::RequestData(
 {
   try
   {
-    this->SampleImage(inputVector, outputVector);
+    vtkInformation* info = inputVector[0]->GetInformationObject(0);
+    this->TakesSlabs(info, outputVector->GetInformationObject(0))
+      ? this->SampleSlabs(vtkPolyData::GetData(outputVector))
+      : this->SampleImage(inputVector, outputVector);
   }
   catch (...)
   {
@@ -258,15 +272,13 @@ int vtkInkIsoSurfaceSampler::RequestData(
   return 1;
 }
 
-void vtkInkIsoSurfaceSampler::SampleImage(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+vtkImageData* vtkInkIsoSurfaceSampler::TakeImage(vtkInformation* info)
 {
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
   vtkDataSet* data = vtkDataSet::GetData(info);
   // An empty piece is not an error.
   if (!data || data->GetNumberOfPoints() == 0)
   {
-    return;
+    return nullptr;
   }
   auto* image = vtkImageData::SafeDownCast(data);
   if (!image)
@@ -274,14 +286,52 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     vtkErrorMacro("The input is a " << data->GetClassName()
                                     << "; expected a vtkImageData. vtkResampleToImage makes one of a grid; "
                                        "vtkInkSurfaceSampler samples the surfaces of meshes and grids.");
-    return;
+    return nullptr;
   }
-  const InkExtent whole = InkGetWholeExtent(info, image);
-  const glm::ivec3 samples = whole.GetDimensions();
+  const glm::ivec3 samples = InkGetWholeExtent(info, image).GetDimensions();
   if (std::min({ samples.x, samples.y, samples.z }) < 2)
   {
     vtkWarningMacro("The image has " << samples.x << " x " << samples.y << " x " << samples.z
                                      << " samples. An iso-surface needs at least 2 along each axis.");
+    return nullptr;
+  }
+  return image;
+}
+
+vtkInkIsoSurfaceSampler::Run vtkInkIsoSurfaceSampler::MakeRun(
+  vtkImageData* image, vtkInformation* input, vtkInformation* output)
+{
+  const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  const InkExtent whole = InkGetWholeExtent(input, image);
+  Run run{ geometry, whole };
+  run.Cells = InkSelectCells(input, output, image);
+  run.IsoValues = this->TakeIsoValues();
+  run.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
+    (this->OutputPointsPrecision == DEFAULT_PRECISION && InkNeedsDoublePrecision(InkMakeGrid(image, whole)));
+  run.Options = this->MakeSampleOptions();
+  run.Options.arithmetic = run.Doubles || this->ArithmeticPrecision == DOUBLE_PRECISION
+    ? ink::Arithmetic::Double
+    : ink::Arithmetic::Single;
+  run.Cut = static_cast<ink::CutSurface>(this->Cut);
+  run.ProjectionSteps = this->ProjectionSteps;
+  run.UseIndex = this->UseIndex;
+  run.Expected = this->Internals->Expected == 0 ? GuessCount(geometry.dimensions())
+                                                : std::max(this->Internals->Expected, std::size_t(1024));
+  run.Resampling = ink::makeIsoSurfaceResampling(
+    geometry, this->Smoothing, this->Subdivision, static_cast<ink::SmoothingTarget>(this->SmoothingTarget));
+  run.Parts = ink::ComponentSelection{ this->SmallestPart, static_cast<std::size_t>(this->LargestParts) }
+                .inDividedCells(this->Subdivision);
+  return run;
+}
+
+void vtkInkIsoSurfaceSampler::SampleImage(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkImageData* image = this->TakeImage(info);
+  if (!image)
+  {
     return;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
@@ -292,102 +342,40 @@ void vtkInkIsoSurfaceSampler::SampleImage(
     return;
   }
   vtkInternals& internals = *this->Internals;
-  SampleRequest request;
-  request.IsoValues = std::span<const double>(
-    this->ContourValues->GetValues(), static_cast<std::size_t>(this->ContourValues->GetNumberOfContours()));
-  request.Options.rule =
-    this->CrossingRule == STRICT ? ink::CrossingRule::Strict : ink::CrossingRule::HalfOpen;
-  request.Options.method = static_cast<ink::NormalMethod>(this->NormalMethod);
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  request.Cells = InkSelectCells(info, outInfo, image);
-  if (this->UseIndex)
+  const Run run = this->MakeRun(image, info, outInfo);
+  if (run.UseIndex)
   {
     internals.KeepRangesOf(scalars, image, this->ArrayComponent);
   }
-  request.Expected = std::max(internals.Expected, std::size_t(1024));
-  if (std::any_of(request.IsoValues.begin(), request.IsoValues.end(), [](double v) { return std::isnan(v); }))
-  {
-    vtkWarningMacro("An iso-value is not a number (NaN) and makes no points.");
-  }
-
-  const ink::GridGeometry geometry = InkMakeGrid(image, InkExtent(image->GetExtent()));
-  const bool doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
-    (this->OutputPointsPrecision == DEFAULT_PRECISION && InkNeedsDoublePrecision(InkMakeGrid(image, whole)));
-  request.Options.arithmetic = doubles || this->ArithmeticPrecision == DOUBLE_PRECISION
-    ? ink::Arithmetic::Double
-    : ink::Arithmetic::Single;
-  if (internals.Expected == 0)
-  {
-    request.Expected = GuessCount(geometry.dimensions());
-  }
-  const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
-    geometry, this->Smoothing, this->Subdivision, static_cast<ink::SmoothingTarget>(this->SmoothingTarget));
-  const ink::GridGeometry sampled = ink::resampledGeometry(geometry, resampling.subdivision);
-  const double radius = ink::isoSurfaceSampleRadius(sampled);
-  const int normalType = !this->ComputeNormals         ? VTK_VOID
-    : this->OutputNormalsPrecision == SINGLE_PRECISION ? VTK_FLOAT
-    : this->OutputNormalsPrecision == SHORT_PRECISION  ? VTK_SHORT
-                                                       : VTK_SIGNED_CHAR;
-  const ink::ComponentSelection parts =
-    ink::ComponentSelection{ this->SmallestPart, static_cast<std::size_t>(this->LargestParts) }
-      .inDividedCells(this->Subdivision);
-  const InkSampleArrays arrays = internals.Samples.Renew(
-    doubles ? VTK_DOUBLE : VTK_FLOAT, normalType, this->ComputeCellIds || !parts.keepsAll());
-  const ink::GrowRoom grow = [&](std::size_t count) { return InkKeptSamples::Grow(arrays, count); };
-  std::vector<std::size_t>& counts = internals.Samples.Counts;
+  const InkSampleArrays arrays = internals.Samples.Renew(run.Doubles ? VTK_DOUBLE : VTK_FLOAT,
+    this->ComputeNormals ? TypeOfNormals(this->OutputNormalsPrecision) : VTK_VOID,
+    this->ComputeCellIds || !run.Parts.keepsAll());
   int component = this->ArrayComponent;
   const vtkSmartPointer<vtkDataArray> values = InkMakeContiguous(scalars, component);
   const ink::ElementMarks hidden = InkGetMarks(image->GetPointData(), vtkDataSetAttributes::HIDDENPOINT);
-  const double share = this->ProjectionSteps > 0 && resampling.isIdentity() ? 0.5 : 1.0;
-  const auto progressFrom = [this, share](double begin)
+  const auto progress = [this](double done)
   {
-    return [this, share, begin](double done)
-    {
-      this->UpdateProgress(begin + share * done);
-      return !InkCheckAbort(this);
-    };
+    this->UpdateProgress(done);
+    return !InkCheckAbort(this);
   };
   std::vector<ink::CutSamples> cuts;
   const auto sample = [&](const auto& field)
   {
-    for (std::size_t n = 0; this->Cut != OPEN && n < request.IsoValues.size(); ++n)
-    {
-      cuts.push_back(ink::sampleCut(field, request.IsoValues[n], static_cast<ink::CutSurface>(this->Cut),
-        whole.First, whole.Last, request.Cells, resampling));
-    }
-    if (!resampling.isIdentity())
-    {
-      return ink::sampleResampledIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
-        resampling, this->ProjectionSteps, this->UseIndex ? &internals.TileRanges : nullptr, grow, counts,
-        progressFrom(0.0));
-    }
-    return ink::sampleIsoSurfaces(field, request.IsoValues, request.Options, request.Cells,
-             this->UseIndex ? &internals.Ranges : nullptr, grow, request.Expected, counts,
-             progressFrom(0.0)) &&
-      (this->ProjectionSteps == 0 ||
-        Project(field, request, this->ProjectionSteps, grow(0), counts, progressFrom(share)));
+    cuts = SampleCuts(field, run);
+    return internals.Sample(field, run, arrays, progress);
   };
-  if (!InkWithGridField(geometry, values, component, hidden, sample))
+  if (!InkWithGridField(run.Geometry, values, component, hidden, sample))
   {
     internals.Samples.Release();
     return;
   }
-  if (std::any_of(cuts.begin(), cuts.end(), [](const ink::CutSamples& cut) { return !cut.points.empty(); }))
-  {
-    InkAddCuts(cuts, arrays, counts);
-  }
-  if (!parts.keepsAll())
-  {
-    const auto* cells = static_cast<const ink::ActiveCellId*>(arrays.Cells->GetVoidPointer(0));
-    const std::size_t count = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
-    InkKeepParts({ cells, count }, parts, arrays.All(), counts);
-  }
-  const std::size_t total = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
-  internals.Expected = total + total / 8;
+  internals.Finish(cuts, run, arrays);
+  const ink::GridGeometry sampled = ink::resampledGeometry(run.Geometry, run.Resampling.subdivision);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   internals.Samples.Fill(
     { this->ComputeNormals, this->ComputeSurfaceIndex, this->ComputeCellIds, this->GenerateVertices,
-      this->ComputeRadius ? std::optional(radius) : std::nullopt },
+      this->ComputeRadius ? std::optional(ink::isoSurfaceSampleRadius(sampled)) : std::nullopt,
+      this->Cut != OPEN },
     output);
   InkSetSampleCell(output, sampled);
   if (!this->ReuseArrays)
@@ -397,39 +385,29 @@ void vtkInkIsoSurfaceSampler::SampleImage(
   // A part of an image may legitimately have no points.
   if (output->GetNumberOfPoints() == 0 && InkIsWholeImage(info, outInfo, image))
   {
-    const std::string outside =
-      InkDescribeOutside(request.IsoValues, scalars, this->ArrayComponent, "points");
-    if (!outside.empty())
-    {
-      vtkWarningMacro(<< outside);
-    }
+    double range[2];
+    scalars->GetFiniteRange(range, this->ArrayComponent);
+    this->WarnIfOutside(run.IsoValues, range[0], range[1]);
+  }
+}
+
+void vtkInkIsoSurfaceSampler::WarnIfOutside(
+  const std::vector<double>& isoValues, double least, double greatest)
+{
+  const std::string outside = InkDescribeOutside(isoValues, least, greatest, "points");
+  if (!outside.empty())
+  {
+    vtkWarningMacro(<< outside);
   }
 }
 
 void vtkInkIsoSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "CrossingRule: " << this->GetCrossingRuleAsString() << "\n"
-     << indent << "NormalMethod: " << this->GetNormalMethodAsString() << "\n"
-     << indent << "OutputNormalsPrecision: " << this->GetOutputNormalsPrecisionAsString() << "\n"
-     << indent << "ComputeSurfaceIndex: " << this->ComputeSurfaceIndex << "\n"
-     << indent << "ArithmeticPrecision: " << this->GetArithmeticPrecisionAsString() << "\n"
+  os << indent << "OutputNormalsPrecision: " << this->GetOutputNormalsPrecisionAsString() << "\n"
      << indent << "UseIndex: " << this->UseIndex << "\n"
      << indent << "IndexMemory: " << this->GetIndexMemory() << "\n"
      << indent << "ReuseArrays: " << this->ReuseArrays << "\n"
-     << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
-     << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
-     << indent << "GenerateVertices: " << this->GenerateVertices << "\n"
-     << indent << "Cut: " << this->GetCutAsString() << "\n"
-     << indent << "SmallestPart: " << this->SmallestPart << "\n"
-     << indent << "LargestParts: " << this->LargestParts << "\n"
      << indent << "ComputeCellIds: " << this->ComputeCellIds << "\n"
-     << indent << "ArrayComponent: " << this->ArrayComponent << "\n"
-     << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n"
-     << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"
-     << indent << "Smoothing: " << this->Smoothing << "\n"
-     << indent << "SmoothingTarget: " << this->GetSmoothingTargetAsString() << "\n"
-     << indent << "Subdivision: " << this->Subdivision << "\n"
-     << indent << "ContourValues:\n";
-  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+     << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
 }

@@ -37,6 +37,9 @@
  * resampled image exists at any time; "cell" then means such a smaller cell, and points are sorted by
  * iso-value, then by tile, then by cell.
  *
+ * With MaximumMemory, a large image is asked for a few slices at a time, see there. The index then is of no
+ * use.
+ *
  * Output arrays that nobody else references when the filter runs again are reused, see ReuseArrays.
  *
  * Errors and warnings, each with an empty output: an input that is not an image (vtkResampleToImage converts
@@ -48,136 +51,22 @@
 #ifndef vtkInkIsoSurfaceSampler_h
 #define vtkInkIsoSurfaceSampler_h
 
-#include "InkSetters.h"
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
-#include "vtkNew.h"                      // for the contour values
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkInkIsoSurfaceAlgorithm.h"
 
 #include <memory> // for the internals
+#include <string> // for the array
+#include <vector> // for iso-values
 
-class vtkContourValues;
 class vtkDataArray;
 class vtkImageData;
 
-class VTKINKFILTERSSAMPLING_EXPORT vtkInkIsoSurfaceSampler : public vtkPolyDataAlgorithm
+class VTKINKFILTERSSAMPLING_EXPORT vtkInkIsoSurfaceSampler : public vtkInkIsoSurfaceAlgorithm
 {
 public:
   static vtkInkIsoSurfaceSampler* New();
-  vtkTypeMacro(vtkInkIsoSurfaceSampler, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkInkIsoSurfaceSampler, vtkInkIsoSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The iso-values, as in vtkContourFilter. Default: none, which yields no points.
-   */
-  void SetValue(int i, double value);
-  double GetValue(int i);
-  void SetNumberOfContours(int number);
-  vtkIdType GetNumberOfContours();
-  void GenerateValues(int numContours, double rangeStart, double rangeEnd);
-  ///@}
-
-  /// Which cell edges the surface intersects, see SetCrossingRule.
-  enum CrossingRuleType
-  {
-    HALF_OPEN = 0,
-    STRICT = 1
-  };
-
-  ///@{
-  /**
-   * Which cell edges the surface at f0 intersects. HALF_OPEN (default): those with one end below f0 and the
-   * other at or above it, so that a surface through voxel centers has neither holes nor duplicates. STRICT:
-   * the rule as printed in Zhang et al., (f1 - f0)(f2 - f0) < 0, and the edge's midpoint where f1 = f2 = f0;
-   * where voxels have exactly the value f0, as in integer data, it leaves holes and finds flat regions twice.
-   */
-  vtkSetClampMacro(CrossingRule, int, HALF_OPEN, STRICT);
-  vtkGetMacro(CrossingRule, int);
-  void SetCrossingRuleToHalfOpen() { this->SetCrossingRule(HALF_OPEN); }
-  void SetCrossingRuleToStrict() { this->SetCrossingRule(STRICT); }
-  const char* GetCrossingRuleAsString();
-  ///@}
-
-  ///@{
-  /**
-   * Compute the point array `Normals`. Default: on.
-   */
-  vtkSetMacro(ComputeNormals, bool);
-  vtkGetMacro(ComputeNormals, bool);
-  vtkBooleanMacro(ComputeNormals, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The standard deviation of the Gaussian that values are smoothed with before the surface is sampled, in
-   * multiples of the smallest spacing, the same in all world directions; 0 to 8. Default: 0, values as they
-   * are. Where voxels are not cubes, cells then are divided until they are about cubes, as with
-   * Subdivision. Removes what noise, few gray levels and the distance of slices do to normals, and with it
-   * parts thinner than the Gaussian, see SmoothingTarget; Common/Statistics/NoiseEstimate.h suggests a value.
-   * NaN is refused with a warning.
-   */
-  InkSetClampMacro(Smoothing, 0.0, 8.0);
-  vtkGetMacro(Smoothing, double);
-  ///@}
-
-  /// What is smoothed, see SetSmoothingTarget.
-  enum SmoothingTargetType
-  {
-    SURFACE = 0,
-    NORMALS = 1
-  };
-
-  ///@{
-  /**
-   * What is made of the smoothed values. SURFACE (default): the surface and its normals; surfaces shrink
-   * where they are bent, and parts as thin as the Gaussian vanish. NORMALS: the normals (by central
-   * differences, interpolated). The surface then is that of values smoothed by a kernel that keeps parabolas,
-   * a Gaussian of fourth order of 0.7 times the deviation: it stays where it is, and so do thin parts.
-   */
-  vtkSetClampMacro(SmoothingTarget, int, SURFACE, NORMALS);
-  vtkGetMacro(SmoothingTarget, int);
-  void SetSmoothingTargetToSurface() { this->SetSmoothingTarget(SURFACE); }
-  void SetSmoothingTargetToNormals() { this->SetSmoothingTarget(NORMALS); }
-  const char* GetSmoothingTargetAsString();
-  ///@}
-
-  ///@{
-  /**
-   * How many cells take the place of one along the axis of the smallest spacing, 1 to 8; along others more,
-   * so that cells are about cubes, but at most 8. Default: 1. Values in between are interpolated by cubics
-   * (Catmull and Rom) or come from the Gaussian of Smoothing; Radius is that of the smaller cells. Above 1,
-   * cells are divided also where Smoothing is 0.
-   */
-  vtkSetClampMacro(Subdivision, int, 1, 8);
-  vtkGetMacro(Subdivision, int);
-  ///@}
-
-  /// How normals are estimated, see SetNormalMethod.
-  enum NormalMethodType
-  {
-    CELL = 0,
-    INTERPOLATED_GRADIENT = 1,
-    INTERPOLATED_NORMAL = 2,
-    REGRESSION = 3
-  };
-
-  ///@{
-  /**
-   * How normals are estimated. CELL: the gradient of the trilinear interpolant of the cell's own eight
-   * voxels; the fastest, but faceted. INTERPOLATED_GRADIENT: gradients by central differences at the corners
-   * are interpolated, then normalized. INTERPOLATED_NORMAL (default): the same gradients are normalized
-   * first, then interpolated, as Zhang et al. do; more accurate at sharp boundaries and for anisotropic
-   * voxels. REGRESSION: the same with gradients by linear regression over each corner's 26 neighbors (Neumann
-   * et al. 2000, equal weights); smoother for noisy data, but rounds off features smaller than two voxels.
-   */
-  vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
-  vtkGetMacro(NormalMethod, int);
-  void SetNormalMethodToCell() { this->SetNormalMethod(CELL); }
-  void SetNormalMethodToInterpolatedGradient() { this->SetNormalMethod(INTERPOLATED_GRADIENT); }
-  void SetNormalMethodToInterpolatedNormal() { this->SetNormalMethod(INTERPOLATED_NORMAL); }
-  void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
-  const char* GetNormalMethodAsString();
-  ///@}
 
   /// Precisions below vtkAlgorithm::SINGLE_PRECISION, see SetOutputNormalsPrecision.
   enum OutputNormalsPrecisionType
@@ -203,79 +92,6 @@ public:
 
   ///@{
   /**
-   * Compute the point array `SurfaceIndex`: the index of the iso-value that a point belongs to. Default: on.
-   * It is omitted when there is only one iso-value.
-   */
-  vtkSetMacro(ComputeSurfaceIndex, bool);
-  vtkGetMacro(ComputeSurfaceIndex, bool);
-  vtkBooleanMacro(ComputeSurfaceIndex, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Compute the point array `Radius`. Default: on.
-   */
-  vtkSetMacro(ComputeRadius, bool);
-  vtkGetMacro(ComputeRadius, bool);
-  vtkBooleanMacro(ComputeRadius, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Make one poly-vertex cell over all points, so that any VTK mapper draws them. Default: on.
-   */
-  vtkSetMacro(GenerateVertices, bool);
-  vtkGetMacro(GenerateVertices, bool);
-  vtkBooleanMacro(GenerateVertices, bool);
-  ///@}
-
-  /// What is added where a surface leaves the image, see SetCut.
-  enum CutType
-  {
-    OPEN = 0,
-    RIM = 1,
-    CAP = 2
-  };
-
-  ///@{
-  /**
-   * What is added where a surface leaves the image. OPEN (default): nothing; the surface ends somewhere in
-   * the last voxels, and lines along its edge are broken. RIM: points along the cut, with normals from the
-   * surface's to that of the image's side, which makes the edge one clean line. CAP: also points all over
-   * the part of the side that is inside, as if all beyond the image were below the iso-value. The points
-   * follow those of their surface. They are found in the image's values as they are.
-   */
-  vtkSetClampMacro(Cut, int, OPEN, CAP);
-  vtkGetMacro(Cut, int);
-  void SetCutToOpen() { this->SetCut(OPEN); }
-  void SetCutToRim() { this->SetCut(RIM); }
-  void SetCutToCap() { this->SetCut(CAP); }
-  const char* GetCutAsString();
-  ///@}
-
-  ///@{
-  /**
-   * Leave out parts of a surface that have less than this share of its largest part's points: noise and
-   * floaters. A part is a connected component of active cells, which are neighbors if they share a face. 0
-   * (default): none; negative: automatic, parts with less than a thousandth, or up to two voxels large. Parts
-   * are those of the piece that is sampled: for those of the whole, sample pieces with ComputeCellIds and put
-   * them together first.
-   */
-  InkSetClampMacro(SmallestPart, -1.0, 1.0);
-  vtkGetMacro(SmallestPart, double);
-  ///@}
-
-  ///@{
-  /**
-   * Keep only that many of the largest parts of each surface; a skull without its headrest is 1. 0 (default):
-   * all. See SmallestPart for what a part is.
-   */
-  vtkSetClampMacro(LargestParts, int, 0, 1000000);
-  vtkGetMacro(LargestParts, int);
-  ///@}
-
-  ///@{
-  /**
    * Compute the point array `CellId` (64-bit integers): the cell that a point lies in, as ink::activeCellId
    * of its index in the whole image. It ascends within a surface, up to the points of its Cut. Default: off.
    */
@@ -290,47 +106,6 @@ public:
    */
   vtkSetClampMacro(ArrayComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * The type of the point coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION
-   * (default), which is single unless the image lies so far from the origin that single precision would move
-   * points by more than a thousandth of the smallest spacing.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  void SetOutputPointsPrecisionToSingle() { this->SetOutputPointsPrecision(SINGLE_PRECISION); }
-  void SetOutputPointsPrecisionToDouble() { this->SetOutputPointsPrecision(DOUBLE_PRECISION); }
-  void SetOutputPointsPrecisionToDefault() { this->SetOutputPointsPrecision(DEFAULT_PRECISION); }
-  const char* GetOutputPointsPrecisionAsString();
-  ///@}
-
-  ///@{
-  /**
-   * How many steps at most move each point onto the iso-surface of the trilinear interpolation, 0 to 8.
-   * Default: 0, the points of Zhang et al. 2014: the mean of a cell's intersections lies off the surface by
-   * some hundredths of the spacing. Each step (Newton's, along the central-difference gradient) leaves about
-   * a tenth of the distance, more where boundaries are sharp; a point within 1e-4 of the smallest spacing is
-   * moved no further, one that would have to leave its cell by more than a cell's width not at all. Normals
-   * stay those at the point's old position. Takes a second level of ghost cells.
-   */
-  vtkSetClampMacro(ProjectionSteps, int, 0, 8);
-  vtkGetMacro(ProjectionSteps, int);
-  ///@}
-
-  ///@{
-  /**
-   * The precision in which points and normals are computed: vtkAlgorithm::SINGLE_PRECISION (default) or
-   * DOUBLE_PRECISION. Single precision applies to voxels of 8 and 16 bits and float; its points and normals
-   * differ from those in double by about 1e-6 of a voxel and 1e-5 radians. Other types, and points in double,
-   * are always computed in double. Classifying voxels as inside or outside is exact in both.
-   */
-  vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
-  vtkGetMacro(ArithmeticPrecision, int);
-  void SetArithmeticPrecisionToSingle() { this->SetArithmeticPrecision(SINGLE_PRECISION); }
-  void SetArithmeticPrecisionToDouble() { this->SetArithmeticPrecision(DOUBLE_PRECISION); }
-  const char* GetArithmeticPrecisionAsString();
   ///@}
 
   ///@{
@@ -361,8 +136,14 @@ public:
   vtkBooleanMacro(ReuseArrays, bool);
   ///@}
 
-  /// Includes the iso-values.
-  vtkMTimeType GetMTime() override;
+  double SuggestSmoothing(double isoValue) override;
+  vtkIdType CountActiveCells(double isoValue) override;
+
+#ifndef __VTK_WRAP__
+  vtkSmartPointer<vtkImageData> MakeFrame() override;
+  bool SampleParts(const PartSink& sink) override;
+  ink::FiniteRange FindRange() override;
+#endif
 
 protected:
   vtkInkIsoSurfaceSampler();
@@ -377,31 +158,32 @@ private:
   void operator=(const vtkInkIsoSurfaceSampler&) = delete;
 
   class vtkInternals;
+  struct Run;
 
   void SampleImage(vtkInformationVector** input, vtkInformationVector* output);
+  /// Whether the image is asked for a few slices at a time.
+  bool TakesSlabs(vtkInformation* input, vtkInformation* output);
+  void SampleSlabs(vtkPolyData* output);
+  /// Calls use(InkImageSlabs&) with the input's; reports what goes wrong.
+  template <class Use>
+  void UseSlabs(const Use& use);
+  /// @throws std::exception
+  void SampleParts(const PartSink& sink, const std::vector<double>& isoValues, bool cellIds);
+  /// The name of the array to process; empty: the active scalars.
+  std::string GetArrayName();
+  /// The input's image; null where there is none to sample, which then was said.
+  vtkImageData* TakeImage(vtkInformation* info);
+  /// What the properties say of a run over an image, or a piece of one.
+  Run MakeRun(vtkImageData* image, vtkInformation* input, vtkInformation* output);
   /// Warns if no iso-value lies within the range of the values.
+  void WarnIfOutside(const std::vector<double>& isoValues, double least, double greatest);
 
-  vtkNew<vtkContourValues> ContourValues;
-  int CrossingRule = HALF_OPEN;
-  int NormalMethod = INTERPOLATED_NORMAL;
   int OutputNormalsPrecision = SINGLE_PRECISION;
-  int ArithmeticPrecision = SINGLE_PRECISION;
-  bool ComputeNormals = true;
-  bool ComputeSurfaceIndex = true;
-  bool ComputeRadius = true;
-  bool GenerateVertices = true;
-  int Cut = OPEN;
-  double SmallestPart = 0.0;
-  int LargestParts = 0;
   bool ComputeCellIds = false;
   int ArrayComponent = 0;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
-  int ProjectionSteps = 0;
-  double Smoothing = 0.0;
-  int SmoothingTarget = SURFACE;
-  int Subdivision = 1;
   bool UseIndex = true;
   bool ReuseArrays = true;
+  double FoundRange[2] = { 0.0, 0.0 }; ///< of the values that were sampled in parts
   std::unique_ptr<vtkInternals> Internals;
 };
 

@@ -5,6 +5,7 @@
 #include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
+#include "InkNotFiniteFaces.h"
 #include "InkOwnedSamples.h"
 #include "InkPointNormals.h"
 #include "InkReportException.h"
@@ -290,29 +291,37 @@ void vtkInkStippleGenerator::StippleSurface(
   const vtkSmartPointer<vtkPolyData> mesh =
     InkPointNormals(given) ? InkWithFeatureNormals(given) : vtkSmartPointer<vtkPolyData>(given);
   InkSurfaceStippleRequest request;
-  request.Count = this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
-    ? CountForPicture(mesh, this->PictureSize, 1.0)
-    : this->NumberOfSurfaceStipples;
+  request.Count = this->CountForSurface(mesh);
   request.PerPolygon = this->MaximumStipples;
   request.Seed = this->Seed;
-  request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
-    (this->OutputPointsPrecision == DEFAULT_PRECISION && mesh->GetPoints()->GetDataType() == VTK_DOUBLE);
+  request.Doubles = this->MakesDoubles(mesh);
   request.Colors = this->GetColors(mesh, input, request.ColorsOfCells);
   request.Progress = [this](double share) { return this->ReportProgress(share); };
   InkMakeSurfaceStipples(mesh, request, output);
+  InkWarnOfNotFiniteFaces(this, mesh);
+}
+
+vtkIdType vtkInkStippleGenerator::CountForSurface(vtkPolyData* surface)
+{
+  return this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
+    ? CountForPicture(surface, this->PictureSize, 1.0)
+    : this->NumberOfSurfaceStipples;
+}
+
+bool vtkInkStippleGenerator::MakesDoubles(vtkPolyData* surface)
+{
+  return this->OutputPointsPrecision == DOUBLE_PRECISION ||
+    (this->OutputPointsPrecision == DEFAULT_PRECISION && surface->GetPoints()->GetDataType() == VTK_DOUBLE);
 }
 
 void vtkInkStippleGenerator::StippleDiscs(
   vtkPolyData* points, vtkInformationVector** input, vtkPolyData* output)
 {
   InkDiscStippleRequest request;
-  request.Count = this->NumberOfSurfaceStipples == 0 && this->MaximumStipplesMode == PROJECTED
-    ? CountForPicture(points, this->PictureSize, 1.0)
-    : this->NumberOfSurfaceStipples;
+  request.Count = this->CountForSurface(points);
   request.PerPoint = this->MaximumStipples;
   request.Seed = this->Seed;
-  request.Doubles = this->OutputPointsPrecision == DOUBLE_PRECISION ||
-    (this->OutputPointsPrecision == DEFAULT_PRECISION && points->GetPoints()->GetDataType() == VTK_DOUBLE);
+  request.Doubles = this->MakesDoubles(points);
   bool ofCells = false;
   request.Colors = this->GetColors(points, input, ofCells);
   if (ofCells)

@@ -360,6 +360,9 @@ private:
   void ReportNothing(vtkDataArray* scalars);
   void StippleSurface(vtkPolyData* given, vtkInformationVector** input, vtkPolyData* output);
   void StippleDiscs(vtkPolyData* points, vtkInformationVector** input, vtkPolyData* output);
+  /// How many stipples a surface, or discs, are to have; 0: as many for each element as for voxels.
+  vtkIdType CountForSurface(vtkPolyData* surface);
+  bool MakesDoubles(vtkPolyData* surface);
   /// The array for colors, null if none is wanted; sets `ofCells` to whether it is cell data.
   vtkDataArray* GetColors(vtkDataSet* data, vtkInformationVector** input, bool& ofCells);
   bool NeedsWholeImage() const;

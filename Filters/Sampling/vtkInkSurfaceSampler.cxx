@@ -4,10 +4,13 @@
 #include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkMeshTriangles.h"
+#include "InkNotFiniteFaces.h"
 #include "InkPointCloud.h"
 #include "InkPointOutput.h"
 #include "InkPrecision.h"
 #include "InkReportException.h"
+#include "InkSampleDensity.h"
+#include "InkSampleFaces.h"
 #include "InkSurfaceOf.h"
 #include "InkSurfaceSamples.h"
 #include "InkVTKCompat.h"
@@ -300,6 +303,7 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* input, vtkPolyData* output, b
     return !InkCheckAbort(this);
   };
   const InkSurfaceSamples samples(triangles, request);
+  InkWarnOfNotFiniteFaces(this, mesh);
   const std::string unusable = density ? InkDescribeUnusableDensity(density) : "";
   if (!unusable.empty())
   {

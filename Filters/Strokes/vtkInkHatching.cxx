@@ -4,6 +4,7 @@
 #include "Core/Hash.h"
 #include "Curves/Strokes/CutStroke.h"
 #include "InkOutwardTriangles.h"
+#include "InkRegion.h"
 #include "InkReportException.h"
 #include "InkSpacingRatios.h"
 #include "InkVTKCompat.h"
@@ -15,6 +16,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlanes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -22,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/glm.hpp>
 #include <numeric>
 #include <optional>
@@ -148,6 +151,86 @@ std::vector<double> ShufflePriorities(
   return priorities;
 }
 
+/// What all lines have to be known for before the first is cut.
+struct LineMeasures
+{
+  std::vector<double> Lengths;
+  std::vector<int> Families; ///< 0 or 1
+  FamilyValues Wholes{};     ///< the lengths of all lines of a family
+};
+
+/// @param families of the cells; null: all lines are of the first
+/// @param progress is told before each line; whether to go on
+/// @return nothing when stopped
+std::optional<LineMeasures> Measure(
+  const Lines& lines, vtkDataArray* families, const std::function<bool(vtkIdType)>& progress)
+{
+  LineMeasures measures;
+  for (vtkIdType line = 0; line < lines.GetNumber(); ++line)
+  {
+    if (!progress(line))
+    {
+      return std::nullopt;
+    }
+    const std::vector<double> arcLengths = lines.FindArcLengths(line);
+    measures.Lengths.push_back(arcLengths.empty() ? 0.0 : arcLengths.back());
+    measures.Families.push_back(families && families->GetComponent(lines.GetCell(line), 0) > 0.0 ? 1 : 0);
+    measures.Wholes[static_cast<std::size_t>(measures.Families.back())] += measures.Lengths.back();
+  }
+  return measures;
+}
+
+/// Strokes, with the cell arrays of the lines that they are parts of and with their own.
+class StrokeList
+{
+public:
+  /// @param data with the lines
+  StrokeList(vtkPolyData* data, vtkPolyData* output)
+    : Data(data)
+    , Output(output)
+  {
+    this->Priorities->SetName("Priority");
+    this->Spacings->SetName("Spacing");
+    this->Families->SetName("LineFamily");
+    for (const char* name : { "Priority", "Spacing", "LineFamily" })
+    {
+      output->GetCellData()->CopyFieldOff(name);
+    }
+    output->GetCellData()->CopyAllocate(data->GetCellData(), data->GetNumberOfLines());
+  }
+
+  /// @param cell of the line
+  void Add(std::span<const vtkIdType> points, vtkIdType cell, double priority, double spacing, int family)
+  {
+    const vtkIdType stroke = this->Strokes->GetNumberOfCells();
+    this->Strokes->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
+    this->Output->GetCellData()->CopyData(this->Data->GetCellData(), cell, stroke);
+    this->Priorities->InsertNextValue(static_cast<float>(priority));
+    this->Spacings->InsertNextValue(static_cast<float>(spacing));
+    this->Families->InsertNextValue(static_cast<unsigned char>(family));
+  }
+
+  void Fill()
+  {
+    vtkCellData* cellData = this->Output->GetCellData();
+    cellData->AddArray(this->Priorities);
+    cellData->AddArray(this->Spacings);
+    cellData->AddArray(this->Families);
+    this->Output->SetPoints(this->Data->GetPoints());
+    this->Output->GetPointData()->PassData(this->Data->GetPointData());
+    this->Output->GetPointData()->RemoveArray("SpacingRatio"); // of other strokes
+    this->Output->SetLines(this->Strokes);
+  }
+
+private:
+  vtkPolyData* Data;
+  vtkPolyData* Output;
+  vtkNew<vtkCellArray> Strokes;
+  vtkNew<vtkFloatArray> Priorities;
+  vtkNew<vtkFloatArray> Spacings;
+  vtkNew<vtkUnsignedCharArray> Families;
+};
+
 } // namespace
 
 vtkInkHatching::vtkInkHatching()
@@ -163,6 +246,28 @@ int vtkInkHatching::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
+}
+
+vtkInkHatching::~vtkInkHatching() = default;
+
+void vtkInkHatching::SetRegion(vtkPlanes* region)
+{
+  if (this->Region != region)
+  {
+    this->Region = region;
+    this->Modified();
+  }
+}
+
+vtkPlanes* vtkInkHatching::GetRegion()
+{
+  return this->Region;
+}
+
+vtkMTimeType vtkInkHatching::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Region ? std::max(own, this->Region->GetMTime()) : own;
 }
 
 int vtkInkHatching::RequestData(
@@ -193,7 +298,18 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
   double area = 0.0;
   if (surface && this->Spacing == 0.0)
   {
-    triangles.emplace(InkOutwardTriangles(surface, InkMeshTriangles::Order::OfMesh));
+    constexpr auto order = InkMeshTriangles::Order::OfMesh;
+    triangles.emplace(
+      this->LocalSpacing ? InkOutwardTriangles(surface, order) : InkMeshTriangles(surface, false, order));
+    if (this->Region)
+    {
+      std::vector<ink::Triangle> part;
+      for (const std::uint32_t t : ink::trianglesWithin(triangles->GetMesh(), InkRegion(this->Region)))
+      {
+        part.push_back(triangles->Triangles[t]);
+      }
+      triangles->Triangles = std::move(part);
+    }
     area = ink::cumulateArea(triangles->GetMesh()).area.back();
   }
   if (!(this->Spacing > 0.0 || area > 0.0))
@@ -212,41 +328,17 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
     }
     return !InkCheckAbort(this);
   };
-  const auto number = static_cast<std::size_t>(lines.GetNumber());
-  std::vector<double> lengths(number);
-  std::vector<int> families(number);
-  FamilyValues wholes{};
-  for (std::size_t line = 0; line < number; ++line)
+  const std::optional<LineMeasures> measures =
+    Measure(lines, givenFamilies, [&](vtkIdType line) { return progress(line, 0.0, LengthsShare); });
+  if (!measures)
   {
-    const auto id = static_cast<vtkIdType>(line);
-    if (!progress(id, 0.0, LengthsShare))
-    {
-      return;
-    }
-    const std::vector<double> arcLengths = lines.FindArcLengths(id);
-    lengths[line] = arcLengths.empty() ? 0.0 : arcLengths.back();
-    families[line] = givenFamilies && givenFamilies->GetComponent(lines.GetCell(id), 0) > 0.0 ? 1 : 0;
-    wholes[static_cast<std::size_t>(families[line])] += lengths[line];
+    return;
   }
-  std::vector<double> priorities;
-  if (!givenPriorities)
-  {
-    priorities = ShufflePriorities(lengths, families, wholes, this->Seed);
-  }
+  const auto& [lengths, families, wholes] = *measures;
+  const std::vector<double> priorities =
+    givenPriorities ? std::vector<double>() : ShufflePriorities(lengths, families, wholes, this->Seed);
 
-  vtkNew<vtkCellArray> strokes;
-  vtkNew<vtkFloatArray> outPriorities;
-  outPriorities->SetName("Priority");
-  vtkNew<vtkFloatArray> spacings;
-  spacings->SetName("Spacing");
-  vtkNew<vtkUnsignedCharArray> outFamilies;
-  outFamilies->SetName("LineFamily");
-  vtkCellData* cellData = output->GetCellData();
-  for (const char* name : { "Priority", "Spacing", "LineFamily" })
-  {
-    cellData->CopyFieldOff(name);
-  }
-  cellData->CopyAllocate(data->GetCellData(), lines.GetNumber());
+  StrokeList strokes(data, output);
   for (vtkIdType line = 0; line < lines.GetNumber(); ++line)
   {
     if (!progress(line, LengthsShare, CuttingShare))
@@ -257,6 +349,8 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
     const auto index = static_cast<std::size_t>(line);
     const double whole = wholes[static_cast<std::size_t>(families[index])];
     const double spacing = this->Spacing > 0.0 ? this->Spacing : whole > 0.0 ? area / whole : 0.0;
+    const double priority =
+      givenPriorities ? givenPriorities->GetComponent(lines.GetCell(line), 0) : priorities[index];
     const std::vector<double> arcLengths = lines.FindArcLengths(line);
     const std::vector<std::size_t> cuts = ink::cutStroke(arcLengths, this->StrokeLength,
       ink::hash(static_cast<std::uint64_t>(this->Seed), static_cast<std::uint64_t>(line)));
@@ -265,45 +359,39 @@ void vtkInkHatching::MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPol
     {
       const std::size_t first = cuts[cut - 1];
       const std::size_t count = cuts[cut] - first + 1;
-      const vtkIdType cell = strokes->GetNumberOfCells();
-      const std::vector<vtkIdType> kept =
-        ThinOut(data, points.subspan(first, count), std::span(arcLengths).subspan(first, count), spacing);
-      strokes->InsertNextCell(static_cast<vtkIdType>(kept.size()), kept.data());
-      cellData->CopyData(data->GetCellData(), lines.GetCell(line), cell);
-      outPriorities->InsertNextValue(static_cast<float>(
-        givenPriorities ? givenPriorities->GetComponent(lines.GetCell(line), 0) : priorities[index]));
-      spacings->InsertNextValue(static_cast<float>(spacing));
-      outFamilies->InsertNextValue(static_cast<unsigned char>(families[index]));
+      strokes.Add(
+        ThinOut(data, points.subspan(first, count), std::span(arcLengths).subspan(first, count), spacing),
+        lines.GetCell(line), priority, spacing, families[index]);
     }
   }
-  cellData->AddArray(outPriorities);
-  cellData->AddArray(spacings);
-  cellData->AddArray(outFamilies);
-  output->SetPoints(data->GetPoints());
-  output->GetPointData()->PassData(data->GetPointData());
-  output->GetPointData()->RemoveArray("SpacingRatio"); // of other strokes
-  output->SetLines(strokes);
+  strokes.Fill();
   if (this->LocalSpacing && triangles)
   {
-    constexpr double begun = LengthsShare + CuttingShare;
-    const vtkSmartPointer<vtkFloatArray> ratios = InkSpacingRatios(output, *triangles,
-      [&](double done)
-      {
-        this->UpdateProgress(begun + (1.0 - begun) * done);
-        return !InkCheckAbort(this);
-      });
-    output->GetPointData()->AddArray(ratios);
-    if (InkCheckAbort(this))
+    this->AddSpacingRatios(*triangles, output);
+  }
+}
+
+void vtkInkHatching::AddSpacingRatios(const InkMeshTriangles& triangles, vtkPolyData* output)
+{
+  constexpr double begun = LengthsShare + CuttingShare;
+  const vtkSmartPointer<vtkFloatArray> ratios = InkSpacingRatios(output, triangles,
+    [&](double done)
     {
-      output->Initialize();
-    }
+      this->UpdateProgress(begun + (1.0 - begun) * done);
+      return !InkCheckAbort(this);
+    });
+  output->GetPointData()->AddArray(ratios);
+  if (InkCheckAbort(this))
+  {
+    output->Initialize();
   }
 }
 
 void vtkInkHatching::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Spacing: " << this->Spacing << "\n"
+  os << indent << "Region: " << this->Region << "\n"
+     << indent << "Spacing: " << this->Spacing << "\n"
      << indent << "LocalSpacing: " << this->LocalSpacing << "\n"
      << indent << "StrokeLength: " << this->StrokeLength << "\n"
      << indent << "Seed: " << this->Seed << "\n";

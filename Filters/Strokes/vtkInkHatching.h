@@ -27,6 +27,11 @@
 #include "InkSetters.h"                 // for the setters
 #include "vtkInkFiltersStrokesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the region
+
+class vtkPlanes;
+
+class InkMeshTriangles;
 
 class VTKINKFILTERSSTROKES_EXPORT vtkInkHatching : public vtkPolyDataAlgorithm
 {
@@ -67,6 +72,14 @@ public:
 
   ///@{
   /**
+   * Where the lines are, if not all over the surface: vtkInkLinesOfCurvature::SetRegion. Default: none.
+   */
+  void SetRegion(vtkPlanes* region);
+  vtkPlanes* GetRegion();
+  ///@}
+
+  ///@{
+  /**
    * About how long strokes are at most, in world units: longer lines are cut, at points that they have.
    * Shorter strokes look more like sketched by hand. 0 (default) to 1e300; 0: lines are not cut.
    */
@@ -83,9 +96,11 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkInkHatching();
-  ~vtkInkHatching() override = default;
+  ~vtkInkHatching() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -94,12 +109,15 @@ private:
   vtkInkHatching(const vtkInkHatching&) = delete;
   void operator=(const vtkInkHatching&) = delete;
 
-  void MakeStrokes(vtkPolyData* lines, vtkPolyData* surface, vtkPolyData* output);
+  void MakeStrokes(vtkPolyData* data, vtkPolyData* surface, vtkPolyData* output);
+  /// The array `SpacingRatio` of strokes on a surface.
+  void AddSpacingRatios(const InkMeshTriangles& triangles, vtkPolyData* output);
 
   double Spacing = 0.0;
   bool LocalSpacing = true;
   double StrokeLength = 0.0;
   int Seed = 0;
+  vtkSmartPointer<vtkPlanes> Region;
 };
 
 #endif

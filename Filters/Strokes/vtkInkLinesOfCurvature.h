@@ -4,7 +4,7 @@
  * @brief   lines of curvature of a mesh or an iso-surface, as polylines
  *
  * Lines that follow a surface's principal directions show its form, and are what hatching is made of (Rössl,
- * Kobbelt and Seidel 2000, sections 2.3 and 3.1). They are traced from triangle to triangle, in both
+ * Kobbelt and Seidel 2000, sections 2.2 and 3.1). They are traced from triangle to triangle, in both
  * directions from seeds, and end at borders, at feature edges, at umbilics, at their greatest length, and
  * where they are closed.
  *
@@ -50,6 +50,23 @@
 #include "InkSetters.h"
 #include "vtkInkFiltersStrokesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the region
+
+class vtkPlanes;
+
+#include <functional> // for progress
+
+class InkLineWriter;
+
+// VTK's wrapper generator does not know what is in it.
+#ifndef __VTK_WRAP__
+namespace ink
+{
+struct EvenStreamlineOptions;
+struct FieldSurface;
+struct SurfaceSamples;
+}
+#endif
 
 class VTKINKFILTERSSTROKES_EXPORT vtkInkLinesOfCurvature : public vtkPolyDataAlgorithm
 {
@@ -205,7 +222,7 @@ public:
   ///@{
   /**
    * The step's length as a share of the paper's, which adapts to a triangle's size and the turn of the
-   * directions in it (eq. 15); no step of an evenly spaced line is longer than a quarter of the spacing.
+   * directions in it (equation 15); no step of an evenly spaced line is longer than a quarter of the spacing.
    * 0.01 to 10; default: 0.5; 1 as published.
    */
   InkSetClampMacro(StepFactor, 0.01, 10.0);
@@ -234,8 +251,8 @@ public:
   ///@{
   /**
    * Whether directions are smoothed where the umbilic measure is high and they are hardly defined, as a cross
-   * field, so that lines go straight on where maximum and minimum change places. Default: on; off as
-   * published.
+   * field, so that lines go straight on where maximum and minimum change places. There they follow the form
+   * at large first, if the curvature of some spacings around has directions. Default: on; off as published.
    */
   vtkSetMacro(SmoothDirections, bool);
   vtkGetMacro(SmoothDirections, bool);
@@ -244,10 +261,12 @@ public:
 
   ///@{
   /**
-   * Whether, with SmoothDirections, the two families are divided so that neighboring lines belong to the same
-   * one, instead of by the sign of curvatures: the first one has the direction that bends more, as published,
-   * where one clearly does, and elsewhere goes on as beside. Without it there are blocks of lines at right
-   * angles to each other where a surface hardly bends, or bends up here and down there. Default: off.
+   * Whether, with SmoothDirections, the first family is one smooth field all over the surface, and the second
+   * one at right angles to it, instead of families by the sign of curvatures: the first one has the direction
+   * that bends more, as published, where one clearly does over some 25 spacings; it follows either principal
+   * direction, in the mean of four spacings, and leads from one to the other where there is none between.
+   * Without it there are blocks of lines at right angles to each other where a surface hardly bends, or bends
+   * up here and down there. Default: off.
    */
   vtkSetMacro(CombDirections, bool);
   vtkGetMacro(CombDirections, bool);
@@ -266,11 +285,21 @@ public:
 
   ///@{
   /**
-   * How many times directions are averaged with those of neighbors, with SmoothDirections. More reach farther
-   * into spheres and planes. 1 to 1000; default: 30.
+   * How many times directions are averaged with those of neighbors, with SmoothDirections and without
+   * CombDirections. More reach farther into spheres and planes. 1 to 1000; default: 30.
    */
   vtkSetClampMacro(SmoothingIterations, int, 1, 1000);
   vtkGetMacro(SmoothingIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where lines are wanted, behind planes whose normals point out of it, as the sides of what a camera sees
+   * (vtkPlanes::SetFrustumPlanes): they end a triangle beyond it. Their directions are those that they would
+   * have everywhere. Default: none, everywhere.
+   */
+  void SetRegion(vtkPlanes* region);
+  vtkPlanes* GetRegion();
   ///@}
 
   ///@{
@@ -290,9 +319,11 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkInkLinesOfCurvature();
-  ~vtkInkLinesOfCurvature() override = default;
+  ~vtkInkLinesOfCurvature() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -302,8 +333,20 @@ private:
   vtkInkLinesOfCurvature(const vtkInkLinesOfCurvature&) = delete;
   void operator=(const vtkInkLinesOfCurvature&) = delete;
 
+  struct Surface;
+  struct Part;
+  struct Traced;
   void MakeLines(vtkPolyData* mesh, vtkPolyData* output);
+  /// Smooth directions of both families.
+  void FindDirections(Surface& cut, const std::function<bool(double)>& progress);
+  Traced TraceFamily(
+    const Surface& cut, const Part& part, int family, const std::function<bool(double)>& progress);
   void MakeLinesOfImage(vtkInformationVector** input, vtkPolyData* output);
+#ifndef __VTK_WRAP__
+  /// Of an image's surface.
+  void AddLines(const ink::FieldSurface& surface, ink::SurfaceSamples samples,
+    ink::EvenStreamlineOptions options, InkLineWriter& writer, const std::function<bool(double)>& progress);
+#endif
 
   /// Of the diagonal of the bounds.
   static constexpr double DefaultSpacing = 0.01;
@@ -333,6 +376,7 @@ private:
   int SmoothingIterations = 30;
   bool ComputeCurvatures = false;
   int Seed = 0;
+  vtkSmartPointer<vtkPlanes> Region;
 };
 
 #endif

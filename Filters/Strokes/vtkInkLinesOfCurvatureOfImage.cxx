@@ -7,6 +7,7 @@
 #include "Fields/Resampling/SmoothGrid.h"
 #include "InkImageGrid.h"
 #include "InkLineWriter.h"
+#include "InkRegion.h"
 #include "InkVTKCompat.h"
 #include "InkWithGridField.h"
 #include "IsoSurface/ResampledSamples.h"
@@ -26,7 +27,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -34,17 +34,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-namespace
-{
-
-double SmallestSpacing(const ink::GridGeometry& grid)
-{
-  const glm::dmat3& steps = grid.stepToWorld();
-  return std::min({ glm::length(steps[0]), glm::length(steps[1]), glm::length(steps[2]) });
-}
-
-} // namespace
 
 vtkInkLinesOfCurvature::vtkInkLinesOfCurvature()
 {
@@ -107,14 +96,10 @@ void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkP
     this->UpdateProgress(begun + share * done);
     return !InkCheckAbort(this);
   };
-  const auto within = [&grid](const glm::dvec3& p)
-  {
-    const glm::dvec3 index = grid.toIndex(p);
-    return glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
-      glm::all(glm::lessThanEqual(index, glm::dvec3(grid.dimensions() - 1)));
-  };
+  const std::vector<ink::HalfSpace> region = InkRegion(this->Region);
+  const auto within = [&](const glm::dvec3& p) { return grid.contains(p) && ink::areContaining(region, p); };
   ink::EvenStreamlineOptions options;
-  options.trace.maximumStep = this->StepFactor * SmallestSpacing(grid);
+  options.trace.maximumStep = this->StepFactor * grid.smallestSpacing();
   options.trace.umbilicLimit = this->UmbilicLimit;
   options.stopDistance = this->StopDistance;
   options.minimumLength = this->MinimumLength;
@@ -124,47 +109,6 @@ void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkP
     options.trace.maximumLength = this->MaximumLength;
   }
   InkLineWriter writer(InkNeedsDoublePrecision(grid) ? VTK_DOUBLE : VTK_FLOAT, this->ComputeCurvatures);
-  // Whatever the types of the values.
-  const auto addLines = [&](const ink::FieldSurface& surface, const ink::SurfaceSamples& samples)
-  {
-    glm::dvec3 lower(std::numeric_limits<double>::infinity());
-    glm::dvec3 upper(-lower);
-    for (const glm::dvec3& p : samples.positions)
-    {
-      lower = glm::min(lower, p);
-      upper = glm::max(upper, p);
-    }
-    const double diagonal = glm::distance(lower, upper);
-    // Within one cell there are no lines.
-    if (!(diagonal > 0.0))
-    {
-      return;
-    }
-    options.spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
-    const double negligible =
-      this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;
-    const int first = this->Families == MINIMUM ? 1 : 0;
-    const int last = this->Families == MAXIMUM ? 0 : 1;
-    share = 0.8 / (last - first + 1);
-    begun = 0.2;
-    for (int family = first; family <= last; ++family, begun += share)
-    {
-      const ink::FieldStreamlines lines =
-        ink::evenFieldStreamlines(surface, samples, family == 0, negligible, options, progress);
-      if (InkCheckAbort(this))
-      {
-        return;
-      }
-      writer.Add(
-        lines, family, [&](std::size_t n) { return glm::vec3(lines.points[n].normal); },
-        [&](std::size_t n)
-        {
-          const ink::PrincipalCurvature here =
-            ink::fieldCurvature(surface.form, lines.positions[n]).value_or(ink::PrincipalCurvature());
-          return std::array<float, 2>{ static_cast<float>(here.k1), static_cast<float>(here.k2) };
-        });
-    }
-  };
   const auto work = [&]<class T>(const ink::GridField<T>& field)
   {
     const glm::dvec3 deviation =
@@ -178,7 +122,9 @@ void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkP
     }
     using Work = ink::SmoothedValue<T>;
     const ink::GridField<Work> form(grid, std::span<const Work>(smooth));
-    addLines({ field, form, this->IsoValue, within }, samples);
+    begun = 0.2;
+    share = 0.8;
+    this->AddLines({ field, form, this->IsoValue, within }, samples, options, writer, progress);
   };
   int component = 0;
   const vtkSmartPointer<vtkDataArray> contiguous = InkMakeContiguous(scalars, component);
@@ -189,10 +135,55 @@ void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkP
     return;
   }
   writer.Write(output);
-  if (output->GetNumberOfLines() == 0)
+  if (output->GetNumberOfLines() == 0 && !this->Region)
   {
     vtkWarningMacro("The iso-surface at " << this->IsoValue
                                           << " has no lines; expected a surface that is larger "
                                           << "than the least length of lines, with directions.");
+  }
+}
+
+void vtkInkLinesOfCurvature::AddLines(const ink::FieldSurface& surface, ink::SurfaceSamples samples,
+  ink::EvenStreamlineOptions options, InkLineWriter& writer, const std::function<bool(double)>& progress)
+{
+  glm::dvec3 lower(std::numeric_limits<double>::infinity());
+  glm::dvec3 upper(-lower);
+  for (const glm::dvec3& p : samples.positions)
+  {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+  const double diagonal = glm::distance(lower, upper);
+  // Within one cell there are no lines.
+  if (!(diagonal > 0.0))
+  {
+    return;
+  }
+  options.spacing = this->Spacing > 0.0 ? this->Spacing : DefaultSpacing * diagonal;
+  const double negligible =
+    this->NegligibleCurvature > 0.0 ? this->NegligibleCurvature : DefaultNegligible / diagonal;
+  const std::vector<ink::HalfSpace> region = InkRegion(this->Region);
+  const auto all = static_cast<double>(samples.positions.size());
+  std::erase_if(samples.positions, [&](const glm::dvec3& p) { return !ink::areContaining(region, p); });
+  samples.area *= static_cast<double>(samples.positions.size()) / all;
+  const int first = this->Families == MINIMUM ? 1 : 0;
+  const int last = this->Families == MAXIMUM ? 0 : 1;
+  for (int family = first; family <= last; ++family)
+  {
+    const auto ofFamily = [&](double done) { return progress((family - first + done) / (last - first + 1)); };
+    const ink::FieldStreamlines lines =
+      ink::evenFieldStreamlines(surface, samples, family == 0, negligible, options, ofFamily);
+    if (InkCheckAbort(this))
+    {
+      return;
+    }
+    writer.Add(
+      lines, family, [&](std::size_t n) { return glm::vec3(lines.points[n].normal); },
+      [&](std::size_t n)
+      {
+        const ink::PrincipalCurvature here =
+          ink::fieldCurvature(surface.form, lines.positions[n]).value_or(ink::PrincipalCurvature());
+        return std::array<float, 2>{ static_cast<float>(here.k1), static_cast<float>(here.k2) };
+      });
   }
 }

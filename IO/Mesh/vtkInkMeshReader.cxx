@@ -33,7 +33,7 @@ struct Format
 };
 constexpr Format formats[] = { { ".ply", "PLY mesh", io::readPly }, { ".obj", "OBJ mesh", io::readObj },
   { ".stl", "STL mesh", io::readStl }, { ".vtp", "VTK XML mesh (.vtp)", io::readVtp },
-  { ".xyz", "XYZ points", io::readXyz } };
+  { ".vtk", "legacy VTK mesh", io::readLegacyMesh }, { ".xyz", "XYZ points", io::readXyz } };
 
 /// Null if it is none.
 const Format* FormatOf(const char* fileName)
@@ -78,7 +78,11 @@ int vtkInkMeshReader::CanReadFile(const char* fileName)
   try
   {
     io::checkExists(fileName ? fileName : "");
-    return FormatOf(fileName) && !fs::is_directory(fileName) ? 1 : 0;
+    const Format* format = FormatOf(fileName);
+    return format && !fs::is_directory(fileName) &&
+        (format->read != io::readLegacyMesh || io::isLegacyMesh(fileName))
+      ? 1
+      : 0;
   }
   catch (const std::exception&)
   {

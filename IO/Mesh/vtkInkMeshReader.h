@@ -3,8 +3,8 @@
  * @class   vtkInkMeshReader
  * @brief   a mesh or points of any format as poly data, checked
  *
- * Reads PLY, OBJ, STL, VTK XML meshes (.vtp) and points as lines of numbers (.xyz: x, y and z, and perhaps a
- * normal). Which format it is the file's name tells.
+ * Reads PLY, OBJ, STL, VTK XML meshes (.vtp), legacy VTK ones (.vtk) and points as lines of numbers (.xyz: x,
+ * y and z, and perhaps a normal). Which format it is the file's name tells.
  *
  * Coordinates are double where the file's are written as text or in double, so that those far from the origin
  * keep their digits; of STL, which has float, equal corners become one point. Normals become the array
@@ -46,7 +46,8 @@ public:
   ///@}
 
   /**
-   * Whether there is such a file and its name is one of these formats'.
+   * Whether there is such a file and its name is one of these formats'; of a legacy VTK file, whether it says
+   * that it holds poly data.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

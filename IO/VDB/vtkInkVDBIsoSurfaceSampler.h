@@ -24,25 +24,31 @@
 #ifndef vtkInkVDBIsoSurfaceSampler_h
 #define vtkInkVDBIsoSurfaceSampler_h
 
-#include "InkSetters.h"
 #include "vtkInkIOVDBModule.h" // for the export macro
-#include "vtkNew.h"            // for the contour values
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkInkIsoSurfaceAlgorithm.h"
+#include "vtkNew.h" // for the names
 
-#include <memory> // for the file
+#include <cstdint> // for memory
+#include <memory>  // for the file
 
-class vtkContourValues;
-class vtkFloatArray;
-class vtkIntArray;
-class vtkPoints;
 class vtkStringArray;
 class InkVDBSource;
+struct InkVDBSampleRequest;
+struct InkVDBSamples;
 
-class VTKINKIOVDB_EXPORT vtkInkVDBIsoSurfaceSampler : public vtkPolyDataAlgorithm
+// VTK's wrapper generator does not know what is in it.
+#ifndef __VTK_WRAP__
+namespace ink
+{
+class VdbGrid;
+}
+#endif
+
+class VTKINKIOVDB_EXPORT vtkInkVDBIsoSurfaceSampler : public vtkInkIsoSurfaceAlgorithm
 {
 public:
   static vtkInkVDBIsoSurfaceSampler* New();
-  vtkTypeMacro(vtkInkVDBIsoSurfaceSampler, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkInkVDBIsoSurfaceSampler, vtkInkIsoSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -66,17 +72,8 @@ public:
    */
   vtkStringArray* GetGridNames();
 
-  ///@{
-  /**
-   * The iso-values, as in vtkContourFilter. Without any (default), level sets are sampled at 0 and other
-   * grids not at all.
-   */
-  void SetValue(int i, double value);
-  double GetValue(int i);
-  void SetNumberOfContours(int number);
-  vtkIdType GetNumberOfContours();
-  void GenerateValues(int numContours, double rangeStart, double rangeEnd);
-  ///@}
+  double SuggestSmoothing(double isoValue) override;
+  vtkIdType CountActiveCells(double isoValue) override;
 
   ///@{
   /**
@@ -88,206 +85,12 @@ public:
   vtkBooleanMacro(InvertLevelSets, bool);
   ///@}
 
-  /// Which cell edges the surface intersects, see SetCrossingRule.
-  enum CrossingRuleType
-  {
-    HALF_OPEN = 0,
-    STRICT = 1
-  };
-
-  ///@{
-  /**
-   * Which cell edges the surface intersects, as in vtkInkIsoSurfaceSampler. Default: HALF_OPEN.
-   */
-  vtkSetClampMacro(CrossingRule, int, HALF_OPEN, STRICT);
-  vtkGetMacro(CrossingRule, int);
-  void SetCrossingRuleToHalfOpen() { this->SetCrossingRule(HALF_OPEN); }
-  void SetCrossingRuleToStrict() { this->SetCrossingRule(STRICT); }
-  const char* GetCrossingRuleAsString();
-  ///@}
-
-  ///@{
-  /**
-   * Compute the point array `Normals`. Default: on.
-   */
-  vtkSetMacro(ComputeNormals, bool);
-  vtkGetMacro(ComputeNormals, bool);
-  vtkBooleanMacro(ComputeNormals, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The standard deviation of the Gaussian that values are smoothed with before the surface is sampled, as in
-   * vtkInkIsoSurfaceSampler: in multiples of the smallest spacing, 0 to 8. Default: 0, values as they are. A
-   * tile of the grid is smoothed at a time. NaN is refused with a warning.
-   */
-  InkSetClampMacro(Smoothing, 0.0, 8.0);
-  vtkGetMacro(Smoothing, double);
-  ///@}
-
-  /// What is smoothed, see SetSmoothingTarget.
-  enum SmoothingTargetType
-  {
-    SURFACE = 0,
-    NORMALS = 1
-  };
-
-  ///@{
-  /**
-   * What is made of the smoothed values, as in vtkInkIsoSurfaceSampler: SURFACE (default) or NORMALS.
-   */
-  vtkSetClampMacro(SmoothingTarget, int, SURFACE, NORMALS);
-  vtkGetMacro(SmoothingTarget, int);
-  void SetSmoothingTargetToSurface() { this->SetSmoothingTarget(SURFACE); }
-  void SetSmoothingTargetToNormals() { this->SetSmoothingTarget(NORMALS); }
-  const char* GetSmoothingTargetAsString();
-  ///@}
-
-  ///@{
-  /**
-   * How many cells take the place of one along the axis of the smallest spacing, as in
-   * vtkInkIsoSurfaceSampler, 1 to 8. Default: 1.
-   */
-  vtkSetClampMacro(Subdivision, int, 1, 8);
-  vtkGetMacro(Subdivision, int);
-  ///@}
-
-  /// What is added where a surface leaves the grid, see SetCut.
-  enum CutType
-  {
-    OPEN = 0,
-    RIM = 1,
-    CAP = 2
-  };
-
-  ///@{
-  /**
-   * What is added where a surface leaves the volume that the grid was made of, as in vtkInkIsoSurfaceSampler:
-   * OPEN (default), RIM or CAP. Grids that vtkInk did not write end nowhere.
-   */
-  vtkSetClampMacro(Cut, int, OPEN, CAP);
-  vtkGetMacro(Cut, int);
-  void SetCutToOpen() { this->SetCut(OPEN); }
-  void SetCutToRim() { this->SetCut(RIM); }
-  void SetCutToCap() { this->SetCut(CAP); }
-  const char* GetCutAsString();
-  ///@}
-
-  ///@{
-  /**
-   * Leave out parts of a surface that have less than this share of its largest part's points, as in
-   * vtkInkIsoSurfaceSampler: 0 (default): none; negative: automatic. Parts are those of the whole grid,
-   * whichever piece of it is asked for.
-   */
-  InkSetClampMacro(SmallestPart, -1.0, 1.0);
-  vtkGetMacro(SmallestPart, double);
-  ///@}
-
-  ///@{
-  /**
-   * Keep only that many of the largest parts of each surface. 0 (default): all.
-   */
-  vtkSetClampMacro(LargestParts, int, 0, 1000000);
-  vtkGetMacro(LargestParts, int);
-  ///@}
-
-  /// How normals are estimated, see SetNormalMethod.
-  enum NormalMethodType
-  {
-    CELL = 0,
-    INTERPOLATED_GRADIENT = 1,
-    INTERPOLATED_NORMAL = 2,
-    REGRESSION = 3
-  };
-
-  ///@{
-  /**
-   * How normals are estimated, as in vtkInkIsoSurfaceSampler. Default: INTERPOLATED_NORMAL.
-   */
-  vtkSetClampMacro(NormalMethod, int, CELL, REGRESSION);
-  vtkGetMacro(NormalMethod, int);
-  void SetNormalMethodToCell() { this->SetNormalMethod(CELL); }
-  void SetNormalMethodToInterpolatedGradient() { this->SetNormalMethod(INTERPOLATED_GRADIENT); }
-  void SetNormalMethodToInterpolatedNormal() { this->SetNormalMethod(INTERPOLATED_NORMAL); }
-  void SetNormalMethodToRegression() { this->SetNormalMethod(REGRESSION); }
-  const char* GetNormalMethodAsString();
-  ///@}
-
-  ///@{
-  /**
-   * With several iso-values, compute the point array `SurfaceIndex`: the index of the iso-value that a point
-   * belongs to. Default: on.
-   */
-  vtkSetMacro(ComputeSurfaceIndex, bool);
-  vtkGetMacro(ComputeSurfaceIndex, bool);
-  vtkBooleanMacro(ComputeSurfaceIndex, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Compute the point array `Radius`. Default: on.
-   */
-  vtkSetMacro(ComputeRadius, bool);
-  vtkGetMacro(ComputeRadius, bool);
-  vtkBooleanMacro(ComputeRadius, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Make one poly-vertex cell over all points, so that any VTK mapper draws them. Default: on.
-   */
-  vtkSetMacro(GenerateVertices, bool);
-  vtkGetMacro(GenerateVertices, bool);
-  vtkBooleanMacro(GenerateVertices, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The type of the point coordinates: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION
-   * (default), which is single unless the grid's active voxels lie so far from the origin that single
-   * precision would move points by more than a thousandth of the smallest spacing.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  void SetOutputPointsPrecisionToSingle() { this->SetOutputPointsPrecision(SINGLE_PRECISION); }
-  void SetOutputPointsPrecisionToDouble() { this->SetOutputPointsPrecision(DOUBLE_PRECISION); }
-  void SetOutputPointsPrecisionToDefault() { this->SetOutputPointsPrecision(DEFAULT_PRECISION); }
-  const char* GetOutputPointsPrecisionAsString();
-  ///@}
-
-  ///@{
-  /**
-   * How many steps at most move each point onto the iso-surface of the trilinear interpolation, as in
-   * vtkInkIsoSurfaceSampler, 0 to 8. Default: 0, which moves none.
-   */
-  vtkSetClampMacro(ProjectionSteps, int, 0, 8);
-  vtkGetMacro(ProjectionSteps, int);
-  ///@}
-
-  ///@{
-  /**
-   * The precision in which points and normals of a float grid are computed, as in vtkInkIsoSurfaceSampler:
-   * vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION. Grids of doubles, and points in double
-   * precision, are always computed in double.
-   */
-  vtkSetClampMacro(ArithmeticPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
-  vtkGetMacro(ArithmeticPrecision, int);
-  void SetArithmeticPrecisionToSingle() { this->SetArithmeticPrecision(SINGLE_PRECISION); }
-  void SetArithmeticPrecisionToDouble() { this->SetArithmeticPrecision(DOUBLE_PRECISION); }
-  const char* GetArithmeticPrecisionAsString();
-  ///@}
-
-  ///@{
-  /**
-   * The memory limit in MiB for the grid and the points of its surfaces; 0: none. Exceeding it is an error
-   * that names the memory needed. 0 to 16777216 (16 TiB). Default: 4096.
-   */
-  vtkSetClampMacro(MaximumMemory, int, 0, 16777216);
-  vtkGetMacro(MaximumMemory, int);
-  ///@}
-
-  /// Includes the iso-values.
-  vtkMTimeType GetMTime() override;
+#ifndef __VTK_WRAP__
+  std::vector<double> FindIsoValues() override;
+  vtkSmartPointer<vtkImageData> MakeFrame() override;
+  bool SampleParts(const PartSink& sink) override;
+  ink::FiniteRange FindRange() override;
+#endif
 
 protected:
   vtkInkVDBIsoSurfaceSampler();
@@ -300,32 +103,24 @@ private:
   vtkInkVDBIsoSurfaceSampler(const vtkInkVDBIsoSurfaceSampler&) = delete;
   void operator=(const vtkInkVDBIsoSurfaceSampler&) = delete;
 
-  /// Whether surfaces are smoothed, divided, cut or of some parts only.
-  bool SamplesTiles() const;
-  /// `normals` and `surfaceIndex` may be null.
-  void FillOutput(
-    vtkPoints* points, vtkFloatArray* normals, vtkIntArray* surfaceIndex, double radius, vtkPolyData* output);
+  /// @throws ink::VdbError
+  const ink::VdbGrid& ReadGrid();
+  /// What the properties say.
+  InkVDBSampleRequest MakeRequest(
+    const ink::VdbGrid& grid, std::vector<double> isoValues, int piece, int pieces) const;
+  /// Whether values are multiplied by -1, see InvertLevelSets.
+  bool Negates(const ink::VdbGrid& grid) const;
+  /// What MaximumMemory leaves beside the grid, in bytes.
+  std::uint64_t MemoryBeside(const ink::VdbGrid& grid) const;
+  /// In how many pieces a surface is sampled so that memory has room for each.
+  int CountPieces(const ink::VdbGrid& grid) const;
+  /// Reports what a function throws. @param output emptied then, may be null @return whether it threw nothing
+  bool TrySampling(vtkPolyData* output, const std::function<void()>& sample);
+  void FillOutput(const InkVDBSamples& samples, vtkPolyData* output);
 
   char* FileName = nullptr;
   char* GridName = nullptr;
-  vtkNew<vtkContourValues> ContourValues;
   bool InvertLevelSets = true;
-  int CrossingRule = HALF_OPEN;
-  int NormalMethod = INTERPOLATED_NORMAL;
-  bool ComputeNormals = true;
-  bool ComputeSurfaceIndex = true;
-  bool ComputeRadius = true;
-  bool GenerateVertices = true;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
-  int ProjectionSteps = 0;
-  double Smoothing = 0.0;
-  int SmoothingTarget = SURFACE;
-  int Subdivision = 1;
-  int Cut = OPEN;
-  double SmallestPart = 0.0;
-  int LargestParts = 0;
-  int ArithmeticPrecision = SINGLE_PRECISION;
-  int MaximumMemory = 4096;
   /// Whether reading the list of grids failed, which has been reported.
   bool Failed = false;
   std::unique_ptr<InkVDBSource> Source;

@@ -101,12 +101,6 @@ RawVolumeReader::RawVolumeReader(RawVolume voxels)
 {
 }
 
-void RawVolumeReader::read(int first, std::span<unsigned char> values)
-{
-  this->readRows(
-    static_cast<std::uint64_t>(first) * static_cast<std::uint64_t>(this->Voxels.dimensions[1]), values);
-}
-
 void RawVolumeReader::read(const int extent[6], std::span<unsigned char> values, const Progress& progress)
 {
   const int* dimensions = this->Voxels.dimensions;

@@ -58,12 +58,6 @@ public:
   /// @throws ReadError if the file cannot be opened.
   explicit RawVolumeReader(RawVolume voxels);
 
-  const RawVolume& voxels() const { return this->Voxels; }
-
-  /// Reads the first component of slices from `first` on, as many as fill `values`.
-  /// @throws ReadError if they cannot be read.
-  void read(int first, std::span<unsigned char> values);
-
   /// Reads the first component of a part, from which voxel to which along x, y and z, as update extents are.
   /// @param values room for it, x fastest
   /// @throws ReadError if it cannot be read, ReadAborted

@@ -217,7 +217,10 @@ void vtkInkVolumeReader::Source::Read(const int extent[6], vtkImageData* image, 
     this->NoteComponents();
     return;
   }
-  image->CopyStructure(this->Frame);
+  // Not CopyStructure, which drops the last part's memory: it is used again.
+  image->SetOrigin(this->Frame->GetOrigin());
+  image->SetSpacing(this->Frame->GetSpacing());
+  image->SetDirectionMatrix(this->Frame->GetDirectionMatrix());
   image->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   image->AllocateScalars(this->Header.voxels.type, 1);
   const std::size_t bytes =
@@ -307,14 +310,10 @@ const char* vtkInkVolumeReader::GetNote(int index)
     : nullptr;
 }
 
-const io::RawVolume* vtkInkVolumeReader::GetStoredVoxels()
+bool vtkInkVolumeReader::HasPlainVoxels()
 {
-  if (!this->Found || this->Found->Xml || this->Found->Header.isScaled())
-  {
-    return nullptr;
-  }
-  const io::RawVolume& voxels = this->Found->Header.voxels;
-  return voxels.encoding == io::VoxelEncoding::Plain ? &voxels : nullptr;
+  return this->Found && !this->Found->Xml && !this->Found->Header.isScaled() &&
+    this->Found->Header.voxels.encoding == io::VoxelEncoding::Plain;
 }
 
 int vtkInkVolumeReader::RequestInformation(

@@ -33,14 +33,6 @@
 
 #include <memory> // for what the file says
 
-// VTK's wrapper generator does not know namespaces in this form.
-#ifndef __VTK_WRAP__
-namespace ink::io
-{
-struct RawVolume;
-}
-#endif
-
 class VTKINKIOVOLUME_EXPORT vtkInkVolumeReader : public vtkImageAlgorithm
 {
 public:
@@ -142,13 +134,11 @@ public:
   const char* GetNote(int index);
   ///@}
 
-#ifndef __VTK_WRAP__
   /**
-   * Where the voxels lie in the file, after UpdateInformation(), for who reads them a few slices at a time;
-   * null where they are not stored as the output has them, but compressed, as text, rescaled, or as XML.
+   * Whether voxels are stored as the output has them, after UpdateInformation(): not compressed, as text,
+   * rescaled, or as XML. A part of them is read without the rest, as fast from anywhere.
    */
-  const ink::io::RawVolume* GetStoredVoxels();
-#endif
+  bool HasPlainVoxels();
 
 protected:
   vtkInkVolumeReader();

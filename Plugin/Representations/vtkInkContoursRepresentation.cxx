@@ -2,10 +2,10 @@
 #include "vtkInkContoursRepresentation.h"
 
 #include "InkIsoSurface.h"
+#include "InkSourcePoints.h"
 #include "vtkInkContoursStyle.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPVView.h"
 #include "vtkPolyData.h"
 
 #include <utility>
@@ -33,9 +33,12 @@ std::vector<double> vtkInkContoursRepresentation::GetUsedIsoValues()
 std::string vtkInkContoursRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {
   std::string problem = this->Superclass::MakeMarks(input);
-  // As a mesh without normals gets some, points at its edges are split.
+  // Points of a mesh that gets more of them, at its edges or as a curved surface, say which of its own they
+  // are.
   auto* mesh = vtkPolyData::SafeDownCast(input.Data);
-  if (mesh && mesh->GetNumberOfPoints() > 0 && mesh->GetPoints() == this->GetPiece(0)->GetPoints())
+  vtkPolyData* drawn = this->GetPiece(0);
+  if (mesh && mesh->GetNumberOfPoints() > 0 &&
+    (mesh->GetPoints() == drawn->GetPoints() || InkGetSourcePoints(drawn)))
   {
     this->MarkIdsAsInputs();
   }
@@ -48,14 +51,4 @@ int vtkInkContoursRepresentation::RequestUpdateExtent(
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   AskForGhostsOfGrids(inputVector);
   return 1;
-}
-
-int vtkInkContoursRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  if (request == vtkPVView::REQUEST_UPDATE())
-  {
-    this->UpdatePictureSize();
-  }
-  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
 }

@@ -9,8 +9,7 @@
  * are found again for each camera where they are drawn. Points of a mesh that has normals can be picked
  * beside its lines.
  *
- * How finely an image is sampled goes by the size of the view, in steps of two: nothing is made again while
- * the camera moves, and seldom when the view's size changes.
+ * How finely an image is sampled goes by how large the view shows it (vtkSMInkRepresentationProxy).
  *
  * @sa vtkInkContoursStyle
  */
@@ -27,9 +26,6 @@ public:
   vtkTypeMacro(vtkInkContoursRepresentation, vtkInkRepresentation);
 
   std::vector<double> GetUsedIsoValues() override;
-
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
 protected:
   vtkInkContoursRepresentation();

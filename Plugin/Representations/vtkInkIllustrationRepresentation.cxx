@@ -5,7 +5,6 @@
 #include "vtkInkIllustrationStyle.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPVView.h"
 
 vtkStandardNewMacro(vtkInkIllustrationRepresentation);
 
@@ -50,14 +49,4 @@ int vtkInkIllustrationRepresentation::RequestUpdateExtent(
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   AskForGhostsOfGrids(inputVector);
   return 1;
-}
-
-int vtkInkIllustrationRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  if (request == vtkPVView::REQUEST_UPDATE())
-  {
-    this->UpdatePictureSize();
-  }
-  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
 }

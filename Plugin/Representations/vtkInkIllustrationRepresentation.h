@@ -7,8 +7,8 @@
  * What a vtkInkIllustrationStyle makes of them and how it draws that, on all processes as on one: each
  * samples its part of an image's surface; meshes, points and stipples are those of the first process.
  *
- * How finely an image is sampled, and how many stipples there are, goes by the size of the view, in steps of
- * two: nothing is made again while the camera moves, and seldom when the view's size changes.
+ * How finely an image is sampled, and how many stipples there are, goes by how large the view shows them
+ * (vtkSMInkRepresentationProxy), of stipples up to two million, of samples up to four.
  *
  * @sa vtkInkIllustrationStyle
  */
@@ -31,9 +31,6 @@ public:
   void SetAutomaticOuterIsoValue(bool automatic);
   void SetOuterIsoValue(double value);
   ///@}
-
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
 protected:
   vtkInkIllustrationRepresentation();

@@ -20,3 +20,5 @@ std::vector<double> vtkInkLineArtRepresentation::GetUsedIsoValues()
 {
   return vtkInkLineArtStyle::SafeDownCast(this->GetStyle())->GetIsoSurface()->GetUsedIsoValues();
 }
+
+void vtkInkLineArtRepresentation::SetMagnification(double) {}

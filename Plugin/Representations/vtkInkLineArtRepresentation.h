@@ -24,6 +24,9 @@ public:
 
   std::vector<double> GetUsedIsoValues() override;
 
+  /// Changes nothing: lines are traced for a view of all of them, as that takes long.
+  void SetMagnification(double magnification) override;
+
 protected:
   vtkInkLineArtRepresentation();
   ~vtkInkLineArtRepresentation() override;

@@ -5,7 +5,6 @@
 #include "vtkInkProcesses.h"
 
 #include "vtkActor.h"
-#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
@@ -19,16 +18,10 @@
 #include "vtkPVRenderView.h"
 #include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPolyData.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSMViewProxy.h"
-#include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace
@@ -287,88 +280,26 @@ bool vtkInkRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
-void vtkInkRepresentation::SetVisibility(bool visible)
+void vtkInkRepresentation::SetMagnification(double magnification)
 {
-  this->Style->GetActor()->SetVisibility(visible);
-  this->Paper->SetVisible(visible);
-  this->Superclass::SetVisibility(visible);
-}
-
-void vtkInkRepresentation::SetPaper(bool paper)
-{
-  this->Paper->SetFills(paper);
-}
-
-void vtkInkRepresentation::SetParameter(const char* name, double value)
-{
-  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameter(name, value); });
-}
-
-void vtkInkRepresentation::SetParameter(const char* name, double first, double second)
-{
-  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameter(name, first, second); });
-}
-
-void vtkInkRepresentation::SetParameter(const char* name, double first, double second, double third)
-{
-  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameter(name, first, second, third); });
-  if (std::string(name) == "PaperColor")
-  {
-    this->Paper->SetColor(first, second, third);
-  }
-}
-
-void vtkInkRepresentation::SetParameterAsString(const char* name, const char* text)
-{
-  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameterAsString(name, text); });
-}
-
-void vtkInkRepresentation::SetAutomaticIsoValue(bool automatic)
-{
-  this->IsoValue.Automatic = automatic;
-  this->ApplyChoice("IsoValues", this->IsoValue);
-}
-
-void vtkInkRepresentation::SetIsoValue(double value)
-{
-  this->IsoValue.Value = value;
-  this->ApplyChoice("IsoValues", this->IsoValue);
-}
-
-void vtkInkRepresentation::ApplyChoice(const char* parameter, const Choice& choice)
-{
+  this->Magnification = magnification;
   this->ChangeStyle(
-    [&](vtkInkStyle* style)
-    {
-      if (choice.Automatic)
-      {
-        style->SetParameterAsString(parameter, "");
-      }
-      else
-      {
-        style->SetParameter(parameter, choice.Value);
-      }
-    });
+    [=](vtkInkStyle* style) { style->SetPictureSize(magnification * style->GetPictureHeight()); });
 }
 
-void vtkInkRepresentation::UpdatePictureSize()
+vtkBoundingBox vtkInkRepresentation::ToWorld(const vtkBoundingBox& box)
 {
-  auto view = vtkPVView::SafeDownCast(this->GetView());
-  if (!view)
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Style->GetActor()->GetMatrix(matrix);
+  vtkBoundingBox moved;
+  for (int corner = 0; corner < 8; ++corner)
   {
-    return;
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    box.GetCorner(corner, point);
+    matrix->MultiplyPoint(point, point);
+    moved.AddPoint(point);
   }
-  // The same on all processes. Down, as data seldom fills the view and stipples grow better than they
-  // shrink.
-  const int pixels = std::max(view->GetSize()[0], view->GetSize()[1]);
-  const double size = std::exp2(std::floor(std::log2(std::clamp(pixels, 256, 8192))));
-  this->ChangeStyle(
-    [=](vtkInkStyle* style)
-    {
-      style->SetPictureSize(size);
-      // Sizes are relative to the height: the same stipples in a view of any size.
-      style->SetPictureHeight(size);
-    });
+  return moved;
 }
 
 void vtkInkRepresentation::AskForGhostsOfGrids(vtkInformationVector** inputVector)
@@ -383,64 +314,9 @@ void vtkInkRepresentation::AskForGhostsOfGrids(vtkInformationVector** inputVecto
   }
 }
 
-void vtkInkRepresentation::SetLookupTable(vtkScalarsToColors* table)
-{
-  this->Style->GetMapper()->SetLookupTable(table);
-}
-
-void vtkInkRepresentation::SetMapScalars(bool map)
-{
-  // How scalars become colors, which is not what colors the marks.
-  this->Style->GetMapper()->SetColorMode(map ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
-}
-
-void vtkInkRepresentation::SetTransparentBackground(bool transparent)
-{
-  // ParaView's own knows it on the client only.
-  vtkSMViewProxy::SetTransparentBackground(transparent);
-}
-
-void vtkInkRepresentation::SetPickable(bool pickable)
-{
-  this->Pickable = pickable;
-  this->UpdatePickable();
-}
-
 void vtkInkRepresentation::UpdatePickable()
 {
   this->Style->GetActor()->SetPickable(this->Pickable && this->PointIdsAreInputs);
-}
-
-void vtkInkRepresentation::SetOpacity(double opacity)
-{
-  this->Style->GetActor()->GetProperty()->SetOpacity(opacity);
-}
-
-void vtkInkRepresentation::SetPosition(double x, double y, double z)
-{
-  this->Style->GetActor()->SetPosition(x, y, z);
-}
-
-void vtkInkRepresentation::SetScale(double x, double y, double z)
-{
-  this->Style->GetActor()->SetScale(x, y, z);
-}
-
-void vtkInkRepresentation::SetOrientation(double x, double y, double z)
-{
-  this->Style->GetActor()->SetOrientation(x, y, z);
-}
-
-void vtkInkRepresentation::SetOrigin(double x, double y, double z)
-{
-  this->Style->GetActor()->SetOrigin(x, y, z);
-}
-
-void vtkInkRepresentation::SetUserTransform(const double matrix[16])
-{
-  vtkNew<vtkTransform> transform;
-  transform->SetMatrix(matrix);
-  this->Style->GetActor()->SetUserTransform(transform);
 }
 
 void vtkInkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -449,6 +325,7 @@ void vtkInkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Points drawn: " << this->Pieces[0]->GetNumberOfPoints() << "\n";
   os << indent << "Cells drawn: " << this->Pieces[0]->GetNumberOfCells() << "\n";
   os << indent << "Times made: " << this->TimesMade << "\n";
+  os << indent << "Magnification: " << this->Magnification << "\n";
   os << indent << "Paper: " << this->Paper->GetFills() << "\n";
   os << indent << "Pickable: " << this->Pickable << "\n";
   os << indent << "Style:\n";

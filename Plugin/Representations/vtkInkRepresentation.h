@@ -17,6 +17,7 @@
 #ifndef vtkInkRepresentation_h
 #define vtkInkRepresentation_h
 
+#include "vtkBoundingBox.h"                    // for bounds
 #include "vtkInkPluginRepresentationsModule.h" // for the export macro
 #include "vtkInkStyle.h"                       // for its input
 #include "vtkPVDataRepresentation.h"
@@ -91,6 +92,15 @@ public:
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
+  /**
+   * How large the data is seen, relative to a view of all of it (vtkInkMagnification.h): the style makes
+   * marks for a picture that is so much larger, as far as it makes others then. Default: 1.
+   */
+  virtual void SetMagnification(double magnification);
+
+  /// A valid box around data, where the actor is in the world.
+  vtkBoundingBox ToWorld(const vtkBoundingBox& box);
+
   /// The iso-values of the surfaces that were made last, given or chosen, one of each kind: of the only
   /// or the inner surface, then of the outer one. Here: none.
   virtual std::vector<double> GetUsedIsoValues();
@@ -141,10 +151,6 @@ protected:
   /// Sets a parameter of the style that is automatic without a number.
   void ApplyChoice(const char* parameter, const Choice& choice);
 
-  /// Lets the style make marks for a picture of the view's size, in steps of two: nothing is made again while
-  /// the camera moves, and seldom when the size changes. For REQUEST_UPDATE.
-  void UpdatePictureSize();
-
   /// Asks for the ghost cells that tell the outer surface of a grid. For RequestUpdateExtent.
   static void AskForGhostsOfGrids(vtkInformationVector** inputVector);
 
@@ -175,6 +181,7 @@ private:
   const std::unique_ptr<vtkInkPaper> Paper;
   std::string ColoredBy; ///< what the pieces were made with; empty before there are any
   Choice IsoValue;
+  double Magnification = 1.0;
   int TimesMade = 0;
   bool Pickable = true;
   bool PointIdsAreInputs = false;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesRepresentation.h"
 
+#include "InkDiscStipples.h"
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkSilhouettes.h"
+#include "InkSourcePoints.h"
 #include "vtkInkAddNormals.h"
 #include "vtkInkGatherPoints.h"
+#include "vtkInkIsDense.h"
 #include "vtkInkProcesses.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
@@ -20,9 +23,11 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
 
@@ -70,12 +75,41 @@ std::vector<double> vtkInkSplattingLinesRepresentation::GetUsedIsoValues()
 std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {
   const InkLeaves leaves(input.Data);
-  double images = leaves.Images.empty() ? 0.0 : 1.0;
-  vtkInkProcesses().TakeGreatest({ &images, 1 });
-  if (images > 0.0)
+  this->MadeColorArray = this->GetColorArray();
+  this->MadeColorAssociation = this->GetColorAssociation();
+  if (this->TakesOwnPoints(leaves))
   {
-    return this->Superclass::MakeMarks(input);
+    return this->TakePoints(input.Data, leaves);
   }
+  this->Style->SetColorArray(
+    { this->MadeColorArray, this->MadeColorAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS });
+  std::string problem = this->Superclass::MakeMarks(input);
+  if (vtkPolyData::SafeDownCast(input.Data) && InkGetSourcePoints(this->GetPiece(0)))
+  {
+    this->MarkIdsAsInputs();
+  }
+  return problem;
+}
+
+bool vtkInkSplattingLinesRepresentation::TakesOwnPoints(const InkLeaves& leaves)
+{
+  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = leaves.MakeMeshes();
+  const auto any = [&](const auto& is) { return std::any_of(meshes.begin(), meshes.end(), is) ? 1.0 : 0.0; };
+  std::array found{ leaves.Images.empty() ? 0.0 : 1.0, any(InkHasPolygons),
+    any([](vtkPolyData* mesh) { return !InkHasPolygons(mesh) && !InkHasDiscs(mesh); }) };
+  vtkInkProcesses processes;
+  processes.TakeGreatest(found);
+  const auto [images, polygons, bare] = found;
+  if (images > 0.0 || bare > 0.0)
+  {
+    return false;
+  }
+  const vtkIdType samples = this->Style->GetNumberOfSamples();
+  return polygons == 0.0 || samples == 0 || (samples < 0 && vtkInkIsDense(meshes, processes));
+}
+
+std::string vtkInkSplattingLinesRepresentation::TakePoints(vtkDataObject* input, const InkLeaves& leaves)
+{
   vtkPolyData* outlined = this->GetPiece(vtkInkSplattingLinesStyle::SILHOUETTES);
   outlined->Initialize();
   std::string problem;
@@ -85,11 +119,10 @@ std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Inp
     const vtkSmartPointer<vtkPolyData> whole = vtkInkProcesses().Gather(leaves.MakeMeshes());
     problem = InkHasPolygons(whole) ? silhouettes->MakeOfMesh(this->Style, whole, outlined) : "";
   }
-  // A dense mesh's own points are drawn, those of all leaves together.
   vtkSmartPointer<vtkDataObject> data;
   try
   {
-    data = vtkInkAddNormals(input.Data);
+    data = vtkInkAddNormals(input);
   }
   catch (const std::invalid_argument& error)
   {
@@ -102,11 +135,16 @@ std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Inp
   // Points that are repeated at edges are none of the input's.
   const auto count = [](vtkDataObject* object)
   { return object ? object->GetNumberOfElements(vtkDataObject::POINT) : 0; };
-  if (gathered.IdsAreInputs && count(data) == count(input.Data))
+  if (gathered.IdsAreInputs && count(data) == count(input))
   {
     this->MarkIdsAsInputs();
   }
   return gathered.Problem.empty() ? problem : "Splatting Lines draws nothing for " + gathered.Problem;
+}
+
+bool vtkInkSplattingLinesRepresentation::ServesFor(const std::string& name, int association)
+{
+  return name.empty() || (name == this->MadeColorArray && association == this->MadeColorAssociation);
 }
 
 void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
@@ -125,10 +163,6 @@ void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& d
 int vtkInkSplattingLinesRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (request == vtkPVView::REQUEST_UPDATE())
-  {
-    this->UpdatePictureSize();
-  }
   // Ambient occlusion is worked out of what the opaque pass draws, the surfaces' normals and positions: lines
   // are none of it, and come after it.
   auto view = vtkPVRenderView::SafeDownCast(this->GetView());

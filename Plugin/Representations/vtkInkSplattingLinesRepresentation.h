@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkSplattingLinesRepresentation
- * @brief   "Splatting Lines": shows images, and points with normals, as a line drawing in ParaView's render
- *          views
+ * @brief   "Splatting Lines": shows images, meshes, grids and points as a line drawing in ParaView's render
+ * views
  *
  * Of images, also several in a composite dataset, iso-surfaces are drawn: at values that suit them or that
- * are given, sampled more finely in larger views, in steps of two. Otherwise it takes any vtkPointSet, or a
- * composite dataset of them, whose points carry the array `Normals` (or other active normals), and draws it
- * as vtkInkSplattingLinesStyle does. A point array `Radius` is used if there is one. The leaves of a
- * composite dataset are drawn as one set of points, so that lines run across them; ghost points are left out.
- * Points without normals draw nothing and give one warning.
+ * are given, sampled as finely as the view shows them (vtkSMInkRepresentationProxy). Otherwise all leaves are
+ * drawn as one surface, so that lines run across them: meshes and the outer surfaces of grids by samples of
+ * it, and points with normals and radii estimated where they have none, as vtkInkSplattingLinesStyle makes
+ * them on the first process. Meshes whose points lie closely enough (vtkInkIsDense.h), and points that have
+ * the arrays `Normals` and `Radius`, are drawn by their own points, each process's by itself; ghost points
+ * are left out.
  *
- * Colors: the array that is chosen for the representation, of points or cells; none: the ink. While ParaView
- * renders with a lower level of detail, as many points are drawn as PointsWhileMoving says, with larger
- * radii.
+ * What is selected is the point of the data that a sample is nearest to. Colors: the array that is chosen for
+ * the representation, of points or cells; none: the ink. While ParaView renders with a lower level of detail,
+ * as many points are drawn as PointsWhileMoving says, with larger radii.
  *
  * @sa vtkInkSplattingLinesStyle vtkInkIsoSurfaceSampler
  */
@@ -25,6 +26,7 @@
 #include "vtkNew.h" // for the points
 
 class vtkInkSplattingLinesStyle;
+struct InkLeaves;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkSplattingLinesRepresentation : public vtkInkRepresentation
 {
@@ -45,6 +47,7 @@ protected:
   ~vtkInkSplattingLinesRepresentation() override;
 
   std::string MakeMarks(const vtkInkStyle::Input& input) override;
+  bool ServesFor(const std::string& name, int association) override;
   void Show(const std::vector<vtkPolyData*>& delivered) override;
 
 private:
@@ -53,10 +56,18 @@ private:
 
   explicit vtkInkSplattingLinesRepresentation(vtkSmartPointer<vtkInkSplattingLinesStyle> style);
 
+  /// Whether lines are drawn of the points that the data has; the same on all processes, which call it at
+  /// once.
+  bool TakesOwnPoints(const InkLeaves& leaves);
+  /// Takes these. @return what is wrong
+  std::string TakePoints(vtkDataObject* input, const InkLeaves& leaves);
+
   vtkInkSplattingLinesStyle* const Style;
   vtkNew<vtkPolyData> Drawn;  ///< what the style is shown
   vtkMTimeType DrawnTime = 0; ///< of the points that Drawn was made from
   int PointsWhileMoving = 200000;
+  std::string MadeColorArray; ///< that the points have
+  int MadeColorAssociation = 0;
 };
 
 #endif

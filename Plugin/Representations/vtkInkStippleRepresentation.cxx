@@ -89,6 +89,8 @@ bool vtkInkStippleRepresentation::ServesFor(const std::string& name, int associa
     (name == this->Style->GetMadeColorArray() && association == this->Style->GetMadeColorAssociation());
 }
 
+void vtkInkStippleRepresentation::SetMagnification(double) {}
+
 void vtkInkStippleRepresentation::SetPictureSize(double pixels)
 {
   this->ChangeStyle([=](vtkInkStyle* style) { style->SetPictureSize(std::clamp(pixels, 100.0, 100000.0)); });

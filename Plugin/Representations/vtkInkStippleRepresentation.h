@@ -31,6 +31,9 @@ public:
   static vtkInkStippleRepresentation* New();
   vtkTypeMacro(vtkInkStippleRepresentation, vtkInkRepresentation);
 
+  /// Changes nothing: SetPictureSize says how large the picture is.
+  void SetMagnification(double magnification) override;
+
   /// The side of the picture whose room says how many stipples a mesh gets, and an image with a projected
   /// number of them. 100 to 100000 pixels; default: 600.
   void SetPictureSize(double pixels);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMInkRepresentationProxy
- * @brief   tells a server, before it draws, whether the client makes a picture on a transparent background
+ * @brief   tells a server, before it draws, what only the client knows of the picture
  *
- * ParaView's server draws on nothing, for the client to lay its picture over the background, and so need not
- * know. Where there is paper, which the server draws itself, it has to.
+ * How large the marks are seen: still pictures ask for as many as they have room for, in steps of two
+ * (vtkInkMagnification.h). Pictures of an interaction change nothing, so that nothing is made again while the
+ * camera moves. All processes are told the same step.
+ *
+ * And whether the picture's background is transparent. ParaView's server draws on nothing, for the client to
+ * lay its picture over the background, and so need not know. Where there is paper, which the server draws
+ * itself, it has to.
  *
  * @sa vtkInkRepresentation
  */
@@ -21,7 +26,7 @@ public:
   static vtkSMInkRepresentationProxy* New();
   vtkTypeMacro(vtkSMInkRepresentationProxy, vtkSMRepresentationProxy);
 
-  void ViewUpdated(vtkSMProxy* view) override;
+  void AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer) override;
 
 protected:
   vtkSMInkRepresentationProxy();
@@ -32,10 +37,18 @@ private:
   void operator=(const vtkSMInkRepresentationProxy&) = delete;
 
   void Listen(vtkSMProxy* view);
+  void StartPicture(vtkObject* view, unsigned long event, void* interactive);
+  void EndPicture(vtkObject* view, unsigned long event, void* interactive);
   void SendTransparentBackground();
+  /// Of the data, see vtkInkMagnification.h; 0: not known.
+  double FindMagnification();
+  /// Sends the step of the magnification. @return whether it is another one
+  bool FollowView();
 
   vtkWeakPointer<vtkSMProxy> View;
-  unsigned long Observer = 0;
+  unsigned long Start = 0; ///< observes the view
+  unsigned long End = 0;   ///< observes the view
+  int Step = 0;
 };
 
 #endif

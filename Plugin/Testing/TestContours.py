@@ -143,7 +143,7 @@ class TestContours(SurfaceTests, TestInOneView):
 
     def test_silhouettes_over_the_other_drawings(self):
         for style, prefix in STYLES.items():
-            for make, properties in ((sphere, {}), (lambda: Wavelet(), {})):
+            for make, properties in ((sphere, {}), (lambda: Wavelet(WholeExtent=[-5, 5] * 3), {})):
                 with self.subTest(style, source=make):
                     source = make()
                     display = self.show(source, style, **properties)

@@ -98,16 +98,6 @@ class TestIllustration(TestInOneView):
             self.assertGreater((~is_background(picture(self.view))).mean(), 0.05)
         self.assertIn("1 datasets beside images", "".join(warnings))
 
-    def test_nothing_is_made_again_while_the_camera_moves(self):
-        display = self.show(Wavelet())
-        picture(self.view)
-        before = marks(display)
-        camera = GetActiveCamera()
-        camera.Azimuth(40)
-        camera.Zoom(4)
-        picture(self.view)
-        self.assertEqual(marks(display), before)
-
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The same points and pictures on one process and on several, here and on a server:
 
-python3 TestParallel.py MPIEXEC PVBATCH PVSERVER PVPYTHON [INK]
+python3 TestParallel.py MPIEXEC PVBATCH PVSERVER PVPYTHON SLEEP_WHEN_IDLE [INK]
 
-With the program ink also of OpenVDB files, which it writes.
+SLEEP_WHEN_IDLE is the library of SleepWhenIdle.cxx. With the program ink also of OpenVDB files, which it writes.
 Not with pvpython, which is an MPI process itself: mpiexec refuses to be started by one."""
 
 import pathlib
@@ -26,8 +26,8 @@ from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 HERE = pathlib.Path(__file__).resolve().parent
-MPIEXEC, PVBATCH, PVSERVER, PVPYTHON = sys.argv[1:5]
-INK = sys.argv[5] if len(sys.argv) > 5 else None
+MPIEXEC, PVBATCH, PVSERVER, PVPYTHON, SLEEP_WHEN_IDLE = sys.argv[1:6]
+INK = sys.argv[6] if len(sys.argv) > 6 else None
 
 
 def write_files(folder):
@@ -78,7 +78,7 @@ def on_processes(count, *command):
     # Allowed: a test machine may have fewer cores than processes, and its only user may be root. Processes that wait
     # leave their cores to those that draw.
     options = ["--allow-run-as-root", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
-    return [MPIEXEC, *options, "-n", str(count), *map(str, command)]
+    return [MPIEXEC, *options, "-x", f"LD_PRELOAD={SLEEP_WHEN_IDLE}", "-n", str(count), *map(str, command)]
 
 
 def free_port():
@@ -102,6 +102,11 @@ class TestParallel(unittest.TestCase):
             self.assertLessEqual(difference.max(), 20 if name.endswith("illustration") else 12)
             # Rims of dots: most of the picture of a surface, few pixels of the others.
             self.assertLess((difference > 0).mean(), 0.02 if "solid" in name else 0.004)
+        elif name == "dense-lines":
+            # Points on the border of two pieces are there twice, and so weigh more among the splats of their layer.
+            # Measured: 3, and .33 % of the pixels, on two processes.
+            self.assertLessEqual(difference.max(), 6)
+            self.assertLess((difference > 0).mean(), 0.006)
         else:
             # Processes deliver points in another order, and in that the splats' 32-bit floats are summed up, with other
             # rounding. One process with its points shuffled draws such pixels, too: none or one in a picture, by one
@@ -121,7 +126,7 @@ class TestParallel(unittest.TestCase):
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
             self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + (3 if INK else 0))
-            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 4 + 5 + 5 + 2 + 2 + 2 + 5)
+            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 4 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)
             for name, picture in expected_pictures.items():

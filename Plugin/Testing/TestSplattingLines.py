@@ -9,9 +9,9 @@ import unittest
 
 import numpy
 
-from paraview import servermanager
 from rendering import *
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from splatting_lines_tests import SplattingLinesTests
 from surface_tests import check_iso_value
 
 
@@ -21,30 +21,7 @@ def sampled_wavelet():
     return InkIsoSurfaceSampler(Input=wavelet, Isosurfaces=[130.0])
 
 
-class TestSplattingLines(unittest.TestCase):
-    def setUp(self):
-        self.view = green_view()
-
-    def tearDown(self):
-        Delete(self.view)
-        for source in GetSources().values():
-            Delete(source)
-
-    def show(self, source, **properties):
-        display = Show(source, self.view)
-        display.SetRepresentationType("Splatting Lines")
-        display.LinesPaper = False  # TestPaper.py looks at it
-        for name, value in properties.items():
-            setattr(display, name, value)
-        ResetCamera(self.view)
-        return display
-
-    def assert_drawn(self, pixels):
-        drawn = ~is_background(pixels)
-        self.assertGreater(drawn.mean(), 0.2)
-        self.assertFalse(drawn[0, 0])
-        self.assertGreater(ink(pixels), 0.001 * pixels.shape[0] * pixels.shape[1])
-
+class TestSplattingLines(SplattingLinesTests, unittest.TestCase):
     def test_is_what_the_sampler_is_shown_with(self):
         self.assertEqual(Show(sampled_wavelet(), self.view).Representation, "Splatting Lines")
 
@@ -251,66 +228,6 @@ class TestSplattingLines(unittest.TestCase):
         after = picture(self.view)
         self.assertGreater(is_background(after).mean(), is_background(before).mean() + 0.1)
 
-    def test_any_points_with_normals(self):
-        sphere = Sphere(ThetaResolution=60, PhiResolution=60)
-        self.show(sphere)
-        of_surface = picture(self.view)
-        self.assert_drawn(of_surface)
-        Hide(sphere, self.view)
-        self.show(AppendDatasets(Input=[sphere]))  # a vtkUnstructuredGrid
-        numpy.testing.assert_array_equal(picture(self.view), of_surface)
-
-    def test_composite_data_is_drawn_as_one(self):
-        left = Sphere(ThetaResolution=60, PhiResolution=60, Center=[-0.25, 0, 0])
-        right = Sphere(ThetaResolution=60, PhiResolution=60, Center=[0.25, 0, 0])
-        one = AppendGeometry(Input=[left, right])
-        self.show(one)
-        of_one = picture(self.view)
-        Hide(one, self.view)
-        self.show(GroupDatasets(Input=[left, right]))
-        numpy.testing.assert_array_equal(picture(self.view), of_one)
-
-    def test_ghost_points_are_left_out(self):
-        source = ProgrammableSource(OutputDataSetType="vtkPolyData")
-        source.Script = """
-import vtk
-sphere = vtk.vtkSphereSource()
-sphere.SetThetaResolution(60)
-sphere.SetPhiResolution(60)
-sphere.Update()
-self.GetOutput().ShallowCopy(sphere.GetOutput())
-ghosts = self.GetOutput().AllocatePointGhostArray()
-for i in range(ghosts.GetNumberOfTuples()):
-    if self.GetOutput().GetPoint(i)[0] < 0:
-        ghosts.SetValue(i, vtk.vtkDataSetAttributes.DUPLICATEPOINT)
-"""
-        self.show(source)
-        self.assert_drawn(picture(self.view))
-        numpy.testing.assert_allclose(self.view.CameraFocalPoint, [0.25, 0, 0], atol=0.01)
-
-    def test_points_without_normals_and_polygons_are_not_drawn_and_one_warning_says_why(self):
-        points = PointSource(NumberOfPoints=100)
-        with Warnings() as warnings:
-            self.show(points)
-            self.assertTrue(is_background(picture(self.view)).all())
-            picture(self.view)
-        self.assertEqual(len(warnings), 1, warnings)
-        self.assertIn('needs the point array "Normals" of 3 components', warnings[0])
-
-    def test_a_mesh_without_normals_gets_those_of_its_polygons(self):
-        sphere = Sphere(ThetaResolution=60, PhiResolution=60)
-        bare = PassArrays(Input=sphere)
-        pictures = []
-        with Warnings() as warnings:
-            for source in (sphere, bare, GroupDatasets(Input=[bare])):
-                self.show(source)
-                pictures.append(picture(self.view))
-                Hide(source, self.view)
-        self.assertEqual(warnings, [])
-        self.assert_drawn(pictures[0])
-        for other in pictures[1:]:
-            self.assertLess(numpy.abs(other - pictures[0]).mean(), 0.01)
-
     def test_hidden_lines_have_the_arrays_colors_unless_they_have_their_own(self):
         inner, outer = Sphere(Radius=0.3, ThetaResolution=100, PhiResolution=100), Sphere(
             Radius=0.5, ThetaResolution=100, PhiResolution=100
@@ -357,24 +274,6 @@ for i in range(ghosts.GetNumberOfTuples()):
             ]
             self.assertEqual(positions, [count])
             self.assertGreater(len(exported("scene.vrml").splitlines()), count)
-
-    def test_points_are_selected_where_they_are_seen(self):
-        sphere = Sphere(ThetaResolution=60, PhiResolution=60)
-        self.show(sphere)
-        picture(self.view)
-        # The left half of the picture is x < 0, and z > 0 is what faces this camera; splats reach a little farther.
-        SelectSurfacePoints(Rectangle=[0, 0, 99, 199], View=self.view)
-        selection = servermanager._getPyProxy(sphere.SMProxy.GetSelectionInput(0))
-        self.assertIsNotNone(selection)
-        chosen = ExtractSelection(Input=sphere, Selection=selection)
-        chosen.UpdatePipeline()
-        information = chosen.GetDataInformation()
-        every = sphere.GetDataInformation().GetNumberOfPoints()
-        self.assertAlmostEqual(information.GetNumberOfPoints() / every, 0.25, delta=0.1)
-        low_x, high_x, _, _, low_z, _ = information.GetBounds()
-        self.assertLess(high_x, 0.05)
-        self.assertLess(low_x, -0.4)
-        self.assertGreater(low_z, -0.05)
 
 
 if __name__ == "__main__":

@@ -117,7 +117,7 @@ class TestStipple(TestInOneView):
         numpy.testing.assert_array_equal(picture(self.view), whole)
         self.assertEqual(self.stipples(display), made)
 
-    def test_quantised_places_look_alike(self):
+    def test_quantized_positions_look_alike(self):
         display = self.show_wavelet()
         exact = picture(self.view)
         made = self.stipples(display)

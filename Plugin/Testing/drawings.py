@@ -31,7 +31,7 @@ def save_points(name, proxy):
     numpy.save(f"{OUTPUT}/{name}.npy", rows[numpy.lexsort(rows.T)])
 
 
-def draw(name, source, style, **properties):
+def draw(name, source, style, zoom=1, **properties):
     display = Show(source, view)
     display.SetRepresentationType(style)
     display.ColorArrayName = ["POINTS", ""]
@@ -41,7 +41,9 @@ def draw(name, source, style, **properties):
     for key, value in properties.items():
         setattr(display, key, value)
     ResetCamera(view)
+    view.CameraViewAngle /= zoom
     SaveScreenshot(f"{OUTPUT}/{name}.png", view)
+    view.CameraViewAngle *= zoom
     Hide(source, view)
 
 
@@ -107,6 +109,9 @@ draw("outlined-lines", wavelet, "Splatting Lines", Phi=100, LinesSilhouettes=1)
 draw("see-through-solid-illustration", wavelet, "Illustration", IllustrationSeeThrough=1, IllustrationAutomaticIsoValue=0,
     IllustrationIsoValue=200.0, IllustrationAutomaticOuterIsoValue=0, IllustrationOuterIsoValue=120.0)
 draw("image-lines", volumes["nii"], "Splatting Lines", Phi=100)
+# As fine as it is seen: from a quarter of the size on, in this view, to that of a view of all.
+draw("image-zoomed-lines", volumes["pvti"], "Splatting Lines", zoom=4, Phi=100)
+draw("image-zoomed-solid-illustration", volumes["nii"], "Illustration", zoom=4)
 
 meshes = {name: OpenDataFile(f"{INPUT}/mesh.{name}") for name in ("vtk", "ply", "vtp", "pvtp")}
 meshes["sphere"] = ball
@@ -129,6 +134,23 @@ draw("pvtp-line-art", meshes["pvtp"], "Line Art", LineArtDensity=0)
 draw("outlined-stipples", meshes["contour"], "Stipple", NumberOfSurfaceStipples=5000, StippleSilhouettes=1)
 for name in ("ply", "pvtp", "sphere", "contour", "contour-of-file"):
     draw(f"{name}-stipples", meshes[name], "Stipple", NumberOfSurfaceStipples=5000)
+
+# Drawn by its own points, each process's by itself; the others are sampled, or get their normals, on the first process.
+draw("dense-lines", Sphere(Radius=4, ThetaResolution=500, PhiResolution=250), "Splatting Lines", Phi=100)
+for name in ("pvtp", "sphere", "blocks"):
+    draw(f"{name}-lines", meshes[name], "Splatting Lines", Phi=100)
+draw("cloud-lines", PointSource(NumberOfPoints=2000, Radius=4), "Splatting Lines", Phi=100)
+# The largest part of six, and those of half its size, of which there are two: they reach over processes' borders.
+parts = Calculator(Input=wavelet, ResultArrayName="Parts", Function="sin(coordsX/4)*sin(coordsY/4)*cos(coordsZ/8)+coordsX/60")
+for name, properties in (("largest", {"LargestParts": 1}), ("larger", {"SmallestPart": 0.5})):
+    for style, prefix, others in (
+        ("Splatting Lines", "Lines", {"Phi": 100}),
+        ("Illustration", "Illustration", {}),
+        ("Contours", "Contours", {"ContoursLineWidth": 10}),
+    ):
+        of_parts = {"AutomaticIsoValue": 0, "IsoValue": 0.4, **properties}
+        draw(f"{name}-parts-solid-{style.split()[-1].lower()}", parts, style, **others,
+            **{prefix + key: value for key, value in of_parts.items()})
 
 # Which stipples are drawn by chance goes by what elements are, wherever they are.
 for name, source in (("volume", wavelet), ("mesh", meshes["sphere"])):

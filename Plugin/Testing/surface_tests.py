@@ -73,7 +73,7 @@ class SurfaceTests:
 
     def test_grids_and_composites_are_drawn(self):
         for source in grids_and_composites(Wavelet(WholeExtent=[-8, 8] * 3)):
-            self.show(source)
+            self.show(source, **self.SHOWS)
             self.assertGreater(ink(picture(self.view)), 50, source)
             Hide(source, self.view)
         with Warnings() as warnings:
@@ -91,12 +91,24 @@ class SurfaceTests:
         self.assertTrue(32 < found.GetNumberOfPoints() < 400, found.GetNumberOfPoints())
         ClearSelection(source)
 
+    def test_points_of_a_split_mesh_are_picked(self):
+        # Without normals, its corners are three points each on the surface that is drawn.
+        box = Clean(Input=Box())
+        self.show(box, **self.WIDE)
+        picture(self.view)
+        SelectSurfacePoints(Rectangle=[0, 0, 199, 199], View=self.view)
+        source = GetActiveSource()
+        found = servermanager.Fetch(ExtractSelection(Input=source))
+        self.assertTrue(4 <= found.GetNumberOfPoints() <= 8, found.GetNumberOfPoints())
+        ClearSelection(source)
+
     def test_nothing_is_made_again_while_the_camera_moves(self):
-        display = self.show(Wavelet())
+        """Where it shows what is drawn much larger, see TestMagnification.py."""
+        display = self.show(Wavelet(), **self.SHOWS)
         first = picture(self.view)
         before = marks(display)
         camera = GetActiveCamera()
         camera.Azimuth(40)
-        camera.Zoom(4)
+        camera.Zoom(1.5)
         self.assertTrue((picture(self.view) != first).any())
         self.assertEqual(marks(display), before)

@@ -65,6 +65,7 @@ from .vtkInkFiltersFields import *
 from .vtkInkFiltersSampling import *
 from .vtkInkFiltersStrokes import *
 from .vtkInkIOMesh import *
+from .vtkInkIOPicture import *
 from .vtkInkIOVolume import *
 
 try:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """``vtkink.draw`` and ``vtkink.styles``: the styles, with their parameters as keywords."""
 
+import difflib
 import json
 import keyword
 import math
@@ -11,8 +12,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from . import _vtk_module
-from .reading import data_object
-from .vtkInkStyles import vtkInkCameraFit, vtkInkStyle
+from .reading import Errors, data_object, reader_of
+from .vtkInkIOPicture import vtkInkPictureWriter
+from .vtkInkStyles import vtkInkCameraFit, vtkInkStyle, vtkInkView
 
 
 class Parameter(NamedTuple):
@@ -124,9 +126,9 @@ def _set_parameters(style, parameters):
     known = _describe(style).parameters
     for word in parameters:
         if word not in known:
-            raise TypeError(
-                f"draw() has no parameter {word!r} of style {style.GetName()!r}; expected one of {', '.join(known)}"
-            )
+            near = difflib.get_close_matches(word, known, 1)
+            hint = f"did you mean {near[0]!r}?" if near else f"expected one of {', '.join(known)}"
+            raise TypeError(f"draw() has no parameter {word!r} of style {style.GetName()!r}; {hint}")
     given = {known[word].name: _for_style_file(known[word], value) for word, value in parameters.items()}
     problem = style.SetParametersFromJSON(json.dumps({"style": style.GetName(), "parameters": given}))
     if problem:
@@ -159,30 +161,33 @@ def _make_style(name, style_file, parameters):
     return style
 
 
-# The way the viewer looks, and up in the picture, as `ink render --view` has them.
-_VIEWS = {
-    "front": ((0, 1, 0), (0, 0, 1)),
-    "back": ((0, -1, 0), (0, 0, 1)),
-    "left": ((-1, 0, 0), (0, 0, 1)),
-    "right": ((1, 0, 0), (0, 0, 1)),
-    "top": ((0, 0, -1), (0, 1, 0)),
-    "bottom": ((0, 0, 1), (0, -1, 0)),
-    "iso": ((-1, 1, -1), (-1, 1, 2)),
-}
 _DEFAULT_STYLE = "illustration"
 
 
-def _supersampling(size):
-    """By how much what is rendered is larger, as ``ink render`` has it: small pictures would get broader lines."""
-    return min(max(math.ceil(500 / size[1]), 2), 4) if max(size) < 500 else 2
+def _view(view, up, azimuth, elevation):
+    """From where a picture is taken; what is None is to be chosen."""
+    chosen = vtkInkView()
+    views = [chosen.GetNameOfView(index) for index in range(chosen.GetNumberOfNames())]
+    axes = [chosen.GetAxis(index) for index in range(chosen.GetNumberOfAxes())]
+    for name, given, words, setter in (("view", view, views, chosen.SetName), ("up", up, axes, chosen.SetUp)):
+        if given is not None and given not in words:
+            raise ValueError(f"{name}: expected one of {', '.join(words)}, found {given!r}")
+        if given is not None:
+            setter(given)
+    for name, given, setter in (("azimuth", azimuth, chosen.SetAzimuth), ("elevation", elevation, chosen.SetElevation)):
+        if given is not None and not (isinstance(given, numbers.Real) and abs(given) <= 360):
+            raise ValueError(f"{name}: expected degrees from -360 to 360, found {given!r}")
+        if given is not None:
+            setter(given)
+    return chosen
 
 
-def _write_picture(style, output, size, view):
-    core, rendering, writing = (_vtk_module(name) for name in ("vtkImagingCore", "vtkRenderingCore", "vtkIOImage"))
+def _write_picture(style, output, size, view, dpi):
+    core, rendering = (_vtk_module(name) for name in ("vtkImagingCore", "vtkRenderingCore"))
     renderer, window = rendering.vtkRenderer(), rendering.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
-    factor = _supersampling(size)
+    factor = vtkInkView.GetSupersampling(*size)
     window.SetSize(*(factor * side for side in size))
     window.AddRenderer(renderer)
     renderer.AddActor(style.GetActor())
@@ -192,18 +197,15 @@ def _write_picture(style, output, size, view):
     if style.GetLight() is not None:
         renderer.RemoveAllLights()
         renderer.AddLight(style.GetLight())
-    direction, up = _VIEWS[view]
     camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(*(-coordinate for coordinate in direction))
-    camera.SetViewUp(*up)
+    view.Apply(camera)
     fit = vtkInkCameraFit()
     fit.SetAspect(size[0] / size[1])
     fit.AddPoints(style.GetFramePoints(), camera)
     fit.Apply(camera)
     renderer.ResetCameraClippingRange()
     style.SetPixelScale(factor)
-    picture, smaller, writer = rendering.vtkWindowToImageFilter(), core.vtkImageShrink3D(), writing.vtkPNGWriter()
+    picture, smaller, writer = rendering.vtkWindowToImageFilter(), core.vtkImageShrink3D(), vtkInkPictureWriter()
     picture.SetInput(window)
     picture.ReadFrontBufferOff()
     smaller.SetInputConnection(picture.GetOutputPort())
@@ -211,6 +213,7 @@ def _write_picture(style, output, size, view):
     smaller.SetMean(True)
     writer.SetInputConnection(smaller.GetOutputPort())
     writer.SetFileName(os.fspath(output))
+    writer.SetDotsPerInch(dpi)
     writer.Write()
     style.SetPixelScale(1)
     renderer.RemoveActor(style.GetActor())
@@ -226,6 +229,13 @@ def _checked_size(size):
     return sides
 
 
+def _checked_dpi(dpi):
+    number = _plain(dpi)
+    if isinstance(number, bool) or not isinstance(number, numbers.Real) or not 1 <= number <= 30000:
+        raise ValueError(f"dpi: expected a number from 1 to 30000, found {dpi!r}")
+    return float(number)
+
+
 def _why_empty(style):
     """Why no marks were made; empty if there are some."""
     if style.GetPiece(0).GetNumberOfPoints() > 0:
@@ -234,14 +244,43 @@ def _why_empty(style):
     return style.GetNote(notes - 1) if notes else "nothing to draw"
 
 
-def draw(data, style=None, output=None, *, size=(1024, 1024), view="front", style_file=None, **parameters):
+def _mebibytes(memory):
+    parsed = vtkInkStyle.ParseMemory(memory) if isinstance(memory, str) else 0
+    if not parsed:
+        raise ValueError(f"memory: expected a size of 128 MiB or more, as '800MiB' or '4GiB', found {memory!r}")
+    return parsed
+
+
+def _make_marks(style, data, memory):
+    """Lets a style draw data, in parts where it takes more than this memory. Returns what is wrong, and data that is whole."""
+    source = reader_of(data) if isinstance(data, (str, os.PathLike)) else data
+    if memory is None or not hasattr(source, "GetOutputPort"):
+        shown = data_object(data)
+        return style.GetReasonAgainst(shown) or style.TryDraw(shown), shown
+    style.SetMaximumMemory(memory)
+    errors = Errors(source)
+    problem = style.TryDraw(source.GetOutputPort())
+    return (errors.texts[0] if errors.texts else problem), source.GetOutputDataObject(0)
+
+
+def draw(
+    data, style=None, output=None, *,
+    size=(1024, 1024), dpi=300, view=None, up=None, azimuth=0, elevation=None, memory=None, style_file=None, **parameters,
+):  # fmt: skip
     """Draws a volume, a mesh or points in a style. Returns the actor, for a renderer of your own.
 
     :param data: a VTK data object, an algorithm, the path of a file, or a NumPy array of three axes, z, y and x
     :param style: its name, see :func:`styles`; without one that of ``style_file``, or else illustration
-    :param output: a PNG file to write a picture to
+    :param output: a PNG, JPEG or TIFF file to write a picture to
     :param size: the picture's width and height in pixels; it also says how many marks a mesh gets
-    :param view: of the picture: front, back, left, right, top, bottom or iso
+    :param dpi: how many of the picture's pixels an inch has in print
+    :param view: the side to look at: front, back, left, right, top, bottom or iso; None: the front, or of a mesh the side
+        that shows most
+    :param up: the axis that is up in the picture, as "y" or "-z"; None: z, or of a mesh as it seems to stand
+    :param azimuth: degrees to go to the right around the subject
+    :param elevation: degrees to go up then; None: 0, or 30 for what lies flat
+    :param memory: how much may be taken, as "1GiB", of data in a file, or that an algorithm makes: a volume that is larger
+        is read a few slices at a time, by illustration and splatting lines
     :param style_file: a file as ``ink style NAME`` prints it, whose parameters come before the keywords
     :param parameters: the style's, see ``vtkink.styles()[style].parameters``; colors are names, "#rrggbb" or three numbers
     :raises TypeError: for a keyword that the style does not have
@@ -253,20 +292,22 @@ def draw(data, style=None, output=None, *, size=(1024, 1024), view="front", styl
         actor = vtkink.draw("engine.nii.gz", preset="bone", tau=1.0, output="engine.png")
         actor.style.SetParameter("Tau", 0.98)
     """
-    if view not in _VIEWS:
-        raise ValueError(f"view: expected one of {', '.join(_VIEWS)}, found {view!r}")
-    if output is not None and not os.fspath(output).endswith(".png"):
-        raise ValueError(f"output: expected a name that ends in .png, found {os.fspath(output)!r}")
-    size = _checked_size(size)
+    seen = _view(view, up, azimuth, elevation)
+    if output is not None and not vtkInkPictureWriter.CanWriteFile(os.fspath(output)):
+        endings = vtkInkPictureWriter.GetFileExtensions()
+        raise ValueError(f"output: expected a name that ends in {endings}, found {os.fspath(output)!r}")
+    size, dpi = _checked_size(size), _checked_dpi(dpi)
+    memory = None if memory is None else _mebibytes(memory)
     chosen = _make_style(style, style_file, parameters)
     chosen.SetPictureSize(max(size))
     chosen.SetPictureHeight(size[1])
-    shown = data_object(data)
-    reason = chosen.GetReasonAgainst(shown) or chosen.TryDraw(shown) or _why_empty(chosen)
+    problem, shown = _make_marks(chosen, data, memory)
+    reason = problem or _why_empty(chosen)
     if reason:
         raise ValueError(f"{chosen.GetName()}: {reason}")
     actor = chosen.GetActor()
     actor.style = chosen
     if output is not None:
-        _write_picture(chosen, output, size, view)
+        seen.Choose(shown, os.fsdecode(data) if isinstance(data, (str, os.PathLike)) else None)
+        _write_picture(chosen, output, size, seen, dpi)
     return actor

@@ -42,10 +42,10 @@ def _reader(path):
         return vtkInkMeshReader()
     if vtkInkVolumeReader.IsDicomFile(path):
         return vtkInkVolumeReader()
-    raise ValueError(f"{path!r}: expected a file of {' '.join(volumes + meshes)} .vdb or a folder of DICOM files")
+    raise ValueError(f"{path!r}: expected a file of {' '.join(dict.fromkeys(volumes + meshes))} .vdb or a folder of DICOM files")
 
 
-class _Errors:
+class Errors:
     """The errors of an algorithm, which VTK then does not print."""
 
     CallDataType = "string0"
@@ -60,6 +60,20 @@ class _Errors:
         self.texts.append(text.partition("): ")[2].strip() or text.strip())
 
 
+def reader_of(path):
+    """What reads a file, or a folder of DICOM files, and has not done so yet.
+
+    :raises FileNotFoundError: if there is no such file
+    :raises ValueError: for a file of a kind that is not read
+    """
+    path = os.fsdecode(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"{path!r}: no such file")
+    reader = _reader(path)
+    reader.SetFileName(path)
+    return reader
+
+
 def read(path):
     """The data object in a file, or in a folder of DICOM files, as ``ink`` reads it: a volume in DICOM's axes and with
     its values rescaled where the file says so, or a mesh or points.
@@ -67,18 +81,14 @@ def read(path):
     :raises FileNotFoundError: if there is no such file
     :raises ValueError: for a file that cannot be read, with what was found and what was expected
     """
-    path = os.fsdecode(path)
-    if not os.path.exists(path):
-        raise FileNotFoundError(f"{path!r}: no such file")
-    reader = _reader(path)
-    reader.SetFileName(path)
-    errors = _Errors(reader)
+    reader = reader_of(path)
+    errors = Errors(reader)
     reader.Update()
     if errors.texts:
         raise ValueError(errors.texts[0])
     data = reader.GetOutputDataObject(0)
     if data is None or data.GetNumberOfElements(0) == 0:
-        raise ValueError(f"{path!r}: there is nothing in it that {reader.GetClassName()} can read")
+        raise ValueError(f"{os.fsdecode(path)!r}: there is nothing in it that {reader.GetClassName()} can read")
     return data
 
 

@@ -37,6 +37,16 @@ public:
     return entry.Own;
   }
 
+  /// Calls a function with the resources of each actor in each renderer.
+  template <class Function>
+  void ForEach(const Function& function) const
+  {
+    for (const Entry& entry : this->Entries)
+    {
+      function(entry.Own);
+    }
+  }
+
 private:
   struct Entry
   {

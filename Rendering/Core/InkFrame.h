@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+class InkDrawingProgress;
 class vtkActor;
 class vtkHardwareSelector;
 class vtkRenderer;
@@ -33,6 +34,7 @@ struct InkFrame
   /// its own.
   std::array<int, 4> Viewport;
   std::optional<InkIdColors> Ids; ///< draw these instead of the marks' colors
+  InkDrawingProgress& Progress;
 
   const int* GetSize() const { return this->Viewport.data() + 2; }
   /// As the uniform `viewportOrigin`.

@@ -4,6 +4,7 @@
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkOrderIndependentTranslucentPass.h"
 
 InkRenderPasses::InkRenderPasses(vtkAbstractMapper* mapper, vtkActor* actor)
   : Mapper(mapper)
@@ -18,6 +19,11 @@ InkRenderPasses::InkRenderPasses(vtkAbstractMapper* mapper, vtkActor* actor)
         static_cast<vtkOpenGLRenderPass*>(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i)));
     }
   }
+}
+
+bool InkRenderPasses::IsOrderIndependent() const
+{
+  return this->Passes.size() == 1 && vtkOrderIndependentTranslucentPass::SafeDownCast(this->Passes.front());
 }
 
 void InkRenderPasses::ReplaceShaderValues(

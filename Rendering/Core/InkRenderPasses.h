@@ -20,6 +20,8 @@ class VTKINKRENDERINGCORE_EXPORT InkRenderPasses
 public:
   InkRenderPasses(vtkAbstractMapper* mapper, vtkActor* actor);
   bool IsEmpty() const { return this->Passes.empty(); }
+  /// Whether they are VTK's order-independent pass alone.
+  bool IsOrderIndependent() const;
 
   void ReplaceShaderValues(
     std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const;

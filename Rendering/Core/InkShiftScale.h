@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef InkLocalFrame_h
-#define InkLocalFrame_h
+#ifndef InkShiftScale_h
+#define InkShiftScale_h
 
 #include "vtkInkRenderingCoreModule.h" // for the export macro
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef InkView_h
-#define InkView_h
+#ifndef InkViewUniforms_h
+#define InkViewUniforms_h
 
 #include "vtkInkRenderingCoreModule.h" // for the export macro
 

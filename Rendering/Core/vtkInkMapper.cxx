@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkMapper.h"
 
+#include "InkDrawingProgress.h"
 #include "InkFrame.h"
 #include "InkMarks.h"
 #include "InkReportedMessages.h"
 #include "InkShiftScale.h"
+#include "InkSourcePoints.h"
 #include "InkUploadEvent.h"
 #include "InkViewUniforms.h"
 #include "InkWindowResources.h"
@@ -14,12 +16,13 @@
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
+#include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPolyData.h"
+#include "vtkPointSet.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimerLog.h"
@@ -27,6 +30,15 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+
+namespace
+{
+
+/// Parts of a picture's time, about.
+constexpr double MarksBegin = 0.2; ///< those before are sent to the GPU
+constexpr double OverlayBegins = 0.9;
+
+} // namespace
 
 class vtkInkMapper::vtkInternals
 {
@@ -79,7 +91,7 @@ double* vtkInkMapper::GetBounds()
 {
   vtkInkMapper* overlay = this->GetOverlay();
   const double* own = this->Superclass::GetBounds();
-  if (overlay && overlay->GetInput())
+  if (overlay && overlay->GetInputDataSet())
   {
     vtkBoundingBox both(own);
     both.AddBounds(overlay->GetBounds());
@@ -90,7 +102,7 @@ double* vtkInkMapper::GetBounds()
 
 void vtkInkMapper::ReportOnce(const std::string& error)
 {
-  if (this->Internals->Reported.Add(this->GetInput()->GetMTime(), error))
+  if (this->Internals->Reported.Add(this->GetInputDataSet()->GetMTime(), error))
   {
     vtkErrorMacro(<< error);
   }
@@ -103,22 +115,24 @@ void vtkInkMapper::ComputeBounds()
 
 void vtkInkMapper::ComputePointBounds(vtkUnsignedCharArray* ghosts)
 {
-  vtkPolyData* input = this->GetInput();
+  vtkDataSet* input = this->GetInputDataSet();
   vtkMath::UninitializeBounds(this->Bounds);
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return;
   }
   input->GetBounds(this->Bounds);
-  if (ghosts || std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); }))
+  auto* points = vtkPointSet::SafeDownCast(input);
+  if (points &&
+    (ghosts || std::any_of(this->Bounds, this->Bounds + 6, [](double b) { return !std::isfinite(b); })))
   {
-    InkShiftScale::FindFiniteBounds(input->GetPoints(), this->Bounds, ghosts);
+    InkShiftScale::FindFiniteBounds(points->GetPoints(), this->Bounds, ghosts);
   }
 }
 
 InkMarks* vtkInkMapper::FindMarksToDraw(vtkRenderer* renderer)
 {
-  vtkPolyData* input = this->GetInput();
+  vtkDataSet* input = this->GetInputDataSet();
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return nullptr;
@@ -183,14 +197,20 @@ void vtkInkMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       selector->RenderCompositeIndex(1);
     }
   }
+  InkDrawingProgress progress(this, this->GetOverlay() ? OverlayBegins : 1.0);
+  progress.Until(MarksBegin);
   if (InkMarks* marks = this->FindMarksToDraw(renderer))
   {
+    progress.Report();
     vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
-    InkFrame frame{ renderer, actor, {}, {} };
+    InkFrame frame{ renderer, actor, {}, {}, progress };
     state->vtkglGetIntegerv(GL_VIEWPORT, frame.Viewport.data());
     if (selector)
     {
-      selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints() - 1);
+      auto* points = vtkPolyData::SafeDownCast(this->GetInputDataSet());
+      vtkIdTypeArray* sources = points ? InkGetSourcePoints(points) : nullptr;
+      selector->UpdateMaximumPointId(
+        sources ? sources->GetValueRange(0)[1] : this->GetInputDataSet()->GetNumberOfPoints() - 1);
       frame.Ids.emplace(selector);
     }
     if (frame.Viewport[2] > 0 && frame.Viewport[3] > 0)
@@ -198,6 +218,8 @@ void vtkInkMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
       state->vtkglDisable(GL_CULL_FACE);
       this->DrawMarks(*marks, frame);
+      progress.Until(1.0);
+      progress.Report();
     }
   }
   if (selector)
@@ -222,6 +244,7 @@ void vtkInkMapper::RenderOverlay(vtkRenderer* renderer, vtkActor* actor)
   {
     overlay->SetClippingPlanes(this->GetClippingPlanes());
   }
+  const InkProgressPart part(this, overlay, OverlayBegins, 1.0);
   overlay->RenderPiece(renderer, actor);
 }
 

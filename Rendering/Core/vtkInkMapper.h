@@ -26,6 +26,7 @@
 
 class InkMarks;
 struct InkFrame;
+class vtkDataSet;
 class vtkOpenGLRenderWindow;
 class vtkUnsignedCharArray;
 
@@ -66,6 +67,9 @@ protected:
   vtkInkMapper();
   ~vtkInkMapper() override;
 
+  /// The input, of whichever type a subclass takes; null without one.
+  vtkDataSet* GetInputDataSet() { return this->vtkMapper::GetInput(); }
+
   /// The marks of a window that has none, with its context current.
   virtual std::unique_ptr<InkMarks> MakeMarks(vtkOpenGLRenderWindow* window) = 0;
 
@@ -83,7 +87,7 @@ protected:
   InkMarks* GetMarks(vtkWindow* window) const;
   void ForEachMarks(const std::function<void(const InkMarks&)>& function) const;
 
-  /// All finite points.
+  /// All finite points; of a grid, all of it.
   void ComputeBounds() override;
   /// All finite points but those that are ghosts, whether or not cells use them.
   /// @param ghosts `vtkGhostType` or null

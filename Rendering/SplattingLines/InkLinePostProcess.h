@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef InkSplatLineWork_h
-#define InkSplatLineWork_h
+#ifndef InkLinePostProcess_h
+#define InkLinePostProcess_h
 
 #include "InkSplatStyle.h"
 

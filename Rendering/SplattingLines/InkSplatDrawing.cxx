@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatDrawing.h"
 
+#include "InkDrawingProgress.h"
+#include "InkFrame.h"
 #include "InkLinePostProcess.h"
 #include "InkSplatPasses.h"
 #include "InkSplatQuads.h"
@@ -8,8 +10,10 @@
 #include "InkOpenGLCompat.h"
 #include "InkScopedState.h"
 
+#include "vtkActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -31,7 +35,19 @@ std::array<double, 2> FindTolerances(const InkSplatPasses& passes, const InkView
   return { InkSplatTolerance * passes.GetLargestRadius() * view.Unit, InkSplatTolerance };
 }
 
+/// Parts of a picture's time, about: from where splats are drawn to where they become ink, and of a layer's
+/// the part of its depth.
+constexpr double SplatsBegin = 0.2;
+constexpr double SplatsEnd = 0.95;
+constexpr double DepthShare = 0.25;
+
 } // namespace
+
+double InkSplatDrawing::FindProgress(std::size_t layer, double part) const
+{
+  const double layers = static_cast<double>(this->Layers.size());
+  return SplatsBegin + (SplatsEnd - SplatsBegin) * (static_cast<double>(layer) + part) / layers;
+}
 
 bool InkSplatDrawing::Allocate(
   InkSplatPasses& passes, const InkViewUniforms& view, const InkSplatSettings& splatting)
@@ -85,8 +101,8 @@ bool InkSplatDrawing::AllocateLayer(
   return layer.Surface->IsComplete() && layer.Illumination->IsComplete() && layer.Ink->IsComplete();
 }
 
-bool InkSplatDrawing::DrawSurface(
-  InkSplatPasses& passes, const InkViewUniforms& view, const InkSplatSettings& splatting, std::size_t index)
+bool InkSplatDrawing::DrawSurface(InkSplatPasses& passes, const InkViewUniforms& view,
+  const InkSplatSettings& splatting, std::size_t index, InkDrawingProgress& progress)
 {
   vtkOpenGLState* state = passes.GetWindow()->GetState();
   this->Layers[index].Surface->Bind();
@@ -105,23 +121,26 @@ bool InkSplatDrawing::DrawSurface(
   if (index == 0)
   {
     const bool inTurn = view.BackFaces && !splatting.AsPublished;
-    passes.DrawDepth(view, splatting, inTurn ? Sheet::Front : Sheet::Whole);
+    progress.Until(this->FindProgress(index, inTurn ? 0.5 * DepthShare : DepthShare));
+    passes.DrawDepth(view, splatting, progress, inTurn ? Sheet::Front : Sheet::Whole);
     if (inTurn)
     {
       // Most of what faces away is hidden. The illumination is not drawn yet: it holds the copy.
       layer.Surface->CopyTo(*layer.Illumination);
       layer.Surface->Bind();
-      passes.DrawDepth(view, splatting, Sheet::Back, layer.Illumination.get());
+      progress.Until(this->FindProgress(index, DepthShare));
+      passes.DrawDepth(view, splatting, progress, Sheet::Back, layer.Illumination.get());
     }
     return true;
   }
   const InkRenderTarget* before = this->Layers[index - 1].Surface.get();
+  progress.Until(this->FindProgress(index, DepthShare));
   GLint current = 0;
   glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &current);
   if (current != 0)
   {
     // A render pass counts what is drawn, and OpenGL has one such query at a time.
-    passes.DrawDepth(view, splatting, Sheet::Hidden, before);
+    passes.DrawDepth(view, splatting, progress, Sheet::Hidden, before);
     std::vector<float> distances(
       static_cast<std::size_t>(view.Size[0]) * static_cast<std::size_t>(view.Size[1]));
     this->Layers[index].Surface->BindForReading();
@@ -134,7 +153,7 @@ bool InkSplatDrawing::DrawSurface(
   GLuint pixels = 0;
   glGenQueries(1, &query);
   glBeginQuery(GL_SAMPLES_PASSED, query);
-  passes.DrawDepth(view, splatting, Sheet::Hidden, before);
+  passes.DrawDepth(view, splatting, progress, Sheet::Hidden, before);
   glEndQuery(GL_SAMPLES_PASSED);
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &pixels);
   glDeleteQueries(1, &query);
@@ -142,7 +161,7 @@ bool InkSplatDrawing::DrawSurface(
 }
 
 bool InkSplatDrawing::DrawSplats(InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view,
-  const InkSplatSettings& splatting)
+  const InkSplatSettings& splatting, InkDrawingProgress& progress)
 {
   vtkOpenGLState* state = passes.GetWindow()->GetState();
   const std::array<int, 4> extent = passes.FindExtent(view, splatting, 0);
@@ -154,7 +173,7 @@ bool InkSplatDrawing::DrawSplats(InkSplatPasses& passes, InkSplatQuads& quads, c
     {
       return false;
     }
-    if (!this->DrawSurface(passes, view, splatting, index))
+    if (!this->DrawSurface(passes, view, splatting, index, progress))
     {
       break;
     }
@@ -174,7 +193,9 @@ bool InkSplatDrawing::DrawSplats(InkSplatPasses& passes, InkSplatQuads& quads, c
       Clear(state, 0.0f, GL_COLOR_BUFFER_BIT);
       const double least = InkSplatPasses::FewestTexels(splatting.Sigma) * texel;
       const bool last = level + 1 == this->Sums.size();
-      passes.DrawLight(view, splatting, *layer.Surface, index > 0, texel,
+      const double levels = static_cast<double>(level + 1) / static_cast<double>(this->Sums.size());
+      progress.Until(this->FindProgress(index, DepthShare + (1.0 - DepthShare) * levels));
+      passes.DrawLight(view, splatting, progress, *layer.Surface, index > 0, texel,
         { level == 0 ? 0.0 : least, last ? HUGE_VAL : 2.0 * least });
       sums.push_back(this->Sums[level].get());
     }
@@ -228,8 +249,8 @@ void InkSplatDrawing::DrawInk(
 }
 
 bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view,
-  const InkSplatSettings& splatting, const InkSplatStyle& style, const double paperColor[3], double opacity,
-  vtkAbstractMapper* mapper, vtkActor* actor)
+  const InkSplatSettings& splatting, const InkSplatStyle& style, const double paperColor[3],
+  vtkAbstractMapper* mapper, const InkFrame& frame)
 {
   const bool splatsChanged =
     this->View != view || this->Splatting != splatting || this->UploadTime != passes.GetUploadTime();
@@ -245,7 +266,7 @@ bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const I
     {
       const bool allocated = this->Allocate(passes, view, splatting);
       this->View.reset();
-      if (!allocated || !this->DrawSplats(passes, quads, view, splatting))
+      if (!allocated || !this->DrawSplats(passes, quads, view, splatting, frame.Progress))
       {
         return false;
       }
@@ -257,14 +278,15 @@ bool InkSplatDrawing::Draw(InkSplatPasses& passes, InkSplatQuads& quads, const I
     this->Style = style;
   }
 
+  vtkActor* actor = frame.Actor;
   // Ink without paper may lie on a surface that another actor draws, and must not sink into it.
   const double bias = style.Paper ? 0.0 : InkSplatTolerance * passes.GetLargestRadius() * view.Unit;
   for (int index = style.Paper ? 0 : this->Present - 1; index >= 0; --index)
   {
     const Layer& layer = this->Layers[static_cast<std::size_t>(index)];
     const Layer& inked = style.Paper ? this->Layers[static_cast<std::size_t>(this->Present - 1)] : layer;
-    quads.DrawComposite(view, *layer.Surface, *inked.Ink, style.Paper ? paperColor : nullptr, opacity,
-      this->Reach, bias, mapper, actor);
+    quads.DrawComposite(view, *layer.Surface, *inked.Ink, style.Paper ? paperColor : nullptr,
+      actor->GetProperty()->GetOpacity(), this->Reach, bias, mapper, actor);
   }
   return true;
 }

@@ -13,10 +13,11 @@
 #include <optional>
 #include <vector>
 
+class InkDrawingProgress;
 class InkSplatPasses;
 class InkSplatQuads;
+struct InkFrame;
 class vtkAbstractMapper;
-class vtkActor;
 
 /// The drawing of one actor in one renderer: what of it is up to date stays, so that a changed style costs no
 /// splats and an unchanged view nothing but the last pass.
@@ -24,11 +25,10 @@ class InkSplatDrawing
 {
 public:
   /// Draws into the caller's framebuffer, viewport and blending; else leaves the OpenGL state as it was.
-  /// @param opacity of the whole
   /// @return false when this OpenGL cannot draw into the images that are needed
   bool Draw(InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view,
-    const InkSplatSettings& splatting, const InkSplatStyle& style, const double paperColor[3], double opacity,
-    vtkAbstractMapper* mapper, vtkActor* actor);
+    const InkSplatSettings& splatting, const InkSplatStyle& style, const double paperColor[3],
+    vtkAbstractMapper* mapper, const InkFrame& frame);
 
   /// The layers that there are, up to those asked for.
   int GetNumberOfLayers() const { return this->Present; }
@@ -47,11 +47,14 @@ private:
   bool AllocateLayer(
     InkSplatPasses& passes, const InkViewUniforms& view, const InkSplatSettings& splatting, Layer& layer);
   bool DrawSplats(InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view,
-    const InkSplatSettings& splatting);
+    const InkSplatSettings& splatting, InkDrawingProgress& progress);
   bool DrawSurface(InkSplatPasses& passes, const InkViewUniforms& view, const InkSplatSettings& splatting,
-    std::size_t index);
+    std::size_t index, InkDrawingProgress& progress);
   void DrawInk(
     InkSplatPasses& passes, InkSplatQuads& quads, const InkViewUniforms& view, const InkSplatStyle& style);
+
+  /// How much of the picture is there with this part, 0 to 1, of a layer's splats.
+  double FindProgress(std::size_t layer, double part) const;
 
   std::unique_ptr<InkRenderTarget> ZBuffer;
   std::vector<std::unique_ptr<InkRenderTarget>> Sums; ///< for each pixel, for 2 x 2, for 4 x 4

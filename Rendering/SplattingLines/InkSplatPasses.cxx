@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatPasses.h"
 
+#include "InkDrawingProgress.h"
 #include "InkFrame.h"
 #include "InkPointSize.h"
 #include "InkRenderTarget.h"
 #include "InkShader.h"
-#include "InkSplatPoints.h"
 #include "InkViewUniforms.h"
 
 #include "InkSplatDepthFS.h"
@@ -22,12 +22,12 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace
 {
@@ -53,6 +53,9 @@ constexpr double PublishedLeastLight = -1.0;
 
 /// sigma_max over sigma_min (Zhang et al. 2014, section 3.2).
 constexpr double WideOverNarrow = 1.6;
+
+/// Where somebody watches: few enough for each hundredth of an ordinary picture to be seen to pass.
+constexpr int PointsBetweenReports = 1 << 15;
 
 /// By how many texels the viewport is wider than the target, so that points can be left out there.
 constexpr int Margin = 4;
@@ -108,36 +111,6 @@ InkSplatPasses::~InkSplatPasses()
 {
   this->Buffers->ReleaseGraphicsResources(this->Window);
   this->Order->ReleaseGraphicsResources();
-}
-
-void InkSplatPasses::Upload(InkSplatPoints& points, vtkUnsignedCharArray* colors)
-{
-  // Appending, unlike caching, does not keep the arrays alive.
-  this->Buffers->ClearAllVBOs();
-  this->Buffers->AppendDataArray("pointMC", points.GetPositions(), VTK_FLOAT);
-  this->Buffers->AppendDataArray("normalRadiusMC", points.GetNormalsAndRadii(), VTK_FLOAT);
-  if (colors)
-  {
-    this->Buffers->AppendDataArray("colorMC", colors, VTK_UNSIGNED_CHAR);
-  }
-  this->Buffers->BuildAllVBOs(static_cast<vtkOpenGLVertexBufferObjectCache*>(nullptr));
-  this->Buffers->Modified();
-  this->NumberOfPoints = static_cast<int>(points.GetPositions()->GetNumberOfTuples());
-  this->LargestRadius = points.GetLargestRadius();
-  this->Bounds = points.GetBounds();
-  this->Ordered = false;
-}
-
-vtkMTimeType InkSplatPasses::GetUploadTime() const
-{
-  return this->NumberOfPoints > 0 ? this->Buffers->GetMTime() : 0;
-}
-
-void InkSplatPasses::SetOrder(std::span<const std::uint32_t> order)
-{
-  this->Order->Upload(
-    std::vector<std::uint32_t>(order.begin(), order.end()), vtkOpenGLBufferObject::ElementArrayBuffer);
-  this->Ordered = true;
 }
 
 double InkSplatPasses::FindMinimumRadius(const InkViewUniforms& view, const InkSplatSettings& splatting)
@@ -272,25 +245,40 @@ vtkShaderProgram* InkSplatPasses::Begin(
   return program;
 }
 
-void InkSplatPasses::DrawPoints(double fraction)
+void InkSplatPasses::DrawPoints(double fraction, InkDrawingProgress& progress)
 {
   const InkPointSizeByShader pointSize;
-  if (fraction < 1.0 && this->Ordered)
+  const bool ordered = fraction < 1.0 && this->Ordered;
+  const int count =
+    ordered ? static_cast<int>(std::ceil(fraction * this->NumberOfPoints)) : this->NumberOfPoints;
+  const int step = progress.IsWatched() ? PointsBetweenReports : count;
+  if (ordered)
   {
     this->Order->Bind();
-    glDrawElements(
-      GL_POINTS, static_cast<int>(std::ceil(fraction * this->NumberOfPoints)), GL_UNSIGNED_INT, nullptr);
-    this->Order->Release();
   }
-  else
+  for (int first = 0; first < count; first += step)
   {
-    glDrawArrays(GL_POINTS, 0, this->NumberOfPoints);
+    const int now = std::min(step, count - first);
+    if (ordered)
+    {
+      const std::size_t offset = sizeof(std::uint32_t) * static_cast<std::size_t>(first);
+      glDrawElements(GL_POINTS, now, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+    }
+    else
+    {
+      glDrawArrays(GL_POINTS, first, now);
+    }
+    progress.Report(static_cast<double>(first + now) / count);
+  }
+  if (ordered)
+  {
+    this->Order->Release();
   }
   this->Current->End();
 }
 
-void InkSplatPasses::DrawDepth(
-  const InkViewUniforms& view, const InkSplatSettings& splatting, Sheet sheet, const InkRenderTarget* image)
+void InkSplatPasses::DrawDepth(const InkViewUniforms& view, const InkSplatSettings& splatting,
+  InkDrawingProgress& progress, Sheet sheet, const InkRenderTarget* image)
 {
   std::string features = InkDefine("INK_DEPTH");
   if (sheet == Sheet::Hidden)
@@ -323,11 +311,12 @@ void InkSplatPasses::DrawDepth(
     program->SetUniformi("surface", reading.emplace(*image->GetTexture()).GetUnit());
     program->SetUniformi("probeCount", 4);
   }
-  this->DrawPoints(splatting.PointFraction);
+  this->DrawPoints(splatting.PointFraction, progress);
 }
 
 void InkSplatPasses::DrawLight(const InkViewUniforms& view, const InkSplatSettings& splatting,
-  const InkRenderTarget& surface, bool hidden, int texel, const std::array<double, 2>& widths)
+  InkDrawingProgress& progress, const InkRenderTarget& surface, bool hidden, int texel,
+  const std::array<double, 2>& widths)
 {
   const double minimum = FindMinimumRadius(view, splatting);
   const double scale = FindLightScale(splatting);
@@ -367,16 +356,17 @@ void InkSplatPasses::DrawLight(const InkViewUniforms& view, const InkSplatSettin
   }
   program->SetUniform2f("falloff", falloff);
   program->SetUniform2f("rim", rim);
-  this->DrawPoints(splatting.PointFraction);
+  this->DrawPoints(splatting.PointFraction, progress);
 }
 
 void InkSplatPasses::DrawIds(const InkViewUniforms& view, const InkFrame& frame)
 {
+  const std::string features = InkDefine("INK_ID") + (this->HasSources ? InkDefine("INK_SOURCES") : "");
   if (vtkShaderProgram* program =
-        this->Begin(InkSplatIdFS, InkDefine("INK_ID"), view, { 1.0, FindDepthRadius(view), 0.0 }))
+        this->Begin(InkSplatIdFS, features, view, { 1.0, FindDepthRadius(view), 0.0 }))
   {
     frame.SetOrigin(program);
     frame.Ids->SetUniforms(program);
-    this->DrawPoints(1.0);
+    this->DrawPoints(1.0, frame.Progress);
   }
 }

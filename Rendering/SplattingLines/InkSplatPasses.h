@@ -15,8 +15,10 @@
 
 class InkRenderTarget;
 class InkSplatPoints;
+class InkDrawingProgress;
 struct InkFrame;
 struct InkViewUniforms;
+class vtkIdTypeArray;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectGroup;
@@ -35,7 +37,8 @@ public:
   vtkOpenGLRenderWindow* GetWindow() const { return this->Window; }
 
   /// @param colors RGBA, one a point, or null
-  void Upload(InkSplatPoints& points, vtkUnsignedCharArray* colors);
+  /// @param sources the points' ids for selection, or null: their numbers
+  void Upload(InkSplatPoints& points, vtkUnsignedCharArray* colors, vtkIdTypeArray* sources);
   /// When Upload was last called, on VTK's clock; 0: never.
   vtkMTimeType GetUploadTime() const;
   double GetLargestRadius() const { return this->LargestRadius; }
@@ -70,14 +73,14 @@ public:
   /// The depth splats of a layer, into the bound surface (and colors) with its z-buffer, both cleared
   /// before.
   /// @param image see Sheet; else null
-  void DrawDepth(const InkViewUniforms& view, const InkSplatSettings& splatting, Sheet sheet,
-    const InkRenderTarget* image = nullptr);
+  void DrawDepth(const InkViewUniforms& view, const InkSplatSettings& splatting, InkDrawingProgress& progress,
+    Sheet sheet, const InkRenderTarget* image = nullptr);
 
   /// The illumination splats of a layer whose narrower radius on the screen is within two limits, added to
   /// the bound sums.
   /// @param texel of the sums, in pixels
   /// @param widths pixels
-  void DrawLight(const InkViewUniforms& view, const InkSplatSettings& splatting,
+  void DrawLight(const InkViewUniforms& view, const InkSplatSettings& splatting, InkDrawingProgress& progress,
     const InkRenderTarget& surface, bool hidden, int texel, const std::array<double, 2>& widths);
 
   /// The points' discs in the frame's colors of ids.
@@ -96,13 +99,14 @@ private:
 
   vtkShaderProgram* Begin(
     const char* fragmentShader, std::string features, const InkViewUniforms& view, const Splats& splats);
-  void DrawPoints(double fraction);
+  void DrawPoints(double fraction, InkDrawingProgress& progress);
 
   vtkOpenGLRenderWindow* Window;
   vtkNew<vtkOpenGLVertexBufferObjectGroup> Buffers;
   vtkNew<vtkOpenGLBufferObject> Order;
   bool Ordered = false;
   int NumberOfPoints = 0;
+  bool HasSources = false;
   double LargestRadius = 0.0;
   std::array<float, 6> Bounds{};
   double LargestSprite = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef InkSplatting_h
-#define InkSplatting_h
+#ifndef InkSplatSettings_h
+#define InkSplatSettings_h
 
 #include "vtkType.h"
 

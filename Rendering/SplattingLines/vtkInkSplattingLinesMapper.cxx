@@ -5,6 +5,7 @@
 #include "InkLinePostProcess.h"
 #include "InkScalarColors.h"
 #include "InkShiftScale.h"
+#include "InkSourcePoints.h"
 #include "InkSplatInput.h"
 #include "InkSplatOrder.h"
 #include "InkViewUniforms.h"
@@ -127,14 +128,15 @@ bool vtkInkSplattingLinesMapper::UpdateMarks(InkMarks& own)
     this->ReportOnce(colors.GetProblem());
   }
   vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
+  vtkIdTypeArray* sources = InkGetSourcePoints(input);
   const vtkMarks::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
     arrays.Radii ? arrays.Radii->GetMTime() : 0, ghosts ? ghosts->GetMTime() : 0,
-    colored ? colors.Describe() : "", arrays.Radii ? 0.0 : this->Radius };
+    sources ? sources->GetMTime() : 0, colored ? colors.Describe() : "", arrays.Radii ? 0.0 : this->Radius };
   if (internals.PointsSource != source || marks.PointsSource != source)
   {
     internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius, ghosts);
     internals.PointsSource = source;
-    marks.Passes.Upload(internals.Points, colored ? colors.Map() : nullptr);
+    marks.Passes.Upload(internals.Points, colored ? colors.Map() : nullptr, sources);
     internals.Points.ReleaseArrays();
     marks.PointsSource = source;
   }
@@ -241,8 +243,7 @@ void vtkInkSplattingLinesMapper::DrawLines(vtkMarks& marks, InkViewUniforms view
     view.Widen(this->AsPublished ? margin : margin + around);
   }
   if (!marks.Drawings.Get(frame.Renderer, frame.Actor)
-         .Draw(marks.Passes, marks.Quads, view, splatting, style, this->PaperColor,
-           frame.Actor->GetProperty()->GetOpacity(), this, frame.Actor))
+         .Draw(marks.Passes, marks.Quads, view, splatting, style, this->PaperColor, this, frame))
   {
     this->ReportOnce("This OpenGL cannot draw into 32-bit float images, which splatting lines need.");
   }

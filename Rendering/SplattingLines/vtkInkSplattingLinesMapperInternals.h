@@ -33,6 +33,7 @@ public:
     vtkMTimeType Normals;
     vtkMTimeType Radii;
     vtkMTimeType Ghosts;
+    vtkMTimeType Ids;
     std::string Colors;
     double Radius;
     bool operator==(const Source&) const = default;

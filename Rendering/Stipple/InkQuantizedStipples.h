@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef InkPackedStipples_h
-#define InkPackedStipples_h
+#ifndef InkQuantizedStipples_h
+#define InkQuantizedStipples_h
 
 #include "InkStipplePoints.h"
 

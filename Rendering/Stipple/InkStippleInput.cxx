@@ -29,6 +29,13 @@ bool IsCellArray(vtkDataArray* array, int components, vtkIdType cells)
   return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == cells;
 }
 
+/// By the field data; where they are neither kind's, volumes have gradients.
+bool IsSurface(vtkPolyData* data, bool hasGradients)
+{
+  const double kind = FindNumber(data, "ElementKind", -1.0);
+  return kind == 1.0 || (kind != 0.0 && !hasGradients);
+}
+
 /// Whether cell e holds the points offset[e], offset[e] + 1 ... and all cells together all points.
 bool HoldsPointsInOrder(vtkCellArray* cells, vtkIdType points)
 {
@@ -62,7 +69,7 @@ InkStippleInput::InkStippleInput(vtkPolyData* data)
   , GradientMagnitudes(data->GetCellData()->GetArray("GradientMagnitude"))
   , Values(data->GetCellData()->GetArray("Value"))
   , GlobalIds(data->GetCellData()->GetGlobalIds())
-  , Surface(FindNumber(data, "ElementKind", this->GradientMagnitudes ? 0.0 : 1.0) != 0.0)
+  , Surface(IsSurface(data, this->GradientMagnitudes != nullptr))
   , ElementSize(FindNumber(data, "ElementSize", 0.0))
   , StipplesPerElement(FindNumber(data, "StipplesPerElement", 0.0))
 {

@@ -21,9 +21,9 @@ struct InkStippleInput
   vtkDataArray* GradientMagnitudes; ///< cell data, 1 component, 0 to 1; volumes only
   vtkDataArray* Values;             ///< cell data, 1 component, 0 to 1; volumes only
   vtkDataArray* GlobalIds;          ///< of the cells, 1 component; null if missing
-  bool Surface;                     ///< field data ElementKind 1; without it, when there are no gradients
-  double ElementSize;               ///< field data, in the data's units; 0 if missing
-  double StipplesPerElement;        ///< field data; 0 if missing or no number: the longest list counts
+  bool Surface;              ///< field data ElementKind 1; if it is not 0 or 1, when there are no gradients
+  double ElementSize;        ///< field data, in the data's units; 0 if missing
+  double StipplesPerElement; ///< field data; 0 if missing or no number: the longest list counts
 
   /// Why they cannot be drawn, for the user: what was expected and what was found; empty if they can.
   std::string FindProblem() const;

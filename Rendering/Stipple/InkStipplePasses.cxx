@@ -2,15 +2,16 @@
 #include "InkStipplePasses.h"
 
 #include "InkBlendQuantum.h"
+#include "InkDrawingProgress.h"
 #include "InkFrame.h"
 #include "InkLights.h"
+#include "InkOccluder.h"
 #include "InkPointSize.h"
 #include "InkQuantizedStipples.h"
 #include "InkRenderPasses.h"
 #include "InkRenderTarget.h"
 #include "InkScopedState.h"
 #include "InkShader.h"
-#include "InkOccluder.h"
 #include "InkStipplePoints.h"
 #include "InkStippleUniforms.h"
 #include "InkStippleView.h"
@@ -40,6 +41,9 @@ namespace
 /// Dots are at least this many of the steps that blending can make, so that rounding hardly shows; paler ones
 /// are drawn more rarely instead.
 constexpr float LeastSteps = 8.0f;
+
+/// As many of a picture where somebody watches it.
+constexpr std::size_t ReportsOfStipples = 32;
 
 /// The present on VTK's clock.
 vtkMTimeType FindTime()
@@ -208,15 +212,23 @@ InkStippleRuns InkStipplePasses::FindRuns(const Scene& scene) const
   return runs;
 }
 
-void InkStipplePasses::DrawRuns(const InkStippleRuns& runs)
+void InkStipplePasses::DrawRuns(const InkStippleRuns& runs, InkDrawingProgress* progress)
 {
   this->Processed = runs.GetNumberOfStipples();
-  if (runs.Firsts.empty())
-  {
-    return;
-  }
   const InkPointSizeByShader pointSize;
-  glMultiDrawArrays(GL_POINTS, runs.Firsts.data(), runs.Counts.data(), static_cast<int>(runs.Firsts.size()));
+  const std::size_t count = runs.Firsts.size();
+  const std::size_t step =
+    progress && progress->IsWatched() ? std::max<std::size_t>(count / ReportsOfStipples, 1) : count;
+  for (std::size_t first = 0; first < count; first += step)
+  {
+    const std::size_t now = std::min(step, count - first);
+    glMultiDrawArrays(
+      GL_POINTS, runs.Firsts.data() + first, runs.Counts.data() + first, static_cast<int>(now));
+    if (progress)
+    {
+      progress->Report(static_cast<double>(first + now) / static_cast<double>(count));
+    }
+  }
 }
 
 void InkStipplePasses::Draw(
@@ -239,7 +251,8 @@ void InkStipplePasses::Draw(
     const float least = LeastSteps * InkFindBlendStep() / std::max(static_cast<float>(opacity), 1e-6f);
     program->SetUniformf("leastIntensity", std::min(least, 1.0f));
     renderPasses.SetShaderParameters(program, pass.GetVertexArray());
-    this->DrawRuns(this->FindRuns(scene));
+    frame.Progress.Until(1.0);
+    this->DrawRuns(this->FindRuns(scene), &frame.Progress);
     this->End(pass, scene);
   }
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+class InkDrawingProgress;
 class InkRenderPasses;
 struct InkFrame;
 class InkStipplePoints;
@@ -53,8 +54,8 @@ public:
     const ink::stipple::Tone& Tone;
     const InkStippleView& ToneView;
     InkOccluderDepth* Occluder; ///< null: nothing hides stipples
-    float OccluderOffset;      ///< view units
-    float OccluderPixels;      ///< the same at most
+    float OccluderOffset;       ///< view units
+    float OccluderPixels;       ///< the same at most
     const double* InkColor;
   };
 
@@ -81,7 +82,7 @@ private:
   void BindAttributes(vtkShaderProgram* program, vtkOpenGLVertexArrayObject* vertexArray);
   vtkShaderProgram* Begin(InkShaderPass& pass, const Scene& scene);
   InkStippleRuns FindRuns(const Scene& scene) const;
-  void DrawRuns(const InkStippleRuns& runs);
+  void DrawRuns(const InkStippleRuns& runs, InkDrawingProgress* progress = nullptr);
   void End(InkShaderPass& pass, const Scene& scene);
 
   vtkOpenGLRenderWindow* Window;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleActor.h"
 
+#include "InkHasVolumes.h"
+
 #include "vtkCameraPass.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkLightsPass.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOrderIndependentTranslucentPass.h"
@@ -21,13 +22,6 @@
 namespace
 {
 
-bool HasVolumes(vtkProp* prop)
-{
-  vtkNew<vtkPropCollection> volumes;
-  prop->GetVolumes(volumes);
-  return volumes->GetNumberOfItems() > 0;
-}
-
 bool HasOthersTranslucent(vtkRenderer* renderer)
 {
   vtkPropCollection* props = renderer->GetViewProps();
@@ -37,7 +31,7 @@ bool HasOthersTranslucent(vtkRenderer* renderer)
   {
     // Those of this kind would ask back.
     if (prop->GetVisibility() && !vtkInkStippleActor::SafeDownCast(prop) &&
-      (HasVolumes(prop) || prop->HasTranslucentPolygonalGeometry()))
+      (InkHasVolumes(prop) || prop->HasTranslucentPolygonalGeometry()))
     {
       return true;
     }

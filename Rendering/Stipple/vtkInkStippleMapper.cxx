@@ -99,7 +99,7 @@ public:
     const int size[2])
     : View(renderer, actor, mapper, mapper->Internals->Points.GetFrame(), size)
     , Tone(MakeTone(mapper, mapper->Internals->Points.IsSurface(), this->View))
-    , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->Headlight)
+    , ToneView(renderer, this->View, mapper->Internals->Points, this->Tone, mapper->GetHeadlight())
     , Occluder(this->FindOccluder(mapper, marks, renderer, actor))
     , Scene{ this->View, mapper->Internals->Points, this->Tone, this->ToneView, this->Occluder,
       FindOffset(mapper, marks) * this->View.Unit, FindMostPixels(mapper, marks), mapper->InkColor }

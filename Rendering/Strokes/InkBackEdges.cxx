@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edges of polygons as strokes.
 #include "InkMeshTriangles.h"
+#include "InkSourcePoints.h"
 #include "InkStrokePoints.h"
 
 #include "Core/Hash.h"
@@ -47,6 +48,7 @@ void InkStrokePoints::Read(const InkEdgeArrays& arrays)
   const InkMeshTriangles mesh(arrays.Surface, false, InkMeshTriangles::Order::OfMesh);
   // Without normals the polygons' own tell which side is the outside.
   const ink::ContourSurface surface(mesh.GetMesh(), {});
+  vtkIdTypeArray* sources = InkGetSourcePoints(arrays.Surface);
   const double outwards = surface.isInsideOut ? -1.0 : 1.0;
   const auto add = [&](const ink::FaceEdge& one, const ink::FaceEdge& other)
   {
@@ -62,7 +64,7 @@ void InkStrokePoints::Read(const InkEdgeArrays& arrays)
       this->Shapes.push_back({ { normal.x, normal.y, normal.z }, 1.0f });
       const auto id = static_cast<vtkIdType>(triangle[static_cast<std::size_t>(one.corner)]);
       this->Sources.push_back(id);
-      this->Ids.push_back(static_cast<std::uint32_t>(id));
+      this->Ids.push_back(static_cast<std::uint32_t>(InkSourcePoint(sources, id)));
       this->AddToBounds(point.Position);
     }
     const auto edge = static_cast<std::uint64_t>(first / 2);

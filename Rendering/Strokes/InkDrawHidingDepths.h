@@ -2,21 +2,20 @@
 #ifndef InkDrawHidingDepths_h
 #define InkDrawHidingDepths_h
 
-#include "InkOpenGLCompat.h"
+#include <functional>
 
-#include "vtkOpenGLState.h"
+class InkRenderPasses;
+class vtkOpenGLState;
+class vtkShaderProgram;
+struct InkFrame;
 
-/// Draws once more, depths alone, where ink covers so much of a pixel that it hides what is behind it.
+/// Draws once more, depths alone, where ink covers so much of a pixel that it hides what is behind it. VTK's
+/// order-independent pass has a depth of its own; there depths take as long as the picture, and are left out
+/// unless there are volumes, which come later and would cover all ink: then they go where the picture is that
+/// the pass adds to. Not where depth peeling, or a chain of render passes, asks for depth itself.
+/// @param program that draws, with the uniform `viewportOrigin`, which is changed
 /// @param draw takes the least coverage that is drawn
-template <class Draw>
-void InkDrawHidingDepths(vtkOpenGLState* state, const Draw& draw)
-{
-  constexpr float hidingCoverage = 0.5f;
-  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  const vtkOpenGLState::ScopedglColorMask colorMask(state);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  draw(hidingCoverage);
-}
+void InkDrawHidingDepths(vtkOpenGLState* state, const InkFrame& frame, const InkRenderPasses& renderPasses,
+  vtkShaderProgram* program, const std::function<void(float)>& draw);
 
 #endif

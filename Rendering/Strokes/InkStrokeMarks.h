@@ -27,7 +27,21 @@ public:
 
   vtkMTimeType GetUploadTime() const override
   {
-    return std::max(this->Passes.GetUploadTime(), this->Toon.GetUploadTime());
+    vtkMTimeType latest = std::max(this->Passes.GetUploadTime(), this->Toon.GetUploadTime());
+    this->OfViews.ForEach([&](const std::unique_ptr<InkStrokeMarks>& marks)
+      { latest = std::max(latest, marks ? marks->GetUploadTime() : 0); });
+    return latest;
+  }
+
+  /// Those of an actor in a renderer alone, where strokes depend on the eye.
+  InkStrokeMarks& GetOfView(vtkRenderer* renderer, vtkActor* actor)
+  {
+    std::unique_ptr<InkStrokeMarks>& marks = this->OfViews.Get(renderer, actor);
+    if (!marks)
+    {
+      marks = std::make_unique<InkStrokeMarks>(this->Window);
+    }
+    return *marks;
   }
 
   InkStrokePasses Passes;
@@ -57,6 +71,9 @@ public:
   InkActorResources<View> Views;
 
   vtkOpenGLRenderWindow* const Window;
+
+private:
+  InkActorResources<std::unique_ptr<InkStrokeMarks>> OfViews;
 };
 
 #endif

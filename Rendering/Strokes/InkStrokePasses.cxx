@@ -113,23 +113,23 @@ void InkStrokePasses::UploadColors(const std::vector<std::uint32_t>& colors)
 bool InkStrokePasses::FindPoints(const Scene& scene)
 {
   const int rows = (scene.NumberOfPoints + ImageWidth - 1) / ImageWidth;
-  if (!this->PointPlaces || this->PointPlaces->GetHeight() < rows)
+  if (!this->PointPositions || this->PointPositions->GetHeight() < rows)
   {
     using Format = InkRenderTarget::Format;
     // With room for a growing number of points.
     const int height = rows + rows / 2;
-    this->PointPlaces.reset();
+    this->PointPositions.reset();
     this->PointShapes = std::make_unique<InkRenderTarget>(this->Window, Format::Float4, ImageWidth, height);
-    this->PointPlaces = std::make_unique<InkRenderTarget>(
+    this->PointPositions = std::make_unique<InkRenderTarget>(
       this->Window, Format::Float4, ImageWidth, height, this->PointShapes.get());
   }
-  if (!this->PointPlaces->IsComplete())
+  if (!this->PointPositions->IsComplete())
   {
     return false;
   }
   vtkOpenGLState* state = this->Window->GetState();
   const InkScopedState scoped(state);
-  this->PointPlaces->Bind();
+  this->PointPositions->Bind();
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
@@ -149,7 +149,7 @@ bool InkStrokePasses::FindPoints(const Scene& scene)
   }
   scene.View.SetUniforms(program);
   const float size[2] = { static_cast<float>(ImageWidth),
-    static_cast<float>(this->PointPlaces->GetHeight()) };
+    static_cast<float>(this->PointPositions->GetHeight()) };
   program->SetUniform2f("imageSize", size);
   program->SetUniform2f("halfWidth", style.HalfWidth.data());
   program->SetUniformf("depthWidth", style.DepthWidth);
@@ -225,7 +225,7 @@ void InkStrokePasses::ActivateTextures(vtkShaderProgram* program, const Scene& s
     texture->Activate();
     program->SetUniformi(sampler, texture->GetTextureUnit());
   };
-  activate(this->PointPlaces->GetTexture(), "pointPlaces");
+  activate(this->PointPositions->GetTexture(), "pointPositions");
   activate(this->PointShapes->GetTexture(), "pointShapes");
   scene.Runs.Points.Activate(program, "drawnPoints");
   scene.Runs.Runs.Activate(program, "runs");
@@ -254,7 +254,7 @@ void InkStrokePasses::ActivateTextures(vtkShaderProgram* program, const Scene& s
 
 void InkStrokePasses::DeactivateTextures(const Scene& scene)
 {
-  this->PointPlaces->GetTexture()->Deactivate();
+  this->PointPositions->GetTexture()->Deactivate();
   this->PointShapes->GetTexture()->Deactivate();
   this->Texture.Deactivate();
   if (scene.Occluder)
@@ -346,10 +346,7 @@ bool InkStrokePasses::Draw(
   {
     renderPasses.SetShaderParameters(program, pass.GetVertexArray());
     draw(0.0f);
-    if (renderPasses.IsEmpty())
-    {
-      InkDrawHidingDepths(this->Window->GetState(), draw);
-    }
+    InkDrawHidingDepths(this->Window->GetState(), frame, renderPasses, program, draw);
   }
   this->DeactivateTextures(scene);
   pass.End();

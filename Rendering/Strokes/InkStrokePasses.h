@@ -90,8 +90,8 @@ private:
   InkTextureBuffer Ids;
   InkTextureBuffer Colors;
   InkStrokeTexture Texture;
-  std::unique_ptr<InkRenderTarget> PointShapes; ///< half width, arc length, length
-  std::unique_ptr<InkRenderTarget> PointPlaces; ///< clip coordinates; drawn into with PointShapes
+  std::unique_ptr<InkRenderTarget> PointShapes;    ///< half width, arc length, length
+  std::unique_ptr<InkRenderTarget> PointPositions; ///< clip coordinates; drawn into with PointShapes
   vtkMTimeType UploadTime = 0;
   InkShaderPasses Passes;
 };

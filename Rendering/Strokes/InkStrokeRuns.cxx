@@ -12,6 +12,29 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+namespace
+{
+
+/// The direction in the picture of a surface's normal where the surface turns away from the eye; zero
+/// elsewhere.
+glm::dvec2 FindSilhouetteNormal(const float position[3], const float normal[3], const InkViewUniforms& view)
+{
+  constexpr double largestCosine = 0.01; // of the angle between normal and eye
+  const glm::dvec3 inView =
+    glm::dmat3(glm::make_mat3(view.Normal.data())) * glm::dvec3(glm::make_vec3(normal));
+  const glm::dvec4 point =
+    glm::dmat4(glm::make_mat4(view.MCVC.data())) * glm::dvec4(glm::dvec3(glm::make_vec3(position)), 1.0);
+  const glm::dvec3 toEye =
+    glm::dvec3(glm::make_vec3(view.Eye.data())) - (view.Eye[3] == 0.0f ? glm::dvec3(0.0) : glm::dvec3(point));
+  const double length = glm::length(inView);
+  const glm::dvec2 inPicture(inView);
+  const double lengthInPicture = glm::length(inPicture);
+  const bool isSilhouette = std::abs(glm::dot(inView, toEye)) <= largestCosine * length * glm::length(toEye);
+  return isSilhouette && lengthInPicture > 0.0 ? inPicture / lengthInPicture : glm::dvec2(0.0);
+}
+
+} // namespace
+
 void InkStrokeRuns::Add(const InkStrokePoints& strokes, int stroke, double from, double to, bool hidden)
 {
   const InkStrokePoints::Stroke& own = strokes.GetStrokes()[static_cast<std::size_t>(stroke)];
@@ -87,7 +110,8 @@ InkStrokeRuns InkStrokeRuns::FindVisible(const InkStrokePoints& strokes, const I
         const float* p = strokes.GetPoints()[index].Position;
         const float curvature =
           strokes.GetRadialCurvature().empty() ? 0.0f : strokes.GetRadialCurvature()[index];
-        points.push_back({ toClip * glm::dvec4(p[0], p[1], p[2], 1.0), curvature });
+        points.push_back({ toClip * glm::dvec4(p[0], p[1], p[2], 1.0), curvature,
+          FindSilhouetteNormal(p, strokes.GetShapes()[index].Normal, view) });
       }
       found[stroke] = findVisibleRuns(points, own.Closed, occluders, leastRun);
     });

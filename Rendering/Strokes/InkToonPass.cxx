@@ -7,6 +7,7 @@
 #include "InkOccluder.h"
 #include "InkRenderPasses.h"
 #include "InkShader.h"
+#include "InkSourcePoints.h"
 #include "InkStrokeStyle.h"
 #include "InkViewUniforms.h"
 
@@ -48,6 +49,7 @@ void InkToonPass::Update(vtkPolyData* surface)
   InkShiftScale::FindFiniteBounds(surface->GetPoints(), bounds);
   this->Frame = InkShiftScale::FromBounds(bounds);
   const InkMeshTriangles mesh(surface, true, InkMeshTriangles::Order::OfMesh);
+  vtkIdTypeArray* sources = InkGetSourcePoints(surface);
   std::vector<float> corners;
   std::vector<std::uint32_t> ids;
   corners.reserve(18 * mesh.Triangles.size());
@@ -63,7 +65,7 @@ void InkToonPass::Update(vtkPolyData* surface)
     if (std::all_of(values, values + 18, [](float value) { return std::isfinite(value); }))
     {
       corners.insert(corners.end(), values, values + 18);
-      ids.push_back(static_cast<std::uint32_t>(triangle[0]));
+      ids.push_back(static_cast<std::uint32_t>(InkSourcePoint(sources, triangle[0])));
     }
   }
   this->NumberOfCorners = static_cast<int>(corners.size() / 6);
@@ -135,10 +137,7 @@ void InkToonPass::Draw(const Scene& scene, const InkFrame& frame, const InkRende
   {
     renderPasses.SetShaderParameters(program, pass.GetVertexArray());
     draw(0.0f);
-    if (renderPasses.IsEmpty())
-    {
-      InkDrawHidingDepths(this->Window->GetState(), draw);
-    }
+    InkDrawHidingDepths(this->Window->GetState(), frame, renderPasses, program, draw);
   }
   depths->Deactivate();
   pass.End();

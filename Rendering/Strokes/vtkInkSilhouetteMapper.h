@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkInkSilhouetteMapper
- * @brief   draws the outlines of a surface as strokes of a pen
+ * @brief   draws the outlines of a surface, or of an image's iso-surfaces, as strokes of a pen
  *
  * Input: a surface of polygons and strips, with point normals or without (then they are computed, which a
- * warning says). Its contours are found again when the camera, the surface or an option changed, at a cost
- * that follows their length and not the size of the surface (Hertzmann and Zorin 2000), and drawn as
- * vtkInkStrokeMapper draws strokes, with all its parameters. The surface hides what lies behind it, whether
- * or not an actor shows it; SetSurfaceConnection and SetSurfaceData give another surface to do that, unless
- * it is empty.
+ * warning says); or a vtkImageData, see below. Its contours are found again when the camera, the surface or
+ * an option changed, at a cost that follows their length and not the size of the surface (Hertzmann and Zorin
+ * 2000), and drawn as vtkInkStrokeMapper draws strokes, with all its parameters. The surface hides what lies
+ * behind it, whether or not an actor shows it; SetSurfaceConnection and SetSurfaceData give another surface
+ * to do that, unless it is empty.
+ *
+ * Of an image the silhouettes of the iso-surfaces at its iso-values are found straight from the samples
+ * (Burns et al. 2005), and lines where these surfaces leave the image or samples are missing (Borders). They
+ * are found again also when an iso-value changed, of which all others are kept. No surface is made: discs,
+ * one in each cell that an iso-surface passes (Zhang et al. 2014, section 5.1), hide what lies behind them by
+ * more than a cell's diagonal. The array is the active point scalars, or set by
+ * SetInputArrayToProcess(1, ...). Faceted, Creases, NonManifoldEdges, ShortestCrease and ShortestBorder are
+ * of no effect. The cell array `SurfaceIndex` tells several iso-values apart.
  *
  * That is the Method CHAINS. Others draw silhouettes as Lu et al. (2003, section 5.6) publish them, of which
  * the GPU finds what depends on the camera: VOXEL_SEGMENTS, of edge voxels, those that vtkInkEdgeVoxels finds
@@ -20,8 +28,9 @@
  *
  * An edge that is a crease and a silhouette is drawn once, as a crease.
  *
- * Hardware selection finds points of the surface beside a contour. With ScalarVisibility on, the cell array
- * `ContourKind` (0 silhouette, 1 crease, 2 border, 3 non-manifold edge) can color the strokes.
+ * Hardware selection finds points of the surface, or of the image, beside a contour. With ScalarVisibility
+ * on, the cell array `ContourKind` (0 silhouette, 1 crease, 2 border, 3 non-manifold edge) can color the
+ * strokes.
  *
  * @sa vtkInkStrokeMapper
  */
@@ -30,8 +39,12 @@
 
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
 #include "vtkInkStrokeMapper.h"
+#include "vtkNew.h" // for the contour values
 
 #include <memory> // for std::unique_ptr
+
+class vtkContourValues;
+class vtkImageData;
 
 class VTKINKRENDERINGSTROKES_EXPORT vtkInkSilhouetteMapper : public vtkInkStrokeMapper
 {
@@ -42,6 +55,34 @@ public:
 
   /// All parameters and both inputs of another mapper, as far as it has them.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  ///@{
+  /// The surface, or the image, when it is not the output of a connected algorithm. Default: none.
+  void SetInputData(vtkPolyData* surface);
+  void SetInputData(vtkImageData* image);
+  ///@}
+
+  /// Later where an iso-value was changed.
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The iso-values of an image, as in vtkContourFilter. Default: none, which yields no contours.
+   */
+  void SetValue(int i, double value);
+  double GetValue(int i);
+  void SetNumberOfContours(int number);
+  vtkIdType GetNumberOfContours();
+  void GenerateValues(int numContours, double rangeStart, double rangeEnd);
+  ///@}
+
+  ///@{
+  /**
+   * The component of an image's array that is contoured; from 0. Default: 0.
+   */
+  vtkSetClampMacro(ArrayComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(ArrayComponent, int);
+  ///@}
 
   /// How silhouettes are found, see SetMethod.
   enum Methods
@@ -190,7 +231,8 @@ public:
 
   ///@{
   /**
-   * Whether borders are drawn: edges of one polygon only. Default: on.
+   * Whether borders are drawn: edges of one polygon only; of an image, where an iso-surface ends. Default:
+   * on.
    */
   vtkSetMacro(Borders, bool);
   vtkGetMacro(Borders, bool);
@@ -200,8 +242,8 @@ public:
   ///@{
   /**
    * Borders that, with all borders that they join, are no longer than this share of the surface's diagonal,
-   * are left out: those around triangles that scans lack. 0 (default: none is left out) to 1. NaN is refused
-   * with a warning.
+   * are left out: those around triangles that scans lack. With Borders, interpolated silhouettes go straight
+   * on across such holes. 0 (default: none is left out) to 1. NaN is refused with a warning.
    */
   InkSetClampMacro(ShortestBorder, 0.0, 1.0);
   vtkGetMacro(ShortestBorder, double);
@@ -218,9 +260,10 @@ public:
 
   ///@{
   /**
-   * Whether dashes of silhouettes stay as near as they can to where they were in the picture before, for
-   * motion. Off (default), they begin where the line does, which travels over the surface with the eye; on, a
-   * picture depends on those before it.
+   * Whether dashes of silhouettes stay where they were in the picture before while the camera moves, as far
+   * as lines that stretch and join let them; a picture with dashes then depends on those before it, by where
+   * on their lines they are. Default: on. Off, they begin where the line does, which travels over the surface
+   * with the eye.
    */
   vtkSetMacro(CoherentDashes, bool);
   vtkGetMacro(CoherentDashes, bool);
@@ -228,9 +271,9 @@ public:
   ///@}
 
   /**
-   * The contours that an actor in a renderer showed last: lines with the point arrays `Normals`,
-   * `RadialCurvature` and `ArcLength` and the cell array `ContourKind`; null before the first picture. Its
-   * modification time tells when they were found. Only of the Method CHAINS.
+   * The contours that an actor in a renderer showed last: lines with the point arrays `Normals`, of closed
+   * surfaces `RadialCurvature`, and `ArcLength`, and the cell array `ContourKind`; null before the first
+   * picture. Its modification time tells when they were found. Only of the Method CHAINS.
    */
   vtkPolyData* GetContours(vtkRenderer* renderer, vtkActor* actor);
 
@@ -241,25 +284,38 @@ protected:
   vtkInkSilhouetteMapper();
   ~vtkInkSilhouetteMapper() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   bool UpdateMarks(InkMarks& own) override;
   void DrawMarks(InkMarks& own, const InkFrame& frame) override;
   vtkPolyData* FindSurface() override;
+  double FindDepthTolerance() override;
+  /// Of chains those of the input, so that dashes are as long while the camera turns around it.
+  bool GetExtent(double bounds[6]) override;
 
 private:
   vtkInkSilhouetteMapper(const vtkInkSilhouetteMapper&) = delete;
   void operator=(const vtkInkSilhouetteMapper&) = delete;
 
-  bool UpdateSurface();
+  /// The input where it is an image, otherwise null.
+  vtkImageData* FindImage();
+  /// Whether no other surface hides contours.
+  bool HidesItself();
+  /// What finds contours of the input, made ready; false if the input has none, which was reported.
+  bool UpdateFinder();
+  bool PrepareImage(vtkImageData* image);
   bool UpdateToon(InkStrokeMarks& marks);
   /// Finds and uploads the contours for a frame's eye; false where there is nothing to draw.
   bool UpdateChains(InkMarks& own, const InkFrame& frame);
   bool CheckPolygons();
+  bool CheckVoxels();
   void WarnOfNormals();
   void ChooseByEye(
     const InkStrokeMarks& marks, const InkFrame& frame, const InkViewUniforms& view, InkStrokeStyle& style);
   void DrawToon(InkStrokeMarks& marks, const InkFrame& frame);
 
   int Method = CHAINS;
+  vtkNew<vtkContourValues> ContourValues;
+  int ArrayComponent = 0;
   double LowestValue = -1e38;
   double HighestValue = 1e38;
   double LeastGradientMagnitude = 0.0;
@@ -275,7 +331,7 @@ private:
   double ShortestBorder = 0.0;
   bool Borders = true;
   bool NonManifoldEdges = false;
-  bool CoherentDashes = false;
+  bool CoherentDashes = true;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStrokeMapper.h"
 
+#include "InkDrawingProgress.h"
 #include "InkFrame.h"
 #include "InkLights.h"
 #include "InkRenderPasses.h"
@@ -28,7 +29,9 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <vector>
@@ -46,6 +49,11 @@ constexpr int LeastDepthHeight = 1024;
 constexpr float DepthMargin = 16.0f;
 constexpr float DepthMarginParts = 2.0f;
 
+/// Parts of a picture's time, about: when the depth is there of what hides strokes, and which of them it
+/// hides.
+constexpr double DepthEnds = 0.6;
+constexpr double RunsEnd = 0.8;
+
 std::vector<float> ReadDepth(const InkOccluderDepth& depth)
 {
   std::vector<float> depths(
@@ -53,23 +61,6 @@ std::vector<float> ReadDepth(const InkOccluderDepth& depth)
   const InkRenderTarget::Reading reading(*depth.Image.GetTexture());
   glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   return depths;
-}
-
-/// Strokes of hatching with a larger priority are drawn nowhere in a view.
-float FindMostPriority(
-  const InkStrokePoints& strokes, const InkViewUniforms& view, const InkStrokeStyle& style)
-{
-  float widest = 0.0f;
-  for (const InkStrokePoints::Stroke& stroke : strokes.GetStrokes())
-  {
-    widest = std::max(widest, stroke.Spacing);
-  }
-  const bool parallel = view.Eye[3] == 0.0f;
-  const float pixel = view.Pixel * (parallel ? 1.0f : std::max(style.Distances[0], view.DepthRange[0]));
-  const std::array<float, 2>& spacing = style.Hatching->Spacing;
-  const ink::hatching::StrokeWidth widths{ spacing[0] + spacing[1] / pixel, 0.0f,
-    style.Hatching->Crosshatching };
-  return widths.mostPriority(widest * view.Unit / pixel);
 }
 
 } // namespace
@@ -232,77 +223,6 @@ bool vtkInkStrokeMapper::UpdateEdges(InkMarks& own, vtkPolyData* surface)
   return !marks.Strokes.GetStrokes().empty();
 }
 
-InkStrokeStyle vtkInkStrokeMapper::MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const
-{
-  const auto number = [](double value) { return static_cast<float>(value); };
-  InkStrokeStyle style;
-  const glm::mat4 toView = glm::make_mat4(view.MCVC.data());
-  const std::array<double, 6>& box = marks.Strokes.GetLocalBounds();
-  style.Distances = { INFINITY, -INFINITY };
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::vec4 point(box[corner & 1 ? 1 : 0], box[corner & 2 ? 3 : 2], box[corner & 4 ? 5 : 4], 1.0);
-    const float distance = -(toView * point).z;
-    style.Distances[0] = std::min(style.Distances[0], distance);
-    style.Distances[1] = std::max(style.Distances[1], distance);
-  }
-  const float middle = 0.5f * (style.Distances[0] + style.Distances[1]);
-  style.Distances[1] = std::max(style.Distances[1], style.Distances[0] + 1e-6f * view.Unit);
-
-  const double scale = this->SizeUnit == THOUSANDTHS ? 1e-3 * view.PictureHeight : view.TileScale;
-  const bool world = this->SizeUnit == WORLD;
-  style.HalfWidth = { world ? 0.0f : number(0.5 * scale * this->LineWidth),
-    world ? number(0.5 * this->LineWidth) : 0.0f };
-  const double pixel = view.Pixel * (view.Eye[3] == 0.0f ? 1.0f : std::max(middle, view.DepthRange[0]));
-  const double local = (world ? 1.0 : scale * pixel) / view.Unit;
-  style.Dash = { number(local * this->DashLength), number(local * (this->DashLength + this->GapLength)) };
-  style.TextureLength = number(std::max(local * this->TextureLength * this->LineWidth, 1e-30));
-  const bool dashes = this->GapLength > 0.0;
-  style.Dashed = dashes && this->Dashed;
-  style.HiddenDashed = dashes && this->HiddenParts == DASHED;
-  style.HiddenOpacity = this->HiddenParts == FAINT ? number(this->HiddenOpacity) : 1.0f;
-
-  style.Taper = number(this->Taper);
-  style.DepthWidth = number(this->DepthWidth);
-  style.Miter = this->Join == MITER_JOIN;
-  style.MiterLimit = number(this->MiterLimit);
-  style.Butt = this->Cap == BUTT_CAP;
-  style.Density = number(this->Density);
-  style.Lift = number(this->Lift);
-  std::copy_n(this->InkColor, 3, style.Color.begin());
-  return style;
-}
-
-double vtkInkStrokeMapper::FindDashPeriod(const InkMarks& own, const InkFrame& frame)
-{
-  const auto& marks = static_cast<const InkStrokeMarks&>(own);
-  const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
-  const InkStrokeStyle style = this->MakeStyle(marks, view);
-  return style.Dashed || style.HiddenDashed ? view.Unit * static_cast<double>(style.Dash[1]) : 0.0;
-}
-
-InkHatching vtkInkStrokeMapper::MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const
-{
-  const auto number = [](double value) { return static_cast<float>(value); };
-  InkHatching hatching;
-  hatching.Intensity = { number(this->SilhouetteWeight), number(this->DiffuseTruncation),
-    number(this->SilhouetteTruncation), number(this->Tone), number(this->DarkestTone) };
-  hatching.Crosshatching = number(this->Crosshatching);
-  const double scale = this->SizeUnit == THOUSANDTHS ? 1e-3 * view.PictureHeight : view.TileScale;
-  const bool world = this->SizeUnit == WORLD;
-  hatching.Spacing = { world ? 0.0f : number(scale * this->HatchSpacing),
-    world ? number(this->HatchSpacing) : 0.0f };
-  hatching.CullingCosine = number(this->CullingCosine);
-  hatching.Lights = InkFindLights(renderer);
-  return hatching;
-}
-
-int vtkInkStrokeMapper::CountPoints(
-  const InkStrokeMarks& marks, const InkViewUniforms& view, const InkStrokeStyle& style, int all) const
-{
-  return style.Hatching ? marks.Strokes.CountPoints(FindMostPriority(marks.Strokes, view, style)) : all;
-}
-
 bool vtkInkStrokeMapper::EvaluateWidths(vtkRenderer* renderer, vtkActor* actor, vtkFloatArray* widths)
 {
   widths->Initialize();
@@ -392,7 +312,8 @@ void vtkInkStrokeMapper::UpdateRuns(InkStrokeMarks& marks, const InkViewUniforms
 {
   InkStrokeMarks::View& shown = marks.Views.Get(frame.Renderer, frame.Actor);
   InkStrokeMarks::View::Source source{ marks.GetUploadTime(), 0, {}, this->HiddenParts != OMITTED,
-    view.Unit * this->DepthTolerance / marks.Strokes.GetFrame().Unit, view.TileScale * this->ShortestPart };
+    view.Unit * this->FindDepthTolerance() / marks.Strokes.GetFrame().Unit,
+    view.TileScale * this->ShortestPart };
   if (depth && !byPixel)
   {
     source.Surface = depth->UploadTime;
@@ -435,6 +356,8 @@ void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& fram
 {
   const InkViewUniforms view(frame.Renderer, frame.Actor, this, marks.Strokes.GetFrame(), frame.GetSize());
   InkOccluderDepth* const depth = this->UpdateDepth(marks, frame);
+  frame.Progress.Until(DepthEnds);
+  frame.Progress.Report();
   this->UpdateRuns(marks, view, frame, depth, this->Hatching || choose);
   const InkStrokeMarks::View& shown = *marks.Views.Find(frame.Renderer, frame.Actor);
   InkStrokeStyle style = this->MakeStyle(marks, view);
@@ -446,6 +369,8 @@ void vtkInkStrokeMapper::DrawStrokes(InkStrokeMarks& marks, const InkFrame& fram
   {
     style.Hatching = this->MakeHatching(view, frame.Renderer);
   }
+  frame.Progress.Until(RunsEnd);
+  frame.Progress.Report();
   const int points = this->CountPoints(marks, view, style, shown.Runs->NumberOfPoints);
   vtkImageData* const texture = style.BackEdges ? nullptr : this->Texture.Get();
   if (const std::string problem = marks.Passes.UploadTexture(texture); !problem.empty())

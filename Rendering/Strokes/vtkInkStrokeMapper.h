@@ -35,6 +35,7 @@
 #include "vtkInkRenderingStrokesModule.h" // for the export macro
 #include "vtkSmartPointer.h"              // for the texture
 
+#include <array>      // for boxes
 #include <functional> // for what subclasses draw
 #include <memory>     // for std::shared_ptr
 
@@ -163,8 +164,8 @@ public:
   ///@{
   /**
    * Whether strokes are dashed, by their arc length: dashes stay where they are on strokes that do not change
-   * with the camera; those of silhouettes slide a little with each view, unless vtkInkSilhouetteMapper has
-   * CoherentDashes. A closed stroke has a whole number of them. Default: off.
+   * with the camera; those of silhouettes follow those of the picture before (CoherentDashes of
+   * vtkInkSilhouetteMapper). A closed stroke has a whole number of them. Default: off.
    */
   vtkSetMacro(Dashed, bool);
   vtkGetMacro(Dashed, bool);
@@ -411,17 +412,25 @@ protected:
     const std::function<void(InkStrokeStyle&, const InkViewUniforms&)>& choose);
   /// The depth of the surface in a view; null without one.
   InkOccluderDepth* UpdateDepth(const InkStrokeMarks& marks, const InkFrame& frame);
-  /// The length of a dash with its gap in a frame, in the unit of the strokes' points, which are up to date;
-  /// 0 where no dashes are drawn.
-  double FindDashPeriod(const InkMarks& own, const InkFrame& frame);
+  /// The length of a dash with its gap in a frame, in the unit of the strokes' points; 0 where no dashes are
+  /// drawn.
+  /// @param bounds as GetExtent has them
+  double FindDashPeriod(const InkFrame& frame, const double bounds[6]);
+  /// Bounds, in the middle of which dashes and textures have the lengths that they should have in the
+  /// picture; false (here) for those of the strokes.
+  virtual bool GetExtent(double bounds[6]);
   /// The surface that hides strokes, or null.
   virtual vtkPolyData* FindSurface();
+  /// DepthTolerance, or more where that surface is not exact.
+  virtual double FindDepthTolerance() { return this->DepthTolerance; }
 
 private:
   vtkInkStrokeMapper(const vtkInkStrokeMapper&) = delete;
   void operator=(const vtkInkStrokeMapper&) = delete;
 
-  InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view) const;
+  InkStrokeStyle MakeStyle(const InkStrokeMarks& marks, const InkViewUniforms& view);
+  /// How long one of SizeUnit is in the middle of a box of the view's local frame, in that frame's unit.
+  double FindSizeUnit(const InkViewUniforms& view, const std::array<double, 6>& box) const;
   InkHatching MakeHatching(const InkViewUniforms& view, vtkRenderer* renderer) const;
   /// Up to which point strokes may be drawn.
   int CountPoints(

@@ -153,6 +153,10 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
   {
     problem = this->Method->MakeVoxels(this, leaves.Images, {}, this->GetPiece(CONTOURED));
   }
+  if (problem.empty() && reason.empty())
+  {
+    this->IsoSurface->TakeFrame(this, input, leaves.Images, {}, !ofVoxels || this->OnSurface);
+  }
   return !leaves.Images.empty() && !reason.empty() ? reason
     : problem.empty()                              ? leaves.FindBesideImages()
                                                    : problem;
@@ -189,7 +193,7 @@ std::string vtkInkContoursStyle::TakeMesh(
     this->AddNote(grids);
   }
   // Those of several processes are put together on the first one; all take part.
-  const vtkSmartPointer<vtkPolyData> whole = this->GetProcesses().Gather(leaves.MakeMeshes());
+  const vtkSmartPointer<vtkPolyData> whole = this->GatherMesh(leaves);
   if (!InkHasPolygons(whole))
   {
     return !leaves.Problem.empty() || whole->GetNumberOfPoints() > 0 ? reason : std::string();

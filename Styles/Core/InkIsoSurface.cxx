@@ -4,7 +4,6 @@
 #include "Core/FormatNumber.h"
 #include "InkDistributedParts.h"
 #include "InkIsoSurfaceMesh.h"
-#include "InkLongestSide.h"
 #include "InkStyleProcesses.h"
 #include "InkVolumeValues.h"
 #include "IsoSurface/ActiveCellComponents.h"
@@ -19,21 +18,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-
-namespace
-{
-
-/// Cells are divided until they measure no more thousandths of the picture's height than this on either side,
-/// but not into more. Not pixels: lines are as broad as cells, and a picture of any size is to have the same.
-constexpr double LargestCell = 4.0;
-constexpr int MostSubdivision = 8;
-
-/// More points than this are not made of smaller cells: with what is made of them they take a gigabyte.
-constexpr double MostPoints = 16e6;
-
-} // namespace
+#include <optional>
 
 InkIsoSurface::InkIsoSurface()
 {
@@ -146,59 +131,6 @@ double InkIsoSurface::FindSmoothing(vtkInkStyle* style, const InkWholeImages& im
   return smoothing[0];
 }
 
-int InkIsoSurface::FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images,
-  const std::string& array, const std::vector<double>& values) const
-{
-  if (this->Subdivision > 0)
-  {
-    return this->Subdivision;
-  }
-  // The finest of all processes, negated.
-  double finest = std::numeric_limits<double>::lowest();
-  for (vtkImageData* image : images)
-  {
-    for (const double spacing : std::span<const double, 3>(image->GetSpacing(), 3))
-    {
-      finest = std::max(finest, -std::abs(spacing));
-    }
-  }
-  style->GetProcesses().TakeGreatest({ &finest, 1 });
-  const double longest = InkLongestSide(images, style->GetProcesses());
-  const double size = 1e3 * style->GetPictureSize() / style->GetPictureHeight();
-  const double cell = longest > 0.0 ? size * -finest / longest : 0.0;
-  int wanted = 1;
-  while (wanted < MostSubdivision && cell > LargestCell * wanted)
-  {
-    wanted *= 2;
-  }
-  if (wanted == 1)
-  {
-    return 1;
-  }
-  // Of the process that has most.
-  double points = 0.0;
-  for (vtkImageData* image : images)
-  {
-    for (const double value : values)
-    {
-      points += InkBoundSurfacePoints(image, array, value);
-    }
-  }
-  style->GetProcesses().TakeGreatest({ &points, 1 });
-  int subdivision = wanted;
-  while (subdivision > 1 && points * subdivision * subdivision > MostPoints)
-  {
-    subdivision /= 2;
-  }
-  if (subdivision < wanted)
-  {
-    style->AddNote("voxels are divided by " + std::to_string(subdivision) + ", not " +
-      std::to_string(wanted) + ", along each axis, as the surface lies in " +
-      std::to_string(static_cast<long long>(points)) + " of them (Subdivision)");
-  }
-  return subdivision;
-}
-
 vtkMTimeType InkIsoSurface::GetMTime(bool ofValues)
 {
   const vtkMTimeType others = std::max(this->Changed.GetMTime(), this->Sampler->GetMTime());
@@ -244,17 +176,26 @@ std::string InkIsoSurface::Prepare(
   std::vector<double> values = this->IsoValues.GetGiven();
   this->IsoValues.Use({});
   // What is automatic is found from the whole, so that it does not show how many processes there are.
-  const bool measures = values.empty() || this->Smoothing < 0.0;
-  const InkWholeImages whole =
-    measures ? style->GetProcesses().GatherImages(images, array) : InkWholeImages();
+  std::optional<InkWholeImages> gathered;
+  const Whole whole = [&]() -> const InkWholeImages&
+  {
+    if (!gathered)
+    {
+      gathered = style->GetProcesses().GatherImages(images, array);
+    }
+    return *gathered;
+  };
   if (values.empty())
   {
-    const std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole, array);
+    const std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole(), array);
     if (suggestions.empty())
     {
-      return "expected an image with two different finite values or more, found none";
+      return InkIsoValues::None;
     }
-    style->AddNote(InkDescribeChoice(suggestions));
+    for (const std::string& note : InkDescribeChoice(suggestions))
+    {
+      style->AddNote(note);
+    }
     values.push_back(suggestions.front().value);
   }
   this->IsoValues.Use(values);
@@ -268,14 +209,10 @@ std::string InkIsoSurface::Prepare(
   {
     sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   }
-  sampler->SetNumberOfContours(static_cast<int>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    sampler->SetValue(static_cast<int>(i), values[i]);
-  }
+  sampler->SetValues(values);
   sampler->SetSmoothing(
-    this->Smoothing < 0.0 ? this->FindSmoothing(style, whole, array, values) : this->Smoothing);
-  sampler->SetSubdivision(this->FindSubdivision(style, images, array, values));
+    this->Smoothing < 0.0 ? this->FindSmoothing(style, whole(), array, values) : this->Smoothing);
+  sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
   return {};
 }
 
@@ -328,6 +265,28 @@ std::string InkIsoSurface::Sample(
     this->NoteWhereEmpty(style, points);
   }
   return problem;
+}
+
+void InkIsoSurface::TakeFrame(vtkInkStyle* style, const vtkInkStyle::Input& input,
+  std::span<vtkImageData* const> images, const std::string& array, bool isPrepared)
+{
+  if (input.Port)
+  {
+    return;
+  }
+  const std::vector<std::string> notes = style->Notes;
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  if (isPrepared || this->Prepare(style, images, array).empty())
+  {
+    for (vtkImageData* image : images)
+    {
+      parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+      this->Sample(style, input, image, parts.back());
+    }
+  }
+  style->Notes = notes;
+  const vtkSmartPointer<vtkPolyData> all = parts.empty() ? nullptr : InkAppend(parts);
+  style->SetFramePoints(all && all->GetNumberOfPoints() > 0 ? all->GetPoints() : nullptr);
 }
 
 ink::ComponentSelection InkIsoSurface::GetSelection() const

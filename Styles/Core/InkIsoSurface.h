@@ -13,14 +13,17 @@
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 class vtkDataArray;
 class vtkImageData;
+class vtkInkIsoSurfaceAlgorithm;
 class vtkInkIsoSurfaceSampler;
 class vtkPolyData;
+struct InkSubdivision;
 
 /// What styles that draw the iso-surfaces of images have in common: the points of these surfaces, at values
 /// that are given or chosen.
@@ -104,6 +107,14 @@ public:
     vtkInkStyle* style, const vtkInkStyle::Input& input, vtkImageData* image, vtkPolyData* points);
 
   /**
+   * The same of what a sampler reads itself, without all of it in memory, at values that are given or, of an
+   * image, chosen.
+   * @param style that notes a value that is chosen, and follows the sampler
+   * @param sampler is given the parameters, and what is automatic; notes what memory has no room for
+   */
+  std::string SampleBy(vtkInkStyle* style, vtkInkIsoSurfaceAlgorithm* sampler, vtkPolyData* points);
+
+  /**
    * Leaves out the parts of surfaces that are not wanted, where they may go on in other processes; all
    * processes call it at once after Sample.
    * @param points of each image of this process
@@ -120,10 +131,20 @@ public:
    */
   std::string Mesh(vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array = {});
 
+  /**
+   * Fits the frame to the surfaces' points, for what is drawn of whole images beside them, or in their place,
+   * so that it registers with them; as they are prepared, or quietly with what suits, if there is any. Not of
+   * images from a port, whose pictures nobody fits.
+   */
+  void TakeFrame(vtkInkStyle* style, const vtkInkStyle::Input& input, std::span<vtkImageData* const> images,
+    const std::string& array, bool isPrepared);
+
   /// Notes it if there is no surface.
   void NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface);
 
 private:
+  class SamplingOfParts;
+
   std::string AddCurvature(
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
@@ -131,8 +152,12 @@ private:
     vtkInkStyle* style, const InkWholeImages& images, const std::string& array);
   double FindSmoothing(vtkInkStyle* style, const InkWholeImages& images, const std::string& array,
     const std::vector<double>& values) const;
-  int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
-    const std::vector<double>& values) const;
+  /// The images of all processes, gathered when they are asked for first, by all processes at once.
+  using Whole = std::function<const InkWholeImages&()>;
+  int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const Whole& whole,
+    const std::string& array, const std::vector<double>& values) const;
+  /// Tells the style for which pictures it holds, and why it is not more.
+  static void TakeSubdivision(vtkInkStyle* style, const InkSubdivision& chosen);
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   InkIsoValues IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for

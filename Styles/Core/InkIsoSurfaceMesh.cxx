@@ -6,6 +6,7 @@
 #include "vtkInkIsoSurfaceSampler.h"
 
 #include "Core/ParallelChunks.h"
+#include "Core/UnitOrZero.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Resampling/ResampleGrid.h"
 #include "IsoSurface/ActiveCellComponents.h"
@@ -137,7 +138,7 @@ public:
     const glm::ivec3 side = this->FindSide(index);
     if (side != glm::ivec3(0))
     {
-      return glm::vec3(Unit(this->Geometry.gradientDirection() * glm::dvec3(side)));
+      return glm::vec3(ink::unitOrZero(this->Geometry.gradientDirection() * glm::dvec3(side)));
     }
     const glm::dvec3 last = this->Geometry.dimensions() - 1;
     const glm::ivec3 cell = glm::min(glm::ivec3(index), glm::ivec3(last));
@@ -152,19 +153,13 @@ public:
       // Points lie on edges, so that few corners count.
       if (weight > 0.0)
       {
-        sum -= weight * Unit(this->Geometry.gradientDirection() * field.gradientAt(cell + step));
+        sum -= weight * ink::unitOrZero(this->Geometry.gradientDirection() * field.gradientAt(cell + step));
       }
     }
-    return glm::vec3(Unit(sum));
+    return glm::vec3(ink::unitOrZero(sum));
   }
 
 private:
-  static glm::dvec3 Unit(const glm::dvec3& vector)
-  {
-    const double length = glm::length(vector);
-    return length > 0.0 && std::isfinite(length) ? vector / length : glm::dvec3(0.0);
-  }
-
   std::vector<Work> Resample(const ink::GridField<Work>& field, const ink::IsoSurfaceResampling& resampling,
     double share, ink::SmoothingKernel kernel) const
   {

@@ -9,6 +9,10 @@
 class InkIsoValues
 {
 public:
+  /// Why none can be chosen.
+  static constexpr const char* None =
+    "expected an image with two different finite values or more, found none";
+
   const std::vector<double>& GetGiven() const { return this->Given; }
   /// @return whether marks made at the values used last are others now
   bool Give(const std::vector<double>& values)

@@ -19,8 +19,9 @@ class vtkInkStyle;
 class vtkPolyData;
 
 /// How a style's silhouettes are found: as exact chains, or in the ways that Lu et al. (2003, section 5.6)
-/// publish, see vtkInkSilhouetteMapper::SetMethod. Segments through voxels are of edge voxels, all others of a
-/// surface; of a surface that has no voxels, lines in image space stand in for them, as they do in the paper.
+/// publish, see vtkInkSilhouetteMapper::SetMethod. Segments through voxels are of edge voxels, all others of
+/// a surface; of a surface that has no voxels, lines in image space stand in for them, as they do in the
+/// paper.
 class VTKINKSTYLES_EXPORT InkSilhouetteMethod
 {
 public:
@@ -51,8 +52,8 @@ public:
    * @param voxels becomes them
    * @return what is wrong; empty if nothing is
    */
-  std::string MakeVoxels(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array,
-    vtkPolyData* voxels);
+  std::string MakeVoxels(
+    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* voxels);
 
   /// Whether a piece, wherever it was delivered to, is edge voxels.
   static bool IsOfVoxels(vtkPolyData* piece);

@@ -4,6 +4,7 @@
 
     generate_parameters.py cxx parameters.json OUT.cxx
     generate_parameters.py xml parameters.json OUT.xml TEMPLATE.xml
+    generate_parameters.py xml-filter FILTER.json OUT.xml TEMPLATE.xml      # see filter_properties.py
     generate_parameters.py table parameters.json FILE.md      # in place of the table that is there
 
 A row of parameters.json is one parameter. Its entries:
@@ -48,7 +49,6 @@ A group has a name, the object whose methods its rows call, and rows. A shorthan
 several parameters at once: by numbers, or by a word.
 """
 
-import html
 import json
 import os
 import re
@@ -60,10 +60,6 @@ KEYS = {
     "optional", "order", "check", "client", "data", "if", "needs", "implies", "follows", "panel", "paneldata", "slider",
     "domain", "tracked", "from", "of",
 }  # fmt: skip
-# The data that has not what a parameter needs, as ParaView's decorators ask.
-EXCLUDED = {"image": "vtkPolyData vtkUnstructuredGrid vtkStructuredGrid", "mesh": "vtkImageData"}
-ALL_VALUES = 1e38
-ARRAY_RANGES = ("range", "mid")
 ORDERS = {None: 0, "ascending": 1, "strict": 2}
 
 
@@ -269,119 +265,6 @@ const InkParameterTable& {function}()
 """
 
 
-def property_name(row):
-    return row.get("panel") or row["prefix"] + row["name"]
-
-
-def attributes(pairs, indent):
-    """XML attributes, one below the other."""
-    return ("\n" + " " * indent).join(f'{key}="{html.escape(str(value))}"' for key, value in pairs if value is not None)
-
-
-def decorator(indent, **pairs):
-    kind = pairs.pop("type")
-    head = f'{" " * indent}<PropertyWidgetDecorator '
-    return head + attributes([("type", kind), ("mode", "visibility"), *pairs.items()], len(head)) + " />"
-
-
-def hints(row, rows):
-    lines = []
-    if row.get("domain") in ARRAY_RANGES:
-        lines.append(" " * 10 + "<NoDefault />")
-    for name, value in row.get("if", {}).items():
-        other = rows[name]
-        index = next((entry[2] for entry in other["entries"] if entry[0] == value), int(value is True))
-        lines.append(decorator(10, type="GenericDecorator", property=property_name(other), value=index))
-    excluded = EXCLUDED.get(row.get("paneldata", row.get("data")))
-    if excluded:
-        lines.append(decorator(10, type="InputDataTypeDecorator", exclude=1, name=excluded))
-    return [" " * 8 + "<Hints>", *lines, " " * 8 + "</Hints>"] if lines else []
-
-
-def domain(row, count):
-    kind = row["type"]
-    indent = " " * 8
-    if row.get("domain") == "file":
-        return [f'{indent}<FileListDomain name="files" />']
-    if row.get("domain") in ARRAY_RANGES:
-        mode = ' default_mode="mid"' if row["domain"] == "mid" else ""
-        return [
-            f'{indent}<ArrayRangeDomain name="range"{mode}>',
-            f"{indent}  <RequiredProperties>",
-            f'{indent}    <Property name="Input" function="Input" />',
-            f'{indent}    <Property name="{row["array"]}" function="ArraySelection" />',
-            f"{indent}  </RequiredProperties>",
-            f"{indent}</ArrayRangeDomain>",
-        ]
-    if kind == "bool":
-        return [f'{indent}<BooleanDomain name="bool" />']
-    if kind == "enum":
-        entries = [f'{indent}  <Entry text="{html.escape(label)}" value="{value}" />' for _, label, value in row["entries"]]
-        return [f'{indent}<EnumerationDomain name="enum">', *entries, f"{indent}</EnumerationDomain>"]
-    least, greatest = (0, 1) if kind in ("color", "colors") else row.get("slider") or row.get("range") or (None, None)
-    # What is wider than ParaView's integers has no end to be shown.
-    ends = [end if end is not None and abs(end) < 2147483647 else None for end in (least, greatest)]
-    limits = "".join(f' {name}="{" ".join([json.dumps(end)] * count)}"' for name, end in zip(("min", "max"), ends) if end is not None)
-    return [f'{indent}<{"Int" if kind == "int" else "Double"}RangeDomain name="range"{limits} />'] if limits else []
-
-
-def xml_property(row, rows):
-    """A property that calls SetParameter with the parameter's name and its numbers, or SetParameterAsString with its text."""
-    kind = row["type"]
-    color = kind in ("color", "colors")
-    count = 3 if color else row["size"] if kind == "vector" else 1
-    default = row["default"]
-    if kind == "enum":
-        default = next(entry[2] for entry in row["entries"] if entry[0] == default)
-    values = default if isinstance(default, list) else [int(default) if isinstance(default, bool) else default]
-    if not values:
-        # No range is that of all values.
-        values = [-ALL_VALUES, ALL_VALUES] if row.get("domain") == "range" else [0] * count
-    text = kind == "string"
-    integral = kind in ("bool", "int", "enum")
-    element = ("Ink" if row.get("tracked") else "") + ("String" if text else "Int" if integral else "Double") + "VectorProperty"
-    command = "SetParameterAsString" if text else "SetParameter"
-    # A label that is too long cuts the panel.
-    notes = [row["unit"].replace("1/1000", "‰")] if row.get("unit") else []
-    notes += [f"{number}: {word}" for number, word in row.get("special", {}).items()]
-    pairs = [
-        ("name", property_name(row)),
-        ("si_class", f"vtkSI{element.removeprefix('Ink')}" if row.get("tracked") else None),
-        ("label", row["label"] + (f" ({'; '.join(notes)})" if notes else "")),
-        ("command", None if row.get("client") else command),
-        ("initial_string", None if row.get("client") else row["name"]),
-        ("number_of_elements", count),
-        ("default_values", " ".join(value if text else json.dumps(value) for value in values)),
-        ("panel_widget", "color_selector" if color and not integral else None),
-        ("panel_visibility", None if row.get("level") == "essential" else "advanced"),
-    ]
-    head = f"      <{element} "
-    return [
-        head + attributes(pairs, len(head)) + ">",
-        *domain(row, count),
-        *hints(row, rows),
-        f"        <Documentation>{html.escape(row['text'], quote=False)}</Documentation>",
-        f"      </{element}>",
-    ]
-
-
-def xml(document, template):
-    """The template with its properties."""
-    rows = document["rows"]
-    shown = {name: row for name, row in rows.items() if row.get("panel") is not False}
-    properties = "\n\n".join("\n".join(xml_property(row, rows)) for row in shown.values())
-
-    def group(match):
-        rows_of = [row for row in shown.values() if row["group"] == match[2]]
-        names = [property_name(row) for row in rows_of if match[3] in (None, row.get("level", "advanced"))]
-        if not names:
-            sys.exit(f"expected a group with parameters, found '{match[2]}'")
-        return "\n".join(f'{match[1]}<Property name="{name}" />' for name in names)
-
-    text = template.replace("      <!-- parameters -->", properties)
-    return re.sub(r"^( *)<!-- group (.*?)(?:: (essential|advanced))? -->$", group, text, flags=re.MULTILINE)
-
-
 def shown_range(row):
     least, greatest = row.get("range") or (None, None)
     if row["entries"]:
@@ -413,16 +296,19 @@ def table(document, page):
 
 
 def main():
+    # These read tables as this does.
+    import filter_properties
+    import paraview_properties
+
     back_end, path, *files = sys.argv[1:]
-    document = read(path)
-    if back_end == "xml":
-        with open(files[1], encoding="utf-8") as file:
-            text = xml(document, file.read())
-    elif back_end == "table":
-        with open(files[0], encoding="utf-8") as file:
-            text = table(document, file.read())
-    else:
-        text = {"cxx": cxx}[back_end](document)
+    makers = {"cxx": (read, cxx), "table": (read, table), "xml": (read, paraview_properties.xml),
+              "xml-filter": (filter_properties.read, filter_properties.xml)}  # fmt: skip
+    load_table, make = makers[back_end]
+    arguments = [load_table(path)]
+    if back_end != "cxx":
+        with open(files[-1], encoding="utf-8") as file:
+            arguments.append(file.read())
+    text = make(*arguments)
     if files:
         with open(files[0], "w", encoding="utf-8") as file:
             file.write(text)

@@ -1,39 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStyle.h"
 
+#include "InkCurvedMesh.h"
 #include "InkFeatureNormals.h"
+#include "InkHasPolygons.h"
+#include "InkLeaves.h"
 #include "InkParameter.h"
 #include "InkPointNormals.h"
+#include "InkReportException.h"
 #include "InkStyleProcesses.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPlanes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <new>
 #include <stdexcept>
-
-namespace
-{
-
-/// What VTK's error macros add to a text taken away: file, line, class and address before it, and newlines.
-std::string TextOf(const char* message)
-{
-  std::string text = message;
-  const std::size_t address = text.find("): ");
-  text.erase(0, address == std::string::npos ? 0 : address + 3);
-  const std::size_t last = text.find_last_not_of(" \n");
-  text.resize(last == std::string::npos ? 0 : last + 1);
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
-} // namespace
 
 vtkInkStyle::vtkInkStyle()
   : Processes(std::make_shared<InkStyleProcesses>())
@@ -58,6 +51,10 @@ std::string vtkInkStyle::MakeMarks(const Input& input)
 {
   const vtkMTimeType before = this->GetMTime();
   std::string problem = this->TryPieces(input);
+  std::array limits{ this->LeastRelativeSize, -this->MostRelativeSize };
+  this->GetProcesses().TakeGreatest(limits);
+  this->LeastRelativeSize = limits[0];
+  this->MostRelativeSize = -limits[1];
   this->TimeBeforeMaking = before;
   this->TimeAfterMaking = this->GetRecipeMTime();
   return problem;
@@ -68,6 +65,11 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   this->Notes.clear();
   this->Aborted = false;
   this->FramePoints = nullptr;
+  this->LeastRelativeSize = 0.0;
+  this->MostRelativeSize = std::numeric_limits<double>::infinity();
+  this->DataDiagonal = input.Diagonal > 0.0 ? input.Diagonal
+    : this->Interactive                     ? this->FindDiagonal(input.Data)
+                                            : 0.0;
   this->Pieces.clear();
   for (int piece = 0; piece < this->GetNumberOfPieces(); ++piece)
   {
@@ -75,7 +77,7 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   }
   try
   {
-    std::string problem = this->MakePieces(input);
+    std::string problem = this->MakePiecesOrSurfaces(input);
     this->FramePoints = this->FramePoints ? this->FramePoints.Get() : this->GetPiece(0)->GetPoints();
     return problem;
   }
@@ -132,6 +134,7 @@ std::string vtkInkStyle::MakeMarksOf(vtkInkStyle* part, const Input& input)
   part->SetPictureSize(this->PictureSize);
   part->SetPictureHeight(this->PictureHeight);
   part->SetInteractive(this->Interactive);
+  part->SetCurvedMeshes(this->CurvedMeshes && !input.IsGathered);
   part->SetProcesses(this->Processes);
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
@@ -146,9 +149,12 @@ std::string vtkInkStyle::MakeMarksOf(vtkInkStyle* part, const Input& input)
       made->Aborted = self->Aborted;
     });
   const unsigned long observer = part->AddObserver(vtkCommand::ProgressEvent, command);
-  std::string problem = part->MakeMarks(input);
+  Input known = input;
+  known.Diagonal = this->DataDiagonal;
+  std::string problem = part->MakeMarks(known);
   part->RemoveObserver(observer);
   this->Notes.insert(this->Notes.end(), part->Notes.begin(), part->Notes.end());
+  this->LimitPictures(part->LeastRelativeSize, part->MostRelativeSize);
   return problem;
 }
 
@@ -180,24 +186,64 @@ void vtkInkStyle::SetPixelScale(double scale)
   }
 }
 
+void vtkInkStyle::SetSeenRegion(SeenRegion seen)
+{
+  this->Seen = std::move(seen);
+  this->Modified();
+}
+
+vtkSmartPointer<vtkPlanes> vtkInkStyle::FindSeenRegion()
+{
+  return this->Seen && this->FramePoints ? this->Seen(this->FramePoints) : nullptr;
+}
+
 void vtkInkStyle::SetPictureSize(double pixels)
 {
-  const double kept = pixels > 1.0 ? std::min(pixels, 100000.0) : 1.0;
-  if (this->PictureSize != kept)
-  {
-    this->PictureSize = kept;
-    this->Modified();
-  }
+  this->SetPicture(this->PictureSize, pixels);
 }
 
 void vtkInkStyle::SetPictureHeight(double pixels)
 {
+  this->SetPicture(this->PictureHeight, pixels);
+}
+
+void vtkInkStyle::SetPicture(double& side, double pixels)
+{
   const double kept = pixels > 1.0 ? std::min(pixels, 100000.0) : 1.0;
-  if (this->PictureHeight != kept)
+  if (side == kept)
   {
-    this->PictureHeight = kept;
+    return;
+  }
+  side = kept;
+  const double size = this->GetRelativeSize();
+  if (!this->Interactive || size < this->LeastRelativeSize || size > this->MostRelativeSize)
+  {
     this->Modified();
   }
+}
+
+double vtkInkStyle::FindDiagonal(vtkDataObject* data)
+{
+  const InkLeaves leaves(data);
+  vtkBoundingBox box;
+  const auto add = [&](const auto& some)
+  { std::for_each(some.begin(), some.end(), [&](vtkDataSet* one) { box.AddBounds(one->GetBounds()); }); };
+  add(leaves.Images);
+  add(leaves.Stipples);
+  add(leaves.Others);
+  // The lower corner negated.
+  const double* low = box.GetMinPoint();
+  const double* high = box.GetMaxPoint();
+  std::array corners{ -low[0], -low[1], -low[2], high[0], high[1], high[2] };
+  this->GetProcesses().TakeGreatest(corners);
+  const std::array sides{ corners[0] + corners[3], corners[1] + corners[4], corners[2] + corners[5] };
+  return sides[0] >= 0.0 ? std::hypot(sides[0], sides[1], sides[2]) : 0.0;
+}
+
+void vtkInkStyle::LimitPictures(double least, double most)
+{
+  this->LeastRelativeSize = std::max(this->LeastRelativeSize, least);
+  this->MostRelativeSize = std::min(this->MostRelativeSize, most);
 }
 
 bool vtkInkStyle::ReportProblem(const std::string& problem)
@@ -224,8 +270,8 @@ std::shared_ptr<void> vtkInkStyle::StartFollowing(vtkAlgorithm* algorithm, const
       auto* followed = static_cast<vtkAlgorithm*>(caller);
       if (event == vtkCommand::ErrorEvent)
       {
-        self->AlgorithmError =
-          self->AlgorithmError.empty() ? TextOf(static_cast<const char*>(data)) : self->AlgorithmError;
+        self->AlgorithmError = self->AlgorithmError.empty() ? InkTextOfMessage(static_cast<const char*>(data))
+                                                            : self->AlgorithmError;
         return;
       }
       self->Progress = followed->GetProgress();
@@ -253,13 +299,56 @@ std::string vtkInkStyle::Follow(vtkAlgorithm* algorithm, const char* text)
   return this->Follow(algorithm, text, [algorithm] { algorithm->Update(); });
 }
 
-std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* piece)
+std::function<bool(double)> vtkInkStyle::StartStep(const char* text)
 {
-  vtkDataArray* given = InkPointNormals(mesh);
-  if (!given)
+  this->ProgressText = text;
+  return [this](double done)
+  {
+    this->Progress = done;
+    this->InvokeEvent(vtkCommand::ProgressEvent, &this->Progress);
+    return !this->Aborted;
+  };
+}
+
+vtkSmartPointer<vtkPolyData> vtkInkStyle::GatherMesh(const InkLeaves& leaves)
+{
+  return this->TakeCurved(this->GetProcesses().Gather(leaves.MakeMeshes()));
+}
+
+vtkSmartPointer<vtkPolyData> vtkInkStyle::TakeCurved(vtkPolyData* mesh)
+{
+  if (!this->CurvedMeshes || !InkHasPolygons(mesh))
+  {
+    return mesh;
+  }
+  const ink::Progress progress = this->StartStep("curving the mesh");
+  try
+  {
+    const vtkSmartPointer<vtkPolyData> curved = InkCurvedMesh(mesh, progress);
+    if (curved != mesh)
+    {
+      this->NoteMissingNormals(mesh);
+    }
+    return curved;
+  }
+  catch (const std::exception&)
+  {
+    // What is wrong with it those say who draw it, on all processes.
+    return mesh;
+  }
+}
+
+void vtkInkStyle::NoteMissingNormals(vtkPolyData* mesh)
+{
+  if (!InkPointNormals(mesh))
   {
     this->AddNote("the mesh has no normals; they are computed from its polygons");
   }
+}
+
+std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* piece)
+{
+  this->NoteMissingNormals(mesh);
   try
   {
     piece->ShallowCopy(InkWithFeatureNormals(mesh));
@@ -278,6 +367,7 @@ void vtkInkStyle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PixelScale: " << this->PixelScale << "\n";
   os << indent << "PictureSize: " << this->PictureSize << "\n";
   os << indent << "PictureHeight: " << this->PictureHeight << "\n";
+  os << indent << "MaximumMemory: " << this->MaximumMemory << "\n";
   os << indent << "Interactive: " << (this->Interactive ? "On" : "Off") << "\n";
   os << indent << "Parameters:\n";
   for (const InkParameter& parameter : this->GetParameterTable().Parameters)

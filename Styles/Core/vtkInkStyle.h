@@ -27,11 +27,14 @@
 #include "vtkPoints.h"       // for the frame
 #include "vtkSmartPointer.h" // for the pieces
 
-#include <memory>  // for std::shared_ptr
-#include <string>  // for messages
-#include <utility> // for std::pair
-#include <vector>  // for the pieces
+#include <functional> // for progress and the region
+#include <limits>     // for what marks suit
+#include <memory>     // for std::shared_ptr
+#include <string>     // for messages
+#include <utility>    // for std::pair
+#include <vector>     // for the pieces
 
+class InkIsoSurface;
 class InkStyleProcesses;
 class vtkActor;
 class vtkAlgorithm;
@@ -39,11 +42,14 @@ class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkImageData;
 class vtkInformation;
+class vtkInkIsoSurfaceAlgorithm;
 class vtkLight;
 class vtkMapper;
+class vtkPlanes;
 class vtkPoints;
 class vtkPolyData;
 class vtkScalarsToColors;
+struct InkLeaves;
 struct InkParameter;
 struct InkParameterTable;
 struct InkParameterValue;
@@ -59,10 +65,8 @@ public:
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /**
-   * All styles there are, the default first: "illustration", "contours", "line-art", "splatting-lines",
-   * "stipple". CreateStyle returns null for an unknown name.
-   */
+  /// All styles there are, the default first: "illustration", "contours", "line-art", "splatting-lines",
+  /// "stipple". CreateStyle returns null for an unknown name.
   static int GetNumberOfStyles();
   static const char* GetStyleName(int style); ///< null out of range
   VTK_NEWINSTANCE
@@ -77,23 +81,33 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Whether the style can draw a data object; if not, what was expected and what was found, else an empty
-   * text.
-   */
+  /// Whether the style can draw a data object; if not, what was expected and what was found, else an empty
+  /// text.
   bool Accepts(vtkDataObject* data) { return this->GetReasonAgainst(data).empty(); }
   virtual std::string GetReasonAgainst(vtkDataObject* data) = 0;
   ///@}
 
-  /**
-   * Makes marks of a data object, shows them, or both. False, after one error, if there are none. What was
-   * chosen by the way is among the notes.
-   */
+  /// Makes marks of a data object, shows them, or both. False, after one error, if there are none. What was
+  /// chosen by the way is among the notes.
   bool Make(vtkDataObject* data);
   void Show();
   bool Draw(vtkDataObject* data);
   /// As Draw, but tells what is wrong in place of an error.
   std::string TryDraw(vtkDataObject* data);
+
+  ///@{
+  /// As Draw and TryDraw, of what an algorithm makes. An image that takes more than about half of
+  /// MaximumMemory is read a few slices at a time, by styles that need no more of it than points of its
+  /// surfaces: illustration and splatting lines. Others refuse it.
+  bool Draw(vtkAlgorithmOutput* source);
+  std::string TryDraw(vtkAlgorithmOutput* source);
+  ///@}
+
+  /// As Draw, by these styles, of the surfaces that a sampler makes of an image that it asks for in parts, or
+  /// of an OpenVDB file. It is given the style's parameters of surfaces. Where no IsoValues are given one is
+  /// chosen for an image; Smoothing and Subdivision that are automatic, which need all of the volume, are
+  /// none.
+  bool DrawSurfaces(vtkInkIsoSurfaceAlgorithm* sampler);
 
   /// A data object, with what it comes from where parts of it have to be asked for.
   struct Input
@@ -101,30 +115,27 @@ public:
     vtkDataObject* Data = nullptr;
     vtkAlgorithmOutput* Port = nullptr; ///< null: Data is whole
     vtkInformation* Request = nullptr;  ///< the piece and time of it, as vtkAlgorithm::Update takes it
+    bool IsGathered = false;            ///< whether it is all processes' mesh, curved by now (CurvedMeshes)
+    double Diagonal = 0.0;              ///< of the bounds of what it was made of; 0: its own
+    vtkInkIsoSurfaceAlgorithm* Surfaces = nullptr; ///< in place of Data, see DrawSurfaces
   };
-  /**
-   * As Make, for a part of the data of several processes, which all call this at once, also without data.
-   * @return what is wrong with the data, or went wrong; marks may be there all the same
-   */
+  /// As Make, for a part of the data of several processes, which all call this at once, also without data.
+  /// @return what is wrong with the data, or went wrong; marks may be there all the same
   std::string MakeMarks(const Input& input);
   /// The processes that hold parts of the data; null (default): this one holds all.
   void SetProcesses(std::shared_ptr<InkStyleProcesses> processes);
 
   ///@{
-  /**
-   * The marks that were made: pieces of poly data that can be delivered to other processes, one of each from
-   * every process appended. The first piece has the points that are drawn.
-   */
+  /// The marks that were made: pieces of poly data that can be delivered to other processes, one of each from
+  /// every process appended. The first piece has the points that are drawn.
   virtual int GetNumberOfPieces() = 0;
   virtual const char* GetPieceName(int piece) = 0;
   vtkPolyData* GetPiece(int piece); ///< null out of range
   ///@}
 
-  /**
-   * The points that a picture of the last marks is fitted to: those of a mesh, of an image's iso-surfaces
-   * without the parts that are left out, or else of the marks. The same in all styles, so that their pictures
-   * register. Null before the first Make. See vtkInkCameraFit.
-   */
+  /// The points that a picture of the last marks is fitted to: those of a mesh, of an image's iso-surfaces
+  /// without the parts that are left out, or else of the marks. The same in all styles, so that their
+  /// pictures register. Null before the first Make. See vtkInkCameraFit.
   vtkPoints* GetFramePoints() { return this->FramePoints; }
 
   /// Hands pieces to the mapper; null, or all of them empty, shows nothing.
@@ -150,56 +161,73 @@ public:
   virtual void GetBackgroundColor(double color[3]) = 0;
 
   ///@{
-  /**
-   * Whether marks are colored by the scalars that they have. Default: off.
-   */
+  /// Whether marks are colored by the scalars that they have. Default: off.
   virtual void SetColorByScalars(bool byScalars) = 0;
   virtual bool GetColorByScalars() = 0;
   ///@}
 
   ///@{
-  /**
-   * How many pixels are rendered for each of the picture on either side: 2 for a picture that is rendered
-   * twice as large and made smaller then, less than 1 for one in tiles, which enlarge what is in pixels.
-   * Parameters are in the picture's pixels. 0.001 to 16; default: 1.
-   */
+  /// How many pixels are rendered for each of the picture on either side: 2 for a picture that is rendered
+  /// twice as large and made smaller then, less than 1 for one in tiles, which enlarge what is in pixels.
+  /// Parameters are in the picture's pixels. 0.001 to 16; default: 1.
   void SetPixelScale(double scale);
   vtkGetMacro(PixelScale, double);
   ///@}
 
   ///@{
-  /**
-   * The larger side of the picture in its pixels, as far as the data fills it: how many marks are made
-   * follows from it. 1 to 100000; default: 600.
-   */
+  /// The larger side of the picture in its pixels, as far as the data fills it, or would fill a larger one of
+  /// which this is a part: how many marks are made follows from it. Interactive marks are made again only
+  /// where others would be. 1 to 100000; default: 600.
   void SetPictureSize(double pixels);
   vtkGetMacro(PictureSize, double);
   ///@}
 
   ///@{
-  /**
-   * The height of that picture in its pixels, which lengths in thousandths are relative to. 1 to 100000;
-   * default: 600.
-   */
+  /// The height of that picture in its pixels, which lengths in thousandths are relative to. 1 to 100000;
+  /// default: 600.
   void SetPictureHeight(double pixels);
   vtkGetMacro(PictureHeight, double);
   ///@}
+  /// PictureSize in PictureHeights.
+  double GetRelativeSize() const { return this->PictureSize / this->PictureHeight; }
+
+  /// What a still picture will show: the planes around it, with normals out of it, once it is known which
+  /// points it frames.
+  using SeenRegion = std::function<vtkSmartPointer<vtkPlanes>(vtkPoints* frame)>;
+  /// A style may make no marks that such a picture does not show, as line art does. Not for views that move.
+  /// Default: none.
+  void SetSeenRegion(SeenRegion seen);
 
   ///@{
-  /**
-   * Whether parameters change while the marks stay as they are: how many are made then depends on no
-   * parameter that needs no new ones. Default: off.
-   */
+  /// The memory in MiB that may be taken for an image, or its surfaces, and the marks; 0: no limit. See Draw
+  /// of an algorithm. 0 to 16777216 (16 TiB); default: 0.
+  vtkSetClampMacro(MaximumMemory, int, 0, 16777216);
+  vtkGetMacro(MaximumMemory, int);
+  ///@}
+  /// MaximumMemory of a number with a unit, as "800MiB" or "1.5 GiB"; 0 if it is none, or less than 128 MiB.
+  static int ParseMemory(const char* size);
+
+  ///@{
+  /// Whether parameters change while the marks stay as they are: how many are made then depends on no
+  /// parameter that needs no new ones. Default: off.
   vtkSetMacro(Interactive, bool);
   vtkGetMacro(Interactive, bool);
   vtkBooleanMacro(Interactive, bool);
   ///@}
 
   ///@{
-  /**
-   * How far Make is, from 0 to 1, and with what; a ProgressEvent says when it changes. AbortMake, called
-   * from there, stops it.
-   */
+  /// Draw coarse meshes as the smooth surfaces that their point normals describe, with edges as curved PN
+  /// triangles have them (Vlachos et al. 2001), instead of as polygons. Edges are curved that are longer than
+  /// a hundredth of the diagonal; sharp edges stay sharp. Taken as they are: meshes of more than a million
+  /// triangles, and by splatting lines those whose own points are drawn (NumberOfSamples 0). Default: on.
+  vtkSetMacro(CurvedMeshes, bool);
+  vtkGetMacro(CurvedMeshes, bool);
+  vtkBooleanMacro(CurvedMeshes, bool);
+  ///@}
+
+  ///@{
+  /// How far Make is, from 0 to 1, and with what; a ProgressEvent says when it changes. AbortMake, called
+  /// from there, stops it.
   vtkGetMacro(Progress, double);
   const char* GetProgressText() { return this->ProgressText.c_str(); }
   void AbortMake() { this->Aborted = true; }
@@ -213,11 +241,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The rows of the style's table, each by its index; names that begin with `GetParameter` give null, 0 or ""
-   * out of range. Type: bool, int, double, enum, color, colors, vector, list or string. Range: of each
-   * number, infinite where there is none. Level: whether it is essential, or advanced.
-   */
+  /// The rows of the style's table, each by its index; names that begin with `GetParameter` give null, 0 or
+  /// "" out of range. Type: bool, int, double, enum, color, colors, vector, list or string. Range: of each
+  /// number, infinite where there is none. Level: whether it is essential, or advanced.
   int GetNumberOfParameters();
   const char* GetParameterName(int parameter);
   const char* GetParameterLabel(int parameter);
@@ -233,10 +259,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Sets a parameter, by its name, to numbers or to what is written: numbers with commas between them, on or
-   * off, an entry's name, colors by name or as #rrggbb. False, after one error, if it is refused.
-   */
+  /// Sets a parameter, by its name, to numbers or to what is written: numbers with commas between them, on or
+  /// off, an entry's name, colors by name or as #rrggbb. False, after one error, if it is refused.
   bool SetParameter(const char* name, double value);
   bool SetParameter(const char* name, double first, double second);
   bool SetParameter(const char* name, double first, double second, double third);
@@ -244,10 +268,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * A parameter's value as text that SetParameterAsString takes, or its first number; "" and 0 for an unknown
-   * name.
-   */
+  /// A parameter's value as text that SetParameterAsString takes, or its first number; "" and 0 for an
+  /// unknown name.
   std::string GetParameterAsString(const char* name);
   double GetParameter(const char* name);
   ///@}
@@ -256,13 +278,11 @@ public:
   void ResetParameters();
 
   ///@{
-  /**
-   * All parameters as JSON, {"style": "stipple", "parameters": {"Preset": "bone", ...}}; and some or all of
-   * them from it. Those that are read are set together: what a parameter implies, as ToneColor implies
-   * ColorByTone, holds unless it is given, too.
-   * @return what is wrong, with the key, what was found and what was expected; nothing is set then. Empty if
-   * all is right
-   */
+  /// All parameters as JSON, {"style": "stipple", "parameters": {"Preset": "bone", ...}}; and some or all of
+  /// them from it. Those that are read are set together: what a parameter implies, as ToneColor implies
+  /// ColorByTone, holds unless it is given, too.
+  /// @return what is wrong, with the key, what was found and what was expected; nothing is set then. Empty if
+  /// all is right
   std::string GetParametersAsJSON();
   std::string SetParametersFromJSON(const std::string& json);
   ///@}
@@ -288,24 +308,32 @@ protected:
   virtual vtkMTimeType GetRecipeMTime() = 0;
   /// Fills the pieces and returns what is wrong, or nothing.
   virtual std::string MakePieces(const Input& input) = 0;
+  /// What samples the surfaces of an image that is not in memory as a whole, as their points are all that is
+  /// drawn; null where they are not.
+  virtual InkIsoSurface* GetSampledSurface() { return nullptr; }
   /// Called when the pixel scale has changed.
   virtual void UpdatePixels() {}
   /// What follows from parameters that were given together.
   virtual void FollowParameters(const Settings&) {}
 
   void AddNote(const std::string& note);
+  /// Says of the marks being made that they are the same for pictures of which PictureSize measures from
+  /// `least` to `most` PictureHeights; of several calls all count. Least above most: for no other.
+  void LimitPictures(double least, double most);
+  /// Of the bounds of all processes' data, in world units; 0: unknown, as where the style is not Interactive.
+  double GetDataDiagonal() const { return this->DataDiagonal; }
   /// Where the frame is not that of the first piece's points; for MakePieces.
   void SetFramePoints(vtkPoints* points) { this->FramePoints = points; }
+  /// Nothing where all of it may be seen; for MakePieces, once the frame is known.
+  vtkSmartPointer<vtkPlanes> FindSeenRegion();
   InkStyleProcesses& GetProcesses();
   /// Lets another style make its marks for this one: for the same picture and processes, with its progress
   /// and its notes as this style's. @return what is wrong
   std::string MakeMarksOf(vtkInkStyle* part, const Input& input);
-  /**
-   * Brings an algorithm up to date, with the progress as this style's and its errors caught.
-   * @param text what it does, "placing stipples"
-   * @param update calls its Update
-   * @return its first error; empty if there was none
-   */
+  /// Brings an algorithm up to date, with the progress as this style's and its errors caught.
+  /// @param text what it does, "placing stipples"
+  /// @param update calls its Update
+  /// @return its first error; empty if there was none
   template <class Update>
   std::string Follow(vtkAlgorithm* algorithm, const char* text, const Update& update)
   {
@@ -314,13 +342,18 @@ protected:
     return this->AlgorithmError;
   }
   std::string Follow(vtkAlgorithm* algorithm, const char* text);
+  /// Begins a step of what is made. @return takes how far it is, from 0 to 1, and tells whether to go on
+  std::function<bool(double)> StartStep(const char* text);
 
-  /**
-   * Takes a mesh with point normals, those of one side at feature edges (InkWithFeatureNormals): its own
-   * ones, or an array "Normals", or, with a note, those of its polygons.
-   * @param piece becomes the mesh
-   * @return what is wrong; empty if nothing is
-   */
+  /// The surfaces of leaves as one mesh, curved (InkCurvedMesh) where that is asked for; of several processes
+  /// all on the first one. All take part.
+  vtkSmartPointer<vtkPolyData> GatherMesh(const InkLeaves& leaves);
+  /// The mesh as it is to be drawn: curved, with a note if it had no normals, or itself.
+  vtkSmartPointer<vtkPolyData> TakeCurved(vtkPolyData* mesh);
+  /// Takes a mesh with point normals, those of one side at feature edges (InkWithFeatureNormals): its own
+  /// ones, or an array "Normals", or, with a note, those of its polygons.
+  /// @param piece becomes the mesh
+  /// @return what is wrong; empty if nothing is
   std::string TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* piece);
 
 private:
@@ -330,6 +363,7 @@ private:
   vtkInkStyle(const vtkInkStyle&) = delete;
   void operator=(const vtkInkStyle&) = delete;
 
+  void NoteMissingNormals(vtkPolyData* mesh);
   /// Observes an algorithm until the returned pointer goes.
   std::shared_ptr<void> StartFollowing(vtkAlgorithm* algorithm, const char* text);
   const InkParameter* FindParameter(int parameter);
@@ -337,6 +371,13 @@ private:
   bool ReportProblem(const std::string& problem);
 
   std::string TryPieces(const Input& input);
+  void SetPicture(double& side, double pixels);
+  double FindDiagonal(vtkDataObject* data);
+  /// MakePieces, of points where there are surfaces in place of data.
+  std::string MakePiecesOrSurfaces(const Input& input);
+  std::string RefuseParts(vtkInkIsoSurfaceAlgorithm* sampler);
+  /// Why so many points cannot be drawn; empty if they can.
+  std::string FindMemoryProblem(vtkIdType points) const;
 
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   vtkSmartPointer<vtkPoints> FramePoints;
@@ -344,10 +385,16 @@ private:
   vtkMTimeType TimeAfterMaking = 0; ///< of the recipe, which is given inputs and more for as long as it runs
   std::vector<std::string> Notes;
   std::shared_ptr<InkStyleProcesses> Processes;
+  SeenRegion Seen;
   double PixelScale = 1.0;
   double PictureSize = 600.0;
   double PictureHeight = 600.0;
+  double DataDiagonal = 0.0;
+  double LeastRelativeSize = 0.0; ///< of pictures that the marks suit
+  double MostRelativeSize = std::numeric_limits<double>::infinity();
+  int MaximumMemory = 0;
   bool Interactive = false;
+  bool CurvedMeshes = true;
   double Progress = 0.0;
   std::string ProgressText;
   std::string AlgorithmError;

@@ -4,19 +4,27 @@
 #include "InkStyleFile.h"
 #include "vtkInkStyle.h"
 
+#include "Core/DidYouMean.h"
+
 #include <map>
+#include <string>
+#include <vector>
 
 namespace
 {
 
-std::string NamesOf(const InkParameterTable& table)
+/// The name that is like a mistyped one, or where none is, all.
+std::string SuggestNames(const InkParameterTable& table, const std::string& found)
 {
-  std::string names;
+  std::vector<std::string> names;
+  std::string list;
   for (const InkParameter& parameter : table.Parameters)
   {
-    names += (names.empty() ? "" : ", ") + std::string(parameter.Name);
+    names.emplace_back(parameter.Name);
+    list += (list.empty() ? "" : ", ") + names.back();
   }
-  return names;
+  const std::string meant = ink::didYouMean(found, names);
+  return meant.empty() ? "; expected one of " + list : meant;
 }
 
 /// Of an entry or of nothing.
@@ -112,8 +120,8 @@ std::string vtkInkStyle::FindParameterRow(const std::string& name, const InkPara
 {
   row = this->GetParameterTable().Find(name);
   return row ? std::string()
-             : "'" + name + "': " + this->GetName() + " has no such parameter; expected one of " +
-      NamesOf(this->GetParameterTable());
+             : "'" + name + "': " + this->GetName() + " has no such parameter" +
+      SuggestNames(this->GetParameterTable(), name);
 }
 
 std::string vtkInkStyle::SetOne(const std::string& name, const InkParameterValue& value)

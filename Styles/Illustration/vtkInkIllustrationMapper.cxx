@@ -4,6 +4,7 @@
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkStippleMapper.h"
 
+#include "InkDrawingProgress.h"
 #include "InkOpenGLCompat.h"
 
 #include "vtkActor.h"
@@ -27,6 +28,10 @@ namespace
 /// Light from the viewer takes stipples away but for those of the outer surface's rim: fewer are left with a
 /// smaller exponent.
 constexpr double RimExponent = 0.35;
+
+/// Parts of a picture's time, about.
+constexpr double LinesShare = 0.7; ///< of lines and stipples
+constexpr double InnerEnds = 0.5;
 
 /// Dots are blended, also where they are drawn with what is opaque, and hide nothing.
 void RenderStipples(vtkInkStippleMapper* stipples, vtkRenderer* renderer, vtkActor* actor)
@@ -106,12 +111,15 @@ void vtkInkIllustrationMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
 
 void vtkInkIllustrationMapper::RenderInner(vtkRenderer* renderer, vtkActor* actor)
 {
+  const double end = this->HasOuter() ? InnerEnds : 1.0;
   if (this->Lines->GetInput())
   {
+    const InkProgressPart part(this, this->Lines, 0.0, LinesShare * end);
     this->Lines->RenderPiece(renderer, actor);
   }
   if (!renderer->GetSelector())
   {
+    const InkProgressPart part(this, this->Stipples, LinesShare * end, end);
     RenderStipples(this->Stipples, renderer, actor);
   }
 }
@@ -119,7 +127,10 @@ void vtkInkIllustrationMapper::RenderInner(vtkRenderer* renderer, vtkActor* acto
 void vtkInkIllustrationMapper::RenderOuter(vtkRenderer* renderer, vtkActor* actor)
 {
   this->UpdateOuter(actor);
+  const double linesEnd = InnerEnds + LinesShare * (1.0 - InnerEnds);
+  const InkProgressPart lines(this, this->OuterLines, InnerEnds, linesEnd);
   this->OuterLines->RenderPiece(renderer, actor);
+  const InkProgressPart stipples(this, this->OuterStipples, linesEnd, 1.0);
   RenderStipples(this->OuterStipples, renderer, this->OuterActor);
 }
 

@@ -35,7 +35,7 @@ namespace
 {
 
 /// What suits a kind of subject.
-struct Subject
+struct PresetValues
 {
   double LightingExponent; ///< more is lit with a smaller one
   double Distance;
@@ -47,7 +47,7 @@ struct Subject
 };
 
 /// In the order of the table's entries.
-constexpr Subject Presets[] = {
+constexpr PresetValues Presets[] = {
   { 1.0, 0.15, 2.2, 8.0, 0.99, 100.0, 2.5 }, // specimen
   { 1.3, 0.2, 2.2, 8.0, 0.99, 100.0, 2.5 },  // bone
   { 0.7, 0.1, 1.8, 9.0, 0.98, 60.0, 3.5 },   // skin
@@ -177,6 +177,17 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   return inner.empty() ? outer : inner;
 }
 
+InkIsoSurface* vtkInkIllustrationStyle::GetSampledSurface()
+{
+  // See-through there are two surfaces, each with points of its own.
+  if (this->SeeThrough)
+  {
+    return nullptr;
+  }
+  this->GetIsoSurface()->SetIsoValues(this->IsoValues->GetGiven());
+  return this->GetIsoSurface();
+}
+
 std::string vtkInkIllustrationStyle::MakeMesh(const Input& input, const InkLeaves& leaves)
 {
   const std::string reason = this->GetReasonAgainst(input.Data);
@@ -189,8 +200,9 @@ std::string vtkInkIllustrationStyle::MakeMesh(const Input& input, const InkLeave
     this->AddNote(grids);
   }
   // Those of several processes are put together on the first one; all take part.
-  const vtkSmartPointer<vtkPolyData> whole = this->GetProcesses().Gather(leaves.MakeMeshes());
-  const std::string problem = this->MakeSurface(this->Lines, this->Stipples, 0, { whole, input.Port });
+  const vtkSmartPointer<vtkPolyData> whole = this->GatherMesh(leaves);
+  const std::string problem =
+    this->MakeSurface(this->Lines, this->Stipples, 0, { whole, input.Port, nullptr, true });
   return !leaves.Problem.empty() ? reason : whole->GetNumberOfPoints() == 0 ? std::string() : problem;
 }
 
@@ -206,8 +218,8 @@ std::string vtkInkIllustrationStyle::MakeSurface(
   // All processes take part where there are several.
   if (input.Port || this->GetPiece(firstPiece)->GetNumberOfPoints() > 0)
   {
-    const std::string ofStipples =
-      this->MakeMarksOf(stipples, { IsMesh(input.Data) ? input.Data : this->GetPiece(firstPiece) });
+    const std::string ofStipples = this->MakeMarksOf(
+      stipples, { IsMesh(input.Data) ? input.Data : this->GetPiece(firstPiece), nullptr, nullptr, true });
     problem = problem.empty() ? ofStipples : problem;
     for (int piece = 0; piece < PiecesOfStipples; ++piece)
     {
@@ -303,7 +315,7 @@ bool vtkInkIllustrationStyle::GetColorByScalars()
 void vtkInkIllustrationStyle::SetPreset(int preset)
 {
   this->Preset = std::clamp(preset, 0, static_cast<int>(std::size(Presets)) - 1);
-  const Subject& values = Presets[this->Preset];
+  const PresetValues& values = Presets[this->Preset];
   vtkInkStippleMapper* stipples = this->Stipples->GetStippleMapper();
   stipples->SetLightingExponent(values.LightingExponent);
   this->Stipples->GetControls()->SetDistance(values.Distance);

@@ -93,6 +93,7 @@ protected:
 
   vtkMTimeType GetRecipeMTime() override;
   std::string MakePieces(const Input& input) override;
+  InkIsoSurface* GetSampledSurface() override;
   void UpdatePixels() override;
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkLineArtMapper.h"
 
+#include "InkDrawingProgress.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkMath.h"
@@ -11,6 +12,14 @@
 #include <initializer_list>
 
 vtkStandardNewMacro(vtkInkLineArtMapper);
+
+namespace
+{
+
+/// Of a picture's time, about.
+constexpr double StrokesEnd = 0.6;
+
+} // namespace
 
 vtkInkLineArtMapper::vtkInkLineArtMapper()
   : Strokes(vtkSmartPointer<vtkInkStrokeMapper>::New())
@@ -41,6 +50,8 @@ void vtkInkLineArtMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     const bool chosen = mapper == this->Contours || !renderer->GetSelector();
     if (mapper->GetInput() && chosen)
     {
+      const bool isFirst = mapper == this->Strokes;
+      const InkProgressPart part(this, mapper, isFirst ? 0.0 : StrokesEnd, isFirst ? StrokesEnd : 1.0);
       mapper->RenderPiece(renderer, actor);
     }
   }

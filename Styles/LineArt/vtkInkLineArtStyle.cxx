@@ -11,6 +11,7 @@
 #include "InkSilhouetteMethod.h"
 #include "InkStyleProcesses.h"
 #include "Mesh/InsideOut.h"
+#include "Mesh/SolidMesh.h"
 #include "vtkInkContoursStyle.h"
 #include "vtkInkHatching.h"
 #include "vtkInkLineArtMapper.h"
@@ -20,6 +21,7 @@
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlanes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -47,7 +49,6 @@ double SpacingOf(double density)
 /// Curvature that bends a surface by so little over the distance of two strokes does not direct them: they
 /// follow the form at large instead, in long even lines.
 constexpr double NegligibleBend = 0.06;
-constexpr int SmoothingIterations = 200;
 /// For longer lines than the filter's own, which are more even.
 constexpr double StopDistance = 0.35;
 constexpr double MinimumLength = 4.0;
@@ -95,6 +96,13 @@ void FaceOutward(vtkPolyData* surface)
   surface->GetPointData()->SetNormals(turned);
 }
 
+/// Whether a mesh's inner side is not to be seen, but through holes of a scan.
+bool IsSolid(vtkPolyData* surface)
+{
+  const InkMeshTriangles triangles(surface, true);
+  return ink::isSolid(triangles.GetMesh(), triangles.Normals);
+}
+
 constexpr const char* PieceNames[] = { "Surface", "Strokes", "Edge voxels" };
 
 } // namespace
@@ -103,7 +111,6 @@ vtkInkLineArtStyle::vtkInkLineArtStyle()
 {
   this->SetCurvature(OF_IMAGE);
   this->Contours->OnSurfaceOn();
-  this->Lines->SetSmoothingIterations(SmoothingIterations);
   this->Lines->SetStopDistance(StopDistance);
   this->Lines->SetMinimumLength(MinimumLength);
   this->Lines->CombDirectionsOn();
@@ -130,8 +137,8 @@ const InkParameterTable& vtkInkLineArtStyle::GetParameterTable()
 
 vtkMTimeType vtkInkLineArtStyle::GetRecipeMTime()
 {
-  // The second family is drawn in tones above 1 - crosshatching. A style that is changed while it is shown has
-  // it, too, for the slider.
+  // The second family is drawn in tones above 1 - crosshatching. A style that is changed while it is shown
+  // has it, too, for the slider.
   const bool needsBoth =
     this->GetInteractive() || this->Strokes->GetCrosshatching() > 1.0 - this->Strokes->GetDarkestTone();
   this->Lines->SetFamilies(needsBoth ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
@@ -183,7 +190,7 @@ double vtkInkLineArtStyle::FindThousandth()
   double bounds[6];
   this->GetFramePoints()->GetBounds(bounds);
   const double longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  return longest * this->GetPictureHeight() / (1e3 * this->GetPictureSize());
+  return longest / (1e3 * this->GetRelativeSize());
 }
 
 std::string vtkInkLineArtStyle::MakePieces(const Input& input)
@@ -210,7 +217,8 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
     this->GetPiece(2)->ShallowCopy(contoured);
   }
   strokes->Initialize();
-  this->SetFramePoints(ofVoxels ? surface->GetPoints() : this->Contours->GetFramePoints());
+  // That of images from a port is nobody's, and in voxels larger than the surface.
+  this->SetFramePoints(ofVoxels && input.Port ? surface->GetPoints() : this->Contours->GetFramePoints());
   if (!problem.empty() || surface->GetNumberOfPoints() == 0)
   {
     return problem;
@@ -220,9 +228,13 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
     FaceOutward(surface);
   }
   const double thousandth = this->FindThousandth();
+  this->LimitPictures(this->GetRelativeSize(), this->GetRelativeSize());
   // Those of a style that is changed while it is shown suit the middle of its sliders.
   const double shown = SpacingOf(this->GetInteractive() ? 0.5 : this->Density);
   const double spacing = this->LineSpacing > 0.0 ? this->LineSpacing : shown;
+  const vtkSmartPointer<vtkPlanes> seen = this->FindSeenRegion();
+  this->Lines->SetRegion(seen);
+  this->Hatching->SetRegion(seen);
   this->Lines->SetInputData(surface);
   this->Lines->SetSpacing(spacing * thousandth);
   this->Lines->SetNegligibleCurvature(NegligibleBend / (spacing * thousandth));
@@ -251,7 +263,7 @@ void vtkInkLineArtStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
   vtkPolyData* voxels = pieces[2];
   const bool ofVoxels = voxels && voxels->GetNumberOfPoints() > 0;
   this->Contours->ShowPieces({ ofVoxels ? voxels : pieces[0], ofVoxels ? pieces[0] : nullptr });
-  this->OfImage = pieces[0] && InkContourSurface::IsOfImage(pieces[0]);
+  this->HasOutside = pieces[0] && (InkContourSurface::IsOfImage(pieces[0]) || IsSolid(pieces[0]));
   this->UpdateCulling();
   const auto usable = [](vtkPolyData* piece)
   { return piece && piece->GetNumberOfCells() > 0 ? piece : nullptr; };
@@ -339,7 +351,7 @@ void vtkInkLineArtStyle::SetCullingCosine(double cosine)
 
 void vtkInkLineArtStyle::UpdateCulling()
 {
-  this->Strokes->SetCullingCosine(this->OfImage ? this->CullingCosine : 1.0);
+  this->Strokes->SetCullingCosine(this->HasOutside ? this->CullingCosine : 1.0);
 }
 
 void vtkInkLineArtStyle::SetSeed(int seed)

@@ -130,7 +130,7 @@ private:
   double Length = 0.0;
   double LineSpacing = 0.0;
   double CullingCosine = 0.2;
-  bool OfImage = false; ///< the surface that is shown: its outside is known
+  bool HasOutside = false; ///< the surface that is shown: its inner side is not to be seen
 };
 
 #endif

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkSplattingLinesStyle.h"
 
-#include "InkDiscStipples.h"
-#include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
@@ -16,7 +14,6 @@
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
@@ -128,33 +125,7 @@ std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
   {
     return this->SampleImages(input, leaves, reason);
   }
-  if (!reason.empty())
-  {
-    return reason;
-  }
-  if (const std::string grids = leaves.DescribeGrids(); !grids.empty())
-  {
-    this->AddNote(grids);
-  }
-  const vtkSmartPointer<vtkPolyData> mesh = InkAppend(leaves.MakeMeshes());
-  if (InkHasPolygons(mesh))
-  {
-    this->SetFramePoints(mesh->GetPoints());
-  }
-  const std::string problem = this->Silhouettes->MakeOfMesh(this, mesh, this->GetPiece(SILHOUETTES));
-  if (!problem.empty())
-  {
-    return problem;
-  }
-  if (!InkHasPolygons(mesh) && InkHasDiscs(mesh))
-  {
-    // As a sampler made them.
-    this->GetPiece(0)->ShallowCopy(mesh);
-    return {};
-  }
-  return this->NumberOfSamples == 0 && InkHasPolygons(mesh)
-    ? this->TakeMeshWithNormals(mesh, this->GetPiece(POINTS))
-    : this->SampleMesh(mesh);
+  return this->MakeOfMeshes(input, leaves, reason);
 }
 
 std::string vtkInkSplattingLinesStyle::SampleImages(
@@ -181,37 +152,6 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
     this->SetFramePoints(this->GetPiece(0)->GetPoints());
   }
   return problem.empty() ? leaves.FindBesideImages() : problem;
-}
-
-vtkIdType vtkInkSplattingLinesStyle::CountForMesh(vtkPolyData* mesh)
-{
-  return std::clamp<vtkIdType>(2 * mesh->GetNumberOfPoints(), 200'000, 1'000'000);
-}
-
-std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
-{
-  vtkInkSurfaceSampler* sampler = this->SurfaceSampler;
-  sampler->SetInputData(mesh);
-  sampler->SetNumberOfSamples(this->NumberOfSamples > 0 ? this->NumberOfSamples : CountForMesh(mesh));
-  const bool isCloud = !InkHasPolygons(mesh);
-  const std::string problem = this->Follow(sampler, isCloud ? "looking at the points" : "sampling the mesh");
-  // The sampler's own output is another mesh's when it is asked again.
-  this->GetPiece(0)->ShallowCopy(sampler->GetOutput());
-  if (problem.empty() && isCloud)
-  {
-    const bool estimated = sampler->GetComputeNormals() && !mesh->GetPointData()->GetNormals();
-    this->AddNote("there are no polygons; the " + std::to_string(mesh->GetNumberOfPoints()) +
-      " points are taken as they are" + (estimated ? ", with normals estimated from their neighbors" : ""));
-    if (const vtkIdType isolated = sampler->GetNumberOfIsolatedPoints(); isolated > 0)
-    {
-      this->AddNote(std::to_string(isolated) + " points that are far from all others are left out");
-    }
-  }
-  if (problem.empty() && this->GetPiece(0)->GetNumberOfPoints() == 0)
-  {
-    this->AddNote("nothing to draw: no point was made on the mesh");
-  }
-  return problem;
 }
 
 void vtkInkSplattingLinesStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)

@@ -5,17 +5,19 @@
  *
  * Of an image the iso-surfaces at IsoValues are drawn, or that at the iso-value that suits the image, which
  * is noted. A mesh is sampled, with NumberOfSamples points, or its vertices are drawn as they are. Points
- * without polygons are taken as they are, with normals estimated where they have none. The leaves of other
- * data and of composite datasets are not put together: see what the plugin's representation does.
+ * without polygons are taken as they are, with normals estimated where they have none. Meshes and points of
+ * all leaves and processes are put together on the first process.
  *
- * Pieces: the points, with the arrays Normals and, as far as they were made here, Radius; and the surface
- * whose silhouettes are drawn over them, empty without Silhouettes.
+ * Pieces: the points, with the arrays Normals and, as far as they were made here, Radius, and, if
+ * Interactive, what InkSampledMesh.h has; and the surface whose silhouettes are drawn over them, empty
+ * without Silhouettes.
  *
  * @sa vtkInkIsoSurfaceSampler vtkInkSurfaceSampler vtkInkSplattingLinesMapper
  */
 #ifndef vtkInkSplattingLinesStyle_h
 #define vtkInkSplattingLinesStyle_h
 
+#include "InkSampledMesh.h" // for the array to color by
 #include "vtkInkStyle.h"
 #include "vtkNew.h" // for what the style owns
 
@@ -65,6 +67,9 @@ public:
   /// Twice as many as the mesh has points, but from 200000 to 1000000.
   static vtkIdType CountForMesh(vtkPolyData* mesh);
 
+  /// The array of a mesh or of points that the points have, if Interactive, to be colored by.
+  void SetColorArray(const InkColorArray& colors);
+
   ///@{
   /// Parameters; see their table.
   void SetInkColor(double red, double green, double blue);
@@ -103,12 +108,17 @@ protected:
 
   vtkMTimeType GetRecipeMTime() override;
   std::string MakePieces(const Input& input) override;
+  InkIsoSurface* GetSampledSurface() override { return this->IsoSurface.get(); }
   void UpdatePixels() override;
 
 private:
   vtkInkSplattingLinesStyle(const vtkInkSplattingLinesStyle&) = delete;
   void operator=(const vtkInkSplattingLinesStyle&) = delete;
 
+  /// Of what is no image, all processes at once.
+  /// @param reason against the data of this one
+  /// @return what is wrong
+  std::string MakeOfMeshes(const Input& input, const InkLeaves& leaves, const std::string& reason);
   std::string SampleMesh(vtkPolyData* mesh);
   /// The points of all images' surfaces.
   /// @param reason against the data; empty if there is none
@@ -128,6 +138,7 @@ private:
   bool UseHiddenColor = false;
   std::vector<double> HiddenColor{ 0.2, 0.4, 0.7 };
   vtkIdType NumberOfSamples = -1;
+  InkColorArray Colors;
 };
 
 #endif

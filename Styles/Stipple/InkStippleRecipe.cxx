@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleRecipe.h"
 
+#include "InkChangedGenerator.h"
 #include "InkHasPolygons.h"
 #include "InkHasSurface.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
-#include "InkLongestSide.h"
 #include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
-#include "Stippling/StippledVoxels.h"
 #include "Stippling/VolumeStipples.h"
 #include "Tone/Stipple/ProjectedSize.h"
 
@@ -21,7 +20,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -30,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -40,62 +39,11 @@ namespace
 /// does not depend on the parameter: two thirds of what most presets have, as views are closer, too.
 constexpr double UsualRoom = 4.0;
 
-/// The longest side of a mesh relative to the height of a view that shows all of it, as VTK resets cameras:
-/// the sphere around its bounds fills it, whatever the mesh's shape.
-double ShareOfView(vtkPolyData* mesh)
+/// The longest side of a mesh relative to the height of a view that shows all of the data, as VTK resets
+/// cameras: the sphere around its bounds fills it, whatever its shape.
+double ShareOfView(vtkPolyData* mesh, double diagonal)
 {
-  const vtkBoundingBox box(mesh->GetBounds());
-  const double diagonal = box.GetDiagonalLength();
-  return diagonal > 0.0 ? box.GetMaxLength() / diagonal : 1.0;
-}
-
-/// Takes a generator's properties that a drawing changes back when it is done.
-class ChangedGenerator
-{
-public:
-  explicit ChangedGenerator(vtkInkStippleGenerator* generator)
-    : Generator(generator)
-    , Count(generator->GetNumberOfSurfaceStipples())
-    , ListLength(generator->GetMaximumStipples())
-    , Mode(generator->GetMaximumStipplesMode())
-    , Smoothing(generator->GetSmoothing())
-  {
-  }
-  ~ChangedGenerator()
-  {
-    this->Generator->SetInputConnection(nullptr);
-    this->Generator->SetStatistics(nullptr);
-    this->Generator->SetPassScalars(false);
-    this->Generator->SetNumberOfSurfaceStipples(this->Count);
-    this->Generator->SetMaximumStipples(this->ListLength);
-    this->Generator->SetMaximumStipplesMode(this->Mode);
-    this->Generator->SetSmoothing(this->Smoothing);
-  }
-  ChangedGenerator(const ChangedGenerator&) = delete;
-  void operator=(const ChangedGenerator&) = delete;
-
-private:
-  vtkInkStippleGenerator* const Generator;
-  const vtkIdType Count;
-  const int ListLength;
-  const int Mode;
-  const double Smoothing;
-};
-
-/// Of images of all processes, as many stipples a voxel as it measures pixels in a picture of them all.
-int ProjectedListLength(const std::vector<vtkImageData*>& images, double pixels, InkStyleProcesses& processes)
-{
-  double edge = 0.0;
-  for (vtkImageData* image : images)
-  {
-    const double* steps = image->GetSpacing();
-    edge = std::max(edge, std::cbrt(std::abs(steps[0] * steps[1] * steps[2])));
-  }
-  processes.TakeGreatest({ &edge, 1 });
-  // Bounds end at the middles of the outermost voxels.
-  const double longest = InkLongestSide(images, processes) + edge;
-  return ink::stipple::projectedListLength(static_cast<float>(edge / longest),
-    static_cast<float>(1.0 / pixels), ink::stipple::maximumStipplesPerVoxel);
+  return diagonal > 0.0 ? vtkBoundingBox(mesh->GetBounds()).GetMaxLength() / diagonal : 1.0;
 }
 
 } // namespace
@@ -122,6 +70,10 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   style->MadeColorArray.clear();
   style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   this->Generator->SetPictureSize(style->GetPictureSize());
+  if (this->Generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::PROJECTED)
+  {
+    style->LimitPictures(1.0, 0.0); // which goes by pixels
+  }
   if (!leaves.Problem.empty())
   {
     this->Say("Stipple draws nothing for " + leaves.Problem + ". It needs images, meshes or stipples");
@@ -134,7 +86,7 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   const bool ofVoxels = images && !(this->TakesIsoSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
   if (ofVoxels)
   {
-    this->StippleImages(leaves, input);
+    this->StippleVoxels(leaves, input);
   }
   else if (!images && stipples)
   {
@@ -256,118 +208,10 @@ void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
   points->GetPointData()->SetScalars(probe->GetOutput()->GetPointData()->GetArray(colors->GetName()));
 }
 
-void InkStippleRecipe::StippleImages(const InkLeaves& leaves, const vtkInkStyle::Input& input)
-{
-  vtkInkStippleStyle* style = this->Style;
-  vtkInkStippleGenerator* generator = this->Generator;
-  const ChangedGenerator changed(generator);
-  if (style->Silhouettes->GetMethod()->NeedsVoxels())
-  {
-    this->OutlineImages(leaves, *style->IsoSurface);
-  }
-  else if (style->Silhouettes->GetSilhouettes())
-  {
-    // They are those of a surface, though no surface is stippled. A panel always has an iso-value, which
-    // counts where its surface is.
-    InkIsoSurface isoSurface;
-    isoSurface.CopyParameters(*style->IsoSurface);
-    if (!style->GetInteractive())
-    {
-      isoSurface.SetIsoValues(style->IsoSurface->GetIsoValues());
-    }
-    const std::string problem = isoSurface.Prepare(style, leaves.Images, style->Scalars);
-    if (problem.empty())
-    {
-      this->OutlineImages(leaves, isoSurface);
-    }
-    else
-    {
-      style->AddNote("there are no silhouettes: " + problem);
-    }
-  }
-  // Nor is smoothing chosen unasked for data that comes from a port, whose stipples are the filter's.
-  const double smoothing = style->IsoSurface->GetSmoothing();
-  generator->SetSmoothing(input.Port
-      ? std::max(smoothing, 0.0)
-      : style->IsoSurface->ChooseSmoothing(style, leaves.Images, style->Scalars));
-  const char* scalars = style->Scalars.c_str();
-  if (style->Scalars.empty())
-  {
-    generator->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  }
-  else
-  {
-    generator->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars);
-  }
-  // The leaves of composite data are whole images, and so is an image that comes from nowhere.
-  vtkNew<vtkInformation> whole;
-  const bool parts = input.Port && !leaves.Composite;
-  vtkInformation* update = parts && input.Request ? input.Request : whole.Get();
-  const auto connect = [&](vtkImageData* image)
-  {
-    if (parts)
-    {
-      generator->SetInputConnection(input.Port);
-    }
-    else
-    {
-      generator->SetInputData(image);
-    }
-  };
-
-  // One whole image is measured when it is stippled; parts and several images are, too, together.
-  const bool together = parts || leaves.Composite;
-  if (together && generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::PROJECTED)
-  {
-    generator->SetMaximumStipplesModeToFixed();
-    generator->SetMaximumStipples(
-      ProjectedListLength(leaves.Images, generator->GetPictureSize(), style->GetProcesses()));
-  }
-  const auto statistics = std::make_shared<ink::stipple::VolumeStatistics>();
-  std::vector<vtkImageData*> measured;
-  // The same on all processes.
-  const bool measures = together &&
-    (generator->GetThresholdMode() == vtkInkStippleGenerator::PERCENTILE ||
-      !generator->GetUseReferenceRanges());
-  for (vtkImageData* image : leaves.Images)
-  {
-    connect(image);
-    bool done = true;
-    if (measures)
-    {
-      this->Say(style->Follow(
-        generator, "measuring gradients", [&] { done = generator->Measure(update, *statistics); }));
-    }
-    if (done)
-    {
-      measured.push_back(image);
-    }
-  }
-  if (measures)
-  {
-    style->GetProcesses().AddUp(*statistics);
-    generator->SetStatistics(statistics);
-  }
-  std::vector<vtkSmartPointer<vtkPolyData>> stipples;
-  for (vtkImageData* image : measured)
-  {
-    connect(image);
-    this->TakeColors(image, false);
-    this->Say(style->Follow(generator, "placing stipples", [&] { generator->Update(update); }));
-    if (generator->GetOutput()->GetNumberOfPoints() > 0)
-    {
-      stipples.push_back(vtkSmartPointer<vtkPolyData>::New());
-      stipples.back()->ShallowCopy(generator->GetOutput());
-    }
-  }
-  style->GetPiece(vtkInkStippleStyle::STIPPLES)->ShallowCopy(InkAppend(stipples));
-}
-
 void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)
 {
   vtkInkStippleStyle* style = this->Style;
-  const vtkSmartPointer<vtkPolyData> mesh = style->GetProcesses().Gather(leaves.MakeMeshes());
+  const vtkSmartPointer<vtkPolyData> mesh = style->GatherMesh(leaves);
   if (mesh->GetNumberOfPoints() == 0)
   {
     return;
@@ -388,18 +232,24 @@ void InkStippleRecipe::StippleSurface(vtkPolyData* mesh)
 {
   vtkInkStippleStyle* style = this->Style;
   vtkInkStippleGenerator* generator = this->Generator;
-  const ChangedGenerator changed(generator);
+  const InkChangedGenerator changed(generator);
   const bool interactive = style->GetInteractive();
   const double room = interactive ? UsualRoom : style->PixelsPerStipple;
   // The number of stipples depends on the picture's pixels only where their size does.
   const bool inPixels = !interactive && style->SizeUnit == vtkInkStippleMapper::PIXELS;
   const double size = style->GetPictureSize() * (inPixels ? 1.0 : 1e3 / style->GetPictureHeight()) *
-    (interactive ? ShareOfView(mesh) : 1.0);
+    (interactive ? ShareOfView(mesh, style->GetDataDiagonal()) : 1.0);
   const vtkIdType count = style->NumberOfSurfaceStipples;
   const bool fixed = generator->GetMaximumStipplesMode() == vtkInkStippleGenerator::FIXED;
   const bool counted = count == 0 && fixed;
   const vtkIdType fitting = counted ? vtkInkStippleGenerator::CountForPicture(mesh, size, room) : 0;
   generator->SetNumberOfSurfaceStipples(counted ? fitting : std::max<vtkIdType>(count, 0));
+  if (counted)
+  {
+    const double relative = style->GetRelativeSize();
+    const bool isFull = fitting == ink::stipple::mostForPicture;
+    style->LimitPictures(relative, isFull ? std::numeric_limits<double>::infinity() : relative);
+  }
   if (fitting == ink::stipple::mostForPicture && !interactive)
   {
     style->AddNote("there is room for more than the " + std::to_string(fitting) +

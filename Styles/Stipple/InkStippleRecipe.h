@@ -30,13 +30,22 @@ public:
   std::string Make(const vtkInkStyle::Input& input);
 
 private:
-  void StippleImages(const InkLeaves& leaves, const vtkInkStyle::Input& input);
+  struct Source;
+
   /// @return false if that is not asked for and there is no iso-value
   bool StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input);
   /// Gives points of an image's surface its values of the array to color by, as scalars.
   void AddColorsOf(vtkImageData* image, vtkPolyData* points);
   /// The surface of images whose silhouettes are asked for, of an iso-surface that is prepared.
   void OutlineImages(const InkLeaves& leaves, InkIsoSurface& isoSurface);
+  void StippleVoxels(const InkLeaves& leaves, const vtkInkStyle::Input& input);
+  /// As the style's own, of images whose surface is not stippled.
+  void SetUp(InkIsoSurface& isoSurface) const;
+  /// The silhouettes of images whose voxels are stippled, where they are asked for.
+  void OutlineVoxels(const InkLeaves& leaves);
+  /// Lets the generator use percentiles and ranges of all processes' images together. @return those that were
+  /// measured, or need not be
+  std::vector<vtkImageData*> MeasureImages(const InkLeaves& leaves, const Source& source);
   void StippleSurfaces(const InkLeaves& leaves);
   /// Stipples polygons, or points with normals.
   void StippleSurface(vtkPolyData* mesh);

@@ -12,7 +12,7 @@
 // (-DIGL_INCLUDE_DIR=...), vtkCurvatures where VTK has its module.
 
 #include "Curvature/MeshCurvature.h"
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 
 #ifdef INK_HAS_IGL
 #  include <igl/principal_curvature.h>
@@ -54,7 +54,7 @@ struct Options
 struct Scene
 {
   const char* Name;
-  ink::test::CurvedMesh Mesh;
+  ink::test::MeshWithCurvature Mesh;
   bool HasDirections;
 };
 
@@ -181,7 +181,7 @@ void PrintConvergence()
   {
     for (const std::uint32_t columns : { 45u, 90u, 180u, 360u, 720u })
     {
-      const ink::test::CurvedMesh torus = ink::test::closedTorus(1.0, 0.4, columns, columns / 2, jitter);
+      const ink::test::MeshWithCurvature torus = ink::test::closedTorus(1.0, 0.4, columns, columns / 2, jitter);
       const auto errors = [&torus](const ink::CurvatureOptions& own)
       {
         return ink::test::curvatureErrors(

@@ -168,27 +168,14 @@ void Measure(int count, int frames)
 
 int main(int argc, char* argv[])
 {
-  int frames = 15;
-  std::vector<int> counts;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    if (argument == "--frames" && i + 1 < argc)
-    {
-      frames = std::max(1, std::atoi(argv[++i]));
-    }
-    else if (const int count = std::atoi(argument.c_str()); count > 0)
-    {
-      counts.push_back(count);
-    }
-  }
+  const auto [frames, counts] = drawing::ReadArguments(argc, argv, 15, { 10000, 100000 });
   std::printf(
     "VTK %s; strokes of %d points; frame times by the median of %d, ms of processor time\n"
     "| strokes | plain | hatching | hatching on a surface | tubes | GL lines | plain: of tubes' time | "
     "of lines' | hatching: of tubes' | on a surface: of tubes' | making tubes once, s |\n"
     "|---|---|---|---|---|---|---|---|---|---|---|\n",
     vtkVersion::GetVTKVersion(), PointsOfStroke, frames);
-  for (const int count : counts.empty() ? std::vector<int>{ 10000, 100000 } : counts)
+  for (const int count : counts)
   {
     Measure(count, frames);
   }

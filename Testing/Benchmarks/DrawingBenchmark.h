@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -148,6 +149,33 @@ inline void AddVertices(vtkPolyData* points)
   vtkNew<vtkCellArray> vertices;
   vertices->InsertNextCell(ids);
   points->SetVerts(vertices);
+}
+
+struct Arguments
+{
+  int Frames;
+  std::vector<int> Counts;
+};
+
+/// What a program was given as `--frames 15 1000 10000`.
+/// @param frames, counts where it was given none
+inline Arguments ReadArguments(int argc, char* argv[], int frames, const std::vector<int>& counts)
+{
+  Arguments given{ frames, {} };
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    if (argument == "--frames" && i + 1 < argc)
+    {
+      given.Frames = std::max(1, std::atoi(argv[++i]));
+    }
+    else if (const int count = std::atoi(argument.c_str()); count > 0)
+    {
+      given.Counts.push_back(count);
+    }
+  }
+  given.Counts = given.Counts.empty() ? counts : given.Counts;
+  return given;
 }
 
 } // namespace drawing

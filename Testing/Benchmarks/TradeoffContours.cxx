@@ -5,7 +5,7 @@
 #include "Tradeoff.h"
 
 #include "AnalyticFields.h"
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 #include "Curves/Contours/GridContours.h"
 #include "Curves/Contours/MeshContours.h"
 #include "Curves/Contours/ProjectContour.h"
@@ -92,7 +92,7 @@ ink::GridContourOptions Projected(int steps)
 /// Of a mesh of the torus, with quads of about the same width and height and the surface's own normals.
 ink::MeshContours ContoursOfMesh(std::uint32_t rows, double jitter, bool faceted)
 {
-  const ink::test::CurvedMesh torus = ink::test::closedTorus(14.0, 6.0, 2 * rows, rows, jitter);
+  const ink::test::MeshWithCurvature torus = ink::test::closedTorus(14.0, 6.0, 2 * rows, rows, jitter);
   std::vector<glm::vec3> normals;
   for (const ink::PrincipalCurvature& curvature : torus.exact)
   {

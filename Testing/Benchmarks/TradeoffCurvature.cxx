@@ -8,8 +8,8 @@
 #include "AnalyticFields.h"
 #include "Curvature/MeshCurvature.h"
 #include "Curvature/SmoothedCurvature.h"
-#include "CurvedMeshes.h"
 #include "Fields/Resampling/ResampleGrid.h"
+#include "MeshesWithCurvature.h"
 #include "SampledVolume.h"
 #include "Statistics/NoiseEstimate.h"
 
@@ -175,10 +175,10 @@ void compareSources()
 
 int main()
 {
-  const CurvedMesh clean = ellipsoid({ 1.0, 0.7, 0.5 }, 4);
-  const CurvedMesh noisy = ellipsoid({ 1.0, 0.7, 0.5 }, 4, 0.002);
-  const CurvedMesh irregular = closedTorus(1.0, 0.4, 90, 45, 0.45);
-  const CurvedMesh timed = closedTorus(1.0, 0.4, 256, 128);
+  const MeshWithCurvature clean = ellipsoid({ 1.0, 0.7, 0.5 }, 4);
+  const MeshWithCurvature noisy = ellipsoid({ 1.0, 0.7, 0.5 }, 4, 0.002);
+  const MeshWithCurvature irregular = closedTorus(1.0, 0.4, 90, 45, 0.45);
+  const MeshWithCurvature timed = closedTorus(1.0, 0.4, 256, 128);
   Tradeoff knob("Curvature of meshes",
     "Keep adaptive rings; take a fixed number where neighboring points should be treated alike, and the "
     "exponential map only to compare with the paper.",
@@ -186,7 +186,7 @@ int main()
     "torus of 33k points");
   const auto add = [&](const std::string& name, const ink::CurvatureOptions& options, Tradeoff::Role role)
   {
-    const auto error = [&](const CurvedMesh& mesh)
+    const auto error = [&](const MeshWithCurvature& mesh)
     {
       return curvatureErrors(mesh.exact, ink::estimateCurvature(mesh.mesh.view(), {}, options).points)
         .curvature;

@@ -12,8 +12,8 @@ frames, with all chains, hidden ones too, in pieces no longer than their segment
 - jump: the share of that length whose dashes move by more than a tenth of a period.
 
 Dashes are those of the style Contours. *drawn* is the slide of surfaces' silhouettes and borders, without creases, as
-vtkInkSilhouetteMapper draws them, and *coherent* the same with its CoherentDashes, which shifts each chain's dashes as a whole to where
-they were in the frame before. Silhouettes of volumes are straight from the voxels; `surface` is the smoothed one that the
+vtkInkSilhouetteMapper draws them, and *coherent* the same with its CoherentDashes, which draws them to where they were in the
+frame before. Silhouettes of volumes are straight from the voxels; `surface` is the smoothed one that the
 style draws.
 """
 
@@ -55,46 +55,52 @@ def surface(image, value):
 
 
 class Frame:
-    """Chains in pieces: where each one's middle is, its length, and the place in a period of dashes."""
+    """Chains in pieces: each one's middle, its vector, and the phases of dashes in its middle and from end to end, in periods."""
 
     def __init__(self, lines, period):
         points = support.vtk_to_numpy(lines.GetPoints().GetData()).astype(float).reshape(-1, 3)
         arcs = support.vtk_to_numpy(lines.GetPointData().GetArray("ArcLength"))
         offsets = support.vtk_to_numpy(lines.GetLines().GetOffsetsArray())
         ids = support.vtk_to_numpy(lines.GetLines().GetConnectivityArray())
-        middles, lengths, phases = [np.zeros((0, 3))], [np.zeros(0)], [np.zeros(0)]
+        pieces = [(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(0))]
         for begin, end in zip(offsets[:-1], offsets[1:]):
             chain = ids[begin:end]
-            steps = np.linalg.norm(np.diff(points[chain], axis=0), axis=1)
-            whole = steps.sum()
+            ways = np.diff(points[chain], axis=0)
             closed = chain[0] == chain[-1]
-            # A closed line has a whole number of dashes.
+            along = arcs[chain].astype(float)
+            if closed:
+                # As strokes are drawn, the last segment has its own length, and the line a whole number of dashes.
+                along[-1] = along[-2] + np.linalg.norm(ways[-1])
+            whole = along[-1] - along[0]
             fitted = whole / max(round(whole / period), 1) if closed and whole > 0 else period
-            middles.append((points[chain[:-1]] + points[chain[1:]]) / 2)
-            lengths.append(steps)
-            phases.append((arcs[chain[:-1]] + steps / 2) / fitted % 1.0)
-        self.middles, self.lengths, self.phases = map(np.concatenate, (middles, lengths, phases))
+            along /= fitted
+            pieces.append((points[chain[:-1]] + ways / 2, ways, (along[:-1] + along[1:]) / 2, np.diff(along)))
+        self.middles, self.ways, self.phases, self.steps = map(np.concatenate, zip(*pieces))
+        self.lengths = np.linalg.norm(self.ways, axis=1)
         self.data = vtk.vtkPolyData()
         self.data.SetPoints(vtk.vtkPoints())
         self.data.GetPoints().SetData(support.numpy_to_vtk(self.middles, deep=1))
 
     def nearest(self, others):
-        """Of each piece the nearest one of another frame, and how far it is."""
+        """Of each piece's middle the phase at the nearest point of another frame, and how far its piece is."""
         locator = vtk.vtkStaticPointLocator()
         locator.SetDataSet(others.data)
         locator.BuildLocator()
         found = np.array([locator.FindClosestPoint(middle) for middle in self.middles], int)
-        return found, np.linalg.norm(self.middles - others.middles[found], axis=1)
+        away = self.middles - others.middles[found]
+        along = (away * others.ways[found]).sum(axis=1) / np.maximum(others.lengths[found] ** 2, 1e-30)
+        along = np.clip(along, -0.5, 0.5)
+        return others.phases[found] + along * others.steps[found], np.linalg.norm(away, axis=1)
 
 
 def compare(before, after, reach):
     """What appears, disappears, slides and jumps."""
     _, away = before.nearest(after)
-    found, fresh = after.nearest(before)
+    phases, fresh = after.nearest(before)
     total = after.lengths.sum()
     stays = fresh <= reach
-    change = np.abs(after.phases - before.phases[found])
-    slide = np.minimum(change, 1 - change)[stays]
+    change = after.phases - phases
+    slide = np.abs(change - np.round(change))[stays]
     kept = after.lengths[stays]
     return (
         after.lengths[~stays].sum() / total,

@@ -4,7 +4,7 @@
 A phantom is a list of closed meshes, each with the step that values take where one enters it. A voxel's value is the mean
 of the values around it, weighted by a Gaussian point spread; then come noise and rounding.
 
-    surfaces = phantoms.SURFACES["knot"](grid)
+    surfaces = phantom_surfaces.SURFACES["knot"](phantoms.cube(96))
     phantom = phantoms.voxelize(surfaces, phantoms.cube(96), "uint8", noise=0.05)
     vtkink.draw(phantoms.image(phantom), "splatting-lines", "knot.png")
 
@@ -13,11 +13,10 @@ Lengths are millimeters; all surfaces lie in the cube of SIDE around the origin,
 """
 
 import math
-import pathlib
 from typing import NamedTuple
 
 import numpy as np
-from vtkink import numpy_support, read, vtk
+from vtkink import numpy_support, vtk
 
 SIDE = 100.0
 #: Standard deviation of the point spread, in voxels of each axis.
@@ -205,7 +204,7 @@ def mesh(surface):
     return data
 
 
-def _outward(points, triangles, step, normals=None):
+def outward(points, triangles, step, normals=None):
     """The surface of triangles that all face one way, whichever it is."""
     a, b, c = (points[triangles[:, i]] for i in range(3))
     inward = np.einsum("ij,ij->", a, np.cross(b, c)) < 0
@@ -215,7 +214,7 @@ def _outward(points, triangles, step, normals=None):
 def _of_poly_data(data, step):
     triangles = numpy_support.vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     normals = data.GetPointData().GetNormals()
-    return _outward(
+    return outward(
         numpy_support.vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64),
         triangles,
         step,
@@ -223,7 +222,7 @@ def _of_poly_data(data, step):
     )
 
 
-def _grid_triangles(rows, columns, closed):
+def grid_triangles(rows, columns, closed):
     """Triangles between the points of a grid that wraps along its columns, and along its rows where it is closed."""
     i, j = np.meshgrid(np.arange(rows if closed else rows - 1), np.arange(columns), indexing="ij")
     a, b = i * columns + j, i * columns + (j + 1) % columns
@@ -246,12 +245,12 @@ def ellipsoid(center, radii, step, rows=90, columns=180):
     directions = np.concatenate([rings, [[0, 0, 1], [0, 0, -1]]])
     top = np.stack([np.full(columns, len(rings)), np.arange(columns), (np.arange(columns) + 1) % columns], axis=1)
     bottom = np.stack([np.full(columns, len(rings) + 1), *(len(rings) - columns + top[:, 1:].T)], axis=1)[:, [0, 2, 1]]
-    triangles = np.concatenate([_grid_triangles(rows, columns, closed=False), top, bottom])
+    triangles = np.concatenate([grid_triangles(rows, columns, closed=False), top, bottom])
     # Those of the grid face inwards where the caps face outwards.
     triangles[: -2 * columns] = triangles[: -2 * columns, ::-1]
     normals = directions / np.array(radii)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    return _outward(SIDE * (np.array(center) + directions * np.array(radii)), triangles, step, normals)
+    return outward(SIDE * (np.array(center) + directions * np.array(radii)), triangles, step, normals)
 
 
 def iso_surface(values, grid, iso_value, step=1.0):
@@ -267,7 +266,7 @@ def iso_surface(values, grid, iso_value, step=1.0):
     return found._replace(normals=found.normals * np.sign(facing))
 
 
-class _Distances:
+class Distances:
     """Signed distances on a fine grid, from which a mesh is made: negative inside, in shares of SIDE."""
 
     def __init__(self, voxel, half=0.47):
@@ -287,137 +286,3 @@ class _Distances:
     def surface(self, step):
         spacing, origin = SIDE * float(self.axis[1] - self.axis[0]), SIDE * float(self.axis[0])
         return iso_surface(self.values, Grid(self.values.shape, (spacing,) * 3, (origin,) * 3), 0.0, step)
-
-
-# ----------------------------------------------------------------------------------------------------- known surfaces
-
-
-def knot(grid, rows=1500, columns=96):
-    """A torus knot that winds twice and thrice around."""
-    t = np.linspace(0, 2 * np.pi, rows, endpoint=False)
-    ring, wave, radius = 0.265, 0.125, 0.055
-
-    def curve(t):
-        # The ring lies across the view.
-        r = ring + wave * np.cos(3 * t)
-        return np.stack([r * np.cos(2 * t), wave * np.sin(3 * t), r * np.sin(2 * t)], axis=1)
-
-    e = 1e-4
-    along = curve(t + e) - curve(t - e)
-    bend = curve(t + e) - 2 * curve(t) + curve(t - e)
-    along /= np.linalg.norm(along, axis=1, keepdims=True)
-    side = np.cross(along, bend)
-    side /= np.linalg.norm(side, axis=1, keepdims=True)
-    across = np.cross(side, along)
-    a = 2 * np.pi * np.arange(columns) / columns
-    normals = across[:, None] * np.cos(a)[:, None] + side[:, None] * np.sin(a)[:, None]
-    points = SIDE * (curve(t)[:, None] + radius * normals)
-    return [_outward(points.reshape(-1, 3), _grid_triangles(rows, columns, closed=True), 1.0, normals.reshape(-1, 3))]
-
-
-#: Of vessels at the branches, from the trunk to the tips, in voxels.
-VESSEL_DIAMETERS = (6.0, 4.6, 3.5, 2.6, 1.0)
-_VESSEL_LENGTHS = (0.26, 0.23, 0.19, 0.15)
-
-
-def _vessels(start, direction, across, generation):
-    """All vessels from one on: start, end and generation."""
-    end = start + _VESSEL_LENGTHS[generation] * direction
-    found = [(start, end, generation)]
-    if generation + 1 < len(_VESSEL_LENGTHS):
-        angle = np.radians(38 - 2 * generation)
-        for sign in (-1, 1):
-            turned = np.cos(angle) * direction + sign * np.sin(angle) * across
-            # The next branches spread across these.
-            beside = np.cross(direction, across)
-            found += _vessels(end, turned, np.cos(0.6) * beside + np.sin(0.6) * np.cross(beside, turned), generation + 1)
-    return found
-
-
-def vessels(grid):
-    """A tree of tubes that taper from 6 voxels to 1."""
-    voxel = min(grid.spacing) / SIDE
-    distances = _Distances(voxel)
-    for a, b, generation in _vessels(np.array([0, 0, -0.385]), np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), 0):
-        r0, r1 = (0.5 * voxel * d for d in VESSEL_DIAMETERS[generation : generation + 2])
-
-        def distance(x, y, z, a=a, b=b, r0=r0, r1=r1):
-            d = b - a
-            t = np.clip(((x - a[0]) * d[0] + (y - a[1]) * d[1] + (z - a[2]) * d[2]) / (d @ d), 0, 1)
-            p = (x - a[0] - t * d[0], y - a[1] - t * d[1], z - a[2] - t * d[2])
-            return np.sqrt(p[0] ** 2 + p[1] ** 2 + p[2] ** 2) - (r0 + t * (r1 - r0))
-
-        margin = r0 + voxel
-        distances.unite(distance, np.minimum(a, b) - margin, np.maximum(a, b) + margin)
-    return [distances.surface(1.0)]
-
-
-def shells(grid, thickness=2.0):
-    """Three balls in each other, hollow, of so many voxels, without the eighth that faces the viewer's right and top."""
-    half = 0.5 * thickness * min(grid.spacing) / SIDE
-    distances = _Distances(min(grid.spacing) / SIDE)
-
-    def distance(x, y, z):
-        r = np.sqrt(x * x + y * y + z * z)
-        hollow = np.min([abs(r - radius) for radius in (0.41, 0.3, 0.19)], axis=0) - half
-        return np.maximum(hollow, np.minimum(np.minimum(x, -y), z))
-
-    distances.unite(distance)
-    return [distances.surface(1.0)]
-
-
-def two_materials(grid):
-    """A ball of a soft material that touches a denser one and a smaller soft one."""
-    balls = (((-0.14, 0.0, -0.08), 0.27), ((0.2, -0.08, 0.1), 0.19), ((-0.06, -0.1, 0.27), 0.13))
-    distances = _Distances(min(grid.spacing) / SIDE)
-    for center, radius in balls:
-        distances.unite(
-            lambda x, y, z, c=center, r=radius: np.sqrt((x - c[0]) ** 2 + (y - c[1]) ** 2 + (z - c[2]) ** 2) - r
-        )
-    center, radius = balls[1]
-    return [distances.surface(0.5), ellipsoid(center, (radius,) * 3, 0.5)]
-
-
-def _close_holes(points, triangles):
-    """Adds to each hole a point in its middle, and triangles to that."""
-    there = np.concatenate([triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
-    keys, opposite = there[:, 0] * len(points) + there[:, 1], there[:, 1] * len(points) + there[:, 0]
-    rim = there[~np.isin(opposite, keys)]
-    hole = np.arange(len(points))
-    while (hole[rim[:, 0]] != hole[rim[:, 1]]).any():
-        np.minimum.at(hole, rim[:, 0], hole[rim[:, 1]])
-        np.minimum.at(hole, rim[:, 1], hole[rim[:, 0]])
-    holes, index = np.unique(hole[rim[:, 0]], return_inverse=True)
-    middles = [points[rim[index == i, 0]].mean(axis=0) for i in range(len(holes))]
-    caps = np.column_stack([rim[:, ::-1], len(points) + index])
-    return np.concatenate([points, np.reshape(middles, (-1, 3))]), np.concatenate([triangles, caps])
-
-
-def scanned(path, axes, signs):
-    """The mesh of a file, turned so that z is up, its holes closed, as large as the cube allows.
-
-    :param axes: the file's that become x, y and z, with a sign each
-    """
-    data = read(path)
-    points = numpy_support.vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64)[:, axes] * signs
-    triangles = numpy_support.vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
-    points, triangles = _close_holes(points, triangles)
-    used = points[triangles]
-    low, high = used.min(axis=(0, 1)), used.max(axis=(0, 1))
-    points = (points - (low + high) / 2) * (0.86 * SIDE / (high - low).max())
-    return [_outward(points, triangles, 1.0)]
-
-
-#: Known surfaces by name: functions that take the grid, of which some need the size of a voxel.
-SURFACES = {"knot": knot, "vessels": vessels, "shells": shells, "two materials": two_materials}
-
-
-def with_scans(folder):
-    """SURFACES with the bunny and the horse, where they lie in a folder as bunny.ply and horse.ply."""
-    turned = {"bunny": ([0, 2, 1], [1, -1, 1]), "horse": ([1, 0, 2], [-1, 1, 1])}
-    scans = {}
-    for name, (axes, signs) in turned.items():
-        path = pathlib.Path(folder or "") / f"{name}.ply"
-        if folder and path.exists():
-            scans[name] = lambda grid, path=path, axes=axes, signs=signs: scanned(path, axes, signs)
-    return {**scans, **SURFACES}

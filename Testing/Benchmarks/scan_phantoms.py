@@ -35,7 +35,7 @@ def _positions(grid):
 
 def _headrest(step):
     """A cradle behind the head, far thinner than it, which touches nothing."""
-    distances = phantoms._Distances(1 / 128, half=0.49)
+    distances = phantoms.Distances(1 / 128, half=0.49)
 
     def distance(x, y, z):
         bowl = abs(np.sqrt(x * x + (y - 0.02) ** 2) - 0.445) - 0.012

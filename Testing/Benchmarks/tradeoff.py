@@ -10,6 +10,7 @@ and the advice come from the program, too, beside the definition of the knob.
 
 import csv
 import io
+import math
 import pathlib
 import re
 import subprocess
@@ -25,7 +26,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "Documentation" / "accuracy-and-speed.md"
 IMAGES = PAGE.parent / "images"
 
-INTRODUCTION = """# Accuracy and speed
+INTRODUCTION = """<!-- SPDX-License-Identifier: BSD-3-Clause -->
+# Accuracy and speed
 
 Where faster means less exact, both ends are offered, and the default sits at the knee: the setting beyond which a little
 more accuracy costs much more time, or a little more speed much more error. This page is written by
@@ -66,6 +68,20 @@ def image_name(knob):
     return "tradeoff-" + re.sub(r"[^a-z0-9]+", "-", knob.lower()).strip("-") + ".png"
 
 
+def spread(places, least):
+    """Places in their order, moved apart to at least that distance, as little as possible."""
+    order = sorted(range(len(places)), key=places.__getitem__)
+    groups = []  # of neighbors that touch: the mean place, and how many
+    for i in order:
+        groups.append([places[i], 1])
+        while len(groups) > 1 and groups[-1][0] - groups[-2][0] < least * (groups[-1][1] + groups[-2][1]) / 2:
+            place, count = groups.pop()
+            groups[-1][0] = (groups[-1][0] * groups[-1][1] + place * count) / (groups[-1][1] + count)
+            groups[-1][1] += count
+    apart = [place + least * (n - (count - 1) / 2) for place, count in groups for n in range(count)]
+    return [apart[order.index(i)] for i in range(len(places))]
+
+
 def draw(knob, settings, default):
     scenes = [row["scene"] for row in settings[default]]
     base = settings[default][0]["ms"]
@@ -77,14 +93,8 @@ def draw(knob, settings, default):
         (line,) = axes.plot([times[i] for i in order], [errors[i] for i in order], "o-", ms=4, lw=0.8, label=scene)
         knee = list(settings).index(default)
         axes.plot(times[knee], errors[knee], "o", ms=11, mfc="none", mec=line.get_color(), mew=1.5)
-    # The settings' names stand above the plot, tilted, so that near neighbors do not cover each other.
-    for name, rows in settings.items():
-        time = rows[0]["ms"] / base
-        axes.axvline(time, color="black", lw=0.3, zorder=0)
-        label = f"{name} (default)" if name == default else name
-        axes.annotate(
-            label, (time, 1), (0, 3), axes.get_xaxis_transform(), "offset points", rotation=28, fontsize=7
-        )
+    for rows in settings.values():
+        axes.axvline(rows[0]["ms"] / base, color="black", lw=0.3, zorder=0)
     axes.set_xscale("log")
     if all(row["error"] > 0 for rows in settings.values() for row in rows):
         axes.set_yscale("log")
@@ -94,16 +104,31 @@ def draw(knob, settings, default):
         axis.set_minor_formatter(ticker.NullFormatter())
     axes.margins(x=0.1, y=0.1)
     axes.set_xlabel("time, default = 1", fontsize=8)
-    axes.set_ylabel("\n".join(textwrap.wrap(settings[default][0]["error_unit"], 44)), fontsize=8)
+    unit = textwrap.wrap(settings[default][0]["error_unit"], 44)
+    axes.set_ylabel("\n".join(unit if len(unit) <= 4 else ["error"]), fontsize=8)
     axes.tick_params(labelsize=7)
     axes.grid(True, axis="y", lw=0.2)
     axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.02, 1), frameon=False)
+    label_times(axes, {name: rows[0]["ms"] / base for name, rows in settings.items()}, default)
     figure.tight_layout()
     path = IMAGES / image_name(knob)
     # Without the version and the date in the file, a repeated run changes no more than the plot.
     figure.savefig(path, metadata={"Software": None})
     pyplot.close(figure)
     return path
+
+
+def label_times(axes, times, default):
+    """The settings' names stand above the plot, tilted and moved apart, so that near neighbors do not cover each other."""
+    low, high = (math.log(limit) for limit in axes.get_xlim())
+    shares = [(math.log(time) - low) / (high - low) for time in times.values()]
+    places = spread(shares, 0.033)
+    height = 3 if places == shares else 11
+    for name, share, at in zip(times, shares, places):
+        label = f"{name} (default)" if name == default else name
+        axes.annotate(label, (at, 1), (0, height), "axes fraction", "offset points", rotation=28, fontsize=7)
+        if places != shares:
+            axes.plot([share, at], [1, 1.04], color="black", lw=0.3, transform=axes.transAxes, clip_on=False)
 
 
 def section(knob, settings):

@@ -141,6 +141,17 @@ def test_position_and_focal_point(drawn, volume_file):
     assert above.any()
 
 
+@pytest.mark.parametrize("camera", [["--zoom", 4], ["--zoom", 4, "--parallel"], ["--zoom", 4, "--focal-point", "0.2,-1,0.1", "--roll", 30],
+                                    ["--position", "0,-1.5,0", "--focal-point", "0,0,0"]])  # fmt: skip
+def test_from_near_strokes_fill_the_picture(picture, tmp_path, camera):
+    """Of line art, which has them only where the picture shows the surface then."""
+    ink_files.write_ply(tmp_path / "ball.ply", ink_files.sphere_mesh())
+    style = ["--style", "line-art", "--density", 0.1, "--no-curved-meshes", "--light", "180,0", "--view", "front"]
+    near = 255.0 - picture(tmp_path / "ball.ply", *style, *camera, size="160x120")[..., 0]
+    grays = near.reshape(6, 20, 8, 20).mean(axis=(1, 3))
+    assert grays.min() > 0.4 * grays.mean(), grays.astype(int)
+
+
 @pytest.mark.parametrize("arguments, words", [
     (["--position", "1,2,3", "--focal-point", "1,2,3"], "--position"), (["--position", "1,2"], "--position"),
     (["--position", "1,2,nan"], "--position"), (["--roll", "x"], "--roll"), (["--up", "w"], "--up"),

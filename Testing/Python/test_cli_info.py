@@ -67,11 +67,12 @@ def test_json(ink, tmp_path):
     assert first["type"] == "float" and first["components"] == 1 and first["not_finite"] == 1
     assert first["range"] == [0, pytest.approx(200, abs=1)] \
         and [0 < one["value"] < 200 for one in first["suggested_iso"]] == [True]
+    assert all(set(one) == {"value", "shows", "kept_share"} for one in first["suggested_iso"])
     assert second["points"] == len(ink_files.sphere_mesh(6, 8)[0])
     assert second["point_arrays"] == [{"name": "Normals", "type": "float", "components": 3}]
     ink_files.write_vti(tmp_path / "c.vti", np.full((4, 4, 4), 7, np.uint8))
     constant = json.loads(ink("info", "--json", tmp_path / "c.vti").out)[0]
-    assert constant["range"] == [7, 7] and constant["suggested_iso"] is None
+    assert constant["range"] == [7, 7] and constant["suggested_iso"] == []
 
 
 def test_rescaled_values(ink, tmp_path):

@@ -165,7 +165,7 @@ def test_noise_has_more_points_than_memory(same, tmp_path):
 @pytest.mark.parametrize("style, smoothing, subdivision", [
     ("splatting-lines", 0, 1), ("illustration", 0, 1), ("splatting-lines", 1.5, 1), ("splatting-lines", 0, 2)])
 def test_pictures_are_the_same(ink, tmp_path, style, smoothing, subdivision):
-    """What is automatic needs the whole volume; what is given is done a few slices at a time, too."""
+    """What is given is done a few slices at a time, too."""
     (tmp_path / "v.raw").write_bytes(waves(SHAPES[1]).tobytes())
     pictures = []
     for memory in (LITTLE, PLENTY):
@@ -177,6 +177,62 @@ def test_pictures_are_the_same(ink, tmp_path, style, smoothing, subdivision):
     assert pictures[0].min() < 100
     # Points come in another order, of which the last bit of a sum depends.
     assert np.abs(pictures[0] - pictures[1]).max() <= (1 if smoothing or subdivision > 1 else 0)
+
+
+def noisy_waves():
+    """Of which a surface is smoothed by half a voxel or so."""
+    noise = np.random.default_rng(5).normal(20, 1.5, SHAPES[1])
+    return np.clip(waves(SHAPES[1]) + noise, 0, 255).astype(np.uint8)
+
+
+@pytest.fixture
+def look(ink, tmp_path):
+    """Draws noisy waves a hundred lines high; returns the picture, and what was said but for the last line."""
+    noisy_waves().tofile(tmp_path / "v.raw")
+
+    def run(width, *arguments):
+        out = tmp_path / "picture.png"
+        result = ink("render", tmp_path / "v.raw", "--raw", "512x512x72:uint8", "--iso", 90, "--size", f"{width}x100", "--view",
+                     "top", "--style", "splatting-lines", "-o", out, *arguments)
+        assert result.code == 0, result
+        return ink_files.read_png(out).astype(int), "\n".join(result.err.splitlines()[:-1])
+
+    return run
+
+
+@pytest.mark.one_build
+def test_what_is_chosen_is_the_same(look):
+    """How much the noise asks to smooth, and how far voxels are divided, which are larger in a wider picture."""
+    for width, subdivision in ((100, 1), (250, 2)):
+        whole, parts = (look(width, "--memory", memory) for memory in (PLENTY, LITTLE))
+        assert parts[1] == whole[1] == ""
+        assert np.abs(parts[0] - whole[0]).max() <= 1
+        assert np.array_equal(parts[0], look(width, "--memory", LITTLE, "--subdivision", subdivision)[0])
+        assert np.abs(parts[0] - look(width, "--memory", LITTLE, "--smoothing", 0)[0]).max() > 50
+
+
+@pytest.mark.one_build
+def test_what_is_chosen_is_left_out_where_slices_have_no_room(ink, tmp_path):
+    """The notes say how much memory is enough, and what to say instead."""
+    values = np.random.default_rng(5).normal(20, 1.5, (18, 1024, 1024))
+    values[9:, 200:500, 200:500] += 40
+    values.astype(np.uint8).tofile(tmp_path / "v.raw")
+
+    def notes(memory, *arguments):
+        result = ink("render", tmp_path / "v.raw", "--raw", "1024x1024x18:uint8", "--iso", 40, "--size", "500x100", "--style",
+                     "splatting-lines", "--memory", memory, "-o", tmp_path / "picture.png", *arguments)
+        assert result.code == 0, result
+        return result.err.splitlines()[:-1]
+
+    found = notes(LITTLE)
+    parts = ("the surface is not smoothed", "--smoothing 0"), ("voxels are not divided", "--subdivision 1")
+    assert len(found) == 2
+    enough = []
+    for note, (what, option) in zip(found, parts):
+        text = rf"ink: {what}, as memory has room for 4 slices at a time: --memory (\d+) MiB is enough; {option} asks for no more"
+        enough.append(int(re.fullmatch(text, note)[1]))
+    assert notes(f"{max(enough)}MiB") == []
+    assert notes(LITTLE, "--smoothing", 0, "--subdivision", 1) == []
 
 
 def test_what_needs_more_slices_says_so(ink, tmp_path):
@@ -389,10 +445,12 @@ def test_few_slices(ink, refused, tmp_path, slices):
     (tmp_path / "v.raw").write_bytes(volume.tobytes())
     command = ["sample", tmp_path / "v.raw", tmp_path / "out.vtp", "--raw", f"1000x{2400 // slices}x{slices}:float64"]
     for arguments in (["--iso", 0.5], []):
-        assert "needed at a time" in refused(1, *command, *arguments, "--memory", "130MiB")
         if slices == 1:
-            message = refused(1, *command, *arguments, "--memory", "190MiB")
-            assert "single slice, 1000 x 2400 x 1 voxels: expected two slices or more" in message
+            # More memory would not help.
+            for memory in ("130MiB", "190MiB"):
+                message = refused(1, *command, *arguments, "--memory", memory)
+                assert "single slice, 1000 x 2400 x 1 voxels: expected two slices or more" in message
         else:
+            assert "needed at a time" in refused(1, *command, *arguments, "--memory", "130MiB")
             assert ink(*command, *arguments, "--memory", "190MiB").code == 0
             (tmp_path / "out.vtp").unlink()

@@ -132,7 +132,8 @@ def test_an_option_is_not_told_to_be_given_with_itself(ink, volume_file):
 
 
 def test_a_style_file_can_say_what_is_stippled(ink, picture, style_file, volume_file):
-    stipple = ["--style", "stipple"]
+    # The frame of voxels is that of the iso-surface, which is not the same.
+    stipple = ["--style", "stipple", "--position", "15.5,-100,15.5", "--focal-point", "15.5,15.5,15.5"]
     off = style_file("stipple", StippleSource="volume", IsoValues=[100])
     drawn = picture(volume_file, *stipple, "--style-file", off)
     assert (drawn == picture(volume_file, *stipple, "--stipple-source", "volume")).all()

@@ -90,7 +90,7 @@ def test_colors_decide_what_stipples_show(stippled, picture, volume_file):
 @pytest.mark.parametrize("option, low, high", [
     ("--gradient", 0, 1), ("--sharpness", 1, 0), ("--interior", 1, 0), ("--boundary", "0.2,0.2,1", "2,2,1"),
     ("--silhouette", "0.1,0,1", "1,2,1"), ("--silhouette", "off", "1,2,0.5"), ("--resolution", "-2,3", "off"),
-    ("--lighting", "0.2", "off"), ("--interior-ks", "4,0", "off"), ("--distance-ks", "on", "1,1"),
+    ("--lighting", "0.2", "off"), ("--interior-curve", "4,0", "off"), ("--distance-curve", "on", "1,1"),
     ("--value-effect", 1, 0), ("--pixels-per-stipple", 20, 3), ("--stipple-size", 1, 3), ("--percentile", 99, 80),
     ("--threshold", 55, 5), ("--facing-angle", 30, 180), ("--window", "150,200", "20,200")])
 def test_more_ink(stippled, volume_file, option, low, high):
@@ -100,7 +100,7 @@ def test_more_ink(stippled, volume_file, option, low, high):
 
 @pytest.mark.parametrize("option, value", [
     ("--orientation", 1), ("--distance", 0.9), ("--seed", 7), ("--max-stipples", 2), ("--max-stipples", "projected"),
-    ("--parts", "intensity"), ("--gradient-weighting", "inverse-distance"), ("--parts", "probability"), ("--light", "60,0"), ("--distance-ks", "2,0.5")])
+    ("--parts", "intensity"), ("--gradient-weighting", "inverse-distance"), ("--parts", "probability"), ("--light", "60,0"), ("--distance-curve", "2,0.5")])
 def test_other_options_change_the_stipples(stippled, volume_file, option, value):
     assert (stippled(volume_file) != stippled(volume_file, option, value)).any()
 
@@ -195,14 +195,14 @@ def test_turned_volumes_are_drawn_as_they_lie(picture, tmp_path):
 
 
 @pytest.mark.parametrize("arguments, words", [
-    (["--boundary", "1,2"], ["--boundary '1,2'", "kgc,kgs,kge", "3 numbers", "found 2"]),
+    (["--boundary", "1,2"], ["--boundary '1,2'", "base,gain,exponent", "3 numbers", "found 2"]),
     (["--boundary", "1,2,3,4"], ["found 4"]),
     (["--boundary", ""], ["found 1"]),
-    (["--silhouette", "1,2,nan"], ["kse", "from 0.01 to 20", "'nan'"]),
-    (["--resolution", "1,1"], ["krc", "from -8 to 0", "'1'"]),
-    (["--lighting", "bright"], ["kle", "'bright'"]),
-    (["--distance-ks", "1,1.5"], ["size", "from 0 to 1"]),
-    (["--interior-ks", "1,2,3"], ["kie,size", "found 3"]),
+    (["--silhouette", "1,2,nan"], ["exponent", "from 0.01 to 20", "'nan'"]),
+    (["--resolution", "1,1"], ["distance", "from -8 to 0", "'1'"]),
+    (["--lighting", "bright"], ["exponent", "'bright'"]),
+    (["--distance-curve", "1,1.5"], ["size", "from 0 to 1"]),
+    (["--interior-curve", "1,2,3"], ["exponent,size", "found 3"]),
     (["--gradient", "nan"], ["--gradient", "0 to 1"]),
     (["--gradient", "1.5"], ["--gradient", "0 to 1"]),
     (["--stipple-size", "inf"], ["--stipple-size"]),

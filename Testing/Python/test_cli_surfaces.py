@@ -109,20 +109,38 @@ def test_parts_of_a_volume_read_a_few_slices_at_a_time(ink, picture, tmp_path):
     assert (picture(*options, "--memory", "170MiB") == whole).all()
 
 
-@pytest.mark.parametrize("view", ["front", "right"])
-def test_a_cut_is_one_line(picture, tmp_path, view):
-    """Half a ball, cut by the volume's lower side: its lower edge is drawn from end to end."""
-    values = ball((40, 80, 80), (0, 0, -19.5), 30)
-    ink_files.write_nifti(tmp_path / "half.nii", values.astype(np.uint8))
+def lower_edge(picture, file, *options):
+    """The share of the lower edge of what is drawn that has ink, by how the surface is cut."""
 
     def drawn(cut):
-        image = picture(tmp_path / "half.nii", *LINES, "--view", view, "--parallel", "--cut", cut, size="400x400")[..., 0]
+        image = picture(file, *LINES, *options, "--parallel", "--cut", cut, size="400x400")[..., 0]
+        if not (image < 128).any():
+            return 0
         rows, columns = np.flatnonzero((image < 128).any(axis=1)), np.flatnonzero((image < 128).any(axis=0))
         edge = 1 - image[rows[-1] - 8 : rows[-1] + 2, columns[0] + 8 : columns[-1] - 7] / 255
         # Across the line, which may share its ink between two rows: the cap's edge is as thin as contours are
         # (0.76 pixels, 0.41 at the least).
         return (edge.sum(axis=0) > 0.3).mean()
 
+    return drawn
+
+
+@pytest.mark.parametrize("view", ["front", "right"])
+def test_a_cut_is_one_line(picture, tmp_path, view):
+    """Half a ball, cut by the volume's lower side, which faces away."""
+    values = ball((40, 80, 80), (0, 0, -19.5), 30)
+    ink_files.write_nifti(tmp_path / "half.nii", values.astype(np.uint8))
+    drawn = lower_edge(picture, tmp_path / "half.nii", "--view", view)
     assert drawn("open") < 0.5
     assert drawn("rim") == 1
     assert drawn("cap") > 0.99
+
+
+@pytest.mark.parametrize("elevation", [10, 35, 60, 85])
+def test_a_cut_that_faces_the_viewer_is_one_line(picture, tmp_path, elevation):
+    """A table that leaves the volume on all sides, seen from the front and above."""
+    z = np.arange(20)[:, None, None] + 0 * ball((20, 60, 60), (0, 0, 0), 1)
+    ink_files.write_nifti(tmp_path / "table.nii", np.clip(100 + 40 * (10.3 - z), 0, 200).astype(np.uint8))
+    drawn = lower_edge(picture, tmp_path / "table.nii", "--view", "front", "--elevation", elevation)
+    assert drawn("open") < 0.5
+    assert drawn("rim") == 1

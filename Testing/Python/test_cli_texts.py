@@ -9,12 +9,14 @@ import subprocess
 
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 
 @pytest.fixture(scope="module")
 def options(ink):
     """The options that the whole help of `ink render` names, of all styles."""
     found = set()
-    for style in ("illustration", "contours", "splatting-lines", "stipple"):
+    for style in ("illustration", "contours", "line-art", "splatting-lines", "stipple"):
         found |= set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", ink("render", "--style", style, "--help-all").out, re.M))
     assert len(found) > 80
     return found

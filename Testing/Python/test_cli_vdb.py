@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`ink convert`, and .vdb files wherever `ink` reads volumes."""
 
+import json
 import struct
 
 import numpy as np
@@ -43,6 +44,8 @@ def test_a_band_has_exactly_the_volumes_points(ink, volume, tmp_path):
     assert result.code == 0 and not result.out, result.err
     assert not list(tmp_path.glob("*.tmp"))
     expected = points(ink, volume, tmp_path / "volume.xyz", "--iso", "100")
+    suggested = json.loads(ink("info", "--json", band).out)[0]["suggested_iso"]
+    assert suggested == [{"value": 100, "shows": "that of the file's surface", "kept_share": None}]
     # The band knows its value.
     assert np.array_equal(points(ink, band, tmp_path / "band.xyz"), expected)
     assert len(expected) > 500
@@ -129,14 +132,25 @@ def test_a_smoothed_picture_is_that_of_the_volume(ink, volume, tmp_path, target)
     settings = ["--smoothing", "1.5", "--subdivision", "2", "--smoothing-target", target]
     pictures = [drawn(ink, file, tmp_path / "smooth.png", *settings) for file in (volume, grid)]
     assert np.abs(pictures[0] - pictures[1]).max() <= 2
-    assert np.abs(pictures[1] - drawn(ink, grid, tmp_path / "rough.png")).max() > 100
+    rough = drawn(ink, grid, tmp_path / "rough.png", "--smoothing", "0", "--subdivision", "1")
+    assert np.abs(pictures[1] - rough).max() > 100
 
 
-def test_nothing_is_smoothed_or_divided_unasked(ink, volume, tmp_path):
-    grid = tmp_path / "whole.vdb"
-    assert ink("convert", volume, grid).code == 0
-    asked = drawn(ink, grid, tmp_path / "asked.png", "--smoothing", "0", "--subdivision", "1")
-    assert np.array_equal(drawn(ink, grid, tmp_path / "unasked.png"), asked)
+@pytest.mark.parametrize("around", [[], ["--around", "100"]], ids=["whole", "band"])
+def test_what_is_chosen_is_as_of_the_volume(ink, tmp_path, can_convert, around):
+    """Divided by as much, and smoothed by nearly as much."""
+    noisy, grid = tmp_path / "noisy.nii.gz", tmp_path / "noisy.vdb"
+    values = blob((40, 40, 40)) * 0.7 + np.random.default_rng(1).normal(20, 8, (40, 40, 40))
+    write_nifti(noisy, np.clip(values, 0, 255).astype(np.uint8))
+    assert ink("convert", noisy, grid, *around).code == 0
+    pictures = {name: drawn(ink, grid, tmp_path / "grid.png", *options) for name, options in {
+        "automatic": [], "rough": ["--smoothing", "0"], "undivided": ["--subdivision", "1"],
+        "divided": ["--subdivision", "8"]}.items()}  # fmt: skip
+    differs = lambda a, b: np.abs(a - b).mean()
+    assert np.array_equal(pictures["automatic"], pictures["divided"]), "40 voxels are 25 thousandths of the picture each"
+    whole = drawn(ink, noisy, tmp_path / "volume.png")
+    for other in ("rough", "undivided"):
+        assert differs(pictures["automatic"], pictures[other]) > 5 * differs(pictures["automatic"], whole), other
 
 
 @pytest.fixture

@@ -6,6 +6,8 @@ import re
 
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = sorted(page for folder in (ROOT, ROOT / "Documentation", ROOT / "Data") for page in folder.glob("*.md"))
 

@@ -4,6 +4,7 @@
 import keyword
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -130,11 +131,56 @@ def test_pictures_of_all_styles_are_framed_as_ink_frames_them(ink, tmp_path, siz
     vtkink.draw(tmp_path / "m.ply", "stipple", tmp_path / "s.png", size=size, size_unit="pixels")
     assert bounds(tmp_path / "l.png") == bounds(tmp_path / "i.png")
     assert np.abs(np.subtract(bounds(tmp_path / "s.png"), bounds(tmp_path / "i.png"))).max() <= 3
-    frames = [vtkink.vtkInkStyle.CreateStyle(name) for name in ("splatting-lines", "stipple")]
+
+
+def frame_of(data, style, **parameters):
+    style = vtkink.vtkInkStyle.CreateStyle(style)
+    for name, value in parameters.items():
+        assert style.SetParameterAsString(name, value)
+    assert style.Make(data)
+    return numpy_support.vtk_to_numpy(style.GetFramePoints().GetData())
+
+
+def test_pictures_of_all_styles_register(tmp_path):
+    """They are fitted to the same points, whatever is drawn."""
+    ink_files.write_ply(tmp_path / "m.ply", ink_files.sphere_mesh())
     mesh = vtkink.read(tmp_path / "m.ply")
-    for style in frames:
-        assert style.Make(mesh)
-    assert frames[0].GetFramePoints() is frames[1].GetFramePoints() is mesh.GetPoints()
+    # A part that is left out, and a surface that leaves the volume.
+    volume = np.maximum(ink_files.blob((40, 40, 40)), 0)
+    volume[2:4, 2:4, 2:4] = 200
+    volume = vtkink.reading.data_object(volume[:, :30])
+    for data, least in ((mesh, mesh.GetNumberOfPoints()), (volume, 1000)):
+        frames = {name: frame_of(data, name) for name in vtkink.styles()}
+        assert len(frames) == 5
+        expected = frames["splatting-lines"]
+        assert len(expected) > least  # of a mesh, as the smooth surface that it is drawn as
+        for name, frame in frames.items():
+            assert np.array_equal(frame, expected), name
+    # Of voxels, in place of a surface that there is.
+    assert np.array_equal(frame_of(volume, "stipple", StippleSource="volume"), expected)
+    assert np.array_equal(frame_of(volume, "stipple", StippleSource="volume", IsoValues="150"), frame_of(volume, "splatting-lines", IsoValues="150"))
+    assert np.array_equal(frame_of(volume, "contours", Method="voxel-segments"), expected)
+
+
+def test_the_surface_that_voxels_are_framed_by_is_not_spoken_of():
+    """It is not drawn, nor is one missed where there is none."""
+    ramp = np.broadcast_to(np.arange(20, dtype=np.float32)[:, None, None], (20, 20, 20))
+    for volume in (ramp, np.where(ramp > 9, np.float32(np.nan), ramp)):
+        style = vtkink.vtkInkStyle.CreateStyle("stipple")
+        style.SetParameterAsString("StippleSource", "volume")
+        assert style.Make(vtkink.reading.data_object(volume.copy()))
+        notes = [style.GetNote(i) for i in range(style.GetNumberOfNotes())]
+        assert not any("surface" in note or "iso-value" in note for note in notes), notes
+
+
+def test_what_is_drawn_without_a_clear_boundary_is_said(ink, tmp_path):
+    noise = np.random.default_rng(3).normal(100, 20, (24, 24, 24)).astype(np.float32)
+    ink_files.write_vti(tmp_path / "n.vti", noise)
+    result = ink("render", tmp_path / "n.vti", "--style", "splatting-lines", "--size", 100, "-o", tmp_path / "n.png")
+    assert result.code == 0
+    assert re.search(r"no boundary between materials is clear, so what is drawn is the surface around the upper \d+ % of", result.err)
+    ink_files.write_vti(tmp_path / "b.vti", BLOB)
+    assert "no boundary" not in ink("render", tmp_path / "b.vti", "--size", 100, "-o", tmp_path / "b.png").err
 
 
 def test_legacy_files_of_other_data(tmp_path):
@@ -252,6 +298,8 @@ def test_a_style_file_says_the_style(tmp_path):
     ("stipple", {"style": "oil", "parameters": {}}, ['expected one of illustration, contours, line-art, splatting-lines, stipple, found "oil"']),
     (None, {"parameters": {}}, ['expected {"style"']),
     (None, {"style": "splatting-lines", "parameters": {"Tau": "x"}}, ["Tau: expected a number", "x"]),
+    (None, {"style": "stipple", "parameters": {"Sharpnes": 0.5}}, ["'Sharpnes'", "no such parameter; did you mean 'Sharpness'?"]),
+    (None, {"style": "stipple", "parameters": {"Oil": 1}}, ["'Oil'", "no such parameter; expected one of Preset, Gradient,"]),
     (None, b"\xff\xfe", ["UTF-8"]),
 ])  # fmt: skip
 def test_wrong_style_files_are_named(tmp_path, style, content, words):
@@ -259,3 +307,61 @@ def test_wrong_style_files_are_named(tmp_path, style, content, words):
     with pytest.raises(ValueError) as raised:
         vtkink.draw(BLOB, style, style_file=file)
     assert str(raised.value).startswith(f"{file}: ") and all(word in str(raised.value) for word in words), raised.value
+
+
+@pytest.fixture(scope="module")
+def large(tmp_path_factory):
+    """17 MiB, of which no more than 16 are read at once within 128 MiB."""
+    path = tmp_path_factory.mktemp("large") / "v.nii"
+    z, y, x = np.meshgrid(*[np.arange(n) for n in (34, 512, 512)], indexing="ij", sparse=True)
+    ink_files.write_nifti(path, (200 - 2 * np.sqrt((x - 256) ** 2 + (y - 256) ** 2 + (5 * (z - 17)) ** 2)).astype(np.int16))
+    return path
+
+
+@pytest.mark.parametrize("style", ["splatting-lines", "illustration"])
+def test_a_file_larger_than_memory_is_drawn_in_parts(tmp_path, large, style):
+    pictures = []
+    for memory in (None, "128MiB"):
+        actor = vtkink.draw(large, style, tmp_path / "p.png", size=(120, 120), memory=memory, smoothing=0, subdivision=1)
+        pictures.append(ink_files.read_png(tmp_path / "p.png"))
+        assert actor.style.GetMaximumMemory() == (0 if memory is None else 128)
+        assert "iso-value " in actor.style.GetNote(0)
+    # Points of a cut come in another order, of which the last bit of a sum depends.
+    assert pictures[0].min() < 200 and np.abs(pictures[0].astype(int) - pictures[1]).max() <= 1
+
+
+def test_memory_that_is_none_or_too_little_is_an_error(tmp_path, large):
+    for memory in ("1", "127MiB", 1024, "lots"):
+        with pytest.raises(ValueError, match="memory: expected a size of 128 MiB or more"):
+            vtkink.draw(large, memory=memory)
+    with pytest.raises(ValueError, match="stipple needs the whole volume at once, 17 MiB: expected MaximumMemory of"):
+        vtkink.draw(large, "stipple", memory="128MiB")
+    (tmp_path / "v.nii").write_bytes(large.read_bytes()[:-1])
+    with pytest.raises(ValueError, match="cannot read .*its header promises"):
+        vtkink.draw(tmp_path / "v.nii", memory="128MiB")
+
+
+@pytest.mark.parametrize("name, arguments, options", [
+    ("m.ply", {}, []), ("m.obj", {}, []), ("m.ply", {"up": "-x", "azimuth": 20}, ["--up=-x", "--azimuth", 20]),
+    ("m.ply", {"view": "iso", "elevation": 10}, ["--view", "iso", "--elevation", 10]), ("v.nii", {"iso_values": 100}, ["--iso", 100])])
+def test_a_picture_is_seen_as_ink_sees_it(ink, tmp_path, name, arguments, options):
+    """Meshes stand upright and show their largest side; what lies flat is seen from above."""
+    points, normals, triangles = MESH
+    FILES[name](tmp_path / name)
+    if name.startswith("m."):
+        mesh = (points * [1, 3, 0.4], normals, triangles)
+        {"m.ply": ink_files.write_ply, "m.obj": ink_files.write_obj}[name](tmp_path / name, mesh)
+    vtkink.draw(tmp_path / name, "contours", tmp_path / "a.png", size=(150, 120), **arguments)
+    result = ink("render", tmp_path / name, "--style", "contours", "--size", "150x120", "-o", tmp_path / "b.png", *options)
+    assert result.code == 0, result
+    a, b = (ink_files.read_png(tmp_path / file)[..., :3].astype(int) for file in ("a.png", "b.png"))
+    assert b.min() < 200 and np.abs(a - b).max() <= 2
+
+
+@pytest.mark.parametrize("arguments, words", [
+    ({"view": "side"}, "view: expected one of front, back, left, right, top, bottom, iso, found 'side'"),
+    ({"up": "w"}, "up: expected one of x, y, z, -x, -y, -z, found 'w'"), ({"azimuth": "east"}, "azimuth: expected degrees from -360"),
+    ({"elevation": math.nan}, "elevation: expected degrees from -360 to 360, found nan")])
+def test_views_that_are_none(arguments, words):
+    with pytest.raises(ValueError, match=words):
+        vtkink.draw(BLOB, **arguments)

@@ -5,6 +5,10 @@ import os
 import pathlib
 import subprocess
 
+import pytest
+
+pytestmark = pytest.mark.one_build
+
 JOBS = pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "jobs.sh"
 
 

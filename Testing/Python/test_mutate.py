@@ -4,6 +4,10 @@
 import importlib.util
 import pathlib
 
+import pytest
+
+pytestmark = pytest.mark.one_build
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SPEC = importlib.util.spec_from_file_location("mutate", ROOT / "Utilities" / "mutate.py")
 mutate = importlib.util.module_from_spec(SPEC)

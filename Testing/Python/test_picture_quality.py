@@ -9,8 +9,11 @@ import pytest
 pytestmark = pytest.mark.one_build
 
 vtkink = pytest.importorskip("vtkink")
+import phantom_surfaces  # noqa: E402
 import phantoms  # noqa: E402
 import picture_quality as quality  # noqa: E402
+import picture_quality_page  # noqa: E402
+import picture_quality_results  # noqa: E402
 
 Case = quality.Case
 
@@ -22,7 +25,7 @@ def small(monkeypatch):
 
 @pytest.fixture(scope="module")
 def knot():
-    return phantoms.knot(phantoms.cube(48))[0]
+    return phantom_surfaces.knot(phantoms.cube(48))[0]
 
 
 def test_the_camera_sees_all_of_a_surface_with_a_margin(small, knot):
@@ -62,8 +65,8 @@ def test_figures_outlive_a_file(tmp_path):
         result(iso_error=0.125, precision=0.5, recall=0.25, f=0.333),
         result("stipple", tone=0.0625, evenness=0.5, reference_evenness=0.75, outside=0.125, bare=0.0),
     ]
-    quality.write_csv(results, tmp_path / "figures.csv")
-    assert quality.read_csv(tmp_path / "figures.csv") == results
+    picture_quality_results.write_csv(results, tmp_path / "figures.csv")
+    assert picture_quality_results.read_csv(tmp_path / "figures.csv") == results
 
 
 def test_a_page_shows_targets_and_what_became_of_figures():
@@ -72,15 +75,15 @@ def test_a_page_shows_targets_and_what_became_of_figures():
         for f, tone in ((0.5, 0.2), (0.95, 0.04))
     )
     before.append(result(case=Case("knot", 48, 1, "uint8", 0.05), f=0.1, iso_error=0.1))
-    page = quality.page(today, before)
+    page = picture_quality_page.page(today, {"before": before})
     changes = (("F", "0.9; 0.8 at 48 or 10 % noise", ("0.50", "0.95")), ("tone, %", "5", ("20.0", "4.0")))
     for title, target, values in changes:
         changed = " → ".join(values)
         assert f"| {title} | {target} | 100 | {values[1]} | {values[1]} |" in page
         assert f"| {title} | {target} | 0 → 100 | {changed} | {changed} |" in page, "of what both have"
     assert "| knot | 96 | 1:1:1 | – | – | 0.95 | – | 10 |" in page
-    assert "→" not in quality.page(today)
-    assert "| knot 96 uint8 5% |" in quality.cases_table(today)
+    assert "→" not in picture_quality_page.page(today)
+    assert "| knot 96 uint8 5% |" in picture_quality_page.cases_table(today)
 
 
 def test_a_volume_of_which_nothing_is_drawn_is_a_bare_picture(small, knot, capsys):
@@ -117,7 +120,7 @@ def test_quality(case):
     bounds = BOUNDS[case]
     # Of the smallest case what the grid lets pictures reach, too.
     ceilings = case.surface == "knot"
-    results = quality.Group([case], tuple(bounds), None, None, ceilings)()
+    results = quality.Group([case], tuple(bounds), None, None, ceilings=ceilings)()
     assert {found.style for found in results} == set(bounds)
     for found in results:
         assert (found.f_ceiling != "") == (ceilings and found.style == "splatting-lines")

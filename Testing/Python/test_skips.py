@@ -9,6 +9,8 @@ import sys
 
 import pytest
 
+pytestmark = pytest.mark.one_build
+
 HERE = pathlib.Path(__file__).resolve().parent
 TESTS = """
 import pytest

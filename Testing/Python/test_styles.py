@@ -3,8 +3,10 @@
 
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
@@ -223,7 +225,7 @@ def test_draw_takes_what_people_have(volume, volume_file, tmp_path):
     ({"size": (120,)}, ValueError, ["size", "two whole numbers", "(120,)"]),
     ({"size": np.array([120.5, 80])}, ValueError, ["size", "two whole numbers", "120.5"]),
     ({"size": (0, 80)}, ValueError, ["size", "two whole numbers", "(0, 80)"]),
-    ({"output": "a.jpg"}, ValueError, [".png"]),
+    ({"output": "a.gif"}, ValueError, [".png", ".tif"]),
     ({"data": vtk.vtkTable()}, ValueError, ["stipple", "vtkTable"]),
     ({"data": vtk.vtkPolyData(), "style": "splatting-lines"}, ValueError, ["no points"]),
     ({"color_map": "viridis", "color_by": "pressure"}, ValueError, ["pressure"]),
@@ -294,8 +296,6 @@ def test_wrong_tables_are_refused(tmp_path, change, words):
 @pytest.mark.one_build
 def test_paraviews_properties(style, tmp_path):
     """Each sets its parameter by name; what decides whether one is shown is a property, too."""
-    import xml.etree.ElementTree as ElementTree
-
     template = tmp_path / "template.xml"
     groups = sorted({row.group for row in STYLES[style].parameters.values()})
     template.write_text("<p>\n      <!-- parameters -->\n" + "".join(f"<g>\n  <!-- group {group} -->\n</g>\n" for group in groups) + "</p>", encoding="utf-8")
@@ -317,3 +317,62 @@ def test_paraviews_properties(style, tmp_path):
         for decorator in element.iter("PropertyWidgetDecorator"):
             assert decorator.get("property") in {None, *properties}
     assert sorted(one.get("name") for one in tree.iter("Property") if one.get("function") is None) == sorted(properties)
+
+
+@pytest.fixture
+def filter_tables(tmp_path):
+    """Copies of all tables, and what makes a filter's XML of them."""
+    styles, plugin = tmp_path / "Styles", tmp_path / "Plugin" / "ServerManager"
+    for table in (ROOT / "Styles").glob("*/parameters.json"):
+        (styles / table.parent.name).mkdir(parents=True)
+        shutil.copy(table, styles / table.parent.name)
+    plugin.mkdir(parents=True)
+    for file in (ROOT / "Plugin/ServerManager").glob("*.json"):
+        shutil.copy(file, plugin)
+
+    def run(name, change=None, table=None):
+        if change:
+            path = plugin / f"{table or name}.json"
+            content = json.loads(path.read_text(encoding="utf-8"))
+            content["properties"].append(change)
+            path.write_text(json.dumps(content), encoding="utf-8")
+        return subprocess.run([sys.executable, ROOT / "Styles/Core/generate_parameters.py", "xml-filter", plugin / f"{name}.json",
+                               tmp_path / "out.xml", ROOT / "Plugin/ServerManager" / f"{name}.xml.in"],
+                              capture_output=True, text=True)  # fmt: skip
+
+    return run
+
+
+@pytest.mark.one_build
+def test_a_generators_parameter_is_a_property_of_its_filter(filter_tables, tmp_path):
+    """One row, for the style and for the filter; and one for both samplers of iso-surfaces."""
+    path = tmp_path / "Styles/Stipple/parameters.json"
+    table = json.loads(path.read_text(encoding="utf-8"))
+    group = next(one for one in table["groups"] if one["object"] == "generator")
+    group["parameters"].append({"name": "Grain", "type": "double", "range": [0, 3], "default": 1.5, "unit": "voxels", "data": "image",
+                                "if": {"GradientMethod": "regression"}, "text": "How coarse."})  # fmt: skip
+    path.write_text(json.dumps(table), encoding="utf-8")
+    assert filter_tables("StippleGenerator").returncode == 0
+    tree = ElementTree.parse(tmp_path / "out.xml").getroot()
+    (grain,) = [one for one in tree.iter("DoubleVectorProperty") if one.get("name") == "Grain"]
+    assert (grain.get("command"), grain.get("default_values"), grain.get("label")) == ("SetGrain", "1.5", None)
+    assert (grain.find("DoubleRangeDomain").get("min"), grain.find("DoubleRangeDomain").get("max")) == ("0", "3")
+    (decorator,) = grain.iter("PropertyWidgetDecorator")
+    assert (decorator.get("property"), decorator.get("value")) == ("GradientMethod", "1")
+    for name in ("IsoSurfaceSampler", "VDBIsoSurfaceSampler"):
+        row = {"name": "Grain", "type": "bool", "default": True, "text": "Grainy."} if name == "IsoSurfaceSampler" else None
+        assert filter_tables(name, row, "IsoSurfaceAlgorithm").returncode == 0
+        assert "SetGrain" in (tmp_path / "out.xml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("change, words", [
+    ({"name": "Oil", "type": "number", "default": 0, "text": "No type."}, ["Oil", "number"]),
+    ({"name": "Oil", "type": "int", "default": 0, "text": "No key.", "color": 1}, ["Oil", "color"]),
+    ({"name": "Oil", "type": "int", "default": 0}, ["Oil", "a text"]),
+    ({"name": "Oil", "type": "int", "default": 0, "text": "No row.", "if": {"Water": True}}, ["Oil", "Water"]),
+    ({"from": "Core", "name": "Oil"}, ["Oil", "Core"]),
+])
+@pytest.mark.one_build
+def test_wrong_tables_of_filters_are_refused(filter_tables, change, words):
+    result = filter_tables("Gradient", change)
+    assert result.returncode == 1 and all(word in result.stderr for word in words), result.stderr

@@ -13,7 +13,9 @@ vtkink = pytest.importorskip("vtkink")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SERVER_MANAGER = ROOT / "Plugin" / "ServerManager"
 sys.path.insert(0, str(ROOT / "Styles" / "Core"))
+import filter_properties  # noqa: E402
 import generate_parameters  # noqa: E402
+import paraview_properties  # noqa: E402
 
 INTEGERS = ("IntVectorProperty", "InkIntVectorProperty")
 PROPERTIES = (*INTEGERS, "DoubleVectorProperty", "InkDoubleVectorProperty")
@@ -49,8 +51,12 @@ def proxy_of(file, kind):
         text = path.read_text(encoding="utf-8")
     else:
         # As CMake makes it.
-        style = path.stem.removesuffix("Panel")
-        text = generate_parameters.xml(table_of(style), (SERVER_MANAGER / f"{file}.in").read_text(encoding="utf-8"))
+        template = (SERVER_MANAGER / f"{file}.in").read_text(encoding="utf-8")
+        table = path.with_suffix(".json")
+        if table.exists():
+            text = filter_properties.xml(filter_properties.read(str(table)), template)
+        else:
+            text = paraview_properties.xml(table_of(path.stem.removesuffix("Panel")), template)
     return xml.etree.ElementTree.fromstring(text).find(f".//{kind}")
 
 
@@ -135,14 +141,10 @@ PROXIES = {
     "SurfaceSampler.xml": surface_sampler,
 }
 if hasattr(vtkink, "vtkInkVDBReader"):
-    PROXIES["VDBReaders.xml"] = lambda: (
-        proxy_of("VDBReaders.xml", "SourceProxy[@name='InkVDBReader']"),
-        [vtkink.vtkInkVDBReader()],
-    )
-    PROXIES["VDBReaders.xml, sampler"] = lambda: (
-        proxy_of("VDBReaders.xml", "SourceProxy[@name='InkVDBIsoSurfaceSampler']"),
-        [vtkink.vtkInkVDBIsoSurfaceSampler()],
-    )
+    PROXIES["VDBReader.xml"] = lambda: (proxy_of("VDBReader.xml", "SourceProxy"), [vtkink.vtkInkVDBReader()])
+    PROXIES["VDBIsoSurfaceSampler.xml"] = lambda: (
+        proxy_of("VDBIsoSurfaceSampler.xml", "SourceProxy"), [vtkink.vtkInkVDBIsoSurfaceSampler()]
+    )  # fmt: skip
 
 
 def method_of(element, rows):
@@ -203,7 +205,7 @@ def test_defaults_are_equal(element, owner, name):
     assert owner is not None, f"no class has Get{name}"
     default = numbers(element.get("default_values"))
     # No range is that of all values.
-    assert default == (value(owner, name) or [-generate_parameters.ALL_VALUES, generate_parameters.ALL_VALUES])
+    assert default == (value(owner, name) or [-paraview_properties.ALL_VALUES, paraview_properties.ALL_VALUES])
 
 
 @pytest.mark.parametrize("element, owner, name", list(cases()))
@@ -297,14 +299,25 @@ def test_parameters_offer_what_their_style_takes(file):
             errors.clear()
 
 
+def is_abstract(cls):
+    try:
+        cls()
+    except TypeError:
+        return True
+    return False
+
+
 @pytest.mark.parametrize("file, make", PROXIES.items(), ids=PROXIES.keys())
 def test_no_property_is_forgotten(file, make):
     proxy, objects = make()
     offered = {method_of(element, rows_of(file))[len("Set") :] for element in proxy}
-    elsewhere = ELSEWHERE | {contours: CONTOURS_ELSEWHERE, contours_filter: {"Camera"}, stipple: STIPPLE_ELSEWHERE, splatting_lines: LINES_ELSEWHERE}.get(make, set())
+    elsewhere = ELSEWHERE | {contours: CONTOURS_ELSEWHERE, contours_filter: {"Camera"}, lines_of_curvature: {"Region"}, stipple: STIPPLE_ELSEWHERE, splatting_lines: LINES_ELSEWHERE}.get(make, set())
     for algorithm in objects:
         if type(algorithm).__name__.startswith("vtkInk") and not isinstance(algorithm, vtkink.vtkInkStyle):
-            own = {name[len("Set") :] for name in vars(type(algorithm)) if name.startswith("Set")}
+            # With what it has from a base that is nothing by itself, but for that of all mappers.
+            bases = [one for one in type(algorithm).__mro__[1:] if one.__name__.startswith("vtkInk") and one.__name__ != "vtkInkMapper"]
+            classes = [type(algorithm), *(one for one in bases if is_abstract(one))]
+            own = {name[len("Set") :] for one in classes for name in vars(one) if name.startswith("Set")}
             own = {name for name in own if hasattr(algorithm, f"Get{name}")}
             assert own - offered <= elsewhere
 

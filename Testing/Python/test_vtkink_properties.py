@@ -33,8 +33,11 @@ def enumerations(cls):
     return found
 
 
+# With those that they have from a base.
 CASES = [pytest.param(cls, name, values, id=f"{cls.__name__}.{name}")
-         for cls in FILTERS for name, values in enumerations(cls).items()]  # fmt: skip
+         for cls in FILTERS if cls is not vtkink.vtkInkIsoSurfaceAlgorithm
+         for one in cls.__mro__ if one.__name__.startswith("vtkInk")
+         for name, values in enumerations(one).items()]  # fmt: skip
 
 
 @pytest.mark.parametrize("cls, name, values", CASES)
@@ -86,6 +89,7 @@ NUMBERS = [
     ("vtkInkLinesOfCurvature", "StepFactor"),
     ("vtkInkLinesOfCurvature", "StopDistance"),
     ("vtkInkLinesOfCurvature", "UmbilicLimit"),
+    ("vtkInkPrincipalCurvature", "FeatureAngle"),
     ("vtkInkPrincipalCurvature", "FieldSmoothing"),
     ("vtkInkStippleGenerator", "GradientPercentile"),
     ("vtkInkStippleGenerator", "GradientThreshold"),

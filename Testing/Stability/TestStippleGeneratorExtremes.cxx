@@ -31,7 +31,8 @@ namespace
 
 using Change = std::function<void(vtkInkStippleGenerator*)>;
 
-/// Stipples the data with all that passes; all that comes out must be in bounds.
+/// Stipples the data with all that passes; all that comes out must be in bounds. There may be no message but
+/// one of faces that are not finite.
 vtkSmartPointer<vtkPolyData> Stipple(
   const std::string& name, vtkDataSet* data, const Change& change = [](vtkInkStippleGenerator*) {})
 {
@@ -42,6 +43,8 @@ vtkSmartPointer<vtkPolyData> Stipple(
   generator->SetThresholdModeToMagnitude();
   change(generator);
   generator->Update();
+  std::erase_if(messages->Messages,
+    [](const std::string& text) { return text.find(InkTestOddFaces) != std::string::npos; });
   EXPECT_TRUE(messages->Messages.empty() || generator->GetOutput()->GetNumberOfPoints() == 0)
     << name << ": no message, found " << (messages->Messages.empty() ? "" : messages->Messages[0]);
   vtkSmartPointer<vtkPolyData> output = generator->GetOutput();

@@ -38,4 +38,22 @@ inline vtkSmartPointer<vtkPolyData> InkTestOddMesh(double scale)
   return mesh;
 }
 
+/// What filters say of that mesh.
+inline constexpr const char* InkTestOddFaces =
+  "1 of 7 faces have points that are not finite; expected finite coordinates";
+
+/// The same with no face that has finite points only.
+inline vtkSmartPointer<vtkPolyData> InkTestNotFiniteMesh()
+{
+  const vtkSmartPointer<vtkPolyData> mesh = InkTestOddMesh(1.0);
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    mesh->GetPoints()->SetPoint(i, 0.0, std::numeric_limits<double>::infinity(), 0.0);
+  }
+  return mesh;
+}
+
+inline constexpr const char* InkTestNotFiniteFaces =
+  "all of its 7 faces have points that are not finite; expected finite coordinates";
+
 #endif

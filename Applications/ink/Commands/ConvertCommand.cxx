@@ -5,12 +5,11 @@
 #include "Errors.h"
 #include "OutputFile.h"
 #include "Progress.h"
-#include "Volume.h"
-#include "VolumeSlices.h"
 
 #include "Fields/Grid/GridField.h"
 #include "Fields/Vdb/VdbWrite.h"
 #include "InkImageGrid.h"
+#include "InkVolumeValues.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -82,7 +81,7 @@ void convert(const ConvertOptions& options)
 
   Progress progress(options.quiet);
   Input input = readInput(options.input, progress);
-  if (!input.volume)
+  if (!input.isVolume())
   {
     throw UsageError("'" + options.input.file.string() + "': expected a volume, found a mesh");
   }
@@ -91,10 +90,10 @@ void convert(const ConvertOptions& options)
   {
     throw Failure("cannot convert '" + options.input.file.string() +
       "': it is larger than memory; expected a larger --memory, found " +
-      memoryText(options.input.memory.limit));
+      InkFormatMemory(options.input.memory.Limit));
   }
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const FiniteRange values = findFiniteRange(*input.volume);
+  const FiniteRange values = InkFindFiniteRange(image);
   const double range[2] = { values.least, values.greatest };
   // Also for NaN.
   if (options.around && !(*options.around > range[0] && *options.around <= range[1]))

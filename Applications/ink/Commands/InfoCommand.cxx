@@ -2,10 +2,12 @@
 #include "InfoCommand.h"
 
 #include "Core/FormatNumber.h"
+#include "Errors.h"
+#include "MakeMarks.h"
 #include "Progress.h"
-#include "Volume.h"
-#include "VolumeSlices.h"
+#include "VtkMessages.h"
 
+#include "InkImageSlabs.h"
 #include "InkVolumeValues.h"
 
 #include "vtkCellArray.h"
@@ -84,18 +86,18 @@ struct Statistics
   std::vector<IsoSuggestion> suggestions;
 };
 
-Statistics examine(VolumeSlices& volume, Progress& progress)
+Statistics examine(InkImageSlabs& slabs, Progress& progress)
 {
   progress.step("looking at the values");
-  const FiniteRange values = findFiniteRange(volume);
-  return { values, suggestIsoValues(volume, progress) };
+  const FiniteRange values = InkFindFiniteRange(slabs);
+  return { values, InkSuggestIsoValues(slabs, [&](double done) { return progress.at(done), true; }) };
 }
 
 void describeVolume(
-  Description& description, const VolumeSlices& volume, const Input& input, const Statistics& statistics)
+  Description& description, const InkImageSlabs& slabs, const Input& input, const Statistics& statistics)
 {
   const auto& [values, suggestions] = statistics;
-  vtkImageData* image = volume.frame();
+  vtkImageData* image = slabs.GetFrame();
   const int* dimensions = image->GetDimensions();
   description.add("dimensions", formatDimensions(dimensions), std::vector<int>(dimensions, dimensions + 3));
   description.add("spacing", formatTriple(image->GetSpacing()), listOf(image->GetSpacing(), 3));
@@ -109,9 +111,9 @@ void describeVolume(
     description.add(
       "direction", formatTriple(d) + ", " + formatTriple(d + 3) + ", " + formatTriple(d + 6), listOf(d, 9));
   }
-  const std::string type = vtkImageScalarTypeNameMacro(volume.type());
-  description.add(
-    "type", type + " (" + std::to_string(8 * vtkDataArray::GetDataTypeSize(volume.type())) + " bits)", type);
+  const std::string type = vtkImageScalarTypeNameMacro(slabs.GetScalarType());
+  description.add("type",
+    type + " (" + std::to_string(8 * vtkDataArray::GetDataTypeSize(slabs.GetScalarType())) + " bits)", type);
   description.add("components", std::to_string(input.components), input.components);
   if (values.least > values.greatest)
   {
@@ -126,27 +128,31 @@ void describeVolume(
   {
     description.add("not finite", std::to_string(values.notFinite) + " voxels", values.notFinite);
   }
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::vector<std::string> lines;
+  const auto add = [&](double value, const std::string& shows, const nlohmann::ordered_json& keptShare)
+  {
+    list.push_back({ { "value", value }, { "shows", shows }, { "kept_share", keptShare } });
+    lines.push_back(formatNumber(value) + " (" + shows + ")");
+  };
   if (input.surfaceValue)
   {
-    description.add("suggested iso", formatNumber(*input.surfaceValue) + " (that of the file's surface)",
-      *input.surfaceValue);
-    return;
+    add(*input.surfaceValue, "that of the file's surface", nullptr);
   }
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const IsoSuggestion& suggestion : suggestions)
+  else
   {
-    list.push_back({ { "value", suggestion.value }, { "shows", InkDescribe(suggestion) },
-      { "kept_share", suggestion.keptShare } });
+    for (const IsoSuggestion& suggestion : suggestions)
+    {
+      add(suggestion.value, InkDescribe(suggestion), suggestion.keptShare);
+    }
   }
-  if (suggestions.empty())
+  if (lines.empty())
   {
-    description.add("suggested iso", "none: the volume has no two values", nullptr);
-    return;
+    lines.emplace_back("none: the volume has no two values");
   }
-  for (const IsoSuggestion& suggestion : suggestions)
+  for (const std::string& line : lines)
   {
-    const std::string line = formatNumber(suggestion.value) + " (" + InkDescribe(suggestion) + ")";
-    description.add(&suggestion == &suggestions.front() ? "suggested iso" : "", line, list);
+    description.add(&line == &lines.front() ? "suggested iso" : "", line, list);
   }
 }
 
@@ -177,23 +183,28 @@ void describeMesh(Description& description, vtkPolyData* mesh)
 Description describe(const InputOptions& options, Progress& progress)
 {
   const Input input = readInput(options, progress);
-  Statistics statistics;
-  if (input.volume)
-  {
-    statistics = examine(*input.volume, progress);
-  }
-  progress.finish();
   Description description;
   description.add("file", options.file.string());
   description.add("format", input.format);
-  if (input.volume)
+  if (input.image)
   {
-    describeVolume(description, *input.volume, input, statistics);
+    const VtkMessages messages;
+    try
+    {
+      InkImageSlabs slabs(input.image->GetOutputPort(), options.memory);
+      const Statistics statistics = examine(slabs, progress);
+      describeVolume(description, slabs, input, statistics);
+    }
+    catch (const std::runtime_error& error)
+    {
+      throw Failure(inTermsOfInk(messages.error().empty() ? error.what() : messages.error()));
+    }
   }
   else
   {
     describeMesh(description, vtkPolyData::SafeDownCast(input.data));
   }
+  progress.finish();
   for (const std::string& note : input.notes)
   {
     description.add("note", note, input.notes);

@@ -10,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <utility>
+
 namespace ink::cli
 {
 namespace
@@ -52,27 +54,52 @@ private:
 
 } // namespace
 
-void makeMarks(vtkInkStyle* style, vtkDataObject* data, std::vector<std::string>& notes, Progress& progress)
+void makeMarks(vtkInkStyle* style, const vtkInkStyle::Input& input, std::vector<std::string>& notes,
+  Progress& progress, const std::function<void()>& checkNone)
 {
   const VtkMessages messages;
   const FollowedStyle followed(style, progress);
-  if (const std::string problem = style->MakeMarks({ data }); !problem.empty())
+  const std::string problem = style->MakeMarks(input);
+  // What reads a file in parts says itself that it cannot.
+  const std::string error = messages.error();
+  if (!problem.empty())
   {
-    throw Failure(problem);
+    throw Failure(inTermsOfInk(error.empty() ? problem : error));
   }
   // What goes wrong inside of a style's algorithms is not theirs to tell.
-  if (const std::string error = messages.error(); !error.empty())
+  if (!error.empty())
   {
     throw Failure(std::string(style->GetLabel()) + ": " + error);
   }
   for (int i = 0; i < style->GetNumberOfNotes(); ++i)
   {
-    notes.emplace_back(style->GetNote(i));
+    notes.push_back(inTermsOfInk(style->GetNote(i)));
   }
   if (style->GetPiece(0)->GetNumberOfPoints() == 0)
   {
+    if (checkNone)
+    {
+      checkNone();
+    }
     throw Failure(notes.empty() ? "nothing to draw" : notes.back());
   }
+}
+
+std::string inTermsOfInk(const std::string& problem)
+{
+  std::string text = problem;
+  const std::pair<const char*, const char*> words[] = { { "(MaximumMemory)", "(--memory)" },
+    { "MaximumMemory", "--memory" }, { "less Smoothing", "less --smoothing" },
+    { "Smoothing 0 asks", "--smoothing 0 asks" }, { "Subdivision 1 asks", "--subdivision 1 asks" },
+    { "SeeThrough", "--see-through" }, { "or the style ", "or --style " } };
+  for (const auto& [from, to] : words)
+  {
+    if (const std::size_t found = text.find(from); found != std::string::npos)
+    {
+      text.replace(found, std::string(from).size(), to);
+    }
+  }
+  return text;
 }
 
 } // namespace ink::cli

@@ -6,7 +6,7 @@
 #include "Graphics.h"
 #include "OutputFile.h"
 #include "Pattern.h"
-#include "PictureEncoder.h"
+#include "PictureFile.h"
 #include "Progress.h"
 #include "RenderFrames.h"
 #include "Timings.h"
@@ -21,13 +21,6 @@
 
 namespace ink::cli
 {
-int PictureSize::supersampling() const
-{
-  // Only small pictures, whatever their shape.
-  const int wanted =
-    std::max(this->width, this->height) < leastHeight ? (leastHeight - 1) / this->height + 1 : 0;
-  return std::clamp(wanted, leastSupersampling, mostSupersampling);
-}
 
 int PictureSize::longestTile() const
 {
@@ -87,15 +80,20 @@ void render(const RenderOptions& options)
   Timings timings;
   const Input input = readInput(options.input, progress, wantedOf(options));
   timings.end("reading");
-  const StyledScene subject = SceneMaker(options).make(input, progress);
-  timings.end("generating");
-  progress.step("drawing");
   Drawing drawing(options);
   const std::vector<std::string> looked = drawing.look(input, options.input.file);
+  if (options.zoom > 1.0 || options.position || options.focalPoint)
+  {
+    options.style->SetSeenRegion([&](vtkPoints* frame) { return drawing.seenRegion(frame); });
+  }
+  const StyledScene subject = SceneMaker(options).make(input, progress);
+  options.style->SetSeenRegion(nullptr);
+  timings.end("generating");
+  progress.step("drawing");
   const auto fit = drawing.makeFit();
   fit->AddPoints(subject.frame, drawing.camera());
   writePicture(output, options.output, drawing.layout(),
-    [&](const RowSink& sink) { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
+    [&](const RowSink& sink) { drawing.draw(subject, fit, sink, progress.watcher()); });
   progress.finish();
   timings.endDrawing();
 

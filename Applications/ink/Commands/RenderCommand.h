@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Input.h"
-#include "View.h"
 
+#include "vtkInkView.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -19,13 +19,8 @@ class StyleArguments;
 /// Width and height of a picture in pixels.
 struct PictureSize
 {
-  /// What is rendered is this much larger on either side, or more; see supersampling.
-  static constexpr int leastSupersampling = 2;
-  static constexpr int mostSupersampling = 4;
-  /// Of what is rendered, in pixels: below it the least sizes in pixels that splats have make lines broader.
-  static constexpr int leastHeight = 500;
   /// OpenGL implementations of today draw 16384 pixels.
-  static constexpr int longestWindow = 16384 / leastSupersampling;
+  static constexpr int longestWindow = 16384 / vtkInkView::LEAST_SUPERSAMPLING;
   /// More than about a gigabyte of images should not be needed at once.
   static constexpr int mostPixelsAtOnce = 4'200'000;
   /// The side of tiles of what is larger, by default.
@@ -40,7 +35,7 @@ struct PictureSize
   int tile = 0; ///< the longest side of a tile, pixels; 0: none where the picture can be drawn at once
 
   /// How much larger what is rendered is on either side; see takePicture.
-  int supersampling() const;
+  int supersampling() const { return vtkInkView::GetSupersampling(this->width, this->height); }
 
   /// The longest side that is drawn at once.
   int longestTile() const;

@@ -4,7 +4,7 @@
 #include "Drawing.h"
 #include "InkHasPolygons.h"
 #include "OutputFile.h"
-#include "PictureEncoder.h"
+#include "PictureFile.h"
 #include "Progress.h"
 #include "RenderCommand.h"
 #include "Video.h"
@@ -50,7 +50,8 @@ public:
   }
 
   /// @param draw hands over all rows
-  void write(std::size_t frame, const PictureLayout& layout, const std::function<void(const RowSink&)>& draw)
+  void write(
+    std::size_t frame, const io::PictureLayout& layout, const std::function<void(const RowSink&)>& draw)
   {
     if (this->Film)
     {
@@ -132,11 +133,7 @@ void turn(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
   {
     progress.step("drawing frame " + std::to_string(i + 1) + " of " + std::to_string(frames));
     output.write(i, drawing.layout(),
-      [&](const RowSink& sink)
-      {
-        drawing.draw(
-          subject, fit, sink, [&](double done) { progress.at(done); }, angle(i));
-      });
+      [&](const RowSink& sink) { drawing.draw(subject, fit, sink, progress.watcher(), angle(i)); });
   }
 }
 
@@ -184,8 +181,7 @@ void play(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
     progress.step(
       "drawing frame " + std::to_string(i + 1) + " of " + std::to_string(animation.frames.size()));
     output.write(i, drawing.layout(),
-      [&](const RowSink& sink)
-      { drawing.draw(subject, fit, sink, [&](double done) { progress.at(done); }); });
+      [&](const RowSink& sink) { drawing.draw(subject, fit, sink, progress.watcher()); });
   }
 }
 

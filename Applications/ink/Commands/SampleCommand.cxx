@@ -24,7 +24,7 @@ void sample(const SampleOptions& options)
   Progress progress(options.quiet);
   const Input input = readInput(
     options.input, progress, options.volume.isoValues.empty() ? Wanted::Surface : Wanted::GivenSurfaces);
-  PointStore points(options.input.memory.forKeptPoints(), output.temporaryFolder());
+  PointStore points(options.input.memory.ForKeptPoints(), output.temporaryFolder());
   std::vector<std::string> notes = input.notes;
   requireSlices(input);
   if (input.isVolume())

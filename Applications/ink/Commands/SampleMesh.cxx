@@ -21,8 +21,9 @@ vtkSmartPointer<vtkPolyData> sampleMesh(
   {
     throw UsageError(cloud.given + ": expected points without polygons, found a mesh");
   }
-  // As they are drawn.
+  // As they are drawn, but on the polygons that are there.
   vtkNew<vtkInkSplattingLinesStyle> style;
+  style->CurvedMeshesOff();
   vtkInkSurfaceSampler* sampler = style->GetSurfaceSampler();
   style->SetNumberOfSamples(sampling.count.value_or(-1));
   if (sampling.radius)
@@ -42,7 +43,7 @@ vtkSmartPointer<vtkPolyData> sampleMesh(
     sampler->OrientTowardsViewpointOn();
     sampler->SetViewpoint(cloud.viewpoint->data());
   }
-  makeMarks(style, mesh, notes, progress);
+  makeMarks(style, { mesh }, notes, progress);
   return style->GetPiece(0);
 }
 

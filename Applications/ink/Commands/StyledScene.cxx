@@ -4,34 +4,22 @@
 #include "Errors.h"
 #include "InkHasPolygons.h"
 #include "MakeMarks.h"
-#include "PointStore.h"
 #include "RenderCommand.h"
 #include "SampleVolume.h"
 #include "StyleArguments.h"
-#include "Volume.h"
-#include "VolumeSlices.h"
 
-#include "InkSurfaceParts.h"
+#include "InkVolumeValues.h"
 
-#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkInkIllustrationStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkSurfaceSampler.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-
-#include <algorithm>
-#include <cstdint>
-#include <numeric>
 
 namespace ink::cli
 {
 namespace
 {
-
-// A point as it is made, as it is drawn, and as OpenGL may keep it.
-constexpr std::uint64_t drawnPointBytes = 100;
 
 std::vector<double> isoValuesOf(vtkInkStyle* style)
 {
@@ -42,33 +30,6 @@ std::vector<double> isoValuesOf(vtkInkStyle* style)
 bool isSeeThrough(vtkInkStyle* style)
 {
   return vtkInkIllustrationStyle::SafeDownCast(style) && style->GetParameter("SeeThrough") != 0.0;
-}
-
-ink::ComponentSelection partsOf(vtkInkStyle* style)
-{
-  return { style->GetParameter("SmallestPart"),
-    static_cast<std::size_t>(style->GetParameter("LargestParts")) };
-}
-
-/// Parts of surfaces that were sampled a few slices at a time.
-void keepParts(
-  vtkPolyData* points, std::vector<std::size_t>& counts, const ink::ComponentSelection& selection)
-{
-  vtkPointData* data = points->GetPointData();
-  const vtkSmartPointer<vtkDataArray> ids = data->GetArray("CellId");
-  data->RemoveArray("CellId");
-  std::vector<vtkDataArray*> arrays{ points->GetPoints()->GetData() };
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    arrays.push_back(data->GetArray(i));
-  }
-  const auto* cells = static_cast<const ink::ActiveCellId*>(ids->GetVoidPointer(0));
-  InkKeepParts({ cells, static_cast<std::size_t>(ids->GetNumberOfValues()) }, selection, arrays, counts);
-  const auto left = static_cast<vtkIdType>(std::accumulate(counts.begin(), counts.end(), std::size_t{ 0 }));
-  for (vtkDataArray* array : arrays)
-  {
-    array->SetNumberOfTuples(left);
-  }
 }
 
 void setIsoValues(vtkInkStyle* style, const std::vector<double>& values)
@@ -116,6 +77,11 @@ SceneMaker::SceneMaker(const RenderOptions& options, bool follow)
   {
     lines->GetSurfaceSampler()->SetFollowDeformation(follow);
   }
+  // Samples follow faces, and how a mesh is divided changes with its form.
+  if (follow && !options.parameters->gives("CurvedMeshes"))
+  {
+    options.style->SetCurvedMeshes(false);
+  }
 }
 
 void SceneMaker::keepIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress)
@@ -124,7 +90,7 @@ void SceneMaker::keepIsoValue(const Input& input, std::vector<std::string>& note
   // See-through, a volume has two, which are chosen together.
   if (isoValuesOf(this->Options.style).empty() && input.isVolume() && !isSeeThrough(this->Options.style))
   {
-    setIsoValues(this->Options.style, chooseIsoValue(input, notes, progress));
+    setIsoValues(this->Options.style, chooseIsoValue(input, this->Options.input.memory, notes, progress));
   }
 }
 
@@ -133,94 +99,32 @@ StyledScene SceneMaker::make(const Input& input, Progress& progress)
   requireSlices(input);
   vtkInkStyle* style = this->Options.style;
   this->Options.parameters->checkData(kindOf(input), nameOf(kindOf(input)));
-  StyledScene subject;
-  subject.style = style;
-  vtkSmartPointer<vtkDataObject> data = input.data;
-  // Lines need the points of surfaces and nothing else of a volume that is larger than memory.
-  if (input.isVolume() && !data && linesOf(style))
+  StyledScene scene;
+  scene.style = style;
+  style->SetMaximumMemory(input.isVolume() ? this->Options.input.memory.GetMebibytes() : 0);
+  if (input.data)
   {
-    data = this->sampleSurfaces(input, subject.notes, progress);
+    this->prepareVolume(input, scene.notes);
+    makeMarks(style, { input.data }, scene.notes, progress);
   }
-  else if (input.isVolume())
+  else
   {
-    this->prepareVolume(input, subject.notes);
+    std::vector<double> values = isoValuesOf(style);
+    takeSurfaceValue(input, values, scene.notes);
+    const auto check = [&] { checkIsoValues(values, input.sampler->FindRange()); };
+    makeMarks(style, { .Surfaces = input.sampler }, scene.notes, progress, check);
+    check();
   }
-  makeMarks(style, data, subject.notes, progress);
-  subject.frame = style->GetFramePoints();
-  if (input.isVolume())
-  {
-    this->requireMemoryFor(style->GetPiece(0)->GetNumberOfPoints());
-  }
+  scene.frame = style->GetFramePoints();
   style->Show();
-  return subject;
-}
-
-void SceneMaker::requireMemoryFor(vtkIdType points) const
-{
-  const std::uint64_t limit = this->Options.input.memory.limit;
-  const std::uint64_t bytes = static_cast<std::uint64_t>(points) * drawnPointBytes;
-  if (bytes > limit)
-  {
-    throw Failure("the surface has " + std::to_string(points) +
-      " points or more, which cannot be drawn in less than " + memoryText(bytes) +
-      ": expected --memory of more than that, found " + memoryText(limit));
-  }
-}
-
-vtkSmartPointer<vtkPolyData> SceneMaker::sampleSurfaces(
-  const Input& input, std::vector<std::string>& notes, Progress& progress)
-{
-  if (isSeeThrough(this->Options.style))
-  {
-    throw Failure("--see-through needs the whole volume in memory: expected a volume of voxels and more "
-                  "--memory, or one surface");
-  }
-  const Memory& memory = this->Options.input.memory;
-  VolumeSampling sampling;
-  sampling.isoValues = isoValuesOf(this->Options.style);
-  const ink::ComponentSelection parts = partsOf(this->Options.style);
-  sampling.cut = static_cast<int>(this->Options.style->GetParameter("Cut"));
-  sampling.cellIds = input.volume && !parts.keepsAll();
-  sampling.parts = parts;
-  // What is automatic needs the whole volume.
-  sampling.smoothing = std::max(this->Options.style->GetParameter("Smoothing"), 0.0);
-  sampling.smoothingTarget = static_cast<int>(this->Options.style->GetParameter("SmoothingTarget"));
-  sampling.subdivision = std::max(static_cast<int>(this->Options.style->GetParameter("Subdivision")), 1);
-  PointStore points(memory.limit, {});
-  std::vector<std::size_t> counts;
-  const auto keep = [&](int index, vtkPolyData* part)
-  {
-    const auto surface = static_cast<std::size_t>(index);
-    counts.resize(std::max(counts.size(), surface + 1));
-    counts[surface] += static_cast<std::size_t>(part->GetNumberOfPoints());
-    this->requireMemoryFor(static_cast<vtkIdType>(points.size()) + part->GetNumberOfPoints());
-    points.add(index, part);
-  };
-  notes = sampleVolume(input, sampling, memory, keep, progress);
-  const vtkSmartPointer<vtkPolyData> all = points.take();
-  if (sampling.cellIds)
-  {
-    keepParts(all, counts, parts);
-  }
-  return all;
+  return scene;
 }
 
 void SceneMaker::prepareVolume(const Input& input, std::vector<std::string>& notes)
 {
   vtkInkStyle* style = this->Options.style;
-  if (!input.data)
-  {
-    const VolumeSlices& volume = *input.volume;
-    std::uint64_t bytes = static_cast<std::uint64_t>(vtkDataArray::GetDataTypeSize(volume.type()));
-    for (const int n : volume.dimensions())
-    {
-      bytes *= static_cast<std::uint64_t>(n);
-    }
-    throw Failure("--style " + std::string(style->GetName()) + " needs the whole volume at once, " +
-      memoryText(bytes) + ": expected --memory of " + memoryText(Memory::limitFor(bytes, 2)) +
-      " or more, or --style illustration");
-  }
-  if (isWithoutIsoValues(style, *this->Options.parameters))
+  auto* image = vtkImageData::SafeDownCast(input.data);
+  if (!image || isWithoutIsoValues(style, *this->Options.parameters))
   {
     return;
   }
@@ -228,7 +132,7 @@ void SceneMaker::prepareVolume(const Input& input, std::vector<std::string>& not
   takeSurfaceValue(input, values, notes);
   if (linesOf(style) || !values.empty())
   {
-    checkIsoValues(values, findFiniteRange(*input.volume));
+    checkIsoValues(values, InkFindFiniteRange(image));
   }
   if (!values.empty())
   {

@@ -45,11 +45,6 @@ public:
   void keepIsoValue(const Input& input, std::vector<std::string>& notes, Progress& progress);
 
 private:
-  /// All points of a volume's surfaces, which may be larger than memory.
-  vtkSmartPointer<vtkPolyData> sampleSurfaces(
-    const Input& input, std::vector<std::string>& notes, Progress& progress);
-  /// @throws Failure if so many points of a surface cannot be drawn
-  void requireMemoryFor(vtkIdType points) const;
   /// What of the volume the style needs to know before it makes marks of it.
   void prepareVolume(const Input& input, std::vector<std::string>& notes);
 

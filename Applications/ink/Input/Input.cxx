@@ -2,18 +2,22 @@
 #include "Input.h"
 
 #include "Core/FormatNumber.h"
-#include "Crop.h"
 #include "Errors.h"
 #include "ReadError.h"
 #include "ReadFile.h"
-#include "Series.h"
-#include "VolumeSlices.h"
+
+#include "FileSeries.h"
+#include "InkImageGrid.h"
 
 #include "vtkImageData.h"
+#include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkMeshReader.h"
 #include "vtkInkVolumeReader.h"
+#include "vtkNew.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -36,7 +40,12 @@ std::string knownSuffixes()
 #ifdef INK_WITH_OPENVDB
   list += std::string(" ") + vdbSuffix;
 #endif
-  return list + " " + vtkInkMeshReader::GetFileExtensions();
+  std::istringstream meshes(vtkInkMeshReader::GetFileExtensions());
+  for (std::string suffix; meshes >> suffix;)
+  {
+    list += contains(list, suffix) ? "" : " " + suffix;
+  }
+  return list;
 }
 
 Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress& progress)
@@ -45,17 +54,18 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   io::checkExists(file);
   if (fs::is_directory(file))
   {
-    return readVolume(file, {}, options.memory, progress);
+    return readVolume(options, progress);
   }
   if (options.raw)
   {
-    return readVolume(file, options.raw, options.memory, progress);
+    return readVolume(options, progress);
   }
   const std::string suffix = io::suffixOf(file);
 #ifdef INK_WITH_OPENVDB
   if (suffix == vdbSuffix)
   {
-    return readVdb(file, options.grid, wanted, options.memory, progress);
+    // What is cut out of a volume is cut out of its voxels.
+    return readVdb(options, options.crop ? Wanted::Values : wanted, progress);
   }
 #else
   if (suffix == vdbSuffix)
@@ -67,14 +77,19 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   {
     throw UsageError("--grid: only OpenVDB files have grids, '" + file.string() + "' is none");
   }
+  // Legacy VTK files of both have one suffix.
+  if (suffix == ".vtk" && vtkNew<vtkInkMeshReader>()->CanReadFile(file.c_str()))
+  {
+    return readMesh(options, progress);
+  }
   if (contains(vtkInkVolumeReader::GetFileExtensions(), suffix) ||
     vtkInkVolumeReader::IsDicomFile(file.c_str()))
   {
-    return readVolume(file, {}, options.memory, progress);
+    return readVolume(options, progress);
   }
   if (contains(vtkInkMeshReader::GetFileExtensions(), suffix))
   {
-    return readMesh(file, progress);
+    return readMesh(options, progress);
   }
   if (suffix == ".vtr" || suffix == ".vts" || suffix == ".vtu")
   {
@@ -87,7 +102,7 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
         "them (.vti, "
         ".vtp), or VTK's vtkResampleToImage and vtkDataSetSurfaceFilter");
   }
-  if (isSeries(file))
+  if (io::isSeries(file))
   {
     failToRead(file, "it is a series of files, which only 'ink render' takes; expected one file");
   }
@@ -100,29 +115,34 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
 
 Input readInput(const InputOptions& options, Progress& progress, Wanted wanted)
 {
-  // What is cut out of a volume is cut out of its voxels.
-  Input input = read(options, options.crop ? Wanted::Values : wanted, progress);
-  if (options.crop)
+  Input input = read(options, wanted, progress);
+  if (vtkImageData::SafeDownCast(input.data))
   {
-    crop(input, *options.crop);
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(input.data);
+    input.image = producer;
   }
-  if (auto* image = vtkImageData::SafeDownCast(input.data))
+  if (input.image)
   {
-    input.volume = std::make_shared<VolumeSlices>(image);
+    vtkNew<vtkInkIsoSurfaceSampler> sampler;
+    sampler->SetInputConnection(input.image->GetOutputPort());
+    sampler->SetMaximumMemory(options.memory.GetMebibytes());
+    input.sampler = sampler;
   }
   return input;
 }
 
 void requireSlices(const Input& input)
 {
-  if (!input.volume)
+  if (!input.image)
   {
     return;
   }
-  const auto& dimensions = input.volume->dimensions();
-  if (*std::min_element(dimensions.begin(), dimensions.end()) < 2)
+  input.image->UpdateInformation();
+  const int* dimensions = InkMakeFrame(input.image->GetOutputInformation(0))->GetDimensions();
+  if (*std::min_element(dimensions, dimensions + 3) < 2)
   {
-    throw Failure("the volume is a single slice, " + formatDimensions(dimensions.data()) +
+    throw Failure("the volume is a single slice, " + formatDimensions(dimensions) +
       " voxels: expected two slices or more in each direction, so that there are surfaces between them");
   }
 }

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "Memory.h"
-#include "SampleVolume.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkInkIsoSurfaceAlgorithm.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +18,6 @@ namespace ink::cli
 {
 
 class Progress;
-class VolumeSlices;
 
 /// How the voxels of a file without a header lie in it, x fastest.
 struct RawLayout
@@ -41,7 +40,7 @@ struct InputOptions
   std::string grid;             ///< of an OpenVDB file; empty: the first that can be read
   std::optional<std::array<double, 6>>
     crop; ///< the part to keep: x, y and z from and to, in world coordinates
-  Memory memory;
+  InkMemoryBudget memory = usualMemory();
 };
 
 /// What was read.
@@ -50,16 +49,18 @@ struct Input
   /// vtkImageData with point scalars of one component, or vtkPolyData with points. Null for a volume that is
   /// larger than memory.
   vtkSmartPointer<vtkDataObject> data;
-  std::shared_ptr<VolumeSlices> volume; ///< null for a mesh
-  /// Instead of `volume` where only surfaces were wanted and the file itself can be sampled.
-  VolumeSampler volumeSampler;
+  /// What makes the image of a volume, in parts where it is larger than memory. Null for a mesh, and for a
+  /// sparse volume that only surfaces are wanted of.
+  vtkSmartPointer<vtkAlgorithm> image;
+  /// What samples the surfaces of a volume, a few slices at a time where memory asks for it. Null for a mesh.
+  vtkSmartPointer<vtkInkIsoSurfaceAlgorithm> sampler;
   std::string format;
   /// What of the file was not used as it is, each a sentence without its dot.
   std::vector<std::string> notes;
   int components = 1;                 ///< that the file's voxels have
   std::optional<double> surfaceValue; ///< the iso-value that the file is about, if it says one
 
-  bool isVolume() const { return this->volume || this->volumeSampler; }
+  bool isVolume() const { return this->sampler != nullptr; }
 };
 
 /// What of a volume is needed.
@@ -71,7 +72,7 @@ enum class Wanted
 };
 
 /// Reads a volume or a mesh; which of them, and in which format, the file's name tells. Sparse volumes are
-/// left to Input::volumeSampler where surfaces are wanted and nothing else. @throws Failure if it cannot be
+/// left to Input::sampler where surfaces are wanted and nothing else. @throws Failure if it cannot be
 /// read whole, with the reason.
 Input readInput(const InputOptions& options, Progress& progress, Wanted wanted = Wanted::Values);
 

@@ -6,7 +6,11 @@
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkInkCrop.h"
+#include "vtkNew.h"
+#include "vtkTrivialProducer.h"
 
+#include <cctype>
 #include <exception>
 #include <functional>
 
@@ -43,6 +47,16 @@ void run(vtkAlgorithm* reader, const std::filesystem::path& file, const std::fun
   }
 }
 
+/// @throws Failure with what cropping complained about
+void requireNoProblem(const VtkMessages& messages)
+{
+  if (std::string problem = messages.error(); !problem.empty())
+  {
+    problem[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(problem[0])));
+    throw Failure("--crop: " + problem);
+  }
+}
+
 } // namespace
 
 void failToRead(const std::filesystem::path& file, const std::string& reason)
@@ -50,15 +64,45 @@ void failToRead(const std::filesystem::path& file, const std::string& reason)
   throw Failure("cannot read '" + file.string() + "': " + reason);
 }
 
-void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const Memory& memory)
+void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const InkMemoryBudget& memory)
 {
-  if (bytes > memory.limit)
+  if (bytes > memory.Limit)
   {
     failToRead(file,
-      "its voxels take " + memoryText(bytes) + ": expected --memory of at least that, found " +
-        memoryText(memory.limit) +
+      "its voxels take " + InkFormatMemory(bytes) + ": expected --memory of at least that, found " +
+        InkFormatMemory(memory.Limit) +
         " (uncompressed NIfTI, NRRD, MetaImage, legacy VTK and raw files need not fit)");
   }
+}
+
+vtkSmartPointer<vtkAlgorithm> cropped(vtkAlgorithm* source, const InputOptions& options)
+{
+  if (!options.crop)
+  {
+    return source;
+  }
+  vtkNew<vtkInkCrop> crop;
+  crop->SetBox(options.crop->data());
+  crop->SetInputConnection(source->GetOutputPort());
+  const VtkMessages messages;
+  crop->UpdateInformation();
+  requireNoProblem(messages);
+  return crop;
+}
+
+vtkSmartPointer<vtkDataObject> cropped(vtkDataObject* data, const InputOptions& options)
+{
+  if (!options.crop)
+  {
+    return data;
+  }
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(data);
+  const vtkSmartPointer<vtkAlgorithm> crop = cropped(producer, options);
+  const VtkMessages messages;
+  crop->Update();
+  requireNoProblem(messages);
+  return crop->GetOutputDataObject(0);
 }
 
 void runReader(vtkAlgorithm* reader, const std::filesystem::path& file, Progress& progress)

@@ -21,7 +21,13 @@ void readHeader(vtkAlgorithm* reader, const std::filesystem::path& file, Progres
 [[noreturn]] void failToRead(const std::filesystem::path& file, const std::string& reason);
 
 /// @throws Failure if voxels of so many bytes, which are read whole, are more than memory has room for.
-void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const Memory& memory);
+void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const InkMemoryBudget& memory);
+
+/// What keeps the part that --crop names of what an algorithm makes; the algorithm itself without --crop.
+/// @throws Failure if nothing of an image, which only UpdateInformation is asked of, is left
+vtkSmartPointer<vtkAlgorithm> cropped(vtkAlgorithm* source, const InputOptions& options);
+/// The same of data. @throws Failure if nothing is left
+vtkSmartPointer<vtkDataObject> cropped(vtkDataObject* data, const InputOptions& options);
 
 /// Adds the notes of a reader to those of what it read.
 template <class Reader>
@@ -34,10 +40,8 @@ void takeNotes(Reader* reader, Input& input)
 }
 
 /// One of these for each kind of input; all as readInput.
-Input readVolume(const std::filesystem::path& file, const std::optional<RawLayout>& raw, const Memory& memory,
-  Progress& progress);
-Input readVdb(const std::filesystem::path& file, const std::string& grid, Wanted wanted, const Memory& memory,
-  Progress& progress);
-Input readMesh(const std::filesystem::path& file, Progress& progress);
+Input readVolume(const InputOptions& options, Progress& progress);
+Input readVdb(const InputOptions& options, Wanted wanted, Progress& progress);
+Input readMesh(const InputOptions& options, Progress& progress);
 
 } // namespace ink::cli

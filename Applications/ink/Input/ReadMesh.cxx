@@ -10,13 +10,13 @@
 namespace ink::cli
 {
 
-Input readMesh(const std::filesystem::path& file, Progress& progress)
+Input readMesh(const InputOptions& options, Progress& progress)
 {
   vtkNew<vtkInkMeshReader> reader;
-  reader->SetFileName(file.c_str());
-  runReader(reader, file, progress);
+  reader->SetFileName(options.file.c_str());
+  runReader(reader, options.file, progress);
   Input input;
-  input.data = reader->GetOutput();
+  input.data = cropped(reader->GetOutput(), options);
   input.format = reader->GetFormat();
   takeNotes(reader.Get(), input);
   return input;

@@ -4,13 +4,13 @@
 #include "Core/FormatNumber.h"
 #include "Errors.h"
 #include "Progress.h"
-#include "SampleVdb.h"
+
+#include "InkImageSlabs.h"
 
 #include "vtkImageData.h"
-#include "vtkInformation.h"
+#include "vtkInkVDBIsoSurfaceSampler.h"
 #include "vtkInkVDBReader.h"
 #include "vtkNew.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "Fields/Vdb/VdbGrid.h"
 
@@ -23,50 +23,38 @@ namespace ink::cli
 namespace
 {
 
-void requireMemory(
-  const std::filesystem::path& file, const std::string& what, std::uint64_t bytes, const Memory& memory)
+void requireMemory(const std::filesystem::path& file, const std::string& what, std::uint64_t bytes,
+  const InkMemoryBudget& memory)
 {
-  if (bytes > memory.forWholeVolume())
+  if (bytes > memory.ForWholeImage())
   {
     failToRead(file,
-      what + " takes " + memoryText(bytes) + ": expected --memory " + memoryText(Memory::limitFor(bytes, 2)) +
-        " or more, found " + memoryText(memory.limit));
+      what + " takes " + InkFormatMemory(bytes) + ": expected --memory " +
+        InkFormatMemory(InkMemoryBudget::LimitFor(bytes, 2)) + " or more, found " +
+        InkFormatMemory(memory.Limit));
   }
 }
 
-/// Of the image, from its extent.
-std::uint64_t announcedBytes(vtkInkVDBReader* reader, const VdbGridInfo& grid)
+vtkSmartPointer<vtkImageData> readImage(
+  const InputOptions& options, const VdbGridInfo& grid, std::uint64_t treeBytes, Progress& progress)
 {
-  const int* extent = reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  double bytes = grid.isDouble ? sizeof(double) : sizeof(float);
-  for (int i = 0; i < 3; ++i)
-  {
-    bytes *= std::max(static_cast<double>(extent[2 * i + 1]) - extent[2 * i] + 1.0, 0.0);
-  }
-  // A sparse grid's box may have more voxels than there are numbers of 64 bits.
-  constexpr double moreThanAnyMachine = 1LL << 60;
-  return static_cast<std::uint64_t>(std::min(bytes, moreThanAnyMachine));
-}
-
-vtkSmartPointer<vtkImageData> readImage(const std::filesystem::path& file, const VdbGridInfo& grid,
-  std::uint64_t treeBytes, const Memory& memory, Progress& progress)
-{
+  const std::filesystem::path& file = options.file;
   vtkNew<vtkInkVDBReader> reader;
   reader->SetFileName(file.c_str());
   reader->SetGridName(grid.name.c_str());
   reader->SetMaximumMemory(0);
   readHeader(reader, file, progress);
-  requireMemory(
-    file, "grid '" + grid.name + "' as an image", announcedBytes(reader, grid) + treeBytes, memory);
+  const std::uint64_t bytes = InkImageSlabs::GetBytes(reader->GetOutputInformation(0));
+  requireMemory(file, "grid '" + grid.name + "' as an image", bytes + treeBytes, options.memory);
   runReader(reader, file, progress);
   return reader->GetOutput();
 }
 
 } // namespace
 
-Input readVdb(const std::filesystem::path& file, const std::string& grid, Wanted wanted, const Memory& memory,
-  Progress& progress)
+Input readVdb(const InputOptions& options, Wanted wanted, Progress& progress)
 {
+  const std::filesystem::path& file = options.file;
   progress.step("reading " + file.filename().string());
   ink::VdbFile list;
   ink::VdbGridInfo chosen;
@@ -75,30 +63,33 @@ Input readVdb(const std::filesystem::path& file, const std::string& grid, Wanted
   {
     std::ifstream in(file, std::ios::binary);
     list = ink::VdbFile::list(in);
-    chosen = list.find(grid);
+    chosen = list.find(options.grid);
     treeBytes = ink::VdbGrid::memoryOf(in, chosen);
   }
   catch (const ink::VdbError& error)
   {
     failToRead(file, error.what());
   }
-  requireMemory(file, "grid '" + chosen.name + "'", treeBytes, memory);
+  requireMemory(file, "grid '" + chosen.name + "'", treeBytes, options.memory);
 
   Input input;
   input.format = "OpenVDB grid '" + chosen.name + "'";
   if (wanted == Wanted::GivenSurfaces || (wanted == Wanted::Surface && chosen.surface))
   {
-    const std::uint64_t voxels = treeBytes / (chosen.isDouble ? sizeof(double) : sizeof(float));
-    input.volumeSampler = makeVdbSampler(file, chosen, voxels);
+    vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
+    sampler->SetFileName(file.c_str());
+    sampler->SetGridName(chosen.name.c_str());
+    sampler->SetMaximumMemory(options.memory.GetMebibytes());
+    input.sampler = sampler;
   }
   else
   {
-    const vtkSmartPointer<vtkImageData> image = readImage(file, chosen, treeBytes, memory, progress);
+    const vtkSmartPointer<vtkImageData> image = readImage(options, chosen, treeBytes, progress);
     if (image->GetNumberOfPoints() == 0)
     {
       failToRead(file, "it holds no voxels");
     }
-    input.data = image;
+    input.data = cropped(image, options);
   }
   input.surfaceValue = chosen.surface;
   if (list.grids.size() > 1)

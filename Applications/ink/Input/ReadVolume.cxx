@@ -1,41 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadFile.h"
 
+#include "InkImageSlabs.h"
 #include "Progress.h"
-#include "RawVolume.h"
-#include "VolumeSlices.h"
 
-#include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInkVolumeReader.h"
 #include "vtkNew.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 
 namespace ink::cli
 {
-namespace
-{
 
-/// Where the voxels lie that a reader has not read.
-vtkSmartPointer<vtkImageData> frameOf(vtkAlgorithm* reader)
-{
-  vtkInformation* info = reader->GetOutputInformation(0);
-  auto frame = vtkSmartPointer<vtkImageData>::New();
-  frame->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
-  frame->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
-  frame->SetSpacing(info->Get(vtkDataObject::SPACING()));
-  frame->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
-  return frame;
-}
-
-} // namespace
-
-Input readVolume(const std::filesystem::path& file, const std::optional<RawLayout>& raw, const Memory& memory,
-  Progress& progress)
+Input readVolume(const InputOptions& options, Progress& progress)
 {
   vtkNew<vtkInkVolumeReader> reader;
-  reader->SetFileName(file.c_str());
-  if (raw)
+  reader->SetFileName(options.file.c_str());
+  if (const std::optional<RawLayout>& raw = options.raw)
   {
     reader->RawOn();
     reader->SetRawDimensions(raw->dimensions[0], raw->dimensions[1], raw->dimensions[2]);
@@ -43,19 +24,24 @@ Input readVolume(const std::filesystem::path& file, const std::optional<RawLayou
     reader->SetRawSpacing(raw->spacing[0], raw->spacing[1], raw->spacing[2]);
     reader->SetRawBigEndian(raw->bigEndian);
   }
-  readHeader(reader, file, progress);
+  readHeader(reader, options.file, progress);
+  const vtkSmartPointer<vtkAlgorithm> source = cropped(reader, options);
 
   Input input;
-  const auto bytes = static_cast<std::uint64_t>(reader->GetMemorySize());
-  if (const io::RawVolume* voxels = reader->GetStoredVoxels(); voxels && bytes > memory.forWholeVolume())
+  auto bytes = static_cast<std::uint64_t>(reader->GetMemorySize());
+  if (options.crop)
   {
-    input.volume = std::make_shared<VolumeSlices>(frameOf(reader), *voxels, memory);
+    bytes = std::min(bytes, InkImageSlabs::GetBytes(source->GetOutputInformation(0)));
+  }
+  if (reader->HasPlainVoxels() && bytes > options.memory.ForWholeImage())
+  {
+    input.image = source;
   }
   else
   {
-    requireMemory(file, bytes, memory);
-    runReader(reader, file, progress);
-    input.data = reader->GetOutput();
+    requireMemory(options.file, bytes, options.memory);
+    runReader(source, options.file, progress);
+    input.data = source->GetOutputDataObject(0);
   }
   input.format = reader->GetFormat();
   input.components = reader->GetNumberOfFileComponents();

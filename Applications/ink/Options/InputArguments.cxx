@@ -24,7 +24,7 @@ constexpr const char* vdbSuffix = "";
 std::string InputArguments::fileHelp(const std::string& mesh)
 {
   return "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .vti .vtk .dcm" + std::string(vdbSuffix) +
-    ", a folder of DICOM files, or any file with --raw;\n" + mesh + ": .ply .obj .stl .vtp .xyz";
+    ", a folder of DICOM files, or any file with --raw;\n" + mesh + ": .ply .obj .stl .vtp .vtk .xyz";
 }
 
 void InputArguments::addFile(CLI::App* command, const std::string& mesh)
@@ -99,7 +99,7 @@ InputOptions InputArguments::options() const
   }
   if (!this->memory.empty())
   {
-    options.memory = Memory::parse(this->memory);
+    options.memory = parseMemory(this->memory);
   }
   return options;
 }

@@ -2,7 +2,8 @@
 #include "ParseErrors.h"
 
 #include "Pattern.h"
-#include "Suggestion.h"
+
+#include "Core/DidYouMean.h"
 
 #include <string>
 #include <vector>
@@ -52,7 +53,7 @@ std::string describeExtra(const std::string& found, const CLI::App& app)
   const std::string name = found.substr(0, found.find('='));
   const bool command = !option && &commandOf(app) == &app;
   const std::string meant = option || command ? didYouMean(name, knownNames(app, option)) : "";
-  return "'" + found + "': expected no such " +
+  return "'" + found + "': no such " +
     (option       ? "option"
         : command ? "command"
                   : "argument") +
@@ -74,7 +75,7 @@ std::string describe(const CLI::ParseError& error, const CLI::App& app)
     std::string ours;
   };
   static const Sentence sentences[] = {
-    { io::Pattern("(.+) is required"), "$1: expected, found nothing" },
+    { io::Pattern("(.+) is required"), "$1: required, found nothing" },
     { io::Pattern("Could not convert: (\\S+) = (.*)"), "$1 '$2': expected another kind of value" },
     { io::Pattern("The value (.*) is not an allowed value for (\\S+)"), "$2 '$1': expected another value" },
     { io::Pattern("(\\S+): Should be true/false or a number"), "$1: expected without a value" },

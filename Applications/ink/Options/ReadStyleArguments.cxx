@@ -2,7 +2,8 @@
 // What the options of a style come to.
 #include "Errors.h"
 #include "StyleArguments.h"
-#include "Suggestion.h"
+
+#include "Core/DidYouMean.h"
 
 // clang-format off
 #include "vtk_nlohmannjson.h"

@@ -2,10 +2,10 @@
 #include "RenderArguments.h"
 
 #include "Errors.h"
+#include "FileSeries.h"
 #include "FrameChoice.h"
 #include "Pattern.h"
-#include "PictureEncoder.h"
-#include "Series.h"
+#include "PictureFile.h"
 #include "StyledScene.h"
 #include "Video.h"
 
@@ -17,13 +17,30 @@
 
 namespace ink::cli
 {
+namespace
+{
+
+/// All words of a list, sorted.
+std::vector<std::string> wordsOf(int count, const char* (*word)(int))
+{
+  std::vector<std::string> words;
+  for (int i = 0; i < count; ++i)
+  {
+    words.emplace_back(word(i));
+  }
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
+} // namespace
+
 void RenderArguments::add(CLI::App* command, const std::string& styleName, bool all)
 {
   this->app = command;
   this->input.addFile(command, "mesh or points");
   command
     ->add_option("-o,--output", this->output,
-      "the picture to write, " + PictureEncoder::suffixes() +
+      "the picture to write, " + io::PictureEncoder::suffixes() +
         ", or - for a PNG to the standard output; of several\n"
         "frames out_%04d.png, or a video: .mp4, .webm or .gif")
     ->required()
@@ -34,11 +51,6 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
       "'ink render --style NAME --help' shows its options")
     ->type_name("NAME")
     ->check(oneOf(StyleArguments::names()));
-  std::vector<std::string> views;
-  for (const auto& [name, view] : namedViews())
-  {
-    views.push_back(name);
-  }
   command
     ->add_option("--view", this->options.view,
       "side to look at: front, back, left, right, top, bottom, or iso, from the front, left and top at "
@@ -48,7 +60,7 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
       "from the top and the bottom, +y and -y are up. Orientations in NIfTI and NRRD files are turned to "
       "these")
     ->type_name("NAME")
-    ->check(oneOf(views));
+    ->check(oneOf(wordsOf(vtkInkView::GetNumberOfNames(), vtkInkView::GetNameOfView)));
   command->add_option("--size", this->size, "size of the picture in pixels, or the side of a square (1024)")
     ->type_name("WxH");
   command
@@ -66,7 +78,7 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->add_option(
       "--up", this->options.up, "axis that is up in the picture (z; of a mesh as it seems to stand)")
     ->type_name("AXIS")
-    ->check(oneOf(upAxes()))
+    ->check(oneOf(wordsOf(vtkInkView::GetNumberOfAxes(), vtkInkView::GetAxis)))
     ->group("Camera");
   command->add_option("--azimuth", this->options.azimuth, "go to the right around the subject, degrees (0)")
     ->check(angle)
@@ -129,7 +141,7 @@ void RenderArguments::addAnimation(CLI::App* command)
 std::optional<Animation> RenderArguments::animation() const
 {
   const std::filesystem::path file = this->input.file;
-  const bool series = isSeries(file);
+  const bool series = io::isSeries(file);
   if (!series && this->app->count("--frames") == 0)
   {
     return std::nullopt;
@@ -143,7 +155,7 @@ std::optional<Animation> RenderArguments::animation() const
   }
   if (series)
   {
-    animation.files = filesOfSeries(file);
+    animation.files = io::filesOfSeries(file);
     animation.frames = chooseSteps(this->frames, animation.files.size());
   }
   else
@@ -163,16 +175,17 @@ void RenderArguments::checkOutput() const
     {
       throw UsageError("-o '" + this->output + "': expected --frames or a series of files for a video");
     }
-    if (!PictureEncoder::isPicture(file))
+    if (!io::PictureEncoder::isPicture(formatName(file)))
     {
-      throw UsageError(
-        "-o '" + this->output + "': expected a name that ends in " + PictureEncoder::suffixes() + ", or -");
+      throw UsageError("-o '" + this->output + "': expected a name that ends in " +
+        io::PictureEncoder::suffixes() + ", or -");
     }
     this->checkFormat();
     return;
   }
   static const io::Pattern numbered(R"([^%]*%(0?[1-9])?d[^%]*)");
-  if (!video && !(PictureEncoder::isPicture(file) && !numbered.match(file.filename().string()).empty()))
+  if (!video &&
+    !(io::PictureEncoder::isPicture(formatName(file)) && !numbered.match(file.filename().string()).empty()))
   {
     throw UsageError("-o '" + this->output +
       "': expected a name with a number for several frames, as out_%04d.png, or .mp4, .webm or .gif for a "
@@ -191,12 +204,12 @@ void RenderArguments::checkOutput() const
 void RenderArguments::checkFormat() const
 {
   const std::filesystem::path& file = this->options.output;
-  if (this->options.transparent && !PictureEncoder::hasAlpha(file))
+  if (this->options.transparent && !io::PictureEncoder::hasAlpha(formatName(file)))
   {
     throw UsageError(
       "--transparent: expected a PNG or TIFF file, found '" + this->output + "', which has no alpha");
   }
-  const int longest = PictureEncoder::longestSide(file);
+  const int longest = io::PictureEncoder::longestSide(formatName(file));
   if (std::max(this->options.size.width, this->options.size.height) > longest)
   {
     throw UsageError("--size '" + this->size + "': expected up to " + std::to_string(longest) +

@@ -24,7 +24,8 @@ struct RenderArguments
   StyleArguments parameters;
   CLI::App* app = nullptr; ///< knows which options were given
 
-  /// @param styleName whose options there are \param all whether the help has advanced ones, too
+  /// @param styleName whose options there are
+  /// @param all whether the help has advanced ones, too
   void add(CLI::App* command, const std::string& styleName, bool all);
   void run();
 

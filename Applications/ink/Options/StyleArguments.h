@@ -44,7 +44,9 @@ public:
   static std::map<std::string, Words> wordsOfOptions();
 
   /// Adds a style's options, after all others. Those that only other styles have are known, too, to be
-  /// refused by name. @param name unknown: the first style \param all whether the help has advanced ones, too
+  /// refused by name.
+  /// @param name unknown: the first style
+  /// @param all whether the help has advanced ones, too
   void add(CLI::App* command, const std::string& name, bool all);
 
   /// The style, set up as the file and then the options say.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Validators.h"
 
-#include "Suggestion.h"
-
+#include "Core/DidYouMean.h"
 #include "Core/FormatNumber.h"
 
 #include <algorithm>

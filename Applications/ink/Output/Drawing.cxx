@@ -8,18 +8,23 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
 #include "vtkInkCameraFit.h"
 #include "vtkInkStyle.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
-#include "vtkPolyData.h"
+#include "vtkPlanes.h"
+#include "vtkPoints.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -39,6 +44,49 @@ Tiles tilesOf(const RenderOptions& options)
   return { options.size.width * factor, options.size.height * factor, factor * options.size.longestTile(),
     tileOverlap, factor };
 }
+
+/// Tells how far a picture is that is drawn in parts.
+class PartsProgress
+{
+public:
+  PartsProgress(vtkMapper* mapper, std::size_t parts, const std::function<void(double)>& progress)
+    : Mapper(mapper)
+    , Parts(static_cast<double>(parts))
+    , Told(progress)
+  {
+    if (progress)
+    {
+      progress(0.0);
+      this->Observer = mapper->AddObserver(vtkCommand::ProgressEvent, this, &PartsProgress::tell);
+    }
+  }
+  ~PartsProgress()
+  {
+    if (this->Told)
+    {
+      this->Mapper->RemoveObserver(this->Observer);
+    }
+  }
+  PartsProgress(const PartsProgress&) = delete;
+  PartsProgress& operator=(const PartsProgress&) = delete;
+
+  void endPart() { this->Done += 1.0; }
+
+private:
+  void tell()
+  {
+    // A mapper may draw what is opaque first, and then what is translucent.
+    this->Most = std::max(this->Most, (this->Done + this->Mapper->GetProgress()) / this->Parts);
+    this->Told(this->Most);
+  }
+
+  vtkMapper* const Mapper;
+  const double Parts;
+  const std::function<void(double)>& Told;
+  unsigned long Observer = 0;
+  double Done = 0.0;
+  double Most = 0.0;
+};
 
 } // namespace
 
@@ -68,44 +116,42 @@ Drawing::~Drawing() = default;
 
 std::vector<std::string> Drawing::look(const Input& input, const std::filesystem::path& file)
 {
-  auto* mesh = vtkPolyData::SafeDownCast(input.data);
-  const Pose found = mesh ? findPose(mesh, file, this->Options.up) : Pose();
-  const double usual = this->Options.view || this->Options.position ? 0.0 : found.elevation;
-  this->Look = { this->Options.up.value_or(found.up), this->Options.view.value_or(found.view),
-    this->Options.elevation.value_or(usual) };
+  vtkInkView* view = this->View;
+  if (this->Options.up)
+  {
+    view->SetUp(*this->Options.up);
+  }
+  if (this->Options.view)
+  {
+    view->SetName(*this->Options.view);
+  }
+  view->SetAzimuth(this->Options.azimuth);
+  if (this->Options.elevation || this->Options.position)
+  {
+    view->SetElevation(this->Options.elevation.value_or(0.0));
+  }
+  view->Choose(input.data, file.c_str());
+  vtkNew<vtkInkView> usual;
   std::vector<std::string> notes;
-  if (!this->Options.up && found.up != Pose().up)
+  if (!this->Options.up && view->GetUp() != usual->GetUp())
   {
-    notes.push_back("the mesh seems to stand with " + found.up + " up; --up says otherwise");
+    notes.push_back("the mesh seems to stand with " + view->GetUp() + " up; --up says otherwise");
   }
-  if (!this->Options.view && found.view != Pose().view)
+  if (!this->Options.view && view->GetName() != usual->GetName())
   {
-    notes.push_back("the " + found.view + " of the mesh shows most; --view says otherwise");
+    notes.push_back("the " + view->GetName() + " of the mesh shows most; --view says otherwise");
   }
-  if (!this->Options.elevation && this->Look.elevation > 0.0)
+  if (!this->Options.elevation && view->GetElevation() > 0.0)
   {
-    notes.push_back("the mesh lies flat, so it is seen from above; --elevation says otherwise");
+    notes.emplace_back("the mesh lies flat, so it is seen from above; --elevation says otherwise");
   }
   return notes;
 }
 
-View Drawing::view(double turned) const
-{
-  View view = namedViews().at(this->Look.view);
-  view.stand(this->Look.up);
-  const View named = view;
-  view.rotate(this->Options.azimuth, this->Look.elevation);
-  view.turnAround(named.up, turned);
-  return view;
-}
-
 vtkSmartPointer<vtkCamera> Drawing::camera(double turned) const
 {
-  const View view = this->view(turned);
   auto camera = vtkSmartPointer<vtkCamera>::New();
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(-view.direction[0], -view.direction[1], -view.direction[2]);
-  camera->SetViewUp(view.up);
+  this->View->Apply(camera, turned);
   camera->SetParallelProjection(this->Options.parallel);
   return camera;
 }
@@ -117,7 +163,34 @@ vtkSmartPointer<vtkInkCameraFit> Drawing::makeFit() const
   return fit;
 }
 
-PictureLayout Drawing::layout() const
+vtkSmartPointer<vtkPlanes> Drawing::seenRegion(vtkPoints* frame) const
+{
+  constexpr double margin = 0.1;
+  const auto fit = this->makeFit();
+  fit->AddPoints(frame, this->camera());
+  const auto camera = this->placedCamera(fit, 0.0);
+  camera->Zoom(1.0 / (1.0 + 2.0 * margin));
+  // Left, right, bottom, top, near and far.
+  std::array<double, 24> sides;
+  camera->GetFrustumPlanes(fit->GetAspect(), sides.data());
+  vtkNew<vtkPoints> origins;
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (std::size_t side = 0; side < 4; ++side)
+  {
+    // a x + b y + c z + d > 0 is inside.
+    const std::array<double, 3> inward{ sides[4 * side], sides[4 * side + 1], sides[4 * side + 2] };
+    const double distance = sides[4 * side + 3];
+    origins->InsertNextPoint(-distance * inward[0], -distance * inward[1], -distance * inward[2]);
+    normals->InsertNextTuple3(-inward[0], -inward[1], -inward[2]);
+  }
+  auto region = vtkSmartPointer<vtkPlanes>::New();
+  region->SetPoints(origins);
+  region->SetNormals(normals);
+  return region;
+}
+
+io::PictureLayout Drawing::layout() const
 {
   const PictureSize& size = this->Options.size;
   return { size.width, size.height, this->Options.transparent ? 4 : 3, this->Options.dotsPerInch };
@@ -126,6 +199,8 @@ PictureLayout Drawing::layout() const
 vtkSmartPointer<vtkCamera> Drawing::placedCamera(vtkInkCameraFit* fit, double turned) const
 {
   const auto camera = this->camera(turned);
+  double along[3];
+  camera->GetDirectionOfProjection(along);
   fit->Apply(camera);
   camera->Zoom(this->Options.zoom);
   const auto& [position, focalPoint] = std::tie(this->Options.position, this->Options.focalPoint);
@@ -135,7 +210,7 @@ vtkSmartPointer<vtkCamera> Drawing::placedCamera(vtkInkCameraFit* fit, double tu
   camera->GetFocalPoint(to);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    // The viewer goes along with what is looked at.
+    // The viewer goes along with the focal point.
     const double moved = focalPoint && !position ? (*focalPoint)[i] - to[i] : 0.0;
     from[i] = position ? (*position)[i] : from[i] + moved;
     to[i] = focalPoint ? (*focalPoint)[i] : to[i];
@@ -146,7 +221,7 @@ vtkSmartPointer<vtkCamera> Drawing::placedCamera(vtkInkCameraFit* fit, double tu
   vtkMath::Subtract(to, from, direction);
   if (vtkMath::Normalize(direction) == 0.0)
   {
-    throw UsageError("--position: expected another point than the one looked at");
+    throw UsageError("--position: expected another point than the focal point");
   }
   double right[3];
   double up[3];
@@ -155,7 +230,7 @@ vtkSmartPointer<vtkCamera> Drawing::placedCamera(vtkInkCameraFit* fit, double tu
   if (vtkMath::Norm(right) < 1e-6)
   {
     // Seen from straight above or below.
-    camera->SetViewUp(this->view(turned).direction);
+    camera->SetViewUp(along);
   }
   camera->Roll(this->Options.roll);
   return camera;
@@ -199,7 +274,7 @@ void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSi
   const int factor = this->Options.size.supersampling();
   const auto& columns = this->Grid.columns();
   const auto& rows = this->Grid.rows();
-  std::size_t done = 0;
+  PartsProgress parts(style->GetMapper(), columns.size() * rows.size() * backgrounds.size(), progress);
   for (const Tiles::Strip& row : rows)
   {
     for (PictureRows& picture : pictures)
@@ -208,7 +283,6 @@ void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSi
     }
     for (const Tiles::Strip& column : columns)
     {
-      progress(static_cast<double>(done++) / static_cast<double>(columns.size() * rows.size()));
       const auto camera = this->placedCamera(fit, turned);
       this->Renderer->SetActiveCamera(camera);
       this->Renderer->ResetCameraClippingRange();
@@ -221,6 +295,7 @@ void Drawing::draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSi
         this->Renderer->SetBackground(color.data());
         this->Window->Render();
         takePicture(this->Window, used, factor, pictures[i], column.first / factor);
+        parts.endPart();
       }
     }
     if (const std::string problem = messages.error(); !problem.empty())

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "Input.h"
-#include "PictureEncoder.h"
-#include "Pose.h"
+#include "PictureFile.h"
 #include "StyledScene.h"
 #include "Tiles.h"
-#include "View.h"
 
+#include "vtkInkView.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -15,6 +14,8 @@ class vtkActor;
 class vtkCamera;
 class vtkInkCameraFit;
 class vtkLight;
+class vtkPlanes;
+class vtkPoints;
 class vtkRenderWindow;
 class vtkRenderer;
 
@@ -31,25 +32,25 @@ public:
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
 
-  /// Chooses how a subject is looked at, where the options do not say. @return what was chosen, where that is
+  /// Chooses how a subject is viewed, where the options do not say. @return what was chosen, where that is
   /// not what it is for volumes
   std::vector<std::string> look(const Input& input, const std::filesystem::path& file);
 
-  /// The view that the options ask for.
+  /// A camera that looks as the options ask for, from nowhere in particular.
   /// @param turned degrees that the viewer goes further to the right, around what stands upright
-  View view(double turned = 0.0) const;
-
-  /// A camera that looks as `view` says, from nowhere in particular.
   vtkSmartPointer<vtkCamera> camera(double turned = 0.0) const;
 
   /// A fit for this window's shape.
   vtkSmartPointer<vtkInkCameraFit> makeFit() const;
 
+  /// The sides of what a picture of points shows, and a tenth of it around.
+  vtkSmartPointer<vtkPlanes> seenRegion(vtkPoints* frame) const;
+
   /// What is said of the pictures in their files.
-  PictureLayout layout() const;
+  io::PictureLayout layout() const;
 
   /// Draws a picture, in tiles where it is larger than a window can be, and hands over its rows as they come.
-  /// @param progress how much is drawn, from 0 to 1
+  /// @param progress how much is drawn, from 0 to 1; empty: nobody watches
   /// @throws Failure if VTK complains
   void draw(const StyledScene& subject, vtkInkCameraFit* fit, const RowSink& sink,
     const std::function<void(double)>& progress, double turned = 0.0);
@@ -62,7 +63,7 @@ private:
 
   const RenderOptions& Options;
   Tiles Grid;
-  Pose Look;
+  vtkNew<vtkInkView> View;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ByteSink.h"
+
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -8,8 +10,7 @@
 namespace ink::cli
 {
 
-/// Takes the next bytes of a file.
-using ByteSink = std::function<void(std::span<const unsigned char>)>;
+using io::ByteSink;
 
 /// The name that stands for the standard output stream.
 inline constexpr const char* standardOutput = "-";

@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -79,8 +80,11 @@ void measureArcLength(Contours& contours)
   {
     for (std::size_t n = contours.chains.offsets[chain] + 1; n < contours.chains.offsets[chain + 1]; ++n)
     {
-      contours.arcLength[n] =
-        contours.arcLength[n - 1] + glm::distance(contours.positions[n - 1], contours.positions[n]);
+      const glm::dvec3 step = contours.positions[n] - contours.positions[n - 1];
+      const double length = glm::length(step);
+      // Squares overflow long before lengths do.
+      contours.arcLength[n] = contours.arcLength[n - 1] +
+        (std::isfinite(length) ? length : std::hypot(step.x, step.y, step.z));
     }
   }
 }

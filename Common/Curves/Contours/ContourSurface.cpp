@@ -78,8 +78,8 @@ std::uint64_t hashOf(const glm::dvec3& position)
     std::bit_cast<std::uint64_t>(position.z + 0.0));
 }
 
-/// Of any length that is not zero.
-glm::vec3 unitOrZero(const glm::dvec3& v)
+/// As unitOrZero, but also of what is so short or long that its square is zero or infinite.
+glm::vec3 unitOfAnyLength(const glm::dvec3& v)
 {
   const double largest = std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
   return largest > 0.0 && isFinite(v) ? glm::vec3(glm::normalize(v / largest)) : glm::vec3(0.0f);
@@ -103,7 +103,7 @@ ContourSurface::ContourSurface(const TriangleMesh& mesh, std::span<const glm::ve
   {
     const glm::dvec3& position = mesh.points[point];
     const glm::vec3 normal =
-      pointNormals.empty() ? glm::vec3(0.0f) : unitOrZero(glm::dvec3(pointNormals[point]));
+      pointNormals.empty() ? glm::vec3(0.0f) : unitOfAnyLength(glm::dvec3(pointNormals[point]));
     std::size_t slot = hashOf(position) & (slots.size() - 1);
     while (slots[slot] != none && this->corners[slots[slot]].position != position)
     {
@@ -160,6 +160,7 @@ ContourSurface::ContourSurface(const TriangleMesh& mesh, std::span<const glm::ve
     this->averageAtSites();
   }
   this->isInsideOut = this->pointsInwards();
+  this->isClosed = this->hasNoBorder();
 }
 
 glm::dvec3 ContourSurface::areaVector(std::uint32_t face) const
@@ -179,7 +180,7 @@ glm::dvec3 ContourSurface::faceNormal(std::uint32_t face) const
   }
   const auto& [a, b, c] = this->faces[face];
   return glm::dvec3(
-    unitOrZero(glm::dvec3(this->corners[a].normal + this->corners[b].normal + this->corners[c].normal)));
+    unitOfAnyLength(glm::dvec3(this->corners[a].normal + this->corners[b].normal + this->corners[c].normal)));
 }
 
 void ContourSurface::averageAtSites()
@@ -191,7 +192,7 @@ void ContourSurface::averageAtSites()
   }
   for (std::size_t corner = 0; corner < this->sites.size(); ++corner)
   {
-    const glm::vec3 mean = unitOrZero(sums[this->sites[corner]]);
+    const glm::vec3 mean = unitOfAnyLength(sums[this->sites[corner]]);
     this->siteNormals.push_back(mean == glm::vec3(0.0f) ? this->corners[corner].normal : mean);
   }
 }
@@ -209,6 +210,21 @@ bool ContourSurface::pointsInwards() const
     volume += glm::dot(area, normal) < 0.0 ? -part : part;
   }
   return volume < 0.0;
+}
+
+bool ContourSurface::hasNoBorder() const
+{
+  // Those of an edge with an even number of faces cancel out.
+  std::uint64_t sum = 0;
+  for (const Triangle& face : this->faces)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto [low, high] = std::minmax(this->sites[face[i]], this->sites[face[(i + 1) % 3]]);
+      sum ^= hash(low, high);
+    }
+  }
+  return sum == 0;
 }
 
 void ContourSurface::completeNormals(bool all)
@@ -241,11 +257,11 @@ void ContourSurface::completeNormals(bool all)
   {
     if (this->corners[corner].normal == zero && !all)
     {
-      this->corners[corner].normal = unitOrZero(given[corner]);
+      this->corners[corner].normal = unitOfAnyLength(given[corner]);
     }
     if (this->corners[corner].normal == zero)
     {
-      this->corners[corner].normal = unitOrZero(around[corner]);
+      this->corners[corner].normal = unitOfAnyLength(around[corner]);
     }
   }
 }

@@ -35,6 +35,8 @@ struct ContourSurface
   /// Whether the normals point into the volume that the surface encloses, as those of meshes do whose faces
   /// run the other way round.
   bool isInsideOut = false;
+  /// Whether each edge has an even number of faces, but for a chance of 2^-64.
+  bool isClosed = false;
 
   /// @param pointNormals one per point, of any length; a zero normal, or one that is not finite, is replaced
   ///   by the mean of those around, and all are by the mean of the faces around each position if there are
@@ -64,6 +66,7 @@ private:
   void completeNormals(bool all);
   void averageAtSites();
   bool pointsInwards() const;
+  bool hasNoBorder() const;
 };
 
 /// Whether the eye is in front: an n.v of exactly 0 counts as more than 0 everywhere, so that contours never

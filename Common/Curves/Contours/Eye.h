@@ -7,7 +7,7 @@
 namespace ink
 {
 
-/// From where a surface is looked at: a position, or with a parallel projection a direction.
+/// The eye: a position, or with a parallel projection a direction.
 struct Eye
 {
   glm::dvec3 position = glm::dvec3(0.0);  ///< in world units; of no effect if parallel

@@ -75,12 +75,12 @@ public:
     }
   }
 
-  double lengthAt(const ContourSegment& edge) { return this->Lengths[this->Sets.least(edge.from.corner0)]; }
+  /// The same for all edges of a network.
+  std::uint32_t networkAt(const ContourSegment& edge) { return this->Sets.least(edge.from.corner0); }
 
-  bool hasFreeEndAt(const ContourSegment& edge)
-  {
-    return this->HasFreeEnd[this->Sets.least(edge.from.corner0)];
-  }
+  double lengthAt(const ContourSegment& edge) { return this->Lengths[this->networkAt(edge)]; }
+
+  bool hasFreeEndAt(const ContourSegment& edge) { return this->HasFreeEnd[this->networkAt(edge)]; }
 
 private:
   DisjointSets Sets;
@@ -133,8 +133,16 @@ FeatureEdges::FeatureEdges(const ContourSurface& surface, double creaseAngle, do
     networks.join(this->borders);
     networks.measure(surface, this->borders);
     const double longest = shortestBorder * diagonalOf(surface);
-    std::erase_if(
-      this->borders, [&](const ContourSegment& edge) { return networks.lengthAt(edge) <= longest; });
+    std::erase_if(this->borders,
+      [&](const ContourSegment& edge)
+      {
+        const bool isShort = networks.lengthAt(edge) <= longest;
+        if (isShort)
+        {
+          this->holes.push_back({ edge, networks.networkAt(edge) });
+        }
+        return isShort;
+      });
   }
 }
 

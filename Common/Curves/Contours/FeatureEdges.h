@@ -3,6 +3,7 @@
 
 #include "Curves/Contours/ContourSegments.h"
 #include "Curves/Contours/ContourSurface.h"
+#include "Curves/Contours/SurfaceHoles.h"
 
 #include <vector>
 
@@ -15,6 +16,7 @@ struct FeatureEdges
   std::vector<ContourSegment> creases;     ///< between two faces at an angle
   std::vector<ContourSegment> borders;     ///< of one face
   std::vector<ContourSegment> nonManifold; ///< of more than two faces
+  std::vector<HoleEdge> holes;             ///< borders that are left out
 
   /// @param creaseAngle between the faces' normals, in degrees; an edge of a larger one is a crease
   /// @param shortestCrease of the surface's diagonal: creases that end within the surface, and with all that

@@ -6,6 +6,7 @@
 #include "Curves/Contours/BrickSamples.h"
 #include "Curves/Contours/ContourLinks.h"
 #include "Curves/Contours/DescribeContours.h"
+#include "Curves/Contours/GridBorder.h"
 #include "Fields/ScalarDifference.h"
 #include "IsoSurface/IsoOffset.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
@@ -55,7 +56,7 @@ public:
     , Offset(isoValue)
     , InSteps(eyeInSteps(field.geometry(), eye))
     , AllAtOnce(
-        field.hidden().empty() && field.stride() == 1 ? typedKernelsOf<T>(samplingKernels()).view : nullptr)
+        field.hidden().empty() && field.stride() == 1 ? kernelsFor<T>(samplingKernels()).view : nullptr)
   {
     this->Source.y = field.geometry().dimensions().x;
     this->Source.z = this->Source.y * field.geometry().dimensions().y;
@@ -171,6 +172,12 @@ GridContours<T>::GridContours(const GridField<T>& field, double isoValue, const 
       }
     },
     1);
+}
+
+template <class T>
+Contours GridContours<T>::border(const ContourArrays& arrays) const
+{
+  return gridBorder(this->Samples, this->IsoValue, this->Bricks, arrays);
 }
 
 template <class T>

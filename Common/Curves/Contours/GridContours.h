@@ -54,6 +54,9 @@ public:
   Contours find(
     const Eye& eye, const ContourArrays& arrays = {}, const GridContourOptions& options = {}) const;
 
+  /// Where the surface ends, see gridBorder; a closed surface has no border.
+  Contours border(const ContourArrays& arrays = {}) const;
+
   /// The number of bricks with active cells, and of those that are searched for an eye.
   std::size_t brickCount() const { return this->Bricks.size(); }
   std::size_t searchedBrickCount(const Eye& eye) const;

@@ -76,6 +76,10 @@ MeshContours::MeshContours(
           this->Features, chainContours(this->Surface, segments, kind, Eye(), allArrays), allArrays);
       }
     };
+    if (options.borders)
+    {
+      this->Holes.emplace(edges.holes);
+    }
     add(options.creases, edges.creases, ContourKind::Crease);
     if (options.creases && options.once)
     {
@@ -107,6 +111,10 @@ Contours MeshContours::find(const Eye& eye, const ContourArrays& arrays, Silhoue
           return segment.face != segment.otherFace &&
             std::binary_search(this->Creases.begin(), this->Creases.end(), facesAt(segment));
         });
+    }
+    if (this->Holes && this->Interpolated)
+    {
+      this->Holes->bridge(this->Surface, segments);
     }
     result = chainContours(this->Surface, segments, ContourKind::Silhouette, eye, arrays);
   }

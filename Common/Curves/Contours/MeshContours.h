@@ -7,6 +7,7 @@
 #include "Curves/Contours/FacetedSilhouettes.h"
 #include "Curves/Contours/InterpolatedSilhouettes.h"
 #include "Curves/Contours/SilhouetteSearch.h"
+#include "Curves/Contours/SurfaceHoles.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <glm/vec3.hpp>
@@ -34,7 +35,7 @@ struct MeshContourOptions
   /// no longer, are left out: specks, as noise makes them.
   double shortestCrease = 0.0;
   /// Of the surface's diagonal, 0 to 1: borders that with all that they join are no longer are left out:
-  /// those around triangles that scans lack.
+  /// those around triangles that scans lack. Interpolated silhouettes go on across such holes.
   double shortestBorder = 0.0;
   /// Whether silhouettes leave out edges that are creases, which are contours already: what is drawn twice is
   /// darker. Then silhouettes end where such an edge begins.
@@ -71,12 +72,17 @@ public:
   Contours find(const Eye& eye, const ContourArrays& arrays = {},
     SilhouetteSearch search = SilhouetteSearch::Hierarchy) const;
 
+  /// Whether the surface has no border, so that a negative radial curvature tells where it hides its own
+  /// silhouette: what has one may be seen from its inside.
+  bool isClosed() const { return this->Surface.isClosed; }
+
 private:
   MeshContourOptions Options;
   ContourSurface Surface;
   std::optional<InterpolatedSilhouettes> Interpolated;
   std::optional<FacetedSilhouettes> Faceted;
-  Contours Features;                  ///< creases, borders and non-manifold edges, with all their arrays
+  Contours Features; ///< creases, borders and non-manifold edges, with all their arrays
+  std::optional<SurfaceHoles> Holes;
   std::vector<std::uint64_t> Creases; ///< by the two faces at each edge, ascending; for `once`
 };
 

@@ -74,6 +74,7 @@ NormalCone NormalClusters::coneOf(const Block& block, std::size_t lane)
 {
   const auto low = [](std::uint32_t word) { return static_cast<std::int16_t>(word); };
   const auto high = [](std::uint32_t word) { return static_cast<std::int16_t>(word >> 16); };
+  const auto lowest = [](std::uint32_t word) { return static_cast<int>(static_cast<std::int8_t>(word)); };
   NormalCone cone;
   cone.axis = { low(block.axisXY[lane]), high(block.axisXY[lane]), low(block.axisZSine[lane]) };
   cone.sine = high(block.axisZSine[lane]);
@@ -81,7 +82,7 @@ NormalCone NormalClusters::coneOf(const Block& block, std::size_t lane)
   cone.upper = high(block.bounds[lane]);
   for (int axis = 0; axis < 3; ++axis)
   {
-    cone.center[axis] = static_cast<std::int8_t>(block.center[lane] >> 8 * (axis + 1));
+    cone.center[axis] = lowest(block.center[lane] >> 8 * (axis + 1));
   }
   return cone;
 }

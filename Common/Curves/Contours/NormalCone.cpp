@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ink
 {
@@ -14,7 +13,7 @@ namespace ink
 namespace
 {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double beyond = 32767.0; // any coordinate, and any offset of them
 /// The cosine of the largest angle of a cone: wider ones would hardly ever be left out, and their cosines
 /// would be too inexact where sines are in float.
 constexpr double leastCosine = 0.1;
@@ -67,8 +66,8 @@ NormalCone bounded(NormalCone cone, double sine, double lower, double upper)
 NormalCone NormalCone::around(std::span<const Item> items)
 {
   NormalCone cone;
-  glm::dvec3 least(unbounded);
-  glm::dvec3 most(-unbounded);
+  glm::dvec3 least(beyond);
+  glm::dvec3 most(-beyond);
   glm::dvec3 sum(0.0);
   for (const auto& [position, normal] : items)
   {
@@ -81,8 +80,8 @@ NormalCone NormalCone::around(std::span<const Item> items)
   const glm::dvec3 center = centerOf(cone);
   const glm::dvec3 axis = directionOf(cone.axis);
   double sine = 0.0;
-  double lower = unbounded;
-  double upper = -unbounded;
+  double lower = beyond;
+  double upper = -beyond;
   for (const auto& [position, normal] : items)
   {
     if (!(glm::dot(axis, normal) > leastCosine))
@@ -115,8 +114,8 @@ NormalCone NormalCone::around(std::span<const NormalCone> cones)
   result.axis = storedDirection(sum);
   const glm::dvec3 axis = directionOf(result.axis);
   double sine = 0.0;
-  double lower = unbounded;
-  double upper = -unbounded;
+  double lower = beyond;
+  double upper = -beyond;
   for (const NormalCone& cone : cones)
   {
     // sin and cos of the angle between the axes plus the cone's own.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Streamlines/FieldTracer.h"
 
+#include "Core/UnitOrZero.h"
 #include "Curvature/FieldCurvature.h"
 #include "Fields/Projection.h"
 
@@ -20,9 +21,7 @@ constexpr double mostFieldSteps = 2e6;
 
 glm::dvec3 tangentPart(const glm::dvec3& vector, const glm::dvec3& normal)
 {
-  const glm::dvec3 tangent = vector - glm::dot(vector, normal) * normal;
-  const double length = glm::length(tangent);
-  return length > 0.0 && std::isfinite(length) ? tangent / length : glm::dvec3(0.0);
+  return unitOrZero(vector - glm::dot(vector, normal) * normal);
 }
 
 } // namespace

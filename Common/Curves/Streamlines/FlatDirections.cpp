@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/Streamlines/FlatDirections.h"
 
-#include "Core/DisjointSets.h"
+#include "Mesh/BorderEdges.h"
+#include "Mesh/ConnectedParts.h"
 
 #include <Eigen/Eigenvalues>
 #include <glm/geometric.hpp>
@@ -12,7 +13,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 namespace ink
@@ -25,26 +25,6 @@ constexpr double mostThickness = 0.03; ///< of the width
 constexpr double leastFacing = 0.9;    ///< of all area to one side
 constexpr double leastAlignment = 0.5; ///< of the border's edges
 constexpr double nearlyEqual = 1.1;    ///< of extents
-
-/// Of each point the number of its part, of numbers from 0 on.
-std::vector<std::uint32_t> partsOf(const TriangleMesh& mesh)
-{
-  DisjointSets sets(mesh.points.size());
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    sets.join(a, b);
-    sets.join(b, c);
-  }
-  std::vector<std::uint32_t> parts(mesh.points.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t point = 0; point < parts.size(); ++point)
-  {
-    // The least comes first.
-    const std::uint32_t first = sets.least(point);
-    parts[point] = first == point ? count++ : parts[first];
-  }
-  return parts;
-}
 
 /// How a part lies in space.
 struct Shape
@@ -148,23 +128,11 @@ struct Shape
   }
 };
 
-/// An edge of a triangle, the lower point first.
-struct Edge
-{
-  std::uint32_t from;
-  std::uint32_t to;
-  bool operator<(const Edge& other) const
-  {
-    return std::tie(this->from, this->to) < std::tie(other.from, other.to);
-  }
-  bool operator==(const Edge&) const = default;
-};
-
 } // namespace
 
 std::vector<glm::dvec3> flatDirections(const TriangleMesh& mesh)
 {
-  const std::vector<std::uint32_t> parts = partsOf(mesh);
+  const std::vector<std::uint32_t> parts = connectedParts(mesh);
   std::vector<Shape> shapes(parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1);
   // Relative to a point of the part, so that moments do not cancel out far away from the origin.
   std::vector<glm::dvec3> origins(shapes.size());
@@ -178,32 +146,14 @@ std::vector<glm::dvec3> flatDirections(const TriangleMesh& mesh)
     const glm::dvec3& origin = origins[part];
     shapes[part].add(mesh.points[a] - origin, mesh.points[b] - origin, mesh.points[c] - origin);
   }
-  std::vector<Edge> edges;
   for (Shape& shape : shapes)
   {
     shape.findPlane();
   }
-  for (const Triangle& triangle : mesh.triangles)
+  const auto isFlat = [&](const Triangle& triangle) { return shapes[parts[triangle[0]]].isFlat; };
+  for (const auto& [from, to] : borderEdges(mesh, isFlat))
   {
-    for (std::size_t i = 0; i < 3 && shapes[parts[triangle[0]]].isFlat; ++i)
-    {
-      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-      edges.push_back({ low, high });
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size();)
-  {
-    const std::size_t begin = i;
-    while (i < edges.size() && edges[i] == edges[begin])
-    {
-      ++i;
-    }
-    if (i == begin + 1 && edges[begin].from != edges[begin].to)
-    {
-      shapes[parts[edges[begin].from]].addBorder(
-        mesh.points[edges[begin].to] - mesh.points[edges[begin].from]);
-    }
+    shapes[parts[from]].addBorder(mesh.points[to] - mesh.points[from]);
   }
   std::vector<glm::dvec3> ofPart(shapes.size(), glm::dvec3(0.0));
   std::transform(shapes.begin(), shapes.end(), ofPart.begin(),

@@ -20,7 +20,7 @@ struct LineField
   /// Empty, or one per point, in [0, 1]: how little directions are defined there (ink::umbilicMeasure).
   std::span<const float> umbilics;
 
-  /// Of the directions at a point the one closest to a vector, with its sign (Rössl et al. 2000, section 2.3,
+  /// Of the directions at a point the one closest to a vector, with its sign (Rössl et al. 2000, section 2.2,
   /// where directions are flipped beyond an angle of pi; pi / 2 is meant).
   glm::dvec3 along(std::size_t point, const glm::dvec3& vector) const
   {

@@ -4,7 +4,7 @@
 #include "Core/ParallelChunks.h"
 #include "Curvature/PrincipalCurvature.h"
 #include "Curvature/SurfaceRings.h"
-#include "Curves/Streamlines/TurnedTangent.h"
+#include "Curvature/TurnedTangent.h"
 #include "Mesh/OnePerPoint.h"
 
 #include <glm/common.hpp>

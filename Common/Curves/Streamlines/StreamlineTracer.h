@@ -36,13 +36,13 @@ struct TraceOptions
 using TracedPoint = TracedPointOn<MeshPoint>;
 using TracedLine = TracedLineOn<MeshPoint>;
 
-/// Integrates a field of directions over a mesh (Rössl et al. 2000, section 2.3).
+/// Integrates a field of directions over a mesh (Rössl et al. 2000, section 2.2).
 ///
-/// In a triangle, directions are interpolated linearly between its corners (eq. 12), projected into its plane
-/// (eq. 13) and normalized. Where a step would leave the triangle the line is cut at the edge, which is a
-/// point of it, and goes on in the triangle behind, whose directions are turned to its own. So lines never
-/// leave the mesh. A line between two triangles that both lead to their common edge follows the edge; one
-/// that meets a vertex goes on in the triangle around it that its direction points into.
+/// In a triangle, directions are interpolated linearly between its corners (equation 12), projected into its
+/// plane (equation 13) and normalized. Where a step would leave the triangle the line is cut at the edge,
+/// which is a point of it, and goes on in the triangle behind, whose directions are turned to its own. So
+/// lines never leave the mesh. A line between two triangles that both lead to their common edge follows the
+/// edge; one that meets a vertex goes on in the triangle around it that its direction points into.
 class StreamlineTracer
 {
 public:

@@ -2,6 +2,7 @@
 #include "Fields/Grid/GridGeometry.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -67,6 +68,12 @@ std::size_t GridGeometry::sampleCount() const
   return static_cast<std::size_t>(this->Dimensions.x) * this->Dimensions.y * this->Dimensions.z;
 }
 
+double GridGeometry::smallestSpacing() const
+{
+  const glm::dmat3& steps = this->StepToWorld;
+  return std::min({ glm::length(steps[0]), glm::length(steps[1]), glm::length(steps[2]) });
+}
+
 glm::dvec3 GridGeometry::toWorld(const glm::dvec3& index) const
 {
   return this->Origin + this->StepToWorld * (glm::dvec3(this->First) + index);
@@ -75,6 +82,13 @@ glm::dvec3 GridGeometry::toWorld(const glm::dvec3& index) const
 glm::dvec3 GridGeometry::toIndex(const glm::dvec3& world) const
 {
   return this->toGlobalIndex(world) - glm::dvec3(this->First);
+}
+
+bool GridGeometry::contains(const glm::dvec3& world) const
+{
+  const glm::dvec3 index = this->toIndex(world);
+  return glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
+    glm::all(glm::lessThanEqual(index, glm::dvec3(this->Dimensions - 1)));
 }
 
 glm::dvec3 GridGeometry::toGlobalIndex(const glm::dvec3& world) const

@@ -36,6 +36,8 @@ public:
   const glm::dvec3& spacing() const { return this->Spacing; }
   const glm::dmat3& direction() const { return this->Direction; }
   std::size_t sampleCount() const;
+  /// The least distance of samples along an axis, in world units.
+  double smallestSpacing() const;
 
   /// The index of sample (i, j, k) in an array of the samples, i fastest.
   std::size_t offset(const glm::ivec3& sample) const
@@ -48,6 +50,8 @@ public:
   /// Computed from global indices, so that pieces of one grid agree bitwise.
   glm::dvec3 toWorld(const glm::dvec3& index) const;
   glm::dvec3 toIndex(const glm::dvec3& world) const;
+  /// Whether it lies between the grid's own samples; false for NaN and infinity.
+  bool contains(const glm::dvec3& world) const;
   /// Not counted from the grid's own first sample, so that pieces of one grid agree to the last bit.
   glm::dvec3 toGlobalIndex(const glm::dvec3& world) const;
 

@@ -96,7 +96,8 @@ public:
       }
     }
     parallelFor(leaves.size(), [&](std::size_t n) { this->fill(*leaves[n]); });
-    openvdb::tools::prune(tree);
+    // Leaves stay: one that begins with NaN would count as constant.
+    openvdb::tools::pruneTiles(tree);
   }
 
 private:

@@ -106,7 +106,7 @@ public:
     {
       for (int y = low.y; y < high.y; ++y)
       {
-        for (unsigned rest = this->crossed(rows, x, y) & inDomain; rest != 0; rest &= rest - 1)
+        for (unsigned rest = this->activeCells(rows, x, y) & inDomain; rest != 0; rest &= rest - 1)
         {
           const std::uint64_t bit = std::uint64_t(1) << (y * leafSize + x);
           block.cells[static_cast<std::size_t>(std::countr_zero(rest))] |= bit;
@@ -330,7 +330,7 @@ private:
   }
 
   /// The active ones of the eight cells along z at (x, y), as bits.
-  unsigned crossed(const Rows& rows, int x, int y) const
+  unsigned activeCells(const Rows& rows, int x, int y) const
   {
     constexpr int corners[4][2] = { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
     unsigned any = 0;

@@ -29,12 +29,12 @@ constexpr int Before = 1;
 constexpr int Behind = 2;
 
 template <class TreeType, class Real>
-class VdbSamplePlacer
+class VdbCellPlacement
 {
 public:
   using T = typename TreeType::ValueType;
 
-  VdbSamplePlacer(
+  VdbCellPlacement(
     const VdbGrid& grid, const TreeType& tree, double isoValue, const SampleOptions& options, bool negate)
     : Grid(grid)
     , Lookup(tree)
@@ -141,7 +141,7 @@ bool placeIsoSurfaceSamples(const VdbGrid& grid, double isoValue, const SampleOp
       using TreeType = std::remove_cvref_t<decltype(tree)>;
       const auto place = [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        VdbSamplePlacer<TreeType, Real> placer(grid, tree, isoValue, options, negate);
+        VdbCellPlacement<TreeType, Real> placer(grid, tree, isoValue, options, negate);
         for (std::size_t i = begin; i < end; ++i)
         {
           const std::size_t at = 3 * cells.blocks[i].before;

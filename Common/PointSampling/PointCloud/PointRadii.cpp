@@ -3,6 +3,7 @@
 
 #include "Core/KdTree.h"
 #include "Core/ParallelChunks.h"
+#include "Core/UnitOrZero.h"
 #include "Core/WeldedPoints.h"
 #include "PointSampling/PointCloud/PcaNormal.h"
 #include "PointSampling/PointCloud/VoronoiCell2D.h"
@@ -268,8 +269,7 @@ std::vector<glm::vec3> normalsOf(const WeldedPoints& distinct, std::span<const g
   {
     if (!normals.empty())
     {
-      const float length = glm::length(normals[point]);
-      result.push_back(length > 0.0f && std::isfinite(length) ? normals[point] / length : glm::vec3(0.0f));
+      result.push_back(unitOrZero(normals[point]));
     }
   }
   return result;

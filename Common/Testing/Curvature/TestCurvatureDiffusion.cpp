@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature/CurvatureDiffusion.h"
 
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 
 #include <gtest/gtest.h>
 
@@ -64,9 +64,9 @@ struct Bumps
     const double same = -w * w * this->wave(p);
     return glm::dmat3(same, mixed, 0.0, mixed, same, 0.0, 0.0, 0.0, 0.0);
   }
-  test::CurvedMesh mesh(int cells) const
+  test::MeshWithCurvature mesh(int cells) const
   {
-    test::CurvedMesh result;
+    test::MeshWithCurvature result;
     result.mesh.addPatch(cells, cells,
       [this](double u, double v) {
         return glm::dvec3(u, v, this->wave({ u, v, 0.0 }));
@@ -85,7 +85,7 @@ private:
   }
 };
 
-double errorOf(const test::CurvedMesh& mesh, const CurvatureOptions& options)
+double errorOf(const test::MeshWithCurvature& mesh, const CurvatureOptions& options)
 {
   return test::curvatureErrors(mesh.exact, estimateCurvature(mesh.mesh.view(), {}, options).points).curvature;
 }
@@ -165,7 +165,7 @@ TEST(CurvatureDiffusion, PassesDivideNoiseAsSaid)
   EXPECT_EQ(passesForRings(5), 7);
   EXPECT_NEAR(passesToDivideNoise(1.0), 0.0, 1e-12);
   EXPECT_TRUE(std::isinf(passesToDivideNoise(std::numeric_limits<double>::infinity())));
-  const test::CurvedMesh noisy = test::ellipsoid(glm::dvec3(1.0), 5, 0.004);
+  const test::MeshWithCurvature noisy = test::ellipsoid(glm::dvec3(1.0), 5, 0.004);
   const double narrow = errorOf(noisy, withRings(2, false));
   for (const int rings : { 3, 5, 6 })
   {
@@ -176,7 +176,7 @@ TEST(CurvatureDiffusion, PassesDivideNoiseAsSaid)
 
 TEST(CurvatureDiffusion, AsAccurateAsWideFitsOfNoise)
 {
-  const test::CurvedMesh noisy = test::ellipsoid({ 1.0, 0.7, 0.5 }, 5, 0.002);
+  const test::MeshWithCurvature noisy = test::ellipsoid({ 1.0, 0.7, 0.5 }, 5, 0.002);
   CurvatureOptions wide = withRings(5, false);
   wide.degree = 2;
   EXPECT_LT(errorOf(noisy, {}), errorOf(noisy, wide));
@@ -185,7 +185,7 @@ TEST(CurvatureDiffusion, AsAccurateAsWideFitsOfNoise)
 TEST(CurvatureDiffusion, BumpsAreNotAveragedAway)
 {
   // Measured: 1.7 and 5.5; 4.0 if all were averaged.
-  const test::CurvedMesh bumps = Bumps{ 0.02, 25.0 }.mesh(40);
+  const test::MeshWithCurvature bumps = Bumps{ 0.02, 25.0 }.mesh(40);
   EXPECT_LT(errorOf(bumps, {}), 0.4 * errorOf(bumps, withRings(5, false)));
 }
 
@@ -200,7 +200,7 @@ TEST(CurvatureDiffusion, BordersConvergeInSecondOrder)
 
 TEST(CurvatureDiffusion, TheSameForAnyNumberOfThreads)
 {
-  const test::CurvedMesh mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 5, 0.004);
+  const test::MeshWithCurvature mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 5, 0.004);
   const auto run = [&] { return estimateCurvature(mesh.mesh.view(), {}).points; };
   const std::vector<PrincipalCurvature> one = test::onThreads(1, run);
   const std::vector<PrincipalCurvature> two = test::onThreads(2, run);
@@ -214,7 +214,7 @@ TEST(CurvatureDiffusion, TheSameForAnyNumberOfThreads)
 
 TEST(CurvatureDiffusion, ReachesAsFarAsSaid)
 {
-  test::CurvedMesh mesh = test::ellipsoid(glm::dvec3(1.0), 5, 0.01);
+  test::MeshWithCurvature mesh = test::ellipsoid(glm::dvec3(1.0), 5, 0.01);
   const SurfaceRings rings(mesh.mesh.view());
   // The rings around point 0.
   std::vector<int> distance(rings.size(), -1);

@@ -3,7 +3,7 @@
 #include "Curvature/SmoothedCurvature.h"
 
 #include "AnalyticFields.h"
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 #include "Curves/Contours/DescribeContours.h"
 #include "Fields/Grid/GridField.h"
 #include "HashNoise.h"
@@ -46,7 +46,7 @@ ink::testing::Volume<double> distances(int n, double noise)
 
 TEST(FieldCurvature, OfATorus)
 {
-  const test::CurvedMesh torus = test::closedTorus(1.0, 0.4, 30, 20);
+  const test::MeshWithCurvature torus = test::closedTorus(1.0, 0.4, 30, 20);
   const ink::testing::Torus outside{ 1.0, 0.4 };
   const Negative<ink::testing::Torus> inside{ outside };
   for (std::size_t i = 0; i < torus.exact.size(); ++i)
@@ -67,7 +67,7 @@ TEST(FieldCurvature, OfATorus)
 
 TEST(FieldCurvature, HasTheSignOfRadialCurvature)
 {
-  const test::CurvedMesh mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 2);
+  const test::MeshWithCurvature mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 2);
   const test::EllipsoidField field{ { 1.0, 0.7, 0.5 } };
   const Eye eye = Eye::at({ 3.0, 4.0, 2.0 });
   for (const glm::dvec3& point : mesh.mesh.points)
@@ -93,7 +93,7 @@ TEST(FieldCurvature, IsNotDefinedWithoutAGradient)
 
 TEST(FieldCurvature, OfAGridConvergesInSecondOrder)
 {
-  const test::CurvedMesh torus = test::closedTorus(1.0, 0.4, 40, 30);
+  const test::MeshWithCurvature torus = test::closedTorus(1.0, 0.4, 40, 30);
   double errors[2];
   for (int level = 0; level < 2; ++level)
   {
@@ -108,7 +108,7 @@ TEST(FieldCurvature, OfAGridConvergesInSecondOrder)
 
 TEST(SmoothedCurvature, RemovesNoise)
 {
-  const test::CurvedMesh torus = test::closedTorus(1.0, 0.4, 40, 30);
+  const test::MeshWithCurvature torus = test::closedTorus(1.0, 0.4, 40, 30);
   const ink::testing::Volume<double> noisy = distances(60, 0.002);
   const auto error = [&](double deviation)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature/JetFit.h"
 
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 
 #include <gtest/gtest.h>
 

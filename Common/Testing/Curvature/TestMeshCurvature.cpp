@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature/MeshCurvature.h"
 
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace
 
 using namespace ink;
 
-test::CurvatureErrors errorsOf(const test::CurvedMesh& mesh, const CurvatureOptions& options = {})
+test::CurvatureErrors errorsOf(const test::MeshWithCurvature& mesh, const CurvatureOptions& options = {})
 {
   return test::curvatureErrors(mesh.exact, estimateCurvature(mesh.mesh.view(), {}, options).points);
 }
@@ -72,11 +72,11 @@ TEST(MeshCurvature, ConvergesInSecondOrder)
 TEST(MeshCurvature, TheDefaultIsBetterThanThePaperWherePointsAreIrregularOrNoisy)
 {
   // Measured: 0.0083 and 0.96; 0.10 and 4.57; angles 0.025 and 6.8 degrees.
-  const test::CurvedMesh irregular = test::closedTorus(1.0, 0.4, 180, 90, 0.45);
+  const test::MeshWithCurvature irregular = test::closedTorus(1.0, 0.4, 180, 90, 0.45);
   EXPECT_LT(errorsOf(irregular).curvature, 0.01);
   EXPECT_LT(errorsOf(irregular).angle, 0.04);
   EXPECT_GT(errorsOf(irregular, ofThePaper()).curvature, 0.5);
-  const test::CurvedMesh noisy = test::ellipsoid(glm::dvec3(1.0), 4, 0.01);
+  const test::MeshWithCurvature noisy = test::ellipsoid(glm::dvec3(1.0), 4, 0.01);
   EXPECT_LT(errorsOf(noisy).curvature, 0.12);
   EXPECT_GT(errorsOf(noisy, ofThePaper()).curvature, 3.0);
 }
@@ -84,17 +84,17 @@ TEST(MeshCurvature, TheDefaultIsBetterThanThePaperWherePointsAreIrregularOrNoisy
 TEST(MeshCurvature, AdaptiveRingsFollowTheNoise)
 {
   // Without noise as good as two rings, with noise about as good as five.
-  const test::CurvedMesh clean = test::ellipsoid({ 1.0, 0.7, 0.5 }, 4);
+  const test::MeshWithCurvature clean = test::ellipsoid({ 1.0, 0.7, 0.5 }, 4);
   EXPECT_LT(errorsOf(clean).curvature, 1.05 * errorsOf(clean, withRings(2, 3)).curvature);
   EXPECT_LT(errorsOf(clean).curvature, 0.3 * errorsOf(clean, withRings(5, 3)).curvature);
-  const test::CurvedMesh noisy = test::ellipsoid(glm::dvec3(1.0), 4, 0.01);
+  const test::MeshWithCurvature noisy = test::ellipsoid(glm::dvec3(1.0), 4, 0.01);
   EXPECT_LT(errorsOf(noisy).curvature, 1.2 * errorsOf(noisy, withRings(5, 3)).curvature);
   EXPECT_LT(errorsOf(noisy).curvature, 0.2 * errorsOf(noisy, withRings(2, 3)).curvature);
 }
 
 TEST(MeshCurvature, SignFollowsTheNormals)
 {
-  test::CurvedMesh ball = test::ellipsoid(glm::dvec3(2.0), 3);
+  test::MeshWithCurvature ball = test::ellipsoid(glm::dvec3(2.0), 3);
   for (const CurvatureOptions& options : { CurvatureOptions(), ofThePaper() })
   {
     const MeshCurvature outward = estimateCurvature(ball.mesh.view(), {}, options);
@@ -127,7 +127,7 @@ TEST(MeshCurvature, SignFollowsTheNormals)
 
 TEST(MeshCurvature, UnitAndOriginDoNotMatter)
 {
-  const test::CurvedMesh one = test::ellipsoid({ 1.0, 0.7, 0.5 }, 3);
+  const test::MeshWithCurvature one = test::ellipsoid({ 1.0, 0.7, 0.5 }, 3);
   const MeshCurvature expected = estimateCurvature(one.mesh.view(), {});
   for (const double unit : { 1e-9, 1e9, 1.0 })
   {
@@ -148,7 +148,7 @@ TEST(MeshCurvature, UnitAndOriginDoNotMatter)
 
 TEST(MeshCurvature, TheSameForAnyNumberOfThreads)
 {
-  const test::CurvedMesh mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 5, 0.002);
+  const test::MeshWithCurvature mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 5, 0.002);
   CurvatureOptions options;
   options.derivatives = true;
   const auto run = [&] { return estimateCurvature(mesh.mesh.view(), {}, options); };
@@ -167,7 +167,7 @@ TEST(MeshCurvature, DerivativesOfATorus)
 {
   const std::uint32_t columns = 180;
   const std::uint32_t rows = 90;
-  const test::CurvedMesh mesh = test::closedTorus(1.0, 0.4, columns, rows);
+  const test::MeshWithCurvature mesh = test::closedTorus(1.0, 0.4, columns, rows);
   CurvatureOptions options;
   options.derivatives = true;
   const MeshCurvature found = estimateCurvature(mesh.mesh.view(), {}, options);
@@ -197,6 +197,23 @@ TEST(MeshCurvature, SeamsAreNoBorders)
   }
   // The first and last point of a row are one.
   EXPECT_TRUE(areEqual(found.points[0], found.points[80]));
+}
+
+TEST(MeshCurvature, SeamsOpenedByRoundingAreNoBorders)
+{
+  // As lines of curvature are traced over them.
+  test::Mesh open = test::torus(1.0, 0.4, 80, 40);
+  for (std::size_t i = 0; i < open.points.size(); ++i)
+  {
+    const auto random = [i](std::uint64_t n) { return 2.0 * ink::testing::hashUniform(n, i) - 1.0; };
+    open.points[i] += 3e-7 * glm::dvec3(random(1), random(2), random(3));
+  }
+  const MeshCurvature found = estimateCurvature(open.view(), {});
+  for (std::size_t i = 0; i < open.points.size(); ++i)
+  {
+    ASSERT_EQ(found.sources[i], CurvatureSource::Surface) << i;
+    ASSERT_NEAR(found.points[i].k1, 2.5, 0.1) << i;
+  }
 }
 
 TEST(MeshCurvature, BordersAreOneSided)
@@ -257,7 +274,7 @@ TEST(MeshCurvature, SliversOfATriangularTube)
 {
   // Three rows of points, which do not see each other, far apart compared to the points of a row. What is far
   // would give curvatures along the tube of up to 1000.
-  const test::CurvedMesh tube = test::closedTorus(1.0, 0.4, 2000, 3);
+  const test::MeshWithCurvature tube = test::closedTorus(1.0, 0.4, 2000, 3);
   const MeshCurvature found = estimateCurvature(tube.mesh.view(), {});
   for (std::size_t i = 0; i < found.points.size(); ++i)
   {
@@ -317,7 +334,7 @@ TEST(MeshCurvature, LargeFansTakeNoQuadraticTime)
 
 TEST(MeshCurvature, TrianglesThatAreThereTwiceCountOnce)
 {
-  const test::CurvedMesh mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 3);
+  const test::MeshWithCurvature mesh = test::ellipsoid({ 1.0, 0.7, 0.5 }, 3);
   const MeshCurvature expected = estimateCurvature(mesh.mesh.view(), {});
   test::Mesh same = mesh.mesh;
   test::Mesh twoSided = mesh.mesh;
@@ -360,7 +377,7 @@ TEST(MeshCurvature, TrianglesThatAreThereTwiceCountOnce)
 
 TEST(MeshCurvature, CanBeStopped)
 {
-  const test::CurvedMesh mesh = test::closedTorus(1.0, 0.4, 90, 45);
+  const test::MeshWithCurvature mesh = test::closedTorus(1.0, 0.4, 90, 45);
   const MeshCurvature found = estimateCurvature(mesh.mesh.view(), {}, {}, [](double) { return false; });
   EXPECT_TRUE(found.points.empty());
 }

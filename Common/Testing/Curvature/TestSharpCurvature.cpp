@@ -109,7 +109,7 @@ TEST(SharpCurvature, SmoothSurfacesAreAsBefore)
 {
   for (const double noise : { 0.0, 0.004 })
   {
-    const CurvedMesh ball = ellipsoid({ 1.0, 0.8, 0.6 }, 5, noise);
+    const MeshWithCurvature ball = ellipsoid({ 1.0, 0.8, 0.6 }, 5, noise);
     const Sharp sharp(ball.mesh);
     const MeshCurvature before = estimateCurvature(ball.mesh.view(), {});
     ASSERT_EQ(sharp.mesh.points, ball.mesh.points);

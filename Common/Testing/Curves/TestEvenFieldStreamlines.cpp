@@ -5,7 +5,7 @@
 #include "Curves/Streamlines/EvenFieldStreamlines.h"
 
 #include "AnalyticFields.h"
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 #include "LineEvenness.h"
 #include "SampledVolume.h"
 #include "StreamlineDeviation.h"

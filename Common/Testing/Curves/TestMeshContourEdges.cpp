@@ -173,6 +173,41 @@ TEST(MeshContours, LeaveOutBordersOfMissingTriangles)
   }
 }
 
+TEST(MeshContours, GoOnAcrossHolesThatAreLeftOut)
+{
+  const Mesh whole = torus(1.0, 0.4, 96, 64);
+  const std::vector<glm::vec3> normals = tubeNormals(whole, 1.0);
+  Mesh mesh = whole;
+  mesh.triangles.clear();
+  for (std::size_t i = 0; i < whole.triangles.size(); ++i)
+  {
+    if (i % 61 != 0)
+    {
+      mesh.triangles.push_back(whole.triangles[i]);
+    }
+  }
+  ink::MeshContourOptions options;
+  options.borders = true;
+  const ink::MeshContours withHoles(mesh.view(), normals, options);
+  options.shortestBorder = 0.1; // of the diagonal of 4
+  const ink::MeshContours without(mesh.view(), normals, options);
+  const ink::MeshContours reference(whole.view(), normals);
+  for (std::uint64_t id = 0; id < 100; ++id)
+  {
+    const ink::Eye eye = ink::Eye::at(glm::dvec3(0.0, 0.0, 3.0) + randomPoint(id));
+    const std::size_t chains = reference.find(eye).chains.size();
+    const ink::Contours found = without.find(eye, allArrays);
+    expectValid(found);
+    EXPECT_EQ(found.chains.size(), chains) << id;
+    EXPECT_EQ(closedChains(found), chains) << id;
+    EXPECT_EQ(without.find(eye, {}, ink::SilhouetteSearch::Exhaustive).positions, found.positions) << id;
+    const ink::Contours interrupted = withHoles.find(eye);
+    const auto silhouettes =
+      std::count(interrupted.kinds.begin(), interrupted.kinds.end(), ink::ContourKind::Silhouette);
+    EXPECT_GT(silhouettes, static_cast<std::ptrdiff_t>(chains)) << id;
+  }
+}
+
 TEST(MeshContours, AreDrawnOnceWhereACreaseIsASilhouette)
 {
   std::vector<glm::vec3> normals;

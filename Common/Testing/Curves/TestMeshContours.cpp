@@ -75,6 +75,24 @@ TEST(MeshContours, OfATorusAreTwoClosedCurvesOutsideAndOneInside)
   }
 }
 
+TEST(MeshContours, TellASurfaceWithABorder)
+{
+  Mesh mesh = torus(1.0, 0.4, 24, 16);
+  const auto isClosed = [&] { return ink::MeshContours(mesh.view(), tubeNormals(mesh, 1.0)).isClosed(); };
+  EXPECT_TRUE(isClosed());
+  // Any one face less, and with a point more that lies where another one does.
+  for (const std::size_t face : { std::size_t(0), std::size_t(100), mesh.triangles.size() - 1 })
+  {
+    std::swap(mesh.triangles[face], mesh.triangles.back());
+    const ink::Triangle last = mesh.triangles.back();
+    mesh.triangles.pop_back();
+    EXPECT_FALSE(isClosed()) << face;
+    mesh.points.push_back(mesh.points[last[0]]);
+    mesh.triangles.push_back({ static_cast<std::uint32_t>(mesh.points.size() - 1), last[2], last[1] });
+    EXPECT_TRUE(isClosed()) << face << ", the other way round";
+  }
+}
+
 TEST(MeshContours, OfAnEyeInsideASphereAreNone)
 {
   const Mesh mesh = sphere(40, 20);

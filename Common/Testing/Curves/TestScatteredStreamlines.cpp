@@ -63,6 +63,42 @@ TEST(ScatteredStreamlines, SeedsAreByArea)
   EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 3);
 }
 
+/// Section 3.1 prints that a point falls into a triangle where r > A_i / A n / m, which makes points of
+/// almost all tries, and coordinates that leave the triangle in half of the cases.
+TEST(ScatteredStreamlines, AsPrintedSeedsAreTooManyAndOutside)
+{
+  const Mesh mesh = unevenSquare();
+  const MeshNavigation navigation(mesh.view(), 180.0);
+  AreaSeedOptions options;
+  options.count = 4000.0;
+  options.mostInTriangle = 10;
+  double printed = 0.0;
+  double right = 0.0;
+  double outside = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const double share = areaOf(mesh.view(), t) / navigation.area() * options.count / options.mostInTriangle;
+    for (std::uint64_t i = 0; i < 10; ++i)
+    {
+      const double r = unitDouble(hash(1, t, i));
+      printed += r > share ? 1.0 : 0.0;
+      right += r < share ? 1.0 : 0.0;
+      outside += unitDouble(hash(2, t, i)) + unitDouble(hash(3, t, i)) > 1.0 ? 1.0 : 0.0;
+    }
+  }
+  const double tries = 10.0 * static_cast<double>(mesh.triangles.size());
+  EXPECT_GT(printed, 0.9 * tries);
+  EXPECT_NEAR(outside / tries, 0.5, 0.02);
+  // No more than m fall into the large ones, so that fewer than n points do.
+  const std::vector<MeshPoint> seeds = areaSeeds(navigation, options);
+  EXPECT_NEAR(static_cast<double>(seeds.size()), right, 200.0);
+  EXPECT_LT(static_cast<double>(seeds.size()), options.count);
+  for (const MeshPoint& seed : seeds)
+  {
+    ASSERT_GE(std::min({ seed.weights.x, seed.weights.y, seed.weights.z }), 0.0);
+  }
+}
+
 TEST(ScatteredStreamlines, SeedsAreDenserWhereTheSurfaceIsCurved)
 {
   const Mesh mesh = square(40);

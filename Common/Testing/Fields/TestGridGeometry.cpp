@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -55,6 +56,18 @@ TEST(GridGeometry, TakesPointsAndDerivativesThere)
       EXPECT_LT(glm::distance(glm::normalize(along), glm::normalize(c)), 1e-12);
     }
   }
+}
+
+TEST(GridGeometry, ContainsWhatLiesBetweenItsSamples)
+{
+  const ink::GridGeometry g(
+    glm::ivec3(3, 4, 5), glm::dvec3(1.0), glm::dvec3(0.5, -2.0, 4.0), glm::dmat3(1.0), glm::ivec3(2, 0, 0));
+  EXPECT_EQ(g.smallestSpacing(), 0.5);
+  EXPECT_TRUE(g.contains(g.toWorld(glm::dvec3(0.0))));
+  EXPECT_TRUE(g.contains(g.toWorld(glm::dvec3(2.0, 3.0, 4.0))));
+  EXPECT_FALSE(g.contains(g.toWorld(glm::dvec3(-0.01, 1.0, 1.0))));
+  EXPECT_FALSE(g.contains(g.toWorld(glm::dvec3(1.0, 3.01, 1.0))));
+  EXPECT_FALSE(g.contains(glm::dvec3(NAN)));
 }
 
 TEST(SampleBox, IsEmptyWithoutExtentAlongAnyAxis)

@@ -141,6 +141,25 @@ TEST(VdbWrite, WholeVolumeKeepsItsValues)
   expectSameSamples(volume, grid, 100.0);
 }
 
+/// A missing sample, wherever it lies within the tree's blocks of 8 voxels, takes no other with it.
+TEST(VdbWrite, MissingSamplesAreAlone)
+{
+  for (const int at : { 0, 7, 8, 16, 31 })
+  {
+    auto volume = ball<double>(GridGeometry(glm::ivec3(32)), glm::dvec3(15.0), 9.0);
+    volume.at({ at, at, at }) = NAN;
+    const VdbGrid grid = throughFile(volume, {});
+    const auto dense = denseOf<double>(grid, grid.domain());
+    ASSERT_EQ(dense.values.size(), volume.values.size());
+    std::size_t different = 0;
+    for (std::size_t n = 0; n < volume.values.size(); ++n)
+    {
+      different += dense.values[n] != volume.values[n];
+    }
+    EXPECT_EQ(different, 1u) << "NaN itself, at " << at;
+  }
+}
+
 TEST(VdbWrite, ConstantVolumeIsATileOrNothing)
 {
   const Volume<float> volume(GridGeometry({ 64, 64, 64 }), 7.0f);

@@ -158,7 +158,7 @@ TEST(ResampledSamples, SmoothingRemovesNoiseFromNormals)
   EXPECT_LT(after.distance, 1.4 / sphere.radius);
   EXPECT_LT(after.distance, before.distance);
   EXPECT_LT(normals.angle, 0.35 * before.angle);
-  EXPECT_LT(normals.distance, 0.7 * before.distance) << "the surface keeps its position";
+  EXPECT_LT(normals.distance, 0.8 * before.distance) << "the surface keeps its position";
 }
 
 TEST(ResampledSamples, NormalsAloneKeepAThinTube)
@@ -169,7 +169,7 @@ TEST(ResampledSamples, NormalsAloneKeepAThinTube)
   EXPECT_EQ(resample(volume.field(), 0.4, { 1.2, 1 }).size(), 0u);
   const auto kept = resample(volume.field(), 0.4, { 1.2, 1, SmoothingTarget::Normals });
   EXPECT_GT(static_cast<double>(kept.size()),
-    0.6 * static_cast<double>(sampleIsoSurface<float>(volume.field(), 0.4).size()));
+    0.95 * static_cast<double>(sampleIsoSurface<float>(volume.field(), 0.4).size()));
   EXPECT_LT(errorsOf(kept, torus).angle, 0.25);
 }
 

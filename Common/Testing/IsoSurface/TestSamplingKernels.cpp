@@ -195,7 +195,7 @@ void expectRowsOfAnyLength(const ink::TypedKernels<T>& kernels)
       const T lowest = static_cast<T>(length % 3 == 0 ? 0 : 97);
       const std::ptrdiff_t reach = (length + 63) / 64 + 1;
       const int bricks = (length + brick - 1) / brick;
-      const ink::SampleRows<T> block{ samples.data(), length, rows, length, 0 };
+      const ink::RowBlock<T> block{ samples.data(), length, rows, length, 0 };
       std::vector<std::uint64_t> expected(static_cast<std::size_t>(reach) * rows);
       int flags = broken ? ink::MaybeMissing : 0;
       std::vector<T> lows(bricks, std::numeric_limits<T>::max());

@@ -184,7 +184,7 @@ TEST(VdbSamples, RandomGridsAgreeWithDense)
   EXPECT_GT(compared, 50);
 }
 
-TEST(VdbSamples, FarAwayVoxelsKeepTheirPlaces)
+TEST(VdbSamples, FarAwayVoxelsKeepTheirPositions)
 {
   auto grid = makeGrid(0.0f);
   constexpr int far = 1 << 29;

@@ -88,7 +88,7 @@ TEST(FeatureSplit, NoiseIsNoFeature)
   // beyond, there are too many features.
   for (const double noise : { 0.003, 0.006, 0.012, 0.02 })
   {
-    const CurvedMesh rough = ellipsoid({ 1.0, 1.0, 1.0 }, 6, noise);
+    const MeshWithCurvature rough = ellipsoid({ 1.0, 1.0, 1.0 }, 6, noise);
     const MeshNavigation steep(rough.mesh.view(), defaultFeatureAngle);
     const std::size_t points = rough.mesh.points.size();
     EXPECT_GT(splitAtFeatures(steep).sources.size(), points + points / 2 * (noise > 0.005 ? 1 : 0)) << noise;
@@ -128,6 +128,25 @@ TEST(FeatureSplit, StairsBetweenVoxelsAreNone)
   }
   // All but those at the ends, from where one cannot walk to both sides.
   EXPECT_LT(splitOf(mesh).sources.size(), mesh.points.size() + 4 * (rows + 1));
+}
+
+TEST(FeatureSplit, RoughPartsLeaveOthersTheirFeatures)
+{
+  // A box within a ball that is too rough to have features.
+  const Mesh part = box({ 0.2, 0.3, 0.4 }, 4, true);
+  Mesh both = ellipsoid({ 1.0, 1.0, 1.0 }, 6, 0.02).mesh;
+  const std::size_t points = both.points.size();
+  const auto offset = static_cast<std::uint32_t>(points);
+  both.points.insert(both.points.end(), part.points.begin(), part.points.end());
+  for (const auto& [a, b, c] : part.triangles)
+  {
+    both.triangles.push_back({ offset + a, offset + b, offset + c });
+  }
+  const FeatureSplit split = splitOf(both);
+  const auto ofBox =
+    std::count_if(split.sources.begin(), split.sources.end(), [&](std::uint32_t p) { return p >= offset; });
+  EXPECT_EQ(ofBox, 6 * 5 * 5);
+  EXPECT_EQ(split.sources.size() - static_cast<std::size_t>(ofBox), points);
 }
 
 TEST(FeatureSplit, SeamsAreOnePoint)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/InsideOut.h"
 
-#include "CurvedMeshes.h"
+#include "MeshesWithCurvature.h"
 #include "SampledMeshes.h"
 
 #include <gtest/gtest.h>

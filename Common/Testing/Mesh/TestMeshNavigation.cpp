@@ -3,6 +3,7 @@
 
 #include "Mesh/MeshNavigation.h"
 
+#include "Core/Hash.h"
 #include "SampledMeshes.h"
 
 #include <glm/geometric.hpp>
@@ -83,6 +84,15 @@ TEST(MeshNavigation, SeamsAreClosed)
   const MeshNavigation navigation(mesh.view(), 180.0);
   const std::size_t border = 2 * 24;
   EXPECT_EQ(crossable(navigation), 3 * mesh.triangles.size() - border);
+
+  // Single precision, or worse.
+  Mesh rounded = mesh;
+  for (std::size_t i = 0; i < rounded.points.size(); ++i)
+  {
+    const auto random = [i](std::uint64_t n) { return 2.0 * unitDouble(hash(1, i, n)) - 1.0; };
+    rounded.points[i] += 3e-7 * glm::dvec3(random(0), random(1), random(2));
+  }
+  EXPECT_EQ(crossable(MeshNavigation(rounded.view(), 180.0)), 3 * mesh.triangles.size() - border);
 }
 
 TEST(MeshNavigation, SliversAtSeamsAreLeftOut)

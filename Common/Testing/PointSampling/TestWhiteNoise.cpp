@@ -259,7 +259,7 @@ TEST(WhiteNoise, OfNamedTrianglesDependsOnThemAlone)
   EXPECT_TRUE(ink::sampleWhiteNoise(Mesh().view(), {}, perArea, 5).empty());
 }
 
-TEST(WhiteNoise, DiscsOfItsCoverRadiusLeaveNoHoles)
+TEST(WhiteNoise, DiscsOfItsCoveringRadiusLeaveNoHoles)
 {
   // On a torus, which has no border beyond which discs would miss neighbors.
   const Mesh mesh = torus(1.0, 0.4, 200, 100);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/IsoValue.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,6 +105,42 @@ TYPED_TEST(IsoValueOfType, SeparatesTheLimitsOfTheType)
   const auto high = static_cast<double>(Limits::max());
   EXPECT_GT(suggestion->value, low + (high / 4 - low / 4));
   EXPECT_LT(suggestion->value, high - (high / 4 - low / 4));
+}
+
+/// Sectors of a ball, each with a number of its own.
+double label(const glm::ivec3& p, double radius)
+{
+  const glm::dvec3 d = glm::dvec3(p) - 0.5 * (size - 1);
+  const int sector = static_cast<int>((std::atan2(d.y, d.x) + 3.2) * 3.0) + 20 * (d.z > 0.0 ? 1 : 0);
+  return glm::length(d) < radius ? 7.0 + 3.0 * sector : 0.0;
+}
+
+TEST(IsoValue, OfLabelsIsTheEdgeOfAll)
+{
+  std::vector<unsigned char> labels;
+  std::size_t inside = 0;
+  unsigned char least = 255;
+  for (int i = 0; i < size * size * size; ++i)
+  {
+    labels.push_back(static_cast<unsigned char>(label({ i % size, i / size % size, i / size / size }, 16.0)));
+    inside += labels.back() > 0 ? 1 : 0;
+    least = labels.back() > 0 ? std::min(least, labels.back()) : least;
+  }
+  const auto suggestion = suggest(labels);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Labels);
+  EXPECT_DOUBLE_EQ(suggestion->keptShare, static_cast<double>(inside) / static_cast<double>(labels.size()));
+  EXPECT_DOUBLE_EQ(suggestion->value, 0.5 * least);
+}
+
+TEST(IsoValue, AScanBehindAMaskHasNoLabels)
+{
+  const auto values = volume<short>(
+    [](double d, std::size_t i) { return d < 18 ? 300 + 700 * blurredSphere(d, 12) + 10 * noise(i) : 0.0; });
+  for (const ink::IsoSuggestion& suggestion : suggestAll(values))
+  {
+    EXPECT_NE(suggestion.boundary, Boundary::Labels);
+  }
 }
 
 TEST(IsoValue, FindsTheOuterOfTwoNestedSurfaces)

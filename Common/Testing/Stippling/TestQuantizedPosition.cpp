@@ -62,7 +62,7 @@ TEST(QuantizedPosition, IsWithinHalfAStep)
   }
 }
 
-TEST(QuantizedPosition, KeepsTheBoxesEndsAndSinglePlaces)
+TEST(QuantizedPosition, KeepsTheBoxesEndsAndSinglePositions)
 {
   const glm::vec3 low(1.0f, 2.0f, 3.0f);
   const glm::vec3 high(3.0f, 2.5f, 4.0f);

@@ -186,6 +186,10 @@ TEST(Hatching, WidthsAndNumbers)
   EXPECT_FLOAT_EQ(strokes.width(0.5f, 0.6f, 0.1f), 1.5f) << "half faded at the fraction that is drawn";
   EXPECT_EQ(strokes.width(0.5f, 0.6f, 0.126f), 0.0f);
   EXPECT_FLOAT_EQ(strokes.width(0.5f, 24.0f, 0.9f), 12.0f) << "wider where all are not enough";
+  ink::hatching::SpacingRatios ratios;
+  ratios.fill(1.8f);
+  EXPECT_FLOAT_EQ(strokes.width(0.5f, 0.6f, 0.0f, ratios), 1.8f * 3.0f) << "wider where they are far apart";
+  EXPECT_FLOAT_EQ(strokes.width(0.5f, 0.6f, 0.0f, ratios, -0.1f), 1.2f * 3.0f) << "but not over a silhouette";
   EXPECT_EQ(strokes.width(0.0f, 0.6f, 0.0f), 0.0f);
   EXPECT_EQ(strokes.width(0.5f, 0.0f, 0.0f), 0.0f) << "on edge";
   EXPECT_EQ(strokes.width(0.5f, 3.0f, strokes.mostPriority(3.0f) + 1e-4f), 0.0f);

@@ -233,6 +233,41 @@ TEST(CurveVisibility, OwnSurface)
   }
 }
 
+/// Of a surface that is nearly flat across its outline, with normals that are two degrees off: the silhouette
+/// lies more than a pixel within the outline, and far behind it.
+TEST(CurveVisibility, FlatSurface)
+{
+  constexpr double radius = 3000.0;
+  constexpr double outline = 150.0;
+  constexpr double middle = 600.0;
+  const double angle = 2.0 * std::numbers::pi / 180.0;
+  const double x = outline - radius * (1.0 - std::cos(angle));
+  const double distance = middle + radius * std::sin(angle);
+  ASSERT_LT(x, outline - 1.5);
+  const auto surface = [&](double at)
+  {
+    const double inside = outline - at;
+    return inside > 0.0 ? std::max(middle - std::sqrt((2.0 * radius - inside) * inside), 0.0) : nothing;
+  };
+  const auto share = [&](const View& view, const glm::dvec2& normal)
+  {
+    std::vector<CurvePoint> line{ view.at(x, 20.0, distance), view.at(x, 180.0, distance) };
+    line[0].normal = line[1].normal = normal;
+    return hiddenShare(findVisibleRuns(line, false, view.occluders(), 4.0));
+  };
+  const View alone([&](double at, double) { return surface(at); });
+  const View behindABar(
+    [&](double at, double y) { return y < 100.0 && std::abs(at - x) < 5.0 ? 100.0 : surface(at); });
+  // Whichever way normals point.
+  for (const glm::dvec2& normal : { glm::dvec2(1.0, 0.0), glm::dvec2(-1.0, 0.0) })
+  {
+    EXPECT_EQ(share(alone, normal), 0.0) << normal.x;
+    EXPECT_NEAR(share(behindABar, normal), 0.5, 1.0 / 80.0) << normal.x;
+  }
+  EXPECT_EQ(share(alone, { 0.0, 1.0 }), 1.0) << "along the outline";
+  EXPECT_EQ(share(alone, { 0.0, 0.0 }), 1.0) << "not known";
+}
+
 /// The same runs wherever a closed curve begins.
 TEST(CurveVisibility, ClosedCurve)
 {

@@ -56,7 +56,13 @@ float StrokeWidth::coverage(float tone, int family) const
   return family == 0 ? 1.0f - (1.0f - single) * left : 1.0f - left;
 }
 
-float StrokeWidth::width(float coverage, float allSpacing, float priority, const SpacingRatios& ratios) const
+float mostSpacingRatio(float cosine)
+{
+  return 1.0f + 2.0f * std::abs(cosine);
+}
+
+float StrokeWidth::width(
+  float coverage, float allSpacing, float priority, const SpacingRatios& ratios, float cosine) const
 {
   if (!(coverage > 0.0f && allSpacing > 0.0f))
   {
@@ -65,7 +71,7 @@ float StrokeWidth::width(float coverage, float allSpacing, float priority, const
   const float fraction =
     allSpacing / std::max(this->spacing, this->leastWidth / std::max(coverage, thinning));
   return coverage * allSpacing / drawnShare(fraction) * presence(fraction, priority) *
-    spacingRatio(ratios, fraction);
+    std::min(spacingRatio(ratios, fraction), mostSpacingRatio(cosine));
 }
 
 float StrokeWidth::mostPriority(float allSpacing) const

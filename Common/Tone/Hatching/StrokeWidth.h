@@ -25,6 +25,10 @@ float spacingFraction(std::size_t index);
 /// The same for any fraction: linear in its logarithm, and constant beyond the ends.
 float spacingRatio(const SpacingRatios& ratios, float fraction);
 
+/// No more than this where the surface is seen at that cosine between its normal and the direction to the
+/// eye: beside a silhouette wide strokes would reach over it.
+float mostSpacingRatio(float cosine);
+
 /// How strokes make a tone: which of them are drawn, and how wide. Of evenly spaced strokes with priorities,
 /// of which every prefix is evenly spaced, as large a fraction is drawn as the picture has room for (Rössl et
 /// al. 2000, section 3.2, has one for all of a surface), and their widths make up the tone. The reference for
@@ -50,8 +54,9 @@ struct StrokeWidth
   /// @param allSpacing the distance of all strokes of the family from each other there, pixels
   /// @param priority of the stroke: the share of the family's length that comes before it
   /// @param ratios what strokes that are not even make of their distance there
-  float width(
-    float coverage, float allSpacing, float priority, const SpacingRatios& ratios = evenSpacing) const;
+  /// @param cosine of the angle between the surface's normal and the direction to the eye
+  float width(float coverage, float allSpacing, float priority, const SpacingRatios& ratios = evenSpacing,
+    float cosine = 1.0f) const;
 
   /// No stroke with a larger priority is drawn where all strokes are that far from each other, or less.
   float mostPriority(float allSpacing) const;

@@ -23,10 +23,14 @@ namespace ink::io
 /// @throws ReadError if it is not such a file or not whole, ReadAborted
 using MeshFileReader = vtkSmartPointer<vtkPolyData>(
   const std::filesystem::path& file, std::vector<std::string>& notes, const Progress& progress);
+MeshFileReader readLegacyMesh;
 MeshFileReader readObj;
 MeshFileReader readPly;
 MeshFileReader readStl;
 MeshFileReader readVtp;
 MeshFileReader readXyz;
+
+/// Whether a file is a legacy VTK file of poly data, by its first lines; others of the same suffix hold images.
+bool isLegacyMesh(const std::filesystem::path& file);
 
 } // namespace ink::io

@@ -16,6 +16,9 @@ in vec4 normalRadiusMC; // unit normal; radius over the data's size, 0 for point
 #ifdef INK_COLORS
 in vec4 colorMC;
 #endif
+#ifdef INK_SOURCES
+in vec2 sourceId; // the point's id, where that is not its number here: its lower 12 bits, and the others
+#endif
 
 #include "InkViewUniforms.glsl"
 
@@ -130,7 +133,9 @@ void main()
 #else
   splatVSOutput = 0.0;
 #endif
-#ifdef INK_ID
+#if defined INK_SOURCES
+  idVSOutput = int(sourceId.x) | (int(sourceId.y) << 12);
+#elif defined INK_ID
   idVSOutput = gl_VertexID;
 #endif
 #ifdef INK_COLORS

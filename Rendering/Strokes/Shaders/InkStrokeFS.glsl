@@ -188,6 +188,12 @@ float coverageOfDash(Segment own, float arcLength, vec2 direction)
   vec4 stroke = texelFetch(strokes, runVSOutput.z);
   vec2 fitted = dash * (stroke.w == 0.0 ? 1.0 : stroke.y / (dash.y * max(round(stroke.y / dash.y), 1.0)));
   float scale = pixelsPerArc(own);
+  if (stroke.w == 0.0 && scale > 0.0)
+  {
+    // At an end, and beyond it in a cap, as much as within: a dash that begins with the stroke has a whole cap.
+    float pixel = min(0.71 / scale, 0.5 * stroke.y);
+    arcLength = clamp(arcLength, pixel, stroke.y - pixel);
+  }
   float phase = mod(stroke.x + arcLength, fitted.y);
   phase -= phase > 0.5 * (fitted.x + fitted.y) ? fitted.y : 0.0;
   float sharp = behindEdge(phase * scale, direction) + behindEdge((fitted.x - phase) * scale, direction) - 1.0;

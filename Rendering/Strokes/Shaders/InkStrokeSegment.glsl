@@ -3,7 +3,7 @@
 
 // Segments of strokes on the picture, by the index of their first point.
 
-uniform sampler2D pointPlaces; // clip coordinates
+uniform sampler2D pointPositions; // clip coordinates
 uniform sampler2D pointShapes; // half width in pixels, arc length, the stroke's length if it is open
 uniform float taper;           // share of a stroke's length
 
@@ -31,8 +31,8 @@ vec2 pixelOf(vec4 place)
 // False if nothing of it lies behind the near plane.
 bool findSegment(int first, out Segment segment)
 {
-  vec4 a = pointTexel(pointPlaces, first);
-  vec4 b = pointTexel(pointPlaces, first + 1);
+  vec4 a = pointTexel(pointPositions, first);
+  vec4 b = pointTexel(pointPositions, first + 1);
   vec4 shapeA = pointTexel(pointShapes, first);
   vec4 shapeB = pointTexel(pointShapes, first + 1);
   float before = a.z + a.w;

@@ -49,8 +49,9 @@ void main()
 {
   vec3 toEye = normalize(eyeVC.xyz - eyeVC.w * positionVSOutput);
   float cosine = abs(dot(normalize(normalVSOutput), toEye));
-  // Smooth within a pixel.
-  float coverage = clamp(0.5 + (largestCosine - cosine) / max(fwidth(cosine), 1e-6), 0.0, 1.0);
+  // Smooth within a pixel; with 1 all of it, also what faces the eye.
+  float coverage =
+    largestCosine < 1.0 ? clamp(0.5 + (largestCosine - cosine) / max(fwidth(cosine), 1e-6), 0.0, 1.0) : 1.0;
   // Also of a normal that is zero.
   if (!(coverage * actorOpacity > leastCoverage) || clipDistance(vec4(positionVSOutput, 1.0)) < 0.0 || isHidden())
   {

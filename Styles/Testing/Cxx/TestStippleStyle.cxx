@@ -135,6 +135,7 @@ TEST(StippleStyle, StipplesOfMeshesHaveThePicturesRoom)
 {
   vtkNew<vtkInkStippleStyle> style;
   const auto mesh = MakeMesh();
+  style->CurvedMeshesOff();
   style->SetPictureSize(300);
   style->SetParameterAsString("SizeUnit", "pixels");
   ASSERT_TRUE(style->Make(mesh));

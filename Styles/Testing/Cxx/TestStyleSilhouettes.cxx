@@ -168,7 +168,7 @@ TEST(StyleSilhouettes, MethodsAreOfVoxelsOrOfTheSurface)
     const int piece = style == stipple.Get() ? ofStipples : ofLines;
     vtkInkSilhouetteMapper* mapper = style == lines.Get() ? lines->GetSilhouettes()->GetMapper()
       : style == stipple.Get()                            ? stipple->GetSilhouettes()->GetMapper()
-                                                    : illustration->GetSilhouettes()->GetMapper();
+                                                          : illustration->GetSilhouettes()->GetMapper();
     ASSERT_TRUE(style->SetParameterAsString("Silhouettes", "on"));
     ASSERT_TRUE(style->Draw(MakeBlurredBall()));
     EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::CHAINS);

@@ -101,8 +101,16 @@ TEST(ContoursErrors, FacesThatAreWrong)
   run.Contours->FacetedOn();
   run.Contours->CreasesOn();
   run.Contours->NonManifoldEdgesOn();
-  run.Expect(InkTestOddMesh(1.0), "odd", {});
+  const vtkSmartPointer<vtkPolyData> odd = InkTestOddMesh(1.0);
+  run.Expect(odd, "odd", { InkTestOddFaces });
   EXPECT_GT(run.Contours->GetOutput()->GetNumberOfLines(), 0);
+  run.Contours->SetEyeDirection(0.3, 0.4, -1.0);
+  run.Expect(odd, "another eye", {});
+  run.Contours->SetFeatureAngle(10.0);
+  run.Expect(odd, "another option", {});
+  run.Expect(InkTestOddMesh(2.0), "another mesh", { InkTestOddFaces });
+  run.Expect(InkTestNotFiniteMesh(), "nothing finite", { InkTestNotFiniteFaces });
+  EXPECT_EQ(run.Contours->GetOutput()->GetNumberOfPoints(), 0);
   const vtkSmartPointer<vtkPolyData> mesh = Sphere(true);
   mesh->GetPolys()->InsertNextCell({ 0, 1, 100000 });
   run.Expect(mesh, "no such point", { "a face has the point 100000" });

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of vtkInkPrincipalCurvature: of meshes and of images against known surfaces.
 
-#include "CurvedMeshes.h"
+#include "AnalyticFields.h"
 #include "HashNoise.h"
 #include "InkTestMessages.h"
 #include "InkTestVolume.h"
+#include "MachineParts.h"
+#include "MeshesWithCurvature.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -26,6 +28,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -69,7 +72,7 @@ glm::dvec3 VectorAt(vtkDataArray* array, vtkIdType i)
 
 TEST(PrincipalCurvature, ArraysOfATorus)
 {
-  const ink::test::CurvedMesh torus = ink::test::closedTorus(1.0, 0.4, 90, 45);
+  const ink::test::MeshWithCurvature torus = ink::test::closedTorus(1.0, 0.4, 90, 45);
   vtkNew<vtkInkPrincipalCurvature> filter;
   filter->SetInputData(PolyDataOf(torus.mesh));
   filter->ComputeMeanCurvatureOn();
@@ -149,7 +152,7 @@ TEST(PrincipalCurvature, OfTheLevelSetsOfAnImage)
 {
   // The denser side is inside, so that normals point out of the ellipsoid, as those of the mesh do.
   const glm::dvec3 radii(1.0, 0.7, 0.5);
-  const ink::test::CurvedMesh exact = ink::test::ellipsoid(radii, 3);
+  const ink::test::MeshWithCurvature exact = ink::test::ellipsoid(radii, 3);
   vtkNew<vtkImageData> image;
   image->SetDimensions(61, 61, 61);
   image->SetOrigin(-1.2, -1.2, -1.2);
@@ -178,6 +181,47 @@ TEST(PrincipalCurvature, OfTheLevelSetsOfAnImage)
   const ink::test::CurvatureErrors errors = ink::test::curvatureErrors(exact.exact, found);
   EXPECT_LT(errors.curvature, 2e-3);
   EXPECT_LT(errors.angle, 0.2);
+}
+
+TEST(PrincipalCurvature, DerivativesOfAnImage)
+{
+  const double radius = 1.0;
+  const double tube = 0.4;
+  const ink::test::MeshWithCurvature torus = ink::test::closedTorus(radius, tube, 40, 30);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(81, 81, 81);
+  image->SetOrigin(-1.6, -1.6, -1.6);
+  image->SetSpacing(0.04, 0.04, 0.04);
+  InkTestFill(image, VTK_DOUBLE,
+    [&](double x, double y, double z) {
+      return -ink::testing::Torus{ radius, tube }.value({ x, y, z });
+    });
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(PolyDataOf(torus.mesh)->GetPoints());
+  points->GetPoints()->InsertNextPoint(5.0, 0.0, 0.0); // outside the image
+  vtkNew<vtkInkPrincipalCurvature> filter;
+  filter->SetInputData(points);
+  filter->SetFieldData(image);
+  filter->SetFieldSmoothing(0.0);
+  filter->SetEstimatorToExponentialMap(); // does not matter
+  filter->ComputeDerivativeOn();
+  filter->Update();
+  vtkDataArray* found = ArrayOf(filter->GetOutput(), "CurvatureDerivative");
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->GetNumberOfComponents(), 4);
+  for (std::size_t i = 0; i < torus.exact.size(); ++i)
+  {
+    // Along direction 1, around the tube, only k2 changes.
+    const glm::dvec3& p = torus.mesh.points[i];
+    const double out = std::hypot(p.x, p.y);
+    const double exact = radius * torus.exact[i].normal().z / (out * out) / tube;
+    const auto row = static_cast<vtkIdType>(i);
+    ASSERT_NEAR(std::abs(found->GetComponent(row, 2)), std::abs(exact), 0.15) << i;
+    ASSERT_NEAR(found->GetComponent(row, 0), 0.0, 0.15) << i;
+    ASSERT_NEAR(found->GetComponent(row, 1), 0.0, 0.15) << i;
+    ASSERT_NEAR(found->GetComponent(row, 3), 0.0, 0.15) << i;
+  }
+  EXPECT_EQ(found->GetComponent(found->GetNumberOfTuples() - 1, 2), 0.0);
 }
 
 TEST(PrincipalCurvature, TheFieldsArrayAndItsSmoothing)
@@ -262,7 +306,7 @@ TEST(PrincipalCurvature, GhostCellsAreNeighbors)
 {
   // A torus of which half the cells are another piece's: points of this piece have the curvature of the
   // whole.
-  const ink::test::CurvedMesh torus = ink::test::closedTorus(1.0, 0.4, 40, 20);
+  const ink::test::MeshWithCurvature torus = ink::test::closedTorus(1.0, 0.4, 40, 20);
   const vtkSmartPointer<vtkPolyData> whole = PolyDataOf(torus.mesh);
   vtkNew<vtkPolyData> piece;
   piece->ShallowCopy(whole);
@@ -328,4 +372,64 @@ TEST(PrincipalCurvature, StripsAndPolygonsAreSurfaces)
     EXPECT_NEAR(ArrayOf(filter->GetOutput(), "k2")->GetTuple1(i), 0.0, 0.04) << i;
     EXPECT_NEAR(std::abs(VectorAt(ArrayOf(filter->GetOutput(), "PrincipalDirection2"), i).y), 1.0, 1e-3) << i;
   }
+}
+
+/// The sides of a box are flat up to its edges, and a cylinder's bends up to its caps.
+TEST(PrincipalCurvature, SharpEdgesEndNeighborhoods)
+{
+  vtkNew<vtkInkPrincipalCurvature> filter;
+  filter->SetOutputArraysPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->ComputeSourceOn();
+  EXPECT_EQ(filter->GetFeatureAngle(), 180.0);
+  const auto update = [&](const ink::test::Mesh& mesh, double angle)
+  {
+    filter->SetInputData(PolyDataOf(mesh));
+    filter->SetFeatureAngle(angle);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), static_cast<vtkIdType>(mesh.points.size()));
+    return filter->GetOutput();
+  };
+  const auto most = [](vtkPolyData* output)
+  {
+    const double* range = ArrayOf(output, "k1")->GetRange();
+    const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
+    range = ArrayOf(output, "k2")->GetRange();
+    return std::max({ largest, std::abs(range[0]), std::abs(range[1]) });
+  };
+  for (const bool welded : { false, true })
+  {
+    const ink::test::Mesh box = ink::test::box({ 3.0, 2.0, 1.0 }, 6, welded);
+    EXPECT_GT(most(update(box, 180.0)), 1.0);
+    EXPECT_LT(most(update(box, 40.0)), 1e-9);
+    EXPECT_GT(most(update(box, 95.0)), 1.0) << "edges of 90 degrees are none then";
+    const ink::test::Mesh drum = ink::test::cylinder(48, 12, 2.0, welded);
+    vtkPolyData* output = update(drum, 40.0);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const glm::dvec3& p = drum.points[static_cast<std::size_t>(i)];
+      const bool isOfCap = std::abs(ArrayOf(output, "k1")->GetTuple1(i)) < 1e-9;
+      const bool isOnRim = p.z < 1e-9 || p.z > 2.0 - 1e-9;
+      ASSERT_TRUE(isOnRim || !isOfCap) << i;
+      if (!isOfCap)
+      {
+        ASSERT_NEAR(ArrayOf(output, "k1")->GetTuple1(i), 1.0, 0.05) << i;
+        ASSERT_NEAR(ArrayOf(output, "k2")->GetTuple1(i), 0.0, 0.05) << i;
+      }
+      ASSERT_EQ(ArrayOf(output, "CurvatureSource")->GetTuple1(i),
+        isOnRim ? vtkInkPrincipalCurvature::BORDER : vtkInkPrincipalCurvature::SURFACE)
+        << i;
+    }
+  }
+  // A surface without edges is as it is with any angle, and so is what no triangle uses.
+  ink::test::MeshWithCurvature torus = ink::test::closedTorus(1.0, 0.4, 60, 30);
+  torus.mesh.points.emplace_back(5.0);
+  vtkNew<vtkDoubleArray> before;
+  before->DeepCopy(ArrayOf(update(torus.mesh, 180.0), "k1"));
+  vtkPolyData* after = update(torus.mesh, 40.0);
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_NEAR(ArrayOf(after, "k1")->GetTuple1(i), before->GetTuple1(i), 1e-7) << i;
+  }
+  EXPECT_EQ(ArrayOf(after, "CurvatureSource")->GetTuple1(before->GetNumberOfTuples() - 1),
+    vtkInkPrincipalCurvature::NONE);
 }

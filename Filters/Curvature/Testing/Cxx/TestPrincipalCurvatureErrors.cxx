@@ -78,7 +78,7 @@ TEST(PrincipalCurvatureErrors, OddMeshesHaveFiniteValues)
   Checked run;
   run.Filter->ComputeSourceOn();
   run.Filter->ComputeUmbilicMeasureOn();
-  run.Expect(InkTestOddMesh(1.0), "odd mesh", {}, 8);
+  run.Expect(InkTestOddMesh(1.0), "odd mesh", { InkTestOddFaces }, 8);
   vtkPointData* arrays = run.Filter->GetOutput()->GetPointData();
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
   {
@@ -90,6 +90,8 @@ TEST(PrincipalCurvatureErrors, OddMeshesHaveFiniteValues)
   }
   // The point that is not finite, which no triangle keeps.
   EXPECT_EQ(arrays->GetArray("CurvatureSource")->GetTuple1(7), vtkInkPrincipalCurvature::NONE);
+  Checked none;
+  none.Expect(InkTestNotFiniteMesh(), "nothing finite", { InkTestNotFiniteFaces }, 0);
 }
 
 TEST(PrincipalCurvatureErrors, ImageWithoutScalars)
@@ -117,4 +119,16 @@ TEST(PrincipalCurvatureErrors, PointsBesideTheImage)
   run.Filter->ComputeSourceOn();
   run.Expect(sphere->GetOutput(), "beside", { "None of the input's 50 points lies in the image" }, 50);
   EXPECT_EQ(run.Filter->GetOutput()->GetPointData()->GetArray("k1")->GetTuple1(0), 0.0);
+}
+
+TEST(PrincipalCurvatureErrors, NoDerivativeOfFitsOfDegree2)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  Checked run;
+  run.Filter->ComputeDerivativeOn();
+  run.Filter->SetDegree(2);
+  run.Expect(sphere->GetOutput(), "degree 2",
+    { "The estimator is Jet of degree 2; expected Jet of degree 3 for ComputeDerivative" }, 50);
+  EXPECT_FALSE(run.Filter->GetOutput()->GetPointData()->HasArray("CurvatureDerivative"));
 }

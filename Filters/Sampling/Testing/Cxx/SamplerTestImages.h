@@ -6,11 +6,15 @@
 #include "InkTestVolume.h"
 
 #include "vtkDataArray.h"
+#include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +38,29 @@ inline double BallDensity(double x, double y, double z, double radius)
 {
   return 100.0 - 10.0 * (std::sqrt(x * x + y * y + z * z) - radius);
 }
+
+/// Says that it can make parts of an image of the given extent.
+class PartsSource : public vtkImageAlgorithm
+{
+protected:
+  explicit PartsSource(const std::array<int, 6>& whole)
+    : WholeExtent(whole)
+  {
+    this->SetNumberOfInputPorts(0);
+  }
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    vtkInformation* info = output->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->WholeExtent.data(), 6);
+    info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+    vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+    return 1;
+  }
+
+private:
+  const std::array<int, 6> WholeExtent;
+};
 
 /// A sample as its point and normal, which sort and compare exactly.
 using Sample = std::array<double, 6>;

@@ -43,26 +43,20 @@ double Density(double x, double y, double z)
 }
 
 /// Makes what it is asked for, and remembers how much that was.
-class CountingSource : public vtkImageAlgorithm
+class CountingSource : public PartsSource
 {
 public:
   static CountingSource* New();
-  vtkTypeMacro(CountingSource, vtkImageAlgorithm);
+  vtkTypeMacro(CountingSource, PartsSource);
 
   vtkIdType Largest = 0;
   vtkIdType All = 0;
   int Runs = 0;
 
 protected:
-  CountingSource() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  CountingSource()
+    : PartsSource(Whole)
   {
-    vtkInformation* info = output->GetInformationObject(0);
-    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), Whole.data(), 6);
-    info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
-    vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
-    return 1;
   }
 
   void ExecuteDataWithInformation(vtkDataObject* output, vtkInformation* info) override

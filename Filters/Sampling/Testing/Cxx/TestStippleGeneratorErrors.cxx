@@ -2,6 +2,7 @@
 // What cannot be stippled: one message that names what was found, and an empty output. What has nothing to
 // stipple: an empty output. What asks to stop: an empty output, too.
 
+#include "InkTestMesh.h"
 #include "InkTestMessages.h"
 #include "SamplerTestImages.h"
 
@@ -140,6 +141,14 @@ TEST(StippleGeneratorErrors, MeshesThatCannotBeStippled)
     line->GetPoints()->SetPoint(n, static_cast<double>(n), 0.0, 0.0);
   }
   Expect("no area", { "no area" }, line);
+  Expect("nothing finite", { InkTestNotFiniteFaces }, InkTestNotFiniteMesh());
+  vtkNew<vtkInkStippleGenerator> generator;
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(generator);
+  generator->SetInputData(InkTestOddMesh(1.0));
+  generator->Update();
+  messages->Expect("a face that is not finite", { InkTestOddFaces });
+  EXPECT_GT(generator->GetOutput()->GetNumberOfPoints(), 0);
   Expect("too many", { "GiB", "expected no more" }, flat->GetOutput(),
     [](vtkInkStippleGenerator* g) { g->SetNumberOfSurfaceStipples(1000000000000); });
   Expect("no colors", { "active scalars" }, flat->GetOutput(),

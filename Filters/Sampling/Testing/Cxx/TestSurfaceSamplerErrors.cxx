@@ -92,7 +92,7 @@ TEST(SurfaceSamplerErrors, MeshesWithoutArea)
         mesh->GetPoints()->SetPoint(i, 1.0 * i, 2.0 * i, 0.0);
       }
     });
-  Expect("NaN", { "no area" }, 0,
+  Expect("NaN", { "all of its 32 faces have points that are not finite; expected finite" }, 0,
     [=](vtkInkSurfaceSampler*, vtkPolyData* mesh)
     {
       for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -155,7 +155,7 @@ TEST(SurfaceSamplerErrors, NoneForSomeBadCells)
       mesh->GetPolys()->InsertNextCell({ 0, 0, 1 });
       mesh->GetPolys()->InsertNextCell({ 3, 3, 3 });
     });
-  Expect("one NaN", {}, 200,
+  Expect("one NaN", { "6 of 32 faces have points that are not finite; expected finite coordinates" }, 200,
     [=](vtkInkSurfaceSampler*, vtkPolyData* mesh) { mesh->GetPoints()->SetPoint(7, nan, 0.0, 0.0); });
   Expect("the same triangle thrice", {}, 200,
     [](vtkInkSurfaceSampler*, vtkPolyData* mesh)

@@ -3,27 +3,28 @@
 
 #include "InkTestMesh.h"
 #include "InkTestMessages.h"
-#include "MachineParts.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCylinderSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkInkHatching.h"
 #include "vtkInkLinesOfCurvature.h"
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
 #include "vtkPlaneSource.h"
+#include "vtkPlanes.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
-#include "vtkTriangleFilter.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -55,69 +56,10 @@ double Coordinate(vtkPolyData* lines, vtkIdType point, bool aroundAxis)
   return aroundAxis ? std::atan2(p[1], p[0]) : std::atan2(p[2], std::hypot(p[0], p[1]) - Radius);
 }
 
-/// Waves along x: bent across in the crests, the other way in the troughs, straight along y.
-vtkSmartPointer<vtkPolyData> Waves()
+double LengthAt(vtkDataArray* vectors, vtkIdType point)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-1.0, -1.0, 0.0);
-  plane->SetPoint1(1.0, -1.0, 0.0);
-  plane->SetPoint2(-1.0, 1.0, 0.0);
-  plane->SetResolution(100, 60);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(plane->GetOutputPort());
-  triangles->Update();
-  vtkSmartPointer<vtkPolyData> waves = triangles->GetOutput();
-  waves->GetPointData()->Initialize();
-  for (vtkIdType i = 0; i < waves->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    waves->GetPoint(i, p);
-    waves->GetPoints()->SetPoint(i, p[0], p[1], 0.1 * std::sin(6.0 * p[0]));
-  }
-  return waves;
-}
-
-/// Of the length of lines, the share that goes across the waves.
-double ShareAcross(vtkPolyData* lines)
-{
-  double across = 0.0;
-  double along = 0.0;
-  vtkNew<vtkIdList> points;
-  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
-  {
-    lines->GetCellPoints(line, points);
-    for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
-    {
-      double p[3];
-      double q[3];
-      lines->GetPoint(points->GetId(i - 1), p);
-      lines->GetPoint(points->GetId(i), q);
-      across += std::hypot(q[0] - p[0], q[2] - p[2]);
-      along += std::abs(q[1] - p[1]);
-    }
-  }
-  return across / (across + along);
-}
-
-/// A box of 12 triangles without normals; faces share their points.
-vtkSmartPointer<vtkPolyData> Box()
-{
-  const ink::test::Mesh box = ink::test::box({ 1.6, 1.0, 0.7 }, 1, true);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const glm::dvec3& p : box.points)
-  {
-    points->InsertNextPoint(&p.x);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& [a, b, c] : box.triangles)
-  {
-    triangles->InsertNextCell({ a, b, c });
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(triangles);
-  return mesh;
+  const double* v = vectors->GetTuple3(point);
+  return std::hypot(v[0], v[1], v[2]);
 }
 
 } // namespace
@@ -372,6 +314,8 @@ TEST(LinesOfCurvature, WhatIsWrongIsSaidOnce)
   wrong->SetPolys(missing);
   expect(wrong, "missing point", { "a face has the point 7; expected 0 to 2" });
 
+  expect(InkTestNotFiniteMesh(), "nothing finite", { InkTestNotFiniteFaces });
+
   const vtkSmartPointer<vtkPolyData> torus = Torus();
   vtkNew<vtkPolyData> arrays;
   arrays->ShallowCopy(torus);
@@ -397,6 +341,130 @@ TEST(LinesOfCurvature, WhatIsWrongIsSaidOnce)
   EXPECT_EQ(messages->Messages.size(), 1u);
 }
 
+/// Lines only where they are wanted: as even as all over the surface, along the same directions.
+TEST(LinesOfCurvature, OfARegion)
+{
+  constexpr double spacing = 0.1;
+  constexpr double begin = 0.5;
+  const vtkSmartPointer<vtkPolyData> torus = Torus();
+  vtkNew<vtkPlanes> region;
+  vtkNew<vtkPoints> origins;
+  origins->InsertNextPoint(begin, 0.0, 0.0);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->InsertNextTuple3(-1.0, 0.0, 0.0);
+  region->SetPoints(origins);
+  region->SetNormals(normals);
+  vtkNew<vtkInkLinesOfCurvature> filter;
+  vtkNew<vtkInkHatching> hatching;
+  filter->SetInputData(torus);
+  filter->SetSpacing(spacing);
+  hatching->SetInputConnection(filter->GetOutputPort());
+  hatching->SetSurfaceData(torus);
+  hatching->Update();
+  const double whole = hatching->GetOutput()->GetCellData()->GetArray("Spacing")->GetTuple1(0);
+  EXPECT_NEAR(whole, spacing, 0.15 * spacing);
+  filter->SetRegion(region);
+  hatching->SetRegion(region);
+  hatching->Update();
+  vtkPolyData* lines = filter->GetOutput();
+  ASSERT_GT(lines->GetNumberOfLines(), 20);
+  double least = Radius;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
+  {
+    lines->GetCellPoints(line, ids);
+    const double first = Coordinate(lines, ids->GetId(0), true);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      least = std::min(least, lines->GetPoint(ids->GetId(i))[0]);
+      ASSERT_NEAR(
+        std::remainder(Coordinate(lines, ids->GetId(i), true) - first, 2.0 * std::numbers::pi), 0.0, 0.01);
+    }
+  }
+  // A triangle's edge beyond.
+  EXPECT_LT(least, begin + spacing);
+  EXPECT_GT(least, begin - 0.3);
+  EXPECT_NEAR(hatching->GetOutput()->GetCellData()->GetArray("Spacing")->GetTuple1(0), whole, 0.1 * whole);
+  hatching->SetRegion(nullptr);
+  hatching->Update();
+  EXPECT_GT(hatching->GetOutput()->GetCellData()->GetArray("Spacing")->GetTuple1(0), 2.0 * whole);
+  // Where the surface is not, nothing, and nothing to say.
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(filter);
+  origins->SetPoint(0, 50.0, 0.0, 0.0);
+  region->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfLines(), 0);
+  EXPECT_TRUE(messages->Messages.empty());
+  // Seeds by chance are as dense as all over the surface.
+  filter->SetSeedingToAreaScatter();
+  filter->SetNumberOfSeeds(2000);
+  origins->SetPoint(0, 0.0, 0.0, 0.0);
+  region->Modified();
+  filter->Update();
+  EXPECT_NEAR(static_cast<double>(filter->GetOutput()->GetNumberOfLines()), 1000.0, 150.0);
+}
+
+/// Far from the origin, and stretched: a torus's lines stay on it, are as many, and cover all of it.
+TEST(LinesOfCurvature, FarAwayAndStretched)
+{
+  const auto linesOf = [](double origin, const double(&stretch)[3], double spacing)
+  {
+    const vtkSmartPointer<vtkPolyData> torus = Torus();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < torus->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      torus->GetPoint(i, p);
+      points->InsertNextPoint(
+        origin + stretch[0] * p[0], origin + stretch[1] * p[1], origin + stretch[2] * p[2]);
+    }
+    torus->SetPoints(points);
+    torus->GetPointData()->Initialize();
+    vtkNew<vtkInkLinesOfCurvature> filter;
+    vtkNew<InkTestMessages> messages;
+    messages->Observe(filter);
+    filter->SetInputData(torus);
+    filter->SetSpacing(spacing);
+    filter->Update();
+    EXPECT_TRUE(messages->Messages.empty());
+    return vtkSmartPointer<vtkPolyData>(filter->GetOutput());
+  };
+  const double usual[3] = { 1.0, 1.0, 1.0 };
+  const vtkSmartPointer<vtkPolyData> here = linesOf(0.0, usual, 0.1);
+  const vtkSmartPointer<vtkPolyData> away = linesOf(1e7, usual, 0.1);
+  EXPECT_NEAR(static_cast<double>(away->GetNumberOfLines()), static_cast<double>(here->GetNumberOfLines()),
+    0.05 * static_cast<double>(here->GetNumberOfLines()));
+  for (vtkIdType i = 0; i < away->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    away->GetPoint(i, p);
+    const double out = std::hypot(p[0] - 1e7, p[1] - 1e7) - Radius;
+    ASSERT_NEAR(std::hypot(out, p[2] - 1e7), Tube, 0.01);
+  }
+  // A thousand times as long or as wide: no number that is none, on the stretched torus.
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double stretch[3] = { 1.0, 1.0, 1.0 };
+    stretch[axis] = 1000.0;
+    const vtkSmartPointer<vtkPolyData> lines = linesOf(0.0, stretch, 1.0);
+    ASSERT_GT(lines->GetNumberOfLines(), 0) << axis;
+    double bounds[6];
+    lines->GetBounds(bounds);
+    EXPECT_GT(bounds[2 * axis + 1] - bounds[2 * axis], 1000.0 * (axis == 2 ? Tube : Radius)) << axis;
+    for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      lines->GetPoint(i, p);
+      const double out = std::hypot(p[0] / stretch[0], p[1] / stretch[1]) - Radius;
+      ASSERT_NEAR(std::hypot(out, p[2] / stretch[2]), Tube, 0.02) << axis;
+      ASSERT_NEAR(LengthAt(lines->GetPointData()->GetNormals(), i), 1.0, 1e-5) << axis;
+    }
+  }
+}
+
 TEST(LinesOfCurvature, OddMeshesOfAnySize)
 {
   for (const double scale : { 1e-9, 1.0, 1e9 })
@@ -408,7 +476,7 @@ TEST(LinesOfCurvature, OddMeshesOfAnySize)
     filter->SetFamiliesToBoth();
     filter->Update();
     vtkPolyData* lines = filter->GetOutput();
-    EXPECT_TRUE(messages->Messages.empty()) << scale << ": " << messages->Messages.front();
+    messages->Expect("scale " + std::to_string(scale), { InkTestOddFaces });
     EXPECT_GT(lines->GetNumberOfLines(), 0) << scale;
     for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
     {
@@ -416,76 +484,6 @@ TEST(LinesOfCurvature, OddMeshesOfAnySize)
       lines->GetPoint(i, p);
       ASSERT_TRUE(std::isfinite(p[0] + p[1] + p[2])) << scale;
       ASSERT_TRUE(std::isfinite(lines->GetPointData()->GetNormals()->GetComponent(i, 0))) << scale;
-    }
-  }
-}
-
-/// Families by the sign of curvatures are blocks at right angles to each other; combed, the first one bends.
-TEST(LinesOfCurvature, CombedFamiliesGoOn)
-{
-  vtkNew<vtkInkLinesOfCurvature> filter;
-  filter->SetInputData(Waves());
-  filter->SetSpacing(0.05);
-  filter->Update();
-  EXPECT_LT(ShareAcross(filter->GetOutput()), 0.92) << "by sign";
-  filter->CombDirectionsOn();
-  filter->Update();
-  EXPECT_GT(ShareAcross(filter->GetOutput()), 0.95);
-  filter->SetFamiliesToMinimum();
-  filter->Update();
-  EXPECT_LT(ShareAcross(filter->GetOutput()), 0.05);
-}
-
-TEST(LinesOfCurvature, FacesOfABoxAreHatchedEvenlyAndStraight)
-{
-  constexpr double spacing = 0.04;
-  vtkNew<vtkInkLinesOfCurvature> filter;
-  filter->SetInputData(Box());
-  filter->SetSpacing(spacing);
-  filter->SetFamilies(vtkInkLinesOfCurvature::MAXIMUM);
-  filter->SmoothDirectionsOn();
-  filter->CombDirectionsOn();
-  filter->Update();
-  vtkPolyData* lines = filter->GetOutput();
-  const double size[3] = { 1.6, 1.0, 0.7 };
-  double lengths[3][2][2] = {}; // by axis, side, and half of the face before or behind its diagonal
-  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
-  {
-    vtkNew<vtkIdList> ids;
-    lines->GetCellPoints(line, ids);
-    for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
-    {
-      double a[3];
-      double b[3];
-      lines->GetPoint(ids->GetId(i - 1), a);
-      lines->GetPoint(ids->GetId(i), b);
-      int axis = 0;
-      while (axis < 3 &&
-        !(std::abs(a[axis] - b[axis]) < 1e-9 &&
-          (std::abs(a[axis]) < 1e-9 || std::abs(a[axis] - size[axis]) < 1e-9)))
-      {
-        ++axis;
-      }
-      ASSERT_LT(axis, 3) << "a line crosses an edge";
-      const double d[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-      const double length = std::hypot(d[0], d[1], d[2]);
-      // Along the longest side of the face.
-      EXPECT_NEAR(std::abs(d[axis == 0 ? 1 : 0]), length, 1e-6);
-      const int u = (axis + 1) % 3;
-      const int v = (axis + 2) % 3;
-      const bool half = (a[u] + b[u]) / size[u] > (a[v] + b[v]) / size[v];
-      lengths[axis][a[axis] > 0.5 * size[axis] ? 1 : 0][half ? 1 : 0] += length;
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double half = 0.5 * size[(axis + 1) % 3] * size[(axis + 2) % 3];
-    for (int side = 0; side < 2; ++side)
-    {
-      for (int part = 0; part < 2; ++part)
-      {
-        EXPECT_NEAR(lengths[axis][side][part] * spacing / half, 1.0, 0.2) << axis << side << part;
-      }
     }
   }
 }

@@ -12,7 +12,9 @@
 #include "vtkImageData.h"
 #include "vtkInkLinesOfCurvature.h"
 #include "vtkNew.h"
+#include "vtkPlanes.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
@@ -112,6 +114,61 @@ TEST(LinesOfCurvatureOfImages, AreTheCirclesOfATorus)
   vtkDataArray* priority = lines->GetCellData()->GetArray("Priority");
   EXPECT_EQ(priority->GetRange()[0], 0.0);
   EXPECT_LT(priority->GetRange()[1], 1.0);
+}
+
+TEST(LinesOfCurvatureOfImages, OfARegion)
+{
+  vtkNew<vtkInkLinesOfCurvature> filter;
+  filter->SetInputData(Torus(0.0));
+  filter->SetIsoValue(100.0);
+  filter->SetSpacing(0.2);
+  filter->Update();
+  const auto all = static_cast<double>(filter->GetOutput()->GetNumberOfLines());
+  vtkNew<vtkPlanes> region;
+  region->SetBounds(0.0, 9.0, -9.0, 9.0, -9.0, 9.0);
+  filter->SetRegion(region);
+  filter->Update();
+  vtkPolyData* lines = filter->GetOutput();
+  EXPECT_NEAR(static_cast<double>(lines->GetNumberOfLines()), 0.5 * all, 0.1 * all);
+  double bounds[6];
+  lines->GetBounds(bounds);
+  EXPECT_GE(bounds[0], 0.0);
+  EXPECT_NEAR(bounds[1], Radius + Tube, 0.02);
+}
+
+TEST(LinesOfCurvatureOfImages, FarAwayAndOfUnequalSpacing)
+{
+  constexpr double origin = 1e7;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(61, 121, 17);
+  image->SetOrigin(origin - 3.0, origin - 3.0, origin - 1.6);
+  image->SetSpacing(0.1, 0.05, 0.2);
+  InkTestFill(image, VTK_FLOAT,
+    [&](double x, double y, double z)
+    { return Tube - std::hypot(std::hypot(x - origin, y - origin) - Radius, z - origin); });
+  vtkNew<vtkInkLinesOfCurvature> filter;
+  vtkNew<InkTestMessages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(image);
+  filter->SetSpacing(0.2);
+  filter->Update();
+  messages->Expect("far away", {});
+  vtkNew<vtkPolyData> lines;
+  lines->DeepCopy(filter->GetOutput());
+  ASSERT_GT(lines->GetNumberOfLines(), 50);
+  ASSERT_EQ(lines->GetPoints()->GetDataType(), VTK_DOUBLE);
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    lines->GetPoint(i, p);
+    for (double& c : p)
+    {
+      c -= origin;
+    }
+    lines->GetPoints()->SetPoint(i, p);
+    ASSERT_NEAR(std::hypot(std::hypot(p[0], p[1]) - Radius, p[2]), Tube, 0.02);
+  }
+  EXPECT_LT(MeanTurn(lines, 0, true), 0.02);
 }
 
 TEST(LinesOfCurvatureOfImages, SmoothingRemovesNoise)

@@ -12,6 +12,7 @@
 #include "vtkPLYWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
 #include "vtkSTLWriter.h"
 #include "vtkSphereSource.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -72,7 +73,8 @@ std::string WriteObj(const std::string& name)
 std::vector<std::string> AllMeshes(const std::string& name)
 {
   return { WriteSphere<vtkPLYWriter>(name + ".ply"), WriteSphere<vtkSTLWriter>(name + ".stl"),
-    WriteSphere<vtkXMLPolyDataWriter>(name + ".vtp"), WriteObj(name + ".OBJ") };
+    WriteSphere<vtkXMLPolyDataWriter>(name + ".vtp"), WriteSphere<vtkPolyDataWriter>(name + ".vtk"),
+    WriteObj(name + ".OBJ") };
 }
 
 void ExpectError(const std::vector<std::string>& words, const std::string& file)
@@ -154,10 +156,10 @@ TEST(MeshReader, WhatCannotBeReadIsOneError)
   ExpectError({ "'none.ply'", "no such file" }, "none.ply");
   ExpectError({ "the file is empty" }, Put("MeshReaderEmpty.obj", ""));
   ExpectError(
-    { "unknown type '.txt'; expected one of .ply .obj .stl .vtp .xyz" }, Put("MeshReader.txt", "words"));
+    { "unknown type '.txt'; expected one of .ply .obj .stl .vtp .vtk .xyz" }, Put("MeshReader.txt", "words"));
   ExpectError({ "it holds no points" }, Put("MeshReaderNothing.xyz", "# nothing\n"));
   ExpectError({ "line 2 is '1 2'; expected 3 numbers" }, Put("MeshReaderLine.xyz", "1 2 3\n1 2\n"));
-  for (const char* suffix : { ".ply", ".obj", ".stl", ".vtp", ".xyz" })
+  for (const char* suffix : { ".ply", ".obj", ".stl", ".vtp", ".vtk", ".xyz" })
   {
     ExpectError({ "cannot read", "MeshReaderWords" },
       Put(std::string("MeshReaderWords") + suffix, "v ery few words\n"));
@@ -168,7 +170,9 @@ TEST(MeshReader, WhatCannotBeReadIsOneError)
     {
       std::ifstream in(file, std::ios::binary);
       const std::string bytes{ std::istreambuf_iterator<char>(in), {} };
-      ExpectError({ "cannot read" }, Put("Cut" + file, bytes.substr(0, bytes.size() - 60)));
+      // Legacy files end with what describes arrays.
+      const std::size_t cut = file.ends_with(".vtk") ? bytes.size() / 2 : 60;
+      ExpectError({ "cannot read" }, Put("Cut" + file, bytes.substr(0, bytes.size() - cut)));
     }
   }
   vtkNew<vtkInkMeshReader> reader;
@@ -177,6 +181,29 @@ TEST(MeshReader, WhatCannotBeReadIsOneError)
     EXPECT_EQ(reader->CanReadFile(file), 0) << file;
   }
   EXPECT_EQ(reader->CanReadFile(nullptr), 0);
+}
+
+TEST(MeshReader, LegacyFilesOfImagesAndOfTooManyPointsAreRefused)
+{
+  const std::string image = Put("MeshReaderImage.vtk",
+    "# vtk DataFile Version 3.0\nPOLYDATA\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n");
+  ExpectError({ "'MeshReaderImage.vtk'", "expected DATASET POLYDATA" }, image);
+  vtkNew<vtkInkMeshReader> reader;
+  EXPECT_EQ(reader->CanReadFile(image.c_str()), 0);
+  const std::string start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n";
+  ExpectError({ "more points or cells than there are bytes for" },
+    Put("MeshReaderMany.vtk", start + "POINTS 100000000000 float\n1 2 3\n"));
+  ExpectError({ "cannot read" },
+    Put("MeshReaderPolygons.vtk",
+      start + "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1000000000000000 4000000000000000\n3 0 1 2\n"));
+  for (const char* count : { "4", "-3", "2", "1000000000" })
+  {
+    ExpectError({ "cannot read" },
+      Put("MeshReaderCount.vtk",
+        start + "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n" + count + " 0 1 2\n"));
+  }
+  ExpectError({ "cannot read" },
+    Put("MeshReaderPoint.vtk", start + "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 7\n"));
 }
 
 TEST(MeshReader, CellsOfPointsThatAreNotThereAreRefused)

@@ -61,6 +61,21 @@ TEST(VDBErrors, FilesOfOtherContents)
   Expect("an empty file", { "it is not an OpenVDB file" }, FileOfTest("Empty.vdb"));
 }
 
+TEST(VDBErrors, AreToldByWhatAsksBeforeSampling)
+{
+  const auto expect = [](const std::string& name, auto ask)
+  {
+    vtkNew<vtkInkVDBIsoSurfaceSampler> sampler;
+    vtkNew<InkTestMessages> messages;
+    messages->Observe(sampler);
+    sampler->SetFileName("none.vdb");
+    EXPECT_EQ(ask(sampler.Get()), 0) << name;
+    messages->Expect(name, { "\"none.vdb\"", "there is no such file" });
+  };
+  expect("smoothing", [](auto* sampler) { return sampler->SuggestSmoothing(0.5); });
+  expect("cells", [](auto* sampler) { return sampler->CountActiveCells(0.5); });
+}
+
 TEST(VDBErrors, FilesThatEndTooSoon)
 {
   std::ifstream in(WriteVDB("Whole.vdb", { MakeSphere() }), std::ios::binary);

@@ -268,6 +268,21 @@ TEST_F(VDBIsoSurfaceSampler, ProjectionMakesTheSamplesOfTheImage)
   }
 }
 
+TEST_F(VDBIsoSurfaceSampler, KnowsItsSurfaceBeforeItIsSampled)
+{
+  this->SampleFog();
+  EXPECT_EQ(this->Sampler->CountActiveCells(0.5), this->Sampler->GetOutput()->GetNumberOfPoints());
+  // Values of one step between neighbors show terraces: as smooth as may be.
+  EXPECT_EQ(this->Sampler->SuggestSmoothing(0.5), 2.0);
+  EXPECT_EQ(this->Sampler->SuggestSmoothing(7.0), 0.0) << "no surface";
+  this->Sampler->SetGridName(this->Sphere->getName().c_str());
+  EXPECT_EQ(this->Sampler->SuggestSmoothing(0.0), 0.0) << "distances";
+  // Of negated values, as iso-values are.
+  EXPECT_GT(this->Sampler->CountActiveCells(-0.25), this->Sampler->CountActiveCells(0.5));
+  this->Sampler->InvertLevelSetsOff();
+  EXPECT_LT(this->Sampler->CountActiveCells(-0.25), this->Sampler->CountActiveCells(0.5));
+}
+
 TEST_F(VDBIsoSurfaceSampler, SurfaceIndexCountsFromZero)
 {
   Sampler->SetGridName("sphere");

@@ -146,7 +146,7 @@ TEST(VolumeReader, RescaledValuesHaveTheTypeThatWasAnnounced)
     vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(reader->GetOutputInformation(0),
       vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
     EXPECT_EQ(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()), one.type);
-    EXPECT_EQ(reader->GetStoredVoxels(), nullptr);
+    EXPECT_FALSE(reader->HasPlainVoxels());
     ASSERT_EQ(reader->GetNumberOfNotes(), 1);
     EXPECT_NE(std::string(reader->GetNote(0)).find("rescaled"), std::string::npos);
     const int part[6] = { 1, 3, 2, 4, 0, 5 };
@@ -163,12 +163,12 @@ TEST(VolumeReader, SaysWhereStoredVoxelsLie)
   for (const std::string& file : files)
   {
     const auto reader = ReaderOf(file);
-    EXPECT_EQ(reader->GetStoredVoxels(), nullptr) << "before anything is known";
+    EXPECT_FALSE(reader->HasPlainVoxels()) << "before anything is known";
     EXPECT_EQ(reader->GetMemorySize(), 0);
     reader->UpdateInformation();
     const bool isStored =
       file == files[0] || file == files[2] || file == files[3] || file == files[7] || file.ends_with(".nrrd");
-    EXPECT_EQ(reader->GetStoredVoxels() != nullptr, isStored) << file;
+    EXPECT_EQ(reader->HasPlainVoxels(), isStored) << file;
     // Of VTI, VTK's reader reads all components.
     const int read = file.ends_with("3.vti") ? 3 : 1;
     EXPECT_EQ(reader->GetMemorySize(), read * 2 * Size[0] * Size[1] * Size[2]) << file;

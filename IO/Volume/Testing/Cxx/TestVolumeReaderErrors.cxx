@@ -128,11 +128,11 @@ TEST(VolumeReaderErrors, NothingIsKnownOfTheFileBefore)
   reader->SetFileName(Write<vtkNIFTIImageWriter>("VolumeReaderBefore.nii", Volume(), [](auto*) {}).c_str());
   reader->UpdateInformation();
   EXPECT_STREQ(reader->GetFormat(), "NIfTI volume");
-  EXPECT_NE(reader->GetStoredVoxels(), nullptr);
+  EXPECT_TRUE(reader->HasPlainVoxels());
   reader->SetFileName("none.nii");
   reader->UpdateInformation();
   EXPECT_EQ(messages->Messages.size(), 1u);
   EXPECT_STREQ(reader->GetFormat(), "");
-  EXPECT_EQ(reader->GetStoredVoxels(), nullptr);
+  EXPECT_FALSE(reader->HasPlainVoxels());
   EXPECT_EQ(reader->GetMemorySize(), 0);
 }

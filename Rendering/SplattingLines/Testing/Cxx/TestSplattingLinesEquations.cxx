@@ -3,35 +3,24 @@
 // I2)), worked out on the CPU from the points alone: flat and curved, one behind the other, with parallel
 // rays and in perspective.
 #include "InkTestImage.h"
-#include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
+#include "TestSplats.h"
 
-#include "vtkFloatArray.h"
 #include "vtkMath.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <optional>
 #include <vector>
 
 namespace
 {
-
-struct Splat
-{
-  std::array<double, 3> Position;
-  std::array<double, 3> Normal;
-  double Radius;
-};
 
 /// Points in the plane z = 0 whose normals wave, and whose radii differ.
 std::vector<Splat> MakeSplats()
@@ -50,27 +39,6 @@ std::vector<Splat> MakeSplats()
     }
   }
   return splats;
-}
-
-vtkSmartPointer<vtkPolyData> ToPolyData(const std::vector<Splat>& splats)
-{
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkFloatArray> radii;
-  radii->SetName("Radius");
-  for (const Splat& splat : splats)
-  {
-    points->InsertNextPoint(splat.Position.data());
-    normals->InsertNextTuple(splat.Normal.data());
-    radii->InsertNextValue(static_cast<float>(splat.Radius));
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->GetPointData()->AddArray(normals);
-  data->GetPointData()->AddArray(radii);
-  return data;
 }
 
 /// Equation 1 at the line of sight through (x, y), along z; 0 where there is no splat.
@@ -97,89 +65,30 @@ double Illumination(const std::vector<Splat>& splats, double x, double y, double
   return weights > 0.0 ? weighted / weights : 0.0;
 }
 
-struct Parameters
-{
-  double Lambda, Tau, Phi, Sigma;
-
-  void Give(vtkInkSplattingLinesMapper* mapper) const
-  {
-    mapper->SetLambda(this->Lambda);
-    mapper->SetTau(this->Tau);
-    mapper->SetPhi(this->Phi);
-    mapper->SetSigma(this->Sigma);
-  }
-};
-
 /// Sections 3.1 to 3.3 for the line of sight in a direction from an eye: depth splats, then illumination
 /// splats whose depth is that of the depth image within 1.5 radii, both measured along -z.
 /// @return ink, or nothing where there is no disc
 std::optional<double> TraceInk(
   const std::vector<Splat>& splats, const glm::dvec3& eye, const glm::dvec3& direction, const Parameters& p)
 {
-  struct Hit
-  {
-    double Distance2; ///< on the disc's plane, from its center
-    double Depth;
-    double Radius;
-    double Light;
-  };
-  std::vector<Hit> hits;
+  std::vector<SplatHit> hits;
   double depth = HUGE_VAL;
   double side = 1.0;
   for (const Splat& splat : splats)
   {
-    const glm::dvec3 center(splat.Position[0], splat.Position[1], splat.Position[2]);
-    const glm::dvec3 normal(splat.Normal[0], splat.Normal[1], splat.Normal[2]);
-    const double along = glm::dot(normal, direction);
-    const glm::dvec3 point = eye + glm::dot(normal, center - eye) / along * direction;
-    const glm::dvec3 offset = point - center;
-    const Hit hit{ glm::dot(offset, offset), eye.z - point.z, splat.Radius,
-      glm::dot(normal, glm::normalize(eye - center)) };
+    const SplatHit& hit = hits.emplace_back(splat, eye, direction);
     if (hit.Distance2 <= hit.Radius * hit.Radius && hit.Depth < depth)
     {
       depth = hit.Depth;
       side = hit.Light < 0.0 ? -1.0 : 1.0;
-    }
-    if (hit.Distance2 <= p.Lambda * p.Lambda * hit.Radius * hit.Radius)
-    {
-      hits.push_back(hit);
     }
   }
   if (depth == HUGE_VAL)
   {
     return {};
   }
-  const auto illumination = [&](double sigma)
-  {
-    double weighted = 0.0;
-    double weights = 0.0;
-    for (const Hit& hit : hits)
-    {
-      if (std::abs(hit.Depth - depth) <= 1.5 * hit.Radius)
-      {
-        const double variance = std::pow(p.Lambda * hit.Radius * sigma, 2);
-        const double w = std::exp(-hit.Distance2 / (2.0 * variance)) / variance;
-        weighted += w * side * hit.Light;
-        weights += w;
-      }
-    }
-    return weights > 0.0 ? weighted / weights : 0.0;
-  };
-  return std::max(0.0, -std::tanh(p.Phi * (illumination(p.Sigma) - p.Tau * illumination(1.6 * p.Sigma))));
-}
-
-void AddSphere(std::vector<Splat>& splats, double radius, double spacing, const InkTestPoints::Vector& center)
-{
-  auto sphere = InkTestPoints::Sphere(radius, spacing, center);
-  vtkDataArray* normals = sphere->GetPointData()->GetArray("Normals");
-  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
-  {
-    Splat splat;
-    sphere->GetPoint(i, splat.Position.data());
-    normals->GetTuple(i, splat.Normal.data());
-    splat.Radius = spacing * (1.2 + 0.1 * static_cast<double>(i % 3));
-    splats.push_back(splat);
-  }
+  return InkOfSplats(
+    hits, p, side, [&](std::size_t i) { return std::abs(hits[i].Depth - depth) <= 1.5 * hits[i].Radius; });
 }
 
 } // namespace

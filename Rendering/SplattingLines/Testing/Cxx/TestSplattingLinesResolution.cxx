@@ -234,7 +234,7 @@ TEST(SplattingLinesResolution, MaximumDownsampling)
       scene.Mapper->SetMaximumDownsampling(texel);
       const double difference =
         ink::pictureDifference(Shrink(exact, 600), Shrink(InkTestImage(scene.Window), 600));
-      EXPECT_TRUE(difference < 0.08 && difference >= last)
+      EXPECT_TRUE(difference < 0.06 && difference >= last)
         << "much the same with texels of " << texel << " and lambda " << lambda << "; " << difference
         << " of the ink differs";
       last = difference;

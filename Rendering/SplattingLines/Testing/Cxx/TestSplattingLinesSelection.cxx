@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hardware selection: which actor and which points.
+#include "InkSourcePoints.h"
 #include "InkTestImage.h"
 #include "InkTestPoints.h"
 #include "SplattingLinesScene.h"
@@ -8,13 +9,17 @@
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -64,6 +69,45 @@ TEST(SplattingLinesSelection, Points)
       << "nothing selected beside the sphere";
     EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(before), 0) << "the same picture afterwards";
   }
+}
+
+/// Points that were made on a mesh, say, are found as those of the mesh: the ids are far from their numbers,
+/// and need more than 24 bits.
+TEST(SplattingLinesSelection, SourcePoints)
+{
+  constexpr vtkIdType first = 20'000'000;
+  auto points = InkTestPoints::Sphere(1.0, 0.05);
+  SplattingLinesScene scene(points);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(1.25);
+  // Before its first picture a window has no OpenGL to select with.
+  scene.Window->Render();
+  const auto select = [&]
+  {
+    auto selection = Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_POINTS, 90, 90, 20);
+    const bool found = selection->GetNumberOfNodes() == 1;
+    auto* ids = vtkIdTypeArray::SafeDownCast(found ? selection->GetNode(0)->GetSelectionList() : nullptr);
+    std::vector<vtkIdType> values;
+    for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(ids->GetValue(i));
+    }
+    return values;
+  };
+  const std::vector<vtkIdType> own = select();
+  ASSERT_GT(own.size(), 5u);
+  vtkNew<vtkIdTypeArray> sources;
+  sources->SetName(InkSourcePointsName);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    sources->InsertNextValue(first + i);
+  }
+  points->GetPointData()->AddArray(sources);
+  std::vector<vtkIdType> expected = own;
+  std::for_each(expected.begin(), expected.end(), [](vtkIdType& id) { id += first; });
+  EXPECT_EQ(select(), expected);
+  points->GetPointData()->RemoveArray(InkSourcePointsName);
+  EXPECT_EQ(select(), own) << "their own numbers again";
 }
 
 TEST(SplattingLinesSelection, Props)

@@ -13,6 +13,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPlane.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSelection.h"
@@ -77,14 +78,14 @@ constexpr double Radius = 60.0; ///< pixels
 constexpr double Fringe = 0.85;
 
 /// How many of 100 pixels around the middle, in a circle, are dark.
-int CountAround(const InkTestImage& image, double radius, double x = 100.0)
+int CountAround(const InkTestImage& image, double radius, double x = 100.0, double y = 100.0)
 {
   int dark = 0;
   for (int i = 0; i < 100; ++i)
   {
     const double angle = (i + 0.5) * 2.0 * Pi / 100;
     dark += image.IsDark(
-      static_cast<int>(x + radius * std::cos(angle)), static_cast<int>(100.0 + radius * std::sin(angle)));
+      static_cast<int>(x + radius * std::cos(angle)), static_cast<int>(y + radius * std::sin(angle)));
   }
   return dark;
 }
@@ -204,6 +205,66 @@ TEST(ToonSilhouettes, Sphere)
   EXPECT_EQ(InkTestImage(scene.Window).Channel(158, 100, 0), 255);
   scene.Mapper->SilhouettesOff();
   EXPECT_EQ(scene.Ink(), 0.0);
+}
+
+/// The default of .1: a rim of half a hundredth of the radius, 1.5 pixels here, smooth on both sides.
+TEST(ToonSilhouettes, ThinRim)
+{
+  constexpr double scale = 5.0;
+  Scene scene(Sphere(), Toon, static_cast<int>(200 * scale));
+  ASSERT_EQ(scene.Mapper->GetLargestCosine(), 0.1);
+  const InkTestImage image(scene.Window);
+  const double area = Pi * scale * Radius * scale * Radius;
+  EXPECT_NEAR(image.Ink() / area, 0.01, 0.0007);
+  const double rim = scale * Radius * (1.0 - std::sqrt(0.99));
+  const auto around = [&](double radius) { return CountAround(image, radius, 100.0 * scale, 100.0 * scale); };
+  EXPECT_GE(around(scale * Radius - 0.5 * rim), 99);
+  EXPECT_EQ(around(scale * Radius - rim - 1.5), 0);
+  EXPECT_EQ(around(scale * Radius + 1.5), 0);
+}
+
+/// The edge of the ink is as smooth as a pixel, and no more.
+TEST(ToonSilhouettes, SmoothEdge)
+{
+  Scene scene(Sphere(), Toon);
+  scene.Mapper->SetLargestCosine(0.4);
+  const InkTestImage image(scene.Window);
+  const double inner = Radius * std::sqrt(1.0 - 0.16);
+  int gray = 0;
+  for (int y = 0; y < 200; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      const bool beside = std::abs(std::hypot(x - 99.5, y - 99.5) - inner) < 4.0;
+      gray += beside && image.Gray(x, y) > 10 && image.Gray(x, y) < 245;
+    }
+  }
+  // Between 1 and sqrt(2) pixels wide.
+  EXPECT_NEAR(gray / (2.0 * Pi * inner), 1.2, 0.3);
+}
+
+/// Whichever way normals point, and where the surface faces the eye.
+TEST(ToonSilhouettes, EitherSide)
+{
+  const auto sphere = Sphere();
+  Scene scene(sphere, Toon);
+  scene.Mapper->SetLargestCosine(0.4);
+  const InkTestImage before(scene.Window);
+  vtkDataArray* normals = sphere->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    double normal[3];
+    normals->GetTuple(i, normal);
+    normals->SetTuple3(i, -normal[0], -normal[1], -normal[2]);
+  }
+  normals->Modified();
+  sphere->Modified();
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(before), 0);
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  Scene facing(plane->GetOutput(), Toon);
+  facing.Mapper->SetLargestCosine(1.0);
+  EXPECT_NEAR(facing.Ink() / (Radius * Radius), 1.0, 0.02) << "a square of side 1";
 }
 
 /// What lies behind is hidden.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ContourUpdates.h"
 #include "InkTestImage.h"
 #include "InkTestMessages.h"
 #include "InkTestScene.h"
 #include "InkUploadEvent.h"
+#include "SilhouetteOfUnitBall.h"
 #include "TubeSurfaces.h"
 #include "vtkInkSilhouetteMapper.h"
 
@@ -67,33 +69,49 @@ TEST(SilhouetteMapper, Sphere)
   for (const bool parallel : { false, true })
   {
     Scene scene(Sphere());
-    vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    camera->SetParallelProjection(parallel);
-    camera->SetPosition(0.0, 0.0, 5.0);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetViewAngle(30.0);
-    camera->SetParallelScale(1.3);
-    scene.Renderer->ResetCameraClippingRange();
-    const double radius =
-      100.0 * (parallel ? 1.0 / 1.3 : 1.0 / std::sqrt(24.0) / std::tan(15.0 * std::numbers::pi / 180.0));
-    for (const double azimuth : { 0.0, 17.0, 90.0 })
+    ExpectOutlineOfUnitBall(scene, parallel);
+  }
+}
+
+/// Waves of a sheet have an outline each, wherever the sheet ends: it encloses nothing that could hide them.
+TEST(SilhouetteMapper, OpenSheet)
+{
+  constexpr int waves = 4;
+  for (const double phase : { 0.0, 0.25, 0.5, 0.75 })
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(0.0, -2.0, 0.0);
+    plane->SetPoint1(waves, -2.0, 0.0);
+    plane->SetPoint2(0.0, 2.0, 0.0);
+    plane->SetResolution(200, 10);
+    plane->Update();
+    vtkPolyData* sheet = plane->GetOutput();
+    for (vtkIdType i = 0; i < sheet->GetNumberOfPoints(); ++i)
     {
-      camera->Azimuth(azimuth);
-      const InkTestImage image(scene.Window);
-      EXPECT_NEAR(image.Ink() / (2.0 * std::numbers::pi * radius * 3.0), 1.0, 0.02)
-        << azimuth << ' ' << parallel;
-      for (int i = 0; i < 100; ++i)
-      {
-        const double angle = i * 2.0 * std::numbers::pi / 100;
-        const auto darkAt = [&](double r)
-        {
-          return image.IsDark(
-            static_cast<int>(100.0 + r * std::cos(angle)), static_cast<int>(100.0 + r * std::sin(angle)));
-        };
-        EXPECT_TRUE(darkAt(radius) && !darkAt(radius - 3.0) && !darkAt(radius + 3.0)) << i;
-      }
-      ASSERT_EQ(scene.GetContours()->GetNumberOfLines(), 1);
+      double p[3];
+      sheet->GetPoint(i, p);
+      const double angle = 2.0 * std::numbers::pi * (p[0] + phase);
+      p[2] = 0.15 * std::sin(angle);
+      sheet->GetPoints()->SetPoint(i, p);
+      sheet->GetPointData()->GetNormals()->SetTuple3(i, -0.3 * std::numbers::pi * std::cos(angle), 0.0, 1.0);
     }
+    Scene scene(sheet);
+    scene.Mapper->BordersOff();
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(1.2);
+    camera->SetFocalPoint(0.5 * waves, 0.0, 0.0);
+    camera->SetPosition(0.5 * waves + 10.0, 0.0, 3.64);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    scene.Renderer->ResetCameraClippingRange();
+    const InkTestImage image(scene.Window);
+    int lines = 0;
+    for (int y = 1; y < 200; ++y)
+    {
+      lines += image.IsDark(100, y) && !image.IsDark(100, y - 1);
+    }
+    // Where the sheet ends on its way up or down from the nearest crest, the eye sees the hollow below.
+    EXPECT_EQ(lines, waves + (phase < 0.5 ? 1 : 0)) << phase;
   }
 }
 
@@ -103,22 +121,8 @@ TEST(SilhouetteMapper, Updates)
   const auto sphere = Sphere();
   Scene scene(sphere);
   EXPECT_EQ(scene.GetContours(), nullptr);
-  vtkMTimeType before = 0;
-  const auto expect = [&](bool anew, const char* what)
-  {
-    scene.Window->Render();
-    EXPECT_EQ(scene.GetContours()->GetMTime() > before, anew) << what;
-    before = scene.GetContours()->GetMTime();
-  };
-  expect(true, "first picture");
-  expect(false, "the same picture");
-  scene.Mapper->SetLineWidth(5.0);
-  scene.Mapper->SetHiddenPartsToFaint();
-  expect(false, "another width");
-  scene.Renderer->GetActiveCamera()->Azimuth(10.0);
-  expect(true, "another camera");
-  scene.Actor->RotateX(10.0);
-  expect(true, "the actor turned");
+  ContourUpdates expect(scene);
+  expect.ExpectThoseOfTheView();
   scene.Mapper->CreasesOn();
   expect(true, "another option");
   sphere->GetPoints()->SetPoint(5, 0.0, 0.0, 1.1);
@@ -240,6 +244,7 @@ TEST(SilhouetteMapper, CoherentDashes)
     }
     return change / (10.0 * ink);
   };
+  EXPECT_TRUE(vtkNew<vtkInkSilhouetteMapper>()->GetCoherentDashes()) << "by default";
   const double still = slides(true);
   const double sliding = slides(false);
   // Measured: .037 and .556 of the ink a frame.
@@ -296,6 +301,29 @@ TEST(SilhouetteMapper, CoherentDashesFollowTheirParameters)
   EXPECT_EQ(arcBegin(), 0.0);
 }
 
+/// Each viewport keeps its own contours on the graphics card.
+TEST(SilhouetteMapper, ViewportsSendTheirContoursOnce)
+{
+  Scene scene(Sphere());
+  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> right;
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  right->SetBackground(1.0, 1.0, 1.0);
+  right->AddActor(scene.Actor);
+  scene.Window->AddRenderer(right);
+  right->GetActiveCamera()->SetPosition(3.0, 2.0, 1.0);
+  right->ResetCamera();
+  const InkTestImage first(scene.Window);
+  EXPECT_GT(first.CountDark(0, 0, 100, 200), 100);
+  EXPECT_GT(first.CountDark(100, 0, 200, 200), 100);
+  const vtkMTimeType before = scene.Mapper->GetUploadTime();
+  EXPECT_EQ(InkTestImage(scene.Window).CountDifferent(first), 0);
+  EXPECT_EQ(scene.Mapper->GetUploadTime(), before) << "the same picture";
+  right->GetActiveCamera()->Azimuth(5.0);
+  scene.Window->Render();
+  EXPECT_GT(scene.Mapper->GetUploadTime(), before) << "another camera";
+}
+
 /// Strokes have no points of the surface, whose widths there could be.
 TEST(SilhouetteMapper, NoWidthsOfPoints)
 {
@@ -339,69 +367,4 @@ TEST(SilhouetteMapper, UploadEvents)
   EXPECT_EQ(countEvents(), 2);
   scene.Mapper->SetMethodToImageSpace();
   EXPECT_EQ(countEvents(), 1);
-}
-
-TEST(SilhouetteMapper, OddSurfaces)
-{
-  const auto points = vtkSmartPointer<vtkPolyData>::New();
-  points->SetPoints(Sphere()->GetPoints());
-  Scene none(points);
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(none.Mapper);
-  EXPECT_EQ(InkTestImage(none.Window).Ink(), 0.0);
-  none.Window->Render();
-  messages->Expect("no polygons", { "polygons", "points" });
-
-  const auto sphere = Sphere();
-  const double ink = InkTestImage(Scene(sphere).Window).Ink();
-  sphere->GetPointData()->SetNormals(nullptr);
-  Scene computed(sphere);
-  vtkNew<InkTestMessages> warnings;
-  warnings->Observe(computed.Mapper);
-  EXPECT_NEAR(InkTestImage(computed.Window).Ink() / ink, 1.0, 0.02);
-  computed.Window->Render();
-  warnings->Expect("no normals", { "normals", "computed" });
-
-  Scene empty(vtkSmartPointer<vtkPolyData>::New());
-  EXPECT_EQ(InkTestImage(empty.Window).Ink(), 0.0);
-}
-
-TEST(SilhouetteMapper, Parameters)
-{
-  vtkNew<vtkInkSilhouetteMapper> mapper;
-  mapper->FacetedOn();
-  mapper->CreasesOn();
-  mapper->SetFeatureAngle(500.0);
-  mapper->NonManifoldEdgesOn();
-  mapper->CoherentDashesOn();
-  mapper->SilhouettesOff();
-  mapper->BordersOff();
-  mapper->SetLineWidth(7.0);
-  mapper->SetMethodToToon();
-  mapper->SetLowestValue(1.0);
-  mapper->SetHighestValue(2.0);
-  mapper->SetLeastGradientMagnitude(3.0);
-  mapper->SetLargestCosine(0.4);
-  mapper->SetSegmentLength(5.0);
-  mapper->ThinningOff();
-  mapper->SetTextureLength(6.0);
-  vtkNew<vtkImageData> texture;
-  mapper->SetTexture(texture);
-  vtkNew<vtkInkSilhouetteMapper> copy;
-  copy->ShallowCopy(mapper);
-  const auto print = [](vtkInkSilhouetteMapper* printed)
-  {
-    std::ostringstream text;
-    printed->PrintSelf(text, vtkIndent());
-    const std::string whole = text.str();
-    return whole.substr(whole.find("SizeUnit"));
-  };
-  EXPECT_EQ(print(copy), print(mapper));
-  for (const char* text : { "Silhouettes: Off", "Faceted: On", "Creases: On", "FeatureAngle: 180",
-         "Borders: Off", "NonManifoldEdges: On", "CoherentDashes: On", "LineWidth: 7", "Method: Toon",
-         "LowestValue: 1", "HighestValue: 2", "LeastGradientMagnitude: 3", "LargestCosine: 0.4",
-         "SegmentLength: 5", "Thinning: Off", "TextureLength: 6" })
-  {
-    EXPECT_NE(print(mapper).find(text), std::string::npos) << text;
-  }
 }

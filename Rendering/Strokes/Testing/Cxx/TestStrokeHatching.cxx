@@ -222,6 +222,32 @@ TEST(StrokeHatching, Culling)
   EXPECT_EQ(InkTestImage(scene.Window).Ink(), 0.0) << "and is lit on that side";
 }
 
+/// Around the default of .2: what is just behind its silhouette is drawn, what faces away by more is not.
+/// With 1, what is seen from behind is drawn, and not what is just behind its silhouette.
+TEST(StrokeHatching, CullingCosine)
+{
+  HatchedSurfaces surface;
+  surface.AddPlane(6);
+  HatchingScene scene(surface.Make());
+  scene.SetView(2.4, true);
+  ASSERT_EQ(scene.Mapper->GetCullingCosine(), 0.2);
+  const auto inkAt = [&](double cosine)
+  {
+    scene.Renderer->GetActiveCamera()->SetPosition(5.0 * std::sqrt(1.0 - cosine * cosine), 0.0, 5.0 * cosine);
+    scene.Renderer->ResetCameraClippingRange();
+    return InkTestImage(scene.Window).Ink();
+  };
+  EXPECT_GT(inkAt(0.19), 100.0);
+  EXPECT_GT(inkAt(-0.19), 100.0);
+  EXPECT_EQ(inkAt(-0.21), 0.0);
+  scene.Mapper->SetCullingCosine(0.1);
+  EXPECT_GT(inkAt(-0.09), 50.0);
+  EXPECT_EQ(inkAt(-0.11), 0.0);
+  scene.Mapper->SetCullingCosine(1.0);
+  EXPECT_EQ(inkAt(-0.19), 0.0);
+  EXPECT_GT(inkAt(-0.21), 100.0);
+}
+
 /// A surface hides hatching behind it and none on it, slanted or not.
 TEST(StrokeHatching, Surface)
 {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -100,6 +101,41 @@ TEST(StrokeShapes, StraightLine)
   }
 }
 
+/// Ends are half discs, wherever they lie within their pixels, of lines and of corners.
+TEST(StrokeShapes, RoundCaps)
+{
+  for (const double width : { 1.0, 3.3, 12.0 })
+  {
+    for (const double angle : { 0.0, 30.0, 45.0, 77.0 })
+    {
+      for (const double bend : { 0.0, 70.0 })
+      {
+        const auto along = [&](double length, double degrees)
+        {
+          const double a = degrees * std::numbers::pi / 180.0;
+          return std::array<double, 3>{ 50.3 + length * std::cos(a), 50.1 + length * std::sin(a), 0.0 };
+        };
+        const StrokePolyline line{ along(-30.0, angle), along(0.0, angle), along(30.0, angle + bend) };
+        StrokeScene scene(MakeStrokes({ line }), 100, 100);
+        scene.LookAtPixels();
+        scene.Mapper->SetLineWidth(width);
+        const InkTestImage image(scene.Window);
+        // Half a pixel's disc is taken for one with a straight edge.
+        EXPECT_LT(Difference(image, line, width, false), width < 2.0 ? 5.0 : 3.0)
+          << "width " << width << ", angle " << angle << ", bend " << bend;
+        if (bend == 0.0)
+        {
+          const double ends = 0.25 * std::numbers::pi * width * width;
+          EXPECT_NEAR(image.Ink() / (60.0 * width + ends), 1.0, 0.02) << "width " << width;
+          scene.Mapper->SetCapToButt();
+          EXPECT_NEAR(image.Ink() - InkTestImage(scene.Window).Ink(), ends, 0.05 * ends + 0.4)
+            << "width " << width << ", angle " << angle;
+        }
+      }
+    }
+  }
+}
+
 /// A star of sharp turns, each of which a miter would make a spike.
 TEST(StrokeShapes, SharpTurns)
 {
@@ -183,6 +219,34 @@ TEST(StrokeShapes, Translucent)
   }
 }
 
+/// Nor where a stroke leaves the clipping range and comes back beside itself: how long it is outside does not
+/// matter, though there is no length on the picture.
+TEST(StrokeShapes, TranslucentHairpin)
+{
+  for (const double height : { 2000.0, -3000.0 })
+  {
+    StrokeScene scene(MakeStrokes({ { { 20.0, 48.0, 0.0 }, { 80.0, 48.0, height }, { 80.0, 52.0, height },
+                        { 20.0, 52.0, 0.0 } } }),
+      100, 100);
+    scene.LookAtPixels();
+    scene.Mapper->SetLineWidth(10.0);
+    scene.Actor->GetProperty()->SetOpacity(0.5);
+    const InkTestImage image(scene.Window);
+    int darker = 0;
+    int half = 0;
+    for (int y = 0; y < 100; ++y)
+    {
+      for (int x = 0; x < 100; ++x)
+      {
+        darker += image.Gray(x, y) < 126;
+        half += image.Gray(x, y) < 130;
+      }
+    }
+    EXPECT_EQ(darker, 0) << "twice the ink, " << height;
+    EXPECT_GT(half, 300) << height;
+  }
+}
+
 /// The ink of dashes is their share of the stroke, and a closed one has no broken dash.
 TEST(StrokeShapes, Dashes)
 {
@@ -210,6 +274,11 @@ TEST(StrokeShapes, Dashes)
     const bool inDash = (x - 10) % 30 < 20;
     EXPECT_EQ(image.IsDark(x, 50), inDash) << "pixel " << x;
   }
+  scene.Mapper->SetCapToRound();
+  scene.Mapper->SetLineWidth(11.0);
+  const InkTestImage round(scene.Window);
+  EXPECT_EQ(round.Gray(7, 50), 0) << "the cap of a dash that begins with the stroke";
+  EXPECT_EQ(round.Gray(192, 50), 255) << "and of a gap that ends with it";
 
   StrokePolyline ring;
   for (int i = 0; i < 100; ++i)

@@ -2,12 +2,14 @@
 // Which parts of contours are drawn: those that the surface does not hide.
 #include "InkTestImage.h"
 #include "InkTestScene.h"
+#include "InkTestVolume.h"
 #include "StrokeScene.h"
 #include "TubeSurfaces.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "Curves/Contours/MeshContours.h"
 
+#include "vtkImageData.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 
@@ -25,11 +27,30 @@ struct Sample
   bool Hidden;
 };
 
+/// Where a camera that looks at the origin is, and how it projects.
+struct View
+{
+  glm::dvec3 Position;
+  bool Parallel = false;
+
+  ink::Eye GetEye() const
+  {
+    return this->Parallel ? ink::Eye::along(-this->Position) : ink::Eye::at(this->Position);
+  }
+  /// A point that rays from one of the surface to the eye pass.
+  glm::dvec3 TowardsEye(const glm::dvec3& point) const
+  {
+    return this->Parallel ? point + 4.0 * this->Position : this->Position;
+  }
+};
+
 /// A view on which pixels of a square picture are known by heart.
-void LookAt(vtkRenderer* renderer, const glm::dvec3& eye)
+void LookAt(vtkRenderer* renderer, const View& view)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(eye.x, eye.y, eye.z);
+  camera->SetPosition(view.Position.x, view.Position.y, view.Position.z);
+  camera->SetParallelProjection(view.Parallel);
+  camera->SetParallelScale(1.5);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewUp(0.0, 1.0, 0.1);
   camera->SetViewAngle(30.0);
@@ -38,8 +59,7 @@ void LookAt(vtkRenderer* renderer, const glm::dvec3& eye)
 
 /// Points of the exact surface's contour, of a much finer mesh, evenly spaced on the picture: in space a
 /// contour runs along the view where it ends in a cusp.
-std::vector<Sample> FindTruth(
-  const TubeSurface& surface, vtkRenderer* renderer, const glm::dvec3& eye, int size)
+std::vector<Sample> FindTruth(const TubeSurface& surface, vtkRenderer* renderer, const View& view, int size)
 {
   const auto mesh = surface.Mesh(600, 300);
   std::vector<glm::dvec3> points;
@@ -62,7 +82,7 @@ std::vector<Sample> FindTruth(
       static_cast<std::uint32_t>(ids[2]) });
   }
   const ink::MeshContours finder({ points, triangles, {}, {} }, normals);
-  const ink::Contours contours = finder.find(ink::Eye::at(eye));
+  const ink::Contours contours = finder.find(view.GetEye());
   std::vector<Sample> samples;
   const double spacing = size / 500.0;
   for (std::size_t i = 0; i < contours.positions.size(); ++i)
@@ -82,7 +102,7 @@ std::vector<Sample> FindTruth(
       samples.empty() || std::hypot(display[0] - samples.back().X, display[1] - samples.back().Y) >= spacing;
     if (apart && display[0] > 3 && display[1] > 3 && display[0] < size - 3 && display[1] < size - 3)
     {
-      samples.push_back({ display[0], display[1], surface.Hides(p, eye) });
+      samples.push_back({ display[0], display[1], surface.Hides(p, view.TowardsEye(p)) });
     }
   }
   return samples;
@@ -118,65 +138,120 @@ bool IsNearVisible(const std::vector<Sample>& samples, const Sample& sample, dou
 
 } // namespace
 
+namespace
+{
+
+constexpr double LineWidth = 3.0; // pixels
+
+/// Counts how much of a surface's exact contour a scene draws of it, and expects no less than a share of what
+/// is visible, and of what is hidden to be left out.
+void ExpectShares(InkTestScene<vtkInkSilhouetteMapper>& scene, const TubeSurface& surface, const View& view,
+  double least, const std::string& name)
+{
+  const int size = scene.Window->GetSize()[0];
+  scene.Mapper->SetSizeUnitToPixels();
+  scene.Mapper->SetLineWidth(LineWidth);
+  scene.Mapper->BordersOff();
+  LookAt(scene.Renderer, view);
+  // The surface itself is drawn, too, and hides nothing of its contours.
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface.Mesh(240, 120));
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetLighting(false);
+  scene.Renderer->AddActor(actor);
+  const InkTestImage image(scene.Window);
+  const std::vector<Sample> truth = FindTruth(surface, scene.Renderer, view, size);
+  int visible = 0;
+  int drawn = 0;
+  int hidden = 0;
+  int omitted = 0;
+  for (const Sample& sample : truth)
+  {
+    if (!sample.Hidden)
+    {
+      ++visible;
+      drawn += HasInk(image, sample, 1.5);
+    }
+    else if (!IsNearVisible(truth, sample, 0.5 * LineWidth + 1.5))
+    {
+      ++hidden;
+      omitted += !HasInk(image, sample, 0.7);
+    }
+  }
+  testing::Test::RecordProperty(name,
+    std::to_string(drawn) + " of " + std::to_string(visible) + ", " + std::to_string(omitted) + " of " +
+      std::to_string(hidden));
+  EXPECT_GT(visible, 500) << name;
+  EXPECT_GT(hidden, 100) << name;
+  EXPECT_GE(drawn, least * visible) << name << ": visible " << visible;
+  EXPECT_GE(omitted, least * hidden) << name << ": hidden " << hidden;
+}
+
+struct ShareCase
+{
+  TubeSurface Surface;
+  std::vector<View> Views;
+};
+
+std::vector<ShareCase> ShareCases()
+{
+  return { { MakeTorus(), { { { 1.0, -4.7, 1.5 } }, { { 0.3, -4.0, 2.0 } }, { { 0.6, -4.5, 2.2 }, true } } },
+    { MakeKnot(), { { { 1.0, -4.0, 3.0 } }, { { 0.5, 1.5, 5.5 } }, { { -0.7, 2.0, 5.0 }, true } } },
+    { MakeSpheres(), { { { 0.5, 1.5, 5.5 } }, { { -1.5, 1.0, 5.0 } }, { { 0.4, 1.2, 5.5 }, true } } } };
+}
+
+std::string NameOf(const TubeSurface& surface, const View& view, int size)
+{
+  return surface.Name + (view.Parallel ? " parallel" : "") + " from z = " + std::to_string(view.Position.z) +
+    " at " + std::to_string(size);
+}
+
+} // namespace
+
 /// Of the exact contours no less than 99 % of the visible part is drawn, and of the hidden part is not.
 TEST(StrokeVisibility, ShareOfTheContour)
 {
-  constexpr double width = 3.0;
-  const struct
+  for (const auto& [surface, views] : ShareCases())
   {
-    TubeSurface Surface;
-    std::vector<glm::dvec3> Eyes;
-  } cases[] = {
-    { MakeTorus(), { { 1.0, -4.7, 1.5 }, { 0.3, -4.0, 2.0 } } },
-    { MakeKnot(), { { 1.0, -4.0, 3.0 }, { 0.5, 1.5, 5.5 } } },
-    { MakeSpheres(), { { 0.5, 1.5, 5.5 }, { -1.5, 1.0, 5.0 } } },
-  };
-  for (const auto& [surface, eyes] : cases)
-  {
-    for (const glm::dvec3& eye : eyes)
+    for (const View& view : views)
     {
       for (const int size : { 512, 2048 })
       {
         InkTestScene<vtkInkSilhouetteMapper> scene(surface.Mesh(240, 120), size, size);
-        scene.Mapper->SetSizeUnitToPixels();
-        scene.Mapper->SetLineWidth(width);
-        scene.Mapper->BordersOff();
-        LookAt(scene.Renderer, eye);
-        // The surface itself is drawn, too, and hides nothing of its contours.
-        vtkNew<vtkPolyDataMapper> mapper;
-        mapper->SetInputData(scene.Mapper->GetInput());
-        vtkNew<vtkActor> actor;
-        actor->SetMapper(mapper);
-        actor->GetProperty()->SetLighting(false);
-        scene.Renderer->AddActor(actor);
-        const InkTestImage image(scene.Window);
-        const std::vector<Sample> truth = FindTruth(surface, scene.Renderer, eye, size);
-        int visible = 0;
-        int drawn = 0;
-        int hidden = 0;
-        int omitted = 0;
-        for (const Sample& sample : truth)
-        {
-          if (!sample.Hidden)
-          {
-            ++visible;
-            drawn += HasInk(image, sample, 1.5);
-          }
-          else if (!IsNearVisible(truth, sample, 0.5 * width + 1.5))
-          {
-            ++hidden;
-            omitted += !HasInk(image, sample, 0.7);
-          }
-        }
-        const std::string name =
-          surface.Name + " from z = " + std::to_string(eye.z) + " at " + std::to_string(size);
-        RecordProperty(name,
-          std::to_string(drawn) + " of " + std::to_string(visible) + ", " + std::to_string(omitted) + " of " +
-            std::to_string(hidden));
-        EXPECT_GT(visible, 500) << name;
-        EXPECT_GT(hidden, 100) << name;
-        EXPECT_GE(drawn, 0.99 * visible) << name << ": visible " << visible;
-        EXPECT_GE(omitted, 0.99 * hidden) << name << ": hidden " << hidden;
+        ExpectShares(scene, surface, view, 0.99, NameOf(surface, view, size));
+      }
+    }
+  }
+}
+
+/// Straight from samples, with discs in place of the surface.
+TEST(StrokeVisibility, ShareOfTheContourOfAnImage)
+{
+  for (const auto& [surface, views] : ShareCases())
+  {
+    constexpr double spacing = 0.03;
+    constexpr double margin = 0.1;
+    double box[6];
+    surface.Mesh(60, 30)->GetBounds(box);
+    vtkNew<vtkImageData> image;
+    const auto samples = [&](int axis)
+    { return static_cast<int>((box[2 * axis + 1] - box[2 * axis] + 2.0 * margin) / spacing) + 2; };
+    image->SetDimensions(samples(0), samples(1), samples(2));
+    image->SetOrigin(box[0] - margin, box[2] - margin, box[4] - margin);
+    image->SetSpacing(spacing, spacing, spacing);
+    InkTestFill(image, VTK_FLOAT,
+      [&](double x, double y, double z) {
+        return -surface.Distance({ x, y, z });
+      });
+    for (const View& view : views)
+    {
+      for (const int size : { 512, 2048 })
+      {
+        InkTestScene<vtkInkSilhouetteMapper> scene(nullptr, size, size);
+        scene.Mapper->SetInputData(image);
+        scene.Mapper->SetValue(0, 0.0);
+        ExpectShares(scene, surface, view, 0.99, NameOf(surface, view, size));
       }
     }
   }

@@ -239,6 +239,41 @@ TEST(VoxelStrokes, OneVoxel)
   EXPECT_NEAR(ink(), 0.5 * drawn, 2.0);
 }
 
+/// Each of very many segments, a pixel large, and none of those that face the eye.
+TEST(VoxelStrokes, ManySegments)
+{
+  for (const int side : { 34, 334 }) // 1,040 and 100,400 segments
+  {
+    std::vector<Voxel> voxels;
+    const auto hasSegment = [](int i, int j) { return (i + j) % 10 != 0; };
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        voxels.push_back(
+          { { 3.0 * i + 1.5, 3.0 * j + 1.5, 0.0 }, { 0.0, 1.0, hasSegment(i, j) ? 0.05 : 0.15 }, 1.0 });
+      }
+    }
+    Scene scene(MakeVoxels(voxels, 1.0), 3 * side);
+    LookAtPixels(scene);
+    scene.Mapper->SetCapToButt();
+    scene.Mapper->SetLineWidth(1.0);
+    const InkTestImage image(scene.Window);
+    int segments = 0;
+    int wrong = 0;
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        segments += hasSegment(i, j);
+        wrong += image.IsDark(3 * i + 1, 3 * j + 1) != hasSegment(i, j);
+      }
+    }
+    EXPECT_EQ(wrong, 0) << "of " << side * side;
+    EXPECT_NEAR(image.Ink() / segments, 1.0, 0.02) << "nothing else";
+  }
+}
+
 /// While camera and thresholds change, nothing is sent to the GPU.
 TEST(VoxelStrokes, UploadedOnce)
 {

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/IsoBoundaries.h"
+
+#include "Statistics/MaterialValues.h"
+#include "Statistics/ThresholdSharpness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+
+namespace ink
+{
+namespace
+{
+
+// A maximum counts if the sharpness falls by this fraction on both sides of it.
+constexpr double prominence = 0.1;
+// Thresholds around a maximum with this fraction of its sharpness are as good as it is.
+constexpr double nearlyAsSharp = 0.8;
+// Of these, those with this fraction of the greatest total step leave the surface as whole.
+constexpr double nearlyAsLarge = 0.9;
+// Thresholds with this fraction of the greatest sharpness lie evenly on both sides of a boundary.
+constexpr double asSharp = 0.95;
+// So is the lowest boundary without a material above it if it has less than this fraction of the area of the
+// surfaces at lower values: smooth fields, such as simulations have, are steepest towards their peaks.
+constexpr double fragmentArea = 0.05;
+// What intersects more than this fraction of a volume's edges is noise rather than a surface.
+constexpr double mostIntersected = 0.125;
+// Closer to the middle of two materials, by this fraction of their difference, a boundary stays where it is
+// sharpest: that makes up for what a point spread takes off from convex parts.
+constexpr double farFromMiddle = 0.08;
+
+/// A finite local maximum that is prominent on both sides: the first and last threshold with its value.
+struct Maximum
+{
+  std::size_t first;
+  std::size_t last;
+};
+
+std::vector<Maximum> prominentMaxima(const std::vector<double>& values)
+{
+  constexpr double keep = 1.0 - prominence;
+  std::vector<Maximum> maxima;
+  double valley = 0.0;
+  Maximum highest{ 0, 0 };
+  double peak = 0.0;
+  for (std::size_t i = 0; i <= values.size(); ++i)
+  {
+    const double value = i < values.size() ? values[i] : 0.0;
+    if (value < keep * peak)
+    {
+      if (std::isfinite(peak) && valley < keep * peak)
+      {
+        maxima.push_back(highest);
+      }
+      valley = peak = value;
+      highest = { i, i };
+    }
+    else if (value > peak)
+    {
+      peak = value;
+      highest = { i, i };
+    }
+    else if (value == peak && highest.last + 1 == i)
+    {
+      highest.last = i;
+    }
+    valley = std::min(valley, value);
+  }
+  return maxima;
+}
+
+/// The middle of the sharpest thresholds, of those around a maximum of sharpness that are nearly as sharp and
+/// have nearly the greatest total step of these; if that is at the edge of them, beside another boundary or
+/// noise, the maximum of sharpness itself. The total step alone is greatest on the side where a bent surface
+/// has more area.
+IsoBoundary placeBoundary(
+  const Maximum& maximum, const std::vector<double>& sharpness, const ThresholdEdges& sums)
+{
+  // Beyond a valley another boundary begins.
+  const double least = nearlyAsSharp * sharpness[maximum.first];
+  const double most = sharpness[maximum.first] / (1.0 - prominence);
+  const auto isSharp = [&](std::size_t i) { return sharpness[i] >= least && sharpness[i] <= most; };
+  std::size_t begin = maximum.first;
+  while (begin > 0 && isSharp(begin - 1))
+  {
+    --begin;
+  }
+  std::size_t end = maximum.last + 1;
+  while (end < sharpness.size() && isSharp(end))
+  {
+    ++end;
+  }
+  const std::int64_t greatest = *std::max_element(sums.steps.begin() + begin, sums.steps.begin() + end);
+  const auto isLarge = [&](std::size_t i)
+  { return static_cast<double>(sums.steps[i]) >= nearlyAsLarge * static_cast<double>(greatest); };
+  double sharpest = 0.0;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    sharpest = isLarge(i) ? std::max(sharpest, sharpness[i]) : sharpest;
+  }
+  const auto isIn = [&](std::size_t i) { return isLarge(i) && sharpness[i] >= asSharp * sharpest; };
+  Maximum found{ begin, end - 1 };
+  while (!isIn(found.first))
+  {
+    ++found.first;
+  }
+  while (!isIn(found.last))
+  {
+    --found.last;
+  }
+  if (sums.steps[begin] == greatest || sums.steps[end - 1] == greatest)
+  {
+    found = maximum;
+  }
+  const std::size_t middle = (found.first + found.last) / 2;
+  return { static_cast<double>(found.first + found.last) / 2, middle, static_cast<double>(sums.steps[middle]),
+    begin, end };
+}
+
+std::vector<IsoBoundary> findBoundaries(
+  const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
+{
+  const std::vector<double> sharp = thresholdSharpness(sums, speckEdges, kept);
+  std::vector<IsoBoundary> boundaries;
+  for (const Maximum& maximum : prominentMaxima(sharp))
+  {
+    const IsoBoundary boundary = placeBoundary(maximum, sharp, sums);
+    if (boundaries.empty() || boundaries.back().index != boundary.index)
+    {
+      boundaries.push_back(boundary);
+    }
+  }
+  return boundaries;
+}
+
+/// Whether most of the edges that cross a threshold lie at the edge of a mask.
+bool isMask(const IsoStatistics& statistics, std::size_t threshold)
+{
+  return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
+}
+
+/// Whether a threshold belongs to the peaks of a smooth field.
+bool isPeak(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t threshold)
+{
+  const ThresholdEdges sums = withoutMasks(statistics);
+  const std::vector<bool> noise = findNoisyThresholds(sums, statistics.speckEdges, kept);
+  std::int64_t most = 0;
+  for (std::size_t i = 0; i < threshold; ++i)
+  {
+    most = noise[i] ? most : std::max(most, sums.edges[i]);
+  }
+  const std::int64_t voxels =
+    std::accumulate(statistics.voxels.begin(), statistics.voxels.end(), std::int64_t{ 0 });
+  // The last bin has all outliers, too.
+  const BinRange above{ threshold + 1, statistics.voxels.size() - 1 };
+  return static_cast<double>(sums.edges[threshold]) < fragmentArea * static_cast<double>(most) &&
+    static_cast<double>(most) <= mostIntersected * 3.0 * static_cast<double>(voxels) &&
+    !findMaterialValue(statistics.voxels, above, false);
+}
+
+} // namespace
+
+std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept)
+{
+  std::vector<IsoBoundary> boundaries = findBoundaries(withoutMasks(statistics), statistics.speckEdges, kept);
+  std::erase_if(boundaries, [&](const IsoBoundary& one) { return isMask(statistics, one.index); });
+  const std::size_t unmasked = boundaries.size();
+  // A mask hides boundaries; without what looks like its edge, others may no longer be prominent.
+  for (const IsoBoundary& one :
+    findBoundaries({ statistics.edges, statistics.steps }, statistics.speckEdges, kept))
+  {
+    const bool known = std::any_of(boundaries.begin(), boundaries.end(),
+      [&one](const IsoBoundary& other) { return one.contains(other) || other.contains(one); });
+    if (!known && !(isMask(statistics, one.index) && unmasked > 0))
+    {
+      boundaries.push_back(one);
+    }
+  }
+  std::sort(boundaries.begin(), boundaries.end(),
+    [](const IsoBoundary& a, const IsoBoundary& b) { return a.threshold < b.threshold; });
+  std::erase_if(boundaries,
+    [&, least = boundaries.empty() ? 0.0 : fragmentShare * kept[boundaries.front().index]](
+      const IsoBoundary& one) { return kept[one.index] < least; });
+  while (!boundaries.empty() && isPeak(statistics, kept, boundaries.front().index))
+  {
+    boundaries.erase(boundaries.begin());
+  }
+  return boundaries;
+}
+
+void centerBoundaries(const IsoStatistics& statistics, std::vector<IsoBoundary>& boundaries)
+{
+  const std::vector<IsoBoundary> found = boundaries;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const std::size_t own = found[i].index + 1;
+    // What lies beyond a mask's edge is not beside this one.
+    std::size_t before = own - 1;
+    while (before > 0 && (i == 0 || before > found[i - 1].index + 1) && !isMask(statistics, before - 1))
+    {
+      --before;
+    }
+    const std::size_t after = i + 1 < found.size() ? found[i + 1].index + 1 : statistics.voxels.size();
+    const std::optional<double> low = findMaterialValue(statistics.voxels, { before, own }, true);
+    const std::optional<double> high = findMaterialValue(statistics.voxels, { own, after }, false);
+    if (!low || !high)
+    {
+      continue;
+    }
+    // Threshold i lies at the end of bin i, half a bin after its middle.
+    const double middle = std::round(0.5 * (*low + *high) - 0.5);
+    if (std::abs(middle - found[i].threshold) >= farFromMiddle * (*high - *low))
+    {
+      boundaries[i].threshold =
+        std::clamp(middle, static_cast<double>(found[i].begin), static_cast<double>(found[i].end - 1));
+      boundaries[i].index = static_cast<std::size_t>(boundaries[i].threshold);
+    }
+  }
+}
+
+} // namespace ink

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Statistics/IsoStatistics.h"
+
+#include <cstddef>
+#include <vector>
+
+/// Internal to Common/Statistics: the boundaries between a volume's materials, see suggestIsoValues.
+namespace ink
+{
+
+/// What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
+inline constexpr double fragmentShare = 0.01;
+
+struct IsoBoundary
+{
+  double threshold;  ///< as a position between bins
+  std::size_t index; ///< the threshold at or below it
+  double totalStep;
+  /// The thresholds around it that are nearly as sharp, from `begin` up to but excluding `end`.
+  std::size_t begin;
+  std::size_t end;
+
+  bool contains(const IsoBoundary& other) const
+  {
+    return other.index >= this->begin && other.index < this->end;
+  }
+};
+
+/// The clear boundaries, from the lowest to the highest, those of masks only if there are no others.
+std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept);
+
+/// Moves boundaries half way between the values of the materials on both sides, as far as they stay nearly as
+/// sharp. Where a denser material touches the surface, too, the sharpness is greatest somewhat nearer to its
+/// value.
+void centerBoundaries(const IsoStatistics& statistics, std::vector<IsoBoundary>& boundaries);
+
+} // namespace ink

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Fields/ScalarDifference.h"
+#include "Statistics/NoiseEstimate.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ink
+{
+
+/// Samples that are looked at, about: enough for an error of a percent.
+constexpr double noiseSamples = 400000.0;
+
+/// Of so many samples every which one is looked at.
+inline std::size_t noiseStride(double count)
+{
+  return count > noiseSamples ? static_cast<std::size_t>(std::ceil(count / noiseSamples)) : 1;
+}
+
+/// What is seen around an iso-surface, in any order.
+struct NoiseSightings
+{
+  std::array<std::vector<double>, 2> differences; ///< second ones, below and above the iso-value
+  std::vector<double> changes;                    ///< between neighbors that differ
+  std::vector<double> steps;                      ///< across the surface
+  std::vector<double> runs;                       ///< samples on one side of it, along an axis
+
+  void append(const NoiseSightings& other);
+};
+
+/// @param reach 1 along the axes that neighborhoods extend along, otherwise 0
+NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm::ivec3& reach);
+
+/// Looks at samples and their neighbors.
+///
+/// @tparam Samples has has(index), whether there is a sample, and at(index), its value
+template <class Samples>
+class NoiseSampler
+{
+public:
+  /// How far samples are looked at along an axis, from that of an edge that is nearer to the first sample.
+  static constexpr int before = static_cast<int>(NoiseEstimate::thickEnough) - 1;
+  static constexpr int behind = static_cast<int>(NoiseEstimate::thickEnough);
+
+  /// @param reach of a neighborhood, as for makeNoiseEstimate
+  NoiseSampler(const Samples& samples, double isoValue, const glm::ivec3& reach)
+    : Values(samples)
+    , IsoValue(isoValue)
+    , Reach(reach)
+  {
+  }
+
+  /// The neighborhood of a sample, and the edges to the next one along each axis.
+  void look(const glm::ivec3& at, NoiseSightings& found) const
+  {
+    this->addNeighborhood(at, found);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->addEdge(at, axis, found);
+    }
+  }
+
+private:
+  bool isAbove(const glm::ivec3& sample) const
+  {
+    return static_cast<double>(this->Values.at(sample)) >= this->IsoValue;
+  }
+
+  void addNeighborhood(const glm::ivec3& at, NoiseSightings& found) const
+  {
+    if (this->Reach == glm::ivec3(0))
+    {
+      return;
+    }
+    const auto middle = this->Values.at(at);
+    const bool above = this->isAbove(at);
+    double sum = 0.0;
+    bool equal = true;
+    for (int z = -this->Reach.z; z <= this->Reach.z; ++z)
+    {
+      for (int y = -this->Reach.y; y <= this->Reach.y; ++y)
+      {
+        for (int x = -this->Reach.x; x <= this->Reach.x; ++x)
+        {
+          const glm::ivec3 sample = at + glm::ivec3(x, y, z);
+          if (!this->Values.has(sample) || this->isAbove(sample) != above)
+          {
+            return;
+          }
+          const auto value = this->Values.at(sample);
+          equal = equal && value == middle;
+          int weight = 1;
+          for (const int step :
+            { this->Reach.x > 0 ? x : 1, this->Reach.y > 0 ? y : 1, this->Reach.z > 0 ? z : 1 })
+          {
+            weight *= step == 0 ? -2 : 1;
+          }
+          sum += weight * difference(value, middle);
+        }
+      }
+    }
+    if (!equal && std::isfinite(sum))
+    {
+      found.differences[above].push_back(std::abs(sum));
+    }
+  }
+
+  /// The edge from a sample to the next one along an axis.
+  void addEdge(const glm::ivec3& at, int axis, NoiseSightings& found) const
+  {
+    glm::ivec3 next = at;
+    ++next[axis];
+    if (!this->Values.has(at) || !this->Values.has(next))
+    {
+      return;
+    }
+    const double change = std::abs(difference(this->Values.at(at), this->Values.at(next)));
+    if (change > 0.0 && std::isfinite(change))
+    {
+      found.changes.push_back(change);
+    }
+    if (this->isAbove(at) != this->isAbove(next))
+    {
+      this->addStep(at, axis, found);
+      found.runs.push_back(this->runOf(at, axis, -1));
+      found.runs.push_back(this->runOf(next, axis, 1));
+    }
+  }
+
+  /// What values change by across an edge that the surface intersects.
+  void addStep(const glm::ivec3& at, int axis, NoiseSightings& found) const
+  {
+    // On each side, so many samples show the whole step.
+    constexpr int stepReach = 2;
+    double least = 0.0;
+    double greatest = 0.0;
+    for (int n = -stepReach; n <= 1 + stepReach; ++n)
+    {
+      glm::ivec3 sample = at;
+      sample[axis] += n;
+      if (this->Values.has(sample))
+      {
+        const double d = difference(this->Values.at(sample), this->Values.at(at));
+        least = std::min(least, d);
+        greatest = std::max(greatest, d);
+      }
+    }
+    if (std::isfinite(greatest - least))
+    {
+      found.steps.push_back(greatest - least);
+    }
+  }
+
+  /// The samples from one on that are on its side of the surface.
+  double runOf(glm::ivec3 sample, int axis, int way) const
+  {
+    const bool above = this->isAbove(sample);
+    for (int run = 0; run <= before; ++run, sample[axis] += way)
+    {
+      if (!this->Values.has(sample))
+      {
+        // Nobody knows how far it goes on.
+        break;
+      }
+      if (this->isAbove(sample) != above)
+      {
+        return run;
+      }
+    }
+    return NoiseEstimate::thickEnough;
+  }
+
+  const Samples& Values;
+  double IsoValue;
+  glm::ivec3 Reach;
+};
+
+} // namespace ink

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkVolumeValues.h"
+
+#include "InkImageGrid.h"
+#include "InkImageSlabs.h"
+
+#include "Core/FormatNumber.h"
+#include "Fields/Grid/GridField.h"
+#include "IsoSurface/ActiveCellBound.h"
+#include "Statistics/NoiseEstimate.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkSetGet.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <sstream>
+
+namespace
+{
+
+/// Calls use(std::span<const T>) with the values, of type T, of a contiguous array of one component.
+/// @return what it returns; nothing where the values are no numbers
+template <class Use>
+auto WithValues(vtkDataArray* scalars, const Use& use) -> decltype(use(std::span<const double>()))
+{
+  const auto count = static_cast<std::size_t>(scalars->GetNumberOfValues());
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(return use(std::span(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)), count)));
+  }
+  return {};
+}
+
+std::array<int, 3> DimensionsOf(vtkImageData* image)
+{
+  std::array<int, 3> dimensions;
+  image->GetDimensions(dimensions.data());
+  return dimensions;
+}
+
+/// The slices themselves stay where they are when the image that shows them goes.
+template <class T>
+std::span<const T> ReadSlices(InkImageSlabs& slabs, int begin, int end)
+{
+  const vtkSmartPointer<vtkImageData> slices = slabs.Get(begin, end);
+  vtkDataArray* scalars = slices->GetPointData()->GetScalars();
+  return { static_cast<const T*>(scalars->GetVoidPointer(0)),
+    static_cast<std::size_t>(scalars->GetNumberOfValues()) };
+}
+
+/// What `find` makes of the values, a span, of an array of one component; 0 where there is none.
+template <class Find>
+double EvaluateScalars(vtkImageData* image, const std::string& array, const Find& find)
+{
+  vtkDataArray* found = InkFindScalars(image, array);
+  if (!found || found->GetNumberOfComponents() != 1)
+  {
+    return 0.0;
+  }
+  int component = 0;
+  const vtkSmartPointer<vtkDataArray> scalars = InkMakeContiguous(found, component);
+  return WithValues(scalars, find);
+}
+
+std::string PercentOf(const ink::IsoSuggestion& suggestion)
+{
+  std::ostringstream share;
+  share.precision(2);
+  share << 100 * suggestion.keptShare;
+  return share.str();
+}
+
+} // namespace
+
+vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array)
+{
+  vtkPointData* data = image->GetPointData();
+  return array.empty() ? data->GetScalars() : data->GetArray(array.c_str());
+}
+
+double InkSuggestSmoothing(vtkImageData* image, const std::string& array, double isoValue)
+{
+  const ink::GridGeometry grid = InkMakeGrid(image, InkExtent(image->GetExtent()));
+  return EvaluateScalars(image, array,
+    [&]<class T>(std::span<const T> values)
+    {
+      return ink::suggestSmoothing(
+        ink::estimateNoise(ink::GridField<T>(grid, values), isoValue), grid.spacing());
+    });
+}
+
+double InkSuggestSmoothing(InkImageSlabs& slabs, double isoValue, const ink::Progress& progress)
+{
+  const std::array<int, 3>& dimensions = slabs.GetDimensions();
+  const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
+  return WithValues(first->GetPointData()->GetScalars(),
+    [&]<class T>(std::span<const T>)
+    {
+      const ink::SliceReader<T> read = [&](int begin, int end)
+      {
+        progress(static_cast<double>(begin) / dimensions[2]);
+        return ReadSlices<T>(slabs, begin, end);
+      };
+      const double* spacing = slabs.GetFrame()->GetSpacing();
+      return ink::suggestSmoothing(ink::estimateNoise(read, dimensions, slabs.GetAtOnce(), isoValue),
+        { spacing[0], spacing[1], spacing[2] });
+    });
+}
+
+double InkBoundSurfacePoints(vtkImageData* image, const std::string& array, double isoValue)
+{
+  const int* d = image->GetDimensions();
+  return EvaluateScalars(image, array,
+    [&]<class T>(std::span<const T> values)
+    {
+      const std::vector<std::size_t> counts =
+        ink::boundActiveCells(values, { d[0], d[1], d[2] }, isoValue, ink::CrossingRule::HalfOpen);
+      return std::accumulate(counts.begin(), counts.end(), 0.0);
+    });
+}
+
+std::vector<ink::IsoSuggestion> InkSuggestIsoValues(vtkImageData* image, const std::string& array)
+{
+  vtkDataArray* scalars = InkFindScalars(image, array);
+  return scalars
+    ? WithValues(scalars, [image](auto values) { return ink::suggestIsoValues(values, DimensionsOf(image)); })
+    : std::vector<ink::IsoSuggestion>();
+}
+
+std::vector<ink::IsoSuggestion> InkSuggestIsoValues(InkImageSlabs& slabs, const ink::Progress& progress)
+{
+  const int count = slabs.GetDimensions()[2];
+  if (slabs.IsWhole())
+  {
+    return InkSuggestIsoValues(slabs.Get(0, count));
+  }
+  const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
+  return WithValues(first->GetPointData()->GetScalars(),
+    [&]<class T>(std::span<const T>)
+    {
+      // Twice more if the slices have to be smoothed.
+      constexpr double passes = 2.0;
+      double pass = -1.0;
+      const ink::SliceReader<T> read = [&](int begin, int end)
+      {
+        pass += begin == 0 ? 1.0 : 0.0;
+        progress(std::min((pass + static_cast<double>(begin) / count) / passes, 1.0));
+        return ReadSlices<T>(slabs, begin, end);
+      };
+      return ink::suggestIsoValues(read, slabs.GetDimensions(), std::max(slabs.GetAtOnce(), 3));
+    });
+}
+
+ink::FiniteRange InkFindFiniteRange(vtkImageData* image)
+{
+  return WithValues(
+    image->GetPointData()->GetScalars(), [](auto values) { return ink::findFiniteRange(values); });
+}
+
+ink::FiniteRange InkFindFiniteRange(InkImageSlabs& slabs)
+{
+  ink::FiniteRange all;
+  const int count = slabs.GetDimensions()[2];
+  for (int first = 0; first < count; first += slabs.GetAtOnce())
+  {
+    all.add(InkFindFiniteRange(slabs.Get(first, std::min(first + slabs.GetAtOnce(), count))));
+  }
+  return all;
+}
+
+std::vector<std::size_t> InkBoundLayerPoints(vtkImageData* image, double isoValue, ink::CrossingRule rule)
+{
+  const std::array<int, 3> d = DimensionsOf(image);
+  return WithValues(image->GetPointData()->GetScalars(),
+    [&](auto values) {
+      return ink::boundActiveCells(values, { d[0], d[1], d[2] }, isoValue, rule);
+    });
+}
+
+std::vector<std::size_t> InkBoundLayerPoints(InkImageSlabs& slabs, double isoValue, ink::CrossingRule rule)
+{
+  std::vector<std::size_t> layers;
+  const int count = slabs.GetDimensions()[2];
+  // Parts share a slice.
+  for (int first = 0; first + 1 < count; first += slabs.GetAtOnce() - 1)
+  {
+    const std::vector<std::size_t> counts =
+      InkBoundLayerPoints(slabs.Get(first, std::min(first + slabs.GetAtOnce(), count)), isoValue, rule);
+    layers.insert(layers.end(), counts.begin(), counts.end());
+  }
+  return layers;
+}
+
+std::string InkDescribe(const ink::IsoSuggestion& suggestion)
+{
+  using Boundary = ink::IsoSuggestion::Boundary;
+  const char* boundary = suggestion.boundary == Boundary::Outermost ? "the outermost clear boundary"
+    : suggestion.boundary == Boundary::Inner                        ? "an inner boundary"
+    : suggestion.boundary == Boundary::Densest                      ? "the boundary of the densest part"
+    : suggestion.boundary == Boundary::Labels                       ? "the edge of all labels"
+    : suggestion.boundary == Boundary::Sign ? "where the sign changes, as no boundary is clear"
+                                            : "Otsu's threshold, as no boundary is clear";
+  return boundary + (", keeps " + PercentOf(suggestion)) + " % of the volume";
+}
+
+std::vector<std::string> InkDescribeChoice(const std::vector<ink::IsoSuggestion>& suggestions)
+{
+  std::string text = "iso-value ";
+  for (std::size_t i = 0; i < suggestions.size(); ++i)
+  {
+    text += (i == 0      ? ""
+                : i == 1 ? "; next best: "
+                         : "; ") +
+      ink::formatNumber(suggestions[i].value) + ": " + InkDescribe(suggestions[i]);
+  }
+  std::vector<std::string> notes{ text };
+  if (suggestions.front().boundary == ink::IsoSuggestion::Boundary::None)
+  {
+    notes.push_back(
+      "no boundary between materials is clear, so what is drawn is the surface around the upper " +
+      PercentOf(suggestions.front()) +
+      " % of the voxels, and may be that of no thing; other values can be given (IsoValues), or voxels "
+      "stippled without a surface (StippleSource, in the style stipple)");
+  }
+  return notes;
+}

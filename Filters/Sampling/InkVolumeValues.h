@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What is chosen by the values of a whole image, and what values there are.
+#ifndef InkVolumeValues_h
+#define InkVolumeValues_h
+
+#include "vtkInkFiltersSamplingModule.h" // for the export macro
+
+#include "Core/Progress.h"
+#include "IsoSurface/ActiveCells.h"
+#include "Statistics/FiniteRange.h"
+#include "Statistics/IsoValue.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class InkImageSlabs;
+class vtkDataArray;
+class vtkImageData;
+
+/// A point array of the image: the active scalars without a name; null if there is none.
+VTKINKFILTERSSAMPLING_EXPORT vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array);
+
+/// The iso-values that suit a point array of the image, of one component; see ink::suggestIsoValues.
+/// @param array its name; empty: the active scalars
+VTKINKFILTERSSAMPLING_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(
+  vtkImageData* image, const std::string& array = {});
+
+/// The same of an image whose slices are read a few at a time, two times or, to be smoothed, four.
+/// @param progress is told how far it is; it cannot stop it
+VTKINKFILTERSSAMPLING_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(
+  InkImageSlabs& slabs, const ink::Progress& progress);
+
+///@{
+/// What values an image has, of its scalars of one component.
+VTKINKFILTERSSAMPLING_EXPORT ink::FiniteRange InkFindFiniteRange(vtkImageData* image);
+VTKINKFILTERSSAMPLING_EXPORT ink::FiniteRange InkFindFiniteRange(InkImageSlabs& slabs);
+///@}
+
+///@{
+/// At most so many points lie in each layer of cells along z, see ink::boundActiveCells.
+VTKINKFILTERSSAMPLING_EXPORT std::vector<std::size_t> InkBoundLayerPoints(
+  vtkImageData* image, double isoValue, ink::CrossingRule rule);
+VTKINKFILTERSSAMPLING_EXPORT std::vector<std::size_t> InkBoundLayerPoints(
+  InkImageSlabs& slabs, double isoValue, ink::CrossingRule rule);
+///@}
+
+/// The smoothing that noise, gray levels and slices around an iso-surface ask for, as
+/// vtkInkIsoSurfaceSampler::SetSmoothing takes it; see ink::suggestSmoothing.
+/// @param array a point array of one component; empty: the active scalars
+VTKINKFILTERSSAMPLING_EXPORT double InkSuggestSmoothing(
+  vtkImageData* image, const std::string& array, double isoValue);
+
+/// The same of an image whose slices are read a few at a time, ink::NoiseEstimate::slices or more.
+/// @param progress is told how far it is; it cannot stop it
+/// @throws std::invalid_argument if too few can be had at a time
+VTKINKFILTERSSAMPLING_EXPORT double InkSuggestSmoothing(
+  InkImageSlabs& slabs, double isoValue, const ink::Progress& progress);
+
+/// At most so many points lie on an iso-surface, as vtkInkIsoSurfaceSampler makes them; see
+/// ink::boundActiveCells.
+/// @param array a point array of one component; empty: the active scalars
+VTKINKFILTERSSAMPLING_EXPORT double InkBoundSurfacePoints(
+  vtkImageData* image, const std::string& array, double isoValue);
+
+/// What the surface at an iso-value is, in a few words: "the outermost clear boundary, keeps 12 % of the
+/// volume".
+VTKINKFILTERSSAMPLING_EXPORT std::string InkDescribe(const ink::IsoSuggestion& suggestion);
+
+/// That the first of some iso-values was chosen, and which ones are next, and, where no boundary is clear at
+/// it, what is drawn then: sentences without their dots.
+/// @param suggestions one or more
+VTKINKFILTERSSAMPLING_EXPORT std::vector<std::string> InkDescribeChoice(
+  const std::vector<ink::IsoSuggestion>& suggestions);
+
+#endif

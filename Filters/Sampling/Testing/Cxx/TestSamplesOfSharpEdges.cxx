@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Samples and stipples of meshes whose faces share points at sharp edges.
+
+#include "InkTestWeldedBox.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkInkStippleGenerator.h"
+#include "vtkInkSurfaceSampler.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+TEST(SamplesOfSharpEdges, StipplesHaveTheColorsOfSplitMeshes)
+{
+  const vtkSmartPointer<vtkPolyData> box = InkTestWeldedBox();
+  InkTestAddMeanNormals(box);
+  vtkNew<vtkInkStippleGenerator> generator;
+  generator->SetInputData(box);
+  generator->SetNumberOfSurfaceStipples(500);
+  generator->PassScalarsOn();
+  for (const char* name : { "Heat", "" })
+  {
+    generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+    generator->Update();
+    vtkPolyData* stipples = generator->GetOutput();
+    ASSERT_GT(stipples->GetNumberOfCells(), 0) << name;
+    vtkDataArray* heat = stipples->GetCellData()->GetArray("Heat");
+    ASSERT_TRUE(heat) << name;
+    EXPECT_EQ(heat->GetNumberOfTuples(), stipples->GetNumberOfCells());
+  }
+}
+
+TEST(SamplesOfSharpEdges, SamplesFaceOneSide)
+{
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  sampler->SetInputData(InkTestWeldedBox());
+  sampler->SetNumberOfSamples(2000);
+  const auto worst = [&]
+  {
+    sampler->Update();
+    double least = 1.0;
+    vtkDataArray* normals = sampler->GetOutput()->GetPointData()->GetNormals();
+    for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+    {
+      const double* n = normals->GetTuple3(i);
+      least = std::min(least, std::max({ std::abs(n[0]), std::abs(n[1]), std::abs(n[2]) }));
+    }
+    return least;
+  };
+  EXPECT_GT(worst(), 1.0 - 1e-6);
+  // Samples that are to follow a mesh keep its points, and so the means over its edges.
+  sampler->KeepFacesOn();
+  EXPECT_LT(worst(), 0.7);
+}

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces of volumes that are not in memory as a whole.
+#include "InkIsoSurface.h"
+
+#include "Core/FormatNumber.h"
+#include "InkImageSlabs.h"
+#include "InkMemoryBudget.h"
+#include "InkSubdivision.h"
+#include "InkVolumeValues.h"
+#include "IsoSurface/ResampledSamples.h"
+#include "Statistics/NoiseEstimate.h"
+#include "vtkInkIsoSurfaceSampler.h"
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// The slices that a surface needs at a time: those of a layer of cells with what their points depend on.
+int SlicesFor(double smoothing, int subdivision)
+{
+  return 2 + 2 * ink::isoSurfaceResamplingReach(smoothing, subdivision);
+}
+
+} // namespace
+
+/// Chooses smoothing and subdivision of a volume as InkIsoSurface::Prepare does those of images in memory.
+/// What is less than that, as memory is short, it notes.
+class InkIsoSurface::SamplingOfParts
+{
+public:
+  /// All are kept. @param slabs of a sampler of an image, otherwise null @param values the iso-values
+  SamplingOfParts(vtkInkStyle* style, vtkInkIsoSurfaceAlgorithm* sampler, InkImageSlabs* slabs,
+    const std::vector<double>& values)
+    : Style(style)
+    , Sampler(sampler)
+    , Slabs(slabs)
+    , Values(values)
+  {
+  }
+
+  /// What went wrong; empty if nothing did.
+  const std::string& GetProblem() const { return this->Problem; }
+
+  double ChooseSmoothing()
+  {
+    const auto hasRoom = [this](int slices)
+    { return this->HasRoomFor(slices, "the surface is not smoothed", "Smoothing 0"); };
+    // How much memory it takes is not known before it was measured.
+    if (this->Slabs &&
+      this->Slabs->GetAtOnce() < std::min(ink::NoiseEstimate::slices, this->Slabs->GetDimensions()[2]))
+    {
+      hasRoom(SlicesFor(ink::mostSuggestedSmoothing, 1));
+      return 0.0;
+    }
+    double smoothing = 0.0;
+    if (this->Slabs)
+    {
+      for (const double value : this->Values)
+      {
+        smoothing = std::max(
+          smoothing, InkSuggestSmoothing(*this->Slabs, value, this->Style->StartStep("measuring noise")));
+      }
+    }
+    else
+    {
+      this->Follow("measuring noise",
+        [&](double value) { smoothing = std::max(smoothing, this->Sampler->SuggestSmoothing(value)); });
+    }
+    return hasRoom(SlicesFor(smoothing, 1)) ? smoothing : 0.0;
+  }
+
+  int ChooseSubdivision(double smoothing)
+  {
+    const vtkSmartPointer<vtkImageData> frame = this->Sampler->MakeFrame();
+    const double* spacing = frame->GetSpacing();
+    const double voxel = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+    const double* box = frame->GetBounds();
+    const double longest = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+    // The other half is for what points are made of.
+    const InkMemoryBudget budget = InkMemoryBudget::OfMebibytes(this->Sampler->GetMaximumMemory());
+    const double mostPoints = static_cast<double>(budget.Limit / (2 * InkBytesPerDrawnPoint));
+    const InkSubdivision chosen = InkChooseSubdivision(
+      this->Style, voxel, longest, [this] { return this->BoundPoints(); },
+      std::min(InkMostDividedPoints, mostPoints));
+    TakeSubdivision(this->Style, chosen);
+    const bool hasRoom = chosen.Cells == 1 ||
+      this->HasRoomFor(SlicesFor(smoothing, chosen.Cells), "voxels are not divided", "Subdivision 1");
+    return hasRoom ? this->FitLayers(chosen.Cells, budget) : 1;
+  }
+
+private:
+  template <class Use>
+  void Follow(const char* step, const Use& use)
+  {
+    const std::string problem = this->Style->Follow(this->Sampler, step,
+      [&]
+      {
+        for (const double value : this->Values)
+        {
+          use(value);
+        }
+      });
+    this->Problem = this->Problem.empty() ? problem : this->Problem;
+  }
+
+  bool HasRoomFor(int slices, const std::string& otherwise, const std::string& setting)
+  {
+    if (!this->Slabs)
+    {
+      return true;
+    }
+    const int needed = std::min(slices, this->Slabs->GetDimensions()[2]);
+    if (this->Slabs->GetAtOnce() >= needed)
+    {
+      return true;
+    }
+    this->Style->AddNote(otherwise + ", as memory has room for " + std::to_string(this->Slabs->GetAtOnce()) +
+      " slices at a time: MaximumMemory " + InkFormatMemory(this->Slabs->GetMemoryFor(needed)) +
+      " is enough; " + setting + " asks for no more");
+    return false;
+  }
+
+  /// The points that surfaces have before voxels are divided, at most.
+  double BoundPoints()
+  {
+    double all = 0.0;
+    this->Follow("counting voxels",
+      [&](double value)
+      {
+        if (!this->Slabs)
+        {
+          all += static_cast<double>(this->Sampler->CountActiveCells(value));
+          return;
+        }
+        for (const std::size_t count : InkBoundLayerPoints(*this->Slabs, value, ink::CrossingRule::HalfOpen))
+        {
+          all += static_cast<double>(count);
+          this->MostOfALayer = std::max(this->MostOfALayer, static_cast<double>(count));
+        }
+      });
+    return all;
+  }
+
+  /// So many cells or fewer, so that memory has room for a layer of voxels, which is made at a time at least.
+  int FitLayers(int wanted, const InkMemoryBudget& budget)
+  {
+    const auto room = static_cast<double>(budget.ForNewPoints() / InkBytesPerPoint);
+    int cells = wanted;
+    while (cells > 1 && this->MostOfALayer * cells * cells > room)
+    {
+      cells /= 2;
+    }
+    if (cells < wanted)
+    {
+      const auto points = static_cast<std::uint64_t>(this->MostOfALayer) *
+        static_cast<std::uint64_t>(wanted) * static_cast<std::uint64_t>(wanted);
+      this->Style->AddNote("voxels are divided by " + std::to_string(cells) + ", not " +
+        std::to_string(wanted) + ", along each axis, as a layer of them would have up to " +
+        std::to_string(points) + " points: MaximumMemory " +
+        InkFormatMemory(InkMemoryBudget::LimitFor(points * InkBytesPerPoint, 4)) + " is enough");
+    }
+    return cells;
+  }
+
+  vtkInkStyle* Style;
+  vtkInkIsoSurfaceAlgorithm* Sampler;
+  InkImageSlabs* Slabs;
+  const std::vector<double>& Values;
+  std::string Problem;
+  double MostOfALayer = 0.0; ///< of slices; otherwise 0
+};
+
+std::string InkIsoSurface::SampleBy(
+  vtkInkStyle* style, vtkInkIsoSurfaceAlgorithm* sampler, vtkPolyData* points)
+{
+  std::vector<double> values = this->IsoValues.GetGiven();
+  this->IsoValues.Use({});
+  std::optional<InkImageSlabs> slabs;
+  if (auto* ofImage = vtkInkIsoSurfaceSampler::SafeDownCast(sampler))
+  {
+    slabs.emplace(
+      ofImage->GetInputConnection(0, 0), InkMemoryBudget::OfMebibytes(ofImage->GetMaximumMemory()));
+  }
+  if (slabs && values.empty())
+  {
+    const std::vector<ink::IsoSuggestion> suggestions =
+      InkSuggestIsoValues(*slabs, style->StartStep("choosing an iso-value"));
+    if (suggestions.empty())
+    {
+      return InkIsoValues::None;
+    }
+    for (const std::string& note : InkDescribeChoice(suggestions))
+    {
+      style->AddNote(note);
+    }
+    values.push_back(suggestions.front().value);
+  }
+  this->IsoValues.Use(values);
+  sampler->CopyProperties(this->Sampler);
+  sampler->SetValues(values);
+  values = sampler->FindIsoValues();
+  SamplingOfParts sampling(style, sampler, slabs ? &*slabs : nullptr, values);
+  sampler->SetSmoothing(this->Smoothing < 0.0 ? sampling.ChooseSmoothing() : this->Smoothing);
+  sampler->SetSubdivision(
+    this->Subdivision == 0 ? sampling.ChooseSubdivision(sampler->GetSmoothing()) : this->Subdivision);
+  if (!sampling.GetProblem().empty())
+  {
+    return sampling.GetProblem();
+  }
+  slabs.reset();
+  const std::string problem = style->Follow(sampler, "sampling the surface");
+  points->ShallowCopy(sampler->GetOutput());
+  if (problem.empty() && points->GetNumberOfPoints() == 0)
+  {
+    style->AddNote("nothing to draw: no surface" +
+      (values.empty() ? std::string() : " at iso-value " + ink::formatNumber(values.front())));
+  }
+  return problem;
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InkPose_h
+#define InkPose_h
+
+#include <string>
+
+class vtkPolyData;
+
+/// How a subject is viewed.
+struct InkPose
+{
+  std::string Up = "z";       ///< one of InkOrientation's axes
+  std::string View = "front"; ///< one of its views
+  double Elevation = 0.0;     ///< degrees that the viewer is above it
+};
+
+/// A guess at how a mesh or a cloud of points stands, of whose axes its file says nothing.
+///
+/// Up is z, or y where the mesh rests on a clearly larger base then: what it touches the ground with, as a
+/// part of what lies below all of it. OBJ files have y up unless z is clearly better. Of the four sides it is
+/// shown from the one whose polygons that face the viewer are largest as they are seen: from the front unless
+/// another side shows clearly more. What lies flat is looked down on.
+/// @param file its name, or none
+/// @param up where it is known; empty: it is not
+InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::string& up);
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInkView
+ * @brief   from which side a subject is seen in a picture
+ *
+ * World axes are read as DICOM's: +x is the subject's left, +y its back, +z its top; Up makes another axis
+ * its top. A mesh or a cloud of points, of whose axes nobody says anything, is looked at: Choose finds how it
+ * seems to stand, and the side that shows most of it.
+ *
+ *     vtkNew<vtkInkView> view;
+ *     view->Choose(mesh, "bunny.ply");
+ *     view->Apply(camera);
+ *     fit->AddPoints(style->GetFramePoints(), camera);
+ *     fit->Apply(camera);
+ *
+ * @sa vtkInkCameraFit
+ */
+#ifndef vtkInkView_h
+#define vtkInkView_h
+
+#include "InkSetters.h"
+#include "vtkInkStylesModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <optional> // for what is given
+#include <string>   // for names
+
+class vtkCamera;
+class vtkDataObject;
+
+class VTKINKSTYLES_EXPORT vtkInkView : public vtkObject
+{
+public:
+  static vtkInkView* New();
+  vtkTypeMacro(vtkInkView, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The side that the subject is seen from: front, back, left, right, top, bottom, or iso, which is from its
+   * front, left and top at equal angles. Default: front, or what Choose found. An unknown name is an error
+   * and changes nothing.
+   */
+  void SetName(const std::string& name);
+  const std::string& GetName() { return this->Name; }
+  static int GetNumberOfNames();
+  static const char* GetNameOfView(int view); ///< null out of range
+  ///@}
+
+  ///@{
+  /**
+   * The axis of the world that is the subject's top: x, y or z, or one of these with a minus. Default: z, or
+   * what Choose found. An unknown one is an error and changes nothing.
+   */
+  void SetUp(const std::string& axis);
+  const std::string& GetUp() { return this->Up; }
+  static int GetNumberOfAxes();
+  static const char* GetAxis(int axis); ///< null out of range
+  ///@}
+
+  ///@{
+  /// How many degrees the viewer goes to the right, -360 to 360. Default: 0.
+  InkSetClampMacro(Azimuth, -360.0, 360.0);
+  vtkGetMacro(Azimuth, double);
+  ///@}
+
+  ///@{
+  /// How many degrees the viewer goes up after that, -360 to 360. Default: 0, or what Choose found.
+  void SetElevation(double degrees);
+  vtkGetMacro(Elevation, double);
+  ///@}
+
+  /**
+   * Finds what was not set, for a mesh or for points; of all else it is as by default. Up is z, or y where
+   * the mesh rests on a clearly larger base then; OBJ files have y up unless z is clearly better. Of the four
+   * sides the one is chosen whose polygons that face the viewer are largest as they are seen, the front
+   * unless another shows clearly more. What lies flat is seen from 30 degrees above, unless Name was set.
+   * @param fileName of the data; null or empty: none
+   */
+  void Choose(vtkDataObject* data, const char* fileName = nullptr);
+
+  /**
+   * Makes a camera look from this side at the origin, from nowhere in particular: see vtkInkCameraFit.
+   * @param turned degrees that the viewer goes further to the right, around what stands upright
+   */
+  void Apply(vtkCamera* camera, double turned = 0.0);
+
+  ///@{
+  /**
+   * By how much what is rendered for a picture should be larger on either side, and made smaller then, so
+   * that lines are smooth: 2; up to 4 for pictures of less than 500 pixels, as splats that measure a few
+   * pixels at least would get broader lines there. See vtkInkStyle::SetPixelScale.
+   */
+  static int GetSupersampling(int width, int height);
+  enum SupersamplingType
+  {
+    LEAST_SUPERSAMPLING = 2,
+    MOST_SUPERSAMPLING = 4
+  };
+  ///@}
+
+protected:
+  vtkInkView() = default;
+  ~vtkInkView() override = default;
+
+private:
+  vtkInkView(const vtkInkView&) = delete;
+  void operator=(const vtkInkView&) = delete;
+
+  std::string Name = "front";
+  std::string Up = "z";
+  double Azimuth = 0.0;
+  double Elevation = 0.0;
+  std::optional<std::string> GivenName;
+  std::optional<std::string> GivenUp;
+  std::optional<double> GivenElevation;
+};
+
+#endif

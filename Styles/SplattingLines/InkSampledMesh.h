@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the points that lines are drawn of know of the data that they were made of: which of its points they
+ * are, or are near to (InkSourcePoints), for selection, and the values of one of its arrays, as active
+ * scalars.
+ */
+#ifndef InkSampledMesh_h
+#define InkSampledMesh_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkPolyData;
+
+/// Under this name, as the array may have that of another one of the points.
+inline constexpr const char* InkColorsName = "InkColors";
+
+/// An array to color by.
+struct InkColorArray
+{
+  std::string Name;     ///< empty: none
+  bool OfCells = false; ///< or of points
+};
+
+/// Points without polygons, for what takes some of them with all their arrays.
+/// @return the same points with the arrays that make these know them
+vtkSmartPointer<vtkPolyData> InkKnowPoints(vtkPolyData* points, const InkColorArray& colors);
+
+/// Lets samples of a mesh's polygons, which vtkInkSurfaceSampler made with KeepFaces, know them, and forget
+/// the faces. Point values are interpolated.
+void InkKnowFaces(vtkPolyData* mesh, const InkColorArray& colors, vtkPolyData* samples);
+
+#endif

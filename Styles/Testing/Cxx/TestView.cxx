@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From where a picture is taken: named sides, axes that are up, what is chosen for meshes.
+#include "StyleErrors.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCamera.h"
+#include "vtkCubeSource.h"
+#include "vtkImageData.h"
+#include "vtkInkView.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+void ExpectNear(const Vector& found, const Vector& expected, const std::string& what)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(found[i], expected[i], 1e-12) << what << ' ' << i;
+  }
+}
+
+/// Where a view looks, and what is up then.
+std::array<Vector, 2> Look(vtkInkView* view, double turned = 0.0)
+{
+  vtkNew<vtkCamera> camera;
+  view->Apply(camera, turned);
+  std::array<Vector, 2> look;
+  camera->GetDirectionOfProjection(look[0].data());
+  camera->GetViewUp(look[1].data());
+  return look;
+}
+
+/// A slab on a foot, twice as wide along x as along the other side, with an axis up.
+vtkSmartPointer<vtkPolyData> Table(bool yIsUp)
+{
+  vtkNew<vtkAppendPolyData> both;
+  for (const bool isFoot : { false, true })
+  {
+    const double depth = isFoot ? 1.5 : 2.0;
+    const double height = isFoot ? 2.0 : 0.5;
+    const double middle = isFoot ? 1.0 : 2.25;
+    vtkNew<vtkCubeSource> box;
+    box->SetXLength(isFoot ? 3.0 : 4.0);
+    box->SetYLength(yIsUp ? height : depth);
+    box->SetZLength(yIsUp ? depth : height);
+    box->SetCenter(0.0, yIsUp ? middle : 0.0, yIsUp ? 0.0 : middle);
+    both->AddInputConnection(box->GetOutputPort());
+  }
+  both->Update();
+  return both->GetOutput();
+}
+
+} // namespace
+
+TEST(View, SidesAreTheSubjects)
+{
+  const double third = 1.0 / std::sqrt(3.0);
+  const double sixth = 1.0 / std::sqrt(6.0);
+  const struct
+  {
+    const char* name;
+    Vector direction;
+    Vector up;
+  } sides[] = { { "front", { 0, 1, 0 }, { 0, 0, 1 } }, { "back", { 0, -1, 0 }, { 0, 0, 1 } },
+    { "left", { -1, 0, 0 }, { 0, 0, 1 } }, { "right", { 1, 0, 0 }, { 0, 0, 1 } },
+    { "top", { 0, 0, -1 }, { 0, 1, 0 } }, { "bottom", { 0, 0, 1 }, { 0, -1, 0 } },
+    { "iso", { -third, third, -third }, { -sixth, sixth, 2 * sixth } } };
+  ASSERT_EQ(vtkInkView::GetNumberOfNames(), 7);
+  for (int i = 0; i < 7; ++i)
+  {
+    vtkNew<vtkInkView> view;
+    EXPECT_STREQ(vtkInkView::GetNameOfView(i), sides[i].name);
+    view->SetName(sides[i].name);
+    const auto [direction, up] = Look(view);
+    ExpectNear(direction, sides[i].direction, sides[i].name);
+    ExpectNear(up, sides[i].up, sides[i].name);
+  }
+  EXPECT_EQ(vtkInkView::GetNameOfView(7), nullptr);
+}
+
+TEST(View, AnotherAxisIsTheTop)
+{
+  const struct
+  {
+    const char* axis;
+    Vector front;
+    Vector up;
+  } tops[] = { { "x", { 0, 0, 1 }, { 1, 0, 0 } }, { "y", { 0, 0, -1 }, { 0, 1, 0 } },
+    { "z", { 0, 1, 0 }, { 0, 0, 1 } }, { "-x", { 0, 0, 1 }, { -1, 0, 0 } },
+    { "-y", { 0, 0, 1 }, { 0, -1, 0 } }, { "-z", { 0, 1, 0 }, { 0, 0, -1 } } };
+  ASSERT_EQ(vtkInkView::GetNumberOfAxes(), 6);
+  for (int i = 0; i < 6; ++i)
+  {
+    vtkNew<vtkInkView> view;
+    EXPECT_STREQ(vtkInkView::GetAxis(i), tops[i].axis);
+    view->SetUp(tops[i].axis);
+    const auto [direction, up] = Look(view);
+    ExpectNear(direction, tops[i].front, tops[i].axis);
+    ExpectNear(up, tops[i].up, tops[i].axis);
+  }
+}
+
+TEST(View, TheViewerGoesAround)
+{
+  const double half = std::sqrt(0.5);
+  vtkNew<vtkInkView> view;
+  view->SetAzimuth(45.0);
+  // To the right of one who looks along y is x.
+  ExpectNear(Look(view)[0], { -half, half, 0 }, "azimuth");
+  ExpectNear(Look(view, 45.0)[0], { -1, 0, 0 }, "turned");
+  view->SetAzimuth(0.0);
+  view->SetElevation(45.0);
+  ExpectNear(Look(view)[0], { 0, half, -half }, "elevation");
+  ExpectNear(Look(view)[1], { 0, half, half }, "up");
+  ExpectNear(Look(view, 90.0)[0], { -half, 0, -half }, "turned around what is upright");
+}
+
+TEST(View, MeshesStandAndShowMost)
+{
+  for (const bool yIsUp : { false, true })
+  {
+    vtkNew<vtkInkView> view;
+    view->Choose(Table(yIsUp));
+    EXPECT_EQ(view->GetUp(), yIsUp ? "y" : "z");
+    EXPECT_EQ(view->GetName(), "front");
+    EXPECT_EQ(view->GetElevation(), 0.0);
+    // What is said stays, and is what the rest is chosen for.
+    vtkNew<vtkInkView> said;
+    said->SetUp("x");
+    said->Choose(Table(yIsUp));
+    EXPECT_EQ(said->GetUp(), "x");
+  }
+  // Alike along both axes: the file's name decides.
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  for (const auto& [file, up] : { std::pair("a.ply", "z"), std::pair("a.OBJ", "y") })
+  {
+    vtkNew<vtkInkView> view;
+    view->Choose(cube->GetOutput(), file);
+    EXPECT_EQ(view->GetUp(), up) << file;
+  }
+  // Deep along y, so its side is what shows.
+  vtkNew<vtkCubeSource> deep;
+  deep->SetYLength(3.0);
+  deep->Update();
+  vtkNew<vtkInkView> view;
+  view->SetUp("z");
+  view->Choose(deep->GetOutput());
+  EXPECT_EQ(view->GetName(), "left");
+}
+
+TEST(View, WhatLiesFlatIsSeenFromAbove)
+{
+  vtkNew<vtkCubeSource> flat;
+  flat->SetXLength(4.0);
+  flat->SetYLength(3.0);
+  flat->SetZLength(0.2);
+  flat->Update();
+  vtkNew<vtkInkView> view;
+  view->Choose(flat->GetOutput());
+  EXPECT_EQ(view->GetElevation(), 30.0);
+  vtkNew<vtkInkView> named;
+  named->SetName("front");
+  named->Choose(flat->GetOutput());
+  EXPECT_EQ(named->GetElevation(), 0.0);
+  vtkNew<vtkInkView> low;
+  low->SetElevation(5.0);
+  low->Choose(flat->GetOutput());
+  EXPECT_EQ(low->GetElevation(), 5.0);
+  // And images as they are.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(40, 30, 2);
+  view->Choose(image);
+  EXPECT_EQ(view->GetName() + view->GetUp(), "frontz");
+  EXPECT_EQ(view->GetElevation(), 0.0);
+}
+
+TEST(View, UnknownNamesAreRefused)
+{
+  vtkNew<vtkInkView> view;
+  const StyleErrors errors(view);
+  view->SetName("side");
+  view->SetUp("w");
+  ASSERT_EQ(errors.All.size(), 2u);
+  EXPECT_NE(errors.All[0].find("expected one of front, back, left, right, top, bottom, iso, found 'side'"),
+    std::string::npos)
+    << errors.All[0];
+  EXPECT_NE(
+    errors.All[1].find("expected one of x, y, z, -x, -y, -z, found 'w'; it stays z"), std::string::npos);
+  EXPECT_EQ(view->GetName() + view->GetUp(), "frontz");
+}
+
+TEST(View, SmallPicturesAreRenderedLarger)
+{
+  EXPECT_EQ(vtkInkView::GetSupersampling(1024, 768), 2);
+  EXPECT_EQ(vtkInkView::GetSupersampling(500, 20), 2) << "whatever its shape";
+  EXPECT_EQ(vtkInkView::GetSupersampling(499, 499), 2);
+  EXPECT_EQ(vtkInkView::GetSupersampling(240, 200), 3);
+  EXPECT_EQ(vtkInkView::GetSupersampling(64, 64), 4);
+}
