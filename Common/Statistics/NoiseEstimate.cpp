@@ -116,7 +116,7 @@ glm::ivec3 reachIn(const glm::ivec3& size)
 
 /// Some slices of a grid, by their indices in the whole.
 template <class T>
-struct Slices
+struct HeldSlices
 {
   GridField<T> field;
   int first;
@@ -232,7 +232,7 @@ NoiseEstimate estimateNoise(
   const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce, double isoValue)
 {
   const glm::ivec3 size(dimensions[0], dimensions[1], dimensions[2]);
-  using Sampler = NoiseSampler<Slices<T>>;
+  using Sampler = NoiseSampler<HeldSlices<T>>;
   static_assert(Sampler::before + 1 + Sampler::behind == NoiseEstimate::slices);
   if (slicesAtOnce < std::min(NoiseEstimate::slices, size.z))
   {
@@ -248,8 +248,9 @@ NoiseEstimate estimateNoise(
     const int end = std::min(begin + atOnce, rows.slices());
     const int first = std::max(begin + rows.reach().z - Sampler::before, 0);
     const int last = std::min(end + rows.reach().z + Sampler::behind, size.z);
-    const Slices<T> slices{ GridField<T>(GridGeometry({ size.x, size.y, last - first }), read(first, last)),
-      first };
+    const HeldSlices<T> slices{
+      GridField<T>(GridGeometry({ size.x, size.y, last - first }), read(first, last)), first
+    };
     rows.look(slices, isoValue, begin, end, found);
   }
   return makeNoiseEstimate(found, rows.reach());
