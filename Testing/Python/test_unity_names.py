@@ -32,7 +32,8 @@ def names(path):
     found = set(re.findall(r"\b(?:struct|class|enum) (\w+)(?= *[\n:{])", code))
     found |= set(re.findall(r"^ *(?:constexpr|const|static)\b[\w:<>&* ]* (\w+)(?=\[| *=| *\{)", code, re.MULTILINE))
     for name, parameters in re.findall(r"^ *[\w:<>&*, ]*[\w>&*]\s+[&*]?(\w+)\(([^()]*)\)", code, re.MULTILINE):
-        found.add(f"{name}({re.sub(r'[ \n]*\w+(?=,|$)', '', re.sub(r'\s+', ' ', parameters)).strip()})")
+        types = re.sub(r"[ \n]*\w+(?=,|$)", "", re.sub(r"\s+", " ", parameters)).strip()
+        found.add(f"{name}({types})")
     return found
 
 
