@@ -271,12 +271,21 @@ void sampleResampledSide(const GridField<T>& field, double isoValue, CutSurface 
     {
       continue;
     }
-    resampler.scale(scale);
+    double isoValueHere = scale * isoValue;
+    if (resampling.ofMask)
+    {
+      resampler.makeMask(isoValue);
+      isoValueHere = maskIsoValue;
+    }
+    else
+    {
+      resampler.scale(scale);
+    }
     resampler.resample(ofSurface, box, values);
     const GridField<double> fine(
       GridGeometry(box.size(), all.origin(), all.spacing(), all.direction(), all.first() + box.begin),
       values);
-    SideSampler faces(fine, scale * isoValue, kind, side, samples);
+    SideSampler faces(fine, isoValueHere, kind, side, samples);
     forEachCell(own, selection, side, layer, strip, end,
       [&](const glm::ivec3& cell)
       {

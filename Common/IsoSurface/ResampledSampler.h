@@ -66,7 +66,7 @@ struct ResampledRequest
   std::function<void(const SampleBox& positions, const glm::ivec3& reach, TileResampler<Work>&)> read;
   /// Whether a cell of the grid lacks a corner.
   std::function<bool(const glm::ivec3& cell)> lacksCorner;
-  std::span<const double> isoValues;
+  std::span<const double> isoValues; ///< one of a mask
   SampleOptions options;
   CellSelection selection;
   IsoSurfaceResampling resampling;
@@ -177,18 +177,22 @@ private:
     {
       return;
     }
+    work.isoValues.assign(this->Request.isoValues.begin(), this->Request.isoValues.end());
     // So that no difference overflows.
     constexpr Work largest = std::numeric_limits<Work>::max() / 64;
-    const bool huge = std::max(std::abs(this->Ranges.Low[n]), std::abs(this->Ranges.High[n])) > largest;
-    const Work scale = huge ? Work(1) / 256 : Work(1);
-    if (huge)
+    if (this->Request.resampling.ofMask)
     {
-      work.resampler.scale(scale);
+      work.resampler.makeMask(work.isoValues.front());
+      work.isoValues.front() = maskIsoValue;
     }
-    work.isoValues.assign(this->Request.isoValues.begin(), this->Request.isoValues.end());
-    for (double& isoValue : work.isoValues)
+    else if (std::max(std::abs(this->Ranges.Low[n]), std::abs(this->Ranges.High[n])) > largest)
     {
-      isoValue *= scale;
+      constexpr Work scale = Work(1) / 256;
+      work.resampler.scale(scale);
+      for (double& isoValue : work.isoValues)
+      {
+        isoValue *= scale;
+      }
     }
     work.resampler.resample(this->OfSurface, box, work.values);
     const GridField<Work> field = this->fieldOf(box, work.values);

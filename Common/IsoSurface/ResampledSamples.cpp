@@ -16,9 +16,10 @@ namespace ink
 {
 
 IsoSurfaceResampling makeIsoSurfaceResampling(
-  const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target)
+  const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target, bool ofMask)
 {
   IsoSurfaceResampling resampling;
+  resampling.ofMask = ofMask;
   if (!(smoothing > 0.0) && subdivision <= 1)
   {
     return resampling;
@@ -52,6 +53,37 @@ GridGeometry resampledGeometry(const GridGeometry& geometry, const glm::ivec3& s
     geometry.spacing() / glm::dvec3(subdivision), geometry.direction(), geometry.first() * subdivision);
 }
 
+namespace
+{
+
+/// Each iso-value has a mask of its own.
+template <class T>
+bool sampleMasks(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
+  const CellSelection& selection, const IsoSurfaceResampling& resampling, int projectionSteps,
+  TileRanges* ranges, const GrowRoom& grow, std::vector<std::size_t>& counts, const Progress& progress)
+{
+  counts.clear();
+  std::size_t before = 0;
+  for (std::size_t n = 0; n < isoValues.size(); ++n)
+  {
+    const auto part = [&](double done) {
+      return !progress || progress((static_cast<double>(n) + done) / static_cast<double>(isoValues.size()));
+    };
+    const GrowRoom growRest = [&](std::size_t count) { return roomAfter(grow(before + count), before); };
+    std::vector<std::size_t> own;
+    if (!sampleResampledIsoSurfaces(field, isoValues.subspan(n, 1), options, selection, resampling,
+          projectionSteps, ranges, growRest, own, part))
+    {
+      return false;
+    }
+    counts.push_back(own.front());
+    before += own.front();
+  }
+  return true;
+}
+
+} // namespace
+
 template <class T>
 bool sampleResampledIsoSurfaces(const GridField<T>& field, std::span<const double> isoValues,
   const SampleOptions& options, const CellSelection& selection, const IsoSurfaceResampling& resampling,
@@ -63,6 +95,11 @@ bool sampleResampledIsoSurfaces(const GridField<T>& field, std::span<const doubl
   {
     counts.assign(isoValues.size(), 0);
     return true;
+  }
+  if (resampling.ofMask && isoValues.size() > 1)
+  {
+    return sampleMasks(
+      field, isoValues, options, selection, resampling, projectionSteps, ranges, grow, counts, progress);
   }
   const auto run = [&](auto zero)
   {

@@ -39,20 +39,29 @@ struct IsoSurfaceResampling
   glm::dvec3 deviation = glm::dvec3(0.0); ///< of the Gaussian along each axis, in samples of the grid
   glm::ivec3 subdivision = glm::ivec3(1); ///< cells that take the place of one, along each axis
   SmoothingTarget target = SmoothingTarget::Surface;
+  /// Whether values are labels: each is replaced by whether it is at or above the iso-value, 1 or 0, before
+  /// anything else is made of it, and the surface is that of this mask at maskIsoValue.
+  bool ofMask = false;
 
   /// Whether the grid stays what it is.
-  bool isIdentity() const { return this->deviation == glm::dvec3(0.0) && this->subdivision == glm::ivec3(1); }
+  bool isIdentity() const
+  {
+    return this->deviation == glm::dvec3(0.0) && this->subdivision == glm::ivec3(1) && !this->ofMask;
+  }
 };
 
 inline constexpr int largestSubdivision = 8;
+
+/// Half way between outside and inside.
+inline constexpr double maskIsoValue = 0.5;
 
 /// The same smoothing in all world directions, and cells that are about cubes where voxels are not.
 /// @param smoothing the Gaussian's standard deviation in multiples of the smallest spacing
 /// @param subdivision cells per sample along the axis of the smallest spacing; along others in proportion to
 ///   the spacing, up to largestSubdivision
-/// @return the identity for 0 and 1
-IsoSurfaceResampling makeIsoSurfaceResampling(
-  const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target);
+/// @return the identity for 0 and 1, of values
+IsoSurfaceResampling makeIsoSurfaceResampling(const GridGeometry& geometry, double smoothing, int subdivision,
+  SmoothingTarget target, bool ofMask = false);
 
 /// Samples around a cell of the grid that its samples depend on, along any axis.
 /// @param smoothing, subdivision as for makeIsoSurfaceResampling
@@ -100,7 +109,7 @@ private:
 /// @param projectionSteps see projectSamples
 /// @param ranges kept from call to call for the same values; the caller must clear them when the values
 ///   change. May be null
-/// @param grow called once, for all samples
+/// @param grow called for all samples, or for those of one surface of a mask after the other
 /// @param counts output: the number of samples of each iso-value
 /// @return false when `progress` asked to stop
 template <class T>

@@ -2,6 +2,7 @@
 #include "Statistics/IsoValue.h"
 
 #include "Fields/ScalarDifference.h"
+#include "Statistics/AreLabels.h"
 #include "Statistics/IsoBoundaries.h"
 #include "Statistics/OtsuThreshold.h"
 #include "Statistics/SmoothedSlices.h"
@@ -71,13 +72,10 @@ std::vector<IsoSuggestion> suggestBoundaries(const IsoStatistics& statistics, bo
   return suggestions;
 }
 
-/// The edge of all labels, if values are labels: between them they change from one voxel to the next, without
-/// a gradual transition. Of segmentations .76 to .95 of the changes are so, of scans whose background was set
-/// to one value up to .33.
+/// The edge of all labels, if values are labels.
 std::optional<IsoSuggestion> suggestLabels(const IsoStatistics& statistics)
 {
-  constexpr double labelShare = 0.6;
-  if (static_cast<double>(statistics.maskChanges) <= labelShare * static_cast<double>(statistics.changes))
+  if (!areLabels(statistics.maskChanges, statistics.changes))
   {
     return std::nullopt;
   }

@@ -3,6 +3,7 @@
 
 #include "Core/ParallelFor.h"
 #include "Fields/Grid/GridField.h"
+#include "Statistics/AreLabels.h"
 #include "Statistics/NoiseSampler.h"
 
 #include <glm/common.hpp>
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -47,6 +49,7 @@ constexpr double terraceWeight = 1.5;
 
 /// Longer voxels show their slices.
 constexpr double leastAnisotropy = 1.1;
+constexpr double mostMaskSmoothing = 4.0;
 
 /// The deviation of a normal's angle at a blurred unit step, for noise of deviation 1: the deviation of a
 /// derivative of noise under a Gaussian, by the step's own.
@@ -184,6 +187,7 @@ void NoiseSightings::append(const NoiseSightings& other)
   add(this->changes, other.changes);
   add(this->steps, other.steps);
   add(this->runs, other.runs);
+  this->maskChanges += other.maskChanges;
 }
 
 NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm::ivec3& reach)
@@ -209,6 +213,7 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
     }
   }
   result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
+  result.labels = areLabels(all.maskChanges, static_cast<std::int64_t>(all.changes.size()));
   result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
   if (!all.runs.empty())
@@ -258,7 +263,16 @@ NoiseEstimate estimateNoise(
 
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing)
 {
+  const glm::dvec3 size = glm::abs(spacing);
+  const double anisotropy = std::max({ size.x, size.y, size.z }) / std::min({ size.x, size.y, size.z });
+  const bool hasSlices = anisotropy > leastAnisotropy;
   double deviation = 0.0;
+  if (estimate.labels)
+  {
+    // Without a surface there is nothing to smooth.
+    deviation = estimate.step > 0.0 ? std::min(mostSuggestedSmoothing, 0.5 * estimate.thickness) : 0.0;
+    return hasSlices ? std::max(deviation, std::min(anisotropy, mostMaskSmoothing)) : deviation;
+  }
   if (estimate.step > 0.0)
   {
     // Noise hides the steps of gray levels; without it their edges are long, and smoothing has to reach
@@ -267,13 +281,29 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     deviation = std::max(deviationFor(estimate.noise / estimate.step),
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
   }
-  const glm::dvec3 size = glm::abs(spacing);
-  const double anisotropy = std::max({ size.x, size.y, size.z }) / std::min({ size.x, size.y, size.z });
-  if (anisotropy > leastAnisotropy)
+  if (hasSlices)
   {
     deviation = std::max(deviation, std::min(0.5 * anisotropy, mostSuggestedSmoothing));
   }
   return deviation;
+}
+
+void SuggestedSmoothing::add(const SuggestedSmoothing& other)
+{
+  this->ofValues = std::max(this->ofValues, other.ofValues);
+  this->ofLabels = std::max(this->ofLabels, other.ofLabels);
+  this->labels = this->labels || other.labels;
+}
+
+SuggestedSmoothing suggestSmoothings(const NoiseEstimate& estimate, const glm::dvec3& spacing)
+{
+  const auto with = [&](bool labels)
+  {
+    NoiseEstimate one = estimate;
+    one.labels = labels;
+    return suggestSmoothing(one, spacing);
+  };
+  return { with(false), with(true), estimate.labels };
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct NoiseSightings
   std::vector<double> changes;                    ///< between neighbors that differ
   std::vector<double> steps;                      ///< across the surface
   std::vector<double> runs;                       ///< samples on one side of it, along an axis
+  std::int64_t maskChanges = 0;                   ///< of the changes, see IsoStatistics
 
   void append(const NoiseSightings& other);
 };
@@ -126,6 +128,7 @@ private:
     if (change > 0.0 && std::isfinite(change))
     {
       found.changes.push_back(change);
+      found.maskChanges += this->isMaskChange(at, next, axis);
     }
     if (this->isAbove(at) != this->isAbove(next))
     {
@@ -133,6 +136,17 @@ private:
       found.runs.push_back(this->runOf(at, axis, -1));
       found.runs.push_back(this->runOf(next, axis, 1));
     }
+  }
+
+  /// Whether no gradual transition begins at the lower of two neighbors along an axis: the value behind it is
+  /// the same.
+  bool isMaskChange(const glm::ivec3& at, const glm::ivec3& next, int axis) const
+  {
+    const bool rises = this->Values.at(at) < this->Values.at(next);
+    const glm::ivec3& lower = rises ? at : next;
+    glm::ivec3 beyond = lower;
+    beyond[axis] += rises ? -1 : 1;
+    return this->Values.has(beyond) && this->Values.at(beyond) == this->Values.at(lower);
   }
 
   /// What values change by across an edge that the surface intersects.

@@ -7,7 +7,6 @@
 #include "Core/FormatNumber.h"
 #include "Fields/Grid/GridField.h"
 #include "IsoSurface/ActiveCellBound.h"
-#include "Statistics/NoiseEstimate.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -55,12 +54,13 @@ std::span<const T> ReadSlices(InkImageSlabs& slabs, int begin, int end)
 
 /// What `find` makes of the values, a span, of an array of one component; 0 where there is none.
 template <class Find>
-double EvaluateScalars(vtkImageData* image, const std::string& array, const Find& find)
+auto EvaluateScalars(vtkImageData* image, const std::string& array, const Find& find)
+  -> decltype(find(std::span<const double>()))
 {
   vtkDataArray* found = InkFindScalars(image, array);
   if (!found || found->GetNumberOfComponents() != 1)
   {
-    return 0.0;
+    return {};
   }
   int component = 0;
   const vtkSmartPointer<vtkDataArray> scalars = InkMakeContiguous(found, component);
@@ -83,18 +83,19 @@ vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array)
   return array.empty() ? data->GetScalars() : data->GetArray(array.c_str());
 }
 
-double InkSuggestSmoothing(vtkImageData* image, const std::string& array, double isoValue)
+ink::SuggestedSmoothing InkSuggestSmoothing(vtkImageData* image, const std::string& array, double isoValue)
 {
   const ink::GridGeometry grid = InkMakeGrid(image, InkExtent(image->GetExtent()));
   return EvaluateScalars(image, array,
     [&]<class T>(std::span<const T> values)
     {
-      return ink::suggestSmoothing(
+      return ink::suggestSmoothings(
         ink::estimateNoise(ink::GridField<T>(grid, values), isoValue), grid.spacing());
     });
 }
 
-double InkSuggestSmoothing(InkImageSlabs& slabs, double isoValue, const ink::Progress& progress)
+ink::SuggestedSmoothing InkSuggestSmoothing(
+  InkImageSlabs& slabs, double isoValue, const ink::Progress& progress)
 {
   const std::array<int, 3>& dimensions = slabs.GetDimensions();
   const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
@@ -107,7 +108,7 @@ double InkSuggestSmoothing(InkImageSlabs& slabs, double isoValue, const ink::Pro
         return ReadSlices<T>(slabs, begin, end);
       };
       const double* spacing = slabs.GetFrame()->GetSpacing();
-      return ink::suggestSmoothing(ink::estimateNoise(read, dimensions, slabs.GetAtOnce(), isoValue),
+      return ink::suggestSmoothings(ink::estimateNoise(read, dimensions, slabs.GetAtOnce(), isoValue),
         { spacing[0], spacing[1], spacing[2] });
     });
 }

@@ -9,6 +9,7 @@
 #include "IsoSurface/ActiveCells.h"
 #include "Statistics/FiniteRange.h"
 #include "Statistics/IsoValue.h"
+#include "Statistics/NoiseEstimate.h"
 
 #include <cstddef>
 #include <string>
@@ -46,15 +47,15 @@ VTKINKFILTERSSAMPLING_EXPORT std::vector<std::size_t> InkBoundLayerPoints(
 ///@}
 
 /// The smoothing that noise, gray levels and slices around an iso-surface ask for, as
-/// vtkInkIsoSurfaceSampler::SetSmoothing takes it; see ink::suggestSmoothing.
+/// vtkInkIsoSurfaceSampler::SetSmoothing takes it; see ink::suggestSmoothings.
 /// @param array a point array of one component; empty: the active scalars
-VTKINKFILTERSSAMPLING_EXPORT double InkSuggestSmoothing(
+VTKINKFILTERSSAMPLING_EXPORT ink::SuggestedSmoothing InkSuggestSmoothing(
   vtkImageData* image, const std::string& array, double isoValue);
 
 /// The same of an image whose slices are read a few at a time, ink::NoiseEstimate::slices or more.
 /// @param progress is told how far it is; it cannot stop it
 /// @throws std::invalid_argument if too few can be had at a time
-VTKINKFILTERSSAMPLING_EXPORT double InkSuggestSmoothing(
+VTKINKFILTERSSAMPLING_EXPORT ink::SuggestedSmoothing InkSuggestSmoothing(
   InkImageSlabs& slabs, double isoValue, const ink::Progress& progress);
 
 /// At most so many points lie on an iso-surface, as vtkInkIsoSurfaceSampler makes them; see

@@ -3,6 +3,7 @@
 
 #include "InkPrecision.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
+#include "Statistics/NoiseEstimate.h"
 
 #include "vtkContourValues.h"
 
@@ -70,6 +71,16 @@ ink::SampleOptions vtkInkIsoSurfaceAlgorithm::MakeSampleOptions() const
   return options;
 }
 
+double vtkInkIsoSurfaceAlgorithm::SuggestSmoothing(double isoValue)
+{
+  return this->SuggestSmoothings(isoValue).get(this->LabelMap);
+}
+
+bool vtkInkIsoSurfaceAlgorithm::SuggestLabelMap(double isoValue)
+{
+  return this->SuggestSmoothings(isoValue).labels;
+}
+
 std::vector<double> vtkInkIsoSurfaceAlgorithm::FindIsoValues()
 {
   const double* values = this->ContourValues->GetValues();
@@ -88,6 +99,7 @@ void vtkInkIsoSurfaceAlgorithm::CopyProperties(vtkInkIsoSurfaceAlgorithm* from)
   this->SetProjectionSteps(from->ProjectionSteps);
   this->SetSmoothing(from->Smoothing);
   this->SetSmoothingTarget(from->SmoothingTarget);
+  this->SetLabelMap(from->LabelMap);
   this->SetSubdivision(from->Subdivision);
   this->SetCut(from->Cut);
   this->SetSmallestPart(from->SmallestPart);
@@ -145,6 +157,7 @@ void vtkInkIsoSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ProjectionSteps: " << this->ProjectionSteps << "\n"
      << indent << "Smoothing: " << this->Smoothing << "\n"
      << indent << "SmoothingTarget: " << this->GetSmoothingTargetAsString() << "\n"
+     << indent << "LabelMap: " << this->LabelMap << "\n"
      << indent << "Subdivision: " << this->Subdivision << "\n"
      << indent << "Cut: " << this->GetCutAsString() << "\n"
      << indent << "SmallestPart: " << this->SmallestPart << "\n"

@@ -27,6 +27,7 @@ namespace ink
 {
 struct FiniteRange;
 struct SampleOptions;
+struct SuggestedSmoothing;
 }
 #endif
 
@@ -122,6 +123,18 @@ public:
    */
   vtkSetClampMacro(Subdivision, int, 1, 8);
   vtkGetMacro(Subdivision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Values are labels, the ids of a segmentation's regions, or a mask: each is replaced by whether it is at
+   * or above the iso-value, 1 or 0, before it is smoothed, and the surface is half way between both.
+   * Otherwise how large ids are displaces the surface. The value .5 shows all regions of ids from 1 on
+   * together. Steps of voxels vanish with a Smoothing of 2, see SuggestSmoothing. Default: off.
+   */
+  vtkSetMacro(LabelMap, bool);
+  vtkGetMacro(LabelMap, bool);
+  vtkBooleanMacro(LabelMap, bool);
   ///@}
 
   /// How normals are estimated, see SetNormalMethod.
@@ -284,12 +297,13 @@ public:
   /**
    * What Smoothing and Subdivision are chosen by, before anything is sampled: the Smoothing that the noise,
    * the gray levels and the voxels' shape around the surface of an iso-value ask for, see
-   * ink::suggestSmoothing, and the number of cells that it goes through, at most and before these are
-   * divided. It reads the image, a few slices at a time where it would for points (at least
-   * ink::NoiseEstimate::slices for the smoothing), or the grid, which then stays for the next update.
-   * 0 and one error if that cannot be read.
+   * ink::suggestSmoothing, with LabelMap as it is set, whether the values seem to be labels, and the number
+   * of cells that it goes through, at most and before these are divided. It reads the image, a few slices at
+   * a time where it would for points (at least ink::NoiseEstimate::slices for the smoothing), or the grid,
+   * which then stays for the next update. 0 and one error if that cannot be read.
    */
-  virtual double SuggestSmoothing(double isoValue) = 0;
+  double SuggestSmoothing(double isoValue);
+  bool SuggestLabelMap(double isoValue);
   virtual vtkIdType CountActiveCells(double isoValue) = 0;
   ///@}
 
@@ -297,6 +311,9 @@ public:
   void CopyProperties(vtkInkIsoSurfaceAlgorithm* from);
 
 #ifndef __VTK_WRAP__
+  /// SuggestSmoothing, whatever LabelMap is, and SuggestLabelMap at once.
+  virtual ink::SuggestedSmoothing SuggestSmoothings(double isoValue) = 0;
+
   /// The iso-values; without any, that of the surface that a file is about.
   virtual std::vector<double> FindIsoValues();
 
@@ -344,6 +361,7 @@ protected:
   int ProjectionSteps = 0;
   double Smoothing = 0.0;
   int SmoothingTarget = SURFACE;
+  bool LabelMap = false;
   int Subdivision = 1;
   int Cut = OPEN;
   double SmallestPart = 0.0;

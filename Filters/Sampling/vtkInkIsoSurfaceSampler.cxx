@@ -317,8 +317,8 @@ vtkInkIsoSurfaceSampler::Run vtkInkIsoSurfaceSampler::MakeRun(
   run.UseIndex = this->UseIndex;
   run.Expected = this->Internals->Expected == 0 ? GuessCount(geometry.dimensions())
                                                 : std::max(this->Internals->Expected, std::size_t(1024));
-  run.Resampling = ink::makeIsoSurfaceResampling(
-    geometry, this->Smoothing, this->Subdivision, static_cast<ink::SmoothingTarget>(this->SmoothingTarget));
+  run.Resampling = ink::makeIsoSurfaceResampling(geometry, this->Smoothing, this->Subdivision,
+    static_cast<ink::SmoothingTarget>(this->SmoothingTarget), this->LabelMap);
   run.Parts = ink::ComponentSelection{ this->SmallestPart, static_cast<std::size_t>(this->LargestParts) }
                 .inDividedCells(this->Subdivision);
   return run;

@@ -136,10 +136,10 @@ public:
   vtkBooleanMacro(ReuseArrays, bool);
   ///@}
 
-  double SuggestSmoothing(double isoValue) override;
   vtkIdType CountActiveCells(double isoValue) override;
 
 #ifndef __VTK_WRAP__
+  ink::SuggestedSmoothing SuggestSmoothings(double isoValue) override;
   vtkSmartPointer<vtkImageData> MakeFrame() override;
   bool SampleParts(const PartSink& sink) override;
   ink::FiniteRange FindRange() override;

@@ -101,9 +101,9 @@ void vtkInkIsoSurfaceSampler::UseSlabs(const Use& use)
   }
 }
 
-double vtkInkIsoSurfaceSampler::SuggestSmoothing(double isoValue)
+ink::SuggestedSmoothing vtkInkIsoSurfaceSampler::SuggestSmoothings(double isoValue)
 {
-  double smoothing = 0.0;
+  ink::SuggestedSmoothing smoothing;
   this->UseSlabs(
     [&](InkImageSlabs& slabs)
     {

@@ -141,7 +141,7 @@ bool WithPoints(vtkPoints* points, const Use& use)
 
 bool InkVDBSampleRequest::TakesTiles() const
 {
-  return this->Options.smoothing > 0.0 || this->Options.subdivision > 1 ||
+  return this->Options.ofMask || this->Options.smoothing > 0.0 || this->Options.subdivision > 1 ||
     this->Options.cut != ink::CutSurface::Open || !this->Options.parts.keepsAll();
 }
 

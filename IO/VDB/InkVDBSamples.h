@@ -25,8 +25,8 @@ struct InkVDBSampleRequest
   bool DoubleArithmetic;
   int PointsPrecision; ///< as in vtkAlgorithm; the default depends on the grid
 
-  /// Whether surfaces are smoothed, divided, cut or of some parts only: sampled in tiles instead of in the
-  /// active cells of the tree.
+  /// Whether surfaces are those of masks, smoothed, divided, cut or of some parts only: sampled in tiles
+  /// instead of in the active cells of the tree.
   bool TakesTiles() const;
 };
 

@@ -195,16 +195,16 @@ std::uint64_t vtkInkVDBIsoSurfaceSampler::MemoryBeside(const ink::VdbGrid& grid)
   return most == 0 ? ink::VdbGrid::noLimit : most - std::min(most, grid.memory());
 }
 
-double vtkInkVDBIsoSurfaceSampler::SuggestSmoothing(double isoValue)
+ink::SuggestedSmoothing vtkInkVDBIsoSurfaceSampler::SuggestSmoothings(double isoValue)
 {
-  double smoothing = 0.0;
+  ink::SuggestedSmoothing smoothing;
   this->UpdateInformation();
   this->TrySampling(nullptr,
     [&]
     {
       const ink::VdbGrid& grid = this->ReadGrid();
       smoothing =
-        ink::suggestSmoothing(ink::estimateNoise(grid, isoValue, this->Negates(grid)), grid.info().spacing);
+        ink::suggestSmoothings(ink::estimateNoise(grid, isoValue, this->Negates(grid)), grid.info().spacing);
     });
   return smoothing;
 }
@@ -274,6 +274,7 @@ InkVDBSampleRequest vtkInkVDBIsoSurfaceSampler::MakeRequest(
   options.smoothing = this->Smoothing;
   options.subdivision = this->Subdivision;
   options.target = static_cast<ink::SmoothingTarget>(this->SmoothingTarget);
+  options.ofMask = this->LabelMap;
   options.projectionSteps = this->ProjectionSteps;
   options.cut = static_cast<ink::CutSurface>(this->Cut);
   options.parts = { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };

@@ -72,7 +72,6 @@ public:
    */
   vtkStringArray* GetGridNames();
 
-  double SuggestSmoothing(double isoValue) override;
   vtkIdType CountActiveCells(double isoValue) override;
 
   ///@{
@@ -86,6 +85,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  ink::SuggestedSmoothing SuggestSmoothings(double isoValue) override;
   std::vector<double> FindIsoValues() override;
   vtkSmartPointer<vtkImageData> MakeFrame() override;
   bool SampleParts(const PartSink& sink) override;

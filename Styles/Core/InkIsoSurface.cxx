@@ -4,9 +4,11 @@
 #include "Core/FormatNumber.h"
 #include "InkDistributedParts.h"
 #include "InkIsoSurfaceMesh.h"
+#include "InkMakeMask.h"
 #include "InkStyleProcesses.h"
 #include "InkVolumeValues.h"
 #include "IsoSurface/ActiveCellComponents.h"
+#include "IsoSurface/ResampledSamples.h"
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkPrincipalCurvature.h"
 
@@ -87,6 +89,15 @@ void InkIsoSurface::SetSmoothing(double smoothing)
   }
 }
 
+void InkIsoSurface::SetLabelMap(int labelMap)
+{
+  if (this->LabelMap != labelMap)
+  {
+    this->LabelMap = labelMap;
+    this->Changed.Modified();
+  }
+}
+
 void InkIsoSurface::SetSmoothingTarget(int target)
 {
   this->Sampler->SetSmoothingTarget(target);
@@ -112,23 +123,25 @@ void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
   this->SetLargestParts(other.GetLargestParts());
   this->SetCut(other.GetCut());
   this->SetSmoothing(other.GetSmoothing());
+  this->SetLabelMap(other.GetLabelMap());
   this->SetSmoothingTarget(other.GetSmoothingTarget());
   this->SetSubdivision(other.GetSubdivision());
 }
 
-double InkIsoSurface::FindSmoothing(vtkInkStyle* style, const InkWholeImages& images,
+ink::SuggestedSmoothing InkIsoSurface::FindSmoothing(vtkInkStyle* style, const InkWholeImages& images,
   const std::string& array, const std::vector<double>& values) const
 {
-  std::vector<double> smoothing(1, 0.0);
+  ink::SuggestedSmoothing smoothing;
   for (vtkImageData* image : images)
   {
     for (const double value : values)
     {
-      smoothing[0] = std::max(smoothing[0], InkSuggestSmoothing(image, array, value));
+      smoothing.add(InkSuggestSmoothing(image, array, value));
     }
   }
-  style->GetProcesses().TakeOfFirst(smoothing);
-  return smoothing[0];
+  std::vector<double> numbers{ smoothing.ofValues, smoothing.ofLabels, smoothing.labels ? 1.0 : 0.0 };
+  style->GetProcesses().TakeOfFirst(numbers);
+  return { numbers[0], numbers[1], numbers[2] > 0.0 };
 }
 
 vtkMTimeType InkIsoSurface::GetMTime(bool ofValues)
@@ -210,8 +223,14 @@ std::string InkIsoSurface::Prepare(
     sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   }
   sampler->SetValues(values);
-  sampler->SetSmoothing(
-    this->Smoothing < 0.0 ? this->FindSmoothing(style, whole(), array, values) : this->Smoothing);
+  ink::SuggestedSmoothing suggested;
+  if (this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC)
+  {
+    suggested = this->FindSmoothing(style, whole(), array, values);
+  }
+  const bool labels = this->TakesLabels(suggested.labels);
+  sampler->SetLabelMap(labels);
+  sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
   sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
   return {};
 }
@@ -225,7 +244,9 @@ double InkIsoSurface::ChooseSmoothing(
   }
   const InkWholeImages whole = style->GetProcesses().GatherImages(images, array);
   const std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole, array);
-  return suggestions.empty() ? 0.0 : this->FindSmoothing(style, whole, array, { suggestions.front().value });
+  return suggestions.empty()
+    ? 0.0
+    : this->FindSmoothing(style, whole, array, { suggestions.front().value }).ofValues;
 }
 
 std::string InkIsoSurface::Sample(
@@ -317,8 +338,37 @@ std::string InkIsoSurface::Mesh(
   vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array)
 {
   vtkDataArray* scalars = InkFindScalars(image, array);
+  if (!this->Sampler->GetLabelMap())
+  {
+    return this->MeshOf(style, image, scalars, this->Sampler, mesh);
+  }
+  // Each iso-value has a mask of its own.
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  vtkNew<vtkInkIsoSurfaceSampler> settings;
+  settings->CopyProperties(this->Sampler);
+  settings->SetValue(0, ink::maskIsoValue);
+  for (int n = 0; n < this->Sampler->GetNumberOfContours(); ++n)
+  {
+    const vtkSmartPointer<vtkDataArray> mask = InkMakeMask(scalars, this->Sampler->GetValue(n));
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    const std::string problem = this->MeshOf(style, image, mask, settings, parts.back());
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  if (!parts.empty())
+  {
+    mesh->ShallowCopy(InkAppend(parts));
+  }
+  return {};
+}
+
+std::string InkIsoSurface::MeshOf(vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars,
+  vtkInkIsoSurfaceSampler* settings, vtkPolyData* mesh) const
+{
   const std::string problem = InkMakeIsoSurfaceMesh(
-    image, scalars, this->Sampler,
+    image, scalars, settings,
     [style](vtkAlgorithm* algorithm) { return style->Follow(algorithm, "meshing the surface"); }, mesh);
   const bool adds = this->ComputeCurvature && problem.empty() && mesh->GetNumberOfPoints() > 0;
   return adds ? this->AddCurvature(style, image, scalars, mesh) : problem;

@@ -9,6 +9,7 @@
 
 #include "IsoSurface/ActiveCellComponents.h"
 #include "Statistics/IsoValue.h"
+#include "Statistics/NoiseEstimate.h"
 
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
@@ -47,6 +48,15 @@ public:
   int GetCut() const;
   void SetSmoothing(double smoothing);
   double GetSmoothing() const { return this->Smoothing; }
+  /// How values are taken.
+  enum LabelMapType
+  {
+    LABELS_AUTOMATIC = 0, ///< as labels where they seem to be labels, see ink::areLabels
+    LABELS_OFF = 1,
+    LABELS_ON = 2
+  };
+  void SetLabelMap(int labelMap);
+  int GetLabelMap() const { return this->LabelMap; }
   void SetSmoothingTarget(int target);
   int GetSmoothingTarget() const;
   void SetSubdivision(int subdivision);
@@ -145,13 +155,20 @@ public:
 private:
   class SamplingOfParts;
 
+  bool TakesLabels(bool seemsLabels) const
+  {
+    return this->LabelMap == LABELS_ON || (this->LabelMap == LABELS_AUTOMATIC && seemsLabels);
+  }
+  /// @param settings iso-values and all else
+  std::string MeshOf(vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars,
+    vtkInkIsoSurfaceSampler* settings, vtkPolyData* mesh) const;
   std::string AddCurvature(
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
   static std::vector<ink::IsoSuggestion> SuggestOf(
     vtkInkStyle* style, const InkWholeImages& images, const std::string& array);
-  double FindSmoothing(vtkInkStyle* style, const InkWholeImages& images, const std::string& array,
-    const std::vector<double>& values) const;
+  ink::SuggestedSmoothing FindSmoothing(vtkInkStyle* style, const InkWholeImages& images,
+    const std::string& array, const std::vector<double>& values) const;
   /// The images of all processes, gathered when they are asked for first, by all processes at once.
   using Whole = std::function<const InkWholeImages&()>;
   int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const Whole& whole,
@@ -161,6 +178,7 @@ private:
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   InkIsoValues IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
+  int LabelMap = LABELS_AUTOMATIC;
   bool ComputeCurvature = false;
   int Subdivision = 0; ///< 0: until cells are a small part of the picture
   vtkTimeStamp Changed;

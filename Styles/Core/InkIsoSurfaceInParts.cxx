@@ -51,32 +51,40 @@ public:
   /// What went wrong; empty if nothing did.
   const std::string& GetProblem() const { return this->Problem; }
 
-  double ChooseSmoothing()
+  /// Whether memory has room for the slices that noise is measured in.
+  bool CanMeasure() const
   {
-    const auto hasRoom = [this](int slices)
-    { return this->HasRoomFor(slices, "the surface is not smoothed", "Smoothing 0"); };
-    // How much memory it takes is not known before it was measured.
-    if (this->Slabs &&
-      this->Slabs->GetAtOnce() < std::min(ink::NoiseEstimate::slices, this->Slabs->GetDimensions()[2]))
-    {
-      hasRoom(SlicesFor(ink::mostSuggestedSmoothing, 1));
-      return 0.0;
-    }
-    double smoothing = 0.0;
+    return !this->Slabs ||
+      this->Slabs->GetAtOnce() >= std::min(ink::NoiseEstimate::slices, this->Slabs->GetDimensions()[2]);
+  }
+
+  /// What smoothing the values ask for; only if they can be measured.
+  ink::SuggestedSmoothing SuggestSmoothing()
+  {
+    ink::SuggestedSmoothing smoothing;
     if (this->Slabs)
     {
       for (const double value : this->Values)
       {
-        smoothing = std::max(
-          smoothing, InkSuggestSmoothing(*this->Slabs, value, this->Style->StartStep("measuring noise")));
+        smoothing.add(InkSuggestSmoothing(*this->Slabs, value, this->Style->StartStep("measuring noise")));
       }
     }
     else
     {
-      this->Follow("measuring noise",
-        [&](double value) { smoothing = std::max(smoothing, this->Sampler->SuggestSmoothing(value)); });
+      this->Follow(
+        "measuring noise", [&](double value) { smoothing.add(this->Sampler->SuggestSmoothings(value)); });
     }
-    return hasRoom(SlicesFor(smoothing, 1)) ? smoothing : 0.0;
+    return smoothing;
+  }
+
+  /// What memory has room for of what was suggested; nothing was if it could not be measured.
+  double FitSmoothing(double suggested)
+  {
+    // How much memory it takes is not known before it was measured.
+    const double smoothing = this->CanMeasure() ? suggested : ink::mostSuggestedSmoothing;
+    const bool hasRoom =
+      this->HasRoomFor(SlicesFor(smoothing, 1), "the surface is not smoothed", "Smoothing 0");
+    return hasRoom && this->CanMeasure() ? suggested : 0.0;
   }
 
   int ChooseSubdivision(double smoothing)
@@ -210,7 +218,15 @@ std::string InkIsoSurface::SampleBy(
   sampler->SetValues(values);
   values = sampler->FindIsoValues();
   SamplingOfParts sampling(style, sampler, slabs ? &*slabs : nullptr, values);
-  sampler->SetSmoothing(this->Smoothing < 0.0 ? sampling.ChooseSmoothing() : this->Smoothing);
+  ink::SuggestedSmoothing suggested;
+  if ((this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC) && sampling.CanMeasure())
+  {
+    suggested = sampling.SuggestSmoothing();
+  }
+  const bool labels = this->TakesLabels(suggested.labels);
+  sampler->SetLabelMap(labels);
+  sampler->SetSmoothing(
+    this->Smoothing < 0.0 ? sampling.FitSmoothing(suggested.get(labels)) : this->Smoothing);
   sampler->SetSubdivision(
     this->Subdivision == 0 ? sampling.ChooseSubdivision(sampler->GetSmoothing()) : this->Subdivision);
   if (!sampling.GetProblem().empty())

@@ -89,11 +89,11 @@ std::string FindUp(vtkPolyData* mesh, const std::string& file)
 /// The Sides that may be shown, the usual one first, and the top.
 constexpr std::array<const char*, 5> Sides{ "front", "left", "right", "back", "top" };
 constexpr std::size_t Top = 4;
-using Views = std::array<InkOrientation, Sides.size()>;
+using SideViews = std::array<InkOrientation, Sides.size()>;
 using Areas = std::array<double, Sides.size()>;
 
 /// For each of these views of a mesh the area of its polygons that face the viewer, as it is seen.
-Areas SeenAreas(vtkPolyData* mesh, const Views& views)
+Areas SeenAreas(vtkPolyData* mesh, const SideViews& views)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(mesh);
@@ -126,7 +126,7 @@ Areas SeenAreas(vtkPolyData* mesh, const Views& views)
 }
 
 /// For each of these views the area of the rectangle around all points, as it is seen.
-Areas SeenRectangles(vtkPolyData* points, const Views& views)
+Areas SeenRectangles(vtkPolyData* points, const SideViews& views)
 {
   Areas areas{};
   for (std::size_t i = 0; i < views.size(); ++i)
@@ -151,7 +151,7 @@ InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::strin
 {
   InkPose pose;
   pose.Up = up.empty() ? FindUp(mesh, file) : up;
-  Views views;
+  SideViews views;
   for (std::size_t i = 0; i < views.size(); ++i)
   {
     views[i] = *InkOrientation::Find(Sides[i]);

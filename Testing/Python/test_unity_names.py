@@ -27,23 +27,24 @@ def anonymous(code):
 
 
 def names(path):
-    """Types, constants, and functions with their parameters; aliases of one type may be declared twice."""
+    """Types, constants, functions with their parameters, and aliases, of which one type may have the same in several files."""
     code = anonymous(text_of(path))
     found = set(re.findall(r"\b(?:struct|class|enum) (\w+)(?= *[\n:{])", code))
     found |= set(re.findall(r"^ *(?:constexpr|const|static)\b[\w:<>&* ]* (\w+)(?=\[| *=| *\{)", code, re.MULTILINE))
     for name, parameters in re.findall(r"^ *[\w:<>&*, ]*[\w>&*]\s+[&*]?(\w+)\(([^()]*)\)", code, re.MULTILINE):
         types = re.sub(r"[ \n]*\w+(?=,|$)", "", re.sub(r"\s+", " ", parameters)).strip()
         found.add(f"{name}({types})")
-    return found
+    meanings = dict.fromkeys(found, path.name)
+    return meanings | {name: " ".join(type.split()) for name, type in re.findall(r"\busing (\w+) =([^;]*);", code)}
 
 
 def shared(folder):
     """What several sources of a folder call alike."""
     users = {}
     for path in folder:
-        for name in names(path):
-            users.setdefault(name, []).append(path.name)
-    return [f"{name}: {', '.join(paths)}" for name, paths in sorted(users.items()) if len(paths) > 1]
+        for name, meaning in names(path).items():
+            users.setdefault(name, {}).setdefault(meaning, path.name)
+    return [f"{name}: {', '.join(sorted(paths.values()))}" for name, paths in sorted(users.items()) if len(paths) > 1]
 
 
 @pytest.mark.parametrize("layer", LAYERS)
@@ -59,6 +60,9 @@ def test_sources_of_a_folder_compile_together(layer):
     ("template <class T>\nstruct Slices\n{\n  T at;\n};", "struct Slices\n{\n};", ["Slices"]),
     ("constexpr int most = 8;", "constexpr double most = .5;", ["most"]),
     ("int half(int whole)\n{\n  return whole / 2;\n}", "int half(\n  int all)\n{\n  return all / 2;\n}", ["half(int)"]),
+    ("using Views = std::array<int, 5>;", "using Views = std::array<int, 4>;", ["Views"]),
+    ("using Views = std::array<int, 5>;", "constexpr std::array Views = { 1, 2 };", ["Views"]),
+    ("using Word = int;", "using  Word =\n  int;", []),
     # Functions with other parameters, names in functions and in other files.
     ("int half(int whole)\n{\n  return whole / 2;\n}", "double half(double all)\n{\n  return all / 2;\n}", []),
     ("int a()\n{\n  const int x = 1;\n  return x;\n}", "int b()\n{\n  const int x = 1;\n  return x;\n}", []),

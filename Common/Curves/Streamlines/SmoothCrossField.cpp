@@ -21,14 +21,14 @@ namespace ink
 namespace
 {
 
-using Complex = std::complex<float>;
+using ComplexFloat = std::complex<float>;
 
 constexpr std::size_t pointsPerChunk = 1 << 12;
 /// From which umbilic measure on directions are smoothed.
 constexpr float firstSmoothed = 0.5f;
 
 /// To the power of four, length 1.
-Complex fourfold(const glm::dvec3& direction, const glm::dvec3& axisX, const glm::dvec3& axisY)
+ComplexFloat fourfold(const glm::dvec3& direction, const glm::dvec3& axisX, const glm::dvec3& axisY)
 {
   const std::complex<double> z(glm::dot(direction, axisX), glm::dot(direction, axisY));
   const double size = std::abs(z);
@@ -37,11 +37,11 @@ Complex fourfold(const glm::dvec3& direction, const glm::dvec3& axisX, const glm
     return {};
   }
   const std::complex<double> squared = (z / size) * (z / size);
-  return Complex(squared * squared);
+  return ComplexFloat(squared * squared);
 }
 
 /// Faster than operator*, which looks for infinite parts.
-Complex product(const Complex& a, const Complex& b)
+ComplexFloat product(const ComplexFloat& a, const ComplexFloat& b)
 {
   return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
 }
@@ -64,9 +64,9 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
     offsets[i + 1] = offsets[i] + ringOf(i).size();
   }
   std::vector<glm::dvec3> axes(count); // x axis of each tangent plane
-  std::vector<Complex> now(count);
+  std::vector<ComplexFloat> now(count);
   std::vector<float> share(count); // of the neighbors in the mean
-  std::vector<Complex> turns(offsets.back());
+  std::vector<ComplexFloat> turns(offsets.back());
   const auto forPoints = [&](const auto& body) { parallelForEach(count, body, pointsPerChunk); };
   forPoints(
     [&](std::size_t i)
@@ -98,7 +98,7 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
         }
       }
     });
-  std::vector<Complex> next = now;
+  std::vector<ComplexFloat> next = now;
   for (int iteration = 0; iteration < iterations; ++iteration)
   {
     if (progress && !progress(static_cast<double>(iteration) / iterations))
@@ -113,7 +113,7 @@ std::vector<glm::dvec3> smoothCrossField(const TriangleMesh& mesh, std::span<con
         {
           return;
         }
-        Complex sum;
+        ComplexFloat sum;
         for (std::size_t n = 0; n < ring.size(); ++n)
         {
           sum += product(turns[offsets[i] + n], now[ring[n]]);

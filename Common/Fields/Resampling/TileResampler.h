@@ -89,6 +89,17 @@ public:
     }
   }
 
+  /// Replaces all samples by 1, those at or above a value, and 0.
+  void makeMask(double value)
+  {
+    for (std::size_t n = 0; n < this->Samples.size(); ++n)
+    {
+      const bool inside = static_cast<double>(this->Samples[n]) >= value;
+      // Missing ones stay 0.
+      this->Samples[n] = inside && (this->Present.empty() || this->Present[n] > Work(0)) ? Work(1) : Work(0);
+    }
+  }
+
   /// @param positions the box that was read
   /// @param values output: its values, x fastest
   void resample(const GridResampling& resampling, const SampleBox& positions, std::vector<Work>& values)

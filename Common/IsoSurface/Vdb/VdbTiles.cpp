@@ -55,8 +55,8 @@ public:
     , IsoValues(isoValues)
     , Options(options)
     , Domain(grid.domain())
-    , Resampling(makeIsoSurfaceResampling(
-        grid.geometry(grid.activeBox()), options.smoothing, options.subdivision, options.target))
+    , Resampling(makeIsoSurfaceResampling(grid.geometry(grid.activeBox()), options.smoothing,
+        options.subdivision, options.target, options.ofMask))
     , Parts(options.parts)
     , Reach(isoSurfaceResamplingReach(options.smoothing, options.subdivision) +
         (options.projectionSteps > 0 ? 1 : 0))

@@ -24,6 +24,7 @@ struct VdbTileOptions
   double smoothing = 0.0; ///< as for makeIsoSurfaceResampling
   int subdivision = 1;
   SmoothingTarget target = SmoothingTarget::Surface;
+  bool ofMask = false;               ///< see IsoSurfaceResampling
   int projectionSteps = 0;           ///< see projectSamples
   CutSurface cut = CutSurface::Open; ///< where the surface leaves the grid's domain, if it has one
   ComponentSelection parts;          ///< of each whole surface

@@ -45,8 +45,8 @@ Samples<Real> sampleDense(
   const Volume<T>& volume, std::span<const double> isoValues, const VdbTileOptions& options)
 {
   const auto field = volume.field();
-  const ink::IsoSurfaceResampling resampling =
-    ink::makeIsoSurfaceResampling(volume.geometry, options.smoothing, options.subdivision, options.target);
+  const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
+    volume.geometry, options.smoothing, options.subdivision, options.target, options.ofMask);
   Samples<Real> samples;
   const ink::GrowRoom grow = [&](std::size_t count)
   {
@@ -110,6 +110,24 @@ VdbTileOptions optionsOf(double smoothing, int subdivision, SmoothingTarget targ
 }
 
 } // namespace
+
+TEST(VdbTiles, MasksOfLabelsAgreeWithDense)
+{
+  const auto volume = makeBody<float>();
+  const VdbGrid grid = makeVdbGrid(volume.field(), {});
+  const double isoValues[] = { 50.0, 20.0 };
+  for (const double smoothing : { 0.0, 2.0 })
+  {
+    VdbTileOptions options = optionsOf(smoothing, 1, SmoothingTarget::Normals);
+    const auto ofValues = sorted(sampleTiles(grid, isoValues, options));
+    options.ofMask = true;
+    options.cut = CutSurface::Cap;
+    const auto expected = sorted(sampleDense(volume, isoValues, options));
+    EXPECT_GT(expected.size(), 1000u);
+    EXPECT_TRUE(sorted(sampleTiles(grid, isoValues, options)) == expected) << "smoothing " << smoothing;
+    EXPECT_FALSE(ofValues == expected);
+  }
+}
 
 TEST(VdbTiles, OfAWholeVolumeAgreeWithDense)
 {

@@ -401,12 +401,26 @@ TEST(MemoryBudget, SizesAreNumbersWithUnits)
   EXPECT_EQ(InkFormatMemory(mebibyte + 1), "2 MiB");
 }
 
+TEST(IsoSurfaceSamplerSlabs, LabelMaps)
+{
+  for (const double smoothing : { 0.0, 0.5 })
+  {
+    ExpectSame(
+      [=](vtkInkIsoSurfaceSampler* sampler)
+      {
+        sampler->LabelMapOn();
+        sampler->SetSmoothing(smoothing);
+      },
+      false);
+  }
+}
+
 TEST(IsoSurfaceSamplerSlabs, SuggestsAndCountsAsOfTheWhole)
 {
   const auto whole = MakeImage(VTK_FLOAT, Whole, Density);
   vtkNew<SlabSource> source;
   const auto sampler = MakeSampler(source, Little);
-  EXPECT_EQ(sampler->SuggestSmoothing(100.0), InkSuggestSmoothing(whole, "", 100.0));
+  EXPECT_EQ(sampler->SuggestSmoothing(100.0), InkSuggestSmoothing(whole, "", 100.0).ofValues);
   EXPECT_EQ(static_cast<double>(sampler->CountActiveCells(100.0)), InkBoundSurfacePoints(whole, "", 100.0));
   EXPECT_LE(source->MostSlices, AtOnce);
   sampler->Update();

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace ink
+{
+
+/// Whether values are labels, or a mask, rather than measured: between them they change from one voxel to the
+/// next, without a gradual transition. Of segmentations .76 to .95 of the changes are so, of scans whose
+/// background was set to one value up to .33.
+/// @param maskChanges, changes as IsoStatistics counts them
+inline bool areLabels(std::int64_t maskChanges, std::int64_t changes)
+{
+  constexpr double labelShare = 0.6;
+  return static_cast<double>(maskChanges) > labelShare * static_cast<double>(changes);
+}
+
+} // namespace ink

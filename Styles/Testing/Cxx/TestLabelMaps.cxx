@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Label maps and masks: drawn alike, whatever the ids are, with smooth normals.
+#include "StyleData.h"
+
+#include "InkIsoSurface.h"
+#include "vtkInkIsoSurfaceSampler.h"
+#include "vtkInkSplattingLinesStyle.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr int Side = 40;
+constexpr double Middle = 19.3;
+constexpr double BallRadius = 15.0;
+
+/// A ball whose octants have ids.
+vtkSmartPointer<vtkImageData> MakeLabels(const std::array<int, 8>& ids)
+{
+  auto image = MakeBall(Side);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    const std::size_t octant = (p[0] > Middle) + 2 * (p[1] > Middle) + 4 * (p[2] > Middle);
+    const bool inside = std::hypot(p[0] - Middle, p[1] - Middle, p[2] - Middle) < BallRadius;
+    values->SetComponent(i, 0, inside ? ids[octant] : 0);
+  }
+  return image;
+}
+
+const std::array<int, 8> Ids = { 1, 90, 7, 45, 2, 60, 33, 18 };
+const std::array<int, 8> Ones = { 1, 1, 1, 1, 1, 1, 1, 1 };
+const std::array<int, 8> Brights = { 255, 255, 255, 255, 255, 255, 255, 255 };
+
+/// Points and normals.
+std::vector<double> NumbersOf(vtkPolyData* surface)
+{
+  std::vector<double> numbers;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    const double* n = surface->GetPointData()->GetNormals()->GetTuple(i);
+    numbers.insert(numbers.end(), { p[0], p[1], p[2], n[0], n[1], n[2] });
+  }
+  return numbers;
+}
+
+double AngleOf(const std::vector<double>& numbers)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < numbers.size(); i += 6)
+  {
+    const double d[3] = { numbers[i] - Middle, numbers[i + 1] - Middle, numbers[i + 2] - Middle };
+    const double cosine =
+      (d[0] * numbers[i + 3] + d[1] * numbers[i + 4] + d[2] * numbers[i + 5]) / std::hypot(d[0], d[1], d[2]);
+    sum += std::pow(std::acos(std::clamp(cosine, -1.0, 1.0)), 2);
+  }
+  return std::sqrt(6.0 * sum / static_cast<double>(numbers.size())) * 180.0 / std::acos(-1.0);
+}
+
+struct Drawn
+{
+  std::vector<double> Points;
+  std::vector<double> Mesh;
+};
+
+Drawn Draw(vtkImageData* image, const std::vector<double>& isoValues = {}, int labelMap = 0)
+{
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  style->SetParameterAsString("LabelMap", labelMap == InkIsoSurface::LABELS_OFF ? "off" : "auto");
+  style->SetParameter("Subdivision", 1);
+  std::string values;
+  for (const double value : isoValues)
+  {
+    values += (values.empty() ? "" : ",") + std::to_string(value);
+  }
+  style->SetParameterAsString("IsoValues", values.c_str());
+  EXPECT_TRUE(style->Make(image));
+  InkIsoSurface surface;
+  surface.CopyParameters(*style->GetIsoSurface());
+  surface.SetIsoValues(isoValues);
+  vtkNew<vtkPolyData> mesh;
+  EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+  EXPECT_EQ(surface.Mesh(style, image, mesh), "");
+  return { NumbersOf(style->GetPiece(0)), NumbersOf(mesh) };
+}
+
+TEST(LabelMaps, AreDrawnAsMasks)
+{
+  const Drawn mask = Draw(MakeLabels(Ones));
+  EXPECT_LT(AngleOf(mask.Points), 2.0);
+  EXPECT_LT(AngleOf(mask.Mesh), 2.0);
+  const auto labels = MakeLabels(Ids);
+  const auto bright = MakeLabels(Brights);
+  for (const Drawn& same : { Draw(labels), Draw(labels, { 0.5 }), Draw(bright), Draw(bright, { 1.0 }) })
+  {
+    EXPECT_TRUE(same.Points == mask.Points);
+    EXPECT_TRUE(same.Mesh == mask.Mesh);
+  }
+  const Drawn off = Draw(labels, {}, InkIsoSurface::LABELS_OFF);
+  EXPECT_GT(AngleOf(off.Points), 5.0);
+  EXPECT_GT(AngleOf(off.Mesh), 5.0);
+}
+
+TEST(LabelMaps, MeshesHaveTheMasksOfAllIsoValues)
+{
+  const auto labels = MakeLabels(Ids);
+  const Drawn low = Draw(labels, { 0.5 });
+  const Drawn high = Draw(labels, { 40.5 });
+  ASSERT_FALSE(high.Mesh.empty());
+  std::vector<double> both = low.Mesh;
+  both.insert(both.end(), high.Mesh.begin(), high.Mesh.end());
+  EXPECT_TRUE(Draw(labels, { 0.5, 40.5 }).Mesh == both);
+}
+
+TEST(LabelMaps, ScansAreNone)
+{
+  const auto ball = MakeBall(Side);
+  const Drawn automatic = Draw(ball, { 100.0 });
+  const Drawn off = Draw(ball, { 100.0 }, InkIsoSurface::LABELS_OFF);
+  EXPECT_TRUE(automatic.Points == off.Points);
+  EXPECT_TRUE(automatic.Mesh == off.Mesh);
+}
+
+TEST(LabelMaps, GivenSmoothingStays)
+{
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  InkIsoSurface surface;
+  const auto labels = MakeLabels(Ids);
+  surface.SetSmoothing(0.7);
+  EXPECT_EQ(surface.Prepare(style, std::array{ labels.Get() }, {}), "");
+  EXPECT_TRUE(surface.GetSampler()->GetLabelMap());
+  EXPECT_EQ(surface.GetSampler()->GetSmoothing(), 0.7);
+  surface.SetSmoothing(-1.0);
+  EXPECT_EQ(surface.Prepare(style, std::array{ labels.Get() }, {}), "");
+  EXPECT_EQ(surface.GetSampler()->GetSmoothing(), 2.0);
+  // Of what seems to be none, when asked for.
+  surface.SetLabelMap(InkIsoSurface::LABELS_ON);
+  surface.SetIsoValues({ 100.0 });
+  EXPECT_EQ(surface.Prepare(style, std::array{ MakeBall(Side).Get() }, {}), "");
+  EXPECT_TRUE(surface.GetSampler()->GetLabelMap());
+}
+
+} // namespace
