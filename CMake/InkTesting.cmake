@@ -77,11 +77,12 @@ function (_ink_unity_tests out target)
   set(${out} ${result} PARENT_SCOPE)
 endfunction ()
 
-option(VTKINK_TEST_NEWEST_OPENGL "Run the tests that draw also with the newest OpenGL, which the programs' tests use, too" ON)
+option(VTKINK_TEST_NEWEST_OPENGL "Run the tests that draw with the newest OpenGL, which the programs' tests use, too" ON)
+option(VTKINK_TEST_OLDEST_OPENGL "Run the tests that draw with OpenGL 3.2, the oldest that VTK takes" ON)
 
 # ink_add_gtest(NAME [OPENGL] SOURCES... [LIBRARIES ...]): one GoogleTest program, each of its tests a ctest
-# "NAME.SUITE.TEST". OPENGL is for tests that draw: they run once more, as "NAME.SUITE.TEST.OpenGL32", with the oldest
-# OpenGL that VTK takes, which Mesa has as strict as others' drivers, and leave the shaders that they compile.
+# "NAME.SUITE.TEST". OPENGL is for tests that draw: with the oldest OpenGL, which Mesa has as strict as others' drivers,
+# they are called "NAME.SUITE.TEST.OpenGL32"; there, or else with the newest, they leave the shaders that they compile.
 function (ink_add_gtest name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "OPENGL" "" "SOURCES;LIBRARIES")
   _ink_unity_tests(sources ${name} ${arg_SOURCES})
@@ -93,12 +94,7 @@ function (ink_add_gtest name)
     # GCC warns of fixtures in anonymous namespaces where it does not see that a file is the main one.
     target_compile_options(${name} PRIVATE -Wno-subobject-linkage)
   endif ()
-  # Sanitizers would see nothing new with another OpenGL, and take long.
-  set(oldest OFF)
-  if (arg_OPENGL AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-    set(oldest ON)
-  endif ()
-  if (VTKINK_TEST_NEWEST_OPENGL OR NOT oldest)
+  if (VTKINK_TEST_NEWEST_OPENGL OR NOT arg_OPENGL)
     gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 TEST_LIST ${name}_TESTS)
   endif ()
   if (arg_LIBRARIES MATCHES "VTK::|vtkInk::TestingSupport")
@@ -106,20 +102,27 @@ function (ink_add_gtest name)
   else ()
     ink_precompiled_headers(${name} InkPrecompiledTests)
   endif ()
-  if (oldest)
+  if (VTKINK_TEST_OLDEST_OPENGL AND arg_OPENGL)
     gtest_discover_tests(${name} TEST_PREFIX "${name}." TEST_SUFFIX ".OpenGL32" DISCOVERY_TIMEOUT 60
       TEST_LIST ${name}_OPENGL32_TESTS)
   endif ()
   # ctest reads it after the lists of tests that the program wrote.
+  set(environment "MESA_SHADER_CAPTURE_PATH=${INK_CAPTURED_SHADERS}")
+  set(capturing)
+  if (arg_OPENGL AND VTKINK_TEST_OLDEST_OPENGL)
+    set(capturing ${name}_OPENGL32_TESTS)
+    list(APPEND environment MESA_GL_VERSION_OVERRIDE=3.2 MESA_GLSL_VERSION_OVERRIDE=150)
+  elseif (arg_OPENGL)
+    set(capturing ${name}_TESTS)
+  endif ()
   file(CONFIGURE OUTPUT ${name}_properties.cmake @ONLY CONTENT [[
 include("@PROJECT_SOURCE_DIR@/CMake/InkTestLabels.cmake")
 foreach (test IN LISTS @name@_TESTS @name@_OPENGL32_TESTS)
   ink_label_test("${test}")
 endforeach ()
-foreach (test IN LISTS @name@_OPENGL32_TESTS)
+foreach (test IN LISTS @capturing@)
   set_tests_properties("${test}" PROPERTIES
-    ENVIRONMENT
-      "MESA_GL_VERSION_OVERRIDE=3.2;MESA_GLSL_VERSION_OVERRIDE=150;MESA_SHADER_CAPTURE_PATH=@INK_CAPTURED_SHADERS@"
+    ENVIRONMENT "@environment@"
     FIXTURES_REQUIRED InkCapturingShaders
     FIXTURES_SETUP InkCapturedShaders)
 endforeach ()

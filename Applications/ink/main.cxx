@@ -88,8 +88,8 @@ int runReportingErrors(int argc, char* argv[])
 int main(int argc, char* argv[])
 {
   const int code = runReportingErrors(argc, argv);
-  // All is written and closed. Without libraries' clean-up: VTK's pool of threads (vtkSMPThreadPool, up to 9.7 at
-  // least) wakes a thread that has not yet begun to wait, which is lost, and joins it for ever.
+  // All is written and closed. Without libraries' clean-up: VTK's pool of threads (vtkSMPThreadPool, up
+  // to 9.7 at least) wakes a thread that has not yet begun to wait, which is lost, and joins it for ever.
   std::cout.flush();
   std::cerr.flush();
   std::fflush(nullptr);

@@ -31,8 +31,8 @@ struct VoxelFill
   /// At these ranks the stipples beyond that distance are removed: not at each, as that takes time, too.
   std::uint64_t sortedOut;
 
-  /// The voxel's positions between the planes p1 and p2: the axis nearest to the normal, `solved`, follows from
-  /// the other two (solved + 1) % 3 and (solved + 2) % 3 by the slopes, up to a part of `height`.
+  /// The voxel's positions between the planes p1 and p2: the axis nearest to the normal, `solved`, follows
+  /// from the other two (solved + 1) % 3 and (solved + 2) % 3 by the slopes, up to a part of `height`.
   int solved;
   float slope[2];
   float height;

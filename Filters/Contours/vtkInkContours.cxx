@@ -2,6 +2,7 @@
 #include "vtkInkContours.h"
 
 #include "Curves/Contours/MeshContours.h"
+#include "InkCameraEye.h"
 #include "InkContourLines.h"
 #include "InkHasPolygons.h"
 #include "InkImageContours.h"
@@ -225,11 +226,7 @@ ink::Eye vtkInkContours::vtkInternals::FindEye(vtkInkContours* self)
     throw std::invalid_argument(
       "there is no camera; expected one by SetCamera, or EyePosition or EyeDirection by SetEye");
   }
-  double vector[3];
-  const bool parallel = self->Camera->GetParallelProjection() != 0;
-  parallel ? self->Camera->GetDirectionOfProjection(vector) : self->Camera->GetPosition(vector);
-  const glm::dvec3 v(vector[0], vector[1], vector[2]);
-  return parallel ? ink::Eye::along(v) : ink::Eye::at(v);
+  return InkCameraEye(self->Camera);
 }
 
 ink::ContourArrays vtkInkContours::vtkInternals::FindArrays(vtkInkContours* self)

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <optional>
 
-/// The field array of an iso-surface's samples that holds the edges of the cells sampled, three world vectors:
-/// with the normal it says how much surface a sample stands for (ink::isoSurfaceSampleArea).
+/// The field array of an iso-surface's samples that holds the edges of the cells sampled, three world
+/// vectors: with the normal it says how much surface a sample stands for (ink::isoSurfaceSampleArea).
 inline constexpr const char* InkSampleCellName = "SampleCell";
 
 /// Adds the array for samples of a grid's cells.

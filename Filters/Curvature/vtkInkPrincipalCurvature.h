@@ -9,7 +9,8 @@
  *
  * Input: a vtkPolyData with polygons or strips, of any shape. Outside is where the point normals point to,
  * an array `Normals` without such, and if there are none where the polygons run counterclockwise. Border
- * points closer than a millionth of the mesh's extent count as one. Hidden cells are left out, ghost cells are neighbors.
+ * points closer than a millionth of the mesh's extent count as one. Hidden cells are left out, ghost cells
+ * are neighbors.
  *
  * With an image at the optional second input, curvature is that of the image's level sets through the input's
  * points, from gradient and Hessian, with normals out of the denser side; the input then needs no polygons.

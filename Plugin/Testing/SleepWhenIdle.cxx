@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loaded before a process's own libraries: makes those of its threads sleep that only ask the system to let
-// others go first. Processes of Open MPI that wait for each other do that without end, and where they are more
-// than a machine's processors take them from those that work.
+// others go first. Processes of Open MPI that wait for each other do that without end, and where they are
+// more than a machine's processors take them from those that work.
 #include <sched.h>
 #include <time.h>
 

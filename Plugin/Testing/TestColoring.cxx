@@ -45,8 +45,8 @@ using Colors = std::map<std::string, QColor>; ///< by the properties that hold t
 Colors ColorsOf(vtkSMProxy* display)
 {
   Colors colors;
-  for (const char* property : { "DiffuseColor", "AmbientColor", "InkColor", "StippleInkColor",
-         "ContoursInkColor", "LineArtInkColor" })
+  for (const char* property :
+    { "DiffuseColor", "AmbientColor", "InkColor", "StippleInkColor", "ContoursInkColor", "LineArtInkColor" })
   {
     const std::vector<double> rgb = vtkSMPropertyHelper(display, property).GetArray<double>();
     colors[property] = QColor::fromRgbF(rgb.at(0), rgb.at(1), rgb.at(2));

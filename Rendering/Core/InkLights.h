@@ -20,8 +20,7 @@ constexpr std::size_t InkMostLights = 8;
 VTKINKRENDERINGCORE_EXPORT std::vector<ink::Light> InkFindLights(vtkRenderer* renderer);
 
 /// The definitions that Shaders/InkLighting.glsl needs for some lights.
-VTKINKRENDERINGCORE_EXPORT std::string InkFindLightFeatures(
-  const std::vector<ink::Light>& lights);
+VTKINKRENDERINGCORE_EXPORT std::string InkFindLightFeatures(const std::vector<ink::Light>& lights);
 
 /// Its uniforms.
 VTKINKRENDERINGCORE_EXPORT void InkSetLightUniforms(

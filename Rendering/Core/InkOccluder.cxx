@@ -283,7 +283,8 @@ void InkOccluder::DrawDiscs(const InkViewUniforms& view, const InkRenderTarget* 
   {
     features += InkDefine("INK_BACK");
   }
-  InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkOccluderDiscVS, features), "", InkOccluderDiscFS);
+  InkShaderPass& pass =
+    this->Passes.Find(InkWithFeatures(InkOccluderDiscVS, features), "", InkOccluderDiscFS);
   vtkShaderProgram* program = pass.Begin(this->Window, this->UploadTime,
     [this](vtkShaderProgram* made, vtkOpenGLVertexArrayObject* vertexArray)
     {

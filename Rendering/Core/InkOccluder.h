@@ -34,8 +34,8 @@ struct InkOccluderDepth
 
   InkRenderTarget Image;
   std::unique_ptr<InkRenderTarget> Facing; ///< of discs that face the viewer, kept for the next picture
-  std::optional<InkViewUniforms> View; ///< that it shows, with margins
-  vtkMTimeType UploadTime = 0;         ///< of the surface that it shows
+  std::optional<InkViewUniforms> View;     ///< that it shows, with margins
+  vtkMTimeType UploadTime = 0;             ///< of the surface that it shows
 };
 
 /// A surface on the GPU that hides marks behind it (Lu et al. 2003, section 3): it is only ever drawn into

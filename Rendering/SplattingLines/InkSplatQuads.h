@@ -30,7 +30,7 @@ public:
     const InkRenderTarget& Illumination;
     const InkRenderTarget* Colors;    ///< of the nearest points, or null
     std::array<double, 2> Tolerances; ///< of the depth test: view units, and by slope, pixels
-    bool Averaged;                    ///< whether ink is that of the pixel's area or, as published, of its middle
+    bool Averaged; ///< whether ink is that of the pixel's area or, as published, of its middle
   };
 
   /// I1 and I2 of a layer.

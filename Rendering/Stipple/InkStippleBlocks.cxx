@@ -49,8 +49,8 @@ struct Angle
 class BlockView
 {
 public:
-  BlockView(const InkViewUniforms& view, const ink::stipple::Tone& tone,
-    const InkStippleView& toneView, float margin)
+  BlockView(
+    const InkViewUniforms& view, const ink::stipple::Tone& tone, const InkStippleView& toneView, float margin)
     : ToView(glm::make_mat4(view.MCVC.data()))
     , Normal(glm::make_mat3(view.Normal.data()))
     , Tone(tone)
@@ -148,8 +148,7 @@ private:
     return directions;
   }
 
-  void FindLight(
-    const glm::vec3& axis, const Angle& spread, ink::stipple::Tone::Directions& directions) const
+  void FindLight(const glm::vec3& axis, const Angle& spread, ink::stipple::Tone::Directions& directions) const
   {
     float least = 0.0f;
     float most = 0.0f;

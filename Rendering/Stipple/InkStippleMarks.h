@@ -4,8 +4,8 @@
 
 #include "InkActorResources.h"
 #include "InkMarks.h"
-#include "InkStippleInput.h"
 #include "InkOccluder.h"
+#include "InkStippleInput.h"
 #include "InkStipplePasses.h"
 
 #include <memory>

@@ -13,10 +13,10 @@
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPlanes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -186,15 +186,15 @@ void vtkInkStyle::SetPixelScale(double scale)
   }
 }
 
-void vtkInkStyle::SetSeenRegion(SeenRegion seen)
+void vtkInkStyle::SetStillCamera(StillCamera camera)
 {
-  this->Seen = std::move(seen);
+  this->Still = std::move(camera);
   this->Modified();
 }
 
-vtkSmartPointer<vtkPlanes> vtkInkStyle::FindSeenRegion()
+vtkSmartPointer<vtkCamera> vtkInkStyle::FindStillCamera()
 {
-  return this->Seen && this->FramePoints ? this->Seen(this->FramePoints) : nullptr;
+  return this->Still && this->FramePoints ? this->Still(this->FramePoints) : nullptr;
 }
 
 void vtkInkStyle::SetPictureSize(double pixels)

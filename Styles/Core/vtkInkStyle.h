@@ -27,7 +27,7 @@
 #include "vtkPoints.h"       // for the frame
 #include "vtkSmartPointer.h" // for the pieces
 
-#include <functional> // for progress and the region
+#include <functional> // for progress and the camera
 #include <limits>     // for what marks suit
 #include <memory>     // for std::shared_ptr
 #include <string>     // for messages
@@ -39,13 +39,13 @@ class InkStyleProcesses;
 class vtkActor;
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
+class vtkCamera;
 class vtkDataObject;
 class vtkImageData;
 class vtkInformation;
 class vtkInkIsoSurfaceAlgorithm;
 class vtkLight;
 class vtkMapper;
-class vtkPlanes;
 class vtkPoints;
 class vtkPolyData;
 class vtkScalarsToColors;
@@ -191,12 +191,12 @@ public:
   /// PictureSize in PictureHeights.
   double GetRelativeSize() const { return this->PictureSize / this->PictureHeight; }
 
-  /// What a still picture will show: the planes around it, with normals out of it, once it is known which
-  /// points it frames.
-  using SeenRegion = std::function<vtkSmartPointer<vtkPlanes>(vtkPoints* frame)>;
-  /// A style may make no marks that such a picture does not show, as line art does. Not for views that move.
-  /// Default: none.
-  void SetSeenRegion(SeenRegion seen);
+  /// The camera of a still picture, once it is known which points it frames. Its explicit aspect ratio is the
+  /// picture's.
+  using StillCamera = std::function<vtkSmartPointer<vtkCamera>(vtkPoints* frame)>;
+  /// A style may make no marks that such a picture does not show, as line art does: beyond its sides, or
+  /// hidden by surfaces. Not for views that move. Default: none.
+  void SetStillCamera(StillCamera camera);
 
   ///@{
   /// The memory in MiB that may be taken for an image, or its surfaces, and the marks; 0: no limit. See Draw
@@ -324,8 +324,8 @@ protected:
   double GetDataDiagonal() const { return this->DataDiagonal; }
   /// Where the frame is not that of the first piece's points; for MakePieces.
   void SetFramePoints(vtkPoints* points) { this->FramePoints = points; }
-  /// Nothing where all of it may be seen; for MakePieces, once the frame is known.
-  vtkSmartPointer<vtkPlanes> FindSeenRegion();
+  /// That of the still picture, null where all may be seen; for MakePieces, once the frame is known.
+  vtkSmartPointer<vtkCamera> FindStillCamera();
   InkStyleProcesses& GetProcesses();
   /// Lets another style make its marks for this one: for the same picture and processes, with its progress
   /// and its notes as this style's. @return what is wrong
@@ -385,7 +385,7 @@ private:
   vtkMTimeType TimeAfterMaking = 0; ///< of the recipe, which is given inputs and more for as long as it runs
   std::vector<std::string> Notes;
   std::shared_ptr<InkStyleProcesses> Processes;
-  SeenRegion Seen;
+  StillCamera Still;
   double PixelScale = 1.0;
   double PictureSize = 600.0;
   double PictureHeight = 600.0;

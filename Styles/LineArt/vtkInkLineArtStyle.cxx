@@ -9,6 +9,7 @@
 #include "InkParameter.h"
 #include "InkPointNormals.h"
 #include "InkSilhouetteMethod.h"
+#include "InkStillView.h"
 #include "InkStyleProcesses.h"
 #include "Mesh/InsideOut.h"
 #include "Mesh/SolidMesh.h"
@@ -19,6 +20,7 @@
 #include "vtkInkSilhouetteMapper.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlanes.h"
@@ -52,6 +54,9 @@ constexpr double NegligibleBend = 0.06;
 /// For longer lines than the filter's own, which are more even.
 constexpr double StopDistance = 0.35;
 constexpr double MinimumLength = 4.0;
+/// In distances of strokes: how far a still picture's go on where they are hidden, so that what lies around a
+/// stroke counts for its direction and its width.
+constexpr double HiddenMargin = 8.0;
 
 /// What strokes are not narrower than, as shares of their distance: by number, and by width.
 constexpr double OneWidth = 0.6;
@@ -232,10 +237,17 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
   // Those of a style that is changed while it is shown suit the middle of its sliders.
   const double shown = SpacingOf(this->GetInteractive() ? 0.5 : this->Density);
   const double spacing = this->LineSpacing > 0.0 ? this->LineSpacing : shown;
-  const vtkSmartPointer<vtkPlanes> seen = this->FindSeenRegion();
-  this->Lines->SetRegion(seen);
-  this->Hatching->SetRegion(seen);
-  this->Lines->SetInputData(surface);
+  vtkSmartPointer<vtkPolyData> hatched = surface;
+  vtkSmartPointer<vtkPlanes> region;
+  if (const vtkSmartPointer<vtkCamera> camera = this->FindStillCamera())
+  {
+    // Directions do not depend on how near the picture is.
+    hatched = InkSeenPart(surface, camera, HiddenMargin * spacing * 1e-3);
+    region = InkSeenRegion(this->GetFramePoints(), camera);
+  }
+  this->Lines->SetRegion(region);
+  this->Hatching->SetRegion(region);
+  this->Lines->SetInputData(hatched);
   this->Lines->SetSpacing(spacing * thousandth);
   this->Lines->SetNegligibleCurvature(NegligibleBend / (spacing * thousandth));
   if (std::string failed = this->Follow(this->Lines, "tracing lines of curvature"); !failed.empty())
@@ -243,7 +255,7 @@ std::string vtkInkLineArtStyle::MakePieces(const Input& input)
     return failed;
   }
   this->Hatching->SetInputData(this->Lines->GetOutput());
-  this->Hatching->SetSurfaceData(surface);
+  this->Hatching->SetSurfaceData(hatched);
   this->Hatching->SetStrokeLength(this->Length * thousandth);
   const std::string failed = this->Follow(this->Hatching, "cutting strokes");
   strokes->ShallowCopy(this->Hatching->GetOutput());

@@ -181,7 +181,8 @@ void PrintConvergence()
   {
     for (const std::uint32_t columns : { 45u, 90u, 180u, 360u, 720u })
     {
-      const ink::test::MeshWithCurvature torus = ink::test::closedTorus(1.0, 0.4, columns, columns / 2, jitter);
+      const ink::test::MeshWithCurvature torus =
+        ink::test::closedTorus(1.0, 0.4, columns, columns / 2, jitter);
       const auto errors = [&torus](const ink::CurvatureOptions& own)
       {
         return ink::test::curvatureErrors(

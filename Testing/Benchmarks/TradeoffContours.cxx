@@ -5,12 +5,12 @@
 #include "Tradeoff.h"
 
 #include "AnalyticFields.h"
-#include "MeshesWithCurvature.h"
 #include "Curves/Contours/GridContours.h"
 #include "Curves/Contours/MeshContours.h"
 #include "Curves/Contours/ProjectContour.h"
 #include "Curves/Contours/SilhouetteVoxels.h"
 #include "HashNoise.h"
+#include "MeshesWithCurvature.h"
 #include "SampledVolume.h"
 
 #include <glm/geometric.hpp>

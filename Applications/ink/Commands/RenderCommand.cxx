@@ -82,12 +82,9 @@ void render(const RenderOptions& options)
   timings.end("reading");
   Drawing drawing(options);
   const std::vector<std::string> looked = drawing.look(input, options.input.file);
-  if (options.zoom > 1.0 || options.position || options.focalPoint)
-  {
-    options.style->SetSeenRegion([&](vtkPoints* frame) { return drawing.seenRegion(frame); });
-  }
+  options.style->SetStillCamera([&](vtkPoints* frame) { return drawing.stillCamera(frame); });
   const StyledScene subject = SceneMaker(options).make(input, progress);
-  options.style->SetSeenRegion(nullptr);
+  options.style->SetStillCamera(nullptr);
   timings.end("generating");
   progress.step("drawing");
   const auto fit = drawing.makeFit();

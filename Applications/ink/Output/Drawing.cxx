@@ -9,13 +9,11 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
 #include "vtkInkCameraFit.h"
 #include "vtkInkStyle.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
-#include "vtkPlanes.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -163,31 +161,13 @@ vtkSmartPointer<vtkInkCameraFit> Drawing::makeFit() const
   return fit;
 }
 
-vtkSmartPointer<vtkPlanes> Drawing::seenRegion(vtkPoints* frame) const
+vtkSmartPointer<vtkCamera> Drawing::stillCamera(vtkPoints* frame) const
 {
-  constexpr double margin = 0.1;
   const auto fit = this->makeFit();
   fit->AddPoints(frame, this->camera());
-  const auto camera = this->placedCamera(fit, 0.0);
-  camera->Zoom(1.0 / (1.0 + 2.0 * margin));
-  // Left, right, bottom, top, near and far.
-  std::array<double, 24> sides;
-  camera->GetFrustumPlanes(fit->GetAspect(), sides.data());
-  vtkNew<vtkPoints> origins;
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetNumberOfComponents(3);
-  for (std::size_t side = 0; side < 4; ++side)
-  {
-    // a x + b y + c z + d > 0 is inside.
-    const std::array<double, 3> inward{ sides[4 * side], sides[4 * side + 1], sides[4 * side + 2] };
-    const double distance = sides[4 * side + 3];
-    origins->InsertNextPoint(-distance * inward[0], -distance * inward[1], -distance * inward[2]);
-    normals->InsertNextTuple3(-inward[0], -inward[1], -inward[2]);
-  }
-  auto region = vtkSmartPointer<vtkPlanes>::New();
-  region->SetPoints(origins);
-  region->SetNormals(normals);
-  return region;
+  auto camera = this->placedCamera(fit, 0.0);
+  camera->SetExplicitAspectRatio(fit->GetAspect());
+  return camera;
 }
 
 io::PictureLayout Drawing::layout() const

@@ -14,7 +14,6 @@ class vtkActor;
 class vtkCamera;
 class vtkInkCameraFit;
 class vtkLight;
-class vtkPlanes;
 class vtkPoints;
 class vtkRenderWindow;
 class vtkRenderer;
@@ -43,8 +42,8 @@ public:
   /// A fit for this window's shape.
   vtkSmartPointer<vtkInkCameraFit> makeFit() const;
 
-  /// The sides of what a picture of points shows, and a tenth of it around.
-  vtkSmartPointer<vtkPlanes> seenRegion(vtkPoints* frame) const;
+  /// The camera of a picture of points, as vtkInkStyle takes it.
+  vtkSmartPointer<vtkCamera> stillCamera(vtkPoints* frame) const;
 
   /// What is said of the pictures in their files.
   io::PictureLayout layout() const;

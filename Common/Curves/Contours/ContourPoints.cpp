@@ -83,8 +83,8 @@ void measureArcLength(Contours& contours)
       const glm::dvec3 step = contours.positions[n] - contours.positions[n - 1];
       const double length = glm::length(step);
       // Squares overflow long before lengths do.
-      contours.arcLength[n] = contours.arcLength[n - 1] +
-        (std::isfinite(length) ? length : std::hypot(step.x, step.y, step.z));
+      contours.arcLength[n] =
+        contours.arcLength[n - 1] + (std::isfinite(length) ? length : std::hypot(step.x, step.y, step.z));
     }
   }
 }

@@ -3,10 +3,10 @@
 #include "Curvature/SmoothedCurvature.h"
 
 #include "AnalyticFields.h"
-#include "MeshesWithCurvature.h"
 #include "Curves/Contours/DescribeContours.h"
 #include "Fields/Grid/GridField.h"
 #include "HashNoise.h"
+#include "MeshesWithCurvature.h"
 #include "SampledVolume.h"
 
 #include <gtest/gtest.h>

@@ -171,7 +171,7 @@ TEST(CombDirections, TellsProgressStopsAndChecks)
   EXPECT_LE(last, 1.0);
   EXPECT_TRUE(combed == ball.comb(0.1));
   EXPECT_TRUE(ball.comb(0.1, [](double) { return false; }) == ball.form.directions[0]);
-  EXPECT_THROW(combDirections(ball.mesh.view(), ball.normals, ball.form.directions[0], {},
-                 ball.form.preferences, 0.1),
+  EXPECT_THROW(
+    combDirections(ball.mesh.view(), ball.normals, ball.form.directions[0], {}, ball.form.preferences, 0.1),
     std::invalid_argument);
 }

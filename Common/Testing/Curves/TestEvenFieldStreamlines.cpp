@@ -5,8 +5,8 @@
 #include "Curves/Streamlines/EvenFieldStreamlines.h"
 
 #include "AnalyticFields.h"
-#include "MeshesWithCurvature.h"
 #include "LineEvenness.h"
+#include "MeshesWithCurvature.h"
 #include "SampledVolume.h"
 #include "StreamlineDeviation.h"
 
@@ -71,7 +71,8 @@ TEST(EvenFieldStreamlines, EachPrefixIsEvenAsOnMeshes)
       const auto end = std::lower_bound(lines.priorities.begin(), lines.priorities.end(), share);
       const auto count = static_cast<std::size_t>(end - lines.priorities.begin());
       const Evenness even = evenness(shape, lines, count);
-      // The bounds are those of meshes, but for the surroundings of umbilics, where lines end. Measured: 1.38.
+      // The bounds are those of meshes, but for the surroundings of umbilics, where lines end.
+      // Measured: 1.38.
       EXPECT_LT(even.mean, share < 0.2 ? 0.38 : 0.33) << share;
       EXPECT_LT(even.farthest, 1.5) << share;
       EXPECT_GT(even.closest, 0.46 * spacing) << share;

@@ -30,7 +30,8 @@ MeshFileReader readStl;
 MeshFileReader readVtp;
 MeshFileReader readXyz;
 
-/// Whether a file is a legacy VTK file of poly data, by its first lines; others of the same suffix hold images.
+/// Whether a file is a legacy VTK file of poly data, by its first lines; others of the same suffix hold
+/// images.
 bool isLegacyMesh(const std::filesystem::path& file);
 
 } // namespace ink::io

@@ -303,7 +303,8 @@ TEST(SplattingLinesInput, Order)
       other->GetPointData()->SetTuple(i, from, points->GetPointData());
     }
     const InkTestImage found = draw(other);
-    EXPECT_EQ(found.CountDifferent(expected, 1), 0) << "points in another order: no pixel differs by two steps";
+    EXPECT_EQ(found.CountDifferent(expected, 1), 0)
+      << "points in another order: no pixel differs by two steps";
     EXPECT_LE(found.CountDifferent(expected), 4) << "points in another order: hardly a pixel differs";
   }
 }
