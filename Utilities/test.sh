@@ -70,7 +70,7 @@ if "$INK_PYTHON" -c 'import numpy, pytest, xdist' 2>/dev/null; then
     echo "test: $preset: the tests that are marked one_build are those of the headless build"
     once=(-m "not one_build")
   fi
-  on_display "$INK_PYTHON" -m pytest -q -rs -n "$jobs" ${once[@]+"${once[@]}"} -p no:cacheprovider Testing/Python 2>&1 |
+  on_display "$INK_PYTHON" -m pytest -q -rs --durations=20 -n "$jobs" ${once[@]+"${once[@]}"} -p no:cacheprovider Testing/Python 2>&1 |
     tee "$log" || failed="$failed pytest"
   list_skipped "$log"
 else

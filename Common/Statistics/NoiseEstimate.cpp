@@ -283,7 +283,8 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
   }
   if (hasSlices)
   {
-    deviation = std::max(deviation, std::min(0.5 * anisotropy, mostSuggestedSmoothing));
+    const double most = std::min(mostSuggestedSmoothing, 0.5 * estimate.thickness);
+    deviation = std::max(deviation, std::min(0.5 * anisotropy, most));
   }
   return deviation;
 }

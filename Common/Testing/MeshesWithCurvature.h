@@ -44,8 +44,8 @@ struct EllipsoidField
 /// A torus around the z axis, of columns around it and rows around the tube, closed.
 /// @param jitter by how many steps points are displaced at random along the surface, below 0.5; if not 0,
 ///   quads are cut along a random diagonal
-inline MeshWithCurvature closedTorus(
-  double radius, double tube, std::uint32_t columns, std::uint32_t rows, double jitter = 0.0)
+inline MeshWithCurvature closedTorus(double radius, double tube, std::uint32_t columns, std::uint32_t rows,
+  double jitter = 0.0, double noise = 0.0)
 {
   MeshWithCurvature result;
   for (std::uint32_t row = 0; row < rows; ++row)
@@ -60,7 +60,7 @@ inline MeshWithCurvature closedTorus(
       const glm::dvec3 out(std::cos(around), std::sin(around), 0.0);
       const glm::dvec3 along(-out.y, out.x, 0.0);
       const glm::dvec3 normal = std::cos(across) * out + std::sin(across) * glm::dvec3(0.0, 0.0, 1.0);
-      result.mesh.points.push_back(radius * out + tube * normal);
+      result.mesh.points.push_back(radius * out + (tube + noise * testing::hashNormal(7, index)) * normal);
       result.exact.push_back({ 1.0 / tube, std::cos(across) / (radius + tube * std::cos(across)),
         glm::cross(along, normal), along });
       const std::uint32_t nextColumn = (column + 1) % columns;

@@ -17,9 +17,9 @@ def sphere():
 
 class TestLineArt(SurfaceTests, TestInOneView):
     PREFIX = "LineArt"
-    # Few strokes: what these tests are of is not their number.
-    SHOWS = {"LineArtDensity": 0}
-    WIDE = {"LineArtContourWidth": 20, "LineArtDensity": 0}
+    # Few strokes, of few lines: what these tests are of is not their number.
+    SHOWS = {"LineArtDensity": 0, "LineArtLineSpacing": 16}
+    WIDE = {"LineArtContourWidth": 20, **SHOWS}
 
     def show(self, source, **properties):
         display = Show(source, self.view)
@@ -32,7 +32,7 @@ class TestLineArt(SurfaceTests, TestInOneView):
         return display
 
     def test_a_mesh_is_hatched(self):
-        self.show(sphere(), LineArtDensity=0.1)
+        self.show(sphere(), LineArtDensity=0.1, LineArtLineSpacing=10)
         self.assertTrue(0.02 < (picture(self.view)[..., 0] < 0.5).mean() < 0.2)
 
     def test_sliders_change_the_ink_and_make_nothing_again(self):
@@ -66,13 +66,13 @@ class TestLineArt(SurfaceTests, TestInOneView):
 
     def test_an_image_has_strokes_on_its_outside_alone(self):
         # Through its cuts the surface is seen from within, too.
-        display = self.show(Wavelet(), LineArtAutomaticIsoValue=0, LineArtIsoValue=100, LineArtContourWidth=0)
+        display = self.show(Wavelet(), LineArtAutomaticIsoValue=0, LineArtIsoValue=100, LineArtContourWidth=0, LineArtLineSpacing=10)
         outside = ink(picture(self.view))
         display.LineArtCullingCosine = 1.0
         self.assertGreater(ink(picture(self.view)), 1.02 * outside)
 
     def test_a_preset_sets_what_goes_with_it(self):
-        display = self.show(sphere())
+        display = self.show(sphere(), LineArtLineSpacing=10)
         drawn = picture(self.view)
         display.LineArtPreset = "Sketch"
         found = (display.LineArtDensity, display.LineArtLength, display.LineArtTaper, display.LineArtContourWidth)

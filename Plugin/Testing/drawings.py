@@ -129,8 +129,8 @@ for name in ("pvtp", "contour-of-file"):
     draw(f"{name}-solid-illustration", meshes[name], "Illustration")
 for name in ("pvtp", "sphere", "contour", "blocks"):
     draw(f"{name}-contours", meshes[name], "Contours", ContoursLineWidth=10, ContoursHiddenLines="Dashed")
-draw("pvti-line-art", volumes["pvti"], "Line Art", LineArtDensity=0)
-draw("pvtp-line-art", meshes["pvtp"], "Line Art", LineArtDensity=0)
+draw("pvti-line-art", volumes["pvti"], "Line Art", LineArtDensity=0, LineArtLineSpacing=16)
+draw("pvtp-line-art", meshes["pvtp"], "Line Art", LineArtDensity=0, LineArtLineSpacing=16)
 draw("outlined-stipples", meshes["contour"], "Stipple", NumberOfSurfaceStipples=5000, StippleSilhouettes=1)
 for name in ("ply", "pvtp", "sphere", "contour", "contour-of-file"):
     draw(f"{name}-stipples", meshes[name], "Stipple", NumberOfSurfaceStipples=5000)

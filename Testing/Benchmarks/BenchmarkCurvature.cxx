@@ -239,6 +239,7 @@ int main(int argc, char* argv[])
     { "sphere, 1 % noise, 2.6k", ink::test::ellipsoid(glm::dvec3(1.0), 4, 0.01), false },
     { "ellipsoid, 0.2 % noise, 2.6k", ink::test::ellipsoid({ 1.0, 0.7, 0.5 }, 4, 0.002), true },
     { "irregular torus, 16k", ink::test::closedTorus(1.0, 0.4, 180, 90, 0.45), true },
+    { "irregular, 0.2 % noise, 16k", ink::test::closedTorus(1.0, 0.4, 180, 90, 0.45, 0.002), true },
     { "irregular torus, 1k", ink::test::closedTorus(1.0, 0.4, 45, 22, 0.45), true },
   };
   std::printf("%-28s %-26s %10s %8s %9s\n", "mesh", "estimator", "RMS of k", "angle", "ms");

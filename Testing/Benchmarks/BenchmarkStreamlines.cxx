@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Evenly spaced lines of curvature of a torus, and how even they are.
+// Evenly spaced lines of curvature of a torus: what they are made of, and the whole filter.
 //
 //   BenchmarkStreamlines [--triangles N] [--spacing S] [--wall]
 //
@@ -12,6 +12,15 @@
 #include "Curves/Streamlines/EvenStreamlines.h"
 #include "Curves/Streamlines/ScatteredStreamlines.h"
 #include "Curves/Streamlines/SmoothCrossField.h"
+#include "vtkInkLinesOfCurvature.h"
+
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -48,6 +57,29 @@ double LeastTime(bool wall, const std::function<void()>& run)
     least = std::min(least, Now(wall) - begin);
   }
   return least;
+}
+
+vtkSmartPointer<vtkPolyData> MakePolyData(const ink::test::Shape& shape)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < shape.mesh.points.size(); ++i)
+  {
+    points->InsertNextPoint(&shape.mesh.points[i].x);
+    normals->InsertNextTuple(&shape.normals[i].x);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& [a, b, c] : shape.mesh.triangles)
+  {
+    triangles->InsertNextCell({ a, b, c });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  data->GetPointData()->SetNormals(normals);
+  return data;
 }
 
 } // namespace
@@ -122,5 +154,19 @@ int main(int argc, char* argv[])
     });
   std::printf(
     "  area scatter: %.3f s, %zu lines of %zu points\n", time, lines.lines.size(), lines.points.size());
+
+  const vtkSmartPointer<vtkPolyData> data = MakePolyData(shape);
+  vtkNew<vtkInkLinesOfCurvature> filter;
+  filter->SetInputData(data);
+  filter->SetSpacing(spacing);
+  filter->SetMaximumLength(40.0 * spacing);
+  const double whole = LeastTime(wall,
+    [&]
+    {
+      filter->Modified();
+      filter->Update();
+    });
+  std::printf("  vtkInkLinesOfCurvature, curvature and smoothing among it: %.3f s, %lld lines\n", whole,
+    static_cast<long long>(filter->GetOutput()->GetNumberOfLines()));
   return EXIT_SUCCESS;
 }

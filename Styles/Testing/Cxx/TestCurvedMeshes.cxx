@@ -216,7 +216,9 @@ TEST(CurvedMeshes, StylesDrawThemUnlessSwitchedOff)
       inside + 1e-3);
   };
   check(vtkNew<vtkInkContoursStyle>());
-  check(vtkNew<vtkInkLineArtStyle>());
+  vtkNew<vtkInkLineArtStyle> lineArt;
+  lineArt->SetLineSpacing(16.0);
+  check(lineArt);
   check(vtkNew<vtkInkStippleStyle>());
   check(vtkNew<vtkInkSplattingLinesStyle>());
   check(vtkNew<vtkInkIllustrationStyle>());

@@ -6,6 +6,7 @@
 
 #include "InkStyleProcesses.h"
 #include "vtkInkIllustrationStyle.h"
+#include "vtkInkLineArtStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
@@ -65,6 +66,12 @@ TEST(StylePieces, MakingMarksIsNoChange)
 {
   for (const auto& style : MakeStyles())
   {
+    // Of few marks.
+    style->SetPictureSize(100.0);
+    if (auto* lineArt = vtkInkLineArtStyle::SafeDownCast(style))
+    {
+      lineArt->SetLineSpacing(16.0);
+    }
     for (const vtkSmartPointer<vtkDataObject>& data :
       std::initializer_list<vtkSmartPointer<vtkDataObject>>{ MakeBall(), MakeMesh() })
     {
