@@ -174,7 +174,7 @@ def test_the_same_with_one_thread_and_two(ink, tmp_path):
     pictures = []
     for threads in (1, 2):
         out = tmp_path / f"{threads}.png"
-        result = ink("render", file, "--style", "line-art", "--iso", 100, "-q", "--size", "200x200", "-o", out,
+        result = ink("render", file, "--style", "line-art", "--line-spacing", 8, "--iso", 100, "-q", "--size", "200x200", "-o", out,
                      env={"VTK_SMP_MAX_THREADS": str(threads)})  # fmt: skip
         assert (result.code, result.err) == (0, ""), result
         pictures.append(ink_files.read_png(out))

@@ -185,13 +185,14 @@ def ink_of(file):
 
 @pytest.mark.parametrize("style", STYLES)
 def test_draw_returns_an_actor_and_writes_a_picture(volume, style, tmp_path):
-    actor = vtkink.draw(volume, style)
+    few = {"line_spacing": 16} if style == "line-art" else {}
+    actor = vtkink.draw(volume, style, **few)
     assert actor.IsA("vtkActor") and actor.GetMapper().GetInput().GetNumberOfPoints() > 100
     assert actor.style.GetName() == style
     output = tmp_path / "out.png"
     # A contour of 2.5 thousandths of so small a picture is a shadow.
     broad = {"line_width": 20} if style == "contours" else {}
-    vtkink.draw(volume, style, output, size=np.array([120, 80]), ink_color="red", iso_values=100, **broad)
+    vtkink.draw(volume, style, output, size=np.array([120, 80]), ink_color="red", iso_values=100, **broad, **few)
     image = ink_of(output).astype(int)
     assert image.shape == (80, 120, 3) and (image[0, 0] == 255).all()
     assert 0.005 < (image[..., 1] < 200).mean() < 0.9, "there is ink"
