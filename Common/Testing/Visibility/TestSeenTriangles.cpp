@@ -109,6 +109,20 @@ TEST(SeenTriangles, BehindAnotherSurfaceUpToTheMargin)
   EXPECT_EQ(std::count(below.begin() + 20000, below.end(), true), 0);
 }
 
+TEST(SeenTriangles, TheRimOfWhatLiesRightBehind)
+{
+  // Nothing is beside the picture, so that the lower one is seen as far as the margin goes, on all sides.
+  Mesh mesh = square(100, 1.0);
+  mesh.addPatch(100, 100, [](double u, double v) { return glm::dvec3(u, v, 0.0); });
+  const std::vector<bool> seen = flagsOf(mesh, Eye::along(down), 0.05);
+  for (std::uint32_t t = 20000; t < mesh.triangles.size(); ++t)
+  {
+    const glm::dvec3 p = middleOf(mesh, t);
+    const double inside = std::min({ p.x, p.y, 1.0 - p.x, 1.0 - p.y });
+    EXPECT_TRUE(seen[t] ? inside < 0.062 : inside > 0.045) << p.x << ' ' << p.y;
+  }
+}
+
 TEST(SeenTriangles, WhatIsNearEnoughBehindIsSeen)
 {
   // The margin, of a picture of size 1, is .1 deep.
@@ -144,12 +158,14 @@ TEST(SeenTriangles, FromWithinOnlyWhatIsInFront)
 {
   const Mesh mesh = sphere(60, 30);
   const std::vector<bool> seen = flagsOf(mesh, Eye::at(glm::dvec3(0.0)), noMargin);
-  const double widest = std::cos(std::atan(2.0));
+  const double widest = std::cos(std::atan(2.0)); // to the sides, and to the corners
+  const double corners = std::cos(std::atan(std::sqrt(8.0)));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const double along = -middleOf(mesh, t).z;
     EXPECT_TRUE(seen[t] || along < widest + 0.1) << along;
-    EXPECT_TRUE(!seen[t] || along > -0.1) << along;
+    const bool reachesBehind = std::abs(along) < 0.08;
+    EXPECT_TRUE(!seen[t] || along > corners - 0.1 || reachesBehind) << along;
   }
 }
 
