@@ -53,7 +53,7 @@ a voxel larger at the one iso-value that both share, and noise is twice as large
 of three are neither whole nor smooth. So the ceilings beside the figures are often worse than the targets, and with noise nothing
 reaches them but by smoothing: volumes, which are smoothed and subdivided, are often better than that mesh. A second row of a
 measure counts the pictures that reach the target or their ceiling. Smoothing makes lines better nearly everywhere, but tone a little
-worse, as normals that are smoothed over bends are lit more evenly; shells and vessels in slices of three lose by both measures.
+worse, as normals that are smoothed over bends are lit more evenly; shells in slices of three lose by both measures, vessels by tone.
 """
 
 
