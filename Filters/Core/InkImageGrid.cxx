@@ -178,7 +178,7 @@ std::string ProblemOf(
   }
   else if (component >= scalars->GetNumberOfComponents())
   {
-    problem << "ArrayComponent is " << component << ", but the array " << name << " has "
+    problem << "Component " << component << " was asked for, but the array " << name << " has "
             << scalars->GetNumberOfComponents() << " components, counted from 0.";
   }
   return problem.str();

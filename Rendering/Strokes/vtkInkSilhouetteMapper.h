@@ -80,8 +80,8 @@ public:
   /**
    * The component of an image's array that is contoured; from 0. Default: 0.
    */
-  vtkSetClampMacro(ArrayComponent, int, 0, VTK_INT_MAX);
-  vtkGetMacro(ArrayComponent, int);
+  vtkSetClampMacro(ImageComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(ImageComponent, int);
   ///@}
 
   /// How silhouettes are found, see SetMethod.
@@ -315,7 +315,7 @@ private:
 
   int Method = CHAINS;
   vtkNew<vtkContourValues> ContourValues;
-  int ArrayComponent = 0;
+  int ImageComponent = 0;
   double LowestValue = -1e38;
   double HighestValue = 1e38;
   double LeastGradientMagnitude = 0.0;

@@ -127,7 +127,7 @@ bool vtkInkSilhouetteMapper::PrepareImage(vtkImageData* image)
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* found = this->GetInputArrayToProcess(1, image, association);
   std::string problem;
-  vtkDataArray* scalars = InkChooseScalars(this, 1, image, found, association, this->ArrayComponent, problem);
+  vtkDataArray* scalars = InkChooseScalars(this, 1, image, found, association, this->ImageComponent, problem);
   if (!scalars)
   {
     this->ReportOnce(problem);
@@ -136,11 +136,11 @@ bool vtkInkSilhouetteMapper::PrepareImage(vtkImageData* image)
   const double* values = this->ContourValues->GetValues();
   const InkImageContourFinder::Options options{ { values,
                                                   values + this->ContourValues->GetNumberOfContours() },
-    this->ArrayComponent, this->Silhouettes, this->Borders };
+    this->ImageComponent, this->Silhouettes, this->Borders };
   if (this->Internals->OfImage.Update(image, scalars, options))
   {
     const std::string outside =
-      InkDescribeOutside(options.IsoValues, scalars, this->ArrayComponent, "contours");
+      InkDescribeOutside(options.IsoValues, scalars, this->ImageComponent, "contours");
     if (std::any_of(
           values, values + options.IsoValues.size(), [](double value) { return std::isnan(value); }))
     {

@@ -62,7 +62,7 @@ void vtkInkSilhouetteMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetMethod(from->GetMethod());
     this->ContourValues->DeepCopy(from->ContourValues);
-    this->SetArrayComponent(from->GetArrayComponent());
+    this->SetImageComponent(from->GetImageComponent());
     this->SetInputArrayToProcess(1, from->GetInputArrayInformation(1));
     this->SetLowestValue(from->GetLowestValue());
     this->SetHighestValue(from->GetHighestValue());
@@ -94,7 +94,7 @@ void vtkInkSilhouetteMapper::PrintSelf(ostream& os, vtkIndent indent)
     os << ' ' << this->GetValue(static_cast<int>(i));
   }
   os << "\n";
-  os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
+  os << indent << "ImageComponent: " << this->ImageComponent << "\n";
   os << indent << "LowestValue: " << this->LowestValue << "\n";
   os << indent << "HighestValue: " << this->HighestValue << "\n";
   os << indent << "LeastGradientMagnitude: " << this->LeastGradientMagnitude << "\n";

@@ -105,8 +105,7 @@ public:
       nodes.insert(nodes.end(), { from, to });
     }
     std::ranges::sort(nodes);
-    const auto repeated = std::ranges::unique(nodes);
-    nodes.erase(repeated.begin(), repeated.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     const auto numberOf = [&](std::uint64_t node)
     { return static_cast<std::uint32_t>(std::ranges::lower_bound(nodes, node) - nodes.begin()); };
     std::vector<Segment> segments;

@@ -222,7 +222,7 @@ TEST(ImageContours, ScalesComponentsAndArrays)
   EXPECT_LT(FindError(run.Find(), 4.0), 0.08);
   run.Contours->SetArrayComponent(2);
   EXPECT_EQ(run.Find()->GetNumberOfPoints(), 0);
-  run.Messages->Expect("component", { "ArrayComponent is 2" });
+  run.Messages->Expect("component", { "Component 2" });
 }
 
 TEST(ImageContours, HiddenCellsAndMissingValuesHaveNone)

@@ -74,7 +74,7 @@ TEST(GradientErrors, ArraysThatCannotBeUsed)
     });
   Expect("short array", { "Density", "10 values", "504" },
     [](vtkInkGradient*, vtkImageData* image) { image->GetPointData()->GetScalars()->SetNumberOfTuples(10); });
-  Expect("no such component", { "Density", "ArrayComponent is 1", "1 components" },
+  Expect("no such component", { "Density", "Component 1", "1 components" },
     [](vtkInkGradient* filter, vtkImageData*) { filter->SetArrayComponent(1); });
 }
 

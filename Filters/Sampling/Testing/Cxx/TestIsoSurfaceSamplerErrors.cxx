@@ -71,7 +71,7 @@ TEST(IsoSurfaceSamplerErrors, ArraysThatCannotBeUsed)
   Expect("short array", { "Density", "10 values", "6859" },
     [](vtkInkIsoSurfaceSampler*, vtkImageData* image)
     { image->GetPointData()->GetScalars()->SetNumberOfTuples(10); });
-  Expect("no such component", { "Density", "ArrayComponent is 1", "1 components" },
+  Expect("no such component", { "Density", "Component 1", "1 components" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*) { sampler->SetArrayComponent(1); });
 }
 

@@ -66,7 +66,7 @@ TEST(StippleGeneratorErrors, ArraysThatCannotBeUsed)
   ExpectOfImage("no such array", { "\"Pressure\"", "\"Density\"" }, as,
     [](vtkInkStippleGenerator* g)
     { g->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
-  ExpectOfImage("no such component", { "Density", "ArrayComponent is 1" }, as,
+  ExpectOfImage("no such component", { "Density", "Component 1" }, as,
     [](vtkInkStippleGenerator* g) { g->SetArrayComponent(1); });
   ExpectOfImage("no such colors", { "\"Pressure\"", "to pass on" }, as,
     [](vtkInkStippleGenerator* g)

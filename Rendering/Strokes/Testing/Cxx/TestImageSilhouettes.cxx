@@ -353,13 +353,13 @@ TEST(ImageSilhouettes, ArraysAndComponents)
   const InkTestImage expected(Scene(image).Window);
   Scene other(image, { 7.0 });
   other.Mapper->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Two");
-  other.Mapper->SetArrayComponent(1);
+  other.Mapper->SetImageComponent(1);
   EXPECT_LT(InkTestImage(other.Window).CountDifferent(expected, 40), 10);
   vtkNew<vtkInkSilhouetteMapper> copy;
   copy->ShallowCopy(other.Mapper);
   EXPECT_EQ(copy->GetNumberOfContours(), 1);
   EXPECT_EQ(copy->GetValue(0), 7.0);
-  EXPECT_EQ(copy->GetArrayComponent(), 1);
+  EXPECT_EQ(copy->GetImageComponent(), 1);
   const InkTestImage before(other.Window);
   other.Actor->SetMapper(copy);
   EXPECT_EQ(InkTestImage(other.Window).CountDifferent(before), 0);
@@ -404,8 +404,8 @@ TEST(ImageSilhouettes, Messages)
   expect(ball, { 0.0 }, "array", { "Nothing", "Density" },
     [](vtkInkSilhouetteMapper* mapper)
     { mapper->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nothing"); });
-  expect(ball, { 0.0 }, "component", { "ArrayComponent is 3", "1 component" },
-    [](vtkInkSilhouetteMapper* mapper) { mapper->SetArrayComponent(3); });
+  expect(ball, { 0.0 }, "component", { "Component 3", "1 component" },
+    [](vtkInkSilhouetteMapper* mapper) { mapper->SetImageComponent(3); });
   expect(ball, { 0.0 }, "image space", { "polygons", "image" },
     [](vtkInkSilhouetteMapper* mapper) { mapper->SetMethodToImageSpace(); });
   expect(ball, { 0.0 }, "toon", { "polygons", "image" },

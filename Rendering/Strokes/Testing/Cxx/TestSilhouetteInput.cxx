@@ -110,7 +110,7 @@ TEST(SilhouetteMapper, Parameters)
   mapper->SetTextureLength(6.0);
   mapper->SetValue(0, 0.5); // VTK 9.2 leaves it undefined
   mapper->SetValue(1, 8.5);
-  mapper->SetArrayComponent(2);
+  mapper->SetImageComponent(2);
   vtkNew<vtkImageData> texture;
   mapper->SetTexture(texture);
   vtkNew<vtkInkSilhouetteMapper> copy;
@@ -126,7 +126,7 @@ TEST(SilhouetteMapper, Parameters)
   for (const char* text : { "Silhouettes: Off", "Faceted: On", "Creases: On", "FeatureAngle: 180",
          "Borders: Off", "NonManifoldEdges: On", "CoherentDashes: Off", "LineWidth: 7", "Method: Toon",
          "LowestValue: 1", "HighestValue: 2", "LeastGradientMagnitude: 3", "LargestCosine: 0.4",
-         "SegmentLength: 5", "Thinning: Off", "TextureLength: 6", "Values: 0.5 8.5", "ArrayComponent: 2" })
+         "SegmentLength: 5", "Thinning: Off", "TextureLength: 6", "Values: 0.5 8.5", "ImageComponent: 2" })
   {
     EXPECT_NE(print(mapper).find(text), std::string::npos) << text;
   }
