@@ -37,7 +37,7 @@ NO_CAMERA = {"Eye"}
 # What the strokes' mapper takes beyond is for the world's units, which the style does not have.
 NARROWER_STROKES = {"ContoursLineWidth", "ContoursDashLength", "ContoursGapLength", "ContoursTextureLength", "LineArtContourWidth"}
 # The style sets them: by LeastGradient, a share of the greatest, by ValueRange; and other styles by what they draw.
-CONTOURS_ELSEWHERE = {"LeastGradientMagnitude", "LowestValue", "HighestValue", "SharpCreasesOnly"}
+CONTOURS_ELSEWHERE = {"LeastGradientMagnitude", "LowestValue", "HighestValue", "SharpCreasesOnly", "ImageComponent"}
 STYLES = {"Contours": "vtkInkContoursStyle", "LineArt": "vtkInkLineArtStyle", "SplattingLines": "vtkInkSplattingLinesStyle", "Stipple": "vtkInkStippleStyle"}
 
 
