@@ -125,7 +125,7 @@ vtkIdType vtkInkIsoSurfaceSampler::CountActiveCells(double isoValue)
     [&](InkImageSlabs& slabs)
     {
       const std::vector<std::size_t> layers = InkBoundLayerPoints(slabs, isoValue, rule);
-      count = std::accumulate(layers.begin(), layers.end(), vtkIdType{ 0 });
+      count = static_cast<vtkIdType>(std::accumulate(layers.begin(), layers.end(), std::size_t{ 0 }));
     });
   return count;
 }

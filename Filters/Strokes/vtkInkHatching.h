@@ -31,7 +31,7 @@
 
 class vtkPlanes;
 
-class InkMeshTriangles;
+struct InkMeshTriangles;
 
 class VTKINKFILTERSSTROKES_EXPORT vtkInkHatching : public vtkPolyDataAlgorithm
 {

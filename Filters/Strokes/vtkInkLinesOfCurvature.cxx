@@ -263,7 +263,8 @@ void vtkInkLinesOfCurvature::MakeLines(vtkPolyData* mesh, vtkPolyData* output)
 
 void vtkInkLinesOfCurvature::FindDirections(Surface& cut, const std::function<bool(double)>& progress)
 {
-  auto& [triangles, navigation, curvatures, diagonal, spacing, negligible] = cut;
+  const InkMeshTriangles& triangles = cut.triangles;
+  InkPointCurvatures& curvatures = cut.curvatures;
   const ink::TriangleMesh surface = triangles.GetMesh();
   if (this->SmoothDirections)
   {
@@ -271,11 +272,11 @@ void vtkInkLinesOfCurvature::FindDirections(Surface& cut, const std::function<bo
     {
       return this->CombDirections
         ? ink::combDirections(
-            surface, triangles.Normals, directions, curvatures.Umbilics, preferences, spacing, progress)
+            surface, triangles.Normals, directions, curvatures.Umbilics, preferences, cut.spacing, progress)
         : ink::smoothCrossField(surface, triangles.Normals, directions, curvatures.Umbilics,
             this->SmoothingIterations, progress, ink::Seams::Apart);
     };
-    curvatures.FollowForm(surface, triangles.Normals, negligible, spacing, smooth);
+    curvatures.FollowForm(surface, triangles.Normals, cut.negligible, cut.spacing, smooth);
   }
 }
 

@@ -96,7 +96,8 @@ public:
     const double longest = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
     // The other half is for what points are made of.
     const InkMemoryBudget budget = InkMemoryBudget::OfMebibytes(this->Sampler->GetMaximumMemory());
-    const double mostPoints = static_cast<double>(budget.Limit / (2 * InkBytesPerDrawnPoint));
+    const auto mostPoints =
+      static_cast<double>(budget.Limit) / (2.0 * static_cast<double>(InkBytesPerDrawnPoint));
     const InkSubdivision chosen = InkChooseSubdivision(
       this->Style, voxel, longest, [this] { return this->BoundPoints(); },
       std::min(InkMostDividedPoints, mostPoints));
@@ -162,7 +163,7 @@ private:
   /// So many cells or fewer, so that memory has room for a layer of voxels, which is made at a time at least.
   int FitLayers(int wanted, const InkMemoryBudget& budget)
   {
-    const auto room = static_cast<double>(budget.ForNewPoints() / InkBytesPerPoint);
+    const double room = static_cast<double>(budget.ForNewPoints()) / static_cast<double>(InkBytesPerPoint);
     int cells = wanted;
     while (cells > 1 && this->MostOfALayer * cells * cells > room)
     {
