@@ -7,8 +7,10 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace ink::testing
@@ -70,6 +72,25 @@ struct Samples
     return { this->components[3 * n], this->components[3 * n + 1], this->components[3 * n + 2] };
   }
   bool operator==(const Samples&) const = default;
+
+  /// Makes room for so many: what an ink::GrowRoom does.
+  SampleRoom grow(std::size_t count)
+  {
+    this->coordinates.resize(3 * count);
+    this->components.resize(3 * count);
+    SampleRoom room;
+    if constexpr (std::is_same_v<Real, float>)
+    {
+      room.points = this->coordinates.data();
+    }
+    else
+    {
+      room.doublePoints = this->coordinates.data();
+    }
+    room.normals = this->components.data();
+    room.capacity = count;
+    return room;
+  }
 };
 
 template <class Real = double, class T>

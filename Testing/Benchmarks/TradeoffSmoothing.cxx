@@ -41,16 +41,7 @@ Samples<float> SampleAs(
   {
     return sampleIsoSurface<float>(volume.field(), IsoValue);
   }
-  const ink::GrowRoom grow = [&](std::size_t count)
-  {
-    samples.coordinates.resize(3 * count);
-    samples.components.resize(3 * count);
-    ink::SampleRoom room;
-    room.points = samples.coordinates.data();
-    room.normals = samples.components.data();
-    room.capacity = count;
-    return room;
-  };
+  const auto grow = [&](std::size_t count) { return samples.grow(count); };
   std::vector<std::size_t> counts;
   ink::sampleResampledIsoSurfaces(
     volume.field(), std::span(&IsoValue, 1), {}, {}, resampling, 0, nullptr, grow, counts);

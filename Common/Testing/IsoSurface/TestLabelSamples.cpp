@@ -63,16 +63,7 @@ Samples<float> sample(const ink::GridField<T>& field, const std::vector<double>&
   const Setting& setting = {}, const ink::CellSelection& selection = {})
 {
   Samples<float> samples;
-  const ink::GrowRoom grow = [&](std::size_t count)
-  {
-    samples.coordinates.resize(3 * count);
-    samples.components.resize(3 * count);
-    ink::SampleRoom room;
-    room.points = samples.coordinates.data();
-    room.normals = samples.components.data();
-    room.capacity = count;
-    return room;
-  };
+  const auto grow = [&](std::size_t count) { return samples.grow(count); };
   std::vector<std::size_t> counts;
   ink::sampleResampledIsoSurfaces(field, isoValues, {}, selection,
     ink::makeIsoSurfaceResampling(

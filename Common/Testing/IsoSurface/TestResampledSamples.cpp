@@ -39,23 +39,7 @@ Samples<Real> resample(
   const ink::GridField<T>& field, double isoValue, const Setting& setting, ink::TileRanges* ranges = nullptr)
 {
   Samples<Real> samples;
-  const ink::GrowRoom grow = [&](std::size_t count)
-  {
-    samples.coordinates.resize(3 * count);
-    samples.components.resize(3 * count);
-    ink::SampleRoom room;
-    if constexpr (std::is_same_v<Real, float>)
-    {
-      room.points = samples.coordinates.data();
-    }
-    else
-    {
-      room.doublePoints = samples.coordinates.data();
-    }
-    room.normals = samples.components.data();
-    room.capacity = count;
-    return room;
-  };
+  const auto grow = [&](std::size_t count) { return samples.grow(count); };
   ink::SampleOptions options;
   options.arithmetic = std::is_same_v<Real, float> ? ink::Arithmetic::Single : ink::Arithmetic::Double;
   std::vector<std::size_t> counts;

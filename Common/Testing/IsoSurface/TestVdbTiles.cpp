@@ -48,23 +48,7 @@ Samples<Real> sampleDense(
   const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
     volume.geometry, options.smoothing, options.subdivision, options.target, options.ofMask);
   Samples<Real> samples;
-  const ink::GrowRoom grow = [&](std::size_t count)
-  {
-    samples.coordinates.resize(3 * count);
-    samples.components.resize(3 * count);
-    ink::SampleRoom room;
-    room.capacity = count;
-    if constexpr (std::is_same_v<Real, double>)
-    {
-      room.doublePoints = samples.coordinates.data();
-    }
-    else
-    {
-      room.points = samples.coordinates.data();
-    }
-    room.normals = samples.components.data();
-    return room;
-  };
+  const auto grow = [&](std::size_t count) { return samples.grow(count); };
   std::vector<std::size_t> counts;
   EXPECT_TRUE(ink::sampleResampledIsoSurfaces(
     field, isoValues, options.samples, {}, resampling, options.projectionSteps, nullptr, grow, counts));

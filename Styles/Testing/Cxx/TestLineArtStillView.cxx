@@ -40,11 +40,12 @@ vtkSmartPointer<vtkPolyData> MakeTorus()
 }
 
 /// One that looks down at a square around (center, center).
-vtkInkStyle::StillCamera MakeCamera(double center, double half)
+/// @param size half of that of the frame, which is all of the data
+vtkInkStyle::StillCamera MakeCamera(double size, double center, double half)
 {
   return [=](vtkPoints* frame)
   {
-    EXPECT_GT(frame->GetNumberOfPoints(), 0);
+    EXPECT_NEAR(frame->GetBounds()[1], size, 0.01);
     auto camera = vtkSmartPointer<vtkCamera>::New();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(half);
@@ -96,7 +97,7 @@ TEST(LineArtStyle, StrokesOfWhatAStillPictureShows)
 
   // Both halves of the torus's tube that face up, and what lies within 8 spacings, or .19, of their outlines:
   // up to 52 degrees down.
-  style->SetStillCamera(MakeCamera(0.0, 1.5));
+  style->SetStillCamera(MakeCamera(1.5, 0.0, 1.5));
   ASSERT_TRUE(style->Make(torus));
   const vtkSmartPointer<vtkPoints> facing = GetStrokePoints(style);
   const auto share = [](vtkIdType part, vtkIdType whole)
@@ -107,7 +108,7 @@ TEST(LineArtStyle, StrokesOfWhatAStillPictureShows)
   EXPECT_NEAR(share(CountUpperPoints(facing), CountUpperPoints(all)), 1.0, 0.05);
 
   // A quarter of it from near: with a tenth around, of what it shows.
-  style->SetStillCamera(MakeCamera(0.75, 0.75 / 1.2));
+  style->SetStillCamera(MakeCamera(1.5, 0.75, 0.75 / 1.2));
   ASSERT_TRUE(style->Make(torus));
   const vtkSmartPointer<vtkPoints> near = GetStrokePoints(style);
   const double* bounds = near->GetBounds();
@@ -151,7 +152,7 @@ TEST(LineArtStyle, NoStrokesWhereNothingIsSeen)
     return least;
   };
   EXPECT_LT(nearest(), 0.9);
-  style->SetStillCamera(MakeCamera(0.0, 2.1));
+  style->SetStillCamera(MakeCamera(2.0, 0.0, 2.1));
   EXPECT_GT(nearest(), 1.9);
 }
 
