@@ -44,10 +44,10 @@ struct SpatialCurvature
   }
 
   /// Whether the forms that were averaged vary more than by noise. Those of spheres and tori with noise vary
-  /// by 1 to 5 of its deviations, those of bumps by 8 to 40.
+  /// by 1 to 5 of its deviations, by up to 10 where points are uneven; those of bumps by 8 to 40.
   bool isUneven() const
   {
-    constexpr double most = 6.0;
+    constexpr double most = 9.5;
     // Also for what is not finite.
     return !(this->numbers[6] - this->squareOfForm() <= most * most * this->numbers[7]);
   }
