@@ -21,6 +21,10 @@ def magnification(display):
     return float(re.search(r"Magnification: (\S+)", text)[1])
 
 
+# A surface of a wavelet in the middle of its bounds, which takes few marks in any view.
+SMALL = {"IllustrationAutomaticIsoValue": 0, "IllustrationIsoValue": 200.0}
+
+
 class TestMagnification(unittest.TestCase):
     def setUp(self):
         # Views of 500 pixels or more in height are alike.
@@ -51,7 +55,7 @@ class TestMagnification(unittest.TestCase):
         self.assertEqual((marks(display)[1], magnification(display)), (times, magnified), message)
 
     def test_a_step_makes_marks_once_and_its_ends_are_wide(self):
-        display = self.show(Wavelet())
+        display = self.show(Wavelet(), **SMALL)
         whole = self.zoom(1)
         self.assert_made(display, 1, 1)
         for factor, times, magnified in (
@@ -104,7 +108,7 @@ class TestMagnification(unittest.TestCase):
         self.assertGreater(numpy.abs(picture(self.view) - close).mean(), 0.05, "as few are larger")
 
     def test_an_interaction_makes_nothing(self):
-        display = self.show(Wavelet())
+        display = self.show(Wavelet(), **SMALL)
         self.zoom(1)
         for factor in (2, 4, 8):
             self.view.CameraParallelScale = self.whole / factor
@@ -122,13 +126,13 @@ class TestMagnification(unittest.TestCase):
         self.zoom(8)
         self.assert_made(hatched, 1, 1, "traced for a view of all")
         Hide(GetActiveSource(), self.view)
-        full = self.show(Wavelet())
+        full = self.show(Wavelet(), **SMALL)
         self.zoom(4)
         self.zoom(100)
         self.assert_made(full, 2, 8, "there are as many as there can be")
 
     def test_a_view_of_another_size_makes_nothing_within_a_step(self):
-        display = self.show(Wavelet())
+        display = self.show(Wavelet(), **SMALL)
         self.zoom(1)
         # As many pixels as one likes, and down to 0.505 of 500.
         for size, times in (([900, 900], 1), ([900, 512], 1), ([400, 260], 1), ([300, 240], 2), ([300, 480], 2), ([300, 500], 3)):
@@ -138,19 +142,21 @@ class TestMagnification(unittest.TestCase):
             self.assertEqual(marks(display)[1], times, size)
 
     def test_the_first_picture_is_as_fine_as_the_later_ones(self):
-        sphere = Wavelet()
-        self.show(sphere)
+        wavelet = Wavelet()
+        self.show(wavelet, **SMALL)
         expected = self.zoom(4)
         for first in ("shown", "restored"):
-            Hide(sphere, self.view)
-            Delete(GetDisplayProperties(sphere, self.view))
-            display = Show(sphere, self.view)
+            Hide(wavelet, self.view)
+            Delete(GetDisplayProperties(wavelet, self.view))
+            display = Show(wavelet, self.view)
             display.SetRepresentationType("Illustration")
+            for name, value in SMALL.items():
+                setattr(display, name, value)
             numpy.testing.assert_array_equal(picture(self.view), expected, first)
 
     def test_the_eye_comes_near_and_goes_through(self):
         self.view.CameraParallelProjection = 0
-        display = self.show(Wavelet())
+        display = self.show(Wavelet(), **SMALL)
         picture(self.view)
         self.assert_made(display, 1, 1)
         camera = GetActiveCamera()
@@ -170,7 +176,7 @@ class TestMagnification(unittest.TestCase):
         self.assertEqual((marks(display), magnification(display)), (made, 8))
 
     def test_what_is_moved_and_scaled_is_seen_where_it_is(self):
-        display = self.show(Wavelet())
+        display = self.show(Wavelet(), **SMALL)
         self.zoom(1)
         display.Scale = [4, 4, 4]
         picture(self.view)
