@@ -82,11 +82,12 @@ def test_the_manual_page(ink, options):
     assert requests <= {".TH", ".SH", ".TP", ".PP", ".B", ".RI", ".br"}
 
 
-@pytest.mark.parametrize("style", ["splatting-lines", "stipple"])
+@pytest.mark.parametrize("style", ["contours", "splatting-lines", "stipple"])
 def test_the_help_of_options_that_switch_off_says_so(ink, style):
     lines = " ".join(ink("render", "--style", style, "--help-all").out.split())
     negated = re.findall(r"(--no-[\w-]+) (\w+ \w+ \w+)", lines)
-    assert negated and all(words == "switch off that" for _, words in negated)
+    assert negated and all(words in ("switch off that", "do not draw") for _, words in negated)
+    assert "switch off that draw" not in lines
 
 
 def test_installed_texts_are_those_of_ink(ink):

@@ -86,8 +86,9 @@ def test_lines_are_where_the_edges_are(part, picture, edges):
     assert (edges & ~widened(inked > 0.2, 4)).sum() <= 0.01 * edges.sum()
 
 
-def faces_of(edges):
-    """The inside of each visible face: pixels that edges surround, numbered."""
+@pytest.fixture(scope="module")
+def faces(edges):
+    """The inside of each visible face: pixels that edges surround."""
     free = ~widened(edges, 4)
     labels = np.zeros(free.shape, int)
     count = 0
@@ -107,10 +108,9 @@ def faces_of(edges):
 
 
 @pytest.mark.parametrize("style", ["line-art", "stipple", "illustration"])
-def test_faces_have_one_tone(part, picture, edges, style):
+def test_faces_have_one_tone(part, picture, faces, style):
     """No triangle stays white: all quarters of a face are as gray as it is."""
     inked = ink_of(picture(part, "--style", style, *VIEW, size=SIZE))
-    faces = faces_of(edges)
     assert len(faces) == 3
     for face in faces:
         rows, columns = np.nonzero(face)

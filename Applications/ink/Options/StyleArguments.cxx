@@ -52,6 +52,12 @@ std::string helpOf(const InkParameter& parameter)
   return text;
 }
 
+/// Of a switch's help, which says what is done, or what is the case.
+std::string negationOf(const std::string& help)
+{
+  return (help.starts_with("draw ") ? "do not " : "switch off that ") + help;
+}
+
 const char* typeOf(const InkParameter& parameter)
 {
   switch (parameter.Type)
@@ -178,7 +184,7 @@ std::map<std::string, StyleArguments::Words> StyleArguments::wordsOfOptions()
       }
       if (parameter.Type == InkParameterType::Bool)
       {
-        all[dashed("no-" + std::string(parameter.Option))].text = "switch off that " + helpOf(parameter);
+        all[dashed("no-" + std::string(parameter.Option))].text = negationOf(helpOf(parameter));
       }
     }
     for (const InkShorthand& shorthand : style->GetParameterTable().Shorthands)
@@ -265,7 +271,7 @@ void StyleArguments::addFlags(CLI::App* command, const InkParameter& parameter, 
     Option& added = this->options.emplace_back(Option{ name, &parameter, nullptr, negated });
     // The one that changes something is in the help.
     added.option = command->add_flag(name)
-                     ->description((negated ? "switch off that " : "") + helpOf(parameter))
+                     ->description(negated ? negationOf(helpOf(parameter)) : helpOf(parameter))
                      ->group(negated == on ? group : unlisted);
   }
 }

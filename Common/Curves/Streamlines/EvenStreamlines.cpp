@@ -6,6 +6,8 @@
 #include "Mesh/OnePerPoint.h"
 #include "PointSampling/WhiteNoise.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -48,7 +50,15 @@ public:
   double area() const { return this->Mesh.area(); }
   glm::dvec3 center() const { return 0.5 * this->Mesh.lower() + 0.5 * this->Mesh.upper(); }
   glm::dvec3 position(const MeshPoint& at) const { return this->Mesh.position(at); }
-  glm::vec3 normal(const MeshPoint& at) const { return normalAt(this->Mesh, this->Normals, at); }
+  glm::vec3 normal(const MeshPoint& at) const
+  {
+    // Farther from the triangle's own, normals would put points beside each other above each other, see areApart.
+    constexpr float leastCosine = 0.6f;
+    const glm::vec3 given = normalAt(this->Mesh, this->Normals, at);
+    const glm::vec3 own(this->planeNormal(at));
+    const float cosine = glm::dot(given, own);
+    return std::abs(cosine) < leastCosine ? std::copysign(1.0f, cosine) * own : given;
+  }
   glm::dvec3 planeNormal(const MeshPoint& at) const { return this->Mesh.chart(at.triangle).normal(); }
   SurfaceDirection ownDirection(const MeshPoint& at) const
   {

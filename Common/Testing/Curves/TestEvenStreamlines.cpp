@@ -88,6 +88,15 @@ TEST(EvenStreamlines, ParallelLinesHaveTheirSpacing)
   }
 }
 
+TEST(EvenStreamlines, NormalsInTheSurfaceDoNotCrowdLines)
+{
+  // By them, lines beside each other would be above each other.
+  Shape shape = field(20);
+  const std::size_t lines = linesOf(shape, true, spaced(0.03)).lines.size();
+  std::fill(shape.normals.begin(), shape.normals.end(), glm::vec3(0.0f, 1.0f, 0.0f));
+  EXPECT_EQ(linesOf(shape, true, spaced(0.03)).lines.size(), lines);
+}
+
 TEST(EvenStreamlines, EachPrefixIsEven)
 {
   struct Scene
