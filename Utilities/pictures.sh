@@ -120,8 +120,9 @@ line_art_pictures() {
   series light "$near" "" "--light 60,30" "--silhouette-weight 1" "--darkest-tone 0.5" "--diffuse-truncation 0.4"
   series curvature "$near" "" "--curvature mesh" "--no-smooth-directions"
   series seeding "$near" "" "--seeding scatter" "--seed 1"
-  "$INK_PYTHON" Utilities/pictures.py holes "$work/engine.ply" "$work/holes.vtp"
-  series edges "$work/holes.vtp --view iso --density 0.3" "" "--no-silhouettes" "--no-borders" "--creases" "--creases --crease-angle 80"
+  "$INK_PYTHON" Utilities/pictures.py edges "$work/edges.vtp" "$work/sheets.vtp"
+  local edges="$work/edges.vtp --view front --azimuth 25 --elevation 25 --density 0 --line-spacing 14 --contour-width 8"
+  series edges "$edges" "" "--no-silhouettes" "--no-borders" "--creases" "--creases --crease-angle 80"
   series colors "$near" "--ink-color #993300 --paper-color #ffffcc" "--ink-color white --paper-color black"
   size=320x320
   # Those of files that are not in Data: horse.ply, bunny.ply and cranium.nii.gz, in the folder INK_MESHES.

@@ -52,7 +52,8 @@ public:
   glm::dvec3 position(const MeshPoint& at) const { return this->Mesh.position(at); }
   glm::vec3 normal(const MeshPoint& at) const
   {
-    // Farther from the triangle's own, normals would put points beside each other above each other, see areApart.
+    // Farther from the triangle's own, normals would put points beside each other above each other, see
+    // areApart.
     constexpr float leastCosine = 0.6f;
     const glm::vec3 given = normalAt(this->Mesh, this->Normals, at);
     const glm::vec3 own(this->planeNormal(at));

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace
@@ -95,6 +97,31 @@ TEST(StippleTone, WhatFacesAway)
   surface.lighting.on = true;
   EXPECT_EQ(surface.mark(view, { &headlight, 1 }, away, 0).tone,
     surface.mark(view, { &headlight, 1 }, element(), 0).tone);
+}
+
+/// As far as an element without growth is from the eye, and nothing tells where k_rc is positive.
+TEST(StippleTone, LargestDiameterIsThatOfTheNearest)
+{
+  ink::stipple::Tone tone = allOff();
+  ink::stipple::Tone::View close = view;
+  close.maximumStipples = 4.0f * close.listed;
+  close.closest = close.nearest / 3.0f;
+  const auto found = [&] { return tone.largestDiameter(close) / tone.diameter; };
+  for (const bool on : { false, true })
+  {
+    for (const float exponent : { -2.0f, 0.0f, 1.0f })
+    {
+      tone.resolution.on = on;
+      tone.resolution.exponent = exponent;
+      SCOPED_TRACE(std::to_string(on) + ' ' + std::to_string(exponent));
+      close.parallel = false;
+      EXPECT_FLOAT_EQ(found(), on && exponent > 0.0f ? std::numeric_limits<float>::infinity() : 6.0f);
+      close.parallel = true;
+      EXPECT_FLOAT_EQ(found(), 2.0f);
+    }
+  }
+  tone.growWithZoom = false;
+  EXPECT_FLOAT_EQ(found(), 1.0f);
 }
 
 /// Close up, lists run out: fewer stipples than there is room for, but larger, so that their area is right.
