@@ -24,12 +24,10 @@ and with slices as far apart as one voxel or three. Each picture has 1024 x 1024
 the same style draws of the surface's mesh with the same camera. This page is written by
 
     . Utilities/env.sh headless
-    $INK_PYTHON Testing/Benchmarks/picture_quality.py --quarter --cases ' (48|96) ' --meshes FOLDER \\
-        --output Testing/Benchmarks/picture-quality.csv
+    $INK_PYTHON Testing/Benchmarks/picture_quality.py --quarter --meshes FOLDER --output Testing/Benchmarks/picture-quality.csv
     $INK_PYTHON Testing/Benchmarks/picture_quality.py --page
 
-`--quarter` measures a fourth of all cases, in which each type and each noise is as frequent, here without those of 192 voxels;
-`--quick` some, in minutes.
+`--quarter` measures a fourth of all cases, in which each type and each noise is as frequent; `--quick` some, in minutes.
 FOLDER holds the Stanford bunny and the Georgia Tech horse as bunny.ply and horse.ply; without it these two are left out.
 [phantoms.py](../Testing/Benchmarks/phantoms.py) makes the volumes, [picture_metrics.py](../Testing/Benchmarks/picture_metrics.py)
 compares.
@@ -47,8 +45,8 @@ compares.
 
 The tree of vessels tapers from 6 voxels to 1 at every size. A tube that is thinner than 1.65 voxels does not reach half of
 its value after the point spread, so that no iso-surface shows the last fifth of the tree's length without showing noise,
-too. Two pixels are 0.1 voxels of 48 and 0.2 of 96: what the bunny and the horse lack are lines of details that are finer than
-voxels; contours of the two materials are displaced, as their outer boundary is half a step, so that the denser ball is half
+too. Two pixels are 0.1 voxels of 48, 0.2 of 96 and 0.4 of 192: what the bunny and the horse lack are lines of details that are
+finer than voxels; contours of the two materials are displaced, as their outer boundary is half a step, so that the denser ball is half
 a voxel larger at the one iso-value that both share, and noise is twice as large a share of it; shells of two voxels in slices
 of three are neither whole nor smooth. So the ceilings beside the figures are often worse than the targets, and with noise nothing
 reaches them but by smoothing: volumes, which are smoothed and subdivided, are often better than that mesh. A second row of a
