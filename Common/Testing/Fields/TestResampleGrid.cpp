@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace
 {
@@ -42,6 +45,27 @@ TEST(ResampleGrid, ValuesAreThoseOfATileForAnyNumberOfThreads)
     EXPECT_EQ(std::memcmp(values.data(), wanted.data(), sizeof(double) * wanted.size()), 0);
   }
   unsetenv("VTK_SMP_MAX_THREADS");
+}
+
+TEST(ResampleGrid, ValuesAreTheSameInAnyBox)
+{
+  const auto volume = makeVolume();
+  std::vector<float> all(ink::SampleBox{ glm::ivec3(0), positions }.count());
+  ink::resampleGrid(volume.field(), resampling, std::span<float>(all));
+  const ink::SampleBox box = { { 41, 31, 11 }, { 78, 66, 36 } };
+  std::vector<float> some(box.count());
+  ink::resampleGrid(volume.field(), resampling, box, std::span<float>(some));
+  auto found = some.begin();
+  for (int z = box.begin.z; z < box.end.z; ++z)
+  {
+    for (int y = box.begin.y; y < box.end.y; ++y)
+    {
+      for (int x = box.begin.x; x < box.end.x; ++x)
+      {
+        ASSERT_EQ(*found++, all[static_cast<std::size_t>((z * positions.y + y) * positions.x + x)]);
+      }
+    }
+  }
 }
 
 TEST(ResampleGrid, MissingSamplesLeaveHolesOrNothing)
