@@ -99,7 +99,7 @@ TEST(StippleTone, WhatFacesAway)
     surface.mark(view, { &headlight, 1 }, element(), 0).tone);
 }
 
-/// As far as an element without growth is from the eye, and nothing tells where k_rc is positive.
+/// The nearest element has most room; with a positive k_rc one farther away may have more, without a limit.
 TEST(StippleTone, LargestDiameterIsThatOfTheNearest)
 {
   ink::stipple::Tone tone = allOff();
