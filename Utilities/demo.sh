@@ -13,3 +13,4 @@ for view in iso front top; do
   ink render Data/engine.nii.gz --view "$view" --size 1200x900 -o "$pictures/engine-$view.png"
   echo "$INK_ROOT/$pictures/engine-$view.png"
 done
+echo "demo: in a shell, '. Utilities/env.sh headless' says where ink is; then: ink render FILE"
