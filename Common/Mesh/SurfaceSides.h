@@ -4,6 +4,10 @@
 namespace ink
 {
 
+/// The square of the cosine between a normal and the way to another point from which on that point is
+/// directly above.
+constexpr float straightUp = 0.64f;
+
 /// Whether two points that are close in space are on different sides or sheets of the surface: their normals
 /// differ by more than 105 degrees, or agree while one point is directly above the other. An unknown normal,
 /// 0, never separates points.
@@ -15,7 +19,6 @@ inline bool areApart(float likeness, float up, float otherUp, float squared)
 {
   constexpr float otherSide = -0.25f;
   constexpr float sameSide = 0.7f;
-  constexpr float straightUp = 0.64f;
   const float limit = straightUp * squared;
   // Branchless, so that loops over many points vectorize.
   return (likeness < otherSide) | ((likeness > sameSide) & (up > limit) & (otherUp > limit));

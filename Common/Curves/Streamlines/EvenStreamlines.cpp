@@ -4,6 +4,7 @@
 #include "Curves/Streamlines/StreamlinePlacement.h"
 #include "Curves/Streamlines/StreamlineTracer.h"
 #include "Mesh/OnePerPoint.h"
+#include "Mesh/SurfaceSides.h"
 #include "PointSampling/WhiteNoise.h"
 
 #include <glm/geometric.hpp>
@@ -52,13 +53,11 @@ public:
   glm::dvec3 position(const MeshPoint& at) const { return this->Mesh.position(at); }
   glm::vec3 normal(const MeshPoint& at) const
   {
-    // Farther from the triangle's own, normals would put points beside each other above each other, see
-    // areApart.
-    constexpr float leastCosine = 0.6f;
+    // Farther from the triangle's own, normals would put points beside each other above each other.
     const glm::vec3 given = normalAt(this->Mesh, this->Normals, at);
     const glm::vec3 own(this->planeNormal(at));
     const float cosine = glm::dot(given, own);
-    return std::abs(cosine) < leastCosine ? std::copysign(1.0f, cosine) * own : given;
+    return cosine * cosine < 1.0f - straightUp ? std::copysign(1.0f, cosine) * own : given;
   }
   glm::dvec3 planeNormal(const MeshPoint& at) const { return this->Mesh.chart(at.triangle).normal(); }
   SurfaceDirection ownDirection(const MeshPoint& at) const
