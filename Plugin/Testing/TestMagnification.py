@@ -150,8 +150,7 @@ class TestMagnification(unittest.TestCase):
             Delete(GetDisplayProperties(wavelet, self.view))
             display = Show(wavelet, self.view)
             display.SetRepresentationType("Illustration")
-            for name, value in SMALL.items():
-                setattr(display, name, value)
+            SetProperties(display, **SMALL)
             numpy.testing.assert_array_equal(picture(self.view), expected, first)
 
     def test_the_eye_comes_near_and_goes_through(self):
