@@ -13,6 +13,7 @@ work="build/pictures"
 images="Documentation/images"
 mkdir -p "$work"
 "$INK_PYTHON" Utilities/pictures.py mesh Data/engine.nii.gz 80 "$work/engine.ply"
+"$INK_PYTHON" Utilities/pictures.py edges "$work/edges.vtp" "$work/sheets.vtp"
 
 # picture NAME OPTIONS...: one drawing, in $style
 picture() {
@@ -66,7 +67,6 @@ contours_pictures() {
   local size=200x200
   local engine="Data/engine.nii.gz --iso 80 --view iso"
   local bonsai="Data/bonsai.nii.gz --iso 40 --elevation 12"
-  "$INK_PYTHON" Utilities/pictures.py edges "$work/edges.vtp" "$work/sheets.vtp"
   local edges="$work/edges.vtp --view front --azimuth 25 --elevation 25 --line-width 7"
   local near="$work/sheets.vtp --view front --azimuth 25 --elevation 25 --zoom 0.9 --depth-width 0 --line-width 60"
   series widths "$engine" "--line-width 1.5" "--line-width 6" "--line-width 6 --depth-width 0" "--line-width 6 --depth-width 1"
@@ -120,7 +120,6 @@ line_art_pictures() {
   series light "$near" "" "--light 60,30" "--silhouette-weight 1" "--darkest-tone 0.5" "--diffuse-truncation 0.4"
   series curvature "$near" "" "--curvature mesh" "--no-smooth-directions"
   series seeding "$near" "" "--seeding scatter" "--seed 1"
-  "$INK_PYTHON" Utilities/pictures.py edges "$work/edges.vtp" "$work/sheets.vtp"
   local edges="$work/edges.vtp --view front --azimuth 25 --elevation 25 --density 0 --line-spacing 14 --contour-width 8"
   series edges "$edges" "" "--no-silhouettes" "--no-borders" "--creases" "--creases --crease-angle 80"
   series colors "$near" "--ink-color #993300 --paper-color #ffffcc" "--ink-color white --paper-color black"
