@@ -113,7 +113,7 @@ void vtkInkContoursStyle::GetBackgroundColor(double color[3])
 
 std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
 {
-  const std::string wanted = "expected an image, a mesh with polygons, found ";
+  const std::string wanted = "expected an image or a mesh with polygons, found ";
   const InkLeaves leaves(data);
   const std::string problem = leaves.Problem.empty() ? leaves.FindImageProblem() : leaves.Problem;
   if (!data || !problem.empty())
@@ -128,7 +128,9 @@ std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
   const bool hasPoints = !leaves.Stipples.empty() || !leaves.Others.empty();
   const bool onlyPoints =
     leaves.Images.empty() && std::all_of(leaves.Others.begin(), leaves.Others.end(), isPoints);
-  return !onlyPoints ? std::string() : wanted + (hasPoints ? "points without polygons" : "no points");
+  return !onlyPoints ? std::string()
+                     : wanted +
+      (hasPoints ? "points without polygons (Illustration and Splatting Lines draw points)" : "no points");
 }
 
 std::string vtkInkContoursStyle::MakePieces(const Input& input)

@@ -105,9 +105,11 @@ std::string InkReadStyleFile(const std::string& json, vtkInkStyle* style, vtkInk
   {
     file = Json::parse(json);
   }
-  catch (const std::exception& error)
+  catch (const Json::parse_error& error)
   {
-    return std::string("expected JSON: ") + error.what();
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    const std::string found = error.what();
+    return "expected JSON, found a " + found.substr(found.find("] ") + 2);
   }
   if (!file.is_object() || !file.contains("style") || !file.contains("parameters") ||
     !file["parameters"].is_object())

@@ -89,14 +89,15 @@ def test_what_was_meant(ink, arguments, meant):
     (["sample", "v.nii", "a.vtp", "--iso", "1,x"], "--iso 'x': expected a number"),
     (["sample", "v.ply", "a.vtp", "--seed", "1.5"], "--seed '1.5': expected a whole number from -2.147484e+09 to 2.147484e+09"),
     (["sample", "v.ply", "a.vtp", "--seed"], "--seed: expected N, found nothing"),
-    (["render", "v.nii"], "--output: required, found nothing (see ink render --help)"),
+    (["render", "v.nii"], "OUT or --output: required, found nothing (see ink render --help)"),
     (["render", "-o", "a.png"], "FILE: required, found nothing (see ink render --help)"),
     (["render", "v.nii", "-o", "a.png", "--zoom", "1", "--zoom", "2"], "--zoom: expected once, found 2 times"),
     (["render", "v.nii", "-o", "a.png", "--spacing", "1,1,1"], "--spacing: expected with --raw"),
     (["sample", "v.ply", "a.vtp", "--radius", "1", "--count", "5"], "--count: expected without --radius"),
     (["render", "v.nii", "-o", "a.png", "--view", "behind"], "--view 'behind': expected back, bottom, front, iso, left, right or top"),
     (["render", "v.nii", "-o", "a.png", "--zoom", "0"], "--zoom '0': expected a number from 0.01 to 1000"),
-    (["render", "v.nii", "w.nii", "-o", "a.png"], "'w.nii': no such argument (see ink render --help)"),
+    (["render", "v.nii", "a.png", "w.nii"], "'w.nii': one argument too many, expected FILE OUT (see ink render --help)"),
+    (["render", "v.nii", "w.nii", "-o", "a.png"], "OUT or --output: expected once, found 2 times"),
     (["generate", "fish"], "'fish': expected bash, man or zsh")])  # fmt: skip
 @pytest.mark.one_build
 def test_messages_are_inks_own(ink, arguments, message):

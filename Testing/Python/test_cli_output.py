@@ -2,6 +2,7 @@
 """The files of `ink render`: formats, resolution, the standard output, and pictures drawn in tiles."""
 
 import os
+import re
 import struct
 import subprocess
 
@@ -88,6 +89,15 @@ def test_the_standard_output(picture, volume_file, tmp_path):
     assert not os.listdir(tmp_path)
     (tmp_path / "out.png").write_bytes(done.stdout)
     assert (ink_files.read_png(tmp_path / "out.png") == picture(volume_file, *LINES, size="200x160")).all()
+
+
+def test_the_picture_is_an_argument_or_an_option(ink, volume_file, tmp_path):
+    size = ("--size", 64)
+    assert ink("render", volume_file, tmp_path / "argument.png", *size).code == 0
+    assert ink("render", volume_file, "-o", tmp_path / "option.png", *size).code == 0
+    assert (tmp_path / "argument.png").read_bytes() == (tmp_path / "option.png").read_bytes()
+    text = ink("render", "--help").out
+    assert "OUT OUT.png REQUIRED" in text and re.search(r"-o,--output OUT.png +the same as OUT\n", text)
 
 
 def test_the_standard_output_that_is_closed(volume_file):

@@ -143,7 +143,7 @@ def test_a_style_file_is_the_picture(ink, picture, volume_file, tmp_path):
 
 
 @pytest.mark.parametrize("content, words", [
-    ("", ["JSON"]),
+    ("", ["expected JSON, found a parse error at line 1"]),
     ('{"style": "stipple", "parameters": {"Sharpnes": 1}}', ["'Sharpnes'", "Sharpness"]),
     ('{"style": "stipple", "parameters": {"Sharpness": 7}}', ["Sharpness", "from 0 to 1", "7"]),
     ('{"style": "splatting-lines", "parameters": {}}', ["style", "splatting-lines"]),

@@ -3,11 +3,13 @@
 
 #include "Completion.h"
 #include "Errors.h"
+#include "HelpFormatter.h"
 #include "ManPage.h"
 #include "VersionCommand.h"
 
 #include <iostream>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace ink::cli
@@ -45,11 +47,13 @@ CommandLine::CommandLine(const std::string& style, bool all)
   this->App.footer(footer);
   this->App.add_flag("--version", this->ShowVersion, "print the versions of vtkInk, VTK and OpenGL");
   this->App.require_subcommand(0, 1);
-  this->App.get_formatter()->column_width(26);
+  const auto formatter = std::make_shared<HelpFormatter>();
+  formatter->column_width(26);
+  this->App.formatter(formatter);
   constexpr const char* help = "-h,--help,--help-all";
   constexpr const char* helpText = "print this; --help-all: advanced options, too";
 
-  CLI::App* render = this->App.add_subcommand("render", "draw a picture: ink render FILE -o OUT.png");
+  CLI::App* render = this->App.add_subcommand("render", "draw a picture: ink render FILE OUT.png");
   this->Render.add(render, style, all);
   render->set_help_flag(help, helpText);
   CLI::App* parameters = this->App.add_subcommand(

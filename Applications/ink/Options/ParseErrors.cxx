@@ -47,16 +47,41 @@ std::vector<std::string> knownNames(const CLI::App& app, bool options)
   return names;
 }
 
+/// The arguments that a command has, as "FILE OUT".
+std::string argumentsOf(const CLI::App& command)
+{
+  std::string names;
+  for (const CLI::Option* option : command.get_options())
+  {
+    if (option->get_positional())
+    {
+      names += (names.empty() ? "" : " ") + option->get_name(true);
+    }
+  }
+  return names;
+}
+
+/// CLI11's sentence; where it begins with the name of an option that is an argument, too, with both.
+std::string withBothNames(const std::string& text, const CLI::App& app)
+{
+  const std::string name = text.substr(0, text.find_first_of(": "));
+  const CLI::Option* option = commandOf(app).get_option_no_throw(name);
+  return (option && option->get_positional() && option->nonpositional() ? option->get_name(true) + " or "
+                                                                        : "") +
+    text;
+}
+
 std::string describeExtra(const std::string& found, const CLI::App& app)
 {
   const bool option = found.size() > 1 && found.front() == '-';
   const std::string name = found.substr(0, found.find('='));
   const bool command = !option && &commandOf(app) == &app;
   const std::string meant = option || command ? didYouMean(name, knownNames(app, option)) : "";
-  return "'" + found + "': no such " +
-    (option       ? "option"
-        : command ? "command"
-                  : "argument") +
+  if (!option && !command)
+  {
+    return "'" + found + "': one argument too many, expected " + argumentsOf(commandOf(app)) + helpFor(app);
+  }
+  return "'" + found + "': no such " + (option ? "option" : "command") +
     (meant.empty() ? helpFor(app) : meant);
 }
 
@@ -64,7 +89,7 @@ std::string describeExtra(const std::string& found, const CLI::App& app)
 
 std::string describe(const CLI::ParseError& error, const CLI::App& app)
 {
-  const std::string text = error.what();
+  const std::string text = withBothNames(error.what(), app);
   if (dynamic_cast<const CLI::ExtrasError*>(&error))
   {
     return describeExtra(app.remaining(true).front(), app);
@@ -81,7 +106,7 @@ std::string describe(const CLI::ParseError& error, const CLI::App& app)
     { io::Pattern("(\\S+): Should be true/false or a number"), "$1: expected without a value" },
     { io::Pattern("(\\S+): too many inputs for a flag"), "$1: expected once" },
     { io::Pattern("(\\S+) was given a disallowed flag override"), "$1: expected without a value" },
-    { io::Pattern("(\\S+): At [Mm]ost (\\d+) required but received (\\d+)"),
+    { io::Pattern("(.+): At [Mm]ost (\\d+) required but received (\\d+)"),
       "$1: expected once, found $3 times" },
     { io::Pattern("(\\S+): At [Ll]east (\\d+) required but received (\\d+)"),
       "$1: expected $2 values, found $3" },

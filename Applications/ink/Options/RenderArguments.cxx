@@ -39,7 +39,7 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
   this->app = command;
   this->input.addFile(command, "mesh or points");
   command
-    ->add_option("-o,--output", this->output,
+    ->add_option("OUT,-o,--output", this->output,
       "the picture to write, " + io::PictureEncoder::suffixes() +
         ", or - for a PNG to the standard output; of several\n"
         "frames out_%04d.png, or a video: .mp4, .webm or .gif")

@@ -221,8 +221,9 @@ TEST(ContoursStyle, NothingToDrawIsNotedOrRefused)
   vtkNew<vtkSphereSource> sphere;
   sphere->Update();
   cloud->SetPoints(sphere->GetOutput()->GetPoints());
-  EXPECT_EQ(
-    style->GetReasonAgainst(cloud), "expected an image, a mesh with polygons, found points without polygons");
+  EXPECT_EQ(style->GetReasonAgainst(cloud),
+    "expected an image or a mesh with polygons, found points without polygons "
+    "(Illustration and Splatting Lines draw points)");
 }
 
 TEST(ContoursStyle, MeshesWithoutNormalsGetSome)
