@@ -8,8 +8,9 @@ namespace ink
 
 /// Whether values are labels, or a mask, rather than measured: between them they change from one voxel to the
 /// next, without a gradual transition. Of segmentations .76 to .95 of the changes are so, of scans whose
-/// background was set to one value up to .33.
-/// @param maskChanges, changes as IsoStatistics counts them
+/// background was set to one value up to .33. Of the edges that an iso-surface crosses .8 to 1 of
+/// segmentations and of scans that were cut out by a mask, as brains are, but up to .09 of others.
+/// @param maskChanges, changes all of them, as IsoStatistics counts them, or those at a surface
 inline bool areLabels(std::int64_t maskChanges, std::int64_t changes)
 {
   constexpr double labelShare = 0.6;

@@ -187,7 +187,7 @@ void NoiseSightings::append(const NoiseSightings& other)
   add(this->changes, other.changes);
   add(this->steps, other.steps);
   add(this->runs, other.runs);
-  this->maskChanges += other.maskChanges;
+  this->maskSteps += other.maskSteps;
 }
 
 NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm::ivec3& reach)
@@ -213,7 +213,7 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
     }
   }
   result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
-  result.labels = areLabels(all.maskChanges, static_cast<std::int64_t>(all.changes.size()));
+  result.labels = areLabels(all.maskSteps, static_cast<std::int64_t>(all.steps.size()));
   result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
   if (!all.runs.empty())

@@ -23,7 +23,7 @@ struct NoiseEstimate
   /// in a tenth of the positions only. Up to thickEnough, which stands for more, too
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
-  bool labels = false; ///< whether values are labels or a mask, see areLabels
+  bool labels = false; ///< whether the surface is that of labels or of a mask, see areLabels
   /// The slices that have to be there at a time: those around a slice along which thickness is measured.
   static constexpr int slices = 10;
 };
@@ -52,8 +52,8 @@ NoiseEstimate estimateNoise(
 /// no more: the smallest with which noise turns normals by no more than .02 radians (standard deviation), at
 /// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
 /// of them, but ask for no more than half of the thickness, with which a wall still reaches more than half of
-/// its value. Where voxels are longer than wide, it is half of their length, but no more than 2, nor than half
-/// of the thickness: thin parts show what they lose more than slices.
+/// its value. Where voxels are longer than wide, it is half of their length, but no more than 2, nor than
+/// half of the thickness: thin parts show what they lose more than slices.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
 /// than half of the thickness; where voxels are longer than wide, it is their length, but no more than 4.
@@ -71,7 +71,7 @@ struct SuggestedSmoothing
 {
   double ofValues = 0.0;
   double ofLabels = 0.0;
-  bool labels = false; ///< whether the values seem to be labels
+  bool labels = false; ///< whether a surface seems to be that of labels
 
   double get(bool asLabels) const { return asLabels ? this->ofLabels : this->ofValues; }
   /// Takes what several surfaces ask for, or volumes: the most.

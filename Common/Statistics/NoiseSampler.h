@@ -33,7 +33,7 @@ struct NoiseSightings
   std::vector<double> changes;                    ///< between neighbors that differ
   std::vector<double> steps;                      ///< across the surface
   std::vector<double> runs;                       ///< samples on one side of it, along an axis
-  std::int64_t maskChanges = 0;                   ///< of the changes, see IsoStatistics
+  std::int64_t maskSteps = 0; ///< of the steps: without a gradual transition, as at the edge of a mask
 
   void append(const NoiseSightings& other);
 };
@@ -128,11 +128,10 @@ private:
     if (change > 0.0 && std::isfinite(change))
     {
       found.changes.push_back(change);
-      found.maskChanges += this->isMaskChange(at, next, axis);
     }
     if (this->isAbove(at) != this->isAbove(next))
     {
-      this->addStep(at, axis, found);
+      this->addStep(at, axis, change, found);
       found.runs.push_back(this->runOf(at, axis, -1));
       found.runs.push_back(this->runOf(next, axis, 1));
     }
@@ -149,8 +148,8 @@ private:
     return this->Values.has(beyond) && this->Values.at(beyond) == this->Values.at(lower);
   }
 
-  /// What values change by across an edge that the surface intersects.
-  void addStep(const glm::ivec3& at, int axis, NoiseSightings& found) const
+  /// What values change by across an edge that the surface intersects, of which the edge itself has a part.
+  void addStep(const glm::ivec3& at, int axis, double change, NoiseSightings& found) const
   {
     // On each side, so many samples show the whole step.
     constexpr int stepReach = 2;
@@ -167,9 +166,14 @@ private:
         greatest = std::max(greatest, d);
       }
     }
-    if (std::isfinite(greatest - least))
+    const double step = greatest - least;
+    if (std::isfinite(step))
     {
-      found.steps.push_back(greatest - least);
+      glm::ivec3 next = at;
+      ++next[axis];
+      found.steps.push_back(step);
+      // Gradients that end at a constant have no transition there either, but are no step.
+      found.maskSteps += change > 0.5 * step && this->isMaskChange(at, next, axis);
     }
   }
 

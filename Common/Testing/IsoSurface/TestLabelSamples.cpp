@@ -212,4 +212,21 @@ TEST(LabelSamples, SmoothingIsSuggestedForLabelsAndMasks)
   EXPECT_FALSE(suggest(scan, 500.0).labels);
 }
 
+TEST(LabelSamples, SmoothingIsThatOfTheSurfacesOwnEdge)
+{
+  const auto isMask = [](const auto& volume, double isoValue)
+  { return ink::suggestSmoothings(ink::estimateNoise(volume.field(), isoValue), glm::dvec3(1.0)).labels; };
+  // A brain that was cut out of a scan: folds within it, nothing around it.
+  const auto brain = Volume<std::uint8_t>::from(around(),
+    [](const glm::dvec3& p)
+    { return glm::length(p) < radius ? 90.0 + 30.0 * std::sin(0.5 * p.x) * std::sin(0.4 * p.y) : 0.0; });
+  EXPECT_TRUE(isMask(brain, 14.0));
+  EXPECT_FALSE(isMask(brain, 105.0));
+  // What rises slowly from a constant, as distances and clipped fields do.
+  const auto slope =
+    Volume<float>::from(around(), [](const glm::dvec3& p) { return std::max(radius - glm::length(p), 0.0); });
+  EXPECT_FALSE(isMask(slope, 0.1));
+  EXPECT_FALSE(isMask(slope, 8.0));
+}
+
 } // namespace
