@@ -43,14 +43,20 @@ double valueAt(const ValueBins& bins, double threshold)
 }
 
 /// The iso-values of clear boundaries, the best first.
-std::vector<IsoSuggestion> suggestBoundaries(const IsoStatistics& statistics, bool smoothed)
+/// @param noisy of the values themselves, if the others are of smoothed ones
+std::vector<IsoSuggestion> suggestBoundaries(
+  const IsoStatistics& statistics, const IsoStatistics* noisy = nullptr)
 {
   const std::vector<double> kept = keptShares(statistics.voxels);
   std::vector<IsoBoundary> boundaries = findBoundaries(statistics, kept);
-  if (smoothed)
+  if (noisy)
   {
     std::erase_if(
       boundaries, [&](const IsoBoundary& one) { return !isSharperThanNoise(statistics, one.index); });
+    // Half way from air to lungs, say, there is more noise than skin.
+    const auto clean = std::find_if(boundaries.begin(), boundaries.end(),
+      [&](const IsoBoundary& one) { return !isSpeckled(*noisy, valueAt(statistics.bins, one.threshold)); });
+    boundaries.erase(boundaries.begin(), clean == boundaries.end() ? boundaries.begin() : clean);
   }
   if (boundaries.empty())
   {
@@ -132,13 +138,13 @@ std::vector<IsoSuggestion> suggestIsoValues(
   {
     return {};
   }
-  std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics, false);
+  std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics);
   if (suggestions.empty() && noiseHidesBoundaries(*statistics))
   {
     const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
     const std::optional<IsoStatistics> smoothed =
       makeIsoStatistics(readSmoothed, dimensions, countSmoothedAtOnce(dimensions, slicesAtOnce));
-    suggestions = smoothed ? suggestBoundaries(*smoothed, true) : suggestions;
+    suggestions = smoothed ? suggestBoundaries(*smoothed, &*statistics) : suggestions;
   }
   if (const std::optional<IsoSuggestion> labels = suggestLabels(*statistics))
   {

@@ -2,6 +2,7 @@
 #include "Statistics/ThresholdSharpness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -15,6 +16,8 @@ constexpr std::int64_t fewestEdges = 200;
 // The maximum fraction of a surface's edges at voxels with at most one neighbor inside; above it, the surface
 // is noise, or so thin that it breaks up.
 constexpr double largestSpeckShare = 0.05;
+// Above this one, a surface is so even where boundaries were found in smoothed values.
+constexpr double speckledShare = 2.0 * largestSpeckShare;
 // By what factor a material's noise makes the edges at such voxels more; where fine parts break up, they
 // become hardly more while the others become fewer.
 constexpr std::int64_t noiseGrowth = 4;
@@ -92,6 +95,15 @@ std::vector<double> thresholdSharpness(
     }
   }
   return result;
+}
+
+bool isSpeckled(const IsoStatistics& statistics, double value)
+{
+  const double last = static_cast<double>(statistics.edges.size()) - 1.0;
+  const double position = (value - statistics.bins.low) / statistics.bins.width - 1.0;
+  const auto threshold = static_cast<std::size_t>(std::clamp(std::round(position), 0.0, last));
+  return static_cast<double>(statistics.speckEdges[threshold]) >
+    speckledShare * static_cast<double>(statistics.edges[threshold]);
 }
 
 bool noiseHidesBoundaries(const IsoStatistics& statistics)

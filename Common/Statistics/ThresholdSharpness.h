@@ -34,6 +34,9 @@ std::vector<bool> findNoisyThresholds(
 std::vector<double> thresholdSharpness(
   const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept);
 
+/// Whether the surface of a value would be noise for the most part, or so thin that it breaks up.
+bool isSpeckled(const IsoStatistics& statistics, double value);
+
 /// Whether most of the steps lie at thresholds that are noise, which hides what boundaries there are.
 bool noiseHidesBoundaries(const IsoStatistics& statistics);
 

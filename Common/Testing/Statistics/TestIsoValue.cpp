@@ -570,6 +570,21 @@ TEST(IsoValue, FindsBoundariesThatNoiseHides)
   EXPECT_EQ(parts[0].value, all[0].value);
 }
 
+TEST(IsoValue, IsNotHalfWayFromAirToLungs)
+{
+  // A low dose: that half way is one standard deviation of the noise from the air.
+  const auto values = volume<short>(
+    [](double d, std::size_t i)
+    {
+      const double noisy = noise(3 * i) + noise(3 * i + 1) + noise(3 * i + 2);
+      return std::max(-1000 + 1000 * blurredSphere(d, 21) - 830 * blurredSphere(d, 15) + 90 * noisy, -1024.0);
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_NEAR(suggestion->value, -450.0, 150.0);
+}
+
 TEST(IsoValue, RefusesSlicesOfAnotherSize)
 {
   const std::vector<float> values(7);
