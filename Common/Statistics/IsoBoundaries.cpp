@@ -31,6 +31,9 @@ constexpr double mostIntersected = 0.125;
 // Closer to the middle of two materials, by this fraction of their difference, a boundary stays where it is
 // sharpest: that makes up for what a point spread takes off from convex parts.
 constexpr double farFromMiddle = 0.08;
+// Up to so many times the least area of thresholds that are nearly as sharp, a surface is whole. At the
+// sharpest, those of four MR heads have 1.4 to 1.8 times, of 26 other volumes up to 1.12.
+constexpr double mostArea = 1.25;
 
 /// A finite local maximum that is prominent on both sides: the first and last threshold with its value.
 struct Maximum
@@ -218,6 +221,24 @@ void centerBoundaries(const IsoStatistics& statistics, std::vector<IsoBoundary>&
         std::clamp(middle, static_cast<double>(found[i].begin), static_cast<double>(found[i].end - 1));
       boundaries[i].index = static_cast<std::size_t>(boundaries[i].threshold);
     }
+  }
+}
+
+void mendBoundary(const IsoStatistics& statistics, IsoBoundary& boundary)
+{
+  const std::vector<std::int64_t>& edges = statistics.edges;
+  const auto begin = edges.begin() + static_cast<std::ptrdiff_t>(boundary.begin);
+  const auto own = edges.begin() + static_cast<std::ptrdiff_t>(boundary.index);
+  const double most = mostArea * static_cast<double>(*std::min_element(begin, own + 1));
+  std::size_t whole = boundary.index;
+  while (static_cast<double>(edges[whole]) > most)
+  {
+    --whole;
+  }
+  if (whole < boundary.index)
+  {
+    boundary.index = whole;
+    boundary.threshold = static_cast<double>(whole);
   }
 }
 

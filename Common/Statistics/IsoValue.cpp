@@ -22,6 +22,8 @@ namespace
 {
 
 constexpr std::size_t mostSuggestions = 3;
+// What keeps so many times the voxels of another surface lies around it.
+constexpr double outerShare = 1.25;
 // Slices that are smoothed at once: enough for all threads, and few enough for this memory in bytes, as far
 // as three take less.
 constexpr int mostSmoothedAtOnce = 66;
@@ -63,6 +65,7 @@ std::vector<IsoSuggestion> suggestBoundaries(
     return {};
   }
   centerBoundaries(statistics, boundaries);
+  mendBoundary(statistics, boundaries.front());
   const double densest = boundaries.back().threshold;
   std::stable_sort(boundaries.begin() + 1, boundaries.end(),
     [](const IsoBoundary& a, const IsoBoundary& b) { return a.totalStep > b.totalStep; });
@@ -76,6 +79,14 @@ std::vector<IsoSuggestion> suggestBoundaries(
     suggestions.push_back({ valueAt(statistics.bins, one.threshold), kind, kept[one.index] });
   }
   return suggestions;
+}
+
+/// Whether the first of some suggestions, of smoothed values, is a surface around that of others.
+bool showsMore(const std::vector<IsoSuggestion>& smoothed, const std::vector<IsoSuggestion>& suggestions,
+  const IsoStatistics& statistics)
+{
+  return !smoothed.empty() && !isSpeckled(statistics, smoothed.front().value) &&
+    smoothed.front().keptShare > outerShare * suggestions.front().keptShare;
 }
 
 /// The edge of all labels, if values are labels.
@@ -139,12 +150,14 @@ std::vector<IsoSuggestion> suggestIsoValues(
     return {};
   }
   std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics);
-  if (suggestions.empty() && noiseHidesBoundaries(*statistics))
+  if (noiseHidesBoundaries(*statistics))
   {
     const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
     const std::optional<IsoStatistics> smoothed =
       makeIsoStatistics(readSmoothed, dimensions, countSmoothedAtOnce(dimensions, slicesAtOnce));
-    suggestions = smoothed ? suggestBoundaries(*smoothed, &*statistics) : suggestions;
+    const std::vector<IsoSuggestion> others =
+      smoothed ? suggestBoundaries(*smoothed, &*statistics) : std::vector<IsoSuggestion>();
+    suggestions = suggestions.empty() || showsMore(others, suggestions, *statistics) ? others : suggestions;
   }
   if (const std::optional<IsoSuggestion> labels = suggestLabels(*statistics))
   {

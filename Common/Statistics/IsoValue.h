@@ -40,13 +40,17 @@ struct IsoSuggestion
 /// Where the materials on both sides have peaks in the histogram and the boundary is far from the middle of
 /// these, it is moved there as far as it is nearly as sharp.
 ///
+/// Where the first boundary cuts into a material of different parts, as higher values do in MR, it is moved
+/// down to where its area is the least, nearly: there the surface has no holes.
+///
 /// Not suggested are noise (too many single voxels, and many more than at lower values), the border of a
 /// scanner's field of view (nearly everything inside), fragments (less than a hundredth of what a lower
 /// boundary keeps), the peaks of smooth fields, as simulations have (less than a twentieth of the area of
 /// surfaces at lower values, and no material above), and, as long as there are other boundaries, the edge of
 /// a mask (edges that begin in a region of one value).
 ///
-/// Where noise hides all boundaries, they are those of the smoothed volume, see smoothedSlices.
+/// Where noise can hide boundaries, they are those of the smoothed volume, see smoothedSlices, from the first
+/// on that is clean in the values themselves, if there are no others or if that lies around them.
 ///
 /// Where nearly all values are as large as those around them, they are the labels of a segmentation rather
 /// than measured. One between two labels says nothing then; the first suggestion is the edge of all labels,

@@ -23,6 +23,8 @@ constexpr double speckledShare = 2.0 * largestSpeckShare;
 constexpr std::int64_t noiseGrowth = 4;
 // A disc that touches the sides of its square covers 78.5 % of it: the border of a round field of view.
 constexpr double largestKeptShare = 0.75;
+// Above this share of noisy steps, boundaries are looked for in smoothed values, too.
+constexpr double hidingShare = 0.2;
 // At rare values noise has up to this many times the steps that it has at common ones.
 constexpr double sharperThanNoise = 3.0;
 
@@ -119,7 +121,7 @@ bool noiseHidesBoundaries(const IsoStatistics& statistics)
     all += edges;
     hidden += noise[i] ? edges : 0.0;
   }
-  return hidden > 0.5 * all;
+  return hidden > hidingShare * all;
 }
 
 bool isSharperThanNoise(const IsoStatistics& statistics, std::size_t threshold)

@@ -37,7 +37,7 @@ std::vector<double> thresholdSharpness(
 /// Whether the surface of a value would be noise for the most part, or so thin that it breaks up.
 bool isSpeckled(const IsoStatistics& statistics, double value);
 
-/// Whether most of the steps lie at thresholds that are noise, which hides what boundaries there are.
+/// Whether so many of the steps lie at thresholds that are noise that it can hide boundaries.
 bool noiseHidesBoundaries(const IsoStatistics& statistics);
 
 /// Whether steps at a threshold are much larger than where they are smallest, within a material: smoothed

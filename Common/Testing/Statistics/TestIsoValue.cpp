@@ -585,6 +585,40 @@ TEST(IsoValue, IsNotHalfWayFromAirToLungs)
   EXPECT_NEAR(suggestion->value, -450.0, 150.0);
 }
 
+TEST(IsoValue, IsAroundTheSkinOfANoisyHead)
+{
+  // An MR head: the lowest boundary, to a dark layer under the skin, is hidden by the noise of the air, whose
+  // magnitudes are measured; that of the brain within is clear.
+  const auto values = volume<short>(
+    [](double d, std::size_t i)
+    {
+      const double tissue = 160 * blurredSphere(d, 22) + 340 * blurredSphere(d, 17);
+      const auto noisy = [i](std::size_t n)
+      { return 28 * (noise(6 * i + n) + noise(6 * i + n + 1) + noise(6 * i + n + 2)); };
+      return std::hypot(tissue + noisy(0), noisy(3));
+    });
+  const auto all = suggestAll(values);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_NEAR(all[0].value, 100.0, 30.0);
+  EXPECT_NEAR(all[0].keptShare, 4.0 / 3.0 * 3.14159265 * std::pow(22.0 / size, 3), 0.03);
+  EXPECT_NEAR(all[1].value, 330.0, 70.0);
+}
+
+TEST(IsoValue, LeavesASurfaceOfManyTissuesWhole)
+{
+  // As in MR: higher values cut the dark tissues out, with as sharp a surface and more of it.
+  const auto values = volume<float>(
+    [](double d, std::size_t i)
+    {
+      const auto wave = [](std::size_t at) { return std::sin(0.9 * static_cast<double>(at)); };
+      const double tissue = 60 + 40 * wave(i % size) * wave(i / size % size) * wave(i / size / size);
+      return tissue * blurredSphere(d, 20) + 2 * noise(i);
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_GT(suggestion->keptShare, 0.95 * 4.0 / 3.0 * 3.14159265 * std::pow(20.0 / size, 3));
+}
+
 TEST(IsoValue, RefusesSlicesOfAnotherSize)
 {
   const std::vector<float> values(7);
