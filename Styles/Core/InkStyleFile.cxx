@@ -105,7 +105,7 @@ std::string InkReadStyleFile(const std::string& json, vtkInkStyle* style, vtkInk
   {
     file = Json::parse(json);
   }
-  catch (const Json::parse_error& error)
+  catch (const Json::exception& error)
   {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
     const std::string found = error.what();

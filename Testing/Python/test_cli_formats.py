@@ -3,6 +3,7 @@
 
 import re
 import struct
+import zlib
 
 import numpy as np
 import pytest
@@ -304,6 +305,50 @@ def test_one_file_stands_for_its_series(tmp_path, ink):
         assert f"it is one of {len(BLOB)} slices in its folder; all of them are read" in result.out
     (tmp_path / "series" / "words.dcm").write_text("no DICOM at all")
     assert "it is no DICOM file" in ink("info", tmp_path / "series" / "words.dcm").error
+
+
+def test_broken_dicom_files_of_no_series_do_not_hide_the_others(tmp_path, ink):
+    folder = tmp_path / "series"
+    ink_files.write_dicom(folder, BLOB)
+    expected = ink("info", folder).out
+    plain = (folder / "slice000.dcm").read_bytes()
+    body = plain.index(ink_files.dicom_element(8, 0x0016, "UI", "1.2.840.10008.5.1.4.1.1.2"))
+    syntax = [ink_files.dicom_element(2, 0x0010, "UI", uid) for uid in ("1.2.840.10008.1.2.1", "1.2.840.10008.1.2.1.99")]
+    assert syntax[0] in plain
+    deflated = folder / "deflated.dcm"
+    deflated.write_bytes(plain[:body].replace(*syntax) + zlib.compress(plain[body:])[2:-4])
+    (folder / "ends.dcm").write_bytes(plain[: body + 5])
+    result = ink("info", folder)
+    problem = f"cannot read '{deflated}': all of it is compressed"
+    note = f"2 of the folder's DICOM files left out: {problem}"
+    assert result.code == 0 and note in result.out, result
+    assert [line for line in result.out.splitlines() if note not in line] == expected.splitlines()
+    assert note in ink("info", folder / "slice003.dcm").out
+    assert problem in ink("info", deflated).error
+    for file in folder.glob("slice*"):
+        file.unlink()
+    assert problem in ink("info", folder).error
+
+
+def test_broken_dicom_files_of_other_series_do_not_hide_one(tmp_path, ink):
+    folder = tmp_path / "series"
+    ink_files.write_dicom(folder, BLOB)
+    other = (folder / "slice000.dcm").read_bytes().replace(*(ink_files.dicom_element(0x20, 0x000E, "UI", uid) for uid in ("1.2.8", "1.2.7")))
+    rows = ink_files.dicom_element(0x28, 0x0010, "US", struct.pack("<H", BLOB.shape[1]))
+    (folder / "other.dcm").write_bytes(other[: other.index(rows) + 3])
+    assert "2 series" in ink("info", folder).out
+    assert ink("info", folder / "slice003.dcm").code == 0
+    assert "ends within an element" in ink("info", folder / "other.dcm").error
+
+
+def test_a_missing_slice_is_noted(tmp_path, ink):
+    ink_files.write_dicom(tmp_path / "series", BLOB)
+    assert "apart" not in ink("info", tmp_path / "series").out
+    (tmp_path / "series" / "slice007.dcm").unlink()
+    result = ink("info", tmp_path / "series")
+    distance = (len(BLOB) - 1) / (len(BLOB) - 2)
+    assert result.code == 0
+    assert f"its slices lie 1 to 2 apart; they are taken as {distance:.7g} apart" in result.out
 
 
 def test_dicom_without_preamble(tmp_path, ink):

@@ -340,7 +340,14 @@ std::optional<DicomFile> DicomFile::read(const fs::path& file)
   }
   DicomFile found;
   found.path = file;
-  elements.read(found);
+  try
+  {
+    elements.read(found);
+  }
+  catch (const ReadError& error)
+  {
+    found.problem = error.what();
+  }
   found.bigEndian = found.transferSyntax == "1.2.840.10008.1.2.2";
   return found;
 }

@@ -35,10 +35,10 @@ struct DicomFile
   bool hasPosition = false;
   std::uint64_t pixelOffset = 0;
   std::uint64_t pixelBytes = 0; ///< 0: there are no pixels
+  std::string problem;          ///< why its elements could not be told apart to the end; empty if they could
 
   /// Reads all but the pixels. Files of old that begin with their elements, without preamble and mark, are
   /// read, too. @return nothing if it is no DICOM file
-  /// @throws ReadError if its elements cannot be told apart.
   static std::optional<DicomFile> read(const std::filesystem::path& file);
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/FormatNumber.h"
 #include "ReadError.h"
 
 #include "DicomFile.h"
@@ -19,21 +20,47 @@ namespace ink::io
 namespace
 {
 
-/// The DICOM files of a folder that have pixels, by their series.
-std::map<std::string, std::vector<DicomFile>> findSeries(const fs::path& folder)
+void throwProblem(const DicomFile& file)
+{
+  if (!file.problem.empty())
+  {
+    throw ReadError(file.problem);
+  }
+}
+
+/// The DICOM files of a folder that have pixels, by their series. Those that do not even tell their series
+/// are left out, which is noted.
+std::map<std::string, std::vector<DicomFile>> findSeries(
+  const fs::path& folder, std::vector<std::string>& notes)
 {
   std::map<std::string, std::vector<DicomFile>> all;
+  std::vector<DicomFile> unknown;
   bool found = false;
   for (const auto& entry : fs::directory_iterator(folder))
   {
     std::optional<DicomFile> file =
       entry.is_regular_file() ? DicomFile::read(entry.path()) : std::optional<DicomFile>();
     found = found || file;
-    if (file && file->pixelBytes > 0)
+    if (file && !file->problem.empty() && file->series.empty())
+    {
+      unknown.push_back(std::move(*file));
+    }
+    else if (file && (file->pixelBytes > 0 || !file->problem.empty()))
     {
       const std::string series = file->series;
       all[series].push_back(std::move(*file));
     }
+  }
+  if (!unknown.empty())
+  {
+    const auto first = std::min_element(
+      unknown.begin(), unknown.end(), [](const DicomFile& a, const DicomFile& b) { return a.path < b.path; });
+    if (all.empty())
+    {
+      throwProblem(*first);
+    }
+    notes.push_back(
+      std::to_string(unknown.size()) + " of the folder's DICOM files left out: " + first->problem);
   }
   if (all.empty())
   {
@@ -45,7 +72,7 @@ std::map<std::string, std::vector<DicomFile>> findSeries(const fs::path& folder)
 /// The series with most pictures; of several, the first by its name.
 std::vector<DicomFile> readLargestSeries(const fs::path& folder, std::vector<std::string>& notes)
 {
-  auto all = findSeries(folder);
+  auto all = findSeries(folder, notes);
   const auto largest = std::max_element(
     all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
   if (all.size() > 1)
@@ -64,6 +91,7 @@ std::vector<DicomFile> readSeriesOf(const fs::path& path, std::vector<std::strin
   {
     failToRead(path, "it is no DICOM file");
   }
+  throwProblem(*file);
   if (file->pixelBytes == 0)
   {
     failToRead(path, "it is a DICOM file without pixels");
@@ -73,7 +101,7 @@ std::vector<DicomFile> readSeriesOf(const fs::path& path, std::vector<std::strin
     return { std::move(*file) };
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::vector<DicomFile> series = std::move(findSeries(folder)[file->series]);
+  std::vector<DicomFile> series = std::move(findSeries(folder, notes)[file->series]);
   if (series.size() > 1)
   {
     notes.push_back(
@@ -86,6 +114,7 @@ std::vector<DicomFile> readSeriesOf(const fs::path& path, std::vector<std::strin
 /// @param alone whether the file is the whole volume
 void check(const DicomFile& file, bool alone)
 {
+  throwProblem(file);
   // All other syntaxes but three are compressed.
   constexpr std::string_view plain = "1.2.840.10008.1.2";
   const std::string& syntax = file.transferSyntax;
@@ -145,6 +174,25 @@ void sortSlices(std::vector<DicomFile>& files)
     { return a.number != b.number ? a.number < b.number : a.path < b.path; });
 }
 
+/// Notes it if sorted slices are not as far from each other as from the next, where one is missing, say.
+void noteUnevenSlices(const std::vector<DicomFile>& files, double distance, std::vector<std::string>& notes)
+{
+  constexpr double tolerance = 0.05;
+  double least = distance;
+  double most = distance;
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    const double between = files[i].number - files[i - 1].number;
+    least = std::min(least, between);
+    most = std::max(most, between);
+  }
+  if (most - least > tolerance * distance)
+  {
+    notes.push_back("its slices lie " + formatNumber(least) + " to " + formatNumber(most) +
+      " apart; they are taken as " + formatNumber(distance) + " apart");
+  }
+}
+
 } // namespace
 
 VolumeHeader readDicomHeaders(const fs::path& path)
@@ -187,10 +235,15 @@ VolumeHeader readDicomHeaders(const fs::path& path)
   std::copy_n(normal, 3, steps + 6);
   constexpr double sign[3] = { 1, 1, 1 };
   header.orientation.emplace(steps, first.position, sign);
-  const double distance = files.size() > 1 && first.hasPosition
+  const bool hasPositions = files.size() > 1 && first.hasPosition;
+  const double distance = hasPositions
     ? (files.back().number - first.number) / static_cast<double>(files.size() - 1)
     : first.distance > 0.0 ? first.distance
                            : first.thickness;
+  if (hasPositions)
+  {
+    noteUnevenSlices(files, distance, header.notes);
+  }
   header.spacing[0] = spacingOf(first.spacing[0]);
   header.spacing[1] = spacingOf(first.spacing[1]);
   header.spacing[2] = spacingOf(distance);
