@@ -59,7 +59,7 @@ vtkInkContoursStyle::vtkInkContoursStyle()
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetFeatureAngle(40.0);
   this->Mapper->SetShortestCrease(0.05);
-  this->Mapper->SetShortestBorder(0.05);
+  this->Mapper->SetShortestBorder(InkContourSurface::ShortestBorder);
   this->SetPreset(0);
 }
 

@@ -5,6 +5,7 @@
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
 #include "InkIsoSurface.h"
+#include "InkMeshTriangles.h"
 #include "InkPointNormals.h"
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSilhouetteMapper.h"
@@ -17,6 +18,8 @@
 #include "vtkPolyData.h"
 
 #include "Fields/Resampling/AxisResampling.h"
+#include "Mesh/LongestBorder.h"
+#include "Mesh/WeldedTriangles.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -44,6 +47,13 @@ double FindTolerance(vtkImageData* image, vtkInkIsoSurfaceSampler* settings)
   const ink::GridGeometry grid = InkMakeGrid(image, InkExtent(image->GetExtent()));
   const glm::dvec3 deviation = grid.spacing() * ink::smoothingDeviation(grid, settings->GetSmoothing());
   return Reach * std::max({ deviation.x, deviation.y, deviation.z });
+}
+
+bool HasBorder(vtkPolyData* mesh)
+{
+  const InkMeshTriangles triangles(mesh, false, InkMeshTriangles::Order::OfMesh);
+  const ink::WeldedTriangles welded(triangles.GetMesh());
+  return ink::longestBorder(welded.mesh()) > InkContourSurface::ShortestBorder * welded.diagonal();
 }
 
 } // namespace
@@ -87,12 +97,12 @@ std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span
   return {};
 }
 
-std::string InkContourSurface::MakeOfSharpEdges(vtkPolyData* mesh, vtkPolyData* surface)
+std::string InkContourSurface::MakeOfEdges(vtkPolyData* mesh, vtkPolyData* surface)
 {
   try
   {
     const vtkSmartPointer<vtkPolyData> split = InkWithFeatureNormals(mesh);
-    if (InkHasFeatureEdges(split))
+    if (InkHasFeatureEdges(split) || HasBorder(split))
     {
       surface->ShallowCopy(split);
       surface->GetPointData()->SetNormals(InkPointNormals(split));

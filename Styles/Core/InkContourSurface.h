@@ -44,11 +44,14 @@ public:
   std::string MakeOfMesh(vtkPolyData* mesh, vtkPolyData* surface, bool voxels = false);
 
   /**
-   * A mesh with the normals of each side at its feature edges, if it has any.
-   * @param surface becomes it; empty if there are none
+   * A mesh with the normals of each side at its feature edges, if it has any, or a border.
+   * @param surface becomes it; empty if there is neither
    * @return what is wrong; empty if nothing is
    */
-  static std::string MakeOfSharpEdges(vtkPolyData* mesh, vtkPolyData* surface);
+  static std::string MakeOfEdges(vtkPolyData* mesh, vtkPolyData* surface);
+
+  /// Borders up to this length, with all that they join, count as holes of a scan, of the diagonal.
+  static constexpr double ShortestBorder = 0.05;
 
   /// Whether a surface, wherever it was delivered to, is an image's: what creases it has are its voxels'.
   static bool IsOfImage(vtkPolyData* surface);

@@ -29,7 +29,7 @@ InkSilhouettes::InkSilhouettes(vtkInkMapper* under)
   this->Mapper->SetDepthWidth(0.5);
   this->Mapper->SetFeatureAngle(40.0);
   this->Mapper->SetShortestCrease(0.05);
-  this->Mapper->SetShortestBorder(0.05);
+  this->Mapper->SetShortestBorder(InkContourSurface::ShortestBorder);
   this->Mapper->SetLift(Lift);
   this->SetPixelScale(1.0);
   under->SetOverlay(this->Mapper);
@@ -80,7 +80,7 @@ void InkSilhouettes::SetCreases(bool creases)
 void InkSilhouettes::FollowKinds()
 {
   this->Mapper->SetSilhouettes(this->Wanted);
-  this->Mapper->SetBorders(this->Wanted);
+  this->Mapper->SetBorders(this->Wanted || this->SharpEdges);
   this->Mapper->SetSharpCreasesOnly(!(this->Wanted && this->Creases));
   InkContourSurface::Follow(this->Mapper, this->SharpEdges || this->Creases);
 }
@@ -109,7 +109,7 @@ std::string InkSilhouettes::MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vt
   {
     return InkContourSurface(style).MakeOfMesh(mesh, piece, this->Method.NeedsVoxels());
   }
-  return this->SharpEdges && InkHasPolygons(mesh) ? InkContourSurface::MakeOfSharpEdges(mesh, piece)
+  return this->SharpEdges && InkHasPolygons(mesh) ? InkContourSurface::MakeOfEdges(mesh, piece)
                                                   : std::string();
 }
 

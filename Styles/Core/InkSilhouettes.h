@@ -42,8 +42,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether the sharp edges of meshes are drawn even if nothing else is: where the normals of the two sides
-  /// differ (InkWithFeatureNormals). Default: off.
+  /// Whether the sharp edges and the borders of meshes are drawn even if nothing else is: where the normals
+  /// of the two sides differ (InkWithFeatureNormals), and where there is one side only. Default: off.
   void SetSharpEdges(bool edges);
   bool GetSharpEdges() const { return this->SharpEdges; }
   ///@}

@@ -86,6 +86,28 @@ def test_lines_are_where_the_edges_are(part, picture, edges):
     assert (edges & ~widened(inked > 0.2, 4)).sum() <= 0.01 * edges.sum()
 
 
+def test_borders_are_lines(picture, tmp_path):
+    """Those of a sheet that bends away from the viewer a little, but no hole of a scan; and none if they are not wanted."""
+    cells = 80
+    x, z = [axis.ravel() for axis in np.meshgrid(*[np.linspace(-1, 1, cells + 1)] * 2, indexing="ij")]
+    grid = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    a, b, c, d = grid[:-1, :-1].ravel(), grid[1:, :-1].ravel(), grid[1:, 1:].ravel(), grid[:-1, 1:].ravel()
+    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    hole = len(triangles) // 4 + cells // 2
+    file = write(tmp_path / "sheet.ply", np.stack([x, 0.1 * x * x, z], 1), np.delete(triangles, hole, axis=0))
+    view = ("--style", "splatting-lines", "--view", "front", "--up", "z", "--parallel", "--zoom", "0.8")
+    inked = ink_of(picture(file, *view, size=SIZE)) > 0.1
+    rows, columns = np.nonzero(inked)
+    sheet = (slice(rows.min(), rows.max() + 1), slice(columns.min(), columns.max() + 1))
+    border = inked[sheet].copy()
+    assert 180 < min(border.shape) <= max(border.shape) < 260
+    border[4:-4, 4:-4] = False
+    assert border.sum() == inked.sum(), "nothing within, where the hole is"
+    for side in (border[:4], border[-4:], border[:, :4].T, border[:, -4:].T):
+        assert side.any(axis=0).all()
+    assert not (ink_of(picture(file, *view, "--no-sharp-edges", size=SIZE)) > 0.1).any()
+
+
 @pytest.fixture(scope="module")
 def faces(edges):
     """The inside of each visible face: pixels that edges surround."""
