@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ink
@@ -183,6 +184,15 @@ std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::arra
   const SliceReader<T> read = [&](int first, int last)
   { return values.subspan(sliceSize * first, sliceSize * (last - first)); };
   return suggestIsoValues(read, dimensions, std::max(dimensions[2], 1) + 2);
+}
+
+void preferInner(std::vector<IsoSuggestion>& suggestions)
+{
+  // The others follow the outermost from the clearest on.
+  if (suggestions.size() > 1 && suggestions.front().boundary == IsoSuggestion::Boundary::Outermost)
+  {
+    std::swap(suggestions[0], suggestions[1]);
+  }
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

@@ -77,4 +77,7 @@ template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(
   const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce);
 
+/// Puts the clearest boundary within the outermost one first, if there is one: as bone in a CT scan.
+void preferInner(std::vector<IsoSuggestion>& suggestions);
+
 } // namespace ink

@@ -225,8 +225,8 @@ std::vector<std::string> InkDescribeChoice(const std::vector<ink::IsoSuggestion>
     notes.push_back(
       "no boundary between materials is clear, so what is drawn is the surface around the upper " +
       PercentOf(suggestions.front()) +
-      " % of the voxels, and may be that of no thing; other values can be given (IsoValues), or voxels "
-      "stippled without a surface (StippleSource, in the style stipple)");
+      " % of the voxels, and may be that of no thing; other values can be given (IsoValues, --iso), or "
+      "voxels stippled without a surface (StippleSource, --stipple-source, in the style stipple)");
   }
   return notes;
 }

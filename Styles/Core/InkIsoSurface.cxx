@@ -89,6 +89,15 @@ void InkIsoSurface::SetSmoothing(double smoothing)
   }
 }
 
+void InkIsoSurface::SetIsoChoice(int choice)
+{
+  if (this->IsoChoice != choice)
+  {
+    this->IsoChoice = choice;
+    this->Changed.Modified();
+  }
+}
+
 void InkIsoSurface::SetLabelMap(int labelMap)
 {
   if (this->LabelMap != labelMap)
@@ -119,6 +128,7 @@ void InkIsoSurface::SetSubdivision(int subdivision)
 
 void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
 {
+  this->SetIsoChoice(other.GetIsoChoice());
   this->SetSmallestPart(other.GetSmallestPart());
   this->SetLargestParts(other.GetLargestParts());
   this->SetCut(other.GetCut());
@@ -154,6 +164,14 @@ std::vector<ink::IsoSuggestion> InkIsoSurface::Suggest(
   vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
 {
   return SuggestOf(style, style->GetProcesses().GatherImages(images, array), array);
+}
+
+void InkIsoSurface::Choose(std::vector<ink::IsoSuggestion>& suggestions) const
+{
+  if (this->IsoChoice == INNER)
+  {
+    ink::preferInner(suggestions);
+  }
 }
 
 std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(
@@ -200,11 +218,12 @@ std::string InkIsoSurface::Prepare(
   };
   if (values.empty())
   {
-    const std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole(), array);
+    std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole(), array);
     if (suggestions.empty())
     {
       return InkIsoValues::None;
     }
+    this->Choose(suggestions);
     for (const std::string& note : InkDescribeChoice(suggestions))
     {
       style->AddNote(note);
@@ -243,7 +262,8 @@ double InkIsoSurface::ChooseSmoothing(
     return this->Smoothing;
   }
   const InkWholeImages whole = style->GetProcesses().GatherImages(images, array);
-  const std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole, array);
+  std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole, array);
+  this->Choose(suggestions);
   return suggestions.empty()
     ? 0.0
     : this->FindSmoothing(style, whole, array, { suggestions.front().value }).ofValues;

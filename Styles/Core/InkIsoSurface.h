@@ -40,6 +40,14 @@ public:
   /// Parameters; see their table.
   void SetIsoValues(const std::vector<double>& values);
   const std::vector<double>& GetIsoValues() const { return this->IsoValues.GetGiven(); }
+  /// Which surface is drawn where no iso-value is given.
+  enum IsoChoiceType
+  {
+    OUTERMOST = 0, ///< ink::suggestIsoValues' first
+    INNER = 1      ///< the clearest boundary within that, if there is one
+  };
+  void SetIsoChoice(int choice);
+  int GetIsoChoice() const { return this->IsoChoice; }
   void SetSmallestPart(double share);
   double GetSmallestPart() const;
   void SetLargestParts(int count);
@@ -165,6 +173,8 @@ private:
   std::string AddCurvature(
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
+  /// Puts the one that IsoChoice asks for first.
+  void Choose(std::vector<ink::IsoSuggestion>& suggestions) const;
   static std::vector<ink::IsoSuggestion> SuggestOf(
     vtkInkStyle* style, const InkWholeImages& images, const std::string& array);
   ink::SuggestedSmoothing FindSmoothing(vtkInkStyle* style, const InkWholeImages& images,
@@ -178,6 +188,7 @@ private:
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   InkIsoValues IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
+  int IsoChoice = OUTERMOST;
   int LabelMap = LABELS_AUTOMATIC;
   bool ComputeCurvature = false;
   int Subdivision = 0; ///< 0: until cells are a small part of the picture

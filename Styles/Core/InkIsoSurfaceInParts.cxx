@@ -202,12 +202,13 @@ std::string InkIsoSurface::SampleBy(
   }
   if (slabs && values.empty())
   {
-    const std::vector<ink::IsoSuggestion> suggestions =
+    std::vector<ink::IsoSuggestion> suggestions =
       InkSuggestIsoValues(*slabs, style->StartStep("choosing an iso-value"));
     if (suggestions.empty())
     {
       return InkIsoValues::None;
     }
+    this->Choose(suggestions);
     for (const std::string& note : InkDescribeChoice(suggestions))
     {
       style->AddNote(note);

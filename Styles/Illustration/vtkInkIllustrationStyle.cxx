@@ -44,16 +44,17 @@ struct PresetValues
   double Tau;
   double Phi;
   double Lambda;
+  int IsoChoice;
 };
 
 /// In the order of the table's entries.
 constexpr PresetValues Presets[] = {
-  { 1.0, 0.15, 2.2, 8.0, 0.99, 100.0, 2.5 }, // specimen
-  { 1.3, 0.2, 2.2, 8.0, 0.99, 100.0, 2.5 },  // bone
-  { 0.7, 0.1, 1.8, 9.0, 0.98, 60.0, 3.5 },   // skin
-  { 0.9, 0.1, 2.0, 7.0, 0.985, 80.0, 3.0 },  // organ
-  { 1.2, 0.3, 2.0, 7.0, 0.995, 150.0, 2.0 }, // vessel
-  { 1.1, 0.05, 2.0, 9.0, 0.995, 150.0, 2.0 } // machine-part
+  { 1.0, 0.15, 2.2, 8.0, 0.99, 100.0, 2.5, InkIsoSurface::OUTERMOST }, // specimen
+  { 1.3, 0.2, 2.2, 8.0, 0.99, 100.0, 2.5, InkIsoSurface::INNER },      // bone
+  { 0.7, 0.1, 1.8, 9.0, 0.98, 60.0, 3.5, InkIsoSurface::OUTERMOST },   // skin
+  { 0.9, 0.1, 2.0, 7.0, 0.985, 80.0, 3.0, InkIsoSurface::OUTERMOST },  // organ
+  { 1.2, 0.3, 2.0, 7.0, 0.995, 150.0, 2.0, InkIsoSurface::OUTERMOST }, // vessel
+  { 1.1, 0.05, 2.0, 9.0, 0.995, 150.0, 2.0, InkIsoSurface::OUTERMOST } // machine-part
 };
 
 /// The pieces of a surface: those of its lines, and those of its stipples but for silhouettes.
@@ -325,6 +326,7 @@ void vtkInkIllustrationStyle::SetPreset(int preset)
   lines->SetTau(values.Tau);
   lines->SetPhi(values.Phi);
   lines->SetLambda(values.Lambda);
+  this->GetIsoSurface()->SetIsoChoice(values.IsoChoice);
 }
 
 void vtkInkIllustrationStyle::SetIsoValues(const std::vector<double>& values)

@@ -3,6 +3,7 @@
 
 import functools
 import importlib
+import re
 
 import numpy as np
 import pytest
@@ -270,6 +271,29 @@ def test_the_command_line_illustrates_by_default(ink, tmp_path):
     first, second = (ink_files.read_png(tmp_path / f"{name}.png") for name in ("default", "named"))
     assert (first == second).all()
     assert (first < 100).mean() > 0.01
+
+
+def test_bone_is_the_surface_within(ink, tmp_path):
+    file = tmp_path / "nested.nrrd"
+    array = numpy_support.vtk_to_numpy(nested(48).GetPointData().GetScalars()).reshape(48, 48, 48)
+    ink_files.write_nrrd(file, array)
+
+    def value(*options):
+        result = ink("render", file, "-o", tmp_path / "out.png", "--size", 100, *options)
+        assert result.code == 0, result
+        return [float(number) for number in re.findall(r"iso-value (\S+):", result.err)]
+
+    outer, inner = value(), value("--preset", "bone")
+    assert 20 < outer[0] < 40 and 100 < inner[0] < 160
+    assert value("--preset", "bone", "--iso-choice", "outermost") == value("--preset", "skin") == outer
+    for style in ("splatting-lines", "contours"):
+        assert value("--style", style, "--iso-choice", "inner") == inner
+    assert value("--preset", "bone", "--iso", 50) == []
+    assert vtkink.draw(nested(), preset="bone").style.GetNote(0).startswith("iso-value 1")
+    # A turntable keeps it.
+    frames = ("--frames", 2, "-o", tmp_path / "f%d.png")
+    result = ink("render", file, "--size", 64, "--preset", "bone", *frames)
+    assert f"iso-value {inner[0]:g}" in result.err, result
 
 
 def test_the_command_line_sees_through(ink, tmp_path):

@@ -54,8 +54,8 @@ void checkIsoValues(const std::vector<double>& isoValues, const FiniteRange& val
   }
 }
 
-std::vector<double> chooseIsoValue(
-  const Input& input, const InkMemoryBudget& memory, std::vector<std::string>& notes, Progress& progress)
+std::vector<double> chooseIsoValue(const Input& input, const InkMemoryBudget& memory, bool inner,
+  std::vector<std::string>& notes, Progress& progress)
 {
   std::vector<double> isoValues;
   takeSurfaceValue(input, isoValues, notes);
@@ -68,7 +68,7 @@ std::vector<double> chooseIsoValue(
   try
   {
     InkImageSlabs slabs(input.image->GetOutputPort(), memory);
-    const std::vector<IsoSuggestion> suggestions = InkSuggestIsoValues(slabs,
+    std::vector<IsoSuggestion> suggestions = InkSuggestIsoValues(slabs,
       [&](double done)
       {
         progress.at(done);
@@ -78,6 +78,10 @@ std::vector<double> chooseIsoValue(
     {
       checkIsoValues({}, InkFindFiniteRange(slabs));
       throw Failure("no iso-value could be chosen; give one with --iso");
+    }
+    if (inner)
+    {
+      preferInner(suggestions);
     }
     for (const std::string& note : InkDescribeChoice(suggestions))
     {
@@ -99,7 +103,7 @@ std::vector<std::string> sampleVolume(const Input& input, const VolumeSampling& 
   std::vector<double> isoValues = sampling.isoValues;
   if (isoValues.empty())
   {
-    isoValues = chooseIsoValue(input, memory, notes, progress);
+    isoValues = chooseIsoValue(input, memory, false, notes, progress);
   }
   vtkInkIsoSurfaceAlgorithm* sampler = input.sampler;
   sampler->SetValues(isoValues);

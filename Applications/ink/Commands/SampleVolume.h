@@ -26,9 +26,12 @@ struct VolumeSampling
 };
 
 /// The iso-value that the file is about or that suits the volume, in a list; an empty one if the volume's
-/// values are not at hand. @param notes what was chosen is added. @throws Failure if there is none
-std::vector<double> chooseIsoValue(
-  const Input& input, const InkMemoryBudget& memory, std::vector<std::string>& notes, Progress& progress);
+/// values are not at hand.
+/// @param inner ink::preferInner
+/// @param notes what was chosen is added
+/// @throws Failure if there is none
+std::vector<double> chooseIsoValue(const Input& input, const InkMemoryBudget& memory, bool inner,
+  std::vector<std::string>& notes, Progress& progress);
 
 /// Samples all iso-surfaces, a part of the points at a time, at the surface that the file is about where no
 /// iso-value is given.

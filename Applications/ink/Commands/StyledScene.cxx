@@ -90,7 +90,9 @@ void SceneMaker::keepIsoValue(const Input& input, std::vector<std::string>& note
   // See-through, a volume has two, which are chosen together.
   if (isoValuesOf(this->Options.style).empty() && input.isVolume() && !isSeeThrough(this->Options.style))
   {
-    setIsoValues(this->Options.style, chooseIsoValue(input, this->Options.input.memory, notes, progress));
+    const bool inner = this->Options.style->GetParameter("IsoChoice") != 0.0;
+    setIsoValues(
+      this->Options.style, chooseIsoValue(input, this->Options.input.memory, inner, notes, progress));
   }
 }
 
