@@ -187,6 +187,7 @@ void NoiseSightings::append(const NoiseSightings& other)
   add(this->changes, other.changes);
   add(this->steps, other.steps);
   add(this->runs, other.runs);
+  this->maskChanges += other.maskChanges;
   this->maskSteps += other.maskSteps;
 }
 
@@ -213,7 +214,8 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
     }
   }
   result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
-  result.labels = areLabels(all.maskSteps, static_cast<std::int64_t>(all.steps.size()));
+  result.labels = areLabels(all.maskChanges, static_cast<std::int64_t>(all.changes.size())) ||
+    areLabels(all.maskSteps, static_cast<std::int64_t>(all.steps.size()));
   result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
   if (!all.runs.empty())
@@ -294,6 +296,7 @@ void SuggestedSmoothing::add(const SuggestedSmoothing& other)
   this->ofValues = std::max(this->ofValues, other.ofValues);
   this->ofLabels = std::max(this->ofLabels, other.ofLabels);
   this->labels = this->labels || other.labels;
+  this->keepsLabels = this->keepsLabels && other.keepsLabels;
 }
 
 SuggestedSmoothing suggestSmoothings(const NoiseEstimate& estimate, const glm::dvec3& spacing)
@@ -304,7 +307,9 @@ SuggestedSmoothing suggestSmoothings(const NoiseEstimate& estimate, const glm::d
     one.labels = labels;
     return suggestSmoothing(one, spacing);
   };
-  return { with(false), with(true), estimate.labels };
+  const double ofLabels = with(true);
+  const bool isThick = estimate.thickness >= NoiseEstimate::thickEnough;
+  return { with(false), ofLabels, estimate.labels, isThick || ofLabels <= 0.5 * estimate.thickness };
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

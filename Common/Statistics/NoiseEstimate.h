@@ -23,7 +23,7 @@ struct NoiseEstimate
   /// in a tenth of the positions only. Up to thickEnough, which stands for more, too
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
-  bool labels = false; ///< whether the surface is that of labels or of a mask, see areLabels
+  bool labels = false; ///< whether all values are labels, or the surface is that of a mask, see areLabels
   /// The slices that have to be there at a time: those around a slice along which thickness is measured.
   static constexpr int slices = 10;
 };
@@ -72,6 +72,9 @@ struct SuggestedSmoothing
   double ofValues = 0.0;
   double ofLabels = 0.0;
   bool labels = false; ///< whether a surface seems to be that of labels
+  /// Whether a surface of labels that is smoothed itself keeps its parts: ofLabels is no more than half of
+  /// their thickness, or they are thick enough.
+  bool keepsLabels = true;
 
   double get(bool asLabels) const { return asLabels ? this->ofLabels : this->ofValues; }
   /// Takes what several surfaces ask for, or volumes: the most.

@@ -33,7 +33,8 @@ struct NoiseSightings
   std::vector<double> changes;                    ///< between neighbors that differ
   std::vector<double> steps;                      ///< across the surface
   std::vector<double> runs;                       ///< samples on one side of it, along an axis
-  std::int64_t maskSteps = 0; ///< of the steps: without a gradual transition, as at the edge of a mask
+  std::int64_t maskChanges = 0;                   ///< of the changes, see IsoStatistics
+  std::int64_t maskSteps = 0; ///< of the steps: at the edge of a mask, which is most of them
 
   void append(const NoiseSightings& other);
 };
@@ -128,6 +129,7 @@ private:
     if (change > 0.0 && std::isfinite(change))
     {
       found.changes.push_back(change);
+      found.maskChanges += this->isMaskChange(at, next, axis);
     }
     if (this->isAbove(at) != this->isAbove(next))
     {

@@ -24,8 +24,6 @@
 
 InkIsoSurface::InkIsoSurface()
 {
-  // Thin parts stay.
-  this->Sampler->SetSmoothingTargetToNormals();
   this->Sampler->SetCutToRim();
   this->Sampler->SetSmallestPart(ink::ComponentSelection::automatic);
   this->Sampler->GenerateVerticesOff();
@@ -109,12 +107,11 @@ void InkIsoSurface::SetLabelMap(int labelMap)
 
 void InkIsoSurface::SetSmoothingTarget(int target)
 {
-  this->Sampler->SetSmoothingTarget(target);
-}
-
-int InkIsoSurface::GetSmoothingTarget() const
-{
-  return this->Sampler->GetSmoothingTarget();
+  if (this->SmoothingTarget != target)
+  {
+    this->SmoothingTarget = target;
+    this->Changed.Modified();
+  }
 }
 
 void InkIsoSurface::SetSubdivision(int subdivision)
@@ -134,7 +131,7 @@ void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
   this->SetCut(other.GetCut());
   this->SetSmoothing(other.GetSmoothing());
   this->SetLabelMap(other.GetLabelMap());
-  this->SetSmoothingTarget(other.GetSmoothingTarget());
+  this->SetSmoothingTarget(other.SmoothingTarget);
   this->SetSubdivision(other.GetSubdivision());
 }
 
@@ -149,9 +146,10 @@ ink::SuggestedSmoothing InkIsoSurface::FindSmoothing(vtkInkStyle* style, const I
       smoothing.add(InkSuggestSmoothing(image, array, value));
     }
   }
-  std::vector<double> numbers{ smoothing.ofValues, smoothing.ofLabels, smoothing.labels ? 1.0 : 0.0 };
+  std::vector<double> numbers{ smoothing.ofValues, smoothing.ofLabels, smoothing.labels ? 1.0 : 0.0,
+    smoothing.keepsLabels ? 1.0 : 0.0 };
   style->GetProcesses().TakeOfFirst(numbers);
-  return { numbers[0], numbers[1], numbers[2] > 0.0 };
+  return { numbers[0], numbers[1], numbers[2] > 0.0, numbers[3] > 0.0 };
 }
 
 vtkMTimeType InkIsoSurface::GetMTime(bool ofValues)
@@ -248,10 +246,21 @@ std::string InkIsoSurface::Prepare(
     suggested = this->FindSmoothing(style, whole(), array, values);
   }
   const bool labels = this->TakesLabels(suggested.labels);
-  sampler->SetLabelMap(labels);
+  this->TakeLabels(sampler, labels, suggested);
   sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
   sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
   return {};
+}
+
+void InkIsoSurface::TakeLabels(
+  vtkInkIsoSurfaceAlgorithm* sampler, bool labels, const ink::SuggestedSmoothing& suggested) const
+{
+  // With normals, thin parts stay.
+  const bool smoothsSurface = labels && suggested.keepsLabels && this->Smoothing < 0.0;
+  sampler->SetLabelMap(labels);
+  sampler->SetSmoothingTarget(this->SmoothingTarget != TARGET_AUTOMATIC ? this->SmoothingTarget
+      : smoothsSurface                                                  ? vtkInkIsoSurfaceAlgorithm::SURFACE
+                                                                        : vtkInkIsoSurfaceAlgorithm::NORMALS);
 }
 
 double InkIsoSurface::ChooseSmoothing(

@@ -65,8 +65,11 @@ public:
   };
   void SetLabelMap(int labelMap);
   int GetLabelMap() const { return this->LabelMap; }
+  /// What is smoothed: one of vtkInkIsoSurfaceAlgorithm's, or the surface of labels that are thick enough, as
+  /// its steps show in outlines, and of all else normals.
+  static constexpr int TARGET_AUTOMATIC = 2;
   void SetSmoothingTarget(int target);
-  int GetSmoothingTarget() const;
+  int GetSmoothingTarget() const { return this->SmoothingTarget; }
   void SetSubdivision(int subdivision);
   int GetSubdivision() const { return this->Subdivision; }
   ///@}
@@ -173,6 +176,9 @@ private:
   std::string AddCurvature(
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
+  /// Makes a sampler take values as labels or not, and smooth what suits these.
+  void TakeLabels(
+    vtkInkIsoSurfaceAlgorithm* sampler, bool labels, const ink::SuggestedSmoothing& suggested) const;
   /// Puts the one that IsoChoice asks for first.
   void Choose(std::vector<ink::IsoSuggestion>& suggestions) const;
   static std::vector<ink::IsoSuggestion> SuggestOf(
@@ -188,6 +194,7 @@ private:
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
   InkIsoValues IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
+  int SmoothingTarget = TARGET_AUTOMATIC;
   int IsoChoice = OUTERMOST;
   int LabelMap = LABELS_AUTOMATIC;
   bool ComputeCurvature = false;

@@ -226,7 +226,7 @@ std::string InkIsoSurface::SampleBy(
     suggested = sampling.SuggestSmoothing();
   }
   const bool labels = this->TakesLabels(suggested.labels);
-  sampler->SetLabelMap(labels);
+  this->TakeLabels(sampler, labels, suggested);
   sampler->SetSmoothing(
     this->Smoothing < 0.0 ? sampling.FitSmoothing(suggested.get(labels)) : this->Smoothing);
   sampler->SetSubdivision(

@@ -222,6 +222,13 @@ TEST(LabelSamples, SmoothingIsThatOfTheSurfacesOwnEdge)
     { return glm::length(p) < radius ? 90.0 + 30.0 * std::sin(0.5 * p.x) * std::sin(0.4 * p.y) : 0.0; });
   EXPECT_TRUE(isMask(brain, 14.0));
   EXPECT_FALSE(isMask(brain, 105.0));
+  // Labels differ more from each other than from what is around them.
+  EXPECT_TRUE(isMask(octants<std::int16_t>(around()), 0.5));
+  const auto layers = Volume<std::int16_t>::from(around(),
+    [](const glm::dvec3& p) {
+      return glm::length(p) > radius ? 0 : glm::length(p) > radius - 1.2 ? 5 : 1000;
+    });
+  EXPECT_TRUE(isMask(layers, 0.5));
   // What rises slowly from a constant, as distances and clipped fields do.
   const auto slope =
     Volume<float>::from(around(), [](const glm::dvec3& p) { return std::max(radius - glm::length(p), 0.0); });
