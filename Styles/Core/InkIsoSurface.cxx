@@ -256,7 +256,7 @@ void InkIsoSurface::TakeLabels(
   vtkInkIsoSurfaceAlgorithm* sampler, bool labels, const ink::SuggestedSmoothing& suggested) const
 {
   // With normals, thin parts stay.
-  const bool smoothsSurface = labels && suggested.keepsLabels && this->Smoothing < 0.0;
+  const bool smoothsSurface = labels && suggested.keepsLabels;
   sampler->SetLabelMap(labels);
   sampler->SetSmoothingTarget(this->SmoothingTarget != TARGET_AUTOMATIC ? this->SmoothingTarget
       : smoothsSurface                                                  ? vtkInkIsoSurfaceAlgorithm::SURFACE

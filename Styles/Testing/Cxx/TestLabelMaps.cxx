@@ -73,15 +73,32 @@ double AngleOf(const std::vector<double>& numbers)
   return std::sqrt(6.0 * sum / static_cast<double>(numbers.size())) * 180.0 / std::acos(-1.0);
 }
 
+/// The deviation of points' distances from the middle, voxels.
+double StepOf(const std::vector<double>& numbers)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  const double count = static_cast<double>(numbers.size()) / 6.0;
+  for (std::size_t i = 0; i < numbers.size(); i += 6)
+  {
+    const double distance = std::hypot(numbers[i] - Middle, numbers[i + 1] - Middle, numbers[i + 2] - Middle);
+    sum += distance / count;
+    squares += distance * distance / count;
+  }
+  return std::sqrt(std::max(squares - sum * sum, 0.0));
+}
+
 struct Drawn
 {
   std::vector<double> Points;
   std::vector<double> Mesh;
 };
 
-Drawn Draw(vtkImageData* image, const std::vector<double>& isoValues = {}, int labelMap = 0)
+Drawn Draw(vtkImageData* image, const std::vector<double>& isoValues = {}, int labelMap = 0,
+  const char* target = "auto")
 {
   vtkNew<vtkInkSplattingLinesStyle> style;
+  EXPECT_TRUE(style->SetParameterAsString("SmoothingTarget", target));
   style->SetParameterAsString("LabelMap", labelMap == InkIsoSurface::LABELS_OFF ? "off" : "auto");
   style->SetParameter("Subdivision", 1);
   std::string values;
@@ -115,6 +132,42 @@ TEST(LabelMaps, AreDrawnAsMasks)
   const Drawn off = Draw(labels, {}, InkIsoSurface::LABELS_OFF);
   EXPECT_GT(AngleOf(off.Points), 5.0);
   EXPECT_GT(AngleOf(off.Mesh), 5.0);
+}
+
+TEST(LabelMaps, OutlinesHaveNoSteps)
+{
+  const auto labels = MakeLabels(Ids);
+  const Drawn automatic = Draw(labels);
+  EXPECT_LT(StepOf(automatic.Points), 0.1);
+  EXPECT_LT(StepOf(automatic.Mesh), 0.1);
+  const Drawn normals = Draw(labels, {}, 0, "normals");
+  EXPECT_GT(StepOf(normals.Points), 2.0 * StepOf(automatic.Points));
+  EXPECT_TRUE(Draw(labels, {}, 0, "surface").Points == automatic.Points);
+}
+
+TEST(LabelMaps, ThinPartsAndScansKeepTheirSurface)
+{
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  InkIsoSurface surface;
+  const auto targetOf = [&](vtkImageData* image, double isoValue)
+  {
+    surface.SetIsoValues({ isoValue });
+    EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+    return surface.GetSampler()->GetSmoothingTarget();
+  };
+  const auto labels = MakeLabels(Ones);
+  EXPECT_EQ(targetOf(labels, 0.5), vtkInkIsoSurfaceSampler::SURFACE);
+  EXPECT_EQ(targetOf(MakeBall(Side), 100.0), vtkInkIsoSurfaceSampler::NORMALS);
+  // In slices that lie far apart, a Gaussian as wide as their distance would take a sheet away.
+  labels->SetSpacing(1.0, 1.0, 3.0);
+  vtkDataArray* values = labels->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < labels->GetNumberOfPoints(); ++i)
+  {
+    const int x = static_cast<int>(i) % Side;
+    values->SetComponent(i, 0, x == 20 || x == 21 ? 1 : 0);
+  }
+  values->Modified();
+  EXPECT_EQ(targetOf(labels, 0.5), vtkInkIsoSurfaceSampler::NORMALS);
 }
 
 TEST(LabelMaps, MeshesHaveTheMasksOfAllIsoValues)
