@@ -5,7 +5,9 @@ import unittest
 
 import numpy
 
+from paraview import vtk
 from paraview.simple import *
+from paraview.vtk.util.numpy_support import numpy_to_vtk
 
 from rendering import TestInOneView, Warnings, is_background, marks, picture
 from surface_tests import check_iso_value, grids_and_composites
@@ -51,6 +53,36 @@ class TestIllustration(TestInOneView):
         self.assertEqual((display.IllustrationStippleSize, display.IllustrationPhi), (1.8, 60))
         self.assertLess(self.ink(), 0.9 * drawn)
         self.assertEqual(marks(display), before)
+
+    def test_the_preset_bone_draws_the_surface_within(self):
+        z, y, x = numpy.meshgrid(*[numpy.linspace(-1, 1, 32)] * 3, indexing="ij")
+        blurred = lambda distance: 1 / (1 + numpy.exp(32 * distance))
+        radius = numpy.sqrt(x * x + y * y + z * z)
+        values = (60 * blurred(radius - 0.8) + 140 * blurred(radius - 0.4)).astype("f4")
+        image = vtk.vtkImageData()
+        image.SetDimensions(values.shape)
+        array = numpy_to_vtk(values.ravel(), deep=True)
+        array.SetName("density")
+        image.GetPointData().SetScalars(array)
+        source = TrivialProducer()
+        source.GetClientSideObject().SetOutput(image)
+        display = self.show(source)
+
+        def value(**properties):
+            for name, given in properties.items():
+                setattr(display, name, given)
+            picture(self.view)
+            return display.IllustrationIsoValue
+
+        outer = value()
+        self.assertTrue(20 < outer < 50, outer)
+        inner = value(IllustrationPreset="Bone")
+        self.assertTrue(90 < inner < 160, inner)
+        self.assertEqual(value(IllustrationPreset="Skin"), outer)
+        self.assertEqual(value(IllustrationPreset="Bone", IllustrationIsoChoice="Outermost"), outer)
+        self.assertEqual(value(IllustrationIsoChoice="Inner"), inner)
+        self.assertEqual(value(IllustrationIsoValue=45), 45)
+        self.assertEqual(value(IllustrationPreset="Specimen", IllustrationIsoChoice="Outermost"), 45)
 
     def test_see_through_shows_two_surfaces(self):
         display = self.show(Wavelet(), IllustrationAutomaticIsoValue=0, IllustrationIsoValue=200)
