@@ -11,7 +11,7 @@ set(_ink_test_labels
   "tone:Tone|Hatching|LocalSpacing|AreaSamples|DotCoverage|HlsColor|SmallElements|WarmCool"
   "lines:SplattingLines"
   "strokes:Stroke|CurveVisibility"
-  "streamlines:Streamline|LineSampleGrid|CrossField|AlignedLineField|CombDirections|PointGroups|SolidMesh|LongestBorder|WeldedTriangles|SeenTriangles|TrianglesWithin|FlatDirections|FormDirections|CurvedMesh|FeatureSplit|InsideOut|MeshNavigation|RepeatedTriangles|LinesOfCurvature"
+  "streamlines:Streamline|LineSampleGrid|CrossField|AlignedLineField|CombDirections|PointGroups|SolidMesh|LongestBorder|BorderEdges|WeldedTriangles|SeenTriangles|TrianglesWithin|FlatDirections|FormDirections|CurvedMesh|FeatureSplit|InsideOut|MeshNavigation|RepeatedTriangles|LinesOfCurvature"
   "contours:Contours|GridBorder|ChainSegments|CoherentDashes|ClusterPlanes|LargePages|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
   "statistics:IsoValue|OtsuThreshold|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SliceCounter|SmoothedSlices"

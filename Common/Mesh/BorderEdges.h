@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Core/Hash.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <algorithm>
@@ -44,6 +45,22 @@ std::vector<MeshEdge> borderEdges(const TriangleMesh& mesh, const Wanted& wanted
     }
   }
   return borders;
+}
+
+/// Whether every edge belongs to an even number of triangles, so that there is no border. Much sooner known
+/// than the borders: hashes of pairs cancel each other out. Wrong once in 2^64 meshes.
+inline bool hasPairedEdges(const TriangleMesh& mesh)
+{
+  std::uint64_t unpaired = 0;
+  for (const Triangle& triangle : mesh.triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      unpaired ^= hash(std::uint64_t{ low } << 32 | high);
+    }
+  }
+  return unpaired == 0;
 }
 
 } // namespace ink

@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 
 #include "Fields/Resampling/AxisResampling.h"
+#include "Mesh/BorderEdges.h"
 #include "Mesh/LongestBorder.h"
 #include "Mesh/WeldedTriangles.h"
 
@@ -52,6 +53,10 @@ double FindTolerance(vtkImageData* image, vtkInkIsoSurfaceSampler* settings)
 bool HasBorder(vtkPolyData* mesh)
 {
   const InkMeshTriangles triangles(mesh, false, InkMeshTriangles::Order::OfMesh);
+  if (ink::hasPairedEdges(triangles.GetMesh()))
+  {
+    return false;
+  }
   const ink::WeldedTriangles welded(triangles.GetMesh());
   return ink::longestBorder(welded.mesh()) > InkContourSurface::ShortestBorder * welded.diagonal();
 }

@@ -4,6 +4,7 @@
 #include "MeshesWithCurvature.h"
 #include "SampledMeshes.h"
 
+#include "Mesh/BorderEdges.h"
 #include "Mesh/WeldedTriangles.h"
 
 #include <glm/geometric.hpp>
@@ -36,6 +37,16 @@ TEST(LongestBorder, IsTheSumOfItsEdges)
   const Mesh sheet = square(4);
   const double around = 4.0 * glm::distance(sheet.points.front(), sheet.points.back()) / std::sqrt(2.0);
   EXPECT_NEAR(borderOf(sheet), around, 1e-12 * around);
+}
+
+TEST(BorderEdges, ArePairedWhereThereIsNone)
+{
+  Mesh ball = icosphere(3);
+  EXPECT_TRUE(hasPairedEdges(ball.view()));
+  EXPECT_TRUE(hasPairedEdges({}));
+  ball.triangles.pop_back();
+  EXPECT_FALSE(hasPairedEdges(ball.view()));
+  EXPECT_FALSE(hasPairedEdges(square(3).view()));
 }
 
 TEST(LongestBorder, IsThatOfOneOfSeveral)
