@@ -53,6 +53,22 @@ struct Mesh
   }
 };
 
+/// Each triangle with points of its own, as some files have them.
+inline Mesh soupOf(const Mesh& mesh)
+{
+  Mesh soup;
+  for (const Triangle& triangle : mesh.triangles)
+  {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const std::uint32_t point : triangle)
+    {
+      soup.points.push_back(mesh.points[point]);
+    }
+    soup.triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return soup;
+}
+
 /// The unit square at a height, facing up.
 inline Mesh square(int cells, double height = 0.0)
 {

@@ -17,9 +17,7 @@ class TestIllustration(TestInOneView):
     def show(self, source, **properties):
         display = Show(source, self.view)
         display.SetRepresentationType("Illustration")
-        display.IllustrationPaper = 0
-        for name, value in properties.items():
-            setattr(display, name, value)
+        SetProperties(display, IllustrationPaper=0, **properties)
         ResetCamera(self.view)
         return display
 
@@ -69,8 +67,7 @@ class TestIllustration(TestInOneView):
         display = self.show(source)
 
         def value(**properties):
-            for name, given in properties.items():
-                setattr(display, name, given)
+            SetProperties(display, **properties)
             picture(self.view)
             return display.IllustrationIsoValue
 

@@ -245,22 +245,23 @@ std::string InkIsoSurface::Prepare(
   {
     suggested = this->FindSmoothing(style, whole(), array, values);
   }
-  const bool labels = this->TakesLabels(suggested.labels);
-  this->TakeLabels(sampler, labels, suggested);
+  const bool labels = this->TakeLabels(sampler, suggested);
   sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
   sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
   return {};
 }
 
-void InkIsoSurface::TakeLabels(
-  vtkInkIsoSurfaceAlgorithm* sampler, bool labels, const ink::SuggestedSmoothing& suggested) const
+bool InkIsoSurface::TakeLabels(
+  vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested) const
 {
+  const bool labels = this->LabelMap == LABELS_ON || (this->LabelMap == LABELS_AUTOMATIC && suggested.labels);
   // With normals, thin parts stay.
   const bool smoothsSurface = labels && suggested.keepsLabels;
   sampler->SetLabelMap(labels);
   sampler->SetSmoothingTarget(this->SmoothingTarget != TARGET_AUTOMATIC ? this->SmoothingTarget
       : smoothsSurface                                                  ? vtkInkIsoSurfaceAlgorithm::SURFACE
                                                                         : vtkInkIsoSurfaceAlgorithm::NORMALS);
+  return labels;
 }
 
 double InkIsoSurface::ChooseSmoothing(

@@ -166,19 +166,14 @@ public:
 private:
   class SamplingOfParts;
 
-  bool TakesLabels(bool seemsLabels) const
-  {
-    return this->LabelMap == LABELS_ON || (this->LabelMap == LABELS_AUTOMATIC && seemsLabels);
-  }
   /// @param settings iso-values and all else
   std::string MeshOf(vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars,
     vtkInkIsoSurfaceSampler* settings, vtkPolyData* mesh) const;
   std::string AddCurvature(
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
-  /// Makes a sampler take values as labels or not, and smooth what suits these.
-  void TakeLabels(
-    vtkInkIsoSurfaceAlgorithm* sampler, bool labels, const ink::SuggestedSmoothing& suggested) const;
+  /// Makes a sampler take values as labels or not, and smooth what suits these. @return whether as labels
+  bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested) const;
   /// Puts the one that IsoChoice asks for first.
   void Choose(std::vector<ink::IsoSuggestion>& suggestions) const;
   static std::vector<ink::IsoSuggestion> SuggestOf(

@@ -225,8 +225,7 @@ std::string InkIsoSurface::SampleBy(
   {
     suggested = sampling.SuggestSmoothing();
   }
-  const bool labels = this->TakesLabels(suggested.labels);
-  this->TakeLabels(sampler, labels, suggested);
+  const bool labels = this->TakeLabels(sampler, suggested);
   sampler->SetSmoothing(
     this->Smoothing < 0.0 ? sampling.FitSmoothing(suggested.get(labels)) : this->Smoothing);
   sampler->SetSubdivision(

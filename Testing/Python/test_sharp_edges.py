@@ -15,12 +15,17 @@ CORNERS = np.array([(x, y, z) for x in (0, 1.6) for y in (0, 1) for z in (0, 0.7
 QUADS = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
 
 
-def box(cells, welded, noise=0.0):
-    """Points and triangles of a box, its faces of cells x cells squares."""
+def unit_square(cells):
+    """Coordinates u and v of points, and triangles, of cells x cells squares."""
     u, v = [axis.ravel() for axis in np.meshgrid(*[np.linspace(0, 1, cells + 1)] * 2, indexing="ij")]
     grid = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
     a, b, c, d = grid[:-1, :-1].ravel(), grid[1:, :-1].ravel(), grid[1:, 1:].ravel(), grid[:-1, 1:].ravel()
-    square = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    return u, v, np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+
+
+def box(cells, welded, noise=0.0):
+    """Points and triangles of a box, its faces of cells x cells squares."""
+    u, v, square = unit_square(cells)
     points, triangles = [], []
     for p, q, r, s in CORNERS[QUADS]:
         triangles.append(square + len(points) * len(u))
@@ -89,10 +94,8 @@ def test_lines_are_where_the_edges_are(part, picture, edges):
 def test_borders_are_lines(picture, tmp_path):
     """Those of a sheet that bends away from the viewer a little, but no hole of a scan; and none if they are not wanted."""
     cells = 80
-    x, z = [axis.ravel() for axis in np.meshgrid(*[np.linspace(-1, 1, cells + 1)] * 2, indexing="ij")]
-    grid = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
-    a, b, c, d = grid[:-1, :-1].ravel(), grid[1:, :-1].ravel(), grid[1:, 1:].ravel(), grid[:-1, 1:].ravel()
-    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    u, v, triangles = unit_square(cells)
+    x, z = 2 * u - 1, 2 * v - 1
     hole = len(triangles) // 4 + cells // 2
     file = write(tmp_path / "sheet.ply", np.stack([x, 0.1 * x * x, z], 1), np.delete(triangles, hole, axis=0))
     view = ("--style", "splatting-lines", "--view", "front", "--up", "z", "--parallel", "--zoom", "0.8")

@@ -175,16 +175,7 @@ TEST(CurvedMesh, FlatFacesFineMeshesAndSteepNormalsStayAsTheyAre)
 TEST(CurvedMesh, SeamsOfPointsThatFilesRepeatStayClosed)
 {
   const Mesh sphere = icosphere(1);
-  Mesh soup;
-  for (const Triangle& triangle : sphere.triangles)
-  {
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    for (const std::uint32_t corner : triangle)
-    {
-      soup.points.push_back(sphere.points[corner]);
-    }
-    soup.triangles.push_back({ first, first + 1, first + 2 });
-  }
+  const Mesh soup = soupOf(sphere);
   const CurvedMesh curved = curveMesh(soup.view(), fromOrigin(soup), fine);
   EXPECT_TRUE(isClosed(curved));
   EXPECT_EQ(curved.triangles.size(), curveMesh(sphere.view(), fromOrigin(sphere), fine).triangles.size());

@@ -13,7 +13,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 namespace
@@ -61,17 +60,7 @@ TEST(LongestBorder, IsThatOfOneOfSeveral)
 
 TEST(WeldedTriangles, CloseSeamsAndLeaveOutWhatIsNotFinite)
 {
-  const Mesh ball = icosphere(2);
-  Mesh apart;
-  for (const Triangle& triangle : ball.triangles)
-  {
-    const auto first = static_cast<std::uint32_t>(apart.points.size());
-    for (const std::uint32_t point : triangle)
-    {
-      apart.points.push_back(ball.points[point]);
-    }
-    apart.triangles.push_back({ first, first + 1, first + 2 });
-  }
+  Mesh apart = soupOf(icosphere(2));
   EXPECT_EQ(borderOf(apart), 0.0);
   EXPECT_GT(longestBorder(apart.view()), 0.0);
   apart.points[0].x = std::numeric_limits<double>::quiet_NaN();
