@@ -52,7 +52,7 @@ NoiseEstimate estimateNoise(
 /// no more: the smallest with which noise turns normals by no more than .02 radians (standard deviation), at
 /// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
 /// of them, but ask for no more than half of the thickness, with which a wall still reaches more than half of
-/// its value. Where voxels are longer than wide, it is half of their length, but no more than 2, nor than
+/// its value. Where voxels are longer than wide, it is 2/3 of their length, but no more than 2, nor than
 /// half of the thickness: thin parts show what they lose more than slices.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more

@@ -177,7 +177,7 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   EXPECT_EQ(ink::suggestSmoothing({}, cubes), 0.0) << "no surface";
   EXPECT_GT(ink::suggestSmoothing({ 0.4, 40.0, 1.0 }, cubes), 0.5) << "terraces of 40 gray levels";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, cubes), 0.0) << "1000 gray levels";
-  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, -1.0, 1.5 }), 0.75) << "slices";
+  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, -1.0, 1.5 }), 1.0) << "slices";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1e-3, 1.0, 1.0 }), 2.0) << "at most";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0, 2.0 }, { 1.0, 1.0, 3.0 }), 1.0) << "slices of thin parts";
 }
