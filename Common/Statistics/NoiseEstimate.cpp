@@ -53,6 +53,9 @@ constexpr double leastAnisotropy = 1.1;
 constexpr double sliceShare = 2.0 / 3.0;
 constexpr double mostMaskSmoothing = 4.0;
 
+/// Steps of scans are not that sharp, see NoiseEstimate::sharpness.
+constexpr double leastSharpness = 0.55;
+
 /// The deviation of a normal's angle at a blurred unit step, for noise of deviation 1: the deviation of a
 /// derivative of noise under a Gaussian, by the step's own.
 double angleOf(double deviation)
@@ -188,6 +191,7 @@ void NoiseSightings::append(const NoiseSightings& other)
   add(this->differences[1], other.differences[1]);
   add(this->changes, other.changes);
   add(this->steps, other.steps);
+  add(this->edgeShares, other.edgeShares);
   add(this->runs, other.runs);
   this->maskChanges += other.maskChanges;
   this->maskSteps += other.maskSteps;
@@ -218,6 +222,7 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
   result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
   result.labels = areLabels(all.maskChanges, static_cast<std::int64_t>(all.changes.size())) ||
     areLabels(all.maskSteps, static_cast<std::int64_t>(all.steps.size()));
+  result.sharpness = quantileOf(all.edgeShares, 0.5);
   result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
   if (!all.runs.empty())
@@ -284,6 +289,10 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     const double terraces = terraceWeight * std::max(estimate.quantum - estimate.noise, 0.0);
     deviation = std::max(deviationFor(estimate.noise / estimate.step),
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
+    if (estimate.sharpness > leastSharpness)
+    {
+      deviation = std::max(deviation, std::min(sharpSmoothing, 0.5 * estimate.thickness));
+    }
   }
   if (hasSlices)
   {

@@ -24,6 +24,9 @@ struct NoiseEstimate
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
   bool labels = false; ///< whether all values are labels, or the surface is that of a mask, see areLabels
+  /// The share of the step that lies between the two samples around the surface: as a median .38 for a ball
+  /// behind a point spread of .7 samples, .25 to .5 in 25 scans, .62 for the volume fractions of cells
+  double sharpness = 0.0;
   /// The slices that have to be there at a time: those around a slice along which thickness is measured.
   static constexpr int slices = 10;
 };
@@ -55,6 +58,10 @@ NoiseEstimate estimateNoise(
 /// its value. Where voxels are longer than wide, it is 2/3 of their length, but no more than 2, nor than
 /// half of the thickness: thin parts show what they lose more than slices.
 ///
+/// Steps that are sharper than those of scans, as those of volume fractions in simulations of two fluids, show
+/// the grid. Of them it is sharpSmoothing, but no more than half of the thickness: normals of a ball of radius
+/// 24 are off by 1.1 degrees then, by 6.0 without (root mean square), and by 2.6 behind a point spread of .7.
+///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
 /// than half of the thickness; where voxels are longer than wide, it is their length, but no more than 4.
 /// Normals of the mask of a sphere of radius 24 then are off by 1.0 degrees (root mean square; 12
@@ -65,6 +72,7 @@ NoiseEstimate estimateNoise(
 /// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels up to 4
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing);
 constexpr double mostSuggestedSmoothing = 2.0;
+constexpr double sharpSmoothing = 1.2;
 
 /// suggestSmoothing for values that are measured, and for labels.
 struct SuggestedSmoothing

@@ -52,7 +52,7 @@ TEST(NoiseEstimate, DoesNotDependOnThreads)
   const auto run = [&]
   {
     const ink::NoiseEstimate found = estimateNoise(volume.field(), 0.5);
-    return std::array{ found.noise, found.quantum, found.step, found.thickness };
+    return std::array{ found.noise, found.quantum, found.step, found.thickness, found.sharpness };
   };
   EXPECT_EQ(ink::test::onThreads(1, run), ink::test::onThreads(3, run));
 }
@@ -132,6 +132,40 @@ TEST(NoiseEstimate, NothingIsFoundInCleanValues)
   EXPECT_LT(found.noise, 0.002);
   EXPECT_EQ(found.quantum, 0.0);
   EXPECT_EQ(ink::suggestSmoothing(found, glm::dvec3(1.0)), 0.0);
+}
+
+TEST(NoiseEstimate, VolumeFractionsAreSharp)
+{
+  const Sphere ball{ glm::dvec3(0.3), 15.0 };
+  const auto fractions = [&](double low, double step, double noise)
+  {
+    std::uint64_t n = 0;
+    return Volume<float>::from(centered(48),
+      [&](const glm::dvec3& p)
+      {
+        // Of 4^3 points of a cell, those within the ball.
+        int inside = 0;
+        for (int k = 0; k < 64; ++k)
+        {
+          const glm::dvec3 part(k & 3, k >> 2 & 3, k >> 4);
+          inside += ball.distance(p + (part - 1.5) / 4.0) < 0.0 ? 1 : 0;
+        }
+        return low + step * (inside / 64.0 + noise * hashNormal(3, n++));
+      });
+  };
+  for (const double noise : { 0.0, 0.02 })
+  {
+    const ink::NoiseEstimate found = estimateNoise(fractions(-3.0, 8.0, noise).field(), 1.0);
+    EXPECT_NEAR(found.sharpness, 0.62, 0.04) << noise;
+    EXPECT_FALSE(found.labels);
+    EXPECT_EQ(ink::suggestSmoothing(found, glm::dvec3(1.0)), ink::sharpSmoothing) << noise;
+  }
+  const ink::NoiseEstimate scan =
+    estimateNoise(blurred<float>(centered(48), ball, 0.0, 1.0, 0.0).field(), 0.5);
+  EXPECT_NEAR(scan.sharpness, 0.38, 0.03);
+  EXPECT_EQ(ink::suggestSmoothing({ .step = 1.0, .thickness = 2.0, .sharpness = 0.6 }, glm::dvec3(1.0)), 1.0)
+    << "thin parts";
+  EXPECT_EQ(ink::suggestSmoothing({ .step = 1.0, .sharpness = 0.5 }, glm::dvec3(1.0)), 0.0) << "a sharp scan";
 }
 
 TEST(NoiseEstimate, OneNoisySideCountsHalf)
