@@ -58,9 +58,10 @@ NoiseEstimate estimateNoise(
 /// its value. Where voxels are longer than wide, it is 2/3 of their length, but no more than 2, nor than
 /// half of the thickness: thin parts show what they lose more than slices.
 ///
-/// Steps that are sharper than those of scans, as those of volume fractions in simulations of two fluids, show
-/// the grid. Of them it is sharpSmoothing, but no more than half of the thickness: normals of a ball of radius
-/// 24 are off by 1.1 degrees then, by 6.0 without (root mean square), and by 2.6 behind a point spread of .7.
+/// Steps that are sharper than those of scans, as those of volume fractions in simulations of two fluids,
+/// show the grid. Of them it is sharpSmoothing, but no more than half of the thickness: normals of a ball of
+/// radius 24 are off by 1.1 degrees then, by 6.0 without (root mean square), and by 2.6 behind a point spread
+/// of .7.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
 /// than half of the thickness; where voxels are longer than wide, it is their length, but no more than 4.

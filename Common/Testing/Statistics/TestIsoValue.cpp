@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "IsoValueVolumes.h"
 #include "Statistics/IsoValue.h"
 
 #include <glm/geometric.hpp>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -21,55 +21,7 @@
 namespace
 {
 
-constexpr int size = 48;
-constexpr std::array<int, 3> cube{ size, size, size };
-
-/// A number in [-1, 1] that depends on index alone.
-double noise(std::uint64_t index)
-{
-  index = (index + 0x9e3779b97f4a7c15U) * 0xbf58476d1ce4e5b9U;
-  index = (index ^ (index >> 27U)) * 0x94d049bb133111ebU;
-  return static_cast<double>((index ^ (index >> 31U)) >> 11U) * 0x1p-52 - 1.0;
-}
-
-/// A volume of the value f(distance to the center, voxel index).
-template <typename T>
-std::vector<T> volume(const std::function<double(double, std::size_t)>& f)
-{
-  std::vector<T> values;
-  for (int z = 0; z < size; ++z)
-  {
-    for (int y = 0; y < size; ++y)
-    {
-      for (int x = 0; x < size; ++x)
-      {
-        const double c = (size - 1) / 2.0;
-        values.push_back(static_cast<T>(f(std::hypot(x - c, y - c, z - c), values.size())));
-      }
-    }
-  }
-  return values;
-}
-
-/// From 1 inside to 0 outside of a sphere, over about three voxels.
-double blurredSphere(double distance, double radius)
-{
-  return 1.0 / (1.0 + std::exp(2.0 * (distance - radius)));
-}
-
-template <typename T>
-std::vector<ink::IsoSuggestion> suggestAll(const std::vector<T>& values)
-{
-  return ink::suggestIsoValues<T>(values, cube);
-}
-
-template <typename T>
-std::optional<ink::IsoSuggestion> suggest(const std::vector<T>& values)
-{
-  const auto all = suggestAll(values);
-  return all.empty() ? std::nullopt : std::optional(all.front());
-}
-
+using namespace ink::testing::iso;
 using Boundary = ink::IsoSuggestion::Boundary;
 
 template <typename T>
@@ -310,17 +262,6 @@ TEST(IsoValue, KeepsVaryingBoneWhole)
   EXPECT_LT(suggestion->value, 450.0);
 }
 
-TEST(IsoValue, IsNotLedAstrayByNoiseInTheAir)
-{
-  // Half as strong as the object: most intersected edges belong to noise at every value up to 50.
-  const auto values =
-    volume<float>([](double d, std::size_t i) { return 100 * blurredSphere(d, 14) + 25 * (1 + noise(i)); });
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_GT(suggestion->value, 50.0);
-  EXPECT_LT(suggestion->value, 100.0);
-}
-
 TEST(IsoValue, FindsThinVesselsThatBreakUpAtHigherValues)
 {
   // Nine tubes along z that taper from six voxels to one, less than two percent of the volume: where they are
@@ -546,77 +487,6 @@ TEST(IsoStatistics, OfSomeSlicesHaveTheSharesAndMeanStepsOfAll)
     { return static_cast<double>(statistics.steps[middle]) / static_cast<double>(statistics.edges[middle]); };
     EXPECT_NEAR(meanStep(*some) / meanStep(*every), 1.0, 0.05) << atOnce;
   }
-}
-
-TEST(IsoValue, FindsBoundariesThatNoiseHides)
-{
-  // A fifth of the lower step, as a standard deviation: the sum of three numbers in [-1, 1] has one of 1.
-  const auto noisy = [](std::size_t i) { return noise(3 * i) + noise(3 * i + 1) + noise(3 * i + 2); };
-  const auto values = volume<unsigned char>(
-    [&](double d, std::size_t i)
-    {
-      return std::clamp(
-        60 + 80 * blurredSphere(d, 20) + 80 * blurredSphere(d, 10) + 16 * noisy(i), 0.0, 255.0);
-    });
-  const auto all = suggestAll(values);
-  ASSERT_GE(all.size(), 1U);
-  EXPECT_EQ(all[0].boundary, Boundary::Outermost);
-  EXPECT_NEAR(all[0].value, 100.0, 6.0);
-  EXPECT_NEAR(all[0].keptShare, 4.0 / 3.0 * 3.14159265 * std::pow(20.0 / size, 3), 0.03);
-  const ink::SliceReader<unsigned char> read = [&](int first, int last)
-  { return std::span(values).subspan(first * size * size, (last - first) * size * size); };
-  const auto parts = ink::suggestIsoValues(read, cube, 7);
-  ASSERT_EQ(parts.size(), all.size());
-  EXPECT_EQ(parts[0].value, all[0].value);
-}
-
-TEST(IsoValue, IsNotHalfWayFromAirToLungs)
-{
-  // A low dose: that half way is one standard deviation of the noise from the air.
-  const auto values = volume<short>(
-    [](double d, std::size_t i)
-    {
-      const double noisy = noise(3 * i) + noise(3 * i + 1) + noise(3 * i + 2);
-      return std::max(-1000 + 1000 * blurredSphere(d, 21) - 830 * blurredSphere(d, 15) + 90 * noisy, -1024.0);
-    });
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
-  EXPECT_NEAR(suggestion->value, -450.0, 150.0);
-}
-
-TEST(IsoValue, IsAroundTheSkinOfANoisyHead)
-{
-  // An MR head: the lowest boundary, to a dark layer under the skin, is hidden by the noise of the air, whose
-  // magnitudes are measured; that of the brain within is clear.
-  const auto values = volume<short>(
-    [](double d, std::size_t i)
-    {
-      const double tissue = 160 * blurredSphere(d, 22) + 340 * blurredSphere(d, 17);
-      const auto noisy = [i](std::size_t n)
-      { return 28 * (noise(6 * i + n) + noise(6 * i + n + 1) + noise(6 * i + n + 2)); };
-      return std::hypot(tissue + noisy(0), noisy(3));
-    });
-  const auto all = suggestAll(values);
-  ASSERT_EQ(all.size(), 2U);
-  EXPECT_NEAR(all[0].value, 100.0, 30.0);
-  EXPECT_NEAR(all[0].keptShare, 4.0 / 3.0 * 3.14159265 * std::pow(22.0 / size, 3), 0.03);
-  EXPECT_NEAR(all[1].value, 330.0, 70.0);
-}
-
-TEST(IsoValue, LeavesASurfaceOfManyTissuesWhole)
-{
-  // As in MR: higher values cut the dark tissues out, with as sharp a surface and more of it.
-  const auto values = volume<float>(
-    [](double d, std::size_t i)
-    {
-      const auto wave = [](std::size_t at) { return std::sin(0.9 * static_cast<double>(at)); };
-      const double tissue = 60 + 40 * wave(i % size) * wave(i / size % size) * wave(i / size / size);
-      return tissue * blurredSphere(d, 20) + 2 * noise(i);
-    });
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_GT(suggestion->keptShare, 0.95 * 4.0 / 3.0 * 3.14159265 * std::pow(20.0 / size, 3));
 }
 
 TEST(IsoValue, RefusesSlicesOfAnotherSize)

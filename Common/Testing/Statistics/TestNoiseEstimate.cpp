@@ -213,7 +213,8 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, cubes), 0.0) << "1000 gray levels";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, -1.0, 1.5 }), 1.0) << "slices";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1e-3, 1.0, 1.0 }), 2.0) << "at most";
-  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0, 2.0 }, { 1.0, 1.0, 3.0 }), 1.0) << "slices of thin parts";
+  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0, 2.0 }, { 1.0, 1.0, 3.0 }), 1.0)
+    << "slices of thin parts";
 }
 
 TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
