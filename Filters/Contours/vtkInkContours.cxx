@@ -3,6 +3,7 @@
 
 #include "Curves/Contours/MeshContours.h"
 #include "InkCameraEye.h"
+#include "InkCellCenters.h"
 #include "InkContourLines.h"
 #include "InkHasPolygons.h"
 #include "InkImageContours.h"
@@ -61,6 +62,7 @@ public:
     double LeastMagnitude;
     bool operator==(const VoxelSource&) const = default;
   };
+  InkPointInput Input;
   std::optional<VoxelSource> VoxelsFrom;
   ink::EdgeVoxels Voxels;
   int Builds = 0;
@@ -178,7 +180,8 @@ int vtkInkContours::RequestUpdateExtent(
       : this->Method == VOXEL_SEGMENTS        ? InkGetVoxelGhostLevels(this->EdgeScale)
                                               : 2;
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + levels);
+      output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + levels +
+        InkPointInput::GetGhostLevels(this, info));
   }
   return 1;
 }
@@ -196,11 +199,11 @@ int vtkInkContours::RequestData(
     }
     else if (this->Method != CHAINS)
     {
-      this->FindVoxelSegments(inputVector, outputVector);
+      this->FindVoxelSegments(this->Internals->Input.Take(this, inputVector), outputVector);
     }
     else
     {
-      this->FindContoursOfImage(inputVector, outputVector);
+      this->FindContoursOfImage(this->Internals->Input.Take(this, inputVector), outputVector);
     }
   }
   catch (...)

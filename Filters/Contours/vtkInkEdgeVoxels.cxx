@@ -2,6 +2,7 @@
 #include "vtkInkEdgeVoxels.h"
 
 #include "InkAllocate.h"
+#include "InkCellCenters.h"
 #include "InkImageGrid.h"
 #include "InkImageVoxels.h"
 #include "InkReportException.h"
@@ -79,8 +80,9 @@ int vtkInkEdgeVoxels::RequestUpdateExtent(
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
   const int levels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  input[0]->GetInformationObject(0)->Set(
-    SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels + InkGetVoxelGhostLevels(this->EdgeScale));
+  vtkInformation* info = input[0]->GetInformationObject(0);
+  info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+    levels + InkGetVoxelGhostLevels(this->EdgeScale) + InkPointInput::GetGhostLevels(this, info));
   return 1;
 }
 
@@ -91,9 +93,11 @@ int vtkInkEdgeVoxels::RequestData(
   try
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkDataArray* found = this->GetInputArrayToProcess(0, inputVector, association);
+    InkPointInput points;
+    vtkInformationVector** pointsVector = points.Take(this, inputVector);
+    vtkDataArray* found = this->GetInputArrayToProcess(0, pointsVector, association);
     const InkVoxelInput input =
-      InkVoxelInput::Take(this, found, association, inputVector, outputVector, this->ArrayComponent);
+      InkVoxelInput::Take(this, found, association, pointsVector, outputVector, this->ArrayComponent);
     if (!input.Scalars)
     {
       return 1;
@@ -104,7 +108,7 @@ int vtkInkEdgeVoxels::RequestData(
         this->UpdateProgress(0.9 * done);
         return !InkCheckAbort(this);
       });
-    const InkExtent whole = InkGetWholeExtent(inputVector[0]->GetInformationObject(0), input.Image);
+    const InkExtent whole = InkGetWholeExtent(pointsVector[0]->GetInformationObject(0), input.Image);
     const bool doubles = InkNeedsDoublePrecision(InkMakeGrid(input.Image, whole));
     MakePoints(voxels, doubles ? VTK_DOUBLE : VTK_FLOAT, InkGetVoxelRadius(input.Image), output);
   }

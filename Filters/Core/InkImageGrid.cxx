@@ -142,6 +142,17 @@ ink::ElementMarks InkGetMarks(vtkDataSetAttributes* attributes, unsigned char bi
 namespace
 {
 
+std::string ListOfArrays(vtkDataSetAttributes* attributes)
+{
+  std::string list;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    const char* name = attributes->GetArrayName(i);
+    list += (list.empty() ? "\"" : ", \"") + std::string(name ? name : "") + "\"";
+  }
+  return list.empty() ? "none" : list;
+}
+
 /// Why an image's scalars cannot be used; empty if they can. `scalars` is the array found for the name
 /// `chosen`, or null, and `association` its field association.
 std::string ProblemOf(
@@ -153,18 +164,11 @@ std::string ProblemOf(
     const bool named = chosen && *chosen;
     problem << "No " << (named ? "numeric point array \"" : "point scalars") << (named ? chosen : "")
             << (named ? "\"" : "") << " in the image. Its point arrays: ";
-    const int count = image->GetPointData()->GetNumberOfArrays();
-    for (int i = 0; i < count; ++i)
-    {
-      const char* name = image->GetPointData()->GetArrayName(i);
-      problem << (i ? ", \"" : "\"") << (name ? name : "") << "\"";
-    }
-    problem << (count ? "." : "none.");
+    problem << ListOfArrays(image->GetPointData()) << ".";
     if (image->GetCellData()->GetNumberOfArrays() > 0)
     {
-      problem
-        << " Expected point data; vtkCellDataToPointData (in ParaView Cell Data to Point Data) makes it "
-           "of the cell arrays that there are.";
+      problem << " Its cell arrays: " << ListOfArrays(image->GetCellData())
+              << "; vtkCellDataToPointData (in ParaView Cell Data to Point Data) makes point arrays of them.";
     }
     return problem.str();
   }
@@ -203,9 +207,13 @@ vtkDataArray* InkChooseScalars(vtkAlgorithm* filter, int index, vtkImageData* im
 {
   const char* chosen = filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
   vtkDataArray* scalars = found;
-  if (chosen && !*chosen)
+  vtkPointData* points = image->GetPointData();
+  const bool isNamed = chosen && *chosen;
+  // Of an image of cells' centers, see InkPointInput, what was chosen among cells are points now.
+  const bool asksForCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (isNamed ? asksForCells && points->HasArray(chosen) : chosen || (asksForCells && !found))
   {
-    scalars = image->GetPointData()->GetScalars();
+    scalars = isNamed ? points->GetArray(chosen) : points->GetScalars();
     association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   }
   problem = ProblemOf(image, chosen, scalars, association, component);

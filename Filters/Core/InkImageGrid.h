@@ -64,8 +64,9 @@ VTKINKFILTERSCORE_EXPORT ink::ElementMarks InkGetMarks(vtkDataSetAttributes* att
 
 /// The array of an image that a filter works on: `found`, the result of GetInputArrayToProcess(0, ...) with
 /// its `association`, or if an empty name was given, as ParaView does when no array is chosen, the active
-/// point scalars. Null if there is none, it is not point data or has no such component; the filter has then
-/// reported one error that names what was found and what was expected.
+/// point scalars; of cells' centers (InkPointInput) also what was chosen among cells. Null if there is none,
+/// it is not point data or has no such component; the filter has then reported one error that names what was
+/// found and what was expected.
 VTKINKFILTERSCORE_EXPORT vtkDataArray* InkChooseScalars(
   vtkAlgorithm* filter, vtkImageData* image, vtkDataArray* found, int association, int component);
 

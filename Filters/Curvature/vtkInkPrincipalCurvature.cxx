@@ -5,6 +5,7 @@
 #include "Curvature/SmoothedCurvature.h"
 #include "Fields/Grid/GridField.h"
 #include "InkAllocate.h"
+#include "InkCellCenters.h"
 #include "InkHasPolygons.h"
 #include "InkImageGrid.h"
 #include "InkMeshTriangles.h"
@@ -327,6 +328,8 @@ int vtkInkPrincipalCurvature::RequestUpdateExtent(
 int vtkInkPrincipalCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  InkPointInput points;
+  inputVector = points.Take(this, inputVector, 1);
   vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkImageData* image = vtkImageData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkImageSlabs.h"
 
+#include "InkCellCenters.h"
 #include "InkImageGrid.h"
 #include "InkMemoryBudget.h"
 #include "InkVolumeValues.h"
@@ -25,7 +26,7 @@
 namespace
 {
 
-/// What is said of a point array before it is made: by its name, or of the active scalars.
+/// What is said of an array before it is made: by its name, or of the active scalars.
 struct Announced
 {
   int Type = VTK_DOUBLE;
@@ -33,11 +34,13 @@ struct Announced
 
   Announced(vtkInformation* info, const std::string& array)
   {
-    constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    const int association = InkAnnouncesCells(info, array) ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                                                           : vtkDataObject::FIELD_ASSOCIATION_POINTS;
     vtkInformation* named =
-      array.empty() ? nullptr : vtkDataObject::GetNamedFieldInformation(info, points, array.c_str());
-    vtkInformation* found =
-      named ? named : vtkDataObject::GetActiveFieldInformation(info, points, vtkDataSetAttributes::SCALARS);
+      array.empty() ? nullptr : vtkDataObject::GetNamedFieldInformation(info, association, array.c_str());
+    vtkInformation* found = named
+      ? named
+      : vtkDataObject::GetActiveFieldInformation(info, association, vtkDataSetAttributes::SCALARS);
     if (found && found->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
     {
       this->Type = found->Get(vtkDataObject::FIELD_ARRAY_TYPE());
@@ -82,12 +85,21 @@ InkImageSlabs::InkImageSlabs(
 {
   this->Producer->UpdateInformation();
   vtkInformation* info = this->Producer->GetOutputInformation(this->Port);
-  this->Frame = InkMakeFrame(info);
+  this->Frame = InkMakePointFrame(info, array);
+  this->OfCells = InkAnnouncesCells(info, array);
   this->Frame->GetDimensions(this->Dimensions.data());
   this->AtOnce = this->Dimensions[2];
   if (vtkTrivialProducer::SafeDownCast(this->Producer))
   {
     // It is in memory already, and says nothing of its scalars.
+    auto* image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
+    this->OfCells = image && InkTakesCells(image, array);
+    if (this->OfCells)
+    {
+      InkMoveToCellCenters(this->Frame);
+      this->Frame->GetDimensions(this->Dimensions.data());
+      this->AtOnce = this->Dimensions[2];
+    }
     this->Load(0, this->AtOnce);
     return;
   }
@@ -149,6 +161,21 @@ std::uint64_t InkImageSlabs::GetMemoryFor(int slices) const
   return InkMemoryBudget::LimitFor(this->GetBytesAtOnce(slices), 4);
 }
 
+vtkSmartPointer<vtkImageData> InkImageSlabs::Make(const int wanted[6])
+{
+  int extent[6];
+  std::copy_n(wanted, 6, extent);
+  if (this->OfCells)
+  {
+    InkToPointExtent(extent,
+      this->Producer->GetOutputInformation(this->Port)
+        ->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+  }
+  this->Producer->UpdateExtent(extent);
+  auto* image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
+  return image && this->OfCells ? InkAtCellCenters(image) : vtkSmartPointer<vtkImageData>(image);
+}
+
 void InkImageSlabs::Load(int first, int end)
 {
   const int* whole = this->Frame->GetExtent();
@@ -161,8 +188,7 @@ void InkImageSlabs::Load(int first, int end)
   }
   this->Loaded = nullptr;
   const int wanted[6] = { whole[0], whole[1], whole[2], whole[3], whole[4] + first, whole[4] + end - 1 };
-  this->Producer->UpdateExtent(wanted);
-  auto* image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
+  vtkSmartPointer<vtkImageData> image = this->Make(wanted);
   const std::string slices = "slices " + std::to_string(first) + " to " + std::to_string(end - 1);
   const int* made = image ? image->GetExtent() : nullptr;
   if (!made || made[4] > wanted[4] || made[5] < wanted[5] || !std::equal(made, made + 4, whole))

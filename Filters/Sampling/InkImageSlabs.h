@@ -18,7 +18,8 @@ struct InkMemoryBudget;
 
 /// The slices along z of an image that an algorithm makes, a few at a time: those that are needed are asked
 /// for, by update extents, where memory has no room for all. What is taken of it is a point array of one
-/// component, as its scalars, with the marks of ghosts.
+/// component, as its scalars, with the marks of ghosts; of an image that has values in its cells alone, that
+/// of their centers.
 class VTKINKFILTERSSAMPLING_EXPORT InkImageSlabs
 {
 public:
@@ -57,6 +58,7 @@ public:
 private:
   std::uint64_t GetSliceBytes() const;
   std::uint64_t GetBytesAtOnce(int slices) const;
+  vtkSmartPointer<vtkImageData> Make(const int wanted[6]);
   void Load(int first, int end);
 
   vtkSmartPointer<vtkAlgorithm> Producer;
@@ -66,6 +68,7 @@ private:
   std::array<int, 3> Dimensions;
   int ScalarType;
   int AtOnce;
+  bool OfCells = false;
 
   /// Slices LoadedFirst to LoadedEnd - 1.
   unsigned char* Values = nullptr;

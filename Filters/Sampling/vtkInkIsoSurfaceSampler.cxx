@@ -3,6 +3,7 @@
 
 #include "Fields/Grid/GridField.h"
 #include "InkAddCuts.h"
+#include "InkCellCenters.h"
 #include "InkImageGrid.h"
 #include "InkKeptSamples.h"
 #include "InkOutsideRange.h"
@@ -76,6 +77,7 @@ public:
   vtkMTimeType RangesTime = 0;
   int RangesComponent = 0;
 
+  InkPointInput Input;
   InkKeptSamples Samples;
   std::size_t Expected = 0; ///< samples of the next run
 
@@ -242,7 +244,7 @@ int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
   const int ghostLevels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) +
     ink::isoSurfaceResamplingReach(this->Smoothing, this->Subdivision) + (this->ProjectionSteps > 0 ? 1 : 0);
   vtkInformation* info = input[0]->GetInformationObject(0);
-  info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels);
+  info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels + InkPointInput::GetGhostLevels(this, info));
   if (this->TakesSlabs(info, output->GetInformationObject(0)))
   {
     // They are asked for one by one.
@@ -260,7 +262,7 @@ int vtkInkIsoSurfaceSampler::RequestData(
     vtkInformation* info = inputVector[0]->GetInformationObject(0);
     this->TakesSlabs(info, outputVector->GetInformationObject(0))
       ? this->SampleSlabs(vtkPolyData::GetData(outputVector))
-      : this->SampleImage(inputVector, outputVector);
+      : this->SampleImage(this->Internals->Input.Take(this, inputVector), outputVector);
   }
   catch (...)
   {

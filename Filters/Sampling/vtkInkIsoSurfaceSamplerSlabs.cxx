@@ -2,6 +2,7 @@
 // vtkInkIsoSurfaceSampler of images that it asks for a few slices at a time.
 #include "vtkInkIsoSurfaceSampler.h"
 
+#include "InkCellCenters.h"
 #include "InkImageGrid.h"
 #include "InkImageSlabs.h"
 #include "InkJoinedSamples.h"
@@ -134,7 +135,7 @@ vtkSmartPointer<vtkImageData> vtkInkIsoSurfaceSampler::MakeFrame()
 {
   vtkAlgorithmOutput* port = this->GetInputConnection(0, 0);
   port->GetProducer()->UpdateInformation();
-  return InkMakeFrame(port->GetProducer()->GetOutputInformation(port->GetIndex()));
+  return InkMakePointFrame(port->GetProducer()->GetOutputInformation(port->GetIndex()), this->GetArrayName());
 }
 
 ink::FiniteRange vtkInkIsoSurfaceSampler::FindRange()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleGenerator.h"
 
+#include "InkCellCenters.h"
 #include "InkDiscStipples.h"
 #include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
@@ -135,7 +136,8 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   {
     const int levels = outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      levels + GhostLevels + ink::stipple::smoothingReach(this->Smoothing));
+      levels + GhostLevels + ink::stipple::smoothingReach(this->Smoothing) +
+        InkPointInput::GetGhostLevels(this, info));
   }
   return 1;
 }
@@ -175,7 +177,8 @@ int vtkInkStippleGenerator::RequestData(
     }
     else
     {
-      this->StippleVolume(inputVector, outInfo, output);
+      InkPointInput points;
+      this->StippleVolume(points.Take(this, inputVector), outInfo, output);
     }
   }
   catch (...)

@@ -5,6 +5,7 @@
 #include "Curvature/FieldCurvature.h"
 #include "Curves/Streamlines/EvenFieldStreamlines.h"
 #include "Fields/Resampling/SmoothGrid.h"
+#include "InkCellCenters.h"
 #include "InkImageGrid.h"
 #include "InkLineWriter.h"
 #include "InkRegion.h"
@@ -72,8 +73,10 @@ int vtkInkLinesOfCurvature::RequestUpdateExtent(
   return 1;
 }
 
-void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** input, vtkPolyData* output)
+void vtkInkLinesOfCurvature::MakeLinesOfImage(vtkInformationVector** given, vtkPolyData* output)
 {
+  InkPointInput points;
+  vtkInformationVector** input = points.Take(this, given);
   vtkImageData* image = vtkImageData::GetData(input[0]);
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* found = this->GetInputArrayToProcess(0, input, association);

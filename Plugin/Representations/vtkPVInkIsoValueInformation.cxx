@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVInkIsoValueInformation.h"
 
+#include "InkCellCenters.h"
 #include "vtkInkRepresentation.h"
 
 #include "Statistics/IsoValue.h"
@@ -14,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSetGet.h"
+#include "vtkSmartPointer.h"
 
 #include <span>
 #include <vector>
@@ -101,11 +103,12 @@ void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)
     return;
   }
   auto algorithm = vtkAlgorithm::SafeDownCast(object);
-  auto image = vtkImageData::SafeDownCast(algorithm ? algorithm->GetOutputDataObject(this->Port) : nullptr);
-  if (!image || image->GetNumberOfPoints() == 0)
+  auto given = vtkImageData::SafeDownCast(algorithm ? algorithm->GetOutputDataObject(this->Port) : nullptr);
+  if (!given || given->GetNumberOfPoints() == 0)
   {
     return;
   }
+  const vtkSmartPointer<vtkImageData> image = InkWithPointValues(given, this->ArrayName);
   vtkPointData* data = image->GetPointData();
   vtkDataArray* values =
     this->ArrayName.empty() ? data->GetScalars() : data->GetArray(this->ArrayName.c_str());

@@ -283,7 +283,8 @@ std::string InkIsoSurface::Sample(
   vtkInkStyle* style, const vtkInkStyle::Input& input, vtkImageData* image, vtkPolyData* points)
 {
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
-  const bool part = input.Port && input.Data == image;
+  // Of an image that has values in its cells, `image` is made.
+  const bool part = input.Port && vtkImageData::SafeDownCast(input.Data);
   if (part)
   {
     sampler->SetInputConnection(input.Port);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkLeaves.h"
 
+#include "InkCellCenters.h"
 #include "InkHasSurface.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -58,7 +59,8 @@ void InkLeaves::Add(vtkDataObject* leaf)
   auto polyData = vtkPolyData::SafeDownCast(data);
   if (auto image = vtkImageData::SafeDownCast(data))
   {
-    this->Images.push_back(image);
+    this->KeptImages.push_back(InkWithPointValues(image));
+    this->Images.push_back(this->KeptImages.back());
   }
   else if (polyData && AreStipples(polyData))
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// A data object's leaves by how they are drawn: of composite data all of them, otherwise the data itself.
+/// Images with values in their cells alone are those of the cells' centers (InkCellCenters.h).
 #ifndef InkLeaves_h
 #define InkLeaves_h
 
@@ -28,7 +29,7 @@ struct VTKINKSTYLES_EXPORT InkLeaves
   /// What becomes of grids, in a sentence without its dot; empty if there is none.
   std::string DescribeGrids() const;
 
-  std::vector<vtkImageData*> Images;
+  std::vector<vtkImageData*> Images;  ///< as long as the leaves are there
   std::vector<vtkPolyData*> Stipples; ///< made before
   std::vector<vtkDataSet*> Others;    ///< meshes, points and grids
   bool Composite = false;
@@ -36,6 +37,8 @@ struct VTKINKSTYLES_EXPORT InkLeaves
 
 private:
   void Add(vtkDataObject* leaf);
+
+  std::vector<vtkSmartPointer<vtkImageData>> KeptImages;
 };
 
 #endif

@@ -135,9 +135,13 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
   const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   vtkDataSetAttributes* attributes =
     ofCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
-  const bool has = !name.empty() && (!ofCells || cells) && attributes->GetArray(name.c_str());
+  // Of an image, cells' values are those of their centers by now.
+  const bool ofCenters = ofCells && !cells && data->GetPointData()->GetArray(name.c_str());
+  const bool has =
+    !name.empty() && (ofCenters || ((!ofCells || cells) && attributes->GetArray(name.c_str())));
   this->Generator->SetPassScalars(has);
-  this->Generator->SetInputArrayToProcess(1, 0, 0, association, has ? name.c_str() : "");
+  this->Generator->SetInputArrayToProcess(
+    1, 0, 0, ofCenters ? vtkDataObject::FIELD_ASSOCIATION_POINTS : association, has ? name.c_str() : "");
   if (has)
   {
     style->MadeColorArray = name;

@@ -49,12 +49,12 @@ TEST(IsoSurfaceSamplerErrors, ArraysThatCannotBeUsed)
   Expect("no such array", { "\"Pressure\"", "\"Density\"" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData*)
     { sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pressure"); });
-  Expect("cell data", { "OfCells", "5832", "6859" },
+  Expect("short cell data", { "OfCells", "10 values", "5832" },
     [](vtkInkIsoSurfaceSampler* sampler, vtkImageData* image)
     {
       vtkNew<vtkFloatArray> cells;
       cells->SetName("OfCells");
-      cells->SetNumberOfTuples(image->GetNumberOfCells());
+      cells->SetNumberOfTuples(10);
       cells->Fill(1.0);
       image->GetCellData()->AddArray(cells);
       sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells");
