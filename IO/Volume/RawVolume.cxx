@@ -8,6 +8,8 @@
 #include "vtkByteSwap.h"
 #include "vtkDataArray.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -29,6 +31,11 @@ std::uint64_t RawVolume::valueSize() const
   return static_cast<std::uint64_t>(vtkDataArray::GetDataTypeSize(this->type));
 }
 
+std::uint64_t RawVolume::storedSize() const
+{
+  return this->halves ? sizeof(std::uint16_t) : this->valueSize();
+}
+
 std::uint64_t RawVolume::sliceValues() const
 {
   return static_cast<std::uint64_t>(this->dimensions[0]) * static_cast<std::uint64_t>(this->dimensions[1]);
@@ -36,13 +43,13 @@ std::uint64_t RawVolume::sliceValues() const
 
 std::uint64_t RawVolume::fileBytes() const
 {
-  return this->sliceValues() * static_cast<std::uint64_t>(this->dimensions[2]) * this->valueSize() *
+  return this->sliceValues() * static_cast<std::uint64_t>(this->dimensions[2]) * this->storedSize() *
     static_cast<std::uint64_t>(this->components);
 }
 
 void RawVolume::setBigEndian(bool bigEndian)
 {
-  this->swapped = this->valueSize() > 1 && bigEndian != (std::endian::native == std::endian::big);
+  this->swapped = this->storedSize() > 1 && bigEndian != (std::endian::native == std::endian::big);
 }
 
 void RawVolume::checkDimensions(const fs::path& header) const
@@ -148,6 +155,11 @@ void RawVolumeReader::readRows(std::uint64_t first, std::span<unsigned char> val
   const auto components = static_cast<std::uint64_t>(this->Voxels.components);
   std::uint64_t position =
     first * static_cast<std::uint64_t>(this->Voxels.dimensions[0]) * valueSize * components;
+  if (this->Voxels.halves)
+  {
+    this->readHalves(position, values);
+    return;
+  }
   if (components == 1)
   {
     this->Bytes->read(position, values);
@@ -169,6 +181,25 @@ void RawVolumeReader::readRows(std::uint64_t first, std::span<unsigned char> val
   if (this->Voxels.swapped)
   {
     vtkByteSwap::SwapVoidRange(values.data(), values.size() / valueSize, valueSize);
+  }
+}
+
+/// @param position of floats of one component
+void RawVolumeReader::readHalves(std::uint64_t position, std::span<unsigned char> values)
+{
+  const std::size_t count = values.size() / sizeof(float);
+  std::vector<std::uint16_t> halves(count);
+  const std::span<unsigned char> bytes(
+    reinterpret_cast<unsigned char*>(halves.data()), count * sizeof(std::uint16_t));
+  this->Bytes->read(position / 2, bytes);
+  if (this->Voxels.swapped)
+  {
+    vtkByteSwap::SwapVoidRange(halves.data(), count, sizeof(std::uint16_t));
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float value = glm::unpackHalf1x16(halves[i]);
+    std::memcpy(&values[i * sizeof(float)], &value, sizeof(float));
   }
 }
 

@@ -34,10 +34,12 @@ struct VTKINKIOVOLUME_EXPORT RawVolume
   int dimensions[3] = { 0, 0, 0 };
   int type = 0; ///< as VTK_UNSIGNED_CHAR
   int components = 1;
+  bool halves = false;  ///< floats are stored as numbers of IEEE 754 of 2 bytes
   bool swapped = false; ///< the bytes of a value are in the other order than this machine's
 
   std::uint64_t offsetIn(std::size_t file) const;
-  std::uint64_t valueSize() const;
+  std::uint64_t valueSize() const; ///< in memory
+  std::uint64_t storedSize() const;
   std::uint64_t sliceValues() const;
   /// All of it, uncompressed.
   std::uint64_t fileBytes() const;
@@ -65,6 +67,7 @@ public:
 
 private:
   void readRows(std::uint64_t first, std::span<unsigned char> values);
+  void readHalves(std::uint64_t position, std::span<unsigned char> values);
 
   RawVolume Voxels;
   std::unique_ptr<VoxelBytes> Bytes;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "XmlVolume.h"
 
+#include "InkCellCenters.h"
 #include "ReaderProgress.h"
+#include "VolumeHeader.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -38,7 +40,7 @@ vtkDataArray* chooseScalars(
   vtkDataArray* scalars = pointData->GetScalars();
   if (!scalars)
   {
-    failToRead(file, "it holds no values at its points (cell values alone cannot be used)");
+    failToRead(file, "it holds no values, neither at its points nor in its cells");
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
@@ -60,6 +62,20 @@ XmlVolume::XmlVolume(const std::filesystem::path& file)
 {
   this->Reader->open(file, format);
   this->Reader->run([this] { this->Reader->UpdateInformation(); });
+  vtkInformation* own = this->Reader->GetOutputInformation(0);
+  this->OfCells = InkAnnouncesCells(own);
+  this->Announced->CopyEntry(own, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  this->Announced->CopyEntry(own, vtkDataObject::ORIGIN());
+  this->Announced->CopyEntry(own, vtkDataObject::SPACING());
+  this->Announced->CopyEntry(own, vtkDataObject::DIRECTION());
+  this->Announced->CopyEntry(own, vtkDataObject::POINT_DATA_VECTOR());
+  if (this->OfCells)
+  {
+    const vtkSmartPointer<vtkImageData> frame = InkMakePointFrame(own);
+    this->Announced->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), frame->GetExtent(), 6);
+    this->Announced->Set(vtkDataObject::ORIGIN(), frame->GetOrigin(), 3);
+    this->Announced->Set(vtkDataObject::POINT_DATA_VECTOR(), own->Get(vtkDataObject::CELL_DATA_VECTOR()));
+  }
 }
 
 std::uint64_t XmlVolume::memorySize()
@@ -92,12 +108,21 @@ int XmlVolume::read(
   const ReaderProgress reporting(this->Reader, progress);
   // The reader has a member of the name of the base's function.
   vtkAlgorithm* algorithm = this->Reader;
-  this->Reader->run([&] { algorithm->UpdateExtent(extent); });
+  int wanted[6];
+  std::copy_n(extent, 6, wanted);
+  if (this->OfCells)
+  {
+    InkToPointExtent(
+      wanted, this->Reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+    notes.emplace_back(noteOfCells);
+  }
+  this->Reader->run([&] { algorithm->UpdateExtent(wanted); });
   if (reporting.aborted())
   {
     throw ReadAborted();
   }
-  image->ShallowCopy(this->Reader->GetOutput());
+  image->ShallowCopy(
+    this->OfCells ? InkAtCellCenters(this->Reader->GetOutput()).Get() : this->Reader->GetOutput());
   this->Reader->GetOutput()->ReleaseData();
   const int components = chooseScalars(image, this->File, notes)->GetNumberOfComponents();
   if (components > 1)

@@ -3,6 +3,8 @@
 
 #include "CheckedXmlReader.h"
 
+#include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkXMLImageDataReader.h"
 
 #include "Core/Progress.h"
@@ -24,10 +26,11 @@ public:
 
   static constexpr const char* format = "VTK XML image (.vti)";
 
-  /// What VTK's reader says about its output.
-  vtkInformation* information() { return this->Reader->GetOutputInformation(0); }
+  /// What VTK's reader says about its output: of an image that has values in its cells alone, those of the
+  /// points that its voxels become, in the cells' centers.
+  vtkInformation* information() { return this->Announced; }
 
-  /// Of the point scalars that the file announces; 0 if it announces none.
+  /// Of the scalars that the file announces; 0 if it announces none.
   std::uint64_t memorySize();
 
   /// Reads a part of the image, with the first component of its scalars alone.
@@ -39,6 +42,8 @@ public:
 
 private:
   std::filesystem::path File;
+  bool OfCells = false;
+  vtkNew<vtkInformation> Announced;
   vtkNew<CheckedXmlReader<vtkXMLImageDataReader>> Reader;
 };
 

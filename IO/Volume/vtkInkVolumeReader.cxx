@@ -46,7 +46,9 @@ struct Format
 };
 constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io::readNiftiHeader },
   { ".nrrd", io::readNrrdHeader }, { ".nhdr", io::readNrrdHeader }, { ".mha", io::readMetaImageHeader },
-  { ".mhd", io::readMetaImageHeader }, { ".vti", nullptr }, { ".vtk", io::readLegacyHeader },
+  { ".mhd", io::readMetaImageHeader }, { ".mrc", io::readMrcHeader }, { ".mrc.gz", io::readMrcHeader },
+  { ".map", io::readMrcHeader }, { ".map.gz", io::readMrcHeader }, { ".ccp4", io::readMrcHeader },
+  { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr }, { ".vtk", io::readLegacyHeader },
   { ".dcm", io::readDicomHeaders } };
 constexpr Format dicom{ "", io::readDicomHeaders };
 
@@ -295,7 +297,7 @@ vtkTypeInt64 vtkInkVolumeReader::GetMemorySize()
   const io::RawVolume& voxels = this->Found->Header.voxels;
   return static_cast<vtkTypeInt64>(this->Found->Xml
       ? this->Found->Xml->memorySize()
-      : voxels.fileBytes() / static_cast<std::uint64_t>(voxels.components));
+      : voxels.sliceValues() * static_cast<std::uint64_t>(voxels.dimensions[2]) * voxels.valueSize());
 }
 
 int vtkInkVolumeReader::GetNumberOfNotes()

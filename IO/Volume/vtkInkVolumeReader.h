@@ -3,15 +3,17 @@
  * @class   vtkInkVolumeReader
  * @brief   a volume of any format as image data of one component, checked and in parts
  *
- * Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), VTK XML images (.vti), structured
- * points of legacy VTK files (.vtk), a folder of DICOM files, which becomes the series in it that has most
- * slices, one DICOM file (.dcm, or any name), which is a volume by itself or stands for the slices of its
- * series in its folder, and with Raw any file without a header. Which format it is the file's name tells.
+ * Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), MRC and CCP4 maps (.mrc, .map,
+ * .ccp4, each also with .gz), VTK XML images (.vti), structured points of legacy VTK files (.vtk), a folder
+ * of DICOM files, which becomes the series in it that has most slices, one DICOM file (.dcm, or any name),
+ * which is a volume by itself or stands for the slices of its series in its folder, and with Raw any file
+ * without a header. Which format it is the file's name tells.
  *
  * The output has one point array of one component: the first of voxels that have several, in the type of the
  * file, or, where the file says that its values are to be rescaled, in short or int if all have room and else
  * in float. Origin and direction matrix are those of the file, turned to DICOM's axes (+x to the left of the
- * patient, +y to the back, +z to the head). What of a file was not used as it is, say the notes.
+ * patient, +y to the back, +z to the head). Values that a file has in its cells alone are those of voxels in
+ * the cells' centers. What of a file was not used as it is, say the notes.
  *
  * It differs from VTK's readers in this: whatever is in the file, it is read whole or refused in one error
  * that says what was found and what was expected, and a header is believed only as far as there are bytes for

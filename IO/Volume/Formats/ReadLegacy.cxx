@@ -45,8 +45,19 @@ struct Block
   double tuples = 0;
 };
 
+/// The values of points, or of cells, that are used.
+struct Chosen
+{
+  bool found = false;
+  bool scalars = false;
+  Block block;
+  int type = VTK_VOID;
+  std::uint64_t begin = 0; ///< in the file
+  double tuples = 0;       ///< that the points, or the cells, should have
+};
+
 /// Reads structured points up to the values that are used: the first SCALARS of points, else the first
-/// others.
+/// others; where points have none, those of cells, as voxels in the cells' centers.
 class LegacyText
 {
 public:
@@ -62,17 +73,19 @@ public:
     this->Header.format = "legacy VTK file of structured points";
     this->readStart();
     std::string word;
-    while (!this->HaveScalars && this->tryWord(word))
+    while (!this->OfPoints.scalars && this->tryWord(word))
     {
       if (!this->takeShape(word) && !this->takeValues(word))
       {
         this->fail(word, "a keyword as DIMENSIONS, POINT_DATA or SCALARS");
       }
     }
-    if (!this->Found)
+    const Chosen& chosen = this->OfPoints.found ? this->OfPoints : this->OfCells;
+    if (!chosen.found)
     {
-      failToRead(this->File, "it holds no values at its points (cell values alone cannot be used)");
+      failToRead(this->File, "it holds no values, neither at its points nor in its cells");
     }
+    this->use(chosen);
     this->Header.voxels.check(this->File);
     return this->Header;
   }
@@ -181,11 +194,11 @@ private:
     }
     else if (keyword == "cell_data" || keyword == "point_data")
     {
-      this->InPoints = keyword == "point_data";
+      this->In = keyword == "point_data" ? &this->OfPoints : &this->OfCells;
       this->Tuples = this->whole(0, "a number of values");
       const auto voxels =
         static_cast<double>(this->Header.voxels.sliceValues()) * this->Header.voxels.dimensions[2];
-      if (this->InPoints && this->Tuples != voxels)
+      if (this->In == &this->OfPoints && this->Tuples != voxels)
       {
         this->fail(std::to_string(static_cast<std::int64_t>(this->Tuples)),
           "the number of all voxels, " + std::to_string(static_cast<std::int64_t>(voxels)) + ",");
@@ -263,8 +276,7 @@ private:
     {
       return false;
     }
-    this->HaveScalars = this->InPoints && keyword == "scalars";
-    this->take(block, keyword != "lookup_table");
+    this->take(block, keyword != "lookup_table", keyword == "scalars");
     return true;
   }
 
@@ -285,12 +297,12 @@ private:
       block.tuples = this->whole(0, "a number of values");
       block.typeName = this->word("a type");
       this->endLine();
-      this->take(block, true);
+      this->take(block, true, false);
     }
   }
 
   /// Uses the values that begin here, or goes past them.
-  void take(const Block& block, bool areValues)
+  void take(const Block& block, bool areValues, bool areScalars)
   {
     const int type = legacyTypeOf(block.typeName);
     constexpr double mostComponents = 1 << 20;
@@ -302,13 +314,8 @@ private:
           std::to_string(block.components) +
           " components; expected numbers as float, and 1 component or more");
     }
-    const bool isUsed = areValues && this->InPoints && block.tuples == this->Tuples && block.components > 0 &&
-      (this->HaveScalars || !this->Found);
-    if (isUsed && type == bits)
-    {
-      failToRead(
-        this->File, "its voxels are single bits; expected integers of 8 to 64 bits, float or double");
-    }
+    const bool isUsed = areValues && this->In && block.tuples == this->Tuples && block.components > 0 &&
+      (!this->In->found || (areScalars && !this->In->scalars));
     const std::streamoff begin = this->Stream.tellg();
     if (isUsed && begin < 0)
     {
@@ -317,30 +324,63 @@ private:
     }
     if (isUsed)
     {
-      RawVolume& voxels = this->Header.voxels;
-      voxels.files = { this->File };
-      voxels.offset = static_cast<std::uint64_t>(begin);
-      voxels.type = type;
-      voxels.components = static_cast<int>(block.components);
-      voxels.encoding = this->IsText ? VoxelEncoding::Text : VoxelEncoding::Plain;
-      voxels.swapped = false;
-      if (!this->IsText)
-      {
-        voxels.setBigEndian(true);
-      }
-      this->Header.components = voxels.components;
-      this->Header.notes.clear();
-      if (!this->HaveScalars)
-      {
-        this->Header.notes.push_back("array '" + block.name + "' is used");
-      }
-      this->Found = true;
-      if (this->HaveScalars)
+      *this->In = { true, areScalars, block, type, static_cast<std::uint64_t>(begin), this->Tuples };
+      if (this->OfPoints.scalars)
       {
         return;
       }
     }
     this->skip(block.tuples * block.components, type);
+  }
+
+  void use(const Chosen& chosen)
+  {
+    if (chosen.type == bits)
+    {
+      failToRead(
+        this->File, "its voxels are single bits; expected integers of 8 to 64 bits, float or double");
+    }
+    RawVolume& voxels = this->Header.voxels;
+    if (&chosen == &this->OfCells)
+    {
+      this->moveToCells();
+    }
+    voxels.files = { this->File };
+    voxels.offset = chosen.begin;
+    voxels.type = chosen.type;
+    voxels.components = static_cast<int>(chosen.block.components);
+    voxels.encoding = this->IsText ? VoxelEncoding::Text : VoxelEncoding::Plain;
+    if (!this->IsText)
+    {
+      voxels.setBigEndian(true);
+    }
+    this->Header.components = voxels.components;
+    if (!chosen.scalars)
+    {
+      this->Header.notes.push_back("array '" + chosen.block.name + "' is used");
+    }
+  }
+
+  /// Voxels in place of the points between which the cells are.
+  void moveToCells()
+  {
+    double cells = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      int& dimension = this->Header.voxels.dimensions[axis];
+      if (dimension > 1)
+      {
+        --dimension;
+        this->Header.origin[axis] += 0.5 * this->Header.spacing[axis];
+      }
+      cells *= dimension;
+    }
+    if (this->OfCells.tuples != cells)
+    {
+      this->fail(std::to_string(static_cast<std::int64_t>(this->OfCells.tuples)),
+        "the number of all cells, " + std::to_string(static_cast<std::int64_t>(cells)) + ",");
+    }
+    this->Header.notes.emplace_back(noteOfCells);
   }
 
   void skip(double values, int type)
@@ -371,9 +411,9 @@ private:
   std::ifstream Stream;
   double Size;
   bool IsText = false;
-  bool InPoints = false;
-  bool Found = false;
-  bool HaveScalars = false;
+  Chosen OfPoints;
+  Chosen OfCells;
+  Chosen* In = nullptr; ///< whose values come next; null: nobody's
   double Tuples = 0;
   VolumeHeader Header;
 };

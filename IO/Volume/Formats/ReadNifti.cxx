@@ -2,6 +2,7 @@
 #include "VolumeHeader.h"
 
 #include "Core/FormatNumber.h"
+#include "FirstBytes.h"
 #include "Inflater.h"
 #include "ReadError.h"
 
@@ -13,7 +14,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -132,31 +132,6 @@ constexpr std::array<NiftiType, 14> types{ { { 2, VTK_UNSIGNED_CHAR, 1 }, { 4, V
   { 768, VTK_UNSIGNED_INT, 1 }, { 1024, VTK_LONG_LONG, 1 }, { 1280, VTK_UNSIGNED_LONG_LONG, 1 },
   { 1792, VTK_DOUBLE, 2 }, { 2304, VTK_UNSIGNED_CHAR, 4 } } };
 
-bool isGzip(const fs::path& file)
-{
-  std::array<char, 2> magic{};
-  std::ifstream(file, std::ios::binary).read(magic.data(), magic.size());
-  return magic == std::array<char, 2>{ '\x1f', '\x8b' };
-}
-
-std::vector<unsigned char> headerBytes(const fs::path& file, bool compressed)
-{
-  std::vector<unsigned char> bytes(sizeOfSecond);
-  std::size_t found = 0;
-  if (compressed)
-  {
-    found = Inflater(file, 0).read(bytes);
-  }
-  else
-  {
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    found = static_cast<std::size_t>(stream.gcount());
-  }
-  bytes.resize(found);
-  return bytes;
-}
-
 /// The sform, else the qform, if there is one.
 void orient(const NiftiHeader& nifti, VolumeHeader& header)
 {
@@ -209,8 +184,7 @@ void orient(const NiftiHeader& nifti, VolumeHeader& header)
 
 VolumeHeader readNiftiHeader(const fs::path& file)
 {
-  const bool compressed = isGzip(file);
-  const std::vector<unsigned char> bytes = headerBytes(file, compressed);
+  const auto [compressed, bytes] = FirstBytes(file, sizeOfSecond);
   const NiftiHeader nifti(bytes, file);
 
   // A missing dimension is 1. The fourth is time, the fifth for vectors, whose components are volumes.

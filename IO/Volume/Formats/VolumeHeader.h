@@ -32,11 +32,16 @@ struct VolumeHeader
 /// headers that do not say what they expect: see Documentation/files.md. @throws ReadError if it is no such
 /// file, or its header promises more than there is.
 VolumeHeader readDicomHeaders(const std::filesystem::path& path);
+VolumeHeader readMrcHeader(const std::filesystem::path& file);
 VolumeHeader readNiftiHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
 /// Of structured points in a legacy VTK file.
 VolumeHeader readLegacyHeader(const std::filesystem::path& file);
+
+/// What is said of files whose values belong to cells.
+inline constexpr const char* noteOfCells =
+  "its values are those of its cells; each is taken as that of a voxel in the cell's middle";
 
 /// A distance between voxels as files give it: where there is none, 1.
 double spacingOf(double given);
