@@ -32,8 +32,9 @@ struct Format
   io::MeshFileReader* read;
 };
 constexpr Format formats[] = { { ".ply", "PLY mesh", io::readPly }, { ".obj", "OBJ mesh", io::readObj },
-  { ".stl", "STL mesh", io::readStl }, { ".vtp", "VTK XML mesh (.vtp)", io::readVtp },
-  { ".vtk", "legacy VTK mesh", io::readLegacyMesh }, { ".xyz", "XYZ points", io::readXyz } };
+  { ".off", "OFF mesh", io::readOff }, { ".stl", "STL mesh", io::readStl },
+  { ".vtp", "VTK XML mesh (.vtp)", io::readVtp }, { ".vtk", "legacy VTK mesh", io::readLegacyMesh },
+  { ".xyz", "XYZ points", io::readXyz } };
 
 /// Null if it is none.
 const Format* FormatOf(const char* fileName)

@@ -152,15 +152,30 @@ def write_vti(path, volume, form="appended", where="PointData"):
     path.write_bytes(vtk_xml("ImageData", content, appended))
 
 
-def write_legacy(path, volume, ascii=False):
+def write_legacy(path, volume, ascii=False, where="POINT_DATA"):
     types = {"uint8": "unsigned_char", "int16": "short", "float32": "float"}
     nz, ny, nx = volume.shape
     header = f"# vtk DataFile Version 3.0\ntest\n{'ASCII' if ascii else 'BINARY'}\nDATASET STRUCTURED_POINTS\n"
-    header += f"DIMENSIONS {nx} {ny} {nz}\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA {nx * ny * nz}\n"
+    more = 0 if where == "POINT_DATA" else 1
+    header += f"DIMENSIONS {nx + more} {ny + more} {nz + more}\nORIGIN 0 0 0\nSPACING 1 1 1\n{where} {nx * ny * nz}\n"
     header += f"SCALARS density {types[volume.dtype.name]} 1\nLOOKUP_TABLE default\n"
     # Binary legacy files are big endian.
     data = " ".join(str(v) for v in volume.ravel()).encode() if ascii else volume.byteswap().tobytes()
     path.write_bytes(header.encode() + data + b"\n")
+
+
+def write_mrc(path, volume, axes=(1, 2, 3), order="<", cell=None, extended=b""):
+    """axes: along which of x, y and z columns, rows and sections of `volume` run, from 1."""
+    nz, ny, nx = volume.shape
+    along = [(nx, ny, nz)[axes.index(axis)] for axis in (1, 2, 3)]
+    header = bytearray(1024)
+    struct.pack_into(order + "10i", header, 0, nx, ny, nz, {"int8": 0, "int16": 1, "float32": 2, "uint16": 6}[volume.dtype.name],
+                     0, 0, 0, *along)
+    struct.pack_into(order + "6f3i", header, 40, *(cell or along), 90, 90, 90, *axes)
+    struct.pack_into(order + "2i", header, 88, 1, len(extended))
+    header[208:216] = b"MAP " + (b"\x44\x44\0\0" if order == "<" else b"\x11\x11\0\0")
+    data = bytes(header) + extended + volume.astype(volume.dtype.newbyteorder(order)).tobytes()
+    path.write_bytes(gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
 
 
 def dicom_element(group, element, vr, value, implicit=False):
@@ -251,6 +266,15 @@ def write_obj(path, mesh):
     # Enough digits for a reader that makes doubles of them to find the very floats.
     lines = ["v %.17g %.17g %.17g" % tuple(p) for p in points]
     lines += ["f %d %d %d" % tuple(t + 1) for t in triangles]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def write_off(path, mesh, normals=False):
+    points, point_normals, triangles = mesh
+    lines = ["NOFF" if normals else "OFF", f"{len(points)} {len(triangles)} 0"]
+    columns = np.concatenate([points, point_normals], axis=1) if normals else points
+    lines += [" ".join("%.17g" % value for value in row) for row in columns]
+    lines += ["3 %d %d %d" % tuple(t) for t in triangles]
     path.write_text("\n".join(lines) + "\n")
 
 

@@ -25,6 +25,7 @@ using MeshFileReader = vtkSmartPointer<vtkPolyData>(
   const std::filesystem::path& file, std::vector<std::string>& notes, const Progress& progress);
 MeshFileReader readLegacyMesh;
 MeshFileReader readObj;
+MeshFileReader readOff;
 MeshFileReader readPly;
 MeshFileReader readStl;
 MeshFileReader readVtp;

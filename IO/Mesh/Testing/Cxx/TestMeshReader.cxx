@@ -155,8 +155,8 @@ TEST(MeshReader, WhatCannotBeReadIsOneError)
   ExpectError({ "FileName is empty" }, "");
   ExpectError({ "'none.ply'", "no such file" }, "none.ply");
   ExpectError({ "the file is empty" }, Put("MeshReaderEmpty.obj", ""));
-  ExpectError(
-    { "unknown type '.txt'; expected one of .ply .obj .stl .vtp .vtk .xyz" }, Put("MeshReader.txt", "words"));
+  ExpectError({ "unknown type '.txt'; expected one of .ply .obj .off .stl .vtp .vtk .xyz" },
+    Put("MeshReader.txt", "words"));
   ExpectError({ "it holds no points" }, Put("MeshReaderNothing.xyz", "# nothing\n"));
   ExpectError({ "line 2 is '1 2'; expected 3 numbers" }, Put("MeshReaderLine.xyz", "1 2 3\n1 2\n"));
   for (const char* suffix : { ".ply", ".obj", ".stl", ".vtp", ".vtk", ".xyz" })
