@@ -48,8 +48,20 @@ struct Rectangle
   }
 };
 
-/// The rectangle around what touches the ground by that around all, with an axis up.
-double BaseOf(vtkPolyData* mesh, int up)
+/// The rectangle around what touches the ground.
+struct Base
+{
+  double area = 0.0; ///< world units
+  double part = 0.0; ///< of the rectangle around all
+
+  /// By both: what is long would stand on a large part of its end, and what is thin lie on its large side.
+  bool isClearlyLargerThan(const Base& other) const
+  {
+    return this->area > Clearly * other.area && this->part > Clearly * other.part;
+  }
+};
+
+Base BaseOf(vtkPolyData* mesh, int up)
 {
   const double* bounds = mesh->GetBounds();
   const double top = bounds[2 * up] + Ground * (bounds[2 * up + 1] - bounds[2 * up]);
@@ -71,7 +83,7 @@ double BaseOf(vtkPolyData* mesh, int up)
       base.add(a, b);
     }
   }
-  return all.area() > 0.0 ? base.area() / all.area() : 0.0;
+  return { base.area(), all.area() > 0.0 ? base.area() / all.area() : 0.0 };
 }
 
 std::string FindUp(vtkPolyData* mesh, const std::string& file)
@@ -80,10 +92,9 @@ std::string FindUp(vtkPolyData* mesh, const std::string& file)
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   const bool isObj = suffix == ".obj";
-  constexpr int y = 1;
-  constexpr int z = 2;
-  const double usual = isObj ? 1.0 / Clearly : Clearly;
-  return BaseOf(mesh, y) > usual * BaseOf(mesh, z) ? "y" : "z";
+  const Base y = BaseOf(mesh, 1);
+  const Base z = BaseOf(mesh, 2);
+  return isObj ? (z.isClearlyLargerThan(y) ? "z" : "y") : (y.isClearlyLargerThan(z) ? "y" : "z");
 }
 
 /// The Sides that may be shown, the usual one first, and the top.
@@ -91,6 +102,17 @@ constexpr std::array<const char*, 5> Sides{ "front", "left", "right", "back", "t
 constexpr std::size_t Top = 4;
 using SideViews = std::array<InkOrientation, Sides.size()>;
 using Areas = std::array<double, Sides.size()>;
+
+SideViews SidesWithUp(const std::string& up)
+{
+  SideViews views;
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    views[i] = *InkOrientation::Find(Sides[i]);
+    views[i].Stand(up);
+  }
+  return views;
+}
 
 /// For each of these views of a mesh the area of its polygons that face the viewer, as it is seen.
 Areas SeenAreas(vtkPolyData* mesh, const SideViews& views)
@@ -125,8 +147,8 @@ Areas SeenAreas(vtkPolyData* mesh, const SideViews& views)
   return areas;
 }
 
-/// For each of these views the area of the rectangle around all points, as it is seen.
-Areas SeenRectangles(vtkPolyData* points, const SideViews& views)
+/// For each of these views the area of the rectangle around a box, as it is seen.
+Areas SeenRectangles(const double b[6], const SideViews& views)
 {
   Areas areas{};
   for (std::size_t i = 0; i < views.size(); ++i)
@@ -136,7 +158,6 @@ Areas SeenRectangles(vtkPolyData* points, const SideViews& views)
     Rectangle seen;
     for (int corner = 0; corner < 8; ++corner)
     {
-      const double* b = points->GetBounds();
       const double p[3] = { b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)] };
       seen.add(vtkMath::Dot(p, right), vtkMath::Dot(p, views[i].Up));
     }
@@ -151,13 +172,8 @@ InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::strin
 {
   InkPose pose;
   pose.Up = up.empty() ? FindUp(mesh, file) : up;
-  SideViews views;
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    views[i] = *InkOrientation::Find(Sides[i]);
-    views[i].Stand(pose.Up);
-  }
-  const Areas rectangles = SeenRectangles(mesh, views);
+  const SideViews views = SidesWithUp(pose.Up);
+  const Areas rectangles = SeenRectangles(mesh->GetBounds(), views);
   const Areas areas = InkHasPolygons(mesh) ? SeenAreas(mesh, views) : rectangles;
   std::size_t best = 0;
   for (std::size_t i = 1; i < Top; ++i)
@@ -168,4 +184,17 @@ InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::strin
   pose.Elevation =
     rectangles[Top] > Flat * *std::max_element(rectangles.begin(), rectangles.begin() + Top) ? Raised : 0.0;
   return pose;
+}
+
+std::string InkFindSideOfFlat(const double bounds[6], const std::string& up)
+{
+  constexpr std::size_t front = 0;
+  constexpr std::size_t left = 1;
+  const Areas areas = SeenRectangles(bounds, SidesWithUp(up));
+  if (!(std::max(areas[left], areas[Top]) > Flat * areas[front]))
+  {
+    return Sides[front];
+  }
+  // What stands upright as a picture needs no better reason.
+  return Sides[areas[Top] > Clearly * areas[left] ? Top : left];
 }

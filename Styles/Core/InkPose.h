@@ -16,12 +16,17 @@ struct InkPose
 
 /// A guess at how a mesh or a cloud of points stands, of whose axes its file says nothing.
 ///
-/// Up is z, or y where the mesh rests on a clearly larger base then: what it touches the ground with, as a
-/// part of what lies below all of it. OBJ files have y up unless z is clearly better. Of the four sides it is
+/// Up is z, or y where the mesh rests on a clearly larger base then: what it touches the ground with, both in
+/// itself and as a part of what lies below all of it. OBJ files have y up unless z is clearly better. Of the four sides it is
 /// shown from the one whose polygons that face the viewer are largest as they are seen: from the front unless
 /// another side shows clearly more. What lies flat is looked down on.
 /// @param file its name, or none
 /// @param up where it is known; empty: it is not
 InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::string& up);
+
+/// The side from which what is drawn of a volume is seen, whose axes are known: its front, unless that shows
+/// less than half of what its left or its top shows, as of a flat animal on its belly.
+/// @param bounds of what is drawn @param up the axis that is its top
+std::string InkFindSideOfFlat(const double bounds[6], const std::string& up);
 
 #endif

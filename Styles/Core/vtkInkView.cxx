@@ -6,6 +6,7 @@
 
 #include "vtkCamera.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -101,11 +102,22 @@ void vtkInkView::SetElevation(double degrees)
 void vtkInkView::Choose(vtkDataObject* data, const char* fileName)
 {
   auto* mesh = vtkPolyData::SafeDownCast(data);
+  this->OfMesh = mesh != nullptr;
   const InkPose found =
     mesh ? InkFindPose(mesh, fileName ? fileName : "", this->GivenUp.value_or("")) : InkPose();
   this->Up = this->GivenUp.value_or(found.Up);
   this->Name = this->GivenName.value_or(found.View);
   this->Elevation = this->GivenElevation.value_or(this->GivenName ? 0.0 : found.Elevation);
+  this->Modified();
+}
+
+void vtkInkView::ChooseForFrame(vtkPoints* frame)
+{
+  if (this->OfMesh || this->GivenName || !frame || frame->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up);
   this->Modified();
 }
 

@@ -9,6 +9,7 @@
  *
  *     vtkNew<vtkInkView> view;
  *     view->Choose(mesh, "bunny.ply");
+ *     view->ChooseForFrame(style->GetFramePoints());
  *     view->Apply(camera);
  *     fit->AddPoints(style->GetFramePoints(), camera);
  *     fit->Apply(camera);
@@ -27,6 +28,7 @@
 
 class vtkCamera;
 class vtkDataObject;
+class vtkPoints;
 
 class VTKINKSTYLES_EXPORT vtkInkView : public vtkObject
 {
@@ -80,6 +82,14 @@ public:
   void Choose(vtkDataObject* data, const char* fileName = nullptr);
 
   /**
+   * Finds from which side a volume is seen, of which only by now it is known what is drawn; after Choose. It
+   * is the front, unless that shows less than half of what the left or the top shows: what lies flat is seen
+   * from above. Does nothing where Name was set, and for meshes and points.
+   * @param frame the points that the picture is fitted to, see vtkInkStyle::GetFramePoints; null: none
+   */
+  void ChooseForFrame(vtkPoints* frame);
+
+  /**
    * Makes a camera look from this side at the origin, from nowhere in particular: see vtkInkCameraFit.
    * @param turned degrees that the viewer goes further to the right, around what stands upright
    */
@@ -111,6 +121,7 @@ private:
   std::string Up = "z";
   double Azimuth = 0.0;
   double Elevation = 0.0;
+  bool OfMesh = false; ///< what was chosen last
   std::optional<std::string> GivenName;
   std::optional<std::string> GivenUp;
   std::optional<double> GivenElevation;

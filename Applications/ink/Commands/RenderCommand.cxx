@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 namespace ink::cli
 {
@@ -81,12 +83,23 @@ void render(const RenderOptions& options)
   const Input input = readInput(options.input, progress, wantedOf(options));
   timings.end("reading");
   Drawing drawing(options);
-  const std::vector<std::string> looked = drawing.look(input, options.input.file);
-  options.style->SetStillCamera([&](vtkPoints* frame) { return drawing.stillCamera(frame); });
+  std::vector<std::string> looked = drawing.look(input, options.input.file);
+  const auto lookAtFrame = [&](vtkPoints* frame)
+  {
+    const std::vector<std::string> notes = drawing.lookAtFrame(frame);
+    looked.insert(looked.end(), notes.begin(), notes.end());
+  };
+  options.style->SetStillCamera(
+    [&](vtkPoints* frame)
+    {
+      lookAtFrame(frame);
+      return drawing.stillCamera(frame);
+    });
   const StyledScene subject = SceneMaker(options).make(input, progress);
   options.style->SetStillCamera(nullptr);
   timings.end("generating");
   progress.step("drawing");
+  lookAtFrame(subject.frame);
   const auto fit = drawing.makeFit();
   fit->AddPoints(subject.frame, drawing.camera());
   writePicture(output, options.output, drawing.layout(),
@@ -96,7 +109,7 @@ void render(const RenderOptions& options)
 
   if (!options.quiet)
   {
-    for (const auto* notes : { &input.notes, &subject.notes, &looked })
+    for (const auto* notes : { &input.notes, &subject.notes, &std::as_const(looked) })
     {
       for (const std::string& note : *notes)
       {

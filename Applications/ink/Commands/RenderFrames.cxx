@@ -121,6 +121,7 @@ void turn(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
   const double* b = subject.frame->GetBounds();
   Drawing drawing(options);
   notes.add(drawing.look(input, options.input.file));
+  notes.add(drawing.lookAtFrame(subject.frame));
   const auto fit = drawing.makeFit();
   fit->SetPivot((b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2);
   const auto angle = [&](std::size_t frame)
@@ -169,8 +170,10 @@ void play(const RenderOptions& options, FrameOutput& output, Notes& notes, Progr
     auto* mesh = vtkPolyData::SafeDownCast(input.data);
     // The samples of a mesh lie between its points. A cloud may have points that are left out.
     const bool hasFaces = mesh && InkHasPolygons(mesh);
-    fit->AddPoints(
-      hasFaces ? mesh->GetPoints() : subjects.make(input, progress).frame.Get(), drawing.camera());
+    const vtkSmartPointer<vtkPoints> frame =
+      hasFaces ? mesh->GetPoints() : subjects.make(input, progress).frame.Get();
+    notes.add(drawing.lookAtFrame(frame));
+    fit->AddPoints(frame, drawing.camera());
   }
   for (std::size_t i = 0; i < animation.frames.size(); ++i)
   {

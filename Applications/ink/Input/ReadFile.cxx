@@ -71,7 +71,7 @@ void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const
     failToRead(file,
       "its voxels take " + InkFormatMemory(bytes) + ": expected --memory of at least that, found " +
         InkFormatMemory(memory.Limit) +
-        " (uncompressed NIfTI, NRRD, MetaImage, legacy VTK and raw files need not fit)");
+        " (uncompressed NIfTI, NRRD, MetaImage, MRC, legacy VTK and raw files need not fit)");
   }
 }
 

@@ -146,6 +146,20 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   return notes;
 }
 
+std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
+{
+  const std::string before = this->View->GetName();
+  if (!this->HasFrame && !this->Options.position)
+  {
+    this->View->ChooseForFrame(frame);
+  }
+  this->HasFrame = true;
+  const std::string& name = this->View->GetName();
+  return name == before ? std::vector<std::string>()
+                        : std::vector{ "what is drawn shows more from its " + name +
+                            " than from its front; --view says otherwise" };
+}
+
 vtkSmartPointer<vtkCamera> Drawing::camera(double turned) const
 {
   auto camera = vtkSmartPointer<vtkCamera>::New();

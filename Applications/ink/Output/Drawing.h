@@ -35,6 +35,11 @@ public:
   /// not what it is for volumes
   std::vector<std::string> look(const Input& input, const std::filesystem::path& file);
 
+  /// Chooses it again for what is drawn, which of a volume is known only when its marks are made: of the
+  /// first frame, so that a picture's marks and the picture, or all of an animation, are seen from one side.
+  /// @return as look
+  std::vector<std::string> lookAtFrame(vtkPoints* frame);
+
   /// A camera that looks as the options ask for, from nowhere in particular.
   /// @param turned degrees that the viewer goes further to the right, around what stands upright
   vtkSmartPointer<vtkCamera> camera(double turned = 0.0) const;
@@ -63,6 +68,7 @@ private:
   const RenderOptions& Options;
   Tiles Grid;
   vtkNew<vtkInkView> View;
+  bool HasFrame = false;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;

@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkInkView.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -40,6 +42,19 @@ std::array<Vector, 2> Look(vtkInkView* view, double turned = 0.0)
   camera->GetDirectionOfProjection(look[0].data());
   camera->GetViewUp(look[1].data());
   return look;
+}
+
+vtkSmartPointer<vtkPolyData> Boxes(const std::vector<std::array<double, 6>>& bounds)
+{
+  vtkNew<vtkAppendPolyData> all;
+  for (const std::array<double, 6>& b : bounds)
+  {
+    vtkNew<vtkCubeSource> box;
+    box->SetBounds(b.data());
+    all->AddInputConnection(box->GetOutputPort());
+  }
+  all->Update();
+  return all->GetOutput();
 }
 
 /// A slab on a foot, twice as wide along x as along the other side, with an axis up.
@@ -161,6 +176,22 @@ TEST(View, MeshesStandAndShowMost)
   EXPECT_EQ(view->GetName(), "left");
 }
 
+TEST(View, WhatIsLongDoesNotStandOnItsEnd)
+{
+  // A body with a flat end on four short legs: the end is more of its height's shadow than the feet are of
+  // the body's.
+  const auto animal = Boxes({ { -0.5, 0.5, 0, 4, 0.5, 1.5 }, { -0.5, -0.3, 0.8, 1.0, 0, 0.5 },
+    { 0.3, 0.5, 0.8, 1.0, 0, 0.5 }, { -0.5, -0.3, 2.4, 2.6, 0, 0.5 }, { 0.3, 0.5, 2.4, 2.6, 0, 0.5 } });
+  vtkNew<vtkInkView> view;
+  view->Choose(animal, "pig.stl");
+  EXPECT_EQ(view->GetUp(), "z");
+  EXPECT_EQ(view->GetName(), "left");
+  // Nor does a wall lie on its side.
+  view->Choose(Boxes({ { 0, 4, 0, 0.2, 0, 3 } }), "wall.stl");
+  EXPECT_EQ(view->GetUp(), "z");
+  EXPECT_EQ(view->GetElevation(), 0.0);
+}
+
 TEST(View, WhatLiesFlatIsSeenFromAbove)
 {
   vtkNew<vtkCubeSource> flat;
@@ -185,6 +216,56 @@ TEST(View, WhatLiesFlatIsSeenFromAbove)
   view->Choose(image);
   EXPECT_EQ(view->GetName() + view->GetUp(), "frontz");
   EXPECT_EQ(view->GetElevation(), 0.0);
+}
+
+TEST(View, VolumesAreSeenFromWhereTheyShowTwiceAsMuch)
+{
+  const struct
+  {
+    Vector size;
+    const char* up;
+    const char* name;
+  } boxes[] = { { { 2, 2, 2 }, "z", "front" }, { { 5, 5, 2.6 }, "z", "front" }, { { 5, 5, 2.4 }, "z", "top" },
+    { { 2, 4.2, 9 }, "z", "left" }, { { 2, 3.8, 9 }, "z", "front" }, { { 9, 2, 9 }, "z", "front" },
+    { { 1, 9, 1 }, "z", "left" }, { { 1, 9, 0.9 }, "z", "left" }, { { 2, 9, 1 }, "z", "top" },
+    // With y up, the depth is along z.
+    { { 5, 2, 5 }, "y", "top" }, { { 5, 5, 2 }, "y", "front" }, { { 0, 0, 0 }, "z", "front" } };
+  for (const auto& box : boxes)
+  {
+    vtkNew<vtkPoints> frame;
+    frame->InsertNextPoint(-1.0, 7.0, 3.0);
+    frame->InsertNextPoint(-1.0 + box.size[0], 7.0 + box.size[1], 3.0 + box.size[2]);
+    vtkNew<vtkImageData> image;
+    vtkNew<vtkInkView> view;
+    view->SetUp(box.up);
+    view->Choose(image);
+    view->ChooseForFrame(frame);
+    EXPECT_EQ(view->GetName(), box.name)
+      << box.size[0] << ' ' << box.size[1] << ' ' << box.size[2] << ' ' << box.up;
+    // What is said stays.
+    vtkNew<vtkInkView> said;
+    said->SetName("back");
+    said->ChooseForFrame(frame);
+    EXPECT_EQ(said->GetName(), "back");
+  }
+}
+
+TEST(View, FramesChangeNothingForMeshesAndWhereThereIsNone)
+{
+  vtkNew<vtkCubeSource> flat;
+  flat->SetZLength(0.1);
+  flat->Update();
+  vtkNew<vtkInkView> view;
+  view->Choose(flat->GetOutput());
+  view->ChooseForFrame(flat->GetOutput()->GetPoints());
+  EXPECT_EQ(view->GetName(), "front");
+  vtkNew<vtkInkView> other;
+  other->ChooseForFrame(nullptr);
+  vtkNew<vtkPoints> none;
+  other->ChooseForFrame(none);
+  EXPECT_EQ(other->GetName(), "front");
+  other->ChooseForFrame(flat->GetOutput()->GetPoints());
+  EXPECT_EQ(other->GetName(), "top");
 }
 
 TEST(View, UnknownNamesAreRefused)
