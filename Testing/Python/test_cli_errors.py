@@ -237,11 +237,6 @@ def test_broken_files_are_refused_in_one_line(ink, tmp_path, command, name, whol
     assert os.listdir(tmp_path) == [name]
 
 
-def test_cell_values_alone(refused, tmp_path):
-    ink_files.write_vti(tmp_path / "v.vti", ink_files.blob(), where="CellData")
-    assert "cell values" in refused(1, tmp_path / "v.vti")
-
-
 def test_one_slice(refused, tmp_path):
     ink_files.write_vti(tmp_path / "v.vti", ink_files.blob()[15:16])
     for options in (["--iso", 50], [], ["--style", "stipple"]):

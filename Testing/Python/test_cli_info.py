@@ -45,6 +45,18 @@ def test_mesh(ink, tmp_path):
     assert fields["point arrays"] == "Normals: float, 3 components"
 
 
+@pytest.mark.one_build
+def test_values_of_cells_are_those_of_voxels_in_their_centers(ink, tmp_path):
+    volume = ink_files.blob((8, 9, 10))
+    ink_files.write_vti(tmp_path / "v.vti", volume, where="CellData")
+    result = ink("info", tmp_path / "v.vti")
+    assert result.code == 0, result
+    assert "dimensions     10 x 9 x 8" in result.out
+    assert "origin         0.5 0.5 0.5" in result.out
+    assert "its values are those of its cells" in result.out
+    assert f"range          0 to {volume.max()}" in result.out
+
+
 def test_several_files(ink, tmp_path):
     ink_files.write_vti(tmp_path / "v.vti", ink_files.blob())
     ink_files.write_vtp(tmp_path / "m.vtp", ink_files.sphere_mesh(6, 8))

@@ -18,7 +18,11 @@ VOLUMES = {
     "v.nii.gz": lambda p: ink_files.write_nifti(p, BLOB),
     "v.nrrd": lambda p: ink_files.write_nrrd(p, BLOB),
     "v.mha": lambda p: ink_files.write_metaimage(p, BLOB),
+    "v.mrc": lambda p: ink_files.write_mrc(p, BLOB.astype("int16")),
+    "v.map.gz": lambda p: ink_files.write_mrc(p, BLOB.astype("int16"), order=">"),
     "v.vti": lambda p: ink_files.write_vti(p, BLOB),
+    "cells.vti": lambda p: ink_files.write_vti(p, BLOB, where="CellData"),
+    "cells.vtk": lambda p: ink_files.write_legacy(p, BLOB, where="CELL_DATA"),
     "v.vtk": lambda p: ink_files.write_legacy(p, BLOB),
     "series": lambda p: ink_files.write_dicom(p, BLOB),
 }
@@ -86,6 +90,7 @@ MESH = ink_files.sphere_mesh(20, 30)
 MESHES = {
     "m.ply": lambda p: ink_files.write_ply(p, MESH),
     "m.obj": lambda p: ink_files.write_obj(p, MESH),
+    "m.off": lambda p: ink_files.write_off(p, MESH),
     "m.stl": lambda p: ink_files.write_stl(p, MESH),
     "m.vtp": lambda p: ink_files.write_vtp(p, MESH),
 }
