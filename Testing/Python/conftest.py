@@ -11,7 +11,11 @@ from dataclasses import dataclass
 
 import pytest
 
-import ink_files
+# Processes of pytest share the cores already, and OpenBLAS's threads take them where its matrices are small, too. Before
+# NumPy is loaded.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import ink_files  # noqa: E402
 
 # What benchmarks measure with is tested, too.
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Benchmarks"))
