@@ -74,6 +74,15 @@ if (count EQUAL 0)
 endif ()
 expect_elsewhere("what was installed" ${used})
 
+# ink finds the library that it loads for files of OpenVDB.
+if (installed_libraries MATCHES "/libvtkInkProgramVDB.so")
+  file(WRITE "${WORK}/words.vdb" "no voxels here")
+  execute_process(COMMAND "${WORK}/moved/bin/ink" info "${WORK}/words.vdb" ERROR_VARIABLE output)
+  if (NOT output MATCHES "not an OpenVDB file")
+    message(FATAL_ERROR "expected an error of the reader of OpenVDB files, found: ${output}")
+  endif ()
+endif ()
+
 # A component that is not there is named, and so are those that are.
 execute_process(COMMAND ${configure} -B "${WORK}/unknown" -DMORE_COMPONENTS=FiltersKnitting
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)

@@ -2,6 +2,7 @@
 """`ink convert`, and .vdb files wherever `ink` reads volumes."""
 
 import json
+import os
 import struct
 
 import numpy as np
@@ -236,6 +237,20 @@ def test_built_without_openvdb_it_says_so(ink, tmp_path):
         assert result.code == 1 and not result.out
         assert len(result.err.splitlines()) == 1 and "built without OpenVDB" in result.err
     assert not list(tmp_path.glob("out*"))
+
+
+def test_what_needs_openvdb_is_loaded_when_it_is_needed(ink, volume, tmp_path):
+    file, out = tmp_path / "a.vdb", tmp_path / "out.vdb"
+    file.write_bytes(b"anything")
+    # Found before those of ink, and no library.
+    (tmp_path / "libvtkInkProgramVDB.so").write_bytes(b"anything")
+    env = {"LD_LIBRARY_PATH": f"{tmp_path}:{os.environ.get('LD_LIBRARY_PATH', '')}"}
+    assert ink("info", volume, env=env).code == 0
+    for arguments in (["info", file], ["convert", volume, out, "--quiet"]):
+        result = ink(*arguments, env=env)
+        assert result.code == 1 and not result.out
+        assert "cannot load what reads and writes OpenVDB files: " in result.error and str(tmp_path) in result.error
+    assert not out.exists()
 
 
 def test_a_mesh_cannot_be_converted(ink, can_convert, tmp_path):

@@ -5,44 +5,22 @@
 #include "Errors.h"
 #include "OutputFile.h"
 #include "Progress.h"
+#include "Vdb/VdbLibrary.h"
 
-#include "Fields/Grid/GridField.h"
 #include "Fields/Vdb/VdbWrite.h"
 #include "InkImageGrid.h"
 #include "InkVolumeValues.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
 #include <cmath>
 #include <iostream>
-#include <span>
 
 namespace ink::cli
 {
 namespace
 {
-
-/// The smallest of OpenVDB's types that holds all values of a type.
-bool needsDouble(int type)
-{
-  switch (type)
-  {
-    case VTK_INT:
-    case VTK_UNSIGNED_INT:
-    case VTK_LONG:
-    case VTK_UNSIGNED_LONG:
-    case VTK_LONG_LONG:
-    case VTK_UNSIGNED_LONG_LONG:
-    case VTK_ID_TYPE:
-    case VTK_DOUBLE:
-      return true;
-    default:
-      return false;
-  }
-}
 
 /// 64-bit integers beyond 2^53 are rounded by a double.
 bool isRounded(vtkDataArray* scalars, const double range[2])
@@ -50,22 +28,6 @@ bool isRounded(vtkDataArray* scalars, const double range[2])
   constexpr double exact = 9007199254740992.0;
   return scalars->GetDataTypeSize() == 8 && scalars->GetDataType() != VTK_DOUBLE &&
     (range[0] < -exact || range[1] > exact);
-}
-
-template <class Array>
-std::string convertAs(vtkImageData* image, const VdbConversion& conversion)
-{
-  using T = typename Array::ValueType;
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  vtkSmartPointer<Array> values = Array::FastDownCast(scalars);
-  if (!values)
-  {
-    values = vtkSmartPointer<Array>::New();
-    values->DeepCopy(scalars);
-  }
-  const GridField<T> volume(InkMakeGrid(image, InkExtent(image->GetExtent())),
-    std::span<const T>(values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues())));
-  return serializeVdb(makeVdbGrid(volume, conversion));
 }
 
 } // namespace
@@ -114,8 +76,7 @@ void convert(const ConvertOptions& options)
   std::string bytes;
   try
   {
-    bytes = needsDouble(scalars->GetDataType()) ? convertAs<vtkDoubleArray>(image, conversion)
-                                                : convertAs<vtkFloatArray>(image, conversion);
+    bytes = vdbLibrary().convert(image, conversion);
   }
   catch (const std::invalid_argument& error)
   {

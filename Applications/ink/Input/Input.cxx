@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "ReadError.h"
 #include "ReadFile.h"
+#include "Vdb/VdbLibrary.h"
 
 #include "FileSeries.h"
 #include "InkImageGrid.h"
@@ -65,7 +66,7 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   if (suffix == vdbSuffix)
   {
     // What is cut out of a volume is cut out of its voxels.
-    return readVdb(options, options.crop ? Wanted::Values : wanted, progress);
+    return vdbLibrary().read(options, options.crop ? Wanted::Values : wanted, progress);
   }
 #else
   if (suffix == vdbSuffix)

@@ -41,7 +41,6 @@ void takeNotes(Reader* reader, Input& input)
 
 /// One of these for each kind of input; all as readInput.
 Input readVolume(const InputOptions& options, Progress& progress);
-Input readVdb(const InputOptions& options, Wanted wanted, Progress& progress);
 Input readMesh(const InputOptions& options, Progress& progress);
 
 } // namespace ink::cli

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReadFile.h"
+#include "VdbParts.h"
 
 #include "Core/FormatNumber.h"
 #include "Errors.h"
 #include "Progress.h"
+#include "ReadFile.h"
 
 #include "InkImageSlabs.h"
 
