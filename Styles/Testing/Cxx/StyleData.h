@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 /// A ball of values up to 200 in the middle.
 inline vtkSmartPointer<vtkImageData> MakeBall(int side = 16)
@@ -52,6 +54,21 @@ inline vtkSmartPointer<vtkPolyData> MakeCloud()
 inline vtkIdType CountOf(vtkInkStyle* style)
 {
   return style->GetPiece(0)->GetNumberOfPoints();
+}
+
+/// Lets a style make few marks, where a test is not of their number.
+inline void MakeFewMarks(vtkInkStyle* style, int count = 2000)
+{
+  const std::map<std::string, int> few = { { "LineSpacing", 16 }, { "NumberOfSamples", count },
+    { "NumberOfSurfaceStipples", count }, { "Subdivision", 1 } };
+  for (int i = 0; i < style->GetNumberOfParameters(); ++i)
+  {
+    const auto found = few.find(style->GetParameterName(i));
+    if (found != few.end())
+    {
+      style->SetParameter(found->first.c_str(), found->second);
+    }
+  }
 }
 
 #endif

@@ -205,6 +205,7 @@ TEST(CurvedMeshes, StylesDrawThemUnlessSwitchedOff)
   const auto check = [&](vtkInkStyle* style)
   {
     SCOPED_TRACE(style->GetLabel());
+    MakeFewMarks(style, 20000);
     ASSERT_TRUE(style->GetCurvedMeshes());
     ASSERT_TRUE(style->Make(mesh));
     EXPECT_GT(LeastRadius(style->GetPiece(0)), 1.0 - 1e-3);
@@ -216,9 +217,7 @@ TEST(CurvedMeshes, StylesDrawThemUnlessSwitchedOff)
       inside + 1e-3);
   };
   check(vtkNew<vtkInkContoursStyle>());
-  vtkNew<vtkInkLineArtStyle> lineArt;
-  lineArt->SetLineSpacing(16.0);
-  check(lineArt);
+  check(vtkNew<vtkInkLineArtStyle>());
   check(vtkNew<vtkInkStippleStyle>());
   check(vtkNew<vtkInkSplattingLinesStyle>());
   check(vtkNew<vtkInkIllustrationStyle>());

@@ -6,7 +6,6 @@
 
 #include "InkStyleProcesses.h"
 #include "vtkInkIllustrationStyle.h"
-#include "vtkInkLineArtStyle.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
@@ -66,12 +65,7 @@ TEST(StylePieces, MakingMarksIsNoChange)
 {
   for (const auto& style : MakeStyles())
   {
-    // Of few marks.
-    style->SetPictureSize(100.0);
-    if (auto* lineArt = vtkInkLineArtStyle::SafeDownCast(style))
-    {
-      lineArt->SetLineSpacing(16.0);
-    }
+    MakeFewMarks(style);
     for (const vtkSmartPointer<vtkDataObject>& data :
       std::initializer_list<vtkSmartPointer<vtkDataObject>>{ MakeBall(), MakeMesh() })
     {
@@ -83,6 +77,7 @@ TEST(StylePieces, MakingMarksIsNoChange)
     }
   }
   vtkNew<vtkInkStippleStyle> style;
+  MakeFewMarks(style);
   ASSERT_TRUE(style->Draw(MakeBall()));
   const vtkMTimeType made = style->GetMTime();
   style->GetGenerator()->SetSeed(7);
@@ -135,6 +130,7 @@ TEST(StylePieces, GridsAndCompositesAreDrawnByTheirSurfaces)
   vtkNew<vtkInkSplattingLinesStyle> lines;
   for (vtkInkStyle* style : std::initializer_list<vtkInkStyle*>{ illustration, lines })
   {
+    MakeFewMarks(style);
     for (vtkDataObject* data : std::initializer_list<vtkDataObject*>{ grid, unstructured, meshes, images })
     {
       EXPECT_TRUE(style->Draw(data)) << style->GetName() << ' ' << data->GetClassName();

@@ -51,6 +51,7 @@ TEST(StyleSilhouettes, SilhouettesAreOfTheSurfaceThatIsDrawn)
       SCOPED_TRACE(std::string(style->GetName()) + ' ' + data->GetClassName());
       const bool ofImage = vtkImageData::SafeDownCast(data) != nullptr;
       style->ResetParameters();
+      MakeFewMarks(style);
       ASSERT_TRUE(style->Draw(data));
       EXPECT_EQ(style->GetPiece(piece)->GetNumberOfPoints(), 0);
       EXPECT_EQ(mapper->GetInput(), nullptr);
@@ -169,6 +170,7 @@ TEST(StyleSilhouettes, MethodsAreOfVoxelsOrOfTheSurface)
     vtkInkSilhouetteMapper* mapper = style == lines.Get() ? lines->GetSilhouettes()->GetMapper()
       : style == stipple.Get()                            ? stipple->GetSilhouettes()->GetMapper()
                                                           : illustration->GetSilhouettes()->GetMapper();
+    MakeFewMarks(style);
     ASSERT_TRUE(style->SetParameterAsString("Silhouettes", "on"));
     ASSERT_TRUE(style->Draw(MakeBlurredBall()));
     EXPECT_EQ(mapper->GetMethod(), vtkInkSilhouetteMapper::CHAINS);

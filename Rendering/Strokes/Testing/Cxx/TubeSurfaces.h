@@ -115,10 +115,16 @@ inline TubeSurface MakeTube(
   tube.Distance = [=](const glm::dvec3& p)
   {
     const auto away = [&](const glm::dvec3& c) { return glm::dot(p - c, p - c); };
-    const auto nearest = std::min_element(samples.begin(), samples.end(),
-      [&](const glm::dvec3& c, const glm::dvec3& d) { return away(c) < away(d); });
+    int nearest = 0;
+    double least = away(samples[0]);
+    for (int i = 1; i < count; ++i)
+    {
+      const double distance = away(samples[i]);
+      nearest = distance < least ? i : nearest;
+      least = std::min(distance, least);
+    }
     // From the nearest sample to the nearest point of the curve, by Newton's method.
-    double u = static_cast<double>(nearest - samples.begin()) / count;
+    double u = static_cast<double>(nearest) / count;
     for (int i = 0; i < 4; ++i)
     {
       constexpr double step = 1e-4;
