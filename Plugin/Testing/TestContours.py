@@ -14,6 +14,12 @@ from surface_tests import SurfaceTests
 
 PENCIL = pathlib.Path(__file__).resolve().parents[2] / "Data" / "pencil.png"
 STYLES = {"Illustration": "Illustration", "Splatting Lines": "Lines", "Stipple": "Stipple"}
+# Of surfaces, whose number does not matter.
+FEW_MARKS = {
+    "Illustration": {"IllustrationNumberOfSurfaceStipples": 20000},
+    "Splatting Lines": {"LinesNumberOfSamples": 20000},
+    "Stipple": {"NumberOfSurfaceStipples": 20000},
+}
 
 
 def sphere():
@@ -143,10 +149,10 @@ class TestContours(SurfaceTests, TestInOneView):
 
     def test_silhouettes_over_the_other_drawings(self):
         for style, prefix in STYLES.items():
-            for make, properties in ((sphere, {}), (lambda: Wavelet(WholeExtent=[-5, 5] * 3), {})):
+            for make in (sphere, lambda: Wavelet(WholeExtent=[-5, 5] * 3)):
                 with self.subTest(style, source=make):
                     source = make()
-                    display = self.show(source, style, **properties)
+                    display = self.show(source, style, **FEW_MARKS[style])
                     self.assertEqual(getattr(display, f"{prefix}Silhouettes"), 0)
                     plain = picture(self.view)
                     setattr(display, f"{prefix}Silhouettes", 1)

@@ -19,6 +19,7 @@ class TestLineArt(SurfaceTests, TestInOneView):
     PREFIX = "LineArt"
     # Few strokes, of few lines: what these tests are of is not their number.
     SHOWS = {"LineArtDensity": 0, "LineArtLineSpacing": 16}
+    FEW_MARKS = {"LineArtSubdivision": 2}
     WIDE = {"LineArtContourWidth": 20, **SHOWS}
 
     def show(self, source, **properties):
@@ -36,7 +37,7 @@ class TestLineArt(SurfaceTests, TestInOneView):
         self.assertTrue(0.02 < (picture(self.view)[..., 0] < 0.5).mean() < 0.2)
 
     def test_sliders_change_the_ink_and_make_nothing_again(self):
-        display = self.show(sphere(), LineArtDensity=0.1, LineArtContourWidth=0)
+        display = self.show(sphere(), LineArtDensity=0.1, LineArtContourWidth=0, LineArtLineSpacing=10)
         usual = ink(picture(self.view))
         made = marks(display)
         tones = []
@@ -66,7 +67,8 @@ class TestLineArt(SurfaceTests, TestInOneView):
 
     def test_an_image_has_strokes_on_its_outside_alone(self):
         # Through its cuts the surface is seen from within, too.
-        display = self.show(Wavelet(), LineArtAutomaticIsoValue=0, LineArtIsoValue=100, LineArtContourWidth=0, LineArtLineSpacing=10)
+        display = self.show(Wavelet(), LineArtAutomaticIsoValue=0, LineArtIsoValue=100, LineArtContourWidth=0, LineArtLineSpacing=10,
+            **self.FEW_MARKS)
         outside = ink(picture(self.view))
         display.LineArtCullingCosine = 1.0
         self.assertGreater(ink(picture(self.view)), 1.02 * outside)

@@ -122,7 +122,7 @@ class TestMagnification(unittest.TestCase):
         self.zoom(8)
         self.assert_made(mesh, 1, 8)
         Hide(GetActiveSource(), self.view)
-        hatched = self.show(Sphere(ThetaResolution=32, PhiResolution=32), "Line Art", LineArtDensity=0)
+        hatched = self.show(Sphere(ThetaResolution=32, PhiResolution=32), "Line Art", LineArtDensity=0, LineArtLineSpacing=16)
         self.zoom(8)
         self.assert_made(hatched, 1, 1, "traced for a view of all")
         Hide(GetActiveSource(), self.view)

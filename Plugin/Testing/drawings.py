@@ -127,7 +127,7 @@ for name in ("sphere", "contour"):
     save_points(f"{name}-generator", InkStippleGenerator(Input=meshes[name], NumberOfSurfaceStipples=2000))
 # As many marks as small pictures take: what is automatic makes them for large ones, too.
 for name in ("pvtp", "contour-of-file"):
-    draw(f"{name}-solid-illustration", meshes[name], "Illustration", IllustrationNumberOfSurfaceStipples=20000)
+    draw(f"{name}-solid-illustration", meshes[name], "Illustration", IllustrationNumberOfSurfaceStipples=5000)
 for name in ("pvtp", "sphere", "contour", "blocks"):
     draw(f"{name}-contours", meshes[name], "Contours", ContoursLineWidth=10, ContoursHiddenLines="Dashed")
 draw("pvti-line-art", volumes["pvti"], "Line Art", LineArtDensity=0, LineArtLineSpacing=16, LineArtSubdivision=1)
@@ -138,8 +138,7 @@ for name in ("ply", "pvtp", "sphere", "contour", "contour-of-file"):
 
 # Drawn by its own points, each process's by itself; the others are sampled, or get their normals, on the first process.
 draw("dense-lines", Sphere(Radius=4, ThetaResolution=500, PhiResolution=250), "Splatting Lines", Phi=100)
-draw("sphere-lines", meshes["sphere"], "Splatting Lines", Phi=100)
-for name in ("pvtp", "blocks"):
+for name in ("sphere", "pvtp", "blocks"):
     draw(f"{name}-lines", meshes[name], "Splatting Lines", Phi=100, LinesNumberOfSamples=20000)
 draw("cloud-lines", PointSource(NumberOfPoints=2000, Radius=4), "Splatting Lines", Phi=100)
 # The largest part of six, and those of half its size, of which there are two: they reach over processes' borders.

@@ -39,7 +39,10 @@ def check_iso_value(test, display, prefix, least=1000):
 
 class SurfaceTests:
     """Tests that a TestInOneView takes beside its own. It has `show`, and
-    PREFIX of its properties' names, and what SHOWS lines clearly, and draws a WIDE outline, its properties by name."""
+    PREFIX of its properties' names, and what SHOWS lines clearly, draws a WIDE outline, and makes FEW_MARKS of images, its
+    properties by name."""
+
+    FEW_MARKS = {}
 
     def set(self, display, **properties):
         for name, value in properties.items():
@@ -63,7 +66,7 @@ class SurfaceTests:
         self.assertGreater(colored.max(axis=-1).min(), 0.4)
 
     def test_an_image_is_drawn_at_a_value_that_suits_it_or_that_is_given(self):
-        display = self.show(Wavelet(), **self.SHOWS)
+        display = self.show(Wavelet(), **self.SHOWS, **self.FEW_MARKS)
         self.assertEqual(getattr(display, f"{self.PREFIX}AutomaticIsoValue"), 1)
         self.assertGreater((picture(self.view)[..., 0] < 0.5).mean(), 0.005)
         check_iso_value(self, display, self.PREFIX)
@@ -73,7 +76,7 @@ class SurfaceTests:
 
     def test_grids_and_composites_are_drawn(self):
         for source in grids_and_composites(Wavelet(WholeExtent=[-8, 8] * 3)):
-            self.show(source, **self.SHOWS)
+            self.show(source, **self.SHOWS, **self.FEW_MARKS)
             self.assertGreater(ink(picture(self.view)), 50, source)
             Hide(source, self.view)
         with Warnings() as warnings:

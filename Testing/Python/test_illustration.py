@@ -156,12 +156,13 @@ def test_lines_and_stipples_register():
 
 @pytest.mark.one_build
 def test_presets_differ_and_leave_what_is_given():
-    drawn = {name: draw(ball(32), "illustration", preset=name)[1] for name in vtkink.styles()["illustration"].presets}
+    few = {"number_of_surface_stipples": 50000}
+    drawn = {name: draw(ball(32), "illustration", preset=name, **few)[1] for name in vtkink.styles()["illustration"].presets}
     assert list(drawn) == ["specimen", "bone", "skin", "organ", "vessel", "machine-part"]
     for name, one in drawn.items():
         assert 0.01 < one.mean() < 0.5, name
         assert name == "bone" or (one != drawn["bone"]).any()
-    actor, _ = draw(ball(32), "illustration", preset="vessel", tau=0.9)
+    actor, _ = draw(ball(32), "illustration", preset="vessel", tau=0.9, **few)
     assert actor.style.GetParameter("Tau") == 0.9
     assert actor.style.GetParameter("StippleSize") == 2.0
 
@@ -230,9 +231,10 @@ def test_see_through_shows_the_inner_surface_within_the_outline_of_the_outer_one
 
 def test_see_through_has_an_ink_of_its_own():
     image = nested()
-    plain = draw(image, "illustration", see_through=True, iso_values=130)[1]
+    few = {"see_through": True, "iso_values": 130, "subdivision": 2, "number_of_surface_stipples": 50000}
+    plain = draw(image, "illustration", **few)[1]
     for strength in (0.0, 1.0):
-        drawn = draw(image, "illustration", see_through=True, iso_values=130, outer_strength=strength)[1]
+        drawn = draw(image, "illustration", **few, outer_strength=strength)[1]
         assert (drawn.sum() > plain.sum()) == (strength == 1.0)
     # Red ink takes no red light away, but for pixels that it shares with black.
     alone = draw(image, "illustration", iso_values=130)[1]
@@ -278,8 +280,12 @@ def test_bone_is_the_surface_within(ink, tmp_path):
     array = numpy_support.vtk_to_numpy(nested(48).GetPointData().GetScalars()).reshape(48, 48, 48)
     ink_files.write_nrrd(file, array)
 
+    # Marks are not what this is of.
+    stipples = ("--stipples", 5000)
+
     def value(*options):
-        result = ink("render", file, "-o", tmp_path / "out.png", "--size", 100, *options)
+        few = () if "--style" in options else stipples
+        result = ink("render", file, "-o", tmp_path / "out.png", "--size", 100, "--subdivision", 1, *few, *options)
         assert result.code == 0, result
         return [float(number) for number in re.findall(r"iso-value (\S+):", result.err)]
 
@@ -289,10 +295,10 @@ def test_bone_is_the_surface_within(ink, tmp_path):
     for style in ("splatting-lines", "contours"):
         assert value("--style", style, "--iso-choice", "inner") == inner
     assert value("--preset", "bone", "--iso", 50) == []
-    assert vtkink.draw(nested(), preset="bone").style.GetNote(0).startswith("iso-value 1")
+    assert vtkink.draw(nested(), preset="bone", subdivision=1, number_of_surface_stipples=5000).style.GetNote(0).startswith("iso-value 1")
     # A turntable keeps it.
     frames = ("--frames", 2, "-o", tmp_path / "f%d.png")
-    result = ink("render", file, "--size", 64, "--preset", "bone", *frames)
+    result = ink("render", file, "--size", 64, "--preset", "bone", *stipples, *frames)
     assert f"iso-value {inner[0]:g}" in result.err, result
 
 

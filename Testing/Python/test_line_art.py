@@ -160,7 +160,7 @@ def test_what_lies_behind_is_hidden():
 @pytest.mark.one_build
 def test_presets_differ():
     data = torus()
-    drawn = {name: draw(data, (0.3, 0.4, 1), preset=name) for name in vtkink.styles()["line-art"].presets}
+    drawn = {name: draw(data, (0.3, 0.4, 1), preset=name, line_spacing=8) for name in vtkink.styles()["line-art"].presets}
     assert list(drawn) == ["engraving", "sketch", "technical"]
     for name, one in drawn.items():
         assert 0.02 < one.mean() < 0.4, name
@@ -174,7 +174,7 @@ def test_the_same_with_one_thread_and_two(ink, tmp_path):
     pictures = []
     for threads in (1, 2):
         out = tmp_path / f"{threads}.png"
-        result = ink("render", file, "--style", "line-art", "--line-spacing", 8, "--iso", 100, "-q", "--size", "200x200", "-o", out,
+        result = ink("render", file, "--style", "line-art", "--line-spacing", 8, "--subdivision", 2, "--iso", 100, "-q", "--size", "200x200", "-o", out,
                      env={"VTK_SMP_MAX_THREADS": str(threads)})  # fmt: skip
         assert (result.code, result.err) == (0, ""), result
         pictures.append(ink_files.read_png(out))
@@ -194,7 +194,8 @@ def test_what_is_wrong_is_said():
 
 
 def test_the_example_draws(tmp_path):
-    nifti = ROOT / "Data" / "engine.nii.gz"
+    nifti = tmp_path / "blob.nii.gz"
+    ink_files.write_nifti(nifti, ink_files.blob())
     done = subprocess.run([sys.executable, ROOT / "Python/Examples/line_art.py", nifti], cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done
     assert 0.02 < (ink_files.read_png(tmp_path / "line_art.png") < 128).mean() < 0.4
