@@ -293,19 +293,21 @@ def test_progress_on_a_terminal(volume_file, tmp_path):
     assert re.fullmatch(r"ink: wrote \S*/out\.png: [^\r\n]*\r\n", last), last
 
 
-@pytest.mark.parametrize("style, least", [
-    ("illustration", 20), ("splatting-lines", 12), ("stipple", 10), ("contours", 3), ("line-art", 4)])  # fmt: skip
-def test_drawing_tells_how_far_it_is(volume_file, tmp_path, style, least):
+@pytest.mark.parametrize("style, least, options", [
+    ("illustration", 20, []), ("splatting-lines", 12, []), ("stipple", 10, []), ("contours", 3, []),
+    ("line-art", 4, ["--subdivision", "2"])])  # fmt: skip
+def test_drawing_tells_how_far_it_is(volume_file, tmp_path, style, least, options):
     """Of one picture in one piece, too."""
     out = tmp_path / "out.png"
-    code, text = run_on_terminal(["render", volume_file, "--style", style, "--iso", 100, "--size", "500x400", "-o", out])
+    arguments = ["render", volume_file, "--style", style, "--iso", "100", "--size", "500x400", *options]
+    code, text = run_on_terminal([*arguments, "-o", out])
     assert code == 0
     percents = [int(percent) for percent in re.findall(r"drawing (\d+) %", text)]
     assert percents == sorted(percents) and (percents[0], percents[-1]) == (0, 100), percents
     assert len(set(percents)) > least, percents
     # What is watched is what is drawn.
     again = tmp_path / "again.png"
-    subprocess.run(["ink", "render", volume_file, "--style", style, "--iso", "100", "--size", "500x400", "-q", "-o", again], check=True)
+    subprocess.run(["ink", *arguments, "-q", "-o", again], check=True)
     assert out.read_bytes() == again.read_bytes()
 
 
