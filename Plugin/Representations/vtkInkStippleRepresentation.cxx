@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkStippleRepresentation.h"
 
+#include "InkCellCenters.h"
 #include "vtkInkEarlyFXAA.h"
 #include "vtkInkStippleStyle.h"
 
@@ -65,7 +66,9 @@ int vtkInkStippleRepresentation::RequestUpdateExtent(
     vtkInformation* info = inputVector[0]->GetInformationObject(0);
     // As the generator asks for them; of grids as many as tell the outer surface.
     const int ofGrids = vtkPolyData::GetData(info) ? 0 : 1;
-    const int levels = vtkImageData::GetData(info) ? ink::stipple::stippleReach.x + 1 : ofGrids;
+    vtkImageData* image = vtkImageData::GetData(info);
+    const int ofCells = image && InkTakesCells(image) ? 1 : 0;
+    const int levels = image ? ink::stipple::stippleReach.x + 1 + ofCells : ofGrids;
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
       std::max(levels, info->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS())));
   }

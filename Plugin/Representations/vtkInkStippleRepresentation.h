@@ -3,10 +3,11 @@
  * @class   vtkInkStippleRepresentation
  * @brief   "Stipple": shows images and meshes as stipple drawings in ParaView's render views
  *
- * What a vtkInkStippleStyle makes of them and how it draws that, on all processes as on one: percentiles and
- * ranges are those of the whole image, of which each process stipples its part; meshes are put together and
- * stippled by the first process. Five levels of ghost cells are asked for; images in composite datasets have
- * none, and stipples there do not mind those of their neighbors.
+ * What a vtkInkStippleStyle makes of them and how it draws that, on all processes as on one: percentiles
+ * and ranges are those of the whole image, of which each process stipples its part; meshes are put together
+ * and stippled by the first process. Five levels of ghost cells are asked for, six where values are those
+ * of cells; images in composite datasets have none, and stipples there do not mind those of their
+ * neighbors.
  *
  * Colors: the array that is chosen for the representation, of an image's points, or of points or cells of
  * other data; none: the ink. The active scalars, or the array chosen last, go with the stipples in any case,

@@ -27,7 +27,7 @@ bool AreStipples(vtkPolyData* data)
 
 } // namespace
 
-InkLeaves::InkLeaves(vtkDataObject* input)
+InkLeaves::InkLeaves(vtkDataObject* input, const std::string& array)
 {
   if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -35,16 +35,16 @@ InkLeaves::InkLeaves(vtkDataObject* input)
     auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
     {
-      this->Add(leaves->GetCurrentDataObject());
+      this->Add(leaves->GetCurrentDataObject(), array);
     }
   }
   else if (input)
   {
-    this->Add(input);
+    this->Add(input, array);
   }
 }
 
-void InkLeaves::Add(vtkDataObject* leaf)
+void InkLeaves::Add(vtkDataObject* leaf, const std::string& array)
 {
   auto data = vtkDataSet::SafeDownCast(leaf);
   if (!data)
@@ -59,7 +59,7 @@ void InkLeaves::Add(vtkDataObject* leaf)
   auto polyData = vtkPolyData::SafeDownCast(data);
   if (auto image = vtkImageData::SafeDownCast(data))
   {
-    this->KeptImages.push_back(InkWithPointValues(image));
+    this->KeptImages.push_back(InkWithPointValues(image, array));
     this->Images.push_back(this->KeptImages.back());
   }
   else if (polyData && AreStipples(polyData))

@@ -18,7 +18,8 @@ class vtkPolyData;
 struct VTKINKSTYLES_EXPORT InkLeaves
 {
   /// @param input null: none
-  explicit InkLeaves(vtkDataObject* input);
+  /// @param array of images that is wanted; empty: the active scalars
+  explicit InkLeaves(vtkDataObject* input, const std::string& array = {});
 
   /// Their surfaces, and stipples' points as they are: of grids the outer surface.
   std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes() const;
@@ -36,7 +37,7 @@ struct VTKINKSTYLES_EXPORT InkLeaves
   std::string Problem; ///< what of it is no dataset, "a vtkTable"; empty if all are
 
 private:
-  void Add(vtkDataObject* leaf);
+  void Add(vtkDataObject* leaf, const std::string& array);
 
   std::vector<vtkSmartPointer<vtkImageData>> KeptImages;
 };

@@ -48,16 +48,20 @@ struct Rectangle
   }
 };
 
+/// The part of what lies over it that a base is at least for standing on it well.
+constexpr double GoodBase = 0.2;
+
 /// The rectangle around what touches the ground.
 struct Base
 {
   double area = 0.0; ///< world units
   double part = 0.0; ///< of the rectangle around all
 
-  /// By both: what is long would stand on a large part of its end, and what is thin lie on its large side.
-  bool isClearlyLargerThan(const Base& other) const
+  /// By parts, as what is large one way stands there on more. But a long body's flat end is a large part
+  /// where it stands on that, and no reason not to stand on four feet.
+  bool isClearlyBetterThan(const Base& other) const
   {
-    return this->area > Clearly * other.area && this->part > Clearly * other.part;
+    return this->part > Clearly * other.part && !(other.part >= GoodBase && other.area > this->area);
   }
 };
 
@@ -94,7 +98,7 @@ std::string FindUp(vtkPolyData* mesh, const std::string& file)
   const bool isObj = suffix == ".obj";
   const Base y = BaseOf(mesh, 1);
   const Base z = BaseOf(mesh, 2);
-  return isObj ? (z.isClearlyLargerThan(y) ? "z" : "y") : (y.isClearlyLargerThan(z) ? "y" : "z");
+  return isObj ? (z.isClearlyBetterThan(y) ? "z" : "y") : (y.isClearlyBetterThan(z) ? "y" : "z");
 }
 
 /// The Sides that may be shown, the usual one first, and the top.

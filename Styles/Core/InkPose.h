@@ -16,8 +16,9 @@ struct InkPose
 
 /// A guess at how a mesh or a cloud of points stands, of whose axes its file says nothing.
 ///
-/// Up is z, or y where the mesh rests on a clearly larger base then: what it touches the ground with, both in
-/// itself and as a part of what lies below all of it. OBJ files have y up unless z is clearly better. Of the four sides it is
+/// Up is z, or y where the mesh rests on a clearly larger base then: what it touches the ground with, as a
+/// part of what lies below all of it; not, however, if it rests on more with z up, and on a fifth of that at
+/// least. OBJ files have y up unless z is clearly better. Of the four sides it is
 /// shown from the one whose polygons that face the viewer are largest as they are seen: from the front unless
 /// another side shows clearly more. What lies flat is looked down on.
 /// @param file its name, or none

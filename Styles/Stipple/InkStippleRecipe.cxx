@@ -65,7 +65,7 @@ void InkStippleRecipe::Say(const std::string& problem)
 std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
-  const InkLeaves leaves(input.Data);
+  const InkLeaves leaves(input.Data, style->Scalars);
   style->IdsAreInputs = false;
   style->MadeColorArray.clear();
   style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;

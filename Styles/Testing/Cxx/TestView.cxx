@@ -186,6 +186,9 @@ TEST(View, WhatIsLongDoesNotStandOnItsEnd)
   view->Choose(animal, "pig.stl");
   EXPECT_EQ(view->GetUp(), "z");
   EXPECT_EQ(view->GetName(), "left");
+  // Without such feet it is as tall as it is long, as a bear on its back.
+  view->Choose(Boxes({ { -0.5, 0.5, 0, 4, 0.5, 1.5 }, { -0.1, 0.1, 1, 1.5, 0, 0.5 } }), "bear.ply");
+  EXPECT_EQ(view->GetUp(), "y");
   // Nor does a wall lie on its side.
   view->Choose(Boxes({ { 0, 4, 0, 0.2, 0, 3 } }), "wall.stl");
   EXPECT_EQ(view->GetUp(), "z");
