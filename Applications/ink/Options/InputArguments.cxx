@@ -23,8 +23,9 @@ constexpr const char* vdbSuffix = "";
 
 std::string InputArguments::fileHelp(const std::string& mesh)
 {
-  return "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .mrc .map .ccp4 .vti .vtk .dcm" + std::string(vdbSuffix) +
-    ", a folder of DICOM files, or any file with --raw;\n" + mesh + ": .ply .obj .off .stl .vtp .vtk .xyz";
+  return "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .mrc .map .ccp4 .vti .vtk .dcm" +
+    std::string(vdbSuffix) + ", a folder of DICOM files, or any file with --raw;\n" + mesh +
+    ": .ply .obj .off .stl .vtp .vtk .xyz";
 }
 
 void InputArguments::addFile(CLI::App* command, const std::string& mesh)
@@ -46,7 +47,8 @@ void InputArguments::addReading(CLI::App* command)
   command
     ->add_option("--memory", this->memory,
       "about how much memory to use, as 800MiB or 4GiB (half of the machine's). Volumes in raw files and in\n"
-      "uncompressed NIfTI, NRRD, MetaImage, MRC and legacy VTK files that are larger are read a few slices at a "
+      "uncompressed NIfTI, NRRD, MetaImage, MRC and legacy VTK files that are larger are read a few slices "
+      "at a "
       "time")
     ->type_name("SIZE");
   command
