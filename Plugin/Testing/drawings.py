@@ -127,7 +127,7 @@ for name in ("sphere", "contour"):
     save_points(f"{name}-generator", InkStippleGenerator(Input=meshes[name], NumberOfSurfaceStipples=2000))
 # As many marks as small pictures take: what is automatic makes them for large ones, too.
 for name in ("pvtp", "contour-of-file"):
-    draw(f"{name}-solid-illustration", meshes[name], "Illustration", IllustrationNumberOfSurfaceStipples=5000)
+    draw(f"{name}-solid-illustration", meshes[name], "Illustration", IllustrationNumberOfSurfaceStipples=20000)
 for name in ("pvtp", "sphere", "contour", "blocks"):
     draw(f"{name}-contours", meshes[name], "Contours", ContoursLineWidth=10, ContoursHiddenLines="Dashed")
 draw("pvti-line-art", volumes["pvti"], "Line Art", LineArtDensity=0, LineArtLineSpacing=16, LineArtSubdivision=1)
