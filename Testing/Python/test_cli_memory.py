@@ -219,8 +219,8 @@ def test_what_is_chosen_is_left_out_where_slices_have_no_room(ink, tmp_path):
     values.astype(np.uint8).tofile(tmp_path / "v.raw")
 
     def notes(memory, *arguments):
-        result = ink("render", tmp_path / "v.raw", "--raw", "1024x1024x18:uint8", "--iso", 40, "--size", "500x100", "--style",
-                     "splatting-lines", "--memory", memory, "-o", tmp_path / "picture.png", *arguments)
+        result = ink("render", tmp_path / "v.raw", "--raw", "1024x1024x18:uint8", "--iso", 40, "--size", "500x100", "--view", "front",
+                     "--style", "splatting-lines", "--memory", memory, "-o", tmp_path / "picture.png", *arguments)
         assert result.code == 0, result
         return result.err.splitlines()[:-1]
 

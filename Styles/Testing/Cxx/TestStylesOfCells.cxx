@@ -6,6 +6,7 @@
 
 #include "vtkCellData.h"
 #include "vtkImageData.h"
+#include "vtkInkStippleStyle.h"
 #include "vtkInkStyle.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -89,4 +90,24 @@ TEST(StylesOfCells, FromAPortAsFromItself)
     EXPECT_TRUE(marks[0] == marks[1])
       << style->GetName() << ": " << marks[0].size() << ' ' << marks[1].size();
   }
+}
+
+TEST(StylesOfCells, AnArrayOfCellsIsTakenByItsName)
+{
+  const auto both = MakeBallOfCells();
+  vtkNew<vtkUnsignedCharArray> points;
+  points->SetName("points");
+  points->SetNumberOfValues(both->GetNumberOfPoints());
+  points->FillValue(7);
+  both->GetPointData()->SetScalars(points);
+  vtkNew<vtkInkStippleStyle> stipple;
+  stipple->SetStippleSource(vtkInkStippleStyle::VOXELS);
+  ASSERT_TRUE(stipple->Make(both));
+  EXPECT_EQ(CountOf(stipple), 0) << "nothing in the points' array";
+  stipple->SetScalars("density");
+  ASSERT_TRUE(stipple->Make(both));
+  const vtkIdType found = CountOf(stipple);
+  stipple->SetScalars("");
+  ASSERT_TRUE(stipple->Make(MakeBall()));
+  EXPECT_EQ(found, CountOf(stipple));
 }
