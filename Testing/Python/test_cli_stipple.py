@@ -131,7 +131,7 @@ def test_iso_surfaces_hide_what_lies_behind(stippled, tmp_path):
     """A ball before a ball: where the surface hides nothing, one sees the rear one, and the far sides, through the other."""
     ball = ink_files.blob((24, 24, 24))
     ink_files.write_vti(tmp_path / "balls.vti", np.concatenate([ball, ball], axis=1))
-    options = ["--lighting", "off", "--silhouette", "off", "--distance", 0, "--pixels-per-stipple", 60]
+    options = ["--view", "front", "--lighting", "off", "--silhouette", "off", "--distance", 0, "--pixels-per-stipple", 60]
     through = stippled(tmp_path / "balls.vti", *options, "--iso", 100, "--no-surface-hides").mean()
     solid = stippled(tmp_path / "balls.vti", *options, "--iso", 100).mean()
     assert 0.5 * through < solid < 0.9 * through
