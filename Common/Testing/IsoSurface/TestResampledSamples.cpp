@@ -5,9 +5,12 @@
 #include "HashNoise.h"
 #include "IsoSurface/ResampledSamples.h"
 #include "SampledVolume.h"
+#include "Statistics/NoiseEstimate.h"
+#include "VolumeFraction.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <gtest/gtest.h>
 
@@ -143,6 +146,17 @@ TEST(ResampledSamples, SmoothingRemovesNoiseFromNormals)
   EXPECT_LT(after.distance, before.distance);
   EXPECT_LT(normals.angle, 0.35 * before.angle);
   EXPECT_LT(normals.distance, 0.8 * before.distance) << "the surface keeps its position";
+}
+
+TEST(ResampledSamples, SmoothingHidesTheGridOfVolumeFractions)
+{
+  const Sphere sphere{ { 0.1, -0.2, 0.3 }, 24.0 };
+  const auto volume = Volume<float>::from(centered(glm::ivec3(56), glm::dvec3(1.0)),
+    [&](const glm::dvec3& p) { return volumeFraction(sphere, p); });
+  const auto degrees = [&](const auto& samples) { return glm::degrees(errorsOf(samples, sphere).angle); };
+  EXPECT_NEAR(degrees(sampleIsoSurface<float>(volume.field(), 0.5)), 6.0, 0.6);
+  EXPECT_LT(
+    degrees(resample(volume.field(), 0.5, { ink::sharpSmoothing, 1, SmoothingTarget::Normals })), 1.3);
 }
 
 TEST(ResampledSamples, NormalsAloneKeepAThinTube)

@@ -6,6 +6,7 @@
 #include "SampledMeshes.h"
 #include "SampledVolume.h"
 #include "Statistics/NoiseEstimate.h"
+#include "VolumeFraction.h"
 
 #include <glm/common.hpp>
 
@@ -142,16 +143,7 @@ TEST(NoiseEstimate, VolumeFractionsAreSharp)
     std::uint64_t n = 0;
     return Volume<float>::from(centered(48),
       [&](const glm::dvec3& p)
-      {
-        // Of 4^3 points of a cell, those within the ball.
-        int inside = 0;
-        for (int k = 0; k < 64; ++k)
-        {
-          const glm::dvec3 part(k & 3, k >> 2 & 3, k >> 4);
-          inside += ball.distance(p + (part - 1.5) / 4.0) < 0.0 ? 1 : 0;
-        }
-        return low + step * (inside / 64.0 + noise * hashNormal(3, n++));
-      });
+      { return low + step * (volumeFraction(ball, p) + noise * hashNormal(3, n++)); });
   };
   for (const double noise : { 0.0, 0.02 })
   {
