@@ -102,7 +102,7 @@ class TestSampler(unittest.TestCase):
             # 2 hides only what would cover the output, and not an image's outline.
             self.assertEqual(visibility.GetAttribute("replace_input"), "1")
 
-    def test_is_offered_for_images_with_point_scalars_only(self):
+    def test_is_offered_for_images_with_scalars_only(self):
         image = Wavelet()
         cells = PointDatatoCellData(Input=image)
         vectors = Calculator(Input=image, ResultArrayName="v", Function="coords")
@@ -118,7 +118,7 @@ class TestSampler(unittest.TestCase):
             domain.SetUncheckedInputConnection(0, source.SMProxy, 0)
             offered[name] = bool(domain.IsInDomains())
         domain.ClearUncheckedElements()
-        expected = dict(image=True, cells=False, vectors=True, only_vectors=False, surface=False)
+        expected = dict(image=True, cells=True, vectors=True, only_vectors=False, surface=False)
         self.assertEqual(offered, expected)
 
 

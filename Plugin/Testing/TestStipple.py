@@ -379,14 +379,21 @@ class TestStipple(TestInOneView):
         # The left half of the picture.
         self.assertLess(information.GetBounds()[1], 0.5)
 
-    def test_an_image_without_point_scalars_is_an_error_named_once(self):
+    def test_an_image_without_scalars_is_an_error_named_once(self):
         with Warnings() as warnings:
-            self.show(PointDatatoCellData(Input=Wavelet()))
+            self.show(PassArrays(Input=Wavelet()))
             self.assertTrue(is_background(picture(self.view)).all())
             picture(self.view)
         self.assertEqual(len(warnings), 1, warnings)
-        self.assertIn("No point scalars in the image", warnings[0])
-        self.assertIn("Cell Data to Point Data", warnings[0])
+        self.assertIn("No point scalars in the image. Its point arrays: none.", warnings[0])
+
+    def test_images_of_cells_are_drawn_as_those_of_points(self):
+        image = Wavelet()
+        self.show(image, GradientPercentile=60)
+        of_points = self.ink()
+        Hide(image, self.view)
+        self.show(PointDatatoCellData(Input=image), GradientPercentile=60)
+        self.assertAlmostEqual(self.ink() / of_points, 1.0, delta=0.07)
 
     def test_new_data_is_drawn(self):
         wavelet = Wavelet()
