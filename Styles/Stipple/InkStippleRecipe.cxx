@@ -132,16 +132,15 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
   const std::string name = chosen ? style->ColorBy : active && active->GetName() ? active->GetName() : "";
   const int association = chosen && style->ColorAssociation >= 0 ? style->ColorAssociation
                                                                  : vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  // Of an image, cells' values are those of their centers by now.
+  const bool ofCells = cells && association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   vtkDataSetAttributes* attributes =
     ofCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
-  // Of an image, cells' values are those of their centers by now.
-  const bool ofCenters = ofCells && !cells && data->GetPointData()->GetArray(name.c_str());
-  const bool has =
-    !name.empty() && (ofCenters || ((!ofCells || cells) && attributes->GetArray(name.c_str())));
+  const bool has = !name.empty() && attributes->GetArray(name.c_str());
   this->Generator->SetPassScalars(has);
-  this->Generator->SetInputArrayToProcess(
-    1, 0, 0, ofCenters ? vtkDataObject::FIELD_ASSOCIATION_POINTS : association, has ? name.c_str() : "");
+  this->Generator->SetInputArrayToProcess(1, 0, 0,
+    ofCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    has ? name.c_str() : "");
   if (has)
   {
     style->MadeColorArray = name;

@@ -2,6 +2,7 @@
 #include "MeshFiles.h"
 
 #include "ReadError.h"
+#include "TextLines.h"
 #include "Words.h"
 
 #include "vtkCellArray.h"
@@ -42,24 +43,13 @@ struct Corner
 class ObjText
 {
 public:
-  explicit ObjText(const fs::path& file)
+  ObjText(const fs::path& file, std::string_view text, const Progress& progress)
     : File(file)
+    , Text(file, text, progress)
   {
-  }
-
-  void read(std::string_view text, const Progress& progress)
-  {
-    const std::size_t size = text.size();
-    std::string_view line;
-    while (nextLine(text, line))
+    while (this->Text.next())
     {
-      constexpr std::uint64_t linesOfAStep = 1 << 16;
-      if (this->Number++ % linesOfAStep == 0)
-      {
-        advance(progress, 1.0 - static_cast<double>(text.size()) / static_cast<double>(size));
-      }
-      this->Line = line;
-      std::string_view words = line;
+      std::string_view words = this->Text.line();
       this->take(nextWord(words), words);
     }
   }
@@ -109,12 +99,6 @@ private:
     }
   };
 
-  [[noreturn]] void fail(const std::string& expected) const
-  {
-    failToRead(this->File,
-      "line " + std::to_string(this->Number) + " is '" + shortened(this->Line) + "'; expected " + expected);
-  }
-
   void take(std::string_view keyword, std::string_view words)
   {
     if (keyword == "v")
@@ -126,7 +110,7 @@ private:
       const std::vector<double> numbers = this->numbers(words);
       if (numbers.size() < 3)
       {
-        this->fail("a normal's three numbers after vn");
+        this->Text.fail("a normal's three numbers after vn");
       }
       this->Normals.insert(this->Normals.end(), numbers.begin(), numbers.begin() + 3);
     }
@@ -152,7 +136,7 @@ private:
       const std::optional<double> number = numberIn(word);
       if (!number)
       {
-        this->fail("numbers");
+        this->Text.fail("numbers");
       }
       numbers.push_back(*number);
     }
@@ -165,7 +149,7 @@ private:
     const std::vector<double> numbers = this->numbers(words);
     if (numbers.size() < 3)
     {
-      this->fail("three coordinates after v");
+      this->Text.fail("three coordinates after v");
     }
     this->Coordinates.insert(this->Coordinates.end(), numbers.begin(), numbers.begin() + 3);
     constexpr std::size_t withColor = 6;
@@ -189,7 +173,7 @@ private:
     const auto before = static_cast<std::int64_t>(count);
     if (error != std::errc() || end != word.data() + word.size() || index == 0 || index < -before)
     {
-      this->fail("numbers of vertices as 1, 1/2, 1//3, 1/2/3 or, of those before this line, as -1");
+      this->Text.fail("numbers of vertices as 1, 1/2, 1//3, 1/2/3 or, of those before this line, as -1");
     }
     return index > 0 ? index - 1 : before + index;
   }
@@ -232,7 +216,7 @@ private:
     }
     if (cells.corners.size() - begin < least)
     {
-      this->fail(std::to_string(least) + " vertices or more");
+      this->Text.fail(std::to_string(least) + " vertices or more");
     }
     cells.ends.push_back(cells.corners.size());
   }
@@ -301,8 +285,7 @@ private:
   }
 
   const fs::path& File;
-  std::uint64_t Number = 0;
-  std::string_view Line;
+  TextLines Text;
   std::vector<double> Coordinates;
   std::vector<unsigned char> Colors;
   std::vector<double> Normals;
@@ -331,9 +314,7 @@ vtkSmartPointer<vtkPolyData> readObj(
 {
   std::string bytes = contentsOf(file);
   joinLines(bytes);
-  ObjText text(file);
-  text.read(bytes, progress);
-  return text.mesh();
+  return ObjText(file, bytes, progress).mesh();
 }
 
 } // namespace ink::io

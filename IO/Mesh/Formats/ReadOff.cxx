@@ -3,6 +3,7 @@
 #include "MeshFiles.h"
 
 #include "ReadError.h"
+#include "TextLines.h"
 #include "Words.h"
 
 #include "vtkCellArray.h"
@@ -34,9 +35,7 @@ class OffText
 public:
   OffText(const fs::path& file, std::string_view text, const Progress& progress)
     : File(file)
-    , Text(text)
-    , Size(text.size())
-    , Reports(progress)
+    , Text(file, text, progress)
   {
   }
 
@@ -50,24 +49,13 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& expected) const
-  {
-    failToRead(this->File,
-      "line " + std::to_string(this->Number) + " is '" + shortened(this->Line) + "'; expected " + expected);
-  }
-
   /// The next line that is neither empty nor a comment, without one. @return false at the end
   bool tryLine()
   {
-    while (nextLine(this->Text, this->Line))
+    while (this->Text.next())
     {
-      constexpr std::uint64_t linesOfAStep = 1 << 16;
-      if (this->Number++ % linesOfAStep == 0)
-      {
-        advance(
-          this->Reports, 1.0 - static_cast<double>(this->Text.size()) / static_cast<double>(this->Size));
-      }
-      this->Words = this->Line.substr(0, this->Line.find('#'));
+      const std::string_view line = this->Text.line();
+      this->Words = line.substr(0, line.find('#'));
       if (this->Words.find_first_not_of(" \t\r") != std::string_view::npos)
       {
         return true;
@@ -85,7 +73,7 @@ private:
       const std::optional<double> number = numberIn(word);
       if (!number)
       {
-        this->fail(expected);
+        this->Text.fail(expected);
       }
       this->Numbers.push_back(*number);
     }
@@ -117,7 +105,7 @@ private:
     if (!take("OFF"))
     {
       failToRead(this->File,
-        "it is not an OFF mesh of three dimensions: it begins with '" + shortened(this->Line) +
+        "it is not an OFF mesh of three dimensions: it begins with '" + shortened(this->Text.line()) +
           "'; expected " + expected);
     }
     std::string_view rest = words;
@@ -139,7 +127,7 @@ private:
     this->numbers(expected);
     if (this->Numbers.size() < 2 || !std::all_of(this->Numbers.begin(), this->Numbers.end(), isCount))
     {
-      this->fail(expected);
+      this->Text.fail(expected);
     }
     this->Vertices = this->Numbers[0];
     this->Faces = this->Numbers[1];
@@ -170,7 +158,8 @@ private:
       this->numbers("the numbers of a vertex");
       if (this->Numbers.size() < least)
       {
-        this->fail(this->HasNormals ? "a vertex and its normal, six numbers" : "a vertex, three numbers");
+        this->Text.fail(
+          this->HasNormals ? "a vertex and its normal, six numbers" : "a vertex, three numbers");
       }
       coordinates->InsertNextTuple(this->Numbers.data());
       if (this->HasNormals)
@@ -241,7 +230,7 @@ private:
     const double count = this->Numbers.empty() ? 0.0 : this->Numbers[0];
     if (!isCount(count) || count < 1.0 || count > static_cast<double>(this->Numbers.size() - 1))
     {
-      this->fail("a face: the number of its corners, and theirs");
+      this->Text.fail("a face: the number of its corners, and theirs");
     }
     const auto corners = std::span(this->Numbers).subspan(1, static_cast<std::size_t>(count));
     vtkCellArray* cells = corners.size() == 1 ? vertices : corners.size() == 2 ? lines : polygons;
@@ -250,18 +239,14 @@ private:
     {
       if (!isCount(corner) || corner >= this->Vertices)
       {
-        this->fail("corners from 0 to " + std::to_string(static_cast<std::int64_t>(this->Vertices) - 1));
+        this->Text.fail("corners from 0 to " + std::to_string(static_cast<std::int64_t>(this->Vertices) - 1));
       }
       cells->InsertCellPoint(static_cast<vtkIdType>(corner));
     }
   }
 
   const fs::path& File;
-  std::string_view Text;
-  std::size_t Size;
-  const Progress& Reports;
-  std::uint64_t Number = 0;
-  std::string_view Line;
+  TextLines Text;
   std::string_view Words; ///< of the line that are to be read
   std::vector<double> Numbers;
   std::vector<float> Colors;

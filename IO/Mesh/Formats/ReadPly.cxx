@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFiles.h"
 
+#include "OrderedBytes.h"
 #include "PlyHeader.h"
 #include "ReadError.h"
 #include "Words.h"
@@ -52,13 +53,7 @@ private:
 template <class T>
 double valueOf(const char* bytes, bool swapped)
 {
-  std::array<char, sizeof(T)> ordered;
-  std::copy_n(bytes, sizeof(T), ordered.begin());
-  if (swapped)
-  {
-    std::reverse(ordered.begin(), ordered.end());
-  }
-  return static_cast<double>(std::bit_cast<T>(ordered));
+  return static_cast<double>(valueFrom<T>(bytes, swapped));
 }
 
 double valueOf(const PlyType& type, const char* bytes, bool swapped)

@@ -5,9 +5,9 @@
 
 #include "Core/FormatNumber.h"
 #include "FirstBytes.h"
+#include "OrderedBytes.h"
 #include "ReadError.h"
 
-#include "vtkMath.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -87,13 +87,7 @@ private:
   template <class T>
   T read(int number, bool bigEndian) const
   {
-    std::array<unsigned char, sizeof(T)> bytes;
-    std::copy_n(this->word(number), sizeof(T), bytes.begin());
-    if (bigEndian != (std::endian::native == std::endian::big))
-    {
-      std::reverse(bytes.begin(), bytes.end());
-    }
-    return std::bit_cast<T>(bytes);
+    return valueFrom<T>(this->word(number), bigEndian != (std::endian::native == std::endian::big));
   }
 
   const std::vector<unsigned char>& Bytes;

@@ -4,6 +4,7 @@
 #include "Core/FormatNumber.h"
 #include "FirstBytes.h"
 #include "Inflater.h"
+#include "OrderedBytes.h"
 #include "ReadError.h"
 
 #include "vtkMath.h"
@@ -106,13 +107,7 @@ private:
   template <class T>
   T at(std::size_t offset) const
   {
-    std::array<unsigned char, sizeof(T)> bytes;
-    std::copy_n(this->Bytes.begin() + static_cast<std::ptrdiff_t>(offset), sizeof(T), bytes.begin());
-    if (this->Swapped)
-    {
-      std::reverse(bytes.begin(), bytes.end());
-    }
-    return std::bit_cast<T>(bytes);
+    return valueFrom<T>(this->Bytes.data() + offset, this->Swapped);
   }
 
   std::span<const unsigned char> Bytes;

@@ -77,6 +77,13 @@ inline std::vector<Sample> SamplesOf(vtkPolyData* data)
   return samples;
 }
 
+inline std::vector<Sample> SortedSamplesOf(vtkPolyData* data)
+{
+  auto samples = SamplesOf(data);
+  std::sort(samples.begin(), samples.end());
+  return samples;
+}
+
 /// Those of all pieces of a filter's output, sorted.
 inline std::vector<Sample> SamplesOfPieces(vtkPolyDataAlgorithm* filter, int pieces)
 {

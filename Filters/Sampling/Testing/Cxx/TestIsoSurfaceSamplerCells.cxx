@@ -55,13 +55,6 @@ vtkSmartPointer<vtkImageData> ImageOfCells()
   return image;
 }
 
-std::vector<Sample> SortedSamples(vtkPolyData* data)
-{
-  auto samples = SamplesOf(data);
-  std::sort(samples.begin(), samples.end());
-  return samples;
-}
-
 vtkSmartPointer<vtkInkIsoSurfaceSampler> SamplerOf(vtkImageData* image)
 {
   auto sampler = vtkSmartPointer<vtkInkIsoSurfaceSampler>::New();
@@ -74,7 +67,7 @@ std::vector<Sample> Expected()
 {
   const auto sampler = SamplerOf(ImageOfPoints());
   sampler->Update();
-  return SortedSamples(sampler->GetOutput());
+  return SortedSamplesOf(sampler->GetOutput());
 }
 
 /// A file with values in cells, which goes with the test.
@@ -110,18 +103,18 @@ TEST_F(IsoSurfaceSamplerCells, AreSampledAsPointsInTheirCenters)
   const auto sampler = SamplerOf(image);
   messages->Observe(sampler);
   sampler->Update();
-  EXPECT_TRUE(SortedSamples(sampler->GetOutput()) == expected) << sampler->GetOutput()->GetNumberOfPoints();
+  EXPECT_TRUE(SortedSamplesOf(sampler->GetOutput()) == expected) << sampler->GetOutput()->GetNumberOfPoints();
   for (const int association :
     { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
   {
     sampler->SetInputArrayToProcess(0, 0, 0, association, "density");
     sampler->Update();
-    EXPECT_TRUE(SortedSamples(sampler->GetOutput()) == expected) << association;
+    EXPECT_TRUE(SortedSamplesOf(sampler->GetOutput()) == expected) << association;
   }
   sampler->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
   sampler->Update();
-  EXPECT_TRUE(SortedSamples(sampler->GetOutput()) == expected) << "by attribute";
+  EXPECT_TRUE(SortedSamplesOf(sampler->GetOutput()) == expected) << "by attribute";
   messages->Expect("cells", {});
 }
 
@@ -141,7 +134,7 @@ TEST_F(IsoSurfaceSamplerCells, PointArraysComeFirst)
   messages->Messages.clear();
   sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "density");
   sampler->Update();
-  EXPECT_TRUE(SortedSamples(sampler->GetOutput()) == Expected()) << "asked for by its name";
+  EXPECT_TRUE(SortedSamplesOf(sampler->GetOutput()) == Expected()) << "asked for by its name";
   messages->Expect("the cells' array by its name", {});
   sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "none");
   sampler->Update();
@@ -171,7 +164,7 @@ TEST_F(IsoSurfaceSamplerCells, SlicesAreTheWhole)
   sampler->SetValue(0, IsoValue);
   sampler->SetMaximumMemory(97); // room for a few
   sampler->Update();
-  EXPECT_TRUE(SortedSamples(sampler->GetOutput()) == expected) << sampler->GetOutput()->GetNumberOfPoints();
+  EXPECT_TRUE(SortedSamplesOf(sampler->GetOutput()) == expected) << sampler->GetOutput()->GetNumberOfPoints();
   EXPECT_LT(this->Reader->GetOutput()->GetDimensions()[2], 65) << "not all of it at once";
 }
 

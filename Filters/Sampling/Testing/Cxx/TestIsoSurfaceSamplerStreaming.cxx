@@ -72,13 +72,6 @@ protected:
 };
 vtkStandardNewMacro(CountingSource);
 
-std::vector<Sample> Sorted(vtkPolyData* data)
-{
-  auto samples = SamplesOf(data);
-  std::sort(samples.begin(), samples.end());
-  return samples;
-}
-
 vtkSmartPointer<vtkInkIsoSurfaceSampler> MakeSampler(vtkAlgorithm* source)
 {
   auto sampler = vtkSmartPointer<vtkInkIsoSurfaceSampler>::New();
@@ -105,7 +98,7 @@ std::vector<Sample> SampleWhole()
   vtkNew<CountingSource> source;
   const auto sampler = MakeSampler(source);
   sampler->Update();
-  return Sorted(sampler->GetOutput());
+  return SortedSamplesOf(sampler->GetOutput());
 }
 
 /// A folder for files, which goes with the test.
@@ -129,7 +122,7 @@ TEST_F(IsoSurfaceSamplerStreaming, TakesTheWholeInOneRun)
   vtkNew<CountingSource> all;
   const auto ofAll = MakeSampler(all);
   ofAll->Update();
-  const auto whole = Sorted(ofAll->GetOutput());
+  const auto whole = SortedSamplesOf(ofAll->GetOutput());
   EXPECT_GT(whole.size(), 1000u) << "many points";
   EXPECT_TRUE(all->Runs == 1 && all->All == NumberOfValues)
     << "one run over " << NumberOfValues << " samples, found " << all->Runs << " over " << all->All;
@@ -166,8 +159,9 @@ TEST_F(IsoSurfaceSamplerStreaming, WritersStreamPieces)
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(Path("points.vtp").c_str());
   reader->Update();
-  EXPECT_EQ(Sorted(reader->GetOutput()), whole) << "the whole through vtkXMLPolyDataWriter, found "
-                                                << reader->GetOutput()->GetNumberOfPoints() << " points";
+  EXPECT_EQ(SortedSamplesOf(reader->GetOutput()), whole)
+    << "the whole through vtkXMLPolyDataWriter, found " << reader->GetOutput()->GetNumberOfPoints()
+    << " points";
   EXPECT_LT(written->Largest, NumberOfValues / Pieces * 2)
     << "the writer asked for pieces, of at most " << written->Largest;
 }
@@ -196,7 +190,7 @@ TEST_F(IsoSurfaceSamplerStreaming, PiecesOfRawFilesAreTheWhole)
   ofImage->SetInputData(image);
   ofImage->SetValue(0, IsoValue);
   ofImage->Update();
-  const auto wholeFromZero = Sorted(ofImage->GetOutput());
+  const auto wholeFromZero = SortedSamplesOf(ofImage->GetOutput());
   const auto* bytes = static_cast<const char*>(image->GetScalarPointer());
   const auto size = static_cast<std::streamsize>(image->GetNumberOfPoints() * sizeof(float));
   std::ofstream(Path("v.raw"), std::ios::binary).write(bytes, size);
