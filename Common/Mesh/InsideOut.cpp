@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/InsideOut.h"
 
+#include "Mesh/OnePerPoint.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
 
 namespace ink
 {
-
-bool isInsideOut(const TriangleMesh& mesh)
+namespace
 {
-  constexpr double largestHoles = 0.1;
+
+glm::dvec3 middleOf(std::span<const glm::dvec3> points)
+{
   glm::dvec3 middle(0.0);
   double count = 0.0;
-  for (const glm::dvec3& p : mesh.points)
+  for (const glm::dvec3& p : points)
   {
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
     {
@@ -22,6 +25,15 @@ bool isInsideOut(const TriangleMesh& mesh)
       middle += (p - middle) / count;
     }
   }
+  return middle;
+}
+
+} // namespace
+
+bool isInsideOut(const TriangleMesh& mesh)
+{
+  constexpr double largestHoles = 0.1;
+  const glm::dvec3 middle = middleOf(mesh.points);
   glm::dvec3 vector(0.0);
   double area = 0.0;
   double volume = 0.0;
@@ -40,6 +52,25 @@ bool isInsideOut(const TriangleMesh& mesh)
     }
   }
   return volume < 0.0 && glm::length(vector) < largestHoles * area;
+}
+
+bool facesInward(const TriangleMesh& mesh, std::span<const glm::vec3> normals)
+{
+  checkOnePerPoint(mesh, normals.size(), "normals");
+  const glm::dvec3 middle = middleOf(mesh.points);
+  double volume = 0.0;
+  for (const auto& [i, j, k] : mesh.triangles)
+  {
+    const glm::dvec3 a = mesh.points[i] - middle;
+    const glm::dvec3 area = glm::cross(mesh.points[j] - mesh.points[i], mesh.points[k] - mesh.points[i]);
+    const bool isTurned = glm::dot(area, glm::dvec3(normals[i] + normals[j] + normals[k])) < 0.0;
+    const double part = glm::dot(a, area);
+    if (std::isfinite(part))
+    {
+      volume += isTurned ? -part : part;
+    }
+  }
+  return volume < 0.0;
 }
 
 } // namespace ink

@@ -11,9 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,6 +29,8 @@ namespace
 constexpr std::size_t mostSuggestions = 3;
 // What keeps so many times the voxels of another surface lies around it.
 constexpr double outerShare = 1.25;
+// Of what an implicit function's surface encloses, as thin vessels in a box.
+constexpr double thinObjectShare = 1e-4;
 // Slices that are smoothed at once: enough for all threads, and few enough for this memory in bytes, as far
 // as three take less.
 constexpr int mostSmoothedAtOnce = 66;
@@ -90,20 +96,34 @@ bool showsMore(const std::vector<IsoSuggestion>& smoothed, const std::vector<Iso
     smoothed.front().keptShare > outerShare * suggestions.front().keptShare;
 }
 
-/// The edge of all labels, if values are labels.
-std::optional<IsoSuggestion> suggestLabels(const IsoStatistics& statistics)
+/// The edge of all labels, if values are labels: exactly, as the ids of atlases lie far apart.
+template <typename T>
+std::optional<IsoSuggestion> suggestLabels(
+  const SliceReader<T>& read, int slices, int slicesAtOnce, const IsoStatistics& statistics)
 {
   if (!areLabels(statistics.maskChanges, statistics.changes))
   {
     return std::nullopt;
   }
-  const auto isUsed = [](std::int64_t voxels) { return voxels > 0; };
-  const auto lowest = std::find_if(statistics.voxels.begin(), statistics.voxels.end(), isUsed);
-  const auto next = std::find_if(lowest + 1, statistics.voxels.end(), isUsed);
-  const auto index = static_cast<double>(lowest - statistics.voxels.begin());
-  const double middle = index + 0.5 * static_cast<double>(next - lowest - 1);
-  return IsoSuggestion{ valueAt(statistics.bins, middle), IsoSuggestion::Boundary::Labels,
-    keptShares(statistics.voxels)[static_cast<std::size_t>(index)] };
+  const double low = statistics.bins.low;
+  const double background = std::is_integral_v<T> ? std::ceil(low) : low;
+  double next = std::numeric_limits<double>::infinity();
+  std::int64_t finite = 0;
+  std::int64_t kept = 0;
+  for (int first = 0; first < slices; first += slicesAtOnce)
+  {
+    for (const T value : read(first, std::min(first + slicesAtOnce, slices)))
+    {
+      const auto v = static_cast<double>(value);
+      const bool isFinite = std::isfinite(v);
+      const bool isKept = isFinite && v > background;
+      finite += isFinite ? 1 : 0;
+      kept += isKept ? 1 : 0;
+      next = isKept ? std::min(next, v) : next;
+    }
+  }
+  return IsoSuggestion{ background + 0.5 * (next - background), IsoSuggestion::Boundary::Labels,
+    static_cast<double>(kept) / static_cast<double>(finite) };
 }
 
 /// Puts the edge of labels first, unless that is where the first boundary already is.
@@ -119,6 +139,17 @@ void addLabels(const IsoSuggestion& labels, std::vector<IsoSuggestion>& suggesti
   }
 }
 
+/// Whether values change as fast at a threshold as elsewhere, as signed distances do, but not values that end
+/// there and swing a little beyond.
+bool isAsSteepAsElsewhere(const IsoStatistics& statistics, std::size_t threshold)
+{
+  const auto sum = [](const std::vector<std::int64_t>& counts)
+  { return std::accumulate(counts.begin(), counts.end(), 0.0); };
+  const double here = static_cast<double>(statistics.steps[threshold]) * sum(statistics.edges);
+  const double elsewhere = sum(statistics.steps) * static_cast<double>(statistics.edges[threshold]);
+  return here > 0.5 * elsewhere;
+}
+
 /// Of a volume without a boundary.
 std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics)
 {
@@ -127,8 +158,10 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics)
   const double zero = std::floor(-statistics.bins.low / statistics.bins.width) - 1.0;
   if (zero >= 0.0 && zero < static_cast<double>(kept.size()))
   {
-    const double share = kept[static_cast<std::size_t>(zero)];
-    if (share >= fragmentShare && share <= 1.0 - fragmentShare)
+    const auto threshold = static_cast<std::size_t>(zero);
+    const double share = kept[threshold];
+    const double least = isAsSteepAsElsewhere(statistics, threshold) ? thinObjectShare : fragmentShare;
+    if (share >= least && share <= 1.0 - least)
     {
       suggestions.push_back({ 0.0, IsoSuggestion::Boundary::Sign, share });
     }
@@ -160,7 +193,8 @@ std::vector<IsoSuggestion> suggestIsoValues(
       smoothed ? suggestBoundaries(*smoothed, &*statistics) : std::vector<IsoSuggestion>();
     suggestions = suggestions.empty() || showsMore(others, suggestions, *statistics) ? others : suggestions;
   }
-  if (const std::optional<IsoSuggestion> labels = suggestLabels(*statistics))
+  if (const std::optional<IsoSuggestion> labels =
+        suggestLabels(read, dimensions[2], slicesAtOnce, *statistics))
   {
     addLabels(*labels, suggestions);
   }

@@ -101,11 +101,13 @@ void FaceOutward(vtkPolyData* surface)
   surface->GetPointData()->SetNormals(turned);
 }
 
-/// Whether a mesh's inner side is not to be seen, but through holes of a scan.
-bool IsSolid(vtkPolyData* surface)
+/// Whether a surface's inner side is not to be seen, but through holes of a scan, or where an image ends.
+/// What is thinner than its surroundings, as the inside of a level set, is seen from within these.
+bool HasOutsideOnly(vtkPolyData* surface)
 {
-  const InkMeshTriangles triangles(surface, true);
-  return ink::isSolid(triangles.GetMesh(), triangles.Normals);
+  const InkMeshTriangles triangles(surface, true, InkMeshTriangles::Order::OfMesh);
+  return InkContourSurface::IsOfImage(surface) ? !ink::facesInward(triangles.GetMesh(), triangles.Normals)
+                                               : ink::isSolid(triangles.GetMesh(), triangles.Normals);
 }
 
 constexpr const char* PieceNames[] = { "Surface", "Strokes", "Edge voxels" };
@@ -275,7 +277,13 @@ void vtkInkLineArtStyle::ShowPieces(const std::vector<vtkPolyData*>& pieces)
   vtkPolyData* voxels = pieces[2];
   const bool ofVoxels = voxels && voxels->GetNumberOfPoints() > 0;
   this->Contours->ShowPieces({ ofVoxels ? voxels : pieces[0], ofVoxels ? pieces[0] : nullptr });
-  this->HasOutside = pieces[0] && (InkContourSurface::IsOfImage(pieces[0]) || IsSolid(pieces[0]));
+  // Views show the same pieces again and again.
+  if (pieces[0] != this->Shown || (pieces[0] && pieces[0]->GetMTime() > this->TimeShown))
+  {
+    this->Shown = pieces[0];
+    this->TimeShown = pieces[0] ? pieces[0]->GetMTime() : 0;
+    this->HasOutside = pieces[0] && HasOutsideOnly(pieces[0]);
+  }
   this->UpdateCulling();
   const auto usable = [](vtkPolyData* piece)
   { return piece && piece->GetNumberOfCells() > 0 ? piece : nullptr; };

@@ -22,6 +22,7 @@
 
 #include "vtkInkStyle.h"
 #include "vtkNew.h" // for what the style owns
+#include "vtkSmartPointer.h"
 
 class InkIsoSurface;
 class vtkInkContoursStyle;
@@ -130,7 +131,9 @@ private:
   double Length = 0.0;
   double LineSpacing = 0.0;
   double CullingCosine = 0.2;
-  bool HasOutside = false; ///< the surface that is shown: its inner side is not to be seen
+  vtkSmartPointer<vtkPolyData> Shown; ///< the surface
+  vtkMTimeType TimeShown = 0;
+  bool HasOutside = false; ///< of the surface that is shown: its inner side is not to be seen
 };
 
 #endif

@@ -6,8 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <span>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -55,4 +61,28 @@ TEST(InsideOut, HolesAreAllowedAndOpenMeshesKeepTheirSides)
   EXPECT_FALSE(isInsideOut(square(4).view()));
   EXPECT_FALSE(isInsideOut(turned(square(4)).view()));
   EXPECT_FALSE(isInsideOut(Mesh().view()));
+}
+
+TEST(InsideOut, NormalsOfClosedAndOpenSurfaces)
+{
+  for (const glm::dvec3& center : { glm::dvec3(0.0), glm::dvec3(1e6, -1e6, 1e6) })
+  {
+    Mesh ball = icosphere(2);
+    ball.triangles.resize(ball.triangles.size() * 3 / 4); // open, as where an image ends
+    std::vector<glm::vec3> outward;
+    for (glm::dvec3& p : ball.points)
+    {
+      outward.emplace_back(p);
+      p += center;
+    }
+    std::vector<glm::vec3> inward;
+    std::transform(outward.begin(), outward.end(), std::back_inserter(inward), std::negate<>());
+    // However triangles are wound.
+    for (const Mesh& mesh : { ball, turned(ball) })
+    {
+      EXPECT_FALSE(facesInward(mesh.view(), outward));
+      EXPECT_TRUE(facesInward(mesh.view(), inward));
+    }
+    EXPECT_THROW(facesInward(ball.view(), std::span(inward).first(3)), std::invalid_argument);
+  }
 }

@@ -85,6 +85,28 @@ TEST(IsoValue, OfLabelsIsTheEdgeOfAll)
   EXPECT_DOUBLE_EQ(suggestion->value, 0.5 * least);
 }
 
+TEST(IsoValue, OfLabelsThatLieFarApartIsTheEdgeOfAll)
+{
+  // As the ids of an atlas: the range has fewer bins than there are numbers between the first two labels.
+  std::vector<unsigned int> labels;
+  std::size_t inside = 0;
+  for (int i = 0; i < size * size * size; ++i)
+  {
+    const double number = label({ i % size, i / size % size, i / size / size }, 16.0);
+    labels.push_back(number == 0.0 ? 0U : 15000U + 90000U * static_cast<unsigned int>(number * number));
+    labels.back() = labels.back() > 120000000U ? 15000U : labels.back();
+    inside += labels.back() > 0 ? 1 : 0;
+  }
+  const auto suggestion = suggest(labels);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Labels);
+  EXPECT_DOUBLE_EQ(suggestion->keptShare, static_cast<double>(inside) / static_cast<double>(labels.size()));
+  EXPECT_DOUBLE_EQ(suggestion->value,
+    0.5 *
+      *std::min_element(labels.begin(), labels.end(),
+        [](unsigned int a, unsigned int b) { return b == 0 ? a != 0 : a != 0 && a < b; }));
+}
+
 TEST(IsoValue, AScanBehindAMaskHasNoLabels)
 {
   const auto values = volume<short>(
@@ -369,6 +391,22 @@ TEST(IsoValue, IsWhereASignedDistanceChangesItsSign)
     // The ball's share of the cube.
     EXPECT_NEAR(distances.front().keptShare, 4.0 / 3.0 * M_PI * 18 * 18 * 18 / (48.0 * 48 * 48), 0.01);
     EXPECT_EQ(distances.back().boundary, Boundary::None);
+  }
+}
+
+TEST(IsoValue, IsWhereASignedDistanceToLittleChangesItsSign)
+{
+  // .06 % of the voxels are within the ball.
+  const auto distances =
+    suggestAll(volume<float>([](double d, std::size_t i) { return 2.5 - d + 0.1 * noise(i); }));
+  ASSERT_FALSE(distances.empty());
+  EXPECT_EQ(distances.front().boundary, Boundary::Sign);
+  EXPECT_EQ(distances.front().value, 0.0);
+  // Values that fall a little below 0 on the way.
+  for (const ink::IsoSuggestion& one :
+    suggestAll(volume<float>([](double d, std::size_t) { return 0.01 * (d - 6.0) * (d - 6.0) - 0.002; })))
+  {
+    EXPECT_NE(one.boundary, Boundary::Sign);
   }
 }
 

@@ -306,26 +306,80 @@ private:
   std::vector<Target> Targets;
 };
 
-/// Of a face whose numbers are those of points.
-void addPolygon(
-  std::span<const double> numbers, std::uint64_t points, const fs::path& file, vtkCellArray* polygons)
+/// Adds faces, whose numbers are those of points.
+class Polygons
 {
-  std::vector<vtkIdType> ids;
-  ids.reserve(numbers.size());
-  for (const double number : numbers)
+public:
+  Polygons(const fs::path& file, std::uint64_t points)
+    : File(file)
+    , Points(points)
   {
-    if (!(number >= 0.0 && number < static_cast<double>(points) && number == std::floor(number)))
+  }
+
+  /// @return whether it has three points or more; otherwise it is left out
+  bool addFace(std::span<const double> numbers)
+  {
+    if (numbers.size() < 3)
+    {
+      return false;
+    }
+    this->Ids.clear();
+    for (const double number : numbers)
+    {
+      this->Ids.push_back(this->idOf(number));
+    }
+    this->Cells->InsertNextCell(static_cast<vtkIdType>(this->Ids.size()), this->Ids.data());
+    return true;
+  }
+
+  /// A triangle for each three points that follow each other, every second one turned; -1 begins a new strip.
+  void addStrips(std::span<const double> numbers)
+  {
+    this->Ids.clear();
+    for (const double number : numbers)
+    {
+      if (number == -1.0)
+      {
+        this->Ids.clear();
+        continue;
+      }
+      this->Ids.push_back(this->idOf(number));
+      const std::size_t count = this->Ids.size();
+      if (count < 3)
+      {
+        continue;
+      }
+      const vtkIdType last[] = { this->Ids[count - 3], this->Ids[count - 2], this->Ids[count - 1] };
+      const bool turned = count % 2 == 0;
+      // Points are repeated where a strip turns.
+      if (last[0] != last[1] && last[1] != last[2] && last[2] != last[0])
+      {
+        this->Cells->InsertNextCell({ last[turned ? 1 : 0], last[turned ? 0 : 1], last[2] });
+      }
+    }
+  }
+
+  vtkCellArray* cells() { return this->Cells; }
+
+private:
+  vtkIdType idOf(double number) const
+  {
+    if (!(number >= 0.0 && number < static_cast<double>(this->Points) && number == std::floor(number)))
     {
       std::array<char, 32> text{};
       std::snprintf(text.data(), text.size(), "%.15g", number);
-      failToRead(file,
-        std::string("a face has point ") + text.data() + ", but there are " + std::to_string(points) +
+      failToRead(this->File,
+        std::string("a face has point ") + text.data() + ", but there are " + std::to_string(this->Points) +
           " points, counted from 0");
     }
-    ids.push_back(static_cast<vtkIdType>(number));
+    return static_cast<vtkIdType>(number);
   }
-  polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-}
+
+  const fs::path& File;
+  std::uint64_t Points;
+  std::vector<vtkIdType> Ids;
+  vtkNew<vtkCellArray> Cells;
+};
 
 } // namespace
 
@@ -343,7 +397,7 @@ vtkSmartPointer<vtkPolyData> readPly(
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   Vertices vertices(*vertexElement, file, mesh);
-  vtkNew<vtkCellArray> polygons;
+  Polygons polygons(file, vertexElement->count);
   std::uint64_t smallFaces = 0;
 
   RowReader reader(header, rest);
@@ -353,9 +407,13 @@ vtkSmartPointer<vtkPolyData> readPly(
     const bool isVertex = &element == &*vertexElement;
     auto corners = element.find("vertex_indices", true);
     corners = corners ? corners : element.find("vertex_index", true);
-    if (element.name == "face" && !corners && element.count > 0)
+    const bool isFace = element.name == "face";
+    const bool isStrips = element.name == "tristrips";
+    if ((isFace || isStrips) && !corners && element.count > 0)
     {
-      failToRead(file, "its faces have no list 'vertex_indices' or 'vertex_index'");
+      failToRead(file,
+        std::string("its ") + (isFace ? "faces" : "strips") +
+          " have no list 'vertex_indices' or 'vertex_index'");
     }
     for (std::uint64_t i = 0; i < element.count; ++i)
     {
@@ -374,17 +432,17 @@ vtkSmartPointer<vtkPolyData> readPly(
       {
         vertices.set(static_cast<vtkIdType>(i), row);
       }
-      else if (element.name == "face" && row.property(*corners).size() > 2)
+      else if (isFace)
       {
-        addPolygon(row.property(*corners), vertexElement->count, file, polygons);
+        smallFaces += polygons.addFace(row.property(*corners)) ? 0 : 1;
       }
-      else if (element.name == "face")
+      else if (isStrips)
       {
-        ++smallFaces;
+        polygons.addStrips(row.property(*corners));
       }
     }
   }
-  mesh->SetPolys(polygons);
+  mesh->SetPolys(polygons.cells());
   if (smallFaces > 0)
   {
     notes.push_back(std::to_string(smallFaces) + " faces of less than three points are left out");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Of a still picture line art makes the strokes that are seen, as dense as all of them, and leaves the inner
 // side of closed meshes out.
+#include "StyleData.h"
+
 #include "vtkInkLineArtStyle.h"
 #include "vtkInkStrokeMapper.h"
 
@@ -8,11 +10,14 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -166,5 +171,26 @@ TEST(LineArtStyle, InnerSidesOfClosedMeshesHaveNoStrokes)
   plane->SetResolution(20, 20);
   plane->Update();
   ASSERT_TRUE(style->Draw(plane->GetOutput()));
+  EXPECT_EQ(style->GetStrokeMapper()->GetCullingCosine(), 1.0);
+}
+
+TEST(LineArtStyle, SurfacesOfImagesThatAreSeenFromWithinHaveStrokes)
+{
+  // As a level set that is negative inside, or a hole in something dense.
+  const vtkSmartPointer<vtkImageData> ball = MakeBall();
+  vtkNew<vtkInkLineArtStyle> style;
+  ASSERT_TRUE(style->SetParameter("LineSpacing", 12));
+  ASSERT_TRUE(style->SetParameter("IsoValue", 100));
+  ASSERT_TRUE(style->Draw(ball));
+  EXPECT_EQ(style->GetStrokeMapper()->GetCullingCosine(), 0.2);
+  vtkDataArray* values = ball->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, 200.0 - values->GetComponent(i, 0));
+  }
+  values->Modified();
+  ball->Modified();
+  ASSERT_TRUE(style->SetParameter("IsoValue", 100));
+  ASSERT_TRUE(style->Draw(ball));
   EXPECT_EQ(style->GetStrokeMapper()->GetCullingCosine(), 1.0);
 }

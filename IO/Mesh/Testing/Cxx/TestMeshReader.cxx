@@ -135,6 +135,29 @@ TEST(MeshReader, CoordinatesKeepTheirDigits)
   }
 }
 
+TEST(MeshReader, StripsOfPlyFilesAreTriangles)
+{
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                             "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                             "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n";
+  vtkNew<vtkInkMeshReader> reader;
+  // A strip of three triangles, all seen from the front; one that turns, with a point twice; and a new strip.
+  reader->SetFileName(Put("MeshReaderStrips.ply", header + "14 0 1 2 3 4 -1 0 1 2 2 3 -1 4 2 3\n").c_str());
+  reader->Update();
+  vtkPolyData* mesh = reader->GetOutput();
+  const std::vector<std::vector<vtkIdType>> expected = { { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 0, 1, 2 },
+    { 4, 2, 3 } };
+  ASSERT_EQ(mesh->GetNumberOfPolys(), static_cast<vtkIdType>(expected.size()));
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
+  {
+    vtkNew<vtkIdList> ids;
+    mesh->GetCellPoints(i, ids);
+    EXPECT_EQ(std::vector<vtkIdType>(ids->begin(), ids->end()), expected[static_cast<std::size_t>(i)]) << i;
+  }
+  ExpectError({ "a face has point 5, but there are 5 points" },
+    Put("MeshReaderStripsBeyond.ply", header + "3 0 1 5\n"));
+}
+
 TEST(MeshReader, NotesWhatIsNotUsed)
 {
   vtkNew<vtkInkMeshReader> reader;
