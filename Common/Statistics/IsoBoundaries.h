@@ -4,6 +4,7 @@
 #include "Statistics/IsoStatistics.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 /// Internal to Common/Statistics: the boundaries between a volume's materials, see suggestIsoValues.
@@ -12,6 +13,14 @@ namespace ink
 
 /// What keeps less than this fraction of the voxels that the lowest boundary keeps is a fragment.
 inline constexpr double fragmentShare = 0.01;
+
+/// Whether so many edges are too large a part of a volume's for a surface, rather than noise, to cross them.
+bool areTooMany(std::int64_t edges, const IsoStatistics& statistics);
+
+/// Whether the lowest of the clear boundaries is that of a field of view which padding of the lowest value
+/// surrounds: noise lies above it, no material, and the padding's edges have no larger steps than that noise.
+/// @param boundary,next thresholds, of the lowest boundary and of the one above it
+bool isPadding(const IsoStatistics& statistics, std::size_t boundary, std::size_t next);
 
 struct IsoBoundary
 {

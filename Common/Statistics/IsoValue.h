@@ -57,8 +57,10 @@ struct IsoSuggestion
 /// half way from the lowest value, the background, to the next.
 ///
 /// Otherwise the first suggestion is the outermost boundary, the lowest, as the inside of an object is
-/// usually denser; the others follow by their total step. If there is no boundary, it is 0 where the values
-/// have both signs, and then Otsu's threshold (IEEE Trans. SMC 9, 1979).
+/// usually denser; the others follow by their total step. Where all six sides of the volume cut it, as in a
+/// scan that was cropped, the inside of the lungs would be seen: then it comes second. If there is no
+/// boundary, it is 0 where the values have both signs and few edges cross it, and then Otsu's threshold (IEEE
+/// Trans. SMC 9, 1979), of what lies above it where its surface would be noise.
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are
@@ -71,7 +73,8 @@ template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::array<int, 3> dimensions);
 
 /// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, four
-/// times if it is smoothed, once more if values are labels, from the first on, at most `slicesAtOnce` (3 or more) per call.
+/// times if it is smoothed, once more if values are labels or fill the volume, from the first on, at most
+/// `slicesAtOnce` (3 or more) per call.
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(

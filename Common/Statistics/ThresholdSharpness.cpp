@@ -99,11 +99,15 @@ std::vector<double> thresholdSharpness(
   return result;
 }
 
+std::size_t thresholdAt(const ValueBins& bins, double value)
+{
+  const double position = (value - bins.low) / bins.width - 1.0;
+  return static_cast<std::size_t>(std::clamp(std::round(position), 0.0, bins.count - 1.0));
+}
+
 bool isSpeckled(const IsoStatistics& statistics, double value)
 {
-  const double last = static_cast<double>(statistics.edges.size()) - 1.0;
-  const double position = (value - statistics.bins.low) / statistics.bins.width - 1.0;
-  const auto threshold = static_cast<std::size_t>(std::clamp(std::round(position), 0.0, last));
+  const std::size_t threshold = thresholdAt(statistics.bins, value);
   return static_cast<double>(statistics.speckEdges[threshold]) >
     speckledShare * static_cast<double>(statistics.edges[threshold]);
 }

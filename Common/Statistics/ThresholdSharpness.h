@@ -34,6 +34,9 @@ std::vector<bool> findNoisyThresholds(
 std::vector<double> thresholdSharpness(
   const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept);
 
+/// The threshold between bins that is nearest to a value.
+std::size_t thresholdAt(const ValueBins& bins, double value);
+
 /// Whether the surface of a value would be noise for the most part, or so thin that it breaks up.
 bool isSpeckled(const IsoStatistics& statistics, double value);
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scans as they come: padded, cropped, without a boundary that is clear.
+#include "IsoValueVolumes.h"
+#include "Statistics/IsoValue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace
+{
+
+using namespace ink::testing::iso;
+using Boundary = ink::IsoSuggestion::Boundary;
+
+int column(std::size_t i)
+{
+  return static_cast<int>(i) % size;
+}
+
+/// Of the magnitude of a signal without any: of Rayleigh's distribution.
+double airOfMR(std::size_t i)
+{
+  return 14.0 * std::sqrt(-2.0 * std::log(0.5 + 0.4999 * noise(i)));
+}
+
+/// Smooth in space, from -1 to 1.
+double waves(std::size_t i)
+{
+  const auto x = static_cast<double>(column(i));
+  const auto y = static_cast<double>(static_cast<int>(i) / size % size);
+  const auto z = static_cast<double>(static_cast<int>(i) / size / size);
+  return std::sin(1.1 * x + 0.3 * y) * std::sin(1.2 * y - 0.2 * z) * std::sin(1.3 * z + 0.1 * x);
+}
+
+} // namespace
+
+TEST(IsoValueOfScans, IsNotTheEdgeOfPadding)
+{
+  // A quarter of the columns or more is padded with 0; the rest of the air is noise.
+  for (const int padded : { 6, 8, 10 })
+  {
+    const auto values = volume<short>(
+      [padded](double d, std::size_t i)
+      {
+        const bool isPadding = std::min(column(i), size - 1 - column(i)) < padded;
+        return isPadding ? 0.0 : std::max(airOfMR(i), 300.0 * blurredSphere(d, 12) + 8.0 * noise(i));
+      });
+    const auto suggestion = suggest(values);
+    ASSERT_TRUE(suggestion);
+    EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+    EXPECT_GT(suggestion->value, 90.0) << padded;
+    EXPECT_LT(suggestion->value, 250.0) << padded;
+  }
+}
+
+TEST(IsoValueOfScans, IsNotTheScrapsOfTheBrightestSpots)
+{
+  // Tissue whose spots are the steeper the brighter they are, and fades towards the air.
+  const auto values = volume<unsigned char>(
+    [](double d, std::size_t i)
+    {
+      const double fades = std::clamp((20.0 - d) / 8.0, 0.0, 1.0);
+      return 2.0 + noise(i) + fades * 25.0 * std::exp(2.2 * waves(i) * waves(i) * waves(i));
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_GT(suggestion->keptShare, 0.1);
+}
+
+TEST(IsoValueOfScans, IsAnInnerOneWhereAllSidesCutTheOutermost)
+{
+  // Tissue from side to side, with air and something dense in it, as a cropped chest.
+  const auto chest = [](double d, std::size_t i)
+  { return -850.0 * blurredSphere(d, 22) + 2800.0 * blurredSphere(d, 9) + 10.0 * noise(i); };
+  const std::vector<float> cropped = volume<float>(chest);
+  const auto suggestions = suggestAll(cropped);
+  ASSERT_EQ(suggestions.size(), 2U);
+  EXPECT_EQ(suggestions[0].boundary, Boundary::Densest);
+  EXPECT_GT(suggestions[0].value, 0.0);
+  EXPECT_LT(suggestions[0].value, 1900.0);
+  EXPECT_EQ(suggestions[1].boundary, Boundary::Outermost);
+  // The same through slices, and with air at one side alone.
+  const std::size_t slice = static_cast<std::size_t>(size) * size;
+  const ink::SliceReader<float> read = [&](int first, int last)
+  { return std::span<const float>(cropped).subspan(slice * first, slice * (last - first)); };
+  EXPECT_EQ(ink::suggestIsoValues(read, cube, 5).front().value, suggestions[0].value);
+  std::vector<float> open = cropped;
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    open[i] = column(i) < 2 ? -850.0F : open[i];
+  }
+  EXPECT_EQ(suggest(open)->boundary, Boundary::Outermost);
+}
+
+TEST(IsoValueOfScans, OfDensitiesAroundZeroIsNotWhereTheSignChanges)
+{
+  // As maps of crystals and of molecules: noise around 0, and some blobs above it.
+  const auto values =
+    volume<float>([](double d, std::size_t i) { return 0.4 * waves(i) + 0.9 * std::exp(-0.02 * d * d); });
+  for (const ink::IsoSuggestion& one : suggestAll(values))
+  {
+    EXPECT_NE(one.boundary, Boundary::Sign);
+    EXPECT_GT(one.value, 0.15);
+    EXPECT_LT(one.value, 1.0);
+  }
+}
