@@ -34,6 +34,7 @@ constexpr double leastShare = 0.1;
 /// The share of positions that may be thinner than the thickness: lines that touch a ball hardly cross it,
 /// too.
 constexpr double thinShare = 0.1;
+constexpr double usuallyThinShare = 0.25;
 
 /// By how many deviations noise makes the range of so many samples across a blurred edge larger, as a median.
 constexpr double noiseRange = 0.4;
@@ -228,6 +229,7 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
   if (!all.runs.empty())
   {
     result.thickness = quantileOf(all.runs, thinShare);
+    result.usualThickness = quantileOf(all.runs, usuallyThinShare);
   }
   return result;
 }
@@ -272,6 +274,8 @@ NoiseEstimate estimateNoise(
 
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing)
 {
+  // What half a sample smooths still shows the samples.
+  const double thickness = estimate.thickness < 2.0 ? estimate.usualThickness : estimate.thickness;
   const glm::dvec3 size = glm::abs(spacing);
   const double anisotropy = std::max({ size.x, size.y, size.z }) / std::min({ size.x, size.y, size.z });
   const bool hasSlices = anisotropy > leastAnisotropy;
@@ -279,7 +283,7 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
   if (estimate.labels)
   {
     // Without a surface there is nothing to smooth.
-    deviation = estimate.step > 0.0 ? std::min(mostSuggestedSmoothing, 0.5 * estimate.thickness) : 0.0;
+    deviation = estimate.step > 0.0 ? std::min(mostSuggestedSmoothing, 0.5 * thickness) : 0.0;
     return hasSlices ? std::max(deviation, std::min(anisotropy, mostMaskSmoothing)) : deviation;
   }
   if (estimate.step > 0.0)
@@ -291,7 +295,7 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
     if (estimate.sharpness > leastSharpness)
     {
-      deviation = std::max(deviation, std::min(sharpSmoothing, 0.5 * estimate.thickness));
+      deviation = std::max(deviation, std::min(sharpSmoothing, 0.5 * thickness));
     }
   }
   if (hasSlices)

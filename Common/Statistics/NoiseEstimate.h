@@ -23,6 +23,8 @@ struct NoiseEstimate
   /// in a tenth of the positions only. Up to thickEnough, which stands for more, too
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
+  /// The same, but fewer in a quarter of the positions: gaps within what is thick do not count.
+  double usualThickness = thickEnough;
   bool labels = false; ///< whether all values are labels, or the surface is that of a mask, see areLabels
   /// The share of the step that lies between the two samples around the surface: as a median .38 for a ball
   /// behind a point spread of .7 samples, .25 to .5 in 25 scans, .62 for the volume fractions of cells
@@ -59,13 +61,14 @@ NoiseEstimate estimateNoise(
 /// half of the thickness: thin parts show what they lose more than slices.
 ///
 /// Steps that are sharper than those of scans, as those of volume fractions in simulations of two fluids,
-/// show the grid. Of them it is sharpSmoothing, but no more than half of the thickness: normals of a ball of
-/// radius 24 are off by 1.1 degrees then, by 6.0 without (root mean square), and by 2.6 behind a point spread
-/// of .7.
+/// show the grid. Of them it is sharpSmoothing, but no more than half of the thickness, of the usual one
+/// where the thickness is a single sample, as that of sulci between the labels of a brain: normals of a ball
+/// of radius 24 are off by 1.1 degrees then, by 6.0 without (root mean square), and by 2.6 behind a point
+/// spread of .7.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
-/// than half of the thickness; where voxels are longer than wide, it is their length, but no more than 4.
-/// Normals of the mask of a sphere of radius 24 then are off by 1.0 degrees (root mean square; 12
+/// than half of the same thickness; where voxels are longer than wide, it is their length, but no more
+/// than 4. Normals of the mask of a sphere of radius 24 then are off by 1.0 degrees (root mean square; 12
 /// without, 3.4 with 1, .6 with 2.5), and with SmoothingTarget::Normals the surface by .02 voxels; with 2.5
 /// those of a tube of radius 4 are worse than with 2 (1.7 and 1.5).
 ///

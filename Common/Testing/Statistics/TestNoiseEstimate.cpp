@@ -225,6 +225,21 @@ TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
     EXPECT_EQ(found.thickness, wall);
     EXPECT_EQ(ink::suggestSmoothing(found, glm::dvec3(1.0)), 0.5 * wall);
   }
+  // A slit of one sample, at fewer positions than a quarter, through a cube.
+  const auto slit = Volume<std::uint8_t>::from(GridGeometry(glm::ivec3(24)),
+    [](const glm::dvec3& p)
+    {
+      const glm::dvec3 d = glm::abs(p - 11.5);
+      const bool isSlit = p.x == 12.0 && p.y < 8.0;
+      return std::max({ d.x, d.y, d.z }) < 10.0 && !isSlit ? 255.0 : 0.0;
+    });
+  const ink::NoiseEstimate slitted = estimateNoise(slit.field(), 127.5);
+  EXPECT_EQ(slitted.usualThickness, ink::NoiseEstimate::thickEnough);
+  ink::NoiseEstimate brain{ .step = 1.0, .thickness = 1.0, .usualThickness = 3.0, .labels = true };
+  EXPECT_EQ(ink::suggestSmoothing(brain, glm::dvec3(1.0)), 1.5) << "gaps of a single sample";
+  EXPECT_FALSE(ink::suggestSmoothings(brain, glm::dvec3(1.0)).keepsLabels) << "which stay open";
+  brain.thickness = 2.0;
+  EXPECT_EQ(ink::suggestSmoothing(brain, glm::dvec3(1.0)), 1.0) << "thin parts";
   const auto ball = Volume<std::uint8_t>::from(
     centered(40), [](const glm::dvec3& p) { return glm::length(p) < 15.0 ? 255.0 : 0.0; });
   const ink::NoiseEstimate found = estimateNoise(ball.field(), 127.5);
