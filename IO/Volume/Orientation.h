@@ -17,10 +17,15 @@ struct Orientation
   /// of the first, both as in the file. @param sign turns the file's axes to DICOM's.
   Orientation(const double steps[9], const double firstVoxel[3], const double sign[3]);
 
-  /// Sets origin and direction of image. Does nothing if the directions are not at right angles, as those of
-  /// sheared volumes: VTK's images cannot have such.
-  /// @return whether it was set
-  bool apply(vtkImageData* image) const;
+  enum class Axes
+  {
+    AtRightAngles,
+    Sheared, ///< as those of a CT scanner's tilted gantry
+    InAPlane ///< or not finite
+  };
+  /// Sets origin and direction of image, whose axes VTK has at right angles: for sheared ones those of the
+  /// nearest rotation (Horn 1987), for axes in a plane nothing.
+  Axes apply(vtkImageData* image) const;
 };
 
 } // namespace ink::io

@@ -138,9 +138,14 @@ struct vtkInkVolumeReader::Source
     this->Frame->SetDimensions(this->Header.voxels.dimensions);
     this->Frame->SetSpacing(this->Header.spacing);
     this->Frame->SetOrigin(this->Header.origin);
-    if (this->Header.orientation && !this->Header.orientation->apply(this->Frame))
+    using Axes = io::Orientation::Axes;
+    const Axes axes =
+      this->Header.orientation ? this->Header.orientation->apply(this->Frame) : Axes::AtRightAngles;
+    if (axes != Axes::AtRightAngles)
     {
-      this->Header.notes.emplace_back("its axes are not at right angles; they are taken as the world's");
+      this->Header.notes.emplace_back(axes == Axes::Sheared
+          ? "its axes are not at right angles; they are taken as the nearest that are"
+          : "its axes lie in a plane; they are taken as the world's");
     }
     this->NoteComponents();
     this->Notes.insert(this->Notes.end(), this->Header.notes.begin(), this->Header.notes.end());

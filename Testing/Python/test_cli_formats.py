@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every format shows the same object from the same side."""
 
+import json
 import re
 import struct
 import zlib
@@ -125,15 +126,28 @@ def test_every_volume_format_gives_the_same_picture(name, tmp_path, picture, ref
     assert difference(drawn, reference) < 0.001
 
 
-def test_axes_that_are_not_at_right_angles_are_said(tmp_path, ink):
+@pytest.mark.parametrize("axes, note, expected", [
+    # A and B each turn by half of what is missing to a right angle, 13.28 degrees.
+    ("(0,0,2) (1,0,0) (0.5,1,0)", "not at right angles; they are taken as the nearest that are",
+     [[0, 0, 1], [0.9732, -0.2298, 0], [0.2298, 0.9732, 0]]),
+    ("(1,0,0) (0.5,1,0) (1,1,0.01)", "lie in a plane; they are taken as the world's", None),
+])
+def test_axes_that_are_not_at_right_angles_are_said(axes, note, expected, tmp_path, ink):
     header = (
         "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: raw\nspace: left-posterior-superior\n"
-        "space directions: (1,0,0) (0.5,1,0) (0,0,1)\n\n"
+        f"space directions: {axes}\nspace origin: (7,8,9)\n\n"
     )
     (tmp_path / "sheared.nrrd").write_bytes(header.encode() + bytes(range(64)))
-    result = ink("info", tmp_path / "sheared.nrrd")
+    result = ink("info", "--json", tmp_path / "sheared.nrrd")
     assert result.code == 0, result
-    assert "right angles" in result.out + result.err
+    assert note in result.out + result.err
+    found = json.loads(result.out)
+    found = found[0] if isinstance(found, list) else found
+    if expected is None:
+        assert "direction" not in found
+    else:
+        assert found["origin"] == [7, 8, 9]
+        np.testing.assert_allclose(np.array(found["direction"]).reshape(3, 3).T, expected, atol=1e-3)
 
 
 @pytest.mark.parametrize("sizes, spacings", [("4 4 4", "0.5 1 2"), ("1 4 4 4", "NaN 0.5 1 2"), ("4 4 4 1", "0.5 1 2 nan")])

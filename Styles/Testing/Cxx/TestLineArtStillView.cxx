@@ -180,7 +180,7 @@ TEST(LineArtStyle, SurfacesOfImagesThatAreSeenFromWithinHaveStrokes)
   const vtkSmartPointer<vtkImageData> ball = MakeBall();
   vtkNew<vtkInkLineArtStyle> style;
   ASSERT_TRUE(style->SetParameter("LineSpacing", 12));
-  ASSERT_TRUE(style->SetParameter("IsoValue", 100));
+  style->SetParameterAsString("IsoValues", "100");
   ASSERT_TRUE(style->Draw(ball));
   EXPECT_EQ(style->GetStrokeMapper()->GetCullingCosine(), 0.2);
   vtkDataArray* values = ball->GetPointData()->GetScalars();
@@ -190,7 +190,7 @@ TEST(LineArtStyle, SurfacesOfImagesThatAreSeenFromWithinHaveStrokes)
   }
   values->Modified();
   ball->Modified();
-  ASSERT_TRUE(style->SetParameter("IsoValue", 100));
+  style->SetParameterAsString("IsoValues", "100");
   ASSERT_TRUE(style->Draw(ball));
   EXPECT_EQ(style->GetStrokeMapper()->GetCullingCosine(), 1.0);
 }

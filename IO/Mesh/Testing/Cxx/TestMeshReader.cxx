@@ -142,7 +142,7 @@ TEST(MeshReader, StripsOfPlyFilesAreTriangles)
                              "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n";
   vtkNew<vtkInkMeshReader> reader;
   // A strip of three triangles, all seen from the front; one that turns, with a point twice; and a new strip.
-  reader->SetFileName(Put("MeshReaderStrips.ply", header + "14 0 1 2 3 4 -1 0 1 2 2 3 -1 4 2 3\n").c_str());
+  reader->SetFileName(Put("MeshReaderStrips.ply", header + "15 0 1 2 3 4 -1 0 1 2 2 3 -1 4 2 3\n").c_str());
   reader->Update();
   vtkPolyData* mesh = reader->GetOutput();
   const std::vector<std::vector<vtkIdType>> expected = { { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 0, 1, 2 },
