@@ -40,12 +40,16 @@ endfunction ()
 
 # Much of what a compiler does is to read headers and to compile what they define, for each source anew.
 option(VTKINK_UNITY_BUILD "Compile a folder's sources together, faster from nothing and slower after a change" OFF)
+# Objects of single sources are what a compiler cache is for.
+set(_ink_unity_build ${VTKINK_UNITY_BUILD})
+if (CMAKE_CXX_COMPILER_LAUNCHER MATCHES "cache")
+  set(_ink_unity_build OFF)
+endif ()
 
 # Lets a library or program be compiled so, a dozen sources at most at once. Names in anonymous namespaces have to differ
 # within a folder.
 function (ink_unity_build target)
-  # Objects of single sources are what a compiler cache is for.
-  if (NOT VTKINK_UNITY_BUILD OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "cache")
+  if (NOT _ink_unity_build)
     return ()
   endif ()
   get_target_property(sources ${target} SOURCES)

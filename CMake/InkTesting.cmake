@@ -24,7 +24,7 @@ endif ()
 # _ink_unity_tests(OUT TARGET SOURCES...): where libraries' sources are compiled together, those of tests are, too, each
 # in a namespace of its own: they may use the same names. For that a unit includes first what its sources include.
 function (_ink_unity_tests out target)
-  if (NOT VTKINK_UNITY_BUILD OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "cache")
+  if (NOT _ink_unity_build)
     set(${out} ${ARGN} PARENT_SCOPE)
     return ()
   endif ()
