@@ -209,7 +209,8 @@ bool isAsSteepAsElsewhere(const IsoStatistics& statistics, std::size_t threshold
 }
 
 /// Of a volume without a boundary.
-std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics)
+/// @param integers whether values are, which scans have, implicit functions hardly ever
+std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bool integers)
 {
   const std::vector<double> kept = keptShares(statistics.voxels);
   std::vector<IsoSuggestion> suggestions;
@@ -218,7 +219,8 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics)
   {
     const auto threshold = static_cast<std::size_t>(zero);
     const double share = kept[threshold];
-    const double least = isAsSteepAsElsewhere(statistics, threshold) ? thinObjectShare : fragmentShare;
+    const double least =
+      !integers && isAsSteepAsElsewhere(statistics, threshold) ? thinObjectShare : fragmentShare;
     // Values around 0, as those of densities of crystals, have no surface there.
     if (share >= least && share <= 1.0 - least && !areTooMany(statistics.edges[threshold], statistics))
     {
@@ -272,7 +274,7 @@ std::vector<IsoSuggestion> suggestIsoValues(
   {
     addLabels(*labels, suggestions);
   }
-  return suggestions.empty() ? suggestThresholds(*statistics) : suggestions;
+  return suggestions.empty() ? suggestThresholds(*statistics, std::is_integral_v<T>) : suggestions;
 }
 
 template <typename T>

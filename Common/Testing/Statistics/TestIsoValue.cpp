@@ -402,6 +402,11 @@ TEST(IsoValue, IsWhereASignedDistanceToLittleChangesItsSign)
   ASSERT_FALSE(distances.empty());
   EXPECT_EQ(distances.front().boundary, Boundary::Sign);
   EXPECT_EQ(distances.front().value, 0.0);
+  // Of integers, which scans have, 0 is no surface.
+  const auto scan =
+    suggest(volume<short>([](double d, std::size_t i) { return 300.0 * (2.5 - d) + 30.0 * noise(i); }));
+  ASSERT_TRUE(scan);
+  EXPECT_NE(scan->boundary, Boundary::Sign);
   // Values that fall a little below 0 on the way.
   for (const ink::IsoSuggestion& one :
     suggestAll(volume<float>([](double d, std::size_t) { return 0.01 * (d - 6.0) * (d - 6.0) - 0.002; })))
