@@ -293,6 +293,10 @@ void InkSplatPasses::DrawDepth(const InkViewUniforms& view, const InkSplatSettin
   {
     features += InkDefine("INK_COLORS");
   }
+  if (this->HasEdges)
+  {
+    features += InkDefine("INK_EDGES");
+  }
   const bool published = splatting.AsPublished;
   const double minimum = published ? PublishedMinimumRadius : FindDepthRadius(view);
   // Two discs of one sheet reach beyond it by that much each.
@@ -320,7 +324,8 @@ void InkSplatPasses::DrawLight(const InkViewUniforms& view, const InkSplatSettin
 {
   const double minimum = FindMinimumRadius(view, splatting);
   const double scale = FindLightScale(splatting);
-  const std::string features = InkDefine("INK_LIGHT") + (texel > 1 ? InkDefine("INK_COARSE") : "");
+  const std::string features = InkDefine("INK_LIGHT") + (texel > 1 ? InkDefine("INK_COARSE") : "") +
+    (this->HasEdges ? InkDefine("INK_EDGES") : "");
   vtkShaderProgram* program = this->Begin(InkSplatLightFS, features, view,
     { scale, minimum, splatting.AsPublished ? 0.0 : InkSplatTolerance * minimum, splatting.AsPublished,
       texel });
