@@ -76,7 +76,7 @@ def test_the_side_that_shows_most(ink, drawn, tmp_path):
     ink_files.write_ply(path, box((1, 4, 1.5)), normals=False)
     rows, columns = extent(drawn(path, "--parallel"))
     assert columns > 2 * rows
-    assert "the left of the mesh shows most; --view says otherwise" in ink("render", path, *SMALL, "-o", tmp_path / "o.png").err
+    assert "the left of the mesh shows most and is drawn; --view says otherwise" in ink("render", path, *SMALL, "-o", tmp_path / "o.png").err
     rows, columns = extent(drawn(path, "--parallel", "--view", "front"))
     assert columns < rows
 
@@ -114,7 +114,7 @@ def test_volumes_are_not_seen_edge_on(ink, picture, tmp_path, style, thin, side)
     ink_files.write_nrrd(path, ink_files.blob(), directions=f"({steps['x']},0,0) (0,{steps['y']},0) (0,0,{steps['z']})")
     options = ("--style", style, "--iso", 100)
     small = (*options, "--size", 100, "-o", tmp_path / "o.png")
-    says = f"what is drawn shows more from its {side} than from its front; --view says otherwise"
+    says = f"what is drawn shows more from its {side} than from its front, so that is seen; --view says otherwise"
     err = ink("render", path, *small).err
     assert err.count("shows more") == err.count(says) == (1 if side else 0)
     assert (picture(path, *options, size=100) == picture(path, *options, "--view", side or "front", size=100)).all()

@@ -137,7 +137,7 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   }
   if (!this->Options.view && view->GetName() != usual->GetName())
   {
-    notes.push_back("the " + view->GetName() + " of the mesh shows most; --view says otherwise");
+    notes.push_back("the " + view->GetName() + " of the mesh shows most and is drawn; --view says otherwise");
   }
   if (!this->Options.elevation && view->GetElevation() > 0.0)
   {
@@ -157,7 +157,7 @@ std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
   const std::string& name = this->View->GetName();
   return name == before ? std::vector<std::string>()
                         : std::vector{ "what is drawn shows more from its " + name +
-                            " than from its front; --view says otherwise" };
+                            " than from its front, so that is seen; --view says otherwise" };
 }
 
 vtkSmartPointer<vtkCamera> Drawing::camera(double turned) const
