@@ -123,7 +123,10 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   {
     view->SetName(*this->Options.view);
   }
-  view->SetAzimuth(this->Options.azimuth);
+  if (this->Options.azimuth || this->Options.position)
+  {
+    view->SetAzimuth(this->Options.azimuth.value_or(0.0));
+  }
   if (this->Options.elevation || this->Options.position)
   {
     view->SetElevation(this->Options.elevation.value_or(0.0));
@@ -139,7 +142,13 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   {
     notes.push_back("the " + view->GetName() + " of the mesh shows most and is drawn; --view says otherwise");
   }
-  if (!this->Options.elevation && view->GetElevation() > 0.0)
+  if (!this->Options.azimuth && view->GetAzimuth() > 0.0)
+  {
+    notes.emplace_back(
+      "from straight ahead only one flat face of the mesh is seen, so it is seen at an angle; "
+      "--azimuth and --elevation say otherwise");
+  }
+  else if (!this->Options.elevation && view->GetElevation() > 0.0)
   {
     notes.emplace_back("the mesh lies flat, so it is seen from above; --elevation says otherwise");
   }
