@@ -208,6 +208,10 @@ vtkShaderProgram* InkSplatPasses::Begin(
   {
     features += InkDefine("INK_MARGIN " + std::to_string(Margin) + ".0");
   }
+  if (this->HasEdges)
+  {
+    features += InkDefine("INK_EDGES");
+  }
   features += view.FindFeatures();
   InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkSplatVS, features),
     sprites ? "" : InkWithFeatures(InkSplatGS, features), InkWithFeatures(fragmentShader, features));
@@ -293,10 +297,6 @@ void InkSplatPasses::DrawDepth(const InkViewUniforms& view, const InkSplatSettin
   {
     features += InkDefine("INK_COLORS");
   }
-  if (this->HasEdges)
-  {
-    features += InkDefine("INK_EDGES");
-  }
   const bool published = splatting.AsPublished;
   const double minimum = published ? PublishedMinimumRadius : FindDepthRadius(view);
   // Two discs of one sheet reach beyond it by that much each.
@@ -324,8 +324,7 @@ void InkSplatPasses::DrawLight(const InkViewUniforms& view, const InkSplatSettin
 {
   const double minimum = FindMinimumRadius(view, splatting);
   const double scale = FindLightScale(splatting);
-  const std::string features = InkDefine("INK_LIGHT") + (texel > 1 ? InkDefine("INK_COARSE") : "") +
-    (this->HasEdges ? InkDefine("INK_EDGES") : "");
+  const std::string features = InkDefine("INK_LIGHT") + (texel > 1 ? InkDefine("INK_COARSE") : "");
   vtkShaderProgram* program = this->Begin(InkSplatLightFS, features, view,
     { scale, minimum, splatting.AsPublished ? 0.0 : InkSplatTolerance * minimum, splatting.AsPublished,
       texel });

@@ -5,8 +5,11 @@
 #include "SplattingLinesScene.h"
 
 #include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSelection.h"
+#include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
@@ -109,6 +112,26 @@ TEST(SplattingLinesEdges, TheSurfaceEndsThere)
       // A disc of the last column, .04 before the edge, reaches .05 beyond it, or 6 pixels.
       EXPECT_NEAR(last, ends ? Side / 2 : Side / 2 + 6, 1) << nearPlane;
     }
+  }
+}
+
+TEST(SplattingLinesEdges, NothingIsFoundBeyond)
+{
+  for (const bool ends : { true, false })
+  {
+    const auto half = LeftHalf(Halves());
+    if (!ends)
+    {
+      half->GetPointData()->RemoveArray("EdgeOffsets");
+    }
+    SplattingLinesScene scene(half, Side, Side);
+    SeeFromAbove(scene, 6.0);
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    selector->SetArea(Side / 2 + 2, 0, Side - 1, Side - 1);
+    const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    EXPECT_EQ(selection->GetNumberOfNodes(), ends ? 0u : 1u);
   }
 }
 
