@@ -3,6 +3,7 @@
 
 #include "Core/FormatNumber.h"
 #include "Core/ParallelChunks.h"
+#include "Curves/Contours/EdgeOffsets.h"
 #include "InkAllocate.h"
 #include "InkPlaceSamples.h"
 #include "InkSampleFaces.h"
@@ -173,6 +174,27 @@ vtkSmartPointer<vtkDataArray> InkSurfaceSamples::MakeRadius(int type) const
   }
   vtkNew<vtkDoubleArray> radii;
   return fill(radii.Get());
+}
+
+vtkSmartPointer<vtkDataArray> InkSurfaceSamples::MakeEdgeOffsets(double radii) const
+{
+  const std::vector<ink::EdgeOffsets> offsets =
+    ink::edgeOffsets(this->Triangles.GetMesh(), this->Triangles.Normals, this->Samples, radii * this->Cover);
+  if (offsets.empty())
+  {
+    return nullptr;
+  }
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("EdgeOffsets");
+  array->SetNumberOfComponents(6);
+  InkSetNumberOfTuples(array, static_cast<vtkIdType>(offsets.size()));
+  float* values = array->GetPointer(0);
+  for (const auto& [first, second] : offsets)
+  {
+    values = std::copy_n(&first.x, 3, values);
+    values = std::copy_n(&second.x, 3, values);
+  }
+  return array;
 }
 
 void InkSurfaceSamples::AddFaces(vtkPolyData* mesh, vtkPolyData* output) const

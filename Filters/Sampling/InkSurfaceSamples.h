@@ -48,6 +48,9 @@ public:
   vtkSmartPointer<vtkPoints> MakePoints(int type) const;
   vtkSmartPointer<vtkDataArray> MakeNormals() const;
   vtkSmartPointer<vtkDataArray> MakeRadius(int type) const;
+  /// Of discs that are up to so many times as large as the covering ones, see ink::edgeOffsets. Null without
+  /// sharp edges.
+  vtkSmartPointer<vtkDataArray> MakeEdgeOffsets(double radii) const;
   /// See InkAddFaces.
   void AddFaces(vtkPolyData* mesh, vtkPolyData* output) const;
 

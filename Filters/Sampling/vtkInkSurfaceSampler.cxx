@@ -34,6 +34,9 @@ namespace
 // The number of samples from which AUTOMATIC uses white noise.
 constexpr vtkIdType WhiteNoiseFrom = 500'000;
 
+// How far edges are looked for: somewhat farther than the discs of lines reach.
+constexpr double EdgeReach = 4.0;
+
 bool HasTimeSteps(vtkInformation* info)
 {
   return info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 0;
@@ -330,6 +333,13 @@ void vtkInkSurfaceSampler::SampleMesh(vtkPolyData* input, vtkPolyData* output, b
   {
     pointData->AddArray(InkMakePriority(count));
   }
+  if (this->ComputeEdgeOffsets && this->ComputeNormals && count > 0)
+  {
+    if (const vtkSmartPointer<vtkDataArray> offsets = samples.MakeEdgeOffsets(EdgeReach))
+    {
+      pointData->AddArray(offsets);
+    }
+  }
   if (keepFaces)
   {
     samples.AddFaces(mesh, output);
@@ -362,6 +372,7 @@ void vtkInkSurfaceSampler::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeRadius: " << this->ComputeRadius << "\n"
      << indent << "ComputePriority: " << this->ComputePriority << "\n"
+     << indent << "ComputeEdgeOffsets: " << this->ComputeEdgeOffsets << "\n"
      << indent << "KeepFaces: " << this->KeepFaces << "\n"
      << indent << "FollowDeformation: " << this->FollowDeformation << "\n"
      << indent << "NumberOfSamplings: " << this->NumberOfSamplings << "\n"

@@ -179,6 +179,17 @@ public:
 
   ///@{
   /**
+   * Compute the point array `EdgeOffsets` where a mesh has sharp edges: six components, the vectors from each
+   * sample to the nearest position on one and to the nearest in another direction, 0 where there is none
+   * within four radii. vtkInkSplattingLinesMapper cuts discs there. Needs ComputeNormals. Default: off.
+   */
+  vtkSetMacro(ComputeEdgeOffsets, bool);
+  vtkGetMacro(ComputeEdgeOffsets, bool);
+  vtkBooleanMacro(ComputeEdgeOffsets, bool);
+  ///@}
+
+  ///@{
+  /**
    * Make the point arrays `FaceId` (the cell that contains the sample), `FacePoints` (the three points of the
    * triangle of that cell) and `BarycentricCoordinates` (their weights), from which another run can move the
    * samples. Default: off.
@@ -321,6 +332,7 @@ private:
   bool ComputeNormals = true;
   bool ComputeRadius = true;
   bool ComputePriority = true;
+  bool ComputeEdgeOffsets = false;
   bool KeepFaces = false;
   bool FollowDeformation = false;
   int NumberOfSamplings = 0;

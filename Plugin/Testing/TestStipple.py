@@ -418,7 +418,7 @@ class TestStipple(TestInOneView):
             self.assertTrue(is_background(picture(self.view)).all())
             picture(self.view)
         self.assertEqual(len(warnings), 1, warnings)
-        self.assertIn("without polygons. It needs an image, a mesh, points with Normals and Radius, or stipples", warnings[0])
+        self.assertIn("lines without polygons. It needs an image, a mesh, points, or stipples", warnings[0])
 
     def assert_restored(self, save, load):
         changed = {"StipplePreset": "Engineering", "StippleInterior": 0.9, "SilhouetteGain": 0.7, "StippleInkColor": [0, 0, 1]}

@@ -265,7 +265,7 @@ def _make_marks(style, data, memory):
 
 def draw(
     data, style=None, output=None, *,
-    size=(1024, 1024), dpi=300, view=None, up=None, azimuth=0, elevation=None, memory=None, style_file=None, **parameters,
+    size=(1024, 1024), dpi=300, view=None, up=None, azimuth=None, elevation=None, memory=None, style_file=None, **parameters,
 ):  # fmt: skip
     """Draws a volume, a mesh or points in a style. Returns the actor, for a renderer of your own.
 
@@ -277,8 +277,8 @@ def draw(
     :param view: the side to look at: front, back, left, right, top, bottom or iso; None: the front, or of a mesh the side
         that shows most
     :param up: the axis that is up in the picture, as "y" or "-z"; None: z, or of a mesh as it seems to stand
-    :param azimuth: degrees to go to the right around the subject
-    :param elevation: degrees to go up then; None: 0, or 30 for what lies flat
+    :param azimuth: degrees to go to the right around the subject; None: 0, or 30 where else only one flat face is seen
+    :param elevation: degrees to go up then; None: 0, or 20 there, or 30 for what lies flat
     :param memory: how much may be taken, as "1GiB", of data in a file, or that an algorithm makes: a volume that is larger
         is read a few slices at a time, by illustration and splatting lines
     :param style_file: a file as ``ink style NAME`` prints it, whose parameters come before the keywords

@@ -208,6 +208,10 @@ vtkShaderProgram* InkSplatPasses::Begin(
   {
     features += InkDefine("INK_MARGIN " + std::to_string(Margin) + ".0");
   }
+  if (this->HasEdges)
+  {
+    features += InkDefine("INK_EDGES");
+  }
   features += view.FindFeatures();
   InkShaderPass& pass = this->Passes.Find(InkWithFeatures(InkSplatVS, features),
     sprites ? "" : InkWithFeatures(InkSplatGS, features), InkWithFeatures(fragmentShader, features));

@@ -107,6 +107,7 @@ private:
   bool Ordered = false;
   int NumberOfPoints = 0;
   bool HasSources = false;
+  bool HasEdges = false;
   double LargestRadius = 0.0;
   std::array<float, 6> Bounds{};
   double LargestSprite = 0.0;

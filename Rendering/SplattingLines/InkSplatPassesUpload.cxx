@@ -40,6 +40,12 @@ void InkSplatPasses::Upload(InkSplatPoints& points, vtkUnsignedCharArray* colors
   this->Buffers->ClearAllVBOs();
   this->Buffers->AppendDataArray("pointMC", points.GetPositions(), VTK_FLOAT);
   this->Buffers->AppendDataArray("normalRadiusMC", points.GetNormalsAndRadii(), VTK_FLOAT);
+  this->HasEdges = points.GetEdges()[0]->GetNumberOfTuples() > 0;
+  if (this->HasEdges)
+  {
+    this->Buffers->AppendDataArray("firstEdgeMC", points.GetEdges()[0], VTK_FLOAT);
+    this->Buffers->AppendDataArray("secondEdgeMC", points.GetEdges()[1], VTK_FLOAT);
+  }
   if (colors)
   {
     this->Buffers->AppendDataArray("colorMC", colors, VTK_UNSIGNED_CHAR);

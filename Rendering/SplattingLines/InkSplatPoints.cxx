@@ -29,8 +29,28 @@ float InkSplatPoints::EstimateRadius() const
   return radius > 0.0f ? radius : 1.0f;
 }
 
-void InkSplatPoints::Read(
-  vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius, vtkUnsignedCharArray* ghosts)
+void InkSplatPoints::ReadEdges(vtkDataArray* edges)
+{
+  for (std::size_t edge = 0; edge < this->Edges.size(); ++edge)
+  {
+    vtkFloatArray* offsets = this->Edges[edge];
+    offsets->Initialize();
+    offsets->SetNumberOfComponents(3);
+    offsets->SetNumberOfTuples(edges ? edges->GetNumberOfTuples() : 0);
+    for (vtkIdType i = 0; i < offsets->GetNumberOfTuples(); ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double offset = edges->GetComponent(i, 3 * static_cast<int>(edge) + axis) / this->Frame.Unit;
+        offsets->SetTypedComponent(i, axis, std::isfinite(offset) ? static_cast<float>(offset) : 0.0f);
+      }
+    }
+    offsets->Modified();
+  }
+}
+
+void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, vtkDataArray* edges,
+  double radius, vtkUnsignedCharArray* ghosts)
 {
   double bounds[6];
   InkShiftScale::FindFiniteBounds(points, bounds, ghosts);
@@ -90,10 +110,15 @@ void InkSplatPoints::Read(
     this->NumberOfVisiblePoints += visible;
   }
   this->NormalsAndRadii->Modified();
+  this->ReadEdges(edges);
 }
 
 void InkSplatPoints::ReleaseArrays()
 {
   this->Positions->Initialize();
   this->NormalsAndRadii->Initialize();
+  for (vtkFloatArray* edges : this->GetEdges())
+  {
+    edges->Initialize();
+  }
 }

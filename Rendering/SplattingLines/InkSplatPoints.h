@@ -22,10 +22,11 @@ public:
   /// @param normals 3 components, any length; points with a zero or not finite normal are not drawn
   /// @param radii 1 component, world units, or null; points with a radius that is not positive and finite
   ///   are not drawn
+  /// @param edges 6 components, world units, or null: where discs end, see vtkInkSplattingLinesMapper
   /// @param radius for all points where radii is null; 0: estimated from the points' spacing
   /// @param ghosts `vtkGhostType` or null; points that it marks as hidden or duplicate are not drawn
   /// Points whose position is not finite are not drawn.
-  void Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, double radius,
+  void Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray* radii, vtkDataArray* edges, double radius,
     vtkUnsignedCharArray* ghosts);
 
   /// How many points can be drawn.
@@ -42,14 +43,18 @@ public:
   /// One tuple per input point: position (3), and normal and radius (4, radius 0 for what is not drawn).
   vtkFloatArray* GetPositions() { return this->Positions; }
   vtkFloatArray* GetNormalsAndRadii() { return this->NormalsAndRadii; }
-  /// Frees both arrays.
+  /// The vectors to the two edges where a disc ends (3 each, 0: none); empty where there were none to read.
+  std::array<vtkFloatArray*, 2> GetEdges() { return { this->Edges[0], this->Edges[1] }; }
+  /// Frees the arrays.
   void ReleaseArrays();
 
 private:
   float EstimateRadius() const;
+  void ReadEdges(vtkDataArray* edges);
 
   vtkNew<vtkFloatArray> Positions;
   vtkNew<vtkFloatArray> NormalsAndRadii;
+  std::array<vtkNew<vtkFloatArray>, 2> Edges;
   InkShiftScale Frame;
   double LargestRadius = 0.0;
   std::array<float, 6> Bounds{};

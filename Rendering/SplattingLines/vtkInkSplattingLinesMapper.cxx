@@ -35,6 +35,17 @@ namespace
 constexpr const char* DefaultNormals = "Normals";
 constexpr const char* DefaultRadius = "Radius";
 constexpr const char* Priority = "Priority";
+constexpr const char* EdgeOffsets = "EdgeOffsets";
+
+/// Where discs end, see ink::edgeOffsets. Null if there is no such array.
+vtkDataArray* FindEdges(vtkPolyData* points)
+{
+  vtkDataArray* edges = points->GetPointData()->GetArray(EdgeOffsets);
+  return edges && edges->GetNumberOfComponents() == 6 &&
+      edges->GetNumberOfTuples() == points->GetNumberOfPoints()
+    ? edges
+    : nullptr;
+}
 
 } // namespace
 
@@ -129,12 +140,14 @@ bool vtkInkSplattingLinesMapper::UpdateMarks(InkMarks& own)
   }
   vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
   vtkIdTypeArray* sources = InkGetSourcePoints(input);
+  vtkDataArray* edges = this->AsPublished ? nullptr : FindEdges(input);
   const vtkMarks::Source source{ arrays.Points->GetMTime(), arrays.Normals->GetMTime(),
-    arrays.Radii ? arrays.Radii->GetMTime() : 0, ghosts ? ghosts->GetMTime() : 0,
-    sources ? sources->GetMTime() : 0, colored ? colors.Describe() : "", arrays.Radii ? 0.0 : this->Radius };
+    arrays.Radii ? arrays.Radii->GetMTime() : 0, edges ? edges->GetMTime() : 0,
+    ghosts ? ghosts->GetMTime() : 0, sources ? sources->GetMTime() : 0, colored ? colors.Describe() : "",
+    arrays.Radii ? 0.0 : this->Radius };
   if (internals.PointsSource != source || marks.PointsSource != source)
   {
-    internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, this->Radius, ghosts);
+    internals.Points.Read(arrays.Points, arrays.Normals, arrays.Radii, edges, this->Radius, ghosts);
     internals.PointsSource = source;
     marks.Passes.Upload(internals.Points, colored ? colors.Map() : nullptr, sources);
     internals.Points.ReleaseArrays();

@@ -29,7 +29,9 @@
  * world units (SetInputArrayToProcess(RADIUS, ...)). Without a Radius array, Radius, or if that is 0 an
  * estimate from the points' spacing, holds for all points. Points that are not finite, whose normal is
  * zero or whose radius is not positive are not drawn, nor are those that `vtkGhostType` marks as hidden or
- * duplicate. Cells are ignored.
+ * duplicate. Cells are ignored. Where there is the point array `EdgeOffsets` of vtkInkSurfaceSampler, discs
+ * end at the sharp edges that it names (as splats with clip lines, Zwicker et al. 2004), unless AsPublished
+ * is on.
  *
  * With PaperVisibility on, the surface is painted in PaperColor under the ink and hides what lies behind
  * it; with it off, only the ink is drawn, over whatever other actors have drawn, and a little (1.5 times

@@ -32,6 +32,7 @@ public:
     vtkMTimeType Points;
     vtkMTimeType Normals;
     vtkMTimeType Radii;
+    vtkMTimeType Edges;
     vtkMTimeType Ghosts;
     vtkMTimeType Ids;
     std::string Colors;

@@ -12,6 +12,9 @@
 #include "InkTextureFile.h"
 #include "vtkInkSilhouetteMapper.h"
 
+#include "Curves/Contours/FeatureEdges.h"
+#include "Mesh/FeatureSplit.h"
+
 #include "vtkActor.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
@@ -57,8 +60,8 @@ vtkInkContoursStyle::vtkInkContoursStyle()
   , Method(std::make_unique<InkSilhouetteMethod>(this->Mapper))
 {
   this->Actor->SetMapper(this->Mapper);
-  this->Mapper->SetFeatureAngle(40.0);
-  this->Mapper->SetShortestCrease(0.05);
+  this->Mapper->SetFeatureAngle(ink::defaultFeatureAngle);
+  this->Mapper->SetShortestCrease(ink::defaultShortestCrease);
   this->Mapper->SetShortestBorder(InkContourSurface::ShortestBorder);
   this->SetPreset(0);
 }

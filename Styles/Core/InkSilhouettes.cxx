@@ -7,6 +7,9 @@
 #include "vtkInkMapper.h"
 #include "vtkInkSilhouetteMapper.h"
 
+#include "Curves/Contours/FeatureEdges.h"
+#include "Mesh/FeatureSplit.h"
+
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -27,8 +30,8 @@ InkSilhouettes::InkSilhouettes(vtkInkMapper* under)
   : Method(this->Mapper)
 {
   this->Mapper->SetDepthWidth(0.5);
-  this->Mapper->SetFeatureAngle(40.0);
-  this->Mapper->SetShortestCrease(0.05);
+  this->Mapper->SetFeatureAngle(ink::defaultFeatureAngle);
+  this->Mapper->SetShortestCrease(ink::defaultShortestCrease);
   this->Mapper->SetShortestBorder(InkContourSurface::ShortestBorder);
   this->Mapper->SetLift(Lift);
   this->SetPixelScale(1.0);

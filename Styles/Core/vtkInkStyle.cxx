@@ -9,6 +9,7 @@
 #include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkStyleProcesses.h"
+#include "vtkInkSurfaceSampler.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -358,6 +359,26 @@ std::string vtkInkStyle::TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* pie
     return std::string("The mesh cannot be drawn: ") + problem.what();
   }
   piece->GetPointData()->SetNormals(InkPointNormals(piece));
+  return {};
+}
+
+std::string vtkInkStyle::TakeDiscs(vtkInkSurfaceSampler* sampler, vtkPolyData* points, vtkPolyData* piece)
+{
+  sampler->SetInputData(points);
+  const std::string problem = this->Follow(sampler, "looking at the points");
+  // The sampler's own output is other points' when it is asked again.
+  piece->ShallowCopy(sampler->GetOutput());
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const bool estimated = sampler->GetComputeNormals() && !points->GetPointData()->GetNormals();
+  this->AddNote("there are no polygons; the " + std::to_string(points->GetNumberOfPoints()) +
+    " points are taken as they are" + (estimated ? ", with normals estimated from their neighbors" : ""));
+  if (const vtkIdType isolated = sampler->GetNumberOfIsolatedPoints(); isolated > 0)
+  {
+    this->AddNote(std::to_string(isolated) + " points that are far from all others are left out");
+  }
   return {};
 }
 

@@ -44,6 +44,7 @@ class vtkDataObject;
 class vtkImageData;
 class vtkInformation;
 class vtkInkIsoSurfaceAlgorithm;
+class vtkInkSurfaceSampler;
 class vtkLight;
 class vtkMapper;
 class vtkPoints;
@@ -355,6 +356,12 @@ protected:
   /// @param piece becomes the mesh
   /// @return what is wrong; empty if nothing is
   std::string TakeMeshWithNormals(vtkPolyData* mesh, vtkPolyData* piece);
+  /// Takes points without polygons as discs, with their own normals and radii or, with a note, estimated
+  /// ones.
+  /// @param sampler with its settings
+  /// @param piece becomes the discs
+  /// @return what is wrong; empty if nothing is
+  std::string TakeDiscs(vtkInkSurfaceSampler* sampler, vtkPolyData* points, vtkPolyData* piece);
 
 private:
   friend class InkContourSurface;

@@ -92,6 +92,13 @@ const char* vtkInkView::GetAxis(int axis)
   return At(InkOrientation::GetAxes(), axis);
 }
 
+void vtkInkView::SetAzimuth(double degrees)
+{
+  InkSetClamped(this, "Azimuth", this->Azimuth, degrees, -360.0, 360.0);
+  this->GivenAzimuth = this->Azimuth;
+  this->Modified();
+}
+
 void vtkInkView::SetElevation(double degrees)
 {
   InkSetClamped(this, "Elevation", this->Elevation, degrees, -360.0, 360.0);
@@ -107,6 +114,7 @@ void vtkInkView::Choose(vtkDataObject* data, const char* fileName)
     mesh ? InkFindPose(mesh, fileName ? fileName : "", this->GivenUp.value_or("")) : InkPose();
   this->Up = this->GivenUp.value_or(found.Up);
   this->Name = this->GivenName.value_or(found.View);
+  this->Azimuth = this->GivenAzimuth.value_or(this->GivenName ? 0.0 : found.Azimuth);
   this->Elevation = this->GivenElevation.value_or(this->GivenName ? 0.0 : found.Elevation);
   this->Modified();
 }

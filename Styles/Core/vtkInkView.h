@@ -61,8 +61,8 @@ public:
   ///@}
 
   ///@{
-  /// How many degrees the viewer goes to the right, -360 to 360. Default: 0.
-  InkSetClampMacro(Azimuth, -360.0, 360.0);
+  /// How many degrees the viewer goes to the right, -360 to 360. Default: 0, or what Choose found.
+  void SetAzimuth(double degrees);
   vtkGetMacro(Azimuth, double);
   ///@}
 
@@ -74,9 +74,10 @@ public:
 
   /**
    * Finds what was not set, for a mesh or for points; of all else it is as by default. Up is z, or y where
-   * the mesh rests on a clearly larger base then; OBJ files have y up unless z is clearly better. Of the four
-   * sides the one is chosen whose polygons that face the viewer are largest as they are seen, the front
-   * unless another shows clearly more. What lies flat is seen from 30 degrees above, unless Name was set.
+   * the mesh rests on a clearly larger base then; OBJ files have y up unless z is clearly better, and what
+   * has the coordinates of a map z. Of the four sides the one is chosen from which most is seen, the front
+   * unless another shows clearly more. What lies flat, or on a map, is seen from 30 degrees above, and where
+   * all that is seen is one flat face, from 30 degrees to the right and 20 above; unless Name was set.
    * @param fileName of the data; null or empty: none
    */
   void Choose(vtkDataObject* data, const char* fileName = nullptr);
@@ -124,6 +125,7 @@ private:
   bool OfMesh = false; ///< what was chosen last
   std::optional<std::string> GivenName;
   std::optional<std::string> GivenUp;
+  std::optional<double> GivenAzimuth;
   std::optional<double> GivenElevation;
 };
 

@@ -64,7 +64,8 @@ public:
   vtkInkSplattingLinesMapper* GetLinesMapper();
   ///@}
 
-  /// Twice as many as the mesh has points, but from 200000 to 1000000.
+  /// Twice as many as the mesh has points, or as many as discs of little more than a thousandth of its
+  /// diagonal have room on it if these are more, but from 200000 to 1000000.
   static vtkIdType CountForMesh(vtkPolyData* mesh);
 
   /// The array of a mesh or of points that the points have, if Interactive, to be colored by.
@@ -119,6 +120,7 @@ private:
   /// @param reason against the data of this one
   /// @return what is wrong
   std::string MakeOfMeshes(const Input& input, const InkLeaves& leaves, const std::string& reason);
+  std::string TakeCloud(vtkPolyData* points);
   std::string SampleMesh(vtkPolyData* mesh);
   /// The points of all images' surfaces.
   /// @param reason against the data; empty if there is none

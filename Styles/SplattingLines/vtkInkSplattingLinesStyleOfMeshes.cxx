@@ -6,17 +6,51 @@
 #include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkLeaves.h"
+#include "InkMeshTriangles.h"
 #include "InkSampledMesh.h"
 #include "InkSilhouettes.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkSurfaceSampler.h"
 
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace
+{
+
+constexpr vtkIdType FewestSamples = 200'000;
+constexpr vtkIdType MostSamples = 1'000'000;
+
+/// The radius of the disc that each sample stands for, as a part of the mesh's diagonal, at most: it is
+/// little more than a pixel where the mesh fills the picture.
+constexpr double SampleShare = 0.0013;
+
+/// How many samples of that radius a mesh has room for. Much of the surface may lie inside, as gears in their
+/// casing do, and is sampled all the same.
+double CountByArea(vtkPolyData* mesh)
+{
+  try
+  {
+    const InkMeshTriangles triangles(mesh, false, InkMeshTriangles::Order::OfMesh);
+    const double radius = SampleShare * mesh->GetLength();
+    const double count =
+      ink::cumulateArea(triangles.GetMesh()).area.back() / (std::numbers::pi * radius * radius);
+    return std::isfinite(count) ? count : 0.0;
+  }
+  catch (const std::invalid_argument&)
+  {
+    // Sampling says what is wrong.
+    return 0.0;
+  }
+}
+
+} // namespace
 
 std::string vtkInkSplattingLinesStyle::MakeOfMeshes(
   const Input& input, const InkLeaves& leaves, const std::string& reason)
@@ -48,47 +82,69 @@ std::string vtkInkSplattingLinesStyle::MakeOfMeshes(
   }
   else if (problem.empty())
   {
-    problem = this->NumberOfSamples == 0 && InkHasPolygons(mesh)
-      ? this->TakeMeshWithNormals(mesh, this->GetPiece(POINTS))
-      : this->SampleMesh(mesh);
+    problem = !InkHasPolygons(mesh) ? this->TakeCloud(mesh)
+      : this->NumberOfSamples == 0  ? this->TakeMeshWithNormals(mesh, this->GetPiece(POINTS))
+                                    : this->SampleMesh(mesh);
   }
   return problem.empty() && !leaves.Problem.empty() ? reason : problem;
 }
 
 vtkIdType vtkInkSplattingLinesStyle::CountForMesh(vtkPolyData* mesh)
 {
-  return std::clamp<vtkIdType>(2 * mesh->GetNumberOfPoints(), 200'000, 1'000'000);
+  const double points = 2.0 * static_cast<double>(mesh->GetNumberOfPoints());
+  const double most = MostSamples;
+  return std::max(FewestSamples, static_cast<vtkIdType>(std::min(std::max(points, CountByArea(mesh)), most)));
+}
+
+std::string vtkInkSplattingLinesStyle::TakeCloud(vtkPolyData* points)
+{
+  vtkPolyData* piece = this->GetPiece(POINTS);
+  vtkSmartPointer<vtkPolyData> taken = points;
+  if (this->GetInteractive())
+  {
+    taken = InkKnowPoints(points, this->Colors);
+  }
+  const std::string problem = this->TakeDiscs(this->SurfaceSampler, taken, piece);
+  if (problem.empty() && piece->GetNumberOfPoints() == 0)
+  {
+    this->AddNote("nothing to draw: no point has others near it");
+  }
+  return problem;
 }
 
 std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
 {
   vtkInkSurfaceSampler* sampler = this->SurfaceSampler;
-  const bool isCloud = !InkHasPolygons(mesh);
   vtkSmartPointer<vtkPolyData> sampled = mesh;
   if (this->GetInteractive())
   {
-    sampled = isCloud ? InkKnowPoints(mesh, this->Colors) : InkWithFeatureNormals(mesh);
-    sampler->SetKeepFaces(!isCloud);
+    sampled = InkWithFeatureNormals(mesh);
+    sampler->KeepFacesOn();
   }
+  const vtkIdType count = this->NumberOfSamples > 0 ? this->NumberOfSamples : CountForMesh(mesh);
+  // Of many, the fastest that leaves no gaps, for which discs would have to be twice as large.
+  const bool isProgressive = this->NumberOfSamples < 0 &&
+    sampler->GetAmount() == vtkInkSurfaceSampler::NUMBER_OF_SAMPLES &&
+    sampler->GetMethod() == vtkInkSurfaceSampler::AUTOMATIC && count > FewestSamples;
+  if (isProgressive)
+  {
+    sampler->SetMethodToProgressiveBlueNoise();
+  }
+  // Lines that are drawn on sharp edges need no splats across them.
+  sampler->SetComputeEdgeOffsets(this->Silhouettes->GetSharpEdges());
   sampler->SetInputData(sampled);
-  sampler->SetNumberOfSamples(this->NumberOfSamples > 0 ? this->NumberOfSamples : CountForMesh(mesh));
-  const std::string problem = this->Follow(sampler, isCloud ? "looking at the points" : "sampling the mesh");
+  sampler->SetNumberOfSamples(count);
+  const std::string problem = this->Follow(sampler, "sampling the mesh");
+  if (isProgressive)
+  {
+    sampler->SetMethodToAutomatic();
+  }
   // The sampler's own output is another mesh's when it is asked again.
   vtkPolyData* points = this->GetPiece(POINTS);
   points->ShallowCopy(sampler->GetOutput());
-  if (this->GetInteractive() && !isCloud)
+  if (this->GetInteractive())
   {
     InkKnowFaces(sampled, this->Colors, points);
-  }
-  if (problem.empty() && isCloud)
-  {
-    const bool estimated = sampler->GetComputeNormals() && !mesh->GetPointData()->GetNormals();
-    this->AddNote("there are no polygons; the " + std::to_string(mesh->GetNumberOfPoints()) +
-      " points are taken as they are" + (estimated ? ", with normals estimated from their neighbors" : ""));
-    if (const vtkIdType isolated = sampler->GetNumberOfIsolatedPoints(); isolated > 0)
-    {
-      this->AddNote(std::to_string(isolated) + " points that are far from all others are left out");
-    }
   }
   if (problem.empty() && points->GetNumberOfPoints() == 0)
   {

@@ -214,17 +214,27 @@ void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
 void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)
 {
   vtkInkStippleStyle* style = this->Style;
-  const vtkSmartPointer<vtkPolyData> mesh = style->GatherMesh(leaves);
+  vtkSmartPointer<vtkPolyData> mesh = style->GatherMesh(leaves);
   if (mesh->GetNumberOfPoints() == 0)
   {
     return;
   }
-  if (!InkHasSurface(mesh))
+  if (!InkHasSurface(mesh) && mesh->GetNumberOfLines() > 0)
   {
-    this->Say("Stipple draws nothing for data of " + std::to_string(mesh->GetNumberOfPoints()) +
-      " points without polygons. It needs an image, a mesh, points with Normals and Radius, or stipples of "
+    this->Say(
+      "Stipple draws nothing for lines without polygons. It needs an image, a mesh, points, or stipples of "
       "Ink Stipple Generator");
     return;
+  }
+  if (!InkHasSurface(mesh))
+  {
+    vtkNew<vtkPolyData> discs;
+    this->Say(style->TakeDiscs(style->SurfaceSampler, mesh, discs));
+    mesh = discs;
+    if (mesh->GetNumberOfPoints() == 0)
+    {
+      return;
+    }
   }
   style->SetFramePoints(mesh->GetPoints());
   this->Say(style->Silhouettes->MakeOfMesh(style, mesh, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));

@@ -16,6 +16,7 @@
 #include "vtkInkStippleControls.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
+#include "vtkInkSurfaceSampler.h"
 
 #include "Tone/Lightness.h"
 
@@ -38,6 +39,7 @@ vtkInkStippleStyle::vtkInkStippleStyle()
   , IsoSurface(std::make_unique<InkIsoSurface>())
 {
   this->Actor->SetMapper(this->Mapper);
+  this->SurfaceSampler->ComputePriorityOff();
   this->Mapper->SetScalarModeToUseCellData();
   this->Mapper->UseLookupTableScalarRangeOn();
   // Bytes, too: VTK takes them for colors otherwise.
@@ -128,7 +130,7 @@ bool vtkInkStippleStyle::GetColorByScalars()
 
 std::string vtkInkStippleStyle::GetReasonAgainst(vtkDataObject* data)
 {
-  const std::string wanted = "expected an image, a mesh, points with Normals and Radius or stipples, found ";
+  const std::string wanted = "expected an image, a mesh, points or stipples, found ";
   const InkLeaves leaves(data);
   if (!leaves.Problem.empty())
   {
@@ -136,9 +138,9 @@ std::string vtkInkStippleStyle::GetReasonAgainst(vtkDataObject* data)
   }
   const std::size_t count = leaves.Images.size() + leaves.Stipples.size() + leaves.Others.size();
   auto* only = count == 1 && !leaves.Others.empty() ? vtkPolyData::SafeDownCast(leaves.Others[0]) : nullptr;
-  return count == 0                ? wanted + "data without points"
-    : only && !InkHasSurface(only) ? wanted + "points without polygons"
-                                   : std::string();
+  return count == 0                                                ? wanted + "data without points"
+    : only && !InkHasSurface(only) && only->GetNumberOfLines() > 0 ? wanted + "lines without polygons"
+                                                                   : std::string();
 }
 
 std::string vtkInkStippleStyle::MakePieces(const Input& input)

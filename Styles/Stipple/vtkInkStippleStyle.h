@@ -32,6 +32,7 @@ class vtkInkStippleActor;
 class vtkInkStippleControls;
 class vtkInkStippleGenerator;
 class vtkInkStippleMapper;
+class vtkInkSurfaceSampler;
 
 class VTKINKSTYLES_EXPORT vtkInkStippleStyle : public vtkInkStyle
 {
@@ -150,6 +151,7 @@ private:
   vtkNew<vtkInkStippleControls> Controls;
   vtkNew<vtkInkStippleGenerator> Generator;
   vtkNew<vtkInkStippleMapper> Mapper;
+  vtkNew<vtkInkSurfaceSampler> SurfaceSampler; ///< of points that have no normals or radii
   std::unique_ptr<InkSilhouettes> Silhouettes;
   vtkNew<vtkInkStippleActor> Actor;
   vtkNew<vtkLight> Light;

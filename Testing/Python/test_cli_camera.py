@@ -74,11 +74,26 @@ def test_meshes_stand_upright(ink, drawn, tmp_path, up):
 def test_the_side_that_shows_most(ink, drawn, tmp_path):
     path = tmp_path / "long.ply"
     ink_files.write_ply(path, box((1, 4, 1.5)), normals=False)
-    rows, columns = extent(drawn(path, "--parallel"))
+    straight = ("--parallel", "--azimuth", 0, "--elevation", 0)
+    rows, columns = extent(drawn(path, *straight))
     assert columns > 2 * rows
-    assert "the left of the mesh shows most; --view says otherwise" in ink("render", path, *SMALL, "-o", tmp_path / "o.png").err
+    assert "the left of the mesh shows most and is drawn; --view says otherwise" in ink("render", path, *SMALL, "-o", tmp_path / "o.png").err
     rows, columns = extent(drawn(path, "--parallel", "--view", "front"))
     assert columns < rows
+
+
+def test_one_flat_face_is_seen_at_an_angle(ink, drawn, tmp_path):
+    """It would be a gray silhouette."""
+    path = tmp_path / "box.ply"
+    ink_files.write_ply(path, box((2, 1, 2)), normals=False)
+    says = "from straight ahead only one flat face of the mesh is seen, so it is seen at an angle; --azimuth and --elevation say otherwise"
+    assert says in ink("render", path, *SMALL, "-o", tmp_path / "o.png").err
+    angle = ("--view", "front", "--azimuth", 30, "--elevation", 20)
+    assert (drawn(path) == drawn(path, *angle)).all()
+    for chosen in (("--azimuth", 0, "--elevation", 0), ("--view", "front"), angle):
+        assert says not in ink("render", path, *SMALL, *chosen, "-o", tmp_path / "o.png").err
+    rows, columns = extent(drawn(path, "--parallel", "--azimuth", 0, "--elevation", 0))
+    assert rows / columns == pytest.approx(1, abs=0.03)
 
 
 @pytest.mark.parametrize("up", ["z", "y"])
@@ -114,7 +129,7 @@ def test_volumes_are_not_seen_edge_on(ink, picture, tmp_path, style, thin, side)
     ink_files.write_nrrd(path, ink_files.blob(), directions=f"({steps['x']},0,0) (0,{steps['y']},0) (0,0,{steps['z']})")
     options = ("--style", style, "--iso", 100)
     small = (*options, "--size", 100, "-o", tmp_path / "o.png")
-    says = f"what is drawn shows more from its {side} than from its front; --view says otherwise"
+    says = f"what is drawn shows more from its {side} than from its front, so that is seen; --view says otherwise"
     err = ink("render", path, *small).err
     assert err.count("shows more") == err.count(says) == (1 if side else 0)
     assert (picture(path, *options, size=100) == picture(path, *options, "--view", side or "front", size=100)).all()

@@ -63,7 +63,7 @@ struct RenderOptions
   std::optional<std::array<double, 3>> position;   ///< of the viewer, in place of one from where all is seen
   std::optional<std::array<double, 3>> focalPoint; ///< in the middle of the picture
   double roll = 0;                                 ///< degrees that the picture is turned counterclockwise
-  double azimuth = 0;                              ///< degrees
+  std::optional<double> azimuth;                   ///< degrees
   std::optional<double> elevation;                 ///< degrees; none: 0, or from above where a mesh lies flat
   double zoom = 1;
   bool parallel = false;

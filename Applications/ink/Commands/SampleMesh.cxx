@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "InkHasPolygons.h"
+#include "InkSilhouettes.h"
 #include "MakeMarks.h"
 
 #include "vtkInkSplattingLinesStyle.h"
@@ -24,6 +25,7 @@ vtkSmartPointer<vtkPolyData> sampleMesh(
   // As they are drawn, but on the polygons that are there.
   vtkNew<vtkInkSplattingLinesStyle> style;
   style->CurvedMeshesOff();
+  style->GetSilhouettes()->SetSharpEdges(false);
   vtkInkSurfaceSampler* sampler = style->GetSurfaceSampler();
   style->SetNumberOfSamples(sampling.count.value_or(-1));
   if (sampling.radius)

@@ -81,10 +81,14 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
     ->type_name("AXIS")
     ->check(oneOf(wordsOf(vtkInkView::GetNumberOfAxes(), vtkInkView::GetAxis)))
     ->group("Camera");
-  command->add_option("--azimuth", this->options.azimuth, "go to the right around the subject, degrees (0)")
+  command
+    ->add_option("--azimuth", this->options.azimuth,
+      "go to the right around the subject, degrees (0; of a flat face 30)")
     ->check(angle)
     ->group("Camera");
-  command->add_option("--elevation", this->options.elevation, "then go up, degrees (0; of what lies flat 30)")
+  command
+    ->add_option("--elevation", this->options.elevation,
+      "then go up, degrees (0; of what lies flat 30, of a flat face 20)")
     ->check(angle)
     ->group("Camera");
   const auto addPoint = [command](const char* name, std::vector<double>& point, const char* text)

@@ -94,12 +94,14 @@ void SampleArguments::add(CLI::App* command)
     ->group("Volumes")
     ->check(oneOf(namesOf(rules())));
   MeshSampling& mesh = this->options.mesh;
-  auto* count = command
-                  ->add_option("--count", mesh.count,
-                    "how many points to make (twice as many as the mesh has, but 200000 to 1000000)")
-                  ->type_name("N")
-                  ->group("Meshes")
-                  ->check(wholeNumber(1, 1e12));
+  auto* count =
+    command
+      ->add_option("--count", mesh.count,
+        "how many points to make (twice as many as the mesh has, or more where it has much surface for its "
+        "size, but 200000 to 1000000)")
+      ->type_name("N")
+      ->group("Meshes")
+      ->check(wholeNumber(1, 1e12));
   command
     ->add_option(
       "--radius", mesh.radius, "least distance between points along the surface, in place of --count")
@@ -110,7 +112,8 @@ void SampleArguments::add(CLI::App* command)
   command
     ->add_option("--noise", this->noise,
       "white: independent points, fast; blue: they keep a distance and leave no gaps; progressive: blue,\n"
-      "less even, several times as fast (blue below 500000 points, else white)")
+      "less even, several times as fast (blue below 500000 points, else white; without --count progressive "
+      "above 200000)")
     ->type_name("NAME")
     ->group("Meshes")
     ->check(oneOf(namesOf(methods())));

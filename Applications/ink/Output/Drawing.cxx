@@ -123,7 +123,10 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   {
     view->SetName(*this->Options.view);
   }
-  view->SetAzimuth(this->Options.azimuth);
+  if (this->Options.azimuth || this->Options.position)
+  {
+    view->SetAzimuth(this->Options.azimuth.value_or(0.0));
+  }
   if (this->Options.elevation || this->Options.position)
   {
     view->SetElevation(this->Options.elevation.value_or(0.0));
@@ -137,9 +140,15 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   }
   if (!this->Options.view && view->GetName() != usual->GetName())
   {
-    notes.push_back("the " + view->GetName() + " of the mesh shows most; --view says otherwise");
+    notes.push_back("the " + view->GetName() + " of the mesh shows most and is drawn; --view says otherwise");
   }
-  if (!this->Options.elevation && view->GetElevation() > 0.0)
+  if (!this->Options.azimuth && view->GetAzimuth() > 0.0)
+  {
+    notes.emplace_back(
+      "from straight ahead only one flat face of the mesh is seen, so it is seen at an angle; "
+      "--azimuth and --elevation say otherwise");
+  }
+  else if (!this->Options.elevation && view->GetElevation() > 0.0)
   {
     notes.emplace_back("the mesh lies flat, so it is seen from above; --elevation says otherwise");
   }
@@ -157,7 +166,7 @@ std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
   const std::string& name = this->View->GetName();
   return name == before ? std::vector<std::string>()
                         : std::vector{ "what is drawn shows more from its " + name +
-                            " than from its front; --view says otherwise" };
+                            " than from its front, so that is seen; --view says otherwise" };
 }
 
 vtkSmartPointer<vtkCamera> Drawing::camera(double turned) const

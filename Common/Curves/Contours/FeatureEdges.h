@@ -10,6 +10,9 @@
 namespace ink
 {
 
+/// Of the surface's diagonal: which creases styles leave out, see FeatureEdges.
+inline constexpr double defaultShortestCrease = 0.05;
+
 /// The edges of a surface that are contours for every eye, by what they are, in the order of their sites.
 struct FeatureEdges
 {

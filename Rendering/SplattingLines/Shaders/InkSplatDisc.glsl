@@ -3,6 +3,10 @@
 flat in vec4 toDiscVSOutput;
 flat in vec4 centerVSOutput;
 flat in vec4 discVSOutput;
+#ifdef INK_EDGES
+flat in vec3 firstEdgeVSOutput;
+flat in vec3 secondEdgeVSOutput;
+#endif
 #ifdef INK_PLANES
 flat in vec3 positionVSOutput;
 flat in vec3 axisUVSOutput;
@@ -16,6 +20,14 @@ bool findOnDisc(vec2 pixel, out vec2 disc)
   vec2 flatDisc = mat2(toDiscVSOutput.xy, toDiscVSOutput.zw) * (pixel - centerVSOutput.xy);
   float perspective = 1.0 - dot(centerVSOutput.zw, flatDisc);
   disc = flatDisc / perspective;
+#ifdef INK_EDGES
+  vec2 fromCenter = pixel - centerVSOutput.xy;
+  if (dot(firstEdgeVSOutput.xy, fromCenter) > firstEdgeVSOutput.z ||
+    dot(secondEdgeVSOutput.xy, fromCenter) > secondEdgeVSOutput.z)
+  {
+    return false;
+  }
+#endif
   return !(perspective <= 0.0 || dot(disc, disc) > 1.0);
 }
 

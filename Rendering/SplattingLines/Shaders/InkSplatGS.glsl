@@ -17,6 +17,12 @@ flat in vec4 discVSOutput[];
 flat out vec4 toDiscGSOutput;
 flat out vec4 centerGSOutput;
 flat out vec4 discGSOutput;
+#ifdef INK_EDGES
+flat in vec3 firstEdgeVSOutput[];
+flat in vec3 secondEdgeVSOutput[];
+flat out vec3 firstEdgeGSOutput;
+flat out vec3 secondEdgeGSOutput;
+#endif
 #ifdef INK_PLANES
 flat in vec3 positionVSOutput[];
 flat in vec3 axisUVSOutput[];
@@ -63,6 +69,10 @@ void main()
     toDiscGSOutput = toDiscVSOutput[0];
     centerGSOutput = centerVSOutput[0];
     discGSOutput = discVSOutput[0];
+#ifdef INK_EDGES
+    firstEdgeGSOutput = firstEdgeVSOutput[0];
+    secondEdgeGSOutput = secondEdgeVSOutput[0];
+#endif
 #ifdef INK_PLANES
     positionGSOutput = positionVSOutput[0];
     axisUGSOutput = axisUVSOutput[0];

@@ -13,6 +13,10 @@
 
 in vec3 pointMC;        // relative to the data's center, over the data's size
 in vec4 normalRadiusMC; // unit normal; radius over the data's size, 0 for points that are not drawn
+#ifdef INK_EDGES
+in vec3 firstEdgeMC;    // to the nearest position on a sharp edge, and to the nearest in another direction; 0: none
+in vec3 secondEdgeMC;
+#endif
 #ifdef INK_COLORS
 in vec4 colorMC;
 #endif
@@ -48,6 +52,10 @@ uniform vec2 widths;           // pixels: the least and the greatest narrower ra
 // What the fragment shaders need, in few varyings: each costs time for each point.
 flat out vec4 toDiscVSOutput; // 2 x 2 matrix from pixels to disc coordinates, before the division
 flat out vec4 centerVSOutput; // the disc's center in pixels; w, see above
+#ifdef INK_EDGES
+flat out vec3 firstEdgeVSOutput;  // the direction to where the disc ends, and how far away that is, in pixels
+flat out vec3 secondEdgeVSOutput;
+#endif
 #ifdef INK_PLANES
 flat out vec3 positionVSOutput; // the disc's center and axes in view coordinates
 flat out vec3 axisUVSOutput;
@@ -105,6 +113,34 @@ vec2 sumOver(vec2 falloffs)
 }
 #endif
 
+#ifdef INK_EDGES
+// Pixels by which discs reach over an edge, so that none is left between those of its two sides.
+const float overlap = 0.5;
+
+vec3 findEdge(vec3 edge, vec2 centerPixel)
+{
+  const vec3 none = vec3(0.0, 0.0, 1e9);
+  // In the disc's plane, so that a disc that is seen edge-on is on the right side of the edge.
+  edge -= dot(edge, normalRadiusMC.xyz) * normalRadiusMC.xyz;
+  vec4 on = VCDCMatrix * (MCVCMatrix * vec4(pointMC + edge, 1.0));
+  vec4 along = VCDCMatrix * (MCVCMatrix * vec4(pointMC + edge + cross(normalRadiusMC.xyz, edge), 1.0));
+  if (edge == vec3(0.0) || on.w <= 0.0 || along.w <= 0.0)
+  {
+    return none;
+  }
+  vec2 onPixel = (0.5 * on.xy / on.w + 0.5) * viewportSize;
+  vec2 direction = (0.5 * along.xy / along.w + 0.5) * viewportSize - onPixel;
+  if (length(direction) < 1e-4)
+  {
+    return none;
+  }
+  vec2 across = normalize(vec2(direction.y, -direction.x));
+  float distance = dot(across, onPixel - centerPixel);
+  across *= distance < 0.0 ? -1.0 : 1.0;
+  return vec3(across, abs(distance) + overlap);
+}
+#endif
+
 void main()
 {
   // For points that are left out: beyond the target, but within the viewport if that is wider, because
@@ -118,6 +154,10 @@ void main()
   toDiscVSOutput = vec4(0.0);
   centerVSOutput = vec4(0.0);
   discVSOutput = vec4(0.0);
+#ifdef INK_EDGES
+  firstEdgeVSOutput = vec3(0.0);
+  secondEdgeVSOutput = vec3(0.0);
+#endif
 #ifdef INK_PLANES
   positionVSOutput = vec3(0.0);
   axisUVSOutput = vec3(0.0);
@@ -263,6 +303,17 @@ void main()
   centerVSOutput = vec4(centerPixel, w);
   toDiscVSOutput = vec4(disc[1].y, -disc[0].y, -disc[1].x, disc[0].x) / determinant(disc);
   discVSOutput = vec4(positionVC.z, axisU.z, axisV.z, light);
+#ifdef INK_EDGES
+  firstEdgeVSOutput = findEdge(firstEdgeMC, centerPixel);
+#ifdef INK_LIGHT
+  // Where a surface ends at an edge, what faces away behind it is no contour.
+  if (light <= 0.0 && firstEdgeVSOutput.z < minimumRadius)
+  {
+    return;
+  }
+#endif
+  secondEdgeVSOutput = findEdge(secondEdgeMC, centerPixel);
+#endif
 #ifdef INK_PLANES
   positionVSOutput = positionVC.xyz;
   axisUVSOutput = axisU;

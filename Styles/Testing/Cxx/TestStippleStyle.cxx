@@ -13,10 +13,12 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
+#include "vtkLineSource.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -129,6 +131,32 @@ TEST(StippleStyle, StipplesOfPointsAreThoseOfTheirDiscs)
     ofImage->GetPiece(0)->GetPoint(i, p);
     EXPECT_EQ(vtkMath::Distance2BetweenPoints(p, ofPoints->GetPiece(0)->GetPoint(i)), 0.0);
   }
+}
+
+TEST(StippleStyle, PointsWithoutNormalsAreDiscsAsForLines)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(60);
+  sphere->Update();
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(sphere->GetOutput()->GetPoints());
+  vtkNew<vtkInkStippleStyle> style;
+  ASSERT_TRUE(style->Accepts(points));
+  ASSERT_TRUE(style->Draw(points));
+  vtkNew<vtkInkSplattingLinesStyle> lines;
+  ASSERT_TRUE(lines->Draw(points));
+  ASSERT_EQ(style->GetNumberOfNotes(), 1);
+  EXPECT_EQ(std::string(style->GetNote(0)), lines->GetNote(0));
+  EXPECT_NE(std::string(style->GetNote(0)).find("normals estimated"), std::string::npos);
+  vtkNew<vtkInkStippleStyle> ofDiscs;
+  ASSERT_TRUE(ofDiscs->Draw(lines->GetPiece(0)));
+  EXPECT_EQ(CountOf(style), CountOf(ofDiscs));
+  EXPECT_GT(CountOf(style), 10000);
+  // Lines are no surface, nor points of one.
+  vtkNew<vtkLineSource> line;
+  line->Update();
+  EXPECT_FALSE(style->Accepts(line->GetOutput()));
 }
 
 TEST(StippleStyle, StipplesOfMeshesHaveThePicturesRoom)

@@ -5,12 +5,15 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
 #include "vtkImageData.h"
 #include "vtkInkView.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkReverseSense.h"
 #include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -150,7 +153,6 @@ TEST(View, MeshesStandAndShowMost)
     view->Choose(Table(yIsUp));
     EXPECT_EQ(view->GetUp(), yIsUp ? "y" : "z");
     EXPECT_EQ(view->GetName(), "front");
-    EXPECT_EQ(view->GetElevation(), 0.0);
     // What is said stays, and is what the rest is chosen for.
     vtkNew<vtkInkView> said;
     said->SetUp("x");
@@ -192,7 +194,7 @@ TEST(View, WhatIsLongDoesNotStandOnItsEnd)
   // Nor does a wall lie on its side.
   view->Choose(Boxes({ { 0, 4, 0, 0.2, 0, 3 } }), "wall.stl");
   EXPECT_EQ(view->GetUp(), "z");
-  EXPECT_EQ(view->GetElevation(), 0.0);
+  EXPECT_EQ(view->GetElevation(), 20.0) << "not as what lies flat, but as one flat face";
 }
 
 TEST(View, WhatLiesFlatIsSeenFromAbove)
@@ -219,6 +221,88 @@ TEST(View, WhatLiesFlatIsSeenFromAbove)
   view->Choose(image);
   EXPECT_EQ(view->GetName() + view->GetUp(), "frontz");
   EXPECT_EQ(view->GetElevation(), 0.0);
+}
+
+TEST(View, WhatIsHiddenDoesNotCount)
+{
+  // Boards behind each other, which fill a row of 1 x 2 from the front and of 2.2 x 2 from the left.
+  std::vector<std::array<double, 6>> boards;
+  for (int i = 0; i < 8; ++i)
+  {
+    boards.push_back({ 0.0, 1.0, 0.3 * i, 0.3 * i + 0.1, 0.0, 2.0 });
+  }
+  boards.push_back({ 0.4, 0.6, 0.0, 2.2, 0.0, 2.0 });
+  vtkNew<vtkInkView> view;
+  view->SetUp("z");
+  view->Choose(Boxes(boards));
+  EXPECT_EQ(view->GetName(), "left");
+  // Nor does it matter which way round polygons run, as of a pipe that is inside out.
+  for (const bool isInsideOut : { false, true })
+  {
+    vtkNew<vtkCylinderSource> pipe;
+    pipe->SetHeight(4.0);
+    pipe->SetResolution(20);
+    pipe->CappingOff();
+    vtkNew<vtkReverseSense> reversed;
+    reversed->SetInputConnection(pipe->GetOutputPort());
+    reversed->Update();
+    view->SetUp("z");
+    view->Choose(isInsideOut ? reversed->GetOutput() : pipe->GetOutput());
+    EXPECT_EQ(view->GetName(), "left") << isInsideOut << ": not through it";
+  }
+}
+
+TEST(View, OneFlatFaceIsSeenAtAnAngle)
+{
+  const auto plate = Boxes({ { 0, 4, 0, 1, 0, 3 } });
+  vtkNew<vtkInkView> view;
+  view->Choose(plate, "plate.stl");
+  EXPECT_EQ(view->GetName(), "front");
+  EXPECT_EQ(view->GetAzimuth(), 30.0);
+  EXPECT_EQ(view->GetElevation(), 20.0);
+  // Of several faces the front shows more than one.
+  view->Choose(Boxes({ { 0, 4, 0, 1, 0, 3 }, { 0, 4, -2, 0, 0, 0.2 }, { 1, 3, -1, 0, 0, 3 } }), "parts.stl");
+  EXPECT_EQ(view->GetAzimuth(), 30.0) << "parallel to each other";
+  vtkNew<vtkInkView> straight;
+  straight->SetAzimuth(0.0);
+  straight->SetElevation(0.0);
+  straight->Choose(plate, "plate.stl");
+  EXPECT_EQ(straight->GetAzimuth(), 0.0);
+  EXPECT_EQ(straight->GetElevation(), 0.0);
+  vtkNew<vtkInkView> named;
+  named->SetName("front");
+  named->Choose(plate, "plate.stl");
+  EXPECT_EQ(named->GetAzimuth(), 0.0);
+  vtkNew<vtkSphereSource> ball;
+  ball->Update();
+  view->Choose(ball->GetOutput());
+  EXPECT_EQ(view->GetAzimuth(), 0.0);
+}
+
+TEST(View, MapsHaveTheirHeightUp)
+{
+  // A steep strip of land, taller than it is wide: of a survey, and of a scan around the origin.
+  for (const bool isMap : { true, false })
+  {
+    vtkNew<vtkPoints> points;
+    for (int i = 0; i < 3000; ++i)
+    {
+      const double x = 50.0 * std::fmod(0.618034 * i, 1.0);
+      const double y = 0.1 * i;
+      points->InsertNextPoint(x + (isMap ? 512700.0 : 0.0), y + (isMap ? 5403550.0 : 0.0), 2.0 * x);
+    }
+    vtkNew<vtkPolyData> cloud;
+    cloud->SetPoints(points);
+    vtkNew<vtkInkView> view;
+    view->Choose(cloud, "land.obj");
+    EXPECT_EQ(view->GetUp(), isMap ? "z" : "y");
+    EXPECT_EQ(view->GetElevation(), isMap ? 30.0 : 0.0);
+    vtkNew<vtkInkView> said;
+    said->SetUp("y");
+    said->Choose(cloud, "land.obj");
+    EXPECT_EQ(said->GetUp(), "y");
+    EXPECT_EQ(said->GetElevation(), 0.0);
+  }
 }
 
 TEST(View, VolumesAreSeenFromWhereTheyShowTwiceAsMuch)

@@ -60,3 +60,30 @@ TEST(SamplesOfSharpEdges, SamplesFaceOneSide)
   sampler->KeepFacesOn();
   EXPECT_LT(worst(), 0.7);
 }
+
+TEST(SamplesOfSharpEdges, KnowWhereTheirSideEnds)
+{
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  sampler->SetInputData(InkTestWeldedBox());
+  sampler->SetNumberOfSamples(2000);
+  sampler->Update();
+  EXPECT_FALSE(sampler->GetOutput()->GetPointData()->HasArray("EdgeOffsets"));
+  sampler->ComputeEdgeOffsetsOn();
+  sampler->Update();
+  vtkPointData* samples = sampler->GetOutput()->GetPointData();
+  vtkDataArray* offsets = samples->GetArray("EdgeOffsets");
+  ASSERT_TRUE(offsets);
+  ASSERT_EQ(offsets->GetNumberOfComponents(), 6);
+  ASSERT_EQ(offsets->GetNumberOfTuples(), sampler->GetOutput()->GetNumberOfPoints());
+  vtkIdType near = 0;
+  for (vtkIdType i = 0; i < offsets->GetNumberOfTuples(); ++i)
+  {
+    const double* n = samples->GetNormals()->GetTuple3(i);
+    const double along = n[0] * offsets->GetComponent(i, 0) + n[1] * offsets->GetComponent(i, 1) +
+      n[2] * offsets->GetComponent(i, 2);
+    EXPECT_NEAR(along, 0.0, 1e-6) << "they lie in the sample's face";
+    near += offsets->GetComponent(i, 0) != 0.0 || offsets->GetComponent(i, 1) != 0.0 ||
+      offsets->GetComponent(i, 2) != 0.0;
+  }
+  EXPECT_GT(near, 200);
+}
