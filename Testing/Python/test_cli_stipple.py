@@ -260,10 +260,14 @@ def test_nothing_to_draw(refused, tmp_path, volume_file):
     assert "window" in refused(1, volume_file, "--style", "stipple", "--window", "900,1000")
 
 
-def test_points_without_polygons(refused, tmp_path):
-    points, normals, _ = ink_files.sphere_mesh()
-    ink_files.write_ply(tmp_path / "cloud.ply", (points, normals, np.zeros((0, 3), "<i4")), normals=True)
-    assert "polygon" in refused(1, tmp_path / "cloud.ply", "--style", "stipple")
+@pytest.mark.parametrize("has_normals", [True, False])
+def test_points_without_polygons(stippled, tmp_path, has_normals):
+    """They are drawn as discs, near each other as those of a scan, with normals that are estimated where there are none."""
+    points, normals, triangles = ink_files.sphere_mesh()
+    ink_files.write_ply(tmp_path / "cloud.ply", (points, normals, np.zeros((0, 3), "<i4")), normals=has_normals)
+    ink_files.write_ply(tmp_path / "mesh.ply", (points, normals, triangles), normals=True)
+    of_points, of_mesh = (stippled(tmp_path / name).mean() for name in ("cloud.ply", "mesh.ply"))
+    assert of_points == pytest.approx(of_mesh, rel=0.1)
 
 
 def test_arrays_that_are_not_there(refused, volume_file):
