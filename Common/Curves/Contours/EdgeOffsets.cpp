@@ -11,6 +11,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -121,9 +122,16 @@ std::vector<EdgeOffsets> edgeOffsets(const TriangleMesh& mesh, std::span<const g
     [&](std::size_t i)
     {
       const glm::dvec3 position = positionOf(mesh, samples[i]);
+      const glm::vec3 from((position - origin) / reach);
       std::array<std::uint32_t, candidates> found;
+      // Most samples are near no edge, which the nearest tells.
+      tree.find(from, std::span(found).first(1));
+      if (glm::distance(from, positions[found[0]]) > 1.0 + spacingShare)
+      {
+        return;
+      }
       const std::span<std::uint32_t> near(found.data(), std::min(candidates, positions.size()));
-      tree.find(glm::vec3((position - origin) / reach), near);
+      tree.find(from, near);
       std::vector<glm::dvec3> offsets;
       for (const std::uint32_t candidate : near)
       {
