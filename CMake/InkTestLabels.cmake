@@ -12,7 +12,7 @@ set(_ink_test_labels
   "lines:SplattingLines"
   "strokes:Stroke|CurveVisibility"
   "streamlines:Streamline|LineSampleGrid|CrossField|AlignedLineField|CombDirections|PointGroups|SolidMesh|LongestBorder|BorderEdges|WeldedTriangles|SeenTriangles|TrianglesWithin|FlatDirections|FormDirections|CurvedMesh|FeatureSplit|InsideOut|MeshNavigation|RepeatedTriangles|LinesOfCurvature"
-  "contours:Contours|GridBorder|ChainSegments|CoherentDashes|ClusterPlanes|LargePages|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
+  "contours:Contours|EdgeOffsets|GridBorder|ChainSegments|CoherentDashes|ClusterPlanes|LargePages|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
   "statistics:IsoValue|OtsuThreshold|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|SliceCounter|SmoothedSlices"
   "vdb:Vdb|VDB|vdb"

@@ -126,6 +126,7 @@ TEST(SplattingLinesEdges, NothingIsFoundBeyond)
     }
     SplattingLinesScene scene(half, Side, Side);
     SeeFromAbove(scene, 6.0);
+    scene.Window->Render();
     vtkNew<vtkHardwareSelector> selector;
     selector->SetRenderer(scene.Renderer);
     selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
