@@ -2,6 +2,7 @@
 #include "Mesh/InsideOut.h"
 
 #include "Mesh/OnePerPoint.h"
+#include "Mesh/SignedVolume.h"
 
 #include <glm/geometric.hpp>
 
@@ -61,14 +62,9 @@ bool facesInward(const TriangleMesh& mesh, std::span<const glm::vec3> normals)
   double volume = 0.0;
   for (const auto& [i, j, k] : mesh.triangles)
   {
-    const glm::dvec3 a = mesh.points[i] - middle;
-    const glm::dvec3 area = glm::cross(mesh.points[j] - mesh.points[i], mesh.points[k] - mesh.points[i]);
-    const bool isTurned = glm::dot(area, glm::dvec3(normals[i] + normals[j] + normals[k])) < 0.0;
-    const double part = glm::dot(a, area);
-    if (std::isfinite(part))
-    {
-      volume += isTurned ? -part : part;
-    }
+    const double part = signedVolume(mesh.points[i] - middle, mesh.points[j] - middle,
+      mesh.points[k] - middle, glm::dvec3(normals[i] + normals[j] + normals[k]));
+    volume += std::isfinite(part) ? part : 0.0;
   }
   return volume < 0.0;
 }

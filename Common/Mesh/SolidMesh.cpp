@@ -4,9 +4,8 @@
 #include "Mesh/ConnectedParts.h"
 #include "Mesh/LongestBorder.h"
 #include "Mesh/OnePerPoint.h"
+#include "Mesh/SignedVolume.h"
 #include "Mesh/WeldedTriangles.h"
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,8 +46,7 @@ bool isSolid(const TriangleMesh& mesh, std::span<const glm::vec3> normals)
     const glm::dvec3 a = mesh.points[p] - part.origin;
     const glm::dvec3 b = mesh.points[q] - part.origin;
     const glm::dvec3 c = mesh.points[r] - part.origin;
-    const double side = glm::dot(glm::cross(b - a, c - a), glm::dvec3(normals[p] + normals[q] + normals[r]));
-    part.volume += (side < 0.0 ? -1.0 : 1.0) * glm::dot(a, glm::cross(b, c));
+    part.volume += signedVolume(a, b, c, glm::dvec3(normals[p] + normals[q] + normals[r]));
   }
   return std::all_of(
     found.begin(), found.end(), [](const Part& part) { return !part.isUsed || part.volume > 0.0; });

@@ -34,9 +34,10 @@ constexpr double mostIntersected = 0.125;
 constexpr double paddedShare = 0.25;
 // What a material's boundary is sharper than the noise within it, at least.
 constexpr double sharperThanInside = 2.0;
-// More than this fraction of the edges of scraps are at voxels with at most one neighbor inside. Those of the
-// outermost boundaries of 80 volumes are up to .14, of the brightest spots of two MR scans and two density
-// maps .18 to .23.
+// Tissue that has no boundary of its own is steepest where its brightest spots are, of which a surface would
+// be scraps: more than this fraction of the edges are at voxels with at most one neighbor inside. Those of
+// the outermost boundaries of 80 volumes are up to .14, of the brightest spots of two MR scans and two
+// density maps .18 to .23.
 constexpr double scrapShare = 0.16;
 // Closer to the middle of two materials, by this fraction of their difference, a boundary stays where it is
 // sharpest: that makes up for what a point spread takes off from convex parts.
@@ -155,14 +156,6 @@ bool isMask(const IsoStatistics& statistics, std::size_t threshold)
   return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
 }
 
-/// Whether a boundary's surface would be scraps: tissue that has no boundary of its own is steepest where its
-/// brightest spots are.
-bool isScraps(const IsoStatistics& statistics, std::size_t threshold)
-{
-  return static_cast<double>(statistics.speckEdges[threshold]) >
-    scrapShare * static_cast<double>(statistics.edges[threshold]);
-}
-
 /// Whether a threshold belongs to the peaks of a smooth field.
 bool isPeak(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t threshold)
 {
@@ -190,18 +183,16 @@ bool areTooMany(std::int64_t edges, const IsoStatistics& statistics)
 
 bool isPadding(const IsoStatistics& statistics, std::size_t boundary, std::size_t next)
 {
-  const auto meanStep = [&](std::size_t i)
-  { return static_cast<double>(statistics.steps[i]) / static_cast<double>(statistics.edges[i]); };
   const std::vector<bool> noise = findNoisyThresholds(
     { statistics.edges, statistics.steps }, statistics.speckEdges, keptShares(statistics.voxels));
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = boundary + 1; i < next; ++i)
   {
-    least = noise[i] ? std::min(least, meanStep(i)) : least;
+    least = noise[i] ? std::min(least, meanStep(statistics, i)) : least;
   }
-  return std::isfinite(least) &&
-    meanStep(0)<sharperThanInside * least&& static_cast<double>(statistics.maskEdges[0])> paddedShare *
-    static_cast<double>(statistics.edges[0]);
+  const double masked =
+    static_cast<double>(statistics.maskEdges[0]) / static_cast<double>(statistics.edges[0]);
+  return std::isfinite(least) && meanStep(statistics, 0) < sharperThanInside * least && masked > paddedShare;
 }
 
 std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept)
@@ -230,7 +221,8 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
     boundaries.erase(boundaries.begin());
   }
   while (!boundaries.empty() &&
-    (isPeak(statistics, kept, boundaries.front().index) || isScraps(statistics, boundaries.front().index)))
+    (isPeak(statistics, kept, boundaries.front().index) ||
+      speckShare(statistics, boundaries.front().index) > scrapShare))
   {
     boundaries.erase(boundaries.begin());
   }

@@ -99,6 +99,17 @@ std::vector<double> thresholdSharpness(
   return result;
 }
 
+double meanStep(const IsoStatistics& statistics, std::size_t threshold)
+{
+  return static_cast<double>(statistics.steps[threshold]) / static_cast<double>(statistics.edges[threshold]);
+}
+
+double speckShare(const IsoStatistics& statistics, std::size_t threshold)
+{
+  return static_cast<double>(statistics.speckEdges[threshold]) /
+    static_cast<double>(statistics.edges[threshold]);
+}
+
 std::size_t thresholdAt(const ValueBins& bins, double value)
 {
   const double position = (value - bins.low) / bins.width - 1.0;
@@ -107,9 +118,7 @@ std::size_t thresholdAt(const ValueBins& bins, double value)
 
 bool isSpeckled(const IsoStatistics& statistics, double value)
 {
-  const std::size_t threshold = thresholdAt(statistics.bins, value);
-  return static_cast<double>(statistics.speckEdges[threshold]) >
-    speckledShare * static_cast<double>(statistics.edges[threshold]);
+  return speckShare(statistics, thresholdAt(statistics.bins, value)) > speckledShare;
 }
 
 bool noiseHidesBoundaries(const IsoStatistics& statistics)
@@ -130,14 +139,12 @@ bool noiseHidesBoundaries(const IsoStatistics& statistics)
 
 bool isSharperThanNoise(const IsoStatistics& statistics, std::size_t threshold)
 {
-  const auto meanStep = [&](std::size_t i)
-  { return static_cast<double>(statistics.steps[i]) / static_cast<double>(statistics.edges[i]); };
-  double least = meanStep(threshold);
+  double least = meanStep(statistics, threshold);
   for (std::size_t i = 0; i < statistics.edges.size(); ++i)
   {
-    least = statistics.edges[i] >= fewestEdges ? std::min(least, meanStep(i)) : least;
+    least = statistics.edges[i] >= fewestEdges ? std::min(least, meanStep(statistics, i)) : least;
   }
-  return meanStep(threshold) >= sharperThanNoise * least;
+  return meanStep(statistics, threshold) >= sharperThanNoise * least;
 }
 
 } // namespace ink

@@ -34,6 +34,12 @@ std::vector<bool> findNoisyThresholds(
 std::vector<double> thresholdSharpness(
   const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept);
 
+/// The mean step along the edges that cross a threshold, in bins.
+double meanStep(const IsoStatistics& statistics, std::size_t threshold);
+
+/// The share of these edges that lie at voxels with at most one neighbor above. NaN if there are none.
+double speckShare(const IsoStatistics& statistics, std::size_t threshold);
+
 /// The threshold between bins that is nearest to a value.
 std::size_t thresholdAt(const ValueBins& bins, double value);
 

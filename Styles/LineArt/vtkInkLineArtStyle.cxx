@@ -102,7 +102,7 @@ void FaceOutward(vtkPolyData* surface)
 }
 
 /// Whether a surface's inner side is not to be seen, but through holes of a scan, or where an image ends.
-/// What is thinner than its surroundings, as the inside of a level set, is seen from within these.
+/// What has lower values than its surroundings, as the inside of a level set, is seen from within these.
 bool HasOutsideOnly(vtkPolyData* surface)
 {
   const InkMeshTriangles triangles(surface, true, InkMeshTriangles::Order::OfMesh);
