@@ -36,6 +36,11 @@ constexpr double cutShare = 1.0 / 3.0;
 constexpr double cutKeeps = 0.5;
 // Of what an implicit function's surface encloses, as thin vessels in a box.
 constexpr double thinObjectShare = 1e-4;
+// Where 0 is the value of so many voxels, it is no surface of an implicit function but what surrounds those
+// of a map of differences, as in statistics of a brain.
+constexpr double backgroundShare = 0.125;
+// The negative differences are as large as so many times the positive ones, at least.
+constexpr double leastNegative = 0.25;
 // Slices that are smoothed at once: enough for all threads, and few enough for this memory in bytes, as far
 // as three take less.
 constexpr int mostSmoothedAtOnce = 66;
@@ -208,12 +213,54 @@ bool isAsSteepAsElsewhere(const IsoStatistics& statistics, std::size_t threshold
   return here > 0.5 * elsewhere;
 }
 
+/// Otsu's threshold of all values above some, or one below it at which the surface is as large, but whole.
+/// @param first the lowest bin
+IsoBoundary splitHistogram(
+  const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t first)
+{
+  const auto otsuFrom = [&](std::size_t bin)
+  {
+    std::vector<std::int64_t> above = statistics.voxels;
+    std::fill_n(above.begin(), bin, 0);
+    return otsuThreshold(above);
+  };
+  const auto isNoise = [&](double threshold)
+  { return areTooMany(statistics.edges[static_cast<std::size_t>(threshold)], statistics); };
+  double otsu = otsuFrom(first);
+  if (isNoise(otsu))
+  {
+    // It splits the noise around something, which may be what is above.
+    const double higher = otsuFrom(static_cast<std::size_t>(otsu) + 1);
+    otsu = isNoise(higher) ? otsu : higher;
+  }
+  IsoBoundary split{ otsu, static_cast<std::size_t>(otsu), 0.0, 0, 0 };
+  split.begin = split.index;
+  split.end = split.index + 1;
+  const std::vector<bool> noise =
+    findNoisyThresholds({ statistics.edges, statistics.steps }, statistics.speckEdges, kept);
+  while (split.begin > first && !noise[split.begin] && !noise[split.begin - 1])
+  {
+    --split.begin;
+  }
+  mendBoundary(statistics, split);
+  return split;
+}
+
+/// Whether values are differences around a background of 0, at the end of a bin.
+bool areDifferences(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t zero)
+{
+  const double highest = statistics.bins.low + statistics.bins.width * statistics.bins.count;
+  return zero + 1 < kept.size() && kept[zero] - kept[zero + 1] > backgroundShare &&
+    kept[zero + 1] > fragmentShare && -statistics.bins.low > leastNegative * highest;
+}
+
 /// Of a volume without a boundary.
 /// @param integers whether values are, which scans have, implicit functions hardly ever
 std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bool integers)
 {
   const std::vector<double> kept = keptShares(statistics.voxels);
   std::vector<IsoSuggestion> suggestions;
+  std::size_t first = 0;
   const double zero = std::floor(-statistics.bins.low / statistics.bins.width) - 1.0;
   if (zero >= 0.0 && zero < static_cast<double>(kept.size()))
   {
@@ -221,25 +268,19 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
     const double share = kept[threshold];
     const double least =
       !integers && isAsSteepAsElsewhere(statistics, threshold) ? thinObjectShare : fragmentShare;
+    if (areDifferences(statistics, kept, threshold))
+    {
+      first = threshold + 2;
+    }
     // Values around 0, as those of densities of crystals, have no surface there.
-    if (share >= least && share <= 1.0 - least && !areTooMany(statistics.edges[threshold], statistics))
+    else if (share >= least && share <= 1.0 - least && !areTooMany(statistics.edges[threshold], statistics))
     {
       suggestions.push_back({ 0.0, IsoSuggestion::Boundary::Sign, share });
     }
   }
-  double otsu = otsuThreshold(statistics.voxels);
-  const auto isNoise = [&](double threshold)
-  { return areTooMany(statistics.edges[static_cast<std::size_t>(threshold)], statistics); };
-  if (isNoise(otsu))
-  {
-    // It splits the noise around something, which may be what is above.
-    std::vector<std::int64_t> above = statistics.voxels;
-    std::fill_n(above.begin(), static_cast<std::size_t>(otsu) + 1, 0);
-    const double higher = otsuThreshold(above);
-    otsu = isNoise(higher) ? otsu : higher;
-  }
+  const IsoBoundary split = splitHistogram(statistics, kept, first);
   suggestions.push_back(
-    { valueAt(statistics.bins, otsu), IsoSuggestion::Boundary::None, kept[static_cast<std::size_t>(otsu)] });
+    { valueAt(statistics.bins, split.threshold), IsoSuggestion::Boundary::None, kept[split.index] });
   return suggestions;
 }
 

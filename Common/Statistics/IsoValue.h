@@ -20,7 +20,7 @@ struct IsoSuggestion
     Densest,   ///< the highest clear boundary, if it is not the only one
     Labels,    ///< the edge of all labels of a segmentation
     Sign, ///< no boundary is clear: 0, where an implicit function, such as a signed distance, has its surface
-    None  ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two
+    None  ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two, or one below
   };
   double value;
   Boundary boundary;
@@ -60,7 +60,8 @@ struct IsoSuggestion
 /// usually denser; the others follow by their total step. Where all six sides of the volume cut it, as in a
 /// scan that was cropped, the inside of the lungs would be seen: then it comes second. If there is no
 /// boundary, it is 0 where the values have both signs and few edges cross it, and then Otsu's threshold (IEEE
-/// Trans. SMC 9, 1979), of what lies above it where its surface would be noise.
+/// Trans. SMC 9, 1979), of what lies above it where its surface would be noise, of the positive values where
+/// they are differences around a background of 0, moved down as the first boundary is.
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are

@@ -205,7 +205,7 @@ std::string InkDescribe(const ink::IsoSuggestion& suggestion)
     : suggestion.boundary == Boundary::Densest                      ? "the boundary of the densest part"
     : suggestion.boundary == Boundary::Labels                       ? "the edge of all labels"
     : suggestion.boundary == Boundary::Sign ? "where the sign changes, as no boundary is clear"
-                                            : "Otsu's threshold, as no boundary is clear";
+                                            : "by Otsu's threshold, as no boundary is clear";
   return boundary + (", keeps " + PercentOf(suggestion)) + " % of the volume";
 }
 

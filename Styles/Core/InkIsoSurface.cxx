@@ -24,7 +24,6 @@
 
 InkIsoSurface::InkIsoSurface()
 {
-  this->Sampler->SetCutToRim();
   this->Sampler->SetSmallestPart(ink::ComponentSelection::automatic);
   this->Sampler->GenerateVerticesOff();
 }
@@ -70,12 +69,11 @@ int InkIsoSurface::GetLargestParts() const
 
 void InkIsoSurface::SetCut(int cut)
 {
-  this->Sampler->SetCut(cut);
-}
-
-int InkIsoSurface::GetCut() const
-{
-  return this->Sampler->GetCut();
+  if (this->Cut != cut)
+  {
+    this->Cut = cut;
+    this->Changed.Modified();
+  }
 }
 
 void InkIsoSurface::SetSmoothing(double smoothing)
@@ -261,6 +259,9 @@ bool InkIsoSurface::TakeLabels(
   sampler->SetSmoothingTarget(this->SmoothingTarget != TARGET_AUTOMATIC ? this->SmoothingTarget
       : smoothsSurface                                                  ? vtkInkIsoSurfaceAlgorithm::SURFACE
                                                                         : vtkInkIsoSurfaceAlgorithm::NORMALS);
+  sampler->SetCut(this->Cut != CUT_AUTOMATIC ? this->Cut
+      : labels                               ? vtkInkIsoSurfaceAlgorithm::CAP
+                                             : vtkInkIsoSurfaceAlgorithm::RIM);
   return labels;
 }
 

@@ -52,8 +52,11 @@ public:
   double GetSmallestPart() const;
   void SetLargestParts(int count);
   int GetLargestParts() const;
+  /// What is where a surface leaves the image: one of vtkInkIsoSurfaceAlgorithm's, or a cap of labels, whose
+  /// regions are solid, and a rim of all else, as it may show what lies within.
+  static constexpr int CUT_AUTOMATIC = 3;
   void SetCut(int cut);
-  int GetCut() const;
+  int GetCut() const { return this->Cut; }
   void SetSmoothing(double smoothing);
   double GetSmoothing() const { return this->Smoothing; }
   /// How values are taken.
@@ -172,7 +175,8 @@ private:
   std::string AddCurvature(
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
-  /// Makes a sampler take values as labels or not, and smooth what suits these. @return whether as labels
+  /// Makes a sampler take values as labels or not, with the cut and the smoothing that suit these.
+  /// @return whether as labels
   bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested) const;
   /// Puts the one that IsoChoice asks for first.
   void Choose(std::vector<ink::IsoSuggestion>& suggestions) const;
@@ -190,6 +194,7 @@ private:
   InkIsoValues IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
   int SmoothingTarget = TARGET_AUTOMATIC;
+  int Cut = CUT_AUTOMATIC;
   int IsoChoice = OUTERMOST;
   int LabelMap = LABELS_AUTOMATIC;
   bool ComputeCurvature = false;

@@ -2,12 +2,14 @@
 // Scans as they come: padded, cropped, without a boundary that is clear.
 #include "IsoValueVolumes.h"
 #include "Statistics/IsoValue.h"
+#include "Statistics/OtsuThreshold.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <span>
@@ -110,4 +112,44 @@ TEST(IsoValueOfScans, OfDensitiesAroundZeroIsNotWhereTheSignChanges)
     EXPECT_GT(one.value, 0.15);
     EXPECT_LT(one.value, 1.0);
   }
+}
+
+TEST(IsoValueOfScans, OfTissueWithoutABoundaryIsBelowItsBrightParts)
+{
+  // Skin without a sharp edge around tissue with bright parts, which Otsu's threshold cuts out.
+  const auto values = volume<unsigned char>(
+    [](double d, std::size_t i)
+    {
+      const double skin = std::clamp((20.0 - d) / 4.0, 0.0, 1.0);
+      const double within = std::clamp((17.0 - d) / 4.0, 0.0, 1.0);
+      const double w = waves(i);
+      return 2.0 + noise(i) + 10.0 * skin + within * (10.0 * (1.0 + w) + 15.0 * std::exp(3.0 * w * w * w));
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::None);
+  std::vector<std::int64_t> histogram(256);
+  for (const unsigned char value : values)
+  {
+    ++histogram[value];
+  }
+  const double otsu = ink::otsuThreshold(histogram);
+  const auto kept = std::count_if(values.begin(), values.end(), [&](unsigned char v) { return v > otsu; });
+  EXPECT_GT(suggestion->keptShare, 1.08 * static_cast<double>(kept) / static_cast<double>(values.size()));
+}
+
+TEST(IsoValueOfScans, OfDifferencesAroundABackgroundOfZeroIsPositive)
+{
+  // As statistics of a brain, cut out by a mask: no surface is where they change their sign.
+  const auto map = [](double d, std::size_t i) { return d > 18.0 ? 0.0 : 4.0 * waves(i) + 0.3 * noise(i); };
+  const std::vector<ink::IsoSuggestion> suggestions = suggestAll(volume<float>(map));
+  ASSERT_EQ(suggestions.size(), 1U);
+  EXPECT_EQ(suggestions.front().boundary, Boundary::None);
+  EXPECT_GT(suggestions.front().value, 0.5);
+  EXPECT_LT(suggestions.front().value, 2.0);
+  // Of negative ones alone, one is still given.
+  const auto negative =
+    suggest(volume<float>([&](double d, std::size_t i) { return std::min(map(d, i), 0.0); }));
+  ASSERT_TRUE(negative);
+  EXPECT_LT(negative->value, 0.0);
 }

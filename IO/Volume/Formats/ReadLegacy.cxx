@@ -161,7 +161,8 @@ private:
       {
         failToRead(this->File,
           "it is not a legacy VTK file of structured points: it says '" + shortened(word) +
-            "'; expected DATASET STRUCTURED_POINTS");
+            "'; expected DATASET STRUCTURED_POINTS, which ParaView's filter Resample To Image makes of other "
+            "grids");
       }
     }
   }

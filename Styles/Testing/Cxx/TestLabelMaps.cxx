@@ -190,6 +190,56 @@ TEST(LabelMaps, ScansAreNone)
   EXPECT_TRUE(automatic.Mesh == off.Mesh);
 }
 
+TEST(LabelMaps, CutsAreClosed)
+{
+  // Half a ball, cut by the side at x = 0.
+  const auto half = [](double blur)
+  {
+    auto image = MakeBall(Side);
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      image->GetPoint(i, p);
+      const double depth = BallRadius - std::hypot(p[0], p[1] - Middle, p[2] - Middle);
+      values->SetComponent(i, 0, 200.0 * std::clamp(0.5 + depth / blur, 0.0, 1.0));
+    }
+    return image;
+  };
+  /// How many points the side has, of the points and of the mesh.
+  const auto countCaps = [](vtkImageData* image, const char* cut)
+  {
+    vtkNew<vtkInkSplattingLinesStyle> style;
+    EXPECT_TRUE(style->SetParameterAsString("Cut", cut));
+    EXPECT_TRUE(style->Make(image));
+    InkIsoSurface& surface = *style->GetIsoSurface();
+    vtkNew<vtkPolyData> mesh;
+    EXPECT_EQ(surface.Mesh(style, image, mesh), "");
+    std::array<int, 2> caps{};
+    for (int n = 0; n < 2; ++n)
+    {
+      const std::vector<double> numbers = NumbersOf(n == 0 ? style->GetPiece(0) : mesh.Get());
+      for (std::size_t i = 0; i < numbers.size(); i += 6)
+      {
+        // Not of the line along the cut.
+        const bool isWithin = std::hypot(numbers[i + 1] - Middle, numbers[i + 2] - Middle) < BallRadius - 3.0;
+        caps[n] += isWithin && numbers[i] < 0.1 && numbers[i + 3] < -0.99 ? 1 : 0;
+      }
+    }
+    return caps;
+  };
+  const std::array<int, 2> none{};
+  const auto labels = half(1e-6);
+  const std::array<int, 2> caps = countCaps(labels, "auto");
+  EXPECT_GT(caps[0], 200);
+  EXPECT_GT(caps[1], 200);
+  EXPECT_EQ(countCaps(labels, "cap"), caps);
+  EXPECT_EQ(countCaps(labels, "rim"), none);
+  const auto scan = half(4.0);
+  EXPECT_EQ(countCaps(scan, "auto"), none);
+  EXPECT_GT(countCaps(scan, "cap")[0], 200);
+}
+
 TEST(LabelMaps, GivenSmoothingStays)
 {
   vtkNew<vtkInkSplattingLinesStyle> style;
