@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsoSurface/CutSamples.h"
 
+#include "Core/ParallelFor.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Resampling/TileResampler.h"
 #include "Fields/ScalarDifference.h"
@@ -12,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace ink
 {
@@ -203,21 +206,31 @@ private:
   CutSamples& Samples;
 };
 
-/// Calls work with each selected cell on a side, in a part of them along its second axis.
-template <class Work>
-void forEachCell(const GridGeometry& geometry, const CellSelection& selection, const CutSide& side, int layer,
-  int beginV, int endV, const Work& work)
+/// Some of the cells on a side.
+struct CutStrip
 {
+  CutSide side;
+  int layer; ///< the index of the side's samples along its axis
+  int begin; ///< the first cell along the side's second axis
+  int end;   ///< after the last one
+};
+
+/// Calls work with each selected cell of a strip.
+template <class Work>
+void forEachCell(
+  const GridGeometry& geometry, const CellSelection& selection, const CutStrip& strip, const Work& work)
+{
+  const CutSide& side = strip.side;
   const GridGeometry cells(glm::max(geometry.dimensions() - 1, glm::ivec3(0)));
   const glm::ivec3 begin = glm::max(selection.begin, glm::ivec3(0));
   const glm::ivec3 end = glm::min(selection.end, geometry.dimensions() - 1);
   glm::ivec3 cell(0);
-  cell[side.axis] = side.upper ? layer - 1 : layer;
+  cell[side.axis] = side.upper ? strip.layer - 1 : strip.layer;
   if (cell[side.axis] < begin[side.axis] || cell[side.axis] >= end[side.axis])
   {
     return;
   }
-  for (cell[side.v] = std::max(begin[side.v], beginV); cell[side.v] < std::min(end[side.v], endV);
+  for (cell[side.v] = std::max(begin[side.v], strip.begin); cell[side.v] < std::min(end[side.v], strip.end);
        ++cell[side.v])
   {
     for (cell[side.u] = begin[side.u]; cell[side.u] < end[side.u]; ++cell[side.u])
@@ -230,96 +243,83 @@ void forEachCell(const GridGeometry& geometry, const CellSelection& selection, c
   }
 }
 
-/// Samples a side's own faces.
+/// Samples the side's own faces.
 template <class T>
-void sampleSide(const GridField<T>& field, double isoValue, CutSurface kind, const CutSide& side, int layer,
+void sampleFaces(const GridField<T>& field, double isoValue, CutSurface kind, const CutStrip& strip,
   const CellSelection& selection, CutSamples& samples)
 {
-  SideSampler sampler(field, isoValue, kind, side, samples);
-  const int all = field.geometry().dimensions()[side.v];
-  forEachCell(field.geometry(), selection, side, layer, 0, all,
-    [&](const glm::ivec3& cell) { sampler.sampleFace(cell, layer); });
+  SideSampler sampler(field, isoValue, kind, strip.side, samples);
+  forEachCell(field.geometry(), selection, strip,
+    [&](const glm::ivec3& cell) { sampler.sampleFace(cell, strip.layer); });
 }
 
-/// Samples faces of the resampled grid, a strip of the side at a time.
+/// Samples faces of the resampled grid.
 template <class T>
-void sampleResampledSide(const GridField<T>& field, double isoValue, CutSurface kind, const CutSide& side,
-  int layer, const CellSelection& selection, const IsoSurfaceResampling& resampling, CutSamples& samples)
+void sampleResampledFaces(const GridField<T>& field, double isoValue, CutSurface kind, const CutStrip& strip,
+  const CellSelection& selection, const IsoSurfaceResampling& resampling, CutSamples& samples)
 {
-  constexpr int stripCells = 32;
   // So that no difference overflows; a power of two rounds nothing.
   constexpr double scale = 1.0 / 256.0;
+  const CutSide& side = strip.side;
   const GridGeometry& own = field.geometry();
   const glm::ivec3& parts = resampling.subdivision;
   const GridResampling ofSurface = resamplingOfSurface(resampling, own.dimensions());
   const GridGeometry all = resampledGeometry(own, parts);
-  SideSampler ownFaces(field, isoValue, kind, side, samples);
+  // The side's positions, and those next to them.
+  SampleBox box{ glm::ivec3(0), all.dimensions() };
+  box.begin[side.axis] = strip.layer * parts[side.axis] - (side.upper ? 1 : 0);
+  box.end[side.axis] = box.begin[side.axis] + 2;
+  box.begin[side.v] = strip.begin * parts[side.v];
+  box.end[side.v] = strip.end * parts[side.v] + 1;
+  const int around = std::max({ ofSurface[0].reach(), ofSurface[1].reach(), ofSurface[2].reach() });
   TileResampler<double> resampler;
-  std::vector<double> values;
-  for (int strip = 0; strip < own.dimensions()[side.v] - 1; strip += stripCells)
+  resampler.read(field, box, parts, glm::ivec3(around));
+  if (!(resampler.greatest() >= resampler.least()))
   {
-    const int end = std::min(strip + stripCells, own.dimensions()[side.v] - 1);
-    // The side's positions, and those next to them.
-    SampleBox box{ glm::ivec3(0), all.dimensions() };
-    box.begin[side.axis] = layer * parts[side.axis] - (side.upper ? 1 : 0);
-    box.end[side.axis] = box.begin[side.axis] + 2;
-    box.begin[side.v] = strip * parts[side.v];
-    box.end[side.v] = end * parts[side.v] + 1;
-    const int around = std::max({ ofSurface[0].reach(), ofSurface[1].reach(), ofSurface[2].reach() });
-    resampler.read(field, box, parts, glm::ivec3(around));
-    if (!(resampler.greatest() >= resampler.least()))
-    {
-      continue;
-    }
-    double isoValueHere = scale * isoValue;
-    if (resampling.ofMask)
-    {
-      resampler.makeMask(isoValue);
-      isoValueHere = maskIsoValue;
-    }
-    else
-    {
-      resampler.scale(scale);
-    }
-    resampler.resample(ofSurface, box, values);
-    const GridField<double> fine(
-      GridGeometry(box.size(), all.origin(), all.spacing(), all.direction(), all.first() + box.begin),
-      values);
-    SideSampler faces(fine, isoValueHere, kind, side, samples);
-    forEachCell(own, selection, side, layer, strip, end,
-      [&](const glm::ivec3& cell)
-      {
-        if (!ownFaces.hasFace(cell, layer))
-        {
-          return;
-        }
-        glm::ivec3 part = cell * parts - box.begin;
-        part[side.axis] = 0;
-        const glm::ivec3 first = part;
-        for (part[side.v] = first[side.v]; part[side.v] < first[side.v] + parts[side.v]; ++part[side.v])
-        {
-          for (part[side.u] = first[side.u]; part[side.u] < first[side.u] + parts[side.u]; ++part[side.u])
-          {
-            faces.sampleFace(part, side.upper ? 1 : 0);
-          }
-        }
-      });
+    return;
   }
+  double isoValueHere = scale * isoValue;
+  if (resampling.ofMask)
+  {
+    resampler.makeMask(isoValue);
+    isoValueHere = maskIsoValue;
+  }
+  else
+  {
+    resampler.scale(scale);
+  }
+  std::vector<double> values;
+  resampler.resample(ofSurface, box, values);
+  const GridField<double> fine(
+    GridGeometry(box.size(), all.origin(), all.spacing(), all.direction(), all.first() + box.begin), values);
+  const SideSampler ownFaces(field, isoValue, kind, side, samples);
+  SideSampler faces(fine, isoValueHere, kind, side, samples);
+  forEachCell(own, selection, strip,
+    [&](const glm::ivec3& cell)
+    {
+      if (!ownFaces.hasFace(cell, strip.layer))
+      {
+        return;
+      }
+      glm::ivec3 part = cell * parts - box.begin;
+      part[side.axis] = 0;
+      const glm::ivec3 first = part;
+      for (part[side.v] = first[side.v]; part[side.v] < first[side.v] + parts[side.v]; ++part[side.v])
+      {
+        for (part[side.u] = first[side.u]; part[side.u] < first[side.u] + parts[side.u]; ++part[side.u])
+        {
+          faces.sampleFace(part, side.upper ? 1 : 0);
+        }
+      }
+    });
 }
 
-} // namespace
-
-template <class T>
-CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind, const glm::ivec3& first,
-  const glm::ivec3& last, const CellSelection& selection, const IsoSurfaceResampling& resampling)
+/// All of the volume's sides that a grid has.
+std::vector<CutStrip> cutStrips(const GridGeometry& geometry, const glm::ivec3& first, const glm::ivec3& last)
 {
-  CutSamples samples;
-  const GridGeometry& geometry = field.geometry();
+  constexpr int stripCells = 32;
   const glm::ivec3& dimensions = geometry.dimensions();
-  if (kind == CutSurface::Open || std::min({ dimensions.x, dimensions.y, dimensions.z }) < 2)
-  {
-    return samples;
-  }
+  std::vector<CutStrip> strips;
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const bool upper : { false, true })
@@ -330,17 +330,49 @@ CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind
       {
         continue;
       }
-      if (resampling.isIdentity())
+      const int cells = dimensions[side.v] - 1;
+      for (int begin = 0; begin < cells; begin += stripCells)
       {
-        sampleSide(field, isoValue, kind, side, layer, selection, samples);
-      }
-      else
-      {
-        sampleResampledSide(field, isoValue, kind, side, layer, selection, resampling, samples);
+        strips.push_back({ side, layer, begin, std::min(begin + stripCells, cells) });
       }
     }
   }
-  return samples;
+  return strips;
+}
+
+} // namespace
+
+template <class T>
+CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind, const glm::ivec3& first,
+  const glm::ivec3& last, const CellSelection& selection, const IsoSurfaceResampling& resampling)
+{
+  CutSamples all;
+  const glm::ivec3& dimensions = field.geometry().dimensions();
+  if (kind == CutSurface::Open || std::min({ dimensions.x, dimensions.y, dimensions.z }) < 2)
+  {
+    return all;
+  }
+  const std::vector<CutStrip> strips = cutStrips(field.geometry(), first, last);
+  std::vector<CutSamples> samples(strips.size());
+  parallelFor(strips.size(),
+    [&](std::size_t i)
+    {
+      if (resampling.isIdentity())
+      {
+        sampleFaces(field, isoValue, kind, strips[i], selection, samples[i]);
+      }
+      else
+      {
+        sampleResampledFaces(field, isoValue, kind, strips[i], selection, resampling, samples[i]);
+      }
+    });
+  for (const CutSamples& some : samples)
+  {
+    all.points.insert(all.points.end(), some.points.begin(), some.points.end());
+    all.normals.insert(all.normals.end(), some.normals.begin(), some.normals.end());
+    all.cells.insert(all.cells.end(), some.cells.begin(), some.cells.end());
+  }
+  return all;
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

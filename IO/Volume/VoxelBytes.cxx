@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelBytes.h"
 
+#include "Core/ParallelChunks.h"
 #include "FileHandle.h"
 #include "Inflater.h"
 #include "RawVolume.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <limits>
@@ -49,7 +51,9 @@ public:
       const std::uint64_t within = position % this->PartBytes;
       const auto some = bytes.first(
         static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), this->PartBytes - within)));
-      if (readAt(this->File.get(), this->Voxels.offsetIn(part) + within, some) != some.size())
+      const std::uint64_t from = this->Voxels.offsetIn(part) + within;
+      // Once more where that failed, for errno, which each thread has of its own.
+      if (!this->readInChunks(from, some) && readAt(this->File.get(), from, some) != some.size())
       {
         failToRead(
           this->Voxels.files[part], errno ? std::strerror(errno) : "it was cut short while it was read");
@@ -60,6 +64,24 @@ public:
   }
 
 private:
+  /// What a page cache holds is copied, and new pages of memory are cleared, on all threads.
+  bool readInChunks(std::uint64_t position, std::span<unsigned char> bytes) const
+  {
+    constexpr std::size_t bytesOfAChunk = 1 << 20;
+    std::atomic<bool> isWhole = true;
+    parallelForChunks(
+      bytes.size(),
+      [&](std::size_t, std::size_t begin, std::size_t end)
+      {
+        if (readAt(this->File.get(), position + begin, bytes.subspan(begin, end - begin)) != end - begin)
+        {
+          isWhole = false;
+        }
+      },
+      bytesOfAChunk);
+    return isWhole;
+  }
+
   void openPart(std::size_t part)
   {
     this->Part = part;

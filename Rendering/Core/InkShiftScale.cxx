@@ -6,8 +6,15 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "Core/ParallelChunks.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point)
 {
@@ -17,20 +24,30 @@ bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point)
 
 void InkShiftScale::FindFiniteBounds(vtkPoints* points, double bounds[6], vtkUnsignedCharArray* ghosts)
 {
-  vtkMath::UninitializeBounds(bounds);
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  const double infinity = std::numeric_limits<double>::infinity();
+  struct Box
   {
-    double p[3];
-    points->GetPoint(i, p);
-    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && !InkIsGhostPoint(ghosts, i))
+    glm::dvec3 Least;
+    glm::dvec3 Greatest;
+  };
+  const Box none{ glm::dvec3(infinity), glm::dvec3(-infinity) };
+  const Box box = ink::parallelReduce(
+    static_cast<std::size_t>(points->GetNumberOfPoints()), none,
+    [&](std::size_t i)
     {
-      const bool first = !vtkMath::AreBoundsInitialized(bounds);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        bounds[2 * axis] = first ? p[axis] : std::min(bounds[2 * axis], p[axis]);
-        bounds[2 * axis + 1] = first ? p[axis] : std::max(bounds[2 * axis + 1], p[axis]);
-      }
-    }
+      glm::dvec3 p;
+      points->GetPoint(static_cast<vtkIdType>(i), &p.x);
+      const bool isFinite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+      return isFinite && !InkIsGhostPoint(ghosts, static_cast<vtkIdType>(i)) ? Box{ p, p } : none;
+    },
+    [](const Box& a, const Box& b) {
+      return Box{ glm::min(a.Least, b.Least), glm::max(a.Greatest, b.Greatest) };
+    });
+  vtkMath::UninitializeBounds(bounds);
+  for (int axis = 0; axis < 3 && box.Least.x <= box.Greatest.x; ++axis)
+  {
+    bounds[2 * axis] = box.Least[axis];
+    bounds[2 * axis + 1] = box.Greatest[axis];
   }
 }
 

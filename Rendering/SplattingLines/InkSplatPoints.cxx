@@ -4,14 +4,39 @@
 #include "vtkMath.h"
 #include "vtkPoints.h"
 
+#include "Core/ParallelChunks.h"
 #include "PointSampling/PointCloud/PointSpacing.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <span>
 #include <vector>
+
+namespace
+{
+
+/// Of those that can be drawn.
+struct VisiblePoints
+{
+  vtkIdType Number = 0;
+  float LargestRadius = 0.0f;
+  glm::vec3 Least = glm::vec3(std::numeric_limits<float>::infinity());
+  glm::vec3 Greatest = glm::vec3(-std::numeric_limits<float>::infinity());
+
+  static VisiblePoints Join(const VisiblePoints& a, const VisiblePoints& b)
+  {
+    return { a.Number + b.Number, std::max(a.LargestRadius, b.LargestRadius), glm::min(a.Least, b.Least),
+      glm::max(a.Greatest, b.Greatest) };
+  }
+};
+
+} // namespace
 
 float InkSplatPoints::EstimateRadius() const
 {
@@ -60,17 +85,18 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
   this->Positions->SetNumberOfComponents(3);
   this->Positions->SetNumberOfTuples(count);
   float* position = this->Positions->GetPointer(0);
-  for (vtkIdType i = 0; i < count; ++i, position += 3)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    this->Frame.ToLocal(p, position);
-    if (InkIsGhostPoint(ghosts, i))
+  ink::parallelForEach(static_cast<std::size_t>(count),
+    [&](std::size_t i)
     {
-      // As points without a position, which take no part in anything.
-      std::fill_n(position, 3, std::numeric_limits<float>::quiet_NaN());
-    }
-  }
+      double p[3];
+      points->GetPoint(static_cast<vtkIdType>(i), p);
+      this->Frame.ToLocal(p, position + 3 * i);
+      if (InkIsGhostPoint(ghosts, static_cast<vtkIdType>(i)))
+      {
+        // As points without a position, which take no part in anything.
+        std::fill_n(position + 3 * i, 3, std::numeric_limits<float>::quiet_NaN());
+      }
+    });
   this->Positions->Modified();
 
   float sharedRadius = 0.0f;
@@ -81,33 +107,36 @@ void InkSplatPoints::Read(vtkPoints* points, vtkDataArray* normals, vtkDataArray
 
   this->NormalsAndRadii->SetNumberOfComponents(4);
   this->NormalsAndRadii->SetNumberOfTuples(count);
-  this->NumberOfVisiblePoints = 0;
-  this->LargestRadius = 0.0;
-  this->Bounds = {};
-  position = this->Positions->GetPointer(0);
-  float* normalAndRadius = this->NormalsAndRadii->GetPointer(0);
-  for (vtkIdType i = 0; i < count; ++i, position += 3, normalAndRadius += 4)
+  float* normalsAndRadii = this->NormalsAndRadii->GetPointer(0);
+  const auto read = [&](std::size_t i)
   {
+    const auto point = static_cast<vtkIdType>(i);
+    float* p = position + 3 * i;
+    float* normalAndRadius = normalsAndRadii + 4 * i;
     double n[3];
-    normals->GetTuple(i, n);
-    const float r = radii ? static_cast<float>(radii->GetComponent(i, 0) / this->Frame.Unit) : sharedRadius;
+    normals->GetTuple(point, n);
+    const float r =
+      radii ? static_cast<float>(radii->GetComponent(point, 0) / this->Frame.Unit) : sharedRadius;
     const double length = vtkMath::Norm(n);
     const bool visible = length > 0.0 && std::isfinite(length) && r > 0.0f && std::isfinite(r) &&
-      std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]);
-    for (int axis = 0; axis < 3 && visible; ++axis)
-    {
-      float* range = this->Bounds.data() + 2 * axis;
-      range[0] = this->NumberOfVisiblePoints > 0 ? std::min(range[0], position[axis]) : position[axis];
-      range[1] = this->NumberOfVisiblePoints > 0 ? std::max(range[1], position[axis]) : position[axis];
-    }
+      std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
     for (int axis = 0; axis < 3; ++axis)
     {
       normalAndRadius[axis] = visible ? static_cast<float>(n[axis] / length) : 0.0f;
-      position[axis] = visible ? position[axis] : 0.0f;
+      p[axis] = visible ? p[axis] : 0.0f;
     }
     normalAndRadius[3] = visible ? r : 0.0f;
-    this->LargestRadius = visible ? std::max<double>(this->LargestRadius, r) : this->LargestRadius;
-    this->NumberOfVisiblePoints += visible;
+    return visible ? VisiblePoints{ 1, r, { p[0], p[1], p[2] }, { p[0], p[1], p[2] } } : VisiblePoints{};
+  };
+  const auto visible =
+    ink::parallelReduce(static_cast<std::size_t>(count), VisiblePoints{}, read, &VisiblePoints::Join);
+  this->NumberOfVisiblePoints = visible.Number;
+  this->LargestRadius = visible.LargestRadius;
+  this->Bounds = {};
+  for (int axis = 0; axis < 3 && visible.Number > 0; ++axis)
+  {
+    this->Bounds[2 * axis] = visible.Least[axis];
+    this->Bounds[2 * axis + 1] = visible.Greatest[axis];
   }
   this->NormalsAndRadii->Modified();
   this->ReadEdges(edges);
