@@ -63,6 +63,11 @@ PngEncoder::PngEncoder(const PictureLayout& layout, const ByteSink& sink)
       constexpr double inchesPerMeter = 1.0 / 0.0254;
       const auto perMeter = static_cast<png_uint_32>(std::lround(layout.dotsPerInch * inchesPerMeter));
       png_set_pHYs(png, info, perMeter, perMeter, PNG_RESOLUTION_METER);
+      // Ink is the same or not, and never a little more: differences of pixels only make files larger, and so
+      // do more thorough searches for repetitions (stipples 815 -> 609 kB, lines the same, in a third of the
+      // time).
+      png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+      png_set_compression_level(png, 1);
       png_write_info(png, info);
     });
 }
