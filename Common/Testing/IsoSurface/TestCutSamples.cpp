@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -228,6 +229,39 @@ TEST(CutSamples, OfOneSliceAreNone)
   const glm::ivec3 slice(25, 27, 1);
   EXPECT_TRUE(
     cutOf(halfBall(glm::ivec3(0), slice), ink::GridGeometry(slice), CutSurface::Cap).points.empty());
+}
+
+TEST(CutSamples, AreTheSameAcrossStripsAndOnAnyNumberOfThreads)
+{
+  // The ball's middle lies at (32, 33): strips are 32 faces wide.
+  const glm::ivec3 large(70, 70, 14);
+  const auto values = halfBall(glm::ivec3(-20, -20, 0), large);
+  const ink::GridGeometry geometry(large);
+  for (const CutSurface kind : { CutSurface::Rim, CutSurface::Cap })
+  {
+    for (const ink::IsoSurfaceResampling& resampling :
+      { ink::IsoSurfaceResampling{}, ink::IsoSurfaceResampling{ .subdivision = glm::ivec3(2) } })
+    {
+      const auto cutOn = [&](const char* threads)
+      {
+        setenv("VTK_SMP_MAX_THREADS", threads, 1);
+        return ink::sampleCut(
+          ink::GridField<float>(geometry, values), 100.0, kind, glm::ivec3(0), large - 1, {}, resampling);
+      };
+      const ink::CutSamples one = cutOn("1");
+      const ink::CutSamples two = cutOn("2");
+      EXPECT_TRUE(one.points == two.points && one.normals == two.normals && one.cells == two.cells);
+      const ink::CutSamples alone =
+        ink::sampleCut(ink::GridField<float>(ink::GridGeometry(size), halfBall(glm::ivec3(0), size)), 100.0,
+          kind, glm::ivec3(0), size - 1, {}, resampling);
+      ASSERT_EQ(one.points.size(), alone.points.size());
+      for (std::size_t i = 0; i < one.points.size(); ++i)
+      {
+        EXPECT_LT(glm::distance(one.points[i] - glm::dvec3(20, 20, 0), alone.points[i]), 1e-6);
+      }
+    }
+  }
+  unsetenv("VTK_SMP_MAX_THREADS");
 }
 
 TEST(CutSamples, DoNotOverflowAtTheLimitsOfTheType)
