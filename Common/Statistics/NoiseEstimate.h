@@ -29,6 +29,7 @@ struct NoiseEstimate
   /// The share of the step that lies between the two samples around the surface: as a median .38 for a ball
   /// behind a point spread of .7 samples, .25 to .5 in 25 scans, .62 for the volume fractions of cells
   double sharpness = 0.0;
+  std::array<double, 3> sharpnessAlong{}; ///< the same of the edges along each axis
   /// The slices that have to be there at a time: those around a slice along which thickness is measured.
   static constexpr int slices = 10;
 };
@@ -58,7 +59,9 @@ NoiseEstimate estimateNoise(
 /// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
 /// of them, but ask for no more than half of the thickness, with which a wall still reaches more than half of
 /// its value. Where voxels are longer than wide, it is 2/3 of their length, but no more than 2, nor than
-/// half of the thickness: thin parts show what they lose more than slices.
+/// half of the thickness: thin parts show what they lose more than slices. What slices are further apart
+/// than 3 comes on top of these two, up to 4 in all, where they are thinner than that: where .55 or more of
+/// the step lies between two of them, and less of it from .5 on.
 ///
 /// Steps that are sharper than those of scans, as those of volume fractions in simulations of two fluids,
 /// show the grid. Of them it is sharpSmoothing, but no more than half of the thickness, of the usual one
@@ -73,7 +76,8 @@ NoiseEstimate estimateNoise(
 /// those of a tube of radius 4 are worse than with 2 (1.7 and 1.5).
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
-/// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels up to 4
+/// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels and of
+/// slices up to 4
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing);
 constexpr double mostSuggestedSmoothing = 2.0;
 constexpr double sharpSmoothing = 1.2;

@@ -32,10 +32,11 @@ struct NoiseSightings
   std::array<std::vector<double>, 2> differences; ///< second ones, below and above the iso-value
   std::vector<double> changes;                    ///< between neighbors that differ
   std::vector<double> steps;                      ///< across the surface
-  std::vector<double> edgeShares;                 ///< of the steps: between the samples around the surface
-  std::vector<double> runs;                       ///< samples on one side of it, along an axis
-  std::int64_t maskChanges = 0;                   ///< of the changes, see IsoStatistics
-  std::int64_t maskSteps = 0; ///< of the steps: at the edge of a mask, which is most of them
+  /// Of the steps along each axis: between the samples around the surface.
+  std::array<std::vector<double>, 3> edgeShares;
+  std::vector<double> runs;     ///< samples on one side of it, along an axis
+  std::int64_t maskChanges = 0; ///< of the changes, see IsoStatistics
+  std::int64_t maskSteps = 0;   ///< of the steps: at the edge of a mask, which is most of them
 
   void append(const NoiseSightings& other);
 };
@@ -175,7 +176,7 @@ private:
       glm::ivec3 next = at;
       ++next[axis];
       found.steps.push_back(step);
-      found.edgeShares.push_back(change / step);
+      found.edgeShares[static_cast<std::size_t>(axis)].push_back(change / step);
       // Gradients that end at a constant have no transition there either, but are no step.
       found.maskSteps += change > 0.5 * step && this->isMaskChange(at, next, axis);
     }

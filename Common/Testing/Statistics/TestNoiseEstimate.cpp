@@ -205,8 +205,40 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, cubes), 0.0) << "1000 gray levels";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, -1.0, 1.5 }), 1.0) << "slices";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1e-3, 1.0, 1.0 }), 2.0) << "at most";
+  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, 1.0, 3.0 }), 2.0) << "thick parts";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0, 2.0 }, { 1.0, 1.0, 3.0 }), 1.0)
     << "slices of thin parts";
+}
+
+TEST(NoiseEstimate, SharpSlicesFarApartAskForMore)
+{
+  const glm::dvec3 slices(1.0, 1.0, 8.0);
+  const auto suggested = [&](double sharpness, double thickness = ink::NoiseEstimate::thickEnough)
+  {
+    return ink::suggestSmoothing(
+      { .step = 1.0, .thickness = thickness, .sharpnessAlong = { 0.3, 0.3, sharpness } }, slices);
+  };
+  EXPECT_EQ(suggested(0.45), 2.0);
+  EXPECT_EQ(suggested(0.6), 4.0);
+  EXPECT_EQ(suggested(0.5, 2.0), 1.0);
+  EXPECT_NEAR(suggested(0.51, 2.0), 2.0, 1e-9);
+  EXPECT_EQ(suggested(0.6, 2.0), 4.0);
+  // A ball in slices that are as thick as they are far apart, and in those of a point spread of .7 slices.
+  const auto ballIn = [&](double blur)
+  {
+    const GridGeometry geometry({ 96, 96, 12 }, glm::dvec3(-47.5, -47.5, -44.0), slices);
+    return estimateNoise(Volume<float>::from(geometry,
+                           [blur](const glm::dvec3& p)
+                           {
+                             const double depth = 40.0 - glm::length(p);
+                             return 100.0 * std::erfc(-depth / (blur * std::sqrt(2.0)));
+                           })
+                           .field(),
+      100.0);
+  };
+  EXPECT_GT(ballIn(1.0).sharpnessAlong[2], 0.55);
+  EXPECT_LT(ballIn(1.0).sharpnessAlong[0], 0.45);
+  EXPECT_LT(ballIn(0.7 * slices.z).sharpnessAlong[2], 0.5);
 }
 
 TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
