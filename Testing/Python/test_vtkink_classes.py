@@ -339,7 +339,7 @@ def test_surface_samples_move_with_the_mesh():
     sampler.SetNumberOfSamples(300)
     sampler.KeepFacesOn()
     mover = vtkink.vtkInkSurfaceSampler()
-    transform, filter = vtk.vtkTransform(), vtk.vtkTransformPolyDataFilter()
+    transform, filter = vtk.vtkTransform(), vtk.vtkTransformFilter()
     transform.Scale(2, 2, 2)
     filter.SetTransform(transform)
     filter.SetInputData(mesh)
