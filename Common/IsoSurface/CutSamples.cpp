@@ -243,27 +243,37 @@ void forEachCell(
   }
 }
 
+/// What all strips are sampled by, see sampleCut.
+template <class T>
+struct CutRequest
+{
+  const GridField<T>& field;
+  double isoValue;
+  CutSurface kind;
+  const CellSelection& selection;
+  const IsoSurfaceResampling& resampling;
+  GridResampling ofSurface; ///< the kernels of the resampling
+};
+
 /// Samples the side's own faces.
 template <class T>
-void sampleFaces(const GridField<T>& field, double isoValue, CutSurface kind, const CutStrip& strip,
-  const CellSelection& selection, CutSamples& samples)
+void sampleFaces(const CutRequest<T>& request, const CutStrip& strip, CutSamples& samples)
 {
-  SideSampler sampler(field, isoValue, kind, strip.side, samples);
-  forEachCell(field.geometry(), selection, strip,
+  SideSampler sampler(request.field, request.isoValue, request.kind, strip.side, samples);
+  forEachCell(request.field.geometry(), request.selection, strip,
     [&](const glm::ivec3& cell) { sampler.sampleFace(cell, strip.layer); });
 }
 
 /// Samples faces of the resampled grid.
 template <class T>
-void sampleResampledFaces(const GridField<T>& field, double isoValue, CutSurface kind, const CutStrip& strip,
-  const CellSelection& selection, const IsoSurfaceResampling& resampling, CutSamples& samples)
+void sampleResampledFaces(const CutRequest<T>& request, const CutStrip& strip, CutSamples& samples)
 {
   // So that no difference overflows; a power of two rounds nothing.
   constexpr double scale = 1.0 / 256.0;
   const CutSide& side = strip.side;
-  const GridGeometry& own = field.geometry();
-  const glm::ivec3& parts = resampling.subdivision;
-  const GridResampling ofSurface = resamplingOfSurface(resampling, own.dimensions());
+  const GridGeometry& own = request.field.geometry();
+  const glm::ivec3& parts = request.resampling.subdivision;
+  const GridResampling& ofSurface = request.ofSurface;
   const GridGeometry all = resampledGeometry(own, parts);
   // The side's positions, and those next to them.
   SampleBox box{ glm::ivec3(0), all.dimensions() };
@@ -273,15 +283,15 @@ void sampleResampledFaces(const GridField<T>& field, double isoValue, CutSurface
   box.end[side.v] = strip.end * parts[side.v] + 1;
   const int around = std::max({ ofSurface[0].reach(), ofSurface[1].reach(), ofSurface[2].reach() });
   TileResampler<double> resampler;
-  resampler.read(field, box, parts, glm::ivec3(around));
+  resampler.read(request.field, box, parts, glm::ivec3(around));
   if (!(resampler.greatest() >= resampler.least()))
   {
     return;
   }
-  double isoValueHere = scale * isoValue;
-  if (resampling.ofMask)
+  double isoValueHere = scale * request.isoValue;
+  if (request.resampling.ofMask)
   {
-    resampler.makeMask(isoValue);
+    resampler.makeMask(request.isoValue);
     isoValueHere = maskIsoValue;
   }
   else
@@ -292,9 +302,9 @@ void sampleResampledFaces(const GridField<T>& field, double isoValue, CutSurface
   resampler.resample(ofSurface, box, values);
   const GridField<double> fine(
     GridGeometry(box.size(), all.origin(), all.spacing(), all.direction(), all.first() + box.begin), values);
-  const SideSampler ownFaces(field, isoValue, kind, side, samples);
-  SideSampler faces(fine, isoValueHere, kind, side, samples);
-  forEachCell(own, selection, strip,
+  const SideSampler ownFaces(request.field, request.isoValue, request.kind, side, samples);
+  SideSampler faces(fine, isoValueHere, request.kind, side, samples);
+  forEachCell(own, request.selection, strip,
     [&](const glm::ivec3& cell)
     {
       if (!ownFaces.hasFace(cell, strip.layer))
@@ -352,6 +362,8 @@ CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind
   {
     return all;
   }
+  const CutRequest<T> request{ field, isoValue, kind, selection, resampling,
+    resamplingOfSurface(resampling, dimensions) };
   const std::vector<CutStrip> strips = cutStrips(field.geometry(), first, last);
   std::vector<CutSamples> samples(strips.size());
   parallelFor(strips.size(),
@@ -359,11 +371,11 @@ CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind
     {
       if (resampling.isIdentity())
       {
-        sampleFaces(field, isoValue, kind, strips[i], selection, samples[i]);
+        sampleFaces(request, strips[i], samples[i]);
       }
       else
       {
-        sampleResampledFaces(field, isoValue, kind, strips[i], selection, resampling, samples[i]);
+        sampleResampledFaces(request, strips[i], samples[i]);
       }
     });
   for (const CutSamples& some : samples)

@@ -160,7 +160,7 @@ bool isMask(const IsoStatistics& statistics, std::size_t threshold)
 bool isPeak(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t threshold)
 {
   const ThresholdEdges sums = withoutMasks(statistics);
-  const std::vector<bool> noise = findNoisyThresholds(sums, statistics.speckEdges, kept);
+  const std::vector<bool> noise = findNoisyThresholds(sums.edges, statistics.speckEdges, kept);
   std::int64_t most = 0;
   for (std::size_t i = 0; i < threshold; ++i)
   {
@@ -183,8 +183,8 @@ bool areTooMany(std::int64_t edges, const IsoStatistics& statistics)
 
 bool isPadding(const IsoStatistics& statistics, std::size_t boundary, std::size_t next)
 {
-  const std::vector<bool> noise = findNoisyThresholds(
-    { statistics.edges, statistics.steps }, statistics.speckEdges, keptShares(statistics.voxels));
+  const std::vector<bool> noise =
+    findNoisyThresholds(statistics.edges, statistics.speckEdges, keptShares(statistics.voxels));
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = boundary + 1; i < next; ++i)
   {

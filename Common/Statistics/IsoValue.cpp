@@ -213,7 +213,8 @@ bool isAsSteepAsElsewhere(const IsoStatistics& statistics, std::size_t threshold
   return here > 0.5 * elsewhere;
 }
 
-/// Otsu's threshold of all values above some, or one below it at which the surface is as large, but whole.
+/// Otsu's threshold of the values from a bin on, or one below it where the surface is whole, see
+/// mendBoundary.
 /// @param first the lowest bin
 IsoBoundary splitHistogram(
   const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t first)
@@ -233,11 +234,9 @@ IsoBoundary splitHistogram(
     const double higher = otsuFrom(static_cast<std::size_t>(otsu) + 1);
     otsu = isNoise(higher) ? otsu : higher;
   }
-  IsoBoundary split{ otsu, static_cast<std::size_t>(otsu), 0.0, 0, 0 };
-  split.begin = split.index;
-  split.end = split.index + 1;
-  const std::vector<bool> noise =
-    findNoisyThresholds({ statistics.edges, statistics.steps }, statistics.speckEdges, kept);
+  const auto index = static_cast<std::size_t>(otsu);
+  IsoBoundary split{ otsu, index, 0.0, index, index + 1 };
+  const std::vector<bool> noise = findNoisyThresholds(statistics.edges, statistics.speckEdges, kept);
   while (split.begin > first && !noise[split.begin] && !noise[split.begin - 1])
   {
     --split.begin;

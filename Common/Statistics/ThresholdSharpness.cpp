@@ -54,13 +54,13 @@ std::vector<double> keptShares(const std::vector<std::int64_t>& voxels)
   return shares;
 }
 
-std::vector<bool> findNoisyThresholds(
-  const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
+std::vector<bool> findNoisyThresholds(const std::vector<std::int64_t>& edges,
+  const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
 {
-  const std::size_t count = sums.edges.size();
+  const std::size_t count = edges.size();
   const auto isBorder = [&](std::size_t i) { return kept[i] > largestKeptShare; };
   const auto hasSpecks = [&](std::size_t i)
-  { return static_cast<double>(speckEdges[i]) > largestSpeckShare * static_cast<double>(sums.edges[i]); };
+  { return static_cast<double>(speckEdges[i]) > largestSpeckShare * static_cast<double>(edges[i]); };
   std::vector<bool> noise(count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -86,7 +86,7 @@ std::vector<bool> findNoisyThresholds(
 std::vector<double> thresholdSharpness(
   const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept)
 {
-  const std::vector<bool> noise = findNoisyThresholds(sums, speckEdges, kept);
+  const std::vector<bool> noise = findNoisyThresholds(sums.edges, speckEdges, kept);
   std::vector<double> result(sums.edges.size(), 0.0);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
@@ -124,8 +124,7 @@ bool isSpeckled(const IsoStatistics& statistics, double value)
 bool noiseHidesBoundaries(const IsoStatistics& statistics)
 {
   const std::vector<double> kept = keptShares(statistics.voxels);
-  const std::vector<bool> noise =
-    findNoisyThresholds({ statistics.edges, statistics.steps }, statistics.speckEdges, kept);
+  const std::vector<bool> noise = findNoisyThresholds(statistics.edges, statistics.speckEdges, kept);
   double all = 0.0;
   double hidden = 0.0;
   for (std::size_t i = 0; i < noise.size(); ++i)

@@ -26,8 +26,9 @@ ThresholdEdges withoutMasks(const IsoStatistics& statistics);
 std::vector<double> keptShares(const std::vector<std::int64_t>& voxels);
 
 /// Whether each threshold is noise, or the border of the field of view.
-std::vector<bool> findNoisyThresholds(
-  const ThresholdEdges& sums, const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept);
+/// @param edges that cross it
+std::vector<bool> findNoisyThresholds(const std::vector<std::int64_t>& edges,
+  const std::vector<std::int64_t>& speckEdges, const std::vector<double>& kept);
 
 /// The mean step along the edges that cross each threshold. Infinite for noise and the border of the field of
 /// view, so that nothing beside them is a maximum; zero for thresholds that hardly any edge crosses.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkDiscStipples.h"
 
+#include "Core/FiniteBox.h"
 #include "Core/ParallelChunks.h"
 #include "InkAllocate.h"
 #include "InkNeighborLists.h"
@@ -68,29 +69,17 @@ private:
   double Radius; ///< of its samples' discs
 };
 
-struct Box
-{
-  glm::dvec3 Low;
-  glm::dvec3 High;
-};
-
 /// The middle of the bounds of the points that are finite, in steps of at least a sixteenth of their width
 /// that are powers of two: so that the same points lie at the same positions, up to whole steps, when others
 /// come and go.
 glm::dvec3 MiddleOf(vtkPolyData* points)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Box empty{ glm::dvec3(infinity), glm::dvec3(-infinity) };
-  const auto [low, high] = ink::parallelReduce(
-    static_cast<std::size_t>(points->GetNumberOfPoints()), empty,
-    [&](std::size_t i) -> Box
+  const auto [low, high] = ink::finiteBox(static_cast<std::size_t>(points->GetNumberOfPoints()),
+    [&](std::size_t i)
     {
       glm::dvec3 p;
       points->GetPoint(static_cast<vtkIdType>(i), &p.x);
-      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) ? Box{ p, p } : empty;
-    },
-    [](const Box& a, const Box& b) -> Box {
-      return { glm::min(a.Low, b.Low), glm::max(a.High, b.High) };
+      return p;
     });
   const glm::dvec3 size = high - low;
   const double width = std::max({ size.x, size.y, size.z });

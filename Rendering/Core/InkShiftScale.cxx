@@ -6,9 +6,8 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
-#include "Core/ParallelChunks.h"
+#include "Core/FiniteBox.h"
 
-#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -24,30 +23,21 @@ bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point)
 
 void InkShiftScale::FindFiniteBounds(vtkPoints* points, double bounds[6], vtkUnsignedCharArray* ghosts)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
-  struct Box
-  {
-    glm::dvec3 Least;
-    glm::dvec3 Greatest;
-  };
-  const Box none{ glm::dvec3(infinity), glm::dvec3(-infinity) };
-  const Box box = ink::parallelReduce(
-    static_cast<std::size_t>(points->GetNumberOfPoints()), none,
+  const ink::FiniteBox box = ink::finiteBox(static_cast<std::size_t>(points->GetNumberOfPoints()),
     [&](std::size_t i)
     {
-      glm::dvec3 p;
-      points->GetPoint(static_cast<vtkIdType>(i), &p.x);
-      const bool isFinite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-      return isFinite && !InkIsGhostPoint(ghosts, static_cast<vtkIdType>(i)) ? Box{ p, p } : none;
-    },
-    [](const Box& a, const Box& b) {
-      return Box{ glm::min(a.Least, b.Least), glm::max(a.Greatest, b.Greatest) };
+      glm::dvec3 p(std::numeric_limits<double>::quiet_NaN());
+      if (!InkIsGhostPoint(ghosts, static_cast<vtkIdType>(i)))
+      {
+        points->GetPoint(static_cast<vtkIdType>(i), &p.x);
+      }
+      return p;
     });
   vtkMath::UninitializeBounds(bounds);
-  for (int axis = 0; axis < 3 && box.Least.x <= box.Greatest.x; ++axis)
+  for (int axis = 0; axis < 3 && !box.isEmpty(); ++axis)
   {
-    bounds[2 * axis] = box.Least[axis];
-    bounds[2 * axis + 1] = box.Greatest[axis];
+    bounds[2 * axis] = box.low[axis];
+    bounds[2 * axis + 1] = box.high[axis];
   }
 }
 

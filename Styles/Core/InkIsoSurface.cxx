@@ -40,11 +40,7 @@ void InkIsoSurface::SetIsoValues(const std::vector<double>& values)
 
 void InkIsoSurface::SetComputeCurvature(bool compute)
 {
-  if (this->ComputeCurvature != compute)
-  {
-    this->ComputeCurvature = compute;
-    this->Changed.Modified();
-  }
+  this->Set(this->ComputeCurvature, compute);
 }
 
 void InkIsoSurface::SetSmallestPart(double share)
@@ -69,56 +65,32 @@ int InkIsoSurface::GetLargestParts() const
 
 void InkIsoSurface::SetCut(int cut)
 {
-  if (this->Cut != cut)
-  {
-    this->Cut = cut;
-    this->Changed.Modified();
-  }
+  this->Set(this->Cut, cut);
 }
 
 void InkIsoSurface::SetSmoothing(double smoothing)
 {
-  if (this->Smoothing != smoothing)
-  {
-    this->Smoothing = smoothing;
-    this->Changed.Modified();
-  }
+  this->Set(this->Smoothing, smoothing);
 }
 
 void InkIsoSurface::SetIsoChoice(int choice)
 {
-  if (this->IsoChoice != choice)
-  {
-    this->IsoChoice = choice;
-    this->Changed.Modified();
-  }
+  this->Set(this->IsoChoice, choice);
 }
 
 void InkIsoSurface::SetLabelMap(int labelMap)
 {
-  if (this->LabelMap != labelMap)
-  {
-    this->LabelMap = labelMap;
-    this->Changed.Modified();
-  }
+  this->Set(this->LabelMap, labelMap);
 }
 
 void InkIsoSurface::SetSmoothingTarget(int target)
 {
-  if (this->SmoothingTarget != target)
-  {
-    this->SmoothingTarget = target;
-    this->Changed.Modified();
-  }
+  this->Set(this->SmoothingTarget, target);
 }
 
 void InkIsoSurface::SetSubdivision(int subdivision)
 {
-  if (this->Subdivision != subdivision)
-  {
-    this->Subdivision = subdivision;
-    this->Changed.Modified();
-  }
+  this->Set(this->Subdivision, subdivision);
 }
 
 void InkIsoSurface::CopyParameters(const InkIsoSurface& other)

@@ -178,6 +178,15 @@ private:
   /// Makes a sampler take values as labels or not, with the cut and the smoothing that suit these.
   /// @return whether as labels
   bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested) const;
+  template <class Value>
+  void Set(Value& parameter, Value value)
+  {
+    if (parameter != value)
+    {
+      parameter = value;
+      this->Changed.Modified();
+    }
+  }
   /// Puts the one that IsoChoice asks for first.
   void Choose(std::vector<ink::IsoSuggestion>& suggestions) const;
   static std::vector<ink::IsoSuggestion> SuggestOf(
