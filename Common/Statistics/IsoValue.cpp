@@ -307,7 +307,13 @@ std::vector<IsoSuggestion> suggestIsoValues(
   if (suggestions.size() > 1 && suggestions.front().keptShare > cutKeeps &&
     isCutOnAllSides(read, dimensions, slicesAtOnce, suggestions.front().value))
   {
-    preferInner(suggestions);
+    // What keeps nearly as much is cut as well.
+    const auto within = std::find_if(suggestions.begin() + 1, suggestions.end(),
+      [&](const IsoSuggestion& one) { return outerShare * one.keptShare < suggestions.front().keptShare; });
+    if (within != suggestions.end())
+    {
+      std::rotate(suggestions.begin(), within, within + 1);
+    }
   }
   if (const std::optional<IsoSuggestion> labels =
         suggestLabels(read, dimensions[2], slicesAtOnce, *statistics))

@@ -58,10 +58,11 @@ struct IsoSuggestion
 ///
 /// Otherwise the first suggestion is the outermost boundary, the lowest, as the inside of an object is
 /// usually denser; the others follow by their total step. Where all six sides of the volume cut it, as in a
-/// scan that was cropped, the inside of the lungs would be seen: then it comes second. If there is no
-/// boundary, it is 0 where the values have both signs and few edges cross it, and then Otsu's threshold (IEEE
-/// Trans. SMC 9, 1979), of what lies above it where its surface would be noise, of the positive values where
-/// they are differences around a background of 0, moved down as the first boundary is.
+/// scan that was cropped, the inside of the lungs would be seen: then it comes second, after the clearest one
+/// that keeps much less. If there is no boundary, it is 0 where the values have both signs and few edges
+/// cross it, and then Otsu's threshold (IEEE Trans. SMC 9, 1979), of what lies above it where its surface
+/// would be noise, of the positive values where they are differences around a background of 0, moved down as
+/// the first boundary is.
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are

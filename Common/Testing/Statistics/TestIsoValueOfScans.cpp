@@ -101,6 +101,17 @@ TEST(IsoValueOfScans, IsAnInnerOneWhereAllSidesCutTheOutermost)
   EXPECT_EQ(suggest(open)->boundary, Boundary::Outermost);
 }
 
+TEST(IsoValueOfScans, IsTheOutermostOneThatAllSidesCutWhereOthersKeepNearlyAsMuch)
+{
+  const auto suggestions = suggestAll(volume<float>(
+    [](double d, std::size_t i) {
+      return -850.0 * blurredSphere(2.0 * d, 38.4) - 600.0 * blurredSphere(2.0 * d, 43.8) + 10.0 * noise(i);
+    }));
+  ASSERT_EQ(suggestions.size(), 2U);
+  EXPECT_EQ(suggestions[0].boundary, Boundary::Outermost);
+  EXPECT_LT(suggestions[0].keptShare, 1.25 * suggestions[1].keptShare);
+}
+
 TEST(IsoValueOfScans, OfDensitiesAroundZeroIsNotWhereTheSignChanges)
 {
   // As maps of crystals and of molecules: noise around 0, and some blobs above it.
