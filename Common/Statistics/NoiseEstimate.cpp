@@ -52,6 +52,9 @@ constexpr double terraceWeight = 1.5;
 constexpr double leastAnisotropy = 1.1;
 /// Of their length. With half of it, a head's crown has a ring around each slice; with .8 its eyelids blur.
 constexpr double sliceShare = 2.0 / 3.0;
+/// Slices show everywhere, so a few thin parts, as a head's ears, do not ask for less; with 2, a horse in
+/// slices of 3 loses its ears and hooves.
+constexpr double fewThinParts = 1.65;
 /// Slices further apart than this, in voxels, that hardly blur into each other show as stairs more than parts
 /// show what they lose, as on foreheads in MR with slices of 7 mm: of the step .55 to .65 lies between two
 /// slices there, of phantoms with a point spread of .7 slices .48 to .51.
@@ -203,6 +206,7 @@ void NoiseSightings::append(const NoiseSightings& other)
     add(this->edgeShares[axis], other.edgeShares[axis]);
   }
   add(this->runs, other.runs);
+  add(this->outerRuns, other.outerRuns);
   this->maskChanges += other.maskChanges;
   this->maskSteps += other.maskSteps;
 }
@@ -242,10 +246,12 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
   result.sharpness = quantileOf(edgeShares, 0.5);
   result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
-  if (!all.runs.empty())
+  // What is inside is not seen.
+  std::vector<double>& runs = all.outerRuns.size() >= fewest ? all.outerRuns : all.runs;
+  if (!runs.empty())
   {
-    result.thickness = quantileOf(all.runs, thinShare);
-    result.usualThickness = quantileOf(all.runs, usuallyThinShare);
+    result.thickness = quantileOf(runs, thinShare);
+    result.usualThickness = quantileOf(runs, usuallyThinShare);
   }
   return result;
 }
@@ -294,7 +300,9 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
   const double thickness = estimate.thickness < 2.0 ? estimate.usualThickness : estimate.thickness;
   const glm::dvec3 size = glm::abs(spacing);
   const double longest = std::max({ size.x, size.y, size.z });
-  const double anisotropy = longest / std::min({ size.x, size.y, size.z });
+  const double shortest = std::min({ size.x, size.y, size.z });
+  const double anisotropy = longest / shortest;
+  const double middle = (size.x + size.y + size.z - longest - shortest) / shortest;
   const bool hasSlices = anisotropy > leastAnisotropy;
   double deviation = 0.0;
   if (estimate.labels)
@@ -312,7 +320,7 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
     if (estimate.sharpness > leastSharpness)
     {
-      deviation = std::max(deviation, std::min(sharpSmoothing, 0.5 * thickness));
+      deviation = std::max(deviation, middle * std::min(sharpSmoothing, 0.5 * thickness));
     }
   }
   if (hasSlices)
@@ -320,8 +328,10 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     const int axis = size.x == longest ? 0 : size.y == longest ? 1 : 2;
     const double sharpness = estimate.sharpnessAlong[static_cast<std::size_t>(axis)];
     const double stairs = std::clamp((sharpness - blurredSlices) / (sharpSlices - blurredSlices), 0.0, 1.0);
-    const double most = std::min(mostSuggestedSmoothing, 0.5 * estimate.thickness) +
-      stairs * std::max(anisotropy - farSlices, 0.0);
+    const double whole = std::min(mostSuggestedSmoothing, 0.5 * estimate.thickness);
+    const bool isThick = estimate.usualThickness >= NoiseEstimate::thickEnough;
+    const double most =
+      (isThick ? std::max(whole, fewThinParts) : whole) + stairs * std::max(anisotropy - farSlices, 0.0);
     deviation = std::max(deviation, std::min({ sliceShare * anisotropy, most, mostSliceSmoothing }));
   }
   return deviation;

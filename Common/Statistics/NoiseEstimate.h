@@ -20,7 +20,9 @@ struct NoiseEstimate
   double step = 0.0;    ///< the difference between both sides of the surface; 0 if there is no surface
   double quantum = 0.0; ///< the difference between neighboring gray levels; 0 for continuous values
   /// The samples in a row along an axis that are on one side of the surface, from where it is crossed: fewer
-  /// in a tenth of the positions only. Up to thickEnough, which stands for more, too
+  /// in a tenth of the positions only. Up to thickEnough, which stands for more, too. Of the positions that a
+  /// line along x or y reaches from the border of the grid, as long as there are any: what is inside, as the
+  /// layers of a skull in MR, is not seen
   double thickness = thickEnough;
   static constexpr double thickEnough = 5.0;
   /// The same, but fewer in a quarter of the positions: gaps within what is thick do not count.
@@ -59,15 +61,15 @@ NoiseEstimate estimateNoise(
 /// a boundary that a point spread of .7 samples blurs. Gray levels that no noise hides count as noise of 1.5
 /// of them, but ask for no more than half of the thickness, with which a wall still reaches more than half of
 /// its value. Where voxels are longer than wide, it is 2/3 of their length, but no more than 2, nor than
-/// half of the thickness: thin parts show what they lose more than slices. What slices are further apart
-/// than 3 comes on top of these two, up to 4 in all, where they are thinner than that: where .55 or more of
-/// the step lies between two of them, and less of it from .5 on.
+/// half of the thickness, but for 1.65 if few parts are thin: thin parts show what they lose more than
+/// slices. What slices are further apart than 3 comes on top of these two, up to 4 in all, where they are
+/// thinner than that: where .55 or more of the step lies between two of them, and less of it from .5 on.
 ///
 /// Steps that are sharper than those of scans, as those of volume fractions in simulations of two fluids,
 /// show the grid. Of them it is sharpSmoothing, but no more than half of the thickness, of the usual one
-/// where the thickness is a single sample, as that of sulci between the labels of a brain: normals of a ball
-/// of radius 24 are off by 1.1 degrees then, by 6.0 without (root mean square), and by 2.6 behind a point
-/// spread of .7.
+/// where the thickness is a single sample, as that of sulci between the labels of a brain, in multiples of
+/// the middle one of the three spacings: normals of a ball of radius 24 are off by 1.1 degrees then, by 6.0
+/// without (root mean square), and by 2.6 behind a point spread of .7.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
 /// than half of the same thickness; where voxels are longer than wide, it is their length, but no more

@@ -34,9 +34,10 @@ struct NoiseSightings
   std::vector<double> steps;                      ///< across the surface
   /// Of the steps along each axis: between the samples around the surface.
   std::array<std::vector<double>, 3> edgeShares;
-  std::vector<double> runs;     ///< samples on one side of it, along an axis
-  std::int64_t maskChanges = 0; ///< of the changes, see IsoStatistics
-  std::int64_t maskSteps = 0;   ///< of the steps: at the edge of a mask, which is most of them
+  std::vector<double> runs;      ///< samples on one side of it, along an axis
+  std::vector<double> outerRuns; ///< of these those where it is seen from outside, see isOpen
+  std::int64_t maskChanges = 0;  ///< of the changes, see IsoStatistics
+  std::int64_t maskSteps = 0;    ///< of the steps: at the edge of a mask, which is most of them
 
   void append(const NoiseSightings& other);
 };
@@ -136,9 +137,38 @@ private:
     if (this->isAbove(at) != this->isAbove(next))
     {
       this->addStep(at, axis, change, found);
-      found.runs.push_back(this->runOf(at, axis, -1));
-      found.runs.push_back(this->runOf(next, axis, 1));
+      const std::array<double, 2> runs = { this->runOf(at, axis, -1), this->runOf(next, axis, 1) };
+      found.runs.insert(found.runs.end(), runs.begin(), runs.end());
+      if (this->isOpen(at) || this->isOpen(next))
+      {
+        found.outerRuns.insert(found.outerRuns.end(), runs.begin(), runs.end());
+      }
     }
+  }
+
+  /// Whether some line from a sample along x or y, of which all samples are there, ends where they do without
+  /// meeting the surface, or goes far.
+  bool isOpen(const glm::ivec3& at) const
+  {
+    // Sparse grids have no end.
+    constexpr int far = 1024;
+    const bool above = this->isAbove(at);
+    for (const glm::ivec3& step :
+      { glm::ivec3(-1, 0, 0), glm::ivec3(1, 0, 0), glm::ivec3(0, -1, 0), glm::ivec3(0, 1, 0) })
+    {
+      glm::ivec3 sample = at;
+      int n = 0;
+      while (n < far && this->Values.has(sample) && this->isAbove(sample) == above)
+      {
+        sample += step;
+        ++n;
+      }
+      if (n == far || !this->Values.has(sample))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Whether no gradual transition begins at the lower of two neighbors along an axis: the value behind it is

@@ -25,7 +25,7 @@ public:
   using T = typename TreeType::ValueType;
 
   Voxels(const VdbGrid& grid, const TreeType& tree, bool negate)
-    : Domain(grid.domain())
+    : Domain(boxOf(grid))
     , Lookup(tree)
     , Sign(negate ? T(-1) : T(1))
     , ActiveOnly(grid.info().surface.has_value())
@@ -46,6 +46,16 @@ public:
   T at(const glm::ivec3& voxel) const { return this->Sign * this->Lookup.getValue(toCoord(voxel)); }
 
 private:
+  /// The grid's domain, as far as there is anything: beyond it nothing is looked at but how far values go on.
+  static VoxelBox boxOf(const VdbGrid& grid)
+  {
+    constexpr int around = 2 * static_cast<int>(leafSize);
+    const VoxelBox domain = grid.domain();
+    const VoxelBox active = grid.activeBox();
+    return { glm::max(active.first, domain.first + around) - around,
+      glm::min(active.last, domain.last - around) + around };
+  }
+
   VoxelBox Domain;
   VdbLookup<TreeType> Lookup;
   T Sign;

@@ -206,8 +206,32 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, -1.0, 1.5 }), 1.0) << "slices";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1e-3, 1.0, 1.0 }), 2.0) << "at most";
   EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0 }, { 1.0, 1.0, 3.0 }), 2.0) << "thick parts";
-  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0, 2.0 }, { 1.0, 1.0, 3.0 }), 1.0)
+  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0, 2.0, 3.0 }, { 1.0, 1.0, 3.0 }), 1.0)
     << "slices of thin parts";
+  EXPECT_EQ(ink::suggestSmoothing({ 1.2, 1000.0, 1.0, 2.0 }, { 1.0, 1.0, 3.0 }), 1.65)
+    << "slices of thick parts and a few thin ones";
+  EXPECT_EQ(
+    ink::suggestSmoothing({ .step = 1.0, .sharpness = 0.6 }, { 2.0, 1.0, 2.0 }), 2.0 * ink::sharpSmoothing)
+    << "sharp steps of voxels that are short along one axis";
+}
+
+TEST(NoiseEstimate, WhatIsInsideIsNotThin)
+{
+  // A thick shell, and within it a thin one, to which no line from outside leads, but for a hole in the thick
+  // one.
+  const auto volume = [](bool open)
+  {
+    return Volume<float>::from(GridGeometry(glm::ivec3(64)),
+      [open](const glm::dvec3& p)
+      {
+        const glm::dvec3 d = p - 31.5;
+        const double r = glm::length(d);
+        const bool thick = r > 20.0 && r < 29.0 && !(open && d.x > 0.0);
+        return thick || std::abs(r - 17.0) < 1.0 ? 1000.0F : 0.0F;
+      });
+  };
+  EXPECT_EQ(estimateNoise(volume(false).field(), 500.0).thickness, ink::NoiseEstimate::thickEnough);
+  EXPECT_LE(estimateNoise(volume(true).field(), 500.0).thickness, 3.0);
 }
 
 TEST(NoiseEstimate, SharpSlicesFarApartAskForMore)
@@ -215,8 +239,11 @@ TEST(NoiseEstimate, SharpSlicesFarApartAskForMore)
   const glm::dvec3 slices(1.0, 1.0, 8.0);
   const auto suggested = [&](double sharpness, double thickness = ink::NoiseEstimate::thickEnough)
   {
-    return ink::suggestSmoothing(
-      { .step = 1.0, .thickness = thickness, .sharpnessAlong = { 0.3, 0.3, sharpness } }, slices);
+    return ink::suggestSmoothing({ .step = 1.0,
+                                   .thickness = thickness,
+                                   .usualThickness = thickness,
+                                   .sharpnessAlong = { 0.3, 0.3, sharpness } },
+      slices);
   };
   EXPECT_EQ(suggested(0.45), 2.0);
   EXPECT_EQ(suggested(0.6), 4.0);
