@@ -45,9 +45,9 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
 /// value.
 void centerBoundaries(const IsoStatistics& statistics, std::vector<IsoBoundary>& boundaries);
 
-/// Moves a boundary down to where its surface is whole, as far as it stays nearly as sharp: where tissues
-/// differ, as in MR, and fade far from the coil, higher values cut some of them out, with as sharp a surface
-/// and more of it.
+/// Moves a boundary down to where its surface is whole, as far as it stays nearly as sharp, with .7 of its
+/// mean step or more where no mask cuts it: where tissues differ, as in MR, and fade far from the coil,
+/// higher values cut some of them out, with as sharp a surface and more of it.
 void mendBoundary(const IsoStatistics& statistics, IsoBoundary& boundary);
 
 } // namespace ink
