@@ -215,14 +215,30 @@ std::string InkIsoSurface::Prepare(
   {
     suggested = this->FindSmoothing(style, whole(), array, values);
   }
-  const bool labels = this->TakeLabels(sampler, suggested);
+  const bool labels = this->TakeLabels(sampler, suggested,
+    [&]
+    { return std::all_of(whole().begin(), whole().end(), [](const auto& image) { return IsSlab(image); }); });
   sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
   sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
   return {};
 }
 
-bool InkIsoSurface::TakeLabels(
-  vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested) const
+bool InkIsoSurface::IsSlab(vtkImageData* image)
+{
+  constexpr double flat = 0.5;
+  const int* dimensions = image->GetDimensions();
+  const double* spacing = image->GetSpacing();
+  std::array<double, 3> sizes;
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis)
+  {
+    sizes[axis] = std::abs(spacing[axis]) * dimensions[axis];
+  }
+  std::sort(sizes.begin(), sizes.end());
+  return sizes[0] < flat * sizes[1];
+}
+
+bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
+  const std::function<bool()>& isSlab) const
 {
   const bool labels = this->LabelMap == LABELS_ON || (this->LabelMap == LABELS_AUTOMATIC && suggested.labels);
   // With normals, thin parts stay.
@@ -232,7 +248,7 @@ bool InkIsoSurface::TakeLabels(
       : smoothsSurface                                                  ? vtkInkIsoSurfaceAlgorithm::SURFACE
                                                                         : vtkInkIsoSurfaceAlgorithm::NORMALS);
   sampler->SetCut(this->Cut != CUT_AUTOMATIC ? this->Cut
-      : labels                               ? vtkInkIsoSurfaceAlgorithm::CAP
+      : labels || isSlab()                   ? vtkInkIsoSurfaceAlgorithm::CAP
                                              : vtkInkIsoSurfaceAlgorithm::RIM);
   return labels;
 }

@@ -53,7 +53,8 @@ public:
   void SetLargestParts(int count);
   int GetLargestParts() const;
   /// What is where a surface leaves the image: one of vtkInkIsoSurfaceAlgorithm's, or a cap of labels, whose
-  /// regions are solid, and a rim of all else, as it may show what lies within.
+  /// regions are solid, and of slabs, of which hardly more than two cuts would be left, and a rim of all
+  /// else, as it may show what lies within.
   static constexpr int CUT_AUTOMATIC = 3;
   void SetCut(int cut);
   int GetCut() const { return this->Cut; }
@@ -176,8 +177,12 @@ private:
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
   /// Makes a sampler take values as labels or not, with the cut and the smoothing that suit these.
+  /// @param isSlab of what is sampled, see IsSlab; asked where it matters
   /// @return whether as labels
-  bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested) const;
+  bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
+    const std::function<bool()>& isSlab) const;
+  /// Whether an image is less than half as thick as it is wide, as scans of a few slices.
+  static bool IsSlab(vtkImageData* image);
   template <class Value>
   void Set(Value& parameter, Value value)
   {

@@ -225,7 +225,8 @@ std::string InkIsoSurface::SampleBy(
   {
     suggested = sampling.SuggestSmoothing();
   }
-  const bool labels = this->TakeLabels(sampler, suggested);
+  const bool labels =
+    this->TakeLabels(sampler, suggested, [&] { return slabs && IsSlab(slabs->GetFrame()); });
   sampler->SetSmoothing(
     this->Smoothing < 0.0 ? sampling.FitSmoothing(suggested.get(labels)) : this->Smoothing);
   sampler->SetSubdivision(

@@ -5,11 +5,16 @@
 #include "InkPose.h"
 
 #include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 vtkStandardNewMacro(vtkInkView);
@@ -20,6 +25,9 @@ namespace
 /// What is rendered has as many pixels on its longer side at least, as far as it is no more than
 /// MOST_SUPERSAMPLING.
 constexpr int LeastHeight = 500;
+
+/// Degrees to the side of what is a cut for the most part.
+constexpr double SlabAngle = 45.0;
 
 const char* At(std::span<const char* const> words, int index)
 {
@@ -110,6 +118,12 @@ void vtkInkView::Choose(vtkDataObject* data, const char* fileName)
 {
   auto* mesh = vtkPolyData::SafeDownCast(data);
   this->OfMesh = mesh != nullptr;
+  this->Image = nullptr;
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    this->Image = vtkSmartPointer<vtkImageData>::New();
+    this->Image->CopyStructure(image);
+  }
   const InkPose found =
     mesh ? InkFindPose(mesh, fileName ? fileName : "", this->GivenUp.value_or("")) : InkPose();
   this->Up = this->GivenUp.value_or(found.Up);
@@ -126,7 +140,51 @@ void vtkInkView::ChooseForFrame(vtkPoints* frame)
     return;
   }
   this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up);
+  this->Azimuth = this->GivenAzimuth.value_or(0.0);
+  this->Elevation = this->GivenElevation.value_or(0.0);
+  if (this->Name != "front" && this->IsCutAcross(frame))
+  {
+    const bool above = this->Name == "top";
+    this->Name = above ? "front" : this->Name;
+    (above ? this->Elevation : this->Azimuth) =
+      (above ? this->GivenElevation : this->GivenAzimuth).value_or(SlabAngle);
+  }
   this->Modified();
+}
+
+bool vtkInkView::IsCutAcross(vtkPoints* frame) const
+{
+  if (!this->Image)
+  {
+    return false;
+  }
+  InkOrientation orientation = *InkOrientation::Find(this->Name);
+  orientation.Stand(this->Up);
+  // The image's own axis, which scans tilt.
+  const double* directions = this->Image->GetDirectionMatrix()->GetData();
+  int axis = 0;
+  double most = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double column[3] = { directions[i], directions[3 + i], directions[6 + i] };
+    const double along = std::abs(vtkMath::Dot(orientation.Direction, column));
+    axis = along > most ? i : axis;
+    most = std::max(most, along);
+  }
+  const int* extent = this->Image->GetExtent();
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (vtkIdType i = 0; i < frame->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    double index[3];
+    frame->GetPoint(i, point);
+    this->Image->TransformPhysicalPointToContinuousIndex(point, index);
+    least = std::min(least, index[axis]);
+    greatest = std::max(greatest, index[axis]);
+  }
+  constexpr double slack = 0.5; // voxels
+  return least <= extent[2 * axis] + slack && greatest >= extent[2 * axis + 1] - slack;
 }
 
 void vtkInkView::Apply(vtkCamera* camera, double turned)

@@ -22,12 +22,14 @@
 #include "InkSetters.h"
 #include "vtkInkStylesModule.h" // for the export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // for the image
 
 #include <optional> // for what is given
 #include <string>   // for names
 
 class vtkCamera;
 class vtkDataObject;
+class vtkImageData;
 class vtkPoints;
 
 class VTKINKSTYLES_EXPORT vtkInkView : public vtkObject
@@ -85,7 +87,9 @@ public:
   /**
    * Finds from which side a volume is seen, of which only by now it is known what is drawn; after Choose. It
    * is the front, unless that shows less than half of what the left or the top shows: what lies flat is seen
-   * from above. Does nothing where Name was set, and for meshes and points.
+   * from above. Does nothing where Name was set, and for meshes and points. What reaches from one end of an
+   * image to the other then, as in scans of a few slices, shows no more than a cut there: it is seen from 45
+   * degrees above its front, or to the right of its left.
    * @param frame the points that the picture is fitted to, see vtkInkStyle::GetFramePoints; null: none
    */
   void ChooseForFrame(vtkPoints* frame);
@@ -118,11 +122,15 @@ private:
   vtkInkView(const vtkInkView&) = delete;
   void operator=(const vtkInkView&) = delete;
 
+  /// Whether what is drawn reaches across the image in the direction of the view, so that both ends cut it.
+  bool IsCutAcross(vtkPoints* frame) const;
+
   std::string Name = "front";
   std::string Up = "z";
   double Azimuth = 0.0;
   double Elevation = 0.0;
-  bool OfMesh = false; ///< what was chosen last
+  bool OfMesh = false;                 ///< what was chosen last
+  vtkSmartPointer<vtkImageData> Image; ///< where its voxels lie
   std::optional<std::string> GivenName;
   std::optional<std::string> GivenUp;
   std::optional<double> GivenAzimuth;

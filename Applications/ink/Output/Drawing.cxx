@@ -158,11 +158,16 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
 std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
 {
   const std::string before = this->View->GetName();
+  const double angles = this->View->GetAzimuth() + this->View->GetElevation();
   if (!this->HasFrame && !this->Options.position)
   {
     this->View->ChooseForFrame(frame);
   }
   this->HasFrame = true;
+  if (this->View->GetAzimuth() + this->View->GetElevation() != angles)
+  {
+    return { "what is drawn is cut to a slab, so it is seen at an angle; --view says otherwise" };
+  }
   const std::string& name = this->View->GetName();
   return name == before ? std::vector<std::string>()
                         : std::vector{ "what is drawn shows more from its " + name +

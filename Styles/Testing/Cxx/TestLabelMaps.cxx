@@ -238,6 +238,13 @@ TEST(LabelMaps, CutsAreClosed)
   const auto scan = half(4.0);
   EXPECT_EQ(countCaps(scan, "auto"), none);
   EXPECT_GT(countCaps(scan, "cap")[0], 200);
+  // Slices a third as far apart make a slab of it.
+  const auto slab = half(4.0);
+  slab->SetSpacing(1.0 / 3.0, 1.0, 1.0);
+  const std::array<int, 2> ends = countCaps(slab, "auto");
+  EXPECT_GT(ends[0], 200);
+  EXPECT_GT(ends[1], 200);
+  EXPECT_EQ(countCaps(slab, "rim"), none);
 }
 
 TEST(LabelMaps, GivenSmoothingStays)

@@ -337,6 +337,51 @@ TEST(View, VolumesAreSeenFromWhereTheyShowTwiceAsMuch)
   }
 }
 
+TEST(View, SlabsThatTheirImageCutsAreSeenAtAnAngle)
+{
+  const struct
+  {
+    int dimensions[3];
+    double gap; ///< between what is drawn and both ends, voxels
+    const char* name;
+    double azimuth, elevation;
+  } slabs[] = { { { 11, 11, 3 }, 0.2, "front", 0.0, 45.0 }, { { 11, 11, 3 }, 0.9, "top", 0.0, 0.0 },
+    { { 3, 11, 11 }, 0.2, "left", 45.0, 0.0 }, { { 11, 11, 9 }, 0.0, "front", 0.0, 0.0 } };
+  for (const auto& slab : slabs)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(slab.dimensions);
+    image->SetOrigin(3.0, -7.0, 1.0);
+    // Scans are tilted.
+    image->SetDirectionMatrix(0.96, -0.28, 0.0, 0.28, 0.96, 0.0, 0.0, 0.0, 1.0);
+    vtkNew<vtkPoints> frame;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double index[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        index[axis] = (corner >> axis) % 2 == 0 ? slab.gap : slab.dimensions[axis] - 1 - slab.gap;
+      }
+      double point[3];
+      image->TransformContinuousIndexToPhysicalPoint(index, point);
+      frame->InsertNextPoint(point);
+    }
+    vtkNew<vtkInkView> view;
+    view->Choose(image);
+    view->ChooseForFrame(frame);
+    EXPECT_EQ(view->GetName(), slab.name) << slab.gap;
+    EXPECT_EQ(view->GetAzimuth(), slab.azimuth) << slab.name;
+    EXPECT_EQ(view->GetElevation(), slab.elevation) << slab.name;
+    vtkNew<vtkInkView> said;
+    said->SetElevation(20.0);
+    said->SetAzimuth(10.0);
+    said->Choose(image);
+    said->ChooseForFrame(frame);
+    EXPECT_EQ(said->GetElevation(), 20.0);
+    EXPECT_EQ(said->GetAzimuth(), 10.0);
+  }
+}
+
 TEST(View, FramesChangeNothingForMeshesAndWhereThereIsNone)
 {
   vtkNew<vtkCubeSource> flat;
