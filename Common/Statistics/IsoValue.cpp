@@ -162,7 +162,9 @@ template <typename T>
 bool isCutOnAllSides(
   const SliceReader<T>& read, const std::array<int, 3>& dimensions, int slicesAtOnce, double value)
 {
-  const auto [nx, ny, nz] = dimensions;
+  const int nx = dimensions[0];
+  const int ny = dimensions[1];
+  const int nz = dimensions[2];
   struct Side
   {
     std::int64_t kept = 0;
