@@ -28,8 +28,11 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "Core/ParallelChunks.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -156,10 +159,9 @@ void InkOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
     return;
   }
   vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
-  std::vector<float> vertices;
-  vertices.reserve(6 * static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
+  const auto add = [&](std::size_t index, std::vector<float>& vertices)
   {
+    const auto i = static_cast<vtkIdType>(index);
     double p[3];
     double normal[3];
     float local[3];
@@ -177,9 +179,12 @@ void InkOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
       {
         vertices.push_back(static_cast<float>(scale * component));
       }
-      this->LargestRadius = std::max(this->LargestRadius, static_cast<float>(radius));
     }
-  }
+  };
+  const std::vector<float> vertices = ink::parallelGather<float>(static_cast<std::size_t>(count), add);
+  this->LargestRadius = ink::parallelReduce(
+    vertices.size() / 6, 0.0f, [&](std::size_t i) { return vtkMath::Norm(vertices.data() + 6 * i + 3); },
+    [](float a, float b) { return std::max(a, b); });
   this->Upload(vertices, 6);
 }
 
