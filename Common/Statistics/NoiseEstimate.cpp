@@ -320,7 +320,8 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
     if (estimate.sharpness > leastSharpness)
     {
-      deviation = std::max(deviation, middle * std::min(sharpSmoothing, 0.5 * thickness));
+      deviation =
+        std::max(deviation, std::min(middle * std::min(sharpSmoothing, 0.5 * thickness), mostSliceSmoothing));
     }
   }
   if (hasSlices)

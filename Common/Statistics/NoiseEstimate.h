@@ -68,8 +68,8 @@ NoiseEstimate estimateNoise(
 /// Steps that are sharper than those of scans, as those of volume fractions in simulations of two fluids,
 /// show the grid. Of them it is sharpSmoothing, but no more than half of the thickness, of the usual one
 /// where the thickness is a single sample, as that of sulci between the labels of a brain, in multiples of
-/// the middle one of the three spacings: normals of a ball of radius 24 are off by 1.1 degrees then, by 6.0
-/// without (root mean square), and by 2.6 behind a point spread of .7.
+/// the middle one of the three spacings, up to 4: normals of a ball of radius 24 are off by 1.1 degrees then,
+/// by 6.0 without (root mean square), and by 2.6 behind a point spread of .7.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
 /// than half of the same thickness; where voxels are longer than wide, it is their length, but no more
@@ -78,8 +78,8 @@ NoiseEstimate estimateNoise(
 /// those of a tube of radius 4 are worse than with 2 (1.7 and 1.5).
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
-/// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels and of
-/// slices up to 4
+/// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels, of
+/// slices and of sharp steps up to 4
 double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing);
 constexpr double mostSuggestedSmoothing = 2.0;
 constexpr double sharpSmoothing = 1.2;

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <functional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace ink::cli
@@ -158,13 +159,13 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
 std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
 {
   const std::string before = this->View->GetName();
-  const double angles = this->View->GetAzimuth() + this->View->GetElevation();
+  const std::pair angles(this->View->GetAzimuth(), this->View->GetElevation());
   if (!this->HasFrame && !this->Options.position)
   {
     this->View->ChooseForFrame(frame);
   }
   this->HasFrame = true;
-  if (this->View->GetAzimuth() + this->View->GetElevation() != angles)
+  if (angles != std::pair(this->View->GetAzimuth(), this->View->GetElevation()))
   {
     return { "what is drawn is cut to a slab, so it is seen at an angle; --view says otherwise" };
   }

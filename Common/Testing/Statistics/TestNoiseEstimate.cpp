@@ -213,6 +213,7 @@ TEST(NoiseEstimate, SuggestsMoreForMoreNoise)
   EXPECT_EQ(
     ink::suggestSmoothing({ .step = 1.0, .sharpness = 0.6 }, { 2.0, 1.0, 2.0 }), 2.0 * ink::sharpSmoothing)
     << "sharp steps of voxels that are short along one axis";
+  EXPECT_EQ(ink::suggestSmoothing({ .step = 1.0, .sharpness = 0.6 }, { 1.0, 1e-3, 1.0 }), 4.0) << "at most";
 }
 
 TEST(NoiseEstimate, WhatIsInsideIsNotThin)
