@@ -217,7 +217,13 @@ std::string InkIsoSurface::Prepare(
   }
   const bool labels = this->TakeLabels(sampler, suggested,
     [&]
-    { return std::all_of(whole().begin(), whole().end(), [](const auto& image) { return IsSlab(image); }); });
+    {
+      std::vector<double> isSlab = { static_cast<double>(
+        std::all_of(whole().begin(), whole().end(), [](const auto& image) { return IsSlab(image); })) };
+      // Only the first process has gathered images.
+      style->GetProcesses().TakeOfFirst(isSlab);
+      return isSlab[0] > 0.0;
+    });
   sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
   sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
   return {};
