@@ -142,12 +142,14 @@ void vtkInkView::ChooseForFrame(vtkPoints* frame)
   this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up);
   this->Azimuth = this->GivenAzimuth.value_or(0.0);
   this->Elevation = this->GivenElevation.value_or(0.0);
-  if (this->Name != "front" && this->IsCutAcross(frame))
+  if (this->Name == "left" && this->IsCutAcross(frame))
   {
-    const bool above = this->Name == "top";
-    this->Name = above ? "front" : this->Name;
-    (above ? this->Elevation : this->Azimuth) =
-      (above ? this->GivenElevation : this->GivenAzimuth).value_or(SlabAngle);
+    this->Azimuth = this->GivenAzimuth.value_or(SlabAngle);
+  }
+  else if (this->Name == "top" && this->IsCutAcross(frame))
+  {
+    this->Name = "front";
+    this->Elevation = this->GivenElevation.value_or(SlabAngle);
   }
   this->Modified();
 }

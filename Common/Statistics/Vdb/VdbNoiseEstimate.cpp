@@ -17,6 +17,16 @@ namespace ink
 namespace
 {
 
+/// The grid's domain, as far as there is anything: beyond it nothing is looked at but how far values go on.
+VoxelBox boxOf(const VdbGrid& grid)
+{
+  constexpr int around = 2 * static_cast<int>(leafSize);
+  const VoxelBox domain = grid.domain();
+  const VoxelBox active = grid.activeBox();
+  return { glm::max(active.first, domain.first + around) - around,
+    glm::min(active.last, domain.last - around) + around };
+}
+
 /// The voxels of a tree, for one thread.
 template <class TreeType>
 class Voxels
@@ -24,8 +34,8 @@ class Voxels
 public:
   using T = typename TreeType::ValueType;
 
-  Voxels(const VdbGrid& grid, const TreeType& tree, bool negate)
-    : Domain(boxOf(grid))
+  Voxels(const VdbGrid& grid, const TreeType& tree, const VoxelBox& box, bool negate)
+    : Box(box)
     , Lookup(tree)
     , Sign(negate ? T(-1) : T(1))
     , ActiveOnly(grid.info().surface.has_value())
@@ -34,7 +44,7 @@ public:
 
   bool has(const glm::ivec3& voxel) const
   {
-    if (glm::clamp(voxel, this->Domain.first, this->Domain.last) != voxel)
+    if (glm::clamp(voxel, this->Box.first, this->Box.last) != voxel)
     {
       return false;
     }
@@ -46,17 +56,7 @@ public:
   T at(const glm::ivec3& voxel) const { return this->Sign * this->Lookup.getValue(toCoord(voxel)); }
 
 private:
-  /// The grid's domain, as far as there is anything: beyond it nothing is looked at but how far values go on.
-  static VoxelBox boxOf(const VdbGrid& grid)
-  {
-    constexpr int around = 2 * static_cast<int>(leafSize);
-    const VoxelBox domain = grid.domain();
-    const VoxelBox active = grid.activeBox();
-    return { glm::max(active.first, domain.first + around) - around,
-      glm::min(active.last, domain.last - around) + around };
-  }
-
-  VoxelBox Domain;
+  VoxelBox Box;
   VdbLookup<TreeType> Lookup;
   T Sign;
   bool ActiveOnly;
@@ -70,13 +70,14 @@ std::vector<NoiseSightings> lookAtLeaves(
   tree.getNodes(leaves);
   constexpr std::size_t voxelsOfLeaf = leafSize * leafSize * leafSize;
   const std::size_t every = noiseStride(static_cast<double>(leaves.size()) * voxelsOfLeaf);
+  const VoxelBox box = boxOf(grid);
   constexpr std::size_t leavesAtOnce = 256;
   std::vector<NoiseSightings> found(chunksOf(leaves.size(), leavesAtOnce));
   parallelForChunks(
     leaves.size(),
     [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
-      const Voxels<TreeType> voxels(grid, tree, negate);
+      const Voxels<TreeType> voxels(grid, tree, box, negate);
       const NoiseSampler<Voxels<TreeType>> sampler(voxels, isoValue, reach);
       for (std::size_t leaf = begin; leaf < end; ++leaf)
       {
