@@ -67,6 +67,13 @@ std::optional<glm::dvec2> meanCrossing(const Face& face, double isoValue)
   return crossings > 0 ? std::optional(sum / static_cast<double>(crossings)) : std::nullopt;
 }
 
+/// The global indices of the whole volume's first and last sample.
+struct VolumeEnds
+{
+  glm::ivec3 first;
+  glm::ivec3 last;
+};
+
 /// A side of the volume, and the axes along it.
 struct CutSide
 {
@@ -88,20 +95,19 @@ template <class T>
 class SideSampler
 {
 public:
-  SideSampler(
-    const GridField<T>& field, double isoValue, CutSurface kind, const CutSide& side, CutSamples& samples)
+  SideSampler(const GridField<T>& field, double isoValue, CutSurface kind, const VolumeEnds& ends,
+    const CutSide& side, CutSamples& samples)
     : Field(field)
     , IsoValue(isoValue)
     , Kind(kind)
+    , Ends(ends)
     , Axis(side.axis)
     , U(side.u)
     , V(side.v)
     , Upper(side.upper)
     , Samples(samples)
   {
-    glm::dvec3 outwards(0.0);
-    outwards[side.axis] = side.upper ? 1.0 : -1.0;
-    this->Normal = glm::normalize(field.geometry().gradientDirection() * outwards);
+    this->Normal = this->normalOf(side.axis, side.upper);
   }
 
   bool hasFace(const glm::ivec3& cell, int layer) const { return this->faceOf(cell, layer).has_value(); }
@@ -124,9 +130,21 @@ public:
     {
       this->add(this->toWorld(cell, layer, glm::dvec2(0.5)), this->Normal, own);
     }
+    if (this->Kind == CutSurface::Cap)
+    {
+      this->addEdges(cell, layer, *face, own);
+    }
   }
 
 private:
+  /// Out of the volume.
+  glm::dvec3 normalOf(int axis, bool upper) const
+  {
+    glm::dvec3 outwards(0.0);
+    outwards[axis] = upper ? 1.0 : -1.0;
+    return glm::normalize(this->Field.geometry().gradientDirection() * outwards);
+  }
+
   /// The face of a cell with that index along the axis; nothing if a corner is missing.
   std::optional<Face> faceOf(const glm::ivec3& cell, int layer) const
   {
@@ -176,6 +194,36 @@ private:
     }
   }
 
+  /// Where this cap meets those of the sides across later axes.
+  void addEdges(const glm::ivec3& cell, int layer, const Face& face, ActiveCellId own)
+  {
+    const auto addEdge = [&](int across, bool upper, int one, int other, const glm::dvec2& middle)
+    {
+      const int sample = this->Field.geometry().first()[across] + cell[across] + (upper ? 1 : 0);
+      if (across > this->Axis && sample == (upper ? this->Ends.last : this->Ends.first)[across] &&
+        face.values[one] >= this->IsoValue && face.values[other] >= this->IsoValue)
+      {
+        this->addFan(this->toWorld(cell, layer, middle), this->normalOf(across, upper), own);
+      }
+    };
+    addEdge(this->U, false, 0, 3, { 0.0, 0.5 });
+    addEdge(this->U, true, 1, 2, { 1.0, 0.5 });
+    addEdge(this->V, false, 0, 1, { 0.5, 0.0 });
+    addEdge(this->V, true, 2, 3, { 0.5, 1.0 });
+  }
+
+  /// Samples whose normals turn from the side's to another one's.
+  void addFan(const glm::dvec3& point, const glm::dvec3& other, ActiveCellId own)
+  {
+    const double cosine = glm::dot(this->Normal, other);
+    const glm::dvec3 across = glm::normalize(other - cosine * this->Normal);
+    const double turn = std::acos(cosine) / (capEdgeNormals - 1);
+    for (int n = 0; n < capEdgeNormals; ++n)
+    {
+      this->add(point, std::cos(n * turn) * this->Normal + std::sin(n * turn) * across, own);
+    }
+  }
+
   /// Not relative to the grid's own first sample, which differs between pieces.
   glm::dvec3 toWorld(const glm::ivec3& cell, int layer, const glm::dvec2& position) const
   {
@@ -198,6 +246,7 @@ private:
   const GridField<T>& Field;
   double IsoValue;
   CutSurface Kind;
+  const VolumeEnds& Ends; ///< of the field's own indices
   int Axis;
   int U; ///< the side's own axes
   int V;
@@ -250,6 +299,7 @@ struct CutRequest
   const GridField<T>& field;
   double isoValue;
   CutSurface kind;
+  VolumeEnds ends;
   const CellSelection& selection;
   const IsoSurfaceResampling& resampling;
   GridResampling ofSurface; ///< the kernels of the resampling
@@ -259,7 +309,7 @@ struct CutRequest
 template <class T>
 void sampleFaces(const CutRequest<T>& request, const CutStrip& strip, CutSamples& samples)
 {
-  SideSampler sampler(request.field, request.isoValue, request.kind, strip.side, samples);
+  SideSampler sampler(request.field, request.isoValue, request.kind, request.ends, strip.side, samples);
   forEachCell(request.field.geometry(), request.selection, strip,
     [&](const glm::ivec3& cell) { sampler.sampleFace(cell, strip.layer); });
 }
@@ -302,8 +352,9 @@ void sampleResampledFaces(const CutRequest<T>& request, const CutStrip& strip, C
   resampler.resample(ofSurface, box, values);
   const GridField<double> fine(
     GridGeometry(box.size(), all.origin(), all.spacing(), all.direction(), all.first() + box.begin), values);
-  const SideSampler ownFaces(request.field, request.isoValue, request.kind, side, samples);
-  SideSampler faces(fine, isoValueHere, request.kind, side, samples);
+  const SideSampler ownFaces(request.field, request.isoValue, request.kind, request.ends, side, samples);
+  const VolumeEnds ends{ request.ends.first * parts, request.ends.last * parts };
+  SideSampler faces(fine, isoValueHere, request.kind, ends, side, samples);
   forEachCell(own, request.selection, strip,
     [&](const glm::ivec3& cell)
     {
@@ -362,7 +413,7 @@ CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind
   {
     return all;
   }
-  const CutRequest<T> request{ field, isoValue, kind, selection, resampling,
+  const CutRequest<T> request{ field, isoValue, kind, { first, last }, selection, resampling,
     resamplingOfSurface(resampling, dimensions) };
   const std::vector<CutStrip> strips = cutStrips(field.geometry(), first, last);
   std::vector<CutSamples> samples(strips.size());

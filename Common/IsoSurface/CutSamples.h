@@ -20,8 +20,8 @@ enum class CutSurface
 {
   Open, ///< nothing
   Rim,  ///< samples along the cut, with normals from the surface's over the side's: an edge, one line
-  Cap   ///< the rim, and samples on all of the side that lies inside of the surface: as if all beyond were
-        ///< outside
+  Cap   ///< the rim, samples on all of the side that lies inside of the surface, as if all beyond were
+        ///< outside, and samples along the edges between such sides
 };
 
 /// Samples on the sides of a volume.
@@ -41,12 +41,17 @@ constexpr int rimNormals = 13;
 /// would make blots of it.
 constexpr int rimOuterNormals = 7;
 
+/// The samples that an edge between two sides has at each position. Their normals turn from the one side's to
+/// the other's, by 15 degrees of a right angle from one to the next.
+constexpr int capEdgeNormals = 7;
+
 /// Samples where an iso-surface meets the sides of the volume: `rimNormals` of them in each face of a cell
 /// that lies on a side and that the surface crosses, at the mean of its intersections with the face's edges,
 /// and with Cap one in the middle of each such face all of whose corners are inside, that is at or above the
-/// iso-value. The order is that of the sides, x before z and the lower before the upper one, then of the
-/// faces. Faces with a missing corner have no samples. Discs of isoSurfaceSampleRadius, of the divided grid,
-/// leave no holes.
+/// iso-value, and `capEdgeNormals` of them in the middle of each edge of a face that lies on two sides and is
+/// inside. The order is that of the sides, x before z and the lower before the upper one, then of the faces.
+/// Faces with a missing corner have no samples. Discs of isoSurfaceSampleRadius, of the divided grid, leave
+/// no holes.
 ///
 /// @param first, last the global indices of the whole volume's first and last sample: its sides
 /// @param selection the cells to process

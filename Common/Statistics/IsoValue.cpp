@@ -3,6 +3,7 @@
 
 #include "Fields/ScalarDifference.h"
 #include "Statistics/AreLabels.h"
+#include "Statistics/CoveredSides.h"
 #include "Statistics/IsoBoundaries.h"
 #include "Statistics/OtsuThreshold.h"
 #include "Statistics/SmoothedSlices.h"
@@ -162,46 +163,8 @@ template <typename T>
 bool isCutOnAllSides(
   const SliceReader<T>& read, const std::array<int, 3>& dimensions, int slicesAtOnce, double value)
 {
-  const int nx = dimensions[0];
-  const int ny = dimensions[1];
-  const int nz = dimensions[2];
-  struct Side
-  {
-    std::int64_t kept = 0;
-    std::int64_t all = 0;
-  };
-  std::array<Side, 6> sides;
-  for (int first = 0; first < nz; first += slicesAtOnce)
-  {
-    const int last = std::min(first + slicesAtOnce, nz);
-    const std::span<const T> values = read(first, last);
-    const auto count = [&](Side& side, int x, int y, int z)
-    {
-      const std::size_t row = static_cast<std::size_t>(ny) * (z - first) + y;
-      side.kept += static_cast<double>(values[row * nx + x]) > value ? 1 : 0;
-      ++side.all;
-    };
-    for (int z = first; z < last; ++z)
-    {
-      for (int y = 0; y < ny; ++y)
-      {
-        count(sides[0], 0, y, z);
-        count(sides[1], nx - 1, y, z);
-      }
-      for (int x = 0; x < nx; ++x)
-      {
-        count(sides[2], x, 0, z);
-        count(sides[3], x, ny - 1, z);
-      }
-      for (int n = 0; (z == 0 || z == nz - 1) && n < nx * ny; ++n)
-      {
-        count(sides[z == 0 ? 4 : 5], n % nx, n / nx, z);
-      }
-    }
-  }
-  return std::all_of(sides.begin(), sides.end(),
-    [](const Side& side)
-    { return static_cast<double>(side.kept) > cutShare * static_cast<double>(side.all); });
+  const std::array<double, 6> sides = coveredSides(read, dimensions, slicesAtOnce, value);
+  return std::all_of(sides.begin(), sides.end(), [](double share) { return share > cutShare; });
 }
 
 /// Whether values change as fast at a threshold as elsewhere, as signed distances do, but not values that end

@@ -7,6 +7,7 @@
 #include "Core/FormatNumber.h"
 #include "Fields/Grid/GridField.h"
 #include "IsoSurface/ActiveCellBound.h"
+#include "Statistics/CoveredSides.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -110,6 +111,29 @@ ink::SuggestedSmoothing InkSuggestSmoothing(
       const double* spacing = slabs.GetFrame()->GetSpacing();
       return ink::suggestSmoothings(ink::estimateNoise(read, dimensions, slabs.GetAtOnce(), isoValue),
         { spacing[0], spacing[1], spacing[2] });
+    });
+}
+
+bool InkSurroundsObject(vtkImageData* image, const std::string& array, double isoValue)
+{
+  const std::array<int, 3> dimensions = DimensionsOf(image);
+  return EvaluateScalars(image, array,
+    [&]<class T>(std::span<const T> values)
+    {
+      const ink::SliceReader<T> whole = [values](int, int) { return values; };
+      return ink::surroundsObject(ink::coveredSides(whole, dimensions, dimensions[2], isoValue));
+    });
+}
+
+bool InkSurroundsObject(InkImageSlabs& slabs, double isoValue)
+{
+  const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
+  return WithValues(first->GetPointData()->GetScalars(),
+    [&]<class T>(std::span<const T>)
+    {
+      const ink::SliceReader<T> read = [&](int begin, int end) { return ReadSlices<T>(slabs, begin, end); };
+      return ink::surroundsObject(
+        ink::coveredSides(read, slabs.GetDimensions(), slabs.GetAtOnce(), isoValue));
     });
 }
 

@@ -58,6 +58,15 @@ VTKINKFILTERSSAMPLING_EXPORT ink::SuggestedSmoothing InkSuggestSmoothing(
 VTKINKFILTERSSAMPLING_EXPORT ink::SuggestedSmoothing InkSuggestSmoothing(
   InkImageSlabs& slabs, double isoValue, const ink::Progress& progress);
 
+///@{
+/// Whether a point array of one component lies above an iso-value on nearly all of the image's sides; see
+/// ink::surroundsObject.
+/// @param array its name; empty: the active scalars
+VTKINKFILTERSSAMPLING_EXPORT bool InkSurroundsObject(
+  vtkImageData* image, const std::string& array, double isoValue);
+VTKINKFILTERSSAMPLING_EXPORT bool InkSurroundsObject(InkImageSlabs& slabs, double isoValue);
+///@}
+
 /// At most so many points lie on an iso-surface, as vtkInkIsoSurfaceSampler makes them; see
 /// ink::boundActiveCells.
 /// @param array a point array of one component; empty: the active scalars

@@ -216,13 +216,14 @@ std::string InkIsoSurface::Prepare(
     suggested = this->FindSmoothing(style, whole(), array, values);
   }
   const bool labels = this->TakeLabels(sampler, suggested,
-    [&]
+    [&, least = *std::min_element(values.begin(), values.end())](bool ofLabels)
     {
-      std::vector<double> isSlab = { static_cast<double>(
-        std::all_of(whole().begin(), whole().end(), [](const auto& image) { return IsSlab(image); })) };
+      std::vector<double> isSolid = { static_cast<double>(std::all_of(whole().begin(), whole().end(),
+        [&](const auto& image)
+        { return (ofLabels || IsSlab(image)) && !InkSurroundsObject(image, array, least); })) };
       // Only the first process has gathered images.
-      style->GetProcesses().TakeOfFirst(isSlab);
-      return isSlab[0] > 0.0;
+      style->GetProcesses().TakeOfFirst(isSolid);
+      return isSolid[0] > 0.0;
     });
   sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
   sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
@@ -244,7 +245,7 @@ bool InkIsoSurface::IsSlab(vtkImageData* image)
 }
 
 bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
-  const std::function<bool()>& isSlab) const
+  const std::function<bool(bool labels)>& isSolid) const
 {
   const bool labels = this->LabelMap == LABELS_ON || (this->LabelMap == LABELS_AUTOMATIC && suggested.labels);
   // With normals, thin parts stay.
@@ -254,7 +255,7 @@ bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::Su
       : smoothsSurface                                                  ? vtkInkIsoSurfaceAlgorithm::SURFACE
                                                                         : vtkInkIsoSurfaceAlgorithm::NORMALS);
   sampler->SetCut(this->Cut != CUT_AUTOMATIC ? this->Cut
-      : labels || isSlab()                   ? vtkInkIsoSurfaceAlgorithm::CAP
+      : isSolid(labels)                      ? vtkInkIsoSurfaceAlgorithm::CAP
                                              : vtkInkIsoSurfaceAlgorithm::RIM);
   return labels;
 }

@@ -54,7 +54,8 @@ public:
   int GetLargestParts() const;
   /// What is where a surface leaves the image: one of vtkInkIsoSurfaceAlgorithm's, or a cap of labels, whose
   /// regions are solid, and of slabs, of which hardly more than two cuts would be left, and a rim of all
-  /// else, as it may show what lies within.
+  /// else, as it may show what lies within, and where the image surrounds what is to be seen, see
+  /// ink::surroundsObject.
   static constexpr int CUT_AUTOMATIC = 3;
   void SetCut(int cut);
   int GetCut() const { return this->Cut; }
@@ -177,10 +178,10 @@ private:
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
   /// Makes a sampler take values as labels or not, with the cut and the smoothing that suit these.
-  /// @param isSlab of what is sampled, see IsSlab; asked where it matters
+  /// @param isSolid whether caps suit what is sampled, labels or not; asked where it matters
   /// @return whether as labels
   bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
-    const std::function<bool()>& isSlab) const;
+    const std::function<bool(bool labels)>& isSolid) const;
   /// Whether an image is less than half as thick as it is wide, as scans of a few slices.
   static bool IsSlab(vtkImageData* image);
   template <class Value>

@@ -225,8 +225,13 @@ std::string InkIsoSurface::SampleBy(
   {
     suggested = sampling.SuggestSmoothing();
   }
-  const bool labels =
-    this->TakeLabels(sampler, suggested, [&] { return slabs && IsSlab(slabs->GetFrame()); });
+  const bool labels = this->TakeLabels(sampler, suggested,
+    [&](bool ofLabels)
+    {
+      return slabs ? (ofLabels || IsSlab(slabs->GetFrame())) &&
+          !InkSurroundsObject(*slabs, *std::min_element(values.begin(), values.end()))
+                   : ofLabels;
+    });
   sampler->SetSmoothing(
     this->Smoothing < 0.0 ? sampling.FitSmoothing(suggested.get(labels)) : this->Smoothing);
   sampler->SetSubdivision(

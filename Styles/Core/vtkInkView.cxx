@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkView.h"
 
+#include "InkCutSides.h"
 #include "InkOrientation.h"
 #include "InkPose.h"
 
@@ -13,8 +14,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <span>
 
 vtkStandardNewMacro(vtkInkView);
@@ -28,6 +30,24 @@ constexpr int LeastHeight = 500;
 
 /// Degrees to the side of what is a cut for the most part.
 constexpr double SlabAngle = 45.0;
+
+/// Of a block that its image cuts out more than this share of each side is covered.
+constexpr double BlockShare = 0.5;
+constexpr const char* BlockView = "iso";
+
+InkOrientation FindOrientation(const std::string& name, const std::string& up)
+{
+  InkOrientation orientation = *InkOrientation::Find(name);
+  orientation.Stand(up);
+  return orientation;
+}
+
+/// The image's own axes, which scans tilt.
+std::array<std::array<double, 3>, 3> AxesOf(vtkImageData* image)
+{
+  const double* d = image->GetDirectionMatrix()->GetData();
+  return { { { d[0], d[3], d[6] }, { d[1], d[4], d[7] }, { d[2], d[5], d[8] } } };
+}
 
 const char* At(std::span<const char* const> words, int index)
 {
@@ -142,57 +162,63 @@ void vtkInkView::ChooseForFrame(vtkPoints* frame)
   this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up);
   this->Azimuth = this->GivenAzimuth.value_or(0.0);
   this->Elevation = this->GivenElevation.value_or(0.0);
-  if (this->Name == "left" && this->IsCutAcross(frame))
+  if (this->Image)
   {
-    this->Azimuth = this->GivenAzimuth.value_or(SlabAngle);
-  }
-  else if (this->Name == "top" && this->IsCutAcross(frame))
-  {
-    this->Name = "front";
-    this->Elevation = this->GivenElevation.value_or(SlabAngle);
+    this->TurnToCuts(InkFindCutSides(this->Image, frame));
   }
   this->Modified();
 }
 
-bool vtkInkView::IsCutAcross(vtkPoints* frame) const
+void vtkInkView::TurnToCuts(const std::array<double, 6>& covered)
 {
-  if (!this->Image)
+  if (!this->GivenAzimuth && !this->GivenElevation && this->IsBlock(covered))
   {
-    return false;
+    this->Name = BlockView;
   }
-  InkOrientation orientation = *InkOrientation::Find(this->Name);
-  orientation.Stand(this->Up);
-  // The image's own axis, which scans tilt.
-  const double* directions = this->Image->GetDirectionMatrix()->GetData();
-  int axis = 0;
-  double most = 0.0;
-  for (int i = 0; i < 3; ++i)
+  else if (this->Name == "left" && this->IsCutAcross(covered))
   {
-    const double column[3] = { directions[i], directions[3 + i], directions[6 + i] };
-    const double along = std::abs(vtkMath::Dot(orientation.Direction, column));
+    this->Azimuth = this->GivenAzimuth.value_or(SlabAngle);
+  }
+  else if (this->Name == "top" && this->IsCutAcross(covered))
+  {
+    this->Name = "front";
+    this->Elevation = this->GivenElevation.value_or(SlabAngle);
+  }
+}
+
+bool vtkInkView::IsBlock(const std::array<double, 6>& covered) const
+{
+  const InkOrientation orientation = FindOrientation(BlockView, this->Up);
+  const auto axes = AxesOf(this->Image);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const bool isUpperSeen = vtkMath::Dot(orientation.Direction, axes[axis].data()) < 0.0;
+    if (!(covered[2 * axis + (isUpperSeen ? 1 : 0)] > BlockShare))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkInkView::IsCutAcross(const std::array<double, 6>& covered) const
+{
+  const InkOrientation orientation = FindOrientation(this->Name, this->Up);
+  const auto axes = AxesOf(this->Image);
+  std::size_t axis = 0;
+  double most = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double along = std::abs(vtkMath::Dot(orientation.Direction, axes[i].data()));
     axis = along > most ? i : axis;
     most = std::max(most, along);
   }
-  const int* extent = this->Image->GetExtent();
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
-  for (vtkIdType i = 0; i < frame->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    double index[3];
-    frame->GetPoint(i, point);
-    this->Image->TransformPhysicalPointToContinuousIndex(point, index);
-    least = std::min(least, index[axis]);
-    greatest = std::max(greatest, index[axis]);
-  }
-  constexpr double slack = 0.5; // voxels
-  return least <= extent[2 * axis] + slack && greatest >= extent[2 * axis + 1] - slack;
+  return covered[2 * axis] > 0.0 && covered[2 * axis + 1] > 0.0;
 }
 
 void vtkInkView::Apply(vtkCamera* camera, double turned)
 {
-  InkOrientation orientation = *InkOrientation::Find(this->Name);
-  orientation.Stand(this->Up);
+  InkOrientation orientation = FindOrientation(this->Name, this->Up);
   const InkOrientation named = orientation;
   orientation.Rotate(this->Azimuth, this->Elevation);
   orientation.TurnAround(named.Up, turned);

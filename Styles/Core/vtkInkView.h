@@ -24,6 +24,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for the image
 
+#include <array>    // for the sides of an image
 #include <optional> // for what is given
 #include <string>   // for names
 
@@ -89,7 +90,9 @@ public:
    * is the front, unless that shows less than half of what the left or the top shows: what lies flat is seen
    * from above. Does nothing where Name was set, and for meshes and points. What reaches from one end of an
    * image to the other then, as in scans of a few slices, shows no more than a cut there: it is seen from 45
-   * degrees above its front, or to the right of its left.
+   * degrees above its front, or to the right of its left. What covers more than half of the image's front,
+   * left and top, as a block that was cut out of a rock, is seen from the corner between them, "iso", unless
+   * an angle was set.
    * @param frame the points that the picture is fitted to, see vtkInkStyle::GetFramePoints; null: none
    */
   void ChooseForFrame(vtkPoints* frame);
@@ -122,8 +125,12 @@ private:
   vtkInkView(const vtkInkView&) = delete;
   void operator=(const vtkInkView&) = delete;
 
+  /// @param covered the shares of the image's sides that what is drawn covers, see InkFindCutSides
+  void TurnToCuts(const std::array<double, 6>& covered);
+  /// Whether the image cuts out what is drawn as a block, of which BlockView shows three sides.
+  bool IsBlock(const std::array<double, 6>& covered) const;
   /// Whether what is drawn reaches across the image in the direction of the view, so that both ends cut it.
-  bool IsCutAcross(vtkPoints* frame) const;
+  bool IsCutAcross(const std::array<double, 6>& covered) const;
 
   std::string Name = "front";
   std::string Up = "z";

@@ -170,6 +170,10 @@ std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
     return { "what is drawn is cut to a slab, so it is seen at an angle; --view says otherwise" };
   }
   const std::string& name = this->View->GetName();
+  if (name != before && name == "iso")
+  {
+    return { "what is drawn is cut out as a block, so it is seen from a corner; --view says otherwise" };
+  }
   return name == before ? std::vector<std::string>()
                         : std::vector{ "what is drawn shows more from its " + name +
                             " than from its front, so that is seen; --view says otherwise" };

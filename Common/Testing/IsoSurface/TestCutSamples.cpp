@@ -4,6 +4,7 @@
 #include "Fields/Grid/GridField.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <gtest/gtest.h>
 
@@ -147,14 +148,52 @@ TEST(CutSamples, AreOnAllSidesOfWhatFillsTheVolume)
   const ink::GridGeometry geometry(size);
   EXPECT_TRUE(cutOf(values, geometry, CutSurface::Rim).points.empty());
   const auto cap = cutOf(values, geometry, CutSurface::Cap);
-  EXPECT_EQ(cap.points.size(), static_cast<std::size_t>(2 * (24 * 26 + 24 * 13 + 26 * 13)));
+  const int faces = 2 * (24 * 26 + 24 * 13 + 26 * 13);
+  const int edges = 4 * (24 + 26 + 13);
+  EXPECT_EQ(cap.points.size(), static_cast<std::size_t>(faces + edges * ink::capEdgeNormals));
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < cap.points.size(); ++i)
   {
     EXPECT_GT(glm::dot(cap.normals[i], cap.points[i] - glm::dvec3(12, 13, 6.5)), 0.0) << "outwards";
     sum += cap.normals[i];
   }
-  EXPECT_EQ(sum, glm::dvec3(0.0));
+  EXPECT_LT(glm::length(sum), 1e-9);
+}
+
+TEST(CutSamples, TurnOverTheEdgesBetweenCaps)
+{
+  // The upper corner along all axes, on a grid twice as fine, and none where the surface leaves the edge.
+  const glm::ivec3 eight(8, 8, 8);
+  std::vector<float> values;
+  for (int n = 0; n < 8 * 8 * 8; ++n)
+  {
+    const glm::dvec3 p(n % 8, n / 8 % 8, n / 64);
+    values.push_back(static_cast<float>(4.2 - glm::distance(p, glm::dvec3(7.0))));
+  }
+  const ink::GridGeometry geometry(eight, glm::dvec3(0.0), glm::dvec3(1, 2, 1));
+  const auto cut = ink::sampleCut(ink::GridField<float>(geometry, values), 0.0, CutSurface::Cap,
+    glm::ivec3(0), eight - 1, {}, { .subdivision = glm::ivec3(2) });
+  int positions = 0;
+  for (std::size_t i = 0; i + 1 < cut.points.size(); ++i)
+  {
+    const glm::bvec3 isEnd = glm::equal(cut.points[i], glm::dvec3(7, 14, 7));
+    const int ends = (isEnd.x ? 1 : 0) + (isEnd.y ? 1 : 0) + (isEnd.z ? 1 : 0);
+    if (ends < 2 || (i > 0 && cut.points[i] == cut.points[i - 1]))
+    {
+      continue;
+    }
+    ++positions;
+    ASSERT_LE(i + ink::capEdgeNormals, cut.points.size());
+    for (std::size_t n = 0; n < ink::capEdgeNormals; ++n)
+    {
+      const double turned = static_cast<double>(n) * std::numbers::pi / 12.0;
+      const glm::dvec3 from = isEnd.x ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+      const glm::dvec3 to = isEnd.z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+      EXPECT_EQ(cut.points[i + n], cut.points[i]);
+      EXPECT_LT(glm::distance(cut.normals[i + n], std::cos(turned) * from + std::sin(turned) * to), 1e-9);
+    }
+  }
+  EXPECT_EQ(positions, 3 * 8) << "4.2 voxels of two halves each, the last of which the surface crosses";
 }
 
 TEST(CutSamples, HaveNormalsAcrossTheSideOfAShearedGrid)

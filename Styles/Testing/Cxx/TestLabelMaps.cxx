@@ -10,12 +10,14 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -245,6 +247,46 @@ TEST(LabelMaps, CutsAreClosed)
   EXPECT_GT(ends[0], 200);
   EXPECT_GT(ends[1], 200);
   EXPECT_EQ(countCaps(slab, "rim"), none);
+}
+
+TEST(LabelMaps, WhatSurroundsAnObjectIsNotClosed)
+{
+  const auto cutOf = [](vtkImageData* image, std::initializer_list<double> values)
+  {
+    vtkNew<vtkInkSplattingLinesStyle> style;
+    InkIsoSurface surface;
+    surface.SetIsoValues(values);
+    EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+    const int cut = surface.GetSampler()->GetCut();
+    // The same of slices that are read a few at a time.
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(image);
+    vtkNew<vtkInkIsoSurfaceSampler> inParts;
+    inParts->SetInputConnection(producer->GetOutputPort());
+    vtkNew<vtkPolyData> points;
+    EXPECT_EQ(surface.SampleBy(style, inParts, points), "");
+    EXPECT_EQ(inParts->GetCut(), cut);
+    return cut;
+  };
+  auto object = MakeLabels(Ones);
+  EXPECT_EQ(cutOf(object, {}), vtkInkIsoSurfaceAlgorithm::CAP);
+  vtkDataArray* values = object->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, values->GetComponent(i, 0) > 0.0 ? 0.0 : 1.0);
+  }
+  EXPECT_EQ(cutOf(object, {}), vtkInkIsoSurfaceAlgorithm::RIM);
+  EXPECT_EQ(cutOf(object, { 0.7, 0.5 }), vtkInkIsoSurfaceAlgorithm::RIM);
+  // Distances that are negative inside, in a slab.
+  auto distances = MakeBall(Side);
+  distances->SetSpacing(1.0 / 3.0, 1.0, 1.0);
+  EXPECT_EQ(cutOf(distances, { 100.0 }), vtkInkIsoSurfaceAlgorithm::CAP);
+  values = distances->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, 200.0 - values->GetComponent(i, 0));
+  }
+  EXPECT_EQ(cutOf(distances, { 100.0 }), vtkInkIsoSurfaceAlgorithm::RIM);
 }
 
 TEST(LabelMaps, GivenSmoothingStays)

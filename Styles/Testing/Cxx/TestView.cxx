@@ -382,6 +382,67 @@ TEST(View, SlabsThatTheirImageCutsAreSeenAtAnAngle)
   }
 }
 
+TEST(View, BlocksAreSeenFromACorner)
+{
+  // The covered shares of the sides that the corner shows, top, front and left, of a scan on its side.
+  const struct
+  {
+    std::array<double, 3> covered;
+    const char* name;
+  } blocks[] = { { { 1.0, 1.0, 1.0 }, "iso" }, { { 0.6, 0.6, 0.6 }, "iso" }, { { 0.3, 1.0, 1.0 }, "front" },
+    { { 1.0, 0.3, 1.0 }, "front" }, { { 1.0, 1.0, 0.3 }, "front" } };
+  for (const auto& block : blocks)
+  {
+    constexpr int size = 33;
+    vtkNew<vtkImageData> image;
+    image->SetExtent(-3, -3 + size - 1, 5, 5 + size - 1, 0, size - 1);
+    image->SetSpacing(0.5, 0.5, 0.5);
+    // The image's first axis runs to the top, its second to the front, its third to the left.
+    image->SetDirectionMatrix(0.0, 0.0, 1.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0);
+    vtkNew<vtkPoints> frame;
+    const auto add = [&](double top, double front, double left)
+    {
+      double point[3];
+      const double index[3] = { -3.0 + top, 5.0 + front, left };
+      image->TransformContinuousIndexToPhysicalPoint(index, point);
+      frame->InsertNextPoint(point);
+    };
+    constexpr double last = size - 1;
+    for (int i = 0; i < size; ++i)
+    {
+      for (int j = 0; j < size; ++j)
+      {
+        const double share = (j + 0.5) / size;
+        share < block.covered[0] ? add(i, last - 0.4, j) : add(i, last - 0.6, j);
+        share < block.covered[1] ? add(i, j, last - 0.4) : add(i, j, last - 0.6);
+        share < block.covered[2] ? add(last - 0.4, i, j) : add(last - 0.6, i, j);
+      }
+    }
+    vtkNew<vtkInkView> view;
+    view->Choose(image);
+    view->ChooseForFrame(frame);
+    EXPECT_EQ(view->GetName(), block.name);
+    // The opposite sides do not count.
+    image->SetDirectionMatrix(0.0, 0.0, -1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0);
+    vtkNew<vtkInkView> opposite;
+    opposite->Choose(image);
+    vtkNew<vtkPoints> turned;
+    for (vtkIdType i = 0; i < frame->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      frame->GetPoint(i, point);
+      turned->InsertNextPoint(-point[0], -point[1], -point[2]);
+    }
+    opposite->ChooseForFrame(turned);
+    EXPECT_EQ(opposite->GetName(), "front");
+    vtkNew<vtkInkView> said;
+    said->SetAzimuth(10.0);
+    said->Choose(image);
+    said->ChooseForFrame(frame);
+    EXPECT_EQ(said->GetName(), "front");
+  }
+}
+
 TEST(View, FramesChangeNothingForMeshesAndWhereThereIsNone)
 {
   vtkNew<vtkCubeSource> flat;
