@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,9 @@ constexpr double leastShare = 0.1;
 /// too.
 constexpr double thinShare = 0.1;
 constexpr double usuallyThinShare = 0.25;
+
+/// Keeps a single sample.
+constexpr double leastKeeping = 0.5;
 
 /// By how many deviations noise makes the range of so many samples across a blurred edge larger, as a median.
 constexpr double noiseRange = 0.4;
@@ -193,6 +197,33 @@ private:
 
 } // namespace
 
+double keepingDeviation(const glm::dvec3& size)
+{
+  constexpr double kept = 0.75;
+  const auto keeps = [&](double deviation)
+  {
+    double value = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      value *= std::erf(0.5 * size[axis] / (std::sqrt(2.0) * deviation));
+    }
+    return value >= kept;
+  };
+  double low = 0.0;
+  double high = 2.0 * mostSuggestedSmoothing;
+  const auto isLarge = [](double length) { return std::isinf(length); };
+  if (isLarge(size.x) + isLarge(size.y) + isLarge(size.z) > 1 || keeps(high))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  for (int n = 0; n < 20; ++n)
+  {
+    const double middle = 0.5 * (low + high);
+    (keeps(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 void NoiseSightings::append(const NoiseSightings& other)
 {
   const auto add = [](std::vector<double>& to, const std::vector<double>& from)
@@ -207,6 +238,7 @@ void NoiseSightings::append(const NoiseSightings& other)
   }
   add(this->runs, other.runs);
   add(this->outerRuns, other.outerRuns);
+  add(this->keeping, other.keeping);
   this->maskChanges += other.maskChanges;
   this->maskSteps += other.maskSteps;
 }
@@ -252,6 +284,12 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
   {
     result.thickness = quantileOf(runs, thinShare);
     result.usualThickness = quantileOf(runs, usuallyThinShare);
+  }
+  // What is seen of a cavity only through gaps is not what is to be kept.
+  const double crossings = 0.5 * static_cast<double>(all.runs.size());
+  if (all.keeping.size() >= fewest && static_cast<double>(all.keeping.size()) >= leastShare * crossings)
+  {
+    result.keeping = std::max(quantileOf(all.keeping, thinShare), leastKeeping);
   }
   return result;
 }
@@ -308,7 +346,8 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
   if (estimate.labels)
   {
     // Without a surface there is nothing to smooth.
-    deviation = estimate.step > 0.0 ? std::min(mostSuggestedSmoothing, 0.5 * thickness) : 0.0;
+    deviation =
+      estimate.step > 0.0 ? std::min({ mostSuggestedSmoothing, 0.5 * thickness, estimate.keeping }) : 0.0;
     return hasSlices ? std::max(deviation, std::min(anisotropy, mostSliceSmoothing)) : deviation;
   }
   if (estimate.step > 0.0)

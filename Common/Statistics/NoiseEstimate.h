@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <limits>
 
 namespace ink
 {
@@ -27,6 +28,9 @@ struct NoiseEstimate
   static constexpr double thickEnough = 5.0;
   /// The same, but fewer in a quarter of the positions: gaps within what is thick do not count.
   double usualThickness = thickEnough;
+  /// The deviation of a Gaussian, in samples, that keeps what is inside: less would be needed in a tenth of
+  /// the positions only, of those that are seen from outside; at least that which keeps a single sample.
+  double keeping = std::numeric_limits<double>::infinity();
   bool labels = false; ///< whether all values are labels, or the surface is that of a mask, see areLabels
   /// The share of the step that lies between the two samples around the surface: as a median .38 for a ball
   /// behind a point spread of .7 samples, .25 to .5 in 25 scans, .62 for the volume fractions of cells
@@ -72,10 +76,11 @@ NoiseEstimate estimateNoise(
 /// by 6.0 without (root mean square), and by 2.6 behind a point spread of .7.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
-/// than half of the same thickness; where voxels are longer than wide, it is their length, but no more
-/// than 4. Normals of the mask of a sphere of radius 24 then are off by 1.0 degrees (root mean square; 12
-/// without, 3.4 with 1, .6 with 2.5), and with SmoothingTarget::Normals the surface by .02 voxels; with 2.5
-/// those of a tube of radius 4 are worse than with 2 (1.7 and 1.5).
+/// than half of the same thickness, nor than what keeps small parts: a ball of radius 2 is gone with 2; where
+/// voxels are longer than wide, it is their length, but no more than 4. Normals of the mask of a sphere of
+/// radius 24 then are off by 1.0 degrees (root mean square; 12 without, 3.4 with 1, .6 with 2.5), and with
+/// SmoothingTarget::Normals the surface by .02 voxels; with 2.5 those of a tube of radius 4 are worse than
+/// with 2 (1.7 and 1.5).
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
 /// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels, of

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct NoiseSightings
   std::array<std::vector<double>, 3> edgeShares;
   std::vector<double> runs;      ///< samples on one side of it, along an axis
   std::vector<double> outerRuns; ///< of these those where it is seen from outside, see isOpen
+  std::vector<double> keeping;   ///< the deviations that keep what is inside of it, see keepingDeviation
   std::int64_t maskChanges = 0;  ///< of the changes, see IsoStatistics
   std::int64_t maskSteps = 0;    ///< of the steps: at the edge of a mask, which is most of them
 
@@ -44,6 +46,11 @@ struct NoiseSightings
 
 /// @param reach 1 along the axes that neighborhoods extend along, otherwise 0
 NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm::ivec3& reach);
+
+/// The largest deviation of a Gaussian that keeps three quarters of the value in the middle of a box, of so
+/// many samples along each axis, two of them finite at least; infinite of what is larger. A ball and a tube
+/// that fill such boxes then keep .59 and .68. Of walls, NoiseEstimate::thickness says more.
+double keepingDeviation(const glm::dvec3& size);
 
 /// Looks at samples and their neighbors.
 ///
@@ -143,7 +150,51 @@ private:
       {
         found.outerRuns.insert(found.outerRuns.end(), runs.begin(), runs.end());
       }
+      const glm::ivec3& inner = this->isAbove(at) ? at : next;
+      if (this->isOpen(inner == at ? next : at))
+      {
+        found.keeping.push_back(keepingDeviation(this->sizeAround(inner)));
+      }
     }
+  }
+
+  /// The samples on one side of the surface along each axis, in the middle of what is around one of them;
+  /// infinitely many where no end is near.
+  glm::dvec3 sizeAround(const glm::ivec3& start) const
+  {
+    const bool above = this->isAbove(start);
+    // Along z only some slices are there.
+    constexpr glm::ivec3 farthest(7, 7, before);
+    glm::ivec3 middle = start;
+    glm::dvec3 size(0.0);
+    // The second time from the middle along all axes: at the tip of a ball, lines across are short.
+    for (const int axis : { 0, 1, 2, 0, 1, 2 })
+    {
+      const int least = start[axis] - farthest[axis];
+      const int most = start[axis] + farthest[axis];
+      bool ends = true;
+      const auto isInside = [&](int index)
+      {
+        glm::ivec3 sample = middle;
+        sample[axis] = index;
+        const bool isKnown = index >= least && index <= most && this->Values.has(sample);
+        ends = ends && isKnown;
+        return isKnown && this->isAbove(sample) == above;
+      };
+      int first = middle[axis];
+      int last = first;
+      while (isInside(first - 1))
+      {
+        --first;
+      }
+      while (isInside(last + 1))
+      {
+        ++last;
+      }
+      middle[axis] = (first + last) / 2;
+      size[axis] = ends ? last - first + 1 : std::numeric_limits<double>::infinity();
+    }
+    return size;
   }
 
   /// Whether some line from a sample along x or y, of which all samples are there, ends where they do without

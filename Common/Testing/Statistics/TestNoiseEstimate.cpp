@@ -53,7 +53,8 @@ TEST(NoiseEstimate, DoesNotDependOnThreads)
   const auto run = [&]
   {
     const ink::NoiseEstimate found = estimateNoise(volume.field(), 0.5);
-    return std::array{ found.noise, found.quantum, found.step, found.thickness, found.sharpness };
+    return std::array{ found.noise, found.quantum, found.step, found.thickness, found.keeping,
+      found.sharpness };
   };
   EXPECT_EQ(ink::test::onThreads(1, run), ink::test::onThreads(3, run));
 }
@@ -84,6 +85,7 @@ TEST(NoiseEstimate, IsTheSameFromAFewSlicesAtATime)
       EXPECT_EQ(found.step, whole.step) << atOnce;
       EXPECT_EQ(found.quantum, whole.quantum) << atOnce;
       EXPECT_EQ(found.thickness, whole.thickness) << atOnce;
+      EXPECT_EQ(found.keeping, whole.keeping) << atOnce;
       EXPECT_EQ(calls, atOnce >= 71 ? 1 : atOnce == 70 ? 2 : atOnce == 13 ? 18 : 69) << atOnce;
     }
   };
@@ -308,6 +310,51 @@ TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
   // Noise asks for what it needs wherever it is.
   EXPECT_EQ(ink::suggestSmoothing({ 0.1, 1.0, 0.0, 1.0 }, glm::dvec3(1.0)),
     ink::suggestSmoothing({ 0.1, 1.0, 0.0 }, glm::dvec3(1.0)));
+}
+
+TEST(NoiseEstimate, SmallPartsOfLabelsAreKept)
+{
+  // Balls of a radius, 12 samples apart, and what a Gaussian of the suggested deviation leaves in the middle
+  // of one: the share of a normal distribution in three dimensions within that radius.
+  const auto balls = [](const glm::dvec3& size, double radius)
+  {
+    return Volume<std::uint8_t>::from(GridGeometry(glm::ivec3(size)),
+      [radius](const glm::dvec3& p)
+      {
+        const glm::dvec3 d = p - 12.0 * glm::floor(p / 12.0) - 5.5;
+        return glm::length(d) < radius ? 1.0 : 0.0;
+      });
+  };
+  for (const double radius : { 1.0, 1.5, 2.0, 2.5, 3.0 })
+  {
+    const ink::NoiseEstimate found = estimateNoise(balls({ 36, 36, 36 }, radius).field(), 0.5);
+    const double deviation = ink::suggestSmoothing(found, glm::dvec3(1.0));
+    const double ratio = radius / deviation;
+    const double kept = std::erf(ratio / std::sqrt(2.0)) -
+      std::sqrt(2.0 / std::acos(-1.0)) * ratio * std::exp(-0.5 * ratio * ratio);
+    EXPECT_GT(kept, 0.5) << radius;
+    EXPECT_GT(deviation, 0.39 * radius) << "and no less than it takes";
+    EXPECT_TRUE(ink::suggestSmoothings(found, glm::dvec3(1.0)).keepsLabels);
+  }
+  EXPECT_EQ(
+    estimateNoise(balls({ 36, 36, 36 }, 5.4).field(), 0.5).keeping, std::numeric_limits<double>::infinity());
+  // A rod of three samples across, in whatever direction.
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto rod = Volume<std::uint8_t>::from(GridGeometry(glm::ivec3(24)),
+      [axis](const glm::dvec3& p)
+      {
+        glm::dvec3 d = glm::abs(p - 11.0);
+        d[axis] = 0.0;
+        return std::max({ d.x, d.y, d.z }) < 2.0 ? 1.0 : 0.0;
+      });
+    const double keeping = estimateNoise(rod.field(), 0.5).keeping;
+    EXPECT_NEAR(std::pow(std::erf(1.5 / (std::sqrt(2.0) * keeping)), 2.0), 0.75, 1e-3) << axis;
+  }
+  EXPECT_EQ(ink::suggestSmoothing({ .step = 1.0, .keeping = 1.2, .labels = true }, glm::dvec3(1.0)), 1.2);
+  EXPECT_EQ(ink::suggestSmoothing({ .noise = 0.1, .step = 1.0, .keeping = 0.5 }, glm::dvec3(1.0)),
+    ink::suggestSmoothing({ .noise = 0.1, .step = 1.0 }, glm::dvec3(1.0)))
+    << "values keep theirs by the target";
 }
 
 TEST(NoiseEstimate, SaysNothingOfDegenerateGrids)
