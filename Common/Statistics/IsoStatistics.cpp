@@ -46,7 +46,7 @@ std::uint16_t binOf(const ValueBins& bins, T value)
     }
   }
   const double v = static_cast<double>(value);
-  if (!std::isfinite(v))
+  if (!std::isfinite(v) || v == bins.fill)
   {
     return SliceCounter::noBin;
   }
@@ -79,6 +79,39 @@ struct Slices
   }
 };
 
+/// See ValueBins::fill.
+double findFill(const std::vector<double>& sample)
+{
+  constexpr std::ptrdiff_t fewestDifferent = 256;
+  constexpr double farAway = 10.0;
+  // The two lowest values, and the two greatest.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low[2] = { infinity, infinity };
+  double high[2] = { -infinity, -infinity };
+  for (const double v : sample)
+  {
+    low[1] = v < low[0] ? low[0] : v > low[0] && v < low[1] ? v : low[1];
+    low[0] = std::min(low[0], v);
+    high[1] = v > high[0] ? high[0] : v < high[0] && v > high[1] ? v : high[1];
+    high[0] = std::max(high[0], v);
+  }
+  // Halves, as differences of large values may overflow.
+  const auto isFar = [](double fill, double nearest, double farthest)
+  { return std::abs(fill / 2 - nearest / 2) > farAway * std::abs(farthest / 2 - nearest / 2); };
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const double fill = isFar(low[0], low[1], high[0]) ? low[0]
+    : isFar(high[0], high[1], low[0])                ? high[0]
+                                                     : none;
+  if (std::count(sample.begin(), sample.end(), fill) < 2)
+  {
+    return none;
+  }
+  std::vector<double> sorted(sample);
+  std::sort(sorted.begin(), sorted.end());
+  const auto different = std::unique(sorted.begin(), sorted.end()) - sorted.begin();
+  return different > fewestDifferent ? fill : none;
+}
+
 template <typename T>
 std::optional<ValueBins> chooseBins(const Slices<T>& slices)
 {
@@ -109,6 +142,9 @@ std::optional<ValueBins> chooseBins(const Slices<T>& slices)
     return std::nullopt;
   }
 
+  const double fill =
+    std::is_floating_point_v<T> ? findFill(sample) : std::numeric_limits<double>::quiet_NaN();
+  std::erase(sample, fill);
   if (!sample.empty())
   {
     const auto outliers = static_cast<std::ptrdiff_t>(outlierShare * static_cast<double>(sample.size()));
@@ -132,7 +168,7 @@ std::optional<ValueBins> chooseBins(const Slices<T>& slices)
   }
   return ValueBins{ least,
     std::max(halfRange / SliceCounter::mostBins * 2, std::numeric_limits<double>::min()),
-    SliceCounter::mostBins };
+    SliceCounter::mostBins, fill };
 }
 
 /// Every how many slices one is counted. Odd, so that slices that were interpolated between others do not

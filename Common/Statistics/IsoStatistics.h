@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,6 +22,10 @@ struct ValueBins
   double low = 0.0; ///< where the first begins
   double width = 1.0;
   int count = 0;
+  /// What stands for values that are missing, as 1e20 on land in data of oceans, and is in no bin; NaN if
+  /// nothing does: the least or the greatest of floating-point values, exactly, that lies further from all
+  /// others than ten times their range, where these are measured, with 256 different values or more.
+  double fill = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Statistics of a volume at each threshold. Integer sums, so that the order of summation does not matter.

@@ -62,6 +62,26 @@ double valueAt(const ValueBins& bins, double threshold)
   return bins.low + (threshold + 1.0) * bins.width;
 }
 
+/// A volume whose fill value is NaN, see ValueBins::fill.
+template <typename T>
+SliceReader<T> withoutFill(const SliceReader<T>& read, double fill)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    if (!std::isnan(fill))
+    {
+      return [read, fill = static_cast<T>(fill), held = std::vector<T>()](int first, int last) mutable
+      {
+        const std::span<const T> values = read(first, last);
+        held.assign(values.begin(), values.end());
+        std::replace(held.begin(), held.end(), fill, std::numeric_limits<T>::quiet_NaN());
+        return std::span<const T>(held);
+      };
+    }
+  }
+  return read;
+}
+
 /// The iso-values of clear boundaries, the best first.
 /// @param noisy of the values themselves, if the others are of smoothed ones
 std::vector<IsoSuggestion> suggestBoundaries(
@@ -252,13 +272,14 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
 
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(
-  const SliceReader<T>& read, std::array<int, 3> dimensions, int slicesAtOnce)
+  const SliceReader<T>& readAll, std::array<int, 3> dimensions, int slicesAtOnce)
 {
-  const std::optional<IsoStatistics> statistics = makeIsoStatistics(read, dimensions, slicesAtOnce);
+  const std::optional<IsoStatistics> statistics = makeIsoStatistics(readAll, dimensions, slicesAtOnce);
   if (!statistics)
   {
     return {};
   }
+  const SliceReader<T> read = withoutFill(readAll, statistics->bins.fill);
   std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics);
   if (noiseHidesBoundaries(*statistics))
   {

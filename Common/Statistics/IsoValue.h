@@ -66,7 +66,7 @@ struct IsoSuggestion
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are
-///   skipped.
+///   skipped, and a fill value, see ValueBins.
 /// @param dimensions number of voxels along x, y and z.
 /// @return nothing if there are fewer than two distinct finite values; otherwise values strictly between two
 ///   of them. The same for any number of threads.

@@ -70,9 +70,10 @@ auto EvaluateScalars(vtkImageData* image, const std::string& array, const Find& 
 
 std::string PercentOf(const ink::IsoSuggestion& suggestion)
 {
+  const double percent = 100.0 * suggestion.keptShare;
   std::ostringstream share;
-  share.precision(2);
-  share << 100 * suggestion.keptShare;
+  share.precision(percent < 99.5 ? 2 : 3);
+  share << percent;
   return share.str();
 }
 

@@ -359,6 +359,38 @@ TEST(IsoValue, SkipsWhatIsNotFinite)
   EXPECT_NEAR(suggestion->value, suggest(clean)->value, 8.0);
 }
 
+TEST(IsoValue, SkipsFillValues)
+{
+  // A sixth of the volume is land, around and within the sphere; smoothing must not spread it.
+  const auto isLand = [](std::size_t i) { return i % size < size / 6; };
+  for (const double spread : { 2.0, 15.0 })
+  {
+    const auto with = [&](double fill)
+    {
+      return volume<float>([&](double d, std::size_t i)
+        { return isLand(i) ? fill : 100 * blurredSphere(d, 14) + spread * noise(i); });
+    };
+    const auto expected = suggest(with(std::nan("")));
+    ASSERT_TRUE(expected);
+    for (const double fill : { 1e20, -9999.0 })
+    {
+      const auto found = suggest(with(fill));
+      ASSERT_TRUE(found);
+      EXPECT_EQ(found->value, expected->value) << fill << ' ' << spread;
+      EXPECT_EQ(found->keptShare, expected->keptShare) << fill << ' ' << spread;
+    }
+    // Near the others it is a value, as that of a bright thing.
+    EXPECT_NE(suggest(with(700.0))->keptShare, expected->keptShare);
+  }
+  // Few values are labels, wherever they lie.
+  const auto labels =
+    suggest(volume<float>([&](double d, std::size_t i) { return isLand(i) ? 1e6
+                                                           : d < 14       ? 1.0
+                                                                          : 0.0; }));
+  ASSERT_TRUE(labels);
+  EXPECT_EQ(labels->value, 0.5);
+}
+
 TEST(IsoValue, IsNotSqueezedByOutliers)
 {
   auto values =
