@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkCellCenters.h"
 
+#include "InkActiveScalars.h"
 #include "InkImageGrid.h"
 
 #include "vtkAlgorithm.h"
@@ -18,29 +19,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace
 {
-
-bool AreMarks(const char* name)
-{
-  return name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0;
-}
-
-/// The first numeric array that is no mark of ghosts; null if there is none.
-vtkDataArray* FirstValues(vtkDataSetAttributes* attributes)
-{
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = attributes->GetArray(i);
-    if (array && !AreMarks(array->GetName()))
-    {
-      return array;
-    }
-  }
-  return nullptr;
-}
 
 /// Whether pipeline information tells of an array of that name, or of any that has values.
 bool IsAnnounced(vtkInformation* info, int association, const std::string& array)
@@ -54,7 +35,7 @@ bool IsAnnounced(vtkInformation* info, int association, const std::string& array
                                                                     : vtkDataObject::POINT_DATA_VECTOR());
   for (int i = 0; fields && i < fields->GetNumberOfInformationObjects(); ++i)
   {
-    if (!AreMarks(fields->GetInformationObject(i)->Get(vtkDataObject::FIELD_NAME())))
+    if (!InkIsGhostArray(fields->GetInformationObject(i)->Get(vtkDataObject::FIELD_NAME())))
     {
       return true;
     }
@@ -124,7 +105,7 @@ bool InkTakesCells(vtkImageData* image, const std::string& array)
 {
   vtkPointData* points = image->GetPointData();
   vtkCellData* cells = image->GetCellData();
-  return array.empty() ? !FirstValues(points) && FirstValues(cells)
+  return array.empty() ? !InkFirstValues(points) && InkFirstValues(cells)
                        : !points->HasArray(array.c_str()) && cells->GetArray(array.c_str());
 }
 
@@ -191,7 +172,7 @@ vtkSmartPointer<vtkImageData> InkAtCellCenters(vtkImageData* image)
   values->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   if (!values->GetScalars())
   {
-    values->SetScalars(FirstValues(values));
+    values->SetScalars(InkFirstValues(values));
   }
   auto* marks =
     vtkUnsignedCharArray::SafeDownCast(cells->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
@@ -205,7 +186,9 @@ vtkSmartPointer<vtkImageData> InkAtCellCenters(vtkImageData* image)
 
 vtkSmartPointer<vtkImageData> InkWithPointValues(vtkImageData* image, const std::string& array)
 {
-  return InkTakesCells(image, array) ? InkAtCellCenters(image) : vtkSmartPointer<vtkImageData>(image);
+  return InkTakesCells(image, array) ? InkAtCellCenters(image)
+    : array.empty()                  ? InkWithActiveScalars(image)
+                                     : vtkSmartPointer<vtkImageData>(image);
 }
 
 InkPointInput::InkPointInput() = default;
@@ -216,14 +199,16 @@ vtkInformationVector** InkPointInput::Take(vtkAlgorithm* filter, vtkInformationV
 {
   vtkInformation* info = input[port]->GetInformationObject(0);
   vtkImageData* image = info ? vtkImageData::GetData(info) : nullptr;
-  if (!image || !InkTakesCells(image, NameOfChosen(filter)))
+  const std::string array = NameOfChosen(filter);
+  const bool takesCells = image && InkTakesCells(image, array);
+  if (!takesCells && !(image && array.empty() && InkLacksActiveScalars(image)))
   {
     this->Made = nullptr;
     return input;
   }
   if (!this->Made || this->From != image || this->Time != image->GetMTime())
   {
-    this->Made = InkAtCellCenters(image);
+    this->Made = InkWithPointValues(image, array);
     this->From = image;
     this->Time = image->GetMTime();
   }
@@ -235,7 +220,10 @@ vtkInformationVector** InkPointInput::Take(vtkAlgorithm* filter, vtkInformationV
   {
     int whole[6];
     info->Get(SDDP::WHOLE_EXTENT(), whole);
-    InkToCellExtent(whole);
+    if (takesCells)
+    {
+      InkToCellExtent(whole);
+    }
     replaced->Set(SDDP::WHOLE_EXTENT(), whole, 6);
   }
   this->Replaced = vtkSmartPointer<vtkInformationVector>::New();

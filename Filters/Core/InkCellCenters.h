@@ -31,7 +31,8 @@ VTKINKFILTERSCORE_EXPORT bool InkAnnouncesCells(vtkInformation* info, const std:
 /// corners' are.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkAtCellCenters(vtkImageData* image);
 
-/// The image itself, or that of its cells' centers where InkTakesCells.
+/// The image itself, or that of its cells' centers where InkTakesCells, or, without a name, that with active
+/// scalars (InkActiveScalars.h).
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithPointValues(
   vtkImageData* image, const std::string& array = {});
 
@@ -51,8 +52,8 @@ VTKINKFILTERSCORE_EXPORT void InkToPointExtent(int extent[6], const int whole[6]
 VTKINKFILTERSCORE_EXPORT void InkMoveToCellCenters(vtkImageData* frame);
 
 /// What a filter takes of images: points, also of images that have values in cells alone, or whose array to
-/// process 0 is one of cells. What is made of an image is kept as long as the image stays as it is, so that
-/// what a filter keeps for an image stays valid.
+/// process 0 is one of cells, or of whose arrays none is active. What is made of an image is kept as long as
+/// the image stays as it is, so that what a filter keeps for an image stays valid.
 class VTKINKFILTERSCORE_EXPORT InkPointInput
 {
 public:
@@ -61,7 +62,7 @@ public:
   InkPointInput(const InkPointInput&) = delete;
   void operator=(const InkPointInput&) = delete;
 
-  /// The filter's input, where an image at `port` may be replaced by that of its cells' centers. Valid as
+  /// The filter's input, where an image at `port` may be replaced by what InkWithPointValues makes. Valid as
   /// long as this object and the input are, until the next call.
   vtkInformationVector** Take(vtkAlgorithm* filter, vtkInformationVector** input, int port = 0);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVInkIsoValueInformation.h"
 
+#include "InkActiveScalars.h"
 #include "InkCellCenters.h"
 #include "vtkInkRepresentation.h"
 
@@ -108,7 +109,8 @@ void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)
   {
     return;
   }
-  const vtkSmartPointer<vtkImageData> image = InkWithPointValues(given, this->ArrayName);
+  const vtkSmartPointer<vtkImageData> image =
+    InkWithFirstComponent(InkWithPointValues(given, this->ArrayName));
   vtkPointData* data = image->GetPointData();
   vtkDataArray* values =
     this->ArrayName.empty() ? data->GetScalars() : data->GetArray(this->ArrayName.c_str());

@@ -37,6 +37,23 @@ print(smtrace.stop_trace())
 print(smstate.get_state())
 """
 
+# Images of which no array is active: vectors, and the distance from the middle.
+EXTENT = """
+executive = self.GetExecutive()
+executive.GetOutputInformation(0).Set(executive.WHOLE_EXTENT(), 0, 20, 0, 20, 0, 20)
+"""
+INACTIVE = """
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+image = self.GetOutputDataObject(0)
+image.SetExtent(0, 20, 0, 20, 0, 20)
+z, y, x = np.mgrid[-10:11, -10:11, -10:11]
+for name, values in (("Vectors", np.stack((x, y, z), 3).reshape(-1, 3)), ("Distance", np.sqrt(x * x + y * y + z * z).ravel())):
+    array = numpy_to_vtk(values.astype("float32"), deep=1)
+    array.SetName(name)
+    image.GetPointData().AddArray(array)
+"""
+
 
 def values(display):
     # A property compares as its value, but is no key.
@@ -194,6 +211,25 @@ class TestRestoring(TestInOneView):
             self.assertAlmostEqual(limits.GetMaximum(0), high, delta=0.1)
         display.StippleIsoValue = 0.0
         self.assertEqual(assignments(smstate.get_state())["StippleIsoValue"], "0.0")
+
+    def test_sliders_of_iso_values_have_the_range_of_what_is_drawn(self):
+        # Also after a picture, and without an active array: as files of other programs.
+        inactive = ProgrammableSource(OutputDataSetType="vtkImageData", ScriptRequestInformation=EXTENT, Script=INACTIVE)
+        for source, low, high in ((Wavelet(), 37.35, 276.83), (inactive, 0.0, 17.32)):
+            for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines"), ("Contours", "Contours"),
+                                  ("Line Art", "LineArt")):
+                display = Show(source, self.view)
+                display.SetRepresentationType(style)
+                self.view.ResetCamera()
+                Render(self.view)
+                limits = display.GetProperty(f"{prefix}IsoValue").SMProperty.GetDomain("range")
+                self.assertAlmostEqual(limits.GetMinimum(0), low, delta=0.1, msg=style)
+                self.assertAlmostEqual(limits.GetMaximum(0), high, delta=0.1, msg=style)
+                value = getattr(display, f"{prefix}IsoValue")
+                self.assertTrue(low < value < high, (style, value))
+                self.assertNotIn(f"{prefix}Scalars", assignments(smstate.get_state()))
+                self.assertGreater(ink(picture(self.view)), 100.0, style)
+                Hide(source, self.view)
 
     def test_scenes_without_the_representations_know_nothing_of_the_plugin(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkLeaves.h"
 
+#include "InkActiveScalars.h"
 #include "InkCellCenters.h"
 #include "InkHasSurface.h"
 
@@ -59,7 +60,7 @@ void InkLeaves::Add(vtkDataObject* leaf, const std::string& array)
   auto polyData = vtkPolyData::SafeDownCast(data);
   if (auto image = vtkImageData::SafeDownCast(data))
   {
-    this->KeptImages.push_back(InkWithPointValues(image, array));
+    this->KeptImages.push_back(InkWithFirstComponent(InkWithPointValues(image, array)));
     this->Images.push_back(this->KeptImages.back());
   }
   else if (polyData && AreStipples(polyData))
@@ -103,14 +104,9 @@ std::string InkLeaves::FindImageProblem() const
 {
   for (vtkImageData* image : this->Images)
   {
-    vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    if (!scalars)
+    if (!image->GetPointData()->GetScalars())
     {
       return "an image without point scalars";
-    }
-    if (scalars->GetNumberOfComponents() != 1)
-    {
-      return "an image with " + std::to_string(scalars->GetNumberOfComponents()) + " scalars a point";
     }
   }
   return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// A data object's leaves by how they are drawn: of composite data all of them, otherwise the data itself.
-/// Images with values in their cells alone are those of the cells' centers (InkCellCenters.h).
+/// Images with values in their cells alone are those of the cells' centers (InkCellCenters.h); of those
+/// without active scalars the first array is used, of several components the first (InkActiveScalars.h).
 #ifndef InkLeaves_h
 #define InkLeaves_h
 

@@ -49,12 +49,12 @@ def domain(row, count):
     if row.get("domain") in ARRAY_RANGES:
         mode = ' default_mode="mid"' if row["domain"] == "mid" else ""
         return [
-            f'{indent}<ArrayRangeDomain name="range"{mode}>',
+            f'{indent}<InkArrayRangeDomain name="range"{mode}>',
             f"{indent}  <RequiredProperties>",
             f'{indent}    <Property name="Input" function="Input" />',
             f'{indent}    <Property name="{row["array"]}" function="ArraySelection" />',
             f"{indent}  </RequiredProperties>",
-            f"{indent}</ArrayRangeDomain>",
+            f"{indent}</InkArrayRangeDomain>",
         ]
     if kind == "bool":
         return [f'{indent}<BooleanDomain name="bool" />']

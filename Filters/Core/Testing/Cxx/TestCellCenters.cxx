@@ -134,6 +134,7 @@ TEST(CellCenters, ValuesOfPointsAreTakenWhereThereAreAny)
   image->GetPointData()->AddArray(Numbers("points", image->GetNumberOfPoints()));
   EXPECT_FALSE(InkTakesCells(image));
   EXPECT_TRUE(InkTakesCells(image, "cells")) << "asked for by its name";
+  image->GetPointData()->SetActiveScalars("points");
   EXPECT_EQ(InkWithPointValues(image), image);
   image->GetPointData()->AddArray(Numbers("cells", image->GetNumberOfPoints()));
   EXPECT_FALSE(InkTakesCells(image, "cells"));

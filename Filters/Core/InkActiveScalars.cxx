@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkActiveScalars.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <cstring>
+
+bool InkIsGhostArray(const char* name)
+{
+  return name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0;
+}
+
+vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes)
+{
+  vtkDataArray* first = nullptr;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = attributes->GetArray(i);
+    if (!array || InkIsGhostArray(array->GetName()))
+    {
+      continue;
+    }
+    if (array->GetNumberOfComponents() == 1)
+    {
+      return array;
+    }
+    first = first ? first : array;
+  }
+  return first;
+}
+
+bool InkLacksActiveScalars(vtkImageData* image)
+{
+  return !image->GetPointData()->GetScalars() && InkFirstValues(image->GetPointData());
+}
+
+vtkSmartPointer<vtkImageData> InkWithActiveScalars(vtkImageData* image)
+{
+  if (!InkLacksActiveScalars(image))
+  {
+    return image;
+  }
+  auto active = vtkSmartPointer<vtkImageData>::New();
+  active->ShallowCopy(image);
+  active->GetPointData()->SetScalars(InkFirstValues(active->GetPointData()));
+  return active;
+}
+
+vtkSmartPointer<vtkImageData> InkWithFirstComponent(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfComponents() < 2)
+  {
+    return image;
+  }
+  const auto first = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(scalars->GetDataType()));
+  first->SetName(scalars->GetName());
+  first->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  first->CopyComponent(0, scalars, 0);
+  auto single = vtkSmartPointer<vtkImageData>::New();
+  single->ShallowCopy(image);
+  single->GetPointData()->SetScalars(first);
+  return single;
+}

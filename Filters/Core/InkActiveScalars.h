@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Images of whose arrays none is active, as files of other programs often have it, or one of several
+// components.
+#ifndef InkActiveScalars_h
+#define InkActiveScalars_h
+
+#include "vtkInkFiltersCoreModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+
+class vtkDataArray;
+class vtkDataSetAttributes;
+class vtkImageData;
+
+/// Whether an array has that name which marks of ghosts have, which are no values. @param name or null
+VTKINKFILTERSCORE_EXPORT bool InkIsGhostArray(const char* name);
+
+/// The first numeric array of values, of one component if there is one; null if there is none.
+VTKINKFILTERSCORE_EXPORT vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes);
+
+/// Whether an image's points have values, but none of its arrays is active.
+VTKINKFILTERSCORE_EXPORT bool InkLacksActiveScalars(vtkImageData* image);
+
+/// The image itself, or one with its arrays of which InkFirstValues of its points is active.
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithActiveScalars(vtkImageData* image);
+
+/// The image itself, or one whose active scalars are the first component of the image's.
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithFirstComponent(vtkImageData* image);
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMInkArrayRangeDomain.h"
+
+#include "InkActiveScalars.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMProperty.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMUncheckedPropertyHelper.h"
+#include "vtkType.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSMInkArrayRangeDomain);
+
+namespace
+{
+
+/// The array that is drawn where none is chosen, see InkFirstValues; null if there is none.
+const char* NameOfScalars(vtkPVDataSetAttributesInformation* attributes)
+{
+  if (const vtkPVArrayInformation* scalars =
+        attributes->GetAttributeInformation(vtkDataSetAttributes::SCALARS))
+  {
+    return scalars->GetName();
+  }
+  const char* first = nullptr;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkPVArrayInformation* array = attributes->GetArrayInformation(i);
+    if (array->GetDataType() == VTK_STRING || InkIsGhostArray(array->GetName()))
+    {
+      continue;
+    }
+    if (array->GetNumberOfComponents() == 1)
+    {
+      return array->GetName();
+    }
+    first = first ? first : array->GetName();
+  }
+  return first;
+}
+
+} // namespace
+
+vtkSMInkArrayRangeDomain::vtkSMInkArrayRangeDomain() = default;
+
+vtkSMInkArrayRangeDomain::~vtkSMInkArrayRangeDomain() = default;
+
+void vtkSMInkArrayRangeDomain::Update(vtkSMProperty* property)
+{
+  vtkSMProperty* input = this->GetRequiredProperty("Input");
+  vtkSMProperty* selection = this->GetRequiredProperty("ArraySelection");
+  if (input && selection)
+  {
+    const vtkSMUncheckedPropertyHelper inputs(input);
+    auto* source =
+      inputs.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(inputs.GetAsProxy()) : nullptr;
+    constexpr unsigned int name = 4;
+    const char* chosen = vtkSMUncheckedPropertyHelper(selection).GetAsString(name);
+    if (source && chosen && std::string(chosen) == "Active Scalars")
+    {
+      const int port = static_cast<int>(inputs.GetOutputPort());
+      vtkPVDataInformation* information = source->GetDataInformation(inputs.GetOutputPort());
+      for (const int association :
+        { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+      {
+        if (const char* array = NameOfScalars(information->GetAttributeInformation(association)))
+        {
+          this->Update(array, association, source, port);
+          return;
+        }
+      }
+    }
+  }
+  this->Superclass::Update(property);
+}
