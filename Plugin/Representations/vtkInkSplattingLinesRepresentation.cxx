@@ -20,6 +20,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVView.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -49,6 +50,27 @@ vtkSmartPointer<vtkCellArray> MakeVertex(vtkIdType count)
     }
   }
   return vertices;
+}
+
+/// The input itself, or the outer surfaces where there are grids, whose points have no normals.
+vtkSmartPointer<vtkDataObject> SurfacesOf(vtkDataObject* input, const InkLeaves& leaves)
+{
+  if (std::all_of(leaves.Others.begin(), leaves.Others.end(),
+        [](vtkDataSet* data) { return vtkPolyData::SafeDownCast(data) || data->GetNumberOfCells() == 0; }))
+  {
+    return input;
+  }
+  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = leaves.MakeMeshes();
+  if (!leaves.Composite)
+  {
+    return meshes.front();
+  }
+  auto surfaces = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    surfaces->SetPartition(static_cast<unsigned int>(i), meshes[i]);
+  }
+  return surfaces;
 }
 
 } // namespace
@@ -119,10 +141,11 @@ std::string vtkInkSplattingLinesRepresentation::TakePoints(vtkDataObject* input,
     const vtkSmartPointer<vtkPolyData> whole = vtkInkProcesses().Gather(leaves.MakeMeshes());
     problem = InkHasPolygons(whole) ? silhouettes->MakeOfMesh(this->Style, whole, outlined) : "";
   }
+  const vtkSmartPointer<vtkDataObject> surfaces = SurfacesOf(input, leaves);
   vtkSmartPointer<vtkDataObject> data;
   try
   {
-    data = vtkInkAddNormals(input);
+    data = vtkInkAddNormals(surfaces);
   }
   catch (const std::invalid_argument& error)
   {
@@ -135,7 +158,7 @@ std::string vtkInkSplattingLinesRepresentation::TakePoints(vtkDataObject* input,
   // Points that are repeated at edges are none of the input's.
   const auto count = [](vtkDataObject* object)
   { return object ? object->GetNumberOfElements(vtkDataObject::POINT) : 0; };
-  if (gathered.IdsAreInputs && count(data) == count(input))
+  if (gathered.IdsAreInputs && surfaces == input && count(data) == count(input))
   {
     this->MarkIdsAsInputs();
   }

@@ -112,6 +112,17 @@ self.GetOutput().SetPoints(sphere.GetOutput().GetPoints())
         self.assert_drawn(picture(self.view))
         self.assertEqual(marks(display)[0], 500 * 248 + 2)
 
+    def test_a_dense_grid_is_drawn_by_its_outer_surface(self):
+        plate = Wavelet(WholeExtent=[0, 200, 0, 200, 0, 1])
+        grid = Threshold(Input=plate, Scalars=["POINTS", "RTData"], LowerThreshold=0.0, UpperThreshold=1000.0)
+        with Warnings() as warnings:
+            self.show(grid)
+            self.assert_drawn(picture(self.view))
+            Hide(grid, self.view)
+            self.show(GroupDatasets(Input=[grid]))
+            self.assert_drawn(picture(self.view))
+        self.assertEqual(warnings, [])
+
     def test_coloring_on_or_off_samples_nothing_again(self):
         heights = Elevation(Input=Sphere(ThetaResolution=16, PhiResolution=16), LowPoint=[0, 0, -0.5], HighPoint=[0, 0, 0.5])
         display = self.show(heights, Tau=1.05)
