@@ -68,7 +68,7 @@ EOF
   echo "Documentation/images/$2.png"
 }
 
-illustration() { picture Illustration paraview-window 4 "display.IllustrationAutomaticIsoValue = 0"; }
+illustration() { picture Illustration paraview-window 4; }
 stipple() {
   picture Stipple paraview-stipple 4 "view.CameraPosition, view.CameraViewUp = [-0.6, 0.5, 1], [0, 1, 0]"
 }
