@@ -207,8 +207,9 @@ public:
    * along its edge are broken. RIM: points along the cut, with normals that turn from
    * the surface's over that of the volume's side, so that from everywhere the edge is one clean line; those
    * that point back inwards have half the Radius. CAP: also points all over the part of the side that is
-   * inside, as if all beyond the volume were below the iso-value. The points follow those of their surface.
-   * They are found in the values as they are.
+   * inside, as if all beyond the volume were below the iso-value, and along the edges between two such sides,
+   * with normals from the one's to the other's. The points follow those of their surface. They are found in
+   * the values as they are.
    */
   vtkSetClampMacro(Cut, int, OPEN, CAP);
   vtkGetMacro(Cut, int);

@@ -4,7 +4,8 @@
  * @brief   the range of the array that is drawn, also where none is chosen by name
  *
  * A vtkSMArrayRangeDomain knows no array of the name "Active Scalars", and has no range then. This one has
- * that of the input's active scalars of points, or else of cells.
+ * that of the input's active scalars, or else of its first array, of points, or else of cells: of what is
+ * drawn.
  */
 #ifndef vtkSMInkArrayRangeDomain_h
 #define vtkSMInkArrayRangeDomain_h

@@ -54,8 +54,8 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
   command
     ->add_option("--view", this->options.view,
       "side to look at: front, back, left, right, top, bottom, or iso, from the front, left and top at "
-      "once\n(front, or top or left of a volume that is flat from there; of a mesh the side that shows "
-      "most).\n"
+      "once\n(front, or top or left of a volume that is flat from there, or iso of a block; of a mesh the "
+      "side that shows most).\n"
       "World axes are read as DICOM's: +x is the subject's left, +y its back, +z its top and up in the "
       "picture;\n"
       "from the top and the bottom, +y and -y are up. Orientations in NIfTI and NRRD files are turned to "
