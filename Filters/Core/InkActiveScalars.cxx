@@ -7,6 +7,8 @@
 #include "vtkPointData.h"
 
 #include <cstring>
+#include <string>
+#include <utility>
 
 bool InkIsGhostArray(const char* name)
 {
@@ -15,19 +17,18 @@ bool InkIsGhostArray(const char* name)
 
 vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes)
 {
+  // False, by which one of one component comes first, and the name.
+  using Rank = std::pair<bool, std::string>;
+  const auto rankOf = [](vtkDataArray* array)
+  { return Rank(array->GetNumberOfComponents() != 1, array->GetName() ? array->GetName() : ""); };
   vtkDataArray* first = nullptr;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = attributes->GetArray(i);
-    if (!array || InkIsGhostArray(array->GetName()))
+    if (array && !InkIsGhostArray(array->GetName()) && (!first || rankOf(array) < rankOf(first)))
     {
-      continue;
+      first = array;
     }
-    if (array->GetNumberOfComponents() == 1)
-    {
-      return array;
-    }
-    first = first ? first : array;
   }
   return first;
 }

@@ -15,7 +15,8 @@ class vtkImageData;
 /// Whether an array has that name which marks of ghosts have, which are no values. @param name or null
 VTKINKFILTERSCORE_EXPORT bool InkIsGhostArray(const char* name);
 
-/// The first numeric array of values, of one component if there is one; null if there is none.
+/// The first numeric array of values by its name, of one component if there is one, whatever the order in
+/// which a file or a process has them; null if there is none.
 VTKINKFILTERSCORE_EXPORT vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes);
 
 /// Whether an image's points have values, but none of its arrays is active.

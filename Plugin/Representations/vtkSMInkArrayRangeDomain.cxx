@@ -15,6 +15,7 @@
 #include "vtkType.h"
 
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkSMInkArrayRangeDomain);
 
@@ -29,21 +30,17 @@ const char* NameOfScalars(vtkPVDataSetAttributesInformation* attributes)
   {
     return scalars->GetName();
   }
-  const char* first = nullptr;
+  const auto rankOf = [](vtkPVArrayInformation* array)
+  { return std::pair(array->GetNumberOfComponents() != 1, std::string(array->GetName())); };
+  vtkPVArrayInformation* first = nullptr;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkPVArrayInformation* array = attributes->GetArrayInformation(i);
-    if (array->GetDataType() == VTK_STRING || InkIsGhostArray(array->GetName()))
-    {
-      continue;
-    }
-    if (array->GetNumberOfComponents() == 1)
-    {
-      return array->GetName();
-    }
-    first = first ? first : array->GetName();
+    const bool isValues =
+      array->GetName() && array->GetDataType() != VTK_STRING && !InkIsGhostArray(array->GetName());
+    first = isValues && (!first || rankOf(array) < rankOf(first)) ? array : first;
   }
-  return first;
+  return first ? first->GetName() : nullptr;
 }
 
 } // namespace

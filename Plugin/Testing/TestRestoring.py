@@ -37,7 +37,7 @@ print(smtrace.stop_trace())
 print(smstate.get_state())
 """
 
-# Images of which no array is active: vectors, and the distance from the middle.
+# Images of which no array is active: vectors, others, and the distance from the middle.
 EXTENT = """
 executive = self.GetExecutive()
 executive.GetOutputInformation(0).Set(executive.WHOLE_EXTENT(), 0, 20, 0, 20, 0, 20)
@@ -48,7 +48,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 image = self.GetOutputDataObject(0)
 image.SetExtent(0, 20, 0, 20, 0, 20)
 z, y, x = np.mgrid[-10:11, -10:11, -10:11]
-for name, values in (("Vectors", np.stack((x, y, z), 3).reshape(-1, 3)), ("Distance", np.sqrt(x * x + y * y + z * z).ravel())):
+for name, values in (("Axes", np.stack((x, y, z), 3).reshape(-1, 3)), ("an other", x.ravel()), ("Distance", np.sqrt(x * x + y * y + z * z).ravel())):
     array = numpy_to_vtk(values.astype("float32"), deep=1)
     array.SetName(name)
     image.GetPointData().AddArray(array)

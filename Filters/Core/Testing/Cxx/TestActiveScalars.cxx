@@ -55,8 +55,8 @@ TEST(ActiveScalars, AreTheFirstOfOneComponentWhereNoneIsActive)
   image->GetPointData()->AddArray(Numbers("velocity", 3));
   EXPECT_TRUE(InkLacksActiveScalars(image));
   EXPECT_STREQ(InkWithActiveScalars(image)->GetPointData()->GetScalars()->GetName(), "velocity");
-  image->GetPointData()->AddArray(Numbers("density", 1));
   image->GetPointData()->AddArray(Numbers("pressure", 1));
+  image->GetPointData()->AddArray(Numbers("density", 1));
   const auto active = InkWithPointValues(image);
   EXPECT_STREQ(active->GetPointData()->GetScalars()->GetName(), "density");
   EXPECT_EQ(active->GetPointData()->GetArray("pressure"), image->GetPointData()->GetArray("pressure"));
