@@ -146,14 +146,16 @@ private:
       this->addStep(at, axis, change, found);
       const std::array<double, 2> runs = { this->runOf(at, axis, -1), this->runOf(next, axis, 1) };
       found.runs.insert(found.runs.end(), runs.begin(), runs.end());
-      if (this->isOpen(at) || this->isOpen(next))
-      {
-        found.outerRuns.insert(found.outerRuns.end(), runs.begin(), runs.end());
-      }
-      const glm::ivec3& inner = this->isAbove(at) ? at : next;
-      if (this->isOpen(inner == at ? next : at))
+      const bool rises = this->isAbove(next);
+      const glm::ivec3& inner = rises ? next : at;
+      const bool isOuterOpen = this->isOpen(rises ? at : next);
+      if (isOuterOpen)
       {
         found.keeping.push_back(keepingDeviation(this->sizeAround(inner)));
+      }
+      if (isOuterOpen || this->isOpen(inner))
+      {
+        found.outerRuns.insert(found.outerRuns.end(), runs.begin(), runs.end());
       }
     }
   }

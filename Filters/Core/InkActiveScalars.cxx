@@ -7,20 +7,21 @@
 #include "vtkPointData.h"
 
 #include <cstring>
-#include <string>
-#include <utility>
 
 bool InkIsGhostArray(const char* name)
 {
   return name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0;
 }
 
+std::pair<bool, std::string> InkRankOfArray(int components, const char* name)
+{
+  return { components != 1, name ? name : "" };
+}
+
 vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes)
 {
-  // False, by which one of one component comes first, and the name.
-  using Rank = std::pair<bool, std::string>;
   const auto rankOf = [](vtkDataArray* array)
-  { return Rank(array->GetNumberOfComponents() != 1, array->GetName() ? array->GetName() : ""); };
+  { return InkRankOfArray(array->GetNumberOfComponents(), array->GetName()); };
   vtkDataArray* first = nullptr;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {

@@ -8,6 +8,9 @@
 #include "vtkInkFiltersCoreModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
+#include <string>
+#include <utility>
+
 class vtkDataArray;
 class vtkDataSetAttributes;
 class vtkImageData;
@@ -15,8 +18,11 @@ class vtkImageData;
 /// Whether an array has that name which marks of ghosts have, which are no values. @param name or null
 VTKINKFILTERSCORE_EXPORT bool InkIsGhostArray(const char* name);
 
-/// The first numeric array of values by its name, of one component if there is one, whatever the order in
-/// which a file or a process has them; null if there is none.
+/// Where an array comes among others of which one is used: those of one component first, then by their names,
+/// whatever the order in which a file or a process has them. @param name or null
+VTKINKFILTERSCORE_EXPORT std::pair<bool, std::string> InkRankOfArray(int components, const char* name);
+
+/// The numeric array of values that comes first by InkRankOfArray; null if there is none.
 VTKINKFILTERSCORE_EXPORT vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes);
 
 /// Whether an image's points have values, but none of its arrays is active.

@@ -53,14 +53,15 @@ vtkSmartPointer<vtkCellArray> MakeVertex(vtkIdType count)
 }
 
 /// The input itself, or the outer surfaces where there are grids, whose points have no normals.
-vtkSmartPointer<vtkDataObject> SurfacesOf(vtkDataObject* input, const InkLeaves& leaves)
+/// @param meshes of the leaves
+vtkSmartPointer<vtkDataObject> SurfacesOf(
+  vtkDataObject* input, const InkLeaves& leaves, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
 {
   if (std::all_of(leaves.Others.begin(), leaves.Others.end(),
         [](vtkDataSet* data) { return vtkPolyData::SafeDownCast(data) || data->GetNumberOfCells() == 0; }))
   {
     return input;
   }
-  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = leaves.MakeMeshes();
   if (!leaves.Composite)
   {
     return meshes.front();
@@ -99,9 +100,10 @@ std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Inp
   const InkLeaves leaves(input.Data);
   this->MadeColorArray = this->GetColorArray();
   this->MadeColorAssociation = this->GetColorAssociation();
-  if (this->TakesOwnPoints(leaves))
+  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = leaves.MakeMeshes();
+  if (this->TakesOwnPoints(leaves, meshes))
   {
-    return this->TakePoints(input.Data, leaves);
+    return this->TakePoints(input.Data, leaves, meshes);
   }
   this->Style->SetColorArray(
     { this->MadeColorArray, this->MadeColorAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS });
@@ -113,9 +115,9 @@ std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Inp
   return problem;
 }
 
-bool vtkInkSplattingLinesRepresentation::TakesOwnPoints(const InkLeaves& leaves)
+bool vtkInkSplattingLinesRepresentation::TakesOwnPoints(
+  const InkLeaves& leaves, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
 {
-  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = leaves.MakeMeshes();
   const auto any = [&](const auto& is) { return std::any_of(meshes.begin(), meshes.end(), is) ? 1.0 : 0.0; };
   std::array found{ leaves.Images.empty() ? 0.0 : 1.0, any(InkHasPolygons),
     any([](vtkPolyData* mesh) { return !InkHasPolygons(mesh) && !InkHasDiscs(mesh); }) };
@@ -130,7 +132,8 @@ bool vtkInkSplattingLinesRepresentation::TakesOwnPoints(const InkLeaves& leaves)
   return polygons == 0.0 || samples == 0 || (samples < 0 && vtkInkIsDense(meshes, processes));
 }
 
-std::string vtkInkSplattingLinesRepresentation::TakePoints(vtkDataObject* input, const InkLeaves& leaves)
+std::string vtkInkSplattingLinesRepresentation::TakePoints(
+  vtkDataObject* input, const InkLeaves& leaves, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
 {
   vtkPolyData* outlined = this->GetPiece(vtkInkSplattingLinesStyle::SILHOUETTES);
   outlined->Initialize();
@@ -138,10 +141,10 @@ std::string vtkInkSplattingLinesRepresentation::TakePoints(vtkDataObject* input,
   InkSilhouettes* silhouettes = this->Style->GetSilhouettes();
   if (silhouettes->GetSilhouettes() || silhouettes->GetSharpEdges())
   {
-    const vtkSmartPointer<vtkPolyData> whole = vtkInkProcesses().Gather(leaves.MakeMeshes());
+    const vtkSmartPointer<vtkPolyData> whole = vtkInkProcesses().Gather(meshes);
     problem = InkHasPolygons(whole) ? silhouettes->MakeOfMesh(this->Style, whole, outlined) : "";
   }
-  const vtkSmartPointer<vtkDataObject> surfaces = SurfacesOf(input, leaves);
+  const vtkSmartPointer<vtkDataObject> surfaces = SurfacesOf(input, leaves, meshes);
   vtkSmartPointer<vtkDataObject> data;
   try
   {

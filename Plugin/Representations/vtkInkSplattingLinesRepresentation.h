@@ -23,9 +23,13 @@
 
 #include "vtkInkPluginRepresentationsModule.h" // for the export macro
 #include "vtkInkRepresentation.h"
-#include "vtkNew.h" // for the points
+#include "vtkNew.h"          // for the points
+#include "vtkSmartPointer.h" // for meshes
+
+#include <vector> // for meshes
 
 class vtkInkSplattingLinesStyle;
+class vtkPolyData;
 struct InkLeaves;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkSplattingLinesRepresentation : public vtkInkRepresentation
@@ -58,9 +62,11 @@ private:
 
   /// Whether lines are drawn of the points that the data has; the same on all processes, which call it at
   /// once.
-  bool TakesOwnPoints(const InkLeaves& leaves);
+  /// @param meshes of the leaves
+  bool TakesOwnPoints(const InkLeaves& leaves, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);
   /// Takes these. @return what is wrong
-  std::string TakePoints(vtkDataObject* input, const InkLeaves& leaves);
+  std::string TakePoints(
+    vtkDataObject* input, const InkLeaves& leaves, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);
 
   vtkInkSplattingLinesStyle* const Style;
   vtkNew<vtkPolyData> Drawn;  ///< what the style is shown

@@ -15,7 +15,6 @@
 #include "vtkType.h"
 
 #include <string>
-#include <utility>
 
 vtkStandardNewMacro(vtkSMInkArrayRangeDomain);
 
@@ -31,7 +30,7 @@ const char* NameOfScalars(vtkPVDataSetAttributesInformation* attributes)
     return scalars->GetName();
   }
   const auto rankOf = [](vtkPVArrayInformation* array)
-  { return std::pair(array->GetNumberOfComponents() != 1, std::string(array->GetName())); };
+  { return InkRankOfArray(array->GetNumberOfComponents(), array->GetName()); };
   vtkPVArrayInformation* first = nullptr;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {

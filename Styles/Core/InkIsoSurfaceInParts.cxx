@@ -228,9 +228,12 @@ std::string InkIsoSurface::SampleBy(
   const bool labels = this->TakeLabels(sampler, suggested,
     [&](bool ofLabels)
     {
-      return slabs ? (ofLabels || IsSlab(slabs->GetFrame())) &&
-          !InkSurroundsObject(*slabs, *std::min_element(values.begin(), values.end()))
-                   : ofLabels;
+      if (!slabs)
+      {
+        return ofLabels;
+      }
+      const double least = *std::min_element(values.begin(), values.end());
+      return (ofLabels || IsSlab(slabs->GetFrame())) && !InkSurroundsObject(*slabs, least);
     });
   sampler->SetSmoothing(
     this->Smoothing < 0.0 ? sampling.FitSmoothing(suggested.get(labels)) : this->Smoothing);
