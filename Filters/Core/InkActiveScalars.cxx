@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkActiveScalars.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -39,16 +41,37 @@ bool InkLacksActiveScalars(vtkImageData* image)
   return !image->GetPointData()->GetScalars() && InkFirstValues(image->GetPointData());
 }
 
-vtkSmartPointer<vtkImageData> InkWithActiveScalars(vtkImageData* image)
+vtkSmartPointer<vtkImageData> InkWithActiveScalars(vtkImageData* image, const std::string& array)
 {
-  if (!InkLacksActiveScalars(image))
+  vtkPointData* values = image->GetPointData();
+  vtkDataArray* wanted = !array.empty() ? values->GetArray(array.c_str())
+    : InkLacksActiveScalars(image)      ? InkFirstValues(values)
+                                        : values->GetScalars();
+  if (wanted == values->GetScalars())
   {
     return image;
   }
   auto active = vtkSmartPointer<vtkImageData>::New();
   active->ShallowCopy(image);
-  active->GetPointData()->SetScalars(InkFirstValues(active->GetPointData()));
+  active->GetPointData()->SetActiveScalars(nullptr);
+  if (wanted)
+  {
+    active->GetPointData()->SetScalars(wanted);
+  }
   return active;
+}
+
+void InkSelectScalars(vtkAlgorithm* filter, const std::string& array)
+{
+  if (array.empty())
+  {
+    filter->SetInputArrayToProcess(
+      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  }
+  else
+  {
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
+  }
 }
 
 vtkSmartPointer<vtkImageData> InkWithFirstComponent(vtkImageData* image)

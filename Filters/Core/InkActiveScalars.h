@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Images of whose arrays none is active, as files of other programs often have it, or one of several
-// components.
+// Images of whose arrays none is active, as files of other programs often have it, another one than is
+// wanted, or one of several components.
 #ifndef InkActiveScalars_h
 #define InkActiveScalars_h
 
@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSetAttributes;
 class vtkImageData;
@@ -28,8 +29,14 @@ VTKINKFILTERSCORE_EXPORT vtkDataArray* InkFirstValues(vtkDataSetAttributes* attr
 /// Whether an image's points have values, but none of its arrays is active.
 VTKINKFILTERSCORE_EXPORT bool InkLacksActiveScalars(vtkImageData* image);
 
-/// The image itself, or one with its arrays of which InkFirstValues of its points is active.
-VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithActiveScalars(vtkImageData* image);
+/// The image itself, or one with its arrays of which InkFirstValues of its points is active, or, with a name,
+/// that of its points which has it, and none if none has.
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithActiveScalars(
+  vtkImageData* image, const std::string& array = {});
+
+/// Has a filter take that array of its input's points, or of cells where it takes these; an empty name: the
+/// active scalars.
+VTKINKFILTERSCORE_EXPORT void InkSelectScalars(vtkAlgorithm* filter, const std::string& array);
 
 /// The image itself, or one whose active scalars are the first component of the image's.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithFirstComponent(vtkImageData* image);

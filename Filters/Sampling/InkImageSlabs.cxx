@@ -4,7 +4,6 @@
 #include "InkCellCenters.h"
 #include "InkImageGrid.h"
 #include "InkMemoryBudget.h"
-#include "InkVolumeValues.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -51,6 +50,13 @@ struct Announced
     }
   }
 };
+
+/// A point array of the image: the active scalars without a name; null if there is none.
+vtkDataArray* FindScalars(vtkImageData* image, const std::string& array)
+{
+  vtkPointData* data = image->GetPointData();
+  return array.empty() ? data->GetScalars() : data->GetArray(array.c_str());
+}
 
 /// Of an array that shows memory of another one.
 constexpr int NotOurs = 1;
@@ -181,7 +187,7 @@ void InkImageSlabs::Load(int first, int end)
   const int* whole = this->Frame->GetExtent();
   this->LoadedEnd = this->LoadedFirst;
   // Memory is reused that nobody holds but who makes the image.
-  vtkDataArray* last = this->Loaded ? InkFindScalars(this->Loaded, this->Array) : nullptr;
+  vtkDataArray* last = this->Loaded ? FindScalars(this->Loaded, this->Array) : nullptr;
   if (last && last->GetReferenceCount() > 1)
   {
     this->Loaded->Initialize();
@@ -195,7 +201,7 @@ void InkImageSlabs::Load(int first, int end)
   {
     throw std::runtime_error("its input does not make " + slices);
   }
-  vtkDataArray* scalars = InkFindScalars(image, this->Array);
+  vtkDataArray* scalars = FindScalars(image, this->Array);
   if (!scalars || scalars->GetNumberOfComponents() != 1)
   {
     throw std::runtime_error("expected a point array" +

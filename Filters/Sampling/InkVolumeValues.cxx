@@ -53,12 +53,11 @@ std::span<const T> ReadSlices(InkImageSlabs& slabs, int begin, int end)
     static_cast<std::size_t>(scalars->GetNumberOfValues()) };
 }
 
-/// What `find` makes of the values, a span, of an array of one component; 0 where there is none.
+/// What `find` makes of the values, a span, of active scalars of one component; 0 where there are none.
 template <class Find>
-auto EvaluateScalars(vtkImageData* image, const std::string& array, const Find& find)
-  -> decltype(find(std::span<const double>()))
+auto EvaluateScalars(vtkImageData* image, const Find& find) -> decltype(find(std::span<const double>()))
 {
-  vtkDataArray* found = InkFindScalars(image, array);
+  vtkDataArray* found = image->GetPointData()->GetScalars();
   if (!found || found->GetNumberOfComponents() != 1)
   {
     return {};
@@ -79,16 +78,10 @@ std::string PercentOf(const ink::IsoSuggestion& suggestion)
 
 } // namespace
 
-vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array)
-{
-  vtkPointData* data = image->GetPointData();
-  return array.empty() ? data->GetScalars() : data->GetArray(array.c_str());
-}
-
-ink::SuggestedSmoothing InkSuggestSmoothing(vtkImageData* image, const std::string& array, double isoValue)
+ink::SuggestedSmoothing InkSuggestSmoothing(vtkImageData* image, double isoValue)
 {
   const ink::GridGeometry grid = InkMakeGrid(image, InkExtent(image->GetExtent()));
-  return EvaluateScalars(image, array,
+  return EvaluateScalars(image,
     [&]<class T>(std::span<const T> values)
     {
       return ink::suggestSmoothings(
@@ -115,10 +108,10 @@ ink::SuggestedSmoothing InkSuggestSmoothing(
     });
 }
 
-bool InkSurroundsObject(vtkImageData* image, const std::string& array, double isoValue)
+bool InkSurroundsObject(vtkImageData* image, double isoValue)
 {
   const std::array<int, 3> dimensions = DimensionsOf(image);
-  return EvaluateScalars(image, array,
+  return EvaluateScalars(image,
     [&]<class T>(std::span<const T> values)
     {
       const ink::SliceReader<T> whole = [values](int, int) { return values; };
@@ -138,10 +131,10 @@ bool InkSurroundsObject(InkImageSlabs& slabs, double isoValue)
     });
 }
 
-double InkBoundSurfacePoints(vtkImageData* image, const std::string& array, double isoValue)
+double InkBoundSurfacePoints(vtkImageData* image, double isoValue)
 {
   const int* d = image->GetDimensions();
-  return EvaluateScalars(image, array,
+  return EvaluateScalars(image,
     [&]<class T>(std::span<const T> values)
     {
       const std::vector<std::size_t> counts =
@@ -150,9 +143,9 @@ double InkBoundSurfacePoints(vtkImageData* image, const std::string& array, doub
     });
 }
 
-std::vector<ink::IsoSuggestion> InkSuggestIsoValues(vtkImageData* image, const std::string& array)
+std::vector<ink::IsoSuggestion> InkSuggestIsoValues(vtkImageData* image)
 {
-  vtkDataArray* scalars = InkFindScalars(image, array);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
   return scalars
     ? WithValues(scalars, [image](auto values) { return ink::suggestIsoValues(values, DimensionsOf(image)); })
     : std::vector<ink::IsoSuggestion>();

@@ -16,16 +16,10 @@
 #include <vector>
 
 class InkImageSlabs;
-class vtkDataArray;
 class vtkImageData;
 
-/// A point array of the image: the active scalars without a name; null if there is none.
-VTKINKFILTERSSAMPLING_EXPORT vtkDataArray* InkFindScalars(vtkImageData* image, const std::string& array);
-
-/// The iso-values that suit a point array of the image, of one component; see ink::suggestIsoValues.
-/// @param array its name; empty: the active scalars
-VTKINKFILTERSSAMPLING_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(
-  vtkImageData* image, const std::string& array = {});
+/// The iso-values that suit the image's active scalars, of one component; see ink::suggestIsoValues.
+VTKINKFILTERSSAMPLING_EXPORT std::vector<ink::IsoSuggestion> InkSuggestIsoValues(vtkImageData* image);
 
 /// The same of an image whose slices are read a few at a time, two times or, to be smoothed, four.
 /// @param progress is told how far it is; it cannot stop it
@@ -47,10 +41,10 @@ VTKINKFILTERSSAMPLING_EXPORT std::vector<std::size_t> InkBoundLayerPoints(
 ///@}
 
 /// The smoothing that noise, gray levels and slices around an iso-surface ask for, as
-/// vtkInkIsoSurfaceSampler::SetSmoothing takes it; see ink::suggestSmoothings.
-/// @param array a point array of one component; empty: the active scalars
+/// vtkInkIsoSurfaceSampler::SetSmoothing takes it, of active scalars of one component; see
+/// ink::suggestSmoothings.
 VTKINKFILTERSSAMPLING_EXPORT ink::SuggestedSmoothing InkSuggestSmoothing(
-  vtkImageData* image, const std::string& array, double isoValue);
+  vtkImageData* image, double isoValue);
 
 /// The same of an image whose slices are read a few at a time, ink::NoiseEstimate::slices or more.
 /// @param progress is told how far it is; it cannot stop it
@@ -59,19 +53,15 @@ VTKINKFILTERSSAMPLING_EXPORT ink::SuggestedSmoothing InkSuggestSmoothing(
   InkImageSlabs& slabs, double isoValue, const ink::Progress& progress);
 
 ///@{
-/// Whether a point array of one component lies above an iso-value on nearly all of the image's sides; see
+/// Whether active scalars of one component lie above an iso-value on nearly all of the image's sides; see
 /// ink::surroundsObject.
-/// @param array its name; empty: the active scalars
-VTKINKFILTERSSAMPLING_EXPORT bool InkSurroundsObject(
-  vtkImageData* image, const std::string& array, double isoValue);
+VTKINKFILTERSSAMPLING_EXPORT bool InkSurroundsObject(vtkImageData* image, double isoValue);
 VTKINKFILTERSSAMPLING_EXPORT bool InkSurroundsObject(InkImageSlabs& slabs, double isoValue);
 ///@}
 
 /// At most so many points lie on an iso-surface, as vtkInkIsoSurfaceSampler makes them; see
-/// ink::boundActiveCells.
-/// @param array a point array of one component; empty: the active scalars
-VTKINKFILTERSSAMPLING_EXPORT double InkBoundSurfacePoints(
-  vtkImageData* image, const std::string& array, double isoValue);
+/// ink::boundActiveCells. Of active scalars of one component.
+VTKINKFILTERSSAMPLING_EXPORT double InkBoundSurfacePoints(vtkImageData* image, double isoValue);
 
 /// What the surface at an iso-value is, in a few words: "the outermost clear boundary, keeps 12 % of the
 /// volume".

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkGatherImages.h"
 
-#include "InkVolumeValues.h"
-
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -53,13 +51,13 @@ double CountOwnCells(vtkImageData* image)
   return cells;
 }
 
-void Send(const InkWholeImages& images, const std::string& array, vtkMultiProcessController* controller)
+void Send(const InkWholeImages& images, vtkMultiProcessController* controller)
 {
   vtkMultiProcessStream stream;
   stream << static_cast<int>(images.size());
   for (vtkImageData* image : images)
   {
-    stream << CountOwnCells(image) << InkFindScalars(image, array)->GetDataType();
+    stream << CountOwnCells(image) << image->GetPointData()->GetScalars()->GetDataType();
     for (int i = 0; i < 6; ++i)
     {
       stream << image->GetExtent()[i];
@@ -76,7 +74,7 @@ void Send(const InkWholeImages& images, const std::string& array, vtkMultiProces
   controller->Send(stream, 0, GeometryTag);
   for (vtkImageData* image : images)
   {
-    controller->Send(InkFindScalars(image, array), 0, ValuesTag);
+    controller->Send(image->GetPointData()->GetScalars(), 0, ValuesTag);
   }
 }
 
@@ -192,15 +190,14 @@ vtkSmartPointer<vtkImageData> PutTogether(const std::vector<Part>& parts)
 
 } // namespace
 
-InkWholeImages vtkInkGatherImages(
-  const InkWholeImages& images, const std::string& array, vtkMultiProcessController* controller)
+InkWholeImages vtkInkGatherImages(const InkWholeImages& images, vtkMultiProcessController* controller)
 {
   const auto own = static_cast<int>(images.size());
   int most = own;
   controller->AllReduce(&own, &most, 1, vtkCommunicator::MAX_OP);
   if (controller->GetLocalProcessId() != 0)
   {
-    Send(images, array, controller);
+    Send(images, controller);
     return {};
   }
   std::vector<Part> parts;
@@ -208,7 +205,7 @@ InkWholeImages vtkInkGatherImages(
   {
     parts.push_back({ vtkSmartPointer<vtkImageData>::New(), CountOwnCells(image) });
     parts.back().Image->CopyStructure(image);
-    parts.back().Image->GetPointData()->SetScalars(InkFindScalars(image, array));
+    parts.back().Image->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
   }
   for (int process = 1; process < controller->GetNumberOfProcesses(); ++process)
   {

@@ -80,10 +80,10 @@ vtkSmartPointer<vtkPolyData> vtkInkProcesses::Gather(const std::vector<vtkSmartP
   return vtkInkGatherMesh(parts, vtkInkCommonPoints::All, All());
 }
 
-InkWholeImages vtkInkProcesses::GatherImages(std::span<vtkImageData* const> images, const std::string& array)
+InkWholeImages vtkInkProcesses::GatherImages(std::span<vtkImageData* const> images)
 {
-  const InkWholeImages own = this->InkStyleProcesses::GatherImages(images, array);
-  return this->GetNumber() > 1 ? vtkInkGatherImages(own, array, All()) : own;
+  const InkWholeImages own = this->InkStyleProcesses::GatherImages(images);
+  return this->GetNumber() > 1 ? vtkInkGatherImages(own, All()) : own;
 }
 
 void vtkInkProcesses::AgreeOnArray(std::string& name, int& association)

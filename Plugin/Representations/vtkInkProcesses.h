@@ -15,7 +15,7 @@ public:
   void AddUp(ink::stipple::VolumeStatistics& statistics) override;
   /// See vtkInkGatherMesh.
   vtkSmartPointer<vtkPolyData> Gather(const std::vector<vtkSmartPointer<vtkPolyData>>& parts) override;
-  InkWholeImages GatherImages(std::span<vtkImageData* const> images, const std::string& array) override;
+  InkWholeImages GatherImages(std::span<vtkImageData* const> images) override;
   void AgreeOnArray(std::string& name, int& association) override;
 };
 

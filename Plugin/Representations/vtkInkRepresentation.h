@@ -50,6 +50,10 @@ public:
   /// The same as text, of a parameter that is no number.
   void SetParameterAsString(const char* name, const char* text);
 
+  /// The array of images that is drawn, of points or else of cells, as SetInputArrayToProcess names it;
+  /// "Active Scalars" (default): the active one. Of styles with Scalars.
+  void SelectScalars(int, int, int, int, const char* name);
+
   ///@{
   /// The surface of an image: at a value that suits it (default), or at this one. Of styles with IsoValues.
   void SetAutomaticIsoValue(bool automatic);

@@ -3,6 +3,7 @@
 // paper.
 #include "vtkInkRepresentation.h"
 
+#include "InkChosenScalars.h"
 #include "vtkInkPaper.h"
 
 #include "vtkActor.h"
@@ -49,6 +50,11 @@ void vtkInkRepresentation::SetParameter(const char* name, double first, double s
 void vtkInkRepresentation::SetParameterAsString(const char* name, const char* text)
 {
   this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameterAsString(name, text); });
+}
+
+void vtkInkRepresentation::SelectScalars(int, int, int, int, const char* name)
+{
+  this->SetParameterAsString("Scalars", InkChosenScalars(name).c_str());
 }
 
 void vtkInkRepresentation::SetAutomaticIsoValue(bool automatic)

@@ -98,9 +98,3 @@ void vtkInkStippleRepresentation::SetPictureSize(double pixels)
 {
   this->ChangeStyle([=](vtkInkStyle* style) { style->SetPictureSize(std::clamp(pixels, 100.0, 100000.0)); });
 }
-
-void vtkInkStippleRepresentation::SelectStippleArray(int, int, int, int, const char* name)
-{
-  const bool active = !name || std::string(name) == "Active Scalars";
-  this->ChangeStyle([=](vtkInkStyle* style) { style->SetParameterAsString("Scalars", active ? "" : name); });
-}

@@ -39,11 +39,6 @@ public:
   /// number of them. 100 to 100000 pixels; default: 600.
   void SetPictureSize(double pixels);
 
-  /// The point array of images whose gradients are stippled, with vtkAlgorithm::SetInputArrayToProcess's
-  /// parameters, of which the last one counts. An empty name, and "Active Scalars", stands for these.
-  /// Default: these.
-  void SelectStippleArray(int, int, int, int association, const char* name);
-
   void SetVisibility(bool visible) override;
 
 protected:

@@ -1,51 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVInkIsoValueInformation.h"
 
-#include "InkActiveScalars.h"
-#include "InkCellCenters.h"
+#include "InkLeaves.h"
+#include "InkVolumeValues.h"
 #include "vtkInkRepresentation.h"
-
-#include "Statistics/IsoValue.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkClientServerStream.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkSetGet.h"
-#include "vtkSmartPointer.h"
 
-#include <span>
 #include <vector>
 
 vtkStandardNewMacro(vtkPVInkIsoValueInformation);
-
-namespace
-{
-
-template <typename T>
-std::vector<ink::IsoSuggestion> Suggest(vtkImageData* image, vtkDataArray* values)
-{
-  const int* size = image->GetDimensions();
-  return ink::suggestIsoValues(std::span<const T>(static_cast<const T*>(values->GetVoidPointer(0)),
-                                 static_cast<std::size_t>(values->GetNumberOfValues())),
-    { size[0], size[1], size[2] });
-}
-
-std::vector<ink::IsoSuggestion> SuggestOfType(vtkImageData* image, vtkDataArray* values)
-{
-  switch (values->GetDataType())
-  {
-    vtkTemplateMacro(return Suggest<VTK_TT>(image, values));
-    default:
-      return {};
-  }
-}
-
-} // namespace
 
 vtkPVInkIsoValueInformation::vtkPVInkIsoValueInformation() = default;
 
@@ -109,16 +78,9 @@ void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)
   {
     return;
   }
-  const vtkSmartPointer<vtkImageData> image =
-    InkWithFirstComponent(InkWithPointValues(given, this->ArrayName));
-  vtkPointData* data = image->GetPointData();
-  vtkDataArray* values =
-    this->ArrayName.empty() ? data->GetScalars() : data->GetArray(this->ArrayName.c_str());
-  if (!values || values->GetNumberOfComponents() != 1)
-  {
-    return;
-  }
-  if (const auto suggestions = SuggestOfType(image, values); !suggestions.empty())
+  const InkLeaves leaves(given, this->ArrayName);
+  vtkImageData* image = leaves.Images.front();
+  if (const auto suggestions = InkSuggestIsoValues(image); !suggestions.empty())
   {
     this->Value = suggestions.front().value;
     this->Voxels = static_cast<double>(image->GetNumberOfPoints());

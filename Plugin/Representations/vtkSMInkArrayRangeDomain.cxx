@@ -2,6 +2,7 @@
 #include "vtkSMInkArrayRangeDomain.h"
 
 #include "InkActiveScalars.h"
+#include "InkChosenScalars.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -13,8 +14,6 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMUncheckedPropertyHelper.h"
 #include "vtkType.h"
-
-#include <string>
 
 vtkStandardNewMacro(vtkSMInkArrayRangeDomain);
 
@@ -58,8 +57,7 @@ void vtkSMInkArrayRangeDomain::Update(vtkSMProperty* property)
     auto* source =
       inputs.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(inputs.GetAsProxy()) : nullptr;
     constexpr unsigned int name = 4;
-    const char* chosen = vtkSMUncheckedPropertyHelper(selection).GetAsString(name);
-    if (source && chosen && std::string(chosen) == "Active Scalars")
+    if (source && InkChosenScalars(vtkSMUncheckedPropertyHelper(selection).GetAsString(name)).empty())
     {
       const int port = static_cast<int>(inputs.GetOutputPort());
       vtkPVDataInformation* information = source->GetDataInformation(inputs.GetOutputPort());

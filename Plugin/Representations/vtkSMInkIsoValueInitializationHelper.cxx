@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMInkIsoValueInitializationHelper.h"
 
+#include "InkChosenScalars.h"
 #include "vtkPVInkIsoValueInformation.h"
 
 #include "vtkMultiProcessController.h"
@@ -69,9 +70,9 @@ std::optional<double> vtkSMInkIsoValueInitializationHelper::Suggest(
   information->SetPort(static_cast<int>(inputs.GetOutputPort()));
   const vtkSMPropertyHelper array(proxy, arrayProperty);
   constexpr unsigned int name = 4;
-  if (array.GetNumberOfElements() > name && array.GetAsString(name))
+  if (array.GetNumberOfElements() > name)
   {
-    information->SetArrayName(array.GetAsString(name));
+    information->SetArrayName(InkChosenScalars(array.GetAsString(name)));
   }
   return Gather(input, information);
 }

@@ -8,10 +8,6 @@
 #include "vtkSMInkIsoValueInitializationHelper.h"
 #include "vtkSMInkRestoring.h"
 
-#include "vtkDataSetAttributes.h"
-#include "vtkPVArrayInformation.h"
-#include "vtkPVDataInformation.h"
-#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMSourceProxy.h"
@@ -150,34 +146,15 @@ bool vtkSMInkPresetRepresentationProxy::ShowsChosen(vtkSMProperty* property)
 
 void vtkSMInkPresetRepresentationProxy::SetStartValue(const Start& start)
 {
-  this->ChooseArray();
   if (start.Value == RANGE)
   {
+    vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(this, "Input").GetAsProxy())->UpdatePipeline();
     this->GetProperty(start.Property)->ResetToDomainDefaults();
   }
   else if (const std::optional<double> value =
              vtkSMInkIsoValueInitializationHelper::Suggest(this, this->Named.Array))
   {
     vtkSMPropertyHelper(this, start.Property).Set(*value);
-  }
-}
-
-void vtkSMInkPresetRepresentationProxy::ChooseArray()
-{
-  const vtkSMPropertyHelper inputs(this, "Input");
-  auto input = vtkSMSourceProxy::SafeDownCast(inputs.GetAsProxy());
-  if (!input || !this->GetProperty(this->Named.Array)->IsValueDefault())
-  {
-    return;
-  }
-  input->UpdatePipeline();
-  const vtkPVArrayInformation* scalars = input->GetDataInformation(inputs.GetOutputPort())
-                                           ->GetPointDataInformation()
-                                           ->GetAttributeInformation(vtkDataSetAttributes::SCALARS);
-  if (scalars && scalars->GetName())
-  {
-    constexpr unsigned int name = 4;
-    vtkSMPropertyHelper(this, this->Named.Array).Set(name, scalars->GetName());
   }
 }
 

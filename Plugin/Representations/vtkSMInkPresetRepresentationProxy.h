@@ -64,7 +64,7 @@ protected:
   {
     const char* Prefix; ///< before those of parameters, as far as they have it
     const char* Preset;
-    const char* Array; ///< chooses the array, of points
+    const char* Array; ///< chooses the array
     std::span<const char* const> Sliders;
     std::span<const Start> Starts;
   };
@@ -89,8 +89,6 @@ private:
   /// The properties that a preset sets.
   std::vector<std::string> GetFollowers();
 
-  /// Chooses the array of active scalars where none is chosen: ranges are those of an array with a name.
-  void ChooseArray();
   void SetStartValue(const Start& start);
   bool IsOn(const Start& start);
   bool IsAutomatic(const Start& start) { return start.Surface >= 0 && !this->IsOn(start); }

@@ -231,6 +231,28 @@ class TestRestoring(TestInOneView):
                 self.assertGreater(ink(picture(self.view)), 100.0, style)
                 Hide(source, self.view)
 
+    def test_another_array_is_drawn_with_its_range(self):
+        calculator = Calculator(Input=Wavelet(), Function="coordsX * coordsX + coordsY * coordsY", ResultArrayName="Tube")
+        for style, prefix in (("Illustration", "Illustration"), ("Splatting Lines", "Lines"), ("Contours", "Contours"),
+                              ("Line Art", "LineArt")):
+            display = Show(calculator, self.view)
+            display.SetRepresentationType(style)
+            self.view.ResetCamera()
+            drawn = {}
+            for array, low, high in (("RTData", 37.35, 276.83), ("Tube", 0.0, 200.0), ("RTData", 37.35, 276.83)):
+                setattr(display, f"{prefix}Scalars", ["POINTS", array])
+                image = picture(self.view)
+                self.assertGreater(ink(image), 100.0, style)
+                numpy.testing.assert_array_equal(drawn.setdefault(array, image), image)
+                limits = display.GetProperty(f"{prefix}IsoValue").SMProperty.GetDomain("range")
+                self.assertAlmostEqual(limits.GetMinimum(0), low, delta=0.1, msg=style)
+                self.assertAlmostEqual(limits.GetMaximum(0), high, delta=0.1, msg=style)
+                value = getattr(display, f"{prefix}IsoValue")
+                self.assertTrue(low < value < high, (style, array, value))
+            self.assertTrue((drawn["RTData"] != drawn["Tube"]).any(), style)
+            self.assertEqual(assignments(smstate.get_state())[f"{prefix}Scalars"], "['POINTS', 'RTData']")
+            Hide(calculator, self.view)
+
     def test_scenes_without_the_representations_know_nothing_of_the_plugin(self):
         with tempfile.TemporaryDirectory() as folder:
             scene = pathlib.Path(folder) / "scene.py"

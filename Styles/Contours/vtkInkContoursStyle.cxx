@@ -117,7 +117,7 @@ void vtkInkContoursStyle::GetBackgroundColor(double color[3])
 std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
 {
   const std::string wanted = "expected an image or a mesh with polygons, found ";
-  const InkLeaves leaves(data);
+  const InkLeaves leaves(data, this->IsoSurface->GetScalars());
   const std::string problem = leaves.Problem.empty() ? leaves.FindImageProblem() : leaves.Problem;
   if (!data || !problem.empty())
   {
@@ -138,7 +138,7 @@ std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
 
 std::string vtkInkContoursStyle::MakePieces(const Input& input)
 {
-  const InkLeaves leaves(input.Data);
+  const InkLeaves leaves(input.Data, this->IsoSurface->GetScalars());
   // Processes without a part of the image take part, too.
   double images = leaves.Images.empty() ? 0.0 : 1.0;
   this->GetProcesses().TakeGreatest({ &images, 1 });
@@ -156,11 +156,11 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
   }
   if (ofVoxels && problem.empty())
   {
-    problem = this->Method->MakeVoxels(this, leaves.Images, {}, this->GetPiece(CONTOURED));
+    problem = this->Method->MakeVoxels(this, leaves.Images, this->GetPiece(CONTOURED));
   }
   if (problem.empty() && reason.empty())
   {
-    this->IsoSurface->TakeFrame(this, input, leaves.Images, {}, !ofVoxels || this->OnSurface);
+    this->IsoSurface->TakeFrame(this, input, leaves.Images, !ofVoxels || this->OnSurface);
   }
   return !leaves.Images.empty() && !reason.empty() ? reason
     : problem.empty()                              ? leaves.FindBesideImages()
@@ -170,10 +170,10 @@ std::string vtkInkContoursStyle::MakePieces(const Input& input)
 std::string vtkInkContoursStyle::MakeSurface(
   const Input& input, const InkLeaves& leaves, vtkPolyData* surface)
 {
-  std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  std::string problem = this->IsoSurface->Prepare(this, leaves.Images);
   if (problem.empty())
   {
-    problem = InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, {}, surface);
+    problem = InkContourSurface(this).MakeOfImages(*this->IsoSurface, leaves.Images, surface);
     if (problem.empty() && !input.Port)
     {
       this->IsoSurface->NoteWhereEmpty(this, surface);

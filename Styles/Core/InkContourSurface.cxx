@@ -76,15 +76,15 @@ void InkContourSurface::Follow(vtkInkSilhouetteMapper* mapper, bool creases)
   mapper->SetDepthTolerance(tolerance && tolerance->GetNumberOfTuples() > 0 ? tolerance->GetRange()[1] : 0.0);
 }
 
-std::string InkContourSurface::MakeOfImages(InkIsoSurface& isoSurface, std::span<vtkImageData* const> images,
-  const std::string& array, vtkPolyData* surface)
+std::string InkContourSurface::MakeOfImages(
+  InkIsoSurface& isoSurface, std::span<vtkImageData* const> images, vtkPolyData* surface)
 {
   std::string problem;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
-  for (vtkImageData* image : this->Style->GetProcesses().GatherImages(images, array))
+  for (vtkImageData* image : this->Style->GetProcesses().GatherImages(images))
   {
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
-    problem = isoSurface.Mesh(this->Style, image, parts.back(), array);
+    problem = isoSurface.Mesh(this->Style, image, parts.back());
     if (!problem.empty())
     {
       return problem;

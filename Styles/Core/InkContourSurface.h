@@ -26,12 +26,11 @@ public:
   /**
    * The iso-surfaces of the images of all processes, put together on the first one, so that no contour ends
    * where a process's part does; all processes call it at once, after InkIsoSurface::Prepare.
-   * @param array the point array to sample; empty: the active scalars
    * @param surface becomes them
    * @return what is wrong; empty if nothing is
    */
-  std::string MakeOfImages(InkIsoSurface& isoSurface, std::span<vtkImageData* const> images,
-    const std::string& array, vtkPolyData* surface);
+  std::string MakeOfImages(
+    InkIsoSurface& isoSurface, std::span<vtkImageData* const> images, vtkPolyData* surface);
 
   /**
    * A mesh as it is; where it has no normals they are computed from its polygons, which is noted; at feature

@@ -2,6 +2,7 @@
 #include "InkIsoSurface.h"
 
 #include "Core/FormatNumber.h"
+#include "InkActiveScalars.h"
 #include "InkDistributedParts.h"
 #include "InkIsoSurfaceMesh.h"
 #include "InkMakeMask.h"
@@ -41,6 +42,11 @@ void InkIsoSurface::SetIsoValues(const std::vector<double>& values)
 void InkIsoSurface::SetComputeCurvature(bool compute)
 {
   this->Set(this->ComputeCurvature, compute);
+}
+
+void InkIsoSurface::SetScalars(const std::string& array)
+{
+  this->Set(this->Scalars, array);
 }
 
 void InkIsoSurface::SetSmallestPart(double share)
@@ -95,6 +101,7 @@ void InkIsoSurface::SetSubdivision(int subdivision)
 
 void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
 {
+  this->SetScalars(other.GetScalars());
   this->SetIsoChoice(other.GetIsoChoice());
   this->SetSmallestPart(other.GetSmallestPart());
   this->SetLargestParts(other.GetLargestParts());
@@ -105,15 +112,15 @@ void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
   this->SetSubdivision(other.GetSubdivision());
 }
 
-ink::SuggestedSmoothing InkIsoSurface::FindSmoothing(vtkInkStyle* style, const InkWholeImages& images,
-  const std::string& array, const std::vector<double>& values) const
+ink::SuggestedSmoothing InkIsoSurface::FindSmoothing(
+  vtkInkStyle* style, const InkWholeImages& images, const std::vector<double>& values) const
 {
   ink::SuggestedSmoothing smoothing;
   for (vtkImageData* image : images)
   {
     for (const double value : values)
     {
-      smoothing.add(InkSuggestSmoothing(image, array, value));
+      smoothing.add(InkSuggestSmoothing(image, value));
     }
   }
   std::vector<double> numbers{ smoothing.ofValues, smoothing.ofLabels, smoothing.labels ? 1.0 : 0.0,
@@ -129,9 +136,9 @@ vtkMTimeType InkIsoSurface::GetMTime(bool ofValues)
 }
 
 std::vector<ink::IsoSuggestion> InkIsoSurface::Suggest(
-  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
+  vtkInkStyle* style, std::span<vtkImageData* const> images)
 {
-  return SuggestOf(style, style->GetProcesses().GatherImages(images, array), array);
+  return SuggestOf(style, style->GetProcesses().GatherImages(images));
 }
 
 void InkIsoSurface::Choose(std::vector<ink::IsoSuggestion>& suggestions) const
@@ -142,8 +149,7 @@ void InkIsoSurface::Choose(std::vector<ink::IsoSuggestion>& suggestions) const
   }
 }
 
-std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(
-  vtkInkStyle* style, const InkWholeImages& images, const std::string& array)
+std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(vtkInkStyle* style, const InkWholeImages& images)
 {
   // Of the largest image that has values to choose from.
   InkWholeImages largestFirst(images);
@@ -152,7 +158,7 @@ std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(
   std::vector<ink::IsoSuggestion> suggestions;
   for (std::size_t i = 0; i < largestFirst.size() && suggestions.empty(); ++i)
   {
-    suggestions = InkSuggestIsoValues(largestFirst[i], array);
+    suggestions = InkSuggestIsoValues(largestFirst[i]);
   }
   std::vector<double> numbers;
   for (const ink::IsoSuggestion& one : suggestions)
@@ -169,8 +175,7 @@ std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(
   return suggestions;
 }
 
-std::string InkIsoSurface::Prepare(
-  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array)
+std::string InkIsoSurface::Prepare(vtkInkStyle* style, std::span<vtkImageData* const> images)
 {
   std::vector<double> values = this->IsoValues.GetGiven();
   this->IsoValues.Use({});
@@ -180,13 +185,13 @@ std::string InkIsoSurface::Prepare(
   {
     if (!gathered)
     {
-      gathered = style->GetProcesses().GatherImages(images, array);
+      gathered = style->GetProcesses().GatherImages(images);
     }
     return *gathered;
   };
   if (values.empty())
   {
-    std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole(), array);
+    std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole());
     if (suggestions.empty())
     {
       return InkIsoValues::None;
@@ -200,33 +205,24 @@ std::string InkIsoSurface::Prepare(
   }
   this->IsoValues.Use(values);
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
-  if (array.empty())
-  {
-    sampler->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  }
-  else
-  {
-    sampler->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
-  }
   sampler->SetValues(values);
   ink::SuggestedSmoothing suggested;
   if (this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC)
   {
-    suggested = this->FindSmoothing(style, whole(), array, values);
+    suggested = this->FindSmoothing(style, whole(), values);
   }
   const bool labels = this->TakeLabels(sampler, suggested,
     [&, least = *std::min_element(values.begin(), values.end())](bool ofLabels)
     {
       std::vector<double> isSolid = { static_cast<double>(std::all_of(whole().begin(), whole().end(),
         [&](const auto& image)
-        { return (ofLabels || IsSlab(image)) && !InkSurroundsObject(image, array, least); })) };
+        { return (ofLabels || IsSlab(image)) && !InkSurroundsObject(image, least); })) };
       // Only the first process has gathered images.
       style->GetProcesses().TakeOfFirst(isSolid);
       return isSolid[0] > 0.0;
     });
   sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
-  sampler->SetSubdivision(this->FindSubdivision(style, images, whole, array, values));
+  sampler->SetSubdivision(this->FindSubdivision(style, images, whole, values));
   return {};
 }
 
@@ -260,19 +256,17 @@ bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::Su
   return labels;
 }
 
-double InkIsoSurface::ChooseSmoothing(
-  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array) const
+double InkIsoSurface::ChooseSmoothing(vtkInkStyle* style, std::span<vtkImageData* const> images) const
 {
   if (this->Smoothing >= 0.0)
   {
     return this->Smoothing;
   }
-  const InkWholeImages whole = style->GetProcesses().GatherImages(images, array);
-  std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole, array);
+  const InkWholeImages whole = style->GetProcesses().GatherImages(images);
+  std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole);
   this->Choose(suggestions);
-  return suggestions.empty()
-    ? 0.0
-    : this->FindSmoothing(style, whole, array, { suggestions.front().value }).ofValues;
+  return suggestions.empty() ? 0.0
+                             : this->FindSmoothing(style, whole, { suggestions.front().value }).ofValues;
 }
 
 std::string InkIsoSurface::Sample(
@@ -281,6 +275,7 @@ std::string InkIsoSurface::Sample(
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
   // Of an image that has values in its cells, `image` is made.
   const bool part = input.Port && vtkImageData::SafeDownCast(input.Data);
+  InkSelectScalars(sampler, part ? this->Scalars : std::string());
   if (part)
   {
     sampler->SetInputConnection(input.Port);
@@ -315,8 +310,8 @@ std::string InkIsoSurface::Sample(
   return problem;
 }
 
-void InkIsoSurface::TakeFrame(vtkInkStyle* style, const vtkInkStyle::Input& input,
-  std::span<vtkImageData* const> images, const std::string& array, bool isPrepared)
+void InkIsoSurface::TakeFrame(
+  vtkInkStyle* style, const vtkInkStyle::Input& input, std::span<vtkImageData* const> images, bool isPrepared)
 {
   if (input.Port)
   {
@@ -324,7 +319,7 @@ void InkIsoSurface::TakeFrame(vtkInkStyle* style, const vtkInkStyle::Input& inpu
   }
   const std::vector<std::string> notes = style->Notes;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
-  if (isPrepared || this->Prepare(style, images, array).empty())
+  if (isPrepared || this->Prepare(style, images).empty())
   {
     for (vtkImageData* image : images)
     {
@@ -361,10 +356,9 @@ void InkIsoSurface::KeepParts(
   }
 }
 
-std::string InkIsoSurface::Mesh(
-  vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array)
+std::string InkIsoSurface::Mesh(vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh)
 {
-  vtkDataArray* scalars = InkFindScalars(image, array);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!this->Sampler->GetLabelMap())
   {
     return this->MeshOf(style, image, scalars, this->Sampler, mesh);

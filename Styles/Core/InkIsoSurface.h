@@ -27,7 +27,7 @@ class vtkPolyData;
 struct InkSubdivision;
 
 /// What styles that draw the iso-surfaces of images have in common: the points of these surfaces, at values
-/// that are given or chosen.
+/// that are given or chosen. Images are InkLeaves' of its Scalars, which are active in them.
 class VTKINKSTYLES_EXPORT InkIsoSurface
 {
 public:
@@ -38,6 +38,8 @@ public:
 
   ///@{
   /// Parameters; see their table.
+  void SetScalars(const std::string& array);
+  const std::string& GetScalars() const { return this->Scalars; }
   void SetIsoValues(const std::vector<double>& values);
   const std::vector<double>& GetIsoValues() const { return this->IsoValues.GetGiven(); }
   /// Which surface is drawn where no iso-value is given.
@@ -100,27 +102,22 @@ public:
   /**
    * The iso-values that suit the images of all processes, the best first; all processes call it at once, also
    * without images.
-   * @param array the point array to sample; empty: the active scalars
    */
-  static std::vector<ink::IsoSuggestion> Suggest(
-    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array);
+  static std::vector<ink::IsoSuggestion> Suggest(vtkInkStyle* style, std::span<vtkImageData* const> images);
 
   /**
    * Finds what the images of all processes are sampled with; all processes call it at once, also without
    * images.
    * @param style that notes a value that is chosen
-   * @param array the point array to sample; empty: the active scalars
    * @return what is wrong; empty if nothing is
    */
-  std::string Prepare(vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array);
+  std::string Prepare(vtkInkStyle* style, std::span<vtkImageData* const> images);
 
   /**
    * The smoothing of images that are drawn without a surface: what is given, or what the value asks for that
    * suits best; all processes call it at once.
-   * @param array the point array to smooth; empty: the active scalars
    */
-  double ChooseSmoothing(
-    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array) const;
+  double ChooseSmoothing(vtkInkStyle* style, std::span<vtkImageData* const> images) const;
 
   /**
    * The points of an image's surfaces, with Normals and Radius; after Prepare.
@@ -149,13 +146,13 @@ public:
     std::span<const vtkSmartPointer<vtkPolyData>> points);
 
   /**
-   * The same surfaces as triangles with Normals, see InkIsoSurfaceMesh.h; after Prepare with the same array.
+   * The same surfaces as triangles with Normals, see InkIsoSurfaceMesh.h; after Prepare.
    * For what is drawn beside their points, it neither changes the frame nor says that there is none.
    * @param image that is sampled as a whole
    * @param mesh becomes them
    * @return what is wrong; empty if nothing is
    */
-  std::string Mesh(vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh, const std::string& array = {});
+  std::string Mesh(vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh);
 
   /**
    * Fits the frame to the surfaces' points, for what is drawn of whole images beside them, or in their place,
@@ -163,7 +160,7 @@ public:
    * images from a port, whose pictures nobody fits.
    */
   void TakeFrame(vtkInkStyle* style, const vtkInkStyle::Input& input, std::span<vtkImageData* const> images,
-    const std::string& array, bool isPrepared);
+    bool isPrepared);
 
   /// Notes it if there is no surface.
   void NoteWhereEmpty(vtkInkStyle* style, vtkPolyData* surface);
@@ -195,17 +192,17 @@ private:
   }
   /// Puts the one that IsoChoice asks for first.
   void Choose(std::vector<ink::IsoSuggestion>& suggestions) const;
-  static std::vector<ink::IsoSuggestion> SuggestOf(
-    vtkInkStyle* style, const InkWholeImages& images, const std::string& array);
-  ink::SuggestedSmoothing FindSmoothing(vtkInkStyle* style, const InkWholeImages& images,
-    const std::string& array, const std::vector<double>& values) const;
+  static std::vector<ink::IsoSuggestion> SuggestOf(vtkInkStyle* style, const InkWholeImages& images);
+  ink::SuggestedSmoothing FindSmoothing(
+    vtkInkStyle* style, const InkWholeImages& images, const std::vector<double>& values) const;
   /// The images of all processes, gathered when they are asked for first, by all processes at once.
   using Whole = std::function<const InkWholeImages&()>;
   int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const Whole& whole,
-    const std::string& array, const std::vector<double>& values) const;
+    const std::vector<double>& values) const;
   /// Tells the style for which pictures it holds, and why it is not more.
   static void TakeSubdivision(vtkInkStyle* style, const InkSubdivision& chosen);
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;
+  std::string Scalars; ///< the array that is drawn; empty: the active one
   InkIsoValues IsoValues;
   double Smoothing = -1.0; ///< negative: as the image's noise asks for
   int SmoothingTarget = TARGET_AUTOMATIC;

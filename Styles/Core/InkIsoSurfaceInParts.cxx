@@ -3,6 +3,7 @@
 #include "InkIsoSurface.h"
 
 #include "Core/FormatNumber.h"
+#include "InkActiveScalars.h"
 #include "InkImageSlabs.h"
 #include "InkMemoryBudget.h"
 #include "InkSubdivision.h"
@@ -197,8 +198,9 @@ std::string InkIsoSurface::SampleBy(
   std::optional<InkImageSlabs> slabs;
   if (auto* ofImage = vtkInkIsoSurfaceSampler::SafeDownCast(sampler))
   {
-    slabs.emplace(
-      ofImage->GetInputConnection(0, 0), InkMemoryBudget::OfMebibytes(ofImage->GetMaximumMemory()));
+    InkSelectScalars(ofImage, this->Scalars);
+    slabs.emplace(ofImage->GetInputConnection(0, 0),
+      InkMemoryBudget::OfMebibytes(ofImage->GetMaximumMemory()), this->Scalars);
   }
   if (slabs && values.empty())
   {

@@ -18,15 +18,15 @@ namespace
 
 /// An upper bound of the points of all surfaces in undivided cells, from the whole, so that it does not show
 /// how many processes there are; all processes call it at once.
-double CountPoints(InkStyleProcesses& processes, const InkWholeImages& images, const std::string& array,
-  const std::vector<double>& values)
+double CountPoints(
+  InkStyleProcesses& processes, const InkWholeImages& images, const std::vector<double>& values)
 {
   std::vector<double> points(1, 0.0);
   for (vtkImageData* image : images)
   {
     for (const double value : values)
     {
-      points[0] += InkBoundSurfacePoints(image, array, value);
+      points[0] += InkBoundSurfacePoints(image, value);
     }
   }
   processes.TakeOfFirst(points);
@@ -36,7 +36,7 @@ double CountPoints(InkStyleProcesses& processes, const InkWholeImages& images, c
 } // namespace
 
 int InkIsoSurface::FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images,
-  const Whole& whole, const std::string& array, const std::vector<double>& values) const
+  const Whole& whole, const std::vector<double>& values) const
 {
   if (this->Subdivision > 0)
   {
@@ -54,7 +54,7 @@ int InkIsoSurface::FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* c
   style->GetProcesses().TakeGreatest({ &finest, 1 });
   const InkSubdivision chosen =
     InkChooseSubdivision(style, -finest, InkLongestSide(images, style->GetProcesses()),
-      [&] { return CountPoints(style->GetProcesses(), whole(), array, values); });
+      [&] { return CountPoints(style->GetProcesses(), whole(), values); });
   TakeSubdivision(style, chosen);
   return chosen.Cells;
 }

@@ -5,9 +5,12 @@
 #include "InkCellCenters.h"
 #include "InkHasSurface.h"
 
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkGeometryFilter.h"
 #include "vtkImageData.h"
@@ -16,6 +19,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -24,6 +28,25 @@ bool AreStipples(vtkPolyData* data)
 {
   return data->GetFieldData()->GetArray("StipplesPerElement") && data->GetNumberOfCells() > 0 &&
     data->GetNumberOfVerts() == data->GetNumberOfCells();
+}
+
+/// "with 'density', 'pressure'", or "with none".
+std::string NameArrays(vtkImageData* image)
+{
+  std::string names;
+  const std::array<vtkDataSetAttributes*, 2> all{ image->GetPointData(), image->GetCellData() };
+  for (vtkDataSetAttributes* values : all)
+  {
+    for (int i = 0; i < values->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = values->GetArray(i);
+      if (array && array->GetName() && !InkIsGhostArray(array->GetName()))
+      {
+        names.append(names.empty() ? "with '" : ", '").append(array->GetName()).append("'");
+      }
+    }
+  }
+  return names.empty() ? "with none" : names;
 }
 
 } // namespace
@@ -60,7 +83,13 @@ void InkLeaves::Add(vtkDataObject* leaf, const std::string& array)
   auto polyData = vtkPolyData::SafeDownCast(data);
   if (auto image = vtkImageData::SafeDownCast(data))
   {
-    this->KeptImages.push_back(InkWithFirstComponent(InkWithPointValues(image, array)));
+    const auto values = InkWithActiveScalars(InkWithPointValues(image, array), array);
+    if (!array.empty() && !values->GetPointData()->GetScalars())
+    {
+      this->Problem = "an image without the array '" + array + "', " + NameArrays(image);
+      return;
+    }
+    this->KeptImages.push_back(InkWithFirstComponent(values));
     this->Images.push_back(this->KeptImages.back());
   }
   else if (polyData && AreStipples(polyData))

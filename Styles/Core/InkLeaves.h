@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// A data object's leaves by how they are drawn: of composite data all of them, otherwise the data itself.
-/// Images with values in their cells alone are those of the cells' centers (InkCellCenters.h); of those
-/// without active scalars the first array is used, of several components the first (InkActiveScalars.h).
+/// Images with values in their cells alone are those of the cells' centers (InkCellCenters.h); the array that
+/// is wanted is active, or, of those without active scalars, the first, of several components the first one
+/// alone (InkActiveScalars.h).
 #ifndef InkLeaves_h
 #define InkLeaves_h
 
@@ -35,7 +36,7 @@ struct VTKINKSTYLES_EXPORT InkLeaves
   std::vector<vtkPolyData*> Stipples; ///< made before
   std::vector<vtkDataSet*> Others;    ///< meshes, points and grids
   bool Composite = false;
-  std::string Problem; ///< what of it is no dataset, "a vtkTable"; empty if all are
+  std::string Problem; ///< what of it is no dataset, "a vtkTable", or has not the array; empty if all is well
 
 private:
   void Add(vtkDataObject* leaf, const std::string& array);

@@ -8,7 +8,6 @@
 #include "vtkInkStyle.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -69,20 +68,11 @@ void InkSilhouetteMethod::SetValueRange(const std::vector<double>& range)
 }
 
 std::string InkSilhouetteMethod::MakeVoxels(
-  vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* voxels)
+  vtkInkStyle* style, std::span<vtkImageData* const> images, vtkPolyData* voxels)
 {
-  if (array.empty())
-  {
-    this->EdgeVoxels->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  }
-  else
-  {
-    this->EdgeVoxels->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
-  }
   std::string problem;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
-  for (vtkImageData* image : style->GetProcesses().GatherImages(images, array))
+  for (vtkImageData* image : style->GetProcesses().GatherImages(images))
   {
     this->EdgeVoxels->SetInputData(image);
     problem = style->Follow(this->EdgeVoxels, "finding edge voxels");

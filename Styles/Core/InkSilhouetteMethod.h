@@ -48,12 +48,10 @@ public:
   /**
    * Edge voxels of the images of all processes, on the first one; all processes call it at once. A note says
    * if there are none.
-   * @param array the point array that has the edges; empty: the active scalars
    * @param voxels becomes them
    * @return what is wrong; empty if nothing is
    */
-  std::string MakeVoxels(
-    vtkInkStyle* style, std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* voxels);
+  std::string MakeVoxels(vtkInkStyle* style, std::span<vtkImageData* const> images, vtkPolyData* voxels);
 
   /// Whether a piece, wherever it was delivered to, is edge voxels.
   static bool IsOfVoxels(vtkPolyData* piece);

@@ -98,12 +98,12 @@ void InkSilhouettes::SetPixelScale(double scale)
   this->Mapper->SetShortestPart(scale * ShortestPart);
 }
 
-std::string InkSilhouettes::MakeOfImages(vtkInkStyle* style, InkIsoSurface& isoSurface,
-  std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* piece)
+std::string InkSilhouettes::MakeOfImages(
+  vtkInkStyle* style, InkIsoSurface& isoSurface, std::span<vtkImageData* const> images, vtkPolyData* piece)
 {
   return !this->Wanted           ? std::string()
-    : this->Method.NeedsVoxels() ? this->Method.MakeVoxels(style, images, array, piece)
-                                 : InkContourSurface(style).MakeOfImages(isoSurface, images, array, piece);
+    : this->Method.NeedsVoxels() ? this->Method.MakeVoxels(style, images, piece)
+                                 : InkContourSurface(style).MakeOfImages(isoSurface, images, piece);
 }
 
 std::string InkSilhouettes::MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vtkPolyData* piece)

@@ -63,12 +63,11 @@ public:
    * Makes what they are of, if there are any: a surface as InkContourSurface does, or edge voxels of images
    * as InkSilhouetteMethod does; all processes call it at once.
    * @param isoSurface of what is drawn; after Prepare
-   * @param array the point array of the images; empty: the active scalars
    * @param piece becomes it
    * @return what is wrong; empty if nothing is
    */
-  std::string MakeOfImages(vtkInkStyle* style, InkIsoSurface& isoSurface,
-    std::span<vtkImageData* const> images, const std::string& array, vtkPolyData* piece);
+  std::string MakeOfImages(
+    vtkInkStyle* style, InkIsoSurface& isoSurface, std::span<vtkImageData* const> images, vtkPolyData* piece);
   std::string MakeOfMesh(vtkInkStyle* style, vtkPolyData* mesh, vtkPolyData* piece);
   ///@}
 

@@ -2,12 +2,12 @@
 #include "InkStyleProcesses.h"
 
 #include "InkSampleCell.h"
-#include "InkVolumeValues.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -32,13 +32,12 @@ vtkSmartPointer<vtkPolyData> InkStyleProcesses::Gather(const std::vector<vtkSmar
   return InkAppend(parts);
 }
 
-InkWholeImages InkStyleProcesses::GatherImages(
-  std::span<vtkImageData* const> images, const std::string& array)
+InkWholeImages InkStyleProcesses::GatherImages(std::span<vtkImageData* const> images)
 {
   InkWholeImages found;
   for (vtkImageData* image : images)
   {
-    if (InkFindScalars(image, array))
+    if (image->GetPointData()->GetScalars())
     {
       found.push_back(image);
     }

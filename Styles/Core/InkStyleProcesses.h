@@ -53,11 +53,11 @@ public:
   virtual vtkSmartPointer<vtkPolyData> Gather(const std::vector<vtkSmartPointer<vtkPolyData>>& parts);
 
   /**
-   * All processes' images, with one point array, on the first process, which needs memory for them; none on
-   * the others. Parts of one image, of which every process has one at most, are put together.
-   * @param array its name; empty: the active scalars. Images without it are left out
+   * All processes' images, with their active scalars, on the first process, which needs memory for them; none
+   * on the others. Parts of one image, of which every process has one at most, are put together. Images
+   * without scalars are left out.
    */
-  virtual InkWholeImages GatherImages(std::span<vtkImageData* const> images, const std::string& array);
+  virtual InkWholeImages GatherImages(std::span<vtkImageData* const> images);
 
   /// An array's name and association as the first process has them that has a name.
   virtual void AgreeOnArray(std::string& name, int& association);

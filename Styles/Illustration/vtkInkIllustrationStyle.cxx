@@ -151,7 +151,7 @@ const char* vtkInkIllustrationStyle::GetPieceName(int piece)
 
 std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
 {
-  const InkLeaves leaves(input.Data);
+  const InkLeaves leaves(input.Data, this->GetIsoSurface()->GetScalars());
   double images = leaves.Images.empty() ? 0.0 : 1.0;
   this->GetProcesses().TakeGreatest({ &images, 1 });
   this->GetIsoSurface()->SetIsoValues(this->IsoValues->GetGiven());
@@ -239,7 +239,7 @@ std::string vtkInkIllustrationStyle::ChooseSurfaces(const InkLeaves& leaves)
   std::vector<double> innerValues = this->IsoValues->GetGiven();
   if (outerValue.empty() || innerValues.empty())
   {
-    std::vector<ink::IsoSuggestion> suggestions = InkIsoSurface::Suggest(this, leaves.Images, {});
+    std::vector<ink::IsoSuggestion> suggestions = InkIsoSurface::Suggest(this, leaves.Images);
     std::sort(
       suggestions.begin(), suggestions.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
     // The surface at the lower value is around that at the higher one.

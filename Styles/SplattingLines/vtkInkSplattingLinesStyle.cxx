@@ -99,7 +99,7 @@ void vtkInkSplattingLinesStyle::GetBackgroundColor(double color[3])
 std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
 {
   const std::string wanted = "expected an image, a mesh or points, found ";
-  const InkLeaves leaves(data);
+  const InkLeaves leaves(data, this->IsoSurface->GetScalars());
   if (!leaves.Problem.empty())
   {
     return wanted + leaves.Problem;
@@ -115,7 +115,7 @@ std::string vtkInkSplattingLinesStyle::GetReasonAgainst(vtkDataObject* data)
 
 std::string vtkInkSplattingLinesStyle::MakePieces(const Input& input)
 {
-  const InkLeaves leaves(input.Data);
+  const InkLeaves leaves(input.Data, this->IsoSurface->GetScalars());
   // Processes without a part of the image take part, too.
   double hasImages = leaves.Images.empty() ? 0.0 : 1.0;
   this->GetProcesses().TakeGreatest({ &hasImages, 1 });
@@ -132,11 +132,11 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
   const Input& input, const InkLeaves& leaves, const std::string& reason)
 {
   // All processes take part, also those whose image cannot be drawn.
-  std::string problem = this->IsoSurface->Prepare(this, leaves.Images, {});
+  std::string problem = this->IsoSurface->Prepare(this, leaves.Images);
   if (problem.empty())
   {
-    problem = this->Silhouettes->MakeOfImages(
-      this, *this->IsoSurface, leaves.Images, {}, this->GetPiece(SILHOUETTES));
+    problem =
+      this->Silhouettes->MakeOfImages(this, *this->IsoSurface, leaves.Images, this->GetPiece(SILHOUETTES));
   }
   problem = reason.empty() ? problem : reason;
   std::vector<vtkSmartPointer<vtkPolyData>> parts;

@@ -65,7 +65,7 @@ void InkStippleRecipe::Say(const std::string& problem)
 std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
-  const InkLeaves leaves(input.Data, style->Scalars);
+  const InkLeaves leaves(input.Data, style->IsoSurface->GetScalars());
   style->IdsAreInputs = false;
   style->MadeColorArray.clear();
   style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
@@ -158,7 +158,7 @@ bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
 bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input)
 {
   vtkInkStippleStyle* style = this->Style;
-  const std::string problem = style->IsoSurface->Prepare(style, leaves.Images, style->Scalars);
+  const std::string problem = style->IsoSurface->Prepare(style, leaves.Images);
   if (!problem.empty() && style->StippleSource == vtkInkStippleStyle::AUTOMATIC)
   {
     return false;
@@ -188,7 +188,7 @@ void InkStippleRecipe::OutlineImages(const InkLeaves& leaves, InkIsoSurface& iso
 {
   vtkInkStippleStyle* style = this->Style;
   this->Say(style->Silhouettes->MakeOfImages(
-    style, isoSurface, leaves.Images, style->Scalars, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
+    style, isoSurface, leaves.Images, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
 }
 
 void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stipples of images' voxels.
+#include "InkActiveScalars.h"
 #include "InkChangedGenerator.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
@@ -12,8 +13,6 @@
 #include "Stippling/VolumeStipples.h"
 #include "Tone/Stipple/ProjectedSize.h"
 
-#include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -87,7 +86,7 @@ void InkStippleRecipe::OutlineVoxels(const InkLeaves& leaves)
     // They are those of a surface, though no surface is stippled.
     InkIsoSurface isoSurface;
     this->SetUp(isoSurface);
-    const std::string problem = isoSurface.Prepare(style, leaves.Images, style->Scalars);
+    const std::string problem = isoSurface.Prepare(style, leaves.Images);
     if (problem.empty())
     {
       this->OutlineImages(leaves, isoSurface);
@@ -133,23 +132,13 @@ void InkStippleRecipe::StippleVoxels(const InkLeaves& leaves, const vtkInkStyle:
   this->OutlineVoxels(leaves);
   // Nor is smoothing chosen unasked for data that comes from a port, whose stipples are the filter's.
   const double smoothing = style->IsoSurface->GetSmoothing();
-  generator->SetSmoothing(input.Port
-      ? std::max(smoothing, 0.0)
-      : style->IsoSurface->ChooseSmoothing(style, leaves.Images, style->Scalars));
-  const char* scalars = style->Scalars.c_str();
-  if (style->Scalars.empty())
-  {
-    generator->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  }
-  else
-  {
-    generator->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars);
-  }
+  generator->SetSmoothing(
+    input.Port ? std::max(smoothing, 0.0) : style->IsoSurface->ChooseSmoothing(style, leaves.Images));
   // The leaves of composite data are whole images, and so is an image that comes from nowhere.
   vtkNew<vtkInformation> whole;
   const bool parts = input.Port && !leaves.Composite;
   const Source source{ parts ? input.Port : nullptr, parts && input.Request ? input.Request : whole.Get() };
+  InkSelectScalars(generator, source.Port ? style->IsoSurface->GetScalars() : std::string());
 
   // One whole image is measured when it is stippled; parts and several images are, too, together.
   const bool together = parts || leaves.Composite;
@@ -176,5 +165,5 @@ void InkStippleRecipe::StippleVoxels(const InkLeaves& leaves, const vtkInkStyle:
   // That of the surface which other styles draw.
   InkIsoSurface isoSurface;
   this->SetUp(isoSurface);
-  isoSurface.TakeFrame(style, input, leaves.Images, style->Scalars, false);
+  isoSurface.TakeFrame(style, input, leaves.Images, false);
 }

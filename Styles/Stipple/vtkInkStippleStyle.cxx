@@ -131,7 +131,7 @@ bool vtkInkStippleStyle::GetColorByScalars()
 std::string vtkInkStippleStyle::GetReasonAgainst(vtkDataObject* data)
 {
   const std::string wanted = "expected an image, a mesh, points or stipples, found ";
-  const InkLeaves leaves(data);
+  const InkLeaves leaves(data, this->IsoSurface->GetScalars());
   if (!leaves.Problem.empty())
   {
     return wanted + leaves.Problem;
@@ -273,15 +273,6 @@ void vtkInkStippleStyle::SetPixelsPerStipple(double pixels)
 {
   this->PixelsPerStipple = pixels;
   this->UpdatePixels();
-}
-
-void vtkInkStippleStyle::SetScalars(const std::string& name)
-{
-  if (this->Scalars != name)
-  {
-    this->Scalars = name;
-    this->Modified();
-  }
 }
 
 void vtkInkStippleStyle::SetColorArray(const std::string& name, int association)

@@ -118,8 +118,6 @@ public:
   vtkGetMacro(StippleSource, int);
   vtkSetMacro(SurfaceHides, bool);
   vtkGetMacro(SurfaceHides, bool);
-  void SetScalars(const std::string& name);
-  const std::string& GetScalars() { return this->Scalars; }
   vtkSetMacro(NumberOfSurfaceStipples, vtkIdType);
   vtkGetMacro(NumberOfSurfaceStipples, vtkIdType);
   void SetColorMap(const std::string& map);
@@ -163,7 +161,6 @@ private:
   int StippleSource = AUTOMATIC;
   std::unique_ptr<InkIsoSurface> IsoSurface;
   bool SurfaceHides = true;
-  std::string Scalars;
   vtkIdType NumberOfSurfaceStipples = 0;
   std::string ColorMap;
   std::string ColorBy;

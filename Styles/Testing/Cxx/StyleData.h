@@ -15,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 /// A ball of values up to 200 in the middle.
 inline vtkSmartPointer<vtkImageData> MakeBall(int side = 16)
@@ -54,6 +55,21 @@ inline vtkSmartPointer<vtkPolyData> MakeCloud()
 inline vtkIdType CountOf(vtkInkStyle* style)
 {
   return style->GetPiece(0)->GetNumberOfPoints();
+}
+
+/// The coordinates of all pieces.
+inline std::vector<double> MarksOf(vtkInkStyle* style)
+{
+  std::vector<double> marks;
+  for (int piece = 0; piece < style->GetNumberOfPieces(); ++piece)
+  {
+    for (vtkIdType i = 0; i < style->GetPiece(piece)->GetNumberOfPoints(); ++i)
+    {
+      const double* p = style->GetPiece(piece)->GetPoint(i);
+      marks.insert(marks.end(), p, p + 3);
+    }
+  }
+  return marks;
 }
 
 /// Lets a style make few marks, where a test is not of their number.

@@ -114,7 +114,7 @@ Drawn Draw(vtkImageData* image, const std::vector<double>& isoValues = {}, int l
   surface.CopyParameters(*style->GetIsoSurface());
   surface.SetIsoValues(isoValues);
   vtkNew<vtkPolyData> mesh;
-  EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+  EXPECT_EQ(surface.Prepare(style, std::array{ image }), "");
   EXPECT_EQ(surface.Mesh(style, image, mesh), "");
   return { NumbersOf(style->GetPiece(0)), NumbersOf(mesh) };
 }
@@ -154,7 +154,7 @@ TEST(LabelMaps, ThinPartsAndScansKeepTheirSurface)
   const auto targetOf = [&](vtkImageData* image, double isoValue)
   {
     surface.SetIsoValues({ isoValue });
-    EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+    EXPECT_EQ(surface.Prepare(style, std::array{ image }), "");
     return surface.GetSampler()->GetSmoothingTarget();
   };
   const auto labels = MakeLabels(Ones);
@@ -256,7 +256,7 @@ TEST(LabelMaps, WhatSurroundsAnObjectIsNotClosed)
     vtkNew<vtkInkSplattingLinesStyle> style;
     InkIsoSurface surface;
     surface.SetIsoValues(values);
-    EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+    EXPECT_EQ(surface.Prepare(style, std::array{ image }), "");
     const int cut = surface.GetSampler()->GetCut();
     // The same of slices that are read a few at a time.
     vtkNew<vtkTrivialProducer> producer;
@@ -295,16 +295,16 @@ TEST(LabelMaps, GivenSmoothingStays)
   InkIsoSurface surface;
   const auto labels = MakeLabels(Ids);
   surface.SetSmoothing(0.7);
-  EXPECT_EQ(surface.Prepare(style, std::array{ labels.Get() }, {}), "");
+  EXPECT_EQ(surface.Prepare(style, std::array{ labels.Get() }), "");
   EXPECT_TRUE(surface.GetSampler()->GetLabelMap());
   EXPECT_EQ(surface.GetSampler()->GetSmoothing(), 0.7);
   surface.SetSmoothing(-1.0);
-  EXPECT_EQ(surface.Prepare(style, std::array{ labels.Get() }, {}), "");
+  EXPECT_EQ(surface.Prepare(style, std::array{ labels.Get() }), "");
   EXPECT_EQ(surface.GetSampler()->GetSmoothing(), 2.0);
   // Of what seems to be none, when asked for.
   surface.SetLabelMap(InkIsoSurface::LABELS_ON);
   surface.SetIsoValues({ 100.0 });
-  EXPECT_EQ(surface.Prepare(style, std::array{ MakeBall(Side).Get() }, {}), "");
+  EXPECT_EQ(surface.Prepare(style, std::array{ MakeBall(Side).Get() }), "");
   EXPECT_TRUE(surface.GetSampler()->GetLabelMap());
 }
 

@@ -70,7 +70,7 @@ int SubdivisionOf(vtkInkStyle* style, vtkImageData* image)
 {
   InkIsoSurface surface;
   surface.SetIsoValues({ 100.0 });
-  EXPECT_EQ(surface.Prepare(style, std::array{ image }, {}), "");
+  EXPECT_EQ(surface.Prepare(style, std::array{ image }), "");
   return surface.GetSampler()->GetSubdivision();
 }
 

@@ -147,7 +147,7 @@ public:
     this->All.Barrier.arrive_and_wait();
     return all;
   }
-  InkWholeImages GatherImages(std::span<vtkImageData* const> images, const std::string&) override
+  InkWholeImages GatherImages(std::span<vtkImageData* const> images) override
   {
     this->All.Images[this->Rank].assign(images.begin(), images.end());
     this->All.Barrier.arrive_and_wait();

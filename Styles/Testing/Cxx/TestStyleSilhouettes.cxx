@@ -258,10 +258,7 @@ TEST(StyleSilhouettes, LineArtKeepsItsSurface)
 class TooLarge : public InkStyleProcesses
 {
 public:
-  InkWholeImages GatherImages(std::span<vtkImageData* const>, const std::string&) override
-  {
-    throw std::bad_alloc();
-  }
+  InkWholeImages GatherImages(std::span<vtkImageData* const>) override { throw std::bad_alloc(); }
 };
 
 TEST(StyleSilhouettes, AFailureLeavesTheIsoValue)

@@ -15,8 +15,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <string>
 #include <vector>
 
 namespace
@@ -31,21 +29,6 @@ vtkSmartPointer<vtkImageData> MakeBallOfCells()
   image->SetOrigin(-0.5, -0.5, -0.5);
   image->GetCellData()->SetScalars(points->GetPointData()->GetScalars());
   return image;
-}
-
-/// The coordinates of all pieces.
-std::vector<double> MarksOf(vtkInkStyle* style)
-{
-  std::vector<double> marks;
-  for (int piece = 0; piece < style->GetNumberOfPieces(); ++piece)
-  {
-    for (vtkIdType i = 0; i < style->GetPiece(piece)->GetNumberOfPoints(); ++i)
-    {
-      const double* p = style->GetPiece(piece)->GetPoint(i);
-      marks.insert(marks.end(), p, p + 3);
-    }
-  }
-  return marks;
 }
 
 } // namespace
@@ -104,10 +87,10 @@ TEST(StylesOfCells, AnArrayOfCellsIsTakenByItsName)
   stipple->SetStippleSource(vtkInkStippleStyle::VOXELS);
   ASSERT_TRUE(stipple->Make(both));
   EXPECT_EQ(CountOf(stipple), 0) << "nothing in the points' array";
-  stipple->SetScalars("density");
+  stipple->SetParameterAsString("Scalars", "density");
   ASSERT_TRUE(stipple->Make(both));
   const vtkIdType found = CountOf(stipple);
-  stipple->SetScalars("");
+  stipple->SetParameterAsString("Scalars", "");
   ASSERT_TRUE(stipple->Make(MakeBall()));
   EXPECT_EQ(found, CountOf(stipple));
 }

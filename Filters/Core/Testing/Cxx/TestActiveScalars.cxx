@@ -66,6 +66,19 @@ TEST(ActiveScalars, AreTheFirstOfOneComponentWhereNoneIsActive)
   EXPECT_EQ(InkWithActiveScalars(image), image);
 }
 
+TEST(ActiveScalars, AreThoseOfAName)
+{
+  const auto image = Image();
+  image->GetPointData()->SetScalars(Numbers("pressure", 1));
+  image->GetPointData()->AddArray(Numbers("density", 1));
+  EXPECT_EQ(InkWithActiveScalars(image, "pressure"), image);
+  EXPECT_STREQ(InkWithActiveScalars(image, "density")->GetPointData()->GetScalars()->GetName(), "density");
+  EXPECT_STREQ(image->GetPointData()->GetScalars()->GetName(), "pressure") << "the image stays as it is";
+  const auto none = InkWithActiveScalars(image, "velocity");
+  EXPECT_EQ(none->GetPointData()->GetScalars(), nullptr);
+  EXPECT_EQ(none->GetPointData()->GetNumberOfArrays(), 2);
+}
+
 TEST(ActiveScalars, OfSeveralComponentsAreTheFirst)
 {
   const auto image = Image();
