@@ -2,6 +2,7 @@
 #include "vtkInkStippleRepresentation.h"
 
 #include "InkCellCenters.h"
+#include "InkIsoSurface.h"
 #include "vtkInkEarlyFXAA.h"
 #include "vtkInkStippleStyle.h"
 
@@ -67,7 +68,7 @@ int vtkInkStippleRepresentation::RequestUpdateExtent(
     // As the generator asks for them; of grids as many as tell the outer surface.
     const int ofGrids = vtkPolyData::GetData(info) ? 0 : 1;
     vtkImageData* image = vtkImageData::GetData(info);
-    const int ofCells = image && InkTakesCells(image) ? 1 : 0;
+    const int ofCells = image && InkTakesCells(image, this->Style->GetIsoSurface()->GetScalars()) ? 1 : 0;
     const int levels = image ? ink::stipple::stippleReach.x + 1 + ofCells : ofGrids;
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
       std::max(levels, info->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS())));

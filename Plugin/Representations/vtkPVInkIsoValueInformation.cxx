@@ -79,6 +79,10 @@ void vtkPVInkIsoValueInformation::CopyFromObject(vtkObject* object)
     return;
   }
   const InkLeaves leaves(given, this->ArrayName);
+  if (leaves.Images.empty())
+  {
+    return;
+  }
   vtkImageData* image = leaves.Images.front();
   if (const auto suggestions = InkSuggestIsoValues(image); !suggestions.empty())
   {

@@ -148,7 +148,10 @@ void vtkSMInkPresetRepresentationProxy::SetStartValue(const Start& start)
 {
   if (start.Value == RANGE)
   {
-    vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(this, "Input").GetAsProxy())->UpdatePipeline();
+    if (auto* input = vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(this, "Input").GetAsProxy()))
+    {
+      input->UpdatePipeline();
+    }
     this->GetProperty(start.Property)->ResetToDomainDefaults();
   }
   else if (const std::optional<double> value =

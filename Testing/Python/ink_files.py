@@ -139,16 +139,19 @@ def vtk_xml(kind, content, appended):
     return start.encode() + b"</VTKFile>\n"
 
 
-def write_vti(path, volume, form="appended", where="PointData"):
-    """volume: [z, y, x] or [z, y, x, component]."""
+def write_vti(path, volume, form="appended", where="PointData", **others):
+    """volume: [z, y, x] or [z, y, x, component], the active array `density`; others: as it, by their names."""
     nz, ny, nx = volume.shape[:3]
     if where == "CellData":
         nx, ny, nz = nx + 1, ny + 1, nz + 1
     extent = f"0 {nx - 1} 0 {ny - 1} 0 {nz - 1}"
     appended = bytearray()
-    array = data_array("density", volume, form, appended, volume.shape[3] if volume.ndim == 4 else 1)
+    arrays = "".join(
+        data_array(name, values, form, appended, values.shape[3] if values.ndim == 4 else 1)
+        for name, values in {"density": volume, **others}.items()
+    )
     content = f'<ImageData WholeExtent="{extent}" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="{extent}">\n'
-    content += f'<{where} Scalars="density">{array}</{where}>\n</Piece></ImageData>\n'
+    content += f'<{where} Scalars="density">{arrays}</{where}>\n</Piece></ImageData>\n'
     path.write_bytes(vtk_xml("ImageData", content, appended))
 
 
