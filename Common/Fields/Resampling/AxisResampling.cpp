@@ -74,18 +74,23 @@ void addInterpolant(double x, double factor, const AxisEnds& ends, int first, st
   }
 }
 
-/// The weights at x of the samples from `first` on, not normalized.
+/// The weights at x of the samples from `first` on, not normalized. Nodes stand for what lies half a step
+/// around them, of which they count as much as lies between the ends: else weights would jump where x moves a
+/// node past an end, and surfaces would have a ring there.
 void findWeights(const Kernel& kernel, double x, const AxisEnds& ends, int first, std::span<double> weights)
 {
   std::fill(weights.begin(), weights.end(), 0.0);
   const int count = kernel.deviation > 0.0 ? nodes : 0;
+  const double step = kernel.deviation * nodesEnd / nodes;
   for (int n = -count; n <= count; ++n)
   {
     const double z = count == 0 ? 0.0 : nodesEnd * n / count;
     const double at = x + kernel.deviation * z;
-    if (at >= ends.low && at <= ends.high)
+    const double within = std::min(at - ends.low, ends.high - at);
+    const double share = count == 0 ? 1.0 : std::clamp(within / step + 0.5, 0.0, 1.0);
+    if (share > 0.0)
     {
-      addInterpolant(at, kernel(z), ends, first, weights);
+      addInterpolant(std::clamp<double>(at, ends.low, ends.high), share * kernel(z), ends, first, weights);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -108,6 +109,31 @@ TEST(AxisResampling, FourthOrderKeepsParabolasAndRemovesLessNoise)
     EXPECT_GT(noiseOf(fourth.weights(p)), noiseOf(gaussian.weights(p)));
     EXPECT_LT(noiseOf(fourth.weights(p)), 1.0);
     EXPECT_GT(fourth.gain(), gaussian.gain());
+  }
+}
+
+/// Else a surface near the side of a volume has rings.
+TEST(AxisResampling, IsAsSmoothNearTheEndsAsInside)
+{
+  for (const auto form : { ink::SmoothingKernel::Gaussian, ink::SmoothingKernel::FourthOrder })
+  {
+    const AxisResampling axis(1.5, 32, 60, form);
+    const auto bendOf = [&](int begin, int end, double edge)
+    {
+      const auto step = [&](double x) { return x < edge ? 0.0 : 1.0; };
+      double most = 0.0;
+      for (int p = begin; p < end; ++p)
+      {
+        most = std::max(most,
+          std::abs(
+            resampled(axis, p - 1, step) - 2.0 * resampled(axis, p, step) + resampled(axis, p + 1, step)));
+      }
+      return most;
+    };
+    const double inside = bendOf(25 * 32, 35 * 32, 29.5);
+    // The end and negligible weights bend it more, up to three times, and nodes that jump twenty times.
+    EXPECT_LT(bendOf(1, 10 * 32, 3.5), 5.0 * inside);
+    EXPECT_LT(bendOf(49 * 32, axis.positions() - 1, 55.5), 5.0 * inside);
   }
 }
 
