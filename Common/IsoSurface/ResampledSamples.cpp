@@ -15,6 +15,15 @@
 namespace ink
 {
 
+int subdivisionAlong(double ratio, int subdivision)
+{
+  constexpr double usualMost = 8.0;
+  constexpr double longestCell = 3.0;
+  const double cubes = std::round(ratio * std::max(subdivision, 1));
+  const double most = cubes > longestCell * usualMost ? largestSubdivision : usualMost;
+  return static_cast<int>(std::clamp(cubes, 1.0, most));
+}
+
 IsoSurfaceResampling makeIsoSurfaceResampling(
   const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target, bool ofMask)
 {
@@ -29,8 +38,7 @@ IsoSurfaceResampling makeIsoSurfaceResampling(
   const glm::dvec3 ratios = spacingRatios(geometry);
   for (int axis = 0; axis < 3; ++axis)
   {
-    resampling.subdivision[axis] = static_cast<int>(
-      std::clamp(std::round(ratios[axis] * std::max(subdivision, 1)), 1.0, 1.0 * largestSubdivision));
+    resampling.subdivision[axis] = subdivisionAlong(ratios[axis], subdivision);
   }
   return resampling;
 }

@@ -7,6 +7,7 @@
 #include "Core/FormatNumber.h"
 #include "Fields/Grid/GridField.h"
 #include "IsoSurface/ActiveCellBound.h"
+#include "IsoSurface/ActiveCellExtent.h"
 #include "Statistics/CoveredSides.h"
 
 #include "vtkDataArray.h"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <span>
 #include <sstream>
@@ -65,6 +68,12 @@ auto EvaluateScalars(vtkImageData* image, const Find& find) -> decltype(find(std
   int component = 0;
   const vtkSmartPointer<vtkDataArray> scalars = InkMakeContiguous(found, component);
   return WithValues(scalars, find);
+}
+
+double LongestSide(const std::array<int, 3>& samples, const double spacing[3])
+{
+  return std::max({ samples[0] * std::abs(spacing[0]), samples[1] * std::abs(spacing[1]),
+    samples[2] * std::abs(spacing[2]) });
 }
 
 std::string PercentOf(const ink::IsoSuggestion& suggestion)
@@ -128,6 +137,36 @@ bool InkSurroundsObject(InkImageSlabs& slabs, double isoValue)
       const ink::SliceReader<T> read = [&](int begin, int end) { return ReadSlices<T>(slabs, begin, end); };
       return ink::surroundsObject(
         ink::coveredSides(read, slabs.GetDimensions(), slabs.GetAtOnce(), isoValue));
+    });
+}
+
+double InkFindSurfaceLength(vtkImageData* image, double isoValue)
+{
+  const std::array<int, 3> dimensions = DimensionsOf(image);
+  return EvaluateScalars(image,
+    [&]<class T>(std::span<const T> values)
+    {
+      // All are there already, whichever are asked for.
+      const std::size_t slice = values.size() / static_cast<std::size_t>(dimensions[2]);
+      const ink::SliceReader<T> read = [&](int first, int last)
+      {
+        return values.subspan(
+          slice * static_cast<std::size_t>(first), slice * static_cast<std::size_t>(last - first));
+      };
+      return LongestSide(
+        ink::activeCellExtent(read, dimensions, std::max(dimensions[2], 2), isoValue), image->GetSpacing());
+    });
+}
+
+double InkFindSurfaceLength(InkImageSlabs& slabs, double isoValue)
+{
+  const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
+  return WithValues(first->GetPointData()->GetScalars(),
+    [&]<class T>(std::span<const T>)
+    {
+      const ink::SliceReader<T> read = [&](int begin, int end) { return ReadSlices<T>(slabs, begin, end); };
+      return LongestSide(ink::activeCellExtent(read, slabs.GetDimensions(), slabs.GetAtOnce(), isoValue),
+        slabs.GetFrame()->GetSpacing());
     });
 }
 

@@ -59,6 +59,13 @@ VTKINKFILTERSSAMPLING_EXPORT bool InkSurroundsObject(vtkImageData* image, double
 VTKINKFILTERSSAMPLING_EXPORT bool InkSurroundsObject(InkImageSlabs& slabs, double isoValue);
 ///@}
 
+///@{
+/// How long the box around an iso-surface is along its longest side, in world units, but for specks; see
+/// ink::activeCellExtent. Of active scalars of one component; 0 if there is no surface.
+VTKINKFILTERSSAMPLING_EXPORT double InkFindSurfaceLength(vtkImageData* image, double isoValue);
+VTKINKFILTERSSAMPLING_EXPORT double InkFindSurfaceLength(InkImageSlabs& slabs, double isoValue);
+///@}
+
 /// At most so many points lie on an iso-surface, as vtkInkIsoSurfaceSampler makes them; see
 /// ink::boundActiveCells. Of active scalars of one component.
 VTKINKFILTERSSAMPLING_EXPORT double InkBoundSurfacePoints(vtkImageData* image, double isoValue);

@@ -117,9 +117,9 @@ public:
   ///@{
   /**
    * How many cells take the place of one along the axis of the smallest spacing, 1 to 8; along others more,
-   * so that cells are about cubes, but at most 8. Default: 1. Values in between are interpolated by cubics
-   * (Catmull and Rom) or come from the Gaussian of Smoothing; Radius is that of the smaller cells. Above 1,
-   * cells are divided also where Smoothing is 0.
+   * so that cells are about cubes, up to 8, or 64 where these would be more than three times as long as wide.
+   * Default: 1. Values in between are interpolated by cubics (Catmull and Rom) or come from the Gaussian of
+   * Smoothing; Radius is that of the smaller cells. Above 1, cells are divided also where Smoothing is 0.
    */
   vtkSetClampMacro(Subdivision, int, 1, 8);
   vtkGetMacro(Subdivision, int);

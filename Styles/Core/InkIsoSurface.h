@@ -199,6 +199,18 @@ private:
   using Whole = std::function<const InkWholeImages&()>;
   int FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* const> images, const Whole& whole,
     const std::vector<double>& values) const;
+  /// Of a voxel, in world units: the shortest side, and how many times as long the longest one is.
+  struct VoxelSides
+  {
+    double Shortest;
+    double Ratio;
+  };
+  static VoxelSides MeasureVoxel(vtkImageData* image);
+  /// The longest side of the box around all voxels, or less where the surfaces are small in it, as a lesion
+  /// in a scan is, which fill the picture all the same.
+  /// @param measure says how long the surface at a value is; 0: there is none
+  static double FitLongest(
+    double longest, const std::vector<double>& values, const std::function<double(double value)>& measure);
   /// Tells the style for which pictures it holds, and why it is not more.
   static void TakeSubdivision(vtkInkStyle* style, const InkSubdivision& chosen);
   vtkNew<vtkInkIsoSurfaceSampler> Sampler;

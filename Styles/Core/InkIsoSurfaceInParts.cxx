@@ -91,21 +91,25 @@ public:
   int ChooseSubdivision(double smoothing)
   {
     const vtkSmartPointer<vtkImageData> frame = this->Sampler->MakeFrame();
-    const double* spacing = frame->GetSpacing();
-    const double voxel = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+    const VoxelSides voxel = MeasureVoxel(frame);
     const double* box = frame->GetBounds();
-    const double longest = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+    double longest = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+    if (this->Slabs)
+    {
+      longest = FitLongest(
+        longest, this->Values, [this](double value) { return InkFindSurfaceLength(*this->Slabs, value); });
+    }
     // The other half is for what points are made of.
     const InkMemoryBudget budget = InkMemoryBudget::OfMebibytes(this->Sampler->GetMaximumMemory());
     const auto mostPoints =
       static_cast<double>(budget.Limit) / (2.0 * static_cast<double>(InkBytesPerDrawnPoint));
     const InkSubdivision chosen = InkChooseSubdivision(
-      this->Style, voxel, longest, [this] { return this->BoundPoints(); },
+      this->Style, voxel.Shortest, voxel.Ratio, longest, [this] { return this->BoundPoints(); },
       std::min(InkMostDividedPoints, mostPoints));
     TakeSubdivision(this->Style, chosen);
     const bool hasRoom = chosen.Cells == 1 ||
       this->HasRoomFor(SlicesFor(smoothing, chosen.Cells), "voxels are not divided", "Subdivision 1");
-    return hasRoom ? this->FitLayers(chosen.Cells, budget) : 1;
+    return hasRoom ? this->FitLayers(chosen.Cells, voxel.Ratio, budget) : 1;
   }
 
 private:
@@ -162,18 +166,17 @@ private:
   }
 
   /// So many cells or fewer, so that memory has room for a layer of voxels, which is made at a time at least.
-  int FitLayers(int wanted, const InkMemoryBudget& budget)
+  int FitLayers(int wanted, double ratio, const InkMemoryBudget& budget)
   {
     const double room = static_cast<double>(budget.ForNewPoints()) / static_cast<double>(InkBytesPerPoint);
     int cells = wanted;
-    while (cells > 1 && this->MostOfALayer * cells * cells > room)
+    while (cells > 1 && this->MostOfALayer * InkGrowthOfPoints(cells, ratio) > room)
     {
       cells /= 2;
     }
     if (cells < wanted)
     {
-      const auto points = static_cast<std::uint64_t>(this->MostOfALayer) *
-        static_cast<std::uint64_t>(wanted) * static_cast<std::uint64_t>(wanted);
+      const auto points = static_cast<std::uint64_t>(this->MostOfALayer * InkGrowthOfPoints(wanted, ratio));
       this->Style->AddNote("voxels are divided by " + std::to_string(cells) + ", not " +
         std::to_string(wanted) + ", along each axis, as a layer of them would have up to " +
         std::to_string(points) + " points: MaximumMemory " +

@@ -56,9 +56,11 @@ ink::IsoSurfaceResampling FindResampling(const ink::GridGeometry& grid, vtkInkIs
     subdivision /= 2;
   }
   ink::IsoSurfaceResampling resampling = with(subdivision);
-  if (ink::resampledGeometry(grid, resampling.subdivision).sampleCount() > mostValues)
+  glm::ivec3& cells = resampling.subdivision;
+  while (cells != glm::ivec3(1) && ink::resampledGeometry(grid, cells).sampleCount() > mostValues)
   {
-    resampling.subdivision = glm::ivec3(1);
+    const int most = std::max({ cells.x, cells.y, cells.z });
+    cells = glm::min(cells, glm::ivec3(most / 2));
   }
   return resampling;
 }

@@ -16,7 +16,8 @@ class vtkPolyData;
 /// same parts and the same missing and hidden cells, and closed where its Cut is a cap.
 ///
 /// The resampled image is in memory as a whole; so Subdivision is halved until that has no more than 2^27
-/// values. Smoothed normals place a contour between triangles, so that it needs it less than points do.
+/// values, and then the division of long voxels. Smoothed normals place a contour between triangles, so that
+/// it needs it less than points do.
 ///
 /// @param scalars the image's point array, of one component
 /// @param settings iso-values, Smoothing, SmoothingTarget, Subdivision, Cut, SmallestPart and LargestParts

@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -42,21 +43,47 @@ int InkIsoSurface::FindSubdivision(vtkInkStyle* style, std::span<vtkImageData* c
   {
     return this->Subdivision;
   }
-  // The finest of all processes, negated.
-  double finest = std::numeric_limits<double>::lowest();
+  // The shortest side of all processes' voxels, negated, and the largest ratio.
+  std::array voxel{ std::numeric_limits<double>::lowest(), 1.0 };
   for (vtkImageData* image : images)
   {
-    for (const double spacing : std::span<const double, 3>(image->GetSpacing(), 3))
-    {
-      finest = std::max(finest, -std::abs(spacing));
-    }
+    const VoxelSides sides = MeasureVoxel(image);
+    voxel[0] = std::max(voxel[0], -sides.Shortest);
+    voxel[1] = std::max(voxel[1], sides.Ratio);
   }
-  style->GetProcesses().TakeGreatest({ &finest, 1 });
-  const InkSubdivision chosen =
-    InkChooseSubdivision(style, -finest, InkLongestSide(images, style->GetProcesses()),
-      [&] { return CountPoints(style->GetProcesses(), whole(), values); });
+  style->GetProcesses().TakeGreatest(voxel);
+  double longest = InkLongestSide(images, style->GetProcesses());
+  // Interactively the relative size says how large a view shows it.
+  if (!style->GetInteractive() && images.size() == 1)
+  {
+    longest =
+      FitLongest(longest, values, [&](double value) { return InkFindSurfaceLength(images.front(), value); });
+  }
+  const InkSubdivision chosen = InkChooseSubdivision(
+    style, -voxel[0], voxel[1], longest, [&] { return CountPoints(style->GetProcesses(), whole(), values); });
   TakeSubdivision(style, chosen);
   return chosen.Cells;
+}
+
+InkIsoSurface::VoxelSides InkIsoSurface::MeasureVoxel(vtkImageData* image)
+{
+  const double* spacing = image->GetSpacing();
+  const std::array sides{ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) };
+  const auto [shortest, longest] = std::minmax_element(sides.begin(), sides.end());
+  return { *shortest, *shortest > 0.0 ? *longest / *shortest : 1.0 };
+}
+
+double InkIsoSurface::FitLongest(
+  double longest, const std::vector<double>& values, const std::function<double(double value)>& measure)
+{
+  // What fills half of the volume is what cells are made for.
+  constexpr double usualShare = 0.5;
+  double length = 0.0;
+  for (const double value : values)
+  {
+    length = std::max(length, measure(value));
+  }
+  return length > 0.0 ? std::min(longest, length / usualShare) : longest;
 }
 
 void InkIsoSurface::TakeSubdivision(vtkInkStyle* style, const InkSubdivision& chosen)

@@ -3,6 +3,8 @@
 
 #include "vtkInkStyle.h"
 
+#include "IsoSurface/ResampledSamples.h"
+
 #include <algorithm>
 
 namespace
@@ -18,7 +20,12 @@ constexpr double MostInteractivePoints = 4e6;
 
 } // namespace
 
-InkSubdivision InkChooseSubdivision(vtkInkStyle* style, double voxel, double longest,
+double InkGrowthOfPoints(int cells, double ratio)
+{
+  return static_cast<double>(cells) * ink::subdivisionAlong(ratio, cells);
+}
+
+InkSubdivision InkChooseSubdivision(vtkInkStyle* style, double voxel, double ratio, double longest,
   const std::function<double()>& countPoints, double mostPoints)
 {
   // What cells measure where the longest side of all voxels is as long as the picture is high.
@@ -36,7 +43,7 @@ InkSubdivision InkChooseSubdivision(vtkInkStyle* style, double voxel, double lon
   }
   const double points = wanted > 1 ? countPoints() : 0.0;
   const double most = style->GetInteractive() ? std::min(mostPoints, MostInteractivePoints) : mostPoints;
-  const auto isTooFine = [&](int cells) { return points * cells * cells > most; };
+  const auto isTooFine = [&](int cells) { return points * InkGrowthOfPoints(cells, ratio) > most; };
   chosen.Cells = wanted;
   while (chosen.Cells > 1 && isTooFine(chosen.Cells))
   {

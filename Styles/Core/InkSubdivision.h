@@ -26,14 +26,19 @@ struct InkSubdivision
   ///@}
 };
 
+/// How many points take the place of one, at most, where voxels are divided into so many cells.
+/// @param ratio the longest side of a voxel by its shortest one, up to which it is divided more
+VTKINKSTYLES_EXPORT double InkGrowthOfPoints(int cells, double ratio);
+
 /**
  * As many cells as make them a small part of the style's picture, whatever its pixels: 1, 2, 4 or 8, but not
  * so many that there are too many points, of which there are fewer where the style is interactive.
  * @param voxel the shortest side of any voxel, world units
+ * @param ratio as for InkGrowthOfPoints
  * @param longest the longest side of the box around all voxels, world units
  * @param countPoints how many points are made of voxels that are not divided; called only where that matters
  */
-VTKINKSTYLES_EXPORT InkSubdivision InkChooseSubdivision(vtkInkStyle* style, double voxel, double longest,
-  const std::function<double()>& countPoints, double mostPoints = InkMostDividedPoints);
+VTKINKSTYLES_EXPORT InkSubdivision InkChooseSubdivision(vtkInkStyle* style, double voxel, double ratio,
+  double longest, const std::function<double()>& countPoints, double mostPoints = InkMostDividedPoints);
 
 #endif

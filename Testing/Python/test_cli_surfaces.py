@@ -144,3 +144,36 @@ def test_a_cut_that_faces_the_viewer_is_one_line(picture, tmp_path, elevation):
     drawn = lower_edge(picture, tmp_path / "table.nii", "--view", "front", "--elevation", elevation)
     assert drawn("open") < 0.5
     assert drawn("rim") == 1
+
+
+def test_the_array_of_a_volume_is_chosen(ink, tmp_path):
+    shape = (30, 30, 30)
+    density, core = (ball(shape, (0, 0, 0), radius).astype(np.uint8) for radius in (12, 5))
+    ink_files.write_vti(tmp_path / "both.vti", density, core=core)
+    ink_files.write_vti(tmp_path / "core.vti", core)
+    drawn = {}
+    for name, file, options in (("chosen", "both.vti", ["--scalars", "core"]), ("alone", "core.vti", []), ("active", "both.vti", [])):
+        result = ink("render", tmp_path / file, *LINES, "--size", "200x200", *options, "-o", tmp_path / f"{name}.png")
+        assert result.code == 0, result
+        drawn[name] = (tmp_path / f"{name}.png").read_bytes()
+    assert drawn["chosen"] == drawn["alone"] != drawn["active"]
+    result = ink("render", tmp_path / "both.vti", *LINES, "--scalars", "velocity", "-o", tmp_path / "none.png")
+    assert result.code == 1
+    assert "found an image without the array 'velocity', with 'density', 'core'" in result.error
+    assert not (tmp_path / "none.png").exists()
+
+
+@pytest.mark.parametrize("slices", [1, 7])
+def test_a_small_label_in_a_large_volume_is_drawn_as_in_a_small_one(picture, tmp_path, slices):
+    """A nodule of a lung, as segmentations have them, also in thick slices."""
+    size = np.array((160 // slices, 160, 160))
+    z, y, x = np.indices(size)
+    z = slices * z + (slices - 1) / 2
+    label = ((z - 60) ** 2 + (y - 110) ** 2 + (x - 40) ** 2 < 10**2).astype(np.uint8)
+    # As far from its sides as smoothing reaches.
+    first, last = 21 // slices, 99 // slices
+    ink_files.write_nifti(tmp_path / "large.nii", label, spacing=(1, 1, slices))
+    ink_files.write_nifti(tmp_path / "small.nii", label[first:last, 80:140, 10:70], spacing=(1, 1, slices))
+    large, small = (255.0 - picture(tmp_path / f"{name}.nii", "--style", "splatting-lines") for name in ("large", "small"))
+    assert large.sum() == pytest.approx(small.sum(), rel=0.03)
+    assert np.abs(large - small).sum() < 0.1 * small.sum()

@@ -184,6 +184,9 @@ TEST(ResampledSamples, LongVoxelsBecomeCubesAndSmoothingIsTheSameInAllDirections
   const auto flat =
     ink::makeIsoSurfaceResampling(GridGeometry({ 9, 9, 9 }, {}, { 1.0, 1.0, 1000.0 }), 0.5, 3, {});
   EXPECT_EQ(flat.subdivision, glm::ivec3(3, 3, ink::largestSubdivision));
+  EXPECT_EQ(ink::subdivisionAlong(2.0, 3), 6);
+  EXPECT_EQ(ink::subdivisionAlong(3.0, 8), 8) << "cells three times as long as wide";
+  EXPECT_EQ(ink::subdivisionAlong(6.0, 8), 48) << "cubes";
   EXPECT_TRUE(ink::makeIsoSurfaceResampling(volume.geometry, 0.0, 1, {}).isIdentity());
 }
 

@@ -91,6 +91,29 @@ TEST(SplattingLinesStyle, CellsAreAPartOfThePictureWhateverItsPixels)
   EXPECT_EQ(style->GetNumberOfNotes(), 0);
 }
 
+TEST(SplattingLinesStyle, WhatIsSmallInAnImageFillsThePictureAllTheSame)
+{
+  const int side = 128;
+  const auto image = MakeBall(side);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  values->Fill(0.0);
+  const auto small = MakeBall(16);
+  for (vtkIdType i = 0; i < small->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType x = 90 + i % 16;
+    const vtkIdType y = 20 + i / 16 % 16;
+    const vtkIdType z = 60 + i / 256;
+    values->SetTuple(x + side * (y + side * z), i, small->GetPointData()->GetScalars());
+  }
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  EXPECT_EQ(SubdivisionOf(style, image), 8);
+  // A view shows it as large as it does.
+  style->InteractiveOn();
+  EXPECT_EQ(SubdivisionOf(style, image), 2);
+  style->SetPictureSize(8.0 * style->GetPictureHeight());
+  EXPECT_EQ(SubdivisionOf(style, image), 8);
+}
+
 TEST(SplattingLinesStyle, ManyPointsAreNotDivided)
 {
   // The surface lies in all cells of 63^3.
