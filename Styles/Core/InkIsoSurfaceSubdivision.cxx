@@ -76,14 +76,16 @@ InkIsoSurface::VoxelSides InkIsoSurface::MeasureVoxel(vtkImageData* image)
 double InkIsoSurface::FitLongest(
   double longest, const std::vector<double>& values, const std::function<double(double value)>& measure)
 {
-  // What fills half of the volume is what cells are made for.
+  // What fills half of the volume is what cells are made for, and do well enough for what is not much
+  // smaller.
+  constexpr double smallShare = 0.2;
   constexpr double usualShare = 0.5;
   double length = 0.0;
   for (const double value : values)
   {
     length = std::max(length, measure(value));
   }
-  return length > 0.0 ? std::min(longest, length / usualShare) : longest;
+  return length > 0.0 && length < smallShare * longest ? length / usualShare : longest;
 }
 
 void InkIsoSurface::TakeSubdivision(vtkInkStyle* style, const InkSubdivision& chosen)
