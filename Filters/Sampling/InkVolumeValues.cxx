@@ -146,15 +146,9 @@ double InkFindSurfaceLength(vtkImageData* image, double isoValue)
   return EvaluateScalars(image,
     [&]<class T>(std::span<const T> values)
     {
-      // All are there already, whichever are asked for.
-      const std::size_t slice = values.size() / static_cast<std::size_t>(dimensions[2]);
-      const ink::SliceReader<T> read = [&](int first, int last)
-      {
-        return values.subspan(
-          slice * static_cast<std::size_t>(first), slice * static_cast<std::size_t>(last - first));
-      };
+      const ink::SliceReader<T> whole = [values](int, int) { return values; };
       return LongestSide(
-        ink::activeCellExtent(read, dimensions, std::max(dimensions[2], 2), isoValue), image->GetSpacing());
+        ink::activeCellExtent(whole, dimensions, dimensions[2], isoValue), image->GetSpacing());
     });
 }
 
