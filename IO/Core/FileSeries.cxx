@@ -4,6 +4,7 @@
 #include "Core/FormatNumber.h"
 #include "ReadError.h"
 #include "VtkMessages.h"
+#include "Words.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
@@ -58,44 +59,6 @@ std::optional<std::pair<std::size_t, std::size_t>> findNumber(const std::string&
 bool isList(const fs::path& name)
 {
   return name.extension() == ".pvd" || name.extension() == ".series";
-}
-
-/// Numbers in names by their value, so that 10 comes after 9.
-bool comesBefore(const std::string& a, const std::string& b)
-{
-  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i < a.size() && j < b.size())
-  {
-    if (isDigit(a[i]) && isDigit(b[j]))
-    {
-      const auto numberAt = [&](const std::string& text, std::size_t& position)
-      {
-        const std::size_t begin = std::min(text.find_first_not_of('0', position), text.size());
-        for (position = begin; position < text.size() && isDigit(text[position]); ++position)
-        {
-        }
-        return text.substr(begin, position - begin);
-      };
-      const std::string first = numberAt(a, i);
-      const std::string second = numberAt(b, j);
-      if (first != second)
-      {
-        return std::pair(first.size(), first) < std::pair(second.size(), second);
-      }
-    }
-    else if (a[i] != b[j])
-    {
-      return a[i] < b[j];
-    }
-    else
-    {
-      ++i;
-      ++j;
-    }
-  }
-  return std::pair(a.size() - i, a) < std::pair(b.size() - j, b);
 }
 
 std::vector<fs::path> matching(const fs::path& pattern)

@@ -2,9 +2,11 @@
 #include "Words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 namespace ink::io
 {
@@ -63,6 +65,43 @@ std::string shortened(std::string_view line)
   std::replace_if(
     text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
   return line.size() <= most ? text : text + "...";
+}
+
+bool comesBefore(const std::string& a, const std::string& b)
+{
+  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.size() && j < b.size())
+  {
+    if (isDigit(a[i]) && isDigit(b[j]))
+    {
+      const auto numberAt = [&](const std::string& text, std::size_t& position)
+      {
+        const std::size_t begin = std::min(text.find_first_not_of('0', position), text.size());
+        for (position = begin; position < text.size() && isDigit(text[position]); ++position)
+        {
+        }
+        return text.substr(begin, position - begin);
+      };
+      const std::string first = numberAt(a, i);
+      const std::string second = numberAt(b, j);
+      if (first != second)
+      {
+        return std::pair(first.size(), first) < std::pair(second.size(), second);
+      }
+    }
+    else if (a[i] != b[j])
+    {
+      return a[i] < b[j];
+    }
+    else
+    {
+      ++i;
+      ++j;
+    }
+  }
+  return std::pair(a.size() - i, a) < std::pair(b.size() - j, b);
 }
 
 } // namespace ink::io

@@ -22,4 +22,7 @@ VTKINKIOCORE_EXPORT std::optional<double> numberIn(std::string_view word);
 /// The beginning of a line, for a message; what cannot be printed everywhere becomes a question mark.
 VTKINKIOCORE_EXPORT std::string shortened(std::string_view line);
 
+/// Whether a name comes before another, numbers in them by their value, so that 10 comes after 9.
+VTKINKIOCORE_EXPORT bool comesBefore(const std::string& a, const std::string& b);
+
 } // namespace ink::io

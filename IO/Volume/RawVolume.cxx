@@ -72,6 +72,10 @@ void RawVolume::checkDimensions(const fs::path& header) const
 void RawVolume::check(const fs::path& header) const
 {
   this->checkDimensions(header);
+  if (this->encoding == VoxelEncoding::Pages)
+  {
+    return; // what tells their sizes has looked
+  }
   for (std::size_t file = 0; file < this->files.size(); ++file)
   {
     const std::uint64_t size = fs::file_size(this->files[file]);

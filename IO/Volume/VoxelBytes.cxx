@@ -6,6 +6,7 @@
 #include "Inflater.h"
 #include "RawVolume.h"
 #include "ReadError.h"
+#include "TiffFile.h"
 #include "Words.h"
 
 #include "vtkSetGet.h"
@@ -16,6 +17,7 @@
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -238,6 +240,53 @@ private:
   std::size_t Used = 0;
 };
 
+/// Of pages, of which one is kept.
+class PageBytes : public VoxelBytes
+{
+public:
+  explicit PageBytes(const RawVolume& voxels)
+    : Voxels(voxels)
+    , Values(voxels.fileBytes() / voxels.files.size())
+  {
+  }
+
+  void read(std::uint64_t position, std::span<unsigned char> bytes) override
+  {
+    while (!bytes.empty())
+    {
+      this->turnTo(static_cast<std::size_t>(position / this->Values.size()));
+      const auto within = static_cast<std::size_t>(position % this->Values.size());
+      const std::size_t some = std::min(bytes.size(), this->Values.size() - within);
+      std::copy_n(this->Values.begin() + static_cast<std::ptrdiff_t>(within), some, bytes.begin());
+      position += some;
+      bytes = bytes.subspan(some);
+    }
+  }
+
+private:
+  void turnTo(std::size_t page)
+  {
+    if (this->Page == page)
+    {
+      return;
+    }
+    this->Page.reset();
+    const std::filesystem::path& path = this->Voxels.files.at(page);
+    if (!this->File || this->File->path() != path)
+    {
+      this->File.emplace(path);
+    }
+    this->File->turnTo(this->Voxels.offsetIn(page));
+    this->File->read(this->Values);
+    this->Page = page;
+  }
+
+  RawVolume Voxels;
+  std::optional<TiffFile> File;
+  std::optional<std::size_t> Page;
+  std::vector<unsigned char> Values;
+};
+
 } // namespace
 
 std::unique_ptr<VoxelBytes> VoxelBytes::open(const RawVolume& voxels)
@@ -248,6 +297,8 @@ std::unique_ptr<VoxelBytes> VoxelBytes::open(const RawVolume& voxels)
       return std::make_unique<InflatedBytes>(voxels);
     case VoxelEncoding::Text:
       return std::make_unique<TextBytes>(voxels);
+    case VoxelEncoding::Pages:
+      return std::make_unique<PageBytes>(voxels);
     default:
       return std::make_unique<StoredBytes>(voxels);
   }

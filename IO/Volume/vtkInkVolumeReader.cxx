@@ -23,6 +23,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -49,7 +50,8 @@ constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io:
   { ".mhd", io::readMetaImageHeader }, { ".mrc", io::readMrcHeader }, { ".mrc.gz", io::readMrcHeader },
   { ".map", io::readMrcHeader }, { ".map.gz", io::readMrcHeader }, { ".ccp4", io::readMrcHeader },
   { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr }, { ".vtk", io::readLegacyHeader },
-  { ".dcm", io::readDicomHeaders } };
+  { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader }, { ".tif", io::readTiffHeader },
+  { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
 constexpr Format dicom{ "", io::readDicomHeaders };
 
 std::string Text(const char* characters)
@@ -70,7 +72,7 @@ const Format& FormatOf(const fs::path& file)
   }
   io::failToRead(file,
     "unknown type '" + io::suffixOf(file) + "'; expected one of " + vtkInkVolumeReader::GetFileExtensions() +
-      ", a folder of DICOM files, or any file with Raw");
+      ", a folder of DICOM or TIFF files, or any file with Raw");
 }
 
 /// Whether values of a type of VTK's have bytes of their own and can be computed with: bits and strings not.
@@ -85,8 +87,7 @@ bool IsNumber(int type)
 }
 
 /// How the voxels of a file without a header lie. @throws ink::io::ReadError if it has not as many bytes
-io::VolumeHeader RawHeader(
-  const fs::path& file, const int dimensions[3], int type, const double spacing[3], bool bigEndian)
+io::VolumeHeader RawHeader(const fs::path& file, const int dimensions[3], int type, bool bigEndian)
 {
   io::VolumeHeader header;
   header.format = "raw volume";
@@ -105,7 +106,6 @@ io::VolumeHeader RawHeader(
       file, "RawDimensions are " + ink::formatDimensions(dimensions) + "; expected numbers of 1 or more");
   }
   header.voxels.setBigEndian(bigEndian);
-  std::transform(spacing, spacing + 3, header.spacing, io::spacingOf);
   // In double first, in which nothing overflows.
   const double bytes =
     static_cast<double>(header.voxels.valueSize()) * dimensions[0] * dimensions[1] * dimensions[2];
@@ -165,7 +165,8 @@ struct vtkInkVolumeReader::Source
   {
     if (fs::is_directory(file))
     {
-      return std::make_unique<Source>(io::readDicomHeaders(file), file);
+      return std::make_unique<Source>(
+        io::isFolderOfTiffs(file) ? io::readTiffHeader(file) : io::readDicomHeaders(file), file);
     }
     const Format& format = FormatOf(file);
     return format.readHeader ? std::make_unique<Source>(format.readHeader(file), file)
@@ -238,6 +239,12 @@ void vtkInkVolumeReader::Source::Read(const int extent[6], vtkImageData* image, 
   {
     io::scaleValues(image, this->Header.slope, this->Header.intercept);
   }
+}
+
+void vtkInkVolumeReader::Respace(double spacing[3]) const
+{
+  std::transform(spacing, spacing + 3, this->Spacing, spacing,
+    [](double given, double wanted) { return wanted != 0.0 ? std::abs(wanted) : given; });
 }
 
 vtkInkVolumeReader::vtkInkVolumeReader()
@@ -335,7 +342,7 @@ int vtkInkVolumeReader::RequestInformation(
   if (!this->FileName || !*this->FileName)
   {
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("FileName is empty; expected a file, or a folder of DICOM files.");
+    vtkErrorMacro("FileName is empty; expected a file, or a folder of DICOM or TIFF files.");
     return 1;
   }
   const fs::path file = this->FileName;
@@ -344,10 +351,13 @@ int vtkInkVolumeReader::RequestInformation(
     io::checkExists(file);
     std::unique_ptr<Source> source = this->Raw
       ? std::make_unique<Source>(
-          RawHeader(file, this->RawDimensions, this->RawScalarType, this->RawSpacing, this->RawBigEndian),
-          file)
+          RawHeader(file, this->RawDimensions, this->RawScalarType, this->RawBigEndian), file)
       : Source::Open(file);
     source->Announce(info);
+    double spacing[3];
+    info->Get(vtkDataObject::SPACING(), spacing);
+    this->Respace(spacing);
+    info->Set(vtkDataObject::SPACING(), spacing, 3);
     this->Found = std::move(source);
   }
   catch (...)
@@ -376,6 +386,10 @@ int vtkInkVolumeReader::RequestData(
         this->UpdateProgress(done);
         return !InkCheckAbort(this);
       });
+    double spacing[3];
+    image->GetSpacing(spacing);
+    this->Respace(spacing);
+    image->SetSpacing(spacing);
   }
   catch (...)
   {
@@ -388,10 +402,10 @@ void vtkInkVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << Text(this->FileName) << "\n"
+     << indent << "Spacing: " << ink::formatTriple(this->Spacing) << "\n"
      << indent << "Raw: " << this->Raw << "\n"
      << indent << "RawDimensions: " << ink::formatDimensions(this->RawDimensions) << "\n"
      << indent << "RawScalarType: " << vtkImageScalarTypeNameMacro(this->RawScalarType) << "\n"
-     << indent << "RawSpacing: " << ink::formatTriple(this->RawSpacing) << "\n"
      << indent << "RawBigEndian: " << this->RawBigEndian << "\n"
      << indent << "Format: " << this->GetFormat() << "\n";
 }

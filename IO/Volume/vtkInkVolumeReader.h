@@ -4,10 +4,12 @@
  * @brief   a volume of any format as image data of one component, checked and in parts
  *
  * Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), MRC and CCP4 maps (.mrc, .map,
- * .ccp4, each also with .gz), VTK XML images (.vti), structured points of legacy VTK files (.vtk), a folder
- * of DICOM files, which becomes the series in it that has most slices, one DICOM file (.dcm, or any name),
- * which is a volume by itself or stands for the slices of its series in its folder, and with Raw any file
- * without a header. Which format it is the file's name tells.
+ * .ccp4, each also with .gz), FreeSurfer volumes (.mgh, .mgz), VTK XML images (.vti), structured points of
+ * legacy VTK files (.vtk), TIFF stacks
+ * (.tif, .tiff, with what ImageJ and OME write into them about distances, channels and times), a folder of
+ * TIFF files, each of which is a slice, a folder of DICOM files, which becomes the series in it that has most
+ * slices, one DICOM file (.dcm, or any name), which is a volume by itself or stands for the slices of its
+ * series in its folder, and with Raw any file without a header. Which format it is the file's name tells.
  *
  * The output has one point array of one component: the first of voxels that have several, in the type of the
  * file, or, where the file says that its values are to be rescaled, in short or int if all have room and else
@@ -44,7 +46,7 @@ public:
 
   ///@{
   /**
-   * The file to read, or a folder of DICOM files. Default: none, which is an error.
+   * The file to read, or a folder of DICOM or TIFF files. Default: none, which is an error.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -64,6 +66,16 @@ public:
    * Whether a file, whatever its name, is a DICOM file.
    */
   static bool IsDicomFile(VTK_FILEPATH const char* fileName);
+
+  ///@{
+  /**
+   * The distances between voxels along x, y and z, in world units, in place of those that the file says; of
+   * negative ones the amount is taken, 0 leaves the file's, which of one without a header, or that does not
+   * say, are 1. Numbers that are not finite are refused with a warning. Default: (0, 0, 0).
+   */
+  InkSetPointMacro(Spacing);
+  vtkGetVector3Macro(Spacing, double);
+  ///@}
 
   ///@{
   /**
@@ -90,16 +102,6 @@ public:
    */
   vtkSetMacro(RawScalarType, int);
   vtkGetMacro(RawScalarType, int);
-  ///@}
-
-  ///@{
-  /**
-   * The distance between the voxels of a raw file along x, y and z, in world units; of negative ones the
-   * amount is taken, of 0 it is 1. Numbers that are not finite are refused with a warning. Default: (1, 1,
-   * 1).
-   */
-  InkSetPointMacro(RawSpacing);
-  vtkGetVector3Macro(RawSpacing, double);
   ///@}
 
   ///@{
@@ -155,11 +157,13 @@ private:
 
   struct Source;
 
+  void Respace(double spacing[3]) const;
+
   char* FileName = nullptr;
+  double Spacing[3] = { 0.0, 0.0, 0.0 };
   bool Raw = false;
   int RawDimensions[3] = { 1, 1, 1 };
   int RawScalarType = VTK_UNSIGNED_CHAR;
-  double RawSpacing[3] = { 1.0, 1.0, 1.0 };
   bool RawBigEndian = false;
   /// What UpdateInformation found; null if that failed, which then was said.
   std::unique_ptr<Source> Found;

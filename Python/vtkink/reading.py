@@ -42,7 +42,7 @@ def _reader(path):
         return vtkInkMeshReader()
     if vtkInkVolumeReader.IsDicomFile(path):
         return vtkInkVolumeReader()
-    raise ValueError(f"{path!r}: expected a file of {' '.join(dict.fromkeys(volumes + meshes))} .vdb or a folder of DICOM files")
+    raise ValueError(f"{path!r}: expected a file of {' '.join(dict.fromkeys(volumes + meshes))} .vdb or a folder of DICOM or TIFF files")
 
 
 class Errors:
@@ -61,7 +61,7 @@ class Errors:
 
 
 def reader_of(path):
-    """What reads a file, or a folder of DICOM files, and has not done so yet.
+    """What reads a file, or a folder of DICOM or TIFF files, and has not done so yet.
 
     :raises FileNotFoundError: if there is no such file
     :raises ValueError: for a file of a kind that is not read
@@ -75,7 +75,7 @@ def reader_of(path):
 
 
 def read(path):
-    """The data object in a file, or in a folder of DICOM files, as ``ink`` reads it: a volume in DICOM's axes and with
+    """The data object in a file, or in a folder of DICOM or TIFF files, as ``ink`` reads it: a volume in DICOM's axes and with
     its values rescaled where the file says so, or a mesh or points.
 
     :raises FileNotFoundError: if there is no such file

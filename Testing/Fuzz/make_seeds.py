@@ -132,6 +132,13 @@ SEEDS = {
     "mrc/plain": lambda p: ink_files.write_mrc(p, VOLUME.astype("int16")),
     "mrc/extended": lambda p: ink_files.write_mrc(p, VOLUME.astype("float32"), (3, 1, 2), ">", extended=bytes(range(80))),
     "map.gz/plain": lambda p: ink_files.write_mrc(p, VOLUME.astype("uint16")),
+    "mgh/plain": lambda p: ink_files.write_mgh(p, VOLUME.astype("int16")),
+    "tif/plain": lambda p: ink_files.write_tiff(p, VOLUME),
+    "tif/compressed": lambda p: ink_files.write_tiff(p, VOLUME.astype("uint16"), True),
+    "tif/imagej": lambda p: ink_files.write_tiff(
+        p, VOLUME, description="ImageJ=1.53t\nimages=4\nchannels=2\nslices=2\nunit=um\nspacing=2\n"),
+    "tif/ome": lambda p: ink_files.write_tiff(
+        p, VOLUME, description='<OME><Pixels SizeZ="2" SizeC="1" SizeT="2" DimensionOrder="XYZTC" PhysicalSizeZ="2"/></OME>'),
     "vti/cells": lambda p: ink_files.write_vti(p, VOLUME, "ascii", where="CellData"),
     "vti/ascii": lambda p: ink_files.write_vti(p, VOLUME, "ascii"),
     "vti/binary": lambda p: ink_files.write_vti(p, VOLUME, "binary"),

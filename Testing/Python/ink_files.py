@@ -181,6 +181,35 @@ def write_mrc(path, volume, axes=(1, 2, 3), order="<", cell=None, extended=b""):
     path.write_bytes(gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
 
 
+def write_tiff(path, volume, compressed=False, description=""):
+    """One page a slice of unsigned integers, each in one strip, little endian."""
+    data = bytearray(b"II*\0\0\0\0\0")
+    link = 4
+    for image in volume:
+        strip = image.astype(image.dtype.newbyteorder("<")).tobytes()
+        strip = zlib.compress(strip) if compressed else strip
+        text = description.encode() + b"\0"
+        offset = len(data)
+        data += strip + text + bytes((len(strip) + len(text)) % 2)
+        struct.pack_into("<I", data, link, len(data))
+        tags = [(256, 4, 1, image.shape[1]), (257, 4, 1, image.shape[0]), (258, 3, 1, 8 * image.itemsize),
+                (259, 3, 1, 8 if compressed else 1), (262, 3, 1, 1), (270, 2, len(text), offset + len(strip)),
+                (273, 4, 1, offset), (277, 3, 1, 1), (278, 4, 1, image.shape[0]), (279, 4, 1, len(strip))]
+        data += struct.pack("<H", len(tags)) + b"".join(struct.pack("<HHII", *tag) for tag in tags)
+        link = len(data)
+        data += bytes(4)
+    path.write_bytes(data)
+
+
+def write_mgh(path, volume):
+    """Along DICOM's axes; .mgz is compressed."""
+    kind = {"uint8": 0, "int32": 1, "float32": 3, "int16": 4, "uint16": 10}[volume.dtype.name]
+    header = struct.pack(">7ih15f", 1, *volume.shape[::-1], 1, kind, 0, 1, 1, 1, 1, -1, 0, 0, 0, -1, 0, 0, 0, 1,
+                         *(-0.5 * volume.shape[2], -0.5 * volume.shape[1], 0.5 * volume.shape[0]))
+    data = header.ljust(284, b"\0") + volume.astype(volume.dtype.newbyteorder(">")).tobytes()
+    path.write_bytes(gzip.compress(data, mtime=0) if path.suffix == ".mgz" else data)
+
+
 def dicom_element(group, element, vr, value, implicit=False):
     if isinstance(value, str):
         value = value.encode() + (b" " if vr != "UI" else b"\0") * (len(value) % 2)

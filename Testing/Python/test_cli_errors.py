@@ -92,7 +92,7 @@ def test_what_was_meant(ink, arguments, meant):
     (["render", "v.nii"], "OUT or --output: required, found nothing (see ink render --help)"),
     (["render", "-o", "a.png"], "FILE: required, found nothing (see ink render --help)"),
     (["render", "v.nii", "-o", "a.png", "--zoom", "1", "--zoom", "2"], "--zoom: expected once, found 2 times"),
-    (["render", "v.nii", "-o", "a.png", "--spacing", "1,1,1"], "--spacing: expected with --raw"),
+    (["render", "v.nii", "-o", "a.png", "--big-endian"], "--big-endian: expected with --raw"),
     (["sample", "v.ply", "a.vtp", "--radius", "1", "--count", "5"], "--count: expected without --radius"),
     (["render", "v.nii", "-o", "a.png", "--view", "behind"], "--view 'behind': expected back, bottom, front, iso, left, right or top"),
     (["render", "v.nii", "-o", "a.png", "--zoom", "0"], "--zoom '0': expected a number from 0.01 to 1000"),

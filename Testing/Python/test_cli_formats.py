@@ -57,6 +57,12 @@ def text_metaimage(path):
                     "ElementDataFile = LOCAL\n" + " ".join(map(str, BLOB.ravel())) + "\n")
 
 
+def tiff_folder(path):
+    path.mkdir()
+    for i, image in enumerate(BLOB):
+        ink_files.write_tiff(path / f"z{i}.tif", image[None], compressed=True)
+
+
 VOLUMES = {
     "plain.nii": lambda p: ink_files.write_nifti(p, BLOB),
     "oriented.nii.gz": lambda p: ink_files.write_nifti(p, BLOB, AFFINE),
@@ -88,6 +94,11 @@ VOLUMES = {
     "turned.map": lambda p: ink_files.write_mrc(p, BLOB.astype("int16").transpose(1, 2, 0), (3, 1, 2), ">"),
     "extended.ccp4": lambda p: ink_files.write_mrc(p, BLOB.astype("uint16"), extended=bytes(80)),
     "compressed.map.gz": lambda p: ink_files.write_mrc(p, BLOB.astype("float32")),
+    "plain.mgh": lambda p: ink_files.write_mgh(p, BLOB.astype("int16")),
+    "compressed.mgz": lambda p: ink_files.write_mgh(p, BLOB),
+    "plain.tif": lambda p: ink_files.write_tiff(p, BLOB),
+    "compressed.tiff": lambda p: ink_files.write_tiff(p, BLOB.astype("uint16"), True),
+    "slices": tiff_folder,
     "ascii.vtk": lambda p: ink_files.write_legacy(p, BLOB, ascii=True),
     "axial": lambda p: ink_files.write_dicom(p, BLOB),
     "downwards": lambda p: ink_files.write_dicom(p, BLOB[::-1], origin=(0, 0, 31), step=(0, 0, -1)),
@@ -194,6 +205,19 @@ def test_raw_spacing(ink, tmp_path):
     result = ink("info", tmp_path / "blob.raw", "--raw", "32x32x32:uint8", "--spacing", "0.5,1,2")
     assert result.code == 0
     assert "0.5 1 2" in result.out
+
+
+def test_spacing_in_place_of_the_files(ink, tmp_path):
+    for name, write in (("v.tif", ink_files.write_tiff), ("v.vti", ink_files.write_vti), ("v.nii", ink_files.write_nifti)):
+        write(tmp_path / name, BLOB)
+        for given in ([], ["--spacing", "0.5,1,2"]):
+            result = ink("info", tmp_path / name, *given)
+            assert result.code == 0
+            assert ("0.5 1 2" in result.out) == bool(given)
+    ink_files.write_ply(tmp_path / "m.ply", MESH)
+    result = ink("info", tmp_path / "m.ply", "--spacing", "1,1,2")
+    assert result.code == 2
+    assert f"--spacing: only images of voxels have distances between them, '{tmp_path / 'm.ply'}' is none" in result.err
 
 
 MESH = ink_files.sphere_mesh()

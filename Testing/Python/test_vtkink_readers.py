@@ -60,7 +60,7 @@ def test_raw_volumes(tmp_path):
     reader.SetRawDimensions(16, 18, 20)
     reader.SetRawScalarType(vtk.VTK_SHORT)
     reader.SetRawBigEndian(True)
-    reader.SetRawSpacing(1, 2, 3)
+    reader.SetSpacing(1, 2, 3)
     reader.Update()
     assert np.array_equal(values_of(reader.GetOutput()), BLOB)
     assert reader.GetOutput().GetSpacing() == (1, 2, 3)

@@ -65,6 +65,7 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
 #ifdef INK_WITH_OPENVDB
   if (suffix == vdbSuffix)
   {
+    requireNoSpacing(options);
     // What is cut out of a volume is cut out of its voxels.
     return vdbLibrary().read(options, options.crop ? Wanted::Values : wanted, progress);
   }
@@ -109,7 +110,7 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   }
   failToRead(file,
     "unknown type '" + suffix + "'; expected one of " + knownSuffixes() +
-      ", a folder of DICOM files, or any file with --raw");
+      ", a folder of DICOM or TIFF files, or any file with --raw");
 }
 
 } // namespace

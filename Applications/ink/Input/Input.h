@@ -24,7 +24,6 @@ struct RawLayout
 {
   int dimensions[3];
   int type; ///< as VTK_UNSIGNED_CHAR
-  double spacing[3] = { 1, 1, 1 };
   bool bigEndian = false;
 
   /// From "WxHxD:type", the type being one of uint8, int8, uint16, ... int64, float32, float64.
@@ -36,8 +35,9 @@ struct RawLayout
 struct InputOptions
 {
   std::filesystem::path file;
-  std::optional<RawLayout> raw; ///< given: the file has no header
-  std::string grid;             ///< of an OpenVDB file; empty: the first that can be read
+  std::optional<RawLayout> raw;             ///< given: the file has no header
+  std::array<double, 3> spacing{ 0, 0, 0 }; ///< between voxels; 0: as the file says
+  std::string grid;                         ///< of an OpenVDB file; empty: the first that can be read
   std::optional<std::array<double, 6>>
     crop; ///< the part to keep: x, y and z from and to, in world coordinates
   InkMemoryBudget memory = usualMemory();

@@ -71,7 +71,16 @@ void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const
     failToRead(file,
       "its voxels take " + InkFormatMemory(bytes) + ": expected --memory of at least that, found " +
         InkFormatMemory(memory.Limit) +
-        " (uncompressed NIfTI, NRRD, MetaImage, MRC, legacy VTK and raw files need not fit)");
+        " (uncompressed NIfTI, NRRD, MetaImage, MRC, TIFF, legacy VTK and raw files need not fit)");
+  }
+}
+
+void requireNoSpacing(const InputOptions& options)
+{
+  if (options.spacing != std::array<double, 3>{})
+  {
+    throw UsageError("--spacing: only images of voxels have distances between them, '" +
+      options.file.string() + "' is none");
   }
 }
 

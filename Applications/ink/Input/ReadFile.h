@@ -23,6 +23,9 @@ void readHeader(vtkAlgorithm* reader, const std::filesystem::path& file, Progres
 /// @throws Failure if voxels of so many bytes, which are read whole, are more than memory has room for.
 void requireMemory(const std::filesystem::path& file, std::uint64_t bytes, const InkMemoryBudget& memory);
 
+/// @throws UsageError if --spacing is given, for what is no file of voxels with distances between them.
+void requireNoSpacing(const InputOptions& options);
+
 /// What keeps the part that --crop names of what an algorithm makes; the algorithm itself without --crop.
 /// @throws Failure if nothing of an image, which only UpdateInformation is asked of, is left
 vtkSmartPointer<vtkAlgorithm> cropped(vtkAlgorithm* source, const InputOptions& options);

@@ -12,6 +12,7 @@ namespace ink::cli
 
 Input readMesh(const InputOptions& options, Progress& progress)
 {
+  requireNoSpacing(options);
   vtkNew<vtkInkMeshReader> reader;
   reader->SetFileName(options.file.c_str());
   runReader(reader, options.file, progress);

@@ -16,12 +16,12 @@ Input readVolume(const InputOptions& options, Progress& progress)
 {
   vtkNew<vtkInkVolumeReader> reader;
   reader->SetFileName(options.file.c_str());
+  reader->SetSpacing(options.spacing[0], options.spacing[1], options.spacing[2]);
   if (const std::optional<RawLayout>& raw = options.raw)
   {
     reader->RawOn();
     reader->SetRawDimensions(raw->dimensions[0], raw->dimensions[1], raw->dimensions[2]);
     reader->SetRawScalarType(raw->type);
-    reader->SetRawSpacing(raw->spacing[0], raw->spacing[1], raw->spacing[2]);
     reader->SetRawBigEndian(raw->bigEndian);
   }
   readHeader(reader, options.file, progress);

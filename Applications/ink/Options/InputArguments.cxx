@@ -23,8 +23,8 @@ constexpr const char* vdbSuffix = "";
 
 std::string InputArguments::fileHelp(const std::string& mesh)
 {
-  return "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .mrc .map .ccp4 .vti .vtk .dcm" +
-    std::string(vdbSuffix) + ", a folder of DICOM files, or any file with --raw;\n" + mesh +
+  return "volume: .nii .nii.gz .nrrd .nhdr .mha .mhd .mrc .map .ccp4 .mgz .vti .vtk .tif .dcm" +
+    std::string(vdbSuffix) + ", a folder of DICOM or TIFF files, or any file with --raw;\n" + mesh +
     ": .ply .obj .off .stl .vtp .vtk .xyz";
 }
 
@@ -45,9 +45,19 @@ void InputArguments::addReading(CLI::App* command)
     ->type_name("x0,x1,y0,y1,z0,z1")
     ->check(anyNumber());
   command
+    ->add_option("--spacing", this->spacing,
+      "distances between voxels, in place of those that the file says or, as raw and most TIFF files, does "
+      "not say")
+    ->delimiter(',')
+    ->expected(3)
+    ->allow_extra_args(false)
+    ->type_name("x,y,z")
+    ->check(within(1e-12, 1e12));
+  command
     ->add_option("--memory", this->memory,
       "about how much memory to use, as 800MiB or 4GiB (half of the machine's). Volumes in raw files and in\n"
-      "uncompressed NIfTI, NRRD, MetaImage, MRC and legacy VTK files that are larger are read a few slices "
+      "uncompressed NIfTI, NRRD, MetaImage, MRC, TIFF and legacy VTK files that are larger are read a few "
+      "slices "
       "at a time")
     ->type_name("SIZE");
   command
@@ -55,14 +65,6 @@ void InputArguments::addReading(CLI::App* command)
       "FILE is nothing but voxels, x fastest. Types: uint8, int8, uint16, ... int64, float32, float64")
     ->type_name("WxHxD:type")
     ->group("Raw files");
-  command->add_option("--spacing", this->spacing, "distances between voxels of a --raw file (1,1,1)")
-    ->delimiter(',')
-    ->expected(3)
-    ->allow_extra_args(false)
-    ->type_name("x,y,z")
-    ->group("Raw files")
-    ->needs("--raw")
-    ->check(within(1e-12, 1e12));
   command->add_flag("--big-endian", this->bigEndian, "byte order of a --raw file (little endian)")
     ->group("Raw files")
     ->needs("--raw");
@@ -80,10 +82,10 @@ InputOptions InputArguments::options() const
   InputOptions options;
   options.file = this->file;
   options.grid = this->grid;
+  std::copy(this->spacing.begin(), this->spacing.end(), options.spacing.begin());
   if (this->raw)
   {
     options.raw = RawLayout::parse(*this->raw);
-    std::copy(this->spacing.begin(), this->spacing.end(), options.raw->spacing);
     options.raw->bigEndian = this->bigEndian;
   }
   if (!this->crop.empty())

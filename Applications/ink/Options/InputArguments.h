@@ -22,7 +22,7 @@ struct InputArguments
 {
   std::string file;
   std::optional<std::string> raw;
-  std::vector<double> spacing{ 1, 1, 1 };
+  std::vector<double> spacing;
   bool bigEndian = false;
   std::vector<double> crop;
   std::string grid;

@@ -32,10 +32,15 @@ struct VolumeHeader
 /// headers that do not say what they expect: see Documentation/files.md. @throws ReadError if it is no such
 /// file, or its header promises more than there is.
 VolumeHeader readDicomHeaders(const std::filesystem::path& path);
+VolumeHeader readMghHeader(const std::filesystem::path& file);
 VolumeHeader readMrcHeader(const std::filesystem::path& file);
 VolumeHeader readNiftiHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
+/// Of the pages of a TIFF file, or of the TIFF files of a folder, each of which is a slice.
+VolumeHeader readTiffHeader(const std::filesystem::path& path);
+/// Whether most files of a folder are TIFF files by their names.
+bool isFolderOfTiffs(const std::filesystem::path& folder);
 /// Of structured points in a legacy VTK file.
 VolumeHeader readLegacyHeader(const std::filesystem::path& file);
 

@@ -111,13 +111,13 @@ TEST(VolumeReader, RawFilesHaveTheLayoutThatIsSet)
   {
     const auto reader = RawReaderOf(Put("VolumeReaderLayout.raw", Bytes(bigEndian)));
     reader->SetRawBigEndian(bigEndian);
-    reader->SetRawSpacing(0.25, 0.5, 3.0);
+    reader->SetSpacing(0.25, 0.5, 3.0);
     reader->Update();
     EXPECT_EQ(reader->GetOutput()->GetSpacing()[2], 3.0);
     EXPECT_STREQ(reader->GetFormat(), "raw volume");
     ExpectValues(reader->GetOutput(), bigEndian ? "big-endian" : "little-endian");
     // No image can have these.
-    reader->SetRawSpacing(-0.25, 0.0, 3.0);
+    reader->SetSpacing(-0.25, 0.0, 3.0);
     reader->Update();
     EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 0.25);
     EXPECT_EQ(reader->GetOutput()->GetSpacing()[1], 1.0);
