@@ -52,6 +52,16 @@ constexpr double stillSharp = 0.7;
 // twelve heads.
 constexpr double maskedShare = 0.09;
 
+// A boundary with less than this fraction of the step of another one that keeps more than the next fraction
+// of its voxels is a haze around that: of the means of many scans of heads, say.
+constexpr double hazeStep = 1.0 / 6.0;
+constexpr double hazeKeeps = 0.25;
+// What keeps less than this fraction of the voxels of a whole surface below it, which is at least half as
+// sharp, are the brightest spots of what that surface is around: fat in MR, the nearer to the coil the
+// brighter. Vessels in angiography are sharper than that.
+constexpr double brightestKeeps = 0.05;
+constexpr double halfAsSharp = 0.5;
+
 /// A finite local maximum that is prominent on both sides: the first and last threshold with its value.
 struct Maximum
 {
@@ -162,6 +172,13 @@ bool isMask(const IsoStatistics& statistics, std::size_t threshold)
   return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
 }
 
+/// Whether a mask cuts what lies above a threshold.
+bool isCutByMask(const IsoStatistics& statistics, std::size_t threshold)
+{
+  return static_cast<double>(statistics.maskEdges[threshold]) >
+    maskedShare * static_cast<double>(statistics.edges[threshold]);
+}
+
 /// Whether a threshold belongs to the peaks of a smooth field.
 bool isPeak(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t threshold)
 {
@@ -176,6 +193,58 @@ bool isPeak(const IsoStatistics& statistics, const std::vector<double>& kept, st
   const BinRange above{ threshold + 1, statistics.voxels.size() - 1 };
   return static_cast<double>(sums.edges[threshold]) < fragmentArea * static_cast<double>(most) &&
     !areTooMany(most, statistics) && !findMaterialValue(statistics.voxels, above, false);
+}
+
+/// Whether the first boundary is a haze around another one.
+bool isHaze(const IsoStatistics& statistics, const std::vector<double>& kept,
+  const std::vector<IsoBoundary>& boundaries)
+{
+  const std::size_t first = boundaries.front().index;
+  return std::any_of(boundaries.begin() + 1, boundaries.end(),
+    [&](const IsoBoundary& other)
+    {
+      return kept[other.index] > hazeKeeps * kept[first] &&
+        meanStep(statistics, first) < hazeStep * meanStep(statistics, other.index);
+    });
+}
+
+/// The surface around all of a material whose brightest spots alone have a boundary of their own: where the
+/// steps become larger from its edge up to those, none of the thresholds around it is the sharpest. It lies
+/// where the area is the least, nearly.
+std::optional<IsoBoundary> findSurfaceAround(
+  const IsoBoundary& spots, const IsoStatistics& statistics, const std::vector<double>& kept)
+{
+  const std::vector<bool> noise = findNoisyThresholds(statistics.edges, statistics.speckEdges, kept);
+  std::size_t begin = spots.index;
+  while (begin > 0 && !noise[begin - 1] && !isMask(statistics, begin - 1))
+  {
+    --begin;
+  }
+  // The area is small above the brightest material, too: here more of it follows.
+  const std::vector<std::int64_t>& edges = statistics.edges;
+  std::size_t least = spots.index;
+  std::int64_t above = 0;
+  for (std::size_t i = spots.index; i-- > begin; above = std::max(above, edges[i]))
+  {
+    const bool isValley = mostArea * static_cast<double>(edges[i]) <= static_cast<double>(above);
+    least = isValley && (least == spots.index || edges[i] < edges[least]) ? i : least;
+  }
+  std::size_t index = least;
+  while (index + 1 < spots.index &&
+    static_cast<double>(edges[index + 1]) <= mostArea * static_cast<double>(edges[least]))
+  {
+    ++index;
+  }
+  const bool isWhole = least < spots.index && kept[spots.index] < brightestKeeps * kept[index] &&
+    meanStep(statistics, index) >= halfAsSharp * meanStep(statistics, spots.index) &&
+    speckShare(statistics, index) <= scrapShare && !isCutByMask(statistics, index) &&
+    !areTooMany(statistics.edges[index], statistics);
+  if (!isWhole)
+  {
+    return std::nullopt;
+  }
+  return IsoBoundary{ static_cast<double>(index), index, static_cast<double>(statistics.steps[index]), index,
+    index + 1 };
 }
 
 } // namespace
@@ -232,6 +301,17 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
   {
     boundaries.erase(boundaries.begin());
   }
+  if (!boundaries.empty() && isHaze(statistics, kept, boundaries))
+  {
+    boundaries.erase(boundaries.begin());
+  }
+  if (!boundaries.empty())
+  {
+    if (const auto around = findSurfaceAround(boundaries.front(), statistics, kept))
+    {
+      boundaries.insert(boundaries.begin(), *around);
+    }
+  }
   return boundaries;
 }
 
@@ -271,8 +351,7 @@ void mendBoundary(const IsoStatistics& statistics, IsoBoundary& boundary)
   const std::vector<bool> noise =
     findNoisyThresholds(edges, statistics.speckEdges, keptShares(statistics.voxels));
   const double least = stillSharp * meanStep(statistics, boundary.index);
-  const bool masked = static_cast<double>(statistics.maskEdges[boundary.begin]) >
-    maskedShare * static_cast<double>(edges[boundary.begin]);
+  const bool masked = isCutByMask(statistics, boundary.begin);
   std::size_t lowest = boundary.begin;
   while (!masked && lowest > 0 && !noise[lowest - 1] && meanStep(statistics, lowest - 1) >= least)
   {

@@ -43,10 +43,14 @@ struct IsoSuggestion
 /// Where the first boundary cuts into a material of different parts, as higher values do in MR, it is moved
 /// down to where its area is the least, nearly: there the surface has no holes.
 ///
+/// Where a material has no boundary but at its brightest spots, as MR has that fades away from a coil, the
+/// surface around all of it comes first: where the area is the least, nearly, as long as it is half as sharp.
+///
 /// Not suggested are noise (too many single voxels, and many more than at lower values), the border of a
 /// scanner's field of view (nearly everything inside), fragments (less than a hundredth of what a lower
 /// boundary keeps), the peaks of smooth fields, as simulations have (less than a twentieth of the area of
-/// surfaces at lower values, and no material above), and, as long as there are other boundaries, the edge of
+/// surfaces at lower values, and no material above), the haze around a boundary with more than six times its
+/// step, and, as long as there are other boundaries, the edge of
 /// a mask (edges that begin in a region of one value).
 ///
 /// Where noise can hide boundaries, they are those of the smoothed volume, see smoothedSlices, from the first

@@ -70,6 +70,9 @@ constexpr double mostSliceSmoothing = 4.0;
 /// Steps of scans are not that sharp, see NoiseEstimate::sharpness.
 constexpr double leastSharpness = 0.55;
 
+/// Of brains that a mask cuts through, see NoiseEstimate::cut.
+constexpr double leastCut = 0.45;
+
 /// The deviation of a normal's angle at a blurred unit step, for noise of deviation 1: the deviation of a
 /// derivative of noise under a Gaussian, by the step's own.
 double angleOf(double deviation)
@@ -241,6 +244,8 @@ void NoiseSightings::append(const NoiseSightings& other)
   add(this->keeping, other.keeping);
   this->maskChanges += other.maskChanges;
   this->maskSteps += other.maskSteps;
+  this->outerSteps += other.outerSteps;
+  this->cutSteps += other.cutSteps;
 }
 
 NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm::ivec3& reach)
@@ -276,6 +281,10 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
     result.sharpnessAlong[axis] = quantileOf(along, 0.5);
   }
   result.sharpness = quantileOf(edgeShares, 0.5);
+  if (all.outerSteps >= static_cast<std::int64_t>(fewest))
+  {
+    result.cut = static_cast<double>(all.cutSteps) / static_cast<double>(all.outerSteps);
+  }
   result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
   // What is inside is not seen.
@@ -357,7 +366,9 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     const double terraces = terraceWeight * std::max(estimate.quantum - estimate.noise, 0.0);
     deviation = std::max(deviationFor(estimate.noise / estimate.step),
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
-    if (estimate.sharpness > leastSharpness)
+    // Thin parts that a mask has cut to pieces would lose their outlines.
+    const bool isCut = estimate.cut > leastCut && estimate.usualThickness >= NoiseEstimate::thickEnough;
+    if (estimate.sharpness > leastSharpness || isCut)
     {
       deviation =
         std::max(deviation, std::min(middle * std::min(sharpSmoothing, 0.5 * thickness), mostSliceSmoothing));

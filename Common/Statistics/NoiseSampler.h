@@ -40,6 +40,8 @@ struct NoiseSightings
   std::vector<double> keeping;   ///< the deviations that keep what is inside of it, see keepingDeviation
   std::int64_t maskChanges = 0;  ///< of the changes, see IsoStatistics
   std::int64_t maskSteps = 0;    ///< of the steps: at the edge of a mask, which is most of them
+  std::int64_t outerSteps = 0;   ///< those that are seen from outside
+  std::int64_t cutSteps = 0;     ///< of these, beside the edge of a mask that is half of them or more
 
   void append(const NoiseSightings& other);
 };
@@ -143,7 +145,7 @@ private:
     }
     if (this->isAbove(at) != this->isAbove(next))
     {
-      this->addStep(at, axis, change, found);
+      const bool isCut = this->addStep(at, axis, change, found);
       const std::array<double, 2> runs = { this->runOf(at, axis, -1), this->runOf(next, axis, 1) };
       found.runs.insert(found.runs.end(), runs.begin(), runs.end());
       const bool rises = this->isAbove(next);
@@ -151,6 +153,8 @@ private:
       const bool isOuterOpen = this->isOpen(rises ? at : next);
       if (isOuterOpen)
       {
+        ++found.outerSteps;
+        found.cutSteps += isCut;
         found.keeping.push_back(keepingDeviation(this->sizeAround(inner)));
       }
       if (isOuterOpen || this->isOpen(inner))
@@ -236,7 +240,8 @@ private:
   }
 
   /// What values change by across an edge that the surface intersects, of which the edge itself has a part.
-  void addStep(const glm::ivec3& at, int axis, double change, NoiseSightings& found) const
+  /// @return whether half of it or more is the edge of a mask
+  bool addStep(const glm::ivec3& at, int axis, double change, NoiseSightings& found) const
   {
     // On each side, so many samples show the whole step.
     constexpr int stepReach = 2;
@@ -254,15 +259,27 @@ private:
       }
     }
     const double step = greatest - least;
-    if (step > 0.0 && std::isfinite(step))
+    if (!(step > 0.0) || !std::isfinite(step))
     {
-      glm::ivec3 next = at;
-      ++next[axis];
-      found.steps.push_back(step);
-      found.edgeShares[static_cast<std::size_t>(axis)].push_back(change / step);
-      // Gradients that end at a constant have no transition there either, but are no step.
-      found.maskSteps += change > 0.5 * step && this->isMaskChange(at, next, axis);
+      return false;
     }
+    found.steps.push_back(step);
+    found.edgeShares[static_cast<std::size_t>(axis)].push_back(change / step);
+    // Gradients that end at a constant have no transition there either, but are no step.
+    const auto isMaskEdge = [&](int n)
+    {
+      glm::ivec3 first = at;
+      first[axis] += n;
+      glm::ivec3 second = first;
+      ++second[axis];
+      return this->Values.has(first) && this->Values.has(second) &&
+        std::abs(difference(this->Values.at(first), this->Values.at(second))) > 0.5 * step &&
+        this->isMaskChange(first, second, axis);
+    };
+    const bool isMask = isMaskEdge(0);
+    found.maskSteps += isMask;
+    // Where a mask cuts through a gradual transition, the surface may lie a sample or two within.
+    return isMask || isMaskEdge(-2) || isMaskEdge(-1) || isMaskEdge(1) || isMaskEdge(2);
   }
 
   /// The samples from one on that are on its side of the surface.

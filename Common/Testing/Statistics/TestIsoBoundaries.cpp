@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/IsoBoundaries.h"
+#include "Statistics/ThresholdSharpness.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <vector>
 
 namespace
 {
@@ -55,6 +59,78 @@ TEST(IsoBoundaries, OneWithHolesStopsAtNoise)
     statistics.speckEdges[i] = statistics.edges[i] / 4;
   }
   EXPECT_EQ(mended(statistics), 60.0);
+}
+
+/// Steps that become larger up to threshold 85, of a material whose edge is at thresholds 10 to 14, with an
+/// area of 700 edges there and of 1000 above.
+ink::IsoStatistics brightestAt85(std::int64_t voxelsAbove, std::int64_t stepAtEdge = 60)
+{
+  ink::IsoStatistics statistics({ 0.0, 1.0, 100 });
+  statistics.voxels.assign(100, 600);
+  statistics.voxels[0] = 60000;
+  for (std::size_t i = 0; i < statistics.edges.size(); ++i)
+  {
+    const auto at = static_cast<std::int64_t>(i);
+    statistics.edges[i] = i < 10 ? 1000 : i < 15 ? 700 : i < 40 ? 1000 : 400;
+    const std::int64_t step = i < 85 ? stepAtEdge + (100 - stepAtEdge) * at / 85 : 100 - 4 * (at - 85);
+    statistics.steps[i] = statistics.edges[i] * step;
+    if (i > 75)
+    {
+      statistics.voxels[i] = voxelsAbove / 24;
+    }
+  }
+  return statistics;
+}
+
+std::vector<double> boundariesOf(const ink::IsoStatistics& statistics)
+{
+  std::vector<double> thresholds;
+  for (const ink::IsoBoundary& one : ink::findBoundaries(statistics, ink::keptShares(statistics.voxels)))
+  {
+    thresholds.push_back(one.threshold);
+  }
+  return thresholds;
+}
+
+TEST(IsoBoundaries, TheBrightestSpotsAreWithinASurfaceThatIsWhole)
+{
+  const std::vector<double> found = boundariesOf(brightestAt85(2000));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0], 14.0) << "the highest threshold where the area is the least";
+  EXPECT_NEAR(found[1], 85.0, 5.0);
+  EXPECT_EQ(boundariesOf(brightestAt85(20000)).size(), 1U) << "what keeps more is no spots";
+  EXPECT_EQ(boundariesOf(brightestAt85(2000, 30)).size(), 1U)
+    << "vessels are much sharper than what is around";
+  ink::IsoStatistics masked = brightestAt85(2000);
+  for (std::size_t i = 0; i < 20; ++i)
+  {
+    masked.maskEdges[i] = masked.edges[i] / 5;
+    masked.maskSteps[i] = masked.steps[i] / 5;
+  }
+  EXPECT_EQ(boundariesOf(masked).size(), 1U) << "the edge of a field of view";
+}
+
+TEST(IsoBoundaries, AHazeAroundABoundaryIsNone)
+{
+  const auto withHaze = [](std::int64_t hazeStep, std::int64_t voxelsInside)
+  {
+    ink::IsoStatistics statistics({ 0.0, 1.0, 100 });
+    statistics.voxels.assign(100, 100);
+    statistics.voxels[0] = 60000;
+    statistics.voxels[40] = 20000;
+    statistics.voxels[90] = voxelsInside;
+    for (std::size_t i = 0; i < statistics.edges.size(); ++i)
+    {
+      const auto at = static_cast<std::int64_t>(i);
+      const std::int64_t step = i < 40 ? hazeStep - std::abs(at - 20) / 2 : 100 - 4 * std::abs(at - 60);
+      statistics.edges[i] = 1000;
+      statistics.steps[i] = 1000 * std::max<std::int64_t>(step, 1);
+    }
+    return boundariesOf(statistics);
+  };
+  EXPECT_EQ(withHaze(14, 20000), (std::vector{ 60.0 }));
+  EXPECT_EQ(withHaze(30, 20000).size(), 2U) << "as skin around bone";
+  EXPECT_EQ(withHaze(14, 2000).size(), 2U) << "around something small";
 }
 
 } // namespace

@@ -162,6 +162,35 @@ TEST(NoiseEstimate, VolumeFractionsAreSharp)
   EXPECT_EQ(ink::suggestSmoothing({ .step = 1.0, .sharpness = 0.5 }, glm::dvec3(1.0)), 0.0) << "a sharp scan";
 }
 
+TEST(NoiseEstimate, MasksThatCutThroughAGradualTransitionShowTheGrid)
+{
+  // A ball that fades over eight voxels, and beyond half of it is 0, as means of many brains are masked.
+  const Sphere ball{ glm::dvec3(0.2), 15.0 };
+  const auto fading = [&](double masked)
+  {
+    return Volume<float>::from(centered(48),
+      [&](const glm::dvec3& p)
+      {
+        const double value = std::clamp(0.5 - ball.distance(p) / 8.0, 0.0, 1.0);
+        return value < masked ? 0.0 : value;
+      });
+  };
+  const ink::NoiseEstimate whole = estimateNoise(fading(0.0).field(), 0.6);
+  EXPECT_EQ(whole.cut, 0.0);
+  EXPECT_EQ(ink::suggestSmoothing(whole, glm::dvec3(1.0)), 0.0);
+  const ink::NoiseEstimate cut = estimateNoise(fading(0.5).field(), 0.6);
+  EXPECT_LT(cut.sharpness, 0.55) << "not by that";
+  EXPECT_GT(cut.cut, 0.7);
+  EXPECT_FALSE(cut.labels);
+  EXPECT_EQ(ink::suggestSmoothing(cut, glm::dvec3(1.0)), ink::sharpSmoothing);
+  EXPECT_EQ(ink::suggestSmoothing({ .step = 1.0, .sharpness = 0.4, .cut = 0.4 }, glm::dvec3(1.0)), 0.0)
+    << "here and there";
+  EXPECT_EQ(ink::suggestSmoothing(
+              { .step = 1.0, .usualThickness = 4.0, .sharpness = 0.4, .cut = 0.8 }, glm::dvec3(1.0)),
+    0.0)
+    << "thin parts";
+}
+
 TEST(NoiseEstimate, OneNoisySideCountsHalf)
 {
   // As in MR with masked air: zero outside.
