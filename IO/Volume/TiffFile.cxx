@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TiffFile.h"
 
+#include "FileHandle.h"
+#include "OrderedBytes.h"
 #include "ReadError.h"
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include <cstring>
 #include <vector>
 
+#include <fcntl.h>
 #include <tiffio.h>
 
 namespace fs = std::filesystem;
@@ -105,6 +108,7 @@ bool TiffFile::turnToNext()
 {
   if (TIFFLastDirectory(this->Tiff->tiff))
   {
+    this->checkEndOfDirectory();
     return false;
   }
   if (!TIFFReadDirectory(this->Tiff->tiff))
@@ -112,6 +116,29 @@ bool TiffFile::turnToNext()
     this->Tiff->fail(this->Path, "one of its pages is damaged");
   }
   return true;
+}
+
+/// libtiff takes a directory for the last where a file ends before it says which is the next.
+void TiffFile::checkEndOfDirectory() const
+{
+  TIFF* tiff = this->Tiff->tiff;
+  const bool isBig = TIFFIsBigTIFF(tiff) != 0;
+  const bool isSwapped = TIFFIsByteSwapped(tiff) != 0;
+  std::array<unsigned char, sizeof(std::uint64_t)> bytes{};
+  const FileHandle file(::open(this->Path.c_str(), O_RDONLY | O_CLOEXEC));
+  readAt(file.get(), this->directory(), bytes);
+  const std::uint64_t entries = isBig ? valueFrom<std::uint64_t>(bytes.data(), isSwapped)
+                                      : valueFrom<std::uint16_t>(bytes.data(), isSwapped);
+  const std::uint64_t size = fs::file_size(this->Path);
+  constexpr std::uint64_t bytesOfAnEntry = 12;
+  constexpr std::uint64_t bytesOfABigEntry = 20;
+  const std::uint64_t needed = isBig
+    ? 2 * sizeof(std::uint64_t) + std::min(entries, size) * bytesOfABigEntry
+    : sizeof(std::uint16_t) + entries * bytesOfAnEntry + sizeof(std::uint32_t);
+  if (size - std::min(size, this->directory()) < needed)
+  {
+    failToRead(this->Path, "it ends before it says whether there are more pages");
+  }
 }
 
 void TiffFile::turnTo(std::uint64_t directory)

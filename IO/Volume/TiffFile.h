@@ -70,6 +70,7 @@ public:
 private:
   struct Library;
 
+  void checkEndOfDirectory() const;
   void readStrips(const TiffLayout& layout, std::span<unsigned char> values);
   void readTiles(const TiffLayout& layout, std::span<unsigned char> values);
 

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sampler as ParaView offers it: where it can be applied, and what it starts with."""
 
+import gzip
 import pathlib
+import struct
+import tempfile
 import unittest
 
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
@@ -51,6 +54,24 @@ class TestSampler(unittest.TestCase):
         sampler.Isosurfaces = [80.0]
         sampler.UpdatePipeline()
         self.assertEqual(sampler.GetDataInformation().GetNumberOfPoints(), 293070)
+
+    def test_opens_a_freesurfer_volume_in_its_axes(self):
+        header = struct.pack(">7ih15f", 1, 6, 5, 4, 1, 0, 0, 1, 1, 2, 3, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0, 0).ljust(284, b"\0")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "brain.mgz"
+            path.write_bytes(gzip.compress(header + bytes(range(120))))
+            reader = OpenDataFile(str(path))
+            self.assertEqual(reader.GetXMLName(), "InkVolumeReader")
+            reader.UpdatePipeline()
+            self.assertEqual(reader.GetDataInformation().DataInformation.GetExtent(), (0, 5, 0, 4, 0, 3))
+            image = servermanager.Fetch(reader)
+            self.assertEqual(image.GetSpacing(), (1.0, 2.0, 3.0))
+            # To the left, down and to the back.
+            matrix = image.GetDirectionMatrix()
+            self.assertEqual([matrix.GetElement(i, j) for i in range(3) for j in range(3)], [1, 0, 0, 0, 0, -1, 0, -1, 0])
+            reader.Spacing = [2.0, 2.0, 2.0]
+            reader.UpdatePipeline()
+            self.assertEqual(servermanager.Fetch(reader).GetSpacing(), (2.0, 2.0, 2.0))
 
     def test_iso_values_and_options_reach_the_filter(self):
         wavelet = Wavelet()

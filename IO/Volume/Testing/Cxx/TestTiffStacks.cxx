@@ -172,6 +172,14 @@ void ExpectRefused(const std::string& file, const std::vector<std::string>& word
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << words.front();
 }
 
+/// A file without the last bytes of another one.
+std::string CutBytes(const std::string& file, const std::string& name, std::size_t bytes)
+{
+  std::ifstream in(file, std::ios::binary);
+  const std::string all{ std::istreambuf_iterator<char>(in), {} };
+  return Put(name, all.substr(0, all.size() - bytes));
+}
+
 constexpr const char* unknownDistance =
   "it does not say how far its slices are apart; they are taken as far apart as its pixels";
 
@@ -406,6 +414,12 @@ TEST(TiffStacks, WhatCannotBeReadIsOneError)
   const std::string bytes{ std::istreambuf_iterator<char>(in), {} };
   ExpectRefused(
     Put("TiffStacksCut.tif", bytes.substr(0, bytes.size() / 2)), { "one of its pages is damaged" });
+  for (const char* mode : { "w", "w8b" })
+  {
+    const std::string plain = WriteStack("TiffStacksPlain.tif", { .rowsPerStrip = Size[1], .mode = mode });
+    ExpectRefused(
+      CutBytes(plain, "TiffStacksCut.tif", 2), { "it ends before it says whether there are more" });
+  }
   std::string spoiled = bytes;
   std::fill(spoiled.begin() + 8, spoiled.begin() + 30, '\xff');
   ExpectRefused(Put("TiffStacksSpoiled.tif", spoiled), { "a page of it cannot be unpacked" });
