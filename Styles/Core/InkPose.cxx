@@ -348,12 +348,12 @@ InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::strin
   return pose;
 }
 
-std::string InkFindSideOfFlat(const double bounds[6], const std::string& up)
+std::string InkFindSideOfFlat(const double bounds[6], const std::string& up, double times)
 {
   constexpr std::size_t front = 0;
   constexpr std::size_t left = 1;
   const Areas areas = SeenRectangles(bounds, SidesWithUp(up));
-  if (!(std::max(areas[left], areas[Top]) > Flat * areas[front]))
+  if (!(std::max(areas[left], areas[Top]) > times * areas[front]))
   {
     return Sides[front];
   }

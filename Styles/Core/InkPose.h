@@ -29,8 +29,8 @@ struct InkPose
 InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::string& up);
 
 /// The side from which what is drawn of a volume is seen, whose axes are known: its front, unless that shows
-/// less than half of what its left or its top shows, as of a flat animal on its belly.
+/// so many times less than its left or its top shows, as of a flat animal on its belly or a long skull.
 /// @param bounds of what is drawn @param up the axis that is its top
-std::string InkFindSideOfFlat(const double bounds[6], const std::string& up);
+std::string InkFindSideOfFlat(const double bounds[6], const std::string& up, double times);
 
 #endif

@@ -28,6 +28,15 @@ namespace
 /// MOST_SUPERSAMPLING.
 constexpr int LeastHeight = 500;
 
+/// How many times more than its front the left or the top of a volume shows, to be seen: skulls of mice 1.9,
+/// brains of macaques 1.65, those of humans 1.4. Of what its image cuts on both sides, less than that is no
+/// slab, which cuts are closed of, see vtkInkStyle.
+constexpr double ShowsMore = 1.6;
+constexpr double Slab = 2.0;
+
+/// A part that sticks out at a side, as of jaws, is not cut off there for the most part.
+constexpr double CutShare = 0.05;
+
 /// Degrees to the side of what is a cut for the most part.
 constexpr double SlabAngle = 45.0;
 
@@ -159,12 +168,17 @@ void vtkInkView::ChooseForFrame(vtkPoints* frame)
   {
     return;
   }
-  this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up);
+  this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up, ShowsMore);
   this->Azimuth = this->GivenAzimuth.value_or(0.0);
   this->Elevation = this->GivenElevation.value_or(0.0);
   if (this->Image)
   {
-    this->TurnToCuts(InkFindCutSides(this->Image, frame));
+    const std::array<double, 6> covered = InkFindCutSides(this->Image, frame);
+    if (this->IsCutAcross(covered))
+    {
+      this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up, Slab);
+    }
+    this->TurnToCuts(covered);
   }
   this->Modified();
 }
@@ -213,7 +227,7 @@ bool vtkInkView::IsCutAcross(const std::array<double, 6>& covered) const
     axis = along > most ? i : axis;
     most = std::max(most, along);
   }
-  return covered[2 * axis] > 0.0 && covered[2 * axis + 1] > 0.0;
+  return covered[2 * axis] > CutShare && covered[2 * axis + 1] > CutShare;
 }
 
 void vtkInkView::Apply(vtkCamera* camera, double turned)

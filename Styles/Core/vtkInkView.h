@@ -87,12 +87,12 @@ public:
 
   /**
    * Finds from which side a volume is seen, of which only by now it is known what is drawn; after Choose. It
-   * is the front, unless that shows less than half of what the left or the top shows: what lies flat is seen
-   * from above. Does nothing where Name was set, and for meshes and points. What reaches from one end of an
-   * image to the other then, as in scans of a few slices, shows no more than a cut there: it is seen from 45
-   * degrees above its front, or to the right of its left. What covers more than half of the image's front,
-   * left and top, as a block that was cut out of a rock, is seen from the corner between them, "iso", unless
-   * an angle was set.
+   * is the front, unless the left or the top shows 1.6 times as much: what lies flat is seen from above, and
+   * what is long from its side. Does nothing where Name was set, and for meshes and points. What reaches from
+   * one end of an image to the other then, as in scans of a few slices, shows no more than a cut there: it is
+   * seen from its front or, where the cut is twice as large, from 45 degrees above that, or to the right of
+   * its left. What covers more than half of the image's front, left and top, as a block that was cut out of a
+   * rock, is seen from the corner between them, "iso", unless an angle was set.
    * @param frame the points that the picture is fitted to, see vtkInkStyle::GetFramePoints; null: none
    */
   void ChooseForFrame(vtkPoints* frame);

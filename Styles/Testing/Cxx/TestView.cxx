@@ -305,15 +305,15 @@ TEST(View, MapsHaveTheirHeightUp)
   }
 }
 
-TEST(View, VolumesAreSeenFromWhereTheyShowTwiceAsMuch)
+TEST(View, VolumesAreSeenFromWhereTheyShowClearlyMore)
 {
   const struct
   {
     Vector size;
     const char* up;
     const char* name;
-  } boxes[] = { { { 2, 2, 2 }, "z", "front" }, { { 5, 5, 2.6 }, "z", "front" }, { { 5, 5, 2.4 }, "z", "top" },
-    { { 2, 4.2, 9 }, "z", "left" }, { { 2, 3.8, 9 }, "z", "front" }, { { 9, 2, 9 }, "z", "front" },
+  } boxes[] = { { { 2, 2, 2 }, "z", "front" }, { { 5, 5, 3.2 }, "z", "front" }, { { 5, 5, 3.1 }, "z", "top" },
+    { { 2, 3.3, 9 }, "z", "left" }, { { 2, 3.1, 9 }, "z", "front" }, { { 9, 2, 9 }, "z", "front" },
     { { 1, 9, 1 }, "z", "left" }, { { 1, 9, 0.9 }, "z", "left" }, { { 2, 9, 1 }, "z", "top" },
     // With y up, the depth is along z.
     { { 5, 2, 5 }, "y", "top" }, { { 5, 5, 2 }, "y", "front" }, { { 0, 0, 0 }, "z", "front" } };
@@ -346,7 +346,8 @@ TEST(View, SlabsThatTheirImageCutsAreSeenAtAnAngle)
     const char* name;
     double azimuth, elevation;
   } slabs[] = { { { 11, 11, 3 }, 0.2, "front", 0.0, 45.0 }, { { 11, 11, 3 }, 0.9, "top", 0.0, 0.0 },
-    { { 3, 11, 11 }, 0.2, "left", 45.0, 0.0 }, { { 11, 11, 9 }, 0.0, "front", 0.0, 0.0 } };
+    { { 3, 11, 11 }, 0.2, "left", 45.0, 0.0 }, { { 11, 11, 9 }, 0.0, "front", 0.0, 0.0 },
+    { { 11, 11, 8 }, 0.0, "front", 0.0, 0.0 }, { { 11, 11, 8 }, 0.9, "top", 0.0, 0.0 } };
   for (const auto& slab : slabs)
   {
     vtkNew<vtkImageData> image;
@@ -355,16 +356,33 @@ TEST(View, SlabsThatTheirImageCutsAreSeenAtAnAngle)
     // Scans are tilted.
     image->SetDirectionMatrix(0.96, -0.28, 0.0, 0.28, 0.96, 0.0, 0.0, 0.0, 1.0);
     vtkNew<vtkPoints> frame;
-    for (int corner = 0; corner < 8; ++corner)
+    const int thin =
+      static_cast<int>(std::min_element(slab.dimensions, slab.dimensions + 3) - slab.dimensions);
+    const auto add = [&](const double(&index)[3])
     {
-      double index[3];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        index[axis] = (corner >> axis) % 2 == 0 ? slab.gap : slab.dimensions[axis] - 1 - slab.gap;
-      }
       double point[3];
       image->TransformContinuousIndexToPhysicalPoint(index, point);
       frame->InsertNextPoint(point);
+    };
+    // The corners, and a quarter of both ends.
+    for (const bool last : { false, true })
+    {
+      const auto at = [&](int axis, bool isLast)
+      { return isLast ? slab.dimensions[axis] - 1 - slab.gap : slab.gap; };
+      double index[3];
+      index[thin] = at(thin, last);
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        index[(thin + 1) % 3] = at((thin + 1) % 3, corner % 2 == 1);
+        index[(thin + 2) % 3] = at((thin + 2) % 3, corner / 2 == 1);
+        add(index);
+      }
+      for (int n = 0; n < 25; ++n)
+      {
+        index[(thin + 1) % 3] = 2.5 + n % 5;
+        index[(thin + 2) % 3] = 2.5 + n / 5;
+        add(index);
+      }
     }
     vtkNew<vtkInkView> view;
     view->Choose(image);
