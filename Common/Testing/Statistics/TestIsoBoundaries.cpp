@@ -129,8 +129,8 @@ TEST(IsoBoundaries, AHazeAroundABoundaryIsNone)
     return boundariesOf(statistics);
   };
   EXPECT_EQ(withHaze(14, 20000), (std::vector{ 60.0 }));
-  EXPECT_EQ(withHaze(30, 20000).size(), 2U) << "as skin around bone";
-  EXPECT_EQ(withHaze(14, 2000).size(), 2U) << "around something small";
+  EXPECT_EQ(withHaze(60, 20000).size(), 2U) << "as skin around bone";
+  EXPECT_EQ(withHaze(14, 500).size(), 2U) << "around something small";
 }
 
 } // namespace
