@@ -317,11 +317,24 @@ int typeOf(const TiffLayout& layout)
 }
 
 /// Where ImageJ has written more pages than a classic TIFF file can speak of: one directory, then all values.
+/// @throws ReadError if there are fewer values than it says
 std::size_t promisedPages(const Pages& pages)
 {
-  const bool isPromised =
-    pages.all.size() == 1 && pages.all.front().plainOffset && pages.description.starts_with("ImageJ=");
-  return isPromised ? countIn(wordAfter(pages.description, "images="), 1) : pages.all.size();
+  const Page& first = pages.all.front();
+  if (pages.all.size() > 1 || !first.plainOffset || !pages.description.starts_with("ImageJ="))
+  {
+    return pages.all.size();
+  }
+  const std::size_t count = countIn(wordAfter(pages.description, "images="), 1);
+  const auto size = static_cast<std::uint64_t>(fs::file_size(first.file));
+  const std::uint64_t found = size - std::min(size, *first.plainOffset);
+  if (static_cast<double>(count) * static_cast<double>(pages.layout.bytes()) > static_cast<double>(found))
+  {
+    failToRead(first.file,
+      "it has " + std::to_string(found) + " bytes of data, but ImageJ's lines promise " +
+        std::to_string(count) + " pages of " + std::to_string(pages.layout.bytes()) + " bytes");
+  }
+  return count;
 }
 
 void placeVoxels(const Pages& pages, const Stack& stack, std::size_t promised, RawVolume& voxels)

@@ -301,7 +301,11 @@ TEST(TiffStacks, ImageJsLargeFilesHaveOneDirectoryForAllSlices)
   EXPECT_TRUE(reader->HasPlainVoxels());
 
   ExpectRefused(Put("TiffStacksVirtualShort.tif", bytes + Bytes(false).substr(0, 400)),
-    { "bytes of data, but its header promises" });
+    { "it has 400 bytes of data, but ImageJ's lines promise 6 pages of 70 bytes" });
+  ExpectRefused(
+    WriteStack("TiffStacksVirtualMany.tif",
+      { .pages = 1, .rowsPerStrip = Size[1], .description = "ImageJ=1.53t\nimages=1000000000\n" }),
+    { "promise 1000000000 pages of 70 bytes" });
 }
 
 TEST(TiffStacks, OmeSaysDistancesAndTheOrderOfPages)
