@@ -205,7 +205,8 @@ bool InkSplatDrawing::DrawSplats(InkSplatPasses& passes, InkSplatQuads& quads, c
     Clear(state, 0.0f, GL_COLOR_BUFFER_BIT);
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(extent[0], extent[1], extent[2], extent[3]);
-    quads.DrawIllumination(view, *layer.Surface, sums, FindTolerances(passes, view));
+    const bool outline = index == 0 && !splatting.AsPublished;
+    quads.DrawIllumination(view, *layer.Surface, sums, FindTolerances(passes, view), outline);
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
   return true;

@@ -18,12 +18,16 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <list>
 #include <optional>
 #include <vector>
 
 namespace
 {
+
+/// How far beyond the surface is looked for its border, in heights of the picture: about as wide as contours.
+constexpr double OutlineReach = 0.0025;
 
 /// With perspective, view units per pixel grow with the distance; that of each pixel is in the shader.
 void SetTolerances(
@@ -42,10 +46,11 @@ InkSplatQuads::InkSplatQuads(vtkOpenGLRenderWindow* window)
 }
 
 void InkSplatQuads::DrawIllumination(const InkViewUniforms& view, const InkRenderTarget& surface,
-  const std::vector<const InkRenderTarget*>& sums, const std::array<double, 2>& tolerances)
+  const std::vector<const InkRenderTarget*>& sums, const std::array<double, 2>& tolerances, bool outline)
 {
   const std::size_t coarse = sums.size() - 1;
-  const std::string features = coarse > 0 ? InkDefine("INK_COARSE", coarse) : "";
+  const std::string features =
+    (coarse > 0 ? InkDefine("INK_COARSE", coarse) : "") + (outline ? InkDefine("INK_OUTLINE") : "");
   vtkShaderProgram* program = this->Passes.Begin(InkWithFeatures(InkSplatIlluminationFS, features));
   if (!program)
   {
@@ -60,6 +65,10 @@ void InkSplatQuads::DrawIllumination(const InkViewUniforms& view, const InkRende
     program->SetUniformi(name.c_str(), readSums.emplace_back(*sums[level]->GetTexture()).GetUnit());
   }
   SetTolerances(program, view, tolerances);
+  if (outline)
+  {
+    program->SetUniformf("outline", static_cast<float>(std::max(OutlineReach * view.PictureHeight, 1.0)));
+  }
   view.SetUniforms(program);
   this->Passes.Draw();
 }

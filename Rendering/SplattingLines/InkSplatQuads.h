@@ -36,8 +36,9 @@ public:
   /// I1 and I2 of a layer.
   /// @param sums of splats for each pixel, and those for 2 x 2 and 4 x 4 pixels as far as there are any
   /// @param tolerances of the depth test: view units, and by slope, texels of the sums
+  /// @param outline whether a line is along the surface's border also where it does not turn away
   void DrawIllumination(const InkViewUniforms& view, const InkRenderTarget& surface,
-    const std::vector<const InkRenderTarget*>& sums, const std::array<double, 2>& tolerances);
+    const std::vector<const InkRenderTarget*>& sums, const std::array<double, 2>& tolerances, bool outline);
 
   /// The ink of a layer as an image that speckles were taken from, lines made thin, wide or broken, in one
   /// component; null where the style asks for nothing of the kind.

@@ -16,8 +16,9 @@
  * To the paper's method are added, unless AsPublished is on: splats that are a few pixels wide in all
  * directions (EWA splatting, Zwicker et al. 2001), so that what is far away or seen edge-on has no holes and
  * lines are at least that thick, also in pictures drawn in tiles; Gaussians that go down to zero at the
- * splats' rim, so that lines are smooth; black beyond contours, in I1 only, so that these are solid; sheets
- * near each other told apart by a tolerance of each splat's own; and ink averaged over a pixel's area.
+ * splats' rim, so that lines are smooth; black beyond contours, in I1 only, so that these are solid; the
+ * same beyond the border of the visible surface, so that a line is along it wherever it ends; sheets near
+ * each other told apart by a tolerance of each splat's own; and ink averaged over a pixel's area.
  *
  * Beyond the visible surface, those behind it can be drawn (HiddenLayers, section 5.2); lines can be hard,
  * wider, thinned, broken, rid of speckles, and colored by layer, scalars or tone. All lengths on the picture

@@ -5,7 +5,9 @@
 
 // The two diffuse shading images I1 and I2 (Zhang et al. 2014, equation 1), from the sums over the splats.
 // With INK_COARSE, large splats were summed up in coarser images; their sums are brought to the pixels from
-// those of the four nearest texels that stand for the same piece of surface.
+// those of the four nearest texels that stand for the same piece of surface. With INK_OUTLINE, what is beyond
+// the surface's border counts as black in the narrow image, so that a line is along it also where the surface
+// ends without turning away from the viewer.
 
 #include "InkViewUniforms.glsl"
 
@@ -18,7 +20,43 @@ uniform sampler2D coarseSums[INK_COARSE]; // of texels of 2, 4, ... pixels
 uniform vec2 tolerances; // of the depth test: view units, and by slope, view units where clip w is 1
 #endif
 
+#ifdef INK_OUTLINE
+uniform float outline; // pixels, how far beyond is looked
+#endif
+
 //VTK::Output::Dec
+
+#ifdef INK_OUTLINE
+bool isCovered(ivec2 pixel)
+{
+  return texelFetch(surface, clamp(pixel, ivec2(0), textureSize(surface, 0) - 1), 0).g != 0.0;
+}
+
+// The share of the pixels around one that the surface covers, but for what holes between few discs may take.
+float coverage(ivec2 pixel)
+{
+  int far = int(ceil(outline));
+  int near = int(floor(0.7 * outline));
+  if (isCovered(pixel + ivec2(far, 0)) && isCovered(pixel - ivec2(far, 0)) && isCovered(pixel + ivec2(0, far)) &&
+    isCovered(pixel - ivec2(0, far)) && isCovered(pixel + ivec2(near, near)) && isCovered(pixel - ivec2(near, near)) &&
+    isCovered(pixel + ivec2(near, -near)) && isCovered(pixel - ivec2(near, -near)))
+  {
+    return 1.0;
+  }
+  float covered = 0.0;
+  float all = 0.0;
+  for (int y = -far; y <= far; ++y)
+  {
+    for (int x = -far; x <= far; ++x)
+    {
+      float weight = clamp(outline + 0.5 - length(vec2(x, y)), 0.0, 1.0);
+      all += weight;
+      covered += weight > 0.0 && isCovered(pixel + ivec2(x, y)) ? weight : 0.0;
+    }
+  }
+  return min(covered / (0.9 * all), 1.0);
+}
+#endif
 
 #ifdef INK_COARSE
 vec4 bring(sampler2D coarse, float texel, vec2 pixel, vec2 shown)
@@ -64,5 +102,12 @@ void main()
 #endif
   }
 #endif
-  gl_FragData[0] = all.y > 0.0 && all.w > 0.0 ? vec4(all.x / all.y, all.z / all.w, 0.0, 0.0) : vec4(0.0);
+  vec2 shading = all.y > 0.0 && all.w > 0.0 ? vec2(all.x / all.y, all.z / all.w) : vec2(0.0);
+#ifdef INK_OUTLINE
+  if (shading.y > 0.0 && isCovered(pixel))
+  {
+    shading.x *= coverage(pixel);
+  }
+#endif
+  gl_FragData[0] = vec4(shading, 0.0, 0.0);
 }

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 /// The same picture of points that are scaled and shifted together with the camera.
@@ -168,6 +169,7 @@ TEST(SplattingLinesCoordinates, CloseUp)
     {
       SplattingLinesScene scene(disc, size, size);
       scene.Mapper->SetRadius(0.9);
+      scene.Mapper->SetPhi(0.0);
       scene.Renderer->SetBackground(0.0, 0.0, 0.0);
       vtkCamera* camera = scene.Renderer->GetActiveCamera();
       camera->ParallelProjectionOn();
@@ -189,6 +191,46 @@ TEST(SplattingLinesCoordinates, CloseUp)
       }
       EXPECT_EQ(wrong, 0) << "a whole disc in " << size << " pixels, center at " << -aside << ": " << wrong
                           << " pixels wrong";
+    }
+  }
+}
+
+/// A surface that ends without turning away from the viewer has a line along its border, as wide as others,
+/// and none within; as published it has none.
+TEST(SplattingLinesCoordinates, Outline)
+{
+  for (const int size : { 300, 900 })
+  {
+    for (const bool asPublished : { false, true })
+    {
+      SplattingLinesScene scene(InkTestPoints::Plane(1.0, 0.02), size, size);
+      scene.Mapper->SetAsPublished(asPublished);
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      camera->ParallelProjectionOn();
+      camera->SetParallelScale(1.0);
+      camera->SetFocalPoint(0.0, 0.0, 0.0);
+      camera->SetPosition(0.0, 0.0, 5.0);
+      scene.Renderer->ResetCameraClippingRange();
+      const InkTestImage image(scene.Window);
+      double dark = 0.0;
+      bool isDarkWithin = false;
+      for (int x = 0; x < size; ++x)
+      {
+        const bool isBorder = std::abs(std::abs(2.0 * x / size - 1.0) - 0.5) < 0.05;
+        const double ink = 1.0 - image.Gray(x, size / 2) / 255.0;
+        dark += isBorder ? ink : 0.0;
+        isDarkWithin = isDarkWithin || (!isBorder && ink > 0.0);
+      }
+      EXPECT_FALSE(isDarkWithin) << size;
+      if (asPublished)
+      {
+        EXPECT_EQ(dark, 0.0) << size;
+      }
+      else
+      {
+        // Of both borders.
+        EXPECT_NEAR(dark / 2.0, std::max(0.002 * size, 1.2), 0.5) << size;
+      }
     }
   }
 }
