@@ -112,8 +112,8 @@ def test_parts_of_a_volume_read_a_few_slices_at_a_time(ink, picture, tmp_path):
 def lower_edge(picture, file, *options):
     """The share of the lower edge of what is drawn that has ink, by how the surface is cut."""
 
-    def drawn(cut):
-        image = picture(file, *LINES, *options, "--parallel", "--cut", cut, size="400x400")[..., 0]
+    def drawn(cut, *more):
+        image = picture(file, *LINES, *options, *more, "--parallel", "--cut", cut, size="400x400")[..., 0]
         if not (image < 128).any():
             return 0
         rows, columns = np.flatnonzero((image < 128).any(axis=1)), np.flatnonzero((image < 128).any(axis=0))
@@ -131,7 +131,8 @@ def test_a_cut_is_one_line(picture, tmp_path, view):
     values = ball((40, 80, 80), (0, 0, -19.5), 30)
     ink_files.write_nifti(tmp_path / "half.nii", values.astype(np.uint8))
     drawn = lower_edge(picture, tmp_path / "half.nii", "--view", view)
-    assert drawn("open") < 0.5
+    assert drawn("open", "--as-published") < 0.5
+    assert drawn("open") == 1, "an outline, as the surface ends"
     assert drawn("rim") == 1
     assert drawn("cap") > 0.99
 
@@ -142,7 +143,8 @@ def test_a_cut_that_faces_the_viewer_is_one_line(picture, tmp_path, elevation):
     z = np.arange(20)[:, None, None] + 0 * ball((20, 60, 60), (0, 0, 0), 1)
     ink_files.write_nifti(tmp_path / "table.nii", np.clip(100 + 40 * (10.3 - z), 0, 200).astype(np.uint8))
     drawn = lower_edge(picture, tmp_path / "table.nii", "--view", "front", "--elevation", elevation)
-    assert drawn("open") < 0.5
+    assert drawn("open", "--as-published") < 0.5
+    assert drawn("open") == 1, "an outline, as the surface ends"
     assert drawn("rim") == 1
 
 
