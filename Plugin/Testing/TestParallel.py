@@ -102,6 +102,10 @@ class TestParallel(unittest.TestCase):
             self.assertLessEqual(difference.max(), 20 if name.endswith("illustration") else 12)
             # Rims of dots: most of the picture of a surface, few pixels of the others.
             self.assertLess((difference > 0).mean(), 0.02 if "solid" in name else 0.004)
+        elif name == "paper":
+            # A pixel of an outline that is partly beyond the surface is blended with what its own process has behind: with
+            # the neighbor in a hole of the drawing, or without. Measured: four pixels, on four processes.
+            self.assertLessEqual(numpy.count_nonzero(difference > 1), 6)
         elif name == "dense-lines":
             # Points on the border of two pieces are there twice, and so weigh more among the splats of their layer.
             # Measured: 3, and .33 % of the pixels, on two processes.
