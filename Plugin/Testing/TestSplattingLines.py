@@ -64,7 +64,8 @@ class TestSplattingLines(SplattingLinesTests, unittest.TestCase):
         self.show(sampled_wavelet(), Phi=500, InkColor=[0, 0, 1], PaperColor=[1, 0, 0])
         pixels = picture(self.view)
         drawn = pixels[inside(pixels)]
-        self.assertLess(drawn[:, 1].max(), 0.02)
+        # But where an outline around a hole of less than a pixel is beyond the surface for a part.
+        self.assertLess((drawn[:, 1] > 0.02).mean(), 0.001)
         self.assertGreater(drawn[:, 0].max(), 0.98)
         self.assertGreater(drawn[:, 2].max(), 0.9)
 
