@@ -298,16 +298,17 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
   {
     boundaries.erase(boundaries.begin());
   }
-  if (!boundaries.empty() && isHaze(statistics, kept, boundaries))
+  if (boundaries.empty())
+  {
+    return boundaries;
+  }
+  if (isHaze(statistics, kept, boundaries))
   {
     boundaries.erase(boundaries.begin());
   }
-  if (!boundaries.empty())
+  if (const auto around = findSurfaceAround(boundaries.front(), statistics, kept))
   {
-    if (const auto around = findSurfaceAround(boundaries.front(), statistics, kept))
-    {
-      boundaries.insert(boundaries.begin(), *around);
-    }
+    boundaries.insert(boundaries.begin(), *around);
   }
   return boundaries;
 }

@@ -221,7 +221,7 @@ TiffLayout TiffFile::layout() const
   return layout;
 }
 
-std::optional<std::uint64_t> TiffFile::plainOffset() const
+std::optional<std::uint64_t> TiffFile::plainOffset(const TiffLayout& layout) const
 {
   TIFF* tiff = this->Tiff->tiff;
   const bool isPlain =
@@ -231,7 +231,6 @@ std::optional<std::uint64_t> TiffFile::plainOffset() const
   {
     return std::nullopt;
   }
-  const TiffLayout layout = this->layout();
   const std::uint64_t first = TIFFGetStrileOffset(tiff, 0);
   const std::uint64_t bytesOfAStrip = TIFFStripSize64(tiff);
   for (std::uint32_t strip = 1; strip < partsOf(tiff, layout); ++strip)

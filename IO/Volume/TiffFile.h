@@ -56,8 +56,9 @@ public:
   /// Of this page; where its values are not compressed, the file has bytes for them. @throws ReadError for
   /// what is no image of numbers
   TiffLayout layout() const;
-  /// Where the values lie in the file as they are, in one block, if they do.
-  std::optional<std::uint64_t> plainOffset() const;
+  /// Where the values of this page lie in the file as they are, in one block, if they do.
+  /// @param layout of this page
+  std::optional<std::uint64_t> plainOffset(const TiffLayout& layout) const;
   /// What is written beside the page; empty if nothing is.
   std::string description() const;
   /// Along x and y, in whatever unit; 0 where it is not said.

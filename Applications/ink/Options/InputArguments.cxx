@@ -57,8 +57,7 @@ void InputArguments::addReading(CLI::App* command)
     ->add_option("--memory", this->memory,
       "about how much memory to use, as 800MiB or 4GiB (half of the machine's). Volumes in raw files and in\n"
       "uncompressed NIfTI, NRRD, MetaImage, MRC, TIFF and legacy VTK files that are larger are read a few "
-      "slices "
-      "at a time")
+      "slices at a time")
     ->type_name("SIZE");
   command
     ->add_option("--raw", this->raw,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// FreeSurfer's volumes: B. Fischl, FreeSurfer, NeuroImage 62 (2012); the header as its file format page has
-// it.
+// FreeSurfer's volumes: B. Fischl, FreeSurfer, NeuroImage 62 (2012); the header is that of its file format
+// page.
 #include "VolumeHeader.h"
 
 #include "FirstBytes.h"
@@ -10,7 +10,6 @@
 #include "vtkType.h"
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

@@ -45,7 +45,7 @@ struct Pages
 
   void add(const TiffFile& file)
   {
-    this->all.push_back({ file.path(), file.directory(), file.plainOffset() });
+    this->all.push_back({ file.path(), file.directory(), file.plainOffset(this->layout) });
   }
   void begin(const TiffFile& file)
   {

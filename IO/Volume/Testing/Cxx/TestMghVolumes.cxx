@@ -2,12 +2,7 @@
 // FreeSurfer's volumes: every number of the header that is used, and what is refused.
 
 #include "VolumeTestFiles.h"
-
-#include "InkTestMessages.h"
-
-#include "vtkExecutive.h"
-#include "vtkInkVolumeReader.h"
-#include "vtk_zlib.h"
+#include "VolumeTestReading.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +15,7 @@
 #include <vector>
 
 using namespace VolumeTestFiles;
+using namespace VolumeTestReading;
 
 namespace
 {
@@ -60,38 +56,14 @@ struct Mgh
   }
 };
 
-vtkSmartPointer<vtkInkVolumeReader> MghReaderOf(const std::string& file)
-{
-  auto reader = vtkSmartPointer<vtkInkVolumeReader>::New();
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader;
-}
-
-std::array<double, 3> MghPositionOf(vtkImageData* image, int x, int y, int z)
-{
-  std::array<double, 3> position;
-  const int index[3] = { x, y, z };
-  image->TransformIndexToPhysicalPoint(index, position.data());
-  return position;
-}
-
-std::string WriteMgz(const std::string& name, const std::string& bytes)
-{
-  gzFile file = gzopen(name.c_str(), "wb");
-  gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size()));
-  gzclose(file);
-  return name;
-}
-
 } // namespace
 
 TEST(MghVolumes, ValuesLieWhereTheHeaderSays)
 {
   for (const std::string& file :
-    { Put("MghVolumes.mgh", Mgh().bytes()), WriteMgz("MghVolumes.mgz", Mgh().bytes()) })
+    { Put("MghVolumes.mgh", Mgh().bytes()), Gzip("MghVolumes.mgz", Mgh().bytes()) })
   {
-    const auto reader = MghReaderOf(file);
+    const auto reader = UpdatedReaderOf(file);
     EXPECT_STREQ(reader->GetFormat(), "FreeSurfer volume") << file;
     EXPECT_EQ(reader->CanReadFile(file.c_str()), 1) << file;
     EXPECT_EQ(reader->HasPlainVoxels(), file.ends_with(".mgh")) << file;
@@ -105,10 +77,10 @@ TEST(MghVolumes, ValuesLieWhereTheHeaderSays)
       EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z)) << file;
     }
     // The center is that of voxel size / 2. FreeSurfer's right and front are DICOM's left and back turned.
-    EXPECT_EQ(MghPositionOf(image, 0, 0, 0), (std::array{ -13.5, -18.5, 35.0 })) << file;
-    EXPECT_EQ(MghPositionOf(image, 1, 0, 0), (std::array{ -12.5, -18.5, 35.0 })) << file;
-    EXPECT_EQ(MghPositionOf(image, 0, 1, 0), (std::array{ -13.5, -18.5, 33.0 })) << file;
-    EXPECT_EQ(MghPositionOf(image, 0, 0, 1), (std::array{ -13.5, -19.0, 35.0 })) << file;
+    EXPECT_EQ(PositionOf(image, 0, 0, 0), (std::array{ -13.5, -18.5, 35.0 })) << file;
+    EXPECT_EQ(PositionOf(image, 1, 0, 0), (std::array{ -12.5, -18.5, 35.0 })) << file;
+    EXPECT_EQ(PositionOf(image, 0, 1, 0), (std::array{ -13.5, -18.5, 33.0 })) << file;
+    EXPECT_EQ(PositionOf(image, 0, 0, 1), (std::array{ -13.5, -19.0, 35.0 })) << file;
   }
 }
 
@@ -116,9 +88,9 @@ TEST(MghVolumes, WithoutGeometryItIsFreeSurfersUsual)
 {
   Mgh mgh;
   mgh.hasGeometry = false;
-  const auto reader = MghReaderOf(Put("MghVolumesUsual.mgh", mgh.bytes()));
-  EXPECT_EQ(MghPositionOf(reader->GetOutput(), 0, 0, 0), (std::array{ -3.5, 3.0, 2.5 }));
-  EXPECT_EQ(MghPositionOf(reader->GetOutput(), 1, 1, 1), (std::array{ -2.5, 2.0, 1.5 }));
+  const auto reader = UpdatedReaderOf(Put("MghVolumesUsual.mgh", mgh.bytes()));
+  EXPECT_EQ(PositionOf(reader->GetOutput(), 0, 0, 0), (std::array{ -3.5, 3.0, 2.5 }));
+  EXPECT_EQ(PositionOf(reader->GetOutput(), 1, 1, 1), (std::array{ -2.5, 2.0, 1.5 }));
 }
 
 TEST(MghVolumes, TypesAndFrames)
@@ -142,7 +114,7 @@ TEST(MghVolumes, TypesAndFrames)
     {
       mgh.values += one.first;
     }
-    const auto reader = MghReaderOf(Put("MghVolumesType.mgh", mgh.bytes()));
+    const auto reader = UpdatedReaderOf(Put("MghVolumesType.mgh", mgh.bytes()));
     ASSERT_EQ(reader->GetOutput()->GetScalarType(), one.vtk) << one.type;
     EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(6, 4, 5, 0), one.value) << one.type;
     ASSERT_EQ(reader->GetNumberOfNotes(), 1);
@@ -166,13 +138,6 @@ TEST(MghVolumes, WhatCannotBeReadIsOneError)
   {
     Mgh mgh;
     one.change(mgh);
-    vtkNew<vtkInkVolumeReader> reader;
-    vtkNew<InkTestMessages> messages;
-    messages->Observe(reader);
-    messages->Observe(reader->GetExecutive());
-    reader->SetFileName(Put("MghVolumesBroken.mgh", mgh.bytes()).c_str());
-    reader->Update();
-    messages->Expect(one.words, { one.words });
-    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << one.words;
+    ExpectRefused(Put("MghVolumesBroken.mgh", mgh.bytes()), { one.words });
   }
 }

@@ -2,14 +2,7 @@
 // MRC and CCP4 maps: every number of the header that is used, in either order of bytes, and what is refused.
 
 #include "VolumeTestFiles.h"
-
-#include "InkTestMessages.h"
-
-#include "vtkErrorCode.h"
-#include "vtkExecutive.h"
-#include "vtkInkVolumeReader.h"
-#include "vtkMatrix3x3.h"
-#include "vtk_zlib.h"
+#include "VolumeTestReading.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +14,7 @@
 #include <functional>
 
 using namespace VolumeTestFiles;
+using namespace VolumeTestReading;
 
 namespace
 {
@@ -85,14 +79,6 @@ struct Map
   }
 };
 
-vtkSmartPointer<vtkInkVolumeReader> MapReaderOf(const std::string& file)
-{
-  auto reader = vtkSmartPointer<vtkInkVolumeReader>::New();
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader;
-}
-
 void ExpectMap(vtkImageData* image, const std::string& name)
 {
   ASSERT_EQ(image->GetNumberOfPoints(), Size[0] * Size[1] * Size[2]) << name;
@@ -102,23 +88,6 @@ void ExpectMap(vtkImageData* image, const std::string& name)
   {
     EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z)) << name;
   }
-}
-
-/// Where a voxel is.
-std::array<double, 3> PositionOf(vtkImageData* image, int x, int y, int z)
-{
-  std::array<double, 3> position;
-  const int index[3] = { x, y, z };
-  image->TransformIndexToPhysicalPoint(index, position.data());
-  return position;
-}
-
-std::string Gzip(const std::string& name, const std::string& bytes)
-{
-  gzFile file = gzopen(name.c_str(), "wb");
-  gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size()));
-  gzclose(file);
-  return name;
 }
 
 } // namespace
@@ -135,7 +104,7 @@ TEST(MrcMaps, ValuesAreReadInEitherOrderOfBytesAndFromCompressedFiles)
       Put("MrcMapsExtended.ccp4", extended.bytes()), Put("MrcMapsUnstamped.mrc", unstamped.bytes()),
       Gzip("MrcMaps.map.gz", Map().bytes()), Gzip("MrcMapsExtended.mrc.gz", extended.bytes()) })
   {
-    const auto reader = MapReaderOf(file);
+    const auto reader = UpdatedReaderOf(file);
     EXPECT_EQ(reader->CanReadFile(file.c_str()), 1) << file;
     EXPECT_STREQ(reader->GetFormat(), "MRC map") << file;
     EXPECT_EQ(reader->GetNumberOfNotes(), 0) << file;
@@ -166,7 +135,7 @@ TEST(MrcMaps, ModesHaveTheirTypes)
     {
       map.values += mode.first;
     }
-    const auto reader = MapReaderOf(Put("MrcMapsMode.mrc", map.bytes()));
+    const auto reader = UpdatedReaderOf(Put("MrcMapsMode.mrc", map.bytes()));
     ASSERT_EQ(reader->GetOutput()->GetScalarType(), mode.type) << mode.mode;
     EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(6, 4, 5, 0), mode.value) << mode.mode;
   }
@@ -181,7 +150,7 @@ TEST(MrcMaps, AxesRunAsTheHeaderSays)
   map.setReal(11, { 12.0F, 14.0F, 45.0F });
   map.set(5, { 10, 20, 30 });
   const auto image =
-    vtkSmartPointer<vtkImageData>(MapReaderOf(Put("MrcMapsAxes.map", map.bytes()))->GetOutput());
+    vtkSmartPointer<vtkImageData>(UpdatedReaderOf(Put("MrcMapsAxes.map", map.bytes()))->GetOutput());
   ExpectMap(image, "axes");
   // The map starts 10 columns, 20 rows and 30 sections from the cell's corner.
   EXPECT_EQ(PositionOf(image, 0, 0, 0), (std::array{ 40.0, 60.0, 30.0 }));
@@ -190,7 +159,7 @@ TEST(MrcMaps, AxesRunAsTheHeaderSays)
   EXPECT_EQ(PositionOf(image, 0, 0, 1), (std::array{ 40.0, 62.0, 30.0 }));
 
   map.setReal(50, { -1.5F, 0.0F, 2.5F });
-  const auto placed = MapReaderOf(Put("MrcMapsOrigin.map", map.bytes()));
+  const auto placed = UpdatedReaderOf(Put("MrcMapsOrigin.map", map.bytes()));
   EXPECT_EQ(PositionOf(placed->GetOutput(), 0, 0, 0), (std::array{ -1.5, 0.0, 2.5 }))
     << "the origin is known";
 }
@@ -201,7 +170,7 @@ TEST(MrcMaps, WhatIsNotSaidIsAsUsual)
   map.set(8, { 0, 0, 0 });
   map.setReal(11, { 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F });
   map.set(17, { 0, 0, 0 });
-  const auto reader = MapReaderOf(Put("MrcMapsUsual.mrc", map.bytes()));
+  const auto reader = UpdatedReaderOf(Put("MrcMapsUsual.mrc", map.bytes()));
   ExpectMap(reader->GetOutput(), "usual");
   EXPECT_EQ(PositionOf(reader->GetOutput(), 1, 1, 1), (std::array{ 1.0, 1.0, 1.0 }));
   EXPECT_EQ(reader->GetNumberOfNotes(), 0);
@@ -211,7 +180,7 @@ TEST(MrcMaps, NotesWhatIsNotUsed)
 {
   Map oblique;
   oblique.setReal(14, { 90.0F, 90.0F, 120.0F });
-  const auto reader = MapReaderOf(Put("MrcMapsOblique.map", oblique.bytes()));
+  const auto reader = UpdatedReaderOf(Put("MrcMapsOblique.map", oblique.bytes()));
   ASSERT_EQ(reader->GetNumberOfNotes(), 1);
   EXPECT_NE(std::string(reader->GetNote(0)).find("90 90 120 degrees"), std::string::npos)
     << reader->GetNote(0);
@@ -221,7 +190,7 @@ TEST(MrcMaps, NotesWhatIsNotUsed)
   Map stack;
   stack.set(23, { 401 });
   stack.set(8, { Size[0], Size[1], 3 });
-  const auto first = MapReaderOf(Put("MrcMapsStack.mrc", stack.bytes()));
+  const auto first = UpdatedReaderOf(Put("MrcMapsStack.mrc", stack.bytes()));
   EXPECT_EQ(first->GetOutput()->GetDimensions()[2], 3);
   ASSERT_EQ(first->GetNumberOfNotes(), 1);
   EXPECT_STREQ(first->GetNote(0), "it has 2 volumes; the first is used");
@@ -255,21 +224,8 @@ TEST(MrcMaps, WhatCannotBeReadIsOneError)
   {
     Map map;
     one.change(map);
-    vtkNew<vtkInkVolumeReader> reader;
-    vtkNew<InkTestMessages> messages;
-    messages->Observe(reader);
-    messages->Observe(reader->GetExecutive());
-    reader->SetFileName(Put("MrcMapsBroken.mrc", map.bytes()).c_str());
-    reader->Update();
-    messages->Expect(one.words.front(), one.words);
-    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << one.words.front();
+    ExpectRefused(Put("MrcMapsBroken.mrc", map.bytes()), one.words);
   }
-  vtkNew<vtkInkVolumeReader> reader;
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(reader);
-  messages->Observe(reader->GetExecutive());
-  reader->SetFileName(Put("MrcMapsShort.map", Map().bytes().substr(0, 1000)).c_str());
-  reader->Update();
-  messages->Expect(
-    "a short header", { "it has 1000 bytes; expected an MRC or CCP4 map, whose header has 1024" });
+  ExpectRefused(Put("MrcMapsShort.map", Map().bytes().substr(0, 1000)),
+    { "it has 1000 bytes; expected an MRC or CCP4 map, whose header has 1024" });
 }

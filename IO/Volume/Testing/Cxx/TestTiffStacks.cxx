@@ -3,11 +3,7 @@
 // beside the first page, in folders, and what is refused.
 
 #include "VolumeTestFiles.h"
-
-#include "InkTestMessages.h"
-
-#include "vtkExecutive.h"
-#include "vtkInkVolumeReader.h"
+#include "VolumeTestReading.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +17,7 @@
 #include <vector>
 
 using namespace VolumeTestFiles;
+using namespace VolumeTestReading;
 
 namespace
 {
@@ -123,14 +120,6 @@ std::string WriteStack(const std::string& name, const Stack& stack)
   return name;
 }
 
-vtkSmartPointer<vtkInkVolumeReader> StackReaderOf(const std::string& file)
-{
-  auto reader = vtkSmartPointer<vtkInkVolumeReader>::New();
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader;
-}
-
 void ExpectStack(vtkInkVolumeReader* reader, const std::string& name, int slices = Size[2])
 {
   vtkImageData* image = reader->GetOutput();
@@ -158,26 +147,6 @@ std::string NotesOf(vtkInkVolumeReader* reader)
     notes.append(i ? "; " : "").append(reader->GetNote(i));
   }
   return notes;
-}
-
-void ExpectRefused(const std::string& file, const std::vector<std::string>& words)
-{
-  vtkNew<vtkInkVolumeReader> reader;
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(reader);
-  messages->Observe(reader->GetExecutive());
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  messages->Expect(words.front(), words);
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << words.front();
-}
-
-/// A file without the last bytes of another one.
-std::string CutBytes(const std::string& file, const std::string& name, std::size_t bytes)
-{
-  std::ifstream in(file, std::ios::binary);
-  const std::string all{ std::istreambuf_iterator<char>(in), {} };
-  return Put(name, all.substr(0, all.size() - bytes));
 }
 
 constexpr const char* unknownDistance =
@@ -209,7 +178,7 @@ TEST(TiffStacks, ValuesAreThoseOfThePagesHoweverTheyAreStored)
       false } };
   for (const auto& one : cases)
   {
-    const auto reader = StackReaderOf(WriteStack("TiffStacks.tif", one.stack));
+    const auto reader = UpdatedReaderOf(WriteStack("TiffStacks.tif", one.stack));
     ExpectStack(reader, one.name);
     EXPECT_EQ(reader->CanReadFile("TiffStacks.tif"), 1) << one.name;
     EXPECT_STREQ(reader->GetFormat(), "TIFF stack") << one.name;
@@ -250,18 +219,18 @@ TEST(TiffStacks, ImageJSaysDistancesChannelsAndTimes)
                    "spacing=1.5\nloop=false\n",
     .pixelsPerUnit = 4.0F,
     .sliceOf = [](int page) { return page < 6 && page % 2 == 0 ? page / 2 : 100; } };
-  const auto reader = StackReaderOf(WriteStack("TiffStacksImageJ.tif", hyperstack));
+  const auto reader = UpdatedReaderOf(WriteStack("TiffStacksImageJ.tif", hyperstack));
   ExpectStack(reader, "hyperstack", 3);
   const double spacing[3] = { 0.25, 0.5, 1.5 };
   EXPECT_TRUE(std::equal(spacing, spacing + 3, reader->GetOutput()->GetSpacing()));
   EXPECT_EQ(NotesOf(reader), "it has 2 channels; the first is used; it has 2 times; the first is used");
 
   // ImageJ does not write a distance of 1, but writes resolutions of pictures.
-  const auto unwritten = StackReaderOf(WriteStack("TiffStacksImageJ.tif",
+  const auto unwritten = UpdatedReaderOf(WriteStack("TiffStacksImageJ.tif",
     { .description = "ImageJ=1.53t\nimages=6\nslices=6\nunit=mm\n", .pixelsPerUnit = 4.0F }));
   EXPECT_EQ(unwritten->GetOutput()->GetSpacing()[2], 1.0);
   EXPECT_EQ(NotesOf(unwritten), "");
-  const auto printed = StackReaderOf(WriteStack("TiffStacksImageJ.tif",
+  const auto printed = UpdatedReaderOf(WriteStack("TiffStacksImageJ.tif",
     { .description = "ImageJ=1.53t\nimages=6\nslices=6\nunit=inch\n", .pixelsPerUnit = 72.0F }));
   EXPECT_EQ(printed->GetOutput()->GetSpacing()[2], printed->GetOutput()->GetSpacing()[0]);
   EXPECT_EQ(NotesOf(printed), unknownDistance);
@@ -269,11 +238,11 @@ TEST(TiffStacks, ImageJSaysDistancesChannelsAndTimes)
 
 TEST(TiffStacks, SlicesThatAreCalledTimesOrChannelsAreSlices)
 {
-  const auto times = StackReaderOf(
+  const auto times = UpdatedReaderOf(
     WriteStack("TiffStacksTimes.tif", { .description = "ImageJ=1.53t\nimages=6\nframes=6\nunit=mm\n" }));
   ExpectStack(times, "times");
   EXPECT_EQ(NotesOf(times), "it has one slice of each of 6 times, which are taken as slices");
-  const auto channels = StackReaderOf(
+  const auto channels = UpdatedReaderOf(
     WriteStack("TiffStacksTimes.tif", { .description = "ImageJ=1.53t\nimages=6\nchannels=6\nunit=mm\n" }));
   ExpectStack(channels, "channels");
   EXPECT_EQ(NotesOf(channels), "it has one slice of each of 6 channels, which are taken as slices");
@@ -289,14 +258,13 @@ TEST(TiffStacks, ImageJsLargeFilesHaveOneDirectoryForAllSlices)
   TIFFGetField(tiff, TIFFTAG_STRIPOFFSETS, &offsets);
   const auto offset = static_cast<std::uint32_t>(offsets[0]);
   TIFFClose(tiff);
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes{ std::istreambuf_iterator<char>(in), {} };
+  std::string bytes = ink::io::contentsOf(file);
   const auto end = static_cast<std::uint32_t>(bytes.size());
   std::string tag("\x11\x01\x04\x00\x01\x00\x00\x00", 8);
   const std::size_t entry = bytes.find(tag + std::string(reinterpret_cast<const char*>(&offset), 4));
   ASSERT_NE(entry, std::string::npos);
   std::memcpy(&bytes[entry + 8], &end, 4);
-  const auto reader = StackReaderOf(Put(file, bytes + Bytes(false)));
+  const auto reader = UpdatedReaderOf(Put(file, bytes + Bytes(false)));
   ExpectStack(reader, "one directory");
   EXPECT_TRUE(reader->HasPlainVoxels());
 
@@ -328,7 +296,7 @@ TEST(TiffStacks, OmeSaysDistancesAndTheOrderOfPages)
     { "XYCTZ", [](int page) { return page % 4 == 0 ? page / 4 : 100; } } };
   for (const auto& one : cases)
   {
-    const auto reader = StackReaderOf(WriteStack(
+    const auto reader = UpdatedReaderOf(WriteStack(
       "TiffStacks.ome.tif", { .pages = 12, .description = ome(one.order), .sliceOf = one.sliceOf }));
     ExpectStack(reader, one.order, 3);
     const double spacing[3] = { 0.1, 0.2, 0.5 };
@@ -337,7 +305,7 @@ TEST(TiffStacks, OmeSaysDistancesAndTheOrderOfPages)
       << one.order;
   }
   // One file of several that belong together has other pages than are said.
-  const auto part = StackReaderOf(WriteStack("TiffStacks.ome.tif", { .description = ome("XYZCT") }));
+  const auto part = UpdatedReaderOf(WriteStack("TiffStacks.ome.tif", { .description = ome("XYZCT") }));
   ExpectStack(part, "part");
 }
 
@@ -351,7 +319,7 @@ TEST(TiffStacks, FoldersAreStacksInTheOrderOfNumbers)
       { .pages = 1, .compression = COMPRESSION_LZW, .sliceOf = [z](int) { return z; } });
   }
   Put("TiffStacksFolder/notes.txt", "words");
-  const auto reader = StackReaderOf("TiffStacksFolder");
+  const auto reader = UpdatedReaderOf("TiffStacksFolder");
   ExpectStack(reader, "folder");
   EXPECT_EQ(NotesOf(reader), unknownDistance);
 
@@ -378,7 +346,7 @@ TEST(TiffStacks, PagesThatAreNoSlicesAreLeftOut)
       }
     },
     .sliceOf = [](int page) { return page - 1; } };
-  const auto reader = StackReaderOf(WriteStack("TiffStacksOthers.tif", stack));
+  const auto reader = UpdatedReaderOf(WriteStack("TiffStacksOthers.tif", stack));
   ExpectStack(reader, "others");
   EXPECT_EQ(
     NotesOf(reader).find("1 of its 7 pages have another size or type than the first and are left out"), 0u)
@@ -414,15 +382,14 @@ TEST(TiffStacks, WhatCannotBeReadIsOneError)
 
   // The end of what is compressed, or of the list of pages, is missing.
   const std::string whole = WriteStack("TiffStacksWhole.tif", { .compression = COMPRESSION_ADOBE_DEFLATE });
-  std::ifstream in(whole, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(in), {} };
+  const std::string bytes = ink::io::contentsOf(whole);
   ExpectRefused(
     Put("TiffStacksCut.tif", bytes.substr(0, bytes.size() / 2)), { "one of its pages is damaged" });
   for (const char* mode : { "w", "w8b" })
   {
     const std::string plain = WriteStack("TiffStacksPlain.tif", { .rowsPerStrip = Size[1], .mode = mode });
     ExpectRefused(
-      CutBytes(plain, "TiffStacksCut.tif", 2), { "it ends before it says whether there are more" });
+      CutShort(plain, "TiffStacksCut.tif", 2), { "it ends before it says whether there are more" });
   }
   std::string spoiled = bytes;
   std::fill(spoiled.begin() + 8, spoiled.begin() + 30, '\xff');

@@ -2,6 +2,7 @@
 // Every format, whole and in parts, against the values that were written.
 
 #include "VolumeTestFiles.h"
+#include "VolumeTestReading.h"
 
 #include "RawVolume.h"
 
@@ -15,16 +16,10 @@
 #include <gtest/gtest.h>
 
 using namespace VolumeTestFiles;
+using namespace VolumeTestReading;
 
 namespace
 {
-
-vtkSmartPointer<vtkInkVolumeReader> ReaderOf(const std::string& file)
-{
-  auto reader = vtkSmartPointer<vtkInkVolumeReader>::New();
-  reader->SetFileName(file.c_str());
-  return reader;
-}
 
 vtkSmartPointer<vtkInkVolumeReader> RawReaderOf(const std::string& file)
 {

@@ -2,6 +2,7 @@
 // Files of images that have values in their cells alone: each is a voxel in the cell's center.
 
 #include "VolumeTestFiles.h"
+#include "VolumeTestReading.h"
 
 #include "InkTestMessages.h"
 
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 using namespace VolumeTestFiles;
+using namespace VolumeTestReading;
 
 namespace
 {
@@ -51,13 +53,6 @@ std::vector<std::string> AllOfCells(const std::string& name)
       [](auto* writer) { writer->SetFileTypeToBinary(); }) };
 }
 
-vtkSmartPointer<vtkInkVolumeReader> CellReaderOf(const std::string& file)
-{
-  auto reader = vtkSmartPointer<vtkInkVolumeReader>::New();
-  reader->SetFileName(file.c_str());
-  return reader;
-}
-
 void ExpectVoxels(vtkImageData* image, const std::string& name)
 {
   const int* e = image->GetExtent();
@@ -85,7 +80,7 @@ TEST(VolumesOfCells, AreVoxelsInTheCellsCenters)
 {
   for (const std::string& file : AllOfCells("VolumesOfCellsWhole"))
   {
-    const auto reader = CellReaderOf(file);
+    const auto reader = ReaderOf(file);
     reader->UpdateInformation();
     EXPECT_EQ(reader->GetMemorySize() > 0, file.find("Array.vti") == std::string::npos) << file;
     reader->Update();
@@ -106,7 +101,7 @@ TEST(VolumesOfCells, PartsAreThoseOfTheWhole)
 {
   for (const std::string& file : AllOfCells("VolumesOfCellsParts"))
   {
-    const auto reader = CellReaderOf(file);
+    const auto reader = ReaderOf(file);
     for (const std::array<int, 6>& part :
       { std::array{ 0, 6, 0, 4, 2, 3 }, std::array{ 1, 3, 2, 2, 5, 5 }, std::array{ 6, 6, 4, 4, 0, 5 } })
     {
@@ -129,7 +124,7 @@ TEST(VolumesOfCells, ValuesOfPointsComeFirst)
   for (const std::string& file : { Write<vtkXMLImageDataWriter>("VolumesOfCellsBoth.vti", both, nothing),
          Write<vtkStructuredPointsWriter>("VolumesOfCellsBoth.vtk", both, nothing) })
   {
-    const auto reader = CellReaderOf(file);
+    const auto reader = ReaderOf(file);
     reader->Update();
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), both->GetNumberOfPoints()) << file;
     EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(1, 2, 3, 0), 1.0) << file;
@@ -158,7 +153,7 @@ TEST(VolumesOfCells, FilesWithoutValuesAndWithTooFewAreRefused)
   };
   for (const auto& [file, words] : cases)
   {
-    const auto reader = CellReaderOf(file);
+    const auto reader = ReaderOf(file);
     vtkNew<InkTestMessages> messages;
     messages->Observe(reader);
     messages->Observe(reader->GetExecutive());

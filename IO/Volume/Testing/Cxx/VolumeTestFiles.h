@@ -3,6 +3,8 @@
 #ifndef VolumeTestFiles_h
 #define VolumeTestFiles_h
 
+#include "ReadError.h"
+
 #include "vtkImageData.h"
 #include "vtkMetaImageWriter.h"
 #include "vtkNIFTIImageWriter.h"
@@ -13,6 +15,7 @@
 #include "vtkStructuredPoints.h"
 #include "vtkStructuredPointsWriter.h"
 #include "vtkXMLImageDataWriter.h"
+#include "vtk_zlib.h"
 
 #include <filesystem>
 #include <fstream>
@@ -82,6 +85,21 @@ inline std::string Put(const std::string& name, const std::string& bytes)
 {
   std::ofstream(name, std::ios::binary) << bytes;
   return name;
+}
+
+inline std::string Gzip(const std::string& name, const std::string& bytes)
+{
+  gzFile file = gzopen(name.c_str(), "wb");
+  gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size()));
+  gzclose(file);
+  return name;
+}
+
+/// A file without the last bytes of another one.
+inline std::string CutShort(const std::string& file, const std::string& name, std::size_t bytes)
+{
+  const std::string all = ink::io::contentsOf(file);
+  return Put(name, all.substr(0, all.size() - bytes));
 }
 
 template <class Writer>
