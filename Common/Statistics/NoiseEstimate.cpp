@@ -73,6 +73,11 @@ constexpr double leastSharpness = 0.55;
 /// Of brains that a mask cuts through, see NoiseEstimate::cut.
 constexpr double leastCut = 0.45;
 
+/// What is rough from sample to sample, see NoiseEstimate::roughness: its angle, and that in angles of bends.
+/// Phantoms that are as rough have noise of 10 % of their step, which asks for more.
+constexpr double leastRoughness = 0.165;
+constexpr double leastRoughnessInBends = 2.1;
+
 /// The deviation of a normal's angle at a blurred unit step, for noise of deviation 1: the deviation of a
 /// derivative of noise under a Gaussian, by the step's own.
 double angleOf(double deviation)
@@ -246,6 +251,8 @@ void NoiseSightings::append(const NoiseSightings& other)
   this->maskSteps += other.maskSteps;
   this->outerSteps += other.outerSteps;
   this->cutSteps += other.cutSteps;
+  add(this->turns[0], other.turns[0]);
+  add(this->turns[1], other.turns[1]);
 }
 
 NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm::ivec3& reach)
@@ -284,6 +291,11 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
   if (all.outerSteps >= static_cast<std::int64_t>(fewest))
   {
     result.cut = static_cast<double>(all.cutSteps) / static_cast<double>(all.outerSteps);
+  }
+  if (all.turns[0].size() >= fewest)
+  {
+    result.roughness = quantileOf(all.turns[0], 0.5);
+    result.bend = quantileOf(all.turns[1], 0.5);
   }
   result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
@@ -368,7 +380,8 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
     // Thin parts that a mask has cut to pieces would lose their outlines.
     const bool isCut = estimate.cut > leastCut && estimate.usualThickness >= NoiseEstimate::thickEnough;
-    if (estimate.sharpness > leastSharpness || isCut)
+    const bool isRough = estimate.roughness > std::max(leastRoughness, leastRoughnessInBends * estimate.bend);
+    if (estimate.sharpness > leastSharpness || isCut || isRough)
     {
       deviation =
         std::max(deviation, std::min(middle * std::min(sharpSmoothing, 0.5 * thickness), mostSliceSmoothing));

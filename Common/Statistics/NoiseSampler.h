@@ -4,6 +4,7 @@
 #include "Fields/ScalarDifference.h"
 #include "Statistics/NoiseEstimate.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -42,6 +43,9 @@ struct NoiseSightings
   std::int64_t maskSteps = 0;    ///< of the steps: at the edge of a mask, which is most of them
   std::int64_t outerSteps = 0;   ///< those that are seen from outside
   std::int64_t cutSteps = 0;     ///< of these, beside the edge of a mask that is half of them or more
+  /// Angles between normals there, radians: of the values and of values that are smoothed some, and of these
+  /// and of values that are smoothed more, see NoiseEstimate::roughness.
+  std::array<std::vector<double>, 2> turns;
 
   void append(const NoiseSightings& other);
 };
@@ -156,6 +160,7 @@ private:
         ++found.outerSteps;
         found.cutSteps += isCut;
         found.keeping.push_back(keepingDeviation(this->sizeAround(inner)));
+        this->addTurns(inner, found);
       }
       if (isOuterOpen || this->isOpen(inner))
       {
@@ -280,6 +285,65 @@ private:
     found.maskSteps += isMask;
     // Where a mask cuts through a gradual transition, the surface may lie a sample or two within.
     return isMask || isMaskEdge(-2) || isMaskEdge(-1) || isMaskEdge(1) || isMaskEdge(2);
+  }
+
+  /// By how much smoothing turns a sample's normal. Not where samples for it are missing.
+  void addTurns(const glm::ivec3& at, NoiseSightings& found) const
+  {
+    glm::dvec3 plain(0.0);
+    std::array<glm::dvec3, 2> smoothed = {};
+    for (int z = -before; z <= before; ++z)
+    {
+      for (int y = -before; y <= before; ++y)
+      {
+        for (int x = -before; x <= before; ++x)
+        {
+          const glm::ivec3 offset(x, y, z);
+          if (!this->Values.has(at + offset))
+          {
+            return;
+          }
+          const glm::dvec3 slope =
+            difference(this->Values.at(at + offset), this->Values.at(at)) * glm::dvec3(offset);
+          plain += std::abs(x) + std::abs(y) + std::abs(z) == 1 ? slope : glm::dvec3(0.0);
+          for (std::size_t n = 0; n < smoothed.size(); ++n)
+          {
+            const auto& weights = turnWeights()[n];
+            smoothed[n] += weights[std::abs(x)] * weights[std::abs(y)] * weights[std::abs(z)] * slope;
+          }
+        }
+      }
+    }
+    const auto addAngle = [](const glm::dvec3& a, const glm::dvec3& b, std::vector<double>& angles)
+    {
+      const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+      if (std::isfinite(angle))
+      {
+        angles.push_back(angle);
+      }
+    };
+    addAngle(plain, smoothed[0], found.turns[0]);
+    addAngle(smoothed[0], smoothed[1], found.turns[1]);
+  }
+
+  /// Gaussians of sharpSmoothing and mostSuggestedSmoothing, by the distance in samples.
+  static const std::array<std::array<double, 1 + before>, 2>& turnWeights()
+  {
+    static const auto weights = []
+    {
+      std::array<std::array<double, 1 + before>, 2> all = {};
+      for (std::size_t n = 0; n < all.size(); ++n)
+      {
+        const double deviation = n == 0 ? sharpSmoothing : mostSuggestedSmoothing;
+        for (std::size_t i = 0; i < all[n].size(); ++i)
+        {
+          const double distance = static_cast<double>(i) / deviation;
+          all[n][i] = std::exp(-0.5 * distance * distance);
+        }
+      }
+      return all;
+    }();
+    return weights;
   }
 
   /// The samples from one on that are on its side of the surface.

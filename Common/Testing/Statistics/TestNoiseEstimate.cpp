@@ -86,6 +86,8 @@ TEST(NoiseEstimate, IsTheSameFromAFewSlicesAtATime)
       EXPECT_EQ(found.quantum, whole.quantum) << atOnce;
       EXPECT_EQ(found.thickness, whole.thickness) << atOnce;
       EXPECT_EQ(found.keeping, whole.keeping) << atOnce;
+      EXPECT_EQ(found.roughness, whole.roughness) << atOnce;
+      EXPECT_EQ(found.bend, whole.bend) << atOnce;
       EXPECT_EQ(calls, atOnce >= 71 ? 1 : atOnce == 70 ? 2 : atOnce == 13 ? 18 : 69) << atOnce;
     }
   };
@@ -189,6 +191,46 @@ TEST(NoiseEstimate, MasksThatCutThroughAGradualTransitionShowTheGrid)
               { .step = 1.0, .usualThickness = 4.0, .sharpness = 0.4, .cut = 0.8 }, glm::dvec3(1.0)),
     0.0)
     << "thin parts";
+}
+
+TEST(NoiseEstimate, TiltedSlicesThatWereResampledShowTheGrid)
+{
+  // Each sample is that of the nearest slice; slices are three samples apart, and aligned with no axis.
+  const Sphere ball{ glm::dvec3(0.2), 20.0 };
+  const glm::dvec3 across = glm::normalize(glm::dvec3(0.2, 0.3, 1.0));
+  const auto sliced = [&](double distance)
+  {
+    return Volume<float>::from(centered(64),
+      [&](const glm::dvec3& p)
+      {
+        const double height = glm::dot(p, across);
+        const double slice = distance > 0.0 ? distance * std::round(height / distance) : height;
+        return 0.5 * std::erfc(ball.distance(p + (slice - height) * across) / (0.7 * std::sqrt(2.0)));
+      });
+  };
+  const ink::NoiseEstimate whole = estimateNoise(sliced(0.0).field(), 0.5);
+  EXPECT_LT(whole.roughness, 0.1);
+  EXPECT_EQ(ink::suggestSmoothing(whole, glm::dvec3(1.0)), 0.0);
+  const ink::NoiseEstimate resampled = estimateNoise(sliced(3.0).field(), 0.5);
+  EXPECT_GT(resampled.roughness, 0.2);
+  EXPECT_LT(resampled.bend, 0.1);
+  EXPECT_LT(resampled.sharpness, 0.55) << "not by that";
+  EXPECT_EQ(ink::suggestSmoothing(resampled, glm::dvec3(1.0)), ink::sharpSmoothing);
+
+  const auto with = [](double roughness, double bend, double thickness)
+  {
+    return ink::suggestSmoothing({ .step = 1.0,
+                                   .thickness = thickness,
+                                   .usualThickness = thickness,
+                                   .sharpness = 0.4,
+                                   .roughness = roughness,
+                                   .bend = bend },
+      glm::dvec3(1.0));
+  };
+  EXPECT_EQ(with(0.2, 0.05, 5.0), ink::sharpSmoothing);
+  EXPECT_EQ(with(0.15, 0.05, 5.0), 0.0) << "hardly rough";
+  EXPECT_EQ(with(0.3, 0.15, 5.0), 0.0) << "bends, too";
+  EXPECT_EQ(with(0.2, 0.05, 1.0), 0.5) << "thin parts";
 }
 
 TEST(NoiseEstimate, OneNoisySideCountsHalf)
