@@ -4,6 +4,7 @@
 #include "Fields/ScalarDifference.h"
 #include "Statistics/AreLabels.h"
 #include "Statistics/CoveredSides.h"
+#include "Statistics/FilledBox.h"
 #include "Statistics/IsoBoundaries.h"
 #include "Statistics/OtsuThreshold.h"
 #include "Statistics/SmoothedSlices.h"
@@ -80,6 +81,31 @@ SliceReader<T> withoutFill(const SliceReader<T>& read, double fill)
     }
   }
   return read;
+}
+
+/// Some voxels of a volume.
+/// @param box the first and the last one along x, y and z
+template <typename T>
+SliceReader<T> croppedSlices(
+  const SliceReader<T>& read, const std::array<int, 3>& dimensions, const std::array<int, 6>& box)
+{
+  return [&read, dimensions, box, held = std::vector<T>()](int first, int last) mutable
+  {
+    const std::span<const T> values = read(box[4] + first, box[4] + last);
+    const auto width = static_cast<std::size_t>(dimensions[0]);
+    const auto height = static_cast<std::size_t>(dimensions[1]);
+    held.clear();
+    for (std::size_t row = 0; width > 0 && row < values.size() / width; ++row)
+    {
+      const auto y = static_cast<int>(row % height);
+      if (y >= box[2] && y <= box[3])
+      {
+        const auto kept = values.subspan(row * width + box[0], box[1] - box[0] + 1);
+        held.insert(held.end(), kept.begin(), kept.end());
+      }
+    }
+    return std::span<const T>(held);
+  };
 }
 
 /// The iso-values of clear boundaries, the best first.
@@ -268,6 +294,42 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
   return suggestions;
 }
 
+/// Of what padding surrounds on some sides with the lowest value: the boundaries within, if there are any.
+template <typename T>
+std::vector<IsoSuggestion> suggestWithinPadding(const SliceReader<T>& read,
+  const std::array<int, 3>& dimensions, int slicesAtOnce, const IsoStatistics& statistics)
+{
+  constexpr double mostlyMasked = 0.5;
+  const double edges = static_cast<double>(statistics.edges[0]);
+  if (static_cast<double>(statistics.maskEdges[0]) <= mostlyMasked * edges ||
+    areLabels(statistics.maskChanges, statistics.changes))
+  {
+    return {};
+  }
+  const auto box = findFilledBox(read, dimensions, slicesAtOnce, valueAt(statistics.bins, -0.5));
+  if (!box)
+  {
+    return {};
+  }
+  const std::array<int, 3> size{ (*box)[1] - (*box)[0] + 1, (*box)[3] - (*box)[2] + 1,
+    (*box)[5] - (*box)[4] + 1 };
+  const auto cropped = croppedSlices(read, dimensions, *box);
+  std::vector<IsoSuggestion> suggestions =
+    suggestIsoValues(cropped, size, std::max(countSmoothedAtOnce(dimensions, slicesAtOnce), 3));
+  if (!suggestions.empty() && suggestions.front().boundary != IsoSuggestion::Boundary::Outermost)
+  {
+    return {};
+  }
+  for (IsoSuggestion& one : suggestions)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      one.keptShare *= static_cast<double>(size[axis]) / dimensions[axis];
+    }
+  }
+  return suggestions;
+}
+
 } // namespace
 
 template <typename T>
@@ -280,6 +342,11 @@ std::vector<IsoSuggestion> suggestIsoValues(
     return {};
   }
   const SliceReader<T> read = withoutFill(readAll, statistics->bins.fill);
+  if (std::vector<IsoSuggestion> within = suggestWithinPadding(read, dimensions, slicesAtOnce, *statistics);
+      !within.empty())
+  {
+    return within;
+  }
   std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics);
   if (noiseHidesBoundaries(*statistics))
   {

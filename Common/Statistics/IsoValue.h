@@ -56,6 +56,9 @@ struct IsoSuggestion
 /// Where noise can hide boundaries, they are those of the smoothed volume, see smoothedSlices, from the first
 /// on that is clean in the values themselves, if there are no others or if that lies around them.
 ///
+/// Where some sides are padded with the lowest value, so that all others fill a box, only that box counts, if
+/// there is a boundary in it.
+///
 /// Where nearly all values are as large as those around them, they are the labels of a segmentation rather
 /// than measured. One between two labels says nothing then; the first suggestion is the edge of all labels,
 /// half way from the lowest value, the background, to the next.

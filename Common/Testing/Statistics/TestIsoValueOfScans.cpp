@@ -45,21 +45,58 @@ double waves(std::size_t i)
 
 TEST(IsoValueOfScans, IsNotTheEdgeOfPadding)
 {
-  // A quarter of the columns or more is padded with 0; the rest of the air is noise.
-  for (const int padded : { 6, 8, 10 })
+  // The corners are padded with 0, as where a scan was turned; the rest of the air is noise.
+  for (const int farthest : { 18, 20, 22 })
   {
     const auto values = volume<short>(
-      [padded](double d, std::size_t i)
+      [farthest](double d, std::size_t i)
       {
-        const bool isPadding = std::min(column(i), size - 1 - column(i)) < padded;
+        const int row = static_cast<int>(i) / size % size;
+        const bool isPadding = std::abs(column(i) - size / 2) + std::abs(row - size / 2) > farthest;
         return isPadding ? 0.0 : std::max(airOfMR(i), 300.0 * blurredSphere(d, 12) + 8.0 * noise(i));
       });
     const auto suggestion = suggest(values);
     ASSERT_TRUE(suggestion);
     EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
-    EXPECT_GT(suggestion->value, 90.0) << padded;
-    EXPECT_LT(suggestion->value, 250.0) << padded;
+    EXPECT_GT(suggestion->value, 90.0) << farthest;
+    EXPECT_LT(suggestion->value, 250.0) << farthest;
   }
+}
+
+TEST(IsoValueOfScans, IsWithinTheBoxThatPaddingLeaves)
+{
+  // A slab through a head, of which no more is left above and below than 0.
+  const auto values = [](auto zero, int thick)
+  {
+    return volume<decltype(zero)>(
+      [zero, thick](double d, std::size_t i)
+      {
+        const int slice = static_cast<int>(i) / size / size;
+        const bool isPadding = 2 * std::abs(2 * slice - size + 1) > 2 * thick;
+        const double value = 400.0 * blurredSphere(d, 14) + 12.0 + 8.0 * noise(i);
+        return static_cast<double>(isPadding ? zero : static_cast<decltype(zero)>(value));
+      });
+  };
+  const auto check = [](const std::optional<ink::IsoSuggestion>& found)
+  {
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->boundary, Boundary::Outermost);
+    EXPECT_GT(found->value, 150.0);
+    EXPECT_LT(found->value, 280.0);
+    EXPECT_LT(found->keptShare, 0.1) << "of all voxels";
+    EXPECT_GT(found->keptShare, 0.02);
+  };
+  check(suggest(values(short(0), 6)));
+  check(suggest(values(0.0F, 6)));
+}
+
+TEST(IsoValueOfScans, OfABoxOfNoiseIsItsEdge)
+{
+  const auto found = suggest(volume<short>([](double, std::size_t i)
+    { return std::min(column(i), size - 1 - column(i)) < 8 ? 0.0 : 400.0 + 40.0 * noise(i); }));
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->value, 0.0);
+  EXPECT_LT(found->value, 370.0);
 }
 
 TEST(IsoValueOfScans, IsNotTheScrapsOfTheBrightestSpots)
