@@ -46,12 +46,13 @@ struct Format
   io::VolumeHeader (*readHeader)(const fs::path& file); ///< null: it is XML
 };
 constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io::readNiftiHeader },
-  { ".nrrd", io::readNrrdHeader }, { ".nhdr", io::readNrrdHeader }, { ".mha", io::readMetaImageHeader },
-  { ".mhd", io::readMetaImageHeader }, { ".mrc", io::readMrcHeader }, { ".mrc.gz", io::readMrcHeader },
-  { ".map", io::readMrcHeader }, { ".map.gz", io::readMrcHeader }, { ".ccp4", io::readMrcHeader },
-  { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr }, { ".vtk", io::readLegacyHeader },
-  { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader }, { ".tif", io::readTiffHeader },
-  { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
+  { ".hdr", io::readNiftiHeader }, { ".hdr.gz", io::readNiftiHeader }, { ".img", io::readNiftiHeader },
+  { ".img.gz", io::readNiftiHeader }, { ".nrrd", io::readNrrdHeader }, { ".nhdr", io::readNrrdHeader },
+  { ".mha", io::readMetaImageHeader }, { ".mhd", io::readMetaImageHeader }, { ".mrc", io::readMrcHeader },
+  { ".mrc.gz", io::readMrcHeader }, { ".map", io::readMrcHeader }, { ".map.gz", io::readMrcHeader },
+  { ".ccp4", io::readMrcHeader }, { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr },
+  { ".vtk", io::readLegacyHeader }, { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader },
+  { ".tif", io::readTiffHeader }, { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
 constexpr Format dicom{ "", io::readDicomHeaders };
 
 std::string Text(const char* characters)
@@ -62,13 +63,15 @@ std::string Text(const char* characters)
 /// @throws ink::io::ReadError if it is none
 const Format& FormatOf(const fs::path& file)
 {
-  if (const Format* format = io::findFormat(formats, file))
-  {
-    return *format;
-  }
-  if (vtkInkVolumeReader::IsDicomFile(file.c_str()))
+  // Some of DICOM's files end as others'.
+  const Format* format = io::findFormat(formats, file);
+  if ((!format || io::suffixOf(file) == ".img") && vtkInkVolumeReader::IsDicomFile(file.c_str()))
   {
     return dicom;
+  }
+  if (format)
+  {
+    return *format;
   }
   io::failToRead(file,
     "unknown type '" + io::suffixOf(file) + "'; expected one of " + vtkInkVolumeReader::GetFileExtensions() +

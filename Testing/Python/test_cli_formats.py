@@ -57,6 +57,20 @@ def text_metaimage(path):
                     "ElementDataFile = LOCAL\n" + " ".join(map(str, BLOB.ravel())) + "\n")
 
 
+def nifti_pair(path, magic=b"ni1\0"):
+    """By either name; without the magic bytes of NIfTI it is a volume of Analyze 7.5, whose usual axes these are."""
+    single = path.with_suffix(".nii")
+    analyze = magic == bytes(4)
+    ink_files.write_nifti(single, BLOB[:, ::-1] if analyze else BLOB, None if analyze else AFFINE)
+    data = single.read_bytes()
+    single.unlink()
+    header = bytearray(data[:348])
+    struct.pack_into("<f", header, 108, 0)
+    header[344:348] = magic
+    path.with_suffix(".hdr").write_bytes(header)
+    path.with_suffix(".img").write_bytes(data[352:])
+
+
 def tiff_folder(path):
     path.mkdir()
     for i, image in enumerate(BLOB):
@@ -78,6 +92,9 @@ VOLUMES = {
     "second.nii": lambda p: ink_files.write_nifti2(p, BLOB, AFFINE),
     "quaternion.nii": lambda p: nifti_by_quaternion(p, BLOB, 1),
     "quaternion-down.nii": lambda p: nifti_by_quaternion(p, BLOB[::-1], -1),
+    "pair.hdr": nifti_pair,
+    "pair.img": nifti_pair,
+    "analyze.hdr": lambda p: nifti_pair(p, bytes(4)),
     "turned.nrrd": turned_nrrd,
     "detached.nhdr": lambda p: ink_files.write_nrrd(p, BLOB),
     "plain.mha": lambda p: ink_files.write_metaimage(p, BLOB),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// NIfTI-1 and NIfTI-2, as one file or as a pair of .hdr and .img, and the pairs of Analyze 7.5, whose header
+// is that of NIfTI-1 without most of its numbers.
 #include "VolumeHeader.h"
 
 #include "Core/FormatNumber.h"
@@ -17,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace fs = std::filesystem;
@@ -51,7 +54,8 @@ constexpr Offsets second{ 16, 12, 104, 168, 176, 184, 344, 348, 352, 400 };
 class NiftiHeader
 {
 public:
-  NiftiHeader(std::span<const unsigned char> bytes, const fs::path& file)
+  /// @param pair whether the voxels are in another file
+  NiftiHeader(std::span<const unsigned char> bytes, const fs::path& file, bool pair)
     : Bytes(bytes)
   {
     constexpr std::size_t magicOfFirst = 344;
@@ -61,22 +65,33 @@ public:
       return bytes.size() >= offset + magic.size() &&
         std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
     };
-    this->IsSecond =
-      is(magicOfSecond, std::string_view("n+2\0\r\n\032\n", 8)) && bytes.size() >= sizeOfSecond;
-    if (!this->IsSecond && !is(magicOfFirst, std::string_view("n+1\0", 4)))
+    this->IsSecond = bytes.size() >= sizeOfSecond &&
+      is(magicOfSecond,
+        pair ? std::string_view("ni2\0\r\n\032\n", 8) : std::string_view("n+2\0\r\n\032\n", 8));
+    const bool isFirst = is(magicOfFirst, pair ? std::string_view("ni1\0", 4) : std::string_view("n+1\0", 4));
+    this->IsAnalyze = pair && !this->IsSecond && !isFirst;
+    if (!pair && !this->IsSecond && !isFirst)
     {
       failToRead(file, "it is not a NIfTI volume: it has neither 'n+1' at byte 344 nor 'n+2' at byte 4");
+    }
+    const std::string kind = pair ? "header of a NIfTI or Analyze volume" : "NIfTI volume";
+    if (bytes.size() < sizeOfFirst)
+    {
+      failToRead(file,
+        "it is not a " + kind + ": it has " + std::to_string(bytes.size()) + " bytes; expected " +
+          std::to_string(sizeOfFirst) + " or more");
     }
     const std::int32_t size = this->at<std::int32_t>(0);
     this->Swapped = size != this->size();
     if (this->Swapped && this->at<std::int32_t>(0) != this->size())
     {
       failToRead(file,
-        "it is not a NIfTI volume: its header says a size of " + std::to_string(size) + " bytes; expected " +
+        "it is not a " + kind + ": its header says a size of " + std::to_string(size) + " bytes; expected " +
           std::to_string(this->size()));
     }
   }
 
+  bool isAnalyze() const { return this->IsAnalyze; }
   const Offsets& offsets() const { return this->IsSecond ? second : first; }
   std::int32_t size() const { return static_cast<std::int32_t>(this->IsSecond ? sizeOfSecond : sizeOfFirst); }
   bool bigEndian() const { return this->Swapped != (std::endian::native == std::endian::big); }
@@ -112,6 +127,7 @@ private:
 
   std::span<const unsigned char> Bytes;
   bool IsSecond = false;
+  bool IsAnalyze = false;
   bool Swapped = false;
 };
 
@@ -133,6 +149,14 @@ void orient(const NiftiHeader& nifti, VolumeHeader& header)
   const Offsets& offsets = nifti.offsets();
   // NIfTI: +x to the right, +y to the front.
   constexpr double sign[3] = { -1, -1, 1 };
+  if (nifti.isAnalyze())
+  {
+    // Its usual order: from the right to the left, to the front, to the head.
+    constexpr double steps[9] = { -1, 0, 0, 0, 1, 0, 0, 0, 1 };
+    constexpr double origin[3] = { 0, 0, 0 };
+    header.orientation.emplace(steps, origin, sign);
+    return;
+  }
   if (nifti.code(offsets.sformCode) > 0)
   {
     double steps[9];
@@ -175,12 +199,53 @@ void orient(const NiftiHeader& nifti, VolumeHeader& header)
   }
 }
 
+/// The two files of a volume, each of which may be compressed; one and the same unless it is a pair.
+struct NiftiFiles
+{
+  fs::path header;
+  fs::path voxels;
+
+  bool isPair() const { return this->header != this->voxels; }
+};
+
+/// @param file either of a pair, or one that has all
+NiftiFiles findFiles(const fs::path& file)
+{
+  const std::string suffix = suffixOf(file);
+  const bool isHeader = suffix.starts_with(".hdr");
+  if (!isHeader && !suffix.starts_with(".img"))
+  {
+    return { file, file };
+  }
+  const std::string name = file.string();
+  const std::string stem = name.substr(0, name.size() - suffix.size());
+  const std::array<std::string, 2> other =
+    isHeader ? std::array<std::string, 2>{ ".img", ".IMG" } : std::array<std::string, 2>{ ".hdr", ".HDR" };
+  for (const std::string& end : other)
+  {
+    for (const char* compressed : { "", ".gz" })
+    {
+      const fs::path found = stem + end + compressed;
+      if (fs::exists(found))
+      {
+        checkExists(found);
+        return isHeader ? NiftiFiles{ file, found } : NiftiFiles{ found, file };
+      }
+    }
+  }
+  failToRead(file,
+    "there is no file '" + stem + other[0] + "', in which the " + (isHeader ? "voxels" : "header") +
+      " of a pair would be");
+}
+
 } // namespace
 
 VolumeHeader readNiftiHeader(const fs::path& file)
 {
-  const auto [compressed, bytes] = FirstBytes(file, sizeOfSecond);
-  const NiftiHeader nifti(bytes, file);
+  const NiftiFiles files = findFiles(file);
+  const FirstBytes start(files.header, sizeOfSecond);
+  const NiftiHeader nifti(start.bytes, files.header, files.isPair());
+  const bool compressed = files.isPair() ? FirstBytes(files.voxels, 1).compressed : start.compressed;
 
   // A missing dimension is 1. The fourth is time, the fifth for vectors, whose components are volumes.
   std::array<std::int64_t, axes> dimensions;
@@ -210,8 +275,8 @@ VolumeHeader readNiftiHeader(const fs::path& file)
   }
 
   VolumeHeader header;
-  header.format = "NIfTI volume";
-  header.voxels.files = { file };
+  header.format = nifti.isAnalyze() ? "Analyze volume" : "NIfTI volume";
+  header.voxels.files = { files.voxels };
   header.voxels.type = type->type;
   header.voxels.components = type->components;
   for (int i = 0; i < 3; ++i)
@@ -220,7 +285,8 @@ VolumeHeader readNiftiHeader(const fs::path& file)
     header.spacing[i] = spacingOf(nifti.real(nifti.offsets().pixdim, i + 1));
   }
   header.voxels.setBigEndian(nifti.bigEndian());
-  const double offset = std::max(nifti.voxelOffset(), static_cast<double>(nifti.size() + 4));
+  const double offset =
+    std::max(nifti.voxelOffset(), files.isPair() ? 0.0 : static_cast<double>(nifti.size() + 4));
   constexpr double mostOffset = 1 << 30;
   if (!(offset <= mostOffset))
   {
@@ -229,14 +295,14 @@ VolumeHeader readNiftiHeader(const fs::path& file)
   }
   (compressed ? header.voxels.skipped : header.voxels.offset) = static_cast<std::uint64_t>(offset);
   header.voxels.encoding = compressed ? VoxelEncoding::Compressed : VoxelEncoding::Plain;
-  header.voxels.check(file);
+  header.voxels.check(files.voxels);
   // Of what comes after the first volume only the length is checked.
   const double promised = static_cast<double>(header.voxels.fileBytes()) * volumes + offset;
-  const double found = static_cast<double>(fs::file_size(file)) *
+  const double found = static_cast<double>(fs::file_size(files.voxels)) *
     (compressed ? static_cast<double>(Inflater::mostPerByte) : 1.0);
   if (found < promised)
   {
-    failToRead(file,
+    failToRead(files.voxels,
       "it has " + formatNumber(found) + " bytes, but its header promises " + formatNumber(promised) +
         " with all its volumes");
   }
@@ -248,7 +314,8 @@ VolumeHeader readNiftiHeader(const fs::path& file)
     header.notes.push_back("it has " + std::to_string(dimensions[4]) + " time steps; the first is used");
   }
   header.slope = nifti.real(nifti.offsets().slope);
-  header.intercept = nifti.real(nifti.offsets().intercept);
+  // Of Analyze's, SPM has made the first one a slope.
+  header.intercept = nifti.isAnalyze() ? 0.0 : nifti.real(nifti.offsets().intercept);
   if (!std::isfinite(header.slope) || !std::isfinite(header.intercept))
   {
     // How some programs say that there is nothing to be done.
