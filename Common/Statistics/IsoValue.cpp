@@ -160,12 +160,31 @@ bool showsMore(const std::vector<IsoSuggestion>& smoothed, const std::vector<Iso
     smoothed.front().keptShare > outerShare * suggestions.front().keptShare;
 }
 
+/// Whether values are labels, see areLabels.
+bool hasLabels(const IsoStatistics& statistics)
+{
+  if (!areLabels(statistics.maskChanges, statistics.changes))
+  {
+    return false;
+  }
+  // A change of some levels crosses as many thresholds, of which those within a gap are one.
+  double levels = 1.0;
+  double crossed = 0.0;
+  for (std::size_t i = 0; i < statistics.edges.size(); ++i)
+  {
+    const bool isLevel = statistics.voxels[i] > 0;
+    levels += isLevel ? 1.0 : 0.0;
+    crossed += isLevel ? static_cast<double>(statistics.edges[i]) : 0.0;
+  }
+  return !areGrayLevels(levels, crossed / static_cast<double>(statistics.changes));
+}
+
 /// The edge of all labels, if values are labels: exactly, as the ids of atlases lie far apart.
 template <typename T>
 std::optional<IsoSuggestion> suggestLabels(
   const SliceReader<T>& read, int slices, int slicesAtOnce, const IsoStatistics& statistics)
 {
-  if (!areLabels(statistics.maskChanges, statistics.changes))
+  if (!hasLabels(statistics))
   {
     return std::nullopt;
   }
@@ -301,8 +320,7 @@ std::vector<IsoSuggestion> suggestWithinPadding(const SliceReader<T>& read,
 {
   constexpr double mostlyMasked = 0.5;
   const double edges = static_cast<double>(statistics.edges[0]);
-  if (static_cast<double>(statistics.maskEdges[0]) <= mostlyMasked * edges ||
-    areLabels(statistics.maskChanges, statistics.changes))
+  if (static_cast<double>(statistics.maskEdges[0]) <= mostlyMasked * edges || hasLabels(statistics))
   {
     return {};
   }

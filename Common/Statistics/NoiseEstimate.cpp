@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -136,6 +137,18 @@ double quantumOf(std::vector<double>& changes)
     }
   }
   return static_cast<double>(multiples) > 0.9 * static_cast<double>(small) ? quantum : 0.0;
+}
+
+/// See areGrayLevels. @param changes one or more, unless there is no quantum
+bool haveGrayLevels(const std::vector<double>& changes, double quantum)
+{
+  if (quantum == 0.0)
+  {
+    return false;
+  }
+  const double levels = 1.0 + *std::max_element(changes.begin(), changes.end()) / quantum;
+  const double sum = std::accumulate(changes.begin(), changes.end(), 0.0);
+  return areGrayLevels(levels, sum / quantum / static_cast<double>(changes.size()));
 }
 
 /// Along axes of one or two samples there are no second differences.
@@ -278,7 +291,9 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
     }
   }
   result.noise = sides == 0 ? 0.0 : std::sqrt((variances[0] + variances[1]) / sides);
-  result.labels = areLabels(all.maskChanges, static_cast<std::int64_t>(all.changes.size())) ||
+  result.quantum = quantumOf(all.changes);
+  result.labels = (areLabels(all.maskChanges, static_cast<std::int64_t>(all.changes.size())) &&
+                    !haveGrayLevels(all.changes, result.quantum)) ||
     areLabels(all.maskSteps, static_cast<std::int64_t>(all.steps.size()));
   std::vector<double> edgeShares;
   for (std::size_t axis = 0; axis < all.edgeShares.size(); ++axis)
@@ -297,7 +312,6 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
     result.roughness = quantileOf(all.turns[0], 0.5);
     result.bend = quantileOf(all.turns[1], 0.5);
   }
-  result.quantum = quantumOf(all.changes);
   result.step = std::max(quantileOf(all.steps, 0.5) - noiseRange * result.noise, 0.0);
   // What is inside is not seen.
   std::vector<double>& runs = all.outerRuns.size() >= fewest ? all.outerRuns : all.runs;

@@ -107,6 +107,18 @@ TEST(IsoValue, OfLabelsThatLieFarApartIsTheEdgeOfAll)
         [](unsigned int a, unsigned int b) { return b == 0 ? a != 0 : a != 0 && a < b; }));
 }
 
+TEST(IsoValue, FewGrayLevelsAreNoLabels)
+{
+  // Of 24 levels, with hardly any noise in the one of the background.
+  const auto values = volume<float>([](double d, std::size_t i)
+    { return std::max(std::round(22 * blurredSphere(d, 16) + 0.45 * noise(i)), 0.0) / 32.0; });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_GT(suggestion->value, 8.0 / 32.0);
+  EXPECT_LT(suggestion->value, 14.0 / 32.0);
+}
+
 TEST(IsoValue, AScanBehindAMaskHasNoLabels)
 {
   const auto values = volume<short>(
