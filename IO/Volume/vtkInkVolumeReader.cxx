@@ -4,6 +4,7 @@
 #include "Core/FormatNumber.h"
 #include "DicomFile.h"
 #include "FileFormats.h"
+#include "InkKeepRange.h"
 #include "InkReportReadError.h"
 #include "InkVTKCompat.h"
 #include "RawVolume.h"
@@ -393,6 +394,11 @@ int vtkInkVolumeReader::RequestData(
     image->GetSpacing(spacing);
     this->Respace(spacing);
     image->SetSpacing(spacing);
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    if (this->FindRange && values)
+    {
+      InkKeepRange(values);
+    }
   }
   catch (...)
   {
@@ -410,5 +416,6 @@ void vtkInkVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RawDimensions: " << ink::formatDimensions(this->RawDimensions) << "\n"
      << indent << "RawScalarType: " << vtkImageScalarTypeNameMacro(this->RawScalarType) << "\n"
      << indent << "RawBigEndian: " << this->RawBigEndian << "\n"
+     << indent << "FindRange: " << this->FindRange << "\n"
      << indent << "Format: " << this->GetFormat() << "\n";
 }

@@ -113,6 +113,16 @@ public:
   vtkBooleanMacro(RawBigEndian, bool);
   ///@}
 
+  ///@{
+  /**
+   * The range of the values is found as well, on all threads, for whoever asks the array for it: ParaView
+   * does so of whatever it reads, on one thread. Default: off.
+   */
+  vtkSetMacro(FindRange, bool);
+  vtkGetMacro(FindRange, bool);
+  vtkBooleanMacro(FindRange, bool);
+  ///@}
+
   /**
    * The file's format in a few words, as "NIfTI volume", after UpdateInformation().
    */
@@ -165,6 +175,7 @@ private:
   int RawDimensions[3] = { 1, 1, 1 };
   int RawScalarType = VTK_UNSIGNED_CHAR;
   bool RawBigEndian = false;
+  bool FindRange = false;
   /// What UpdateInformation found; null if that failed, which then was said.
   std::unique_ptr<Source> Found;
 };

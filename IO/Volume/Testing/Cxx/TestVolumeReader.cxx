@@ -9,6 +9,8 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInkNIFTIImageReader.h"
 #include "vtkInkVolumeReader.h"
 #include "vtkMatrix3x3.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -78,6 +80,33 @@ TEST(VolumeReader, ReadsEveryFormatWhole)
     }
     EXPECT_EQ(reader->GetNote(-1), nullptr);
     EXPECT_EQ(reader->GetNote(reader->GetNumberOfNotes()), nullptr);
+  }
+}
+
+TEST(VolumeReader, RangeIsKeptIfAskedFor)
+{
+  const std::string file = Write<vtkNIFTIImageWriter>("VolumeReaderRange.nii", Volume(), [](auto*) {});
+  const auto isKept = [](vtkImageData* image)
+  {
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    return values->HasInformation() && values->GetInformation()->Has(vtkDataArray::PER_COMPONENT());
+  };
+  const auto reader = UpdatedReaderOf(file);
+  EXPECT_FALSE(isKept(reader->GetOutput()));
+  reader->FindRangeOn();
+  reader->Update();
+  EXPECT_TRUE(isKept(reader->GetOutput()));
+  vtkNew<vtkInkNIFTIImageReader> same;
+  same->SetFileName(file.c_str());
+  same->Update();
+  EXPECT_TRUE(isKept(same->GetOutput()));
+  vtkNew<vtkNIFTIImageReader> theirs;
+  theirs->SetFileName(file.c_str());
+  theirs->Update();
+  for (vtkImageData* image : { reader->GetOutput(), same->GetOutput() })
+  {
+    EXPECT_EQ(image->GetScalarRange()[0], theirs->GetOutput()->GetScalarRange()[0]);
+    EXPECT_EQ(image->GetScalarRange()[1], theirs->GetOutput()->GetScalarRange()[1]);
   }
 }
 
