@@ -43,8 +43,8 @@ struct NoiseSightings
   std::int64_t maskSteps = 0;    ///< of the steps: at the edge of a mask, which is most of them
   std::int64_t outerSteps = 0;   ///< those that are seen from outside
   std::int64_t cutSteps = 0;     ///< of these, beside the edge of a mask that is half of them or more
-  /// Angles between normals there, radians: of the values and of values that are smoothed some, and of these
-  /// and of values that are smoothed more, see NoiseEstimate::roughness.
+  /// Angles between normals at some of these, radians: of the values and of values that are smoothed some,
+  /// and of these and of values that are smoothed more, see NoiseEstimate::roughness.
   std::array<std::vector<double>, 2> turns;
 
   void append(const NoiseSightings& other);
@@ -68,6 +68,8 @@ public:
   /// How far samples are looked at along an axis, from that of an edge that is nearer to the first sample.
   static constexpr int before = static_cast<int>(NoiseEstimate::thickEnough) - 1;
   static constexpr int behind = static_cast<int>(NoiseEstimate::thickEnough);
+  /// Of the positions seen from outside, every which one's turns are looked at: each takes 729 samples.
+  static constexpr int everyTurn = 4;
 
   /// @param reach of a neighborhood, as for makeNoiseEstimate
   NoiseSampler(const Samples& samples, double isoValue, const glm::ivec3& reach)
@@ -160,7 +162,10 @@ private:
         ++found.outerSteps;
         found.cutSteps += isCut;
         found.keeping.push_back(keepingDeviation(this->sizeAround(inner)));
-        this->addTurns(inner, found);
+        if (found.outerSteps % everyTurn == 0)
+        {
+          this->addTurns(inner, found);
+        }
       }
       if (isOuterOpen || this->isOpen(inner))
       {
