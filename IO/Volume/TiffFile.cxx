@@ -23,6 +23,7 @@ namespace
 {
 
 constexpr std::uint64_t roomForAnyFile = 1 << 24;
+constexpr std::uint64_t bitsOfAByte = 8;
 
 template <class T>
 T fieldOf(TIFF* tiff, std::uint32_t tag, T otherwise)
@@ -71,9 +72,13 @@ struct TiffFile::Library
   }
 };
 
+std::uint64_t TiffLayout::bytesOfBits() const
+{
+  return (static_cast<std::uint64_t>(this->width) + bitsOfAByte - 1) / bitsOfAByte;
+}
+
 std::uint64_t TiffLayout::bytes() const
 {
-  constexpr std::uint64_t bitsOfAByte = 8;
   return static_cast<std::uint64_t>(this->width) * static_cast<std::uint64_t>(this->height) *
     static_cast<std::uint64_t>(this->separate ? 1 : this->components) *
     static_cast<std::uint64_t>(this->bits) / bitsOfAByte;
@@ -177,12 +182,17 @@ TiffLayout TiffFile::layout() const
   const bool isNumber = format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_INT ||
     format == SAMPLEFORMAT_IEEEFP || format == SAMPLEFORMAT_VOID;
   const bool isFloat = layout.kind == TiffLayout::Kind::Float;
+  if (layout.bits == 1 && layout.components == 1 && format == SAMPLEFORMAT_UINT && !TIFFIsTiled(tiff))
+  {
+    layout.bilevel = true;
+    layout.bits = bitsOfAByte;
+  }
   if (!isNumber ||
     !((layout.bits == 8 && !isFloat) || layout.bits == 16 || layout.bits == 32 || layout.bits == 64))
   {
     failToRead(this->Path,
       "its values have " + std::to_string(layout.bits) + " bits and sample format " + std::to_string(format) +
-        "; expected integers of 8, 16, 32 or 64 bits or floating-point numbers of 16, 32 or 64");
+        "; expected integers of 1, 8, 16, 32 or 64 bits or floating-point numbers of 16, 32 or 64");
   }
   if (layout.width < 1 || layout.height < 1 || layout.components < 1 ||
     fieldOf<std::uint32_t>(tiff, TIFFTAG_IMAGEDEPTH, 1) != 1)
@@ -211,11 +221,13 @@ TiffLayout TiffFile::layout() const
     {
       stored = std::min(stored + std::min<std::uint64_t>(TIFFGetStrileByteCount(tiff, part), size), size);
     }
-    if (stored < layout.bytes())
+    const std::uint64_t needed =
+      layout.bilevel ? layout.bytesOfBits() * static_cast<std::uint64_t>(layout.height) : layout.bytes();
+    if (stored < needed)
     {
       failToRead(this->Path,
         "it has " + std::to_string(stored) + " bytes for a page of " + std::to_string(layout.width) + " x " +
-          std::to_string(layout.height) + " pixels that needs " + std::to_string(layout.bytes()));
+          std::to_string(layout.height) + " pixels that needs " + std::to_string(needed));
     }
   }
   return layout;
@@ -227,7 +239,7 @@ std::optional<std::uint64_t> TiffFile::plainOffset(const TiffLayout& layout) con
   const bool isPlain =
     fieldOf<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE) == COMPRESSION_NONE &&
     fieldOf<std::uint16_t>(tiff, TIFFTAG_FILLORDER, FILLORDER_MSB2LSB) == FILLORDER_MSB2LSB;
-  if (!isPlain || TIFFIsTiled(tiff))
+  if (!isPlain || layout.bilevel || TIFFIsTiled(tiff))
   {
     return std::nullopt;
   }
@@ -270,7 +282,27 @@ void TiffFile::read(std::span<unsigned char> values)
     TIFFSetField(tiff, TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
   }
   this->Tiff->message.clear();
-  TIFFIsTiled(tiff) ? this->readTiles(layout, values) : this->readStrips(layout, values);
+  layout.bilevel        ? this->readBits(layout, values)
+    : TIFFIsTiled(tiff) ? this->readTiles(layout, values)
+                        : this->readStrips(layout, values);
+}
+
+void TiffFile::readBits(const TiffLayout& layout, std::span<unsigned char> values)
+{
+  const std::uint64_t bytesOfARow = layout.bytesOfBits();
+  std::vector<unsigned char> bits(
+    static_cast<std::size_t>(bytesOfARow * static_cast<std::uint64_t>(layout.height)));
+  this->readStrips(layout, bits);
+  const bool isWhite = fieldOf<std::uint16_t>(this->Tiff->tiff, TIFFTAG_PHOTOMETRIC,
+                         PHOTOMETRIC_MINISBLACK) == PHOTOMETRIC_MINISWHITE;
+  const auto width = static_cast<std::uint64_t>(layout.width);
+  for (std::uint64_t i = 0; i < values.size(); ++i)
+  {
+    const std::uint64_t x = i % width;
+    const unsigned char byte = bits[static_cast<std::size_t>(i / width * bytesOfARow + x / bitsOfAByte)];
+    const bool isSet = ((byte >> (bitsOfAByte - 1 - x % bitsOfAByte)) & 1) != 0;
+    values[static_cast<std::size_t>(i)] = isSet != isWhite ? 1 : 0;
+  }
 }
 
 void TiffFile::readStrips(const TiffLayout& layout, std::span<unsigned char> values)

@@ -16,7 +16,8 @@ struct TiffLayout
 {
   int width = 0;
   int height = 0;
-  int bits = 0; ///< of a value: 8, 16, 32 or 64
+  int bits = 0;         ///< of a value: 8, 16, 32 or 64
+  bool bilevel = false; ///< a bit in the file becomes a byte, 0 for black and 1 for white
   enum class Kind
   {
     Unsigned,
@@ -27,8 +28,9 @@ struct TiffLayout
   bool separate = false; ///< components one after the other, of which only the first is read
 
   bool operator==(const TiffLayout&) const = default;
-  /// Of what is read of the page.
+  /// Of what is read of the page, and of a row of it where it is bilevel as the file has it.
   std::uint64_t bytes() const;
+  std::uint64_t bytesOfBits() const;
 };
 
 /// A TIFF file through libtiff, page by page.
@@ -74,6 +76,7 @@ private:
   void checkEndOfDirectory() const;
   void readStrips(const TiffLayout& layout, std::span<unsigned char> values);
   void readTiles(const TiffLayout& layout, std::span<unsigned char> values);
+  void readBits(const TiffLayout& layout, std::span<unsigned char> values);
 
   std::filesystem::path Path;
   std::unique_ptr<Library> Tiff;

@@ -152,7 +152,9 @@ void checkBytes(const Pages& pages, const fs::path& path)
     isPlain = isPlain && page.plainOffset;
   }
   const double promised = static_cast<double>(pages.all.size()) * static_cast<double>(pages.layout.bytes());
-  if (promised > static_cast<double>(stored) * (isPlain ? 1.0 : static_cast<double>(TiffFile::mostPerByte)))
+  // Bits become bytes.
+  const double mostPerByte = static_cast<double>(TiffFile::mostPerByte) * (pages.layout.bilevel ? 8.0 : 1.0);
+  if (promised > static_cast<double>(stored) * (isPlain ? 1.0 : mostPerByte))
   {
     failToRead(path,
       "it has " + std::to_string(stored) + " bytes, but " + std::to_string(pages.all.size()) + " pages of " +

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -351,6 +352,55 @@ TEST(TiffStacks, PagesThatAreNoSlicesAreLeftOut)
   EXPECT_EQ(
     NotesOf(reader).find("1 of its 7 pages have another size or type than the first and are left out"), 0u)
     << NotesOf(reader);
+}
+
+TEST(TiffStacks, BitsAreBlackAndWhite)
+{
+  // Two pages of rows of 11 pixels, which end within a byte.
+  constexpr std::array<std::array<unsigned char, 2>, 3> rows{ { { 0b10110000, 0b01000000 },
+    { 0b00000001, 0b11100000 }, { 0b11111111, 0b11100000 } } };
+  const auto isSet = [&rows](int x, int y)
+  { return (rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x / 8)] >> (7 - x % 8) & 1) != 0; };
+  const auto write = [&rows](const std::string& name, int photometric, int compression)
+  {
+    TIFF* tiff = TIFFOpen(name.c_str(), "w");
+    for (int page = 0; page < 2; ++page)
+    {
+      TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 11);
+      TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 3);
+      TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 1);
+      TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+      TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, photometric);
+      TIFFSetField(tiff, TIFFTAG_COMPRESSION, compression);
+      TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 2);
+      for (std::uint32_t y = 0; y < rows.size(); ++y)
+      {
+        std::array<unsigned char, 2> row = rows[y];
+        TIFFWriteScanline(tiff, row.data(), y, 0);
+      }
+      TIFFWriteDirectory(tiff);
+    }
+    TIFFClose(tiff);
+    return name;
+  };
+  for (const int compression : { COMPRESSION_NONE, COMPRESSION_PACKBITS, COMPRESSION_CCITTFAX4 })
+  {
+    for (const int photometric : { PHOTOMETRIC_MINISBLACK, PHOTOMETRIC_MINISWHITE })
+    {
+      const auto reader = UpdatedReaderOf(write("TiffStacksBits.tif", photometric, compression));
+      vtkImageData* image = reader->GetOutput();
+      ASSERT_EQ(image->GetNumberOfPoints(), 11 * 3 * 2) << compression << " " << photometric;
+      EXPECT_EQ(image->GetScalarType(), VTK_UNSIGNED_CHAR);
+      for (int i = 0; i < 11 * 3 * 2; ++i)
+      {
+        const int x = i % 11;
+        const int y = i / 11 % 3;
+        const bool isWhite = isSet(x, y) == (photometric == PHOTOMETRIC_MINISBLACK);
+        EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, i / 33, 0), isWhite ? 1.0 : 0.0)
+          << compression << " " << photometric << " " << x << " " << y;
+      }
+    }
+  }
 }
 
 TEST(TiffStacks, SpacingIsGivenInPlaceOfTheFiles)
