@@ -14,6 +14,7 @@ namespace ink
 /// @tparam T any of the scalar types of VTK; NaN lies not above
 /// @param read called once for each slice, from the first on
 /// @param slicesAtOnce the maximum number of slices per call of read, at least 1
+/// @param value in the volume's unit
 /// @return first and last voxel along x, y and z
 /// @throws std::invalid_argument if read returns the wrong number of voxels
 template <typename T>

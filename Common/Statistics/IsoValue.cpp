@@ -84,6 +84,7 @@ SliceReader<T> withoutFill(const SliceReader<T>& read, double fill)
 }
 
 /// Some voxels of a volume.
+/// @param read must outlive the result
 /// @param box the first and the last one along x, y and z
 template <typename T>
 SliceReader<T> croppedSlices(
@@ -95,7 +96,7 @@ SliceReader<T> croppedSlices(
     const auto width = static_cast<std::size_t>(dimensions[0]);
     const auto height = static_cast<std::size_t>(dimensions[1]);
     held.clear();
-    for (std::size_t row = 0; width > 0 && row < values.size() / width; ++row)
+    for (std::size_t row = 0; row < values.size() / width; ++row)
     {
       const auto y = static_cast<int>(row % height);
       if (y >= box[2] && y <= box[3])
@@ -168,7 +169,7 @@ bool hasLabels(const IsoStatistics& statistics)
     return false;
   }
   // A change of some levels crosses as many thresholds, of which those within a gap are one.
-  double levels = 1.0;
+  double levels = 0.0;
   double crossed = 0.0;
   for (std::size_t i = 0; i < statistics.edges.size(); ++i)
   {
@@ -313,6 +314,40 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
   return suggestions;
 }
 
+/// Whatever surrounds the volume.
+template <typename T>
+std::vector<IsoSuggestion> suggestOf(const SliceReader<T>& read, const std::array<int, 3>& dimensions,
+  int slicesAtOnce, const IsoStatistics& statistics)
+{
+  std::vector<IsoSuggestion> suggestions = suggestBoundaries(statistics);
+  if (noiseHidesBoundaries(statistics))
+  {
+    const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
+    const std::optional<IsoStatistics> smoothed =
+      makeIsoStatistics(readSmoothed, dimensions, countSmoothedAtOnce(dimensions, slicesAtOnce));
+    const std::vector<IsoSuggestion> others =
+      smoothed ? suggestBoundaries(*smoothed, &statistics) : std::vector<IsoSuggestion>();
+    suggestions = suggestions.empty() || showsMore(others, suggestions, statistics) ? others : suggestions;
+  }
+  if (suggestions.size() > 1 && suggestions.front().keptShare > cutKeeps &&
+    isCutOnAllSides(read, dimensions, slicesAtOnce, suggestions.front().value))
+  {
+    // What keeps nearly as much is cut as well.
+    const auto within = std::find_if(suggestions.begin() + 1, suggestions.end(),
+      [&](const IsoSuggestion& one) { return outerShare * one.keptShare < suggestions.front().keptShare; });
+    if (within != suggestions.end())
+    {
+      std::rotate(suggestions.begin(), within, within + 1);
+    }
+  }
+  if (const std::optional<IsoSuggestion> labels =
+        suggestLabels(read, dimensions[2], slicesAtOnce, statistics))
+  {
+    addLabels(*labels, suggestions);
+  }
+  return suggestions.empty() ? suggestThresholds(statistics, std::is_integral_v<T>) : suggestions;
+}
+
 /// Of what padding surrounds on some sides with the lowest value: the boundaries within, if there are any.
 template <typename T>
 std::vector<IsoSuggestion> suggestWithinPadding(const SliceReader<T>& read,
@@ -331,19 +366,22 @@ std::vector<IsoSuggestion> suggestWithinPadding(const SliceReader<T>& read,
   }
   const std::array<int, 3> size{ (*box)[1] - (*box)[0] + 1, (*box)[3] - (*box)[2] + 1,
     (*box)[5] - (*box)[4] + 1 };
+  // Of what is cropped there is a copy.
+  const int atOnce = countSmoothedAtOnce(dimensions, slicesAtOnce);
   const auto cropped = croppedSlices(read, dimensions, *box);
+  const std::optional<IsoStatistics> within = makeIsoStatistics(cropped, size, atOnce);
   std::vector<IsoSuggestion> suggestions =
-    suggestIsoValues(cropped, size, std::max(countSmoothedAtOnce(dimensions, slicesAtOnce), 3));
-  if (!suggestions.empty() && suggestions.front().boundary != IsoSuggestion::Boundary::Outermost)
+    within ? suggestOf(cropped, size, atOnce, *within) : std::vector<IsoSuggestion>();
+  using Boundary = IsoSuggestion::Boundary;
+  if (suggestions.empty() || suggestions.front().boundary == Boundary::Labels ||
+    suggestions.front().boundary == Boundary::Sign || suggestions.front().boundary == Boundary::None)
   {
     return {};
   }
+  const std::vector<double> kept = keptShares(statistics.voxels);
   for (IsoSuggestion& one : suggestions)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      one.keptShare *= static_cast<double>(size[axis]) / dimensions[axis];
-    }
+    one.keptShare = kept[thresholdAt(statistics.bins, one.value)];
   }
   return suggestions;
 }
@@ -360,38 +398,8 @@ std::vector<IsoSuggestion> suggestIsoValues(
     return {};
   }
   const SliceReader<T> read = withoutFill(readAll, statistics->bins.fill);
-  if (std::vector<IsoSuggestion> within = suggestWithinPadding(read, dimensions, slicesAtOnce, *statistics);
-      !within.empty())
-  {
-    return within;
-  }
-  std::vector<IsoSuggestion> suggestions = suggestBoundaries(*statistics);
-  if (noiseHidesBoundaries(*statistics))
-  {
-    const SliceReader<double> readSmoothed = smoothedSlices(read, dimensions, slicesAtOnce);
-    const std::optional<IsoStatistics> smoothed =
-      makeIsoStatistics(readSmoothed, dimensions, countSmoothedAtOnce(dimensions, slicesAtOnce));
-    const std::vector<IsoSuggestion> others =
-      smoothed ? suggestBoundaries(*smoothed, &*statistics) : std::vector<IsoSuggestion>();
-    suggestions = suggestions.empty() || showsMore(others, suggestions, *statistics) ? others : suggestions;
-  }
-  if (suggestions.size() > 1 && suggestions.front().keptShare > cutKeeps &&
-    isCutOnAllSides(read, dimensions, slicesAtOnce, suggestions.front().value))
-  {
-    // What keeps nearly as much is cut as well.
-    const auto within = std::find_if(suggestions.begin() + 1, suggestions.end(),
-      [&](const IsoSuggestion& one) { return outerShare * one.keptShare < suggestions.front().keptShare; });
-    if (within != suggestions.end())
-    {
-      std::rotate(suggestions.begin(), within, within + 1);
-    }
-  }
-  if (const std::optional<IsoSuggestion> labels =
-        suggestLabels(read, dimensions[2], slicesAtOnce, *statistics))
-  {
-    addLabels(*labels, suggestions);
-  }
-  return suggestions.empty() ? suggestThresholds(*statistics, std::is_integral_v<T>) : suggestions;
+  const std::vector<IsoSuggestion> within = suggestWithinPadding(read, dimensions, slicesAtOnce, *statistics);
+  return within.empty() ? suggestOf(read, dimensions, slicesAtOnce, *statistics) : within;
 }
 
 template <typename T>

@@ -82,8 +82,8 @@ template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::array<int, 3> dimensions);
 
 /// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, four
-/// times if it is smoothed, once more if values are labels or fill the volume, from the first on, at most
-/// `slicesAtOnce` (3 or more) per call.
+/// times if it is smoothed, once more if values are labels, fill the volume or begin at masks, and those of a
+/// box within padding as often again, always from the first on, at most `slicesAtOnce` (3 or more) per call.
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -139,16 +139,23 @@ double quantumOf(std::vector<double>& changes)
   return static_cast<double>(multiples) > 0.9 * static_cast<double>(small) ? quantum : 0.0;
 }
 
-/// See areGrayLevels. @param changes one or more, unless there is no quantum
+/// See areGrayLevels, of which as many are known as there are different changes.
 bool haveGrayLevels(const std::vector<double>& changes, double quantum)
 {
   if (quantum == 0.0)
   {
     return false;
   }
-  const double levels = 1.0 + *std::max_element(changes.begin(), changes.end()) / quantum;
-  const double sum = std::accumulate(changes.begin(), changes.end(), 0.0);
-  return areGrayLevels(levels, sum / quantum / static_cast<double>(changes.size()));
+  std::set<double> different;
+  double sum = 0.0;
+  for (const double change : changes)
+  {
+    const double levels = std::round(change / quantum);
+    different.insert(levels);
+    sum += levels;
+  }
+  return areGrayLevels(
+    1.0 + static_cast<double>(different.size()), sum / static_cast<double>(changes.size()));
 }
 
 /// Along axes of one or two samples there are no second differences.

@@ -162,7 +162,8 @@ private:
         ++found.outerSteps;
         found.cutSteps += isCut;
         found.keeping.push_back(keepingDeviation(this->sizeAround(inner)));
-        if (found.outerSteps % everyTurn == 0)
+        // Few slices have many of them: not the same ones' turn in each.
+        if ((found.outerSteps + at.z) % everyTurn == 0)
         {
           this->addTurns(inner, found);
         }

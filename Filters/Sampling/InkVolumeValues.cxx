@@ -195,7 +195,7 @@ std::vector<ink::IsoSuggestion> InkSuggestIsoValues(InkImageSlabs& slabs, const 
   return WithValues(first->GetPointData()->GetScalars(),
     [&]<class T>(std::span<const T>)
     {
-      // Twice more if the slices have to be smoothed.
+      // More often where slices have to be smoothed, or padding surrounds others.
       constexpr double passes = 2.0;
       double pass = -1.0;
       const ink::SliceReader<T> read = [&](int begin, int end)

@@ -16,7 +16,8 @@ int vtkInkNIFTIImageReader::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  if (vtkDataArray* values = vtkImageData::GetData(outputVector)->GetPointData()->GetScalars())
+  vtkDataArray* values = vtkImageData::GetData(outputVector)->GetPointData()->GetScalars();
+  if (result && values)
   {
     InkKeepRange(values);
   }

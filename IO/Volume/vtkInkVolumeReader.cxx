@@ -64,9 +64,10 @@ std::string Text(const char* characters)
 /// @throws ink::io::ReadError if it is none
 const Format& FormatOf(const fs::path& file)
 {
-  // Some of DICOM's files end as others'.
   const Format* format = io::findFormat(formats, file);
-  if ((!format || io::suffixOf(file) == ".img") && vtkInkVolumeReader::IsDicomFile(file.c_str()))
+  // Some of DICOM's files end as one of a pair.
+  const bool isAlone = io::suffixOf(file) == ".img" && !io::findOtherOfPair(file);
+  if ((!format || isAlone) && vtkInkVolumeReader::IsDicomFile(file.c_str()))
   {
     return dicom;
   }

@@ -72,7 +72,7 @@ TEST(IsoValueOfScans, IsWithinTheBoxThatPaddingLeaves)
       [zero, thick](double d, std::size_t i)
       {
         const int slice = static_cast<int>(i) / size / size;
-        const bool isPadding = 2 * std::abs(2 * slice - size + 1) > 2 * thick;
+        const bool isPadding = std::abs(2 * slice - size + 1) > thick;
         const double value = 400.0 * blurredSphere(d, 14) + 12.0 + 8.0 * noise(i);
         return static_cast<double>(isPadding ? zero : static_cast<decltype(zero)>(value));
       });
@@ -136,6 +136,12 @@ TEST(IsoValueOfScans, IsAnInnerOneWhereAllSidesCutTheOutermost)
     open[i] = column(i) < 2 ? -850.0F : open[i];
   }
   EXPECT_EQ(suggest(open)->boundary, Boundary::Outermost);
+  // Or between slices that are padded.
+  std::vector<float> padded = cropped;
+  std::fill_n(padded.begin(), 4 * slice, -1200.0F);
+  std::fill_n(padded.rbegin(), 4 * slice, -1200.0F);
+  EXPECT_EQ(suggest(padded)->boundary, Boundary::Densest);
+  EXPECT_NEAR(suggest(padded)->value, suggestions[0].value, 200.0);
 }
 
 TEST(IsoValueOfScans, IsTheOutermostOneThatAllSidesCutWhereOthersKeepNearlyAsMuch)

@@ -18,9 +18,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -65,10 +67,12 @@ public:
       return bytes.size() >= offset + magic.size() &&
         std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
     };
+    // Some programs that take a file apart leave it the magic of one.
+    const bool isOneOfSecond = is(magicOfSecond, std::string_view("n+2\0\r\n\032\n", 8));
+    const bool isOneOfFirst = is(magicOfFirst, std::string_view("n+1\0", 4));
     this->IsSecond = bytes.size() >= sizeOfSecond &&
-      is(magicOfSecond,
-        pair ? std::string_view("ni2\0\r\n\032\n", 8) : std::string_view("n+2\0\r\n\032\n", 8));
-    const bool isFirst = is(magicOfFirst, pair ? std::string_view("ni1\0", 4) : std::string_view("n+1\0", 4));
+      (isOneOfSecond || (pair && is(magicOfSecond, std::string_view("ni2\0\r\n\032\n", 8))));
+    const bool isFirst = isOneOfFirst || (pair && is(magicOfFirst, std::string_view("ni1\0", 4)));
     this->IsAnalyze = pair && !this->IsSecond && !isFirst;
     if (!pair && !this->IsSecond && !isFirst)
     {
@@ -92,6 +96,8 @@ public:
   }
 
   bool isAnalyze() const { return this->IsAnalyze; }
+  /// Of Analyze: 0 for transverse slices, 1 for coronal, 2 for sagittal ones, 3 to 5 for these turned over.
+  int slices() const { return this->Bytes[252]; }
   const Offsets& offsets() const { return this->IsSecond ? second : first; }
   std::int32_t size() const { return static_cast<std::int32_t>(this->IsSecond ? sizeOfSecond : sizeOfFirst); }
   bool bigEndian() const { return this->Swapped != (std::endian::native == std::endian::big); }
@@ -155,6 +161,12 @@ void orient(const NiftiHeader& nifti, VolumeHeader& header)
     constexpr double steps[9] = { -1, 0, 0, 0, 1, 0, 0, 0, 1 };
     constexpr double origin[3] = { 0, 0, 0 };
     header.orientation.emplace(steps, origin, sign);
+    constexpr int turnedSagittal = 5;
+    if (nifti.slices() > 0 && nifti.slices() <= turnedSagittal)
+    {
+      header.notes.push_back("its header says orientation " + std::to_string(nifti.slices()) +
+        "; it is taken as 0, transverse slices from the front to the back");
+    }
     return;
   }
   if (nifti.code(offsets.sformCode) > 0)
@@ -208,37 +220,53 @@ struct NiftiFiles
   bool isPair() const { return this->header != this->voxels; }
 };
 
+bool isHeaderOfPair(const fs::path& file)
+{
+  return suffixOf(file).starts_with(".hdr");
+}
+
 /// @param file either of a pair, or one that has all
 NiftiFiles findFiles(const fs::path& file)
 {
-  const std::string suffix = suffixOf(file);
-  const bool isHeader = suffix.starts_with(".hdr");
-  if (!isHeader && !suffix.starts_with(".img"))
+  const bool isHeader = isHeaderOfPair(file);
+  if (!isHeader && !suffixOf(file).starts_with(".img"))
   {
     return { file, file };
   }
-  const std::string name = file.string();
-  const std::string stem = name.substr(0, name.size() - suffix.size());
-  const std::array<std::string, 2> other =
-    isHeader ? std::array<std::string, 2>{ ".img", ".IMG" } : std::array<std::string, 2>{ ".hdr", ".HDR" };
-  for (const std::string& end : other)
+  const std::optional<fs::path> other = findOtherOfPair(file);
+  if (!other)
   {
-    for (const char* compressed : { "", ".gz" })
-    {
-      const fs::path found = stem + end + compressed;
-      if (fs::exists(found))
-      {
-        checkExists(found);
-        return isHeader ? NiftiFiles{ file, found } : NiftiFiles{ found, file };
-      }
-    }
+    failToRead(file,
+      "there is no file beside it that ends in " +
+        std::string(isHeader ? ".img, in which the voxels" : ".hdr, in which the header") +
+        " of a pair would be");
   }
-  failToRead(file,
-    "there is no file '" + stem + other[0] + "', in which the " + (isHeader ? "voxels" : "header") +
-      " of a pair would be");
+  checkExists(*other);
+  return isHeader ? NiftiFiles{ file, *other } : NiftiFiles{ *other, file };
 }
 
 } // namespace
+
+std::optional<fs::path> findOtherOfPair(const fs::path& file)
+{
+  const std::string name = file.string();
+  const std::string stem = name.substr(0, name.size() - suffixOf(file).size());
+  const std::array<const char*, 2> ends =
+    isHeaderOfPair(file) ? std::array{ ".img", ".IMG" } : std::array{ ".hdr", ".HDR" };
+  for (const char* end : ends)
+  {
+    for (const char* compressed : { "", ".gz", ".GZ" })
+    {
+      const fs::path found = stem + end + compressed;
+      std::error_code error;
+      if (fs::is_regular_file(found, error))
+      {
+        return found;
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 VolumeHeader readNiftiHeader(const fs::path& file)
 {

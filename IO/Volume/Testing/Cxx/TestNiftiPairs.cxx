@@ -97,6 +97,35 @@ TEST(NiftiPairs, OfAnalyzeGoToTheLeftTheFrontAndTheHead)
   EXPECT_EQ(PositionOf(reader->GetOutput(), 0, 0, 1), (std::array{ 0.0, 0.0, 2.0 }));
 }
 
+TEST(NiftiPairs, OfAnalyzeSayWhereTheirSlicesAreOthers)
+{
+  std::string header = Header(false);
+  EXPECT_EQ(UpdatedReaderOf(PutPair("NiftiPairsCoronal", header))->GetNumberOfNotes(), 0);
+  header[252] = 1;
+  const auto reader = UpdatedReaderOf(PutPair("NiftiPairsCoronal", header));
+  ASSERT_EQ(reader->GetNumberOfNotes(), 1);
+  EXPECT_NE(std::string(reader->GetNote(0)).find("orientation 1"), std::string::npos);
+}
+
+TEST(NiftiPairs, MayHaveTheMagicOfOneFileAndUpperCaseNames)
+{
+  std::string header = Header(true);
+  header.replace(344, 4, "n+1", 4);
+  Put("NiftiPairsUpper.IMG", Bytes(false));
+  ExpectVolume(Put("NiftiPairsUpper.HDR", header), "NIfTI volume");
+}
+
+TEST(NiftiPairs, OfWhichTheVoxelsBeginAsDicomAreNotTakenForIt)
+{
+  std::string voxels = Bytes(false);
+  // The group and the element that files begin with which have no preamble.
+  voxels.replace(0, 8, std::string("\x08\0\x05\0\x04\0\0\0", 8));
+  Put("NiftiPairsDicom.hdr", Header(true));
+  const auto reader = UpdatedReaderOf(Put("NiftiPairsDicom.img", voxels));
+  EXPECT_STREQ(reader->GetFormat(), "NIfTI volume");
+  EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), 8.0);
+}
+
 TEST(NiftiPairs, OfAnalyzeAreRescaledAsSpmDoes)
 {
   std::string header = Header(false);
@@ -107,8 +136,10 @@ TEST(NiftiPairs, OfAnalyzeAreRescaledAsSpmDoes)
 
 TEST(NiftiPairs, AreRefusedWithoutTheOtherFile)
 {
-  ExpectRefused(Put("NiftiPairsAlone.hdr", Header(true)), { "NiftiPairsAlone.img", "the voxels" });
-  ExpectRefused(Put("NiftiPairsVoxels.img", Bytes(false)), { "NiftiPairsVoxels.hdr", "the header" });
+  ExpectRefused(
+    Put("NiftiPairsAlone.hdr", Header(true)), { "NiftiPairsAlone.hdr", "ends in .img", "the voxels" });
+  ExpectRefused(
+    Put("NiftiPairsVoxels.img", Bytes(false)), { "NiftiPairsVoxels.img", "ends in .hdr", "the header" });
 }
 
 TEST(NiftiPairs, AreRefusedWhereTheHeaderIsNone)
