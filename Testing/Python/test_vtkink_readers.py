@@ -113,7 +113,9 @@ def test_meshes(tmp_path, name):
 def test_what_cannot_be_read_is_one_error_and_an_empty_output(reader, tmp_path):
     messages = Messages(reader, reader.GetExecutive())
     for name in reader.GetFileExtensions().split():
-        path = tmp_path / f"words{name}"
+        # Alone, as those of a pair are one.
+        path = tmp_path / name[1:] / f"words{name}"
+        path.parent.mkdir()
         path.write_text("These are words.\n")
         messages.texts.clear()
         reader.SetFileName(str(path))
