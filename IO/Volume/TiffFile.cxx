@@ -72,11 +72,6 @@ struct TiffFile::Library
   }
 };
 
-std::uint64_t TiffLayout::bytesOfBits() const
-{
-  return (static_cast<std::uint64_t>(this->width) + bitsOfAByte - 1) / bitsOfAByte;
-}
-
 std::uint64_t TiffLayout::bytes() const
 {
   return static_cast<std::uint64_t>(this->width) * static_cast<std::uint64_t>(this->height) *
@@ -222,7 +217,7 @@ TiffLayout TiffFile::layout() const
       stored = std::min(stored + std::min<std::uint64_t>(TIFFGetStrileByteCount(tiff, part), size), size);
     }
     const std::uint64_t needed =
-      layout.bilevel ? layout.bytesOfBits() * static_cast<std::uint64_t>(layout.height) : layout.bytes();
+      layout.bilevel ? TIFFScanlineSize64(tiff) * static_cast<std::uint64_t>(layout.height) : layout.bytes();
     if (stored < needed)
     {
       failToRead(this->Path,
@@ -289,7 +284,7 @@ void TiffFile::read(std::span<unsigned char> values)
 
 void TiffFile::readBits(const TiffLayout& layout, std::span<unsigned char> values)
 {
-  const std::uint64_t bytesOfARow = layout.bytesOfBits();
+  const std::uint64_t bytesOfARow = TIFFScanlineSize64(this->Tiff->tiff);
   std::vector<unsigned char> bits(
     static_cast<std::size_t>(bytesOfARow * static_cast<std::uint64_t>(layout.height)));
   this->readStrips(layout, bits);

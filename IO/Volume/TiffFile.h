@@ -28,9 +28,8 @@ struct TiffLayout
   bool separate = false; ///< components one after the other, of which only the first is read
 
   bool operator==(const TiffLayout&) const = default;
-  /// Of what is read of the page, and of a row of it where it is bilevel as the file has it.
+  /// Of what is read of the page.
   std::uint64_t bytes() const;
-  std::uint64_t bytesOfBits() const;
 };
 
 /// A TIFF file through libtiff, page by page.

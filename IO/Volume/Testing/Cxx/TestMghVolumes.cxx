@@ -71,11 +71,7 @@ TEST(MghVolumes, ValuesLieWhereTheHeaderSays)
     vtkImageData* image = reader->GetOutput();
     ASSERT_EQ(image->GetNumberOfPoints(), Size[0] * Size[1] * Size[2]) << file;
     ASSERT_EQ(image->GetScalarType(), VTK_SHORT) << file;
-    for (const auto& [x, y, z] :
-      { std::array{ 0, 0, 0 }, std::array{ 6, 0, 0 }, std::array{ 3, 2, 1 }, std::array{ 6, 4, 5 } })
-    {
-      EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z)) << file;
-    }
+    ExpectValues(image, file);
     // The center is that of voxel size / 2. FreeSurfer's right and front are DICOM's left and back turned.
     EXPECT_EQ(PositionOf(image, 0, 0, 0), (std::array{ -13.5, -18.5, 35.0 })) << file;
     EXPECT_EQ(PositionOf(image, 1, 0, 0), (std::array{ -12.5, -18.5, 35.0 })) << file;

@@ -83,11 +83,7 @@ void ExpectMap(vtkImageData* image, const std::string& name)
 {
   ASSERT_EQ(image->GetNumberOfPoints(), Size[0] * Size[1] * Size[2]) << name;
   ASSERT_EQ(image->GetScalarType(), VTK_SHORT) << name;
-  for (const auto& [x, y, z] : { std::array{ 0, 0, 0 }, std::array{ 6, 0, 0 }, std::array{ 0, 4, 0 },
-         std::array{ 0, 0, 5 }, std::array{ 3, 2, 1 }, std::array{ 6, 4, 5 } })
-  {
-    EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z)) << name;
-  }
+  ExpectValues(image, name);
 }
 
 } // namespace

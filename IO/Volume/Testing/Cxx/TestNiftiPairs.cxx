@@ -61,11 +61,7 @@ void ExpectVolume(const std::string& file, const char* format)
   vtkImageData* image = reader->GetOutput();
   ASSERT_EQ(image->GetNumberOfPoints(), Size[0] * Size[1] * Size[2]) << file;
   ASSERT_EQ(image->GetScalarType(), VTK_SHORT) << file;
-  for (const auto& [x, y, z] :
-    { std::array{ 0, 0, 0 }, std::array{ 6, 0, 0 }, std::array{ 3, 2, 1 }, std::array{ 6, 4, 5 } })
-  {
-    EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z)) << file;
-  }
+  ExpectValues(image, file);
 }
 
 } // namespace

@@ -127,17 +127,7 @@ void ExpectStack(vtkInkVolumeReader* reader, const std::string& name, int slices
   const int dimensions[3] = { Size[0], Size[1], slices };
   ASSERT_TRUE(std::equal(dimensions, dimensions + 3, image->GetDimensions())) << name;
   ASSERT_EQ(image->GetScalarType(), VTK_SHORT) << name;
-  for (int z = 0; z < slices; ++z)
-  {
-    for (int y = 0; y < Size[1]; ++y)
-    {
-      for (int x = 0; x < Size[0]; ++x)
-      {
-        ASSERT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z))
-          << name << " " << x << " " << y << " " << z;
-      }
-    }
-  }
+  ExpectValues(image, name);
 }
 
 std::string NotesOf(vtkInkVolumeReader* reader)

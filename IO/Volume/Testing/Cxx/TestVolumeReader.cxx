@@ -32,28 +32,6 @@ vtkSmartPointer<vtkInkVolumeReader> RawReaderOf(const std::string& file)
   return reader;
 }
 
-/// All values of an image, wherever it lies in the volume.
-void ExpectValues(vtkImageData* image, const std::string& name)
-{
-  int extent[6];
-  image->GetExtent(extent);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  ASSERT_TRUE(scalars) << name;
-  ASSERT_EQ(scalars->GetNumberOfComponents(), 1) << name;
-  ASSERT_EQ(scalars->GetNumberOfTuples(), image->GetNumberOfPoints()) << name;
-  for (int z = extent[4]; z <= extent[5]; ++z)
-  {
-    for (int y = extent[2]; y <= extent[3]; ++y)
-    {
-      for (int x = extent[0]; x <= extent[1]; ++x)
-      {
-        EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z))
-          << name << " at " << x << " " << y << " " << z;
-      }
-    }
-  }
-}
-
 } // namespace
 
 TEST(VolumeReader, ReadsEveryFormatWhole)

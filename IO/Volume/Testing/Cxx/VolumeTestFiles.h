@@ -17,6 +17,8 @@
 #include "vtkXMLImageDataWriter.h"
 #include "vtk_zlib.h"
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -58,6 +60,28 @@ vtkSmartPointer<Image> Volume(int components = 1)
   }
   image->GetPointData()->SetScalars(values);
   return image;
+}
+
+/// All values of an image, wherever it lies in the volume.
+inline void ExpectValues(vtkImageData* image, const std::string& name)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  ASSERT_TRUE(scalars) << name;
+  ASSERT_EQ(scalars->GetNumberOfComponents(), 1) << name;
+  ASSERT_EQ(scalars->GetNumberOfTuples(), image->GetNumberOfPoints()) << name;
+  for (int z = extent[4]; z <= extent[5]; ++z)
+  {
+    for (int y = extent[2]; y <= extent[3]; ++y)
+    {
+      for (int x = extent[0]; x <= extent[1]; ++x)
+      {
+        EXPECT_EQ(image->GetScalarComponentAsDouble(x, y, z, 0), ValueAt(x, y, z))
+          << name << " at " << x << " " << y << " " << z;
+      }
+    }
+  }
 }
 
 /// The bytes of the volume, each value with its most significant byte first if that is asked for.
