@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkKeepRange.h"
 
+#include "InkWithValues.h"
 #include "Statistics/FiniteRange.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
@@ -12,20 +12,9 @@
 #include "vtkNew.h"
 
 #include <array>
-#include <cstddef>
-#include <span>
 
 namespace
 {
-
-template <class T>
-ink::FiniteRange RangeOf(vtkDataArray* array)
-{
-  auto* values = vtkAOSDataArrayTemplate<T>::FastDownCast(array);
-  return values ? ink::findFiniteRange(std::span<const T>(
-                    values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues())))
-                : ink::FiniteRange();
-}
 
 void Keep(vtkDataArray* array, vtkInformationInformationVectorKey* key, const std::array<double, 2>& range)
 {
@@ -39,17 +28,12 @@ void Keep(vtkDataArray* array, vtkInformationInformationVectorKey* key, const st
 
 void InkKeepRange(vtkDataArray* array)
 {
-  if (array->GetNumberOfComponents() != 1)
+  if (array->GetNumberOfComponents() != 1 || !array->HasStandardMemoryLayout())
   {
     return;
   }
-  ink::FiniteRange found;
-  switch (array->GetDataType())
-  {
-    vtkTemplateMacro(found = RangeOf<VTK_TT>(array));
-    default:
-      break;
-  }
+  const ink::FiniteRange found =
+    InkWithValues(array, [](auto values) { return ink::findFiniteRange(values); });
   if (found.least > found.greatest)
   {
     return;

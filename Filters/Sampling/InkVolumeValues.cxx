@@ -3,6 +3,7 @@
 
 #include "InkImageGrid.h"
 #include "InkImageSlabs.h"
+#include "InkWithValues.h"
 
 #include "Core/FormatNumber.h"
 #include "Fields/Grid/GridField.h"
@@ -13,7 +14,6 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkSetGet.h"
 
 #include <algorithm>
 #include <array>
@@ -25,19 +25,6 @@
 
 namespace
 {
-
-/// Calls use(std::span<const T>) with the values, of type T, of a contiguous array of one component.
-/// @return what it returns; nothing where the values are no numbers
-template <class Use>
-auto WithValues(vtkDataArray* scalars, const Use& use) -> decltype(use(std::span<const double>()))
-{
-  const auto count = static_cast<std::size_t>(scalars->GetNumberOfValues());
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(return use(std::span(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)), count)));
-  }
-  return {};
-}
 
 std::array<int, 3> DimensionsOf(vtkImageData* image)
 {
@@ -67,7 +54,7 @@ auto EvaluateScalars(vtkImageData* image, const Find& find) -> decltype(find(std
   }
   int component = 0;
   const vtkSmartPointer<vtkDataArray> scalars = InkMakeContiguous(found, component);
-  return WithValues(scalars, find);
+  return InkWithValues(scalars, find);
 }
 
 double LongestSide(const std::array<int, 3>& samples, const double spacing[3])
@@ -103,7 +90,7 @@ ink::SuggestedSmoothing InkSuggestSmoothing(
 {
   const std::array<int, 3>& dimensions = slabs.GetDimensions();
   const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
-  return WithValues(first->GetPointData()->GetScalars(),
+  return InkWithValues(first->GetPointData()->GetScalars(),
     [&]<class T>(std::span<const T>)
     {
       const ink::SliceReader<T> read = [&](int begin, int end)
@@ -131,7 +118,7 @@ bool InkSurroundsObject(vtkImageData* image, double isoValue)
 bool InkSurroundsObject(InkImageSlabs& slabs, double isoValue)
 {
   const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
-  return WithValues(first->GetPointData()->GetScalars(),
+  return InkWithValues(first->GetPointData()->GetScalars(),
     [&]<class T>(std::span<const T>)
     {
       const ink::SliceReader<T> read = [&](int begin, int end) { return ReadSlices<T>(slabs, begin, end); };
@@ -155,7 +142,7 @@ double InkFindSurfaceLength(vtkImageData* image, double isoValue)
 double InkFindSurfaceLength(InkImageSlabs& slabs, double isoValue)
 {
   const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
-  return WithValues(first->GetPointData()->GetScalars(),
+  return InkWithValues(first->GetPointData()->GetScalars(),
     [&]<class T>(std::span<const T>)
     {
       const ink::SliceReader<T> read = [&](int begin, int end) { return ReadSlices<T>(slabs, begin, end); };
@@ -179,9 +166,9 @@ double InkBoundSurfacePoints(vtkImageData* image, double isoValue)
 std::vector<ink::IsoSuggestion> InkSuggestIsoValues(vtkImageData* image)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  return scalars
-    ? WithValues(scalars, [image](auto values) { return ink::suggestIsoValues(values, DimensionsOf(image)); })
-    : std::vector<ink::IsoSuggestion>();
+  return scalars ? InkWithValues(scalars,
+                     [image](auto values) { return ink::suggestIsoValues(values, DimensionsOf(image)); })
+                 : std::vector<ink::IsoSuggestion>();
 }
 
 std::vector<ink::IsoSuggestion> InkSuggestIsoValues(InkImageSlabs& slabs, const ink::Progress& progress)
@@ -192,7 +179,7 @@ std::vector<ink::IsoSuggestion> InkSuggestIsoValues(InkImageSlabs& slabs, const 
     return InkSuggestIsoValues(slabs.Get(0, count));
   }
   const vtkSmartPointer<vtkImageData> first = slabs.Get(0, 1);
-  return WithValues(first->GetPointData()->GetScalars(),
+  return InkWithValues(first->GetPointData()->GetScalars(),
     [&]<class T>(std::span<const T>)
     {
       // More often where slices have to be smoothed, or padding surrounds others.
@@ -210,7 +197,7 @@ std::vector<ink::IsoSuggestion> InkSuggestIsoValues(InkImageSlabs& slabs, const 
 
 ink::FiniteRange InkFindFiniteRange(vtkImageData* image)
 {
-  return WithValues(
+  return InkWithValues(
     image->GetPointData()->GetScalars(), [](auto values) { return ink::findFiniteRange(values); });
 }
 
@@ -228,7 +215,7 @@ ink::FiniteRange InkFindFiniteRange(InkImageSlabs& slabs)
 std::vector<std::size_t> InkBoundLayerPoints(vtkImageData* image, double isoValue, ink::CrossingRule rule)
 {
   const std::array<int, 3> d = DimensionsOf(image);
-  return WithValues(image->GetPointData()->GetScalars(),
+  return InkWithValues(image->GetPointData()->GetScalars(),
     [&](auto values) {
       return ink::boundActiveCells(values, { d[0], d[1], d[2] }, isoValue, rule);
     });
