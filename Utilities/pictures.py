@@ -6,6 +6,7 @@
     pictures.py holes MESH.ply OUT.vtp
     pictures.py phantom SURFACE VOXELS SLICE_DISTANCE TYPE NOISE OUT.vti OUT.vtp
     pictures.py scan NAME OUT.vti
+    pictures.py labels VOLUME.nii.gz ISO_VALUE OUT.vti
     pictures.py scatter MESH.ply OUT.png
     pictures.py prefixes MESH.ply OUT.png OUT.png OUT.png
     pictures.py combing MESH.ply OUT.png OUT.png
@@ -26,6 +27,8 @@ import zlib
 
 import numpy as np
 from vtkink import VTK_PACKAGE, vtk, vtkInkLineArtStyle, vtkInkLinesOfCurvature, vtkInkStrokeMapper
+
+numpy_support = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support")
 
 GAP = 8
 GRAYS = 16
@@ -89,6 +92,19 @@ def phantom(name, voxels, slice_distance, dtype, noise, volume, surface):
 def scan(name, volume):
     phantom = phantoms_module("scan_phantoms").SCANS[name]().phantom
     write(vtk.vtkXMLImageDataWriter(), phantoms_module().image(phantom), volume)
+
+
+def labels(volume, iso_value, out):
+    """What is at or above the iso-value, in two regions along each axis."""
+    reader = vtk.vtkNIFTIImageReader()
+    reader.SetFileName(volume)
+    reader.Update()
+    image = reader.GetOutput()
+    values = numpy_support.vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
+    halves = np.indices(values.shape) * 2 // np.reshape(values.shape, (3, 1, 1, 1))
+    regions = np.where(values >= float(iso_value), 1 + halves[0] + 2 * halves[1] + 4 * halves[2], 0).astype(np.uint8)
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(regions.ravel(), deep=True))
+    write(vtk.vtkXMLImageDataWriter(), image, out)
 
 
 def surface_of(path):
@@ -179,7 +195,6 @@ def texture(out, width=256, height=32):
     ink = np.clip(0.75 + 0.35 * pits / pits.std() - 1.1 * across**4, 0, 1)
     image = vtk.vtkImageData()
     image.SetDimensions(width, height, 1)
-    numpy_support = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support")
     image.GetPointData().SetScalars(numpy_support.numpy_to_vtk((255 * ink).round().astype("u1").ravel(), deep=True))
     write(vtk.vtkPNGWriter(), image, out)
 
@@ -286,8 +301,7 @@ def read(path):
     reader.SetFileName(path)
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
-    to_numpy = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support").vtk_to_numpy
-    return to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3]
+    return numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3]
 
 
 def chunk(kind, data):
@@ -331,5 +345,5 @@ def join(out, *paths):
 
 
 if __name__ == "__main__":
-    {"mesh": mesh, "coarse": coarse, "holes": holes, "phantom": phantom, "scan": scan, "scatter": scatter, "prefixes": prefixes, "combing": combing,
+    {"mesh": mesh, "coarse": coarse, "holes": holes, "phantom": phantom, "scan": scan, "labels": labels, "scatter": scatter, "prefixes": prefixes, "combing": combing,
      "texture": texture, "edges": edges, "strokes": strokes, "join": join}[sys.argv[1]](*sys.argv[2:])

@@ -161,6 +161,8 @@ illustration_pictures() {
   local style=illustration
   "$INK_PYTHON" Utilities/pictures.py coarse "$work/coarse.vtp"
   series coarse "$work/coarse.vtp --up y --view iso" "--no-curved-meshes" ""
+  "$INK_PYTHON" Utilities/pictures.py labels Data/engine.nii.gz 80 "$work/labels.vti"
+  series labels "$work/labels.vti --view iso" "--label-borders off" ""
 }
 
 lines_pictures() {

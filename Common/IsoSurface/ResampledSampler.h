@@ -8,6 +8,7 @@
 #include "IsoSurface/ActiveCellFinder.h"
 #include "IsoSurface/CellPlacement.h"
 #include "IsoSurface/InterpolatedGradient.h"
+#include "IsoSurface/LabelBorderNormals.h"
 #include "IsoSurface/ProjectSamples.h"
 #include "IsoSurface/ResampledSamples.h"
 #include "IsoSurface/SampleWriter.h"
@@ -222,6 +223,11 @@ private:
       work.resampler.resample(this->OfNormals, box, work.smoothValues);
       this->useNormalsOf(this->fieldOf(box, work.smoothValues), samples);
     }
+    const IsoSurfaceResampling& resampling = this->Request.resampling;
+    if (resampling.ofMask && resampling.borders && this->Normals)
+    {
+      this->useNormalsOfLabels(work.resampler, samples);
+    }
   }
 
   /// The active cells for each iso-value.
@@ -360,23 +366,45 @@ private:
     }
   }
 
+  glm::dvec3 pointOf(const SampledTile& samples, std::size_t n) const
+  {
+    const auto at = [n](const auto& points)
+    { return glm::dvec3(points[3 * n], points[3 * n + 1], points[3 * n + 2]); };
+    return this->DoublePoints ? at(samples.doublePoints) : at(samples.points);
+  }
+
+  /// Sets a sample's normal against a gradient per sample step, if that has a direction.
+  static void setNormal(SampledTile& samples, std::size_t n, const glm::dvec3& gradient)
+  {
+    const double length = std::hypot(gradient.x, gradient.y, gradient.z);
+    for (int axis = 0; length > 0.0 && std::isfinite(length) && axis < 3; ++axis)
+    {
+      samples.normals[3 * n + axis] = static_cast<float>(-gradient[axis] / length);
+    }
+  }
+
   /// Replaces the normals by those of other values.
   void useNormalsOf(const GridField<Work>& field, SampledTile& samples) const
   {
-    for (std::size_t n = 0; n < samples.normals.size(); n += 3)
+    for (std::size_t n = 0; 3 * n < samples.normals.size(); ++n)
     {
-      const auto at = [&](const auto& points) { return glm::dvec3(points[n], points[n + 1], points[n + 2]); };
-      const glm::dvec3 point = this->DoublePoints ? at(samples.doublePoints) : at(samples.points);
-      glm::dvec3 gradient = this->Geometry.gradientDirection() * interpolatedGradient(field, point);
-      double length = glm::length(gradient);
-      if (!std::isfinite(length))
+      const glm::dvec3 point = this->pointOf(samples, n);
+      const glm::dvec3 gradient = this->Geometry.gradientDirection() * interpolatedGradient(field, point);
+      setNormal(samples, n, std::isfinite(glm::length(gradient)) ? gradient : field.gradient(point));
+    }
+  }
+
+  /// Replaces the normals where several labels meet, see LabelBorderNormals.
+  void useNormalsOfLabels(const TileResampler<Work>& labels, SampledTile& samples) const
+  {
+    const GridGeometry& own = this->Request.geometry;
+    LabelBorderNormals<Work> normals(
+      labels, this->Request.isoValues.front(), this->Request.resampling.deviation);
+    for (std::size_t n = 0; 3 * n < samples.normals.size(); ++n)
+    {
+      if (const auto gradient = normals.gradientAt(own.toIndex(this->pointOf(samples, n))))
       {
-        gradient = field.gradient(point);
-        length = std::hypot(gradient.x, gradient.y, gradient.z);
-      }
-      for (int axis = 0; length > 0.0 && std::isfinite(length) && axis < 3; ++axis)
-      {
-        samples.normals[n + axis] = static_cast<float>(-gradient[axis] / length);
+        setNormal(samples, n, own.gradientDirection() * *gradient);
       }
     }
   }

@@ -42,6 +42,9 @@ struct IsoSurfaceResampling
   /// Whether values are labels: each is replaced by whether it is at or above the iso-value, 1 or 0, before
   /// anything else is made of it, and the surface is that of this mask at maskIsoValue.
   bool ofMask = false;
+  /// Of labels: whether there is a groove, of normals, between those that meet on the surface, see
+  /// LabelBorderNormals.
+  bool borders = false;
 
   /// Whether the grid stays what it is.
   bool isIdentity() const

@@ -41,6 +41,9 @@ constexpr double usuallyThinShare = 0.25;
 /// Keeps a single sample.
 constexpr double leastKeeping = 0.5;
 
+/// See NoiseEstimate::raggedBorders.
+constexpr double mostRaggedBorders = 0.12;
+
 /// By how many deviations noise makes the range of so many samples across a blurred edge larger, as a median.
 constexpr double noiseRange = 0.4;
 
@@ -271,6 +274,8 @@ void NoiseSightings::append(const NoiseSightings& other)
   this->maskSteps += other.maskSteps;
   this->outerSteps += other.outerSteps;
   this->cutSteps += other.cutSteps;
+  this->borders += other.borders;
+  this->raggedBorders += other.raggedBorders;
   add(this->turns[0], other.turns[0]);
   add(this->turns[1], other.turns[1]);
 }
@@ -313,6 +318,10 @@ NoiseEstimate makeNoiseEstimate(std::span<const NoiseSightings> parts, const glm
   if (all.outerSteps >= static_cast<std::int64_t>(fewest))
   {
     result.cut = static_cast<double>(all.cutSteps) / static_cast<double>(all.outerSteps);
+  }
+  if (all.borders > 0)
+  {
+    result.raggedBorders = static_cast<double>(all.raggedBorders) / static_cast<double>(all.borders);
   }
   if (all.turns[0].size() >= fewest)
   {
@@ -428,6 +437,7 @@ void SuggestedSmoothing::add(const SuggestedSmoothing& other)
   this->ofLabels = std::max(this->ofLabels, other.ofLabels);
   this->labels = this->labels || other.labels;
   this->keepsLabels = this->keepsLabels && other.keepsLabels;
+  this->clearBorders = this->clearBorders && other.clearBorders;
 }
 
 SuggestedSmoothing suggestSmoothings(const NoiseEstimate& estimate, const glm::dvec3& spacing)
@@ -440,7 +450,8 @@ SuggestedSmoothing suggestSmoothings(const NoiseEstimate& estimate, const glm::d
   };
   const double ofLabels = with(true);
   const bool isThick = estimate.thickness >= NoiseEstimate::thickEnough;
-  return { with(false), ofLabels, estimate.labels, isThick || ofLabels <= 0.5 * estimate.thickness };
+  return { with(false), ofLabels, estimate.labels, isThick || ofLabels <= 0.5 * estimate.thickness,
+    estimate.raggedBorders < mostRaggedBorders };
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

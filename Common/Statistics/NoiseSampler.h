@@ -43,6 +43,8 @@ struct NoiseSightings
   std::int64_t maskSteps = 0;    ///< of the steps: at the edge of a mask, which is most of them
   std::int64_t outerSteps = 0;   ///< those that are seen from outside
   std::int64_t cutSteps = 0;     ///< of these, beside the edge of a mask that is half of them or more
+  std::int64_t borders = 0;      ///< of some of these: beside another label, see NoiseEstimate::raggedBorders
+  std::int64_t raggedBorders = 0; ///< of these
   /// Angles between normals at some of these, radians: of the values and of values that are smoothed some,
   /// and of these and of values that are smoothed more, see NoiseEstimate::roughness.
   std::array<std::vector<double>, 2> turns;
@@ -70,6 +72,8 @@ public:
   static constexpr int behind = static_cast<int>(NoiseEstimate::thickEnough);
   /// Of the positions seen from outside, every which one's turns are looked at: each takes 729 samples.
   static constexpr int everyTurn = 4;
+  /// A label that has less of what is near is an island, or a thin layer; at a straight border it has half.
+  static constexpr double raggedShare = 0.3;
 
   /// @param reach of a neighborhood, as for makeNoiseEstimate
   NoiseSampler(const Samples& samples, double isoValue, const glm::ivec3& reach)
@@ -166,6 +170,10 @@ private:
         if ((found.outerSteps + at.z) % everyTurn == 0)
         {
           this->addTurns(inner, found);
+          if (isCut)
+          {
+            this->addBorder(inner, found);
+          }
         }
       }
       if (isOuterOpen || this->isOpen(inner))
@@ -291,6 +299,39 @@ private:
     found.maskSteps += isMask;
     // Where a mask cuts through a gradual transition, the surface may lie a sample or two within.
     return isMask || isMaskEdge(-2) || isMaskEdge(-1) || isMaskEdge(1) || isMaskEdge(2);
+  }
+
+  /// A sample above the iso-value that has another label beside it.
+  void addBorder(const glm::ivec3& at, NoiseSightings& found) const
+  {
+    // How many samples around it are above, and how many of these have its own label.
+    const auto count = [&](int reach)
+    {
+      std::array<int, 2> counts = {};
+      for (int z = -reach; z <= reach; ++z)
+      {
+        for (int y = -reach; y <= reach; ++y)
+        {
+          for (int x = -reach; x <= reach; ++x)
+          {
+            const glm::ivec3 sample = at + glm::ivec3(x, y, z);
+            if (this->Values.has(sample) && this->isAbove(sample))
+            {
+              ++counts[0];
+              counts[1] += this->Values.at(sample) == this->Values.at(at);
+            }
+          }
+        }
+      }
+      return counts;
+    };
+    const auto [beside, ownBeside] = count(1);
+    if (ownBeside < beside)
+    {
+      ++found.borders;
+      const auto [near, ownNear] = count(3);
+      found.raggedBorders += ownNear < raggedShare * near;
+    }
   }
 
   /// By how much smoothing turns a sample's normal. Not where samples for it are missing.

@@ -100,6 +100,7 @@ void vtkInkIsoSurfaceAlgorithm::CopyProperties(vtkInkIsoSurfaceAlgorithm* from)
   this->SetSmoothing(from->Smoothing);
   this->SetSmoothingTarget(from->SmoothingTarget);
   this->SetLabelMap(from->LabelMap);
+  this->SetLabelBorders(from->LabelBorders);
   this->SetSubdivision(from->Subdivision);
   this->SetCut(from->Cut);
   this->SetSmallestPart(from->SmallestPart);
@@ -158,6 +159,7 @@ void vtkInkIsoSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Smoothing: " << this->Smoothing << "\n"
      << indent << "SmoothingTarget: " << this->GetSmoothingTargetAsString() << "\n"
      << indent << "LabelMap: " << this->LabelMap << "\n"
+     << indent << "LabelBorders: " << this->LabelBorders << "\n"
      << indent << "Subdivision: " << this->Subdivision << "\n"
      << indent << "Cut: " << this->GetCutAsString() << "\n"
      << indent << "SmallestPart: " << this->SmallestPart << "\n"

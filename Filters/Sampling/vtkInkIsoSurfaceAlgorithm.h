@@ -137,6 +137,16 @@ public:
   vtkBooleanMacro(LabelMap, bool);
   ///@}
 
+  ///@{
+  /**
+   * Of a LabelMap: where several labels meet on the surface, normals are those of each one's own surface,
+   * smoothed like it, so that lines show a groove between them. Points stay where they are. Default: off.
+   */
+  vtkSetMacro(LabelBorders, bool);
+  vtkGetMacro(LabelBorders, bool);
+  vtkBooleanMacro(LabelBorders, bool);
+  ///@}
+
   /// How normals are estimated, see SetNormalMethod.
   enum NormalMethodType
   {
@@ -363,6 +373,7 @@ protected:
   double Smoothing = 0.0;
   int SmoothingTarget = SURFACE;
   bool LabelMap = false;
+  bool LabelBorders = false;
   int Subdivision = 1;
   int Cut = OPEN;
   double SmallestPart = 0.0;

@@ -321,6 +321,7 @@ vtkInkIsoSurfaceSampler::Run vtkInkIsoSurfaceSampler::MakeRun(
                                                 : std::max(this->Internals->Expected, std::size_t(1024));
   run.Resampling = ink::makeIsoSurfaceResampling(geometry, this->Smoothing, this->Subdivision,
     static_cast<ink::SmoothingTarget>(this->SmoothingTarget), this->LabelMap);
+  run.Resampling.borders = this->LabelBorders;
   run.Parts = ink::ComponentSelection{ this->SmallestPart, static_cast<std::size_t>(this->LargestParts) }
                 .inDividedCells(this->Subdivision);
   return run;

@@ -275,6 +275,7 @@ InkVDBSampleRequest vtkInkVDBIsoSurfaceSampler::MakeRequest(
   options.subdivision = this->Subdivision;
   options.target = static_cast<ink::SmoothingTarget>(this->SmoothingTarget);
   options.ofMask = this->LabelMap;
+  options.borders = this->LabelBorders;
   options.projectionSteps = this->ProjectionSteps;
   options.cut = static_cast<ink::CutSurface>(this->Cut);
   options.parts = { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };

@@ -89,6 +89,11 @@ void InkIsoSurface::SetLabelMap(int labelMap)
   this->Set(this->LabelMap, labelMap);
 }
 
+void InkIsoSurface::SetLabelBorders(int borders)
+{
+  this->Set(this->LabelBorders, borders);
+}
+
 void InkIsoSurface::SetSmoothingTarget(int target)
 {
   this->Set(this->SmoothingTarget, target);
@@ -108,6 +113,7 @@ void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
   this->SetCut(other.GetCut());
   this->SetSmoothing(other.GetSmoothing());
   this->SetLabelMap(other.GetLabelMap());
+  this->SetLabelBorders(other.GetLabelBorders());
   this->SetSmoothingTarget(other.SmoothingTarget);
   this->SetSubdivision(other.GetSubdivision());
 }
@@ -124,9 +130,9 @@ ink::SuggestedSmoothing InkIsoSurface::FindSmoothing(
     }
   }
   std::vector<double> numbers{ smoothing.ofValues, smoothing.ofLabels, smoothing.labels ? 1.0 : 0.0,
-    smoothing.keepsLabels ? 1.0 : 0.0 };
+    smoothing.keepsLabels ? 1.0 : 0.0, smoothing.clearBorders ? 1.0 : 0.0 };
   style->GetProcesses().TakeOfFirst(numbers);
-  return { numbers[0], numbers[1], numbers[2] > 0.0, numbers[3] > 0.0 };
+  return { numbers[0], numbers[1], numbers[2] > 0.0, numbers[3] > 0.0, numbers[4] > 0.0 };
 }
 
 vtkMTimeType InkIsoSurface::GetMTime(bool ofValues)
@@ -207,7 +213,7 @@ std::string InkIsoSurface::Prepare(vtkInkStyle* style, std::span<vtkImageData* c
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
   sampler->SetValues(values);
   ink::SuggestedSmoothing suggested;
-  if (this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC)
+  if (this->AsksForSuggestion())
   {
     suggested = this->FindSmoothing(style, whole(), values);
   }
@@ -240,6 +246,12 @@ bool InkIsoSurface::IsSlab(vtkImageData* image)
   return sizes[0] < flat * sizes[1];
 }
 
+bool InkIsoSurface::AsksForSuggestion() const
+{
+  return this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC ||
+    (this->LabelMap == LABELS_ON && this->LabelBorders == BORDERS_AUTOMATIC);
+}
+
 bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
   const std::function<bool(bool labels)>& isSolid) const
 {
@@ -247,6 +259,8 @@ bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::Su
   // With normals, thin parts stay.
   const bool smoothsSurface = labels && suggested.keepsLabels;
   sampler->SetLabelMap(labels);
+  sampler->SetLabelBorders(this->LabelBorders == BORDERS_AUTOMATIC ? labels && suggested.clearBorders
+                                                                   : this->LabelBorders == BORDERS_ON);
   sampler->SetSmoothingTarget(this->SmoothingTarget != TARGET_AUTOMATIC ? this->SmoothingTarget
       : smoothsSurface                                                  ? vtkInkIsoSurfaceAlgorithm::SURFACE
                                                                         : vtkInkIsoSurfaceAlgorithm::NORMALS);

@@ -72,6 +72,15 @@ public:
   };
   void SetLabelMap(int labelMap);
   int GetLabelMap() const { return this->LabelMap; }
+  /// Whether labels that meet have a groove between them.
+  enum LabelBordersType
+  {
+    BORDERS_AUTOMATIC = 0, ///< where they are clear, see ink::SuggestedSmoothing
+    BORDERS_OFF = 1,
+    BORDERS_ON = 2
+  };
+  void SetLabelBorders(int borders);
+  int GetLabelBorders() const { return this->LabelBorders; }
   /// What is smoothed: one of vtkInkIsoSurfaceAlgorithm's, or the surface of labels that are thick enough, as
   /// its steps show in outlines, and of all else normals.
   static constexpr int TARGET_AUTOMATIC = 2;
@@ -174,7 +183,9 @@ private:
   std::string AddCurvature(
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
-  /// Makes a sampler take values as labels or not, with the cut and the smoothing that suit these.
+  /// Whether something is chosen by what FindSmoothing finds.
+  bool AsksForSuggestion() const;
+  /// Makes a sampler take values as labels or not, with borders, the cut and the smoothing that suit these.
   /// @param isSolid whether caps suit what is sampled, labels or not; asked where it matters
   /// @return whether as labels
   bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
@@ -221,6 +232,7 @@ private:
   int Cut = CUT_AUTOMATIC;
   int IsoChoice = OUTERMOST;
   int LabelMap = LABELS_AUTOMATIC;
+  int LabelBorders = BORDERS_AUTOMATIC;
   bool ComputeCurvature = false;
   int Subdivision = 0; ///< 0: until cells are a small part of the picture
   vtkTimeStamp Changed;

@@ -226,7 +226,7 @@ std::string InkIsoSurface::SampleBy(
   values = sampler->FindIsoValues();
   SamplingOfParts sampling(style, sampler, slabs ? &*slabs : nullptr, values);
   ink::SuggestedSmoothing suggested;
-  if ((this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC) && sampling.CanMeasure())
+  if (this->AsksForSuggestion() && sampling.CanMeasure())
   {
     suggested = sampling.SuggestSmoothing();
   }

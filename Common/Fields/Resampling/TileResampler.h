@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ink
@@ -92,12 +93,28 @@ public:
   /// Replaces all samples by 1, those at or above a value, and 0.
   void makeMask(double value)
   {
+    std::swap(this->Samples, this->Labels);
+    this->Samples.resize(this->Labels.size());
     for (std::size_t n = 0; n < this->Samples.size(); ++n)
     {
-      const bool inside = static_cast<double>(this->Samples[n]) >= value;
+      if (!this->Present.empty() && this->Present[n] == Work(0))
+      {
+        this->Labels[n] = std::numeric_limits<Work>::quiet_NaN();
+      }
       // Missing ones stay 0.
-      this->Samples[n] = inside && (this->Present.empty() || this->Present[n] > Work(0)) ? Work(1) : Work(0);
+      this->Samples[n] = static_cast<double>(this->Labels[n]) >= value ? Work(1) : Work(0);
     }
+  }
+
+  /// The samples that were read.
+  const SampleBox& source() const { return this->Source; }
+  /// After makeMask: what the samples of a row were from one on; NaN where they are missing.
+  const Work* labelsFrom(const glm::ivec3& sample) const
+  {
+    const glm::ivec3 at = sample - this->Source.begin;
+    const glm::ivec3 size = this->Source.size();
+    return this->Labels.data() + at.x +
+      static_cast<std::size_t>(size.x) * (at.y + static_cast<std::size_t>(size.y) * at.z);
   }
 
   /// @param positions the box that was read
@@ -256,6 +273,7 @@ private:
   Work Least = 0;
   Work Greatest = 0;
   std::vector<Work> Samples;
+  std::vector<Work> Labels;  ///< what they were before makeMask
   std::vector<Work> Present; ///< 0 for missing samples, 1 for others; empty where none is missing
   std::vector<std::uint8_t> Marks;
   std::vector<Work> AlongX;

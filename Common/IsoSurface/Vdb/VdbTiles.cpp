@@ -61,6 +61,7 @@ public:
     , Reach(isoSurfaceResamplingReach(options.smoothing, options.subdivision) +
         (options.projectionSteps > 0 ? 1 : 0))
   {
+    this->Resampling.borders = options.borders;
   }
 
   bool run(VdbTileSamples<Real>& samples, const Progress& progress)

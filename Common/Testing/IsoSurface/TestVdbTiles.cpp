@@ -45,8 +45,9 @@ Samples<Real> sampleDense(
   const Volume<T>& volume, std::span<const double> isoValues, const VdbTileOptions& options)
 {
   const auto field = volume.field();
-  const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
+  ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
     volume.geometry, options.smoothing, options.subdivision, options.target, options.ofMask);
+  resampling.borders = options.borders;
   Samples<Real> samples;
   const auto grow = [&](std::size_t count) { return samples.grow(count); };
   std::vector<std::size_t> counts;
@@ -111,6 +112,25 @@ TEST(VdbTiles, MasksOfLabelsAgreeWithDense)
     EXPECT_TRUE(sorted(sampleTiles(grid, isoValues, options)) == expected) << "smoothing " << smoothing;
     EXPECT_FALSE(ofValues == expected);
   }
+}
+
+TEST(VdbTiles, BordersOfLabelsAgreeWithDense)
+{
+  auto volume = makeBody<float>();
+  for (float& value : volume.values)
+  {
+    value = std::max(std::round(value / 30.0f), 0.0f);
+  }
+  const VdbGrid grid = makeVdbGrid(volume.field(), {});
+  const double isoValues[] = { 0.5 };
+  VdbTileOptions options = optionsOf(2.0, 1, SmoothingTarget::Normals);
+  options.ofMask = true;
+  const auto smooth = sorted(sampleTiles(grid, isoValues, options));
+  options.borders = true;
+  const auto expected = sorted(sampleDense(volume, isoValues, options));
+  EXPECT_GT(expected.size(), 1000u);
+  EXPECT_TRUE(sorted(sampleTiles(grid, isoValues, options)) == expected);
+  EXPECT_FALSE(smooth == expected);
 }
 
 TEST(VdbTiles, OfAWholeVolumeAgreeWithDense)

@@ -102,6 +102,7 @@ Drawn Draw(vtkImageData* image, const std::vector<double>& isoValues = {}, int l
   vtkNew<vtkInkSplattingLinesStyle> style;
   EXPECT_TRUE(style->SetParameterAsString("SmoothingTarget", target));
   style->SetParameterAsString("LabelMap", labelMap == InkIsoSurface::LABELS_OFF ? "off" : "auto");
+  style->SetParameterAsString("LabelBorders", "off");
   style->SetParameter("Subdivision", 1);
   std::string values;
   for (const double value : isoValues)
@@ -134,6 +135,34 @@ TEST(LabelMaps, AreDrawnAsMasks)
   const Drawn off = Draw(labels, {}, InkIsoSurface::LABELS_OFF);
   EXPECT_GT(AngleOf(off.Points), 5.0);
   EXPECT_GT(AngleOf(off.Mesh), 5.0);
+}
+
+TEST(LabelMaps, BordersAreGroovesUnlessTheyAreNoise)
+{
+  // The mean angle between normals and those of the ball.
+  const auto angleOf = [](vtkImageData* image, const char* borders)
+  {
+    vtkNew<vtkInkSplattingLinesStyle> style;
+    style->SetParameter("Subdivision", 1);
+    EXPECT_TRUE(style->SetParameterAsString("LabelBorders", borders));
+    EXPECT_TRUE(style->Make(image));
+    return AngleOf(NumbersOf(style->GetPiece(0)));
+  };
+  const auto labels = MakeLabels(Ids);
+  EXPECT_GT(angleOf(labels, "auto"), 8.0);
+  EXPECT_EQ(angleOf(labels, "on"), angleOf(labels, "auto"));
+  EXPECT_LT(angleOf(labels, "off"), 2.0);
+  EXPECT_LT(angleOf(MakeLabels(Ones), "on"), 2.0);
+  // Noise has labels beside each other everywhere.
+  vtkDataArray* values = labels->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < labels->GetNumberOfPoints(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    values->SetComponent(i, 0, value > 0.0 ? 1.0 + static_cast<double>(i * i % 7) : 0.0);
+  }
+  values->Modified();
+  EXPECT_LT(angleOf(labels, "auto"), 2.0);
+  EXPECT_GT(angleOf(labels, "on"), 2.0);
 }
 
 TEST(LabelMaps, OutlinesHaveNoSteps)
