@@ -22,6 +22,8 @@ BY_HAND = {
     "Line Art": {"LineArtPreset": "Sketch", "LineArtDensity": 0.6, "LineArtTone": 0.7, "LineArtLength": 25.0, "LineArtDepthWidth": 0.6,
                  "LineArtInkColor": [0, 0, 1], "LineArtSeeding": 1},
 }
+# What range a slider has is no matter of how many lines there are.
+FEW_LINES = {"Line Art": {"LineArtDensity": 0, "LineArtLineSpacing": 16, "LineArtSubdivision": 1}}
 OWN = {"Stipple": "(?:Stipple|K|Gradient|.*Enhancement|ScalarWindow)", "Illustration": "Illustration", "Contours": "Contours", "Line Art": "LineArt"}
 
 # A scene without vtkInk's representations, all that ParaView would trace or save of it.
@@ -117,7 +119,8 @@ class TestRestoring(TestInOneView):
         self.assertEqual(display.IllustrationTau, 0.995)
         display.IllustrationPreset = "Specimen"
         self.assertEqual(assignments(smstate.get_state()), {})
-        # Nor what the slider shows of an automatic value.
+        # Nor what the slider shows of an automatic value, of what is not seen from within.
+        self.view.ResetCamera()
         Render(self.view)
         shown = display.IllustrationIsoValue
         self.assertNotEqual(shown, 0.0)
@@ -220,6 +223,7 @@ class TestRestoring(TestInOneView):
                                   ("Line Art", "LineArt")):
                 display = Show(source, self.view)
                 display.SetRepresentationType(style)
+                SetProperties(display, **FEW_LINES.get(style, {}))
                 self.view.ResetCamera()
                 Render(self.view)
                 limits = display.GetProperty(f"{prefix}IsoValue").SMProperty.GetDomain("range")
@@ -237,6 +241,7 @@ class TestRestoring(TestInOneView):
                               ("Line Art", "LineArt")):
             display = Show(calculator, self.view)
             display.SetRepresentationType(style)
+            SetProperties(display, **FEW_LINES.get(style, {}))
             self.view.ResetCamera()
             drawn = {}
             for array, low, high in (("RTData", 37.35, 276.83), ("Tube", 0.0, 200.0), ("RTData", 37.35, 276.83)):
