@@ -127,7 +127,8 @@ def test_volumes_are_not_seen_edge_on(ink, picture, tmp_path, style, thin, side)
     path = tmp_path / "v.nrrd"
     steps = {axis: 0.3 if axis == thin else 1.0 for axis in "xyz"}
     ink_files.write_nrrd(path, ink_files.blob(), directions=f"({steps['x']},0,0) (0,{steps['y']},0) (0,0,{steps['z']})")
-    options = ("--style", style, "--iso", 100)
+    few = ("--density", 0, "--line-spacing", 16, "--subdivision", 1) if style == "line-art" else ()
+    options = ("--style", style, "--iso", 100, *few)
     small = (*options, "--size", 100, "-o", tmp_path / "o.png")
     says = f"what is drawn shows more from its {side} than from its front, so that is seen; --view says otherwise"
     err = ink("render", path, *small).err

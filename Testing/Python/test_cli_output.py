@@ -131,7 +131,8 @@ FEW = ["--pixels-per-stipple", 30, "--stipple-size", 5]
     pytest.param("300x720", 512, marks=pytest.mark.one_build)])  # fmt: skip
 def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, size, tile):
     """Six to fifteen tiles, of which some have neighbors on all sides and the last ones are smaller."""
-    for file in (volume_file, mesh_file):
+    # How what is made of either is cut does not go by the size.
+    for file in (volume_file, mesh_file) if size == "640x360" else (volume_file,):
         # By default 200000, which takes longer than to draw them.
         few = ["--samples", 20000] if file == mesh_file and style == "splatting-lines" else []
         whole = picture(file, "--style", style, *options, *few, size=size).astype(int)

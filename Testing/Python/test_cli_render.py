@@ -82,7 +82,7 @@ def test_large_pictures_show_the_same(picture, volume_file):
 @pytest.mark.one_build
 def test_views_are_the_sides_of_the_subject(picture, volume_file):
     """The blob has its bumps to its left (+x, large), back (+y, medium) and top (+z, small)."""
-    views = {name: picture(volume_file, "--iso", 100, "--view", name, "--parallel") for name in
+    views = {name: picture(volume_file, "--iso", 100, "--view", name, "--parallel", "--stipples", 20000) for name in
              ("front", "back", "left", "right", "top", "bottom")}
     rows = lambda image: np.flatnonzero((image < 200).any(axis=(1, 2)))
     columns = lambda image: np.flatnonzero((image < 200).any(axis=(0, 2)))
@@ -213,7 +213,7 @@ def nested(tmp_path):
     z, y, x = np.mgrid[-1:1:48j, -1:1:48j, -1:1:48j]
     r = np.sqrt(x * x + y * y + z * z)
     ink_files.write_vti(tmp_path / "nested.vti", sum(np.clip(1000 * (size - r), 0, 100) for size in (0.9, 0.5)).astype(np.float32))
-    return [tmp_path / "nested.vti", "--iso", 50, "--iso", 150]
+    return [tmp_path / "nested.vti", "--iso", 50, "--iso", 150, "--subdivision", 1]
 
 
 def test_layers_show_what_is_hidden(picture, nested):
@@ -295,7 +295,7 @@ def test_progress_on_a_terminal(volume_file, tmp_path):
 
 @pytest.mark.parametrize("style, least, options", [
     ("illustration", 20, []), ("splatting-lines", 12, []), ("stipple", 10, []), ("contours", 3, []),
-    ("line-art", 4, ["--subdivision", "2"])])  # fmt: skip
+    ("line-art", 4, ["--subdivision", "2", "--line-spacing", "8"])])  # fmt: skip
 def test_drawing_tells_how_far_it_is(volume_file, tmp_path, style, least, options):
     """Of one picture in one piece, too."""
     out = tmp_path / "out.png"
