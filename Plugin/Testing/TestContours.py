@@ -30,6 +30,7 @@ class TestContours(SurfaceTests, TestInOneView):
     PREFIX = "Contours"
     SHOWS = {"ContoursLineWidth": 10}
     WIDE = {"ContoursLineWidth": 20}
+    FEW_MARKS = {"ContoursSubdivision": 1}
 
     def show(self, source, style="Contours", **properties):
         display = Show(source, self.view)

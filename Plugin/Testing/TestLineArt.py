@@ -19,7 +19,7 @@ class TestLineArt(SurfaceTests, TestInOneView):
     PREFIX = "LineArt"
     # Few strokes, of few lines: what these tests are of is not their number.
     SHOWS = {"LineArtDensity": 0, "LineArtLineSpacing": 16}
-    FEW_MARKS = {"LineArtSubdivision": 2}
+    FEW_MARKS = {"LineArtSubdivision": 1}
     WIDE = {"LineArtContourWidth": 20, **SHOWS}
 
     def show(self, source, **properties):

@@ -107,7 +107,7 @@ class SurfaceTests:
 
     def test_nothing_is_made_again_while_the_camera_moves(self):
         """Where it shows what is drawn much larger, see TestMagnification.py."""
-        display = self.show(Wavelet(), **self.SHOWS)
+        display = self.show(Wavelet(), **self.SHOWS, **self.FEW_MARKS)
         first = picture(self.view)
         before = marks(display)
         camera = GetActiveCamera()
