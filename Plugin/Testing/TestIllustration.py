@@ -13,6 +13,10 @@ from rendering import TestInOneView, Warnings, is_background, marks, picture
 from surface_tests import check_iso_value, grids_and_composites
 
 
+# Of meshes, where their number does not matter.
+FEW_MARKS = {"IllustrationNumberOfSurfaceStipples": 20000}
+
+
 class TestIllustration(TestInOneView):
     def show(self, source, **properties):
         display = Show(source, self.view)
@@ -35,7 +39,7 @@ class TestIllustration(TestInOneView):
         self.assertTrue(is_background(picture(self.view)).all())
 
     def test_meshes_are_drawn_and_settings_change_the_ink(self):
-        display = self.show(Sphere(ThetaResolution=64, PhiResolution=64))
+        display = self.show(Sphere(ThetaResolution=64, PhiResolution=64), **FEW_MARKS)
         drawn = self.ink()
         self.assertGreater(drawn, 100)
         before = marks(display)
@@ -44,7 +48,7 @@ class TestIllustration(TestInOneView):
         self.assertEqual(marks(display), before)
 
     def test_a_preset_sets_what_goes_with_it(self):
-        display = self.show(Sphere(ThetaResolution=64, PhiResolution=64))
+        display = self.show(Sphere(ThetaResolution=64, PhiResolution=64), **FEW_MARKS)
         before = marks(display)
         drawn = self.ink()
         display.IllustrationPreset = "Skin"
@@ -118,12 +122,12 @@ class TestIllustration(TestInOneView):
     def test_grids_and_composites_are_drawn(self):
         wavelet = Wavelet(WholeExtent=[-8, 8] * 3)
         for source in grids_and_composites(wavelet):
-            self.show(source)
+            self.show(source, **FEW_MARKS)
             self.assertGreater((~is_background(picture(self.view))).mean(), 0.05, source)
             Hide(source, self.view)
         mixed = GroupDatasets(Input=[wavelet, Sphere()])
         with Warnings() as warnings:
-            self.show(mixed)
+            self.show(mixed, **FEW_MARKS)
             self.assertGreater((~is_background(picture(self.view))).mean(), 0.05)
         self.assertIn("1 datasets beside images", "".join(warnings))
 
