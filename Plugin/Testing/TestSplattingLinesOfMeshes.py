@@ -10,14 +10,18 @@ from rendering import *
 from splatting_lines_tests import SplattingLinesTests
 
 
+# Where their number does not matter.
+FEW_MARKS = {"LinesNumberOfSamples": 20000}
+
+
 class TestSplattingLinesOfMeshes(SplattingLinesTests, unittest.TestCase):
     def test_any_points_with_normals(self):
         sphere = Sphere(ThetaResolution=60, PhiResolution=60)
-        self.show(sphere)
+        self.show(sphere, **FEW_MARKS)
         of_surface = picture(self.view)
         self.assert_drawn(of_surface)
         Hide(sphere, self.view)
-        self.show(AppendDatasets(Input=[sphere]))  # a vtkUnstructuredGrid
+        self.show(AppendDatasets(Input=[sphere]), **FEW_MARKS)  # a vtkUnstructuredGrid
         numpy.testing.assert_array_equal(picture(self.view), of_surface)
 
     def test_composite_data_is_drawn_as_one(self):
@@ -125,7 +129,7 @@ self.GetOutput().SetPoints(sphere.GetOutput().GetPoints())
 
     def test_coloring_on_or_off_samples_nothing_again(self):
         heights = Elevation(Input=Sphere(ThetaResolution=16, PhiResolution=16), LowPoint=[0, 0, -0.5], HighPoint=[0, 0, 0.5])
-        display = self.show(heights, Tau=1.05)
+        display = self.show(heights, Tau=1.05, **FEW_MARKS)
         ColorBy(display, ("POINTS", "Elevation"))
         colored = picture(self.view)
         made = marks(display)
@@ -141,7 +145,7 @@ self.GetOutput().SetPoints(sphere.GetOutput().GetPoints())
         pictures = []
         with Warnings() as warnings:
             for source in (sphere, bare, GroupDatasets(Input=[bare])):
-                self.show(source)
+                self.show(source, **FEW_MARKS)
                 pictures.append(picture(self.view))
                 Hide(source, self.view)
         self.assertEqual(warnings, [])
