@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws pictures of every way that data comes in parts, for TestParallel.py to compare, and saves its points:
 
-pvbatch drawings.py INPUT_FOLDER OUTPUT_FOLDER"""
+pvbatch drawings.py INPUT_FOLDER OUTPUT_FOLDER [PICTURE]...
+
+With names of pictures no others. What is drawn again keeps what was set before, so pictures that follow others of theirs
+are the same only after these."""
 
 import pathlib
 import sys
@@ -9,6 +12,7 @@ import sys
 from rendering import *
 
 INPUT, OUTPUT = sys.argv[1:3]
+CHOSEN = sys.argv[3:]
 
 
 def save_points(name, proxy):
@@ -32,6 +36,8 @@ def save_points(name, proxy):
 
 
 def draw(name, source, style, zoom=1, **properties):
+    if CHOSEN and name not in CHOSEN:
+        return
     display = Show(source, view)
     display.SetRepresentationType(style)
     display.ColorArrayName = ["POINTS", ""]
@@ -40,7 +46,8 @@ def draw(name, source, style, zoom=1, **properties):
         display.SizeUnit = "Pixels"
     for key, value in properties.items():
         setattr(display, key, value)
-    ResetCamera(view)
+    # Without the picture that simple.py's draws.
+    view.ResetCamera()
     view.CameraViewAngle /= zoom
     SaveScreenshot(f"{OUTPUT}/{name}.png", view)
     view.CameraViewAngle *= zoom
