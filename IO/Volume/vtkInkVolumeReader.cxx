@@ -154,10 +154,14 @@ struct vtkInkVolumeReader::Source
     }
     this->NoteComponents();
     this->Notes.insert(this->Notes.end(), this->Header.notes.begin(), this->Header.notes.end());
-    if (this->Header.isScaled())
+    if (!this->Header.sliceScales.empty())
     {
-      this->Notes.push_back("its stored values are rescaled: " + ink::formatNumber(this->Header.slope) +
-        " v + " + ink::formatNumber(this->Header.intercept));
+      this->Notes.emplace_back("its stored values are rescaled, those of each slice by its own scale");
+    }
+    else if (this->Header.isScaled())
+    {
+      this->Notes.push_back("its stored values are rescaled: " + ink::formatNumber(this->Header.scale.slope) +
+        " v + " + ink::formatNumber(this->Header.scale.intercept));
     }
   }
   explicit Source(const fs::path& file)
@@ -194,9 +198,11 @@ void vtkInkVolumeReader::Source::Announce(vtkInformation* info)
     info->Set(vtkDataObject::ORIGIN(), this->Frame->GetOrigin(), 3);
     info->Set(vtkDataObject::SPACING(), this->Frame->GetSpacing(), 3);
     info->Set(vtkDataObject::DIRECTION(), this->Frame->GetDirectionMatrix()->GetData(), 9);
-    const int type = this->Header.voxels.type;
-    vtkDataObject::SetPointDataActiveScalarInfo(info,
-      this->Header.isScaled() ? io::scaledType(type, this->Header.slope, this->Header.intercept) : type, 1);
+    const int stored = this->Header.voxels.type;
+    const int type = !this->Header.sliceScales.empty() ? VTK_FLOAT
+      : this->Header.isScaled()                        ? io::scaledType(stored, this->Header.scale)
+                                                       : stored;
+    vtkDataObject::SetPointDataActiveScalarInfo(info, type, 1);
     return;
   }
   vtkInformation* from = this->Xml->information();
@@ -240,9 +246,13 @@ void vtkInkVolumeReader::Source::Read(const int extent[6], vtkImageData* image, 
     static_cast<std::size_t>(image->GetNumberOfPoints()) * this->Header.voxels.valueSize();
   io::RawVolumeReader(this->Header.voxels)
     .read(extent, { static_cast<unsigned char*>(image->GetScalarPointer()), bytes }, progress);
-  if (this->Header.isScaled())
+  if (!this->Header.sliceScales.empty())
   {
-    io::scaleValues(image, this->Header.slope, this->Header.intercept);
+    io::scaleSlices(image, this->Header.sliceScales);
+  }
+  else if (this->Header.isScaled())
+  {
+    io::scaleValues(image, this->Header.scale);
   }
 }
 

@@ -223,7 +223,8 @@ def dicom_element(group, element, vr, value, implicit=False):
 def write_dicom(folder, volume, orientation=(1, 0, 0, 0, 1, 0), origin=(0, 0, 0), step=(0, 0, 1), spacing=1.0,
                 reverse_names=False, implicit=False, scale=None, first=0):
     """One file a slice, 16 bits, little endian. orientation: of rows and columns; step: between slices; implicit:
-    without the types of elements, and with a sequence; scale: slope and intercept; first: number of the first file."""
+    without the types of elements, and with a sequence; scale: slope and intercept, or of slice z scale(z); first: number
+    of the first file."""
     folder.mkdir(exist_ok=True)
     element = lambda *arguments: dicom_element(*arguments, implicit)
     decimal = lambda values: "\\".join(f"{v:g}" for v in values)
@@ -251,7 +252,8 @@ def write_dicom(folder, volume, orientation=(1, 0, 0, 0, 1, 0), origin=(0, 0, 0)
         body += element(0x28, 0x0100, "US", struct.pack("<H", 16)) + element(0x28, 0x0101, "US", struct.pack("<H", 16))
         body += element(0x28, 0x0102, "US", struct.pack("<H", 15)) + element(0x28, 0x0103, "US", struct.pack("<H", 0))
         if scale:
-            body += element(0x28, 0x1052, "DS", f"{scale[1]:g}") + element(0x28, 0x1053, "DS", f"{scale[0]:g}")
+            slope, intercept = scale(z) if callable(scale) else scale
+            body += element(0x28, 0x1052, "DS", f"{intercept:g}") + element(0x28, 0x1053, "DS", f"{slope:g}")
         body += element(0x7FE0, 0x0010, "OW", image.astype("<u2").tobytes())
         meta = dicom_element(2, 0x0000, "UL", struct.pack("<I", len(meta))) + meta
         number = first + (len(volume) - z if reverse_names else z)

@@ -13,6 +13,13 @@ numpy_support = vtkink.numpy_support
 
 BLOB = ink_files.blob((20, 18, 16))
 
+
+def scaled_slices(path):
+    """As PET has them."""
+    z = np.arange(len(BLOB))[:, None, None]
+    ink_files.write_dicom(path, (BLOB + z) * 2 ** (z % 3), scale=lambda z: (0.5 ** (z % 3), -z))
+
+
 VOLUMES = {
     "v.nii": lambda p: ink_files.write_nifti(p, BLOB),
     "v.nii.gz": lambda p: ink_files.write_nifti(p, BLOB),
@@ -25,6 +32,7 @@ VOLUMES = {
     "cells.vtk": lambda p: ink_files.write_legacy(p, BLOB, where="CELL_DATA"),
     "v.vtk": lambda p: ink_files.write_legacy(p, BLOB),
     "series": lambda p: ink_files.write_dicom(p, BLOB),
+    "scaled": scaled_slices,
 }
 
 

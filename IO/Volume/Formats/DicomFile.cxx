@@ -309,10 +309,10 @@ private:
         found.isSigned = small() == 1;
         break;
       case tag(0x0028, 0x1052):
-        this->copy(value, 1, &found.intercept);
+        this->copy(value, 1, &found.scale.intercept);
         break;
       case tag(0x0028, 0x1053):
-        this->copy(value, 1, &found.slope);
+        this->copy(value, 1, &found.scale.slope);
         break;
       default:
         break;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ScaledValues.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -23,8 +25,7 @@ struct DicomFile
   int bits = 0; ///< that a value takes
   bool isSigned = false;
   bool bigEndian = false;
-  double slope = 1.0;
-  double intercept = 0.0;
+  ValueScale scale;
   double spacing[2] = { 1.0, 1.0 }; ///< between columns, between rows
   double thickness = 1.0;           ///< from slice to slice, if the file says so
   double distance = 0.0;            ///< between the middles of slices; 0: the file does not say

@@ -208,14 +208,15 @@ VolumeHeader readDicomHeaders(const fs::path& path)
   {
     check(file, files.size() == 1);
     if (file.rows != first.rows || file.columns != first.columns || file.components != first.components ||
-      typeOf(file) != typeOf(first) || file.slope != first.slope || file.intercept != first.intercept)
+      typeOf(file) != typeOf(first))
     {
       failToRead(file.path,
-        "its picture has another size, type or scale than that in '" + first.path.string() +
+        "its picture has another size or type than that in '" + first.path.string() +
           "'; expected slices of one volume");
     }
     voxels.files.push_back(file.path);
     voxels.offsets.push_back(file.pixelOffset);
+    header.sliceScales.push_back(file.scale);
   }
   voxels.dimensions[0] = first.columns;
   voxels.dimensions[1] = first.rows;
@@ -224,8 +225,12 @@ VolumeHeader readDicomHeaders(const fs::path& path)
   voxels.components = first.separatePlanes ? 1 : first.components;
   voxels.setBigEndian(first.bigEndian);
   header.components = first.components;
-  header.slope = first.slope;
-  header.intercept = first.intercept;
+  header.scale = first.scale;
+  const auto isFirst = [&](const ValueScale& scale) { return scale == first.scale; };
+  if (std::all_of(header.sliceScales.begin(), header.sliceScales.end(), isFirst))
+  {
+    header.sliceScales.clear();
+  }
 
   double steps[9];
   double normal[3];

@@ -341,14 +341,13 @@ VolumeHeader readNiftiHeader(const fs::path& file)
   {
     header.notes.push_back("it has " + std::to_string(dimensions[4]) + " time steps; the first is used");
   }
-  header.slope = nifti.real(nifti.offsets().slope);
+  header.scale.slope = nifti.real(nifti.offsets().slope);
   // Of Analyze's, SPM has made the first one a slope.
-  header.intercept = nifti.isAnalyze() ? 0.0 : nifti.real(nifti.offsets().intercept);
-  if (!std::isfinite(header.slope) || !std::isfinite(header.intercept))
+  header.scale.intercept = nifti.isAnalyze() ? 0.0 : nifti.real(nifti.offsets().intercept);
+  if (!std::isfinite(header.scale.slope) || !std::isfinite(header.scale.intercept))
   {
     // How some programs say that there is nothing to be done.
-    header.slope = 1.0;
-    header.intercept = 0.0;
+    header.scale = {};
   }
   orient(nifti, header);
   return header;

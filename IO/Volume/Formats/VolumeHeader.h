@@ -3,6 +3,7 @@
 
 #include "Orientation.h"
 #include "RawVolume.h"
+#include "ScaledValues.h"
 
 #include <filesystem>
 #include <optional>
@@ -20,10 +21,12 @@ struct VolumeHeader
   double spacing[3] = { 1, 1, 1 };
   double origin[3] = { 0, 0, 0 };
   std::optional<Orientation> orientation; ///< in place of `origin`
-  /// value = slope * stored value + intercept
-  double slope = 1.0;
-  double intercept = 0.0;
-  bool isScaled() const { return this->slope != 0.0 && (this->slope != 1.0 || this->intercept != 0.0); }
+  ValueScale scale;
+  std::vector<ValueScale> sliceScales; ///< of each slice; none where they all have `scale`
+  bool isScaled() const
+  {
+    return !this->sliceScales.empty() || (this->scale.slope != 0.0 && this->scale != ValueScale());
+  }
   std::string format;             ///< in a few words
   std::vector<std::string> notes; ///< what of the file is not used as it is, each a sentence without its dot
 };
