@@ -217,9 +217,10 @@ TEST(NoiseEstimate, TiltedSlicesThatWereResampledShowTheGrid)
   EXPECT_LT(resampled.sharpness, 0.55) << "not by that";
   EXPECT_EQ(ink::suggestSmoothing(resampled, glm::dvec3(1.0)), ink::sharpSmoothing);
 
-  const auto with = [](double roughness, double bend, double thickness)
+  const auto with = [](double roughness, double bend, double thickness, double noise = 0.0)
   {
-    return ink::suggestSmoothing({ .step = 1.0,
+    return ink::suggestSmoothing({ .noise = noise,
+                                   .step = 1.0,
                                    .thickness = thickness,
                                    .usualThickness = thickness,
                                    .sharpness = 0.4,
@@ -231,6 +232,27 @@ TEST(NoiseEstimate, TiltedSlicesThatWereResampledShowTheGrid)
   EXPECT_EQ(with(0.15, 0.05, 5.0), 0.0) << "hardly rough";
   EXPECT_EQ(with(0.3, 0.15, 5.0), 0.0) << "bends, too";
   EXPECT_EQ(with(0.2, 0.05, 1.0), 0.5) << "thin parts";
+  EXPECT_EQ(with(0.1, 0.02, 5.0), ink::sharpSmoothing) << "hardly bends";
+  EXPECT_EQ(with(0.1, 0.03, 5.0), 0.0);
+  EXPECT_EQ(with(0.08, 0.0, 5.0), 0.0);
+  EXPECT_LT(with(0.1, 0.02, 5.0, 0.01), ink::sharpSmoothing) << "noise makes a third of it";
+}
+
+TEST(NoiseEstimate, SamplesThatWerePickedFromFinerOnesShowTheGrid)
+{
+  const Sphere ball{ glm::dvec3(0.2), 24.0 };
+  const auto behind = [&](double pointSpread)
+  {
+    const auto volume = Volume<float>::from(centered(64),
+      [&](const glm::dvec3& p)
+      { return 0.5 * std::erfc(ball.distance(p) / (pointSpread * std::sqrt(2.0))); });
+    return estimateNoise(volume.field(), 0.5);
+  };
+  const ink::NoiseEstimate picked = behind(0.4);
+  EXPECT_LT(picked.sharpness, 0.55) << "not by that";
+  EXPECT_LT(picked.roughness, 0.11);
+  EXPECT_EQ(ink::suggestSmoothing(picked, glm::dvec3(1.0)), ink::sharpSmoothing);
+  EXPECT_EQ(ink::suggestSmoothing(behind(0.6), glm::dvec3(1.0)), 0.0);
 }
 
 TEST(NoiseEstimate, OneNoisySideCountsHalf)
