@@ -163,6 +163,7 @@ illustration_pictures() {
   series coarse "$work/coarse.vtp --up y --view iso" "--no-curved-meshes" ""
   "$INK_PYTHON" Utilities/pictures.py labels Data/engine.nii.gz 80 "$work/labels.vti"
   series labels "$work/labels.vti --view iso" "--label-borders off" ""
+  series colors "$work/labels.vti --view iso" "--color-map rainbow"
 }
 
 lines_pictures() {

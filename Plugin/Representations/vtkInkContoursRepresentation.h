@@ -34,6 +34,8 @@ protected:
   ~vtkInkContoursRepresentation() override;
 
   std::string MakeMarks(const vtkInkStyle::Input& input) override;
+  /// Lines are of the ink's color, whatever data is colored by.
+  bool ServesFor(const std::string&, int) override { return true; }
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 

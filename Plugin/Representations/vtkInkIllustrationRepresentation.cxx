@@ -37,6 +37,13 @@ void vtkInkIllustrationRepresentation::SetOuterIsoValue(double value)
   this->ApplyChoice("OuterIsoValue", this->OuterIsoValue);
 }
 
+std::string vtkInkIllustrationRepresentation::MakeMarks(const vtkInkStyle::Input& input)
+{
+  vtkInkIllustrationStyle::SafeDownCast(this->GetStyle())
+    ->SetColorArray(this->GetColorArray(), this->GetColorAssociation());
+  return this->Superclass::MakeMarks(input);
+}
+
 bool vtkInkIllustrationRepresentation::BlendsMarks()
 {
   return vtkInkIllustrationStyle::SafeDownCast(this->GetStyle())->GetSeeThrough() ||

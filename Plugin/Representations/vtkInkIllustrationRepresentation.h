@@ -39,6 +39,7 @@ protected:
   /// Also before the outer surface of a see-through one is known.
   bool BlendsMarks() override;
 
+  std::string MakeMarks(const vtkInkStyle::Input& input) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 

@@ -87,6 +87,8 @@ int vtkInkRepresentation::RequestData(
   }
   // An earlier run may have been stopped.
   this->SetAbortExecute(0);
+  this->MadeColorArray = this->GetColorArray();
+  this->MadeColorAssociation = this->GetColorAssociation();
   const std::string problem = this->MakeMarks(input);
   // A server's client has no input.
   if (input.Port && !problem.empty())
@@ -127,8 +129,9 @@ void vtkInkRepresentation::Show(const std::vector<vtkPolyData*>& delivered)
   this->Style->ShowPieces(delivered);
   vtkMapper* mapper = this->Style->GetMapper();
   int ofCells = 0;
-  const bool colored = delivered[0] && !this->GetColorArray().empty() &&
-    vtkAbstractMapper::GetScalars(delivered[0], mapper->GetScalarMode(), 0, 0, nullptr, ofCells);
+  vtkPolyData* marks = delivered[static_cast<std::size_t>(this->Style->GetColoredPiece())];
+  const bool colored = marks && !this->GetColorArray().empty() &&
+    vtkAbstractMapper::GetScalars(marks, mapper->GetScalarMode(), 0, 0, nullptr, ofCells);
   this->Style->SetColorByScalars(colored);
 }
 
@@ -160,9 +163,9 @@ int vtkInkRepresentation::GetColorAssociation()
   return this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
 }
 
-bool vtkInkRepresentation::ServesFor(const std::string&, int)
+bool vtkInkRepresentation::ServesFor(const std::string& name, int association)
 {
-  return false;
+  return name.empty() || (name == this->MadeColorArray && association == this->MadeColorAssociation);
 }
 
 bool vtkInkRepresentation::ColorArrayChanged()

@@ -132,7 +132,7 @@ protected:
   /// they are.
   virtual void Show(const std::vector<vtkPolyData*>& delivered);
   /// Whether the pieces, made with another array to color by, do for this one, none if the name is empty. The
-  /// same on all processes that have the data. Here: no; MakeMarks is run again.
+  /// same on all processes that have the data. Here: if they were made with this one.
   virtual bool ServesFor(const std::string& name, int association);
 
   /// Those of this process, never null; MakeMarks changes what they hold. The first has the points that are
@@ -183,7 +183,9 @@ private:
   const vtkSmartPointer<vtkInkStyle> Style;
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   const std::unique_ptr<vtkInkPaper> Paper;
-  std::string ColoredBy; ///< what the pieces were made with; empty before there are any
+  std::string ColoredBy;      ///< what the pieces were made with; empty before there are any
+  std::string MadeColorArray; ///< to color by, when marks were made last
+  int MadeColorAssociation = 0;
   Choice IsoValue;
   double Magnification = 1.0;
   int TimesMade = 0;

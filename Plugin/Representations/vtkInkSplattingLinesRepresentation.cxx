@@ -98,15 +98,13 @@ std::vector<double> vtkInkSplattingLinesRepresentation::GetUsedIsoValues()
 std::string vtkInkSplattingLinesRepresentation::MakeMarks(const vtkInkStyle::Input& input)
 {
   const InkLeaves leaves(input.Data);
-  this->MadeColorArray = this->GetColorArray();
-  this->MadeColorAssociation = this->GetColorAssociation();
   const std::vector<vtkSmartPointer<vtkPolyData>> meshes = leaves.MakeMeshes();
   if (this->TakesOwnPoints(leaves, meshes))
   {
     return this->TakePoints(input.Data, leaves, meshes);
   }
   this->Style->SetColorArray(
-    { this->MadeColorArray, this->MadeColorAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS });
+    { this->GetColorArray(), this->GetColorAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS });
   std::string problem = this->Superclass::MakeMarks(input);
   if (vtkPolyData::SafeDownCast(input.Data) && InkGetSourcePoints(this->GetPiece(0)))
   {
@@ -166,11 +164,6 @@ std::string vtkInkSplattingLinesRepresentation::TakePoints(
     this->MarkIdsAsInputs();
   }
   return gathered.Problem.empty() ? problem : "Splatting Lines draws nothing for " + gathered.Problem;
-}
-
-bool vtkInkSplattingLinesRepresentation::ServesFor(const std::string& name, int association)
-{
-  return name.empty() || (name == this->MadeColorArray && association == this->MadeColorAssociation);
 }
 
 void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& delivered)

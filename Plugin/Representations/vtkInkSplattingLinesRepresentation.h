@@ -51,7 +51,6 @@ protected:
   ~vtkInkSplattingLinesRepresentation() override;
 
   std::string MakeMarks(const vtkInkStyle::Input& input) override;
-  bool ServesFor(const std::string& name, int association) override;
   void Show(const std::vector<vtkPolyData*>& delivered) override;
 
 private:
@@ -72,8 +71,6 @@ private:
   vtkNew<vtkPolyData> Drawn;  ///< what the style is shown
   vtkMTimeType DrawnTime = 0; ///< of the points that Drawn was made from
   int PointsWhileMoving = 200000;
-  std::string MadeColorArray; ///< that the points have
-  int MadeColorAssociation = 0;
 };
 
 #endif

@@ -47,6 +47,29 @@ class TestIllustration(TestInOneView):
         self.assertLess(self.ink(), 0.8 * drawn)
         self.assertEqual(marks(display), before)
 
+    def test_an_array_colors_stipples_and_not_lines(self):
+        heights = Elevation(Input=Wavelet(), LowPoint=[0, 0, -10], HighPoint=[0, 0, 10])
+        mesh = Elevation(Input=Sphere(ThetaResolution=64, PhiResolution=64), LowPoint=[0, 0, -0.5], HighPoint=[0, 0, 0.5])
+        for source, drawn in ((heights, {"IllustrationScalars": ["POINTS", "RTData"]}), (mesh, {})):
+            display = self.show(source, **FEW_MARKS, **drawn)
+            display.IllustrationPaper = 1
+            ColorBy(display, None)
+            black = picture(self.view)
+            self.assertLess(numpy.ptp(black, axis=-1).max(), 0.02, "gray")
+            ColorBy(display, ("POINTS", "Elevation"))
+            GetColorTransferFunction("Elevation").RGBPoints = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0]
+            pixels = picture(self.view)
+            self.assertGreater((numpy.ptp(pixels, axis=-1) > 0.2).mean(), 0.02)
+            self.assertGreater((pixels.max(axis=-1) < 0.2).sum(), 50, "lines")
+            made = marks(display)[1]
+            # Off and on again is a matter of drawing.
+            ColorBy(display, None)
+            numpy.testing.assert_array_equal(picture(self.view), black)
+            ColorBy(display, ("POINTS", "Elevation"))
+            numpy.testing.assert_array_equal(picture(self.view), pixels)
+            self.assertEqual(marks(display)[1], made)
+            Hide(source, self.view)
+
     def test_a_preset_sets_what_goes_with_it(self):
         display = self.show(Sphere(ThetaResolution=64, PhiResolution=64), **FEW_MARKS)
         before = marks(display)

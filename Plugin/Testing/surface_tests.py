@@ -105,6 +105,16 @@ class SurfaceTests:
         self.assertTrue(4 <= found.GetNumberOfPoints() <= 8, found.GetNumberOfPoints())
         ClearSelection(source)
 
+    def test_colors_of_arrays_make_nothing_again(self):
+        """Lines have the ink's color."""
+        display = self.show(Wavelet(), **self.SHOWS, **self.FEW_MARKS)
+        ColorBy(display, None)
+        first = picture(self.view)
+        before = marks(display)
+        ColorBy(display, ("POINTS", "RTData"))
+        numpy.testing.assert_array_equal(picture(self.view), first)
+        self.assertEqual(marks(display), before)
+
     def test_nothing_is_made_again_while_the_camera_moves(self):
         """Where it shows what is drawn much larger, see TestMagnification.py."""
         display = self.show(Wavelet(), **self.SHOWS, **self.FEW_MARKS)

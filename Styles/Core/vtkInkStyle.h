@@ -161,6 +161,8 @@ public:
   /// The color of what lies around and behind the drawing, RGB in 0..1.
   virtual void GetBackgroundColor(double color[3]) = 0;
 
+  /// The piece whose scalars marks can be colored by.
+  virtual int GetColoredPiece() { return 0; }
   ///@{
   /// Whether marks are colored by the scalars that they have. Default: off.
   virtual void SetColorByScalars(bool byScalars) = 0;

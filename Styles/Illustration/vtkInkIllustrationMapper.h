@@ -4,7 +4,7 @@
  * @brief   splatting lines, and stipples over them, as one
  *
  * Draws what two mappers draw, one after the other, for one actor: lines on paper, which hides what lies
- * behind it, then stipples. Clipping planes and coloring by scalars are handed on to both. Ids of hardware
+ * behind it, then stipples. Clipping planes and colors of scalars are handed on to both. Ids of hardware
  * selection are those of the lines' points.
  *
  * Two more mappers may draw an outer surface, faint and without paper, so that the inner one is seen through

@@ -20,8 +20,10 @@
 #include "Tone/Lightness.h"
 
 #include "vtkActor.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -157,6 +159,8 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   this->GetIsoSurface()->SetIsoValues(this->IsoValues->GetGiven());
   this->IsoValues->Use({});
   this->OuterIsoValue->Use({});
+  // Stipples that lie on lines' points take their colors from them.
+  this->Lines->SetColorArray({ this->FindColorArray(leaves) });
   if (images == 0.0)
   {
     return this->MakeMesh(input, leaves);
@@ -176,6 +180,17 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   // It is around the other.
   this->SetFramePoints(this->OuterLines->GetFramePoints());
   return inner.empty() ? outer : inner;
+}
+
+std::string vtkInkIllustrationStyle::FindColorArray(const InkLeaves& leaves)
+{
+  const std::string& chosen = this->Stipples->GetColorBy();
+  if (!chosen.empty() || this->Stipples->GetColorMap().empty() || leaves.Images.empty())
+  {
+    return chosen;
+  }
+  vtkDataArray* active = leaves.Images.front()->GetPointData()->GetScalars();
+  return active && active->GetName() ? active->GetName() : std::string();
 }
 
 InkIsoSurface* vtkInkIllustrationStyle::GetSampledSurface()
@@ -302,15 +317,24 @@ void vtkInkIllustrationStyle::GetBackgroundColor(double color[3])
   this->Stipples->GetBackgroundColor(color);
 }
 
+int vtkInkIllustrationStyle::GetColoredPiece()
+{
+  return PiecesOfLines + vtkInkStippleStyle::STIPPLES;
+}
+
 void vtkInkIllustrationStyle::SetColorByScalars(bool byScalars)
 {
-  this->Lines->SetColorByScalars(byScalars);
   this->Stipples->SetColorByScalars(byScalars);
 }
 
 bool vtkInkIllustrationStyle::GetColorByScalars()
 {
-  return this->Lines->GetColorByScalars();
+  return this->Stipples->GetColorByScalars();
+}
+
+void vtkInkIllustrationStyle::SetColorArray(const std::string& name, int association)
+{
+  this->Stipples->SetColorArray(name, association);
 }
 
 void vtkInkIllustrationStyle::SetPreset(int preset)

@@ -52,6 +52,8 @@ public:
   vtkActor* GetActor() override { return this->Actor; }
   vtkLight* GetLight() override;
   void GetBackgroundColor(double color[3]) override;
+  /// Stipples; lines stay ink.
+  int GetColoredPiece() override;
   void SetColorByScalars(bool byScalars) override;
   bool GetColorByScalars() override;
 
@@ -82,6 +84,8 @@ public:
   void SetOuterIsoValue(const std::vector<double>& value);
   const std::vector<double>& GetOuterIsoValue();
   ///@}
+  /// The array that stipples have to be colored by, see vtkInkStippleStyle.
+  void SetColorArray(const std::string& name, int association);
   /// The value of the outer surface that was made last, given or chosen; none without one.
   const std::vector<double>& GetUsedOuterIsoValue();
 
@@ -104,6 +108,8 @@ private:
   std::string ChooseSurfaces(const InkLeaves& leaves);
   /// Of what is no image. @return what is wrong
   std::string MakeMesh(const Input& input, const InkLeaves& leaves);
+  /// The array of images, or of points, that stipples need the values of to be colored; empty: none.
+  std::string FindColorArray(const InkLeaves& leaves);
   /// Makes the marks of one surface, as pieces from the given one on.
   std::string MakeSurface(
     vtkInkSplattingLinesStyle* lines, vtkInkStippleStyle* stipples, int firstPiece, const Input& input);

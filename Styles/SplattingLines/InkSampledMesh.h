@@ -7,14 +7,13 @@
 #ifndef InkSampledMesh_h
 #define InkSampledMesh_h
 
+#include "InkTakeColors.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
 
 class vtkPolyData;
-
-/// Under this name, as the array may have that of another one of the points.
-inline constexpr const char* InkColorsName = "InkColors";
 
 /// An array to color by.
 struct InkColorArray

@@ -6,6 +6,7 @@
 #include "InkParameter.h"
 #include "InkSilhouettes.h"
 #include "InkStyleProcesses.h"
+#include "InkTakeColors.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
@@ -144,6 +145,10 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
   {
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
     problem = this->IsoSurface->Sample(this, input, leaves.Images[i], parts.back());
+    if (!this->Colors.Name.empty() && !this->Colors.OfCells)
+    {
+      InkTakeColors(leaves.Images[i], this->Colors.Name, this->IsoSurface->GetSampler(), parts.back());
+    }
   }
   this->IsoSurface->KeepParts(this, input, parts);
   if (!parts.empty())

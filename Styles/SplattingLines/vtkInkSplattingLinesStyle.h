@@ -68,7 +68,8 @@ public:
   /// diagonal have room on it if these are more, but from 200000 to 1000000.
   static vtkIdType CountForMesh(vtkPolyData* mesh);
 
-  /// The array of a mesh or of points that the points have, if Interactive, to be colored by.
+  /// The array that the points have to be colored by: of points of an image or, if Interactive, of a mesh or
+  /// of points.
   void SetColorArray(const InkColorArray& colors);
 
   ///@{

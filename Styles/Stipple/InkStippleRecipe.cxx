@@ -9,6 +9,7 @@
 #include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
+#include "InkTakeColors.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
@@ -23,7 +24,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkProbeFilter.h"
 
 #include <algorithm>
 #include <array>
@@ -119,6 +119,14 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
 {
   vtkInkStippleStyle* style = this->Style;
   const bool chosen = !style->ColorBy.empty();
+  if (data->GetPointData()->HasArray(InkColorsName))
+  {
+    this->Generator->SetPassScalars(true);
+    this->Generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, InkColorsName);
+    style->MadeColorArray = style->ColorBy;
+    style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    return;
+  }
   if (!style->GetInteractive())
   {
     // What is asked for has to be there.
@@ -173,7 +181,11 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
   {
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
     this->Say(style->IsoSurface->Sample(style, input, leaves.Images[i], parts.back()));
-    this->AddColorsOf(leaves.Images[i], parts.back());
+    // What is asked for by a map of colors, or by a name.
+    if (!style->ColorBy.empty() || !style->ColorMap.empty())
+    {
+      InkTakeColors(leaves.Images[i], style->ColorBy, style->IsoSurface->GetSampler(), parts.back());
+    }
   }
   style->IsoSurface->KeepParts(style, input, parts);
   const vtkSmartPointer<vtkPolyData> points = style->GetProcesses().Gather(parts);
@@ -189,26 +201,6 @@ void InkStippleRecipe::OutlineImages(const InkLeaves& leaves, InkIsoSurface& iso
   vtkInkStippleStyle* style = this->Style;
   this->Say(style->Silhouettes->MakeOfImages(
     style, isoSurface, leaves.Images, style->GetPiece(vtkInkStippleStyle::SILHOUETTES)));
-}
-
-void InkStippleRecipe::AddColorsOf(vtkImageData* image, vtkPolyData* points)
-{
-  const std::string& chosen = this->Style->ColorBy;
-  vtkDataArray* colors =
-    chosen.empty() ? image->GetPointData()->GetScalars() : image->GetPointData()->GetArray(chosen.c_str());
-  // What is asked for by a map of colors, or by a name.
-  if (!colors || !colors->GetName() || (chosen.empty() && this->Style->ColorMap.empty()))
-  {
-    return;
-  }
-  vtkNew<vtkImageData> source;
-  source->CopyStructure(image);
-  source->GetPointData()->SetScalars(colors);
-  vtkNew<vtkProbeFilter> probe;
-  probe->SetInputData(points);
-  probe->SetSourceData(source);
-  probe->Update();
-  points->GetPointData()->SetScalars(probe->GetOutput()->GetPointData()->GetArray(colors->GetName()));
 }
 
 void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)

@@ -34,8 +34,6 @@ private:
 
   /// @return false if that is not asked for and there is no iso-value
   bool StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input);
-  /// Gives points of an image's surface its values of the array to color by, as scalars.
-  void AddColorsOf(vtkImageData* image, vtkPolyData* points);
   /// The surface of images whose silhouettes are asked for, of an iso-surface that is prepared.
   void OutlineImages(const InkLeaves& leaves, InkIsoSurface& isoSurface);
   void StippleVoxels(const InkLeaves& leaves, const vtkInkStyle::Input& input);

@@ -4,21 +4,30 @@
 #include "StyleErrors.h"
 
 #include "vtkInkIllustrationStyle.h"
+#include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleMapper.h"
 #include "vtkInkStippleStyle.h"
 
 #include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -57,6 +66,121 @@ TEST(IllustrationStyle, IllustrationsPutBothOnOneSurface)
   double paper[3];
   style->GetBackgroundColor(paper);
   EXPECT_EQ(paper[0], 0.0);
+}
+
+/// Each element's position, one of its stipples', and what it is colored by; empty if it is not.
+std::vector<std::pair<std::array<double, 3>, double>> ColorsOf(vtkInkIllustrationStyle* style)
+{
+  vtkPolyData* stipples = style->GetPiece(style->GetColoredPiece());
+  vtkDataArray* colors = stipples->GetCellData()->GetScalars();
+  std::vector<std::pair<std::array<double, 3>, double>> found;
+  for (vtkIdType i = 0; colors && i < stipples->GetNumberOfCells(); ++i)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    stipples->GetCellPoints(i, count, points);
+    if (count > 0)
+    {
+      std::array<double, 3> p;
+      stipples->GetPoint(points[0], p.data());
+      found.emplace_back(p, colors->GetComponent(i, 0));
+    }
+  }
+  return found;
+}
+
+/// How far colors are from x.
+double DistanceFromX(vtkInkIllustrationStyle* style)
+{
+  const auto colors = ColorsOf(style);
+  double greatest = colors.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const auto& [position, color] : colors)
+  {
+    greatest = std::max(greatest, std::abs(color - position[0]));
+  }
+  return greatest;
+}
+
+constexpr double FewStipples = 20000.0;
+
+/// A point array of x.
+void AddPositions(vtkDataSet* data)
+{
+  vtkNew<vtkFloatArray> x;
+  x->SetName("x");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    x->InsertNextValue(static_cast<float>(data->GetPoint(i)[0]));
+  }
+  data->GetPointData()->AddArray(x);
+}
+
+TEST(IllustrationStyle, StipplesAreColoredByAnArrayAndLinesStayInk)
+{
+  const auto image = MakeBall();
+  const auto mesh = MakeMesh();
+  for (vtkDataSet* data : { static_cast<vtkDataSet*>(image), static_cast<vtkDataSet*>(mesh) })
+  {
+    AddPositions(data);
+    vtkNew<vtkInkIllustrationStyle> style;
+    style->SetParameter("NumberOfSurfaceStipples", FewStipples);
+    style->SetParameterAsString("ColorMap", "viridis");
+    style->SetParameterAsString("ColorBy", "x");
+    ASSERT_TRUE(style->Draw(data));
+    EXPECT_TRUE(style->GetColorByScalars());
+    EXPECT_FALSE(style->GetLinesStyle()->GetColorByScalars());
+    // A stipple lies anywhere on a disc of the image's surface, that has one value.
+    EXPECT_LT(DistanceFromX(style), data == image ? 0.6 : 0.05) << data->GetClassName();
+    style->SetParameterAsString("ColorMap", "");
+    ASSERT_TRUE(style->Draw(data));
+    EXPECT_FALSE(style->GetColorByScalars());
+
+    // As ParaView asks for it.
+    vtkNew<vtkInkIllustrationStyle> interactive;
+    interactive->InteractiveOn();
+    interactive->SetParameter("NumberOfSurfaceStipples", FewStipples);
+    ASSERT_TRUE(interactive->Make(data));
+    EXPECT_GT(DistanceFromX(interactive), 1.0);
+    interactive->SetColorArray("x", vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    ASSERT_TRUE(interactive->Make(data));
+    EXPECT_LT(DistanceFromX(interactive), data == image ? 0.6 : 0.05) << data->GetClassName();
+  }
+}
+
+TEST(IllustrationStyle, AnArrayToColorByHasToBeThere)
+{
+  vtkNew<vtkInkIllustrationStyle> style;
+  style->SetParameterAsString("ColorMap", "viridis");
+  style->SetParameterAsString("ColorBy", "pressure");
+  const StyleErrors errors(style);
+  EXPECT_FALSE(style->Make(MakeBall()));
+  ASSERT_EQ(errors.All.size(), 1u);
+  EXPECT_NE(errors.All[0].find("\"pressure\""), std::string::npos) << errors.All[0];
+}
+
+TEST(IllustrationStyle, LabelsColorTheirOwnRegion)
+{
+  const auto labels = MakeBall(40);
+  vtkDataArray* values = labels->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < labels->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    labels->GetPoint(i, p);
+    const bool inside = std::hypot(p[0] - 19.5, p[1] - 19.5, p[2] - 19.5) < 15.0;
+    values->SetComponent(i, 0, !inside ? 0.0 : p[0] < 19.5 ? 3.0 : 90.0);
+  }
+  vtkNew<vtkInkIllustrationStyle> style;
+  style->SetParameter("NumberOfSurfaceStipples", FewStipples);
+  style->SetParameterAsString("ColorMap", "red,blue");
+  ASSERT_TRUE(style->Draw(labels));
+  const auto colors = ColorsOf(style);
+  ASSERT_FALSE(colors.empty());
+  for (const auto& [position, color] : colors)
+  {
+    const bool isNear = std::abs(position[0] - 19.5) < 1.5;
+    EXPECT_TRUE(isNear ? color == 3.0 || color == 90.0 : color == (position[0] < 19.5 ? 3.0 : 90.0))
+      << color << " at " << position[0];
+  }
 }
 
 /// Two materials, the one around the other, blurred as a scanner does.
