@@ -53,7 +53,8 @@ constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io:
   { ".mrc.gz", io::readMrcHeader }, { ".map", io::readMrcHeader }, { ".map.gz", io::readMrcHeader },
   { ".ccp4", io::readMrcHeader }, { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr },
   { ".vtk", io::readLegacyHeader }, { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader },
-  { ".tif", io::readTiffHeader }, { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
+  { ".npy", io::readNpyHeader }, { ".tif", io::readTiffHeader }, { ".tiff", io::readTiffHeader },
+  { ".dcm", io::readDicomHeaders } };
 constexpr Format dicom{ "", io::readDicomHeaders };
 
 std::string Text(const char* characters)

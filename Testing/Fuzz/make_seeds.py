@@ -4,6 +4,7 @@
 Corpus/FORMAT/seed-*. Needs numpy:  make_seeds.py [FOLDER]"""
 
 import gzip
+import io
 import sys
 import tempfile
 import zlib
@@ -23,6 +24,12 @@ def dicom(path, implicit=False):
     with tempfile.TemporaryDirectory() as folder:
         ink_files.write_dicom(Path(folder) / "series", VOLUME[:1], implicit=implicit, scale=(2, -1) if implicit else None)
         path.write_bytes((Path(folder) / "series" / "slice000.dcm").read_bytes())
+
+
+def npy(array):
+    file = io.BytesIO()
+    np.save(file, array)
+    return file.getvalue()
 
 
 def ply(path, header, data):
@@ -132,6 +139,9 @@ SEEDS = {
     "mrc/plain": lambda p: ink_files.write_mrc(p, VOLUME.astype("int16")),
     "mrc/extended": lambda p: ink_files.write_mrc(p, VOLUME.astype("float32"), (3, 1, 2), ">", extended=bytes(range(80))),
     "map.gz/plain": lambda p: ink_files.write_mrc(p, VOLUME.astype("uint16")),
+    "npy/plain": lambda p: p.write_bytes(npy(VOLUME)),
+    "npy/fortran": lambda p: p.write_bytes(npy(np.asfortranarray(VOLUME.astype(">f2")))),
+    "npy/components": lambda p: p.write_bytes(npy(np.stack([VOLUME] * 3, axis=-1).astype("<i8"))),
     "mgh/plain": lambda p: ink_files.write_mgh(p, VOLUME.astype("int16")),
     "tif/plain": lambda p: ink_files.write_tiff(p, VOLUME),
     "tif/compressed": lambda p: ink_files.write_tiff(p, VOLUME.astype("uint16"), True),

@@ -111,6 +111,8 @@ VOLUMES = {
     "turned.map": lambda p: ink_files.write_mrc(p, BLOB.astype("int16").transpose(1, 2, 0), (3, 1, 2), ">"),
     "extended.ccp4": lambda p: ink_files.write_mrc(p, BLOB.astype("uint16"), extended=bytes(80)),
     "compressed.map.gz": lambda p: ink_files.write_mrc(p, BLOB.astype("float32")),
+    "plain.npy": lambda p: np.save(p, BLOB),
+    "fortran.npy": lambda p: np.save(p, np.asfortranarray(BLOB.astype(">i2").T)),
     "plain.mgh": lambda p: ink_files.write_mgh(p, BLOB.astype("int16")),
     "compressed.mgz": lambda p: ink_files.write_mgh(p, BLOB),
     "plain.tif": lambda p: ink_files.write_tiff(p, BLOB),

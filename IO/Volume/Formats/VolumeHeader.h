@@ -42,6 +42,7 @@ VolumeHeader readNiftiHeader(const std::filesystem::path& file);
 /// The file beside one that ends in .hdr or .img, or .gz after it, which makes a pair with it; none if there
 /// is no such one.
 std::optional<std::filesystem::path> findOtherOfPair(const std::filesystem::path& file);
+VolumeHeader readNpyHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
 /// Of the pages of a TIFF file, or of the TIFF files of a folder, each of which is a slice.
