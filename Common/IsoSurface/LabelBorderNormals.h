@@ -22,20 +22,25 @@ namespace ink
 
 /// Normals where several labels meet on a surface: those of each one's own surface, as if regions were
 /// smoothed and drawn one by one, so that there is a groove between them. The label of a position is the one
-/// with the greatest share around it, so that borders are smooth and single voxels among others have none.
+/// with the greatest share around it, so that borders are smooth and single voxels among others have none; of
+/// equal ones, as half way between voxels, the least.
 ///
 /// Shares are weighted by the biweight kernel, (1 - t^2)^2 along each axis, which ends smoothly. Half way
-/// between two labels on a plane, normals are 45 degrees to it, to either side.
+/// between two labels on a plane, normals are 45 degrees to it, to either side. All is computed from global
+/// indices, so that pieces of a grid agree.
 template <class Work>
 class LabelBorderNormals
 {
 public:
   /// @param labels after makeMask; must outlive this
   /// @param isoValue labels below it are what is around the surface
+  /// @param first the global index of the grid's first sample
   /// @param deviation the kernel's standard deviation along each axis, in samples; at least half of one
   /// counts
-  LabelBorderNormals(const TileResampler<Work>& labels, double isoValue, const glm::dvec3& deviation)
+  LabelBorderNormals(
+    const TileResampler<Work>& labels, double isoValue, const glm::ivec3& first, const glm::dvec3& deviation)
     : Labels(labels)
+    , First(first)
     , IsoValue(isoValue)
     , Radius(std::sqrt(7.0) * glm::max(deviation, glm::dvec3(0.5)))
     , Blocks((labels.source().size() + blockSide - 1) / blockSide)
@@ -54,14 +59,22 @@ public:
       });
   }
 
-  /// The gradient of the share of a position's own label, per sample step, up to a positive factor; nothing
-  /// where only one label is near, or so many that they are none.
-  /// @param index of the position, in samples of the grid
-  std::optional<glm::dvec3> gradientAt(const glm::dvec3& index)
+  struct Groove
+  {
+    glm::dvec3
+      gradient;    ///< of the share of the position's own label, per sample step, up to a positive factor
+    double weight; ///< from 0, where other labels begin to count, to 1: how much of the normal is its
+  };
+
+  /// Nothing where only one label is near, or so many that they are none.
+  /// @param index of a position, a global one
+  std::optional<Groove> grooveAt(const glm::dvec3& index)
   {
     const SampleBox& all = this->Labels.source();
-    const SampleBox box = { glm::max(glm::ivec3(glm::ceil(index - this->Radius)), all.begin),
-      glm::min(glm::ivec3(glm::floor(index + this->Radius)) + 1, all.end) };
+    const glm::ivec3 begin(glm::ceil(index - this->Radius));
+    const glm::ivec3 last(glm::floor(index + this->Radius));
+    const SampleBox box = { glm::max(begin - this->First, all.begin),
+      glm::min(last + 1 - this->First, all.end) };
     if (!this->mayHaveSeveral(box))
     {
       return std::nullopt;
@@ -77,11 +90,21 @@ public:
     {
       return std::nullopt;
     }
-    const auto own = std::max_element(this->Shares.begin(), this->Shares.end(),
-      [](const Share& a, const Share& b)
-      { return a.weight != b.weight ? a.weight < b.weight : a.label > b.label; });
-    // That of own / whole: at the ends of the grid samples are missing.
-    return own->slope * whole.weight - own->weight * whole.slope;
+    Share inside;
+    Share own;
+    constexpr double leastDifference = 1e-6;
+    for (const Share& one : this->Shares)
+    {
+      inside.add(one);
+      const double more = one.weight - own.weight;
+      const double tolerance = leastDifference * whole.weight;
+      own = more > tolerance || (more > -tolerance && one.label < own.label) ? one : own;
+    }
+    // Half way to another label on a plane its share is half; at 1.15 deviations from there, this.
+    constexpr double clearShare = 0.125;
+    const double others = 1.0 - own.weight / inside.weight;
+    // The gradient of own / whole: at the ends of the grid samples are missing.
+    return Groove{ own.slope * whole.weight - own.weight * whole.slope, std::min(others / clearShare, 1.0) };
   }
 
 private:
@@ -165,7 +188,7 @@ private:
     glm::dvec2 sum(0.0);
     for (int n = box.begin[axis]; n < box.end[axis]; ++n)
     {
-      const double t = (n - position) / this->Radius[axis];
+      const double t = (n + this->First[axis] - position) / this->Radius[axis];
       const double inner = std::max(1.0 - t * t, 0.0);
       const glm::dvec2 weight(inner * inner, 4.0 * t * inner / this->Radius[axis]);
       weights.push_back(axis == 0 ? sum : weight);
@@ -180,6 +203,10 @@ private:
   /// Samples in a row mostly have one label.
   void addRow(const SampleBox& box, int y, int z, const Work* row, Share& whole)
   {
+    if (this->Shares.size() > mostLabels)
+    {
+      return;
+    }
     const glm::dvec2 alongY = this->Weights[1][static_cast<std::size_t>(y - box.begin.y)];
     const glm::dvec2 alongZ = this->Weights[2][static_cast<std::size_t>(z - box.begin.z)];
     const std::size_t size = this->Weights[0].size() - 1;
@@ -209,6 +236,7 @@ private:
   }
 
   const TileResampler<Work>& Labels;
+  glm::ivec3 First;
   double IsoValue;
   glm::dvec3 Radius;                              ///< of the kernel along each axis, in samples
   glm::ivec3 Blocks;                              ///< of the labels, along each axis

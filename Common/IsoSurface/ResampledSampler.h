@@ -394,17 +394,22 @@ private:
     }
   }
 
-  /// Replaces the normals where several labels meet, see LabelBorderNormals.
+  /// Turns the normals where several labels meet, see LabelBorderNormals.
   void useNormalsOfLabels(const TileResampler<Work>& labels, SampledTile& samples) const
   {
     const GridGeometry& own = this->Request.geometry;
     LabelBorderNormals<Work> normals(
-      labels, this->Request.isoValues.front(), this->Request.resampling.deviation);
+      labels, this->Request.isoValues.front(), own.first(), this->Request.resampling.deviation);
     for (std::size_t n = 0; 3 * n < samples.normals.size(); ++n)
     {
-      if (const auto gradient = normals.gradientAt(own.toIndex(this->pointOf(samples, n))))
+      const auto groove = normals.grooveAt(own.toGlobalIndex(this->pointOf(samples, n)));
+      const glm::dvec3 gradient = groove ? own.gradientDirection() * groove->gradient : glm::dvec3(0.0);
+      const double length = glm::length(gradient);
+      if (length > 0.0)
       {
-        setNormal(samples, n, own.gradientDirection() * *gradient);
+        const float* normal = &samples.normals[3 * n];
+        const glm::dvec3 before(normal[0], normal[1], normal[2]);
+        setNormal(samples, n, glm::mix(-before, gradient / length, groove->weight));
       }
     }
   }

@@ -170,7 +170,8 @@ private:
         if ((found.outerSteps + at.z) % everyTurn == 0)
         {
           this->addTurns(inner, found);
-          if (isCut)
+          // However large ids are.
+          if (this->isMaskChange(at, next, axis))
           {
             this->addBorder(inner, found);
           }

@@ -81,6 +81,12 @@ bool vtkInkIsoSurfaceAlgorithm::SuggestLabelMap(double isoValue)
   return this->SuggestSmoothings(isoValue).labels;
 }
 
+bool vtkInkIsoSurfaceAlgorithm::SuggestLabelBorders(double isoValue)
+{
+  const ink::SuggestedSmoothing suggested = this->SuggestSmoothings(isoValue);
+  return suggested.labels && suggested.clearBorders;
+}
+
 std::vector<double> vtkInkIsoSurfaceAlgorithm::FindIsoValues()
 {
   const double* values = this->ContourValues->GetValues();

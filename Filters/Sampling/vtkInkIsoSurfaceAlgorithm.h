@@ -315,6 +315,7 @@ public:
    */
   double SuggestSmoothing(double isoValue);
   bool SuggestLabelMap(double isoValue);
+  bool SuggestLabelBorders(double isoValue);
   virtual vtkIdType CountActiveCells(double isoValue) = 0;
   ///@}
 

@@ -9,7 +9,6 @@
 #include "InkVTKCompat.h"
 #include "RawVolume.h"
 #include "ReadError.h"
-#include "ScaledValues.h"
 #include "VolumeHeader.h"
 #include "XmlVolume.h"
 
@@ -199,11 +198,7 @@ void vtkInkVolumeReader::Source::Announce(vtkInformation* info)
     info->Set(vtkDataObject::ORIGIN(), this->Frame->GetOrigin(), 3);
     info->Set(vtkDataObject::SPACING(), this->Frame->GetSpacing(), 3);
     info->Set(vtkDataObject::DIRECTION(), this->Frame->GetDirectionMatrix()->GetData(), 9);
-    const int stored = this->Header.voxels.type;
-    const int type = !this->Header.sliceScales.empty() ? VTK_FLOAT
-      : this->Header.isScaled()                        ? io::scaledType(stored, this->Header.scale)
-                                                       : stored;
-    vtkDataObject::SetPointDataActiveScalarInfo(info, type, 1);
+    vtkDataObject::SetPointDataActiveScalarInfo(info, this->Header.valueType(), 1);
     return;
   }
   vtkInformation* from = this->Xml->information();
@@ -247,14 +242,7 @@ void vtkInkVolumeReader::Source::Read(const int extent[6], vtkImageData* image, 
     static_cast<std::size_t>(image->GetNumberOfPoints()) * this->Header.voxels.valueSize();
   io::RawVolumeReader(this->Header.voxels)
     .read(extent, { static_cast<unsigned char*>(image->GetScalarPointer()), bytes }, progress);
-  if (!this->Header.sliceScales.empty())
-  {
-    io::scaleSlices(image, this->Header.sliceScales);
-  }
-  else if (this->Header.isScaled())
-  {
-    io::scaleValues(image, this->Header.scale);
-  }
+  this->Header.scaleValues(image);
 }
 
 void vtkInkVolumeReader::Respace(double spacing[3]) const

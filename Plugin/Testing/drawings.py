@@ -111,6 +111,10 @@ draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource=
 for name in ("wavelet", "nii", "pvti"):
     draw(f"{name}-solid-illustration", volumes[name], "Illustration")
     draw(f"{name}-contours", volumes[name], "Contours", ContoursLineWidth=10)
+# Borders of labels, and their colors.
+labels = Calculator(Input=volumes["pvti"], ResultArrayName="Labels", Function="floor(RTData/60)")
+draw("pvti-labels-solid-illustration", labels, "Illustration", IllustrationAutomaticIsoValue=0, IllustrationIsoValue=1.5,
+    IllustrationLabelMap="On", IllustrationLabelBorders="On", ColorArrayName=["POINTS", "Labels"])
 draw("outlined-solid-illustration", wavelet, "Illustration", IllustrationSilhouettes=1)
 draw("outlined-lines", wavelet, "Splatting Lines", Phi=100, LinesSilhouettes=1)
 draw("see-through-solid-illustration", wavelet, "Illustration", IllustrationSeeThrough=1, IllustrationAutomaticIsoValue=0,

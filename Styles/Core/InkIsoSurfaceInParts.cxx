@@ -225,7 +225,8 @@ std::string InkIsoSurface::SampleBy(
   sampler->SetValues(values);
   values = sampler->FindIsoValues();
   SamplingOfParts sampling(style, sampler, slabs ? &*slabs : nullptr, values);
-  ink::SuggestedSmoothing suggested;
+  // Without a measure there are no borders.
+  ink::SuggestedSmoothing suggested{ .clearBorders = false };
   if (this->AsksForSuggestion() && sampling.CanMeasure())
   {
     suggested = sampling.SuggestSmoothing();

@@ -79,6 +79,11 @@ std::string vtkInkStyle::RefuseParts(vtkInkIsoSurfaceAlgorithm* sampler)
   {
     return seeThrough->Name + needs + ": expected it in memory, or one surface";
   }
+  const InkParameter* colors = this->GetParameterTable().Find("ColorMap");
+  if (colors && !this->GetParameterAsString(colors->Name).empty())
+  {
+    return colors->Name + needs + ": expected an image in memory, or no colors";
+  }
   const std::string name = this->GetName();
   if (sampler->GetNumberOfInputPorts() == 0)
   {

@@ -8,6 +8,7 @@
 #include "InkIsoValues.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
+#include "InkSampledMesh.h"
 #include "InkStyleProcesses.h"
 #include "InkVolumeValues.h"
 #include "vtkInkIllustrationMapper.h"
@@ -20,10 +21,8 @@
 #include "Tone/Lightness.h"
 
 #include "vtkActor.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -160,7 +159,9 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   this->IsoValues->Use({});
   this->OuterIsoValue->Use({});
   // Stipples that lie on lines' points take their colors from them.
-  this->Lines->SetColorArray({ this->FindColorArray(leaves) });
+  const std::string& array = this->Stipples->GetColorBy();
+  const bool ofActive = array.empty() && !this->Stipples->GetColorMap().empty();
+  this->Lines->SetColorArray({ .Name = array, .Active = ofActive });
   if (images == 0.0)
   {
     return this->MakeMesh(input, leaves);
@@ -182,21 +183,10 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   return inner.empty() ? outer : inner;
 }
 
-std::string vtkInkIllustrationStyle::FindColorArray(const InkLeaves& leaves)
-{
-  const std::string& chosen = this->Stipples->GetColorBy();
-  if (!chosen.empty() || this->Stipples->GetColorMap().empty() || leaves.Images.empty())
-  {
-    return chosen;
-  }
-  vtkDataArray* active = leaves.Images.front()->GetPointData()->GetScalars();
-  return active && active->GetName() ? active->GetName() : std::string();
-}
-
 InkIsoSurface* vtkInkIllustrationStyle::GetSampledSurface()
 {
-  // See-through there are two surfaces, each with points of its own.
-  if (this->SeeThrough)
+  // See-through there are two surfaces, each with points of its own; colors are those of an image.
+  if (this->SeeThrough || !this->Stipples->GetColorMap().empty())
   {
     return nullptr;
   }

@@ -108,8 +108,6 @@ private:
   std::string ChooseSurfaces(const InkLeaves& leaves);
   /// Of what is no image. @return what is wrong
   std::string MakeMesh(const Input& input, const InkLeaves& leaves);
-  /// The array of images, or of points, that stipples need the values of to be colored; empty: none.
-  std::string FindColorArray(const InkLeaves& leaves);
   /// Makes the marks of one surface, as pieces from the given one on.
   std::string MakeSurface(
     vtkInkSplattingLinesStyle* lines, vtkInkStippleStyle* stipples, int firstPiece, const Input& input);

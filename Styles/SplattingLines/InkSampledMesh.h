@@ -7,7 +7,7 @@
 #ifndef InkSampledMesh_h
 #define InkSampledMesh_h
 
-#include "InkTakeColors.h"
+#include "InkProbeColors.h"
 
 #include "vtkSmartPointer.h"
 
@@ -20,6 +20,8 @@ struct InkColorArray
 {
   std::string Name;     ///< empty: none
   bool OfCells = false; ///< or of points
+  bool Active = false;  ///< without a name: of images the active scalars
+  bool operator==(const InkColorArray&) const = default;
 };
 
 /// Points without polygons, for what takes some of them with all their arrays.

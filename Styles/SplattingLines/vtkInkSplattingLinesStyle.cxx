@@ -4,9 +4,9 @@
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkParameter.h"
+#include "InkProbeColors.h"
 #include "InkSilhouettes.h"
 #include "InkStyleProcesses.h"
-#include "InkTakeColors.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSurfaceSampler.h"
 
@@ -145,9 +145,10 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
   {
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
     problem = this->IsoSurface->Sample(this, input, leaves.Images[i], parts.back());
-    if (!this->Colors.Name.empty() && !this->Colors.OfCells)
+    // Cells' values are those of their centers by now.
+    if (!this->Colors.Name.empty() || this->Colors.Active)
     {
-      InkTakeColors(leaves.Images[i], this->Colors.Name, this->IsoSurface->GetSampler(), parts.back());
+      InkProbeColors(leaves.Images[i], this->Colors.Name, this->IsoSurface->GetSampler(), parts.back());
     }
   }
   this->IsoSurface->KeepParts(this, input, parts);

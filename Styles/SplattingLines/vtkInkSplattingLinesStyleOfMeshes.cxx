@@ -155,7 +155,7 @@ std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
 
 void vtkInkSplattingLinesStyle::SetColorArray(const InkColorArray& colors)
 {
-  if (this->Colors.Name != colors.Name || this->Colors.OfCells != colors.OfCells)
+  if (this->Colors != colors)
   {
     this->Colors = colors;
     this->Modified();

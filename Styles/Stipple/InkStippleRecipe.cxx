@@ -9,7 +9,7 @@
 #include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
-#include "InkTakeColors.h"
+#include "InkProbeColors.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
@@ -124,7 +124,8 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
     this->Generator->SetPassScalars(true);
     this->Generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, InkColorsName);
     style->MadeColorArray = style->ColorBy;
-    style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    style->MadeColorAssociation =
+      std::max<int>(style->ColorAssociation, vtkDataObject::FIELD_ASSOCIATION_POINTS);
     return;
   }
   if (!style->GetInteractive())
@@ -184,7 +185,7 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
     // What is asked for by a map of colors, or by a name.
     if (!style->ColorBy.empty() || !style->ColorMap.empty())
     {
-      InkTakeColors(leaves.Images[i], style->ColorBy, style->IsoSurface->GetSampler(), parts.back());
+      InkProbeColors(leaves.Images[i], style->ColorBy, style->IsoSurface->GetSampler(), parts.back());
     }
   }
   style->IsoSurface->KeepParts(style, input, parts);

@@ -291,9 +291,9 @@ def test_a_slice_that_is_cut_off_or_not_there_is_refused(name, data, tmp_path, i
 
 
 def test_slices_with_scales_of_their_own_say_so(tmp_path, ink):
-    ink_files.write_dicom(tmp_path / "series", np.full_like(BLOB, 3), scale=lambda z: (z, 7))
+    ink_files.write_dicom(tmp_path / "series", np.full_like(BLOB, 3), scale=lambda z: (z + 1, 7))
     result = json.loads(ink("info", "--json", tmp_path / "series").out)[0]
-    assert result["range"] == [7, 7 + 3 * (len(BLOB) - 1)]
+    assert result["range"] == [10, 7 + 3 * len(BLOB)]
     assert "its stored values are rescaled, those of each slice by its own scale" in result["note"]
 
 

@@ -314,3 +314,10 @@ def test_the_command_line_sees_through(ink, tmp_path):
     both, given = (1 - ink_files.read_png(tmp_path / f"{name}.png")[..., 0] / 255 for name in ("both", "given"))
     # The iso-values that it chooses are nearly these: the same tones, of other dots.
     assert np.abs(blurred(both, 20) - blurred(given, 20)).mean() < 0.03 * blurred(given, 20).max()
+
+
+def test_values_color_stipples(picture, volume_file):
+    small = ["--iso", 100, "--stipples", 20000]
+    spread = lambda image: np.ptp(image.astype(int), axis=-1).max()
+    assert spread(picture(volume_file, *small)) == 0
+    assert spread(picture(volume_file, *small, "--color-map", "red,blue")) > 100

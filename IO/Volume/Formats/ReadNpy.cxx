@@ -100,7 +100,7 @@ std::vector<int> shapeOf(std::string_view tuple, const fs::path& file)
 
 VolumeHeader readNpyHeader(const fs::path& file)
 {
-  const std::vector<unsigned char> bytes = FirstBytes(file, longestHeader).bytes;
+  const auto [compressed, bytes] = FirstBytes(file, longestHeader);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   constexpr std::size_t version = npyMagic.size();
   const std::size_t begin = text.size() > version && text[version] == 1 ? version + 4 : version + 6;
@@ -112,6 +112,12 @@ VolumeHeader readNpyHeader(const fs::path& file)
   const std::size_t length = begin == version + 4
     ? valueFrom<std::uint16_t>(bytes.data() + version + 2, swap)
     : valueFrom<std::uint32_t>(bytes.data() + version + 2, swap);
+  if (length > longestHeader - begin)
+  {
+    failToRead(file,
+      "its header has " + std::to_string(length) +
+        " bytes; expected those of an array of numbers, fewer than " + std::to_string(longestHeader));
+  }
   if (length > text.size() - begin)
   {
     failToRead(file, "the file ends before its header of " + std::to_string(length) + " bytes does");
@@ -121,7 +127,8 @@ VolumeHeader readNpyHeader(const fs::path& file)
   header.format = "NumPy array";
   RawVolume& voxels = header.voxels;
   voxels.files = { file };
-  voxels.offset = begin + length;
+  (compressed ? voxels.skipped : voxels.offset) = begin + length;
+  voxels.encoding = compressed ? VoxelEncoding::Compressed : VoxelEncoding::Plain;
   setType(within(valueOf(dictionary, "descr"), '\'', '\''), voxels, file);
   std::vector<int> shape = shapeOf(within(valueOf(dictionary, "shape"), '(', ')'), file);
   const bool isFortran = valueOf(dictionary, "fortran_order").starts_with("True");
@@ -131,18 +138,24 @@ VolumeHeader readNpyHeader(const fs::path& file)
     std::reverse(shape.begin(), shape.end());
   }
   constexpr int mostComponents = 4;
-  const bool hasComponents =
-    !isFortran && !voxels.halves && shape.size() == 4 && shape.front() <= mostComponents;
+  const auto components = isFortran || shape.empty() ? shape.end() - !shape.empty() : shape.begin();
+  const bool hasComponents = shape.size() == 4 && *components <= mostComponents;
   if (shape.size() != 3 && !hasComponents)
   {
     failToRead(file,
       "its array has " + std::to_string(shape.size()) +
         " axes; expected three, of z, y and x, or a fourth one of up to 4 components");
   }
+  if (hasComponents && !isFortran && voxels.halves)
+  {
+    failToRead(file, "its components are of float16; expected one component, or another type");
+  }
   if (hasComponents)
   {
-    voxels.components = header.components = shape.front();
-    shape.erase(shape.begin());
+    header.components = *components;
+    // In Fortran's order each has a block of its own.
+    voxels.components = isFortran ? 1 : header.components;
+    shape.erase(components);
   }
   std::copy_n(shape.begin(), 3, voxels.dimensions);
   voxels.check(file);

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
+
 namespace ink::io
 {
 
@@ -27,6 +29,9 @@ struct VolumeHeader
   {
     return !this->sliceScales.empty() || (this->scale.slope != 0.0 && this->scale != ValueScale());
   }
+  int valueType() const; ///< as VTK_SHORT, when they are scaled
+  /// Scales the values of an image, some of the volume's, if they are to be.
+  void scaleValues(vtkImageData* image) const;
   std::string format;             ///< in a few words
   std::vector<std::string> notes; ///< what of the file is not used as it is, each a sentence without its dot
 };

@@ -4,6 +4,7 @@
 #include "StyleErrors.h"
 
 #include "vtkInkIllustrationStyle.h"
+#include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleMapper.h"
 #include "vtkInkStippleStyle.h"
@@ -18,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
@@ -145,6 +147,45 @@ TEST(IllustrationStyle, StipplesAreColoredByAnArrayAndLinesStayInk)
     ASSERT_TRUE(interactive->Make(data));
     EXPECT_LT(DistanceFromX(interactive), data == image ? 0.6 : 0.05) << data->GetClassName();
   }
+}
+
+TEST(IllustrationStyle, ScalarsWithoutANameColorAndPointsDo)
+{
+  const auto image = MakeBall();
+  image->GetPointData()->GetScalars()->SetName(nullptr);
+  vtkNew<vtkInkIllustrationStyle> style;
+  style->SetParameter("NumberOfSurfaceStipples", FewStipples);
+  style->SetParameterAsString("ColorMap", "viridis");
+  style->SetParameterAsString("IsoValues", "100");
+  ASSERT_TRUE(style->Draw(image));
+  const auto colors = ColorsOf(style);
+  ASSERT_FALSE(colors.empty());
+  for (const auto& [position, color] : colors)
+  {
+    EXPECT_NEAR(color, 100.0, 10.0);
+  }
+  const auto cloud = MakeCloud();
+  AddPositions(cloud);
+  vtkNew<vtkInkIllustrationStyle> interactive;
+  interactive->InteractiveOn();
+  interactive->SetColorArray("x", vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  ASSERT_TRUE(interactive->Make(cloud));
+  EXPECT_LT(DistanceFromX(interactive), 0.3);
+}
+
+TEST(IllustrationStyle, VolumesInPartsHaveNoColors)
+{
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(MakeBall());
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputConnection(producer->GetOutputPort());
+  vtkNew<vtkInkIllustrationStyle> style;
+  EXPECT_TRUE(style->DrawSurfaces(sampler));
+  style->SetParameterAsString("ColorMap", "viridis");
+  const StyleErrors errors(style);
+  EXPECT_FALSE(style->DrawSurfaces(sampler));
+  ASSERT_EQ(errors.All.size(), 1u);
+  EXPECT_NE(errors.All[0].find("ColorMap needs the whole volume"), std::string::npos) << errors.All[0];
 }
 
 TEST(IllustrationStyle, AnArrayToColorByHasToBeThere)

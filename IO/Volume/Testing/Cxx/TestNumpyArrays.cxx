@@ -73,6 +73,16 @@ TEST(NumpyArrays, HaveAFourthAxisOfComponents)
     Header("{'descr': '|u1', 'fortran_order': False, 'shape': (1, 1, 2, 3), }") + "\1\2\3\4\5\6"));
   EXPECT_EQ(reader->GetNumberOfFileComponents(), 3);
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(1, 0, 0, 0), 4.0);
+  // In Fortran's order one block after the other.
+  const auto planes = UpdatedReaderOf(Put("NumpyArraysPlanes.npy",
+    Header("{'descr': '|u1', 'fortran_order': True, 'shape': (2, 1, 1, 3), }") + "\1\2\3\4\5\6"));
+  EXPECT_EQ(planes->GetNumberOfFileComponents(), 3);
+  EXPECT_EQ(planes->GetOutput()->GetScalarComponentAsDouble(1, 0, 0, 0), 2.0);
+}
+
+TEST(NumpyArrays, AreReadCompressed)
+{
+  ExpectValues(UpdatedReaderOf(Gzip("NumpyArraysGzip.npy", Array(Usual)))->GetOutput(), "gzip");
 }
 
 TEST(NumpyArrays, OtherOnesAreRefused)
@@ -83,6 +93,8 @@ TEST(NumpyArrays, OtherOnesAreRefused)
   const auto with = [](const std::string& descr, const std::string& shape)
   { return Array("{'descr': " + descr + ", 'fortran_order': False, 'shape': " + shape + ", }"); };
   refuse("no array", "no array of NumPy");
+  refuse(Header(Usual, 2).replace(10, 1, "\1"), "its header has 65599 bytes");
+  refuse(with("'<f2'", "(6, 5, 7, 3)"), "float16");
   refuse(Header(Usual).substr(0, 40), "before its header of 63 bytes");
   refuse(Array(Usual).substr(0, 400), "bytes");
   refuse(with("'<c8'", "(6, 5, 7)"), "'<c8'");

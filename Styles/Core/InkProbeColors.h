@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef InkTakeColors_h
-#define InkTakeColors_h
+#ifndef InkProbeColors_h
+#define InkProbeColors_h
 
 #include <string>
 
@@ -17,7 +17,7 @@ inline constexpr const char* InkColorsName = "InkColors";
 /// voxel within the surface has them.
 /// @param array its name; empty: the active scalars, of which the surface is
 /// @param sampler that has made the points
-void InkTakeColors(
+void InkProbeColors(
   vtkImageData* image, const std::string& array, vtkInkIsoSurfaceSampler* sampler, vtkPolyData* points);
 
 #endif
