@@ -83,10 +83,13 @@ vtkSmartPointer<vtkScalarsToColors> InkMakeColors(
   auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
   colors->SetColorSpaceToLab();
   const auto last = static_cast<double>(chosen.size() - 1);
+  // VTK's table for bytes is black where the first color is at a byte.
+  const double below = 1e-6 * (greatest - least);
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     const Color& c = chosen[i];
-    colors->AddRGBPoint(least + (greatest - least) * static_cast<double>(i) / last, c[0], c[1], c[2]);
+    const double share = static_cast<double>(i) / last;
+    colors->AddRGBPoint(least + (greatest - least) * share - (i == 0 ? below : 0.0), c[0], c[1], c[2]);
   }
   return colors;
 }

@@ -321,3 +321,12 @@ def test_values_color_stipples(picture, volume_file):
     spread = lambda image: np.ptp(image.astype(int), axis=-1).max()
     assert spread(picture(volume_file, *small)) == 0
     assert spread(picture(volume_file, *small, "--color-map", "red,blue")) > 100
+
+
+def test_each_label_has_a_color_also_the_first(picture, tmp_path):
+    labels = (ink_files.blob() > 100) * np.where(np.arange(32) < 16, 3, 90).astype(np.uint8)
+    ink_files.write_nrrd(tmp_path / "labels.nrrd", labels)
+    image = picture(tmp_path / "labels.nrrd", "--color-map", "red,blue", "--stipples", 20000).astype(int)
+    redness = image[..., 0] - image[..., 2]
+    assert (redness > 80).sum() > 200
+    assert (redness < -80).sum() > 200
