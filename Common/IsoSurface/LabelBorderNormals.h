@@ -61,9 +61,8 @@ public:
 
   struct Groove
   {
-    glm::dvec3
-      gradient;    ///< of the share of the position's own label, per sample step, up to a positive factor
-    double weight; ///< from 0, where other labels begin to count, to 1: how much of the normal is its
+    glm::dvec3 gradient; ///< of the share of the own label, per sample step, up to a positive factor
+    double weight;       ///< from 0, where other labels begin to count, to 1: how much of the normal is its
   };
 
   /// Nothing where only one label is near, or so many that they are none.
