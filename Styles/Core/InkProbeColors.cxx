@@ -4,6 +4,7 @@
 #include "vtkInkIsoSurfaceSampler.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -15,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 namespace
 {
@@ -97,17 +100,64 @@ vtkSmartPointer<vtkDataArray> FromWithin(
   return taken;
 }
 
+/// Replaces labels by their order among those of an image at or above a value.
+vtkSmartPointer<vtkDataArray> OrderOf(vtkDataArray* taken, vtkDataArray* labels, double isoValue)
+{
+  std::set<double> all;
+  double last = std::numeric_limits<double>::quiet_NaN();
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    // Neighbors mostly have the same.
+    const double label = labels->GetComponent(i, 0);
+    if (label != last && label >= isoValue)
+    {
+      all.insert(label);
+    }
+    last = label;
+  }
+  std::map<double, float> orders;
+  const float steps = std::max(static_cast<float>(all.size()) - 1.0F, 1.0F);
+  for (const double label : all)
+  {
+    orders.emplace(label, static_cast<float>(orders.size()) / steps);
+  }
+  auto order = vtkSmartPointer<vtkFloatArray>::New();
+  order->SetName(InkLabelOrderName);
+  order->SetNumberOfValues(taken->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < taken->GetNumberOfTuples(); ++i)
+  {
+    order->SetValue(i, orders[taken->GetComponent(i, 0)]);
+  }
+  return order;
+}
+
 } // namespace
 
-void InkProbeColors(
-  vtkImageData* image, const std::string& array, vtkInkIsoSurfaceSampler* sampler, vtkPolyData* points)
+const char* InkFindColors(vtkDataSet* points)
+{
+  vtkPointData* data = points->GetPointData();
+  return data->HasArray(InkColorsName)  ? InkColorsName
+    : data->HasArray(InkLabelOrderName) ? InkLabelOrderName
+                                        : nullptr;
+}
+
+void InkProbeColors(vtkImageData* image, const std::string& array, bool inOrder,
+  vtkInkIsoSurfaceSampler* sampler, vtkPolyData* points)
 {
   vtkPointData* data = image->GetPointData();
-  vtkDataArray* colors = array.empty() ? data->GetScalars() : data->GetArray(array.c_str());
-  if (colors && points->GetNumberOfPoints() > 0)
+  vtkDataArray* drawn = data->GetScalars();
+  vtkDataArray* colors = array.empty() ? drawn : data->GetArray(array.c_str());
+  if (!colors || points->GetNumberOfPoints() == 0)
   {
-    points->GetPointData()->SetScalars(sampler->GetLabelMap()
-        ? FromWithin(image, colors, sampler->GetValue(0), points)
-        : Interpolated(image, colors, points));
+    return;
   }
+  vtkPointData* ofPoints = points->GetPointData();
+  if (!sampler->GetLabelMap())
+  {
+    ofPoints->SetScalars(Interpolated(image, colors, points));
+    return;
+  }
+  const double isoValue = sampler->GetValue(0);
+  const vtkSmartPointer<vtkDataArray> taken = FromWithin(image, colors, isoValue, points);
+  ofPoints->SetScalars(inOrder && colors == drawn ? OrderOf(taken, drawn, isoValue) : taken);
 }

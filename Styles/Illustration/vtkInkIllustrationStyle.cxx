@@ -12,6 +12,7 @@
 #include "InkStyleProcesses.h"
 #include "InkVolumeValues.h"
 #include "vtkInkIllustrationMapper.h"
+#include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
 #include "vtkInkStippleControls.h"
@@ -161,7 +162,8 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   // Stipples that lie on lines' points take their colors from them.
   const std::string& array = this->Stipples->GetColorBy();
   const bool ofActive = array.empty() && !this->Stipples->GetColorMap().empty();
-  this->Lines->SetColorArray({ .Name = array, .Active = ofActive });
+  this->Lines->SetColorArray(
+    { .Name = array, .Active = ofActive, .InOrder = this->Stipples->TakesLabelsInOrder() });
   if (images == 0.0)
   {
     return this->MakeMesh(input, leaves);
@@ -170,6 +172,12 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   {
     const std::string problem = this->MakeSurface(this->Lines, this->Stipples, 0, input);
     this->IsoValues->Use(this->GetIsoSurface()->GetUsedIsoValues());
+    if (ofActive && !this->GetIsoSurface()->GetSampler()->GetLabelMap())
+    {
+      this->AddNote(
+        "colors are those of the array whose surface is drawn, nearly one value on all of it; another "
+        "array can be given (ColorBy, --color-by)");
+    }
     return problem;
   }
   if (const std::string problem = this->ChooseSurfaces(leaves); !problem.empty())

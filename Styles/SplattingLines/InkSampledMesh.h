@@ -21,6 +21,7 @@ struct InkColorArray
   std::string Name;     ///< empty: none
   bool OfCells = false; ///< or of points
   bool Active = false;  ///< without a name: of images the active scalars
+  bool InOrder = false; ///< of labels, see InkProbeColors
   bool operator==(const InkColorArray&) const = default;
 };
 

@@ -148,7 +148,8 @@ std::string vtkInkSplattingLinesStyle::SampleImages(
     // Cells' values are those of their centers by now.
     if (!this->Colors.Name.empty() || this->Colors.Active)
     {
-      InkProbeColors(leaves.Images[i], this->Colors.Name, this->IsoSurface->GetSampler(), parts.back());
+      InkProbeColors(leaves.Images[i], this->Colors.Name, this->Colors.InOrder,
+        this->IsoSurface->GetSampler(), parts.back());
     }
   }
   this->IsoSurface->KeepParts(this, input, parts);

@@ -6,10 +6,10 @@
 #include "InkHasSurface.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
+#include "InkProbeColors.h"
 #include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStyleProcesses.h"
-#include "InkProbeColors.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleMapper.h"
 
@@ -119,10 +119,10 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
 {
   vtkInkStippleStyle* style = this->Style;
   const bool chosen = !style->ColorBy.empty();
-  if (data->GetPointData()->HasArray(InkColorsName))
+  if (const char* colors = InkFindColors(data))
   {
     this->Generator->SetPassScalars(true);
-    this->Generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, InkColorsName);
+    this->Generator->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, colors);
     style->MadeColorArray = style->ColorBy;
     style->MadeColorAssociation =
       std::max<int>(style->ColorAssociation, vtkDataObject::FIELD_ASSOCIATION_POINTS);
@@ -185,7 +185,8 @@ bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkS
     // What is asked for by a map of colors, or by a name.
     if (!style->ColorBy.empty() || !style->ColorMap.empty())
     {
-      InkProbeColors(leaves.Images[i], style->ColorBy, style->IsoSurface->GetSampler(), parts.back());
+      InkProbeColors(leaves.Images[i], style->ColorBy, style->TakesLabelsInOrder(),
+        style->IsoSurface->GetSampler(), parts.back());
     }
   }
   style->IsoSurface->KeepParts(style, input, parts);

@@ -8,6 +8,7 @@
 #include "InkLeaves.h"
 #include "InkNullIfEmpty.h"
 #include "InkParameter.h"
+#include "InkProbeColors.h"
 #include "InkSilhouettes.h"
 #include "InkStippleNumbers.h"
 #include "InkStippleRecipe.h"
@@ -194,7 +195,9 @@ void vtkInkStippleStyle::UpdateColors()
   this->Mapper->SetScalarVisibility(scalars != nullptr);
   if (scalars)
   {
-    this->Mapper->SetLookupTable(InkMakeColors(this->ColorMap, this->ColorRange, scalars));
+    const bool isOrder = scalars->GetName() && std::string(scalars->GetName()) == InkLabelOrderName;
+    const std::vector<double> range = isOrder ? std::vector{ 0.0, 1.0 } : this->ColorRange;
+    this->Mapper->SetLookupTable(InkMakeColors(this->ColorMap, range, scalars));
   }
 }
 
@@ -299,6 +302,11 @@ void vtkInkStippleStyle::SetColorMap(const std::string& map)
 
 void vtkInkStippleStyle::SetColorRange(const std::vector<double>& range)
 {
+  if (range.empty() != this->ColorRange.empty())
+  {
+    // Stipples of labels may have to be given others.
+    this->Modified();
+  }
   this->ColorRange = range;
   this->UpdateColors();
 }

@@ -70,7 +70,8 @@ def test_unknown_arguments_are_named(ink, arguments):
 
 @pytest.mark.parametrize("arguments, meant", [
     (["rendr", "v.nii"], "render"), (["inof", "v.nii"], "info"), (["render", "v.nii", "-o", "a.png", "--isovalue", "80"], None),
-    (["render", "v.nii", "-o", "a.png", "--siz=80"], "--size"), (["render", "v.nii", "-o", "a.png", "--azimut", "80"], "--azimuth"),
+    (["render", "v.nii", "-o", "a.png", "--siz=80"], "--size"), (["render", "v.nii", "--siz", "80", "-o", "a.png"], "--size"),
+    (["render", "v.nii", "-o", "a.png", "--azimut", "80"], "--azimuth"),
     (["render", "v.nii", "-o", "a.png", "--elevaiton", "80"], "--elevation"), (["render", "v.nii", "-o", "a.png", "--view", "fornt"], "front"),
     (["render", "v.nii", "-o", "a.png", "--style", "stiple"], "stipple"), (["style", "splating-lines"], "splatting-lines"),
     (["render", "v.nii", "-o", "a.png", "--preset", "specimn"], "specimen"),

@@ -323,6 +323,14 @@ def test_values_color_stipples(picture, volume_file):
     assert spread(picture(volume_file, *small, "--color-map", "red,blue")) > 100
 
 
+def test_colors_of_the_array_that_is_drawn_are_said_to_be_one(ink, tmp_path):
+    ink_files.write_nrrd(tmp_path / "ball.nrrd", ink_files.blob())
+    small = ["--iso", 100, "--size", "100x100", "--stipples", 5000, "--color-map", "viridis", "-o", tmp_path / "ball.png"]
+    result = ink("render", tmp_path / "ball.nrrd", *small)
+    assert result.code == 0
+    assert "--color-by" in result.err
+
+
 def test_each_label_has_a_color_also_the_first(picture, tmp_path):
     labels = (ink_files.blob() > 100) * np.where(np.arange(32) < 16, 3, 90).astype(np.uint8)
     ink_files.write_nrrd(tmp_path / "labels.nrrd", labels)
@@ -330,3 +338,9 @@ def test_each_label_has_a_color_also_the_first(picture, tmp_path):
     redness = image[..., 0] - image[..., 2]
     assert (redness > 80).sum() > 200
     assert (redness < -80).sum() > 200
+    # In order, however far ids lie apart, and whatever is drawn of them.
+    ids = np.where(labels == 90, 2035, labels.astype(np.int16) * 4)
+    ink_files.write_nrrd(tmp_path / "labels.nrrd", ids)
+    options = ("--color-map", "red,blue", "--stipples", 20000)
+    assert (picture(tmp_path / "labels.nrrd", *options) == image).all()
+    assert (picture(tmp_path / "labels.nrrd", *options, "--color-range", "0,24") != image).any()

@@ -5,6 +5,7 @@
 
 #include "Core/DidYouMean.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,14 @@ std::string describeExtra(const std::string& found, const CLI::App& app)
 std::string describe(const CLI::ParseError& error, const CLI::App& app)
 {
   const std::string text = withBothNames(error.what(), app);
+  // The value after an option that does not exist is taken for an argument too many.
+  const std::vector<std::string> left = app.remaining(true);
+  const auto unknown =
+    std::find_if(left.begin(), left.end(), [](const std::string& one) { return one.starts_with("--"); });
+  if (unknown != left.end())
+  {
+    return describeExtra(*unknown, app);
+  }
   if (dynamic_cast<const CLI::ExtrasError*>(&error))
   {
     return describeExtra(app.remaining(true).front(), app);

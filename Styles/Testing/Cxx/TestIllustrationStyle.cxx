@@ -213,15 +213,21 @@ TEST(IllustrationStyle, LabelsColorTheirOwnRegion)
   vtkNew<vtkInkIllustrationStyle> style;
   style->SetParameter("NumberOfSurfaceStipples", FewStipples);
   style->SetParameterAsString("ColorMap", "red,blue");
-  ASSERT_TRUE(style->Draw(labels));
-  const auto colors = ColorsOf(style);
-  ASSERT_FALSE(colors.empty());
-  for (const auto& [position, color] : colors)
+  const auto expectColors = [&](double low, double high)
   {
-    const bool isNear = std::abs(position[0] - 19.5) < 1.5;
-    EXPECT_TRUE(isNear ? color == 3.0 || color == 90.0 : color == (position[0] < 19.5 ? 3.0 : 90.0))
-      << color << " at " << position[0];
-  }
+    ASSERT_TRUE(style->Draw(labels));
+    const auto colors = ColorsOf(style);
+    ASSERT_FALSE(colors.empty());
+    for (const auto& [position, color] : colors)
+    {
+      const bool isNear = std::abs(position[0] - 19.5) < 1.5;
+      EXPECT_TRUE(isNear ? color == low || color == high : color == (position[0] < 19.5 ? low : high))
+        << color << " at " << position[0];
+    }
+  };
+  expectColors(0.0, 1.0);
+  style->SetParameterAsString("ColorRange", "0,100");
+  expectColors(3.0, 90.0);
 }
 
 /// Two materials, the one around the other, blurred as a scanner does.
