@@ -458,21 +458,24 @@ def test_few_slices(ink, refused, tmp_path, slices):
 
 @pytest.mark.one_build
 def test_label_maps(ink, tmp_path):
-    """Are drawn as their mask, smoothed, a few slices at a time, too."""
+    """Are drawn as their mask, but for borders, smoothed, a few slices at a time, too."""
     z, y, x = np.ogrid[:72, :512, :512]
     inside = (z - 30.3) ** 2 * 100 + (y - 255.7) ** 2 + (x - 255.2) ** 2 < 200 ** 2
     ids = 1 + 80 * (x > 255) + 9 * (y > 255) + 0 * z
     pictures = {}
-    for name, volume in (("labels", inside * ids), ("mask", inside * 255)):
+    for name, volume, borders in (("labels", inside * ids, "off"), ("mask", inside * 255, "auto"), ("borders", inside * ids, "on")):
         volume.astype(np.uint8).tofile(tmp_path / "v.raw")
         for memory in (LITTLE, PLENTY):
             out = tmp_path / "picture.png"
             result = ink("render", tmp_path / "v.raw", "--raw", "512x512x72:uint8", "--iso", 0.5, "--size", "200x200",
                          "--memory", memory, "--style", "splatting-lines", "--smoothing", 1.5, "--subdivision", 1, "-q", "-o",
-                         out)
+                         out, "--label-borders", borders)
             assert result.code == 0, result
             pictures[name, memory] = ink_files.read_png(out).astype(int)
     whole = pictures["mask", PLENTY]
     assert whole.min() < 100
+    borders = pictures.pop(("borders", PLENTY))
+    assert np.abs(pictures.pop(("borders", LITTLE)) - borders).max() <= 1
+    assert np.abs(borders - whole).max() > 30
     for picture in pictures.values():
         assert np.abs(picture - whole).max() <= 1
