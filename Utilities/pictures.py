@@ -26,9 +26,7 @@ import sys
 import zlib
 
 import numpy as np
-from vtkink import VTK_PACKAGE, vtk, vtkInkLineArtStyle, vtkInkLinesOfCurvature, vtkInkStrokeMapper
-
-numpy_support = importlib.import_module(f"{VTK_PACKAGE}.util.numpy_support")
+from vtkink import numpy_support, vtk, vtkInkLineArtStyle, vtkInkLinesOfCurvature, vtkInkStrokeMapper
 
 GAP = 8
 GRAYS = 16

@@ -125,11 +125,11 @@ public:
   void SetColorBy(const std::string& array) { this->SetColorArray(array, -1); }
   const std::string& GetColorBy() { return this->ColorBy; }
   void SetColorRange(const std::vector<double>& range);
+  const std::vector<double>& GetColorRange() { return this->ColorRange; }
+  ///@}
   /// Whether labels are colored by their order, so that each has a color of its own wherever ids lie: where
   /// colors are the style's own, without a range.
   bool TakesLabelsInOrder() { return !this->GetInteractive() && this->ColorRange.empty(); }
-  const std::vector<double>& GetColorRange() { return this->ColorRange; }
-  ///@}
 
   const InkParameterTable& GetParameterTable() override;
 

@@ -101,7 +101,7 @@ std::string describe(const CLI::ParseError& error, const CLI::App& app)
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error))
   {
-    return describeExtra(app.remaining(true).front(), app);
+    return describeExtra(left.front(), app);
   }
   struct Sentence
   {
