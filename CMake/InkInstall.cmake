@@ -15,7 +15,7 @@ configure_package_config_file(CMake/vtkInkConfig.cmake.in
 write_basic_package_version_file(
   "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
-install(FILES CMake/InkFindOpenVDB.cmake CMake/InkPlainLinkInterfaces.cmake
+install(FILES CMake/InkFindGDCM.cmake CMake/InkFindOpenVDB.cmake CMake/InkPlainLinkInterfaces.cmake
   "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfig.cmake"
   "${CMAKE_BINARY_DIR}/${VTKINK_CMAKE_DESTINATION}/vtkInkConfigVersion.cmake"
   DESTINATION "${VTKINK_CMAKE_DESTINATION}")

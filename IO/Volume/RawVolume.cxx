@@ -72,7 +72,7 @@ void RawVolume::checkDimensions(const fs::path& header) const
 void RawVolume::check(const fs::path& header) const
 {
   this->checkDimensions(header);
-  if (this->encoding == VoxelEncoding::Pages)
+  if (this->encoding == VoxelEncoding::Pages || this->encoding == VoxelEncoding::Frames)
   {
     return; // what tells their sizes has looked
   }

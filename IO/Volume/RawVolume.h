@@ -21,17 +21,18 @@ enum class VoxelEncoding
   Plain,      ///< as in memory: a part can be read without the rest
   Compressed, ///< zlib or gzip
   Text,
-  Pages ///< of TIFF files, as libtiff reads them
+  Pages, ///< of TIFF files, as libtiff reads them
+  Frames ///< of DICOM files, as GDCM decompresses them
 };
 
 /// Voxels that lie in a file, or several, one after the other, x fastest.
 struct VTKINKIOVOLUME_EXPORT RawVolume
 {
   std::vector<std::filesystem::path> files; ///< one, or several with as many slices each, uncompressed; of
-                                            ///< pages one for each, the same again or others
-  std::uint64_t offset = 0;           ///< bytes before the voxels in each file
+                                            ///< pages and frames one for each, the same again or others
+  std::uint64_t offset = 0;                 ///< bytes before the voxels in each file
   std::vector<std::uint64_t> offsets; ///< the same of each file, where they differ; of pages, where their
-                                      ///< directories are
+                                      ///< directories are; of frames, their numbers in the file
   VoxelEncoding encoding = VoxelEncoding::Plain;
   std::uint64_t skipped = 0; ///< bytes that compressed data has before the voxels
   int dimensions[3] = { 0, 0, 0 };

@@ -2,6 +2,7 @@
 #include "VoxelBytes.h"
 
 #include "Core/ParallelChunks.h"
+#include "DicomPixels.h"
 #include "FileHandle.h"
 #include "Inflater.h"
 #include "RawVolume.h"
@@ -240,30 +241,107 @@ private:
   std::size_t Used = 0;
 };
 
-/// Of pages, of which one is kept.
+/// Reads pages of TIFF files, each from the file of the one before if that is the same.
+class TiffPages
+{
+public:
+  explicit TiffPages(const RawVolume& voxels)
+    : Voxels(voxels)
+  {
+  }
+
+  void read(std::size_t page, std::span<unsigned char> values)
+  {
+    const std::filesystem::path& path = this->Voxels.files.at(page);
+    if (!this->File || this->File->path() != path)
+    {
+      this->File.emplace(path);
+    }
+    this->File->turnTo(this->Voxels.offsetIn(page));
+    this->File->read(values);
+  }
+
+private:
+  const RawVolume& Voxels;
+  std::optional<TiffFile> File;
+};
+
+/// The same of frames of DICOM files.
+class DicomFrames
+{
+public:
+  explicit DicomFrames(const RawVolume& voxels)
+    : Voxels(voxels)
+  {
+  }
+
+  void read(std::size_t frame, std::span<unsigned char> values)
+  {
+    const std::filesystem::path& path = this->Voxels.files.at(frame);
+    if (!this->Pixels || this->Pixels->path() != path)
+    {
+      this->Pixels.emplace(path);
+    }
+    this->Pixels->read(static_cast<std::size_t>(this->Voxels.offsetIn(frame)), values);
+  }
+
+private:
+  const RawVolume& Voxels;
+  std::optional<DicomPixels> Pixels;
+};
+
+/// Of pages that a library reads, whole ones at once on all threads. One that is not asked for whole is kept.
+template <class Pages>
 class PageBytes : public VoxelBytes
 {
 public:
   explicit PageBytes(const RawVolume& voxels)
     : Voxels(voxels)
     , Values(voxels.fileBytes() / voxels.files.size())
+    , Kept(this->Voxels)
   {
   }
 
   void read(std::uint64_t position, std::span<unsigned char> bytes) override
   {
+    const std::size_t size = this->Values.size();
     while (!bytes.empty())
     {
-      this->turnTo(static_cast<std::size_t>(position / this->Values.size()));
-      const auto within = static_cast<std::size_t>(position % this->Values.size());
-      const std::size_t some = std::min(bytes.size(), this->Values.size() - within);
-      std::copy_n(this->Values.begin() + static_cast<std::ptrdiff_t>(within), some, bytes.begin());
+      const auto page = static_cast<std::size_t>(position / size);
+      const auto within = static_cast<std::size_t>(position % size);
+      std::size_t some = std::min(bytes.size(), size - within);
+      if (within == 0 && bytes.size() >= size)
+      {
+        some = bytes.size() / size * size;
+        this->readWhole(page, bytes.first(some));
+      }
+      else
+      {
+        this->turnTo(page);
+        std::copy_n(this->Values.begin() + static_cast<std::ptrdiff_t>(within), some, bytes.begin());
+      }
       position += some;
       bytes = bytes.subspan(some);
     }
   }
 
 private:
+  void readWhole(std::size_t first, std::span<unsigned char> bytes)
+  {
+    const std::size_t size = this->Values.size();
+    parallelForChunks(
+      bytes.size() / size,
+      [&](std::size_t, std::size_t begin, std::size_t end)
+      {
+        Pages pages(this->Voxels);
+        for (std::size_t page = begin; page < end; ++page)
+        {
+          pages.read(first + page, bytes.subspan(page * size, size));
+        }
+      },
+      pagesOfAChunk);
+  }
+
   void turnTo(std::size_t page)
   {
     if (this->Page == page)
@@ -271,20 +349,16 @@ private:
       return;
     }
     this->Page.reset();
-    const std::filesystem::path& path = this->Voxels.files.at(page);
-    if (!this->File || this->File->path() != path)
-    {
-      this->File.emplace(path);
-    }
-    this->File->turnTo(this->Voxels.offsetIn(page));
-    this->File->read(this->Values);
+    this->Kept.read(page, this->Values);
     this->Page = page;
   }
 
+  static constexpr std::size_t pagesOfAChunk = 4;
+
   RawVolume Voxels;
-  std::optional<TiffFile> File;
   std::optional<std::size_t> Page;
   std::vector<unsigned char> Values;
+  Pages Kept;
 };
 
 } // namespace
@@ -298,7 +372,9 @@ std::unique_ptr<VoxelBytes> VoxelBytes::open(const RawVolume& voxels)
     case VoxelEncoding::Text:
       return std::make_unique<TextBytes>(voxels);
     case VoxelEncoding::Pages:
-      return std::make_unique<PageBytes>(voxels);
+      return std::make_unique<PageBytes<TiffPages>>(voxels);
+    case VoxelEncoding::Frames:
+      return std::make_unique<PageBytes<DicomFrames>>(voxels);
     default:
       return std::make_unique<StoredBytes>(voxels);
   }

@@ -223,8 +223,8 @@ def dicom_element(group, element, vr, value, implicit=False):
 def write_dicom(folder, volume, orientation=(1, 0, 0, 0, 1, 0), origin=(0, 0, 0), step=(0, 0, 1), spacing=1.0,
                 reverse_names=False, implicit=False, scale=None, first=0):
     """One file a slice, 16 bits, little endian. orientation: of rows and columns; step: between slices; implicit:
-    without the types of elements, and with a sequence; scale: slope and intercept, or of slice z scale(z); first: number
-    of the first file."""
+    without the types of elements, and with a sequence; scale: slope and intercept, or of slice z scale(z); first: before
+    the numbers of files and pictures."""
     folder.mkdir(exist_ok=True)
     element = lambda *arguments: dicom_element(*arguments, implicit)
     decimal = lambda values: "\\".join(f"{v:g}" for v in values)
@@ -242,7 +242,7 @@ def write_dicom(folder, volume, orientation=(1, 0, 0, 0, 1, 0), origin=(0, 0, 0)
             body += struct.pack("<HHI", 0xFFFE, 0xE00D, 0) + struct.pack("<HHI", 0xFFFE, 0xE0DD, 0)
         body += element(0x18, 0x0050, "DS", f"{spacing:g}")
         body += element(0x20, 0x000D, "UI", "1.2.9") + element(0x20, 0x000E, "UI", "1.2.8")
-        body += element(0x20, 0x0013, "IS", str(z + 1))
+        body += element(0x20, 0x0013, "IS", str(first + z + 1))
         body += element(0x20, 0x0032, "DS", decimal(position)) + element(0x20, 0x0037, "DS", decimal(orientation))
         body += element(0x28, 0x0002, "US", struct.pack("<H", 1))
         body += element(0x28, 0x0004, "CS", "MONOCHROME2")

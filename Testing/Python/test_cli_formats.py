@@ -4,7 +4,6 @@
 import json
 import re
 import struct
-import zlib
 
 import numpy as np
 import pytest
@@ -290,21 +289,6 @@ def test_a_slice_that_is_cut_off_or_not_there_is_refused(name, data, tmp_path, i
     assert data in ink("info", tmp_path / name).error
 
 
-def test_slices_with_scales_of_their_own_say_so(tmp_path, ink):
-    ink_files.write_dicom(tmp_path / "series", np.full_like(BLOB, 3), scale=lambda z: (z + 1, 7))
-    result = json.loads(ink("info", "--json", tmp_path / "series").out)[0]
-    assert result["range"] == [10, 7 + 3 * len(BLOB)]
-    assert "its stored values are rescaled, those of each slice by its own scale" in result["note"]
-
-
-def test_slices_of_another_size_are_refused(tmp_path, ink):
-    ink_files.write_dicom(tmp_path / "series", BLOB)
-    ink_files.write_dicom(tmp_path / "series", BLOB[:, :40, :16], origin=(0, 0, 40), first=100)
-    result = ink("info", tmp_path / "series")
-    assert result.code == 1
-    assert "another size" in result.error
-
-
 def test_ply_keeps_what_its_points_have(tmp_path, ink):
     """Coordinates in double, as those of surveys need it, and arrays that are not x, y, z and a normal."""
     rows = np.zeros(3, [(n, "<f8") for n in ("x", "y", "z")] + [(n, "<f4") for n in ("nx", "ny", "nz", "Radius")])
@@ -351,103 +335,3 @@ def test_truncated_files_are_refused(name, share, tmp_path, ink):
     result = ink("info", path)
     assert result.code == 1
     assert name in result.error
-
-
-@pytest.mark.parametrize("share", [0.2, 0.5, 0.97])
-def test_truncated_dicom_files_are_refused(share, tmp_path, ink):
-    ink_files.write_dicom(tmp_path / "series", BLOB)
-    slice_file = tmp_path / "series" / "slice007.dcm"
-    slice_file.write_bytes(slice_file.read_bytes()[: int(share * slice_file.stat().st_size)])
-    result = ink("info", tmp_path / "series")
-    assert result.code == 1
-    assert "series" in result.error
-
-
-def test_one_file_stands_for_its_series(tmp_path, ink):
-    """Whatever it is called, and beside another series."""
-    ink_files.write_dicom(tmp_path / "series", BLOB)
-    whole = ink("info", tmp_path / "series").out.splitlines()[1:]
-    (tmp_path / "series" / "slice003.dcm").rename(tmp_path / "series" / "IM 0003")
-    for name in ("slice007.dcm", "IM 0003"):
-        result = ink("info", tmp_path / "series" / name)
-        assert result.code == 0, result
-        lines = result.out.splitlines()[1:]
-        assert [line for line in lines if not line.startswith("note")] == [line for line in whole if not line.startswith("note")]
-        assert f"it is one of {len(BLOB)} slices in its folder; all of them are read" in result.out
-    (tmp_path / "series" / "words.dcm").write_text("no DICOM at all")
-    assert "it is no DICOM file" in ink("info", tmp_path / "series" / "words.dcm").error
-
-
-def test_broken_dicom_files_of_no_series_do_not_hide_the_others(tmp_path, ink):
-    folder = tmp_path / "series"
-    ink_files.write_dicom(folder, BLOB)
-    expected = ink("info", folder).out
-    plain = (folder / "slice000.dcm").read_bytes()
-    body = plain.index(ink_files.dicom_element(8, 0x0016, "UI", "1.2.840.10008.5.1.4.1.1.2"))
-    syntax = [ink_files.dicom_element(2, 0x0010, "UI", uid) for uid in ("1.2.840.10008.1.2.1", "1.2.840.10008.1.2.1.99")]
-    assert syntax[0] in plain
-    deflated = folder / "deflated.dcm"
-    deflated.write_bytes(plain[:body].replace(*syntax) + zlib.compress(plain[body:])[2:-4])
-    (folder / "ends.dcm").write_bytes(plain[: body + 5])
-    result = ink("info", folder)
-    problem = f"cannot read '{deflated}': all of it is compressed"
-    note = f"2 of the folder's DICOM files left out: {problem}"
-    assert result.code == 0 and note in result.out, result
-    assert [line for line in result.out.splitlines() if note not in line] == expected.splitlines()
-    assert note in ink("info", folder / "slice003.dcm").out
-    assert problem in ink("info", deflated).error
-    for file in folder.glob("slice*"):
-        file.unlink()
-    assert problem in ink("info", folder).error
-
-
-def test_broken_dicom_files_of_other_series_do_not_hide_one(tmp_path, ink):
-    folder = tmp_path / "series"
-    ink_files.write_dicom(folder, BLOB)
-    other = (folder / "slice000.dcm").read_bytes().replace(*(ink_files.dicom_element(0x20, 0x000E, "UI", uid) for uid in ("1.2.8", "1.2.7")))
-    rows = ink_files.dicom_element(0x28, 0x0010, "US", struct.pack("<H", BLOB.shape[1]))
-    (folder / "other.dcm").write_bytes(other[: other.index(rows) + 3])
-    assert "2 series" in ink("info", folder).out
-    assert ink("info", folder / "slice003.dcm").code == 0
-    assert "ends within an element" in ink("info", folder / "other.dcm").error
-
-
-def test_a_missing_slice_is_noted(tmp_path, ink):
-    ink_files.write_dicom(tmp_path / "series", BLOB)
-    assert "apart" not in ink("info", tmp_path / "series").out
-    (tmp_path / "series" / "slice007.dcm").unlink()
-    result = ink("info", tmp_path / "series")
-    distance = (len(BLOB) - 1) / (len(BLOB) - 2)
-    assert result.code == 0
-    assert f"its slices lie 1 to 2 apart; they are taken as {distance:.7g} apart" in result.out
-
-
-def test_dicom_without_preamble(tmp_path, ink):
-    """Files of old begin with their elements."""
-    for implicit in (False, True):
-        ink_files.write_dicom(tmp_path / "series", BLOB, implicit=implicit)
-        expected = ink("info", tmp_path / "series").out
-        for file in (tmp_path / "series").iterdir():
-            file.write_bytes(file.read_bytes()[132:])
-        assert ink("info", tmp_path / "series").out == expected
-    # Nor with what says how elements are written.
-    meta = 12 + struct.unpack_from("<I", file.read_bytes(), 8)[0]
-    for file in (tmp_path / "series").iterdir():
-        file.write_bytes(file.read_bytes()[meta:])
-    assert ink("info", tmp_path / "series").out == expected
-
-
-def test_a_file_of_several_frames_is_a_volume(tmp_path, ink):
-    ink_files.write_dicom(tmp_path / "series", BLOB[:1])
-    data = (tmp_path / "series" / "slice000.dcm").read_bytes()
-    image = BLOB[0].astype("<u2").tobytes()
-    head = data[: data.rindex(ink_files.dicom_element(0x7FE0, 0x0010, "OW", image))]
-    body = ink_files.dicom_element(0x18, 0x0088, "DS", "2.5") + ink_files.dicom_element(0x28, 0x0008, "IS", str(len(BLOB)))
-    pixels = ink_files.dicom_element(0x7FE0, 0x0010, "OW", BLOB.astype("<u2").tobytes())
-    (tmp_path / "frames").write_bytes(head + body + pixels)
-    result = ink("info", tmp_path / "frames")
-    assert result.code == 0, result
-    assert f"dimensions     {BLOB.shape[2]} x {BLOB.shape[1]} x {BLOB.shape[0]}" in result.out
-    assert "spacing        1 1 2.5" in result.out
-    (tmp_path / "short").write_bytes(head + body + pixels[:-2])
-    assert "the file ends before" in ink("info", tmp_path / "short").error

@@ -18,6 +18,7 @@
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 
 namespace fs = std::filesystem;
@@ -144,8 +145,11 @@ void requireSlices(const Input& input)
   const int* dimensions = InkMakeFrame(input.image->GetOutputInformation(0))->GetDimensions();
   if (*std::min_element(dimensions, dimensions + 3) < 2)
   {
-    throw Failure("the volume is a single slice, " + formatDimensions(dimensions) +
-      " voxels: expected two slices or more in each direction, so that there are surfaces between them");
+    // What the file's notes say may be why.
+    throw Failure(std::accumulate(input.notes.begin(), input.notes.end(),
+      "the volume is a single slice, " + formatDimensions(dimensions) +
+        " voxels: expected two slices or more in each direction, so that there are surfaces between them",
+      [](const std::string& message, const std::string& note) { return message + "; " + note; }));
   }
 }
 

@@ -27,7 +27,24 @@ constexpr std::uint32_t tag(std::uint32_t group, std::uint32_t element)
   return group << 16 | element;
 }
 
-/// Goes through the elements of a file, those within sequences left out.
+constexpr std::uint32_t item = tag(0xFFFE, 0xE000);
+constexpr std::uint32_t sharedGroups = tag(0x5200, 0x9229);
+constexpr std::uint32_t groupsOfFrames = tag(0x5200, 0x9230);
+
+bool areGroups(std::uint32_t sequence)
+{
+  return sequence == sharedGroups || sequence == groupsOfFrames;
+}
+
+/// Whether a functional group says where frames lie, or what their values mean.
+bool isGroupOfFrame(std::uint32_t sequence)
+{
+  constexpr std::array<std::uint32_t, 4> groups{ tag(0x0020, 0x9113), tag(0x0020, 0x9116),
+    tag(0x0028, 0x9110), tag(0x0028, 0x9145) };
+  return std::find(groups.begin(), groups.end(), sequence) != groups.end();
+}
+
+/// Goes through the elements of a file. Of those within sequences it takes what says where frames lie.
 class Elements
 {
 public:
@@ -57,11 +74,19 @@ public:
   {
     while (found.pixelBytes == 0 && this->position() < this->Size)
     {
+      this->leaveEnded();
       this->readElement(found);
     }
   }
 
 private:
+  /// A sequence, or an item of one, that is being read.
+  struct Level
+  {
+    std::uint32_t key;
+    std::uint64_t end; ///< where it ends in the file, if its length is known
+  };
+
   /// Whether these are the tag of one of a file's first elements, little endian, and its type and length.
   bool startsWithElement(std::string_view bytes)
   {
@@ -139,10 +164,10 @@ private:
     }
     if (isItem)
     {
-      this->enterOrLeave(key, length);
+      this->enterOrLeave(key, length, found);
       return;
     }
-    if (key == tag(0x7FE0, 0x0010) && this->Depth == 0)
+    if (key == tag(0x7FE0, 0x0010) && this->Levels.empty())
     {
       found.pixelOffset = this->position();
       found.pixelBytes = length == undefinedLength ? this->Size - found.pixelOffset : length;
@@ -154,18 +179,27 @@ private:
       {
         this->fail("it has an element of undefined length that is no sequence");
       }
-      ++this->Depth;
+      this->enter(key, length);
       return;
     }
     if (length > this->Size - this->position())
     {
       this->fail("it has an element of " + std::to_string(length) + " bytes, but ends before");
     }
-    constexpr std::uint32_t longest = 1024;
-    if (this->Depth == 0 && length <= longest)
+    constexpr std::uint32_t longest = 1 << 14;
+    DicomFrame* const frame = this->frameOfLevel(found);
+    if (this->Levels.empty() ? areGroups(key) : this->isWithinGroups() && isGroupOfFrame(key))
+    {
+      this->enter(key, length);
+    }
+    else if ((this->Levels.empty() || frame) && length <= longest)
     {
       const std::string value = this->bytes(length);
-      this->take(key, value, found);
+      if (!frame)
+      {
+        this->take(key, value, found);
+      }
+      this->takeOfFrame(key, value, frame ? *frame : found.shared);
     }
     else
     {
@@ -173,29 +207,77 @@ private:
     }
   }
 
-  /// Items of sequences, and the ends of those whose length was not given.
-  void enterOrLeave(std::uint32_t key, std::uint32_t length)
+  void enter(std::uint32_t key, std::uint32_t length)
   {
-    if (key == tag(0xFFFE, 0xE000))
+    // Files nest few; one that does not would make a list as long as itself.
+    constexpr std::size_t most = 64;
+    if (this->Levels.size() == most)
     {
-      // What is in an item comes next, whatever its length: only sequences without one are entered.
-      this->Depth += length == undefinedLength ? 1 : 0;
-      if (length != undefinedLength)
-      {
-        if (length > this->Size - this->position())
-        {
-          this->fail("it has an item of " + std::to_string(length) + " bytes, but ends before");
-        }
-        this->Stream.seekg(length, std::ios::cur);
-      }
+      this->fail("it has more than " + std::to_string(most / 2) + " sequences, each within the one before");
     }
-    else if (this->Depth == 0)
+    this->Levels.push_back({ key,
+      length == undefinedLength ? std::numeric_limits<std::uint64_t>::max() : this->position() + length });
+  }
+
+  /// Leaves the sequences and items whose length was given and that end here.
+  void leaveEnded()
+  {
+    const std::uint64_t here = this->position();
+    while (!this->Levels.empty() && this->Levels.back().end <= here)
     {
-      this->fail("it has the end of a sequence where none began");
+      this->Levels.pop_back();
+    }
+  }
+
+  /// Whether what comes next are the functional groups of all frames, or of one.
+  bool isWithinGroups() const { return this->Levels.size() == 2 && areGroups(this->Levels.front().key); }
+
+  /// The frame, or all of them, whose functional group is being read; null if none is.
+  DicomFrame* frameOfLevel(DicomFile& found) const
+  {
+    constexpr std::size_t depth = 4; // the groups, an item, one of them, an item
+    if (this->Levels.size() != depth || !areGroups(this->Levels[0].key) ||
+      !isGroupOfFrame(this->Levels[2].key))
+    {
+      return nullptr;
+    }
+    return this->Levels[0].key == sharedGroups ? &found.shared : &found.ownFrames.back();
+  }
+
+  /// Items of sequences, and the ends of those whose length was not given.
+  void enterOrLeave(std::uint32_t key, std::uint32_t length, DicomFile& found)
+  {
+    if (key != item)
+    {
+      if (this->Levels.empty())
+      {
+        this->fail("it has the end of a sequence where none began");
+      }
+      this->Levels.pop_back();
+      return;
+    }
+    const std::uint32_t sequence = this->Levels.empty() ? 0 : this->Levels.back().key;
+    const bool isGroups = this->Levels.size() == 1 && areGroups(sequence);
+    if (isGroups && sequence == groupsOfFrames)
+    {
+      if (found.ownFrames.size() == static_cast<std::size_t>(found.frames))
+      {
+        this->fail("it says " + std::to_string(found.frames) + " frames, but where more lie");
+      }
+      // What is said of all frames comes before.
+      found.ownFrames.push_back(found.shared);
+    }
+    if (length != undefinedLength && length > this->Size - this->position())
+    {
+      this->fail("it has an item of " + std::to_string(length) + " bytes, but ends before");
+    }
+    if (length == undefinedLength || isGroups || isGroupOfFrame(sequence))
+    {
+      this->enter(key, length);
     }
     else
     {
-      --this->Depth;
+      this->Stream.seekg(length, std::ios::cur);
     }
   }
 
@@ -248,19 +330,17 @@ private:
     return std::string(value.substr(0, value.find_last_not_of(std::string_view(" \0", 2)) + 1));
   }
 
+  int smallInteger(std::string_view value) const
+  {
+    return static_cast<int>(this->integer(value.substr(0, 2)));
+  }
+
   void take(std::uint32_t key, const std::string& value, DicomFile& found) const
   {
-    const auto small = [&] { return static_cast<int>(this->integer(std::string_view(value).substr(0, 2))); };
     switch (key)
     {
       case tag(0x0002, 0x0010):
         found.transferSyntax = name(value);
-        break;
-      case tag(0x0018, 0x0050):
-        this->copy(value, 1, &found.thickness);
-        break;
-      case tag(0x0018, 0x0088):
-        this->copy(value, 1, &found.distance);
         break;
       case tag(0x0020, 0x000E):
         found.series = name(value);
@@ -268,22 +348,11 @@ private:
       case tag(0x0020, 0x0013):
         this->copy(value, 1, &found.number);
         break;
-      case tag(0x0020, 0x0032):
-        this->copy(value, 3, found.position);
-        found.hasPosition = true;
-        break;
-      case tag(0x0020, 0x0037): {
-        std::array<double, 6> both{ 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
-        this->copy(value, both.size(), both.data());
-        std::copy_n(both.begin(), 3, found.row);
-        std::copy_n(both.begin() + 3, 3, found.column);
-        break;
-      }
       case tag(0x0028, 0x0002):
-        found.components = small();
+        found.components = this->smallInteger(value);
         break;
       case tag(0x0028, 0x0006):
-        found.separatePlanes = small() == 1;
+        found.separatePlanes = this->smallInteger(value) == 1;
         break;
       case tag(0x0028, 0x0008): {
         double frames = 1.0;
@@ -292,28 +361,66 @@ private:
         break;
       }
       case tag(0x0028, 0x0010):
-        found.rows = small();
+        found.rows = this->smallInteger(value);
         break;
       case tag(0x0028, 0x0011):
-        found.columns = small();
-        break;
-      case tag(0x0028, 0x0030):
-        // That between rows comes first.
-        this->copy(value, 2, found.spacing);
-        std::swap(found.spacing[0], found.spacing[1]);
+        found.columns = this->smallInteger(value);
         break;
       case tag(0x0028, 0x0100):
-        found.bits = small();
+        found.bits = this->smallInteger(value);
+        break;
+      case tag(0x0028, 0x0101):
+        found.storedBits = this->smallInteger(value);
         break;
       case tag(0x0028, 0x0103):
-        found.isSigned = small() == 1;
+        found.isSigned = this->smallInteger(value) == 1;
+        break;
+      default:
+        break;
+    }
+  }
+
+  void takeOfFrame(std::uint32_t key, const std::string& value, DicomFrame& frame) const
+  {
+    switch (key)
+    {
+      case tag(0x0018, 0x0050):
+        this->copy(value, 1, &frame.thickness);
+        break;
+      case tag(0x0018, 0x0088):
+        this->copy(value, 1, &frame.distance);
+        break;
+      case tag(0x0020, 0x0032):
+        this->copy(value, 3, frame.position);
+        frame.hasPosition = !this->numbers(value).empty();
+        break;
+      case tag(0x0020, 0x0037): {
+        std::array<double, 6> both{ 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+        this->copy(value, both.size(), both.data());
+        std::copy_n(both.begin(), 3, frame.row);
+        std::copy_n(both.begin() + 3, 3, frame.column);
+        break;
+      }
+      case tag(0x0028, 0x0030):
+        // That between rows comes first.
+        this->copy(value, 2, frame.spacing);
+        std::swap(frame.spacing[0], frame.spacing[1]);
         break;
       case tag(0x0028, 0x1052):
-        this->copy(value, 1, &found.scale.intercept);
+        this->copy(value, 1, &frame.scale.intercept);
         break;
       case tag(0x0028, 0x1053):
-        this->copy(value, 1, &found.scale.slope);
+      case tag(0x3004, 0x000E):
+        this->copy(value, 1, &frame.scale.slope);
         break;
+      case tag(0x3004, 0x000C): {
+        // Of a dose in each frame, how far it is from the first.
+        const std::vector<double> offsets = this->numbers(value);
+        frame.distance = offsets.size() > 1
+          ? (offsets.back() - offsets.front()) / static_cast<double>(offsets.size() - 1)
+          : 0.0;
+        break;
+      }
       default:
         break;
     }
@@ -326,10 +433,25 @@ private:
   bool Explicit = true;
   bool PlainIsExplicit = true; ///< whether elements have types where the file does not say
   bool BigEndian = false;
-  int Depth = 0; ///< of sequences and items without a length
+  std::vector<Level> Levels;
 };
 
 } // namespace
+
+std::uint64_t DicomFile::frameBytes() const
+{
+  constexpr int bitsOfAByte = 8;
+  return static_cast<std::uint64_t>(this->rows) * static_cast<std::uint64_t>(this->columns) *
+    static_cast<std::uint64_t>(this->components) * static_cast<std::uint64_t>(this->bits / bitsOfAByte);
+}
+
+bool DicomFile::isCompressed() const
+{
+  // All other syntaxes but three are.
+  constexpr std::string_view plain = "1.2.840.10008.1.2";
+  return !this->transferSyntax.empty() && this->transferSyntax != plain &&
+    this->transferSyntax != std::string(plain) + ".1" && this->transferSyntax != std::string(plain) + ".2";
+}
 
 std::optional<DicomFile> DicomFile::read(const fs::path& file)
 {
@@ -349,6 +471,10 @@ std::optional<DicomFile> DicomFile::read(const fs::path& file)
     found.problem = error.what();
   }
   found.bigEndian = found.transferSyntax == "1.2.840.10008.1.2.2";
+  if (found.ownFrames.size() != static_cast<std::size_t>(found.frames))
+  {
+    found.ownFrames.clear();
+  }
   return found;
 }
 

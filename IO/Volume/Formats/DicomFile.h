@@ -7,11 +7,25 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ink::io
 {
 
-/// What one DICOM file says of the picture in it.
+/// Where one picture lies, and what its values mean.
+struct DicomFrame
+{
+  ValueScale scale;
+  double spacing[2] = { 1.0, 1.0 };     ///< between columns, between rows
+  double thickness = 1.0;               ///< from slice to slice, if the file says so
+  double distance = 0.0;                ///< between the middles of slices; 0: the file does not say
+  double row[3] = { 1.0, 0.0, 0.0 };    ///< the direction along a row
+  double column[3] = { 0.0, 1.0, 0.0 }; ///< and along a column, downwards
+  double position[3] = { 0.0, 0.0, 0.0 };
+  bool hasPosition = false;
+};
+
+/// What one DICOM file says of the pictures in it.
 struct DicomFile
 {
   std::filesystem::path path;
@@ -22,24 +36,25 @@ struct DicomFile
   int components = 1;
   bool separatePlanes = false; ///< each component has a picture of its own
   int frames = 1;
-  int bits = 0; ///< that a value takes
+  int bits = 0;       ///< that a value takes
+  int storedBits = 0; ///< that are the value's own; 0: the file does not say
   bool isSigned = false;
   bool bigEndian = false;
-  ValueScale scale;
-  double spacing[2] = { 1.0, 1.0 }; ///< between columns, between rows
-  double thickness = 1.0;           ///< from slice to slice, if the file says so
-  double distance = 0.0;            ///< between the middles of slices; 0: the file does not say
   double number = 0.0;
-  double row[3] = { 1.0, 0.0, 0.0 };    ///< the direction along a row
-  double column[3] = { 0.0, 1.0, 0.0 }; ///< and along a column, downwards
-  double position[3] = { 0.0, 0.0, 0.0 };
-  bool hasPosition = false;
+  DicomFrame shared;                 ///< of all its pictures
+  std::vector<DicomFrame> ownFrames; ///< of each, where the file says them apart; else none
   std::uint64_t pixelOffset = 0;
   std::uint64_t pixelBytes = 0; ///< 0: there are no pixels
   std::string problem;          ///< why its elements could not be told apart to the end; empty if they could
 
+  /// That a picture takes when it is not compressed.
+  std::uint64_t frameBytes() const;
+  /// Whether the pixels are stored otherwise than one after the other, by its transfer syntax.
+  bool isCompressed() const;
+
   /// Reads all but the pixels. Files of old that begin with their elements, without preamble and mark, are
-  /// read, too. @return nothing if it is no DICOM file
+  /// read, too. Of sequences, the functional groups of multi-frame files (DICOM PS3.3 C.7.6.16) that say
+  /// where frames lie are read, and no others. @return nothing if it is no DICOM file
   static std::optional<DicomFile> read(const std::filesystem::path& file);
 };
 

@@ -3,14 +3,19 @@
 #include "ReadError.h"
 
 #include "DicomFile.h"
+#include "DicomPixels.h"
 #include "VolumeHeader.h"
 
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -69,16 +74,23 @@ std::map<std::string, std::vector<DicomFile>> findSeries(
   return all;
 }
 
+std::size_t countFrames(const std::vector<DicomFile>& files)
+{
+  return std::accumulate(files.begin(), files.end(), std::size_t(0),
+    [](std::size_t sum, const DicomFile& file)
+    { return sum + static_cast<std::size_t>(std::max(file.frames, 1)); });
+}
+
 /// The series with most pictures; of several, the first by its name.
 std::vector<DicomFile> readLargestSeries(const fs::path& folder, std::vector<std::string>& notes)
 {
   auto all = findSeries(folder, notes);
-  const auto largest = std::max_element(
-    all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+  const auto largest = std::max_element(all.begin(), all.end(),
+    [](const auto& a, const auto& b) { return countFrames(a.second) < countFrames(b.second); });
   if (all.size() > 1)
   {
     notes.push_back("it holds " + std::to_string(all.size()) + " series; the one of " +
-      std::to_string(largest->second.size()) + " slices is used");
+      std::to_string(countFrames(largest->second)) + " slices is used");
   }
   return std::move(largest->second);
 }
@@ -110,35 +122,28 @@ std::vector<DicomFile> readSeriesOf(const fs::path& path, std::vector<std::strin
   return series;
 }
 
-/// Plain pixels, as many as the file has to have.
-/// @param alone whether the file is the whole volume
-void check(const DicomFile& file, bool alone)
+/// Pixels of a size and type that can be read, and as many as the file has to have.
+void check(const DicomFile& file)
 {
   throwProblem(file);
-  // All other syntaxes but three are compressed.
-  constexpr std::string_view plain = "1.2.840.10008.1.2";
-  const std::string& syntax = file.transferSyntax;
-  if (!syntax.empty() && syntax != plain && syntax != std::string(plain) + ".1" &&
-    syntax != std::string(plain) + ".2")
-  {
-    failToRead(file.path, "its pixels are compressed (transfer syntax " + syntax + "); expected plain ones");
-  }
-  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames < 1 ||
-    (file.frames > 1 && !alone))
+  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames < 1)
   {
     failToRead(file.path,
       "it says " + std::to_string(file.rows) + " rows, " + std::to_string(file.columns) + " columns, " +
         std::to_string(file.components) + " components and " + std::to_string(file.frames) +
-        " frames; expected 1 or more, and one frame in each file of a series");
+        " frames; expected 1 or more");
   }
   if (file.bits != 8 && file.bits != 16 && file.bits != 32)
   {
     failToRead(file.path, "its pixels have " + std::to_string(file.bits) + " bits; expected 8, 16 or 32");
   }
+  if (file.isCompressed())
+  {
+    DicomPixels{ file };
+    return;
+  }
   const std::uint64_t size = fs::file_size(file.path);
-  const std::uint64_t needed = static_cast<std::uint64_t>(file.rows) *
-    static_cast<std::uint64_t>(file.columns) * static_cast<std::uint64_t>(file.components) *
-    static_cast<std::uint64_t>(file.frames) * static_cast<std::uint64_t>(file.bits / 8);
+  const std::uint64_t needed = file.frameBytes() * static_cast<std::uint64_t>(file.frames);
   if (size - std::min(size, file.pixelOffset) < needed || file.pixelBytes < needed)
   {
     failToRead(file.path, "the file ends before its " + std::to_string(needed) + " bytes of pixels do");
@@ -158,31 +163,130 @@ int typeOf(const DicomFile& file)
   }
 }
 
-/// Where a slice lies along what is at right angles to the slices, else its number.
-void sortSlices(std::vector<DicomFile>& files)
+/// One picture of a series.
+struct Slice
+{
+  const DicomFile* file;
+  std::size_t number; ///< in its file
+  DicomFrame frame;
+  double along = 0.0; ///< where it lies along what is at right angles to the slices, else when it was taken
+};
+
+std::vector<Slice> slicesOf(const std::vector<DicomFile>& files)
+{
+  std::vector<Slice> slices;
+  for (const DicomFile& file : files)
+  {
+    check(file);
+    for (std::size_t number = 0; number < static_cast<std::size_t>(file.frames); ++number)
+    {
+      Slice& slice = slices.emplace_back(&file, number, file.shared);
+      if (!file.ownFrames.empty())
+      {
+        slice.frame = file.ownFrames[number];
+      }
+      // Where a file says one place for several frames, it is that of the first.
+      slice.frame.hasPosition = slice.frame.hasPosition && (file.frames == 1 || !file.ownFrames.empty());
+    }
+  }
+  return slices;
+}
+
+bool havePositions(const std::vector<Slice>& slices)
+{
+  return std::all_of(
+    slices.begin(), slices.end(), [](const Slice& slice) { return slice.frame.hasPosition; });
+}
+
+/// Whether two pictures can be slices of one volume.
+bool areAlike(const Slice& a, const Slice& b)
+{
+  // Of directions, as files round them.
+  constexpr double tolerance = 1e-3;
+  const auto isClose = [](double c, double d) { return std::abs(c - d) < tolerance; };
+  const DicomFile& first = *a.file;
+  const DicomFile& second = *b.file;
+  return first.rows == second.rows && first.columns == second.columns &&
+    first.components == second.components && typeOf(first) == typeOf(second) &&
+    first.isCompressed() == second.isCompressed() && first.bigEndian == second.bigEndian &&
+    std::equal(a.frame.row, a.frame.row + 3, b.frame.row, isClose) &&
+    std::equal(a.frame.column, a.frame.column + 3, b.frame.column, isClose);
+}
+
+/// Leaves out pictures that are unlike the most, as those that a scan was planned on are.
+void keepMostAlike(std::vector<Slice>& slices, std::vector<std::string>& notes)
+{
+  std::vector<std::vector<Slice>> kinds;
+  for (const Slice& slice : slices)
+  {
+    const auto kind = std::find_if(kinds.begin(), kinds.end(),
+      [&](const std::vector<Slice>& one) { return areAlike(one.front(), slice); });
+    (kind != kinds.end() ? *kind : kinds.emplace_back()).push_back(slice);
+  }
+  const auto most = std::max_element(
+    kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (kinds.size() > 1)
+  {
+    notes.push_back(std::to_string(slices.size() - most->size()) + " of its " +
+      std::to_string(slices.size()) +
+      " pictures have another size, type or direction than most; they are left out");
+  }
+  slices = std::move(*most);
+}
+
+/// Sorts slices by where they lie; if they do not say that, by their numbers.
+void sortSlices(std::vector<Slice>& slices)
 {
   double normal[3];
-  vtkMath::Cross(files.front().row, files.front().column, normal);
-  const bool hasPosition =
-    std::all_of(files.begin(), files.end(), [](const DicomFile& file) { return file.hasPosition; });
-  for (DicomFile& file : files)
+  vtkMath::Cross(slices.front().frame.row, slices.front().frame.column, normal);
+  const bool byPosition = havePositions(slices);
+  for (Slice& slice : slices)
   {
-    file.number = hasPosition ? vtkMath::Dot(file.position, normal) : file.number;
+    slice.along = byPosition ? vtkMath::Dot(slice.frame.position, normal) : slice.file->number;
   }
-  std::sort(files.begin(), files.end(),
-    [](const DicomFile& a, const DicomFile& b)
-    { return a.number != b.number ? a.number < b.number : a.path < b.path; });
+  std::sort(slices.begin(), slices.end(),
+    [](const Slice& a, const Slice& b)
+    {
+      return std::tie(a.along, a.file->number, a.file->path, a.number) <
+        std::tie(b.along, b.file->number, b.file->path, b.number);
+    });
+}
+
+/// Of sorted slices at one place, as a scan over time has them, keeps that with the lowest number.
+void keepFirstOfPlace(std::vector<Slice>& slices, std::vector<std::string>& notes)
+{
+  constexpr double tolerance = 1e-3; // millimeters
+  const std::size_t all = slices.size();
+  std::vector<Slice> kept;
+  for (const Slice& slice : slices)
+  {
+    if (kept.empty() || slice.along - kept.back().along > tolerance)
+    {
+      kept.push_back(slice);
+    }
+    else if (std::tie(slice.file->number, slice.file->path, slice.number) <
+      std::tie(kept.back().file->number, kept.back().file->path, kept.back().number))
+    {
+      kept.back() = slice;
+    }
+  }
+  slices = std::move(kept);
+  if (slices.size() < all)
+  {
+    notes.push_back("its " + std::to_string(all) + " slices lie at " + std::to_string(slices.size()) +
+      (slices.size() == 1 ? " place" : " places") + "; the first of each is used");
+  }
 }
 
 /// Notes it if sorted slices are not as far from each other as from the next, where one is missing, say.
-void noteUnevenSlices(const std::vector<DicomFile>& files, double distance, std::vector<std::string>& notes)
+void noteUnevenSlices(const std::vector<Slice>& slices, double distance, std::vector<std::string>& notes)
 {
   constexpr double tolerance = 0.05;
   double least = distance;
   double most = distance;
-  for (std::size_t i = 1; i < files.size(); ++i)
+  for (std::size_t i = 1; i < slices.size(); ++i)
   {
-    const double between = files[i].number - files[i - 1].number;
+    const double between = slices[i].along - slices[i - 1].along;
     least = std::min(least, between);
     most = std::max(most, between);
   }
@@ -193,43 +297,66 @@ void noteUnevenSlices(const std::vector<DicomFile>& files, double distance, std:
   }
 }
 
+/// From slice to slice.
+double distanceOf(const std::vector<Slice>& slices, std::vector<std::string>& notes)
+{
+  const DicomFrame& first = slices.front().frame;
+  if (slices.size() > 1 && havePositions(slices))
+  {
+    const double distance =
+      (slices.back().along - slices.front().along) / static_cast<double>(slices.size() - 1);
+    noteUnevenSlices(slices, distance, notes);
+    return distance;
+  }
+  return first.distance > 0.0 ? first.distance : first.thickness;
+}
+
+/// Where the pixels of each slice are.
+void placePixels(const std::vector<Slice>& slices, RawVolume& voxels)
+{
+  const bool areCompressed = slices.front().file->isCompressed();
+  voxels.encoding = areCompressed ? VoxelEncoding::Frames : VoxelEncoding::Plain;
+  for (const Slice& slice : slices)
+  {
+    voxels.files.push_back(slice.file->path);
+    voxels.offsets.push_back(
+      areCompressed ? slice.number : slice.file->pixelOffset + slice.number * slice.file->frameBytes());
+  }
+}
+
 } // namespace
 
 VolumeHeader readDicomHeaders(const fs::path& path)
 {
   VolumeHeader header;
-  std::vector<DicomFile> files =
+  const std::vector<DicomFile> files =
     fs::is_directory(path) ? readLargestSeries(path, header.notes) : readSeriesOf(path, header.notes);
   header.format = files.size() > 1 || fs::is_directory(path) ? "DICOM series" : "DICOM";
-  sortSlices(files);
-  const DicomFile& first = files.front();
-  RawVolume& voxels = header.voxels;
-  for (const DicomFile& file : files)
+  std::vector<Slice> slices = slicesOf(files);
+  keepMostAlike(slices, header.notes);
+  sortSlices(slices);
+  if (havePositions(slices))
   {
-    check(file, files.size() == 1);
-    if (file.rows != first.rows || file.columns != first.columns || file.components != first.components ||
-      typeOf(file) != typeOf(first))
-    {
-      failToRead(file.path,
-        "its picture has another size or type than that in '" + first.path.string() +
-          "'; expected slices of one volume");
-    }
-    voxels.files.push_back(file.path);
-    voxels.offsets.push_back(file.pixelOffset);
-    header.sliceScales.push_back(file.scale);
+    keepFirstOfPlace(slices, header.notes);
   }
-  voxels.dimensions[0] = first.columns;
-  voxels.dimensions[1] = first.rows;
-  voxels.dimensions[2] = files.size() > 1 ? static_cast<int>(files.size()) : first.frames;
-  voxels.type = typeOf(first);
-  voxels.components = first.separatePlanes ? 1 : first.components;
-  voxels.setBigEndian(first.bigEndian);
-  header.components = first.components;
+  const DicomFile& file = *slices.front().file;
+  const DicomFrame& first = slices.front().frame;
+  RawVolume& voxels = header.voxels;
+  placePixels(slices, voxels);
+  voxels.dimensions[0] = file.columns;
+  voxels.dimensions[1] = file.rows;
+  voxels.dimensions[2] = static_cast<int>(slices.size());
+  voxels.type = typeOf(file);
+  voxels.components = file.separatePlanes ? 1 : file.components;
+  // Decompressed ones are in this machine's order.
+  voxels.setBigEndian(file.isCompressed() ? std::endian::native == std::endian::big : file.bigEndian);
+  header.components = file.components;
   header.scale = first.scale;
-  const auto isFirst = [&](const ValueScale& scale) { return scale == first.scale; };
-  if (std::all_of(header.sliceScales.begin(), header.sliceScales.end(), isFirst))
+  const auto isFirst = [&](const Slice& slice) { return slice.frame.scale == first.scale; };
+  if (!std::all_of(slices.begin(), slices.end(), isFirst))
   {
-    header.sliceScales.clear();
+    std::transform(slices.begin(), slices.end(), std::back_inserter(header.sliceScales),
+      [](const Slice& slice) { return slice.frame.scale; });
   }
 
   double steps[9];
@@ -240,18 +367,9 @@ VolumeHeader readDicomHeaders(const fs::path& path)
   std::copy_n(normal, 3, steps + 6);
   constexpr double sign[3] = { 1, 1, 1 };
   header.orientation.emplace(steps, first.position, sign);
-  const bool hasPositions = files.size() > 1 && first.hasPosition;
-  const double distance = hasPositions
-    ? (files.back().number - first.number) / static_cast<double>(files.size() - 1)
-    : first.distance > 0.0 ? first.distance
-                           : first.thickness;
-  if (hasPositions)
-  {
-    noteUnevenSlices(files, distance, header.notes);
-  }
   header.spacing[0] = spacingOf(first.spacing[0]);
   header.spacing[1] = spacingOf(first.spacing[1]);
-  header.spacing[2] = spacingOf(distance);
+  header.spacing[2] = spacingOf(distanceOf(slices, header.notes));
   return header;
 }
 

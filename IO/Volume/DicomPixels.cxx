@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DicomPixels.h"
+
+#include "FileHandle.h"
+#include "OrderedBytes.h"
+#include "ReadError.h"
+
+#include <gdcmDataElement.h>
+#include <gdcmImage.h>
+#include <gdcmSequenceOfFragments.h>
+#include <gdcmTrace.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <fcntl.h>
+
+namespace ink::io
+{
+namespace
+{
+
+/// A file that is read from anywhere.
+class Bytes
+{
+public:
+  explicit Bytes(const std::filesystem::path& path)
+    : Path(path)
+    , File(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+  {
+    if (this->File.get() < 0)
+    {
+      failToRead(path, std::strerror(errno));
+    }
+  }
+
+  void read(std::uint64_t position, std::span<unsigned char> bytes) const
+  {
+    if (readAt(this->File.get(), position, bytes) != bytes.size())
+    {
+      failToRead(this->Path, "the file ends within its compressed pixels");
+    }
+  }
+
+  std::uint32_t integer(std::uint64_t position) const
+  {
+    std::uint32_t value = 0;
+    this->read(position, { reinterpret_cast<unsigned char*>(&value), sizeof(value) });
+    return value;
+  }
+
+private:
+  const std::filesystem::path& Path;
+  FileHandle File;
+};
+
+/// What there is of an item (DICOM PS3.5 A.4): its tag and length, and what is in it.
+constexpr std::uint64_t headBytes = 8;
+constexpr std::uint32_t itemTag = 0xE000FFFE;
+constexpr std::uint32_t endTag = 0xE0DDFFFE;
+
+constexpr std::string_view runLengths = "1.2.840.10008.1.2.5";
+
+/// GDCM tells of each thing that it finds wrong on the terminal.
+void silenceGdcm()
+{
+  static const bool isSilent = []
+  {
+    gdcm::Trace::DebugOff();
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+    return true;
+  }();
+  static_cast<void>(isSilent);
+}
+
+gdcm::PixelFormat formatOf(const DicomFile& file)
+{
+  const auto bits = static_cast<unsigned short>(file.bits);
+  const auto stored =
+    static_cast<unsigned short>(file.storedBits > 0 ? std::min(file.storedBits, file.bits) : file.bits);
+  return gdcm::PixelFormat(static_cast<unsigned short>(file.components), bits, stored,
+    static_cast<unsigned short>(stored - 1), file.isSigned ? 1 : 0);
+}
+
+/// Repeats the sign of values in the bits that are not theirs, as some files leave it out where an unsigned
+/// picture was compressed.
+template <class T>
+void extendSigns(std::span<unsigned char> values, int spareBits)
+{
+  for (std::size_t at = 0; at + sizeof(T) <= values.size(); at += sizeof(T))
+  {
+    const auto stored = valueFrom<std::make_unsigned_t<T>>(&values[at], false);
+    const auto value = static_cast<T>(static_cast<T>(stored << spareBits) >> spareBits);
+    std::memcpy(&values[at], &value, sizeof(T));
+  }
+}
+
+/// A file that was one before.
+DicomFile readAgain(const std::filesystem::path& path)
+{
+  std::optional<DicomFile> file = DicomFile::read(path);
+  if (!file)
+  {
+    failToRead(path, "it is no DICOM file any more");
+  }
+  return std::move(*file);
+}
+
+} // namespace
+
+DicomPixels::DicomPixels(const std::filesystem::path& path)
+  : DicomPixels(readAgain(path))
+{
+}
+
+DicomPixels::DicomPixels(DicomFile file)
+  : File(std::move(file))
+{
+  constexpr int bitsOfAByte = 8;
+  if (this->File.transferSyntax == runLengths && this->File.components > 1 && this->File.bits > bitsOfAByte)
+  {
+    // GDCM mixes up their bytes.
+    failToRead(this->File.path,
+      "its pixels have " + std::to_string(this->File.components) + " components of " +
+        std::to_string(this->File.bits) + " bits in run lengths; expected one, or 8 bits");
+  }
+  const Bytes bytes(this->File.path);
+  // The first item says where the first fragment of each frame is, counted from the next item, or is empty.
+  std::uint64_t position = this->File.pixelOffset;
+  if (bytes.integer(position) != itemTag)
+  {
+    failToRead(this->File.path, "its compressed pixels do not begin with an item");
+  }
+  const std::uint32_t tableBytes = bytes.integer(position + sizeof(itemTag));
+  const std::uint64_t table = position + headBytes;
+  const std::uint64_t first = table + tableBytes;
+  const auto frames = static_cast<std::size_t>(this->File.frames);
+  std::vector<Fragment> fragments;
+  position = first;
+  for (std::uint32_t tag = bytes.integer(position); tag != endTag; tag = bytes.integer(position))
+  {
+    const std::uint32_t length = bytes.integer(position + sizeof(tag));
+    if (tag != itemTag)
+    {
+      failToRead(this->File.path, "its compressed pixels hold something else than items");
+    }
+    fragments.push_back({ position + headBytes, length });
+    position += headBytes + length;
+  }
+  constexpr double mostPerByte = 1 << 16; // an even picture, in JPEG 2000
+  if (static_cast<double>(position - first) * mostPerByte <
+    static_cast<double>(this->File.frameBytes()) * static_cast<double>(frames))
+  {
+    failToRead(this->File.path,
+      "it has " + std::to_string(position - first) + " bytes of compressed pixels, but promises " +
+        std::to_string(frames) + " frames of " + std::to_string(this->File.frameBytes()));
+  }
+  this->Frames.resize(frames);
+  const bool hasTable = tableBytes == frames * sizeof(std::uint32_t);
+  if (frames != 1 && frames != fragments.size() && !hasTable)
+  {
+    failToRead(this->File.path,
+      "it has " + std::to_string(fragments.size()) + " fragments of pixels, and does not say which of its " +
+        std::to_string(frames) + " frames they belong to");
+  }
+  std::size_t frame = 0;
+  for (const Fragment& fragment : fragments)
+  {
+    const auto begins = [&](std::size_t other)
+    { return first + bytes.integer(table + other * sizeof(std::uint32_t)) + headBytes <= fragment.position; };
+    if (frames == fragments.size())
+    {
+      frame = static_cast<std::size_t>(&fragment - fragments.data());
+    }
+    else if (frames > 1)
+    {
+      while (frame + 1 < frames && begins(frame + 1))
+      {
+        ++frame;
+      }
+    }
+    this->Frames[frame].push_back(fragment);
+  }
+}
+
+void DicomPixels::read(std::size_t frame, std::span<unsigned char> values) const
+{
+  silenceGdcm();
+  const Bytes bytes(this->File.path);
+  gdcm::SmartPointer<gdcm::SequenceOfFragments> sequence = new gdcm::SequenceOfFragments;
+  std::vector<char> data;
+  for (const Fragment& part : this->Frames.at(frame))
+  {
+    data.resize(part.length);
+    bytes.read(part.position, { reinterpret_cast<unsigned char*>(data.data()), data.size() });
+    gdcm::Fragment fragment;
+    fragment.SetByteValue(data.data(), gdcm::VL(part.length));
+    sequence->AddFragment(fragment);
+  }
+  gdcm::DataElement pixels(gdcm::Tag(0x7FE0, 0x0010), 0, gdcm::VR::OB);
+  pixels.SetValue(*sequence);
+  gdcm::Image image;
+  image.SetNumberOfDimensions(2);
+  image.SetDimension(0, static_cast<unsigned int>(this->File.columns));
+  image.SetDimension(1, static_cast<unsigned int>(this->File.rows));
+  image.SetPixelFormat(formatOf(this->File));
+  image.SetPhotometricInterpretation(this->File.components == 3
+      ? gdcm::PhotometricInterpretation::RGB
+      : gdcm::PhotometricInterpretation::MONOCHROME2);
+  image.SetPlanarConfiguration(0);
+  image.SetTransferSyntax(gdcm::TransferSyntax::GetTSType(this->File.transferSyntax.c_str()));
+  image.SetDataElement(pixels);
+  if (image.GetBufferLength() != values.size() || !image.GetBuffer(reinterpret_cast<char*>(values.data())))
+  {
+    failToRead(this->File.path,
+      "its pixels cannot be decompressed (transfer syntax " + this->File.transferSyntax + ")");
+  }
+  const int spare = this->File.storedBits > 0 ? this->File.bits - this->File.storedBits : 0;
+  if (this->File.isSigned && spare > 0)
+  {
+    switch (this->File.bits)
+    {
+      case 8:
+        extendSigns<std::int8_t>(values, spare);
+        break;
+      case 16:
+        extendSigns<std::int16_t>(values, spare);
+        break;
+      default:
+        extendSigns<std::int32_t>(values, spare);
+    }
+  }
+}
+
+} // namespace ink::io
