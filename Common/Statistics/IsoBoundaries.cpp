@@ -166,12 +166,6 @@ std::vector<IsoBoundary> findBoundaries(
   return boundaries;
 }
 
-/// Whether most of the edges that cross a threshold lie at the edge of a mask.
-bool isMask(const IsoStatistics& statistics, std::size_t threshold)
-{
-  return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
-}
-
 /// Whether a mask cuts what lies above a threshold.
 bool isCutByMask(const IsoStatistics& statistics, std::size_t threshold)
 {
@@ -251,6 +245,11 @@ bool areTooMany(std::int64_t edges, const IsoStatistics& statistics)
   const std::int64_t voxels =
     std::accumulate(statistics.voxels.begin(), statistics.voxels.end(), std::int64_t{ 0 });
   return static_cast<double>(edges) > mostIntersected * 3.0 * static_cast<double>(voxels);
+}
+
+bool isMask(const IsoStatistics& statistics, std::size_t threshold)
+{
+  return 2 * statistics.maskEdges[threshold] > statistics.edges[threshold];
 }
 
 bool isPadding(const IsoStatistics& statistics, std::size_t boundary, std::size_t next)

@@ -17,6 +17,9 @@ inline constexpr double fragmentShare = 0.01;
 /// Whether so many edges are too large a part of a volume's for a surface, rather than noise, to cross them.
 bool areTooMany(std::int64_t edges, const IsoStatistics& statistics);
 
+/// Whether most of the edges that cross a threshold lie at the edge of a mask.
+bool isMask(const IsoStatistics& statistics, std::size_t threshold);
+
 /// Whether the lowest of the clear boundaries is that of a field of view which padding of the lowest value
 /// surrounds: noise lies above it, no material, and the padding's edges have no larger steps than that noise.
 /// @param boundary,next thresholds, of the lowest boundary and of the one above it

@@ -43,6 +43,10 @@ constexpr double thinObjectShare = 1e-4;
 constexpr double backgroundShare = 0.125;
 // The negative differences are as large as so many times the positive ones, at least.
 constexpr double leastNegative = 0.25;
+// A field of view is padded with a value that this share of the voxels or more has, and that is so many times
+// as low as all others: CT, whose air is around -1000, with -1500 to -3024.
+constexpr double paddingShare = 0.01;
+constexpr double farBelow = 1.25;
 // Slices that are smoothed at once: enough for all threads, and few enough for this memory in bytes, as far
 // as three take less.
 constexpr int mostSmoothedAtOnce = 66;
@@ -314,6 +318,43 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
   return suggestions;
 }
 
+/// Whether a suggestion is the boundary between two materials.
+bool isClear(const IsoSuggestion& suggestion)
+{
+  using Boundary = IsoSuggestion::Boundary;
+  return suggestion.boundary == Boundary::Outermost || suggestion.boundary == Boundary::Inner ||
+    suggestion.boundary == Boundary::Densest;
+}
+
+/// The least value that is measured, where a field of view is padded with one that is far below it, as -3024
+/// below air in CT.
+std::optional<double> findLeastMeasured(const IsoStatistics& statistics)
+{
+  const std::vector<std::int64_t>& voxels = statistics.voxels;
+  const double all = std::accumulate(voxels.begin(), voxels.end(), 0.0);
+  const auto next = std::find_if(voxels.begin() + 1, voxels.end(), [](std::int64_t n) { return n > 0; });
+  const double least =
+    statistics.bins.low + statistics.bins.width * static_cast<double>(next - voxels.begin());
+  const bool isPadded = static_cast<double>(voxels[0]) > paddingShare * all &&
+    statistics.bins.low < farBelow * least && least < 0.0;
+  return isPadded ? std::optional(least) : std::nullopt;
+}
+
+/// A volume none of whose values is below one.
+template <typename T>
+SliceReader<T> raisedSlices(const SliceReader<T>& read, double least)
+{
+  const T lowest = static_cast<T>(std::is_integral_v<T> ? std::ceil(least) : least);
+  return [read, lowest, held = std::vector<T>()](int first, int last) mutable
+  {
+    const std::span<const T> values = read(first, last);
+    held.assign(values.begin(), values.end());
+    std::replace_if(
+      held.begin(), held.end(), [lowest](T value) { return value < lowest; }, lowest);
+    return std::span<const T>(held);
+  };
+}
+
 /// Whatever surrounds the volume.
 template <typename T>
 std::vector<IsoSuggestion> suggestOf(const SliceReader<T>& read, const std::array<int, 3>& dimensions,
@@ -372,9 +413,7 @@ std::vector<IsoSuggestion> suggestWithinPadding(const SliceReader<T>& read,
   const std::optional<IsoStatistics> within = makeIsoStatistics(cropped, size, atOnce);
   std::vector<IsoSuggestion> suggestions =
     within ? suggestOf(cropped, size, atOnce, *within) : std::vector<IsoSuggestion>();
-  using Boundary = IsoSuggestion::Boundary;
-  if (suggestions.empty() || suggestions.front().boundary == Boundary::Labels ||
-    suggestions.front().boundary == Boundary::Sign || suggestions.front().boundary == Boundary::None)
+  if (suggestions.empty() || !isClear(suggestions.front()))
   {
     return {};
   }
@@ -384,6 +423,30 @@ std::vector<IsoSuggestion> suggestWithinPadding(const SliceReader<T>& read,
     one.keptShare = kept[thresholdAt(statistics.bins, one.value)];
   }
   return suggestions;
+}
+
+/// Where a field of view is padded: the boundaries of what is measured, in place of some that lie around
+/// them, if the first is not just the padding's edge.
+template <typename T>
+std::vector<IsoSuggestion> withinFieldOfView(std::vector<IsoSuggestion> suggestions,
+  const SliceReader<T>& read, const std::array<int, 3>& dimensions, int slicesAtOnce,
+  const IsoStatistics& statistics)
+{
+  const std::optional<double> least = findLeastMeasured(statistics);
+  if (!least)
+  {
+    return suggestions;
+  }
+  // Of what is raised there is a copy.
+  const int atOnce = countSmoothedAtOnce(dimensions, slicesAtOnce);
+  const SliceReader<T> raised = raisedSlices(read, *least);
+  const std::optional<IsoStatistics> measured = makeIsoStatistics(raised, dimensions, atOnce);
+  std::vector<IsoSuggestion> within =
+    measured ? suggestOf(raised, dimensions, atOnce, *measured) : std::vector<IsoSuggestion>();
+  const bool isAround = !within.empty() && isClear(within.front()) &&
+    suggestions.front().keptShare > outerShare * within.front().keptShare;
+  return isAround && !isMask(*measured, thresholdAt(measured->bins, within.front().value)) ? within
+                                                                                           : suggestions;
 }
 
 } // namespace
@@ -399,7 +462,9 @@ std::vector<IsoSuggestion> suggestIsoValues(
   }
   const SliceReader<T> read = withoutFill(readAll, statistics->bins.fill);
   const std::vector<IsoSuggestion> within = suggestWithinPadding(read, dimensions, slicesAtOnce, *statistics);
-  return within.empty() ? suggestOf(read, dimensions, slicesAtOnce, *statistics) : within;
+  return within.empty() ? withinFieldOfView(suggestOf(read, dimensions, slicesAtOnce, *statistics), read,
+                            dimensions, slicesAtOnce, *statistics)
+                        : within;
 }
 
 template <typename T>

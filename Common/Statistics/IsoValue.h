@@ -59,6 +59,9 @@ struct IsoSuggestion
 /// Where some sides are padded with the lowest value, so that all others fill a box, only that box counts, if
 /// there is a boundary in it.
 ///
+/// Where a field of view is padded with a value far below all others, as CT's is below air, that counts as
+/// the least of these, if the boundaries then lie well within.
+///
 /// Where nearly all values are as large as those around them, they are the labels of a segmentation rather
 /// than measured. One between two labels says nothing then; the first suggestion is the edge of all labels,
 /// half way from the lowest value, the background, to the next.
@@ -83,7 +86,8 @@ std::vector<IsoSuggestion> suggestIsoValues(std::span<const T> values, std::arra
 
 /// The same, bitwise, for a volume that is not in memory as a whole. Every slice is read at least twice, four
 /// times if it is smoothed, once more if values are labels, fill the volume or begin at masks, and those of a
-/// box within padding as often again, always from the first on, at most `slicesAtOnce` (3 or more) per call.
+/// box within padding, or all in a padded field of view, as often again, always from the first on, at most
+/// `slicesAtOnce` (3 or more) per call.
 /// @throws std::invalid_argument if slicesAtOnce is too small or read returns the wrong number of voxels
 template <typename T>
 std::vector<IsoSuggestion> suggestIsoValues(

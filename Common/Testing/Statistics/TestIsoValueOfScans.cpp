@@ -63,6 +63,41 @@ TEST(IsoValueOfScans, IsNotTheEdgeOfPadding)
   }
 }
 
+TEST(IsoValueOfScans, IsThatOfAChestInAPaddedFieldOfView)
+{
+  // The lungs are as noisy as the air around, and most of what is measured.
+  const auto chest = volume<short>(
+    [](double d, std::size_t i)
+    {
+      const double body = 1000.0 * blurredSphere(d, 23) - 850.0 * blurredSphere(d, 20);
+      return std::max(-1024.0, -1000.0 + body + (d < 20 ? 110.0 : 30.0) * noise(i));
+    });
+  for (const short padding : { -1500, -2000, -3024 })
+  {
+    auto padded = chest;
+    for (std::size_t i = 0; i < padded.size(); ++i)
+    {
+      const int row = static_cast<int>(i) / size % size;
+      padded[i] = std::hypot(column(i) - size / 2, row - size / 2) > 22 ? padding : padded[i];
+    }
+    const auto suggestion = suggest(padded);
+    ASSERT_TRUE(suggestion);
+    EXPECT_EQ(suggestion->boundary, Boundary::Outermost) << padding;
+    EXPECT_GT(suggestion->value, -800.0) << padding;
+    EXPECT_LT(suggestion->value, -200.0) << padding;
+  }
+}
+
+TEST(IsoValueOfScans, IsThatAroundAllWhereNothingElseIsMeasured)
+{
+  // What a mask leaves of temperatures has no boundary within it.
+  const auto masked =
+    volume<short>([](double d, std::size_t i) { return d < 15 ? -200.0 + 30.0 * waves(i) : -9999.0; });
+  const auto suggestion = suggest(masked);
+  ASSERT_TRUE(suggestion);
+  EXPECT_LT(suggestion->value, -230.0);
+}
+
 TEST(IsoValueOfScans, IsWithinTheBoxThatPaddingLeaves)
 {
   // A slab through a head, of which no more is left above and below than 0.
