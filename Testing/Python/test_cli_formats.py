@@ -289,6 +289,15 @@ def test_a_slice_that_is_cut_off_or_not_there_is_refused(name, data, tmp_path, i
     assert data in ink("info", tmp_path / name).error
 
 
+def test_elements_after_the_end_of_xml(tmp_path, ink):
+    """As gprMax writes those of its materials."""
+    ink_files.write_vti(tmp_path / "v.vti", BLOB)
+    expected = ink("info", tmp_path / "v.vti").out
+    with open(tmp_path / "v.vti", "ab") as file:
+        file.write(b"<gprMax>" + 100 * b'<Material name="free_space">1</Material>\n' + b"</gprMax>\n")
+    assert ink("info", tmp_path / "v.vti").out == expected
+
+
 def test_ply_keeps_what_its_points_have(tmp_path, ink):
     """Coordinates in double, as those of surveys need it, and arrays that are not x, y, z and a normal."""
     rows = np.zeros(3, [(n, "<f8") for n in ("x", "y", "z")] + [(n, "<f4") for n in ("nx", "ny", "nz", "Radius")])

@@ -366,7 +366,8 @@ private:
 
 double checkXml(const fs::path& file)
 {
-  constexpr std::size_t endSize = 256;
+  // Some programs write elements of their own after it, as gprMax does of its materials.
+  constexpr std::size_t endSize = 1 << 16;
   if (fileTail(file, endSize).find("</VTKFile>") == std::string::npos)
   {
     failToRead(file, "the file ends without '</VTKFile>', the end of a VTK XML file");
