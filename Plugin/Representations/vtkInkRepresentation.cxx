@@ -87,8 +87,7 @@ int vtkInkRepresentation::RequestData(
   }
   // An earlier run may have been stopped.
   this->SetAbortExecute(0);
-  this->MadeColorArray = this->GetColorArray();
-  this->MadeColorAssociation = this->GetColorAssociation();
+  this->MadeColors = { this->GetColorArray(), this->GetColorAssociation() };
   const std::string problem = this->MakeMarks(input);
   // A server's client has no input.
   if (input.Port && !problem.empty())
@@ -163,27 +162,24 @@ int vtkInkRepresentation::GetColorAssociation()
   return this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION());
 }
 
-bool vtkInkRepresentation::ServesFor(const std::string& name, int association)
+bool vtkInkRepresentation::ServesFor(const std::string&, int)
 {
-  return name.empty() || (name == this->MadeColorArray && association == this->MadeColorAssociation);
+  return false;
 }
 
-bool vtkInkRepresentation::ColorArrayChanged()
+bool vtkInkRepresentation::LacksColors()
 {
-  const std::string chosen = std::to_string(this->GetColorAssociation()) + this->GetColorArray();
-  const bool changed = this->ColoredBy.empty() ||
-    (chosen != this->ColoredBy && !this->ServesFor(this->GetColorArray(), this->GetColorAssociation()));
-  if (changed)
-  {
-    this->ColoredBy = chosen;
-  }
-  return changed;
+  const std::string name = this->GetColorArray();
+  const int association = this->GetColorAssociation();
+  // What was asked for when marks were made is not asked for again, whether the data has it or not.
+  return !name.empty() && this->MadeColors != std::pair(name, association) &&
+    !this->ServesFor(name, association);
 }
 
 int vtkInkRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (request == vtkPVView::REQUEST_UPDATE() && this->ColorArrayChanged())
+  if (request == vtkPVView::REQUEST_UPDATE() && this->LacksColors())
   {
     this->MarkModified();
   }

@@ -23,9 +23,10 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h" // for the pieces
 
-#include <memory> // for the paper
-#include <string> // for arrays' names
-#include <vector> // for the pieces
+#include <memory>  // for the paper
+#include <string>  // for arrays' names
+#include <utility> // for the array to color by
+#include <vector>  // for the pieces
 
 class vtkInkPaper;
 class vtkPolyData;
@@ -131,8 +132,8 @@ protected:
   /// Hands the pieces of all processes, each where it has been delivered, else null, to the style. Here: as
   /// they are.
   virtual void Show(const std::vector<vtkPolyData*>& delivered);
-  /// Whether the pieces, made with another array to color by, do for this one, none if the name is empty. The
-  /// same on all processes that have the data. Here: if they were made with this one.
+  /// Whether the pieces, made with another array to color by, do for this one. The same on all processes that
+  /// have the data. Here: they don't.
   virtual bool ServesFor(const std::string& name, int association);
 
   /// Those of this process, never null; MakeMarks changes what they hold. The first has the points that are
@@ -177,15 +178,14 @@ private:
   void Deliver(vtkInformation* inInfo, vtkInformation* outInfo);
   bool DrawsOnThisProcess();
   void UpdatePickable();
-  bool ColorArrayChanged();
+  bool LacksColors();
   void ReportProgress();
 
   const vtkSmartPointer<vtkInkStyle> Style;
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   const std::unique_ptr<vtkInkPaper> Paper;
-  std::string ColoredBy;      ///< what the pieces were made with; empty before there are any
-  std::string MadeColorArray; ///< to color by, when marks were made last
-  int MadeColorAssociation = 0;
+  /// The array to color by and its association when marks were made last.
+  std::pair<std::string, int> MadeColors;
   Choice IsoValue;
   double Magnification = 1.0;
   int TimesMade = 0;

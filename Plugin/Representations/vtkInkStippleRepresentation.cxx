@@ -89,8 +89,7 @@ std::string vtkInkStippleRepresentation::MakeMarks(const vtkInkStyle::Input& inp
 
 bool vtkInkStippleRepresentation::ServesFor(const std::string& name, int association)
 {
-  return name.empty() ||
-    (name == this->Style->GetMadeColorArray() && association == this->Style->GetMadeColorAssociation());
+  return name == this->Style->GetMadeColorArray() && association == this->Style->GetMadeColorAssociation();
 }
 
 void vtkInkStippleRepresentation::SetMagnification(double) {}

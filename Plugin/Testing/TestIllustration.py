@@ -10,7 +10,7 @@ from paraview.simple import *
 from paraview.vtk.util.numpy_support import numpy_to_vtk
 
 from rendering import TestInOneView, Warnings, is_background, marks, picture
-from surface_tests import check_iso_value, grids_and_composites
+from surface_tests import check_colors_come_back, check_iso_value, grids_and_composites
 
 
 # Of meshes, where their number does not matter.
@@ -69,6 +69,11 @@ class TestIllustration(TestInOneView):
             numpy.testing.assert_array_equal(picture(self.view), pixels)
             self.assertEqual(marks(display)[1], made)
             Hide(source, self.view)
+
+    def test_colors_come_back_after_marks_were_made_without(self):
+        heights = Elevation(Input=Wavelet(), LowPoint=[0, 0, -10], HighPoint=[0, 0, 10])
+        display = self.show(heights, IllustrationScalars=["POINTS", "RTData"])
+        check_colors_come_back(self, display, "Illustration")
 
     def test_a_preset_sets_what_goes_with_it(self):
         display = self.show(Sphere(ThetaResolution=64, PhiResolution=64), **FEW_MARKS)

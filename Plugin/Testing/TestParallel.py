@@ -186,11 +186,13 @@ class TestParallel(unittest.TestCase):
                     server.wait()
                     server.stdout.close()
                 pictures = {file.stem: read(file) for file in pathlib.Path(folder).glob("*.png")}
-                self.assertEqual(len(pictures), 2 * 4)
-                for name in ("lines", "stipples", "colored-stipples"):
+                self.assertEqual(len(pictures), 2 * 5)
+                for name in ("lines", "stipples", "colored-stipples", "colored-again-lines"):
                     with self.subTest(name, processes=processes):
                         here, there = (pictures[f"{place}-{name}"] for place in ("here", "server"))
                         self.assertGreater(numpy.mean(here[..., 1] < 128), 0.01)
+                        if name == "colored-again-lines":
+                            self.assertGreater(numpy.mean(numpy.ptp(here, axis=-1) > 60), 0.01)
                         if processes == 1:
                             numpy.testing.assert_array_equal(there, here)
                         elif name == "colored-stipples":

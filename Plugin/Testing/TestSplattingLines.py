@@ -12,7 +12,7 @@ import numpy
 from rendering import *
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from splatting_lines_tests import SplattingLinesTests
-from surface_tests import check_iso_value
+from surface_tests import check_colors_come_back, check_iso_value
 
 
 def sampled_wavelet():
@@ -133,6 +133,11 @@ class TestSplattingLines(SplattingLinesTests, unittest.TestCase):
         self.assertGreater(share_of_color(), 0.5)
         ColorBy(display, None)
         self.assertLess(share_of_color(), 0.002)
+
+    def test_colors_come_back_after_points_were_made_without(self):
+        heights = Elevation(Input=Wavelet(), LowPoint=[0, 0, -10], HighPoint=[0, 0, 10])
+        display = self.show(heights, Phi=100, LinesScalars=["POINTS", "RTData"])
+        check_colors_come_back(self, display, "Lines")
 
     def test_colors_of_cells(self):
         sphere = Sphere(ThetaResolution=60, PhiResolution=60)

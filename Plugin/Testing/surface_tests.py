@@ -5,7 +5,7 @@ import numpy
 
 from paraview.simple import *
 
-from rendering import Warnings, ink, is_background, marks, picture
+from rendering import Warnings, ink, inside, is_background, marks, picture
 
 
 def grids_and_composites(wavelet):
@@ -35,6 +35,26 @@ def check_iso_value(test, display, prefix, least=1000):
     test.assertEqual(getattr(display, f"{prefix}AutomaticIsoValue"), 0)
     test.assertNotEqual(marks(display)[0], automatic[0])
     test.assertEqual(marks(display)[1], automatic[1] + 1)
+
+
+def check_colors_come_back(test, display, prefix):
+    """Colors of an image's array, off while the surface becomes another one, and on again: marks made without get them."""
+    array = ("POINTS", "Elevation")
+
+    def share_of_colors():
+        pixels = picture(test.view)
+        return (numpy.ptp(pixels[inside(pixels)], axis=-1) > 0.2).mean()
+
+    for value in (150.0, 170.0):
+        ColorBy(display, array)
+        test.assertGreater(share_of_colors(), 0.05)
+        ColorBy(display, None)
+        setattr(display, f"{prefix}IsoValue", value)
+        test.assertLess(share_of_colors(), 0.01)
+        made = marks(display)[1]
+        ColorBy(display, array)
+        test.assertGreater(share_of_colors(), 0.05)
+        test.assertEqual(marks(display)[1], made + 1)
 
 
 class SurfaceTests:
