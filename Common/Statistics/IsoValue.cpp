@@ -184,6 +184,36 @@ bool hasLabels(const IsoStatistics& statistics)
   return !areGrayLevels(levels, crossed / static_cast<double>(statistics.changes));
 }
 
+/// Counts different values, with memory for a few times as many.
+template <typename T>
+class DifferentValues
+{
+public:
+  void add(T value)
+  {
+    if (!this->Values.empty() && value == this->Values.back())
+    {
+      return;
+    }
+    if (this->Values.size() == this->Most)
+    {
+      this->count();
+      this->Most = std::max(this->Most, 2 * this->Values.size());
+    }
+    this->Values.push_back(value);
+  }
+  std::int64_t count()
+  {
+    std::sort(this->Values.begin(), this->Values.end());
+    this->Values.erase(std::unique(this->Values.begin(), this->Values.end()), this->Values.end());
+    return static_cast<std::int64_t>(this->Values.size());
+  }
+
+private:
+  std::vector<T> Values;
+  std::size_t Most = 1 << 16;
+};
+
 /// The edge of all labels, if values are labels: exactly, as the ids of atlases lie far apart.
 template <typename T>
 std::optional<IsoSuggestion> suggestLabels(
@@ -198,6 +228,7 @@ std::optional<IsoSuggestion> suggestLabels(
   double next = std::numeric_limits<double>::infinity();
   std::int64_t finite = 0;
   std::int64_t kept = 0;
+  DifferentValues<T> different;
   for (int first = 0; first < slices; first += slicesAtOnce)
   {
     for (const T value : read(first, std::min(first + slicesAtOnce, slices)))
@@ -207,24 +238,15 @@ std::optional<IsoSuggestion> suggestLabels(
       const bool isKept = isFinite && v > background;
       finite += isFinite ? 1 : 0;
       kept += isKept ? 1 : 0;
-      next = isKept ? std::min(next, v) : next;
+      if (isKept)
+      {
+        next = std::min(next, v);
+        different.add(value);
+      }
     }
   }
-  return IsoSuggestion{ background + 0.5 * (next - background), IsoSuggestion::Boundary::Labels,
-    static_cast<double>(kept) / static_cast<double>(finite) };
-}
-
-/// Puts the edge of labels first, unless that is where the first boundary already is.
-void addLabels(const IsoSuggestion& labels, std::vector<IsoSuggestion>& suggestions)
-{
-  if (suggestions.empty() || suggestions.front().keptShare < labels.keptShare)
-  {
-    suggestions.insert(suggestions.begin(), labels);
-    if (suggestions.size() > mostSuggestions)
-    {
-      suggestions.pop_back();
-    }
-  }
+  return IsoSuggestion{ std::midpoint(background, next), IsoSuggestion::Boundary::Labels,
+    static_cast<double>(kept) / static_cast<double>(finite), different.count() };
 }
 
 /// Whether each side of a volume cuts what lies above a value, as where a scan of a chest was cropped: what
@@ -360,6 +382,11 @@ template <typename T>
 std::vector<IsoSuggestion> suggestOf(const SliceReader<T>& read, const std::array<int, 3>& dimensions,
   int slicesAtOnce, const IsoStatistics& statistics)
 {
+  if (const std::optional<IsoSuggestion> labels =
+        suggestLabels(read, dimensions[2], slicesAtOnce, statistics))
+  {
+    return { *labels };
+  }
   std::vector<IsoSuggestion> suggestions = suggestBoundaries(statistics);
   if (noiseHidesBoundaries(statistics))
   {
@@ -380,11 +407,6 @@ std::vector<IsoSuggestion> suggestOf(const SliceReader<T>& read, const std::arra
     {
       std::rotate(suggestions.begin(), within, within + 1);
     }
-  }
-  if (const std::optional<IsoSuggestion> labels =
-        suggestLabels(read, dimensions[2], slicesAtOnce, statistics))
-  {
-    addLabels(*labels, suggestions);
   }
   return suggestions.empty() ? suggestThresholds(statistics, std::is_integral_v<T>) : suggestions;
 }

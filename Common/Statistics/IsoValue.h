@@ -4,6 +4,7 @@
 #include "Statistics/IsoStatistics.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct IsoSuggestion
   };
   double value;
   Boundary boundary;
-  double keptShare; ///< the share of the finite voxels that lie above the value, 0 to 1
+  double keptShare;        ///< the share of the finite voxels that lie above the value, 0 to 1
+  std::int64_t labels = 0; ///< how many different ones lie above the value, of Labels; else 0
 };
 
 /// Suggests up to three iso-values for a scan or a simulation, the best first.
@@ -63,7 +65,7 @@ struct IsoSuggestion
 /// the least of these, if the boundaries then lie well within.
 ///
 /// Where nearly all values are as large as those around them, they are the labels of a segmentation rather
-/// than measured. One between two labels says nothing then; the first suggestion is the edge of all labels,
+/// than measured. One between two labels says nothing then; the only suggestion is the edge of all labels,
 /// half way from the lowest value, the background, to the next.
 ///
 /// Otherwise the first suggestion is the outermost boundary, the lowest, as the inside of an object is

@@ -238,10 +238,13 @@ std::vector<std::size_t> InkBoundLayerPoints(InkImageSlabs& slabs, double isoVal
 std::string InkDescribe(const ink::IsoSuggestion& suggestion)
 {
   using Boundary = ink::IsoSuggestion::Boundary;
-  const char* boundary = suggestion.boundary == Boundary::Outermost ? "the outermost clear boundary"
-    : suggestion.boundary == Boundary::Inner                        ? "an inner boundary"
-    : suggestion.boundary == Boundary::Densest                      ? "the boundary of the densest part"
-    : suggestion.boundary == Boundary::Labels                       ? "the edge of all labels"
+  const std::string labels = suggestion.labels == 1
+    ? "the edge of a mask"
+    : "the edge of all " + std::to_string(suggestion.labels) + " labels";
+  const std::string boundary = suggestion.boundary == Boundary::Outermost ? "the outermost clear boundary"
+    : suggestion.boundary == Boundary::Inner                              ? "an inner boundary"
+    : suggestion.boundary == Boundary::Densest                            ? "the boundary of the densest part"
+    : suggestion.boundary == Boundary::Labels                             ? labels
     : suggestion.boundary == Boundary::Sign ? "where the sign changes, as no boundary is clear"
                                             : "by Otsu's threshold, as no boundary is clear";
   return boundary + (", keeps " + PercentOf(suggestion)) + " % of the volume";

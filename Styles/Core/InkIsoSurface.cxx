@@ -21,6 +21,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 InkIsoSurface::InkIsoSurface()
@@ -169,14 +170,16 @@ std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(vtkInkStyle* style, con
   std::vector<double> numbers;
   for (const ink::IsoSuggestion& one : suggestions)
   {
-    numbers.insert(numbers.end(), { one.value, static_cast<double>(one.boundary), one.keptShare });
+    numbers.insert(numbers.end(),
+      { one.value, static_cast<double>(one.boundary), one.keptShare, static_cast<double>(one.labels) });
   }
   style->GetProcesses().TakeOfFirst(numbers);
   suggestions.clear();
-  for (std::size_t i = 0; i < numbers.size(); i += 3)
+  for (std::size_t i = 0; i < numbers.size(); i += 4)
   {
     const auto boundary = static_cast<ink::IsoSuggestion::Boundary>(static_cast<int>(numbers[i + 1]));
-    suggestions.push_back({ numbers[i], boundary, numbers[i + 2] });
+    suggestions.push_back(
+      { numbers[i], boundary, numbers[i + 2], static_cast<std::int64_t>(numbers[i + 3]) });
   }
   return suggestions;
 }

@@ -77,6 +77,7 @@ def test_json(ink, tmp_path):
     first, second = json.loads(result.out)
     assert first["file"] == str(tmp_path / "v.vti") and first["dimensions"] == [28, 24, 20]
     assert first["type"] == "float" and first["components"] == 1 and first["not_finite"] == 1
+    assert "labels" not in first
     assert first["range"] == [0, pytest.approx(200, abs=1)] \
         and [0 < one["value"] < 200 for one in first["suggested_iso"]] == [True]
     assert all(set(one) == {"value", "shows", "kept_share"} for one in first["suggested_iso"])

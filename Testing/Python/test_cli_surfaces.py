@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which surface of a volume `ink` chooses, which of its parts it draws, where these end, and what it fits the picture to."""
 
+import json
 import pathlib
 import re
 
@@ -55,6 +56,24 @@ def test_render_names_its_choice_and_the_next_ones(ink, tmp_path):
                       r"ink: wrote [^\n]*\n$", result.err)
     assert choice, result.err
     assert [float(choice.group(1)), float(choice.group(2))] == [value for value, _ in found]
+
+
+def test_of_labels_their_number_is_said_and_no_value_between_them(ink, tmp_path):
+    z, y, x = grid((40, 40, 40))
+    sectors = 5 + 9 * np.floor((np.arctan2(y, x) + np.pi) * 1.2) + 70 * (z > 0)
+    inside = np.sqrt(x * x + y * y + z * z) < 16
+    labels = np.where(inside, sectors, 0).astype(np.int16)
+    for name, values, number, shows in (("labels", labels, len(np.unique(labels)) - 1, "all {} labels"),
+                                        ("mask", inside.astype(np.int16) * 5, 1, "a mask")):
+        path = tmp_path / f"{name}.nii"
+        ink_files.write_nifti(path, values)
+        edge = f"the edge of {shows.format(number)}, keeps 27 % of the volume"
+        described = json.loads(ink("info", "--json", path).out)[0]
+        assert described["labels"] == number
+        assert described["suggested_iso"] == [{"value": 2.5, "shows": edge, "kept_share": pytest.approx(inside.mean())}]
+        assert f"labels         {number}\nsuggested iso  2.5 ({edge})\n" in ink("info", path).out
+        result = ink("render", path, "--style", "splatting-lines", "--size", "64x64", "-o", tmp_path / "out.png")
+        assert result.err.startswith(f"ink: iso-value 2.5: {edge}\nink: wrote "), result.err
 
 
 def test_the_edge_of_a_mask_is_not_chosen(ink, tmp_path):

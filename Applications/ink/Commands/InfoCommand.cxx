@@ -23,6 +23,7 @@
 // clang-format on
 
 #include <algorithm>
+#include <cstdint>
 #include <iomanip>
 #include <iostream>
 #include <string>
@@ -141,6 +142,11 @@ void describeVolume(
   }
   else
   {
+    if (!suggestions.empty() && suggestions.front().labels > 0)
+    {
+      const std::int64_t labels = suggestions.front().labels;
+      description.add("labels", std::to_string(labels), labels);
+    }
     for (const IsoSuggestion& suggestion : suggestions)
     {
       add(suggestion.value, InkDescribe(suggestion), suggestion.keptShare);

@@ -14,6 +14,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -78,11 +79,38 @@ TEST(IsoValue, OfLabelsIsTheEdgeOfAll)
     inside += labels.back() > 0 ? 1 : 0;
     least = labels.back() > 0 ? std::min(least, labels.back()) : least;
   }
-  const auto suggestion = suggest(labels);
-  ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::Labels);
-  EXPECT_DOUBLE_EQ(suggestion->keptShare, static_cast<double>(inside) / static_cast<double>(labels.size()));
-  EXPECT_DOUBLE_EQ(suggestion->value, 0.5 * least);
+  const auto all = suggestAll(labels);
+  ASSERT_EQ(all.size(), 1U) << "between labels there is none";
+  EXPECT_EQ(all[0].boundary, Boundary::Labels);
+  EXPECT_DOUBLE_EQ(all[0].keptShare, static_cast<double>(inside) / static_cast<double>(labels.size()));
+  EXPECT_DOUBLE_EQ(all[0].value, 0.5 * least);
+  const std::set<unsigned char> different(labels.begin(), labels.end());
+  EXPECT_EQ(all[0].labels, static_cast<std::int64_t>(different.size()) - 1) << "but the background";
+}
+
+TEST(IsoValue, AMaskIsOneLabel)
+{
+  const auto all = suggestAll(volume<float>([](double d, std::size_t) { return d < 14 ? 3.0 : -1.0; }));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].boundary, Boundary::Labels);
+  EXPECT_EQ(all[0].value, 1.0);
+  EXPECT_EQ(all[0].labels, 1);
+}
+
+TEST(IsoValue, ManyLabelsAreCounted)
+{
+  // Blocks of 2 x 2 x 2 voxels, behind four of them of background.
+  constexpr int side = 96;
+  constexpr int blocks = side / 2;
+  std::vector<int> labels;
+  for (int i = 0; i < side * side * side; ++i)
+  {
+    const int block = (i / side / side / 2 * blocks + i / side % side / 2) * blocks + i % side / 2;
+    labels.push_back(i % side < 8 ? 0 : 1 + block * 7919 % (blocks * blocks * blocks));
+  }
+  const auto all = ink::suggestIsoValues<int>(labels, { side, side, side });
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].labels, blocks * blocks * (blocks - 4));
 }
 
 TEST(IsoValue, OfLabelsThatLieFarApartIsTheEdgeOfAll)
@@ -126,6 +154,7 @@ TEST(IsoValue, AScanBehindAMaskHasNoLabels)
   for (const ink::IsoSuggestion& suggestion : suggestAll(values))
   {
     EXPECT_NE(suggestion.boundary, Boundary::Labels);
+    EXPECT_EQ(suggestion.labels, 0);
   }
 }
 
