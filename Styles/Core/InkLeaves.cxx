@@ -4,6 +4,9 @@
 #include "InkActiveScalars.h"
 #include "InkCellCenters.h"
 #include "InkHasSurface.h"
+#include "InkProbeColors.h"
+
+#include "Core/DidYouMean.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -19,7 +22,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 
 namespace
 {
@@ -30,23 +32,66 @@ bool AreStipples(vtkPolyData* data)
     data->GetNumberOfVerts() == data->GetNumberOfCells();
 }
 
+/// The names of numeric arrays, without those of ghosts.
+std::vector<std::string> NamesOf(vtkDataSetAttributes* values)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < values->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = values->GetArray(i);
+    if (array && array->GetName() && !InkIsGhostArray(array->GetName()))
+    {
+      names.emplace_back(array->GetName());
+    }
+  }
+  return names;
+}
+
+/// "'density', 'pressure'", or "none".
+std::string Listed(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "'" : ", '") + name + "'";
+  }
+  return list.empty() ? "none" : list;
+}
+
 /// "with 'density', 'pressure'", or "with none".
 std::string NameArrays(vtkImageData* image)
 {
-  std::string names;
-  const std::array<vtkDataSetAttributes*, 2> all{ image->GetPointData(), image->GetCellData() };
-  for (vtkDataSetAttributes* values : all)
+  std::vector<std::string> names = NamesOf(image->GetPointData());
+  const std::vector<std::string> ofCells = NamesOf(image->GetCellData());
+  names.insert(names.end(), ofCells.begin(), ofCells.end());
+  return "with " + Listed(names);
+}
+
+/// See InkLeaves::FindMissingColors. @param points, cells whether those of points, or of cells, do
+std::string MissingIn(vtkDataSet* data, const std::string& array, bool points, bool cells)
+{
+  if (InkFindColors(data) || (points && data->GetPointData()->GetArray(array.c_str())) ||
+    (cells && data->GetCellData()->GetArray(array.c_str())))
   {
-    for (int i = 0; i < values->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = values->GetArray(i);
-      if (array && array->GetName() && !InkIsGhostArray(array->GetName()))
-      {
-        names.append(names.empty() ? "with '" : ", '").append(array->GetName()).append("'");
-      }
-    }
+    return {};
   }
-  return names.empty() ? "with none" : names;
+  std::vector<std::string> known;
+  std::string lists;
+  const auto list = [&](const char* what, vtkDataSetAttributes* values)
+  {
+    const std::vector<std::string> names = NamesOf(values);
+    known.insert(known.end(), names.begin(), names.end());
+    lists += (lists.empty() ? "" : ", ") + (what + Listed(names));
+  };
+  if (points)
+  {
+    list("point arrays: ", data->GetPointData());
+  }
+  if (cells)
+  {
+    list("cell arrays: ", data->GetCellData());
+  }
+  return "no numeric array '" + array + "' to color by (" + lists + ")" + ink::didYouMean(array, known);
 }
 
 } // namespace
@@ -127,6 +172,22 @@ std::string InkLeaves::FindBesideImages() const
   return this->Images.empty() || left == 0
     ? std::string()
     : "nothing is drawn of " + std::to_string(left) + " datasets beside images; expected images alone";
+}
+
+std::string InkLeaves::FindMissingColors(const std::string& array) const
+{
+  const auto find = [&](const auto& leaves, bool points, bool cells)
+  {
+    std::string problem;
+    for (vtkDataSet* leaf : leaves)
+    {
+      problem = problem.empty() ? MissingIn(leaf, array, points, cells) : problem;
+    }
+    return problem;
+  };
+  return !this->Images.empty() ? find(this->Images, true, false)
+    : !this->Stipples.empty()  ? find(this->Stipples, false, true)
+                               : find(this->Others, true, true);
 }
 
 std::string InkLeaves::FindImageProblem() const

@@ -29,6 +29,10 @@ struct VTKINKSTYLES_EXPORT InkLeaves
   std::string FindImageProblem() const;
   /// That what is no image is not drawn beside images, as an error; empty if all are images or none is.
   std::string FindBesideImages() const;
+  /// That what is drawn, images, or else stipples, or else the others, has no such numeric array to be
+  /// colored by, of images' points, of stipples, or of others' points or cells, with those that there are, as
+  /// an error; empty if all have it.
+  std::string FindMissingColors(const std::string& array) const;
   /// What becomes of grids, in a sentence without its dot; empty if there is none.
   std::string DescribeGrids() const;
 

@@ -161,6 +161,14 @@ std::string vtkInkIllustrationStyle::MakePieces(const Input& input)
   this->OuterIsoValue->Use({});
   // Stipples that lie on lines' points take their colors from them.
   const std::string& array = this->Stipples->GetColorBy();
+  if (!this->GetInteractive() && !this->Stipples->GetColorMap().empty() && !array.empty())
+  {
+    // Before lines are made.
+    if (const std::string missing = leaves.FindMissingColors(array); !missing.empty())
+    {
+      return missing;
+    }
+  }
   const bool ofActive = array.empty() && !this->Stipples->GetColorMap().empty();
   this->Lines->SetColorArray(
     { .Name = array, .Active = ofActive, .InOrder = this->Stipples->TakesLabelsInOrder() });

@@ -78,6 +78,13 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   {
     this->Say("Stipple draws nothing for " + leaves.Problem + ". It needs images, meshes or stipples");
   }
+  if (!style->GetInteractive() && !style->ColorMap.empty() && !style->ColorBy.empty())
+  {
+    if (const std::string missing = leaves.FindMissingColors(style->ColorBy); !missing.empty())
+    {
+      return missing;
+    }
+  }
   std::array found{ leaves.Images.empty() ? 0.0 : 1.0, leaves.Stipples.empty() ? 0.0 : 1.0 };
   style->GetProcesses().TakeGreatest(found);
   const bool images = found[0] > 0.0;
@@ -286,9 +293,9 @@ void InkStippleRecipe::ColorStipples(vtkCellData* cells)
   {
     cells->SetActiveScalars(nullptr);
   }
-  else if (!name.empty() && cells->SetActiveScalars(name.c_str()) < 0)
+  else if (!name.empty())
   {
-    this->Say("Stipple: expected stipples with the cell array '" + name + "', found none");
+    cells->SetActiveScalars(name.c_str());
   }
   else if (!cells->GetScalars())
   {

@@ -42,7 +42,32 @@ def test_mesh(ink, tmp_path):
     assert fields["points"] == str(len(mesh[0]))
     assert fields["cells"] == str(len(mesh[2]))
     assert fields["bounds"].endswith("-1 to 1")
-    assert fields["point arrays"] == "Normals: float, 3 components"
+    assert fields["point arrays"] == "Normals: float, 3 components, -1 to 1"
+    assert "cell arrays" not in fields
+
+
+@pytest.mark.one_build
+@pytest.mark.parametrize("where", ["PointData", "CellData"])
+def test_arrays_of_images(ink, tmp_path, where):
+    """Those of cells are those of voxels in their centers by then."""
+    volume = ink_files.blob((8, 9, 10))
+    nothing = np.full(volume.shape, np.nan, "f4")
+    ink_files.write_vti(tmp_path / "v.vti", volume, where=where, temperature=np.linspace(-2, 5, volume.size), nothing=nothing)
+    out = ink("info", tmp_path / "v.vti").out
+    assert f"point arrays   density: unsigned char, 1 component, 0 to {volume.max()}\n" in out
+    assert "\n               temperature: double, 1 component, -2 to 5\n               nothing: float, 1 component\n" in out
+    found = json.loads(ink("info", "--json", tmp_path / "v.vti").out)[0]["point_arrays"]
+    assert [(one["name"], one["range"]) for one in found[1:]] == [("temperature", [-2, 5]), ("nothing", None)]
+
+
+@pytest.mark.one_build
+def test_arrays_of_a_meshs_cells(ink, tmp_path):
+    mesh = "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\nCELL_DATA 1\nVECTORS flow float\n3 -4 0\n"
+    (tmp_path / "m.vtk").write_text("# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET POLYDATA\n" + mesh)
+    fields = info(ink, tmp_path / "m.vtk")
+    assert fields["cell arrays"] == "flow: float, 3 components, -4 to 3"
+    found = json.loads(ink("info", "--json", tmp_path / "m.vtk").out)[0]
+    assert found["cell_arrays"] == [{"name": "flow", "type": "float", "components": 3, "range": [-4, 3]}]
 
 
 @pytest.mark.one_build
@@ -82,7 +107,8 @@ def test_json(ink, tmp_path):
         and [0 < one["value"] < 200 for one in first["suggested_iso"]] == [True]
     assert all(set(one) == {"value", "shows", "kept_share"} for one in first["suggested_iso"])
     assert second["points"] == len(ink_files.sphere_mesh(6, 8)[0])
-    assert second["point_arrays"] == [{"name": "Normals", "type": "float", "components": 3}]
+    assert first["point_arrays"] == [{"name": "density", "type": "float", "components": 1, "range": first["range"]}]
+    assert second["point_arrays"] == [{"name": "Normals", "type": "float", "components": 3, "range": [-1, 1]}]
     ink_files.write_vti(tmp_path / "c.vti", np.full((4, 4, 4), 7, np.uint8))
     constant = json.loads(ink("info", "--json", tmp_path / "c.vti").out)[0]
     assert constant["range"] == [7, 7] and constant["suggested_iso"] == []

@@ -173,6 +173,10 @@ def test_scalar_colors(picture, volume_file):
         assert colorfulness(picture(volume_file, *style, "--color-map", name)) > 1
     named = picture(volume_file, *style, "--color-map", "red,blue", "--color-range", "0,200", "--color-by", "density")
     assert (named == image).all()
+    viridis = picture(volume_file, *style, "--color-map", "viridis", "--color-range", "0,200")
+    for options in (["--color-range", "0,200"], ["--color-by", "density", "--color-range", "0,200"]):
+        assert (picture(volume_file, *style, *options) == viridis).all()
+    assert colorfulness(picture(volume_file, *style, "--color-range", "0,200", "--color-map", "")) == 0
 
 
 def test_transparent(picture, volume_file):
@@ -220,7 +224,6 @@ def test_turned_volumes_are_drawn_as_they_lie(picture, tmp_path):
     (["--iso", "1000"], ["--iso 1000"]),
     (["--color-map", "mauvish"], ["--color-map 'mauvish'", "viridis"]),
     (["--color-map", "red,mauvish"], ["--color-map", "'mauvish'", "#rrggbb"]),
-    (["--color-by", "density"], ["--color-by", "--color-map"]),
     (["--color-map", "viridis", "--color-range", "3,3"], ["--color-range '3,3'"]),
     (["--paper-color", "none"], ["--paper-color 'none'", "--transparent"]),
     (["--warm-color", "mauvish"], ["--warm-color 'mauvish'"]),
@@ -270,9 +273,18 @@ def test_points_without_polygons(stippled, tmp_path, has_normals):
     assert of_points == pytest.approx(of_mesh, rel=0.1)
 
 
-def test_arrays_that_are_not_there(refused, volume_file):
-    arguments = ["--style", "stipple", "--color-map", "viridis", "--color-by", "pressure"]
-    assert "pressure" in refused(1, volume_file, *arguments)
+def test_arrays_that_are_not_there(refused, volume_file, tmp_path):
+    volume = ink_files.blob()
+    ink_files.write_vti(tmp_path / "v.vti", volume, temperature=volume.astype("f4"))
+    ink_files.write_vti(tmp_path / "c.vti", volume, where="CellData", temperature=volume.astype("f4"))
+    ink_files.write_vtp(tmp_path / "m.vtp", ink_files.sphere_mesh())
+    of_image = "no numeric array 'temprature' to color by (point arrays: 'density', 'temperature'); did you mean 'temperature'?"
+    for style in (["illustration"], ["stipple"], ["stipple", "--stipple-source", "volume"]):
+        for name in ("v.vti", "c.vti"):
+            assert of_image in refused(1, tmp_path / name, "--style", *style, "--color-by", "temprature")
+    for style in ("illustration", "stipple"):
+        message = refused(1, tmp_path / "m.vtp", "--style", style, "--color-by", "pressure")
+        assert "no numeric array 'pressure' to color by (point arrays: 'Normals', cell arrays: none)" in message
 
 
 def test_volumes_larger_than_memory(refused, tmp_path):

@@ -213,6 +213,19 @@ def test_draw_takes_what_people_have(volume, volume_file, tmp_path):
     assert bounds[1] - bounds[0] > bounds[5] - bounds[4]
 
 
+def test_an_array_to_color_by_is_enough_for_colors(tmp_path):
+    sphere, heights = vtk.vtkSphereSource(), vtk.vtkElevationFilter()
+    heights.SetInputConnection(sphere.GetOutputPort())
+    pictures = []
+    for name, colors in (("ink", {}), ("by", {"color_by": "Elevation"}), ("both", {"color_by": "Elevation", "color_map": "viridis"})):
+        output = tmp_path / f"{name}.png"
+        vtkink.draw(heights, "stipple", output, size=(100, 100), number_of_surface_stipples=5000, **colors)
+        pictures.append(ink_of(output).astype(int))
+    black, colored, both = pictures
+    assert np.ptp(black, axis=-1).max() == 0 and np.ptp(colored, axis=-1).max() > 80
+    assert (colored == both).all()
+
+
 @pytest.mark.parametrize("arguments, error, words", [
     ({"data": "none.nii"}, FileNotFoundError, ["none.nii"]),
     ({"data": 3}, TypeError, ["int", "NumPy"]),
@@ -229,7 +242,7 @@ def test_draw_takes_what_people_have(volume, volume_file, tmp_path):
     ({"output": "a.gif"}, ValueError, [".png", ".tif"]),
     ({"data": vtk.vtkTable()}, ValueError, ["stipple", "vtkTable"]),
     ({"data": vtk.vtkPolyData(), "style": "splatting-lines"}, ValueError, ["no points"]),
-    ({"color_map": "viridis", "color_by": "pressure"}, ValueError, ["pressure"]),
+    ({"color_by": "pressure"}, ValueError, ["'pressure' to color by", "point arrays: "]),
 ])
 def test_draw_says_what_is_wrong(volume, arguments, error, words):
     with pytest.raises(error) as raised:

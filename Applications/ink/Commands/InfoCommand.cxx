@@ -10,7 +10,7 @@
 #include "InkImageSlabs.h"
 #include "InkVolumeValues.h"
 
-#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -23,9 +23,12 @@
 // clang-format on
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -94,6 +97,48 @@ Statistics examine(InkImageSlabs& slabs, Progress& progress)
   return { values, InkSuggestIsoValues(slabs, [&](double done) { return progress.at(done), true; }) };
 }
 
+/// The least and the greatest finite value of all components; nothing if there is none.
+std::optional<std::array<double, 2>> rangeOf(vtkDataArray* array)
+{
+  std::array<double, 2> all{ std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity() };
+  for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+  {
+    double range[2];
+    array->GetFiniteRange(range, component);
+    all = { std::min(all[0], range[0]), std::max(all[1], range[1]) };
+  }
+  return all[0] <= all[1] ? std::optional(all) : std::nullopt;
+}
+
+/// @param name "point arrays" or "cell arrays"
+/// @param rangeOfArray see rangeOf
+template <class Range>
+void describeArrays(Description& description, const std::string& name, vtkDataSetAttributes* attributes,
+  const Range& rangeOfArray)
+{
+  auto arrays = nlohmann::ordered_json::array();
+  std::vector<std::string> lines;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    const std::string called = array->GetName() ? array->GetName() : "(no name)";
+    const std::string type = array->GetDataTypeAsString();
+    const int components = array->GetNumberOfComponents();
+    auto* numeric = vtkDataArray::SafeDownCast(array);
+    const std::optional<std::array<double, 2>> range = numeric ? rangeOfArray(numeric) : std::nullopt;
+    arrays.push_back({ { "name", called }, { "type", type }, { "components", components },
+      { "range", range ? nlohmann::ordered_json(*range) : nlohmann::ordered_json() } });
+    lines.push_back(called + ": " + type + ", " + std::to_string(components) +
+      (components == 1 ? " component" : " components") +
+      (range ? ", " + formatNumber((*range)[0]) + " to " + formatNumber((*range)[1]) : ""));
+  }
+  for (const std::string& line : lines)
+  {
+    description.add(&line == &lines.front() ? name : "", line, arrays);
+  }
+}
+
 void describeVolume(
   Description& description, const InkImageSlabs& slabs, const Input& input, const Statistics& statistics)
 {
@@ -129,6 +174,13 @@ void describeVolume(
   {
     description.add("not finite", std::to_string(values.notFinite) + " voxels", values.notFinite);
   }
+  // Those of cells are those of voxels by now. Files that are read in parts have one array.
+  const auto ofAll = values.least <= values.greatest
+    ? std::optional(std::array{ values.least, values.greatest })
+    : std::nullopt;
+  auto* held = vtkImageData::SafeDownCast(input.image->GetOutputDataObject(0));
+  describeArrays(description, "point arrays", held->GetPointData(),
+    [&](vtkDataArray* array) { return input.data ? rangeOf(array) : ofAll; });
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::vector<std::string> lines;
   const auto add = [&](double value, const std::string& shows, const nlohmann::ordered_json& keptShare)
@@ -168,22 +220,8 @@ void describeMesh(Description& description, vtkPolyData* mesh)
   description.add("cells", std::to_string(mesh->GetNumberOfCells()), mesh->GetNumberOfCells());
   const double* b = mesh->GetBounds();
   description.add("bounds", boundsText(b), listOf(b, 6));
-  vtkPointData* pointData = mesh->GetPointData();
-  auto arrays = nlohmann::ordered_json::array();
-  std::vector<std::string> lines;
-  for (int i = 0; i < pointData->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = pointData->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "(no name)";
-    const std::string type = array->GetDataTypeAsString();
-    const int components = array->GetNumberOfComponents();
-    arrays.push_back({ { "name", name }, { "type", type }, { "components", components } });
-    lines.push_back(name + ": " + type + ", " + std::to_string(components) + " components");
-  }
-  for (const std::string& line : lines)
-  {
-    description.add(&line == &lines.front() ? "point arrays" : "", line, arrays);
-  }
+  describeArrays(description, "point arrays", mesh->GetPointData(), rangeOf);
+  describeArrays(description, "cell arrays", mesh->GetCellData(), rangeOf);
 }
 
 Description describe(const InputOptions& options, Progress& progress)

@@ -196,7 +196,8 @@ TEST(IllustrationStyle, AnArrayToColorByHasToBeThere)
   const StyleErrors errors(style);
   EXPECT_FALSE(style->Make(MakeBall()));
   ASSERT_EQ(errors.All.size(), 1u);
-  EXPECT_NE(errors.All[0].find("\"pressure\""), std::string::npos) << errors.All[0];
+  EXPECT_NE(errors.All[0].find("'pressure' to color by (point arrays: 'density')"), std::string::npos)
+    << errors.All[0];
 }
 
 TEST(IllustrationStyle, LabelsColorTheirOwnRegion)

@@ -288,7 +288,8 @@ TEST(StippleStyle, ReadyStipplesAreColored)
   const StyleErrors errors(style);
   EXPECT_FALSE(style->Draw(generator->GetOutput()));
   ASSERT_EQ(errors.All.size(), 1u);
-  EXPECT_NE(errors.All[0].find("'pressure'"), std::string::npos) << errors.All[0];
+  EXPECT_NE(errors.All[0].find("'pressure' to color by (cell arrays: "), std::string::npos) << errors.All[0];
+  EXPECT_NE(errors.All[0].find("'density'"), std::string::npos) << errors.All[0];
 }
 
 TEST(StippleStyle, ImagesOfCompositeDataAreMeasuredTogether)
@@ -326,7 +327,8 @@ TEST(StippleStyle, ColorsAreThoseAskedFor)
   const StyleErrors errors(style);
   EXPECT_FALSE(style->Make(MakeBall()));
   ASSERT_EQ(errors.All.size(), 1u);
-  EXPECT_NE(errors.All[0].find("\"pressure\""), std::string::npos) << errors.All[0];
+  EXPECT_NE(errors.All[0].find("'pressure' to color by (point arrays: 'density')"), std::string::npos)
+    << errors.All[0];
   // Interactively what is there is passed on, and what is not is not missed.
   style->InteractiveOn();
   EXPECT_TRUE(style->Make(MakeBall()));

@@ -94,6 +94,14 @@ TEST(StyleFiles, WhatIsGivenImpliesWhatItNeeds)
   EXPECT_TRUE(stipple->GetStippleMapper()->GetLightInk());
   EXPECT_EQ(stipple->SetParametersFromJSON(File("stipple", R"("InkColor": "white", "LightInk": false)")), "");
   EXPECT_FALSE(stipple->GetStippleMapper()->GetLightInk());
+  for (const char* colors : { R"("ColorBy": "density")", R"("ColorRange": [0, 1])" })
+  {
+    stipple->ResetParameters();
+    EXPECT_EQ(stipple->SetParametersFromJSON(File("stipple", colors)), "");
+    EXPECT_EQ(stipple->GetColorMap(), "viridis");
+  }
+  EXPECT_EQ(stipple->SetParametersFromJSON(File("stipple", R"("ColorBy": "x", "ColorMap": "red,blue")")), "");
+  EXPECT_EQ(stipple->GetColorMap(), "red,blue");
 }
 
 TEST(StyleFiles, WhatIsWrongIsNamedAndNothingIsSet)
