@@ -69,6 +69,13 @@ constexpr std::uint32_t endTag = 0xE0DDFFFE;
 
 constexpr std::string_view runLengths = "1.2.840.10008.1.2.5";
 
+/// Whether a fragment's first bytes are those that JPEG, JPEG-LS or JPEG 2000 begins with.
+constexpr bool isCodestream(std::uint32_t bytes)
+{
+  const std::uint32_t marker = bytes & 0xFFFF;
+  return marker == 0xD8FF || marker == 0x4FFF;
+}
+
 /// GDCM tells of each thing that it finds wrong on the terminal.
 void silenceGdcm()
 {
@@ -164,31 +171,31 @@ DicomPixels::DicomPixels(DicomFile file)
       "it has " + std::to_string(position - first) + " bytes of compressed pixels, but promises " +
         std::to_string(frames) + " frames of " + std::to_string(this->File.frameBytes()));
   }
-  this->Frames.resize(frames);
   const bool hasTable = tableBytes == frames * sizeof(std::uint32_t);
-  if (frames != 1 && frames != fragments.size() && !hasTable)
+  const auto begins = [&](const Fragment& fragment)
   {
-    failToRead(this->File.path,
-      "it has " + std::to_string(fragments.size()) + " fragments of pixels, and does not say which of its " +
-        std::to_string(frames) + " frames they belong to");
-  }
-  std::size_t frame = 0;
+    const std::size_t next = this->Frames.size();
+    if (frames == fragments.size() || next == 0)
+    {
+      return true;
+    }
+    if (!hasTable)
+    {
+      return frames > 1 && fragment.length >= sizeof(std::uint32_t) &&
+        isCodestream(bytes.integer(fragment.position));
+    }
+    return next < frames &&
+      first + bytes.integer(table + next * sizeof(std::uint32_t)) + headBytes == fragment.position;
+  };
   for (const Fragment& fragment : fragments)
   {
-    const auto begins = [&](std::size_t other)
-    { return first + bytes.integer(table + other * sizeof(std::uint32_t)) + headBytes <= fragment.position; };
-    if (frames == fragments.size())
-    {
-      frame = static_cast<std::size_t>(&fragment - fragments.data());
-    }
-    else if (frames > 1)
-    {
-      while (frame + 1 < frames && begins(frame + 1))
-      {
-        ++frame;
-      }
-    }
-    this->Frames[frame].push_back(fragment);
+    (begins(fragment) ? this->Frames.emplace_back() : this->Frames.back()).push_back(fragment);
+  }
+  if (this->Frames.size() != frames)
+  {
+    failToRead(this->File.path,
+      "it has " + std::to_string(fragments.size()) + " fragments of pixels, of which " +
+        std::to_string(this->Frames.size()) + " begin a frame; expected " + std::to_string(frames));
   }
 }
 

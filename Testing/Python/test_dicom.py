@@ -282,7 +282,13 @@ def test_compressed_pixels_that_cannot_be_read(tmp_path, ink):
 
     assert "ends within its compressed pixels" in error(end=False)
     assert "ends within its compressed pixels" in error(lambda data: data[: len(data) // 2])
-    assert "8 fragments of pixels, and does not say which of its 4 frames they belong to" in error(fragments=2)
+    assert "8 fragments of pixels, of which 1 begin a frame; expected 4" in error(fragments=2)
+
+    def move_third(data):
+        at = data.index(struct.pack("<HHI", 0xFFFE, 0xE000, 4 * 4)) + 8 + 2 * 4
+        return data[:at] + struct.pack("<I", struct.unpack_from("<I", data, at)[0] + 2) + data[at + 4 :]
+
+    assert "8 fragments of pixels, of which 2 begin a frame; expected 4" in error(move_third, fragments=2, table=True)
     assert "something else than items" in error(lambda data: data[:-8] + b"\1" + data[-7:])
     few = (0x7FFF).to_bytes(2, "little")
     assert "bytes of compressed pixels, but promises 4 frames of 2147352578" in error(

@@ -179,7 +179,7 @@ TEST(CompressedDicom, FramesOfSeveralFragments)
   HalveFragments(file, true);
   ExpectValues(UpdatedReaderOf(file)->GetOutput(), "with a table");
   HalveFragments(file, false);
-  ExpectRefused(file, { "24 fragments of pixels", "which of its 6 frames" });
+  ExpectValues(UpdatedReaderOf(file)->GetOutput(), "by where a codestream begins");
   // Of one frame all of them are.
   WriteSlice(file, gdcm::TransferSyntax::JPEGLosslessProcess14_1, 0);
   HalveFragments(file, false);
