@@ -76,6 +76,29 @@ constexpr bool isCodestream(std::uint32_t bytes)
   return marker == 0xD8FF || marker == 0x4FFF;
 }
 
+/// Whether the segments of run lengths, those of each byte of each component, are where the head says (PS3.5
+/// G.5): GDCM believes it.
+bool isHeadOfRunLengths(std::span<const char> data, int components, int bytesOfAValue)
+{
+  constexpr std::size_t headWords = 16;
+  if (data.size() < headWords * sizeof(std::uint32_t))
+  {
+    return false;
+  }
+  const auto word = [&](std::size_t i)
+  {
+    return valueFrom<std::uint32_t>(
+      &data[i * sizeof(std::uint32_t)], std::endian::native == std::endian::big);
+  };
+  const auto segments = static_cast<std::uint32_t>(components) * static_cast<std::uint32_t>(bytesOfAValue);
+  bool isRight = segments < headWords && word(0) == segments && word(1) == headWords * sizeof(std::uint32_t);
+  for (std::size_t i = 2; isRight && i <= segments; ++i)
+  {
+    isRight = word(i) > word(i - 1) && word(i) < data.size();
+  }
+  return isRight;
+}
+
 /// GDCM tells of each thing that it finds wrong on the terminal.
 void silenceGdcm()
 {
@@ -163,13 +186,13 @@ DicomPixels::DicomPixels(DicomFile file)
     fragments.push_back({ position + headBytes, length });
     position += headBytes + length;
   }
-  constexpr double mostPerByte = 1 << 16; // an even picture, in JPEG 2000
+  constexpr double mostPerByte = 1 << 18; // an even picture, in JPEG-LS or JPEG 2000
   if (static_cast<double>(position - first) * mostPerByte <
     static_cast<double>(this->File.frameBytes()) * static_cast<double>(frames))
   {
     failToRead(this->File.path,
       "it has " + std::to_string(position - first) + " bytes of compressed pixels, but promises " +
-        std::to_string(frames) + " frames of " + std::to_string(this->File.frameBytes()));
+        std::to_string(frames) + " times " + std::to_string(this->File.frameBytes()));
   }
   const bool hasTable = tableBytes == frames * sizeof(std::uint32_t);
   const auto begins = [&](const Fragment& fragment)
@@ -207,12 +230,16 @@ void DicomPixels::read(std::size_t frame, std::span<unsigned char> values) const
   std::vector<char> data;
   for (const Fragment& part : this->Frames.at(frame))
   {
-    data.resize(part.length);
-    bytes.read(part.position, { reinterpret_cast<unsigned char*>(data.data()), data.size() });
-    gdcm::Fragment fragment;
-    fragment.SetByteValue(data.data(), gdcm::VL(part.length));
-    sequence->AddFragment(fragment);
+    const std::size_t before = data.size();
+    data.resize(before + part.length);
+    bytes.read(part.position, { reinterpret_cast<unsigned char*>(data.data() + before), part.length });
   }
+  constexpr int bitsOfAByte = 8;
+  const bool isDamaged = this->File.transferSyntax == runLengths &&
+    !isHeadOfRunLengths(data, this->File.components, this->File.bits / bitsOfAByte);
+  gdcm::Fragment fragment;
+  fragment.SetByteValue(data.data(), gdcm::VL(static_cast<std::uint32_t>(data.size())));
+  sequence->AddFragment(fragment);
   gdcm::DataElement pixels(gdcm::Tag(0x7FE0, 0x0010), 0, gdcm::VR::OB);
   pixels.SetValue(*sequence);
   gdcm::Image image;
@@ -226,7 +253,8 @@ void DicomPixels::read(std::size_t frame, std::span<unsigned char> values) const
   image.SetPlanarConfiguration(0);
   image.SetTransferSyntax(gdcm::TransferSyntax::GetTSType(this->File.transferSyntax.c_str()));
   image.SetDataElement(pixels);
-  if (image.GetBufferLength() != values.size() || !image.GetBuffer(reinterpret_cast<char*>(values.data())))
+  if (isDamaged || image.GetBufferLength() != values.size() ||
+    !image.GetBuffer(reinterpret_cast<char*>(values.data())))
   {
     failToRead(this->File.path,
       "its pixels cannot be decompressed (transfer syntax " + this->File.transferSyntax + ")");

@@ -250,13 +250,21 @@ public:
   {
   }
 
-  void read(std::size_t page, std::span<unsigned char> values)
+  /// For another thread, which an open file cannot be shared with.
+  TiffPages fork() const { return TiffPages(this->Voxels); }
+
+  void open(std::size_t page)
   {
     const std::filesystem::path& path = this->Voxels.files.at(page);
     if (!this->File || this->File->path() != path)
     {
       this->File.emplace(path);
     }
+  }
+
+  void read(std::size_t page, std::span<unsigned char> values)
+  {
+    this->open(page);
     this->File->turnTo(this->Voxels.offsetIn(page));
     this->File->read(values);
   }
@@ -275,19 +283,27 @@ public:
   {
   }
 
-  void read(std::size_t frame, std::span<unsigned char> values)
+  /// For another thread, which shares what is known of the file.
+  DicomFrames fork() const { return *this; }
+
+  void open(std::size_t frame)
   {
     const std::filesystem::path& path = this->Voxels.files.at(frame);
     if (!this->Pixels || this->Pixels->path() != path)
     {
-      this->Pixels.emplace(path);
+      this->Pixels = std::make_shared<const DicomPixels>(path);
     }
+  }
+
+  void read(std::size_t frame, std::span<unsigned char> values)
+  {
+    this->open(frame);
     this->Pixels->read(static_cast<std::size_t>(this->Voxels.offsetIn(frame)), values);
   }
 
 private:
   const RawVolume& Voxels;
-  std::optional<DicomPixels> Pixels;
+  std::shared_ptr<const DicomPixels> Pixels;
 };
 
 /// Of pages that a library reads, whole ones at once on all threads. One that is not asked for whole is kept.
@@ -329,11 +345,12 @@ private:
   void readWhole(std::size_t first, std::span<unsigned char> bytes)
   {
     const std::size_t size = this->Values.size();
+    this->Kept.open(first);
     parallelForChunks(
       bytes.size() / size,
       [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        Pages pages(this->Voxels);
+        Pages pages = this->Kept.fork();
         for (std::size_t page = begin; page < end; ++page)
         {
           pages.read(first + page, bytes.subspan(page * size, size));

@@ -126,6 +126,15 @@ io::VolumeHeader RawHeader(const fs::path& file, const int dimensions[3], int ty
   return header;
 }
 
+/// As a term of the stored value v.
+std::string FormatScale(const io::ValueScale& scale)
+{
+  const std::string scaled = scale.slope == 1.0 ? "v" : ink::formatNumber(scale.slope) + " v";
+  return scale.intercept == 0.0
+    ? scaled
+    : scaled + (scale.intercept < 0.0 ? " - " : " + ") + ink::formatNumber(std::abs(scale.intercept));
+}
+
 } // namespace
 
 /// What there is to read: voxels after a header, or XML.
@@ -160,8 +169,7 @@ struct vtkInkVolumeReader::Source
     }
     else if (this->Header.isScaled())
     {
-      this->Notes.push_back("its stored values are rescaled: " + ink::formatNumber(this->Header.scale.slope) +
-        " v + " + ink::formatNumber(this->Header.scale.intercept));
+      this->Notes.push_back("its stored values are rescaled: " + FormatScale(this->Header.scale));
     }
   }
   explicit Source(const fs::path& file)

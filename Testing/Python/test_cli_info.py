@@ -119,7 +119,7 @@ def test_rescaled_values(ink, tmp_path):
     fields = info(ink, tmp_path / "v.nii")
     stored = int(ink_files.blob().max())
     assert fields["range"] == f"-1000 to {2 * stored - 1000}"
-    assert fields["note"] == "its stored values are rescaled: 2 v + -1000"
+    assert fields["note"] == "its stored values are rescaled: 2 v - 1000"
 
 
 def test_time_series_use_the_first_step(ink, tmp_path):

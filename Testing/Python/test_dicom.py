@@ -31,7 +31,7 @@ def test_pictures_unlike_most_are_left_out(tmp_path, ink, others):
     expected = json.loads(ink("info", "--json", tmp_path / "series").out)[0]
     ink_files.write_dicom(tmp_path / "series", origin=(0, 0, 40), **others)
     result = ink("info", "--json", tmp_path / "series")
-    assert any("4 of its 36 pictures have another size, type or direction than most; they are left out" in n for n in notes(result))
+    assert any("4 of its 36 pictures have another size, type, spacing or direction than the 32 that are used" in n for n in notes(result))
     found = json.loads(result.out)[0]
     for key in ("dimensions", "spacing", "origin", "range"):
         assert found[key] == expected[key]
@@ -118,9 +118,29 @@ def test_a_missing_slice_is_noted(tmp_path, ink):
     assert "apart" not in ink("info", tmp_path / "series").out
     (tmp_path / "series" / "slice007.dcm").unlink()
     result = ink("info", tmp_path / "series")
-    distance = (len(BLOB) - 1) / (len(BLOB) - 2)
     assert result.code == 0
-    assert f"its slices lie 1 to 2 apart; they are taken as {distance:.7g} apart" in result.out
+    assert "its slices lie 1 to 2 apart; they are taken as 1 apart" in result.out
+
+
+def test_slices_of_two_thicknesses(tmp_path, ink):
+    """Most are none of both; the volume is as high as it is."""
+    ink_files.write_dicom(tmp_path / "series", BLOB)
+    ink_files.write_dicom(tmp_path / "series", BLOB, origin=(0, 0, 33), step=(0, 0, 2), first=100)
+    result = ink("info", "--json", tmp_path / "series")
+    distance = (33 + 2 * 31) / 63
+    assert f"its slices lie 1 to 2 apart; they are taken as {distance:.7g} apart" in notes(result)
+
+
+def test_slices_far_from_the_others_are_left_out(tmp_path, ink):
+    ink_files.write_dicom(tmp_path / "series", BLOB)
+    expected = json.loads(ink("info", "--json", tmp_path / "series").out)[0]
+    ink_files.write_dicom(tmp_path / "series", BLOB[:2], origin=(0, 0, -30), first=100)
+    ink_files.write_dicom(tmp_path / "series", BLOB[:1], origin=(0, 0, 60), first=200)
+    result = ink("info", "--json", tmp_path / "series")
+    assert "3 of its 35 slices lie far from the others and are left out" in notes(result)
+    found = json.loads(result.out)[0]
+    for key in ("dimensions", "spacing", "origin", "range"):
+        assert found[key] == expected[key]
 
 
 def test_dicom_without_preamble(tmp_path, ink):
@@ -150,6 +170,7 @@ def test_a_file_of_several_frames_is_a_volume(tmp_path, ink):
     assert result.code == 0, result
     assert f"dimensions     {BLOB.shape[2]} x {BLOB.shape[1]} x {BLOB.shape[0]}" in result.out
     assert "spacing        1 1 2.5" in result.out
+    assert "it does not say where its pictures lie; they are taken as slices 2.5 apart" in result.out
     (tmp_path / "short").write_bytes(head + body + pixels[:-2])
     assert "the file ends before" in ink("info", tmp_path / "short").error
 
@@ -215,7 +236,9 @@ def test_functional_groups_of_more_or_fewer_frames(tmp_path, ink):
     path = tmp_path / "frames.dcm"
     places = [(0, 0, 2 * z) for z in range(4)]
     write_enhanced(path, BLOB[:4], places, items=3)
-    assert json.loads(ink("info", "--json", path).out)[0]["spacing"] == [0.25, 0.5, 9]
+    result = ink("info", "--json", path)
+    assert "it says of 3 of its 4 frames where they lie, which is not used" in notes(result)
+    assert json.loads(result.out)[0]["spacing"] == [0.25, 0.5, 9]
     write_enhanced(path, BLOB[:3], places)
     assert "it says 3 frames, but where more lie" in ink("info", path).error
 
@@ -257,7 +280,7 @@ def compress(path, frames, table=False, fragments=1, end=True):
     path.write_bytes(head + struct.pack("<HH2s2xI", 0x7FE0, 0x0010, b"OB", 0xFFFFFFFF) + pixels + (struct.pack("<HHI", 0xFFFE, 0xE0DD, 0) if end else b""))
 
 
-@pytest.mark.parametrize("table, fragments", [(False, 1), (True, 1)])
+@pytest.mark.parametrize("table, fragments", [(False, 1), (True, 1), (True, 2)])
 def test_compressed_slices_and_frames(tmp_path, ink, table, fragments):
     volume = BLOB.astype(np.uint16) * 7
     ink_files.write_dicom(tmp_path / "series", volume)
@@ -291,13 +314,87 @@ def test_compressed_pixels_that_cannot_be_read(tmp_path, ink):
     assert "8 fragments of pixels, of which 2 begin a frame; expected 4" in error(move_third, fragments=2, table=True)
     assert "something else than items" in error(lambda data: data[:-8] + b"\1" + data[-7:])
     few = (0x7FFF).to_bytes(2, "little")
-    assert "bytes of compressed pixels, but promises 4 frames of 2147352578" in error(
+    assert "bytes of compressed pixels, but promises 4 times 2147352578" in error(
         lambda data: data.replace(ink_files.dicom_element(0x28, 0x0010, "US", struct.pack("<H", 32)), ink_files.dicom_element(0x28, 0x0010, "US", few))
         .replace(ink_files.dicom_element(0x28, 0x0011, "US", struct.pack("<H", 32)), ink_files.dicom_element(0x28, 0x0011, "US", few)))
     syntax = "1.2.840.10008.1.2.5\0"
     mpeg = "1.2.840.10008.1.2.4.100\0"
     assert f"cannot be decompressed (transfer syntax {mpeg[:-1]})" in error(
         lambda data: data.replace(ink_files.dicom_element(2, 0x0010, "UI", syntax), ink_files.dicom_element(2, 0x0010, "UI", mpeg)))
+
+
+def test_signs_that_compression_left_out(tmp_path, ink):
+    """Of values of 12 bits: 0xFFF is -1."""
+    values = np.array([[[0xFFF, 1], [0x800, 0x7FF]]] * 2, dtype=np.uint16)
+    path = tmp_path / "frames.dcm"
+    write_enhanced(path, values, [(0, 0, z) for z in range(2)])
+    for number, was, value in ((0x0101, 16, 12), (0x0103, 0, 1)):
+        element = lambda v: ink_files.dicom_element(0x28, number, "US", struct.pack("<H", v))
+        path.write_bytes(path.read_bytes().replace(element(was), element(value)))
+    compress(path, values)
+    found = json.loads(ink("info", "--json", path).out)[0]
+    assert found["range"] == [-2048, 2047] and "short" in found["type"]
+
+
+def test_run_lengths_whose_head_is_damaged(tmp_path, ink):
+    path = tmp_path / "frames.dcm"
+    frames = BLOB[:4].astype(np.uint16)
+    for head in (bytes(64), b"\xff" * 64, struct.pack("<16I", 2, 64, 32, *[0] * 13), struct.pack("<16I", 2, 64, 1 << 20, *[0] * 13)):
+        write_enhanced(path, frames, [(0, 0, z) for z in range(4)])
+        compress(path, frames)
+        data = path.read_bytes()
+        path.write_bytes(data.replace(run_lengths(frames[1])[:64], head))
+        assert "cannot be decompressed" in ink("info", path).error
+
+
+def test_the_volume_is_that_of_the_named_file(tmp_path, ink):
+    """Of a localizer, say: as many pictures in each direction."""
+    folder = tmp_path / "series"
+    ink_files.write_dicom(folder, BLOB)
+    ink_files.write_dicom(folder, BLOB[:, :16], first=100)
+    assert json.loads(ink("info", "--json", folder).out)[0]["dimensions"] == [32, 32, 32]
+    for name, rows in (("slice007.dcm", 32), ("slice107.dcm", 16)):
+        result = ink("info", "--json", folder / name)
+        assert f"it is one of {len(BLOB)} slices in its folder; all of them are read" in notes(result)
+        assert json.loads(result.out)[0]["dimensions"] == [32, rows, 32]
+
+
+def test_a_picture_of_another_kind_that_cannot_be_read_hides_nothing(tmp_path, ink):
+    folder = tmp_path / "series"
+    ink_files.write_dicom(folder, BLOB)
+    file = folder / "slice007.dcm"
+    bits = lambda n: ink_files.dicom_element(0x28, 0x0100, "US", struct.pack("<H", n))
+    file.write_bytes(file.read_bytes().replace(bits(16), bits(12)))
+    result = ink("info", "--json", folder)
+    assert any("1 of its 32 pictures have another size" in note for note in notes(result))
+    assert "have 12 bits; expected 8, 16 or 32" in ink("info", file).error
+
+
+def test_a_tilted_gantry_is_noted(tmp_path, ink):
+    ink_files.write_dicom(tmp_path / "series", BLOB, step=(0, 1, 2))
+    result = ink("info", "--json", tmp_path / "series")
+    assert "its axes are not at right angles; they are taken as the nearest that are" in notes(result)
+    assert json.loads(result.out)[0]["spacing"] == [1, 1, 2]
+
+
+def test_private_sequences_of_an_unknown_type(tmp_path, ink):
+    """They are written without types (PS3.5 6.2.2); and icons may be compressed."""
+    folder = tmp_path / "series"
+    ink_files.write_dicom(folder, BLOB)
+    expected = ink("info", folder).out
+    begin, end, unknown = struct.pack("<HHI", 0xFFFE, 0xE000, 0xFFFFFFFF), struct.pack("<HHI", 0xFFFE, 0xE0DD, 0), 0xFFFFFFFF
+    end_of_item = struct.pack("<HHI", 0xFFFE, 0xE00D, 0)
+    implicit = ink_files.dicom_element(0x2005, 0x1010, "LO", "of a scanner's ", implicit=True)
+    private = struct.pack("<HH2s2xI", 0x2005, 0x140F, b"UN", unknown) + begin + implicit + end_of_item + end
+    fragment = struct.pack("<HHI", 0xFFFE, 0xE000, 4) + b"icon"
+    pixels = struct.pack("<HH2s2xI", 0x7FE0, 0x0010, b"OB", unknown) + fragment + end
+    icon = struct.pack("<HH2s2xI", 0x0088, 0x0200, b"SQ", unknown) + begin + pixels + end_of_item + end
+    main = struct.pack("<HH", 0x7FE0, 0x0010)
+    for file in folder.iterdir():
+        data = file.read_bytes()
+        at = data.rindex(main)
+        file.write_bytes(data[:at] + icon + private + data[at:])
+    assert ink("info", folder).out == expected
 
 
 def test_planes_of_a_dose(tmp_path, ink):
@@ -311,3 +408,10 @@ def test_planes_of_a_dose(tmp_path, ink):
     (tmp_path / "dose").write_bytes(head + body + ink_files.dicom_element(0x7FE0, 0x0010, "OW", BLOB.astype("<u2").tobytes()))
     found = json.loads(ink("info", "--json", tmp_path / "dose").out)[0]
     assert found["spacing"] == [1, 1, 2.5] and found["range"] == [BLOB.min() / 2, BLOB.max() / 2]
+    # Downwards.
+    data = (tmp_path / "dose").read_bytes()
+    downwards = "\\".join(f"{-2.5 * z:g}" for z in range(len(BLOB)))
+    old, new = (ink_files.dicom_element(0x3004, 0x000C, "DS", text) for text in (offsets, downwards))
+    (tmp_path / "dose").write_bytes(data.replace(old, new))
+    found = json.loads(ink("info", "--json", tmp_path / "dose").out)[0]
+    assert found["spacing"] == [1, 1, 2.5] and found["origin"] == [0, 0, -2.5 * (len(BLOB) - 1)]

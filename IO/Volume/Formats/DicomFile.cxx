@@ -85,6 +85,7 @@ private:
   {
     std::uint32_t key;
     std::uint64_t end; ///< where it ends in the file, if its length is known
+    bool isImplicit;   ///< whether the elements in it have no types, whatever the file's have
   };
 
   /// Whether these are the tag of one of a file's first elements, little endian, and its type and length.
@@ -141,15 +142,19 @@ private:
     const std::uint32_t key = tag(this->integer(std::string_view(start).substr(0, 2)),
       this->integer(std::string_view(start).substr(2, 2)));
     const bool isItem = key >> 16 == 0xFFFE;
-    const bool isExplicit = !isItem && (isMeta || this->Explicit);
+    const bool isWithinImplicit = !this->Levels.empty() && this->Levels.back().isImplicit;
+    const bool isExplicit = !isItem && (isMeta || this->Explicit) && !isWithinImplicit;
     std::uint32_t length = 0;
     bool isSequence = false;
+    bool isUnknown = false;
     if (isExplicit)
     {
       const std::string type = this->bytes(2);
       static constexpr std::array<std::string_view, 13> longTypes{ "OB", "OD", "OF", "OL", "OV", "OW", "SQ",
         "SV", "UC", "UN", "UR", "UT", "UV" };
-      isSequence = type == "SQ" || type == "UN";
+      isUnknown = type == "UN";
+      // Within sequences, as in icons, pixels may be compressed: in items, too.
+      isSequence = isUnknown || type == "SQ" || (!this->Levels.empty() && (type == "OB" || type == "OW"));
       const bool isLong = std::find(longTypes.begin(), longTypes.end(), type) != longTypes.end();
       if (isLong)
       {
@@ -179,7 +184,8 @@ private:
       {
         this->fail("it has an element of undefined length that is no sequence");
       }
-      this->enter(key, length);
+      // Of an unknown type it is written without types (PS3.5 6.2.2).
+      this->enter(key, length, isUnknown);
       return;
     }
     if (length > this->Size - this->position())
@@ -207,7 +213,7 @@ private:
     }
   }
 
-  void enter(std::uint32_t key, std::uint32_t length)
+  void enter(std::uint32_t key, std::uint32_t length, bool isImplicit = false)
   {
     // Files nest few; one that does not would make a list as long as itself.
     constexpr std::size_t most = 64;
@@ -216,7 +222,8 @@ private:
       this->fail("it has more than " + std::to_string(most / 2) + " sequences, each within the one before");
     }
     this->Levels.push_back({ key,
-      length == undefinedLength ? std::numeric_limits<std::uint64_t>::max() : this->position() + length });
+      length == undefinedLength ? std::numeric_limits<std::uint64_t>::max() : this->position() + length,
+      isImplicit || (!this->Levels.empty() && this->Levels.back().isImplicit) });
   }
 
   /// Leaves the sequences and items whose length was given and that end here.
@@ -372,6 +379,9 @@ private:
       case tag(0x0028, 0x0101):
         found.storedBits = this->smallInteger(value);
         break;
+      case tag(0x3004, 0x000C):
+        found.offsets = this->numbers(value);
+        break;
       case tag(0x0028, 0x0103):
         found.isSigned = this->smallInteger(value) == 1;
         break;
@@ -413,14 +423,6 @@ private:
       case tag(0x3004, 0x000E):
         this->copy(value, 1, &frame.scale.slope);
         break;
-      case tag(0x3004, 0x000C): {
-        // Of a dose in each frame, how far it is from the first.
-        const std::vector<double> offsets = this->numbers(value);
-        frame.distance = offsets.size() > 1
-          ? (offsets.back() - offsets.front()) / static_cast<double>(offsets.size() - 1)
-          : 0.0;
-        break;
-      }
       default:
         break;
     }
@@ -471,10 +473,6 @@ std::optional<DicomFile> DicomFile::read(const fs::path& file)
     found.problem = error.what();
   }
   found.bigEndian = found.transferSyntax == "1.2.840.10008.1.2.2";
-  if (found.ownFrames.size() != static_cast<std::size_t>(found.frames))
-  {
-    found.ownFrames.clear();
-  }
   return found;
 }
 

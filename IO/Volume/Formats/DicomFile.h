@@ -42,7 +42,8 @@ struct DicomFile
   bool bigEndian = false;
   double number = 0.0;
   DicomFrame shared;                 ///< of all its pictures
-  std::vector<DicomFrame> ownFrames; ///< of each, where the file says them apart; else none
+  std::vector<DicomFrame> ownFrames; ///< of each, or some, where the file says them apart; else none
+  std::vector<double> offsets;       ///< of each picture of a dose from the first, at right angles to them
   std::uint64_t pixelOffset = 0;
   std::uint64_t pixelBytes = 0; ///< 0: there are no pixels
   std::string problem;          ///< why its elements could not be told apart to the end; empty if they could

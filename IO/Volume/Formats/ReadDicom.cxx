@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -74,11 +75,17 @@ std::map<std::string, std::vector<DicomFile>> findSeries(
   return all;
 }
 
-std::size_t countFrames(const std::vector<DicomFile>& files)
+/// As far as there are bytes for them.
+std::uint64_t countFrames(const std::vector<DicomFile>& files)
 {
-  return std::accumulate(files.begin(), files.end(), std::size_t(0),
-    [](std::size_t sum, const DicomFile& file)
-    { return sum + static_cast<std::size_t>(std::max(file.frames, 1)); });
+  return std::accumulate(files.begin(), files.end(), std::uint64_t(0),
+    [](std::uint64_t sum, const DicomFile& file)
+    {
+      const std::uint64_t least = file.isCompressed() ? 1 : std::max<std::uint64_t>(file.frameBytes(), 1);
+      return sum +
+        std::clamp<std::uint64_t>(static_cast<std::uint64_t>(std::max(file.frames, 1)), 1,
+          std::max<std::uint64_t>(file.pixelBytes / least, 1));
+    });
 }
 
 /// The series with most pictures; of several, the first by its name.
@@ -113,25 +120,29 @@ std::vector<DicomFile> readSeriesOf(const fs::path& path, std::vector<std::strin
     return { std::move(*file) };
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::vector<DicomFile> series = std::move(findSeries(folder, notes)[file->series]);
-  if (series.size() > 1)
+  return std::move(findSeries(folder, notes)[file->series]);
+}
+
+void checkFrames(const DicomFile& file)
+{
+  throwProblem(file);
+  // More are the tiles of a microscope's picture.
+  constexpr int most = 1 << 16;
+  if (file.frames < 1 || file.frames > most)
   {
-    notes.push_back(
-      "it is one of " + std::to_string(series.size()) + " slices in its folder; all of them are read");
+    failToRead(
+      file.path, "it says " + std::to_string(file.frames) + " frames; expected 1 to " + std::to_string(most));
   }
-  return series;
 }
 
 /// Pixels of a size and type that can be read, and as many as the file has to have.
-void check(const DicomFile& file)
+void checkPixels(const DicomFile& file)
 {
-  throwProblem(file);
-  if (file.rows < 1 || file.columns < 1 || file.components < 1 || file.frames < 1)
+  if (file.rows < 1 || file.columns < 1 || file.components < 1)
   {
     failToRead(file.path,
-      "it says " + std::to_string(file.rows) + " rows, " + std::to_string(file.columns) + " columns, " +
-        std::to_string(file.components) + " components and " + std::to_string(file.frames) +
-        " frames; expected 1 or more");
+      "it says " + std::to_string(file.rows) + " rows, " + std::to_string(file.columns) + " columns and " +
+        std::to_string(file.components) + " components; expected 1 or more");
   }
   if (file.bits != 8 && file.bits != 16 && file.bits != 32)
   {
@@ -172,30 +183,45 @@ struct Slice
   double along = 0.0; ///< where it lies along what is at right angles to the slices, else when it was taken
 };
 
-std::vector<Slice> slicesOf(const std::vector<DicomFile>& files)
+/// Adds the pictures of a file.
+void addSlices(const DicomFile& file, std::vector<Slice>& slices, std::vector<std::string>& notes)
 {
-  std::vector<Slice> slices;
-  for (const DicomFile& file : files)
+  const auto count = static_cast<std::size_t>(file.frames);
+  const bool saysAll = file.ownFrames.size() == count;
+  if (!saysAll && !file.ownFrames.empty())
   {
-    check(file);
-    for (std::size_t number = 0; number < static_cast<std::size_t>(file.frames); ++number)
-    {
-      Slice& slice = slices.emplace_back(&file, number, file.shared);
-      if (!file.ownFrames.empty())
-      {
-        slice.frame = file.ownFrames[number];
-      }
-      // Where a file says one place for several frames, it is that of the first.
-      slice.frame.hasPosition = slice.frame.hasPosition && (file.frames == 1 || !file.ownFrames.empty());
-    }
+    notes.push_back("it says of " + std::to_string(file.ownFrames.size()) + " of its " +
+      std::to_string(count) + " frames where they lie, which is not used");
   }
-  return slices;
+  double normal[3];
+  vtkMath::Cross(file.shared.row, file.shared.column, normal);
+  for (std::size_t number = 0; number < count; ++number)
+  {
+    Slice& slice = slices.emplace_back(&file, number, saysAll ? file.ownFrames[number] : file.shared);
+    if (file.offsets.size() == count)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        slice.frame.position[axis] += file.offsets[number] * normal[axis];
+      }
+    }
+    // Where a file says one place for several frames, it is that of the first.
+    slice.frame.hasPosition =
+      slice.frame.hasPosition && (count == 1 || saysAll || file.offsets.size() == count);
+  }
 }
 
 bool havePositions(const std::vector<Slice>& slices)
 {
   return std::all_of(
     slices.begin(), slices.end(), [](const Slice& slice) { return slice.frame.hasPosition; });
+}
+
+bool isSpacingClose(const Slice& a, const Slice& b, int axis)
+{
+  constexpr double tolerance = 1e-3;
+  return std::abs(a.frame.spacing[axis] - b.frame.spacing[axis]) <=
+    tolerance * std::abs(a.frame.spacing[axis]);
 }
 
 /// Whether two pictures can be slices of one volume.
@@ -207,14 +233,17 @@ bool areAlike(const Slice& a, const Slice& b)
   const DicomFile& first = *a.file;
   const DicomFile& second = *b.file;
   return first.rows == second.rows && first.columns == second.columns &&
-    first.components == second.components && typeOf(first) == typeOf(second) &&
+    first.components == second.components && first.separatePlanes == second.separatePlanes &&
+    first.bits == second.bits && first.isSigned == second.isSigned &&
     first.isCompressed() == second.isCompressed() && first.bigEndian == second.bigEndian &&
+    isSpacingClose(a, b, 0) && isSpacingClose(a, b, 1) &&
     std::equal(a.frame.row, a.frame.row + 3, b.frame.row, isClose) &&
     std::equal(a.frame.column, a.frame.column + 3, b.frame.column, isClose);
 }
 
 /// Leaves out pictures that are unlike the most, as those that a scan was planned on are.
-void keepMostAlike(std::vector<Slice>& slices, std::vector<std::string>& notes)
+/// @param named a file whose picture is one of those to keep; empty: whichever
+void keepMostAlike(std::vector<Slice>& slices, const fs::path& named, std::vector<std::string>& notes)
 {
   std::vector<std::vector<Slice>> kinds;
   for (const Slice& slice : slices)
@@ -223,15 +252,21 @@ void keepMostAlike(std::vector<Slice>& slices, std::vector<std::string>& notes)
       [&](const std::vector<Slice>& one) { return areAlike(one.front(), slice); });
     (kind != kinds.end() ? *kind : kinds.emplace_back()).push_back(slice);
   }
-  const auto most = std::max_element(
-    kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  const auto rank = [&](const std::vector<Slice>& kind)
+  {
+    const bool hasNamed = std::any_of(kind.begin(), kind.end(),
+      [&](const Slice& slice) { return slice.file->path.filename() == named.filename(); });
+    return std::pair(hasNamed, kind.size());
+  };
+  const auto kept = std::max_element(
+    kinds.begin(), kinds.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   if (kinds.size() > 1)
   {
-    notes.push_back(std::to_string(slices.size() - most->size()) + " of its " +
-      std::to_string(slices.size()) +
-      " pictures have another size, type or direction than most; they are left out");
+    notes.push_back(std::to_string(slices.size() - kept->size()) + " of its " +
+      std::to_string(slices.size()) + " pictures have another size, type, spacing or direction than the " +
+      std::to_string(kept->size()) + " that are used");
   }
-  slices = std::move(*most);
+  slices = std::move(*kept);
 }
 
 /// Sorts slices by where they lie; if they do not say that, by their numbers.
@@ -255,7 +290,8 @@ void sortSlices(std::vector<Slice>& slices)
 /// Of sorted slices at one place, as a scan over time has them, keeps that with the lowest number.
 void keepFirstOfPlace(std::vector<Slice>& slices, std::vector<std::string>& notes)
 {
-  constexpr double tolerance = 1e-3; // millimeters
+  // Of a pixel's size, but no more than files round in millimeters.
+  const double tolerance = std::min(0.05 * slices.front().frame.spacing[0], 0.01);
   const std::size_t all = slices.size();
   std::vector<Slice> kept;
   for (const Slice& slice : slices)
@@ -278,37 +314,88 @@ void keepFirstOfPlace(std::vector<Slice>& slices, std::vector<std::string>& note
   }
 }
 
-/// Notes it if sorted slices are not as far from each other as from the next, where one is missing, say.
-void noteUnevenSlices(const std::vector<Slice>& slices, double distance, std::vector<std::string>& notes)
+/// From each of the sorted slices to the next.
+std::vector<double> gapsBetween(const std::vector<Slice>& slices)
 {
-  constexpr double tolerance = 0.05;
-  double least = distance;
-  double most = distance;
+  std::vector<double> gaps;
   for (std::size_t i = 1; i < slices.size(); ++i)
   {
-    const double between = slices[i].along - slices[i - 1].along;
-    least = std::min(least, between);
-    most = std::max(most, between);
+    gaps.push_back(slices[i].along - slices[i - 1].along);
   }
-  if (most - least > tolerance * distance)
+  return gaps;
+}
+
+double medianOf(std::vector<double> numbers)
+{
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+/// Of sorted slices, leaves out those that lie far from most, as some of a scan's plan do.
+void keepLongestRun(std::vector<Slice>& slices, std::vector<std::string>& notes)
+{
+  constexpr double far = 4.0; // usual distances; where slices are missing, it is still one volume
+  const std::vector<double> gaps = gapsBetween(slices);
+  if (gaps.size() < 2)
   {
-    notes.push_back("its slices lie " + formatNumber(least) + " to " + formatNumber(most) +
-      " apart; they are taken as " + formatNumber(distance) + " apart");
+    return;
+  }
+  const double farAway = far * medianOf(gaps);
+  std::size_t longest = 0;
+  std::size_t first = 0;
+  for (std::size_t begin = 0, i = 0; i <= gaps.size(); ++i)
+  {
+    if (i == gaps.size() || gaps[i] > farAway)
+    {
+      const std::size_t count = i + 1 - begin;
+      first = count > longest ? begin : first;
+      longest = std::max(longest, count);
+      begin = i + 1;
+    }
+  }
+  if (longest < slices.size())
+  {
+    notes.push_back(std::to_string(slices.size() - longest) + " of its " + std::to_string(slices.size()) +
+      " slices lie far from the others and are left out");
+    const auto begin = slices.begin() + static_cast<std::ptrdiff_t>(first);
+    slices = std::vector<Slice>(begin, begin + static_cast<std::ptrdiff_t>(longest));
   }
 }
 
-/// From slice to slice.
+/// From slice to slice. Where it differs, as where one is missing, that is noted, and it is that of most, or
+/// a mean.
 double distanceOf(const std::vector<Slice>& slices, std::vector<std::string>& notes)
 {
   const DicomFrame& first = slices.front().frame;
-  if (slices.size() > 1 && havePositions(slices))
+  const std::vector<double> gaps = gapsBetween(slices);
+  if (gaps.empty() || !havePositions(slices))
   {
-    const double distance =
-      (slices.back().along - slices.front().along) / static_cast<double>(slices.size() - 1);
-    noteUnevenSlices(slices, distance, notes);
+    const double distance = first.distance > 0.0 ? first.distance : first.thickness;
+    if (!gaps.empty())
+    {
+      notes.push_back("it does not say where its pictures lie; they are taken as slices " +
+        formatNumber(distance) + " apart");
+    }
     return distance;
   }
-  return first.distance > 0.0 ? first.distance : first.thickness;
+  constexpr double tolerance = 0.05;
+  constexpr double most = 0.75;
+  const double median = medianOf(gaps);
+  const auto usual = std::count_if(
+    gaps.begin(), gaps.end(), [&](double gap) { return std::abs(gap - median) <= tolerance * median; });
+  const double mean = (slices.back().along - slices.front().along) / static_cast<double>(slices.size() - 1);
+  const double distance = usual < static_cast<std::ptrdiff_t>(gaps.size()) &&
+      static_cast<double>(usual) >= most * static_cast<double>(gaps.size())
+    ? median
+    : mean;
+  if (usual < static_cast<std::ptrdiff_t>(gaps.size()))
+  {
+    const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
+    notes.push_back("its slices lie " + formatNumber(*least) + " to " + formatNumber(*greatest) +
+      " apart; they are taken as " + formatNumber(distance) + " apart");
+  }
+  return distance;
 }
 
 /// Where the pixels of each slice are.
@@ -329,15 +416,39 @@ void placePixels(const std::vector<Slice>& slices, RawVolume& voxels)
 VolumeHeader readDicomHeaders(const fs::path& path)
 {
   VolumeHeader header;
-  const std::vector<DicomFile> files =
-    fs::is_directory(path) ? readLargestSeries(path, header.notes) : readSeriesOf(path, header.notes);
-  header.format = files.size() > 1 || fs::is_directory(path) ? "DICOM series" : "DICOM";
-  std::vector<Slice> slices = slicesOf(files);
-  keepMostAlike(slices, header.notes);
+  const bool isFolder = fs::is_directory(path);
+  std::vector<DicomFile> files =
+    isFolder ? readLargestSeries(path, header.notes) : readSeriesOf(path, header.notes);
+  header.format = files.size() > 1 || isFolder ? "DICOM series" : "DICOM";
+  // Not in the order of the folder.
+  std::sort(files.begin(), files.end(),
+    [](const DicomFile& a, const DicomFile& b)
+    { return std::tie(a.number, a.path) < std::tie(b.number, b.path); });
+  std::vector<Slice> slices;
+  for (const DicomFile& file : files)
+  {
+    checkFrames(file);
+    addSlices(file, slices, header.notes);
+  }
+  keepMostAlike(slices, isFolder ? fs::path() : path, header.notes);
+  for (const DicomFile* checked = nullptr; const Slice& slice : slices)
+  {
+    if (slice.file != checked)
+    {
+      checked = slice.file;
+      checkPixels(*checked);
+    }
+  }
+  if (!isFolder && files.size() > 1)
+  {
+    header.notes.push_back(
+      "it is one of " + std::to_string(slices.size()) + " slices in its folder; all of them are read");
+  }
   sortSlices(slices);
   if (havePositions(slices))
   {
     keepFirstOfPlace(slices, header.notes);
+    keepLongestRun(slices, header.notes);
   }
   const DicomFile& file = *slices.front().file;
   const DicomFrame& first = slices.front().frame;
@@ -347,7 +458,7 @@ VolumeHeader readDicomHeaders(const fs::path& path)
   voxels.dimensions[1] = file.rows;
   voxels.dimensions[2] = static_cast<int>(slices.size());
   voxels.type = typeOf(file);
-  voxels.components = file.separatePlanes ? 1 : file.components;
+  voxels.components = file.separatePlanes && !file.isCompressed() ? 1 : file.components;
   // Decompressed ones are in this machine's order.
   voxels.setBigEndian(file.isCompressed() ? std::endian::native == std::endian::big : file.bigEndian);
   header.components = file.components;
@@ -360,11 +471,14 @@ VolumeHeader readDicomHeaders(const fs::path& path)
   }
 
   double steps[9];
-  double normal[3];
-  vtkMath::Cross(first.row, first.column, normal);
   std::copy_n(first.row, 3, steps);
   std::copy_n(first.column, 3, steps + 3);
-  std::copy_n(normal, 3, steps + 6);
+  vtkMath::Cross(first.row, first.column, steps + 6);
+  if (slices.size() > 1 && havePositions(slices))
+  {
+    // Not at right angles where a scanner's gantry was tilted.
+    vtkMath::Subtract(slices.back().frame.position, first.position, steps + 6);
+  }
   constexpr double sign[3] = { 1, 1, 1 };
   header.orientation.emplace(steps, first.position, sign);
   header.spacing[0] = spacingOf(first.spacing[0]);

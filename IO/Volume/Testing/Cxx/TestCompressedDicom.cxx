@@ -188,7 +188,7 @@ TEST(CompressedDicom, FramesOfSeveralFragments)
 
 TEST(CompressedDicom, AnyPart)
 {
-  const std::string file = "CompressedDicomFrames.dcm";
+  const std::string file = "CompressedDicomParts.dcm";
   WriteImage(file, gdcm::TransferSyntax::JPEGLosslessProcess14_1, 0, Slices);
   const auto reader = ReaderOf(file);
   for (const int slice : { 3, 1, 5 })
