@@ -308,7 +308,7 @@ def test_ply_keeps_what_its_points_have(tmp_path, ink):
     header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
     header += "".join(f"property {'double' if len(n) == 1 else 'float'} {n}\n" for n in rows.dtype.names) + "end_header\n"
     (tmp_path / "survey.ply").write_bytes(header.encode() + rows.tobytes())
-    assert "Radius: float, 1 components" in ink("info", tmp_path / "survey.ply").out
+    assert "Radius: float, 1 component," in ink("info", tmp_path / "survey.ply").out
     result = ink("sample", tmp_path / "survey.ply", tmp_path / "out.csv")
     assert result.code == 0, result
     assert sorted(ink_files.read_points(tmp_path / "out.csv")["x"]) == sorted(rows["x"])
