@@ -28,6 +28,11 @@ namespace ink::io
 namespace
 {
 
+std::uint32_t littleEndian(const void* bytes)
+{
+  return valueFrom<std::uint32_t>(bytes, std::endian::native == std::endian::big);
+}
+
 /// A file that is read from anywhere.
 class Bytes
 {
@@ -52,9 +57,9 @@ public:
 
   std::uint32_t integer(std::uint64_t position) const
   {
-    std::uint32_t value = 0;
-    this->read(position, { reinterpret_cast<unsigned char*>(&value), sizeof(value) });
-    return value;
+    std::array<unsigned char, sizeof(std::uint32_t)> stored;
+    this->read(position, stored);
+    return littleEndian(stored.data());
   }
 
 private:
@@ -85,11 +90,7 @@ bool isHeadOfRunLengths(std::span<const char> data, int components, int bytesOfA
   {
     return false;
   }
-  const auto word = [&](std::size_t i)
-  {
-    return valueFrom<std::uint32_t>(
-      &data[i * sizeof(std::uint32_t)], std::endian::native == std::endian::big);
-  };
+  const auto word = [&](std::size_t i) { return littleEndian(&data[i * sizeof(std::uint32_t)]); };
   const auto segments = static_cast<std::uint32_t>(components) * static_cast<std::uint32_t>(bytesOfAValue);
   bool isRight = segments < headWords && word(0) == segments && word(1) == headWords * sizeof(std::uint32_t);
   for (std::size_t i = 2; isRight && i <= segments; ++i)

@@ -243,6 +243,19 @@ def test_functional_groups_of_more_or_fewer_frames(tmp_path, ink):
     assert "it says 3 frames, but where more lie" in ink("info", path).error
 
 
+def test_groups_that_are_in_no_item(tmp_path, ink):
+    """What they say is no frame's."""
+    path = tmp_path / "frames.dcm"
+    write_enhanced(path, BLOB[:2], [(0, 0, 0), (0, 0, 5)], defined=False)
+    data = path.read_bytes()
+    groups = data.index(struct.pack("<HH", 0x5200, 0x9230)) + 12
+    inner = struct.pack("<HH2s2xI", 0x2005, 0x140F, b"SQ", 0xFFFFFFFF)
+    path.write_bytes(data[:groups] + inner + data[groups + 8 :])
+    result = ink("info", path)
+    assert result.code == 0 and "spacing        0.25 0.5 9" in result.out
+    assert "it says of 1 of its 2 frames where they lie, which is not used" in result.out
+
+
 def test_sequences_without_end_are_refused(tmp_path, ink):
     """Each within the one before."""
     path = tmp_path / "frames.dcm"

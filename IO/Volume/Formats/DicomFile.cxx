@@ -194,7 +194,8 @@ private:
     }
     constexpr std::uint32_t longest = 1 << 14;
     DicomFrame* const frame = this->frameOfLevel(found);
-    if (this->Levels.empty() ? areGroups(key) : this->isWithinGroups() && isGroupOfFrame(key))
+    const bool isGroup = this->isWithinGroups() && this->Levels.size() == 2 && isGroupOfFrame(key);
+    if (isGroup || (this->Levels.empty() && areGroups(key)))
     {
       this->enter(key, length);
     }
@@ -237,14 +238,16 @@ private:
   }
 
   /// Whether what comes next are the functional groups of all frames, or of one.
-  bool isWithinGroups() const { return this->Levels.size() == 2 && areGroups(this->Levels.front().key); }
+  bool isWithinGroups() const
+  {
+    return this->Levels.size() >= 2 && areGroups(this->Levels[0].key) && this->Levels[1].key == item;
+  }
 
   /// The frame, or all of them, whose functional group is being read; null if none is.
   DicomFrame* frameOfLevel(DicomFile& found) const
   {
     constexpr std::size_t depth = 4; // the groups, an item, one of them, an item
-    if (this->Levels.size() != depth || !areGroups(this->Levels[0].key) ||
-      !isGroupOfFrame(this->Levels[2].key))
+    if (this->Levels.size() != depth || !this->isWithinGroups() || !isGroupOfFrame(this->Levels[2].key))
     {
       return nullptr;
     }
