@@ -5,6 +5,7 @@
 #include "Statistics/AreLabels.h"
 #include "Statistics/CoveredSides.h"
 #include "Statistics/FilledBox.h"
+#include "Statistics/HounsfieldUnits.h"
 #include "Statistics/IsoBoundaries.h"
 #include "Statistics/OtsuThreshold.h"
 #include "Statistics/SmoothedSlices.h"
@@ -50,6 +51,8 @@ constexpr double farBelow = 1.25;
 // What keeps this share of the values above the padding may be its edge, or noise: .84 of a chest with noisy
 // lungs; the skin in seven other scans keeps up to .51.
 constexpr double mostlyMeasured = 2.0 / 3.0;
+// Bone is this share of a scan, at least.
+constexpr double boneShare = 0.001;
 // Slices that are smoothed at once: enough for all threads, and few enough for this memory in bytes, as far
 // as three take less.
 constexpr int mostSmoothedAtOnce = 66;
@@ -475,6 +478,27 @@ std::vector<IsoSuggestion> withinFieldOfView(std::vector<IsoSuggestion> suggesti
                                                                                            : suggestions;
 }
 
+/// In CT, puts bone second if no boundary is as dense.
+void addBone(const IsoStatistics& statistics, std::vector<IsoSuggestion>& suggestions)
+{
+  constexpr double bone = 200.0;
+  constexpr double asDense = 100.0;
+  const ValueBins& bins = statistics.bins;
+  const bool isFound = std::any_of(
+    suggestions.begin(), suggestions.end(), [](const IsoSuggestion& one) { return one.value > asDense; });
+  if (isFound || suggestions.empty() || !isClear(suggestions.front()) ||
+    bone >= bins.low + bins.width * bins.count || !areHounsfieldUnits(statistics))
+  {
+    return;
+  }
+  const double share = keptShares(statistics.voxels)[thresholdAt(bins, bone)];
+  if (share > boneShare)
+  {
+    suggestions.insert(suggestions.begin() + 1, { bone, IsoSuggestion::Boundary::Bone, share });
+    suggestions.resize(std::min(suggestions.size(), mostSuggestions));
+  }
+}
+
 } // namespace
 
 template <typename T>
@@ -487,10 +511,14 @@ std::vector<IsoSuggestion> suggestIsoValues(
     return {};
   }
   const SliceReader<T> read = withoutFill(readAll, statistics->bins.fill);
-  const std::vector<IsoSuggestion> within = suggestWithinPadding(read, dimensions, slicesAtOnce, *statistics);
-  return within.empty() ? withinFieldOfView(suggestOf(read, dimensions, slicesAtOnce, *statistics), read,
-                            dimensions, slicesAtOnce, *statistics)
-                        : within;
+  std::vector<IsoSuggestion> suggestions = suggestWithinPadding(read, dimensions, slicesAtOnce, *statistics);
+  if (suggestions.empty())
+  {
+    suggestions = withinFieldOfView(
+      suggestOf(read, dimensions, slicesAtOnce, *statistics), read, dimensions, slicesAtOnce, *statistics);
+  }
+  addBone(*statistics, suggestions);
+  return suggestions;
 }
 
 template <typename T>

@@ -244,6 +244,7 @@ std::string InkDescribe(const ink::IsoSuggestion& suggestion)
   const std::string boundary = suggestion.boundary == Boundary::Outermost ? "the outermost clear boundary"
     : suggestion.boundary == Boundary::Inner                              ? "an inner boundary"
     : suggestion.boundary == Boundary::Densest                            ? "the boundary of the densest part"
+    : suggestion.boundary == Boundary::Bone                               ? "bone, by its Hounsfield units"
     : suggestion.boundary == Boundary::Labels                             ? labels
     : suggestion.boundary == Boundary::Sign ? "where the sign changes, as no boundary is clear"
                                             : "by Otsu's threshold, as no boundary is clear";

@@ -277,6 +277,9 @@ std::string vtkInkIllustrationStyle::ChooseSurfaces(const InkLeaves& leaves)
       [&](const auto& one) {
         return innerValues.empty() || one.value < *std::min_element(innerValues.begin(), innerValues.end());
       });
+    // Within skin rather bone than flesh.
+    std::stable_partition(suggestions.begin(), suggestions.end(),
+      [](const auto& one) { return one.boundary == ink::IsoSuggestion::Boundary::Bone; });
     choose(innerValues, "inner",
       [&](const auto& one) { return !outerValue.empty() && one.value > outerValue.front(); });
   }

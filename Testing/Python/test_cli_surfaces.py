@@ -36,6 +36,27 @@ def listed(ink, path):
     return [(float(line[15:].split()[0]), line[15:].partition("(")[2]) for line in lines[first:last]]
 
 
+def trunk(path):
+    """In Hounsfield units: air, a body, flesh in it, and spongy bone, which has no clear boundary."""
+    z, y, x = grid((40, 48, 48))
+    distance = np.sqrt((x / 1.2) ** 2 + y**2)
+    inside = lambda radius: 1 / (1 + np.exp(2 * (distance - radius)))
+    noise = np.random.default_rng(3).normal(0, 1, x.shape)
+    values = -1000 + 900 * inside(18) + 140 * inside(13) + np.where(distance < 5, 300 + 200 * noise, 15 * noise)
+    ink_files.write_nifti(path, values.astype(np.int16))
+
+
+def test_bone_in_ct_is_known_by_its_units(ink, tmp_path):
+    trunk(tmp_path / "ct.nii")
+    values = listed(ink, tmp_path / "ct.nii")
+    assert -800 < values[0][0] < -200 and "outermost" in values[0][1]
+    assert values[1][0] == 200 and values[1][1].startswith("bone, by its Hounsfield units, keeps")
+    few = ["--size", "100x100", "-o", tmp_path / "out.png"]
+    for option, words in (("--preset=bone", "iso-value 200: bone"), ("--see-through", "inner iso-value 200: bone")):
+        result = ink("render", tmp_path / "ct.nii", option, *few)
+        assert result.code == 0 and words in result.err, result
+
+
 # The bonsai's inner ones lie half way between the peaks of its materials: 40, 135 and 205.
 @pytest.mark.parametrize("file, expected", [("engine.nii.gz", [80, 160]), ("bonsai.nii.gz", [36, 88, 170])])
 def test_the_best_iso_values_of_a_scan_are_listed(ink, file, expected):

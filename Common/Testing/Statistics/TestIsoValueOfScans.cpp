@@ -88,6 +88,32 @@ TEST(IsoValueOfScans, IsThatOfAChestInAPaddedFieldOfView)
   }
 }
 
+TEST(IsoValueOfScans, AreBoneAfterSkinInCT)
+{
+  // Spongy bone varies from voxel to voxel, so that it has no clear boundary.
+  const auto trunk = [](double unit)
+  {
+    return suggestAll(volume<short>(
+      [unit](double d, std::size_t i)
+      {
+        const double bone = d < 6 ? 250.0 + 250.0 * noise(i / 3) : 0.0;
+        return unit * (-1000.0 + 1040.0 * blurredSphere(d, 18) + bone + 30.0 * noise(i));
+      }));
+  };
+  const auto suggestions = trunk(1.0);
+  ASSERT_GE(suggestions.size(), 2U);
+  EXPECT_EQ(suggestions[0].boundary, Boundary::Outermost);
+  EXPECT_LT(suggestions[0].value, -200.0);
+  EXPECT_EQ(suggestions[1].boundary, Boundary::Bone);
+  EXPECT_EQ(suggestions[1].value, 200.0);
+  EXPECT_NEAR(suggestions[1].keptShare, 0.6 * 4.19 * 6 * 6 * 6 / (size * size * size), 0.004);
+  // In other units it is not known where bone is.
+  for (const auto& other : trunk(2.0))
+  {
+    EXPECT_NE(other.boundary, Boundary::Bone);
+  }
+}
+
 TEST(IsoValueOfScans, IsThatAroundAllWhereNothingElseIsMeasured)
 {
   // What a mask leaves of temperatures has no boundary within it.
