@@ -197,7 +197,7 @@ void addSlices(const DicomFile& file, std::vector<Slice>& slices, std::vector<st
   vtkMath::Cross(file.shared.row, file.shared.column, normal);
   for (std::size_t number = 0; number < count; ++number)
   {
-    Slice& slice = slices.emplace_back(&file, number, saysAll ? file.ownFrames[number] : file.shared);
+    Slice slice{ &file, number, saysAll ? file.ownFrames[number] : file.shared };
     if (file.offsets.size() == count)
     {
       for (int axis = 0; axis < 3; ++axis)
@@ -208,6 +208,7 @@ void addSlices(const DicomFile& file, std::vector<Slice>& slices, std::vector<st
     // Where a file says one place for several frames, it is that of the first.
     slice.frame.hasPosition =
       slice.frame.hasPosition && (count == 1 || saysAll || file.offsets.size() == count);
+    slices.push_back(slice);
   }
 }
 
