@@ -156,6 +156,11 @@ DicomPixels::DicomPixels(const std::filesystem::path& path)
 DicomPixels::DicomPixels(DicomFile file)
   : File(std::move(file))
 {
+  if (this->File.components != 1 && this->File.components != 3)
+  {
+    failToRead(this->File.path,
+      "its compressed pixels have " + std::to_string(this->File.components) + " components; expected 1 or 3");
+  }
   constexpr int bitsOfAByte = 8;
   if (this->File.transferSyntax == runLengths && this->File.components > 1 && this->File.bits > bitsOfAByte)
   {

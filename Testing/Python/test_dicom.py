@@ -326,6 +326,8 @@ def test_compressed_pixels_that_cannot_be_read(tmp_path, ink):
 
     assert "8 fragments of pixels, of which 2 begin a frame; expected 4" in error(move_third, fragments=2, table=True)
     assert "something else than items" in error(lambda data: data[:-8] + b"\1" + data[-7:])
+    samples = lambda n: ink_files.dicom_element(0x28, 0x0002, "US", struct.pack("<H", n))
+    assert "have 2 components; expected 1 or 3" in error(lambda data: data.replace(samples(1), samples(2)))
     few = (0x7FFF).to_bytes(2, "little")
     assert "bytes of compressed pixels, but promises 4 times 2147352578" in error(
         lambda data: data.replace(ink_files.dicom_element(0x28, 0x0010, "US", struct.pack("<H", 32)), ink_files.dicom_element(0x28, 0x0010, "US", few))
