@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Python"))
+import dicom_files  # noqa: E402
 import ink_files  # noqa: E402
 
 VOLUME = ink_files.blob((4, 3, 4))
@@ -24,6 +25,12 @@ def dicom(path, implicit=False):
     with tempfile.TemporaryDirectory() as folder:
         ink_files.write_dicom(Path(folder) / "series", VOLUME[:1], implicit=implicit, scale=(2, -1) if implicit else None)
         path.write_bytes((Path(folder) / "series" / "slice000.dcm").read_bytes())
+
+
+def enhanced_dicom(path, defined=True, compressed=False):
+    dicom_files.write_enhanced(path, VOLUME[:2], [(0, 0, z) for z in range(2)], defined, scale=[1, 2])
+    if compressed:
+        dicom_files.compress(path, VOLUME[:2].astype(np.uint16), table=True)
 
 
 def npy(array):
@@ -160,6 +167,9 @@ SEEDS = {
     "vtk/fields": field_vtk,
     "dicom/slice": dicom,
     "dicom/implicit": lambda p: dicom(p, implicit=True),
+    "dicom/enhanced": enhanced_dicom,
+    "dicom/endings": lambda p: enhanced_dicom(p, defined=False),
+    "dicom/compressed": lambda p: enhanced_dicom(p, compressed=True),
     "raw/bytes": lambda p: raw(p, "4x3x4:uint8", "u1"),
     "raw/doubles": lambda p: raw(p, "4x3x4:float64", "<f8"),
 }
