@@ -73,6 +73,19 @@ double valueAt(const ValueBins& bins, double threshold)
   return bins.low + (threshold + 1.0) * bins.width;
 }
 
+/// A volume whose values that are so are another one.
+template <typename T, class Suits>
+SliceReader<T> replacedSlices(const SliceReader<T>& read, const Suits& isSo, T other)
+{
+  return [read, isSo, other, held = std::vector<T>()](int first, int last) mutable
+  {
+    const std::span<const T> values = read(first, last);
+    held.assign(values.begin(), values.end());
+    std::replace_if(held.begin(), held.end(), isSo, other);
+    return std::span<const T>(held);
+  };
+}
+
 /// A volume whose fill value is NaN, see ValueBins::fill.
 template <typename T>
 SliceReader<T> withoutFill(const SliceReader<T>& read, double fill)
@@ -81,13 +94,9 @@ SliceReader<T> withoutFill(const SliceReader<T>& read, double fill)
   {
     if (!std::isnan(fill))
     {
-      return [read, fill = static_cast<T>(fill), held = std::vector<T>()](int first, int last) mutable
-      {
-        const std::span<const T> values = read(first, last);
-        held.assign(values.begin(), values.end());
-        std::replace(held.begin(), held.end(), fill, std::numeric_limits<T>::quiet_NaN());
-        return std::span<const T>(held);
-      };
+      return replacedSlices(
+        read, [fill = static_cast<T>(fill)](T value) { return value == fill; },
+        std::numeric_limits<T>::quiet_NaN());
     }
   }
   return read;
@@ -373,14 +382,8 @@ template <typename T>
 SliceReader<T> raisedSlices(const SliceReader<T>& read, double least)
 {
   const T lowest = static_cast<T>(std::is_integral_v<T> ? std::ceil(least) : least);
-  return [read, lowest, held = std::vector<T>()](int first, int last) mutable
-  {
-    const std::span<const T> values = read(first, last);
-    held.assign(values.begin(), values.end());
-    std::replace_if(
-      held.begin(), held.end(), [lowest](T value) { return value < lowest; }, lowest);
-    return std::span<const T>(held);
-  };
+  return replacedSlices(
+    read, [lowest](T value) { return value < lowest; }, lowest);
 }
 
 /// Whatever surrounds the volume.

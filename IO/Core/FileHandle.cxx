@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileHandle.h"
 
+#include "ReadError.h"
+
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 #include <fcntl.h>
@@ -15,6 +18,16 @@ bool FileHandle::close()
 {
   const int descriptor = std::exchange(this->Number, -1);
   return descriptor < 0 || ::close(descriptor) == 0;
+}
+
+FileHandle openToRead(const std::filesystem::path& file)
+{
+  FileHandle handle(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (handle.get() < 0)
+  {
+    failToRead(file, std::strerror(errno));
+  }
+  return handle;
 }
 
 FileHandle openUnnamed(const std::filesystem::path& folder)

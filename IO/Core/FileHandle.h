@@ -39,6 +39,9 @@ private:
   int Number;
 };
 
+/// @throws ReadError if it cannot be opened, with why
+VTKINKIOCORE_EXPORT FileHandle openToRead(const std::filesystem::path& file);
+
 /// A file without a name, which is gone when it is closed. Negative if that failed; errno says why.
 VTKINKIOCORE_EXPORT FileHandle openUnnamed(const std::filesystem::path& folder);
 

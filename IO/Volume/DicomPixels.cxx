@@ -13,15 +13,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
-
-#include <fcntl.h>
 
 namespace ink::io
 {
@@ -39,12 +36,8 @@ class Bytes
 public:
   explicit Bytes(const std::filesystem::path& path)
     : Path(path)
-    , File(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+    , File(openToRead(path))
   {
-    if (this->File.get() < 0)
-    {
-      failToRead(path, std::strerror(errno));
-    }
   }
 
   void read(std::uint64_t position, std::span<unsigned char> bytes) const
@@ -161,8 +154,7 @@ DicomPixels::DicomPixels(DicomFile file)
     failToRead(this->File.path,
       "its compressed pixels have " + std::to_string(this->File.components) + " components; expected 1 or 3");
   }
-  constexpr int bitsOfAByte = 8;
-  if (this->File.transferSyntax == runLengths && this->File.components > 1 && this->File.bits > bitsOfAByte)
+  if (this->File.transferSyntax == runLengths && this->File.components > 1 && this->File.valueBytes() > 1)
   {
     // GDCM mixes up their bytes.
     failToRead(this->File.path,
@@ -240,9 +232,8 @@ void DicomPixels::read(std::size_t frame, std::span<unsigned char> values) const
     data.resize(before + part.length);
     bytes.read(part.position, { reinterpret_cast<unsigned char*>(data.data() + before), part.length });
   }
-  constexpr int bitsOfAByte = 8;
   const bool isDamaged = this->File.transferSyntax == runLengths &&
-    !isHeadOfRunLengths(data, this->File.components, this->File.bits / bitsOfAByte);
+    !isHeadOfRunLengths(data, this->File.components, this->File.valueBytes());
   gdcm::Fragment fragment;
   fragment.SetByteValue(data.data(), gdcm::VL(static_cast<std::uint32_t>(data.size())));
   sequence->AddFragment(fragment);

@@ -7,11 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <limits>
-
-#include <fcntl.h>
+#include <string>
 
 namespace ink::io
 {
@@ -25,16 +22,12 @@ struct Inflater::Stream
 
 Inflater::Inflater(const std::filesystem::path& file, std::uint64_t offset)
   : Path(file)
-  , File(open(file.c_str(), O_RDONLY | O_CLOEXEC))
+  , File(openToRead(file))
   , Position(offset)
   , Zlib(std::make_unique<Stream>())
 {
   // The largest window, and either of the two headers.
   constexpr int anyWindow = 15 + 32;
-  if (this->File.get() < 0)
-  {
-    failToRead(file, std::strerror(errno));
-  }
   if (inflateInit2(&this->Zlib->state, anyWindow) != Z_OK)
   {
     failToRead(file, "zlib cannot begin");

@@ -24,8 +24,6 @@
 #include <type_traits>
 #include <vector>
 
-#include <fcntl.h>
-
 namespace ink::io
 {
 namespace
@@ -88,11 +86,7 @@ private:
   void openPart(std::size_t part)
   {
     this->Part = part;
-    this->File = FileHandle(::open(this->Voxels.files.at(part).c_str(), O_RDONLY | O_CLOEXEC));
-    if (this->File.get() < 0)
-    {
-      failToRead(this->Voxels.files[part], std::strerror(errno));
-    }
+    this->File = openToRead(this->Voxels.files.at(part));
   }
 
   RawVolume Voxels;
@@ -241,73 +235,53 @@ private:
   std::size_t Used = 0;
 };
 
-/// Reads pages of TIFF files, each from the file of the one before if that is the same.
-class TiffPages
+void readPage(TiffFile& file, std::uint64_t directory, std::span<unsigned char> values)
+{
+  file.turnTo(directory);
+  file.read(values);
+}
+
+void readPage(const DicomPixels& file, std::uint64_t frame, std::span<unsigned char> values)
+{
+  file.read(static_cast<std::size_t>(frame), values);
+}
+
+/// Reads pages, each from the file of the one before if that is the same.
+/// @tparam File const if threads can share it
+template <class File>
+class Pages
 {
 public:
-  explicit TiffPages(const RawVolume& voxels)
+  explicit Pages(const RawVolume& voxels)
     : Voxels(voxels)
   {
   }
 
-  /// For another thread, which an open file cannot be shared with.
-  TiffPages fork() const { return TiffPages(this->Voxels); }
+  /// For another thread.
+  Pages fork() const { return std::is_const_v<File> ? *this : Pages(this->Voxels); }
 
   void open(std::size_t page)
   {
     const std::filesystem::path& path = this->Voxels.files.at(page);
-    if (!this->File || this->File->path() != path)
+    if (!this->Current || this->Current->path() != path)
     {
-      this->File.emplace(path);
+      this->Current = std::make_shared<File>(path);
     }
   }
 
   void read(std::size_t page, std::span<unsigned char> values)
   {
     this->open(page);
-    this->File->turnTo(this->Voxels.offsetIn(page));
-    this->File->read(values);
+    readPage(*this->Current, this->Voxels.offsetIn(page), values);
   }
 
 private:
   const RawVolume& Voxels;
-  std::optional<TiffFile> File;
-};
-
-/// The same of frames of DICOM files.
-class DicomFrames
-{
-public:
-  explicit DicomFrames(const RawVolume& voxels)
-    : Voxels(voxels)
-  {
-  }
-
-  /// For another thread, which shares what is known of the file.
-  DicomFrames fork() const { return *this; }
-
-  void open(std::size_t frame)
-  {
-    const std::filesystem::path& path = this->Voxels.files.at(frame);
-    if (!this->Pixels || this->Pixels->path() != path)
-    {
-      this->Pixels = std::make_shared<const DicomPixels>(path);
-    }
-  }
-
-  void read(std::size_t frame, std::span<unsigned char> values)
-  {
-    this->open(frame);
-    this->Pixels->read(static_cast<std::size_t>(this->Voxels.offsetIn(frame)), values);
-  }
-
-private:
-  const RawVolume& Voxels;
-  std::shared_ptr<const DicomPixels> Pixels;
+  std::shared_ptr<File> Current;
 };
 
 /// Of pages that a library reads, whole ones at once on all threads. One that is not asked for whole is kept.
-template <class Pages>
+template <class File>
 class PageBytes : public VoxelBytes
 {
 public:
@@ -350,7 +324,7 @@ private:
       bytes.size() / size,
       [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        Pages pages = this->Kept.fork();
+        Pages<File> pages = this->Kept.fork();
         for (std::size_t page = begin; page < end; ++page)
         {
           pages.read(first + page, bytes.subspan(page * size, size));
@@ -375,7 +349,7 @@ private:
   RawVolume Voxels;
   std::optional<std::size_t> Page;
   std::vector<unsigned char> Values;
-  Pages Kept;
+  Pages<File> Kept;
 };
 
 } // namespace
@@ -389,9 +363,9 @@ std::unique_ptr<VoxelBytes> VoxelBytes::open(const RawVolume& voxels)
     case VoxelEncoding::Text:
       return std::make_unique<TextBytes>(voxels);
     case VoxelEncoding::Pages:
-      return std::make_unique<PageBytes<TiffPages>>(voxels);
+      return std::make_unique<PageBytes<TiffFile>>(voxels);
     case VoxelEncoding::Frames:
-      return std::make_unique<PageBytes<DicomFrames>>(voxels);
+      return std::make_unique<PageBytes<const DicomPixels>>(voxels);
     default:
       return std::make_unique<StoredBytes>(voxels);
   }

@@ -443,11 +443,16 @@ private:
 
 } // namespace
 
-std::uint64_t DicomFile::frameBytes() const
+int DicomFile::valueBytes() const
 {
   constexpr int bitsOfAByte = 8;
+  return this->bits / bitsOfAByte;
+}
+
+std::uint64_t DicomFile::frameBytes() const
+{
   return static_cast<std::uint64_t>(this->rows) * static_cast<std::uint64_t>(this->columns) *
-    static_cast<std::uint64_t>(this->components) * static_cast<std::uint64_t>(this->bits / bitsOfAByte);
+    static_cast<std::uint64_t>(this->components) * static_cast<std::uint64_t>(this->valueBytes());
 }
 
 bool DicomFile::isCompressed() const

@@ -48,7 +48,8 @@ struct DicomFile
   std::uint64_t pixelBytes = 0; ///< 0: there are no pixels
   std::string problem;          ///< why its elements could not be told apart to the end; empty if they could
 
-  /// That a picture takes when it is not compressed.
+  /// That a value, and a picture, take when they are not compressed.
+  int valueBytes() const;
   std::uint64_t frameBytes() const;
   /// Whether the pixels are stored otherwise than one after the other, by its transfer syntax.
   bool isCompressed() const;

@@ -177,8 +177,8 @@ int typeOf(const DicomFile& file)
 /// One picture of a series.
 struct Slice
 {
-  const DicomFile* file;
-  std::size_t number; ///< in its file
+  const DicomFile* file; ///< one of those of the series, which lie in the order of their numbers
+  std::size_t number;    ///< in its file
   DicomFrame frame;
   double along = 0.0; ///< where it lies along what is at right angles to the slices, else when it was taken
 };
@@ -280,12 +280,8 @@ void sortSlices(std::vector<Slice>& slices)
   {
     slice.along = byPosition ? vtkMath::Dot(slice.frame.position, normal) : slice.file->number;
   }
-  std::sort(slices.begin(), slices.end(),
-    [](const Slice& a, const Slice& b)
-    {
-      return std::tie(a.along, a.file->number, a.file->path, a.number) <
-        std::tie(b.along, b.file->number, b.file->path, b.number);
-    });
+  std::stable_sort(
+    slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.along < b.along; });
 }
 
 /// Of sorted slices at one place, as a scan over time has them, keeps that with the lowest number.
@@ -301,8 +297,7 @@ void keepFirstOfPlace(std::vector<Slice>& slices, std::vector<std::string>& note
     {
       kept.push_back(slice);
     }
-    else if (std::tie(slice.file->number, slice.file->path, slice.number) <
-      std::tie(kept.back().file->number, kept.back().file->path, kept.back().number))
+    else if (std::tie(slice.file, slice.number) < std::tie(kept.back().file, kept.back().number))
     {
       kept.back() = slice;
     }
