@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,13 +59,25 @@ inline GridResampling resamplingOfSurface(const IsoSurfaceResampling& resampling
         resampling, fourthOrderShare * resampling.deviation, samples, SmoothingKernel::FourthOrder);
 }
 
+/// TileResampler::read of a grid, with samples around.
+template <class Work>
+using SampleReader =
+  std::function<void(const SampleBox& positions, const glm::ivec3& reach, TileResampler<Work>&)>;
+
+/// The labels that a grid of distances was made of.
+template <class Work>
+struct LabelSource
+{
+  SampleReader<Work> read;
+  double isoValue;
+};
+
 /// The arguments of sampleResampledIsoSurfaces, whatever the type of the grid's values.
 template <class Work>
 struct ResampledRequest
 {
   GridGeometry geometry;
-  /// TileResampler::read of the grid.
-  std::function<void(const SampleBox& positions, const glm::ivec3& reach, TileResampler<Work>&)> read;
+  SampleReader<Work> read;
   /// Whether a cell of the grid lacks a corner.
   std::function<bool(const glm::ivec3& cell)> lacksCorner;
   std::span<const double> isoValues; ///< one of a mask
@@ -72,6 +85,7 @@ struct ResampledRequest
   CellSelection selection;
   IsoSurfaceResampling resampling;
   int projectionSteps;
+  std::optional<LabelSource<Work>> labels = {}; ///< whose borders normals show, where they are no mask's
 };
 
 /// Samples a grid tile by tile. Cells and positions are those of the resampled grid unless called the grid's
@@ -137,6 +151,7 @@ private:
   struct Workspace
   {
     TileResampler<Work> resampler;
+    TileResampler<Work> labels; ///< of distances
     std::vector<Work> values;
     std::vector<Work> smoothValues; ///< those that only normals are of
     std::vector<std::uint8_t> skipped;
@@ -223,10 +238,19 @@ private:
       work.resampler.resample(this->OfNormals, box, work.smoothValues);
       this->useNormalsOf(this->fieldOf(box, work.smoothValues), samples);
     }
-    const IsoSurfaceResampling& resampling = this->Request.resampling;
-    if (resampling.ofMask && resampling.borders && this->Normals)
+    if (!this->Request.resampling.borders || !this->Normals)
     {
-      this->useNormalsOfLabels(work.resampler, samples);
+      return;
+    }
+    if (const auto& labels = this->Request.labels)
+    {
+      labels->read(box, this->reach(), work.labels);
+      work.labels.makeMask(labels->isoValue);
+      this->useNormalsOfLabels(work.labels, labels->isoValue, samples);
+    }
+    else if (this->Request.resampling.ofMask)
+    {
+      this->useNormalsOfLabels(work.resampler, this->Request.isoValues.front(), samples);
     }
   }
 
@@ -395,11 +419,10 @@ private:
   }
 
   /// Turns the normals where several labels meet, see LabelBorderNormals.
-  void useNormalsOfLabels(const TileResampler<Work>& labels, SampledTile& samples) const
+  void useNormalsOfLabels(const TileResampler<Work>& labels, double isoValue, SampledTile& samples) const
   {
     const GridGeometry& own = this->Request.geometry;
-    LabelBorderNormals<Work> normals(
-      labels, this->Request.isoValues.front(), own.first(), this->Request.resampling.deviation);
+    LabelBorderNormals<Work> normals(labels, isoValue, own.first(), this->Request.resampling.deviation);
     for (std::size_t n = 0; 3 * n < samples.normals.size(); ++n)
     {
       const auto groove = normals.grooveAt(own.toGlobalIndex(this->pointOf(samples, n)));

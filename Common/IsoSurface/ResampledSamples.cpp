@@ -24,12 +24,13 @@ int subdivisionAlong(double ratio, int subdivision)
   return static_cast<int>(std::clamp(cubes, 1.0, most));
 }
 
-IsoSurfaceResampling makeIsoSurfaceResampling(
-  const GridGeometry& geometry, double smoothing, int subdivision, SmoothingTarget target, bool ofMask)
+IsoSurfaceResampling makeIsoSurfaceResampling(const GridGeometry& geometry, double smoothing, int subdivision,
+  SmoothingTarget target, bool ofMask, bool shapeBased)
 {
   IsoSurfaceResampling resampling;
   resampling.ofMask = ofMask;
-  if (!(smoothing > 0.0) && subdivision <= 1)
+  resampling.slices = shapeBased ? thickSlices(geometry.spacing()) : std::nullopt;
+  if (!(smoothing > 0.0) && subdivision <= 1 && !resampling.slices)
   {
     return resampling;
   }
@@ -43,16 +44,20 @@ IsoSurfaceResampling makeIsoSurfaceResampling(
   return resampling;
 }
 
-int isoSurfaceResamplingReach(double smoothing, int subdivision)
+glm::ivec3 isoSurfaceResamplingReach(
+  double smoothing, int subdivision, const std::optional<ThickSlices>& slices)
 {
+  if (!(smoothing > 0.0) && subdivision <= 1 && !slices)
+  {
+    return glm::ivec3(1);
+  }
   // Along the axis of the smallest spacing, where the Gaussian is widest in samples; others may be divided
   // more. One more sample for the normals.
-  const bool identity = !(smoothing > 0.0) && subdivision <= 1;
-  return identity ? 1
-                  : 1 +
-      std::max(AxisResampling(smoothing, largestSubdivision, 2).reach(),
-        AxisResampling(fourthOrderShare * smoothing, largestSubdivision, 2, SmoothingKernel::FourthOrder)
-          .reach());
+  const int ofKernels = 1 +
+    std::max(AxisResampling(smoothing, largestSubdivision, 2).reach(),
+      AxisResampling(fourthOrderShare * smoothing, largestSubdivision, 2, SmoothingKernel::FourthOrder)
+        .reach());
+  return glm::ivec3(ofKernels) + (slices ? slices->samples() : glm::ivec3(0));
 }
 
 GridGeometry resampledGeometry(const GridGeometry& geometry, const glm::ivec3& subdivision)
@@ -64,9 +69,9 @@ GridGeometry resampledGeometry(const GridGeometry& geometry, const glm::ivec3& s
 namespace
 {
 
-/// Each iso-value has a mask of its own.
+/// Each iso-value has a mask, or distances, of its own.
 template <class T>
-bool sampleMasks(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
+bool sampleEach(const GridField<T>& field, std::span<const double> isoValues, const SampleOptions& options,
   const CellSelection& selection, const IsoSurfaceResampling& resampling, int projectionSteps,
   TileRanges* ranges, const GrowRoom& grow, std::vector<std::size_t>& counts, const Progress& progress)
 {
@@ -90,6 +95,49 @@ bool sampleMasks(const GridField<T>& field, std::span<const double> isoValues, c
   return true;
 }
 
+/// Samples a grid's values, or the distances between slices that were made of its labels.
+/// @param labels of the same geometry; null: none that normals show
+template <class T, class L>
+bool sampleGrid(const GridField<T>& field, const GridField<L>* labels, double labelIsoValue,
+  std::span<const double> isoValues, const SampleOptions& options, const CellSelection& selection,
+  const IsoSurfaceResampling& resampling, int projectionSteps, TileRanges* ranges, const GrowRoom& grow,
+  std::vector<std::size_t>& counts, const Progress& progress)
+{
+  const auto run = [&](auto zero)
+  {
+    using Work = decltype(zero);
+    const auto readerOf = [&](const auto& grid) -> SampleReader<Work>
+    {
+      return [&](const SampleBox& positions, const glm::ivec3& reach, TileResampler<Work>& to)
+      { to.read(grid, positions, resampling.subdivision, reach); };
+    };
+    const auto lacksCorner = [&](const glm::ivec3& cell)
+    {
+      bool lacks = false;
+      for (int c = 0; c < 8; ++c)
+      {
+        lacks |= !field.has(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2));
+      }
+      return lacks;
+    };
+    ResampledRequest<Work> request = { field.geometry(), readerOf(field), lacksCorner, isoValues, options,
+      selection, resampling, projectionSteps };
+    if (labels)
+    {
+      request.labels = { readerOf(*labels), labelIsoValue };
+    }
+    return ResampledSampler<Work>(request, ranges).run(grow, counts, progress);
+  };
+  if constexpr (FitsSingle<T> && FitsSingle<L>)
+  {
+    if (options.arithmetic == Arithmetic::Single)
+    {
+      return run(0.0f);
+    }
+  }
+  return run(0.0);
+}
+
 } // namespace
 
 template <class T>
@@ -104,37 +152,30 @@ bool sampleResampledIsoSurfaces(const GridField<T>& field, std::span<const doubl
     counts.assign(isoValues.size(), 0);
     return true;
   }
-  if (resampling.ofMask && isoValues.size() > 1)
+  if ((resampling.ofMask || resampling.slices) && isoValues.size() > 1)
   {
-    return sampleMasks(
+    return sampleEach(
       field, isoValues, options, selection, resampling, projectionSteps, ranges, grow, counts, progress);
   }
-  const auto run = [&](auto zero)
+  if (!resampling.slices || isoValues.empty())
   {
-    using Work = decltype(zero);
-    const auto read = [&](const SampleBox& positions, const glm::ivec3& reach, TileResampler<Work>& to)
-    { to.read(field, positions, resampling.subdivision, reach); };
-    const auto lacksCorner = [&](const glm::ivec3& cell)
-    {
-      bool lacks = false;
-      for (int c = 0; c < 8; ++c)
-      {
-        lacks |= !field.has(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2));
-      }
-      return lacks;
-    };
-    const ResampledRequest<Work> request = { field.geometry(), read, lacksCorner, isoValues, options,
-      selection, resampling, projectionSteps };
-    return ResampledSampler<Work>(request, ranges).run(grow, counts, progress);
-  };
-  if constexpr (FitsSingle<T>)
-  {
-    if (options.arithmetic == Arithmetic::Single)
-    {
-      return run(0.0f);
-    }
+    return sampleGrid<T, T>(field, nullptr, 0.0, isoValues, options, selection, resampling, projectionSteps,
+      ranges, grow, counts, progress);
   }
-  return run(0.0);
+  const std::vector<float> distances =
+    sliceDistances(field, isoValues.front(), resampling.ofMask, *resampling.slices, progress);
+  if (distances.empty())
+  {
+    return false;
+  }
+  constexpr double contour = 0.0;
+  IsoSurfaceResampling ofDistances = resampling;
+  ofDistances.slices = {};
+  ofDistances.ofMask = false;
+  // Of another iso-value, ranges would be others.
+  return sampleGrid(GridField<float>(field.geometry(), distances), resampling.ofMask ? &field : nullptr,
+    isoValues.front(), std::span(&contour, 1), options, selection, ofDistances, projectionSteps, nullptr,
+    grow, counts, progress);
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "Core/Progress.h"
+#include "Fields/Resampling/SliceDistances.h"
 #include "IsoSurface/ActiveCells.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,6 +44,9 @@ struct IsoSurfaceResampling
   /// Whether values are labels: each is replaced by whether it is at or above the iso-value, 1 or 0, before
   /// anything else is made of it, and the surface is that of this mask at maskIsoValue.
   bool ofMask = false;
+  /// Whether what is resampled are distances from the contours within these slices, and the surface is that
+  /// of a distance of 0, see SliceDistances.
+  std::optional<ThickSlices> slices = {};
   /// Of labels: whether there is a groove, of normals, between those that meet on the surface, see
   /// LabelBorderNormals.
   bool borders = false;
@@ -49,7 +54,8 @@ struct IsoSurfaceResampling
   /// Whether the grid stays what it is.
   bool isIdentity() const
   {
-    return this->deviation == glm::dvec3(0.0) && this->subdivision == glm::ivec3(1) && !this->ofMask;
+    return this->deviation == glm::dvec3(0.0) && this->subdivision == glm::ivec3(1) && !this->ofMask &&
+      !this->slices;
   }
 };
 
@@ -70,13 +76,16 @@ inline constexpr double maskIsoValue = 0.5;
 /// @param smoothing the Gaussian's standard deviation in multiples of the smallest spacing
 /// @param subdivision cells per sample along the axis of the smallest spacing; along others in proportion to
 ///   the spacing, see subdivisionAlong
+/// @param shapeBased whether distances are interpolated between slices, if they are thick
 /// @return the identity for 0 and 1, of values
 IsoSurfaceResampling makeIsoSurfaceResampling(const GridGeometry& geometry, double smoothing, int subdivision,
-  SmoothingTarget target, bool ofMask = false);
+  SmoothingTarget target, bool ofMask = false, bool shapeBased = false);
 
-/// Samples around a cell of the grid that its samples depend on, along any axis.
+/// Samples around a cell of the grid that its samples depend on, along each axis.
 /// @param smoothing, subdivision as for makeIsoSurfaceResampling
-int isoSurfaceResamplingReach(double smoothing, int subdivision);
+/// @param slices whose distances are interpolated
+glm::ivec3 isoSurfaceResamplingReach(
+  double smoothing, int subdivision, const std::optional<ThickSlices>& slices = {});
 
 /// The grid whose cells have samples.
 GridGeometry resampledGeometry(const GridGeometry& geometry, const glm::ivec3& subdivision);

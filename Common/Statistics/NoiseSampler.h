@@ -36,6 +36,8 @@ struct NoiseSightings
   std::vector<double> steps;                      ///< across the surface
   /// Of the steps along each axis: between the samples around the surface.
   std::array<std::vector<double>, 3> edgeShares;
+  /// The shares of these between the samples around it that lie on the side of the greater one.
+  std::array<std::vector<double>, 3> innerShares;
   std::vector<double> runs;      ///< samples on one side of it, along an axis
   std::vector<double> outerRuns; ///< of these those where it is seen from outside, see isOpen
   std::vector<double> keeping;   ///< the deviations that keep what is inside of it, see keepingDeviation
@@ -160,6 +162,11 @@ private:
       found.runs.insert(found.runs.end(), runs.begin(), runs.end());
       const bool rises = this->isAbove(next);
       const glm::ivec3& inner = rises ? next : at;
+      if (change > 0.0 && std::isfinite(change))
+      {
+        found.innerShares[static_cast<std::size_t>(axis)].push_back(
+          (static_cast<double>(this->Values.at(inner)) - this->IsoValue) / change);
+      }
       const bool isOuterOpen = this->isOpen(rises ? at : next);
       if (isOuterOpen)
       {

@@ -41,7 +41,9 @@ public:
     const InkMemoryBudget& budget, const ink::Progress& progress)
     : Slabs(slabs)
     , MostPoints(budget.ForNewPoints() / InkBytesPerPoint)
-    , Reach(ink::isoSurfaceResamplingReach(settings->GetSmoothing(), settings->GetSubdivision()) +
+    , Reach(ink::isoSurfaceResamplingReach(settings->GetSmoothing(), settings->GetSubdivision(),
+              settings->FindThickSlices(slabs.GetFrame()))
+              .z +
         (settings->GetProjectionSteps() > 0 ? 1 : 0))
     , PointsPerCell(static_cast<std::uint64_t>(settings->GetSubdivision()) *
         static_cast<std::uint64_t>(settings->GetSubdivision()))
@@ -228,9 +230,12 @@ ink::FiniteRange InkSampleSlabs(InkImageSlabs& slabs, vtkInkIsoSurfaceSampler* s
   const int atOnce = slabs.IsWhole() ? slices : slabs.GetAtOnce() - 1 - 2 * reach;
   if (atOnce < 1)
   {
+    const std::optional<ink::ThickSlices> shapes = settings->FindThickSlices(slabs.GetFrame());
+    const bool reachesFar = shapes && shapes->samples().z > 0;
     throw std::runtime_error("the smoothed surface needs " + std::to_string(2 + 2 * reach) +
       " slices at a time, and there is memory for " + std::to_string(slabs.GetAtOnce()) +
-      ": expected more MaximumMemory than " + InkFormatMemory(budget.Limit) + ", or less Smoothing");
+      ": expected more MaximumMemory than " + InkFormatMemory(budget.Limit) + ", " +
+      (reachesFar ? "ShapeBasedInterpolation off, " : "") + "or less Smoothing");
   }
   ink::FiniteRange values;
   for (int begin = 0; begin == 0 || begin < slices - 1; begin += atOnce)

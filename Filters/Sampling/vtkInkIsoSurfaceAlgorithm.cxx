@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkIsoSurfaceAlgorithm.h"
 
+#include "Fields/Resampling/SliceDistances.h"
 #include "InkPrecision.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
 #include "Statistics/NoiseEstimate.h"
 
 #include "vtkContourValues.h"
+#include "vtkImageData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,14 +73,26 @@ ink::SampleOptions vtkInkIsoSurfaceAlgorithm::MakeSampleOptions() const
   return options;
 }
 
+std::optional<ink::ThickSlices> vtkInkIsoSurfaceAlgorithm::FindThickSlices(vtkImageData* frame) const
+{
+  const double* spacing = frame->GetSpacing();
+  return this->ShapeBasedInterpolation ? ink::thickSlices({ spacing[0], spacing[1], spacing[2] })
+                                       : std::nullopt;
+}
+
 double vtkInkIsoSurfaceAlgorithm::SuggestSmoothing(double isoValue)
 {
-  return this->SuggestSmoothings(isoValue).get(this->LabelMap);
+  return this->SuggestSmoothings(isoValue).get(this->ShapeBasedInterpolation).get(this->LabelMap);
 }
 
 bool vtkInkIsoSurfaceAlgorithm::SuggestLabelMap(double isoValue)
 {
   return this->SuggestSmoothings(isoValue).labels;
+}
+
+bool vtkInkIsoSurfaceAlgorithm::SuggestShapeBasedInterpolation(double isoValue)
+{
+  return this->SuggestSmoothings(isoValue).shapeBased;
 }
 
 bool vtkInkIsoSurfaceAlgorithm::SuggestLabelBorders(double isoValue)
@@ -107,6 +121,7 @@ void vtkInkIsoSurfaceAlgorithm::CopyProperties(vtkInkIsoSurfaceAlgorithm* from)
   this->SetSmoothingTarget(from->SmoothingTarget);
   this->SetLabelMap(from->LabelMap);
   this->SetLabelBorders(from->LabelBorders);
+  this->SetShapeBasedInterpolation(from->ShapeBasedInterpolation);
   this->SetSubdivision(from->Subdivision);
   this->SetCut(from->Cut);
   this->SetSmallestPart(from->SmallestPart);
@@ -166,6 +181,7 @@ void vtkInkIsoSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SmoothingTarget: " << this->GetSmoothingTargetAsString() << "\n"
      << indent << "LabelMap: " << this->LabelMap << "\n"
      << indent << "LabelBorders: " << this->LabelBorders << "\n"
+     << indent << "ShapeBasedInterpolation: " << this->ShapeBasedInterpolation << "\n"
      << indent << "Subdivision: " << this->Subdivision << "\n"
      << indent << "Cut: " << this->GetCutAsString() << "\n"
      << indent << "SmallestPart: " << this->SmallestPart << "\n"

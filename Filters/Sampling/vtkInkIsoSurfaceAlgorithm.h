@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h" // for the frame
 
 #include <functional> // for parts
+#include <optional>   // for slices
 #include <vector>     // for the iso-values
 
 class vtkContourValues;
@@ -28,6 +29,7 @@ namespace ink
 struct FiniteRange;
 struct SampleOptions;
 struct SuggestedSmoothing;
+struct ThickSlices;
 }
 #endif
 
@@ -145,6 +147,18 @@ public:
   vtkSetMacro(LabelBorders, bool);
   vtkGetMacro(LabelBorders, bool);
   vtkBooleanMacro(LabelBorders, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of slices that are 1.8 times as far apart as samples within them, or more: interpolate between two slices
+   * not their values but the distances from the contour that the iso-value has in each, see
+   * ink::SliceDistances. Surfaces that move by more than their edges' width from one slice to the next are
+   * terraces otherwise. Of other volumes nothing changes. Default: off.
+   */
+  vtkSetMacro(ShapeBasedInterpolation, bool);
+  vtkGetMacro(ShapeBasedInterpolation, bool);
+  vtkBooleanMacro(ShapeBasedInterpolation, bool);
   ///@}
 
   /// How normals are estimated, see SetNormalMethod.
@@ -308,14 +322,16 @@ public:
   /**
    * What Smoothing and Subdivision are chosen by, before anything is sampled: the Smoothing that the noise,
    * the gray levels and the voxels' shape around the surface of an iso-value ask for, see
-   * ink::suggestSmoothing, with LabelMap as it is set, whether the values seem to be labels, and the number
-   * of cells that it goes through, at most and before these are divided. It reads the image, a few slices at
+   * ink::suggestSmoothing, with LabelMap and ShapeBasedInterpolation as they are set, whether the values seem
+   * to be labels, whether contours between slices are better than values, and the number of cells that it
+   * goes through, at most and before these are divided. It reads the image, a few slices at
    * a time where it would for points (at least ink::NoiseEstimate::slices for the smoothing), or the grid,
    * which then stays for the next update. 0 and one error if that cannot be read.
    */
   double SuggestSmoothing(double isoValue);
   bool SuggestLabelMap(double isoValue);
   bool SuggestLabelBorders(double isoValue);
+  bool SuggestShapeBasedInterpolation(double isoValue);
   virtual vtkIdType CountActiveCells(double isoValue) = 0;
   ///@}
 
@@ -323,6 +339,10 @@ public:
   void CopyProperties(vtkInkIsoSurfaceAlgorithm* from);
 
 #ifndef __VTK_WRAP__
+  /// The slices between which distances are interpolated, if they are.
+  /// @param frame where the voxels lie
+  std::optional<ink::ThickSlices> FindThickSlices(vtkImageData* frame) const;
+
   /// SuggestSmoothing, whatever LabelMap is, and SuggestLabelMap at once.
   virtual ink::SuggestedSmoothing SuggestSmoothings(double isoValue) = 0;
 
@@ -375,6 +395,7 @@ protected:
   int SmoothingTarget = SURFACE;
   bool LabelMap = false;
   bool LabelBorders = false;
+  bool ShapeBasedInterpolation = false;
   int Subdivision = 1;
   int Cut = OPEN;
   double SmallestPart = 0.0;

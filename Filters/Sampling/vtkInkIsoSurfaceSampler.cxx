@@ -241,9 +241,11 @@ int vtkInkIsoSurfaceSampler::RequestUpdateExtent(
   // A normal at a piece's border depends on values across it, and the gradient at a point that has moved by
   // up to a cell on those beyond.
   using SDDP = vtkStreamingDemandDrivenPipeline;
-  const int ghostLevels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) +
-    ink::isoSurfaceResamplingReach(this->Smoothing, this->Subdivision) + (this->ProjectionSteps > 0 ? 1 : 0);
   vtkInformation* info = input[0]->GetInformationObject(0);
+  const glm::ivec3 reach = ink::isoSurfaceResamplingReach(
+    this->Smoothing, this->Subdivision, this->FindThickSlices(InkMakeFrame(info)));
+  const int ghostLevels = output->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) +
+    std::max({ reach.x, reach.y, reach.z }) + (this->ProjectionSteps > 0 ? 1 : 0);
   info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels + InkPointInput::GetGhostLevels(this, info));
   if (this->TakesSlabs(info, output->GetInformationObject(0)))
   {
@@ -320,7 +322,7 @@ vtkInkIsoSurfaceSampler::Run vtkInkIsoSurfaceSampler::MakeRun(
   run.Expected = this->Internals->Expected == 0 ? GuessCount(geometry.dimensions())
                                                 : std::max(this->Internals->Expected, std::size_t(1024));
   run.Resampling = ink::makeIsoSurfaceResampling(geometry, this->Smoothing, this->Subdivision,
-    static_cast<ink::SmoothingTarget>(this->SmoothingTarget), this->LabelMap);
+    static_cast<ink::SmoothingTarget>(this->SmoothingTarget), this->LabelMap, this->ShapeBasedInterpolation);
   run.Resampling.borders = this->LabelBorders;
   run.Parts = ink::ComponentSelection{ this->SmallestPart, static_cast<std::size_t>(this->LargestParts) }
                 .inDividedCells(this->Subdivision);

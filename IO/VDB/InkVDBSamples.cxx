@@ -141,8 +141,9 @@ bool WithPoints(vtkPoints* points, const Use& use)
 
 bool InkVDBSampleRequest::TakesTiles() const
 {
-  return this->Options.ofMask || this->Options.smoothing > 0.0 || this->Options.subdivision > 1 ||
-    this->Options.cut != ink::CutSurface::Open || !this->Options.parts.keepsAll();
+  return this->Options.ofMask || this->Options.shapeBased || this->Options.smoothing > 0.0 ||
+    this->Options.subdivision > 1 || this->Options.cut != ink::CutSurface::Open ||
+    !this->Options.parts.keepsAll();
 }
 
 std::optional<InkVDBSamples> InkSampleVDB(
@@ -199,8 +200,8 @@ std::optional<InkVDBSamples> InkSampleVDB(
   bool done = false;
   if (tiles)
   {
-    const ink::IsoSurfaceResampling resampling =
-      ink::makeIsoSurfaceResampling(geometry, options.smoothing, options.subdivision, options.target);
+    const ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
+      geometry, options.smoothing, options.subdivision, options.target, options.ofMask, options.shapeBased);
     samples.Cells = ink::resampledGeometry(geometry, resampling.subdivision);
     done = WithPoints(samples.Points,
       [&](auto* points) {

@@ -276,6 +276,8 @@ InkVDBSampleRequest vtkInkVDBIsoSurfaceSampler::MakeRequest(
   options.target = static_cast<ink::SmoothingTarget>(this->SmoothingTarget);
   options.ofMask = this->LabelMap;
   options.borders = this->LabelBorders;
+  options.shapeBased =
+    this->ShapeBasedInterpolation && ink::thickSlices(grid.geometry(grid.activeBox()).spacing());
   options.projectionSteps = this->ProjectionSteps;
   options.cut = static_cast<ink::CutSurface>(this->Cut);
   options.parts = { this->SmallestPart, static_cast<std::size_t>(this->LargestParts) };

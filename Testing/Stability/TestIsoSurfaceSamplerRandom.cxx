@@ -271,6 +271,7 @@ void CheckImage(unsigned seed, int type)
   sampler->SetSmoothing(0.25 * random.UpTo(6));
   sampler->SetSmoothingTarget(random.UpTo(1));
   sampler->SetSubdivision(1 + random.UpTo(2));
+  sampler->SetShapeBasedInterpolation(random.UpTo(1) == 1);
   sampler->UpdatePiece(0, 1, 0);
   const std::vector<double> smoothed = Numbers(output);
   if (CheckValidPoints(run.Name + ", smoothed", output))

@@ -56,9 +56,9 @@ public:
     , Options(options)
     , Domain(grid.domain())
     , Resampling(makeIsoSurfaceResampling(grid.geometry(grid.activeBox()), options.smoothing,
-        options.subdivision, options.target, options.ofMask))
+        options.subdivision, options.target, options.ofMask, options.shapeBased))
     , Parts(options.parts)
-    , Reach(isoSurfaceResamplingReach(options.smoothing, options.subdivision) +
+    , Reach(isoSurfaceResamplingReach(options.smoothing, options.subdivision, this->Resampling.slices) +
         (options.projectionSteps > 0 ? 1 : 0))
   {
     this->Resampling.borders = options.borders;
@@ -373,7 +373,7 @@ private:
   VoxelBox Domain;
   IsoSurfaceResampling Resampling;
   ComponentSelection Parts;
-  int Reach;
+  glm::ivec3 Reach;
   std::vector<glm::ivec3> Tiles;
   std::vector<TileSamples<Real>> Samples; ///< of each tile
 };

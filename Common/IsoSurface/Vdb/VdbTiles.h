@@ -25,6 +25,7 @@ struct VdbTileOptions
   int subdivision = 1;
   SmoothingTarget target = SmoothingTarget::Surface;
   bool ofMask = false;               ///< see IsoSurfaceResampling
+  bool shapeBased = false;           ///< as for makeIsoSurfaceResampling
   bool borders = false;              ///< the same
   int projectionSteps = 0;           ///< see projectSamples
   CutSurface cut = CutSurface::Open; ///< where the surface leaves the grid's domain, if it has one

@@ -204,7 +204,7 @@ TEST(LabelBorders, PartsAreThoseOfTheWhole)
   auto volume =
     floorOf<std::int16_t>([](const glm::dvec3& p) { return 1 + (p.x > 3.0) + 2 * (p.y + 0.3 * p.x > -2.0); });
   const Samples<float> whole = sampleLabels(volume.field());
-  const int margin = ink::isoSurfaceResamplingReach(smoothing, 1);
+  const int margin = ink::isoSurfaceResamplingReach(smoothing, 1).x;
   const glm::ivec3 begin(3, 2, 0);
   const glm::ivec3 end(38, 39, 41);
   const GridGeometry geometry(

@@ -200,12 +200,12 @@ TEST(LabelSamples, SmoothingIsSuggestedForLabelsAndMasks)
          suggest(octants<float>(geometry), 0.5), suggest(octants<std::int16_t>(geometry), 45.5) })
   {
     EXPECT_TRUE(one.labels);
-    EXPECT_EQ(one.ofLabels, 2.0);
+    EXPECT_EQ(one.byValues.ofLabels, 2.0);
   }
   EXPECT_FALSE(suggest(Volume<float>(geometry, 1.0f), 0.5).labels);
-  EXPECT_EQ(suggest(octants<float>(geometry), 95.0).ofLabels, 0.0) << "no surface";
-  EXPECT_EQ(suggest(ball(around({ 1.0, 1.0, 3.0 })), 0.5).ofLabels, 3.0);
-  EXPECT_EQ(suggest(ball(around({ 1.0, 1.0, 6.0 })), 0.5).ofLabels, 4.0);
+  EXPECT_EQ(suggest(octants<float>(geometry), 95.0).byValues.ofLabels, 0.0) << "no surface";
+  EXPECT_EQ(suggest(ball(around({ 1.0, 1.0, 3.0 })), 0.5).byValues.ofLabels, 3.0);
+  EXPECT_EQ(suggest(ball(around({ 1.0, 1.0, 6.0 })), 0.5).byValues.ofLabels, 4.0);
   // A scan: edges are blurred.
   const auto scan = Volume<std::int16_t>::from(
     geometry, [](const glm::dvec3& p) { return 500.0 * std::erfc((glm::length(p) - radius) / 0.99); });

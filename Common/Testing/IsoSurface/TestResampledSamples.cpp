@@ -222,8 +222,8 @@ TEST(ResampledSamples, PartsGiveTheSamplesOfTheWhole)
     EXPECT_EQ(resample(whole.field(), 500.0, setting), unsorted) << "one thread";
     unsetenv("VTK_SMP_MAX_THREADS");
 
-    const int ghosts =
-      ink::isoSurfaceResamplingReach(setting.smoothing, setting.subdivision) + (setting.projectionSteps > 0);
+    const int ghosts = ink::isoSurfaceResamplingReach(setting.smoothing, setting.subdivision).x +
+      (setting.projectionSteps > 0);
     Sorted<float> together;
     const glm::ivec3 cells = whole.geometry.dimensions() - 1;
     const glm::ivec3 cut = cells / 2 + glm::ivec3(1, -2, 3);

@@ -364,6 +364,60 @@ TEST(NoiseEstimate, SharpSlicesFarApartAskForMore)
   EXPECT_LT(ballIn(0.7 * slices.z).sharpnessAlong[2], 0.5);
 }
 
+TEST(NoiseEstimate, ContoursAreInterpolatedWhereValuesMakeTerraces)
+{
+  // A ball in slices that are blurred within and as thick as they are apart, or blurred across, too.
+  const auto estimateIn = [](double distance, bool isSharp, double isoValue)
+  {
+    const int slices = static_cast<int>(96.0 / distance);
+    const GridGeometry geometry(
+      { 96, 96, slices }, glm::dvec3(-47.5, -47.5, -0.5 * distance * (slices - 1)), { 1.0, 1.0, distance });
+    return estimateNoise(Volume<float>::from(geometry,
+                           [&](const glm::dvec3& p)
+                           {
+                             const double depth = 40.0 - glm::length(p);
+                             const double blur = isSharp ? 0.7 : 0.7 * distance;
+                             return 100.0 * std::erfc(-depth / (blur * std::sqrt(2.0)));
+                           })
+                           .field(),
+      isoValue);
+  };
+  const auto suggests = [](const ink::NoiseEstimate& estimate, double distance) {
+    return ink::suggestShapeBasedInterpolation(estimate, { 1.0, 1.0, distance });
+  };
+  const ink::NoiseEstimate outer = estimateIn(3.0, true, 20.0);
+  EXPECT_GT(outer.innerShareAlong[2], 0.65);
+  EXPECT_NEAR(estimateIn(3.0, false, 100.0).innerShareAlong[2], 0.5, 0.05);
+  EXPECT_TRUE(suggests(outer, 3.0)) << "the iso-value lies near what is outside";
+  EXPECT_FALSE(suggests(outer, 1.5)) << "no thick slices";
+  EXPECT_FALSE(suggests(estimateIn(3.0, true, 100.0), 3.0));
+  EXPECT_TRUE(suggests(estimateIn(6.0, true, 100.0), 6.0)) << "far apart and sharp";
+  EXPECT_FALSE(suggests(estimateIn(6.0, false, 100.0), 6.0)) << "blurred into each other";
+  EXPECT_TRUE(suggests({ .labels = true }, 2.0));
+  EXPECT_FALSE(suggests({}, 2.0)) << "no surface";
+
+  // Then they ask for no more smoothing than parts show.
+  ink::NoiseEstimate sharp{ .step = 1.0, .sharpnessAlong = { 0.3, 0.3, 0.6 } };
+  const glm::dvec3 spacing(1.0, 1.0, 8.0);
+  EXPECT_EQ(ink::suggestSmoothing(sharp, spacing), 4.0);
+  EXPECT_EQ(ink::suggestSmoothing(sharp, spacing, true), 2.0);
+  sharp.labels = true;
+  EXPECT_EQ(ink::suggestSmoothing(sharp, spacing), 4.0);
+  EXPECT_EQ(ink::suggestSmoothing(sharp, spacing, true), 2.0);
+  EXPECT_EQ(
+    ink::suggestSmoothing(sharp, { 1.0, 1.0, 1.5 }, true), ink::suggestSmoothing(sharp, { 1.0, 1.0, 1.5 }));
+  const ink::SuggestedSmoothing suggested = ink::suggestSmoothings(sharp, spacing);
+  EXPECT_TRUE(suggested.shapeBased);
+  EXPECT_EQ(suggested.get(false).get(false), 4.0);
+  EXPECT_EQ(suggested.get(true).get(false), 2.0);
+  EXPECT_EQ(suggested.get(false).get(true), 4.0);
+  EXPECT_EQ(suggested.get(true).get(true), 2.0);
+  ink::SuggestedSmoothing both;
+  both.add(suggested);
+  EXPECT_TRUE(both.shapeBased);
+  EXPECT_EQ(both.get(true).get(false), 2.0);
+}
+
 TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
 {
   for (const int wall : { 1, 2, 3 })
@@ -392,7 +446,7 @@ TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
   EXPECT_EQ(slitted.usualThickness, ink::NoiseEstimate::thickEnough);
   ink::NoiseEstimate brain{ .step = 1.0, .thickness = 1.0, .usualThickness = 3.0, .labels = true };
   EXPECT_EQ(ink::suggestSmoothing(brain, glm::dvec3(1.0)), 1.5) << "gaps of a single sample";
-  EXPECT_FALSE(ink::suggestSmoothings(brain, glm::dvec3(1.0)).keepsLabels) << "which stay open";
+  EXPECT_FALSE(ink::suggestSmoothings(brain, glm::dvec3(1.0)).byValues.keepsLabels) << "which stay open";
   brain.thickness = 2.0;
   EXPECT_EQ(ink::suggestSmoothing(brain, glm::dvec3(1.0)), 1.0) << "thin parts";
   const auto ball = Volume<std::uint8_t>::from(
@@ -427,7 +481,7 @@ TEST(NoiseEstimate, SmallPartsOfLabelsAreKept)
       std::sqrt(2.0 / std::acos(-1.0)) * ratio * std::exp(-0.5 * ratio * ratio);
     EXPECT_GT(kept, 0.5) << radius;
     EXPECT_GT(deviation, 0.39 * radius) << "and no less than it takes";
-    EXPECT_TRUE(ink::suggestSmoothings(found, glm::dvec3(1.0)).keepsLabels);
+    EXPECT_TRUE(ink::suggestSmoothings(found, glm::dvec3(1.0)).byValues.keepsLabels);
   }
   EXPECT_EQ(
     estimateNoise(balls({ 36, 36, 36 }, 5.4).field(), 0.5).keeping, std::numeric_limits<double>::infinity());

@@ -420,7 +420,7 @@ TEST(IsoSurfaceSamplerSlabs, SuggestsAndCountsAsOfTheWhole)
   const auto whole = MakeImage(VTK_FLOAT, Whole, Density);
   vtkNew<SlabSource> source;
   const auto sampler = MakeSampler(source, Little);
-  EXPECT_EQ(sampler->SuggestSmoothing(100.0), InkSuggestSmoothing(whole, 100.0).ofValues);
+  EXPECT_EQ(sampler->SuggestSmoothing(100.0), InkSuggestSmoothing(whole, 100.0).byValues.ofValues);
   EXPECT_EQ(static_cast<double>(sampler->CountActiveCells(100.0)), InkBoundSurfacePoints(whole, 100.0));
   EXPECT_LE(source->MostSlices, AtOnce);
   sampler->Update();
