@@ -92,12 +92,25 @@ def scan(name, volume):
     write(vtk.vtkXMLImageDataWriter(), phantoms_module().image(phantom), volume)
 
 
+def read_nifti(path):
+    reader = vtk.vtkNIFTIImageReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def slices(volume, step, out):
+    """Each so many slices along z."""
+    picking = vtk.vtkExtractVOI()
+    picking.SetInputData(read_nifti(volume))
+    picking.SetSampleRate(1, 1, int(step))
+    picking.Update()
+    write(vtk.vtkXMLImageDataWriter(), picking.GetOutput(), out)
+
+
 def labels(volume, iso_value, out):
     """What is at or above the iso-value, in two regions along each axis."""
-    reader = vtk.vtkNIFTIImageReader()
-    reader.SetFileName(volume)
-    reader.Update()
-    image = reader.GetOutput()
+    image = read_nifti(volume)
     values = numpy_support.vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
     halves = np.indices(values.shape) * 2 // np.reshape(values.shape, (3, 1, 1, 1))
     regions = np.where(values >= float(iso_value), 1 + halves[0] + 2 * halves[1] + 4 * halves[2], 0).astype(np.uint8)

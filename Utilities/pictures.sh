@@ -164,6 +164,11 @@ illustration_pictures() {
   "$INK_PYTHON" Utilities/pictures.py labels Data/engine.nii.gz 80 "$work/labels.vti"
   series labels "$work/labels.vti --view iso" "--label-borders off" ""
   series colors "$work/labels.vti --view iso" "--color-map rainbow"
+  # Of a file that is not in Data.
+  if [ -f "${INK_MESHES:-}/cranium.nii.gz" ]; then
+    "$INK_PYTHON" Utilities/pictures.py slices "$INK_MESHES/cranium.nii.gz" 6 "$work/slices.vti"
+    series slices "$work/slices.vti --iso -800" "--shape-based-interpolation off" ""
+  fi
 }
 
 lines_pictures() {

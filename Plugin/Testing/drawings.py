@@ -115,6 +115,14 @@ for name in ("wavelet", "nii", "pvti"):
 labels = Calculator(Input=volumes["pvti"], ResultArrayName="Labels", Function="floor(RTData/60)")
 draw("pvti-labels-solid-illustration", labels, "Illustration", IllustrationAutomaticIsoValue=0, IllustrationIsoValue=1.5,
     IllustrationLabelMap="On", IllustrationLabelBorders="On", ColorArrayName=["POINTS", "Labels"])
+# Thick slices, between which contours are interpolated.
+for name in ("nii", "pvti"):
+    volume = volumes[name]
+    volume.UpdatePipeline()
+    thick = ExtractSubset(Input=volume, VOI=volume.GetDataInformation().GetExtent(), SampleRateK=3)
+    SetActiveSource(thick)
+    save_points(f"{name}-slices", InkIsoSurfaceSampler(Input=thick, Isosurfaces=[150.0], Smoothing=1, ShapeBasedInterpolation=1))
+draw("slices-solid-illustration", thick, "Illustration", IllustrationShapeBasedInterpolation="On")
 draw("outlined-solid-illustration", wavelet, "Illustration", IllustrationSilhouettes=1)
 draw("outlined-lines", wavelet, "Splatting Lines", Phi=100, LinesSilhouettes=1)
 draw("see-through-solid-illustration", wavelet, "Illustration", IllustrationSeeThrough=1, IllustrationAutomaticIsoValue=0,

@@ -2,9 +2,11 @@
 #include "InkIsoSurface.h"
 
 #include "Core/FormatNumber.h"
+#include "Fields/Resampling/SliceDistances.h"
 #include "InkActiveScalars.h"
 #include "InkDistributedParts.h"
 #include "InkIsoSurfaceMesh.h"
+#include "InkMakeDistances.h"
 #include "InkMakeMask.h"
 #include "InkStyleProcesses.h"
 #include "InkVolumeValues.h"
@@ -100,6 +102,11 @@ void InkIsoSurface::SetSmoothingTarget(int target)
   this->Set(this->SmoothingTarget, target);
 }
 
+void InkIsoSurface::SetShapeBasedInterpolation(int shapeBased)
+{
+  this->Set(this->ShapeBasedInterpolation, shapeBased);
+}
+
 void InkIsoSurface::SetSubdivision(int subdivision)
 {
   this->Set(this->Subdivision, subdivision);
@@ -116,6 +123,7 @@ void InkIsoSurface::CopyParameters(const InkIsoSurface& other)
   this->SetLabelMap(other.GetLabelMap());
   this->SetLabelBorders(other.GetLabelBorders());
   this->SetSmoothingTarget(other.SmoothingTarget);
+  this->SetShapeBasedInterpolation(other.GetShapeBasedInterpolation());
   this->SetSubdivision(other.GetSubdivision());
 }
 
@@ -130,10 +138,16 @@ ink::SuggestedSmoothing InkIsoSurface::FindSmoothing(
       smoothing.add(InkSuggestSmoothing(image, value));
     }
   }
-  std::vector<double> numbers{ smoothing.ofValues, smoothing.ofLabels, smoothing.labels ? 1.0 : 0.0,
-    smoothing.keepsLabels ? 1.0 : 0.0, smoothing.clearBorders ? 1.0 : 0.0 };
+  const auto number = [](bool is) { return is ? 1.0 : 0.0; };
+  std::vector<double> numbers{ number(smoothing.labels), number(smoothing.clearBorders),
+    number(smoothing.shapeBased) };
+  for (const ink::SuggestedDeviations* one : { &smoothing.byValues, &smoothing.byShapes })
+  {
+    numbers.insert(numbers.end(), { one->ofValues, one->ofLabels, number(one->keepsLabels) });
+  }
   style->GetProcesses().TakeOfFirst(numbers);
-  return { numbers[0], numbers[1], numbers[2] > 0.0, numbers[3] > 0.0, numbers[4] > 0.0 };
+  return { { numbers[3], numbers[4], numbers[5] > 0.0 }, { numbers[6], numbers[7], numbers[8] > 0.0 },
+    numbers[0] > 0.0, numbers[1] > 0.0, numbers[2] > 0.0 };
 }
 
 vtkMTimeType InkIsoSurface::GetMTime(bool ofValues)
@@ -230,7 +244,9 @@ std::string InkIsoSurface::Prepare(vtkInkStyle* style, std::span<vtkImageData* c
       style->GetProcesses().TakeOfFirst(isSolid);
       return isSolid[0] > 0.0;
     });
-  sampler->SetSmoothing(this->Smoothing < 0.0 ? suggested.get(labels) : this->Smoothing);
+  sampler->SetSmoothing(this->Smoothing < 0.0
+      ? suggested.get(sampler->GetShapeBasedInterpolation()).get(labels)
+      : this->Smoothing);
   sampler->SetSubdivision(this->FindSubdivision(style, images, whole, values));
   return {};
 }
@@ -252,6 +268,7 @@ bool InkIsoSurface::IsSlab(vtkImageData* image)
 bool InkIsoSurface::AsksForSuggestion() const
 {
   return this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC ||
+    this->ShapeBasedInterpolation == SHAPES_AUTOMATIC ||
     (this->LabelMap == LABELS_ON && this->LabelBorders == BORDERS_AUTOMATIC);
 }
 
@@ -259,9 +276,13 @@ bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::Su
   const std::function<bool(bool labels)>& isSolid) const
 {
   const bool labels = this->LabelMap == LABELS_ON || (this->LabelMap == LABELS_AUTOMATIC && suggested.labels);
+  const bool shapeBased = this->ShapeBasedInterpolation == SHAPES_AUTOMATIC
+    ? suggested.shapeBased
+    : this->ShapeBasedInterpolation == SHAPES_ON;
   // With normals, thin parts stay.
-  const bool smoothsSurface = labels && suggested.keepsLabels;
+  const bool smoothsSurface = labels && suggested.get(shapeBased).keepsLabels;
   sampler->SetLabelMap(labels);
+  sampler->SetShapeBasedInterpolation(shapeBased);
   sampler->SetLabelBorders(this->LabelBorders == BORDERS_AUTOMATIC ? labels && suggested.clearBorders
                                                                    : this->LabelBorders == BORDERS_ON);
   sampler->SetSmoothingTarget(this->SmoothingTarget != TARGET_AUTOMATIC ? this->SmoothingTarget
@@ -282,8 +303,9 @@ double InkIsoSurface::ChooseSmoothing(vtkInkStyle* style, std::span<vtkImageData
   const InkWholeImages whole = style->GetProcesses().GatherImages(images);
   std::vector<ink::IsoSuggestion> suggestions = SuggestOf(style, whole);
   this->Choose(suggestions);
-  return suggestions.empty() ? 0.0
-                             : this->FindSmoothing(style, whole, { suggestions.front().value }).ofValues;
+  return suggestions.empty()
+    ? 0.0
+    : this->FindSmoothing(style, whole, { suggestions.front().value }).byValues.ofValues;
 }
 
 std::string InkIsoSurface::Sample(
@@ -376,20 +398,32 @@ void InkIsoSurface::KeepParts(
 std::string InkIsoSurface::Mesh(vtkInkStyle* style, vtkImageData* image, vtkPolyData* mesh)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!this->Sampler->GetLabelMap())
+  const std::optional<ink::ThickSlices> slices = this->Sampler->FindThickSlices(image);
+  if (!this->Sampler->GetLabelMap() && !slices)
   {
     return this->MeshOf(style, image, scalars, this->Sampler, mesh);
   }
-  // Each iso-value has a mask of its own.
+  // Each iso-value has a mask, or distances, of its own.
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
   vtkNew<vtkInkIsoSurfaceSampler> settings;
   settings->CopyProperties(this->Sampler);
-  settings->SetValue(0, ink::maskIsoValue);
   for (int n = 0; n < this->Sampler->GetNumberOfContours(); ++n)
   {
-    const vtkSmartPointer<vtkDataArray> mask = InkMakeMask(scalars, this->Sampler->GetValue(n));
+    vtkSmartPointer<vtkDataArray> values;
+    double isoValue = this->Sampler->GetValue(n);
+    if (slices)
+    {
+      values = InkMakeDistances(image, scalars, isoValue, this->Sampler->GetLabelMap(), *slices);
+      isoValue = 0.0;
+    }
+    else
+    {
+      values = InkMakeMask(scalars, isoValue);
+      isoValue = ink::maskIsoValue;
+    }
+    settings->SetValue(0, isoValue);
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
-    const std::string problem = this->MeshOf(style, image, mask, settings, parts.back());
+    const std::string problem = this->MeshOf(style, image, values, settings, parts.back());
     if (!problem.empty())
     {
       return problem;

@@ -86,6 +86,15 @@ public:
   static constexpr int TARGET_AUTOMATIC = 2;
   void SetSmoothingTarget(int target);
   int GetSmoothingTarget() const { return this->SmoothingTarget; }
+  /// Whether distances from contours are interpolated between slices.
+  enum ShapeBasedInterpolationType
+  {
+    SHAPES_AUTOMATIC = 0, ///< where they are the better guess, see ink::suggestShapeBasedInterpolation
+    SHAPES_OFF = 1,
+    SHAPES_ON = 2
+  };
+  void SetShapeBasedInterpolation(int shapeBased);
+  int GetShapeBasedInterpolation() const { return this->ShapeBasedInterpolation; }
   void SetSubdivision(int subdivision);
   int GetSubdivision() const { return this->Subdivision; }
   ///@}
@@ -185,7 +194,8 @@ private:
   ink::ComponentSelection GetSelection() const;
   /// Whether something is chosen by what FindSmoothing finds.
   bool AsksForSuggestion() const;
-  /// Makes a sampler take values as labels or not, with borders, the cut and the smoothing that suit these.
+  /// Makes a sampler take values as labels or not, with borders, the cut, the smoothing's target and the
+  /// interpolation that suit these.
   /// @param isSolid whether caps suit what is sampled, labels or not; asked where it matters
   /// @return whether as labels
   bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
@@ -233,6 +243,7 @@ private:
   int IsoChoice = OUTERMOST;
   int LabelMap = LABELS_AUTOMATIC;
   int LabelBorders = BORDERS_AUTOMATIC;
+  int ShapeBasedInterpolation = SHAPES_AUTOMATIC;
   bool ComputeCurvature = false;
   int Subdivision = 0; ///< 0: until cells are a small part of the picture
   vtkTimeStamp Changed;

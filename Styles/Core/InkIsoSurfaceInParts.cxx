@@ -23,17 +23,6 @@
 #include <string>
 #include <vector>
 
-namespace
-{
-
-/// The slices that a surface needs at a time: those of a layer of cells with what their points depend on.
-int SlicesFor(double smoothing, int subdivision)
-{
-  return 2 + 2 * ink::isoSurfaceResamplingReach(smoothing, subdivision);
-}
-
-} // namespace
-
 /// Chooses smoothing and subdivision of a volume as InkIsoSurface::Prepare does those of images in memory.
 /// What is less than that, as memory is short, it notes.
 class InkIsoSurface::SamplingOfParts
@@ -78,13 +67,24 @@ public:
     return smoothing;
   }
 
+  /// Interpolates values between slices, if memory has no room for those that distances reach into.
+  void FitShapes()
+  {
+    if (this->Sampler->GetShapeBasedInterpolation() &&
+      !this->HasRoomFor(this->CountSlices(0.0, 1), "values are interpolated between slices, not contours",
+        "ShapeBasedInterpolation off"))
+    {
+      this->Sampler->ShapeBasedInterpolationOff();
+    }
+  }
+
   /// What memory has room for of what was suggested; nothing was if it could not be measured.
   double FitSmoothing(double suggested)
   {
     // How much memory it takes is not known before it was measured.
     const double smoothing = this->CanMeasure() ? suggested : ink::mostSuggestedSmoothing;
     const bool hasRoom =
-      this->HasRoomFor(SlicesFor(smoothing, 1), "the surface is not smoothed", "Smoothing 0");
+      this->HasRoomFor(this->CountSlices(smoothing, 1), "the surface is not smoothed", "Smoothing 0");
     return hasRoom && this->CanMeasure() ? suggested : 0.0;
   }
 
@@ -108,11 +108,19 @@ public:
       std::min(InkMostDividedPoints, mostPoints));
     TakeSubdivision(this->Style, chosen);
     const bool hasRoom = chosen.Cells == 1 ||
-      this->HasRoomFor(SlicesFor(smoothing, chosen.Cells), "voxels are not divided", "Subdivision 1");
+      this->HasRoomFor(this->CountSlices(smoothing, chosen.Cells), "voxels are not divided", "Subdivision 1");
     return hasRoom ? this->FitLayers(chosen.Cells, voxel.Ratio, budget) : 1;
   }
 
 private:
+  /// The slices that a surface needs at a time: those of a layer of cells with what their points depend on.
+  int CountSlices(double smoothing, int subdivision) const
+  {
+    const std::optional<ink::ThickSlices> slices =
+      this->Slabs ? this->Sampler->FindThickSlices(this->Slabs->GetFrame()) : std::nullopt;
+    return 2 + 2 * ink::isoSurfaceResamplingReach(smoothing, subdivision, slices).z;
+  }
+
   template <class Use>
   void Follow(const char* step, const Use& use)
   {
@@ -241,8 +249,10 @@ std::string InkIsoSurface::SampleBy(
       const double least = *std::min_element(values.begin(), values.end());
       return (ofLabels || IsSlab(slabs->GetFrame())) && !InkSurroundsObject(*slabs, least);
     });
-  sampler->SetSmoothing(
-    this->Smoothing < 0.0 ? sampling.FitSmoothing(suggested.get(labels)) : this->Smoothing);
+  sampling.FitShapes();
+  sampler->SetSmoothing(this->Smoothing < 0.0
+      ? sampling.FitSmoothing(suggested.get(sampler->GetShapeBasedInterpolation()).get(labels))
+      : this->Smoothing);
   sampler->SetSubdivision(
     this->Subdivision == 0 ? sampling.ChooseSubdivision(sampler->GetSmoothing()) : this->Subdivision);
   if (!sampling.GetProblem().empty())

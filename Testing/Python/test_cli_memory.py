@@ -24,7 +24,7 @@ def waves(shape, dtype=np.uint8):
     values = np.where(np.hypot(x - shape[2] / 2, y - shape[1] / 2) < 60, values, -2) * 30 + 60
     if len(shape) == 4:
         values = np.stack([values, *[values[..., ::-1]] * (shape[3] - 1)], axis=-1)
-    return values.astype(dtype)
+    return values.astype(np.uint8)
 
 
 SHAPES = {1: (72, 512, 512), 2: (72, 512, 256), 4: (72, 256, 256), 8: (72, 256, 128)}
@@ -479,3 +479,32 @@ def test_label_maps(ink, tmp_path):
     assert np.abs(borders - whole).max() > 30
     for picture in pictures.values():
         assert np.abs(picture - whole).max() <= 1
+
+
+@pytest.mark.one_build
+def test_thick_slices(ink, tmp_path):
+    """Contours are interpolated a few slices at a time as in memory, unless memory has no room for what distances reach into."""
+    z, y, x = np.ogrid[:72, :512, :512]
+    cylinders = {"1,1,4": np.hypot(y - 255.7, x - 255.2 - 3 * (z - 36)) - 120, "4,1,1": np.hypot(y - 255.7, z - 36 - 0.5 * (x - 256)) - 22}
+
+    def draw(spacing, memory, interpolation):
+        np.clip(100 - 60 * cylinders[spacing], 0, 200).astype(dtype).tofile(tmp_path / "v.raw")
+        out = tmp_path / "picture.png"
+        result = ink("render", tmp_path / "v.raw", "--raw", "512x512x72:uint8", "--spacing", spacing, "--iso", 20, "--size",
+                     "300x300", "--memory", memory, "--style", "splatting-lines", "--smoothing", 1, "--subdivision", 1,
+                     "--shape-based-interpolation", interpolation, "-o", out)
+        assert result.code == 0, result
+        return ink_files.read_png(out).astype(int), result.err
+
+    for spacing in cylinders:
+        contours, _ = draw(spacing, PLENTY, "on")
+        assert contours.min() < 100
+        in_parts, notes = draw(spacing, LITTLE if spacing == "1,1,4" else "224MiB", "on")
+        assert np.abs(in_parts - contours).max() <= 1 and "contours" not in notes
+        values, _ = draw(spacing, PLENTY, "off")
+        assert np.abs(values - contours).max() > 30
+    assert np.abs(draw("1,1,4", PLENTY, "auto")[0] - draw("1,1,4", PLENTY, "on")[0]).max() == 0
+    # Across x, distances reach into the slices that are read.
+    in_parts, notes = draw("4,1,1", LITTLE, "on")
+    assert "values are interpolated between slices, not contours, as memory has room for" in notes
+    assert np.abs(in_parts - draw("4,1,1", PLENTY, "off")[0]).max() <= 1
